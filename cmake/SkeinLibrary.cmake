@@ -1,0 +1,117 @@
+# skein_add_library: the one way to declare a library, with what it depends on and its tests.
+#
+#   skein_add_library(executive
+#     SOURCES src/a.cpp src/b.cpp          # listed, never globbed
+#     DEPENDS foundation                    # skein libraries its public headers may include
+#     PRIVATE_DEPENDS nlohmann_json::nlohmann_json   # other targets, used in its .cpp files only
+#     PUBLIC_DEPENDS tl::expected           # other targets its public headers include
+#     TESTS test/a_test.cpp                 # one GoogleTest program, skein_<name>_test
+#     TEST_DEPENDS rapidcheck)              # other targets of that program
+#
+# The declared skein dependencies are written to the global property SKEIN_DEPENDS_<name>; the
+# architecture test (tests/architecture) compares them with the include directives and with the
+# layers of spec 1.6.
+set_property(GLOBAL PROPERTY SKEIN_LIBRARIES "")
+
+function(skein_add_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PUBLIC_DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_ARGS" ${ARGN})
+  if(ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "skein_add_library(${name}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
+  set(target skein_${name})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(skein::${name} ALIAS ${target})
+  target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include
+                                       PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)
+  set(own_deps ${ARG_DEPENDS})
+  list(TRANSFORM own_deps PREPEND skein::)
+  target_link_libraries(${target} PUBLIC ${own_deps} PRIVATE skein::options)
+  skein_link_system(${target} PUBLIC ${ARG_PUBLIC_DEPENDS})
+  skein_link_system(${target} PRIVATE ${ARG_PRIVATE_DEPENDS})
+
+  set_property(GLOBAL APPEND PROPERTY SKEIN_LIBRARIES ${name})
+  set_property(GLOBAL PROPERTY SKEIN_DEPENDS_${name} "${ARG_DEPENDS}")
+  set_property(GLOBAL PROPERTY SKEIN_SOURCE_DIR_${name} ${CMAKE_CURRENT_SOURCE_DIR})
+
+  if(SKEIN_BUILD_TESTS AND ARG_TESTS)
+    skein_add_test(${target}_test SOURCES ${ARG_TESTS} DEPENDS skein::${name} ${ARG_TEST_DEPENDS})
+    target_include_directories(${target}_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src
+                                                      ${CMAKE_CURRENT_SOURCE_DIR}/test)
+  endif()
+endfunction()
+
+# Links targets that are not ours; their headers count as system headers (no warnings from them).
+function(skein_link_system target scope)
+  foreach(dependency IN LISTS ARGN)
+    target_link_libraries(${target} ${scope} ${dependency})
+    if(TARGET ${dependency})
+      get_target_property(dirs ${dependency} INTERFACE_INCLUDE_DIRECTORIES)
+      if(dirs)
+        target_include_directories(${target} SYSTEM ${scope} ${dirs})
+      endif()
+    endif()
+  endforeach()
+endfunction()
+
+# skein_add_test(NAME SOURCES … DEPENDS … [LABELS …] [TIMEOUT S]): a GoogleTest program, one ctest
+# entry for the whole program. The root of the source tree is compiled in as SKEIN_SOURCE_DIR.
+function(skein_add_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPENDS;LABELS;COMMAND" ${ARGN})
+  find_package(GTest REQUIRED)
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE skein::options ${ARG_DEPENDS} GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE SKEIN_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+                                             SKEIN_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  if(NOT ARG_COMMAND)
+    set(ARG_COMMAND ${name})
+  endif()
+  if(NOT ARG_LABELS)
+    set(ARG_LABELS unit)
+  endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 120)
+  endif()
+  add_test(NAME ${name} COMMAND ${ARG_COMMAND})
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+endfunction()
+
+# skein_add_bench(NAME SOURCES … DEPENDS …): a Google Benchmark program; never run as a test.
+function(skein_add_bench name)
+  if(NOT SKEIN_BUILD_BENCH)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  find_package(benchmark REQUIRED)
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE skein::options ${ARG_DEPENDS} benchmark::benchmark)
+endfunction()
+
+# skein_add_fuzzer(NAME SOURCES … DEPENDS … CORPUS dir): a libFuzzer program with -DSKEIN_BUILD_FUZZ=ON
+# (clang). Without it the same entry point is built as a plain program that replays the corpus, as a test.
+function(skein_add_fuzzer name)
+  cmake_parse_arguments(ARG "" "CORPUS" "SOURCES;DEPENDS" ${ARGN})
+  if(SKEIN_BUILD_FUZZ)
+    add_executable(${name} ${ARG_SOURCES})
+    target_compile_options(${name} PRIVATE -fsanitize=fuzzer)
+    target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+    target_link_libraries(${name} PRIVATE skein::options ${ARG_DEPENDS})
+  elseif(SKEIN_BUILD_TESTS)
+    add_executable(${name} ${ARG_SOURCES} ${CMAKE_SOURCE_DIR}/cmake/replay_corpus.cpp)
+    target_link_libraries(${name} PRIVATE skein::options ${ARG_DEPENDS})
+    add_test(NAME ${name}_corpus COMMAND ${name} ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_CORPUS})
+    set_tests_properties(${name}_corpus PROPERTIES LABELS unit TIMEOUT 120)
+  endif()
+endfunction()
+
+# Adds a directory if it exists and, when SKEIN_ONLY names a library, only if that library or one of
+# its declared dependencies lives there (its CMakeLists.txt decides by skein_wanted).
+function(skein_add_subdirectory directory)
+  if(NOT EXISTS ${CMAKE_SOURCE_DIR}/${directory}/CMakeLists.txt)
+    return()
+  endif()
+  get_filename_component(name ${directory} NAME)
+  if(SKEIN_ONLY AND NOT name IN_LIST SKEIN_ONLY)
+    return()
+  endif()
+  add_subdirectory(${CMAKE_SOURCE_DIR}/${directory})
+endfunction()

@@ -1,0 +1,32 @@
+# Compile options, shared by every target through the interface library skein_options.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+# Debian's own flags on -O2; no -g in Release keeps a full build short on two cores.
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")
+
+add_library(skein_options INTERFACE)
+add_library(skein::options ALIAS skein_options)
+target_compile_options(skein_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast
+  $<$<BOOL:${SKEIN_WERROR}>:-Werror>)
+if(SKEIN_SANITIZE)
+  add_compile_options(-fsanitize=${SKEIN_SANITIZE} -fno-omit-frame-pointer -g1)
+  add_link_options(-fsanitize=${SKEIN_SANITIZE})
+  if(SKEIN_SANITIZE MATCHES "undefined")
+    add_compile_options(-fno-sanitize-recover=undefined)
+  endif()
+endif()
+
+find_program(SKEIN_CCACHE ccache)
+if(SKEIN_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${SKEIN_CCACHE})
+endif()

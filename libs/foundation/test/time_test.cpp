@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/foundation/time.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace skein {
+namespace {
+
+TEST(Duration, RoundsSecondsToTheNearestNanosecond) {
+  EXPECT_EQ(Duration::seconds(0.1).count(), 100'000'000);
+  EXPECT_EQ(Duration::seconds(-1.5).count(), -1'500'000'000);
+  EXPECT_EQ(Duration::seconds(4e-10).count(), 0);
+  EXPECT_EQ(Duration::seconds(6e-10).count(), 1);
+}
+
+TEST(Duration, OutOfRangeSecondsSaturate) {
+  EXPECT_EQ(Duration::seconds(1e300), Duration::max());
+  EXPECT_EQ(Duration::seconds(-1e300).count(), std::numeric_limits<std::int64_t>::min());
+}
+
+TEST(Duration, NotANumberIsABrokenContract) {
+  EXPECT_DEATH((void)Duration::seconds(std::numeric_limits<double>::quiet_NaN()), "precondition");
+}
+
+TEST(MissionTime, ForEverStaysForEver) {
+  EXPECT_EQ(MissionTime::max() + Duration::seconds(1), MissionTime::max());
+  EXPECT_EQ(MissionTime::max() - Duration::nanoseconds(-1), MissionTime::max());
+  const auto first = MissionTime::nanoseconds(std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(first - Duration::seconds(1), first);
+}
+
+TEST(MissionTime, DifferenceOfTwoInstantsIsADuration) {
+  EXPECT_EQ(MissionTime::seconds(5) - MissionTime::seconds(7), Duration::seconds(-2));
+}
+
+TEST(MissionTime, TextIsExactToTheNanosecond) {
+  EXPECT_EQ(to_text(MissionTime::nanoseconds(12'500'000'000)), "12.5");
+  EXPECT_EQ(to_text(MissionTime::nanoseconds(-1)), "-0.000000001");
+  EXPECT_EQ(to_text(MissionTime::nanoseconds(0)), "0");
+  EXPECT_EQ(to_text(Duration::nanoseconds(std::numeric_limits<std::int64_t>::min())),
+            "-9223372036.854775808");
+}
+
+TEST(MissionTime, ClockTextIsForPeople) {
+  EXPECT_EQ(to_clock_text(MissionTime::seconds(3725.9)), "1:02:05");
+  EXPECT_EQ(to_clock_text(MissionTime::seconds(-1)), "-0:00:01");
+}
+
+TEST(MissionTime, EarliestIgnoresWhatNeverComes) {
+  EXPECT_EQ(earliest(std::nullopt, std::nullopt), std::nullopt);
+  EXPECT_EQ(earliest(MissionTime::seconds(1), std::nullopt), MissionTime::seconds(1));
+  EXPECT_EQ(earliest(MissionTime::seconds(2), MissionTime::seconds(1)), MissionTime::seconds(1));
+}
+
+}  // namespace
+}  // namespace skein
