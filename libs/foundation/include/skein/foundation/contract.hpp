@@ -8,13 +8,13 @@ namespace skein::detail {
 }  // namespace skein::detail
 
 /// What a caller must guarantee.
-#define SKEIN_EXPECTS(condition)        \
-  (static_cast<bool>(condition)         \
-       ? static_cast<void>(0)           \
+#define SKEIN_EXPECTS(condition) \
+  (static_cast<bool>(condition)  \
+       ? static_cast<void>(0)    \
        : ::skein::detail::contract_broken("precondition", #condition, __FILE__, __LINE__))
 
 /// What the function itself guarantees at this point.
-#define SKEIN_ENSURES(condition)        \
-  (static_cast<bool>(condition)         \
-       ? static_cast<void>(0)           \
+#define SKEIN_ENSURES(condition) \
+  (static_cast<bool>(condition)  \
+       ? static_cast<void>(0)    \
        : ::skein::detail::contract_broken("invariant", #condition, __FILE__, __LINE__))

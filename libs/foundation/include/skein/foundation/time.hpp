@@ -91,7 +91,8 @@ constexpr std::optional<MissionTime> earliest(std::optional<MissionTime> a,
   return *a < *b ? a : b;
 }
 
-/// Seconds in plain decimal, exact to the nanosecond, without trailing zeros: "12.5", "-0.000000001".
+/// Seconds in plain decimal, exact to the nanosecond, without trailing zeros: "12.5",
+/// "-0.000000001".
 std::string to_text(MissionTime t);
 std::string to_text(Duration d);
 

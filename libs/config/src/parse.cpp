@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/config/parse.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace skein::config {
+
+namespace {
+
+constexpr std::size_t kMaximumBytes = std::size_t{16} << 20;
+constexpr int kMaximumDepth = 64;
+constexpr int kMaximumValues = 1'000'000;
+
+// Copies a yaml-cpp tree into ours; aliases are expanded, so the number of values is counted.
+class Converter {
+ public:
+  explicit Converter(const std::string& file) : file_(file) {}
+
+  Value convert(const YAML::Node& node, const std::string& path, int depth) {
+    Value value;
+    const YAML::Mark mark = node.Mark();
+    value.line = mark.line + 1;
+    value.column = mark.column + 1;
+    if (++values_ > kMaximumValues || depth > kMaximumDepth) {
+      if (!too_much_) report(value, path, "the document is nested too deeply or too large");
+      too_much_ = true;
+      return value;
+    }
+    if (node.IsScalar()) return scalar(node, std::move(value));
+    if (node.IsSequence()) return sequence(node, std::move(value), path, depth);
+    if (node.IsMap()) return map(node, std::move(value), path, depth);
+    return value;
+  }
+
+  Diagnostics diagnostics;
+
+ private:
+  static Value scalar(const YAML::Node& node, Value value) {
+    value.kind = Value::Kind::kScalar;
+    value.scalar = node.Scalar();
+    value.quoted = node.Tag() == "!";
+    return value;
+  }
+
+  Value sequence(const YAML::Node& node, Value value, const std::string& path, int depth) {
+    value.kind = Value::Kind::kSequence;
+    for (std::size_t i = 0; i < node.size() && !too_much_; ++i) {
+      value.items.push_back(convert(node[i], path + "[" + std::to_string(i) + "]", depth + 1));
+    }
+    return value;
+  }
+
+  Value map(const YAML::Node& node, Value value, const std::string& path, int depth) {
+    value.kind = Value::Kind::kMap;
+    std::set<std::string> seen;
+    for (const auto& entry : node) {
+      if (too_much_) break;
+      Value at;
+      at.line = entry.first.Mark().line + 1;
+      at.column = entry.first.Mark().column + 1;
+      if (!entry.first.IsScalar()) {
+        report(at, path, "a key that is not a plain name");
+        continue;
+      }
+      const std::string key = entry.first.Scalar();
+      const std::string below = path.empty() ? key : path + "." + key;
+      if (!seen.insert(key).second) report(at, below, "key '" + key + "' given twice");
+      value.entries.emplace_back(key, convert(entry.second, below, depth + 1));
+    }
+    return value;
+  }
+
+  void report(const Value& at, const std::string& path, std::string message) {
+    diagnostics.add({file_, at.line, at.column, path, std::move(message), "", ""});
+  }
+
+  const std::string& file_;
+  int values_ = 0;
+  bool too_much_ = false;
+};
+
+tl::unexpected<Diagnostics> one_error(const std::string& file, int line, int column,
+                                      std::string message) {
+  Diagnostics diagnostics;
+  diagnostics.add({file, line, column, "", std::move(message), "", ""});
+  return tl::unexpected<Diagnostics>(std::move(diagnostics));
+}
+
+}  // namespace
+
+Result<Value, Diagnostics> parse_yaml(std::string_view text, const std::string& file) {
+  if (text.size() > kMaximumBytes) return one_error(file, 0, 0, "larger than 16 MiB");
+  try {
+    const std::vector<YAML::Node> documents = YAML::LoadAll(std::string(text));
+    if (documents.empty() || !documents[0].IsDefined() || documents[0].IsNull()) {
+      return one_error(file, 1, 1, "the file is empty");
+    }
+    if (documents.size() > 1) {
+      return one_error(file, documents[1].Mark().line + 1, 1, "a second document; expected one");
+    }
+    Converter converter(file);
+    Value value = converter.convert(documents[0], "", 0);
+    if (!converter.diagnostics.empty()) {
+      return tl::unexpected<Diagnostics>(std::move(converter.diagnostics));
+    }
+    return value;
+  } catch (const YAML::Exception& e) {
+    return one_error(file, e.mark.line + 1, e.mark.column + 1, "not YAML: " + e.msg);
+  } catch (const std::exception& e) {
+    return one_error(file, 0, 0, std::string("not YAML: ") + e.what());
+  }
+}
+
+Result<Value, Diagnostics> parse_yaml_file(const std::string& path) {
+  std::error_code error;
+  std::ifstream in(path, std::ios::binary);
+  if (!std::filesystem::is_regular_file(path, error) || !in) {
+    return one_error(path, 0, 0, "cannot be read");
+  }
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  return parse_yaml(text, path);
+}
+
+}  // namespace skein::config
