@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands.hpp"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <iostream>
+
+#include "skein/foundation/exit_code.hpp"
+#include "skein/run_tool/run.hpp"
+
+namespace skein::cli {
+
+namespace {
+
+using Action = std::function<int()>;
+
+constexpr const char* kRunExamples = R"(
+Examples:
+  skein run scenarios/comets/confirmed.yaml                 over DDS, at the scenario's rate
+  skein run scenarios/comets/infirmed.yaml --rate 40        twice as fast
+  skein run scenarios/comets/confirmed.yaml --virtual       in virtual time, as fast as possible
+  skein run scenarios/comets/confirmed.yaml --virtual --degree 2 --degree marvin=1 --seed 7
+Exit codes: 0 all expectations met, 1 some not, 2 wrong input, 3 a daemon died, 4 time-out, 130 Ctrl-C.)";
+
+void add_run(CLI::App& app, Action& action) {
+  auto options = std::make_shared<run_tool::RunOptions>();
+  CLI::App* run = app.add_subcommand("run", "Play a scenario, check it, write its report");
+  run->add_option("scenario", options->scenario, "Scenario file (YAML)")->required();
+  run->add_flag("--virtual", options->virtual_time, "In virtual time, in this process");
+  run->add_option("--rate", options->overrides.rate, "Mission seconds per second");
+  run->add_option("--seed", options->overrides.seed, "Seed of everything random");
+  run->add_option("--degree", options->overrides.degrees,
+                  "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated");
+  run->add_option("--out", options->out, "Folder for the results (default: out/NAME)");
+  run->add_flag("--json", options->json, "The result as JSON on standard output, no progress");
+  run->add_flag("--quiet", options->quiet, "No progress");
+  run->add_flag("--check", options->check_only, "Only read and check the scenario");
+  run->add_option("--domain", options->domain, "DDS domain id (default: a free one)")
+      ->check(CLI::Range(0, 100));
+  run->add_option("--daemons", options->daemons, "Folder of the daemons (default: beside skein)");
+  run->footer(kRunExamples);
+  run->callback([options, &action] {
+    action = [options] { return run_tool::run(*options, std::cout, std::cerr); };
+  });
+}
+
+void add_report(CLI::App& app, Action& action) {
+  auto folder = std::make_shared<std::string>();
+  CLI::App* report = app.add_subcommand("report", "Write the report of a run's folder again");
+  report->add_option("folder", *folder, "Folder with events.jsonl and run.json")->required();
+  report->footer("\nExample:\n  skein report out/comets-confirmed");
+  report->callback([folder, &action] {
+    action = [folder] { return run_tool::report(*folder, std::cout, std::cerr); };
+  });
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) try {
+  CLI::App app{"Skein: decisional autonomy for teams of UAVs", "skein"};
+  app.set_version_flag("--version", std::string("skein ") + SKEIN_VERSION);
+  app.require_subcommand(1);
+  Action action;
+  add_run(app, action);
+  add_report(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitOk : kExitBadInput;
+  }
+  return action();
+} catch (const std::exception& error) {
+  std::cerr << "skein: " << error.what() << '\n';
+  return kExitInternal;
+}
+
+}  // namespace skein::cli

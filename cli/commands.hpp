@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line of `skein`.
+#pragma once
+
+namespace skein::cli {
+
+/// Parses and runs; returns the exit code. Never throws.
+int run_command_line(int argc, char** argv);
+
+}  // namespace skein::cli

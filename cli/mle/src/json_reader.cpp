@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "json_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/foundation/nearest.hpp"
+
+namespace skein::mle_tool {
+
+namespace {
+
+constexpr int kDeepest = 32;
+constexpr double kLatest = 9.2e9;  // [s], just inside the 64-bit range of nanoseconds
+
+std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+std::string hint(std::string_view word, std::initializer_list<std::string_view> words) {
+  const std::vector<std::string> candidates(words.begin(), words.end());
+  const std::string nearest = word.size() > 64 ? "" : nearest_name(word, candidates);
+  return nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?";
+}
+
+}  // namespace
+
+void Node::wrong(const std::string& why) const {
+  throw WrongValue{path_.empty() ? why : path_ + ": " + why};
+}
+
+void Node::expect_keys(std::initializer_list<std::string_view> keys) const {
+  if (!json_->is_object()) wrong("expected an object");
+  for (const auto& [key, value] : json_->items()) {
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+      wrong("unknown key " + in_quotes(key) + hint(key, keys));
+    }
+  }
+}
+
+bool Node::has(std::string_view key) const {
+  return json_->is_object() && json_->contains(std::string(key));
+}
+
+Node Node::at(std::string_view key) const {
+  if (!json_->is_object()) wrong("expected an object");
+  const auto found = json_->find(std::string(key));
+  if (found == json_->end()) wrong("missing key " + in_quotes(key));
+  return Node(*found, path_.empty() ? std::string(key) : path_ + "." + std::string(key));
+}
+
+std::vector<Node> Node::items() const {
+  if (!json_->is_array()) wrong("expected an array");
+  std::vector<Node> all;
+  for (const Json& one : *json_) {
+    all.emplace_back(one, path_ + "[" + std::to_string(all.size()) + "]");
+  }
+  return all;
+}
+
+std::string Node::text() const {
+  if (!json_->is_string()) wrong("expected a string");
+  return json_->get<std::string>();
+}
+
+std::uint64_t Node::id() const {
+  if (!json_->is_number_unsigned()) wrong("expected an integer from 0 to 18446744073709551615");
+  return json_->get<std::uint64_t>();
+}
+
+bool Node::flag() const {
+  if (!json_->is_boolean()) wrong("expected true or false");
+  return json_->get<bool>();
+}
+
+MissionTime Node::instant() const {
+  if (!json_->is_number()) wrong("expected a number of seconds");
+  const double s = json_->get<double>();
+  if (!std::isfinite(s) || std::abs(s) > kLatest) wrong("not an instant of mission time");
+  return MissionTime::seconds(s);
+}
+
+std::vector<std::string> Node::names() const {
+  std::vector<std::string> all;
+  for (const Node& one : items()) {
+    all.push_back(one.text());
+    if (all.back().empty()) one.wrong("expected a name");
+  }
+  return all;
+}
+
+std::size_t Node::one_of(std::initializer_list<std::string_view> words) const {
+  const std::string word = text();
+  const auto* found = std::find(words.begin(), words.end(), word);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string expected;
+  for (const std::string_view one : words) {
+    expected += (expected.empty() ? "" : ", ") + std::string(one);
+  }
+  wrong("unknown word; expected one of " + expected + hint(word, words));
+}
+
+Result<Json, Failure> parse(std::string_view text) {
+  bool too_deep = false;
+  const Json::parser_callback_t bounded = [&](int depth, Json::parse_event_t, Json&) {
+    too_deep = too_deep || depth > kDeepest;
+    return !too_deep;
+  };
+  try {
+    Json json = Json::parse(text.begin(), text.end(), bounded);
+    if (too_deep) return failure("nested too deeply");
+    return json;
+  } catch (const Json::exception& error) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error …"
+    const std::string_view what = error.what();
+    const std::size_t start = what.find("column");
+    return failure("not JSON: " + std::string(start == what.npos ? what : what.substr(start)));
+  }
+}
+
+}  // namespace skein::mle_tool

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Strict reading of JSON values, with the path of the first thing that is wrong.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skein/foundation/result.hpp"
+#include "skein/foundation/time.hpp"
+
+namespace skein::mle_tool {
+
+using Json = nlohmann::json;
+
+/// Thrown inside the reader only; read_line() and read_types() turn it into a Failure.
+struct WrongValue {
+  std::string why;
+};
+
+/// A value with where it is in its document ("task.pre[0][1]"). The accessors throw WrongValue.
+class Node {
+ public:
+  Node(const Json& json, std::string path) : json_(&json), path_(std::move(path)) {}
+
+  [[noreturn]] void wrong(const std::string& why) const;
+  /// An object with no other keys than these.
+  void expect_keys(std::initializer_list<std::string_view> keys) const;
+  bool has(std::string_view key) const;
+  Node at(std::string_view key) const;
+  std::vector<Node> items() const;
+
+  std::string text() const;
+  std::uint64_t id() const;
+  bool flag() const;
+  /// Seconds, within the range of mission time.
+  MissionTime instant() const;
+  std::vector<std::string> names() const;
+  /// One of these words, as its place among them.
+  std::size_t one_of(std::initializer_list<std::string_view> words) const;
+
+  const Json& json() const { return *json_; }
+
+ private:
+  const Json* json_;
+  std::string path_;
+};
+
+/// A whole document; the nesting is bounded.
+Result<Json, Failure> parse(std::string_view text);
+
+}  // namespace skein::mle_tool

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/mle_tool/mle.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <istream>
+#include <iterator>
+#include <ostream>
+
+#include "line.hpp"
+#include "skein/executive/executive.hpp"
+#include "skein/foundation/diagnostics.hpp"
+
+namespace skein::mle_tool {
+
+namespace {
+
+constexpr std::size_t kLongestLine = 1 << 20;  // [bytes]
+
+enum class Got { kLine, kTooLong, kEnd };
+
+// A line of any length is read; of one that is too long only the beginning is kept.
+Got get_line(std::istream& in, std::string& line) {
+  line.clear();
+  std::size_t length = 0;
+  std::streambuf* buffer = in.rdbuf();
+  for (int c = buffer->sbumpc(); c != std::char_traits<char>::eof(); c = buffer->sbumpc()) {
+    if (c == '\n') return length > kLongestLine ? Got::kTooLong : Got::kLine;
+    if (++length <= kLongestLine) line.push_back(static_cast<char>(c));
+  }
+  if (length == 0) return Got::kEnd;
+  return length > kLongestLine ? Got::kTooLong : Got::kLine;
+}
+
+bool is_blank(const std::string& line) {
+  return line.find_first_not_of(" \t\r") == std::string::npos;
+}
+
+/// The replay: an executive, the present instant, and where its effects are written.
+class Replay {
+ public:
+  Replay(executive::Config config, std::ostream& out, std::ostream& err)
+      : executive_(std::move(config)), out_(out), err_(err) {}
+
+  void line(std::size_t number, const std::string& text) {
+    const Result<TraceLine, Failure> line = read_line(text);
+    if (!line) return wrong(number, line.error().why);
+    if (last_ && line->at < *last_) {
+      return wrong(number, "at: " + to_text(line->at) + " is before " + to_text(*last_));
+    }
+    pass_until(line->at);
+    last_ = line->at;
+    write(executive_.handle(line->input, line->at), line->at);
+  }
+
+  void wrong(std::size_t number, const std::string& why) {
+    out_ << wrong_line(last_.value_or(MissionTime()), number, why) << '\n';
+    any_wrong_ = true;
+  }
+
+  // Instants between lines pass one at a time, so that what happens then bears its own instant.
+  void pass_until(MissionTime end) {
+    for (auto next = executive_.next_wakeup(); next && *next <= end;
+         next = executive_.next_wakeup()) {
+      write(executive_.handle(executive::Tick{}, *next), *next);
+    }
+  }
+
+  bool any_wrong() const { return any_wrong_; }
+
+ private:
+  void write(const executive::Effects& effects, MissionTime at) {
+    for (const executive::Effect& effect : effects) {
+      if (const auto line = to_line(effect, at)) out_ << *line << '\n';
+      if (const auto* notice = std::get_if<executive::Notice>(&effect)) {
+        err_ << "at " << to_text(at) << ": " << notice->text << '\n';
+      }
+    }
+  }
+
+  executive::Executive executive_;
+  std::optional<MissionTime> last_;
+  bool any_wrong_ = false;
+  std::ostream& out_;
+  std::ostream& err_;
+};
+
+Result<executive::TypeTable, Failure> types_from(const std::string& file) {
+  if (file.empty()) return executive::TypeTable::elementary();
+  std::ifstream in(file, std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  if (!in.good() && !in.eof()) return failure("cannot be read");
+  return read_types(text);
+}
+
+}  // namespace
+
+int run_mle(const MleOptions& options, std::istream& in, std::ostream& out, std::ostream& err) {
+  const Result<executive::TypeTable, Failure> types = types_from(options.types_file);
+  if (!types) {
+    err << options.types_file << ": " << types.error().why << '\n';
+    return 2;
+  }
+  executive::Config config;
+  config.name = options.uav;
+  config.types = *types;
+  config.background_type = options.background;
+  config.functional_timeout = options.timeout;
+  Replay replay(std::move(config), out, err);
+  std::string line;
+  std::size_t number = 0;
+  for (Got got = get_line(in, line); got != Got::kEnd; got = get_line(in, line)) {
+    ++number;
+    if (got == Got::kTooLong) {
+      replay.wrong(number, "longer than " + std::to_string(kLongestLine) + " bytes");
+    } else if (!is_blank(line)) {
+      replay.line(number, line);
+    }
+    if (in.rdbuf()->in_avail() <= 0) out.flush();
+  }
+  if (options.until) replay.pass_until(*options.until);
+  out.flush();
+  return replay.any_wrong() ? 1 : 0;
+}
+
+}  // namespace skein::mle_tool

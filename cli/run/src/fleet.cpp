@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fleet.hpp"
+
+#include <csignal>
+#include <filesystem>
+
+namespace skein::run_tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string own_folder() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  return error ? "." : self.parent_path().string();
+}
+
+}  // namespace
+
+Fleet::Fleet(const scenario::Scenario& scenario, const DdsOptions& options, std::uint32_t domain)
+    : scenario_(scenario),
+      options_(options),
+      domain_(domain),
+      folder_(options.daemons.empty() ? own_folder() : options.daemons) {}
+
+std::vector<std::string> Fleet::names() const {
+  std::vector<std::string> names{"sim", "ground"};
+  for (const scenario::UavSpec& uav : scenario_.uavs) names.push_back(uav.name);
+  return names;
+}
+
+std::string Fleet::program_of(const std::string& name) const {
+  if (name == "sim") return "skein-sim";
+  return name == "ground" ? "skein-ground" : "skein-ddn";
+}
+
+std::string Fleet::log_of(const std::string& name) const {
+  return (fs::path(options_.folder) / "logs" / (name + ".log")).string();
+}
+
+Result<void, Failure> Fleet::start(const std::string& name) {
+  const std::string program = program_of(name);
+  std::vector<std::string> command{(fs::path(folder_) / program).string(),
+                                   "--scenario",
+                                   scenario_.file,
+                                   "--domain",
+                                   std::to_string(domain_),
+                                   "--exit-with-parent"};
+  if (program == "skein-ddn") command.insert(command.end(), {"--uav", name});
+  command.insert(command.end(), options_.daemon_options.begin(), options_.daemon_options.end());
+  auto process = Process::start(command, log_of(name));
+  if (!process) return tl::unexpected(process.error());
+  killed_.erase(name);
+  running_.erase(name);
+  running_.emplace(name, std::move(*process));
+  return {};
+}
+
+void Fleet::kill(const std::string& name) {
+  const auto found = running_.find(name);
+  if (found == running_.end()) return;
+  killed_.insert(name);
+  found->second.send(SIGKILL);
+}
+
+std::string Fleet::running_names() const {
+  std::string names;
+  for (const auto& [name, process] : running_) names += (names.empty() ? "" : ", ") + name;
+  return names;
+}
+
+void Fleet::signal_all(int signal) {
+  for (const auto& [name, process] : running_) process.send(signal);
+}
+
+void Fleet::kill_all() { running_.clear(); }
+
+std::vector<Fleet::Ended> Fleet::take_ended() {
+  std::vector<Ended> ended;
+  for (auto one = running_.begin(); one != running_.end();) {
+    const auto status = one->second.poll();
+    if (!status) {
+      ++one;
+      continue;
+    }
+    ended.push_back({one->first, program_of(one->first), log_of(one->first), *status,
+                     killed_.count(one->first) > 0});
+    one = running_.erase(one);
+  }
+  return ended;
+}
+
+}  // namespace skein::run_tool

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The daemons of a run.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "play_dds.hpp"
+#include "process.hpp"
+
+namespace skein::run_tool {
+
+/// Starts, kills and watches skein-sim, skein-ground and one skein-ddn per UAV. None outlives it.
+class Fleet {
+ public:
+  struct Ended {
+    std::string name;
+    std::string program;
+    std::string log;
+    Process::Status status;
+    bool killed = false;  ///< by kill(), as the scenario wanted
+    bool crashed() const { return status.signal != 0 || status.code != 0; }
+  };
+
+  Fleet(const scenario::Scenario& scenario, const DdsOptions& options, std::uint32_t domain);
+
+  /// The nodes, in the order to start them.
+  std::vector<std::string> names() const;
+  Result<void, Failure> start(const std::string& name);
+  void kill(const std::string& name);
+  bool is_running(const std::string& name) const { return running_.count(name) > 0; }
+  bool any_running() const { return !running_.empty(); }
+  std::string running_names() const;
+  void signal_all(int signal);
+  void kill_all();
+  /// Those that ended since the last call.
+  std::vector<Ended> take_ended();
+
+ private:
+  std::string program_of(const std::string& name) const;
+  std::string log_of(const std::string& name) const;
+
+  const scenario::Scenario& scenario_;
+  const DdsOptions& options_;
+  std::uint32_t domain_;
+  std::string folder_;  ///< of the programs
+  std::map<std::string, Process> running_;
+  std::set<std::string> killed_;
+};
+
+}  // namespace skein::run_tool

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plays a scenario with its daemons over DDS.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "played.hpp"
+#include "progress.hpp"
+#include "skein/scenario/scenario.hpp"
+
+namespace skein::run_tool {
+
+struct DdsOptions {
+  std::string daemons;  ///< folder of the programs; empty: that of this program
+  std::string folder;   ///< for the daemons' logs, in logs/
+  std::optional<std::uint32_t> domain;
+  std::vector<std::string> daemon_options;  ///< handed to every daemon
+};
+
+/// Starts the daemons, follows the run over the world channel, kills and restarts daemons as the
+/// scenario says, and leaves no process behind, however it ends.
+Played play_dds(const scenario::Scenario& scenario, const DdsOptions& options, Progress& progress);
+
+}  // namespace skein::run_tool

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/run_tool/run.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <ostream>
+
+#include "play_dds.hpp"
+#include "play_virtual.hpp"
+#include "run_folder.hpp"
+#include "skein/assembly/assembly.hpp"
+#include "skein/foundation/exit_code.hpp"
+
+namespace skein::run_tool {
+
+namespace {
+
+using scenario::Scenario;
+using scenario::Verdict;
+
+Result<Scenario, Diagnostics> load(const RunOptions& options) {
+  auto scenario = scenario::read_scenario(options.scenario);
+  if (!scenario) return scenario;
+  Diagnostics diagnostics = assembly::apply(options.overrides, *scenario);
+  if (diagnostics.empty()) diagnostics = assembly::check_assembly(*scenario);
+  if (!diagnostics.empty()) return tl::unexpected(std::move(diagnostics));
+  return scenario;
+}
+
+Progress::Style progress_style(const RunOptions& options) {
+  if (options.json || options.quiet) return Progress::Style::kNone;
+  return isatty(STDERR_FILENO) != 0 ? Progress::Style::kTerminal : Progress::Style::kLines;
+}
+
+// The verdicts become the last records of the event log.
+void append_verdicts(const std::vector<Verdict>& verdicts, std::vector<journal::Record>& records) {
+  const MissionTime at = records.empty() ? MissionTime() : records.back().at();
+  for (const Verdict& verdict : verdicts) {
+    records.emplace_back(at, "runner", "expectation")
+        .with("name", verdict.name)
+        .with("passed", verdict.passed)
+        .with("seen", verdict.seen);
+  }
+}
+
+int exit_code(const Played& played, const std::vector<Verdict>& verdicts) {
+  if (played.end == Played::End::kInterrupted) return kExitInterrupted;
+  if (played.end == Played::End::kFailed) return played.timed_out ? kExitTimeout : kExitSystem;
+  for (const Verdict& verdict : verdicts) {
+    if (!verdict.passed) return kExitNegative;
+  }
+  return kExitOk;
+}
+
+void print_summary(const std::vector<Verdict>& verdicts, const Played& played,
+                   const std::string& folder, std::ostream& out) {
+  std::size_t passed = 0;
+  for (const Verdict& verdict : verdicts) {
+    passed += verdict.passed ? 1 : 0;
+    if (!verdict.passed) out << "FAILED  " << verdict.name << "\n        " << verdict.seen << '\n';
+  }
+  if (played.end == Played::End::kTimeLimit)
+    out << "the time limit came before the mission's end\n";
+  if (played.end == Played::End::kIdle)
+    out << "nothing was left to happen before the mission's end\n";
+  if (played.end == Played::End::kInterrupted) out << "interrupted\n";
+  if (played.end == Played::End::kFailed) out << "the run failed: " << played.why << '\n';
+  out << passed << " of " << verdicts.size() << " expectations met; report: " << folder
+      << "/report.html\n";
+}
+
+int play(const Scenario& scenario, const RunOptions& options, const std::string& folder,
+         std::ostream& out, std::ostream& err) {
+  Progress progress(err, progress_style(options), scenario.uav_names());
+  const auto start = std::chrono::steady_clock::now();
+  Played played =
+      options.virtual_time
+          ? play_virtual(scenario, progress)
+          : play_dds(scenario,
+                     {options.daemons, folder, options.domain, options.overrides.as_options()},
+                     progress);
+  progress.finish();
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  const std::vector<Verdict> verdicts = scenario::check(scenario.expectations, played.records);
+  append_verdicts(verdicts, played.records);
+  // Virtual time knows no wall clock: the same seed gives the same folder, byte for byte.
+  const report::RunInfo info =
+      run_info(scenario, options.virtual_time, options.virtual_time ? 0 : wall.count());
+  const auto summary = write_folder(folder, scenario, info, played.records);
+  if (!summary) {
+    err << summary.error().why << '\n';
+    return kExitSystem;
+  }
+  if (options.json) {
+    out << *summary;
+  } else {
+    print_summary(verdicts, played, folder, out);
+  }
+  return exit_code(played, verdicts);
+}
+
+}  // namespace
+
+int run(const RunOptions& options, std::ostream& out, std::ostream& err) {
+  const auto scenario = load(options);
+  if (!scenario) {
+    err << to_text(scenario.error());
+    return kExitBadInput;
+  }
+  if (options.check_only) {
+    out << options.scenario << ": " << scenario->uavs.size() << " UAVs, "
+        << scenario->ground.script.steps.size() << " steps, " << scenario->expectations.size()
+        << " expectations; nothing wrong\n";
+    return kExitOk;
+  }
+  const std::string folder = options.out.empty() ? "out/" + scenario->name : options.out;
+  if (auto prepared = prepare_folder(folder); !prepared) {
+    err << prepared.error().why << '\n';
+    return kExitSystem;
+  }
+  return play(*scenario, options, folder, out, err);
+}
+
+int report(const std::string& folder, std::ostream& out, std::ostream& err) {
+  const auto summary = write_report(folder);
+  if (!summary) {
+    err << summary.error().why << '\n';
+    return kExitBadInput;
+  }
+  out << folder << "/report.html\n";
+  return kExitOk;
+}
+
+}  // namespace skein::run_tool

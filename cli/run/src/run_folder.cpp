@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run_folder.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "skein/report/report.hpp"
+
+namespace skein::run_tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kVersion = SKEIN_VERSION;
+
+Result<void, Failure> write_file(const fs::path& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  out << text;
+  out.close();
+  if (!out) return failure("cannot write " + path.string());
+  return {};
+}
+
+std::string read_text(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+report::TerrainGrid terrain_grid(const world::TerrainSpec& spec) {
+  const world::Terrain terrain(spec);
+  report::TerrainGrid grid;
+  grid.west = spec.west;
+  grid.south = spec.south;
+  grid.cell = spec.cell;
+  grid.width = static_cast<std::size_t>((spec.east - spec.west) / spec.cell) + 1;
+  grid.height = static_cast<std::size_t>((spec.north - spec.south) / spec.cell) + 1;
+  for (std::size_t row = 0; row < grid.height; ++row) {
+    for (std::size_t column = 0; column < grid.width; ++column) {
+      grid.values.push_back(terrain.elevation(spec.west + static_cast<double>(column) * spec.cell,
+                                              spec.south + static_cast<double>(row) * spec.cell));
+    }
+  }
+  return grid;
+}
+
+}  // namespace
+
+report::RunInfo run_info(const scenario::Scenario& scenario, bool virtual_time,
+                         double wall_seconds) {
+  report::RunInfo info;
+  info.scenario = scenario.name;
+  info.epoch = scenario.epoch;
+  info.runtime = virtual_time ? report::RuntimeKind::kVirtual : report::RuntimeKind::kDds;
+  info.rate = virtual_time ? 0 : scenario.rate;
+  info.seed = scenario.seed;
+  info.wall_seconds = wall_seconds;
+  info.version = kVersion;
+  const world::TerrainSpec& terrain = scenario.world.terrain;
+  info.extents = report::Extents{terrain.west, terrain.south, terrain.east, terrain.north};
+  info.terrain = terrain_grid(terrain);
+  for (const world::Zone& zone : scenario.world.zones) {
+    report::Zone& one = info.zones.emplace_back();
+    one.name = zone.name;
+    for (const auto& corner : zone.polygon) one.polygon.push_back({corner.x(), corner.y()});
+  }
+  for (const auto& [name, place] : scenario.world.places) {
+    info.places.push_back({name, {place.x(), place.y(), place.z()}});
+  }
+  for (const scenario::UavSpec& uav : scenario.uavs) {
+    info.uavs.push_back({uav.name, uav.model.name, uav.degree});
+  }
+  return info;
+}
+
+Result<void, Failure> prepare_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(fs::path(folder) / "logs", error);
+  if (error) return failure("cannot create " + folder + ": " + error.message());
+  for (const char* name : {"events.jsonl", "run.json", "report.html", "junit.xml", "result.json"}) {
+    fs::remove(fs::path(folder) / name, error);
+  }
+  for (const auto& log : fs::directory_iterator(fs::path(folder) / "logs", error)) {
+    if (log.path().extension() == ".log") fs::remove(log.path(), error);
+  }
+  return {};
+}
+
+Result<std::string, Failure> write_folder(const std::string& folder,
+                                          const scenario::Scenario& scenario,
+                                          const report::RunInfo& info,
+                                          const std::vector<journal::Record>& records) {
+  std::string events;
+  for (const journal::Record& record : records) events += journal::to_json(record) + "\n";
+  const fs::path to(folder);
+  if (auto done = write_file(to / "events.jsonl", events); !done)
+    return tl::unexpected(done.error());
+  if (auto done = write_file(to / "run.json", report::to_json(info)); !done) {
+    return tl::unexpected(done.error());
+  }
+  if (auto done = write_file(to / "scenario.yaml", read_text(scenario.file)); !done) {
+    return tl::unexpected(done.error());
+  }
+  return write_report(folder);
+}
+
+Result<std::string, Failure> write_report(const std::string& folder) {
+  const fs::path from(folder);
+  const auto info =
+      report::run_info_from_json(read_text(from / "run.json"), (from / "run.json").string());
+  if (!info) return failure(to_text(info.error()));
+  std::ifstream events(from / "events.jsonl");
+  if (!events) return failure("cannot read " + (from / "events.jsonl").string());
+  const auto journal = report::read_journal(events, (from / "events.jsonl").string());
+  if (!journal) return failure(to_text(journal.error()));
+  const std::string summary = report::summary_json(*info, *journal);
+  for (const auto& [name, text] : {std::pair{"report.html", report::html_report(*info, *journal)},
+                                   std::pair{"junit.xml", report::junit(*info, *journal)},
+                                   std::pair{"result.json", summary}}) {
+    if (auto done = write_file(from / name, text); !done) return tl::unexpected(done.error());
+  }
+  return summary;
+}
+
+}  // namespace skein::run_tool

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The folder a run leaves behind.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "played.hpp"
+#include "skein/foundation/result.hpp"
+#include "skein/report/run_info.hpp"
+#include "skein/scenario/scenario.hpp"
+
+namespace skein::run_tool {
+
+/// What the report needs to know of the scenario.
+report::RunInfo run_info(const scenario::Scenario& scenario, bool virtual_time,
+                         double wall_seconds);
+
+/// Creates the folder (and its parents) if needed and empties it of the results of an earlier run.
+Result<void, Failure> prepare_folder(const std::string& folder);
+
+/// Writes events.jsonl, run.json, scenario.yaml (a copy), and from them report.html, junit.xml and
+/// result.json. Gives the text of result.json.
+Result<std::string, Failure> write_folder(const std::string& folder,
+                                          const scenario::Scenario& scenario,
+                                          const report::RunInfo& info,
+                                          const std::vector<journal::Record>& records);
+
+/// Writes report.html, junit.xml and result.json from events.jsonl and run.json.
+Result<std::string, Failure> write_report(const std::string& folder);
+
+}  // namespace skein::run_tool

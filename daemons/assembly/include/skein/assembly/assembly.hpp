@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a scenario to the nodes that play it, the same for both runtimes.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "skein/node/daemon.hpp"
+#include "skein/node/roster.hpp"
+#include "skein/node/virtual_runtime.hpp"
+#include "skein/scenario/scenario.hpp"
+
+namespace skein::assembly {
+
+node::Roster roster_of(const scenario::Scenario& scenario);
+
+/// The node of a name of the roster: "ground", "sim" or a UAV. Precondition: it is one of these.
+std::unique_ptr<node::Node> make_node(const scenario::Scenario& scenario, const std::string& name);
+
+/// What the reader of a scenario cannot see because it only shows when the parts meet (a start
+/// outside the terrain, a cut between unknown nodes): every problem at once.
+Diagnostics check_assembly(const scenario::Scenario& scenario);
+
+/// How the virtual runtime plays the scenario.
+node::VirtualConfig virtual_config(const scenario::Scenario& scenario);
+
+}  // namespace skein::assembly

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a command line may change of a scenario.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/scenario/scenario.hpp"
+
+namespace skein::assembly {
+
+struct Overrides {
+  std::optional<double> rate;  ///< > 0
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> degrees;  ///< "2" for all UAVs, "marvin=1" for one; later ones win
+  /// The same as options of another program's command line.
+  std::vector<std::string> as_options() const;
+};
+
+/// Changes the scenario, then draws its random faults with the seed in force. Every error at once.
+Diagnostics apply(const Overrides& overrides, scenario::Scenario& scenario);
+
+}  // namespace skein::assembly

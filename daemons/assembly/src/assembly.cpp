@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/assembly/assembly.hpp"
+
+#include <algorithm>
+
+#include "sim_node.hpp"
+#include "skein/ddn/ddn_node.hpp"
+#include "skein/foundation/contract.hpp"
+#include "skein/ground/ground_node.hpp"
+
+namespace skein::assembly {
+
+namespace {
+
+using scenario::Scenario;
+using scenario::UavSpec;
+
+constexpr double kHomeAltitude = 40;  ///< [m] above the ground at the start, on the way home
+
+sim::SimulatorConfig simulator_config(const Scenario& scenario) {
+  sim::SimulatorConfig config{.terrain = world::Terrain(scenario.world.terrain)};
+  config.wind = scenario.world.wind;
+  config.objects = scenario.world.objects;
+  for (const UavSpec& uav : scenario.uavs) {
+    config.vehicles.push_back({uav.name, uav.model, uav.start, uav.heading, uav.energy});
+  }
+  config.radio = scenario.radio.model;
+  config.ground_station = scenario.ground.position;
+  for (const scenario::CutSpec& cut : scenario.radio.cuts) {
+    config.cuts.push_back({cut.a, cut.b, cut.from, cut.until});
+  }
+  config.seed = scenario.seed;
+  return config;
+}
+
+std::vector<sim::ScheduledFault> onboard_faults(const Scenario& scenario) {
+  std::vector<sim::ScheduledFault> faults;
+  for (const scenario::BreakSpec& one : scenario.faults.breaks) {
+    const auto kind = one.device.empty() ? sim::FaultKind::kEngine : sim::FaultKind::kSensor;
+    faults.push_back({one.at, {one.uav, kind, one.device}});
+  }
+  std::stable_sort(faults.begin(), faults.end(),
+                   [](const auto& a, const auto& b) { return a.at < b.at; });
+  return faults;
+}
+
+std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
+  ground_station::GroundConfig config;
+  const ddn::DdnConfig defaults;
+  for (const UavSpec& uav : scenario.uavs) {
+    ground_station::GroundUav one{uav.name, uav.degree, {}};
+    one.executive.name = uav.name;
+    one.executive.functional_timeout = defaults.functional_timeout;
+    config.uavs.push_back(std::move(one));
+  }
+  config.script = scenario.ground.script;
+  config.pps = scenario.ground.pps;
+  return std::make_unique<ground::GroundNode>(config, world::Terrain(scenario.world.terrain),
+                                              roster_of(scenario));
+}
+
+std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& uav) {
+  ddn::DdnConfig config;
+  config.uav = uav.name;
+  config.degree = uav.degree;
+  config.contact_policy = static_cast<ddn::ContactPolicy>(uav.contact_loss.policy);
+  config.contact_after = uav.contact_loss.after;
+  const world::Terrain terrain(scenario.world.terrain);
+  config.home = {uav.start.x(), uav.start.y(),
+                 terrain.elevation(uav.start.x(), uav.start.y()) + kHomeAltitude};
+  return std::make_unique<ddn::DdnNode>(config, roster_of(scenario));
+}
+
+}  // namespace
+
+node::Roster roster_of(const Scenario& scenario) { return node::Roster(scenario.uav_names()); }
+
+std::unique_ptr<node::Node> make_node(const Scenario& scenario, const std::string& name) {
+  if (name == "ground") return make_ground(scenario);
+  if (name == "sim") {
+    return std::make_unique<sim::SimNode>(simulator_config(scenario), roster_of(scenario),
+                                          onboard_faults(scenario));
+  }
+  const UavSpec* uav = scenario.find_uav(name);
+  SKEIN_EXPECTS(uav != nullptr);
+  return make_ddn(scenario, *uav);
+}
+
+Diagnostics check_assembly(const Scenario& scenario) {
+  Diagnostics diagnostics;
+  for (const std::string& problem : sim::problems_of(simulator_config(scenario))) {
+    diagnostics.add({scenario.file, 0, 0, "", problem, "", ""});
+  }
+  return diagnostics;
+}
+
+node::VirtualConfig virtual_config(const Scenario& scenario) {
+  node::VirtualConfig config;
+  config.seed = scenario.seed;
+  config.time_limit = scenario.duration_limit;
+  for (const scenario::KillSpec& kill : scenario.faults.kills) {
+    std::optional<MissionTime> restart;
+    if (kill.restart_after) restart = kill.at + *kill.restart_after;
+    config.crashes.push_back({kill.at, kill.node, restart});
+  }
+  return config;
+}
+
+}  // namespace skein::assembly

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/assembly/overrides.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "skein/foundation/nearest.hpp"
+
+namespace skein::assembly {
+
+namespace {
+
+// "marvin=1" or "2" (name empty); nothing if the degree is not 1, 2 or 3.
+struct Assignment {
+  std::string uav;
+  int degree = 0;
+};
+
+Assignment parsed(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const std::string uav = equals == std::string::npos ? "" : text.substr(0, equals);
+  const std::string degree = equals == std::string::npos ? text : text.substr(equals + 1);
+  const bool valid = degree.size() == 1 && degree[0] >= '1' && degree[0] <= '3';
+  return {uav, valid ? degree[0] - '0' : 0};
+}
+
+void set_degree(const std::string& text, scenario::Scenario& scenario, Diagnostics& diagnostics) {
+  const Assignment assignment = parsed(text);
+  if (assignment.degree == 0) {
+    diagnostics.add({"", 0, 0, "--degree", "'" + text + "'", "1, 2 or 3, or UAV=DEGREE", ""});
+    return;
+  }
+  bool found = false;
+  for (scenario::UavSpec& uav : scenario.uavs) {
+    if (!assignment.uav.empty() && uav.name != assignment.uav) continue;
+    uav.degree = assignment.degree;
+    found = true;
+  }
+  if (!found) {
+    diagnostics.add({"", 0, 0, "--degree", "no UAV '" + assignment.uav + "'", "",
+                     nearest_name(assignment.uav, scenario.uav_names())});
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> Overrides::as_options() const {
+  std::vector<std::string> options;
+  if (rate) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.17g", *rate);
+    options.insert(options.end(), {"--rate", text});
+  }
+  if (seed) options.insert(options.end(), {"--seed", std::to_string(*seed)});
+  for (const std::string& degree : degrees) options.insert(options.end(), {"--degree", degree});
+  return options;
+}
+
+Diagnostics apply(const Overrides& overrides, scenario::Scenario& scenario) {
+  Diagnostics diagnostics;
+  if (overrides.rate &&
+      !(std::isfinite(*overrides.rate) && *overrides.rate >= 0.01 && *overrides.rate <= 1000)) {
+    diagnostics.add({"", 0, 0, "--rate", "out of range", "a number from 0.01 to 1000", ""});
+  }
+  scenario.rate = overrides.rate.value_or(scenario.rate);
+  scenario.seed = overrides.seed.value_or(scenario.seed);
+  for (const std::string& degree : overrides.degrees) set_degree(degree, scenario, diagnostics);
+  scenario::draw_random_faults(scenario);
+  return diagnostics;
+}
+
+}  // namespace skein::assembly

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/daemon_main/daemon_main.hpp"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
+
+#include "skein/assembly/assembly.hpp"
+#include "skein/assembly/overrides.hpp"
+#include "skein/foundation/exit_code.hpp"
+#include "skein/foundation/nearest.hpp"
+
+namespace skein::daemon_main {
+
+namespace {
+
+struct Options {
+  std::string scenario;
+  std::string uav;
+  std::uint32_t domain = 0;
+  std::vector<std::string> interfaces{"127.0.0.1"};
+  assembly::Overrides overrides;
+  std::string log_level = "info";
+  bool exit_with_parent = false;
+};
+
+void declare(CLI::App& app, Options& options, bool needs_uav) {
+  app.add_option("--scenario", options.scenario, "Scenario file; the same on every machine")
+      ->required();
+  if (needs_uav)
+    app.add_option("--uav", options.uav, "Name of the UAV in the scenario")->required();
+  app.add_option("--domain", options.domain, "DDS domain id")
+      ->check(CLI::Range(0, 100))
+      ->envname("SKEIN_DOMAIN");
+  app.add_option("--interface", options.interfaces,
+                 "IPv4 address to talk on; repeat for several (default: this machine only)");
+  app.add_option("--rate", options.overrides.rate,
+                 "Mission seconds per second, for the scenario's");
+  app.add_option("--seed", options.overrides.seed, "Seed, for the scenario's");
+  app.add_option("--degree", options.overrides.degrees,
+                 "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated");
+  app.add_option("--log-level", options.log_level, "error, warn, info or debug");
+  app.add_flag("--exit-with-parent", options.exit_with_parent,
+               "Stop when the process that started this one ends");
+}
+
+std::string log_line(const journal::Record& record) {
+  const std::string json = journal::to_json(record);
+  return "[" + to_clock_text(record.at()) + "] " + json.substr(json.find("\"kind\""));
+}
+
+spdlog::level::level_enum level_of(const journal::Record& record) {
+  const std::string& kind = record.kind();
+  if (kind == "dropped" || kind == "unsent" || kind == "lost") return spdlog::level::warn;
+  if (kind == "telemetry" || kind == "message" || kind == "perception") return spdlog::level::debug;
+  return spdlog::level::info;
+}
+
+// The parent may be gone before the kernel was asked to tell.
+void follow_parent() {
+  const pid_t parent = getppid();
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != parent || parent == 1) raise(SIGTERM);
+}
+
+Result<scenario::Scenario, Diagnostics> load(const Options& options) {
+  auto scenario = scenario::read_scenario(options.scenario);
+  if (!scenario) return scenario;
+  Diagnostics diagnostics = assembly::apply(options.overrides, *scenario);
+  if (diagnostics.empty()) diagnostics = assembly::check_assembly(*scenario);
+  if (!diagnostics.empty()) return tl::unexpected(std::move(diagnostics));
+  return scenario;
+}
+
+node::DaemonConfig daemon_config(const Options& options, const scenario::Scenario& scenario,
+                                 const node::Member& self, const node::Roster& roster) {
+  node::DaemonConfig config;
+  config.domain = options.domain;
+  config.interfaces = options.interfaces;
+  config.rate = scenario.rate;
+  config.seed = scenario.seed;
+  config.leads_clock = self.role == wire::Role::kSim;
+  config.time_limit = scenario.duration_limit;
+  for (const node::Member& member : roster.members()) {
+    const bool awaited = member.role == wire::Role::kGround || member.role == wire::Role::kDdn;
+    if (awaited) config.awaited.push_back(member.name);
+  }
+  config.on_record = [](const journal::Record& record) {
+    spdlog::log(level_of(record), "{}", log_line(record));
+  };
+  config.on_middleware_log = [](const std::string& line) { spdlog::warn("dds: {}", line); };
+  return config;
+}
+
+int run(const DaemonProgram& program, const Options& options) {
+  const auto scenario = load(options);
+  if (!scenario) {
+    std::cerr << to_text(scenario.error());
+    return kExitBadInput;
+  }
+  const node::Roster roster = assembly::roster_of(*scenario);
+  const std::string name = program.node.empty() ? options.uav : program.node;
+  const node::Member* self = roster.find(name);
+  if (self == nullptr || (program.node.empty() && self->role != wire::Role::kDdn)) {
+    const std::string nearest = nearest_name(name, scenario->uav_names());
+    std::cerr << options.scenario << ": no UAV '" << name << "' in this scenario"
+              << (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") << '\n';
+    return kExitBadInput;
+  }
+  spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%eZ %^%-5l%$ " + name + " %v",
+                      spdlog::pattern_time_type::utc);
+  const auto end = node::run_daemon(roster, *self, assembly::make_node(*scenario, name),
+                                    daemon_config(options, *scenario, *self, roster));
+  if (!end) {
+    spdlog::error("{}", end.error().why);
+    return kExitSystem;
+  }
+  return kExitOk;
+}
+
+}  // namespace
+
+int run_daemon_program(const DaemonProgram& program, int argc, char** argv) try {
+  CLI::App app{program.description, program.name};
+  Options options;
+  declare(app, options, program.node.empty());
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitOk : kExitBadInput;
+  }
+  spdlog::set_default_logger(spdlog::stderr_color_mt("skein"));
+  spdlog::set_level(spdlog::level::from_str(options.log_level));
+  if (options.exit_with_parent) follow_parent();
+  return run(program, options);
+} catch (const std::exception& error) {
+  std::cerr << program.name << ": " << error.what() << '\n';
+  return kExitInternal;
+}
+
+}  // namespace skein::daemon_main

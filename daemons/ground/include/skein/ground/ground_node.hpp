@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ground station as a node.
+#pragma once
+
+#include <string>
+
+#include "skein/ground_station/ground_control.hpp"
+#include "skein/node/node.hpp"
+#include "skein/node/roster.hpp"
+#include "skein/world/terrain.hpp"
+
+namespace skein::ground {
+
+/// Samples and records around GroundControl (the CDN: MPS, MCS, PPS). Source: spec 1.1.
+class GroundNode final : public node::Node {
+ public:
+  GroundNode(const ground_station::GroundConfig& config, world::Terrain terrain,
+             node::Roster roster);
+
+  node::Effects handle(const node::Input& input, MissionTime now) override;
+  std::optional<MissionTime> next_wakeup() const override;
+
+ private:
+  using Input = ground_station::GroundControl::Input;
+
+  std::optional<Input> input_of(const node::Input& input) const;
+  std::optional<Input> input_of(const node::Received& received) const;
+  Input input_of(const wire::PlanBoard& board) const;
+
+  void carry_out(const ground_station::SendRequest& effect);
+  void carry_out(const ground_station::SendFunctional& effect);
+  void carry_out(const ground_station::SendSync& effect);
+  void carry_out(const ground_station::AlarmEvent& effect);
+  void carry_out(const ground_station::AlarmRefined&) {}
+  void carry_out(const ground_station::CommandChanged& effect);
+  void carry_out(const ground_station::LocalRequestAnswered& effect);
+  void carry_out(const ground_station::LocalTaskEvent& effect);
+  void carry_out(const ground_station::LocalSync& effect);
+  void carry_out(const ground_station::PerceptionLogged& effect);
+  void carry_out(const ground_station::PhaseEntered& effect);
+  void carry_out(const ground_station::StepDone& effect);
+  void carry_out(const ground_station::OperatorDid& effect);
+  void carry_out(const ground_station::DegreeChanged&) {}  // the UAV logs its own
+  void carry_out(const ground_station::UavRestarted& effect);
+  void carry_out(const ground_station::Anomaly& effect);
+  void carry_out(const ground_station::MissionFinished& effect);
+
+  void send(const std::string& uav, wire::Sample sample, MissionTime expires = MissionTime::max());
+  void log(journal::Record record);
+  journal::Record record(const char* kind) const;
+
+  world::Terrain terrain_;
+  node::Roster roster_;
+  ground_station::GroundControl control_;
+
+  // Of the call that is running.
+  MissionTime now_;
+  node::Effects out_;
+};
+
+}  // namespace skein::ground

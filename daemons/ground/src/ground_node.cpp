@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/ground/ground_node.hpp"
+
+#include "skein/foundation/contract.hpp"
+#include "skein/translation/sensing.hpp"
+#include "skein/translation/tasks.hpp"
+
+namespace skein::ground {
+
+namespace {
+
+namespace gs = ground_station;
+using translation::for_journal;
+using translation::from_wire;
+using translation::to_wire;
+
+wire::AlarmState wire_state(gs::AlarmState state) {
+  switch (state) {
+    case gs::AlarmState::kRaised:
+      return wire::AlarmState::kRaised;
+    case gs::AlarmState::kConfirmed:
+      return wire::AlarmState::kConfirmed;
+    case gs::AlarmState::kInfirmed:
+      break;
+  }
+  return wire::AlarmState::kInfirmed;
+}
+
+struct RequestName {
+  executive::RequestKind kind;
+  std::optional<executive::TaskId> task;
+};
+
+RequestName name_of(const translation::Request& request) {
+  if (const auto* start = std::get_if<executive::Start>(&request)) {
+    return {executive::RequestKind::kStart, start->task.id};
+  }
+  if (const auto* abort = std::get_if<executive::Abort>(&request)) {
+    return {executive::RequestKind::kAbort, abort->id};
+  }
+  if (const auto* update = std::get_if<executive::UpdateConditions>(&request)) {
+    return {executive::RequestKind::kUpdateConditions, update->id};
+  }
+  if (const auto* suppress = std::get_if<executive::Suppress>(&request)) {
+    return {executive::RequestKind::kSuppress, suppress->id};
+  }
+  return {executive::RequestKind::kProcessMessage, std::nullopt};
+}
+
+}  // namespace
+
+GroundNode::GroundNode(const gs::GroundConfig& config, world::Terrain terrain, node::Roster roster)
+    : terrain_(std::move(terrain)), roster_(std::move(roster)), control_(config, terrain_) {}
+
+node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
+  now_ = now;
+  out_.clear();
+  const auto mine = input_of(input);
+  for (const auto& effect : control_.handle(mine.value_or(Input(gs::Tick{})), now)) {
+    std::visit([this](const auto& one) { carry_out(one); }, effect);
+  }
+  return std::move(out_);
+}
+
+std::optional<MissionTime> GroundNode::next_wakeup() const { return control_.next_wakeup(); }
+
+// ---- what comes in ----
+
+std::optional<GroundNode::Input> GroundNode::input_of(const node::Input& input) const {
+  if (const auto* received = std::get_if<node::Received>(&input)) return input_of(*received);
+  if (const auto* reach = std::get_if<node::Reachability>(&input)) {
+    return gs::PeerReachable{roster_.name_of(reach->peer), reach->reachable, reach->restarted};
+  }
+  return std::nullopt;
+}
+
+// A UAV is known by the node that sent the sample, whatever name the sample gives.
+std::optional<GroundNode::Input> GroundNode::input_of(const node::Received& received) const {
+  const std::string uav = roster_.name_of(received.from);
+  const wire::Sample& sample = received.sample;
+  if (const auto* telemetry = std::get_if<wire::Telemetry>(&sample)) {
+    const auto at = MissionTime::nanoseconds(telemetry->header.mission_time);
+    return gs::TelemetryReceived{uav, from_wire(*telemetry), at};
+  }
+  if (const auto* report = std::get_if<wire::PerceptionReport>(&sample)) {
+    world::Perception perception = from_wire(*report);
+    perception.uav = uav;
+    return gs::PerceptionReceived{std::move(perception)};
+  }
+  if (const auto* event = std::get_if<wire::TaskEvent>(&sample)) {
+    return gs::TaskEventReceived{uav, executive::TaskId(event->id), event->type,
+                                 from_wire(event->state), event->reason};
+  }
+  if (const auto* reply = std::get_if<wire::RequestReply>(&sample)) {
+    return gs::RequestReplyReceived{gs::CommandNumber(reply->command), reply->accepted, reply->why};
+  }
+  if (const auto* status = std::get_if<wire::FunctionalStatus>(&sample)) {
+    return gs::FunctionalStatusReceived{
+        uav, {executive::TaskId(status->id), from_wire(status->state), status->reason}};
+  }
+  if (const auto* sync = std::get_if<wire::SyncMessage>(&sample)) {
+    return gs::SyncReceived{sync->id, sync->from, sync->to};
+  }
+  if (const auto* board = std::get_if<wire::PlanBoard>(&sample)) {
+    gs::PlanBoardReceived result = std::get<gs::PlanBoardReceived>(input_of(*board));
+    result.uav = uav;
+    return result;
+  }
+  return std::nullopt;
+}
+
+GroundNode::Input GroundNode::input_of(const wire::PlanBoard& board) const {
+  gs::PlanBoardReceived result{board.uav, board.degree, board.airborne, {}};
+  for (const wire::TaskEntry& task : board.tasks) {
+    result.tasks.push_back({executive::TaskId(task.id), task.type, from_wire(task.state)});
+  }
+  return result;
+}
+
+// ---- what goes out ----
+
+void GroundNode::carry_out(const gs::SendRequest& effect) {
+  wire::TaskRequest request = to_wire(effect.request);
+  request.command = effect.command.value();
+  send(effect.uav, std::move(request), effect.expires);
+}
+
+void GroundNode::carry_out(const gs::SendFunctional& effect) {
+  wire::FunctionalRequest request;
+  request.uav = effect.uav;
+  request.kind = effect.verb == gs::FunctionalVerb::kDispatch
+                     ? wire::FunctionalRequestKind::kDispatch
+                     : wire::FunctionalRequestKind::kInterrupt;
+  request.id = effect.task.id.value();
+  request.type = effect.task.type;
+  request.parameters = to_wire(effect.task.parameters);
+  send(effect.uav, std::move(request));
+}
+
+void GroundNode::carry_out(const gs::SendSync& effect) {
+  wire::SyncMessage message;
+  message.id = effect.id;
+  message.from = effect.from;
+  message.to = effect.to;
+  send(effect.to, std::move(message));
+}
+
+void GroundNode::carry_out(const gs::AlarmEvent& effect) {
+  const gs::Alarm& alarm = effect.alarm;
+  wire::Alarm sample;
+  sample.id = alarm.id.value();
+  sample.state = wire_state(alarm.state);
+  sample.position = to_wire(alarm.position);
+  sample.radius = alarm.radius;
+  sample.belief = alarm.belief;
+  for (const node::Member& member : roster_.members()) {
+    if (member.role == wire::Role::kDdn) send(member.name, sample);
+  }
+  log(record("alarm")
+          .with("alarm", alarm.id.value())
+          .with("state", to_text(alarm.state))
+          .with("position", for_journal(alarm.position))
+          .with("belief", journal::rounded(alarm.belief)));
+}
+
+// ---- the event log ----
+
+void GroundNode::carry_out(const gs::CommandChanged& effect) {
+  journal::Record line = record("command")
+                             .with("uav", effect.uav)
+                             .with("command", effect.command.value())
+                             .with("what", effect.what)
+                             .with("state", to_text(effect.state));
+  if (!effect.why.empty()) line.with("why", effect.why);
+  log(line);
+}
+
+void GroundNode::carry_out(const gs::LocalRequestAnswered& effect) {
+  const RequestName name = name_of(effect.request);
+  journal::Record line =
+      record("request").with("uav", effect.uav).with("request", to_text(name.kind));
+  if (const auto* start = std::get_if<executive::Start>(&effect.request)) {
+    line.with("mode", to_text(start->mode));
+  }
+  if (name.task) line.with("task", name.task->value());
+  line.with("accepted", effect.accepted);
+  if (!effect.accepted) line.with("why", effect.why);
+  log(line);
+}
+
+void GroundNode::carry_out(const gs::LocalTaskEvent& effect) {
+  journal::Record line = record("task")
+                             .with("uav", effect.uav)
+                             .with("task", effect.task.value())
+                             .with("type", effect.type)
+                             .with("state", to_text(effect.state));
+  if (!effect.reason.empty()) line.with("reason", effect.reason);
+  log(line);
+}
+
+void GroundNode::carry_out(const gs::LocalSync& effect) {
+  log(record("sync")
+          .with("id", effect.id)
+          .with("from", effect.from)
+          .with("to", effect.to)
+          .with("direction", effect.direction == gs::SyncDirection::kSent ? "sent" : "received"));
+}
+
+void GroundNode::carry_out(const gs::PerceptionLogged& effect) {
+  log(record("perception")
+          .with("uav", effect.uav)
+          .with("device", effect.device)
+          .with("detections", static_cast<std::int64_t>(effect.detections)));
+}
+
+void GroundNode::carry_out(const gs::PhaseEntered& effect) {
+  wire::MissionState state;
+  state.phase = effect.name;
+  out_.push_back(node::Publish{state});
+  log(record("phase").with("name", effect.name));
+}
+
+void GroundNode::carry_out(const gs::StepDone& effect) {
+  log(record("step").with("name", effect.name));
+}
+
+void GroundNode::carry_out(const gs::OperatorDid& effect) {
+  log(record("operator").with("does", effect.does));
+}
+
+void GroundNode::carry_out(const gs::UavRestarted& effect) {
+  log(record("notice")
+          .with("uav", effect.uav)
+          .with("text", "restarted; " + std::to_string(effect.lost.size()) + " tasks lost"));
+}
+
+void GroundNode::carry_out(const gs::Anomaly& effect) {
+  log(record("notice").with("text", effect.why));
+}
+
+void GroundNode::carry_out(const gs::MissionFinished&) {
+  wire::MissionState state;
+  state.phase = control_.phase();
+  state.finished = true;
+  state.outcome = "finished";
+  out_.push_back(node::Publish{state});
+  log(record("mission").with("state", "finished"));
+  out_.push_back(node::Finish{});
+}
+
+void GroundNode::send(const std::string& uav, wire::Sample sample, MissionTime expires) {
+  const node::Member* to = roster_.find(uav);
+  SKEIN_EXPECTS(to != nullptr);
+  out_.push_back(node::Send{to->number, std::move(sample), expires});
+}
+
+void GroundNode::log(journal::Record line) { out_.push_back(node::Log{std::move(line)}); }
+
+journal::Record GroundNode::record(const char* kind) const { return {now_, "ground", kind}; }
+
+}  // namespace skein::ground

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tasks, conditions, requests and their answers: wire to domain and back.
+#pragma once
+
+#include <variant>
+
+#include "skein/blackboard/wire.hpp"
+#include "skein/executive/effect.hpp"
+#include "skein/executive/input.hpp"
+#include "skein/executive/task.hpp"
+
+namespace skein::translation {
+
+/// The five requests of spec 2.3.
+using Request = std::variant<executive::Start, executive::Abort, executive::ProcessMessage,
+                             executive::UpdateConditions, executive::Suppress>;
+
+wire::TaskState to_wire(executive::TaskState state);
+executive::TaskState from_wire(wire::TaskState state);
+wire::RequestKind to_wire(executive::RequestKind kind);
+
+std::vector<wire::Clause> to_wire(const executive::Formula& formula);
+executive::Formula from_wire(const std::vector<wire::Clause>& clauses);
+
+std::vector<wire::Parameter> to_wire(const executive::Parameters& parameters);
+
+wire::TaskSpec to_wire(const executive::Task& task);
+executive::Task from_wire(const wire::TaskSpec& spec);
+
+/// Without its command number.
+wire::TaskRequest to_wire(const Request& request);
+Request from_wire(const wire::TaskRequest& request);
+
+/// The request as the executive's input.
+executive::Input to_input(const Request& request);
+
+wire::TaskEvent to_wire(const std::string& uav, const executive::TaskEvent& event, MissionTime at);
+
+}  // namespace skein::translation

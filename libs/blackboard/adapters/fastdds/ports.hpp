@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// The UDP ports of DDS domains and participants.
+#pragma once
+
+#include <cstdint>
+#include <set>
+
+namespace skein::blackboard::fastdds {
+
+/// Source: RTPS 2.3, 9.6.1.1, with the default parameters: domain d starts at 7400 + 250 d; its
+/// participant p has two ports from 10 + 2 p after that.
+constexpr unsigned first_port(std::uint32_t domain) { return 7400 + 250 * domain; }
+constexpr unsigned first_port(std::uint32_t domain, std::uint32_t participant) {
+  return first_port(domain) + 10 + 2 * participant;
+}
+inline constexpr unsigned kPortsPerDomain = 250;
+/// Above, ports reach into the range that the kernel gives to anybody (32768 and up).
+inline constexpr std::uint32_t kLastDomain = 100;
+/// Participants per machine, and the ports that discovery tries on this machine.
+inline constexpr std::uint32_t kParticipants = 32;
+
+/// UDP ports bound in this network namespace.
+std::set<unsigned> bound_udp_ports();
+
+}  // namespace skein::blackboard::fastdds

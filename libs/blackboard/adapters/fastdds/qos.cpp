@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// The delivery classes as QoS of Fast DDS.
+#include "qos.hpp"
+
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
+
+#include <algorithm>
+
+#include "ports.hpp"
+
+namespace skein::blackboard::fastdds {
+namespace {
+
+namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+using eprosima::fastrtps::Duration_t;
+
+constexpr std::uint32_t kSocketBuffer = 2 * 1024 * 1024;
+constexpr const char* kMulticastAddress = "239.255.0.1";  // of RTPS discovery
+constexpr const char* kLoopback = "127.0.0.1";
+
+Duration_t milliseconds(std::uint32_t ms) {
+  return {static_cast<std::int32_t>(ms / 1000), ms % 1000 * 1'000'000};
+}
+
+int depth(wire::Slot slot, ChannelKind kind) {
+  if (wire::slot_class(slot) != wire::SlotClass::kEvent) return 1;
+  return static_cast<int>(kind == ChannelKind::kWorld ? kWorldEventDepth : kEventDepth);
+}
+
+/// What writer and reader must agree on, and that no limit refuses a new instance.
+template <class Qos>
+void set_class(Qos& qos, wire::Slot slot, ChannelKind kind) {
+  const bool stream = wire::slot_class(slot) == wire::SlotClass::kStream;
+  qos.reliability().kind =
+      stream ? dds::BEST_EFFORT_RELIABILITY_QOS : dds::RELIABLE_RELIABILITY_QOS;
+  qos.durability().kind =
+      stream ? dds::VOLATILE_DURABILITY_QOS : dds::TRANSIENT_LOCAL_DURABILITY_QOS;
+  qos.history().kind = dds::KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = depth(slot, kind);
+  qos.resource_limits().max_samples = 0;
+  qos.resource_limits().max_instances = 0;
+  qos.resource_limits().max_samples_per_instance = 0;
+  qos.resource_limits().allocated_samples = 1;
+  qos.endpoint().history_memory_policy = rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
+  qos.data_sharing().off();
+}
+
+rtps::Locator_t udp(const std::string& address, unsigned port) {
+  rtps::Locator_t locator(LOCATOR_KIND_UDPv4, port);
+  rtps::IPLocator::setIPv4(locator, address);
+  return locator;
+}
+
+/// Ports of our own choice: Fast DDS would number participants up for ever within a process, and
+/// discovery by unicast needs small numbers.
+void set_locators(dds::WireProtocolConfigQos& protocol, const FastDdsConfig& config,
+                  std::uint32_t number) {
+  rtps::BuiltinAttributes& builtin = protocol.builtin;
+  const unsigned own = first_port(config.domain, number);
+  for (const std::string& address : config.interfaces) {
+    builtin.metatrafficUnicastLocatorList.push_back(udp(address, own));
+    protocol.default_unicast_locator_list.push_back(udp(address, own + 1));
+  }
+  const rtps::Locator_t everybody = udp(kMulticastAddress, first_port(config.domain));
+  builtin.metatrafficMulticastLocatorList.push_back(everybody);
+  builtin.initialPeersList.push_back(everybody);
+  if (std::ranges::find(config.interfaces, kLoopback) == config.interfaces.end()) return;
+  for (std::uint32_t peer = 0; peer < kParticipants; ++peer) {
+    builtin.initialPeersList.push_back(udp(kLoopback, first_port(config.domain, peer)));
+  }
+}
+
+}  // namespace
+
+dds::DomainParticipantQos participant_qos(const FastDdsConfig& config, std::uint32_t number) {
+  dds::DomainParticipantQos qos;
+  qos.name(config.participant_name);
+  auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  transport->sendBufferSize = kSocketBuffer;
+  transport->receiveBufferSize = kSocketBuffer;
+  transport->interfaceWhiteList = config.interfaces;
+  qos.transport().use_builtin_transports = false;
+  qos.transport().user_transports.push_back(transport);
+  auto& builtin = qos.wire_protocol().builtin;
+  builtin.discovery_config.leaseDuration = milliseconds(5000);
+  builtin.discovery_config.leaseDuration_announcementperiod = milliseconds(1000);
+  set_locators(qos.wire_protocol(), config, number);
+  return qos;
+}
+
+dds::DataWriterQos writer_qos(wire::Slot slot, ChannelKind kind) {
+  dds::DataWriterQos qos;
+  set_class(qos, slot, kind);
+  qos.reliability().max_blocking_time = milliseconds(100);
+  auto& times = qos.reliable_writer_qos().times;
+  times.heartbeatPeriod = milliseconds(100);
+  times.nackResponseDelay = milliseconds(1);
+  // On the writer's side only: a reader would compare the clocks of two machines.
+  if (wire::slot_class(slot) == wire::SlotClass::kEvent && kind != ChannelKind::kWorld) {
+    qos.lifespan().duration = milliseconds(10'000);
+  }
+  return qos;
+}
+
+dds::DataReaderQos reader_qos(wire::Slot slot, ChannelKind kind) {
+  dds::DataReaderQos qos;
+  set_class(qos, slot, kind);
+  qos.reliable_reader_qos().times.heartbeatResponseDelay = milliseconds(1);
+  return qos;
+}
+
+}  // namespace skein::blackboard::fastdds

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The delivery classes as QoS of Fast DDS.
+#pragma once
+
+#include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
+#include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
+#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
+
+#include "skein/blackboard/channel.hpp"
+#include "skein/blackboard/fastdds_transport.hpp"
+
+namespace skein::blackboard::fastdds {
+
+/// UDP over the configured interfaces only; discovery by multicast and, on this machine, also by
+/// unicast, since a loopback interface need not have multicast. `number`
+/// is that of the participant among those of its domain on this machine, below kParticipants.
+eprosima::fastdds::dds::DomainParticipantQos participant_qos(const FastDdsConfig& config,
+                                                             std::uint32_t number);
+
+/// Source: spec 1.3 (table of classes); notes on limits and periods in the README.
+eprosima::fastdds::dds::DataWriterQos writer_qos(wire::Slot slot, ChannelKind kind);
+eprosima::fastdds::dds::DataReaderQos reader_qos(wire::Slot slot, ChannelKind kind);
+
+}  // namespace skein::blackboard::fastdds

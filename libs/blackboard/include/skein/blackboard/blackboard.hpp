@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// The blackboard of one node: slots written and read over channels. Entry header of the library.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "skein/blackboard/channel.hpp"
+#include "skein/blackboard/transport.hpp"
+#include "skein/blackboard/wire.hpp"
+#include "skein/foundation/result.hpp"
+#include "skein/foundation/time.hpp"
+
+namespace skein::blackboard {
+
+struct Config {
+  NodeNumber self;
+  /// Greater at each start of the node on the same mission, at least 1: that is how others see a
+  /// restart. A daemon takes the wall clock in nanoseconds.
+  std::uint64_t incarnation = 1;
+  std::uint32_t mission = 0;
+  std::vector<ChannelConfig> channels;  ///< all that start or end at `self`
+  std::vector<wire::Slot> world_reads;
+  Duration heartbeat_period = Duration::milliseconds(200);  ///< steady; > 0
+  /// Steady; how long an event waits for its acknowledgement before it is sent again; > 0.
+  Duration retransmission = Duration::milliseconds(300);
+  std::size_t held_events = 1024;  ///< unacknowledged, per destination; then `send` refuses
+  std::uint64_t seed = 0;          ///< of the losses
+};
+
+/// Why a sample was not sent.
+enum class Refusal : std::uint8_t {
+  kNoChannel,  ///< to the destination, or not for this slot
+  kFull,       ///< too many unacknowledged events for this destination
+  kMalformed   ///< the sample breaks the rules of the wire
+};
+std::string_view name_of(Refusal refusal);
+
+struct SendOptions {
+  /// Events: the instant after which it must not be handled any more.
+  MissionTime expires = MissionTime::max();
+};
+
+/// A sample handed to the node: well formed, new, in order.
+struct Received {
+  NodeNumber origin;
+  ChannelKind channel = ChannelKind::kRadio;
+  wire::Sample sample;
+};
+
+/// What this node believes of a peer: gone after three silent heartbeat periods, back with the
+/// first heartbeat heard. `restarted`: the peer heard is a new incarnation of the one heard before
+/// (then reported even if it was never missed).
+struct Reachability {
+  NodeNumber peer;
+  bool reachable = false;
+  bool restarted = false;
+};
+
+/// Content that was refused at the boundary.
+struct Dropped {
+  wire::Slot slot = wire::Slot::kHeartbeat;
+  NodeNumber origin;  ///< 0 if unknown
+  std::string field;
+  std::string why;
+  bool first = false;  ///< of this (slot, origin, field): worth a line in the log
+};
+
+/// An event that was too late; reported where that was found. At the sender it means that no
+/// acknowledgement came in time: if contact broke in between, it may have been handled all the
+/// same.
+struct EventExpired {
+  wire::Slot slot = wire::Slot::kTaskEvent;
+  NodeNumber from;
+  NodeNumber to;
+  std::uint64_t sequence = 0;
+};
+
+/// Events that the receiver will never see because the sender gave them up (it reported them as
+/// expired, if it lived to do so): sequence numbers first to last.
+struct EventsLost {
+  NodeNumber from;
+  NodeNumber to;
+  std::uint64_t first = 0;
+  std::uint64_t last = 0;
+};
+
+using Incoming = std::variant<Received, Reachability, Dropped, EventExpired, EventsLost>;
+
+/// Sends and receives by the delivery classes of spec 1.3, over any Transport. Time is given; the
+/// same calls give the same results. Laws:
+/// - state: a node sees the last value of each (origin, slot, instance), never an older one after a
+///   newer one; late joiners and peers that come back get it too;
+/// - event: what one incarnation of A sends to B is handled at most once, in the order sent over
+/// all
+///   event slots, whatever is cut, delivered twice or restarted; and exactly once if B lives long
+///   enough in contact and it has not expired. A restarted B handles what the one before had not
+///   acknowledged (an event handled just before a crash may therefore be handled again by the next
+///   incarnation, which knows nothing of it);
+/// - stream: at most once, newest only;
+/// - malformed content is reported and goes no further.
+/// On the world channel there are no acknowledgements: events there rely on the transport.
+/// Thread rule: one thread. Source: spec 1.3.
+class Blackboard {
+ public:
+  /// Opens the channels. The transport must outlive the blackboard.
+  static Result<Blackboard, Failure> open(Config config, Transport& transport);
+  Blackboard(Blackboard&&) noexcept;
+  Blackboard& operator=(Blackboard&&) noexcept;
+  ~Blackboard();
+
+  /// Sends to one peer over the channel to it. The header is stamped here, except its `instance`.
+  /// Gives the sequence number.
+  Result<std::uint64_t, Refusal> send(wire::Sample sample, NodeNumber to, Now now,
+                                      SendOptions options = {});
+  /// Sends to everybody over the world channel.
+  Result<std::uint64_t, Refusal> publish(wire::Sample sample, Now now);
+
+  /// Sets the condition of the directed channel; without effect on a channel that this node has no
+  /// end of.
+  void set_condition(NodeNumber from, NodeNumber to, const ChannelCondition& condition, Now now);
+
+  /// Takes what has arrived and does what is due. To call when the transport notifies and at
+  /// next_wakeup(). What it gives counts as handled at the next call.
+  std::vector<Incoming> step(Now now);
+  /// Steady time at which step() is due even if nothing arrives.
+  std::optional<Duration> next_wakeup() const;
+
+  /// As last reported by Reachability; false for strangers.
+  bool reachable(NodeNumber peer) const;
+  /// Events sent to this peer and not acknowledged yet.
+  std::size_t unacknowledged(NodeNumber peer) const;
+
+ private:
+  class Impl;
+  explicit Blackboard(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace skein::blackboard

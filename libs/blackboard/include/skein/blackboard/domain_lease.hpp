@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// A DDS domain of one's own on this machine.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "skein/foundation/result.hpp"
+
+namespace skein::blackboard {
+
+namespace fastdds {
+class NamedLock;
+}
+
+/// Holds a DDS domain id for as long as it lives; it ends with the process in any case and leaves
+/// no file. Other Skein processes in the same network namespace will not claim the same domain.
+class DomainLease {
+ public:
+  DomainLease(DomainLease&& other) noexcept;
+  DomainLease& operator=(DomainLease&& other) noexcept;
+  ~DomainLease();
+
+  std::uint32_t domain() const { return domain_; }
+
+ private:
+  friend Result<DomainLease, Failure> claim_domain(std::uint32_t first, std::uint32_t last);
+  DomainLease(std::uint32_t domain, std::unique_ptr<fastdds::NamedLock> lock);
+
+  std::uint32_t domain_;
+  std::unique_ptr<fastdds::NamedLock> lock_;
+};
+
+/// The first domain in [first, last] that no lease holds and on whose discovery port nobody
+/// listens.
+Result<DomainLease, Failure> claim_domain(std::uint32_t first = 1, std::uint32_t last = 100);
+
+}  // namespace skein::blackboard

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The blackboard's transport over Fast DDS.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "skein/blackboard/transport.hpp"
+
+namespace skein::blackboard {
+
+struct FastDdsConfig {
+  std::uint32_t domain = 0;      ///< 0 to 100, so that its ports stay below the ephemeral ones
+  std::string participant_name;  ///< shown by DDS tools
+  /// Addresses of the interfaces to use, IPv4; the default stays on this machine.
+  std::vector<std::string> interfaces = {"127.0.0.1"};
+  /// Warnings and errors of the middleware, one line each, from any of its threads; they go nowhere
+  /// else. The middleware's log is one per process: the last transport opened receives it.
+  std::function<void(const std::string&)> log;
+};
+
+/// One participant over UDP; each channel has its own publisher and subscriber, and cutting it
+/// moves both out of the partition. Topics are named after the slots, types are those of idl/.
+/// Decoding happens in the middleware's threads, into a mailbox. Environment variables and profile
+/// files of Fast DDS have no effect.
+class FastDdsTransport final : public Transport {
+ public:
+  explicit FastDdsTransport(FastDdsConfig config);
+  ~FastDdsTransport() override;
+
+  Result<void, Failure> open(const TransportPlan& plan) override;
+  bool write(std::size_t channel, const wire::Sample& sample) override;
+  void set_up(std::size_t channel, bool up) override;
+  std::vector<Arrival> take() override;
+  void on_arrival(std::function<void()> notify) override;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace skein::blackboard

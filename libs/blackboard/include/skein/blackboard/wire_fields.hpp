@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fields of a wire struct, told once and visited by everything that treats all of them alike.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+namespace skein::wire {
+
+/// A struct declared with SKEIN_WIRE_FIELDS.
+template <class T>
+inline constexpr bool is_record = false;
+
+/// Two structs that only differ in how a field is reached: a member or an accessor `field()`, as in
+/// what the IDL compilers generate.
+#define SKEIN_WIRE_PAIR(field)                  \
+  if constexpr (requires { other.field(); })    \
+    visitor(#field, self.field, other.field()); \
+  else                                          \
+    visitor(#field, self.field, other.field);
+
+#define SKEIN_WIRE_VISIT(field) visitor(#field, self.field);
+
+#define SKEIN_WIRE_PARENS ()
+#define SKEIN_WIRE_EXPAND(...) \
+  SKEIN_WIRE_EXPAND2(SKEIN_WIRE_EXPAND2(SKEIN_WIRE_EXPAND2(__VA_ARGS__)))
+#define SKEIN_WIRE_EXPAND2(...) \
+  SKEIN_WIRE_EXPAND1(SKEIN_WIRE_EXPAND1(SKEIN_WIRE_EXPAND1(__VA_ARGS__)))
+#define SKEIN_WIRE_EXPAND1(...) __VA_ARGS__
+#define SKEIN_WIRE_EACH(macro, ...) \
+  __VA_OPT__(SKEIN_WIRE_EXPAND(SKEIN_WIRE_EACH_STEP(macro, __VA_ARGS__)))
+#define SKEIN_WIRE_EACH_STEP(macro, first, ...) \
+  macro(first) __VA_OPT__(SKEIN_WIRE_EACH_AGAIN SKEIN_WIRE_PARENS(macro, __VA_ARGS__))
+#define SKEIN_WIRE_EACH_AGAIN() SKEIN_WIRE_EACH_STEP
+
+/// Declares the fields of `Type` in the order of its IDL definition. Gives
+/// - `visit_fields(v, object)`: `v("name", object.name)` for each field, const or not;
+/// - `visit_pairs(v, object, other)`: `v("name", object.name, other's name)` for each field, where
+///   `other` is the struct that an IDL compiler made of the same definition.
+#define SKEIN_WIRE_FIELDS(Type, ...)                                        \
+  template <>                                                               \
+  inline constexpr bool is_record<Type> = true;                             \
+  template <class Visitor, class Self>                                      \
+  requires std::same_as<std::remove_const_t<Self>, Type>                    \
+  constexpr void visit_fields(Visitor&& visitor, Self& self) {              \
+    SKEIN_WIRE_EACH(SKEIN_WIRE_VISIT, __VA_ARGS__)                          \
+  }                                                                         \
+  template <class Visitor, class Self, class Other>                         \
+  requires std::same_as<std::remove_const_t<Self>, Type>                    \
+  constexpr void visit_pairs(Visitor&& visitor, Self& self, Other& other) { \
+    SKEIN_WIRE_EACH(SKEIN_WIRE_PAIR, __VA_ARGS__)                           \
+  }
+
+}  // namespace skein::wire

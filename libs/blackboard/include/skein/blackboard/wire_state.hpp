@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slots of class state: the last value is always there (idl/state.idl).
+#pragma once
+
+#include "skein/blackboard/wire_common.hpp"
+
+namespace skein::wire {
+
+enum class Role : std::uint32_t { kGround, kDdn, kSim, kRunner, kSpy, kCount };
+constexpr auto names_of(Role) {
+  return std::to_array<std::string_view>({"ground", "ddn", "sim", "runner", "spy"});
+}
+
+/// Who is behind a node number. World channel, instance 0.
+struct DirectoryEntry {
+  SampleHeader header;
+  std::string name;
+  Role role = Role::kSpy;
+  std::string vendor;         ///< the DDS implementation: "fastdds"
+  bool ready = false;         ///< configured and waiting for the clock
+  std::uint32_t process = 0;  ///< process id on its machine
+  bool operator==(const DirectoryEntry&) const = default;
+};
+SKEIN_WIRE_FIELDS(DirectoryEntry, header, name, role, vendor, ready, process)
+
+enum class ClockPhase : std::uint32_t { kHolding, kRunning, kFinished, kCount };
+constexpr auto names_of(ClockPhase) {
+  return std::to_array<std::string_view>({"holding", "running", "finished"});
+}
+
+/// Mission time for everybody. World channel, instance 0. Source: spec 1.4.
+struct Clock {
+  SampleHeader header;
+  std::int64_t time = 0;  ///< [ns] mission time when sent
+  double rate = 1;        ///< mission seconds per second
+  ClockPhase phase = ClockPhase::kHolding;
+  bool operator==(const Clock&) const = default;
+};
+SKEIN_WIRE_FIELDS(Clock, header, time, rate, phase)
+
+/// State of one directed radio channel, from the simulator. World channel; the instance numbers
+/// the pair: from * 1000 + to.
+struct LinkState {
+  SampleHeader header;
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+  bool up = false;
+  std::int64_t latency = 0;  ///< [ns] of mission time
+  double loss = 0;           ///< share of stream samples lost, in [0, 1]
+  double capacity = 0;       ///< [byte/s]; 0: unlimited
+  bool operator==(const LinkState&) const = default;
+};
+SKEIN_WIRE_FIELDS(LinkState, header, from, to, up, latency, loss, capacity)
+
+struct TaskEntry {
+  std::uint64_t id = 0;
+  std::string type;
+  TaskState state = TaskState::kScheduled;
+  std::string reason;  ///< why it was aborted, if it was
+  bool operator==(const TaskEntry&) const = default;
+};
+SKEIN_WIRE_FIELDS(TaskEntry, id, type, state, reason)
+
+/// The plan a UAV holds, with the state of each task.
+struct PlanBoard {
+  SampleHeader header;
+  std::string uav;
+  std::uint8_t degree = 0;
+  bool airborne = false;
+  std::vector<TaskEntry> tasks;  ///< by id
+  bool operator==(const PlanBoard&) const = default;
+};
+SKEIN_WIRE_FIELDS(PlanBoard, header, uav, degree, airborne, tasks)
+
+/// The degree of decisional autonomy of a UAV and what it does out of contact. Source: spec 1.2.
+struct AutonomyDegree {
+  SampleHeader header;
+  std::string uav;
+  std::uint8_t degree = 0;     ///< 1 to 5
+  std::string contact_policy;  ///< "continue", "hold", "return"
+  bool operator==(const AutonomyDegree&) const = default;
+};
+SKEIN_WIRE_FIELDS(AutonomyDegree, header, uav, degree, contact_policy)
+
+/// Where the mission stands, from the ground station.
+struct MissionState {
+  SampleHeader header;
+  std::string phase;
+  bool finished = false;
+  std::string outcome;  ///< once finished
+  bool operator==(const MissionState&) const = default;
+};
+SKEIN_WIRE_FIELDS(MissionState, header, phase, finished, outcome)
+
+}  // namespace skein::wire

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slots of class stream: best effort, only the newest counts (idl/stream.idl).
+#pragma once
+
+#include "skein/blackboard/wire_common.hpp"
+
+namespace skein::wire {
+
+/// What a UAV says of itself.
+struct Telemetry {
+  SampleHeader header;
+  std::string uav;
+  Vector3 position;
+  Vector3 velocity;    ///< [m/s]
+  double heading = 0;  ///< [rad]
+  double energy = 0;   ///< share left, in [0, 1]
+  bool airborne = false;
+  std::string activity;
+  bool operator==(const Telemetry&) const = default;
+};
+SKEIN_WIRE_FIELDS(Telemetry, header, uav, position, velocity, heading, energy, airborne, activity)
+
+struct Detection {
+  std::string kind;  ///< of object: "fire", "vehicle"
+  Vector3 position;
+  double spread = 0;      ///< [m] standard deviation of the position
+  double confidence = 0;  ///< in [0, 1]
+  bool operator==(const Detection&) const = default;
+};
+SKEIN_WIRE_FIELDS(Detection, kind, position, spread, confidence)
+
+/// One look through one device; also sent when it sees nothing, for that is evidence too.
+struct PerceptionReport {
+  SampleHeader header;
+  std::string uav;
+  std::string device;
+  Vector3 viewpoint;
+  Vector3 view_direction;  ///< unit vector
+  double range = 0;        ///< [m]
+  double aperture = 0;     ///< [rad] full angle of the cone of view
+  std::vector<Detection> detections;
+  bool operator==(const PerceptionReport&) const = default;
+};
+SKEIN_WIRE_FIELDS(PerceptionReport, header, uav, device, viewpoint, view_direction, range, aperture,
+                  detections)
+
+/// Ground truth of one vehicle or object, from the simulator. World channel; the instance numbers
+/// it.
+struct Truth {
+  SampleHeader header;
+  std::string name;
+  std::string kind;  ///< "uav", "fire", "vehicle", …
+  Vector3 position;
+  Vector3 velocity;     ///< [m/s]
+  double heading = 0;   ///< [rad]
+  double radius = 0;    ///< [m] of an object
+  double energy = 0;    ///< of a UAV: share left, in [0, 1]
+  bool active = false;  ///< UAV: airborne; object: there
+  bool operator==(const Truth&) const = default;
+};
+SKEIN_WIRE_FIELDS(Truth, header, name, kind, position, velocity, heading, radius, energy, active)
+
+/// Made and consumed by the blackboard itself on each channel that is not the world: reachability
+/// and the acknowledgements of event sessions. Never given to a node.
+struct Heartbeat {
+  SampleHeader header;
+  std::uint64_t events_from = 0;      ///< oldest event still held for this peer, or events_to + 1
+  std::uint64_t events_to = 0;        ///< last event sent to this peer; 0: none
+  std::uint64_t ack_incarnation = 0;  ///< of the peer whose events are acknowledged; 0: none known
+  std::uint64_t ack_sequence = 0;     ///< every event of the peer up to this one was handled
+  bool operator==(const Heartbeat&) const = default;
+};
+SKEIN_WIRE_FIELDS(Heartbeat, header, events_from, events_to, ack_incarnation, ack_sequence)
+
+}  // namespace skein::wire

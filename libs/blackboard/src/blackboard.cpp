@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The public face of the blackboard.
+#include "skein/blackboard/blackboard.hpp"
+
+#include "blackboard_impl.hpp"
+
+namespace skein::blackboard {
+
+std::string_view name_of(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::kNoChannel:
+      return "no channel to there for this slot";
+    case Refusal::kFull:
+      return "too many unacknowledged events";
+    case Refusal::kMalformed:
+      return "malformed";
+  }
+  return "?";
+}
+
+Result<Blackboard, Failure> Blackboard::open(Config config, Transport& transport) {
+  auto impl = std::make_unique<Impl>(std::move(config), transport);
+  if (auto opened = impl->open(); !opened) return tl::unexpected(opened.error());
+  return Blackboard(std::move(impl));
+}
+
+Blackboard::Blackboard(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Blackboard::Blackboard(Blackboard&&) noexcept = default;
+Blackboard& Blackboard::operator=(Blackboard&&) noexcept = default;
+Blackboard::~Blackboard() = default;
+
+Result<std::uint64_t, Refusal> Blackboard::send(wire::Sample sample, NodeNumber to, Now now,
+                                                SendOptions options) {
+  return impl_->send(std::move(sample), to, now, options);
+}
+
+Result<std::uint64_t, Refusal> Blackboard::publish(wire::Sample sample, Now now) {
+  return impl_->publish(std::move(sample), now);
+}
+
+void Blackboard::set_condition(NodeNumber from, NodeNumber to, const ChannelCondition& condition,
+                               Now now) {
+  impl_->set_condition(from, to, condition, now);
+}
+
+std::vector<Incoming> Blackboard::step(Now now) { return impl_->step(now); }
+
+std::optional<Duration> Blackboard::next_wakeup() const { return impl_->next_wakeup(); }
+
+bool Blackboard::reachable(NodeNumber peer) const {
+  const Peer* known = impl_->peer(peer);
+  return known != nullptr && known->reachable();
+}
+
+std::size_t Blackboard::unacknowledged(NodeNumber peer) const {
+  const Peer* known = impl_->peer(peer);
+  return known == nullptr ? 0 : known->outgoing().size();
+}
+
+}  // namespace skein::blackboard

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands behind Blackboard.
+#include "blackboard_impl.hpp"
+
+#include <algorithm>
+
+#include "skein/foundation/contract.hpp"
+
+namespace skein::blackboard {
+namespace {
+
+/// Kinds of malformed content told apart for the log; a peer that invents more is logged no
+/// further.
+constexpr std::size_t kDropKinds = 256;
+
+/// "tasks[12].state" -> "tasks[].state": one kind, whatever the element.
+std::string without_indices(const std::string& field) {
+  std::string kind;
+  bool inside = false;
+  for (const char c : field) {
+    if (c == ']') inside = false;
+    if (!inside) kind.push_back(c);
+    if (c == '[') inside = true;
+  }
+  return kind;
+}
+
+bool is_event(wire::Slot slot) { return wire::slot_class(slot) == wire::SlotClass::kEvent; }
+
+/// What every sample of the wire must have in its header, beyond the rules for all types.
+std::optional<wire::Violation> header_violation(const wire::SampleHeader& header) {
+  if (header.origin == 0) return wire::Violation{"header.origin", "no node has number 0"};
+  if (header.incarnation == 0) return wire::Violation{"header.incarnation", "must be at least 1"};
+  if (header.sequence_number == 0) {
+    return wire::Violation{"header.sequence_number", "must be at least 1"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Blackboard::Impl::Impl(Config config, Transport& transport)
+    : config_(std::move(config)),
+      transport_(transport),
+      losses_(config_.seed, "blackboard/losses/" + to_text(config_.self)) {
+  SKEIN_EXPECTS(config_.self != kEverybody);
+  SKEIN_EXPECTS(config_.incarnation > 0);
+  SKEIN_EXPECTS(config_.heartbeat_period > Duration{});
+  SKEIN_EXPECTS(config_.retransmission > Duration{});
+}
+
+Result<void, Failure> Blackboard::Impl::open() {
+  for (std::size_t i = 0; i < config_.channels.size(); ++i) {
+    if (auto added = add_channel(i); !added) return added;
+  }
+  return transport_.open({config_.self, config_.channels, config_.world_reads});
+}
+
+Result<void, Failure> Blackboard::Impl::add_channel(std::size_t index) {
+  const ChannelConfig& channel = config_.channels[index];
+  if (channel.kind == ChannelKind::kWorld) {
+    if (world_) return failure("two world channels");
+    world_ = index;
+    return {};
+  }
+  if (channel.to == config_.self) return {};  // found from the other direction
+  if (channel.from != config_.self) {
+    return failure("channel " + channel.partition + " neither starts nor ends at this node");
+  }
+  const auto back = std::ranges::find_if(config_.channels, [&](const ChannelConfig& other) {
+    return other.kind == channel.kind && other.from == channel.to && other.to == channel.from;
+  });
+  if (back == config_.channels.end()) return failure("no channel back for " + channel.partition);
+  const auto incoming = static_cast<std::size_t>(back - config_.channels.begin());
+  const PeerChannels channels{channel.to, channel.kind, index, incoming};
+  if (!peers_.try_emplace(channel.to, channels, config_).second) {
+    return failure("two channels to node " + to_text(channel.to));
+  }
+  return {};
+}
+
+const Peer* Blackboard::Impl::peer(NodeNumber number) const {
+  const auto found = peers_.find(number);
+  return found == peers_.end() ? nullptr : &found->second;
+}
+
+bool Blackboard::Impl::carries(std::size_t channel, wire::Slot slot) const {
+  const auto& slots = config_.channels[channel].slots;
+  return std::ranges::find(slots, slot) != slots.end();
+}
+
+void Blackboard::Impl::stamp(wire::SampleHeader& header, NodeNumber to, std::uint64_t sequence,
+                             Now now) const {
+  header.origin = config_.self.value();
+  header.destination = to.value();
+  header.incarnation = config_.incarnation;
+  header.sequence_number = sequence;
+  header.mission_time = now.mission.count();
+  header.expires = wire::kNever;
+  header.mission = config_.mission;
+}
+
+void Blackboard::Impl::write(std::size_t channel, const wire::Sample& sample) {
+  const wire::Slot slot = wire::slot_of(sample);
+  const bool written = transport_.write(channel, sample);
+  if (wire::slot_class(slot) != wire::SlotClass::kState) return;
+  const StateKey key{channel, slot, wire::header_of(sample).instance};
+  if (written) {
+    unwritten_.erase(key);
+  } else {
+    unwritten_.insert_or_assign(key, sample);
+  }
+}
+
+void Blackboard::Impl::retry_states() {
+  std::erase_if(unwritten_, [this](const auto& entry) {
+    return transport_.write(std::get<0>(entry.first), entry.second);
+  });
+}
+
+Result<std::uint64_t, Refusal> Blackboard::Impl::send(wire::Sample sample, NodeNumber to, Now now,
+                                                      SendOptions options) {
+  const auto found = peers_.find(to);
+  const wire::Slot slot = wire::slot_of(sample);
+  if (found == peers_.end() || !carries(found->second.channels().outgoing, slot)) {
+    return tl::unexpected(Refusal::kNoChannel);
+  }
+  if (wire::find_violation(sample)) return tl::unexpected(Refusal::kMalformed);
+  Peer& peer = found->second;
+  wire::SampleHeader& header = wire::header_of(sample);
+  if (is_event(slot)) {
+    if (peer.outgoing().full()) return tl::unexpected(Refusal::kFull);
+    const std::uint64_t sequence = peer.outgoing().next_sequence();
+    stamp(header, to, sequence, now);
+    header.expires = options.expires.count();
+    peer.outgoing().hold(std::move(sample));
+    for (const wire::Sample* event : peer.take_due_events(now)) {
+      write(peer.channels().outgoing, *event);
+    }
+    return sequence;
+  }
+  stamp(header, to, ++sequence_, now);
+  const bool state = wire::slot_class(slot) == wire::SlotClass::kState;
+  if (state || peer.outgoing_condition().up) write(peer.channels().outgoing, sample);
+  return sequence_;
+}
+
+Result<std::uint64_t, Refusal> Blackboard::Impl::publish(wire::Sample sample, Now now) {
+  if (!world_ || !carries(*world_, wire::slot_of(sample))) {
+    return tl::unexpected(Refusal::kNoChannel);
+  }
+  if (wire::find_violation(sample)) return tl::unexpected(Refusal::kMalformed);
+  stamp(wire::header_of(sample), kEverybody, ++sequence_, now);
+  write(*world_, sample);
+  return sequence_;
+}
+
+void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
+                                     const ChannelCondition& condition, Now now) {
+  const bool outgoing = from == config_.self;
+  if (!outgoing && to != config_.self) return;
+  const auto found = peers_.find(outgoing ? to : from);
+  if (found == peers_.end()) return;
+  Peer& peer = found->second;
+  if (outgoing) {
+    const bool changes = condition.up != peer.outgoing_condition().up;
+    peer.set_outgoing(condition, now);
+    if (changes) transport_.set_up(peer.channels().outgoing, condition.up);
+    serve(peer, now);
+  } else {
+    const bool changes = condition.up != peer.incoming_condition().up;
+    peer.set_incoming(condition);
+    if (changes) transport_.set_up(peer.channels().incoming, condition.up);
+  }
+}
+
+std::vector<Incoming> Blackboard::Impl::step(Now now) {
+  for (auto& [number, peer] : peers_) peer.commit();
+  for (Arrival& arrival : transport_.take()) arrive(std::move(arrival), now);
+  while (!delayed_.empty() && delayed_.begin()->first <= now.steady) {
+    auto first = delayed_.extract(delayed_.begin());
+    admit(first.mapped().channel, std::move(first.mapped().sample), now);
+  }
+  for (auto& [number, peer] : peers_) {
+    peer.update(now, out_);
+    serve(peer, now);
+  }
+  retry_states();
+  return std::exchange(out_, {});
+}
+
+void Blackboard::Impl::serve(Peer& peer, Now now) {
+  for (const wire::Sample* event : peer.take_due_events(now)) {
+    write(peer.channels().outgoing, *event);
+  }
+  if (!peer.heartbeat_due(now.steady)) return;
+  wire::Heartbeat heartbeat = peer.take_heartbeat(now.steady);
+  stamp(heartbeat.header, peer.channels().number, ++sequence_, now);
+  write(peer.channels().outgoing, heartbeat);
+}
+
+std::optional<Duration> Blackboard::Impl::next_wakeup() const {
+  std::optional<Duration> next;
+  if (!delayed_.empty()) next = delayed_.begin()->first;
+  for (const auto& [number, peer] : peers_) {
+    const auto due = peer.next_wakeup();
+    if (due && (!next || *due < *next)) next = due;
+  }
+  return next;
+}
+
+void Blackboard::Impl::arrive(Arrival arrival, Now now) {
+  if (const auto* malformed = std::get_if<Malformed>(&arrival.content)) {
+    refuse(malformed->slot, malformed->header, malformed->violation);
+    refuse_event(arrival.channel, malformed->slot, malformed->header, now);
+    return;
+  }
+  auto& sample = std::get<wire::Sample>(arrival.content);
+  const ChannelConfig& channel = config_.channels[arrival.channel];
+  if (wire::header_of(sample).origin == config_.self.value()) return;  // shared partition: our own
+  const auto from = peers_.find(channel.from);
+  if (from == peers_.end()) return admit(arrival.channel, std::move(sample), now);
+  const ChannelCondition& condition = from->second.incoming_condition();
+  if (wire::slot_class(wire::slot_of(sample)) == wire::SlotClass::kStream && condition.loss > 0 &&
+      losses_.chance(condition.loss)) {
+    return;
+  }
+  delay(arrival.channel, std::move(sample), now.steady + condition.latency);
+}
+
+void Blackboard::Impl::delay(std::size_t channel, wire::Sample sample, Duration due) {
+  Duration& last = last_delivery_[channel];
+  last = std::max(last, due);
+  delayed_.emplace(last, Delayed{channel, std::move(sample)});
+}
+
+void Blackboard::Impl::admit(std::size_t channel, wire::Sample sample, Now now) {
+  const wire::Slot slot = wire::slot_of(sample);
+  const wire::SampleHeader header = wire::header_of(sample);
+  auto violation = wire::find_violation(sample);
+  if (!violation) violation = header_violation(header);
+  const ChannelConfig& config = config_.channels[channel];
+  const bool world = config.kind == ChannelKind::kWorld;
+  if (!violation && !world && header.origin != config.from.value()) {
+    violation = {"header.origin", "not a node of channel " + config.partition};
+  }
+  if (violation) {
+    refuse(slot, header, *violation);
+    return refuse_event(channel, slot, header, now);
+  }
+  if (header.destination != 0 && header.destination != config_.self.value()) return;
+  if (world) return admit_from_world(std::move(sample));
+  admit_from_peer(peers_.at(config.from), std::move(sample), now);
+}
+
+void Blackboard::Impl::admit_from_world(wire::Sample sample) {
+  const wire::SampleHeader& header = wire::header_of(sample);
+  if (!freshness_.admit(wire::slot_of(sample), header)) return;
+  const NodeNumber origin(header.origin);
+  out_.emplace_back(Received{origin, ChannelKind::kWorld, std::move(sample)});
+}
+
+void Blackboard::Impl::admit_from_peer(Peer& peer, wire::Sample sample, Now now) {
+  const wire::Slot slot = wire::slot_of(sample);
+  const wire::SampleHeader header = wire::header_of(sample);
+  if (is_event(slot)) return peer.on_event(header, std::move(sample), now, out_);
+  if (!freshness_.admit(slot, header)) return;
+  if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample)) {
+    return peer.on_heartbeat(*heartbeat, now, out_);
+  }
+  out_.emplace_back(Received{NodeNumber(header.origin), peer.channels().kind, std::move(sample)});
+}
+
+void Blackboard::Impl::refuse(wire::Slot slot, const wire::SampleHeader& header,
+                              const wire::Violation& violation) {
+  const NodeNumber origin(header.origin);
+  const bool first = drops_seen_.size() < kDropKinds &&
+                     drops_seen_.emplace(slot, origin, without_indices(violation.field)).second;
+  out_.emplace_back(Dropped{slot, origin, violation.field, violation.why, first});
+}
+
+/// A malformed event still has its place in the sequence: what follows it must not wait.
+void Blackboard::Impl::refuse_event(std::size_t channel, wire::Slot slot,
+                                    const wire::SampleHeader& header, Now now) {
+  if (!is_event(slot) || header_violation(header)) return;
+  const auto from = peers_.find(config_.channels[channel].from);
+  if (from == peers_.end() || header.origin != from->first.value()) return;
+  if (header.destination != config_.self.value()) return;
+  from->second.on_event(header, std::nullopt, now, out_);
+}
+
+}  // namespace skein::blackboard

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands behind Blackboard.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+
+#include "freshness.hpp"
+#include "peer.hpp"
+#include "skein/blackboard/blackboard.hpp"
+#include "skein/foundation/random.hpp"
+
+namespace skein::blackboard {
+
+/// The way of an arrival: decoded by the transport, lost or delayed as the channel's condition
+/// wants, checked, then by class: state and stream past Freshness, event into the session of its
+/// peer.
+class Blackboard::Impl {
+ public:
+  Impl(Config config, Transport& transport);
+  /// Finds the peers in the channels and opens them.
+  Result<void, Failure> open();
+
+  Result<std::uint64_t, Refusal> send(wire::Sample sample, NodeNumber to, Now now,
+                                      SendOptions options);
+  Result<std::uint64_t, Refusal> publish(wire::Sample sample, Now now);
+  void set_condition(NodeNumber from, NodeNumber to, const ChannelCondition& condition, Now now);
+  std::vector<Incoming> step(Now now);
+  std::optional<Duration> next_wakeup() const;
+  const Peer* peer(NodeNumber number) const;
+
+ private:
+  Result<void, Failure> add_channel(std::size_t index);
+  bool carries(std::size_t channel, wire::Slot slot) const;
+  void stamp(wire::SampleHeader& header, NodeNumber to, std::uint64_t sequence, Now now) const;
+  /// Writes; a state that the transport does not take is tried again at each step.
+  void write(std::size_t channel, const wire::Sample& sample);
+  void retry_states();
+
+  void arrive(Arrival arrival, Now now);
+  void delay(std::size_t channel, wire::Sample sample, Duration due);
+  void admit(std::size_t channel, wire::Sample sample, Now now);
+  void admit_from_world(wire::Sample sample);
+  void admit_from_peer(Peer& peer, wire::Sample sample, Now now);
+  void refuse(wire::Slot slot, const wire::SampleHeader& header, const wire::Violation& violation);
+  void refuse_event(std::size_t channel, wire::Slot slot, const wire::SampleHeader& header,
+                    Now now);
+  void serve(Peer& peer, Now now);
+
+  using StateKey = std::tuple<std::size_t, wire::Slot, std::uint32_t>;
+  using DropKey = std::tuple<wire::Slot, NodeNumber, std::string>;
+  struct Delayed {
+    std::size_t channel;
+    wire::Sample sample;
+  };
+
+  Config config_;
+  Transport& transport_;
+  Random losses_;
+  std::map<NodeNumber, Peer> peers_;
+  std::optional<std::size_t> world_;
+  std::uint64_t sequence_ = 0;  ///< of states, streams and world events
+  Freshness freshness_;
+  std::multimap<Duration, Delayed> delayed_;       ///< by steady time of delivery
+  std::map<std::size_t, Duration> last_delivery_;  ///< by channel: nothing overtakes
+  std::map<StateKey, wire::Sample> unwritten_;
+  std::set<DropKey> drops_seen_;
+  std::vector<Incoming> out_;
+};
+
+}  // namespace skein::blackboard

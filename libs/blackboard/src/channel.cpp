@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the kinds of channel carry and how their partitions are named.
+#include "skein/blackboard/channel.hpp"
+
+namespace skein::blackboard {
+namespace {
+
+using wire::Slot;
+
+// At degree 1 the ground station talks with the functional layer through the decision node.
+std::vector<Slot> radio_slots() {
+  return {Slot::kPlanBoard,         Slot::kAutonomyDegree,   Slot::kMissionState,
+          Slot::kTaskRequest,       Slot::kRequestReply,     Slot::kTaskEvent,
+          Slot::kFunctionalRequest, Slot::kFunctionalStatus, Slot::kSyncMessage,
+          Slot::kAlarm,             Slot::kTelemetry,        Slot::kPerceptionReport};
+}
+
+std::vector<Slot> onboard_slots() {
+  return {Slot::kFunctionalRequest, Slot::kFunctionalStatus, Slot::kTelemetry,
+          Slot::kPerceptionReport};
+}
+
+std::vector<Slot> world_slots() {
+  return {Slot::kDirectoryEntry, Slot::kClock,        Slot::kLinkState,
+          Slot::kMissionState,   Slot::kJournalEntry, Slot::kTruth};
+}
+
+}  // namespace
+
+std::string_view name_of(ChannelKind kind) {
+  switch (kind) {
+    case ChannelKind::kRadio:
+      return "radio";
+    case ChannelKind::kOnboard:
+      return "onboard";
+    case ChannelKind::kWorld:
+      return "world";
+  }
+  return "?";
+}
+
+std::vector<ChannelConfig> radio_link(const Node& a, const Node& b) {
+  const auto partition = [](const Node& from, const Node& to) {
+    return "radio/" + from.name + ">" + to.name;
+  };
+  return {{a.number, b.number, ChannelKind::kRadio, partition(a, b), radio_slots()},
+          {b.number, a.number, ChannelKind::kRadio, partition(b, a), radio_slots()}};
+}
+
+std::vector<ChannelConfig> onboard_link(const Node& uav, const Node& simulator) {
+  const std::string partition = "onboard/" + uav.name;
+  return {{uav.number, simulator.number, ChannelKind::kOnboard, partition, onboard_slots()},
+          {simulator.number, uav.number, ChannelKind::kOnboard, partition, onboard_slots()}};
+}
+
+ChannelConfig world_channel() {
+  return {kEverybody, kEverybody, ChannelKind::kWorld, "world", world_slots()};
+}
+
+}  // namespace skein::blackboard

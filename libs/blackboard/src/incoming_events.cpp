@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// The receiving half of an event session with one peer.
+#include "incoming_events.hpp"
+
+#include <algorithm>
+
+namespace skein::blackboard {
+namespace {
+
+/// Far more than a correct sender has under way; what does not fit is sent again.
+constexpr std::size_t kBufferLimit = 4 * kEventDepth;
+
+}  // namespace
+
+bool IncomingEvents::enter(std::uint64_t incarnation) {
+  if (incarnation < incarnation_) return false;
+  if (incarnation > incarnation_) {
+    *this = IncomingEvents{};
+    incarnation_ = incarnation;
+  }
+  return true;
+}
+
+void IncomingEvents::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event) {
+  // What is malformed may lie in its header too: it never opens a session nor waits for one.
+  if (!event && (header.incarnation != incarnation_ || !open_)) return;
+  if (!enter(header.incarnation)) return;
+  const std::uint64_t sequence = header.sequence_number;
+  if (open_ && sequence < next_) {
+    owes_ = true;
+    return;
+  }
+  if (buffer_.size() >= kBufferLimit || (open_ && sequence - next_ >= kBufferLimit)) return;
+  buffer_.emplace(sequence, std::move(event));
+}
+
+void IncomingEvents::on_heartbeat(const wire::Heartbeat& heartbeat, NodeNumber self,
+                                  std::vector<Incoming>& out) {
+  if (!enter(heartbeat.header.incarnation)) return;
+  const std::uint64_t from = std::max<std::uint64_t>(heartbeat.events_from, 1);
+  if (open_ && from > next_) {
+    out.emplace_back(EventsLost{NodeNumber(heartbeat.header.origin), self, next_, from - 1});
+  }
+  if (!open_ || from > next_) {
+    next_ = from;
+    buffer_.erase(buffer_.begin(), buffer_.lower_bound(from));
+  }
+  if (!open_) handled_ = from - 1;
+  open_ = true;
+}
+
+void IncomingEvents::deliver(ChannelKind kind, MissionTime now, std::vector<Incoming>& out) {
+  if (!open_) return;
+  for (auto first = buffer_.begin(); first != buffer_.end() && first->first == next_;
+       first = buffer_.erase(first)) {
+    ++next_;
+    owes_ = true;
+    if (!first->second) continue;
+    const wire::SampleHeader& header = wire::header_of(*first->second);
+    const NodeNumber origin(header.origin);
+    if (header.expires >= now.count()) {
+      out.emplace_back(Received{origin, kind, std::move(*first->second)});
+    } else if (header.expires != std::numeric_limits<std::int64_t>::min()) {
+      out.emplace_back(EventExpired{wire::slot_of(*first->second), origin,
+                                    NodeNumber(header.destination), header.sequence_number});
+    }
+  }
+}
+
+void IncomingEvents::commit() { handled_ = next_ - 1; }
+
+}  // namespace skein::blackboard

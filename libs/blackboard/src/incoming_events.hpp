@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The receiving half of an event session with one peer.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "skein/blackboard/blackboard.hpp"
+
+namespace skein::blackboard {
+
+/// Puts the events of one peer in order and lets each through once.
+///
+/// | from    | what comes                       | to                                              |
+/// |---------|----------------------------------|-------------------------------------------------|
+/// | any     | greater incarnation              | waiting, nothing buffered                       |
+/// | any     | smaller incarnation              | same (ignored)                                  |
+/// | waiting | event                            | waiting, event buffered                         |
+/// | waiting | heartbeat                        | open, next = its events_from                    |
+/// | open    | event next                       | open, it and its successors in the buffer go    |
+/// | open    | event after next                 | open, event buffered                            |
+/// | open    | event before next                | open (already handled)                          |
+/// | open    | heartbeat, events_from > next    | open, what lies between is lost                 |
+///
+/// It waits because of what DDS does to who comes late: old events come again, and only the sender
+/// knows which of them an earlier incarnation of this node has handled.
+class IncomingEvents {
+ public:
+  /// An event; it may be empty if it was malformed: then it only fills its place in the sequence.
+  void on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event);
+  void on_heartbeat(const wire::Heartbeat& heartbeat, NodeNumber self, std::vector<Incoming>& out);
+  /// Lets through what is next; expired events are reported instead.
+  void deliver(ChannelKind kind, MissionTime now, std::vector<Incoming>& out);
+
+  /// What was let through so far counts as handled from now on.
+  void commit();
+  /// For the heartbeat to the peer; 0 while waiting.
+  std::uint64_t ack_incarnation() const { return open_ ? incarnation_ : 0; }
+  std::uint64_t ack_sequence() const { return open_ ? handled_ : 0; }
+  /// The peer would send less again if it were told now.
+  bool owes_acknowledgement() const { return owes_; }
+  void acknowledged() { owes_ = false; }
+
+ private:
+  bool enter(std::uint64_t incarnation);
+
+  std::uint64_t incarnation_ = 0;
+  bool open_ = false;
+  std::uint64_t next_ = 1;
+  std::uint64_t handled_ = 0;
+  bool owes_ = false;
+  std::map<std::uint64_t, std::optional<wire::Sample>> buffer_;
+};
+
+}  // namespace skein::blackboard

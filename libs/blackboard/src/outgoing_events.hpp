@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sending half of an event session with one peer.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "skein/blackboard/blackboard.hpp"
+
+namespace skein::blackboard {
+
+/// Keeps every event until the peer has acknowledged it or it has expired, and says what to write
+/// when. At most kEventDepth events are under way at once, which is what any transport keeps; the
+/// others wait for acknowledgements.
+///
+/// An expired event leaves at once if it is the oldest. Behind an older one that still waits, it
+/// stays as a tombstone, expired long ago, so that the peer sees no gap it would have to wait for.
+class OutgoingEvents {
+ public:
+  OutgoingEvents(std::size_t capacity, Duration retransmission)
+      : capacity_(capacity), retransmission_(retransmission) {}
+
+  bool full() const { return held_.size() >= capacity_; }
+  std::size_t size() const { return held_.size(); }
+  /// Of the next event to be held.
+  std::uint64_t next_sequence() const { return next_; }
+  /// The oldest event held, or the next if none is.
+  std::uint64_t oldest() const { return next_ - held_.size(); }
+
+  /// The header of `event` must carry next_sequence().
+  void hold(wire::Sample event);
+  /// Everything up to and including this one was handled; nonsense is ignored.
+  void acknowledge(std::uint64_t sequence);
+  /// The peer has come back or started anew: everything is to be written again.
+  void resend();
+  /// Gives up what has expired by now.
+  std::vector<EventExpired> expire(MissionTime now);
+
+  /// What is to be written now, oldest first; counts as written. `round_trip` is what the channel
+  /// itself adds before an acknowledgement can be here. Valid until the next call of anything.
+  std::vector<const wire::Sample*> take_due(Now now, Duration round_trip);
+  /// Steady time of the next take_due() that gives something.
+  std::optional<Duration> next_due(Duration round_trip) const;
+
+ private:
+  struct Held {
+    wire::Sample sample;
+    std::optional<Duration> written;  ///< steady
+    bool given_up = false;
+  };
+  std::size_t under_way() const { return std::min(held_.size(), kEventDepth); }
+
+  std::size_t capacity_;
+  Duration retransmission_;
+  std::deque<Held> held_;
+  std::uint64_t next_ = 1;
+};
+
+}  // namespace skein::blackboard

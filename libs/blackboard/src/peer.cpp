@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reachability of one peer and the event session with it.
+#include "peer.hpp"
+
+#include <algorithm>
+
+namespace skein::blackboard {
+namespace {
+
+/// Long enough to acknowledge a burst at once, short against any retransmission time.
+constexpr Duration kAcknowledgementDelay = Duration::milliseconds(10);
+
+std::optional<Duration> sooner(std::optional<Duration> a, std::optional<Duration> b) {
+  if (!a || !b) return a ? a : b;
+  return std::min(*a, *b);
+}
+
+}  // namespace
+
+Peer::Peer(PeerChannels channels, const Config& config)
+    : channels_(channels),
+      self_(config.self),
+      self_incarnation_(config.incarnation),
+      period_(config.heartbeat_period),
+      outgoing_(config.held_events, config.retransmission) {}
+
+void Peer::set_outgoing(const ChannelCondition& condition, Now now) {
+  if (condition.up && !out_condition_.up) next_heartbeat_ = now.steady;
+  out_condition_ = condition;
+}
+
+void Peer::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
+                    std::vector<Incoming>& out) {
+  incoming_.on_event(header, std::move(event));
+  incoming_.deliver(channels_.kind, now.mission, out);
+  if (incoming_.owes_acknowledgement() && !acknowledge_at_) {
+    acknowledge_at_ = now.steady + kAcknowledgementDelay;
+  }
+}
+
+void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out) {
+  const std::uint64_t incarnation = heartbeat.header.incarnation;
+  if (incarnation < incarnation_) return;
+  const bool restarted = incarnation_ != 0 && incarnation > incarnation_;
+  if (heartbeat.ack_incarnation == self_incarnation_) {
+    outgoing_.acknowledge(heartbeat.ack_sequence);
+  }
+  if (!reachable_ || restarted) {
+    out.emplace_back(Reachability{channels_.number, true, restarted});
+    outgoing_.resend();
+    next_heartbeat_ = now.steady;
+  }
+  reachable_ = true;
+  incarnation_ = incarnation;
+  last_heard_ = now.steady;
+  incoming_.on_heartbeat(heartbeat, self_, out);
+  incoming_.deliver(channels_.kind, now.mission, out);
+  if (incoming_.owes_acknowledgement() && !acknowledge_at_) {
+    acknowledge_at_ = now.steady + kAcknowledgementDelay;
+  }
+}
+
+void Peer::update(Now now, std::vector<Incoming>& out) {
+  if (reachable_ && now.steady - last_heard_ >= silence_limit()) {
+    reachable_ = false;
+    out.emplace_back(Reachability{channels_.number, false, false});
+  }
+  for (const EventExpired& expired : outgoing_.expire(now.mission)) out.emplace_back(expired);
+}
+
+std::vector<const wire::Sample*> Peer::take_due_events(Now now) {
+  if (!out_condition_.up) return {};
+  return outgoing_.take_due(now, round_trip());
+}
+
+bool Peer::heartbeat_due(Duration steady) const {
+  if (!out_condition_.up) return false;
+  return steady >= next_heartbeat_ || (acknowledge_at_ && steady >= *acknowledge_at_);
+}
+
+wire::Heartbeat Peer::take_heartbeat(Duration steady) {
+  next_heartbeat_ = steady + period_;
+  acknowledge_at_.reset();
+  incoming_.acknowledged();
+  wire::Heartbeat heartbeat;
+  heartbeat.events_from = outgoing_.oldest();
+  heartbeat.events_to = outgoing_.next_sequence() - 1;
+  heartbeat.ack_incarnation = incoming_.ack_incarnation();
+  heartbeat.ack_sequence = incoming_.ack_sequence();
+  return heartbeat;
+}
+
+std::optional<Duration> Peer::next_wakeup() const {
+  std::optional<Duration> next;
+  if (reachable_) next = last_heard_ + silence_limit();
+  if (!out_condition_.up) return next;
+  next = sooner(next, next_heartbeat_);
+  next = sooner(next, acknowledge_at_);
+  return sooner(next, outgoing_.next_due(round_trip()));
+}
+
+}  // namespace skein::blackboard

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything one blackboard knows of one other node it has a channel with.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "incoming_events.hpp"
+#include "outgoing_events.hpp"
+#include "skein/blackboard/blackboard.hpp"
+
+namespace skein::blackboard {
+
+/// The channels to and from a peer, as indices into Config::channels.
+struct PeerChannels {
+  NodeNumber number;
+  ChannelKind kind = ChannelKind::kRadio;
+  std::size_t outgoing = 0;
+  std::size_t incoming = 0;
+};
+
+/// Reachability and both halves of the event session. Writes nothing itself: it says what is due.
+///
+/// A heartbeat goes out each period, and at once when the channel comes up or a peer (or a new
+/// incarnation of it) is first heard, so that its session opens without waiting; soon after events
+/// came in, as their acknowledgement. Source: spec 1.3 (reachability, class event).
+class Peer {
+ public:
+  Peer(PeerChannels channels, const Config& config);
+
+  const PeerChannels& channels() const { return channels_; }
+  bool reachable() const { return reachable_; }
+  OutgoingEvents& outgoing() { return outgoing_; }
+  const OutgoingEvents& outgoing() const { return outgoing_; }
+  const ChannelCondition& outgoing_condition() const { return out_condition_; }
+  const ChannelCondition& incoming_condition() const { return in_condition_; }
+
+  void set_outgoing(const ChannelCondition& condition, Now now);
+  void set_incoming(const ChannelCondition& condition) { in_condition_ = condition; }
+
+  void on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
+                std::vector<Incoming>& out);
+  void on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out);
+  /// What was let through before counts as handled.
+  void commit() { incoming_.commit(); }
+  /// Finds what has run out: contact with the peer, events.
+  void update(Now now, std::vector<Incoming>& out);
+
+  std::vector<const wire::Sample*> take_due_events(Now now);
+  bool heartbeat_due(Duration steady) const;
+  /// The next heartbeat, but for its header; counts as sent.
+  wire::Heartbeat take_heartbeat(Duration steady);
+  /// Steady; none if nothing will be due by itself.
+  std::optional<Duration> next_wakeup() const;
+
+ private:
+  Duration round_trip() const { return out_condition_.latency + in_condition_.latency; }
+  Duration silence_limit() const { return period_ + period_ + period_; }
+
+  PeerChannels channels_;
+  NodeNumber self_;
+  std::uint64_t self_incarnation_;
+  Duration period_;
+  ChannelCondition out_condition_;
+  ChannelCondition in_condition_;
+  OutgoingEvents outgoing_;
+  IncomingEvents incoming_;
+  bool reachable_ = false;
+  std::uint64_t incarnation_ = 0;  ///< of the peer; 0: never heard
+  Duration last_heard_;
+  Duration next_heartbeat_;
+  std::optional<Duration> acknowledge_at_;
+};
+
+}  // namespace skein::blackboard

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Everything that can happen to the executive.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "skein/executive/task.hpp"
+
+namespace skein::executive {
+
+/// How START ties a new task to those already there. Source: T III.2.1, spec 2.3.
+enum class InsertionMode : std::uint8_t {
+  kSeq,  ///< sequential: Π and Ξ as given
+  kVut,  ///< very urgent: at once; what is incompatible and under way is interrupted
+  kDep,  ///< dependent: after the end of every task not yet terminal, mandatory
+  kNut,  ///< not urgent: the same, optional
+};
+
+/// "SEQ", "VUT", "DEP", "NUT".
+std::string_view to_text(InsertionMode mode);
+std::optional<InsertionMode> insertion_mode_from(std::string_view text);
+
+struct Start {
+  Task task;
+  InsertionMode mode = InsertionMode::kSeq;
+};
+
+struct Abort {
+  TaskId id;
+};
+
+struct ProcessMessage {
+  std::string message;
+};
+
+/// What is absent stays as it is.
+struct UpdateConditions {
+  TaskId id;
+  std::optional<Formula> preconditions;
+  std::optional<Formula> exit;
+};
+
+struct Suppress {
+  TaskId id;
+};
+
+/// From the functional layer, or for a joint task from the supervisor. Only running, ended and
+/// aborted mean anything; an `aborted` that answers a dispatch is a rejection.
+struct FunctionalStatus {
+  TaskId id;
+  TaskState state = TaskState::kRunning;
+  std::string reason;
+};
+
+/// A synchronisation message; `id` is the synchronisation's.
+struct SyncReceived {
+  std::uint64_t id = 0;
+  std::string from;
+};
+
+/// This UAV can be reached again: it is sent again what it may have missed.
+struct PeerReachable {
+  std::string name;
+};
+
+/// Whether the vehicle flies; the executive also learns it from tasks `takeoff` and `land` that
+/// end. Matters to the background routine only.
+struct Flight {
+  bool airborne = false;
+};
+
+/// Only time has passed.
+struct Tick {};
+
+using Input = std::variant<Start, Abort, ProcessMessage, UpdateConditions, Suppress,
+                           FunctionalStatus, SyncReceived, PeerReachable, Flight, Tick>;
+
+enum class RequestKind : std::uint8_t {
+  kStart,
+  kAbort,
+  kProcessMessage,
+  kUpdateConditions,
+  kSuppress,
+};
+
+/// "START", "ABORT", "PROCESS-MSG", "UPDATE-COND", "SUPPRESS".
+std::string_view to_text(RequestKind kind);
+std::optional<RequestKind> request_kind_from(std::string_view text);
+
+}  // namespace skein::executive

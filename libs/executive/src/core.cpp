@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "skein/foundation/contract.hpp"
+
+namespace skein::executive {
+
+Executive::Core::Core(Config config)
+    : config_(std::move(config)),
+      conditions_(plan_),
+      synchroniser_(config_.name),
+      motion_(resources_.number_of(std::string(kMotion))) {
+  SKEIN_EXPECTS(config_.urgent_wait > Duration());
+  SKEIN_EXPECTS(config_.background_retry > Duration());
+  SKEIN_EXPECTS(!config_.functional_timeout || *config_.functional_timeout > Duration());
+}
+
+Effects Executive::Core::handle(const Input& input, MissionTime now) {
+  now_ = std::max(now_, now);
+  advance();
+  std::visit([this](const auto& one) { on(one); }, input);
+  settle();
+  conditions_.trim_instants();
+  while (!timers_.empty() && !counts(timers_.first())) timers_.take();
+  return std::exchange(effects_, {});
+}
+
+std::optional<MissionTime> Executive::Core::next_wakeup() const {
+  return earliest(conditions_.next_instant(), timers_.next());
+}
+
+// --- time ----------------------------------------------------------------------------------------
+
+// At one instant: time conditions (and deadlines), urgent waits, time-outs.
+void Executive::Core::advance() {
+  while (true) {
+    const std::optional<MissionTime> condition = conditions_.next_instant();
+    const std::optional<MissionTime> timer = timers_.next();
+    const std::optional<MissionTime> next = earliest(condition, timer);
+    if (!next || *next > now_) break;
+    if (condition == next) {
+      conditions_.instant_passed(*next);
+    } else {
+      pass_timer(timers_.take());
+    }
+    settle();
+  }
+  conditions_.now_is(now_);
+}
+
+// A timer counts while what it was set for lasts and no later one has taken its place.
+bool Executive::Core::counts(const Timer& timer) const {
+  if (timer.kind == Timer::Kind::kBackgroundRetry) return background_retry_ == timer.at;
+  const std::optional<Slot> slot = plan_.find(timer.id);
+  if (!slot || plan_[*slot].due != timer.at) return false;
+  const TaskRecord& record = plan_[*slot];
+  if (timer.kind == Timer::Kind::kUrgentWait) return record.urgent;
+  return record.state == TaskState::kStarted || record.state == TaskState::kAborting;
+}
+
+void Executive::Core::pass_timer(const Timer& timer) {
+  if (!counts(timer)) return;
+  if (timer.kind == Timer::Kind::kBackgroundRetry) {
+    background_retry_.reset();
+    return;
+  }
+  const Slot slot = *plan_.find(timer.id);
+  TaskRecord& record = plan_[slot];
+  record.due.reset();
+  if (timer.kind == Timer::Kind::kUrgentWait) {
+    notice("urgent task " + to_text(timer.id) + " goes after " + to_text(config_.urgent_wait) +
+           " s although " + std::to_string(record.blockers) +
+           " incompatible task(s) are not terminal");
+    record.blockers = 0;
+    urgent_ready_.push(timer.id, slot);
+  } else {
+    set_state(slot, TaskState::kAborted, "no answer within the time-out");
+  }
+}
+
+// --- the loop of spec 2.4 ------------------------------------------------------------------------
+
+void Executive::Core::settle() {
+  while (step()) {
+  }
+}
+
+std::optional<Plan::Slot> Executive::Core::take_urgent() {
+  return urgent_ready_.take(plan_, [](const TaskRecord& record) {
+    return record.urgent && record.state == TaskState::kScheduled && record.blockers == 0;
+  });
+}
+
+// One thing that is due, if any: Ξ first, then urgent tasks, then Π; last the background routine.
+bool Executive::Core::step() {
+  if (const auto exit = conditions_.take_exit()) {
+    interrupt_or_cancel(*exit, reason_of_exit(plan_[*exit]));
+  } else if (const auto urgent = take_urgent()) {
+    dispatch(*urgent);
+  } else if (const auto ready = conditions_.take_precondition()) {
+    if (plan_[*ready].preconditions.dead()) {
+      set_state(*ready, TaskState::kAborted, "the preconditions are false for ever");
+    } else {
+      dispatch(*ready);
+    }
+  } else if (wants_background()) {
+    dispatch_background();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// --- inputs that are not requests ----------------------------------------------------------------
+
+// from               status             to
+// started            running            running
+// started, running   ended              ended
+// started, running   aborted            aborted
+// aborting           ended or aborted   aborted
+// anything else: a notice
+void Executive::Core::on(const FunctionalStatus& status) {
+  const std::string what = "status '" + std::string(to_text(status.state)) + "' of ";
+  const std::optional<Slot> slot = plan_.find(status.id);
+  if (!slot) return notice(what + "unknown task " + to_text(status.id));
+  const TaskRecord& record = plan_[*slot];
+  const TaskState from = record.state;
+  const bool fits =
+      !record.synchronisation && is_active(from) &&
+      (is_terminal(status.state) ||
+       (status.state == TaskState::kRunning && from == TaskState::kStarted));
+  if (!fits) {
+    return notice(what + "task " + to_text(status.id) + ", which is " +
+                  std::string(to_text(from)) + ", does not fit");
+  }
+  const bool counts_as_aborted = from == TaskState::kAborting;
+  std::string reason = status.reason;
+  if (reason.empty()) reason = counts_as_aborted ? record.reason : "";
+  if (reason.empty() && status.state == TaskState::kAborted) {
+    reason = from == TaskState::kStarted ? "rejected" : "aborted by who carries it out";
+  }
+  set_state(*slot, counts_as_aborted ? TaskState::kAborted : status.state, reason);
+}
+
+void Executive::Core::on(const SyncReceived& message) {
+  for (const TaskId id : synchroniser_.received(message.id, message.from)) {
+    set_state(*plan_.find(id), TaskState::kEnded);
+  }
+}
+
+void Executive::Core::on(const PeerReachable& peer) {
+  for (const std::uint64_t id : synchroniser_.missed_by(peer.name)) {
+    effects_.push_back(SendSync{id, peer.name});
+  }
+}
+
+void Executive::Core::on(const Flight& flight) {
+  airborne_ = flight.airborne;
+  if (airborne_ || !background_) return;
+  const Slot slot = *plan_.find(*background_);
+  if (plan_[slot].state != TaskState::kAborting) interrupt(slot, "no longer in flight");
+}
+
+}  // namespace skein::executive

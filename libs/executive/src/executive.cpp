@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/executive/executive.hpp"
+
+#include <utility>
+
+#include "core.hpp"
+
+namespace skein::executive {
+
+Executive::Executive(Config config) : core_(std::make_unique<Core>(std::move(config))) {}
+Executive::~Executive() = default;
+Executive::Executive(Executive&&) noexcept = default;
+Executive& Executive::operator=(Executive&&) noexcept = default;
+
+Effects Executive::handle(const Input& input, MissionTime now) { return core_->handle(input, now); }
+
+std::optional<MissionTime> Executive::next_wakeup() const { return core_->next_wakeup(); }
+
+std::vector<TaskStatus> Executive::tasks() const {
+  std::vector<TaskStatus> all;
+  for (const TaskId id : core_->plan().ids()) {
+    const TaskRecord& record = core_->plan()[*core_->plan().find(id)];
+    all.push_back(TaskStatus{id, record.type, record.state, record.reason});
+  }
+  return all;
+}
+
+std::optional<TaskView> Executive::find(TaskId id) const {
+  const std::optional<Plan::Slot> slot = core_->plan().find(id);
+  if (!slot) return std::nullopt;
+  const TaskRecord& record = core_->plan()[*slot];
+  return TaskView{record.id,    record.type,  record.parameters, record.synchronisation.get(),
+                  record.state, record.reason};
+}
+
+Formula Executive::preconditions(TaskId id) const {
+  const std::optional<Plan::Slot> slot = core_->plan().find(id);
+  return slot ? core_->conditions().formula_of(*slot, Role::kPreconditions) : Formula();
+}
+
+Formula Executive::exit_conditions(TaskId id) const {
+  const std::optional<Plan::Slot> slot = core_->plan().find(id);
+  return slot ? core_->conditions().formula_of(*slot, Role::kExit) : Formula();
+}
+
+}  // namespace skein::executive

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan.hpp"
+
+#include <algorithm>
+
+#include "skein/foundation/contract.hpp"
+
+namespace skein::executive {
+
+Plan::Slot Plan::insert(Task&& task, bool background) {
+  SKEIN_EXPECTS(known_.find(task.id) == known_.end());
+  Slot slot = static_cast<Slot>(records_.size());
+  if (free_.empty()) {
+    records_.emplace_back();
+  } else {
+    slot = free_.back();
+    free_.pop_back();
+  }
+  TaskRecord& record = records_[slot];
+  record.id = task.id;
+  record.type = std::move(task.type);
+  record.parameters = std::move(task.parameters);
+  if (task.synchronisation) {
+    record.synchronisation = std::make_unique<Synchronisation>(std::move(*task.synchronisation));
+  }
+  record.state = TaskState::kScheduled;
+  record.joint = is_joint(record.type);
+  record.background = background;
+  record.place_among_open = static_cast<std::uint32_t>(open_.size());
+  open_.push_back(slot);
+  known_.emplace(task.id, Known{slot, TaskState::kScheduled});
+  return slot;
+}
+
+void Plan::set_state(Slot slot, TaskState state) {
+  TaskRecord& record = records_[slot];
+  SKEIN_EXPECTS(!is_terminal(record.state));
+  record.state = state;
+  if (is_terminal(state)) close(slot);
+}
+
+void Plan::close(Slot slot) {
+  const std::uint32_t place = records_[slot].place_among_open;
+  open_[place] = open_.back();
+  records_[open_[place]].place_among_open = place;
+  open_.pop_back();
+}
+
+void Plan::remove(Slot slot) {
+  TaskRecord& old = records_[slot];
+  SKEIN_EXPECTS(is_terminal(old.state));
+  if (old.background) {
+    known_.erase(old.id);
+  } else {
+    known_[old.id] = Known{kNoSlot, old.state};
+  }
+  TaskRecord blank;
+  std::swap(blank.preconditions, old.preconditions);
+  std::swap(blank.exit, old.exit);
+  blank.state = TaskState::kAborted;
+  old = std::move(blank);
+  old.preconditions.clear();
+  old.exit.clear();
+  free_.push_back(slot);
+}
+
+std::optional<Plan::Slot> Plan::find(TaskId id) const {
+  const auto found = known_.find(id);
+  if (found == known_.end() || found->second.slot == kNoSlot) return std::nullopt;
+  return found->second.slot;
+}
+
+std::optional<TaskState> Plan::state_of(TaskId id) const {
+  const auto found = known_.find(id);
+  if (found == known_.end()) return std::nullopt;
+  const Known& known = found->second;
+  return known.slot == kNoSlot ? known.last : records_[known.slot].state;
+}
+
+std::vector<TaskId> Plan::open() const {
+  std::vector<TaskId> ids;
+  ids.reserve(open_.size());
+  for (const Slot slot : open_) {
+    if (!records_[slot].background) ids.push_back(records_[slot].id);
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+std::vector<TaskId> Plan::ids() const {
+  std::vector<TaskId> ids;
+  for (const auto& [id, known] : known_) {
+    if (known.slot != kNoSlot) ids.push_back(id);
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
+}  // namespace skein::executive

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of tasks: what is in the plan, what is remembered of what has left it.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "formula_state.hpp"
+#include "skein/executive/task.hpp"
+#include "watch.hpp"
+
+namespace skein::executive {
+
+/// A task of the plan. Its slot is its place in the table, given again after a SUPPRESS; the
+/// versions of its formulas go on, so that watches of the former task stay stale.
+struct TaskRecord {
+  TaskId id;
+  std::string type;
+  Parameters parameters;
+  std::unique_ptr<Synchronisation> synchronisation;
+  std::string reason;
+  FormulaState preconditions, exit;
+  WatchList watchers;                    ///< literals that name this task
+  std::vector<std::uint32_t> resources;  ///< numbers of ResourceUse
+  std::optional<MissionTime> due;        ///< of the timer that counts: urgent wait or time-out
+  std::uint32_t blockers = 0;            ///< tasks that an urgent one still waits for
+  std::uint32_t place_among_open = 0;
+  TaskState state = TaskState::kScheduled;
+  bool urgent = false;  ///< inserted by VUT and not yet dispatched
+  bool joint = false;
+  bool background = false;
+
+  FormulaState& formula(Role role) { return role == Role::kExit ? exit : preconditions; }
+  const FormulaState& formula(Role role) const {
+    return role == Role::kExit ? exit : preconditions;
+  }
+};
+
+/// Invariant: every id that was ever inserted (background routine apart, once over) is known, with
+/// its state, whether or not it is still in the plan. References to records stay valid.
+class Plan {
+ public:
+  using Slot = std::uint32_t;
+
+  /// The id must not be known. The record is blank but for id, type, parameters, synchronisation.
+  Slot insert(Task&& task, bool background);
+  void set_state(Slot slot, TaskState state);
+  /// Takes a terminal task out; what it was remains known unless it is of the background routine.
+  void remove(Slot slot);
+
+  TaskRecord& operator[](Slot slot) { return records_[slot]; }
+  const TaskRecord& operator[](Slot slot) const { return records_[slot]; }
+  std::optional<Slot> find(TaskId id) const;
+  /// Also of a suppressed task; absent for an id never inserted.
+  std::optional<TaskState> state_of(TaskId id) const;
+
+  /// Tasks not yet terminal, background routine left out, in the order of their ids.
+  std::vector<TaskId> open() const;
+  /// All ids in the plan, in order.
+  std::vector<TaskId> ids() const;
+
+ private:
+  static constexpr Slot kNoSlot = ~Slot{0};
+  struct Known {
+    Slot slot = kNoSlot;
+    TaskState last = TaskState::kScheduled;  ///< counts once the task has left the plan
+  };
+  void close(Slot slot);
+
+  std::deque<TaskRecord> records_;
+  std::vector<Slot> free_;
+  std::vector<Slot> open_;
+  std::unordered_map<TaskId, Known> known_;
+};
+
+}  // namespace skein::executive

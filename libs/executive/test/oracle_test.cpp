@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// Laws on random plans and random events, and agreement with the naive executive.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <map>
+
+#include "skein/executive/executive.hpp"
+#include "testing/naive_executive.hpp"
+#include "testing/random_trace.hpp"
+#include "testing/show.hpp"
+
+namespace skein::executive {
+namespace {
+
+using testing::NaiveExecutive;
+using testing::RandomTrace;
+using testing::show;
+
+Config config_for(std::uint64_t seed) {
+  Config config;
+  config.name = "marvin";
+  config.urgent_wait = Duration::seconds(4);
+  if (seed % 3 == 0) config.functional_timeout = Duration::seconds(5);
+  return config;
+}
+
+RC_GTEST_PROP(Executive, GivesExactlyTheTraceOfTheNaiveExecutive, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const auto length = *rc::gen::resize(100, rc::gen::inRange<std::size_t>(1, 300));
+  const auto trace = RandomTrace(seed).make(length);
+  const bool punctual = seed % 2 == 0;
+  Executive executive(config_for(seed));
+  NaiveExecutive naive(config_for(seed));
+
+  for (const auto& [at, input] : trace) {
+    while (punctual && executive.next_wakeup() && *executive.next_wakeup() <= at) {
+      const MissionTime instant = *executive.next_wakeup();
+      RC_ASSERT(show(executive.handle(Tick{}, instant)) ==
+                show(naive.handle(Tick{}, instant)));
+    }
+    RC_ASSERT(show(executive.handle(input, at)) == show(naive.handle(input, at)));
+  }
+}
+
+RC_GTEST_PROP(Executive, SameTraceGivesTheSameEffects, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const auto trace = RandomTrace(seed).make(150);
+  Executive one(config_for(seed)), other(config_for(seed));
+
+  for (const auto& [at, input] : trace) {
+    RC_ASSERT(one.handle(input, at) == other.handle(input, at));
+  }
+}
+
+RC_GTEST_PROP(Executive, NoTaskLeavesATerminalStateNorSkipsTheTable, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const auto trace = RandomTrace(seed).make(200);
+  Executive executive(config_for(seed));
+  std::map<TaskId, TaskState> states;
+  const std::map<TaskState, std::set<TaskState>> table = {
+      {TaskState::kScheduled, {TaskState::kStarted, TaskState::kAborted}},
+      {TaskState::kStarted,
+       {TaskState::kRunning, TaskState::kEnded, TaskState::kAborting, TaskState::kAborted}},
+      {TaskState::kRunning, {TaskState::kEnded, TaskState::kAborting, TaskState::kAborted}},
+      {TaskState::kAborting, {TaskState::kAborted}}};
+
+  for (const auto& [at, input] : trace) {
+    for (const Effect& effect : executive.handle(input, at)) {
+      const auto* event = std::get_if<TaskEvent>(&effect);
+      if (event == nullptr) continue;
+      const auto known = states.find(event->id);
+      if (known == states.end()) {
+        RC_ASSERT(event->state == TaskState::kScheduled || event->state == TaskState::kAborted);
+      } else {
+        RC_ASSERT(table.count(known->second) > 0);
+        RC_ASSERT(table.at(known->second).count(event->state) > 0);
+      }
+      states[event->id] = event->state;
+    }
+  }
+}
+
+// A chain and a fan of mandatory dependences: whatever task is aborted, the executive comes to rest
+// and what depends on it is aborted, the rest is not.
+RC_GTEST_PROP(Executive, AnAbortCascadeReachesExactlyWhatDependsOnIt, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  Random random(seed);
+  const std::uint64_t count = 2 + random.below(60);
+  Executive executive(config_for(1));
+  std::vector<std::set<std::uint64_t>> needs(count + 1);
+  for (std::uint64_t id = 1; id <= count; ++id) {
+    Task task{TaskId{id}, "goto", {}, {{Literal{MessageReceived{"go"}}}}, {}, {}};
+    for (std::uint64_t k = random.below(3); k > 0 && id > 1; --k) {
+      const std::uint64_t other = 1 + random.below(id - 1);
+      task.preconditions.push_back({Literal{TaskInState{TaskId{other}, TaskState::kEnded}}});
+      needs[id].insert(other);
+      needs[id].insert(needs[other].begin(), needs[other].end());
+    }
+    executive.handle(Start{task, InsertionMode::kSeq}, MissionTime());
+  }
+  const std::uint64_t victim = 1 + random.below(count);
+
+  executive.handle(Abort{TaskId{victim}}, MissionTime());
+
+  for (const TaskStatus& task : executive.tasks()) {
+    const std::uint64_t id = task.id.value();
+    const bool reached = id == victim || needs[id].count(victim) > 0;
+    RC_ASSERT((task.state == TaskState::kAborted) == reached);
+  }
+}
+
+// The oracle for "no task starts while a mandatory precondition is false": a literal evaluated here
+// from the events seen so far and nothing else.
+RC_GTEST_PROP(Executive, NoTaskStartsWhileAMandatoryPreconditionIsFalse, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  Random random(seed);
+  Executive executive(config_for(1));
+  std::map<TaskId, TaskState> states;
+  std::map<TaskId, std::vector<TaskInState>> needs;
+  const auto see = [&](const Effects& effects) {
+    for (const Effect& effect : effects) {
+      const auto* event = std::get_if<TaskEvent>(&effect);
+      if (event == nullptr) continue;
+      states[event->id] = event->state;
+      if (event->state != TaskState::kStarted) continue;
+      for (const TaskInState& need : needs[event->id]) {
+        RC_ASSERT(states[need.task] == need.state);
+      }
+    }
+  };
+
+  for (std::uint64_t i = 1; i <= 30; ++i) {
+    Task task{TaskId{i}, "goto", {}, {}, {}, {}};
+    for (std::uint64_t k = random.below(3); k > 0 && i > 1; --k) {
+      const TaskInState need{TaskId{1 + random.below(i - 1)},
+                             random.chance(0.7) ? TaskState::kEnded : TaskState::kRunning};
+      task.preconditions.push_back({Literal{need}});
+      needs[task.id].push_back(need);
+    }
+    see(executive.handle(Start{task, InsertionMode::kSeq}, MissionTime()));
+    for (int k = 0; k < 3; ++k) {
+      const TaskState state = random.chance(0.5)   ? TaskState::kRunning
+                              : random.chance(0.8) ? TaskState::kEnded
+                                                   : TaskState::kAborted;
+      see(executive.handle(FunctionalStatus{TaskId{1 + random.below(i)}, state, ""},
+                           MissionTime()));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace skein::executive

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: Apache-2.0
+// An independent oracle: the executive of spec 2 written for the reader. It keeps everything, looks
+// at every task and evaluates every formula from scratch at every step. Without background routine.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "skein/executive/effect.hpp"
+#include "skein/executive/executive.hpp"
+
+namespace skein::executive::testing {
+
+class NaiveExecutive {
+ public:
+  explicit NaiveExecutive(Config config) : config_(std::move(config)) {}
+
+  Effects handle(const Input& input, MissionTime now) {
+    now_ = now;
+    pass_instants();
+    clock_ = now;
+    std::visit([this](const auto& one) { on(one); }, input);
+    settle();
+    return std::exchange(out_, {});
+  }
+
+  /// For laws: is Π (as it now is) satisfied?
+  bool preconditions_hold(TaskId id) const { return holds(tasks_.at(id).pre); }
+
+ private:
+  struct Entry {
+    Task task;
+    Formula pre, exit;
+    TaskState state = TaskState::kScheduled;
+    bool urgent = false, suppressed = false;
+    std::set<TaskId> blockers;
+    std::optional<MissionTime> urgent_until, answer_until;
+    std::set<std::string> resources;
+    bool sync() const { return task.synchronisation.has_value(); }
+    bool joint() const { return is_joint(task.type); }
+    bool waits() const { return state == TaskState::kScheduled; }
+    bool interruptible() const {
+      return state == TaskState::kScheduled || state == TaskState::kStarted ||
+             state == TaskState::kRunning;
+    }
+  };
+
+  // --- conditions (2.2) ---
+  static bool reachable(TaskState from, TaskState to) {
+    static const std::map<TaskState, std::set<TaskState>> kNext = {
+        {TaskState::kScheduled, {TaskState::kStarted, TaskState::kAborted}},
+        {TaskState::kStarted,
+         {TaskState::kRunning, TaskState::kAborting, TaskState::kEnded, TaskState::kAborted}},
+        {TaskState::kRunning, {TaskState::kAborting, TaskState::kEnded, TaskState::kAborted}},
+        {TaskState::kAborting, {TaskState::kAborted, TaskState::kEnded}},  // settles nothing yet
+        {TaskState::kEnded, {}},
+        {TaskState::kAborted, {}}};
+    std::set<TaskState> seen;
+    std::vector<TaskState> todo{from};
+    while (!todo.empty()) {
+      const TaskState one = todo.back();
+      todo.pop_back();
+      for (const TaskState next : kNext.at(one)) {
+        if (seen.insert(next).second) todo.push_back(next);
+      }
+    }
+    return seen.count(to) > 0;
+  }
+  bool satisfied(const Condition& c) const {
+    if (const auto* e = std::get_if<TaskInState>(&c)) return tasks_.at(e->task).state == e->state;
+    if (const auto* m = std::get_if<MessageReceived>(&c)) return messages_.count(m->message) > 0;
+    const auto& t = std::get<TimeIs>(c);
+    return t.passed == (clock_ >= t.instant);
+  }
+  bool can_become(const Condition& c) const {
+    if (const auto* e = std::get_if<TaskInState>(&c)) {
+      return reachable(tasks_.at(e->task).state, e->state);
+    }
+    if (std::get_if<MessageReceived>(&c) != nullptr) return true;
+    const auto& t = std::get<TimeIs>(c);
+    return t.passed || clock_ < t.instant;
+  }
+  bool true_for_ever(const Condition& c) const {
+    if (!satisfied(c)) return false;
+    if (const auto* e = std::get_if<TaskInState>(&c)) return is_terminal(e->state);
+    if (std::get_if<MessageReceived>(&c) != nullptr) return true;
+    return std::get<TimeIs>(c).passed;
+  }
+  bool hopeless(const Literal& l) const {
+    if (l.negated) return true_for_ever(l.condition);
+    return !satisfied(l.condition) && !can_become(l.condition);
+  }
+  bool holds(const Literal& l) const {
+    if (hopeless(l)) return l.modality == Modality::kOptional;
+    return satisfied(l.condition) != l.negated;
+  }
+  bool holds(const Formula& f) const {
+    return std::all_of(f.begin(), f.end(), [&](const Clause& clause) {
+      return std::any_of(clause.begin(), clause.end(),
+                         [&](const Literal& l) { return holds(l); });
+    });
+  }
+  bool never(const Formula& f) const {
+    return std::any_of(f.begin(), f.end(), [&](const Clause& clause) {
+      return std::all_of(clause.begin(), clause.end(), [&](const Literal& l) {
+        return hopeless(l) && l.modality == Modality::kMandatory;
+      });
+    });
+  }
+  bool exits(const Formula& f) const { return !f.empty() && holds(f); }
+  bool late(const Entry& e) const {
+    return e.sync() && e.task.synchronisation->deadline &&
+           *e.task.synchronisation->deadline <= clock_;
+  }
+  bool names_only_known(TaskId self, const Formula& f) const {
+    for (const Clause& clause : f) {
+      for (const Literal& l : clause) {
+        const auto* e = std::get_if<TaskInState>(&l.condition);
+        if (e != nullptr && (e->task == self || tasks_.count(e->task) == 0)) return false;
+      }
+    }
+    return true;
+  }
+
+  // --- time ---
+  void add_instants(const Formula& f, std::set<MissionTime>& instants) const {
+    for (const Clause& clause : f) {
+      for (const Literal& l : clause) {
+        if (const auto* t = std::get_if<TimeIs>(&l.condition)) instants.insert(t->instant);
+      }
+    }
+  }
+  void pass_instants() {
+    while (true) {
+      std::set<MissionTime> instants;
+      std::set<std::tuple<MissionTime, int, TaskId>> timers;
+      for (const auto& [id, e] : tasks_) {
+        add_instants(e.pre, instants);
+        add_instants(e.exit, instants);
+        if (e.sync() && e.task.synchronisation->deadline) {
+          instants.insert(*e.task.synchronisation->deadline);
+        }
+        if (e.urgent_until) timers.emplace(*e.urgent_until, 0, id);
+        if (e.answer_until) timers.emplace(*e.answer_until, 1, id);
+      }
+      const auto instant = instants.upper_bound(clock_);
+      const bool condition = instant != instants.end() && *instant <= now_;
+      const bool timer = !timers.empty() && std::get<0>(*timers.begin()) <= now_;
+      if (!condition && !timer) return;
+      if (condition && (!timer || *instant <= std::get<0>(*timers.begin()))) {
+        clock_ = *instant;
+      } else {
+        const auto [at, kind, id] = *timers.begin();
+        Entry& e = tasks_.at(id);
+        if (kind == 0) {
+          e.urgent_until.reset();
+          e.blockers.clear();
+        } else {
+          go(e, TaskState::kAborted);
+        }
+      }
+      settle();
+    }
+  }
+
+  // --- the loop (2.4) ---
+  void settle() {
+    while (step()) {
+    }
+  }
+  bool step() {
+    for (auto& [id, e] : tasks_) {
+      if (e.interruptible() && (exits(e.exit) || late(e))) return stop(e), true;
+    }
+    for (auto& [id, e] : tasks_) {
+      if (e.waits() && e.urgent && e.blockers.empty()) return dispatch(e), true;
+    }
+    for (auto& [id, e] : tasks_) {
+      if (!e.waits() || e.urgent) continue;
+      if (holds(e.pre)) return dispatch(e), true;
+      if (never(e.pre)) return go(e, TaskState::kAborted), true;
+    }
+    return false;
+  }
+
+  // --- transitions ---
+  void go(Entry& e, TaskState state) {
+    e.state = state;
+    e.answer_until.reset();
+    if (is_terminal(state)) {
+      e.urgent_until.reset();
+      for (auto& [id, other] : tasks_) {
+        if (other.blockers.erase(e.task.id) > 0 && other.blockers.empty()) {
+          other.urgent_until.reset();
+        }
+      }
+    }
+    tell(e);
+  }
+  void tell(const Entry& e) {
+    const TaskEvent event{e.task.id, e.task.type, e.state, ""};
+    out_.push_back(event);
+    for (const auto& [id, other] : tasks_) {
+      if (id != e.task.id && other.joint() && is_active(other.state)) {
+        out_.push_back(ForwardToSupervisor{event});
+        return;
+      }
+    }
+  }
+  void expect_answer(Entry& e) {
+    if (config_.functional_timeout && !e.joint()) {
+      e.answer_until = now_ + *config_.functional_timeout;
+    }
+  }
+  void dispatch(Entry& e) {
+    e.urgent = false;
+    e.urgent_until.reset();
+    go(e, TaskState::kStarted);
+    if (!e.sync()) {
+      out_.push_back(Dispatch{e.task.id, e.joint()});
+      return expect_answer(e);
+    }
+    go(e, TaskState::kRunning);
+    for (const std::string& name : receivers_of(e)) {
+      out_.push_back(SendSync{e.task.synchronisation->id, name});
+    }
+    if (heard_all(e)) go(e, TaskState::kEnded);
+  }
+  void stop(Entry& e) {
+    if (e.waits()) return go(e, TaskState::kAborted);
+    go(e, TaskState::kAborting);
+    if (e.sync()) return go(e, TaskState::kAborted);
+    out_.push_back(Interrupt{e.task.id, e.joint()});
+    expect_answer(e);
+  }
+  bool is_in(const std::vector<std::string>& names, const std::string& name) const {
+    return std::count(names.begin(), names.end(), name) > 0;
+  }
+  std::vector<std::string> receivers_of(const Entry& e) const {
+    const Synchronisation& s = *e.task.synchronisation;
+    std::vector<std::string> names;
+    if (!is_in(s.senders, config_.name)) return names;
+    for (const std::string& name : s.receivers) {
+      if (name != config_.name && !is_in(names, name)) names.push_back(name);
+    }
+    return names;
+  }
+  bool heard_all(const Entry& e) {
+    const Synchronisation& s = *e.task.synchronisation;
+    if (!is_in(s.receivers, config_.name)) return true;
+    return std::all_of(s.senders.begin(), s.senders.end(), [&](const std::string& name) {
+      return name == config_.name || heard_.count({s.id, name}) > 0;
+    });
+  }
+
+  // --- inputs ---
+  void reply(RequestKind kind, std::optional<TaskId> id, bool accepted) {
+    out_.push_back(Reply{kind, id, accepted, ""});
+  }
+  Entry* in_plan(TaskId id) {
+    const auto found = tasks_.find(id);
+    return found == tasks_.end() || found->second.suppressed ? nullptr : &found->second;
+  }
+  void on(const Start& s) {
+    const TaskId id = s.task.id;
+    const bool fine = tasks_.count(id) == 0;
+    reply(RequestKind::kStart, id, fine);
+    if (!fine) return;
+    Entry e;
+    e.task = s.task;
+    e.exit = s.task.exit;
+    for (const auto& r : config_.types.resources_of(s.task.type, s.task.parameters)) {
+      e.resources.insert(r);
+    }
+    if (s.mode == InsertionMode::kSeq) e.pre = s.task.preconditions;
+    if (s.mode == InsertionMode::kDep || s.mode == InsertionMode::kNut) {
+      for (const auto& [other, o] : tasks_) {
+        if (is_terminal(o.state)) continue;
+        e.pre.push_back({Literal{TaskInState{other, TaskState::kEnded}, false,
+                                 s.mode == InsertionMode::kDep ? Modality::kMandatory
+                                                               : Modality::kOptional}});
+      }
+    }
+    const bool coherent = names_only_known(id, e.pre) && names_only_known(id, e.exit) &&
+                          !never(e.pre) && !exits(e.exit) && !late(e);
+    if (!coherent) {
+      e.pre = e.exit = {};
+      go(tasks_[id] = e, TaskState::kAborted);
+      return;
+    }
+    e.urgent = s.mode == InsertionMode::kVut;
+    Entry& kept = tasks_[id] = e;
+    tell(kept);
+    if (kept.urgent) displace(kept);
+  }
+  void displace(Entry& urgent) {
+    std::vector<Entry*> to_stop;
+    for (auto& [id, o] : tasks_) {
+      const bool shares = std::any_of(o.resources.begin(), o.resources.end(),
+                                      [&](const auto& r) { return urgent.resources.count(r) > 0; });
+      if (!shares || !is_active(o.state)) continue;
+      urgent.blockers.insert(id);
+      if (o.state != TaskState::kAborting) to_stop.push_back(&o);
+    }
+    if (!urgent.blockers.empty()) urgent.urgent_until = now_ + config_.urgent_wait;
+    for (Entry* o : to_stop) stop(*o);
+  }
+  void on(const Abort& a) {
+    Entry* e = in_plan(a.id);
+    reply(RequestKind::kAbort, a.id, e != nullptr);
+    if (e != nullptr && e->interruptible()) stop(*e);
+  }
+  void on(const ProcessMessage& m) {
+    reply(RequestKind::kProcessMessage, std::nullopt, true);
+    messages_.insert(m.message);
+  }
+  void on(const UpdateConditions& u) {
+    Entry* e = in_plan(u.id);
+    bool fine = e != nullptr && !is_terminal(e->state);
+    if (fine && u.preconditions) {
+      fine = e->waits() && !e->urgent && names_only_known(u.id, *u.preconditions) &&
+             !never(*u.preconditions);
+    }
+    if (fine && u.exit) fine = names_only_known(u.id, *u.exit) && !exits(*u.exit);
+    reply(RequestKind::kUpdateConditions, u.id, fine);
+    if (!fine) return;
+    if (u.preconditions) e->pre = *u.preconditions;
+    if (u.exit) e->exit = *u.exit;
+  }
+  void on(const Suppress& s) {
+    Entry* e = in_plan(s.id);
+    const bool fine = e != nullptr && is_terminal(e->state);
+    reply(RequestKind::kSuppress, s.id, fine);
+    if (fine) e->suppressed = true;
+  }
+  void on(const FunctionalStatus& s) {
+    Entry* e = in_plan(s.id);
+    if (e == nullptr || e->sync() || !is_active(e->state)) return;
+    if (is_terminal(s.state)) {
+      go(*e, e->state == TaskState::kAborting ? TaskState::kAborted : s.state);
+    } else if (s.state == TaskState::kRunning && e->state == TaskState::kStarted) {
+      go(*e, TaskState::kRunning);
+    }
+  }
+  void on(const SyncReceived& m) {
+    heard_.insert({m.id, m.from});
+    for (auto& [id, e] : tasks_) {
+      if (e.sync() && e.state == TaskState::kRunning && heard_all(e)) go(e, TaskState::kEnded);
+    }
+  }
+  void on(const PeerReachable& p) {
+    std::set<std::uint64_t> done;
+    for (const auto& [id, e] : tasks_) {
+      const bool sent = e.sync() && !e.suppressed &&
+                        (e.state == TaskState::kRunning || e.state == TaskState::kEnded);
+      if (sent && is_in(receivers_of(e), p.name) && done.insert(e.task.synchronisation->id).second) {
+        out_.push_back(SendSync{e.task.synchronisation->id, p.name});
+      }
+    }
+  }
+  void on(const Flight&) {}
+  void on(const Tick&) {}
+
+  Config config_;
+  MissionTime now_, clock_ = MissionTime::nanoseconds(-1);
+  Effects out_;
+  std::map<TaskId, Entry> tasks_;
+  std::set<std::string> messages_;
+  std::set<std::pair<std::uint64_t, std::string>> heard_;
+};
+
+}  // namespace skein::executive::testing

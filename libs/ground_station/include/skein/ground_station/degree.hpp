@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who does what at each degree of decisional autonomy, as far as execution is concerned.
+#pragma once
+
+namespace skein::ground_station {
+
+/// 1 to 5. Source: T II.2, spec 1.2.
+using Degree = int;
+
+/// True at degree 1: the ground runs the plan itself and the UAV's decision node only connects it
+/// with the functional layer.
+constexpr bool runs_at_ground(Degree degree) { return degree <= 1; }
+
+/// True when a synchronisation message goes from MLE to MLE; else it goes through the ground, which
+/// relays it (degree 2) or is one or both of the ends (degree 1).
+constexpr bool synchronises_directly(Degree sender, Degree receiver) {
+  return sender >= 3 && receiver >= 3;
+}
+
+}  // namespace skein::ground_station

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// MPS: plays the scripted ground side of a mission.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "skein/ground_station/messages.hpp"
+#include "skein/ground_station/script.hpp"
+#include "skein/world/terrain.hpp"
+
+namespace skein::ground_station {
+
+/// Steps and scripted operator actions wait, all at once, for their triggers. When a trigger has
+/// come, and the delay after it passed, the actions are done in order, then the step's end is told
+/// to the others. Of several that are due, the earliest goes first; of one instant, operators
+/// before steps, then in the order written. What triggers ask for does not depend on the UAVs'
+/// degrees.
+///
+/// The mission has at most one subject alarm, which targets are about: that of the OnAlarm of the
+/// step last done that has one, always with its latest estimate; until then, the first alarm
+/// raised. A step's targets are resolved when it is done; a task whose target cannot be is not sent
+/// (anomaly).
+///
+/// Deterministic. Not safe to share between threads. Cost of an input: O(triggers of the script).
+/// Source: T VI.1.1, VI.1.3 (the ground sent task lists with their dependencies), spec 8.1.
+class MissionPlanning {
+ public:
+  using Input =
+      std::variant<Tick, AlarmEvent, AlarmRefined, TaskChanged, UavRestarted, OperatorActs>;
+  using Effect = std::variant<IssueCommand, AbortEverything, PhaseEntered, OperatorDid, StepDone,
+                              MissionFinished, Anomaly>;
+
+  /// Precondition: problems_of(script) is empty. The terrain must outlive this.
+  MissionPlanning(Script script, const world::Terrain& terrain);
+  MissionPlanning(const MissionPlanning&) = delete;  // it points into its own script
+  MissionPlanning(MissionPlanning&&) = default;
+
+  std::vector<Effect> handle(const Input& input, MissionTime now);
+  std::optional<MissionTime> next_wakeup() const;
+
+  bool finished() const { return finished_; }
+  const std::string& phase() const { return phase_; }
+
+ private:
+  /// One leaf of a trigger, and whether it has happened since its step was armed.
+  struct Leaf {
+    const Trigger* trigger;
+    std::optional<MissionTime> at;
+    AlarmId alarm;      ///< of an OnAlarm that has happened
+    bool used = false;  ///< an instant that was passed when the step was last done
+  };
+  /// A step or an operator action.
+  struct Waiting {
+    const Trigger* when;
+    Duration after;
+    const Step* step = nullptr;
+    const OperatorAction* operator_action = nullptr;
+    std::vector<Leaf> leaves;  ///< in the order written
+    bool armed = true;
+    std::optional<MissionTime> not_before;  ///< of a step that was done and armed again
+  };
+  using Effects = std::vector<Effect>;
+
+  template <class What, class Matches>
+  void mark(MissionTime at, const Matches& matches);
+  void mark_instants(MissionTime now);
+  void note(const Input& input, MissionTime now, Effects& effects);
+  void note_alarm(const Alarm& alarm, MissionTime now);
+  void note_operator(const std::string& does, MissionTime now, Effects& effects);
+  std::optional<MissionTime> due(const Waiting& waiting) const;
+  Waiting* next_due(MissionTime now);
+  void fire(Waiting& waiting, MissionTime now, Effects& effects);
+  void do_action(const Action& action, MissionTime now, Effects& effects);
+  void send(const SendPlan& plan, MissionTime expires, Effects& effects);
+  const Alarm* subject() const;
+
+  Script script_;
+  const world::Terrain& terrain_;
+  std::vector<Waiting> waiting_;
+  std::map<AlarmId, Alarm> alarms_;
+  AlarmId subject_;
+  std::string phase_;
+  bool finished_ = false;
+};
+
+}  // namespace skein::ground_station

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// PPS: what every sensor saw and did not see, fused into alarms and a model of each fire.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "skein/foundation/time.hpp"
+#include "skein/ground_station/alarm.hpp"
+#include "skein/world/perception.hpp"
+#include "skein/world/terrain.hpp"
+
+namespace skein::ground_station {
+
+/// How probable it is that one look reports a kind at a place, when there is a fire and when not.
+struct Likelihood {
+  double if_fire = 0;      ///< (0, 1)
+  double if_not_fire = 0;  ///< (0, 1)
+};
+
+/// What the looks of one kind of device are worth.
+struct DeviceReliability {
+  /// By reported kind; what is left of 1 is "reported nothing". Sums stay below 1. A kind that is
+  /// not here counts as nothing.
+  std::map<std::string, Likelihood, std::less<>> kinds;
+  /// Only such a device confirms an alarm (a visible camera recognises smoke; a heat cell does
+  /// not).
+  bool confirms = false;
+  /// Most that all the looks of one such device may weigh, in natural log-odds: its errors repeat
+  /// (a hot engine stays hot), so it alone can never make certain.
+  double limit = 5;
+};
+
+/// "fire-sensor" and "ir" raise, "visible" confirms, "mapping" is weak evidence.
+std::map<std::string, DeviceReliability, std::less<>> default_devices();
+
+struct PpsConfig {
+  /// By device name; devices that are not here are logged and give no evidence.
+  std::map<std::string, DeviceReliability, std::less<>> devices = default_devices();
+  double prior = 0.1;     ///< belief in a new candidate before the look that made it
+  double raise = 0.9;     ///< belief from which a candidate is an alarm
+  double confirm = 0.97;  ///< belief from which a confirming device's sight confirms it
+  double infirm = 0.05;   ///< belief down to which a raised alarm is infirmed, a candidate dropped
+  double gate =
+      3;  ///< association distance, in standard deviations of detection and candidate together
+  double least_spread = 2;      ///< [m] lower bound on a detection's standard deviation
+  double least_confidence = 0;  ///< detections below it are not considered
+  double refine_distance = 10;  ///< [m] an alarm that moved by it is told again
+  Duration decorrelation =
+      Duration::milliseconds(1000);  ///< looks of one device closer than this are one
+  Duration forget =
+      Duration::milliseconds(300'000);  ///< candidates not seen for this long are dropped
+};
+
+/// Why a configuration is unusable, in sentences, all at once; empty when it is fine.
+std::vector<std::string> problems_of(const PpsConfig& config);
+
+/// A perception with at least one detection arrived; for the journal.
+struct PerceptionLogged {
+  std::string uav;
+  std::string device;
+  std::size_t detections = 0;
+};
+
+/// A candidate is a place where some device reported fire. Its belief b starts at the prior and, by
+/// Bayes' rule, each look adds to ln(b / (1 - b))
+///   ln(P(look | fire) / P(look | no fire)),
+/// where the sum over the looks of each device is held within ±limit after every look (so that a
+/// device that changes its mind is heard at once). A look counts at most once per `decorrelation`
+/// and device, and is either the kind reported within the gate or, when the candidate's place with
+/// its uncertainty was wholly in the cone, in range and in line of sight, "nothing".
+///
+/// | from      | when                                                                | to        |
+/// | candidate | belief >= raise                                                     | raised    |
+/// | candidate | belief <= infirm, or not seen for `forget`                          | (dropped) |
+/// | raised    | belief >= confirm and a confirming device has seen it               | confirmed |
+/// | raised    | belief <= infirm                                                    | infirmed  |
+/// | infirmed  | belief >= raise without a further word of the devices that had raised it    |
+/// raised    |
+///
+/// An infirmed alarm stays as a place: the same heat seen again by a device that had a part in
+/// raising it (and does not confirm) changes nothing and makes no new alarm. Confirmed is for good.
+/// The position is the inverse-variance mean of the independent sightings, put on the ground.
+///
+/// Deterministic. Not safe to share between threads. Cost of a look: O(detections × candidates).
+/// Source: T VI.1.1, VI.1.2 (the algorithm is ours, the seeds give none).
+class PerceptionProcessing {
+ public:
+  using Effect = std::variant<PerceptionLogged, AlarmEvent, AlarmRefined>;
+
+  /// Precondition: problems_of(config) is empty. The terrain must outlive this.
+  PerceptionProcessing(PpsConfig config, const world::Terrain& terrain);
+
+  /// Figures that are not finite are disregarded.
+  std::vector<Effect> handle(const world::Perception& look, MissionTime now);
+  /// Never: only looks change belief.
+  std::optional<MissionTime> next_wakeup() const { return std::nullopt; }
+
+  /// All alarms ever raised, by id.
+  std::vector<Alarm> alarms() const;
+
+ private:
+  /// What one device said about one candidate.
+  struct Tally {
+    double evidence = 0;  ///< natural log-odds, within ±limit
+    double limit = 0;
+    bool confirms = false;
+    std::optional<MissionTime> last_counted;
+    bool saw = false;    ///< reported a kind that speaks for fire
+    bool muted = false;  ///< had a part in raising what was infirmed
+  };
+  struct Candidate {
+    Alarm alarm;                           ///< id 0: not raised yet
+    std::map<std::string, Tally> tallies;  ///< by "uav/device"
+    double weight = 0;                     ///< Σ 1/σ² of the sightings
+    double scatter = 0;                    ///< Σ |residual|²/σ², horizontal
+    world::Vector3 told_at = world::Vector3::Zero();
+  };
+  using Sightings = std::map<std::size_t, const world::Detection*>;
+
+  const DeviceReliability* reliability_of(const world::Perception& look) const;
+  void forget_stale(MissionTime now);
+  std::optional<std::size_t> nearest_in_gate(const world::Detection& detection) const;
+  Sightings associate(const world::Perception& look, const DeviceReliability& device);
+  bool surely_in_view(const Candidate& candidate, const world::Perception& look) const;
+  void count(Candidate& candidate, const world::Perception& look, const DeviceReliability& device,
+             const world::Detection* sighting);
+  void place(Candidate& candidate, const world::Perception& look, const world::Detection& sighting);
+  double belief_of(const Candidate& candidate) const;
+  bool confirmed_by_sight(const Candidate& candidate) const;
+  void settle(Candidate& candidate, std::vector<Effect>& effects);
+  void enter(Candidate& candidate, AlarmState state, std::vector<Effect>& effects);
+  void drop_unlikely();
+
+  PpsConfig config_;
+  const world::Terrain& terrain_;
+  std::vector<Candidate> candidates_;  ///< in the order first seen
+  std::uint32_t last_id_ = 0;
+};
+
+}  // namespace skein::ground_station

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+// Routing between the ground station's components.
+#include "skein/ground_station/ground_control.hpp"
+
+#include <algorithm>
+
+#include "request_facts.hpp"
+
+namespace skein::ground_station {
+namespace {
+
+template <class... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+template <class... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
+
+std::vector<Monitoring::Uav> roster(const std::vector<GroundUav>& uavs) {
+  std::vector<Monitoring::Uav> names;
+  names.reserve(uavs.size());
+  for (const GroundUav& uav : uavs) names.push_back({uav.name, uav.degree});
+  return names;
+}
+
+executive::Input to_executive(const Request& request) {
+  return std::visit([](const auto& it) -> executive::Input { return it; }, request);
+}
+
+// Carried out by the functional layer, not by the executive or a supervisor.
+bool is_functional(const std::string& type) {
+  return type != executive::kSynchroniseType && !executive::is_joint(type);
+}
+
+bool is_due(std::optional<MissionTime> wakeup, MissionTime now) { return wakeup && *wakeup <= now; }
+
+}  // namespace
+
+GroundControl::GroundControl(const GroundConfig& config, const world::Terrain& terrain)
+    : perception_(config.pps, terrain),
+      monitoring_(roster(config.uavs), config.reply_grace),
+      planning_(config.script, terrain) {
+  for (const GroundUav& uav : config.uavs) {
+    executive::Config& mle = mle_configs_[uav.name];
+    mle = uav.executive;
+    mle.name = uav.name;
+  }
+}
+
+std::vector<GroundControl::Effect> GroundControl::handle(const Input& input, MissionTime now) {
+  Effects out;
+  wake(now);
+  run_errands(now, out);
+  accept(input, now, out);
+  run_errands(now, out);
+  return out;
+}
+
+std::optional<MissionTime> GroundControl::next_wakeup() const {
+  std::optional<MissionTime> wakeup = earliest(monitoring_.next_wakeup(), planning_.next_wakeup());
+  for (const auto& [uav, mle] : local_) wakeup = earliest(wakeup, mle.executive.next_wakeup());
+  return wakeup;
+}
+
+void GroundControl::wake(MissionTime now) {
+  for (const auto& [uav, mle] : local_) {
+    if (is_due(mle.executive.next_wakeup(), now)) {
+      errands_.emplace_back(LocalInput{uav, executive::Tick{}, std::nullopt});
+    }
+  }
+  if (is_due(monitoring_.next_wakeup(), now)) errands_.emplace_back(Monitoring::Input(Tick{}));
+  if (is_due(planning_.next_wakeup(), now)) errands_.emplace_back(MissionPlanning::Input(Tick{}));
+}
+
+void GroundControl::accept(const Input& input, MissionTime now, Effects& out) {
+  std::visit(Overloaded{
+                 [](const Tick&) {},
+                 [&](const PerceptionReceived& it) {
+                   for (const auto& effect : perception_.handle(it.perception, now)) {
+                     route(effect, out);
+                   }
+                 },
+                 [&](const TelemetryReceived& it) {
+                   tell_flight(it.uav, it.state.airborne);
+                   errands_.emplace_back(Monitoring::Input(it));
+                 },
+                 [&](const PlanBoardReceived& it) {
+                   tell_flight(it.uav, it.airborne);
+                   errands_.emplace_back(Monitoring::Input(it));
+                 },
+                 [&](const FunctionalStatusReceived& it) { accept_status(it, out); },
+                 [&](const SyncReceived& it) { deliver_sync(it, out); },
+                 [&](const PeerReachable& it) { accept_reachability(it, out); },
+                 [&](const OperatorActs& it) { errands_.emplace_back(MissionPlanning::Input(it)); },
+                 [&](const OperatorCommand& it) {
+                   errands_.emplace_back(
+                       Monitoring::Input(IssueCommand{it.uav, it.request, now + it.lifetime}));
+                 },
+                 [&](const auto& it) { errands_.emplace_back(Monitoring::Input(it)); },
+             },
+             input);
+}
+
+void GroundControl::accept_status(const FunctionalStatusReceived& input, Effects& out) {
+  if (local_.contains(input.uav)) {
+    errands_.emplace_back(LocalInput{input.uav, input.status, std::nullopt});
+  } else {
+    out.emplace_back(
+        Anomaly{"functional status of '" + input.uav + "', for which no MLE runs here"});
+  }
+}
+
+void GroundControl::accept_reachability(const PeerReachable& input, Effects& out) {
+  errands_.emplace_back(Monitoring::Input(input));
+  if (!input.reachable) return;
+  for (const auto& [uav, mle] : local_) {
+    if (uav == input.uav) continue;
+    errands_.emplace_back(LocalInput{uav, executive::PeerReachable{input.uav}, std::nullopt});
+  }
+  if (input.restarted && local_.contains(input.uav)) ask_again(input.uav, out);
+  const auto relayed = relayed_.find(input.uav);
+  if (relayed == relayed_.end()) return;
+  for (const auto& [id, from] : relayed->second) out.emplace_back(SendSync{id, from, input.uav});
+}
+
+// What the transparent node may have taken with it: requests on their way, or their statuses.
+void GroundControl::ask_again(const std::string& uav, Effects& out) {
+  for (const executive::TaskStatus& task : local(uav).executive.tasks()) {
+    if (!executive::is_active(task.state) || !is_functional(task.type)) continue;
+    const bool is_aborting = task.state == executive::TaskState::kAborting;
+    send_functional(uav, is_aborting ? FunctionalVerb::kInterrupt : FunctionalVerb::kDispatch,
+                    task.id, out);
+  }
+}
+
+void GroundControl::run_errands(MissionTime now, Effects& out) {
+  while (!errands_.empty()) {
+    const Errand errand = std::move(errands_.front());
+    errands_.pop_front();
+    std::visit([&](const auto& it) { do_errand(it, now, out); }, errand);
+  }
+}
+
+void GroundControl::do_errand(const Monitoring::Input& input, MissionTime now, Effects& out) {
+  for (const auto& effect : monitoring_.handle(input, now)) route(effect, out);
+}
+
+void GroundControl::do_errand(const MissionPlanning::Input& input, MissionTime now, Effects& out) {
+  for (const auto& effect : planning_.handle(input, now)) route(effect, out);
+}
+
+void GroundControl::do_errand(const LocalInput& input, MissionTime now, Effects& out) {
+  for (const auto& effect : local(input.uav).executive.handle(input.input, now)) {
+    route_local(input, effect, out);
+  }
+}
+
+void GroundControl::route(const Monitoring::Effect& effect, Effects& out) {
+  std::visit(Overloaded{
+                 [&](const SendRequest& it) {
+                   if (is_held_here(it)) {
+                     errands_.emplace_back(LocalInput{it.uav, to_executive(it.request), it});
+                   } else {
+                     out.emplace_back(it);
+                   }
+                 },
+                 [&](const TaskChanged& it) { errands_.emplace_back(MissionPlanning::Input(it)); },
+                 [&](const UavRestarted& it) {
+                   out.emplace_back(it);
+                   errands_.emplace_back(MissionPlanning::Input(it));
+                 },
+                 [&](const auto& it) { out.emplace_back(it); },
+             },
+             effect);
+}
+
+void GroundControl::route(const MissionPlanning::Effect& effect, Effects& out) {
+  std::visit(Overloaded{
+                 [&](const IssueCommand& it) { errands_.emplace_back(Monitoring::Input(it)); },
+                 [&](const AbortEverything& it) { errands_.emplace_back(Monitoring::Input(it)); },
+                 [&](const auto& it) { out.emplace_back(it); },
+             },
+             effect);
+}
+
+void GroundControl::route(const PerceptionProcessing::Effect& effect, Effects& out) {
+  std::visit(Overloaded{
+                 [&](const PerceptionLogged& it) { out.emplace_back(it); },
+                 [&](const auto& it) {
+                   out.emplace_back(it);
+                   errands_.emplace_back(MissionPlanning::Input(it));
+                 },
+             },
+             effect);
+}
+
+void GroundControl::route_local(const LocalInput& cause, const executive::Effect& effect,
+                                Effects& out) {
+  const std::string& uav = cause.uav;
+  std::visit(
+      Overloaded{
+          [&](const executive::TaskEvent& it) {
+            out.emplace_back(LocalTaskEvent{uav, it.id, it.type, it.state, it.reason});
+            errands_.emplace_back(
+                Monitoring::Input(TaskEventReceived{uav, it.id, it.type, it.state, it.reason}));
+          },
+          [&](const executive::Dispatch& it) { dispatch(uav, it, out); },
+          [&](const executive::Interrupt& it) {
+            if (!it.joint) send_functional(uav, FunctionalVerb::kInterrupt, it.id, out);
+          },
+          [&](const executive::SendSync& it) {
+            out.emplace_back(LocalSync{it.id, uav, it.to, SyncDirection::kSent});
+            deliver_sync({it.id, uav, it.to}, out);
+          },
+          [&](const executive::Reply& it) {
+            if (!cause.command) return;
+            out.emplace_back(
+                LocalRequestAnswered{uav, cause.command->request, it.accepted, it.why});
+            errands_.emplace_back(Monitoring::Input(
+                RequestReplyReceived{cause.command->command, it.accepted, it.why}));
+          },
+          [](const executive::ForwardToSupervisor&) {},
+          [&](const executive::Notice& it) { out.emplace_back(Anomaly{uav + ": " + it.text}); },
+      },
+      effect);
+}
+
+// A joint task needs a supervisor, which degree 1 does not have.
+void GroundControl::dispatch(const std::string& uav, const executive::Dispatch& dispatch,
+                             Effects& out) {
+  if (dispatch.joint) {
+    const executive::FunctionalStatus refusal{dispatch.id, executive::TaskState::kAborted,
+                                              "no joint tasks at degree 1"};
+    errands_.emplace_back(LocalInput{uav, refusal, std::nullopt});
+    return;
+  }
+  send_functional(uav, FunctionalVerb::kDispatch, dispatch.id, out);
+}
+
+void GroundControl::send_functional(const std::string& uav, FunctionalVerb verb,
+                                    executive::TaskId id, Effects& out) {
+  executive::Task task;
+  task.id = id;
+  if (const auto view = local(uav).executive.find(id)) {
+    task.type = view->type;
+    if (verb == FunctionalVerb::kDispatch) task.parameters = view->parameters;
+  }
+  out.emplace_back(SendFunctional{uav, verb, std::move(task)});
+}
+
+void GroundControl::deliver_sync(const SyncReceived& sync, Effects& out) {
+  if (!monitoring_.knows(sync.to) || !monitoring_.knows(sync.from)) {
+    out.emplace_back(Anomaly{"synchronisation message from '" + sync.from + "' to '" + sync.to +
+                             "': one of them is unknown"});
+    return;
+  }
+  if (runs_here(sync.to)) {
+    out.emplace_back(LocalSync{sync.id, sync.from, sync.to, SyncDirection::kReceived});
+    errands_.emplace_back(
+        LocalInput{sync.to, executive::SyncReceived{sync.id, sync.from}, std::nullopt});
+  } else {
+    relayed_[sync.to].emplace(sync.id, sync.from);
+    out.emplace_back(SendSync{sync.id, sync.from, sync.to});
+  }
+}
+
+bool GroundControl::is_held_here(const SendRequest& request) const {
+  if (const auto named = named_by(request.request)) {
+    const auto mle = local_.find(request.uav);
+    if (mle != local_.end() && mle->second.executive.find(*named)) return true;
+    if (monitoring_.find_task(request.uav, *named) != nullptr) return false;
+  }
+  return runs_here(request.uav);
+}
+
+void GroundControl::tell_flight(const std::string& uav, bool airborne) {
+  if (!runs_here(uav) || !mle_configs_.contains(uav)) return;
+  LocalMle& mle = local(uav);
+  if (mle.airborne == airborne) return;
+  mle.airborne = airborne;
+  errands_.emplace_back(LocalInput{uav, executive::Flight{airborne}, std::nullopt});
+}
+
+GroundControl::LocalMle& GroundControl::local(const std::string& uav) {
+  const auto found = local_.find(uav);
+  if (found != local_.end()) return found->second;
+  executive::Executive mle(mle_configs_.at(uav));
+  return local_.emplace(uav, LocalMle{std::move(mle), std::nullopt}).first->second;
+}
+
+}  // namespace skein::ground_station

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+// The script player.
+#include "skein/ground_station/mission_planning.hpp"
+
+#include <algorithm>
+
+#include "skein/foundation/contract.hpp"
+#include "skein/ground_station/target_resolution.hpp"
+
+namespace skein::ground_station {
+namespace {
+
+constexpr Duration kRest = Duration::milliseconds(1'000);  // of a step that is armed again
+
+template <class Leaf>
+void collect_leaves(const Trigger& trigger, std::vector<Leaf>& leaves) {
+  if (const auto* all = std::get_if<AllOf>(&trigger.what)) {
+    for (const Trigger& inner : all->of) collect_leaves(inner, leaves);
+  } else if (const auto* any = std::get_if<AnyOf>(&trigger.what)) {
+    for (const Trigger& inner : any->of) collect_leaves(inner, leaves);
+  } else {
+    leaves.push_back({&trigger, std::nullopt, AlarmId(), false});
+  }
+}
+
+// When a trigger came about, and whether by something its step has not been done for yet.
+struct Standing {
+  MissionTime at;
+  bool fresh = true;
+};
+
+// Of what makes up an AnyOf: fresh before used, then the earliest.
+bool counts_before(const Standing& a, const Standing& b) {
+  return a.fresh != b.fresh ? a.fresh : a.at < b.at;
+}
+
+// `leaf` walks over the leaves in the order they were collected.
+template <class Iterator>
+std::optional<Standing> standing_of(const Trigger& trigger, Iterator& leaf) {
+  if (const auto* all = std::get_if<AllOf>(&trigger.what)) {
+    Standing standing{MissionTime(), all->of.empty()};
+    bool complete = true;
+    for (const Trigger& inner : all->of) {
+      const std::optional<Standing> part = standing_of(inner, leaf);
+      complete = complete && part;
+      if (part) standing = {std::max(standing.at, part->at), standing.fresh || part->fresh};
+    }
+    return complete ? std::optional(standing) : std::nullopt;
+  }
+  if (const auto* any = std::get_if<AnyOf>(&trigger.what)) {
+    std::optional<Standing> standing;
+    for (const Trigger& inner : any->of) {
+      const std::optional<Standing> part = standing_of(inner, leaf);
+      if (part && (!standing || counts_before(*part, *standing))) standing = part;
+    }
+    return standing;
+  }
+  const auto& it = *leaf++;
+  return it.at ? std::optional(Standing{*it.at, !it.used}) : std::nullopt;
+}
+
+template <class What>
+const What* as(const Trigger& trigger) {
+  return std::get_if<What>(&trigger.what);
+}
+
+executive::Parameter parameter_of(const std::string& name,
+                                  const std::vector<world::Vector3>& points) {
+  executive::Parameter parameter{name, {}, {}};
+  for (const world::Vector3& point : points) {
+    parameter.numbers.insert(parameter.numbers.end(), {point.x(), point.y(), point.z()});
+  }
+  return parameter;
+}
+
+}  // namespace
+
+MissionPlanning::MissionPlanning(Script script, const world::Terrain& terrain)
+    : script_(std::move(script)), terrain_(terrain) {
+  SKEIN_EXPECTS(problems_of(script_).empty());
+  for (const OperatorAction& action : script_.operators) {
+    waiting_.push_back({&action.when, action.after, nullptr, &action, {}, true, {}});
+  }
+  for (const Step& step : script_.steps) {
+    waiting_.push_back({&step.when, step.after, &step, nullptr, {}, true, {}});
+  }
+  for (Waiting& waiting : waiting_) collect_leaves(*waiting.when, waiting.leaves);
+}
+
+std::vector<MissionPlanning::Effect> MissionPlanning::handle(const Input& input, MissionTime now) {
+  Effects effects;
+  mark_instants(now);
+  note(input, now, effects);
+  while (Waiting* waiting = next_due(now)) fire(*waiting, now, effects);
+  return effects;
+}
+
+std::optional<MissionTime> MissionPlanning::next_wakeup() const {
+  std::optional<MissionTime> wakeup;
+  if (finished_) return wakeup;
+  for (const Waiting& waiting : waiting_) {
+    if (!waiting.armed) continue;
+    wakeup = earliest(wakeup, due(waiting));
+    for (const Leaf& leaf : waiting.leaves) {
+      const auto* time = as<AtTime>(*leaf.trigger);
+      if (time != nullptr && !leaf.at) wakeup = earliest(wakeup, time->at);
+    }
+  }
+  return wakeup;
+}
+
+// Remembers what happened in every armed step and operator action that waits for it.
+template <class What, class Matches>
+void MissionPlanning::mark(MissionTime at, const Matches& matches) {
+  for (Waiting& waiting : waiting_) {
+    for (Leaf& leaf : waiting.leaves) {
+      const What* what = as<What>(*leaf.trigger);
+      if (waiting.armed && what != nullptr && !leaf.at && matches(*what)) leaf.at = at;
+    }
+  }
+}
+
+void MissionPlanning::mark_instants(MissionTime now) {
+  for (Waiting& waiting : waiting_) {
+    for (Leaf& leaf : waiting.leaves) {
+      const auto* time = as<AtTime>(*leaf.trigger);
+      if (time != nullptr && !leaf.at && time->at <= now) leaf.at = time->at;
+    }
+  }
+}
+
+void MissionPlanning::note(const Input& input, MissionTime now, Effects& effects) {
+  if (const auto* alarm = std::get_if<AlarmEvent>(&input)) {
+    note_alarm(alarm->alarm, now);
+  } else if (const auto* refined = std::get_if<AlarmRefined>(&input)) {
+    alarms_[refined->alarm.id] = refined->alarm;
+  } else if (const auto* task = std::get_if<TaskChanged>(&input)) {
+    mark<OnTask>(now, [&](const OnTask& on) {
+      return on.uav == task->uav && on.task == task->task && on.state == task->state;
+    });
+  } else if (const auto* restarted = std::get_if<UavRestarted>(&input)) {
+    mark<OnRestart>(now, [&](const OnRestart& on) { return on.uav == restarted->uav; });
+  } else if (const auto* acts = std::get_if<OperatorActs>(&input)) {
+    note_operator(acts->does, now, effects);
+  }
+}
+
+void MissionPlanning::note_alarm(const Alarm& alarm, MissionTime now) {
+  alarms_[alarm.id] = alarm;
+  if (subject_ == AlarmId()) subject_ = alarm.id;
+  const bool ours = alarm.state != AlarmState::kInfirmed || alarm.id == subject_;
+  for (Waiting& waiting : waiting_) {
+    for (Leaf& leaf : waiting.leaves) {
+      const auto* on = as<OnAlarm>(*leaf.trigger);
+      if (!waiting.armed || on == nullptr || leaf.at || on->state != alarm.state || !ours) continue;
+      leaf.at = now;
+      leaf.alarm = alarm.id;
+    }
+  }
+}
+
+void MissionPlanning::note_operator(const std::string& does, MissionTime now, Effects& effects) {
+  effects.emplace_back(OperatorDid{does});
+  mark<OnOperator>(now, [&](const OnOperator& on) { return on.does == does; });
+}
+
+std::optional<MissionTime> MissionPlanning::due(const Waiting& waiting) const {
+  auto leaf = waiting.leaves.begin();
+  const std::optional<Standing> standing = standing_of(*waiting.when, leaf);
+  if (!standing || !standing->fresh) return std::nullopt;
+  const MissionTime at = standing->at + waiting.after;
+  return waiting.not_before ? std::max(at, *waiting.not_before) : at;
+}
+
+MissionPlanning::Waiting* MissionPlanning::next_due(MissionTime now) {
+  Waiting* first = nullptr;
+  MissionTime first_due;
+  if (finished_) return first;
+  for (Waiting& waiting : waiting_) {
+    const std::optional<MissionTime> at = waiting.armed ? due(waiting) : std::nullopt;
+    if (!at || *at > now || (first != nullptr && *at >= first_due)) continue;
+    first = &waiting;
+    first_due = *at;
+  }
+  return first;
+}
+
+void MissionPlanning::fire(Waiting& waiting, MissionTime now, Effects& effects) {
+  const Step* step = waiting.step;
+  for (Leaf& leaf : waiting.leaves) {
+    if (leaf.alarm != AlarmId()) subject_ = leaf.alarm;
+    // An instant that has passed stays so, but is not by itself a reason to do the step again.
+    const bool is_instant = as<AtTime>(*leaf.trigger) != nullptr;
+    leaf = {leaf.trigger, is_instant ? leaf.at : std::nullopt, AlarmId(), is_instant && leaf.at};
+  }
+  waiting.armed = step != nullptr && !step->once;
+  waiting.not_before = now + kRest;
+  if (step == nullptr) {
+    note_operator(waiting.operator_action->does, now, effects);
+  } else if (!step->phase.empty() && step->phase != phase_) {
+    phase_ = step->phase;
+    effects.emplace_back(PhaseEntered{phase_});
+  }
+  for (const Action& action : step != nullptr ? step->actions : waiting.operator_action->actions) {
+    do_action(action, now, effects);
+    if (finished_) return;
+  }
+  if (step == nullptr) return;
+  effects.emplace_back(StepDone{step->name});
+  mark<OnStep>(now, [&](const OnStep& on) { return on.step == step->name; });
+}
+
+void MissionPlanning::do_action(const Action& action, MissionTime now, Effects& effects) {
+  const MissionTime expires = now + script_.command_lifetime;
+  const auto issue = [&](const std::string& uav, Request request) {
+    effects.emplace_back(IssueCommand{uav, std::move(request), expires});
+  };
+  if (const auto* plan = std::get_if<SendPlan>(&action)) {
+    send(*plan, expires, effects);
+  } else if (const auto* abort = std::get_if<AbortTasks>(&action)) {
+    if (!abort->tasks) effects.emplace_back(AbortEverything{abort->uav, expires});
+    for (const executive::TaskId id : abort->tasks.value_or(std::vector<executive::TaskId>())) {
+      issue(abort->uav, executive::Abort{id});
+    }
+  } else if (const auto* message = std::get_if<SendMessage>(&action)) {
+    issue(message->uav, executive::ProcessMessage{message->text});
+  } else if (const auto* update = std::get_if<UpdateConditions>(&action)) {
+    issue(update->uav, update->update);
+  } else {
+    finished_ = true;
+    effects.emplace_back(MissionFinished{});
+  }
+}
+
+void MissionPlanning::send(const SendPlan& plan, MissionTime expires, Effects& effects) {
+  for (const PlannedTask& planned : plan.tasks) {
+    executive::Start start{planned.task, planned.mode};
+    std::string problem;
+    for (const Target& target : planned.targets) {
+      const auto points = resolve(target, subject(), terrain_);
+      if (points) {
+        start.task.parameters.add(parameter_of(target.parameter, *points));
+      } else {
+        problem = points.error().why;
+      }
+    }
+    if (problem.empty()) {
+      effects.emplace_back(IssueCommand{plan.uav, std::move(start), expires});
+    } else {
+      effects.emplace_back(Anomaly{"task " + skein::to_text(planned.task.id) + " of " + plan.uav +
+                                   " is not sent: " + problem});
+    }
+  }
+}
+
+const Alarm* MissionPlanning::subject() const {
+  const auto found = alarms_.find(subject_);
+  return found == alarms_.end() ? nullptr : &found->second;
+}
+
+}  // namespace skein::ground_station

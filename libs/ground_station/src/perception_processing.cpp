@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bayesian fusion of looks into alarms.
+#include "skein/ground_station/perception_processing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "skein/foundation/contract.hpp"
+
+namespace skein::ground_station {
+namespace {
+
+using world::Vector2;
+using world::Vector3;
+
+constexpr double kEyeLevel = 2;  // [m] above the ground where a fire is looked for
+
+double logit(double p) { return std::log(p / (1 - p)); }
+
+double sigmoid(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
+
+bool is_probability(double p) { return p > 0 && p < 1; }
+
+double horizontal(const Vector3& a, const Vector3& b) { return (a - b).head<2>().norm(); }
+
+const Likelihood* likelihood_of(const DeviceReliability& device, const std::string& kind) {
+  const auto found = device.kinds.find(kind);
+  return found == device.kinds.end() ? nullptr : &found->second;
+}
+
+bool speaks_for_fire(const DeviceReliability& device, const std::string& kind) {
+  const Likelihood* likelihood = likelihood_of(device, kind);
+  return likelihood != nullptr && likelihood->if_fire > likelihood->if_not_fire;
+}
+
+// ln P(outcome | fire) / P(outcome | no fire); no kind, or one that is not known: nothing reported.
+double log_ratio(const DeviceReliability& device, const world::Detection* detection) {
+  if (detection != nullptr) {
+    const Likelihood* likelihood = likelihood_of(device, detection->kind);
+    if (likelihood != nullptr) return std::log(likelihood->if_fire / likelihood->if_not_fire);
+  }
+  double nothing_if_fire = 1;
+  double nothing_if_not = 1;
+  for (const auto& [kind, likelihood] : device.kinds) {
+    nothing_if_fire -= likelihood.if_fire;
+    nothing_if_not -= likelihood.if_not_fire;
+  }
+  return std::log(nothing_if_fire / nothing_if_not);
+}
+
+bool is_sane(const world::Perception& look) {
+  return look.viewpoint.allFinite() && look.direction.allFinite() && look.direction.norm() > 0 &&
+         std::isfinite(look.range) && std::isfinite(look.aperture);
+}
+
+bool is_sane(const world::Detection& detection) {
+  return detection.position.allFinite() && std::isfinite(detection.spread) &&
+         std::isfinite(detection.confidence);
+}
+
+std::size_t sector_of(const Vector3& from, const Vector3& to) {
+  const double bearing = std::atan2(to.y() - from.y(), to.x() - from.x());
+  const double turn = bearing / (2 * std::numbers::pi) + (bearing < 0 ? 1 : 0);
+  const auto sector = static_cast<std::size_t>(turn * Alarm::kSectors);
+  return std::min(sector, std::size_t{Alarm::kSectors - 1});
+}
+
+void check_device(const std::string& name, const DeviceReliability& device,
+                  std::vector<std::string>& problems) {
+  const std::string where = "device " + name;
+  double if_fire = 0;
+  double if_not_fire = 0;
+  for (const auto& [kind, likelihood] : device.kinds) {
+    if (!is_probability(likelihood.if_fire) || !is_probability(likelihood.if_not_fire)) {
+      problems.push_back(where + ", kind " + kind + ": likelihoods must be above 0 and below 1");
+    }
+    if_fire += likelihood.if_fire;
+    if_not_fire += likelihood.if_not_fire;
+  }
+  if (!(if_fire < 1) || !(if_not_fire < 1)) {
+    problems.push_back(where + ": the likelihoods of its kinds must add up to less than 1");
+  }
+  if (!(device.limit > 0) || !std::isfinite(device.limit)) {
+    problems.push_back(where + ": limit must be positive");
+  }
+}
+
+}  // namespace
+
+std::string_view to_text(AlarmState state) {
+  switch (state) {
+    case AlarmState::kRaised:
+      return "raised";
+    case AlarmState::kConfirmed:
+      return "confirmed";
+    case AlarmState::kInfirmed:
+      break;
+  }
+  return "infirmed";
+}
+
+std::map<std::string, DeviceReliability, std::less<>> default_devices() {
+  return {
+      {"fire-sensor", {.kinds = {{"fire", {0.8, 0.1}}}, .confirms = false, .limit = 5}},
+      {"ir", {.kinds = {{"fire", {0.85, 0.1}}}, .confirms = false, .limit = 4}},
+      {"visible",
+       {.kinds = {{"fire", {0.8, 0.02}},
+                  {"smoke", {0.1, 0.02}},
+                  {"vehicle", {0.01, 0.2}},
+                  {"hot-vehicle", {0.01, 0.2}}},
+        .confirms = true,
+        .limit = 12}},
+      {"mapping", {.kinds = {{"fire", {0.5, 0.1}}}, .confirms = false, .limit = 3}},
+  };
+}
+
+std::vector<std::string> problems_of(const PpsConfig& config) {
+  std::vector<std::string> problems;
+  for (const auto& [name, device] : config.devices) check_device(name, device, problems);
+  if (!(0 < config.infirm && config.infirm < config.prior && config.prior < config.raise &&
+        config.raise <= config.confirm && config.confirm < 1)) {
+    problems.emplace_back("thresholds must be in order: 0 < infirm < prior < raise <= confirm < 1");
+  }
+  if (!(config.gate > 0)) problems.emplace_back("gate must be positive");
+  if (!(config.least_spread > 0)) problems.emplace_back("least_spread must be positive");
+  if (!(config.refine_distance > 0)) problems.emplace_back("refine_distance must be positive");
+  if (config.decorrelation < Duration())
+    problems.emplace_back("decorrelation must not be negative");
+  if (config.forget <= Duration()) problems.emplace_back("forget must be positive");
+  return problems;
+}
+
+PerceptionProcessing::PerceptionProcessing(PpsConfig config, const world::Terrain& terrain)
+    : config_(std::move(config)), terrain_(terrain) {
+  SKEIN_EXPECTS(problems_of(config_).empty());
+}
+
+std::vector<PerceptionProcessing::Effect> PerceptionProcessing::handle(
+    const world::Perception& look, MissionTime now) {
+  std::vector<Effect> effects;
+  if (!look.detections.empty()) {
+    effects.emplace_back(PerceptionLogged{look.uav, look.device, look.detections.size()});
+  }
+  forget_stale(now);
+  const DeviceReliability* device = reliability_of(look);
+  if (device == nullptr || !is_sane(look)) return effects;
+
+  const Sightings sightings = associate(look, *device);
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    const auto sighting = sightings.find(i);
+    if (sighting != sightings.end()) {
+      count(candidates_[i], look, *device, sighting->second);
+    } else if (surely_in_view(candidates_[i], look)) {
+      count(candidates_[i], look, *device, nullptr);
+    } else {
+      continue;
+    }
+    settle(candidates_[i], effects);
+  }
+  drop_unlikely();
+  return effects;
+}
+
+std::vector<Alarm> PerceptionProcessing::alarms() const {
+  std::vector<Alarm> alarms;
+  for (const Candidate& candidate : candidates_) {
+    if (candidate.alarm.id != AlarmId()) alarms.push_back(candidate.alarm);
+  }
+  std::sort(alarms.begin(), alarms.end(),
+            [](const Alarm& a, const Alarm& b) { return a.id < b.id; });
+  return alarms;
+}
+
+const DeviceReliability* PerceptionProcessing::reliability_of(const world::Perception& look) const {
+  const auto found = config_.devices.find(look.device);
+  return found == config_.devices.end() ? nullptr : &found->second;
+}
+
+void PerceptionProcessing::forget_stale(MissionTime now) {
+  std::erase_if(candidates_, [&](const Candidate& candidate) {
+    return candidate.alarm.id == AlarmId() && now - candidate.alarm.last_seen > config_.forget;
+  });
+}
+
+std::optional<std::size_t> PerceptionProcessing::nearest_in_gate(
+    const world::Detection& detection) const {
+  std::optional<std::size_t> nearest;
+  double least = 0;
+  const double spread = std::max(detection.spread, config_.least_spread);
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    const Alarm& alarm = candidates_[i].alarm;
+    const double distance = horizontal(alarm.position, detection.position);
+    const double reach = config_.gate * std::hypot(spread, alarm.position_sigma) + alarm.radius;
+    if (distance > reach || (nearest && distance >= least)) continue;
+    nearest = i;
+    least = distance;
+  }
+  return nearest;
+}
+
+// Each detection goes to the nearest candidate within the gate, or makes a new one if it speaks for
+// fire. Of several in one look that go to one candidate the one that speaks for fire most counts.
+PerceptionProcessing::Sightings PerceptionProcessing::associate(const world::Perception& look,
+                                                                const DeviceReliability& device) {
+  Sightings sightings;
+  for (const world::Detection& detection : look.detections) {
+    if (!is_sane(detection) || detection.confidence < config_.least_confidence) continue;
+    std::optional<std::size_t> index = nearest_in_gate(detection);
+    if (!index) {
+      if (!speaks_for_fire(device, detection.kind)) continue;
+      index = candidates_.size();
+      Candidate& fresh = candidates_.emplace_back();
+      fresh.alarm.first_seen = look.at;
+      fresh.alarm.last_seen = look.at;
+      fresh.alarm.belief = config_.prior;
+      fresh.alarm.position = detection.position;
+    }
+    const world::Detection*& kept = sightings[*index];
+    if (kept == nullptr || log_ratio(device, &detection) > log_ratio(device, kept)) {
+      kept = &detection;
+    }
+  }
+  return sightings;
+}
+
+bool PerceptionProcessing::surely_in_view(const Candidate& candidate,
+                                          const world::Perception& look) const {
+  const Vector3 target = candidate.alarm.position + Vector3(0, 0, kEyeLevel);
+  const Vector3 way = target - look.viewpoint;
+  const double distance = way.norm();
+  const double margin = candidate.alarm.position_sigma;
+  if (distance <= margin || distance + margin > look.range) return false;
+  const double cosine = way.dot(look.direction) / (distance * look.direction.norm());
+  const double off_axis = std::acos(std::clamp(cosine, -1.0, 1.0));
+  return off_axis + std::asin(margin / distance) <= look.aperture &&
+         terrain_.line_of_sight(look.viewpoint, target);
+}
+
+void PerceptionProcessing::count(Candidate& candidate, const world::Perception& look,
+                                 const DeviceReliability& device,
+                                 const world::Detection* sighting) {
+  Tally& tally = candidate.tallies[look.uav + "/" + look.device];
+  const bool for_fire = sighting != nullptr && speaks_for_fire(device, sighting->kind);
+  if (for_fire) candidate.alarm.last_seen = std::max(candidate.alarm.last_seen, look.at);
+  if (tally.muted) return;
+  if (tally.last_counted && look.at - *tally.last_counted < config_.decorrelation) return;
+  tally.last_counted = look.at;
+  tally.limit = device.limit;
+  tally.confirms = device.confirms;
+  tally.evidence =
+      std::clamp(tally.evidence + log_ratio(device, sighting), -tally.limit, tally.limit);
+  if (for_fire) {
+    tally.saw = true;
+    place(candidate, look, *sighting);
+  }
+  candidate.alarm.belief = belief_of(candidate);
+}
+
+void PerceptionProcessing::place(Candidate& candidate, const world::Perception& look,
+                                 const world::Detection& sighting) {
+  Alarm& alarm = candidate.alarm;
+  const double sigma = std::max(sighting.spread, config_.least_spread);
+  const double weight = 1 / (sigma * sigma);
+  const Vector2 seen_at = sighting.position.head<2>();
+  const Vector2 before = alarm.position.head<2>();
+  candidate.weight += weight;
+  const Vector2 mean = before + weight / candidate.weight * (seen_at - before);
+  candidate.scatter += weight * (seen_at - before).dot(seen_at - mean);
+  alarm.position = Vector3(mean.x(), mean.y(), terrain_.elevation(mean.x(), mean.y()));
+  alarm.position_sigma = 1 / std::sqrt(candidate.weight);
+  alarm.views += 1;
+  alarm.views_by_bearing[sector_of(alarm.position, look.viewpoint)] += 1;
+  // A uniform disc of radius R has variance R²/4 on each axis; the sensors' own errors make up
+  // 2 (n - 1) of the normalised scatter.
+  const double excess = (candidate.scatter - 2.0 * (alarm.views - 1)) / (2 * candidate.weight);
+  alarm.radius = 2 * std::sqrt(std::max(0.0, excess));
+}
+
+double PerceptionProcessing::belief_of(const Candidate& candidate) const {
+  double log_odds = logit(config_.prior);
+  for (const auto& [key, tally] : candidate.tallies) log_odds += tally.evidence;
+  return sigmoid(log_odds);
+}
+
+bool PerceptionProcessing::confirmed_by_sight(const Candidate& candidate) const {
+  return std::any_of(candidate.tallies.begin(), candidate.tallies.end(), [](const auto& entry) {
+    return entry.second.confirms && entry.second.saw && entry.second.evidence > 0;
+  });
+}
+
+// The transitions of the table in the header, in its order.
+void PerceptionProcessing::settle(Candidate& candidate, std::vector<Effect>& effects) {
+  Alarm& alarm = candidate.alarm;
+  const bool is_candidate = alarm.id == AlarmId();
+  if ((is_candidate || alarm.state == AlarmState::kInfirmed) && alarm.belief >= config_.raise) {
+    if (is_candidate) alarm.id = AlarmId(++last_id_);
+    enter(candidate, AlarmState::kRaised, effects);
+  }
+  if (alarm.id == AlarmId()) return;
+  if (alarm.state == AlarmState::kRaised) {
+    if (alarm.belief >= config_.confirm && confirmed_by_sight(candidate)) {
+      enter(candidate, AlarmState::kConfirmed, effects);
+    } else if (alarm.belief <= config_.infirm) {
+      for (auto& [key, tally] : candidate.tallies) tally.muted = tally.saw && !tally.confirms;
+      enter(candidate, AlarmState::kInfirmed, effects);
+    }
+  }
+  if (horizontal(alarm.position, candidate.told_at) >= config_.refine_distance) {
+    effects.emplace_back(AlarmRefined{alarm});
+    candidate.told_at = alarm.position;
+  }
+}
+
+void PerceptionProcessing::enter(Candidate& candidate, AlarmState state,
+                                 std::vector<Effect>& effects) {
+  candidate.alarm.state = state;
+  candidate.told_at = candidate.alarm.position;
+  effects.emplace_back(AlarmEvent{candidate.alarm});
+}
+
+// Besides those no longer believed in, those that turn out to be an older one seen with a large
+// error.
+void PerceptionProcessing::drop_unlikely() {
+  for (std::size_t i = candidates_.size(); i-- > 0;) {
+    const Alarm& alarm = candidates_[i].alarm;
+    if (alarm.id != AlarmId()) continue;
+    bool drop = alarm.belief <= config_.infirm;
+    for (std::size_t j = 0; j < i && !drop; ++j) {
+      const Alarm& older = candidates_[j].alarm;
+      drop = horizontal(alarm.position, older.position) <=
+             config_.gate * std::hypot(alarm.position_sigma, older.position_sigma);
+    }
+    if (drop) candidates_.erase(candidates_.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
+}  // namespace skein::ground_station

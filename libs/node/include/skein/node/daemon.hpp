@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The DDS runtime: one node as a daemon on the wall clock.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "skein/node/host.hpp"
+
+namespace skein::node {
+
+struct DaemonConfig {
+  std::uint32_t domain = 0;                             ///< DDS domain id, 0 to 100
+  std::vector<std::string> interfaces = {"127.0.0.1"};  ///< IPv4 addresses to talk on
+  double rate = 1;                                      ///< of the scenario; the leader's counts
+  std::uint64_t seed = 0;
+  bool leads_clock = false;                     ///< exactly one daemon of a system: the simulator
+  MissionTime time_limit = MissionTime::max();  ///< leader: the clock ends here at the latest
+  std::vector<std::string> awaited;  ///< leader: the clock starts when all of these are ready
+  /// Every record of this node, beside its way to the runner over the world channel; and lines of
+  /// the middleware's own log. May be empty.
+  std::function<void(const journal::Record&)> on_record;
+  std::function<void(const std::string&)> on_middleware_log;
+};
+
+enum class DaemonEnd {
+  kFinished,  ///< the mission is over
+  kStopped    ///< SIGINT or SIGTERM
+};
+
+/// Runs the node until the mission is over or a signal asks it to stop. Mission time follows the
+/// clock slot; its records go out in the journal slot; jobs run in a second thread.
+/// Blocks SIGINT and SIGTERM in the calling thread and those made after. Source: spec 1.4, 1.5.
+Result<DaemonEnd, Failure> run_daemon(const Roster& roster, const Member& self,
+                                      std::unique_ptr<Node> node, const DaemonConfig& config);
+
+}  // namespace skein::node

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// A node together with its blackboard: what both runtimes drive.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "skein/blackboard/blackboard.hpp"
+#include "skein/node/node.hpp"
+#include "skein/node/roster.hpp"
+
+namespace skein::node {
+
+struct HostConfig {
+  std::uint64_t incarnation = 1;
+  Duration heartbeat_period = Duration::seconds(1);  ///< steady
+  double rate = 1;         ///< mission seconds per steady second: turns the radio's latencies
+  std::uint64_t seed = 0;  ///< of the losses on streams
+};
+
+/// Where a host's output goes. All are called from step(), in the order of the effects.
+struct HostPorts {
+  std::function<void(const journal::Record&)> journal;
+  std::function<void(StartJob)> start_job;
+  std::function<void()> finish;
+  /// What comes over the world channel (clock, directory, mission state, link states): for the
+  /// runtime, not for the node; may be empty.
+  std::function<void(const wire::Sample&)> world;
+};
+
+/// Routes samples from the blackboard to the node and the node's effects back; applies the link
+/// states of the radio to the channels; writes what happens on the channels to the event log.
+/// Sans-IO like the node itself: a runtime calls step(). Thread rule: one thread.
+class Host {
+ public:
+  /// The transport must outlive the host. The failure says what the transport could not open.
+  static Result<std::unique_ptr<Host>, Failure> open(const Roster& roster, const Member& self,
+                                                     std::unique_ptr<Node> node,
+                                                     blackboard::Transport& transport,
+                                                     const HostConfig& config, HostPorts ports);
+
+  /// Gives the node its Started input.
+  void start(blackboard::Now now);
+  /// Takes what arrived, wakes the node if it is due, carries out effects. True if there was
+  /// anything to do, so that a runtime can go on until all hosts are quiet.
+  bool step(blackboard::Now now);
+  /// A job's result.
+  void job_done(JobDone done, blackboard::Now now);
+  /// Publishes on the world channel what does not come from the node (clock, directory, journal).
+  void publish(wire::Sample sample, blackboard::Now now);
+
+  std::optional<MissionTime> next_mission_wakeup() const { return node_->next_wakeup(); }
+  std::optional<Duration> next_steady_wakeup() const { return blackboard_.next_wakeup(); }
+  /// True once every peer this node has a radio or onboard channel with, and whose channel the
+  /// radio does not hold down, has been heard.
+  bool all_peers_heard() const;
+  const Member& self() const { return self_; }
+
+ private:
+  Host(const Roster& roster, const Member& self, std::unique_ptr<Node> node,
+       blackboard::Blackboard blackboard, const HostConfig& config, HostPorts ports);
+  void give(const Input& input, blackboard::Now now);
+  void carry_out(Effects effects, blackboard::Now now);
+  void take(blackboard::Incoming incoming, blackboard::Now now);
+  void take_received(blackboard::Received received, blackboard::Now now);
+  void apply(const wire::LinkState& link, blackboard::Now now);
+  void send(const Send& send, blackboard::Now now);
+  void log_message(wire::Slot slot, const std::string& from, const std::string& to,
+                   std::uint64_t sequence, const char* direction, blackboard::Now now);
+  journal::Record record(const char* kind, blackboard::Now now) const;
+
+  const Roster roster_;
+  const Member self_;
+  std::unique_ptr<Node> node_;
+  blackboard::Blackboard blackboard_;
+  HostConfig config_;
+  HostPorts ports_;
+  std::set<NodeNumber> peers_;  ///< with a radio or onboard channel
+  std::set<NodeNumber> heard_;
+  std::set<NodeNumber> down_;  ///< held down by the radio
+};
+
+}  // namespace skein::node

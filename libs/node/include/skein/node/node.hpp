@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shape of every node: messages, time and job results in; messages, records and jobs out.
+#pragma once
+
+#include <any>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "skein/blackboard/blackboard.hpp"
+#include "skein/foundation/time.hpp"
+#include "skein/journal/record.hpp"
+
+namespace skein::node {
+
+using blackboard::NodeNumber;
+
+/// First input of a node's life.
+struct Started {
+  std::uint64_t incarnation = 1;  ///< above 1: it was restarted in this mission
+};
+/// A sample, well formed, new and in order. `header_of(sample).origin` is who made it.
+struct Received {
+  NodeNumber from;
+  wire::Sample sample;
+};
+/// What this node now believes of a peer. Source: spec 1.3 (reachability).
+struct Reachability {
+  NodeNumber peer;
+  bool reachable = false;
+  bool restarted = false;
+};
+/// An event this node sent could not be delivered before it expired.
+struct Undelivered {
+  NodeNumber to;
+  wire::Slot slot = wire::Slot::kTaskRequest;
+  std::uint64_t sequence = 0;
+};
+/// The result of a job, as its work returned it.
+struct JobDone {
+  std::uint64_t id = 0;
+  std::any result;
+};
+/// The instant given by next_wakeup() has come.
+struct Wakeup {};
+
+using Input = std::variant<Started, Received, Reachability, Undelivered, JobDone, Wakeup>;
+
+/// Sends to one peer; the header is stamped on the way. A refusal is logged.
+struct Send {
+  NodeNumber to;
+  wire::Sample sample;
+  MissionTime expires = MissionTime::max();
+};
+/// Sends to everybody over the world channel.
+struct Publish {
+  wire::Sample sample;
+};
+/// A line of the event log.
+struct Log {
+  journal::Record record;
+};
+/// A long computation. `work` owns its inputs, touches nothing shared and may run in any thread;
+/// its result comes back as JobDone. Source: spec 1.5.
+struct StartJob {
+  std::uint64_t id = 0;
+  std::function<std::any()> work;
+};
+/// The mission is over; a runtime may stop everything soon after.
+struct Finish {};
+
+using Effect = std::variant<Send, Publish, Log, StartJob, Finish>;
+using Effects = std::vector<Effect>;
+
+/// A node of the system, without input or output of its own. `now` never decreases from call to
+/// call. Thread rule: one thread at a time. Source: spec 1.5.
+class Node {
+ public:
+  Node() = default;
+  Node(const Node&) = delete;
+  Node& operator=(const Node&) = delete;
+  virtual ~Node() = default;
+
+  virtual Effects handle(const Input& input, MissionTime now) = 0;
+  /// When it next wants a Wakeup, if nothing comes before; after a Wakeup, later than its instant.
+  virtual std::optional<MissionTime> next_wakeup() const = 0;
+};
+
+}  // namespace skein::node

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The nodes of a system, their numbers, and the channels between them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skein/blackboard/channel.hpp"
+
+namespace skein::node {
+
+using blackboard::NodeNumber;
+
+struct Member {
+  std::string name;
+  wire::Role role = wire::Role::kDdn;
+  NodeNumber number;
+};
+
+/// All nodes of a scenario. Numbers follow from the scenario alone, so daemons started by hand on
+/// different machines agree without talking: ground 1, sim 2, runner 3, UAVs from 10 in the order
+/// of the scenario file. Source: spec 1.3.
+class Roster {
+ public:
+  /// `uavs`: names of the UAVs, distinct, none of them "ground", "sim" or "runner".
+  explicit Roster(const std::vector<std::string>& uavs);
+
+  const std::vector<Member>& members() const { return members_; }
+  const Member* find(std::string_view name) const;
+  const Member* find(NodeNumber number) const;
+  /// The name, or "node 7" for a stranger.
+  std::string name_of(NodeNumber number) const;
+
+  NodeNumber ground() const { return members_[0].number; }
+  NodeNumber sim() const { return members_[1].number; }
+  NodeNumber runner() const { return members_[2].number; }
+
+  /// Every channel that starts or ends at the member: radio between the ground and each UAV and
+  /// between any two UAVs, onboard between a UAV and the simulator, and the world.
+  std::vector<blackboard::ChannelConfig> channels_of(const Member& member) const;
+  /// The slots a member reads on the world channel.
+  static std::vector<wire::Slot> world_reads_of(wire::Role role);
+
+ private:
+  std::vector<Member> members_;
+};
+
+}  // namespace skein::node

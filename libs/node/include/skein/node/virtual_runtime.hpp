@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// All nodes of a scenario in one process and in virtual time.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "skein/node/host.hpp"
+
+namespace skein::node {
+
+/// Makes the node of a name; called at its start and at each restart.
+using NodeFactory = std::function<std::unique_ptr<Node>(const std::string& name)>;
+
+/// A node dies at once and, if told so, is started again with nothing it knew.
+struct Crash {
+  MissionTime at;
+  std::string node;
+  std::optional<MissionTime> restart;
+};
+
+struct VirtualConfig {
+  std::uint64_t seed = 0;
+  MissionTime time_limit = MissionTime::max();
+  Duration heartbeat_period = Duration::seconds(1);
+  Duration job_latency = Duration::milliseconds(50);  ///< from a job's start to its result
+  Duration after_finish = Duration::seconds(2);       ///< so that last messages are still handled
+  std::vector<Crash> crashes;
+};
+
+struct VirtualOutcome {
+  enum class End { kFinished, kTimeLimit, kNothingLeftToDo, kStopped };
+  End end = End::kFinished;
+  MissionTime at;
+  std::uint64_t steps = 0;  ///< host steps, a measure of work
+};
+
+/// Runs the roster's ground, sim and UAV nodes until one of them says Finish, the time limit comes,
+/// nothing is left to do, or `keep_going` says no (asked once per mission second). Everything
+/// happens in a fixed order that depends only on the arguments: hosts in roster order at each
+/// instant, so the same arguments give the same records. Records go to `journal` in order. Source:
+/// spec 1.5.
+VirtualOutcome run_virtual(const Roster& roster, const NodeFactory& make_node,
+                           const VirtualConfig& config,
+                           const std::function<void(const journal::Record&)>& journal,
+                           const std::function<bool(MissionTime)>& keep_going = {});
+
+}  // namespace skein::node

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/node/daemon.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include "job_runner.hpp"
+#include "skein/blackboard/fastdds_transport.hpp"
+#include "skein/node/mission_clock.hpp"
+#include "skein/node/waker.hpp"
+
+namespace skein::node {
+
+namespace {
+
+using blackboard::Now;
+
+constexpr Duration kClockPeriod = Duration::milliseconds(100);
+/// Steady; three of them make a peer unreachable, so it must outlast a machine's hiccups.
+constexpr Duration kHeartbeatPeriod = Duration::milliseconds(250);
+/// After the mission's end: the leader stays so that everybody hears of it.
+constexpr Duration kLinger = Duration::milliseconds(1500);
+constexpr double kAfterFinish = 2.0;  ///< mission seconds between the end and the clock's end
+
+std::uint64_t incarnation_of_now() {
+  const auto since_epoch = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<std::uint64_t>(
+      std::chrono::duration_cast<std::chrono::nanoseconds>(since_epoch).count());
+}
+
+class Daemon {
+ public:
+  Daemon(const Roster& roster, const Member& self, const DaemonConfig& config)
+      : roster_(roster),
+        self_(self),
+        config_(config),
+        transport_({config.domain, self.name, config.interfaces, config.on_middleware_log}),
+        leader_(config.rate),
+        jobs_([this] { waker_.notify(); }),
+        awaited_(config.awaited.begin(), config.awaited.end()) {}
+
+  Result<DaemonEnd, Failure> run(std::unique_ptr<Node> node) {
+    transport_.on_arrival([this] { waker_.notify(); });
+    HostConfig host_config;
+    host_config.incarnation = incarnation_of_now();
+    host_config.heartbeat_period = kHeartbeatPeriod;
+    host_config.rate = config_.rate;
+    host_config.seed = config_.seed;
+    auto host = Host::open(roster_, self_, std::move(node), transport_, host_config, ports());
+    if (!host) return tl::unexpected(host.error());
+    host_ = std::move(*host);
+    introduce();
+    host_->start(now());
+    flush_journal();
+    return loop();
+  }
+
+ private:
+  DaemonEnd loop() {
+    while (!waker_.stop_requested()) {
+      turn();
+      if (over()) return DaemonEnd::kFinished;
+      waker_.wait(until_next_wakeup());
+    }
+    return DaemonEnd::kStopped;
+  }
+
+  void turn() {
+    for (JobDone& done : jobs_.take_done()) host_->job_done(std::move(done), now());
+    host_->step(now());
+    if (!introduced_as_ready_ && host_->all_peers_heard()) introduce();
+    if (config_.leads_clock) lead();
+    flush_journal();
+  }
+
+  Now now() {
+    const Duration steady = Waker::steady_now();
+    return {config_.leads_clock ? leader_.now(steady) : follower_.now(steady), steady};
+  }
+
+  bool over() const {
+    const Duration steady = Waker::steady_now();
+    if (config_.leads_clock) return finished_at_ && steady >= *finished_at_ + kLinger;
+    return follower_.phase() == wire::ClockPhase::kFinished;
+  }
+
+  std::optional<Duration> until_next_wakeup() const {
+    std::optional<Duration> next = host_->next_steady_wakeup();
+    const auto sooner = [&](std::optional<Duration> at) {
+      if (at && (!next || *at < *next)) next = at;
+    };
+    if (const auto at = host_->next_mission_wakeup()) {
+      sooner(config_.leads_clock ? leader_.steady_at(*at) : follower_.steady_at(*at));
+    }
+    if (config_.leads_clock) sooner(next_clock_);
+    if (!next) return std::nullopt;
+    return *next - Waker::steady_now();
+  }
+
+  HostPorts ports() {
+    HostPorts ports;
+    ports.journal = [this](const journal::Record& record) { unsent_records_.push_back(record); };
+    ports.start_job = [this](StartJob job) { jobs_.submit(std::move(job)); };
+    ports.finish = [] {};  // the leader sees the mission state that the node publishes
+    ports.world = [this](const wire::Sample& sample) { take_world(sample); };
+    return ports;
+  }
+
+  void take_world(const wire::Sample& sample) {
+    if (const auto* clock = std::get_if<wire::Clock>(&sample)) {
+      follower_.update(*clock, Waker::steady_now());
+    } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&sample)) {
+      if (entry->ready) awaited_.erase(entry->name);
+    } else if (const auto* state = std::get_if<wire::MissionState>(&sample)) {
+      if (state->finished && !finish_at_) {
+        finish_at_ = now().mission + Duration::seconds(kAfterFinish);
+      }
+    }
+  }
+
+  // Says who this is, and whether it has heard everybody it must talk with.
+  void introduce() {
+    wire::DirectoryEntry entry;
+    entry.name = self_.name;
+    entry.role = self_.role;
+    entry.vendor = "fastdds";
+    entry.ready = introduced_as_ready_ = host_->all_peers_heard();
+    entry.process = static_cast<std::uint32_t>(getpid());
+    host_->publish(entry, now());
+  }
+
+  void lead() {
+    const Duration steady = Waker::steady_now();
+    const wire::ClockPhase before = leader_.phase();
+    if (before == wire::ClockPhase::kHolding && awaited_.empty() && introduced_as_ready_) {
+      leader_.run(steady);
+      record_mission("started");
+    } else if (before == wire::ClockPhase::kRunning) {
+      const MissionTime at = leader_.now(steady);
+      if (at >= config_.time_limit) record_mission("time-limit");
+      if (at >= std::min(config_.time_limit, finish_at_.value_or(MissionTime::max()))) {
+        leader_.finish(steady);
+        finished_at_ = steady;
+      }
+    }
+    if (steady < next_clock_ && leader_.phase() == before) return;
+    host_->publish(leader_.sample(steady), now());
+    next_clock_ = steady + kClockPeriod;
+  }
+
+  void record_mission(const char* state) {
+    unsent_records_.push_back(
+        journal::Record(now().mission, self_.name, "mission").with("state", state));
+  }
+
+  // Records wait for the end of a turn: publishing one is not part of what it tells of.
+  void flush_journal() {
+    for (const journal::Record& record : std::exchange(unsent_records_, {})) {
+      if (config_.on_record) config_.on_record(record);
+      wire::JournalEntry entry;
+      entry.record = journal::to_json(record);
+      host_->publish(entry, now());
+    }
+  }
+
+  const Roster& roster_;
+  const Member self_;
+  const DaemonConfig& config_;
+  Waker waker_;  // first: it blocks the signals before the middleware makes its threads
+  blackboard::FastDdsTransport transport_;
+  MissionClock follower_;
+  ClockLeader leader_;
+  JobRunner jobs_;
+  std::unique_ptr<Host> host_;
+  std::vector<journal::Record> unsent_records_;
+  bool introduced_as_ready_ = false;
+  std::set<std::string> awaited_;
+  Duration next_clock_;
+  std::optional<MissionTime> finish_at_;
+  std::optional<Duration> finished_at_;
+};
+
+}  // namespace
+
+Result<DaemonEnd, Failure> run_daemon(const Roster& roster, const Member& self,
+                                      std::unique_ptr<Node> node, const DaemonConfig& config) {
+  Daemon daemon(roster, self, config);
+  return daemon.run(std::move(node));
+}
+
+}  // namespace skein::node

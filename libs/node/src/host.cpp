@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/node/host.hpp"
+
+#include <algorithm>
+
+#include "skein/foundation/contract.hpp"
+
+namespace skein::node {
+
+namespace {
+
+using blackboard::ChannelKind;
+using blackboard::Now;
+
+template <class... Fs>
+struct Overloaded : Fs... {
+  using Fs::operator()...;
+};
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
+
+bool is_radio_peer(const Roster& roster, NodeNumber number) {
+  const Member* member = roster.find(number);
+  return member != nullptr &&
+         (member->role == wire::Role::kGround || member->role == wire::Role::kDdn);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Member& self,
+                                                  std::unique_ptr<Node> node,
+                                                  blackboard::Transport& transport,
+                                                  const HostConfig& config, HostPorts ports) {
+  blackboard::Config board;
+  board.self = self.number;
+  board.incarnation = config.incarnation;
+  board.channels = roster.channels_of(self);
+  board.world_reads = Roster::world_reads_of(self.role);
+  board.heartbeat_period = config.heartbeat_period;
+  board.retransmission =
+      Duration::nanoseconds(config.heartbeat_period.count() + config.heartbeat_period.count() / 2);
+  board.seed = config.seed;
+  auto opened = blackboard::Blackboard::open(std::move(board), transport);
+  if (!opened) return tl::unexpected(opened.error());
+  return std::unique_ptr<Host>(
+      new Host(roster, self, std::move(node), std::move(*opened), config, std::move(ports)));
+}
+
+Host::Host(const Roster& roster, const Member& self, std::unique_ptr<Node> node,
+           blackboard::Blackboard blackboard, const HostConfig& config, HostPorts ports)
+    : roster_(roster),
+      self_(self),
+      node_(std::move(node)),
+      blackboard_(std::move(blackboard)),
+      config_(config),
+      ports_(std::move(ports)) {
+  for (const auto& channel : roster_.channels_of(self_)) {
+    if (channel.kind == ChannelKind::kWorld) continue;
+    peers_.insert(channel.from == self_.number ? channel.to : channel.from);
+  }
+}
+
+void Host::start(Now now) { give(Started{config_.incarnation}, now); }
+
+bool Host::step(Now now) {
+  std::vector<blackboard::Incoming> incoming = blackboard_.step(now);
+  bool busy = !incoming.empty();
+  for (auto& one : incoming) take(std::move(one), now);
+  const auto due = node_->next_wakeup();
+  if (due && *due <= now.mission) {
+    give(Wakeup{}, now);
+    busy = true;
+  }
+  return busy;
+}
+
+void Host::job_done(JobDone done, Now now) { give(std::move(done), now); }
+
+void Host::publish(wire::Sample sample, Now now) {
+  const auto sent = blackboard_.publish(std::move(sample), now);
+  SKEIN_ENSURES(sent.has_value());
+}
+
+bool Host::all_peers_heard() const {
+  return std::all_of(peers_.begin(), peers_.end(), [&](NodeNumber peer) {
+    return heard_.count(peer) > 0 || down_.count(peer) > 0;
+  });
+}
+
+void Host::give(const Input& input, Now now) { carry_out(node_->handle(input, now.mission), now); }
+
+void Host::carry_out(Effects effects, Now now) {
+  for (Effect& effect : effects) {
+    std::visit(Overloaded{[&](Send& one) { send(one, now); },
+                          [&](Publish& one) { publish(std::move(one.sample), now); },
+                          [&](Log& one) { ports_.journal(one.record); },
+                          [&](StartJob& one) { ports_.start_job(std::move(one)); },
+                          [&](Finish&) { ports_.finish(); }},
+               effect);
+  }
+}
+
+void Host::send(const Send& one, Now now) {
+  const wire::Slot slot = wire::slot_of(one.sample);
+  const auto sent = blackboard_.send(one.sample, one.to, now, {one.expires});
+  if (!sent) {
+    ports_.journal(record("unsent", now)
+                       .with("slot", wire::slot_name(slot))
+                       .with("to", roster_.name_of(one.to))
+                       .with("why", blackboard::name_of(sent.error())));
+    return;
+  }
+  const bool radio = is_radio_peer(roster_, one.to) && is_radio_peer(roster_, self_.number);
+  if (radio && wire::slot_class(slot) == wire::SlotClass::kEvent) {
+    log_message(slot, self_.name, roster_.name_of(one.to), *sent, "sent", now);
+  }
+}
+
+void Host::take(blackboard::Incoming incoming, Now now) {
+  std::visit(Overloaded{[&](blackboard::Received& one) { take_received(std::move(one), now); },
+                        [&](blackboard::Reachability& one) {
+                          if (one.reachable) heard_.insert(one.peer);
+                          ports_.journal(record("reach", now)
+                                             .with("peer", roster_.name_of(one.peer))
+                                             .with("reachable", one.reachable));
+                          give(Reachability{one.peer, one.reachable, one.restarted}, now);
+                        },
+                        [&](blackboard::Dropped& one) {
+                          if (!one.first) return;
+                          ports_.journal(record("dropped", now)
+                                             .with("slot", wire::slot_name(one.slot))
+                                             .with("origin", roster_.name_of(one.origin))
+                                             .with("field", one.field)
+                                             .with("why", one.why));
+                        },
+                        [&](blackboard::EventExpired& one) {
+                          ports_.journal(record("expired", now)
+                                             .with("slot", wire::slot_name(one.slot))
+                                             .with("to", roster_.name_of(one.to))
+                                             .with("sequence", one.sequence));
+                          if (one.from == self_.number)
+                            give(Undelivered{one.to, one.slot, one.sequence}, now);
+                        },
+                        [&](blackboard::EventsLost& one) {
+                          ports_.journal(record("lost", now)
+                                             .with("slot", "*")
+                                             .with("to", roster_.name_of(one.to))
+                                             .with("sequence", one.first)
+                                             .with("last", one.last)
+                                             .with("from", roster_.name_of(one.from)));
+                        }},
+             incoming);
+}
+
+void Host::take_received(blackboard::Received received, Now now) {
+  if (const auto* link = std::get_if<wire::LinkState>(&received.sample)) apply(*link, now);
+  if (received.channel == ChannelKind::kWorld) {
+    if (ports_.world) ports_.world(received.sample);
+    return;
+  }
+  const wire::Slot slot = wire::slot_of(received.sample);
+  if (received.channel == ChannelKind::kRadio &&
+      wire::slot_class(slot) == wire::SlotClass::kEvent) {
+    log_message(slot, roster_.name_of(received.origin), self_.name,
+                wire::header_of(received.sample).sequence_number, "received", now);
+  }
+  give(Received{received.origin, std::move(received.sample)}, now);
+}
+
+void Host::apply(const wire::LinkState& link, Now now) {
+  const NodeNumber from(link.from);
+  const NodeNumber to(link.to);
+  if (from != self_.number && to != self_.number) return;
+  const NodeNumber peer = from == self_.number ? to : from;
+  if (link.up) {
+    down_.erase(peer);
+  } else {
+    down_.insert(peer);
+  }
+  blackboard::ChannelCondition condition;
+  condition.up = link.up;
+  condition.latency = Duration::seconds(static_cast<double>(link.latency) * 1e-9 / config_.rate);
+  condition.loss = link.loss;
+  blackboard_.set_condition(from, to, condition, now);
+}
+
+void Host::log_message(wire::Slot slot, const std::string& from, const std::string& to,
+                       std::uint64_t sequence, const char* direction, Now now) {
+  ports_.journal(record("message", now)
+                     .with("slot", wire::slot_name(slot))
+                     .with("from", from)
+                     .with("to", to)
+                     .with("sequence", sequence)
+                     .with("direction", direction));
+}
+
+journal::Record Host::record(const char* kind, Now now) const {
+  return {now.mission, self_.name, kind};
+}
+
+}  // namespace skein::node

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs a node's jobs in a thread of their own.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "skein/node/node.hpp"
+
+namespace skein::node {
+
+/// One thread, jobs in order of arrival. `submit` and `take_done` are for the daemon's loop;
+/// `notify` is called from the job thread after each job. Destruction waits for the job that runs
+/// and drops those that wait.
+class JobRunner {
+ public:
+  explicit JobRunner(std::function<void()> notify);
+  JobRunner(const JobRunner&) = delete;
+  JobRunner& operator=(const JobRunner&) = delete;
+  ~JobRunner();
+
+  void submit(StartJob job);
+  std::vector<JobDone> take_done();
+
+ private:
+  void work();
+
+  std::function<void()> notify_;
+  std::mutex mutex_;  ///< guards the four below
+  std::condition_variable changed_;
+  std::deque<StartJob> waiting_;
+  std::vector<JobDone> done_;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+}  // namespace skein::node

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/node/mission_clock.hpp"
+
+#include <algorithm>
+
+namespace skein::node {
+
+namespace {
+
+/// How fast an estimate made early gives way [mission s per steady s]: faster than crystals drift,
+/// slower than anything notices.
+constexpr double kGivingWay = 1e-3;
+
+}  // namespace
+
+double MissionClock::estimate(Duration steady) const {
+  const double s = steady.to_seconds();
+  return rate_ * s + offset_ - kGivingWay * (s - updated_);
+}
+
+void MissionClock::update(const wire::Clock& sample, Duration steady) {
+  const MissionTime time = MissionTime::nanoseconds(sample.time);
+  const double implied = time.to_seconds() - sample.rate * steady.to_seconds();
+  const bool first = phase_ != wire::ClockPhase::kRunning || sample.rate != rate_;
+  if (first || rate_ * steady.to_seconds() + implied >= estimate(steady)) {
+    offset_ = implied;
+    updated_ = steady.to_seconds();
+  }
+  phase_ = sample.phase;
+  rate_ = sample.rate;
+  held_ = time;
+}
+
+MissionTime MissionClock::now(Duration steady) {
+  const MissionTime at =
+      phase_ == wire::ClockPhase::kRunning ? MissionTime::seconds(estimate(steady)) : held_;
+  last_ = std::max(last_, at);
+  return last_;
+}
+
+std::optional<Duration> MissionClock::steady_at(MissionTime at) const {
+  if (phase_ != wire::ClockPhase::kRunning) return std::nullopt;
+  return Duration::seconds((at.to_seconds() - offset_ - kGivingWay * updated_) /
+                           (rate_ - kGivingWay));
+}
+
+void ClockLeader::run(Duration steady) {
+  if (phase_ != wire::ClockPhase::kHolding) return;
+  phase_ = wire::ClockPhase::kRunning;
+  started_ = steady;
+}
+
+void ClockLeader::finish(Duration steady) {
+  finished_ = now(steady);
+  phase_ = wire::ClockPhase::kFinished;
+}
+
+MissionTime ClockLeader::now(Duration steady) const {
+  if (phase_ == wire::ClockPhase::kHolding) return {};
+  if (phase_ == wire::ClockPhase::kFinished) return finished_;
+  return MissionTime::seconds((steady - started_).to_seconds() * rate_);
+}
+
+std::optional<Duration> ClockLeader::steady_at(MissionTime at) const {
+  if (phase_ != wire::ClockPhase::kRunning) return std::nullopt;
+  return started_ + Duration::seconds(at.to_seconds() / rate_);
+}
+
+wire::Clock ClockLeader::sample(Duration steady) const {
+  wire::Clock clock;
+  clock.time = now(steady).count();
+  clock.rate = rate_;
+  clock.phase = phase_;
+  return clock;
+}
+
+}  // namespace skein::node

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/node/roster.hpp"
+
+#include <algorithm>
+
+namespace skein::node {
+
+namespace {
+
+using wire::Role;
+using wire::Slot;
+
+constexpr std::uint32_t kFirstUav = 10;
+
+bool on_radio(const Member& member) {
+  return member.role == Role::kGround || member.role == Role::kDdn;
+}
+
+blackboard::Node as_node(const Member& member) { return {member.number, member.name}; }
+
+}  // namespace
+
+Roster::Roster(const std::vector<std::string>& uavs)
+    : members_{{"ground", Role::kGround, NodeNumber(1)},
+               {"sim", Role::kSim, NodeNumber(2)},
+               {"runner", Role::kRunner, NodeNumber(3)}} {
+  std::uint32_t number = kFirstUav;
+  for (const std::string& uav : uavs) members_.push_back({uav, Role::kDdn, NodeNumber(number++)});
+}
+
+const Member* Roster::find(std::string_view name) const {
+  const auto found = std::find_if(members_.begin(), members_.end(),
+                                  [&](const Member& member) { return member.name == name; });
+  return found == members_.end() ? nullptr : &*found;
+}
+
+const Member* Roster::find(NodeNumber number) const {
+  const auto found = std::find_if(members_.begin(), members_.end(),
+                                  [&](const Member& member) { return member.number == number; });
+  return found == members_.end() ? nullptr : &*found;
+}
+
+std::string Roster::name_of(NodeNumber number) const {
+  const Member* member = find(number);
+  return member == nullptr ? "node " + to_text(number) : member->name;
+}
+
+std::vector<blackboard::ChannelConfig> Roster::channels_of(const Member& member) const {
+  std::vector<blackboard::ChannelConfig> channels{blackboard::world_channel()};
+  const auto add = [&](const std::vector<blackboard::ChannelConfig>& link) {
+    channels.insert(channels.end(), link.begin(), link.end());
+  };
+  for (const Member& other : members_) {
+    if (other.number == member.number) continue;
+    if (on_radio(member) && on_radio(other)) {
+      add(blackboard::radio_link(as_node(member), as_node(other)));
+    } else if (member.role == Role::kDdn && other.role == Role::kSim) {
+      add(blackboard::onboard_link(as_node(member), as_node(other)));
+    } else if (member.role == Role::kSim && other.role == Role::kDdn) {
+      add(blackboard::onboard_link(as_node(other), as_node(member)));
+    }
+  }
+  return channels;
+}
+
+std::vector<wire::Slot> Roster::world_reads_of(wire::Role role) {
+  switch (role) {
+    case Role::kGround:
+    case Role::kDdn:
+      return {Slot::kClock, Slot::kLinkState};
+    case Role::kSim:
+      return {Slot::kDirectoryEntry, Slot::kMissionState};
+    default:
+      break;
+  }
+  return {Slot::kDirectoryEntry, Slot::kClock,        Slot::kLinkState,
+          Slot::kMissionState,   Slot::kJournalEntry, Slot::kTruth};
+}
+
+}  // namespace skein::node

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/node/virtual_runtime.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "skein/blackboard/memory_transport.hpp"
+#include "skein/foundation/contract.hpp"
+
+namespace skein::node {
+
+namespace {
+
+using blackboard::Now;
+using End = VirtualOutcome::End;
+
+/// More rounds than this at one instant means that nodes answer each other for ever.
+constexpr int kMaximumRounds = 100'000;
+
+class VirtualRun {
+ public:
+  VirtualRun(const Roster& roster, const NodeFactory& make_node, const VirtualConfig& config,
+             const std::function<void(const journal::Record&)>& journal)
+      : roster_(roster), make_node_(make_node), config_(config), journal_(journal) {
+    for (const Member& member : roster.members()) {
+      if (member.role != wire::Role::kRunner) seats_.emplace_back().member = &member;
+    }
+    for (const Crash& crash : config.crashes) plan_crash(crash);
+  }
+
+  VirtualOutcome run(const std::function<bool(MissionTime)>& keep_going) {
+    for (Seat& seat : seats_) start(seat);
+    MissionTime next_question;
+    while (true) {
+      settle();
+      const auto next = next_instant();
+      if (!next) return outcome(End::kNothingLeftToDo);
+      if (*next > stop_at_) return outcome(finished_ ? End::kFinished : End::kTimeLimit);
+      now_ = std::max(now_, *next);
+      if (keep_going && now_ >= next_question) {
+        next_question = now_ + Duration::seconds(1);
+        if (!keep_going(now_)) return outcome(End::kStopped);
+      }
+    }
+  }
+
+ private:
+  // A node's place in the system; it is empty while the node is dead.
+  struct Seat {
+    const Member* member = nullptr;
+    std::uint64_t incarnation = 0;
+    std::unique_ptr<blackboard::MemoryTransport> transport;
+    std::unique_ptr<Host> host;
+  };
+  struct Job {
+    std::string node;
+    std::uint64_t incarnation = 0;
+    JobDone done;
+  };
+
+  Now now() const { return {now_, now_ - MissionTime()}; }
+
+  VirtualOutcome outcome(End end) const { return {end, std::min(now_, stop_at_), steps_}; }
+
+  void plan_crash(const Crash& crash) {
+    faults_.emplace(crash.at, [this, node = crash.node] { kill(seat_of(node)); });
+    if (!crash.restart) return;
+    faults_.emplace(*crash.restart, [this, node = crash.node] {
+      log_fault("restart", node);
+      start(seat_of(node));
+    });
+  }
+
+  Seat& seat_of(const std::string& name) {
+    const auto found = std::find_if(seats_.begin(), seats_.end(),
+                                    [&](const Seat& seat) { return seat.member->name == name; });
+    SKEIN_EXPECTS(found != seats_.end());
+    return *found;
+  }
+
+  void log_fault(const char* what, const std::string& target) {
+    journal_(journal::Record(now_, "runner", "fault").with("what", what).with("target", target));
+  }
+
+  void kill(Seat& seat) {
+    log_fault("kill", seat.member->name);
+    seat.host.reset();
+    seat.transport.reset();
+  }
+
+  void start(Seat& seat) {
+    ++seat.incarnation;
+    seat.transport = std::make_unique<blackboard::MemoryTransport>(hub_);
+    HostConfig config;
+    config.incarnation = seat.incarnation;
+    config.heartbeat_period = config_.heartbeat_period;
+    config.seed = config_.seed;
+    auto host = Host::open(roster_, *seat.member, make_node_(seat.member->name), *seat.transport,
+                           config, ports_of(seat));
+    SKEIN_ENSURES(host.has_value());
+    seat.host = std::move(*host);
+    seat.host->start(now());
+  }
+
+  HostPorts ports_of(const Seat& seat) {
+    HostPorts ports;
+    ports.journal = journal_;
+    ports.finish = [this] { finish(); };
+    ports.start_job = [this, name = seat.member->name, life = seat.incarnation](StartJob job) {
+      jobs_.emplace(now_ + config_.job_latency, Job{name, life, {job.id, job.work()}});
+    };
+    return ports;
+  }
+
+  void finish() {
+    if (finished_) return;
+    finished_ = true;
+    stop_at_ = std::min(stop_at_, now_ + config_.after_finish);
+  }
+
+  // Everything that happens at this instant: faults, then job results, then hosts until all are
+  // quiet.
+  void settle() {
+    for (; !faults_.empty() && faults_.begin()->first <= now_; faults_.erase(faults_.begin())) {
+      const auto fault = faults_.begin()->second;
+      fault();
+    }
+    for (; !jobs_.empty() && jobs_.begin()->first <= now_; jobs_.erase(jobs_.begin())) {
+      Job job = jobs_.begin()->second;
+      Seat& seat = seat_of(job.node);
+      if (seat.host && seat.incarnation == job.incarnation) seat.host->job_done(job.done, now());
+    }
+    int rounds = 0;
+    for (bool busy = true; busy; SKEIN_ENSURES(++rounds < kMaximumRounds)) {
+      busy = false;
+      for (Seat& seat : seats_) busy = (seat.host && step(seat)) || busy;
+    }
+  }
+
+  bool step(Seat& seat) {
+    ++steps_;
+    return seat.host->step(now());
+  }
+
+  std::optional<MissionTime> next_instant() const {
+    std::optional<MissionTime> next;
+    for (const Seat& seat : seats_) {
+      if (!seat.host) continue;
+      next = earliest(next, seat.host->next_mission_wakeup());
+      if (const auto steady = seat.host->next_steady_wakeup()) {
+        next = earliest(next, MissionTime() + *steady);
+      }
+    }
+    if (!faults_.empty()) next = earliest(next, faults_.begin()->first);
+    if (!jobs_.empty()) next = earliest(next, jobs_.begin()->first);
+    return next;
+  }
+
+  const Roster& roster_;
+  const NodeFactory& make_node_;
+  const VirtualConfig& config_;
+  const std::function<void(const journal::Record&)>& journal_;
+  blackboard::MemoryHub hub_;
+  std::vector<Seat> seats_;
+  std::multimap<MissionTime, std::function<void()>> faults_;
+  std::multimap<MissionTime, Job> jobs_;
+  MissionTime now_;
+  MissionTime stop_at_ = config_.time_limit;
+  bool finished_ = false;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace
+
+VirtualOutcome run_virtual(const Roster& roster, const NodeFactory& make_node,
+                           const VirtualConfig& config,
+                           const std::function<void(const journal::Record&)>& journal,
+                           const std::function<bool(MissionTime)>& keep_going) {
+  return VirtualRun(roster, make_node, config, journal).run(keep_going);
+}
+
+}  // namespace skein::node

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of the page. Each writes finished markup; none depends on another.
+#pragma once
+
+#include <string>
+
+#include "chronology.hpp"
+#include "markup.hpp"
+#include "plot.hpp"
+#include "skein/report/journal.hpp"
+#include "skein/report/run_info.hpp"
+#include "statistics.hpp"
+
+namespace skein::report {
+
+/// Everything a view may show.
+struct Run {
+  const RunInfo& info;
+  const Journal& journal;
+  const Chronology& story;
+  const Statistics& figures;
+};
+
+/// How many distinct colours the style sheet has for UAVs (classes u0, u1, …).
+inline constexpr std::size_t kUavColours = 8;
+
+/// The class that gives a UAV its colour: "u3".
+std::string colour_class(std::size_t uav);
+
+/// The local frame on the map's pixels, the same scale on both axes.
+struct MapFrame {
+  Extents view;
+  double width = 0.0;   ///< [px]
+  double height = 0.0;  ///< [px]
+  double scale = 1.0;   ///< [px/m]
+  Point operator()(double east, double north) const {
+    return {(east - view.west) * scale, (view.north - north) * scale};
+  }
+  Point operator()(const Position& p) const { return (*this)(p.x, p.y); }
+};
+
+/// Frames all that happened, with a margin; the given extents when nothing did.
+MapFrame frame_map(const RunInfo& info, const Chronology& story);
+
+void write_map(Markup& out, const Run& run, const MapFrame& frame);
+void write_map_legend(Markup& out, const Run& run);
+
+/// So many messages are drawn only on request: they would hide the rest.
+bool hides_messages(const Chronology& story);
+
+/// The drawing with the common time axis: tasks, links, profiles.
+void write_timeline(Markup& out, const Run& run);
+void write_timeline_legend(Markup& out);
+
+void write_header(Markup& out, const Run& run);
+void write_expectations(Markup& out, const Run& run);
+void write_live_table(Markup& out, const Run& run);
+void write_uav_table(Markup& out, const Run& run);
+void write_message_table(Markup& out, const Run& run);
+void write_link_table(Markup& out, const Run& run);
+void write_event_list(Markup& out, const Run& run);
+
+/// The tracks and tasks that the page's script needs, as JSON.
+std::string page_data(const Run& run, const MapFrame& frame);
+
+}  // namespace skein::report

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a scenario expects of a run, checked on its event log.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "skein/foundation/time.hpp"
+#include "skein/journal/record.hpp"
+
+namespace skein::scenario {
+
+/// Matches a record when, for every key, the record's field equals one of the values. `node` and
+/// `kind` are keys like the others; whole and fractional numbers compare by value.
+struct Pattern {
+  std::vector<std::pair<std::string, std::vector<journal::Value>>> fields;
+  bool matches(const journal::Record& record) const;
+  bool operator==(const Pattern&) const = default;
+};
+
+/// "{kind: task, uav: marvin, state: ended}": as a user would write it.
+std::string to_text(const Pattern& pattern);
+
+/// When a match counts: within [from, until], and, if `after` is given, not before the first record
+/// that matches it and no later than `within` of it.
+struct Window {
+  MissionTime from;
+  MissionTime until = MissionTime::max();
+  std::optional<Pattern> after;
+  std::optional<Duration> within;
+  std::optional<Pattern> before;  ///< not after the first record that matches it
+};
+
+/// At least `at_least` and at most `at_most` matching records in the window.
+struct ExpectEvent {
+  Pattern event;
+  Window window;
+  std::size_t at_least = 1;
+  std::optional<std::size_t> at_most;
+};
+
+/// The last record that matches `of` also matches `is`.
+struct ExpectFinally {
+  Pattern of;
+  Pattern is;
+};
+
+/// A figure of the whole run within bounds.
+struct ExpectMeasure {
+  enum class Quantity {
+    kMinimumSeparation,  ///< [m] between any two of the UAVs while both are airborne, from
+                         ///< telemetry
+    kDistanceFlown,      ///< [m] by all of the UAVs together
+    kMissionDuration,    ///< [s] until the mission finished
+    kEnergyLeft          ///< [0, 1], the least of the UAVs' at the end
+  };
+  Quantity quantity = Quantity::kMinimumSeparation;
+  std::vector<std::string> uavs;
+  std::optional<double> at_least;
+  std::optional<double> at_most;
+};
+
+/// One named expectation. "never" is an event expected at most zero times. Source: spec 8.1.
+struct Expectation {
+  std::string name;
+  std::variant<ExpectEvent, ExpectFinally, ExpectMeasure> what;
+};
+
+struct Verdict {
+  std::string name;
+  bool passed = false;
+  std::string seen;  ///< for people: what was found, or what was there instead
+};
+
+/// One verdict per expectation, in order. `records` are in the order of the log, times never
+/// decreasing. Cost: O(expectations × records).
+std::vector<Verdict> check(const std::vector<Expectation>& expectations,
+                           const std::vector<journal::Record>& records);
+
+}  // namespace skein::scenario

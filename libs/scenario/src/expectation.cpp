@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/scenario/expectation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "measures.hpp"
+
+namespace skein::scenario {
+
+namespace {
+
+using Records = std::vector<journal::Record>;
+
+std::optional<MissionTime> first_match(const Pattern& pattern, const Records& records) {
+  const auto found = std::find_if(records.begin(), records.end(),
+                                  [&](const auto& record) { return pattern.matches(record); });
+  return found == records.end() ? std::nullopt : std::optional<MissionTime>(found->at());
+}
+
+struct Interval {
+  MissionTime from;
+  MissionTime until;
+};
+
+// The instants that count, or why there are none.
+tl::expected<Interval, std::string> interval_of(const Window& window, const Records& records) {
+  Interval interval{window.from, window.until};
+  if (window.after) {
+    const auto reference = first_match(*window.after, records);
+    if (!reference) return tl::unexpected<std::string>("never saw " + to_text(*window.after));
+    interval.from = std::max(interval.from, *reference);
+    if (window.within) interval.until = std::min(interval.until, *reference + *window.within);
+  }
+  if (window.before) {
+    const auto reference = first_match(*window.before, records);
+    if (reference) interval.until = std::min(interval.until, *reference);
+  }
+  return interval;
+}
+
+std::string interval_text(const Interval& interval) {
+  std::string text = "from " + to_text(interval.from) + " s";
+  if (interval.until != MissionTime::max()) text += " until " + to_text(interval.until) + " s";
+  return text;
+}
+
+std::string bounds_text(const ExpectEvent& expected) {
+  if (!expected.at_most) return "at least " + std::to_string(expected.at_least);
+  if (*expected.at_most == expected.at_least) return "exactly " + std::to_string(expected.at_least);
+  return std::to_string(expected.at_least) + " to " + std::to_string(*expected.at_most);
+}
+
+Verdict check_event(const ExpectEvent& expected, const Records& records) {
+  const auto interval = interval_of(expected.window, records);
+  if (!interval) return {"", expected.at_most == std::size_t{0}, interval.error()};
+  std::size_t inside = 0;
+  std::string first_inside, first_outside;
+  for (const auto& record : records) {
+    if (!expected.event.matches(record)) continue;
+    const bool counts = record.at() >= interval->from && record.at() <= interval->until;
+    if (counts && ++inside == 1) first_inside = to_text(record.at());
+    if (!counts && first_outside.empty()) first_outside = to_text(record.at());
+  }
+  const bool passed =
+      inside >= expected.at_least && (!expected.at_most || inside <= *expected.at_most);
+  std::string seen = std::to_string(inside) + " times";
+  if (inside == 1) seen = "once";
+  if (inside > 0) seen += std::string(inside > 1 ? ", first" : "") + " at " + first_inside + " s";
+  if (!passed)
+    seen += "; expected " + bounds_text(expected) + " of " + to_text(expected.event) + " " +
+            interval_text(*interval);
+  if (!passed && !first_outside.empty()) seen += "; outside of that at " + first_outside + " s";
+  return {"", passed, seen};
+}
+
+Verdict check_finally(const ExpectFinally& expected, const Records& records) {
+  const auto last = std::find_if(records.rbegin(), records.rend(),
+                                 [&](const auto& record) { return expected.of.matches(record); });
+  if (last == records.rend()) return {"", false, "never saw " + to_text(expected.of)};
+  return {"", expected.is.matches(*last), "last: " + journal::to_json(*last)};
+}
+
+Verdict check_measure(const ExpectMeasure& expected, const Records& records) {
+  const auto value = measure(expected.quantity, expected.uavs, records);
+  if (!value) return {"", false, "nothing to measure: " + value.error()};
+  const bool passed = (!expected.at_least || *value >= *expected.at_least) &&
+                      (!expected.at_most || *value <= *expected.at_most);
+  const double rounded = std::round(*value * 1000) / 1000;
+  std::string number = std::to_string(rounded);
+  number.erase(number.find_last_not_of('0') + 1);
+  if (number.back() == '.') number.pop_back();
+  return {"", passed, number};
+}
+
+struct Checker {
+  const Records& records;
+  Verdict operator()(const ExpectEvent& e) const { return check_event(e, records); }
+  Verdict operator()(const ExpectFinally& e) const { return check_finally(e, records); }
+  Verdict operator()(const ExpectMeasure& e) const { return check_measure(e, records); }
+};
+
+}  // namespace
+
+std::vector<Verdict> check(const std::vector<Expectation>& expectations,
+                           const std::vector<journal::Record>& records) {
+  std::vector<Verdict> verdicts;
+  for (const Expectation& expectation : expectations) {
+    Verdict verdict = std::visit(Checker{records}, expectation.what);
+    verdict.name = expectation.name;
+    verdicts.push_back(std::move(verdict));
+  }
+  return verdicts;
+}
+
+}  // namespace skein::scenario

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// The expectations of a scenario file.
+#include <algorithm>
+
+#include "reading.hpp"
+
+namespace skein::scenario {
+
+namespace {
+
+using config::Reader;
+using config::Value;
+
+// What a plain scalar of a pattern means: a truth value, a whole number, a number, else text.
+journal::Value value_of(const Reader& reader) {
+  Diagnostics unused;
+  Value scalar;
+  scalar.kind = Value::Kind::kScalar;
+  scalar.scalar = reader.text();
+  const auto reads = [&](auto read) {
+    Diagnostics errors;
+    const auto value = read(Reader(scalar, "", errors));
+    return errors.empty() ? std::optional<journal::Value>(value) : std::nullopt;
+  };
+  if (scalar.scalar == "true" || scalar.scalar == "false") return scalar.scalar == "true";
+  if (const auto whole = reads([](const Reader& r) { return journal::Value(r.integer()); })) {
+    return *whole;
+  }
+  if (const auto number = reads([](const Reader& r) { return journal::Value(r.number()); })) {
+    return *number;
+  }
+  return scalar.scalar;
+}
+
+Pattern read_pattern(const Reader& reader, const Names& names) {
+  static const std::vector<std::string> kKinds{
+      "task",    "request",    "command", "sync", "message", "link",     "reach",   "telemetry",
+      "object",  "perception", "alarm",   "step", "phase",   "operator", "degree",  "fault",
+      "process", "dropped",    "expired", "lost", "unsent",  "mission",  "contact", "notice"};
+  Pattern pattern;
+  for (const auto& [key, field] : reader.entries()) {
+    std::vector<journal::Value> values;
+    if (key == "kind") (void)field.name_among(kKinds, "a kind of record (docs/journal.md)");
+    if (key == "uav" && field.is_scalar()) (void)field.name_among(names.uavs, "a UAV");
+    if (field.is_sequence()) {
+      for (const Reader& item : field.items()) values.push_back(value_of(item));
+    } else {
+      values.push_back(value_of(field));
+    }
+    pattern.fields.emplace_back(key, std::move(values));
+  }
+  if (reader.present() && pattern.fields.empty()) reader.error("an empty pattern matches anything");
+  return pattern;
+}
+
+Window read_window(const Reader& reader, const Names& names) {
+  Window window;
+  window.from = read_instant(reader.optional("from"));
+  window.until = read_instant(reader.optional("until"), MissionTime::max());
+  if (const Reader after = reader.optional("after"); after.present()) {
+    window.after = read_pattern(after, names);
+  }
+  if (const Reader before = reader.optional("before"); before.present()) {
+    window.before = read_pattern(before, names);
+  }
+  if (const Reader within = reader.optional("within"); within.present()) {
+    window.within = read_seconds(within);
+    if (!window.after) within.error("'within' counts from 'after', which is missing");
+  }
+  if (window.until < window.from) reader.error("a window that ends before it begins");
+  return window;
+}
+
+ExpectEvent read_event(const Reader& reader, const Names& names) {
+  ExpectEvent expected;
+  expected.event = read_pattern(reader.required("event"), names);
+  expected.window = read_window(reader, names);
+  const Reader count = reader.optional("count");
+  if (count.is_map()) {
+    count.keys({"at_least", "at_most"});
+    expected.at_least = static_cast<std::size_t>(count.optional("at_least").integer(0, 0, 1 << 30));
+    if (count.optional("at_most").present()) {
+      expected.at_most = static_cast<std::size_t>(count.optional("at_most").integer(0, 0, 1 << 30));
+    }
+  } else if (count.present()) {
+    expected.at_least = static_cast<std::size_t>(count.integer(1, 0, 1 << 30));
+    expected.at_most = expected.at_least;
+  }
+  return expected;
+}
+
+ExpectMeasure read_measure(const Reader& reader, const Names& names) {
+  ExpectMeasure expected;
+  expected.quantity = static_cast<ExpectMeasure::Quantity>(reader.required("measure").choice(
+      {"minimum-separation", "distance-flown", "mission-duration", "energy-left"}));
+  for (const Reader& uav : reader.optional("uavs").items()) {
+    expected.uavs.push_back(uav.name_among(names.uavs, "a UAV"));
+  }
+  const Reader low = reader.optional("at_least");
+  const Reader high = reader.optional("at_most");
+  if (low.present()) expected.at_least = low.number();
+  if (high.present()) expected.at_most = high.number();
+  if (!low.present() && !high.present())
+    reader.error("a measure without bounds", "at_least, at_most");
+  return expected;
+}
+
+ExpectEvent read_never(const Reader& reader, const Names& names) {
+  ExpectEvent expected;
+  expected.event = read_pattern(reader.required("never"), names);
+  expected.window = read_window(reader, names);
+  expected.at_least = 0;
+  expected.at_most = 0;
+  return expected;
+}
+
+}  // namespace
+
+void read_expectations(const Reader& reader, const Names& names,
+                       std::vector<Expectation>& expectations) {
+  for (const Reader& item : reader.items()) {
+    Expectation expectation;
+    expectation.name = item.required("name").text();
+    if (item.optional("event").present()) {
+      item.keys({"name", "event", "from", "until", "after", "before", "within", "count"});
+      expectation.what = read_event(item, names);
+    } else if (item.optional("never").present()) {
+      item.keys({"name", "never", "from", "until", "after", "before", "within"});
+      expectation.what = read_never(item, names);
+    } else if (item.optional("finally").present()) {
+      item.keys({"name", "finally", "is"});
+      expectation.what = ExpectFinally{read_pattern(item.required("finally"), names),
+                                       read_pattern(item.required("is"), names)};
+    } else if (item.optional("measure").present()) {
+      item.keys({"name", "measure", "uavs", "at_least", "at_most"});
+      expectation.what = read_measure(item, names);
+    } else {
+      item.error("an expectation of no kind", "one of event, never, finally, measure");
+    }
+    expectations.push_back(std::move(expectation));
+  }
+}
+
+}  // namespace skein::scenario

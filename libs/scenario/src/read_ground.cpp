@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ground station's part of a scenario file: its script and its perception processing.
+#include <set>
+
+#include "read_tasks.hpp"
+
+namespace skein::scenario {
+
+namespace {
+
+using config::Reader;
+using ground_station::Action;
+using ground_station::Trigger;
+
+Trigger read_trigger(const Reader& reader, const Names& names);
+
+std::vector<Trigger> read_triggers(const Reader& reader, const Names& names) {
+  std::vector<Trigger> triggers;
+  for (const Reader& item : reader.items()) triggers.push_back(read_trigger(item, names));
+  return triggers;
+}
+
+ground_station::OnTask read_on_task(const Reader& reader, const Names& names) {
+  reader.keys({"uav", "id", "state"});
+  return {reader.required("uav").name_among(names.uavs, "a UAV"),
+          read_task_id(reader.required("id")), read_task_state(reader.required("state"))};
+}
+
+Trigger read_trigger(const Reader& reader, const Names& names) {
+  reader.keys({"time", "alarm", "task", "operator", "step", "restart", "all", "any"});
+  if (reader.is_map() && reader.entries().size() != 1) {
+    reader.error("a trigger is one thing", "all: [...] or any: [...] for several");
+  }
+  const auto given = [&](const char* key) { return reader.optional(key).present(); };
+  if (given("time")) return {ground_station::AtTime{read_instant(reader.optional("time"))}};
+  if (given("alarm")) {
+    return {ground_station::OnAlarm{static_cast<ground_station::AlarmState>(
+        reader.optional("alarm").choice({"raised", "confirmed", "infirmed"}))}};
+  }
+  if (given("task")) return {read_on_task(reader.optional("task"), names)};
+  if (given("operator")) return {ground_station::OnOperator{reader.optional("operator").text()}};
+  if (given("step")) return {ground_station::OnStep{reader.optional("step").text()}};
+  if (given("restart")) {
+    return {ground_station::OnRestart{reader.optional("restart").name_among(names.uavs, "a UAV")}};
+  }
+  if (given("all")) return {ground_station::AllOf{read_triggers(reader.optional("all"), names)}};
+  if (given("any")) return {ground_station::AnyOf{read_triggers(reader.optional("any"), names)}};
+  if (!reader.is_map()) reader.error("a trigger of no kind", "a map such as {alarm: raised}");
+  return {ground_station::AnyOf{}};
+}
+
+std::string read_uav(const Reader& reader, const TaskContext& context) {
+  return reader.required("uav").name_among(context.names.uavs, "a UAV");
+}
+
+Action read_plan(const Reader& reader, const TaskContext& context) {
+  reader.keys({"uav", "tasks"});
+  ground_station::SendPlan plan{read_uav(reader, context), {}};
+  for (const Reader& task : reader.required("tasks").items()) {
+    plan.tasks.push_back(read_task(task, context));
+  }
+  return plan;
+}
+
+Action read_abort(const Reader& reader, const TaskContext& context) {
+  reader.keys({"uav", "tasks"});
+  ground_station::AbortTasks abort{read_uav(reader, context), std::nullopt};
+  const Reader tasks = reader.optional("tasks");
+  if (tasks.is_scalar()) {
+    (void)tasks.choice({"all"});
+  } else if (tasks.present()) {
+    abort.tasks.emplace();
+    for (const Reader& id : tasks.items()) abort.tasks->push_back(read_task_id(id));
+  }
+  return abort;
+}
+
+Action read_update(const Reader& reader, const TaskContext& context) {
+  reader.keys({"uav", "id", "pre", "exit"});
+  ground_station::UpdateConditions result{read_uav(reader, context), {}};
+  result.update.id = read_task_id(reader.required("id"));
+  const Reader pre = reader.optional("pre");
+  const Reader exit = reader.optional("exit");
+  if (pre.present()) result.update.preconditions = read_formula(pre);
+  if (exit.present()) result.update.exit = read_formula(exit);
+  return result;
+}
+
+std::vector<Action> read_actions(const Reader& reader, const TaskContext& context) {
+  std::vector<Action> actions;
+  for (const Reader& item : reader.items()) {
+    item.keys({"plan", "abort", "message", "update", "finish"});
+    if (const Reader plan = item.optional("plan"); plan.present()) {
+      actions.push_back(read_plan(plan, context));
+    } else if (const Reader abort = item.optional("abort"); abort.present()) {
+      actions.push_back(read_abort(abort, context));
+    } else if (const Reader message = item.optional("message"); message.present()) {
+      message.keys({"uav", "text"});
+      actions.push_back(
+          ground_station::SendMessage{read_uav(message, context), message.required("text").text()});
+    } else if (const Reader update = item.optional("update"); update.present()) {
+      actions.push_back(read_update(update, context));
+    } else if (item.optional("finish").boolean(false)) {
+      actions.push_back(ground_station::Finish{});
+    } else {
+      item.error("an action of no kind", "one of plan, abort, message, update, finish: true");
+    }
+  }
+  return actions;
+}
+
+ground_station::Step read_step(const Reader& reader, const TaskContext& context) {
+  reader.keys({"step", "phase", "when", "after", "do", "repeats"});
+  ground_station::Step step;
+  step.name = reader.required("step").text();
+  step.phase = reader.optional("phase").text();
+  step.when = read_trigger(reader.required("when"), context.names);
+  step.after = read_seconds(reader.optional("after"));
+  step.actions = read_actions(reader.optional("do"), context);
+  step.once = !reader.optional("repeats").boolean(false);
+  return step;
+}
+
+ground_station::OperatorAction read_operator(const Reader& reader, const TaskContext& context) {
+  reader.keys({"does", "when", "after", "do"});
+  ground_station::OperatorAction action;
+  action.does = reader.required("does").text();
+  action.when = read_trigger(reader.required("when"), context.names);
+  action.after = read_seconds(reader.optional("after"));
+  action.actions = read_actions(reader.optional("do"), context);
+  return action;
+}
+
+// Ids are unique within a UAV for the whole mission; one given twice in one script is a mistake
+// that would only show in flight.
+void check_ids(const Reader& reader, const ground_station::Script& script) {
+  std::set<std::pair<std::string, executive::TaskId>> seen;
+  const auto check = [&](const std::vector<Action>& actions) {
+    for (const Action& action : actions) {
+      const auto* plan = std::get_if<ground_station::SendPlan>(&action);
+      if (plan == nullptr) continue;
+      for (const auto& planned : plan->tasks) {
+        if (seen.emplace(plan->uav, planned.task.id).second) continue;
+        reader.error("task " + to_text(planned.task.id) + " of " + plan->uav +
+                     " is planned twice; ids are unique for the whole mission");
+      }
+    }
+  };
+  for (const auto& step : script.steps) check(step.actions);
+  for (const auto& action : script.operators) check(action.actions);
+}
+
+}  // namespace
+
+void read_pps(const Reader& reader, ground_station::PpsConfig& pps) {
+  if (!reader.keys({"prior", "raise", "confirm", "infirm", "gate", "forget"})) return;
+  pps.prior = reader.optional("prior").number(pps.prior, {0, 1, ""});
+  pps.raise = reader.optional("raise").number(pps.raise, {0, 1, ""});
+  pps.confirm = reader.optional("confirm").number(pps.confirm, {0, 1, ""});
+  pps.infirm = reader.optional("infirm").number(pps.infirm, {0, 1, ""});
+  pps.gate = reader.optional("gate").number(pps.gate, {0.1, 100, "standard deviations"});
+  pps.forget = read_seconds(reader.optional("forget"), pps.forget);
+  for (const std::string& problem : ground_station::problems_of(pps)) reader.error(problem);
+}
+
+void read_script(const Reader& ground, const Scenario& scenario, ground_station::Script& script) {
+  // A terrain that cannot be made was already reported; tasks are then read over level ground.
+  world::TerrainSpec level;
+  level.west = level.south = -1000;
+  level.east = level.north = 1000;
+  const bool usable = world::problems_of(scenario.world.terrain).empty();
+  const world::Terrain terrain(usable ? scenario.world.terrain : level);
+  const TaskContext context{scenario, names_of(scenario), terrain};
+  for (const Reader& step : ground.required("script").items()) {
+    script.steps.push_back(read_step(step, context));
+  }
+  for (const Reader& action : ground.optional("operator").items()) {
+    script.operators.push_back(read_operator(action, context));
+  }
+  script.command_lifetime =
+      read_seconds(ground.optional("command_lifetime"), script.command_lifetime);
+  for (const std::string& problem : ground_station::problems_of(script)) ground.error(problem);
+  check_ids(ground, script);
+}
+
+}  // namespace skein::scenario

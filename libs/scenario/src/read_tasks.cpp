@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "read_tasks.hpp"
+
+#include <numbers>
+
+namespace skein::scenario {
+
+namespace {
+
+using config::Reader;
+using executive::Literal;
+using ground_station::Target;
+
+constexpr config::Range kAngle{-2 * std::numbers::pi, 2 * std::numbers::pi, "rad"};
+constexpr config::Range kAltitude{0, 10'000, "m above the ground"};
+
+Literal read_literal(const Reader& reader) {
+  Literal literal;
+  reader.keys({"task", "state", "message", "time", "is", "not", "modality"});
+  if (const Reader task = reader.optional("task"); task.present()) {
+    literal.condition =
+        executive::TaskInState{read_task_id(task), read_task_state(reader.required("state"))};
+  } else if (const Reader message = reader.optional("message"); message.present()) {
+    literal.condition = executive::MessageReceived{message.text()};
+  } else if (const Reader time = reader.optional("time"); time.present()) {
+    const bool passed = reader.required("is").choice({"passed", "not-yet-passed"}) == 0;
+    literal.condition = executive::TimeIs{read_instant(time), passed};
+  } else {
+    reader.error("a condition of no kind", "one of task, message, time");
+  }
+  literal.negated = reader.optional("not").boolean(false);
+  const bool optional = reader.optional("modality").choice({"mandatory", "optional"}) == 1;
+  literal.modality = optional ? executive::Modality::kOptional : executive::Modality::kMandatory;
+  return literal;
+}
+
+executive::InsertionMode read_mode(const Reader& reader) {
+  return static_cast<executive::InsertionMode>(reader.choice({"SEQ", "VUT", "DEP", "NUT"}));
+}
+
+// A place by name, or coordinates.
+world::Vector3 read_place(const Reader& reader, const TaskContext& context) {
+  if (reader.is_sequence()) return read_point(reader);
+  const std::string name = reader.name_among(context.names.places, "a place or [x, y, z]");
+  const auto found = context.scenario.world.places.find(name);
+  return found == context.scenario.world.places.end() ? world::Vector3::Zero() : found->second;
+}
+
+// `altitude`, if given, puts a point at that height above the ground there.
+world::Vector3 at_altitude(world::Vector3 point, const Reader& altitude,
+                           const TaskContext& context) {
+  if (altitude.present()) {
+    point.z() = context.terrain.elevation(point.x(), point.y()) + altitude.number(0, kAltitude);
+  }
+  return point;
+}
+
+Target to_points(const Reader& params, const TaskContext& context) {
+  ground_station::AtPoints at;
+  const Reader altitude = params.optional("altitude");
+  const Reader to = params.optional("to");
+  const bool several = to.is_sequence() && !to.items().empty() && !to.items()[0].is_scalar();
+  if (several) {
+    for (const Reader& one : to.items()) {
+      at.points.push_back(at_altitude(read_place(one, context), altitude, context));
+    }
+  } else {
+    at.points.push_back(at_altitude(read_place(to, context), altitude, context));
+  }
+  return {at, "waypoints"};
+}
+
+Target near_alarm(const Reader& reader) {
+  reader.keys({"bearing", "distance", "altitude"});
+  return {ground_station::NearAlarm{reader.required("bearing").number(0, kAngle),
+                                    reader.required("distance").number(0, {0, 100'000, "m"}),
+                                    reader.required("altitude").number(0, kAltitude)},
+          "waypoints"};
+}
+
+Target over_zone(const Reader& reader, const TaskContext& context) {
+  reader.keys({"zone", "spacing", "altitude", "around_alarm"});
+  ground_station::OverZone over;
+  const std::string zone = reader.required("zone").name_among(context.names.zones, "a zone");
+  for (const world::Zone& one : context.scenario.world.zones) {
+    if (one.name == zone) over.zone = one.polygon;
+  }
+  over.spacing = reader.required("spacing").number(1, {1, 100'000, "m"});
+  over.altitude = reader.required("altitude").number(0, kAltitude);
+  over.around_alarm = reader.optional("around_alarm").boolean(false);
+  return {over, "waypoints"};
+}
+
+Target take_aim(const Reader& reader, const TaskContext& context) {
+  if (reader.is_scalar() && reader.text() == "alarm") return {ground_station::TheAlarm{}, "target"};
+  return {ground_station::AtPoints{{read_place(reader, context)}}, "target"};
+}
+
+std::vector<Target> read_targets(const Reader& params, const TaskContext& context) {
+  std::vector<Target> targets;
+  if (params.optional("to").present()) targets.push_back(to_points(params, context));
+  if (const Reader near = params.optional("near_alarm"); near.present()) {
+    targets.push_back(near_alarm(near));
+  }
+  if (const Reader over = params.optional("over"); over.present()) {
+    targets.push_back(over_zone(over, context));
+  }
+  if (targets.size() > 1) params.error("more than one of to, near_alarm, over");
+  if (const Reader target = params.optional("target"); target.present()) {
+    targets.push_back(take_aim(target, context));
+  }
+  return targets;
+}
+
+executive::Parameter read_parameter(const std::string& name, const Reader& reader) {
+  if (reader.is_sequence()) return {name, "", reader.numbers()};
+  config::Value scalar;
+  scalar.kind = config::Value::Kind::kScalar;
+  scalar.scalar = reader.text();
+  Diagnostics not_a_number;
+  const double number = Reader(scalar, "", not_a_number).number();
+  if (not_a_number.empty()) return {name, "", {number}};
+  return {name, scalar.scalar, {}};
+}
+
+// The parameters that go to the UAV as they are written.
+void read_parameters(const Reader& params, executive::Parameters& parameters) {
+  const bool resolved = params.optional("to").present();
+  for (const auto& [name, value] : params.entries()) {
+    if (name == "to" || name == "near_alarm" || name == "over" || name == "target") continue;
+    if (name == "altitude" && resolved) continue;
+    parameters.add(read_parameter(name, value));
+  }
+}
+
+void read_synchronisation(const Reader& params, const TaskContext& context, executive::Task& task) {
+  params.keys({"id", "senders", "receivers", "deadline"});
+  executive::Synchronisation sync;
+  sync.id = params.required("id").natural();
+  for (const Reader& uav : params.required("senders").items()) {
+    sync.senders.push_back(uav.name_among(context.names.uavs, "a UAV"));
+  }
+  for (const Reader& uav : params.required("receivers").items()) {
+    sync.receivers.push_back(uav.name_among(context.names.uavs, "a UAV"));
+  }
+  const Reader deadline = params.optional("deadline");
+  if (deadline.present()) sync.deadline = read_instant(deadline);
+  task.synchronisation = std::move(sync);
+}
+
+void check_type(const Reader& type, const std::string& name) {
+  static const std::vector<std::string> kTypes{"takeoff",  "land", "goto",
+                                               "takeshot", "wait", "synchronise"};
+  if (executive::is_joint(name)) {
+    type.error("joint tasks need a deliberative layer, degree 4 or 5");
+  } else {
+    (void)type.name_among(kTypes, "a task type");
+  }
+}
+
+}  // namespace
+
+executive::TaskId read_task_id(const Reader& reader) {
+  const std::uint64_t id = reader.natural();
+  if (id >= executive::kFirstBackgroundId.value()) reader.error("too large for a task id");
+  return executive::TaskId(id);
+}
+
+executive::TaskState read_task_state(const Reader& reader) {
+  return static_cast<executive::TaskState>(
+      reader.choice({"scheduled", "started", "running", "aborting", "ended", "aborted"}));
+}
+
+executive::Formula read_formula(const Reader& reader) {
+  executive::Formula formula;
+  for (const Reader& clause : reader.items()) {
+    executive::Clause literals;
+    for (const Reader& literal : clause.items()) literals.push_back(read_literal(literal));
+    formula.push_back(std::move(literals));
+  }
+  return formula;
+}
+
+ground_station::PlannedTask read_task(const Reader& reader, const TaskContext& context) {
+  ground_station::PlannedTask planned;
+  reader.keys({"id", "type", "mode", "params", "pre", "exit"});
+  executive::Task& task = planned.task;
+  task.id = read_task_id(reader.required("id"));
+  task.type = reader.required("type").text();
+  check_type(reader.optional("type"), task.type);
+  planned.mode = read_mode(reader.optional("mode"));
+  task.preconditions = read_formula(reader.optional("pre"));
+  task.exit = read_formula(reader.optional("exit"));
+  const Reader params = reader.optional("params");
+  if (task.type == executive::kSynchroniseType) {
+    read_synchronisation(reader.required("params"), context, task);
+  } else if (params.present()) {
+    planned.targets = read_targets(params, context);
+    read_parameters(params, task.parameters);
+  }
+  return planned;
+}
+
+}  // namespace skein::scenario

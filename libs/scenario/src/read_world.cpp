@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a scenario about the world, the vehicles, the radio and the faults.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+
+#include "reading.hpp"
+#include "skein/world/vehicle_model_reader.hpp"
+
+namespace skein::scenario {
+
+namespace {
+
+using config::Range;
+using config::Reader;
+
+constexpr double kFar = 1e6;  ///< [m] no coordinate is farther from the origin
+constexpr Range kMetres{-kFar, kFar, "m"};
+constexpr Range kLength{0, kFar, "m"};
+constexpr Range kFraction{0, 1, ""};
+
+void read_terrain(const Reader& reader, world::TerrainSpec& terrain) {
+  if (!reader.keys({"west", "south", "east", "north", "cell", "base", "hills"})) return;
+  terrain.west = reader.required("west").number(-1000, kMetres);
+  terrain.south = reader.required("south").number(-1000, kMetres);
+  terrain.east = reader.required("east").number(1000, kMetres);
+  terrain.north = reader.required("north").number(1000, kMetres);
+  terrain.cell = reader.optional("cell").number(20, {0.1, 10'000, "m"});
+  terrain.base = reader.optional("base").number(0, kMetres);
+  for (const Reader& hill : reader.optional("hills").items()) {
+    if (!hill.keys({"at", "height", "radius"})) continue;
+    terrain.hills.push_back({read_point_2d(hill.required("at")),
+                             hill.required("height").number(0, {-5000, 5000, "m"}),
+                             hill.required("radius").number(1, {1, kFar, "m"})});
+  }
+  for (const std::string& problem : world::problems_of(terrain)) reader.error(problem);
+}
+
+void read_zone(const std::string& name, const Reader& reader, std::vector<world::Zone>& zones) {
+  world::Zone zone{name, {}};
+  for (const Reader& corner : reader.items()) zone.polygon.push_back(read_point_2d(corner));
+  if (zone.polygon.size() < 3 || world::area(zone.polygon) <= 0) {
+    reader.error("a zone without area", "at least three corners [x, y]");
+  }
+  zones.push_back(std::move(zone));
+}
+
+world::WorldObject read_object(const std::string& name, const Reader& reader) {
+  world::WorldObject object;
+  object.name = name;
+  reader.keys(
+      {"kind", "position", "height", "radius", "appears", "disappears", "waypoints", "speed"});
+  object.kind = reader.required("kind").text();
+  object.position = read_point_2d(reader.required("position"));
+  object.height = reader.optional("height").number(0, {0, 1000, "m"});
+  object.radius = reader.optional("radius").number(1, {0, 1000, "m"});
+  object.appears = read_instant(reader.optional("appears"));
+  object.disappears = read_instant(reader.optional("disappears"), MissionTime::max());
+  for (const Reader& point : reader.optional("waypoints").items()) {
+    object.waypoints.push_back(read_point_2d(point));
+  }
+  object.speed = reader.optional("speed").number(0, {0, 200, "m/s"});
+  return object;
+}
+
+void read_model(const Reader& reader, const std::string& folder, Diagnostics& diagnostics,
+                UavSpec& uav) {
+  uav.model_file = reader.text();
+  if (uav.model_file.empty()) return;
+  const std::string path = (std::filesystem::path(folder) / uav.model_file).string();
+  std::error_code error;
+  std::ifstream in(path, std::ios::binary);
+  if (!std::filesystem::is_regular_file(path, error) || !in) {
+    reader.error("model file '" + path + "' cannot be read");
+    return;
+  }
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  auto model = world::read_vehicle_model(text, path);
+  if (!model) {
+    diagnostics.append(model.error());
+  } else {
+    uav.model = std::move(*model);
+  }
+}
+
+void read_contact_loss(const Reader& reader, ContactLoss& loss) {
+  if (!reader.keys({"policy", "after"})) return;
+  loss.policy = static_cast<ContactLoss::Policy>(
+      reader.required("policy").choice({"continue", "hold", "return"}));
+  loss.after = read_seconds(reader.optional("after"), Duration::seconds(60));
+}
+
+bool usable_name(const std::string& name) {
+  constexpr const char* kAllowed =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
+  return !name.empty() && name.size() <= 32 &&
+         name.find_first_not_of(kAllowed) == std::string::npos && name != "ground" &&
+         name != "sim" && name != "runner";
+}
+
+}  // namespace
+
+world::Vector3 read_point(const Reader& reader) {
+  const auto xyz = reader.numbers(3, kMetres);
+  return xyz.size() == 3 ? world::Vector3(xyz[0], xyz[1], xyz[2]) : world::Vector3::Zero();
+}
+
+world::Vector2 read_point_2d(const Reader& reader) {
+  const auto xy = reader.numbers(2, kMetres);
+  return xy.size() == 2 ? world::Vector2(xy[0], xy[1]) : world::Vector2::Zero();
+}
+
+MissionTime read_instant(const Reader& reader, MissionTime otherwise) {
+  if (!reader.present()) return otherwise;
+  return MissionTime::seconds(reader.number(0, {0, 1e7, "s"}));
+}
+
+Duration read_seconds(const Reader& reader, Duration otherwise) {
+  if (!reader.present()) return otherwise;
+  return Duration::seconds(reader.number(0, {0, 1e7, "s"}));
+}
+
+void read_world(const Reader& reader, WorldSpec& world) {
+  reader.keys({"origin", "terrain", "wind", "zones", "places", "objects"});
+  const Reader origin = reader.required("origin");
+  if (origin.keys({"latitude", "longitude", "altitude"})) {
+    world.origin = {origin.required("latitude").number(0, {-90, 90, "degrees"}),
+                    origin.required("longitude").number(0, {-180, 180, "degrees"}),
+                    origin.required("altitude").number(0, {-1000, 9000, "m"})};
+  }
+  read_terrain(reader.required("terrain"), world.terrain);
+  const Reader wind = reader.optional("wind");
+  if (wind.keys({"toward", "speed", "gusts"})) {
+    world.wind = {
+        wind.optional("toward").number(0, {-2 * std::numbers::pi, 2 * std::numbers::pi, "rad"}),
+        wind.optional("speed").number(0, {0, 50, "m/s"}),
+        wind.optional("gusts").number(0, {0, 20, "m/s"})};
+  }
+  for (const auto& [name, zone] : reader.optional("zones").entries()) {
+    read_zone(name, zone, world.zones);
+  }
+  for (const auto& [name, place] : reader.optional("places").entries()) {
+    world.places.emplace(name, read_point(place));
+  }
+  for (const auto& [name, object] : reader.optional("objects").entries()) {
+    world.objects.push_back(read_object(name, object));
+  }
+}
+
+void read_uavs(const Reader& reader, const std::string& folder, Diagnostics& diagnostics,
+               std::vector<UavSpec>& uavs) {
+  for (const auto& [name, uav] : reader.entries()) {
+    UavSpec spec;
+    spec.name = name;
+    if (!usable_name(name)) {
+      uav.error("'" + name + "' cannot be a UAV's name",
+                "1 to 32 letters, digits, '-' or '_', and none of ground, sim, runner");
+    }
+    uav.keys({"model", "start", "heading", "energy", "degree", "contact_loss"});
+    read_model(uav.required("model"), folder, diagnostics, spec);
+    spec.start = read_point_2d(uav.required("start"));
+    spec.heading = uav.optional("heading").number(0, {-7, 7, "rad"});
+    spec.energy = uav.optional("energy").number(1, kFraction);
+    spec.degree = static_cast<int>(uav.optional("degree").integer(3, 1, 3));
+    if (spec.model.pilot) spec.contact_loss.policy = ContactLoss::Policy::kHold;
+    read_contact_loss(uav.optional("contact_loss"), spec.contact_loss);
+    uavs.push_back(std::move(spec));
+  }
+  if (uavs.empty()) reader.error("no UAV");
+}
+
+void read_radio(const Reader& reader, const Names& names, RadioSpec& radio) {
+  reader.keys({"range", "line_of_sight", "latency", "loss", "hysteresis", "cuts"});
+  radio.model.range = reader.optional("range").number(10'000, {1, kFar, "m"});
+  radio.model.needs_line_of_sight = reader.optional("line_of_sight").boolean(true);
+  radio.model.latency = Duration::seconds(reader.optional("latency").number(0.02, {0, 60, "s"}));
+  radio.model.loss = reader.optional("loss").number(0, {0, 0.99, ""});
+  radio.model.hysteresis = reader.optional("hysteresis").number(0.05, {0, 1, ""});
+  for (const Reader& cut : reader.optional("cuts").items()) {
+    if (!cut.keys({"between", "from", "until"})) continue;
+    const std::vector<Reader> pair = cut.required("between").items();
+    if (pair.size() != 2) {
+      cut.error("a cut is between two nodes", "between: [NODE, NODE]");
+      continue;
+    }
+    CutSpec spec{pair[0].name_among(names.nodes, "a UAV or ground"),
+                 pair[1].name_among(names.nodes, "a UAV or ground"),
+                 read_instant(cut.required("from")), read_instant(cut.required("until"))};
+    if (spec.a == spec.b && !spec.a.empty()) cut.error("a cut between a node and itself");
+    if (spec.until <= spec.from) cut.error("a cut that ends before it begins");
+    radio.cuts.push_back(std::move(spec));
+  }
+}
+
+void read_faults(const Reader& reader, const Names& names, FaultSpec& faults) {
+  for (const Reader& fault : reader.items()) {
+    fault.keys({"at", "kill", "restart_after", "engine", "sensor", "random"});
+    const Reader random = fault.optional("random");
+    if (random.present()) {
+      random.keys({"cuts_per_hour", "mean_cut", "kills_per_hour", "mean_dead"});
+      faults.random = {random.optional("cuts_per_hour").number(0, {0, 1000, ""}),
+                       random.optional("mean_cut").number(20, {1, 3600, "s"}),
+                       random.optional("kills_per_hour").number(0, {0, 100, ""}),
+                       random.optional("mean_dead").number(5, {1, 3600, "s"})};
+      continue;
+    }
+    const MissionTime at = read_instant(fault.required("at"));
+    if (const Reader kill = fault.optional("kill"); kill.present()) {
+      KillSpec spec{at, kill.name_among(names.nodes, "a UAV or ground"), std::nullopt};
+      const Reader restart = fault.optional("restart_after");
+      if (restart.present()) spec.restart_after = read_seconds(restart);
+      faults.kills.push_back(std::move(spec));
+    } else if (const Reader engine = fault.optional("engine"); engine.present()) {
+      faults.breaks.push_back({at, engine.name_among(names.uavs, "a UAV"), ""});
+    } else if (const Reader sensor = fault.optional("sensor"); sensor.present()) {
+      sensor.keys({"uav", "device"});
+      faults.breaks.push_back({at, sensor.required("uav").name_among(names.uavs, "a UAV"),
+                               sensor.required("device").text()});
+    } else {
+      fault.error("a fault of no kind", "one of kill, engine, sensor, random");
+    }
+  }
+}
+
+}  // namespace skein::scenario

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a scenario file's reading. Each adds its errors to the reader's diagnostics and
+// leaves harmless values where something is wrong.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "skein/config/reader.hpp"
+#include "skein/scenario/scenario.hpp"
+
+namespace skein::scenario {
+
+/// Names a part may refer to, known once the world and the UAVs are read.
+struct Names {
+  std::vector<std::string> uavs;
+  std::vector<std::string> nodes;  ///< the UAVs and "ground"
+  std::vector<std::string> zones;
+  std::vector<std::string> places;
+};
+
+Names names_of(const Scenario& scenario);
+
+void read_world(const config::Reader& reader, WorldSpec& world);
+void read_uavs(const config::Reader& reader, const std::string& folder, Diagnostics& diagnostics,
+               std::vector<UavSpec>& uavs);
+void read_radio(const config::Reader& reader, const Names& names, RadioSpec& radio);
+void read_faults(const config::Reader& reader, const Names& names, FaultSpec& faults);
+void read_pps(const config::Reader& reader, ground_station::PpsConfig& pps);
+void read_script(const config::Reader& ground, const Scenario& scenario,
+                 ground_station::Script& script);
+void read_expectations(const config::Reader& reader, const Names& names,
+                       std::vector<Expectation>& expectations);
+
+/// [x, y, z] in metres.
+world::Vector3 read_point(const config::Reader& reader);
+world::Vector2 read_point_2d(const config::Reader& reader);
+/// Seconds of mission time, not negative.
+MissionTime read_instant(const config::Reader& reader, MissionTime otherwise = {});
+Duration read_seconds(const config::Reader& reader, Duration otherwise = {});
+
+}  // namespace skein::scenario

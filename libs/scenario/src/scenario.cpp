@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/scenario/scenario.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "reading.hpp"
+#include "skein/config/parse.hpp"
+#include "skein/foundation/random.hpp"
+
+namespace skein::scenario {
+
+namespace {
+
+using config::Reader;
+
+// A waiting time with this mean [s].
+double exponential(Random& random, double mean) { return -mean * std::log(1 - random.uniform()); }
+
+// Instants of a Poisson process over the mission, each followed by a pause of mean length `mean`.
+template <class Use>
+void draw(Random random, double per_hour, double mean, MissionTime limit, Use use) {
+  if (per_hour <= 0) return;
+  double at = exponential(random, 3600 / per_hour);
+  while (at < limit.to_seconds()) {
+    const double length = std::max(1.0, exponential(random, mean));
+    use(MissionTime::seconds(at), Duration::seconds(length));
+    at += length + exponential(random, 3600 / per_hour);
+  }
+}
+
+void read_ground(const Reader& reader, Scenario& scenario) {
+  reader.keys({"position", "pps", "script", "operator", "command_lifetime"});
+  scenario.ground.position = read_point(reader.optional("position"));
+  read_pps(reader.optional("pps"), scenario.ground.pps);
+  read_script(reader, scenario, scenario.ground.script);
+}
+
+void read_all(const Reader& reader, const std::string& folder, Diagnostics& diagnostics,
+              Scenario& scenario) {
+  reader.keys({"scenario", "epoch", "duration_limit", "rate", "seed", "world", "uavs", "radio",
+               "ground", "faults", "expect"});
+  scenario.name = reader.required("scenario").text();
+  scenario.epoch = reader.required("epoch").text();
+  scenario.duration_limit = read_instant(reader.required("duration_limit"));
+  scenario.rate = reader.optional("rate").number(1, {0.01, 1000, "mission seconds per second"});
+  scenario.seed = reader.optional("seed").natural(1);
+  read_world(reader.required("world"), scenario.world);
+  read_uavs(reader.required("uavs"), folder, diagnostics, scenario.uavs);
+  const Names names = names_of(scenario);
+  read_radio(reader.optional("radio"), names, scenario.radio);
+  read_ground(reader.required("ground"), scenario);
+  read_faults(reader.optional("faults"), names, scenario.faults);
+  read_expectations(reader.optional("expect"), names, scenario.expectations);
+}
+
+}  // namespace
+
+std::vector<std::string> Scenario::uav_names() const {
+  std::vector<std::string> names;
+  for (const UavSpec& uav : uavs) names.push_back(uav.name);
+  return names;
+}
+
+const UavSpec* Scenario::find_uav(const std::string& wanted) const {
+  const auto found = std::find_if(uavs.begin(), uavs.end(),
+                                  [&](const UavSpec& uav) { return uav.name == wanted; });
+  return found == uavs.end() ? nullptr : &*found;
+}
+
+Names names_of(const Scenario& scenario) {
+  Names names;
+  names.uavs = scenario.uav_names();
+  names.nodes = names.uavs;
+  names.nodes.emplace_back("ground");
+  for (const world::Zone& zone : scenario.world.zones) names.zones.push_back(zone.name);
+  for (const auto& [name, place] : scenario.world.places) names.places.push_back(name);
+  return names;
+}
+
+Result<Scenario, Diagnostics> read_scenario(const std::string& path) {
+  const auto document = config::parse_yaml_file(path);
+  if (!document) return tl::unexpected(document.error());
+  Diagnostics diagnostics;
+  Scenario scenario;
+  scenario.file = path;
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  read_all(Reader(*document, path, diagnostics), folder, diagnostics, scenario);
+  if (!diagnostics.empty()) return tl::unexpected(std::move(diagnostics));
+  return scenario;
+}
+
+void draw_random_faults(Scenario& scenario) {
+  const RandomFaults& random = scenario.faults.random;
+  std::vector<std::string> nodes = scenario.uav_names();
+  nodes.emplace_back("ground");
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t j = i + 1; j < nodes.size(); ++j) {
+      draw(Random(scenario.seed, "cut " + nodes[i] + " " + nodes[j]), random.cuts_per_hour,
+           random.mean_cut, scenario.duration_limit, [&](MissionTime at, Duration length) {
+             scenario.radio.cuts.push_back({nodes[i], nodes[j], at, at + length});
+           });
+    }
+  }
+  for (const UavSpec& uav : scenario.uavs) {
+    draw(Random(scenario.seed, "kill " + uav.name), random.kills_per_hour, random.mean_dead,
+         scenario.duration_limit, [&](MissionTime at, Duration length) {
+           scenario.faults.kills.push_back({at, uav.name, length});
+         });
+  }
+}
+
+}  // namespace skein::scenario

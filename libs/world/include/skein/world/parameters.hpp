@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parameters of an elementary task, as the functional layer takes them.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace skein::world {
+
+/// A named value: a text, or numbers. Way-points are flat: x, y, z, x, y, z, …
+struct Parameter {
+  std::string name;
+  std::string text;             ///< empty when it is numbers
+  std::vector<double> numbers;  ///< empty when it is a text
+  bool operator==(const Parameter&) const = default;
+};
+
+/// In order of arrival; a name may wrongly come twice (the functional layer refuses that).
+class Parameters {
+ public:
+  Parameters() = default;
+  explicit Parameters(std::vector<Parameter> all) : all_(std::move(all)) {}
+
+  Parameters& add(std::string name, std::string text);
+  Parameters& add(std::string name, std::vector<double> numbers);
+  Parameters& add(std::string name, std::initializer_list<double> numbers);
+  Parameters& add(std::string name, double number);
+
+  /// The first of that name; null when there is none. Valid until the next change.
+  const Parameter* find(std::string_view name) const;
+  const std::vector<Parameter>& all() const { return all_; }
+  bool operator==(const Parameters&) const = default;
+
+ private:
+  std::vector<Parameter> all_;
+};
+
+}  // namespace skein::world

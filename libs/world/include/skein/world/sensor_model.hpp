@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a sensor on a UAV sees, as figures and as geometry.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "skein/foundation/time.hpp"
+#include "skein/world/geometry.hpp"
+
+namespace skein::world {
+
+/// How a sensor reacts, at each look, to an object of some kind that is in its view.
+struct SensorResponse {
+  double probability = 0;   ///< that the look detects it, [0, 1]; the rest are missed
+  double confidence = 0;    ///< that the sensor gives to such a detection, [0, 1]
+  std::string reported_as;  ///< kind it is taken for: a fire sensor takes a hot vehicle for a fire
+  bool operator==(const SensorResponse&) const = default;
+};
+
+/// One device of a vehicle. It looks once per period, in a cone about its boresight.
+/// Source: spec 4.1 (perception), 8.2.
+struct SensorModel {
+  std::string device;   ///< the name tasks use: "fire-sensor", "visible", "ir", "mapping"
+  double aperture = 0;  ///< half angle of the cone [rad], (0, π/2]
+  double boresight_pitch =
+      0;  ///< up from the horizon, ahead of the vehicle [rad]; -π/2: straight down
+  bool gimballed = false;        ///< can be turned to a target, whatever the vehicle's attitude
+  double range = 0;              ///< [m], > 0
+  Duration period;               ///< between two looks, > 0
+  double false_alarm_rate = 0;   ///< mean number per second of looking [1/s] (Poisson)
+  std::string false_alarm_kind;  ///< what false alarms are reported as
+  double false_alarm_confidence = 0;  ///< [0, 1]
+  double position_spread = 0;         ///< standard deviation of a reported position, per axis [m]
+  /// By kind of object; the sensor is blind to kinds that are not here.
+  std::map<std::string, SensorResponse, std::less<>> responses;
+  bool operator==(const SensorModel&) const = default;
+};
+
+/// The cone a sensor looks through at one instant.
+struct View {
+  Vector3 viewpoint = Vector3::Zero();
+  Vector3 direction = Vector3::UnitX();  ///< unit length
+  double range = 0;                      ///< [m]
+  double aperture = 0;                   ///< half angle [rad]
+};
+
+/// True when some part of a ball (radius 0: the point) is in the cone and within range of the
+/// viewpoint; terrain is not considered.
+bool in_view(const View& view, const Vector3& centre, double radius = 0);
+
+}  // namespace skein::world

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/world/vehicle_model_reader.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace skein::world {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string kHelicopter = R"(model: bee
+kind: helicopter
+hovers: true
+speed: {cruise: 8, max: 14}
+climb_rate: 3
+descent_rate: 2
+acceleration: 2
+yaw_rate: 0.8
+ceiling: 300
+position_precision: 0.3
+wind_drift: 0.05
+energy: {capacity: 6.0e6, hover: 1700, cruise: 1500, reserve: 0.1}
+sensors:
+  visible:
+    aperture: 0.35
+    pitch: -0.6
+    gimballed: true
+    range: 250
+    period: 0.5
+    position_spread: 3
+    false_alarms: {rate: 0.001, kind: fire, confidence: 0.3}
+    sees:
+      fire: {probability: 0.9, confidence: 0.8}
+      hot-vehicle: {probability: 0.7, confidence: 0.6, reported_as: fire}
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+/// What is wrong with a text, as the user reads it; "" if nothing.
+std::string report(const std::string& text) {
+  const auto model = read_vehicle_model(text, "bee.yaml");
+  return model ? "" : to_text(model.error());
+}
+
+TEST(VehicleModelReader, ReadsEveryFigure) {
+  const auto model = read_vehicle_model(kHelicopter, "bee.yaml");
+
+  ASSERT_TRUE(model) << to_text(model.error());
+  EXPECT_EQ(model->name, "bee");
+  EXPECT_EQ(model->kind, VehicleKind::kHelicopter);
+  EXPECT_TRUE(model->hovers);
+  EXPECT_EQ(model->max_speed, 14);
+  EXPECT_EQ(model->energy.capacity, 6e6);
+  EXPECT_FALSE(model->pilot);
+  ASSERT_EQ(model->sensors.size(), 1u);
+  const SensorModel& sensor = model->sensors[0];
+  EXPECT_EQ(sensor.device, "visible");
+  EXPECT_TRUE(sensor.gimballed);
+  EXPECT_EQ(sensor.period, Duration::milliseconds(500));
+  EXPECT_EQ(sensor.false_alarm_kind, "fire");
+  EXPECT_EQ(sensor.responses.at("fire"), (SensorResponse{0.9, 0.8, "fire"}));
+  EXPECT_EQ(sensor.responses.at("hot-vehicle").reported_as, "fire");
+}
+
+TEST(VehicleModelReader, ReadsThePilot) {
+  const auto model = read_vehicle_model(
+      kHelicopter +
+          "pilot: {reaction: 1.5, reaction_spread: 0.4, position_imprecision: 2, "
+          "heading_imprecision: 0.1, attention_period: 3}\n",
+      "bee.yaml");
+
+  ASSERT_TRUE(model);
+  ASSERT_TRUE(model->pilot);
+  EXPECT_EQ(model->pilot->reaction, Duration::seconds(1.5));
+  EXPECT_EQ(model->pilot->attention_period, Duration::seconds(3));
+}
+
+TEST(VehicleModelReader, TheModelsOfTheCometsScenarioAreSound) {
+  for (const std::string name : {"marvin", "heliv", "karma"}) {
+    const std::string path =
+        std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/models/" + name + ".yaml";
+    std::stringstream text;
+    text << std::ifstream(path).rdbuf();
+
+    const auto model = read_vehicle_model(text.str(), path);
+
+    ASSERT_TRUE(model) << to_text(model.error());
+    EXPECT_EQ(model->name, name);
+    EXPECT_EQ(model->hovers, name != "karma");
+    EXPECT_EQ(model->pilot.has_value(), name == "heliv");
+  }
+}
+
+TEST(VehicleModelReader, UnknownKeysAreRefusedWithTheNearest) {
+  EXPECT_THAT(report(replaced(kHelicopter, "climb_rate", "clim_rate")),
+              HasSubstr("bee.yaml:5:12: clim_rate: unknown key 'clim_rate'"));
+  EXPECT_THAT(report(replaced(kHelicopter, "gimballed", "gimbaled")),
+              HasSubstr("did you mean 'gimballed'?"));
+  EXPECT_THAT(report(replaced(kHelicopter, "helicopter", "helicoptre")),
+              HasSubstr("did you mean 'helicopter'?"));
+}
+
+TEST(VehicleModelReader, EveryErrorIsGivenAtOnce) {
+  std::string text = replaced(kHelicopter, "max: 14", "max: fast");
+  text = replaced(text, "wind_drift: 0.05", "wind_drift: 1.5");
+  text = replaced(text, "range: 250", "range: 0");
+  text = replaced(text, "ceiling: 300\n", "");
+
+  const auto model = read_vehicle_model(text, "bee.yaml");
+
+  ASSERT_FALSE(model);
+  EXPECT_EQ(model.error().size(), 4u) << to_text(model.error());
+  const std::string all = to_text(model.error());
+  EXPECT_THAT(all, HasSubstr("bee.yaml:4:"));
+  EXPECT_THAT(all, HasSubstr("speed.max"));
+  EXPECT_THAT(all, HasSubstr("wind_drift"));
+  EXPECT_THAT(all, HasSubstr("sensors.visible.range"));
+  EXPECT_THAT(all, HasSubstr("ceiling: missing"));
+}
+
+TEST(VehicleModelReader, FiguresThatContradictEachOtherAreRefused) {
+  struct Case {
+    const char* from;
+    const char* to;
+    const char* error;
+  };
+  const Case cases[] = {
+      {"max: 14", "max: 7", "cruise is greater than max"},
+      {"cruise: 8", "min: 3, cruise: 8", "a least speed of a vehicle that hovers"},
+      {"hovers: true", "hovers: true\norbit_radius: 40", "orbit_radius of a vehicle that hovers"},
+      {"hovers: true\n", "hovers: false\nmin_turn_radius: 30\norbit_radius: 30\n",
+       "the orbit is too tight"},
+      {"hovers: true\n", "hovers: false\nmin_turn_radius: 30\norbit_radius: 40\n",
+       "needs a least speed"},
+      {"hovers: true", "hovers: false", "min_turn_radius: missing"},
+      {"hovers: true\n", "hovers: false\n", "yaw_rate of a vehicle that cannot hover"},
+      {"model: bee", "model: ''", "an empty name"},
+      {"reported_as: fire", "reported_as: ''", "reported_as is empty"},
+  };
+  for (const Case& c : cases)
+    EXPECT_THAT(report(replaced(kHelicopter, c.from, c.to)), HasSubstr(c.error)) << c.to;
+}
+
+TEST(VehicleModelReader, MissingSectionsAreNamedOnce) {
+  const std::string text = replaced(
+      kHelicopter, "energy: {capacity: 6.0e6, hover: 1700, cruise: 1500, reserve: 0.1}\n", "");
+  const auto model = read_vehicle_model(text, "bee.yaml");
+
+  ASSERT_FALSE(model);
+  ASSERT_EQ(model.error().size(), 1u) << to_text(model.error());
+  EXPECT_EQ(model.error().all()[0].path, "energy");
+}
+
+TEST(VehicleModelReader, ASensorThatSeesNothingIsRefused) {
+  const std::string text = kHelicopter.substr(0, kHelicopter.find("    sees:")) + "    sees: {}\n";
+  EXPECT_THAT(report(text), HasSubstr("sensors.visible.sees: sees nothing"));
+}
+
+TEST(VehicleModelReader, WhatIsNoModelAtAllIsRefused) {
+  EXPECT_NE(report(""), "");
+  EXPECT_THAT(report("just words"), HasSubstr("not a vehicle model"));
+  EXPECT_THAT(report("[1, 2]"), HasSubstr("not a vehicle model"));
+  EXPECT_NE(report("model: {"), "");
+  EXPECT_NE(report("model: bee"), "");
+}
+
+}  // namespace
+}  // namespace skein::world

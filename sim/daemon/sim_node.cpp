@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_node.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "skein/foundation/contract.hpp"
+#include "skein/translation/sensing.hpp"
+
+namespace skein::sim {
+
+namespace {
+
+using journal::Record;
+using translation::for_journal;
+using translation::from_wire;
+using translation::to_wire;
+
+wire::TaskState wire_state(FunctionalState state) {
+  switch (state) {
+    case FunctionalState::kRunning:
+      return wire::TaskState::kRunning;
+    case FunctionalState::kEnded:
+      return wire::TaskState::kEnded;
+    case FunctionalState::kAborted:
+      break;
+  }
+  return wire::TaskState::kAborted;
+}
+
+FunctionalRequest request_of(const std::string& uav, const wire::FunctionalRequest& request) {
+  const bool dispatch = request.kind == wire::FunctionalRequestKind::kDispatch;
+  return {uav, dispatch ? RequestVerb::kDispatch : RequestVerb::kInterrupt, request.id,
+          request.type, from_wire(request.parameters)};
+}
+
+// Wire instances are 32 bits: a truth's is a fixed hash of its name.
+std::uint32_t instance_of(const std::string& name) {
+  std::uint32_t hash = 2166136261U;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  return hash;
+}
+
+}  // namespace
+
+SimNode::SimNode(SimulatorConfig config, node::Roster roster, std::vector<ScheduledFault> faults)
+    : roster_(std::move(roster)),
+      simulator_(std::move(config)),
+      faults_(faults.begin(), faults.end()) {}
+
+node::Effects SimNode::handle(const node::Input& input, MissionTime now) {
+  node::Effects out;
+  run_due_faults(now, out);
+  const auto mine = input_of(input);
+  const node::Effects effects = translate(simulator_.handle(mine.value_or(Input(Tick{})), now));
+  out.insert(out.end(), effects.begin(), effects.end());
+  return out;
+}
+
+std::optional<MissionTime> SimNode::next_wakeup() const {
+  const auto step = simulator_.next_wakeup();
+  return faults_.empty() ? step : earliest(step, faults_.front().at);
+}
+
+// What the simulator is told of: requests of the decision nodes, and their silence. A decision node
+// that restarted has forgotten what its vehicle does: it was lost for an instant.
+std::optional<Input> SimNode::input_of(const node::Input& input) const {
+  if (const auto* received = std::get_if<node::Received>(&input)) {
+    const auto* request = std::get_if<wire::FunctionalRequest>(&received->sample);
+    const node::Member* from = roster_.find(received->from);
+    if (request != nullptr && from != nullptr) return request_of(from->name, *request);
+  }
+  if (const auto* reach = std::get_if<node::Reachability>(&input)) {
+    return ContactLost{roster_.name_of(reach->peer), !reach->reachable || reach->restarted};
+  }
+  return std::nullopt;
+}
+
+void SimNode::run_due_faults(MissionTime now, node::Effects& out) {
+  while (!faults_.empty() && faults_.front().at <= now) {
+    const ScheduledFault due = faults_.front();
+    faults_.pop_front();
+    const std::string what =
+        due.fault.kind == FaultKind::kEngine ? std::string("engine") : "sensor " + due.fault.device;
+    out.push_back(
+        node::Log{Record(due.at, "sim", "fault").with("what", what).with("target", due.fault.uav)});
+    const node::Effects effects = translate(simulator_.handle(due.fault, now));
+    out.insert(out.end(), effects.begin(), effects.end());
+  }
+}
+
+node::Effects SimNode::translate(const std::vector<Effect>& effects) {
+  node::Effects out;
+  for (const Effect& effect : effects) {
+    std::visit([&](const auto& one) { take(one, out); }, effect);
+  }
+  return out;
+}
+
+void SimNode::take(const FunctionalStatus& status, node::Effects& out) const {
+  wire::FunctionalStatus sample;
+  sample.uav = status.uav;
+  sample.id = status.task;
+  sample.state = wire_state(status.state);
+  sample.reason = status.reason;
+  out.push_back(node::Send{number_of(status.uav), sample, MissionTime::max()});
+}
+
+void SimNode::take(const Telemetry& telemetry, node::Effects& out) const {
+  out.push_back(node::Send{number_of(telemetry.uav), to_wire(telemetry.uav, telemetry.state),
+                           MissionTime::max()});
+}
+
+void SimNode::take(const PerceptionOut& out_of, node::Effects& out) const {
+  out.push_back(
+      node::Send{number_of(out_of.perception.uav), to_wire(out_of.perception), MissionTime::max()});
+}
+
+void SimNode::take(const LinkChange& link, node::Effects& out) const {
+  wire::LinkState sample;
+  sample.from = number_of(link.from).value();
+  sample.to = number_of(link.to).value();
+  sample.header.instance = sample.from * 1000 + sample.to;
+  sample.up = link.up;
+  sample.latency = link.latency.count();
+  sample.loss = link.up ? link.loss : 0;
+  out.push_back(node::Publish{sample});
+  out.push_back(node::Log{Record(link.at, "sim", "link")
+                              .with("from", link.from)
+                              .with("to", link.to)
+                              .with("up", link.up)});
+}
+
+void SimNode::take(const VehicleTruth& truth, node::Effects& out) const {
+  const world::VehicleState& state = truth.state;
+  wire::Truth sample;
+  sample.header.instance = instance_of(truth.uav);
+  sample.name = truth.uav;
+  sample.kind = "uav";
+  sample.position = to_wire(state.position);
+  sample.velocity = to_wire(state.velocity);
+  sample.heading = state.heading;
+  sample.energy = state.energy;
+  sample.active = state.airborne;
+  out.push_back(node::Publish{sample});
+  out.push_back(node::Log{Record(truth.at, "sim", "telemetry")
+                              .with("uav", truth.uav)
+                              .with("position", for_journal(state.position))
+                              .with("velocity", for_journal(state.velocity))
+                              .with("heading", journal::rounded(state.heading))
+                              .with("energy", journal::rounded(state.energy))
+                              .with("airborne", state.airborne)});
+}
+
+void SimNode::take(const ObjectTruth& truth, node::Effects& out) const {
+  wire::Truth sample;
+  sample.header.instance = instance_of(truth.name);
+  sample.name = truth.name;
+  sample.kind = truth.kind;
+  sample.position = to_wire(truth.position);
+  sample.radius = truth.radius;
+  sample.active = truth.active;
+  out.push_back(node::Publish{sample});
+  out.push_back(node::Log{Record(truth.at, "sim", "object")
+                              .with("name", truth.name)
+                              .with("type", truth.kind)
+                              .with("position", for_journal(truth.position))
+                              .with("radius", truth.radius)
+                              .with("active", truth.active)});
+}
+
+node::NodeNumber SimNode::number_of(const std::string& name) const {
+  const node::Member* member = roster_.find(name);
+  SKEIN_EXPECTS(member != nullptr);
+  return member->number;
+}
+
+}  // namespace skein::sim

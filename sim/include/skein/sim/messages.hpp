@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// What goes into the simulator and what comes out.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "skein/foundation/time.hpp"
+#include "skein/world/parameters.hpp"
+#include "skein/world/perception.hpp"
+#include "skein/world/vehicle_state.hpp"
+
+namespace skein::sim {
+
+// ---- inputs ----
+
+enum class RequestVerb { kDispatch, kInterrupt };
+
+/// From a decision node to the functional layer of its vehicle. Task types and parameters: README.
+struct FunctionalRequest {
+  std::string uav;
+  RequestVerb verb = RequestVerb::kDispatch;
+  std::uint64_t task = 0;             ///< unique within the UAV for the whole mission
+  std::string type = {};              ///< of a dispatch: takeoff, land, goto, wait, takeshot
+  world::Parameters parameters = {};  ///< of a dispatch
+};
+
+/// Time passes.
+struct Tick {};
+
+enum class FaultKind { kEngine, kSensor };
+
+/// Something on board breaks, for good. Engine: the vehicle sinks to the ground, its tasks abort.
+struct Fault {
+  std::string uav;
+  FaultKind kind = FaultKind::kEngine;
+  std::string device = {};  ///< of a sensor fault
+};
+
+/// The decision node of a vehicle can no longer be heard by it (lost), or again.
+struct ContactLost {
+  std::string uav;
+  bool lost = true;
+};
+
+using Input = std::variant<Tick, FunctionalRequest, Fault, ContactLost>;
+
+// ---- effects, in the order they happen ----
+
+enum class FunctionalState { kRunning, kEnded, kAborted };
+/// "running", "ended", "aborted".
+std::string_view to_text(FunctionalState state);
+
+struct FunctionalStatus {
+  std::string uav;
+  std::uint64_t task = 0;
+  FunctionalState state = FunctionalState::kRunning;
+  std::string reason;  ///< of an abort, always; else empty
+  MissionTime at;
+  bool operator==(const FunctionalStatus&) const = default;
+};
+
+/// What the vehicle tells of itself, once per telemetry period.
+struct Telemetry {
+  std::string uav;
+  world::VehicleState state;
+  MissionTime at;
+  bool operator==(const Telemetry&) const = default;
+};
+
+/// One look of one sensor, also when it detected nothing.
+struct PerceptionOut {
+  world::Perception perception;
+  bool operator==(const PerceptionOut&) const = default;
+};
+
+/// The radio from one node to another changed; at the first step, how it is. Always in pairs, one
+/// for each direction.
+struct LinkChange {
+  std::string from;
+  std::string to;
+  bool up = false;
+  Duration latency;
+  double loss = 0;  ///< [0, 1]
+  MissionTime at;
+  bool operator==(const LinkChange&) const = default;
+};
+
+/// Where a vehicle really is, with the telemetry; for the log and the runner, not for decisions.
+struct VehicleTruth {
+  std::string uav;
+  world::VehicleState state;
+  MissionTime at;
+  bool operator==(const VehicleTruth&) const = default;
+};
+
+/// An object of the world, when it appears, disappears, each telemetry period while it moves, and
+/// once per object period.
+struct ObjectTruth {
+  std::string name;
+  std::string kind;
+  world::Vector3 position = world::Vector3::Zero();
+  double radius = 0;
+  bool active = false;
+  MissionTime at;
+  bool operator==(const ObjectTruth&) const = default;
+};
+
+using Effect =
+    std::variant<FunctionalStatus, Telemetry, PerceptionOut, LinkChange, VehicleTruth, ObjectTruth>;
+
+}  // namespace skein::sim

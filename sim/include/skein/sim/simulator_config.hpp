@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a simulation is made of.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "skein/foundation/time.hpp"
+#include "skein/world/object.hpp"
+#include "skein/world/radio_model.hpp"
+#include "skein/world/terrain.hpp"
+#include "skein/world/vehicle_model.hpp"
+#include "skein/world/wind.hpp"
+
+namespace skein::sim {
+
+/// The name of the ground station among the nodes of the radio.
+inline constexpr const char* kGroundNode = "ground";
+
+struct SimulatedVehicle {
+  std::string name;
+  world::VehicleModel model;
+  world::Vector2 start = world::Vector2::Zero();  ///< on the ground there
+  double heading = 0;                             ///< [rad], ENU counter-clockwise from east
+  double energy = 1;                              ///< at the start, [0, 1]
+};
+
+/// A scripted loss of the radio between two nodes, both ways, in [from, until).
+struct RadioCut {
+  std::string a;
+  std::string b;
+  MissionTime from;
+  MissionTime until;
+};
+
+struct SimulatorConfig {
+  world::Terrain terrain;
+  world::Wind wind = {};
+  std::vector<world::WorldObject> objects = {};
+  std::vector<SimulatedVehicle> vehicles = {};
+  world::RadioModel radio = {};
+  world::Vector3 ground_station = world::Vector3::Zero();  ///< its antenna [m], ENU
+  std::vector<RadioCut> cuts = {};
+  std::uint64_t seed = 1;
+  MissionTime start = {};                       ///< instant of the first step
+  Duration step = Duration::milliseconds(100);  ///< of the physics, > 0
+  Duration telemetry_period = Duration::milliseconds(1000);
+  Duration radio_period =
+      Duration::milliseconds(1000);  ///< between two looks at the geometry of links
+  Duration object_period =
+      Duration::milliseconds(30000);  ///< between two truths of an unchanged object
+};
+
+/// Why it cannot be simulated, in sentences, all at once: a start outside the terrain, two nodes of
+/// one name, a cut between unknown nodes, a period that is not positive, …; empty when it can.
+std::vector<std::string> problems_of(const SimulatorConfig& config);
+
+}  // namespace skein::sim

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "guidance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace skein::sim {
+namespace {
+
+using world::Vector2;
+using world::Vector3;
+
+constexpr double kPositionGain = 0.5;   // [1/s] velocity asked per metre of error
+constexpr double kRestSpeed = 0.3;      // [m/s] at rest below it
+constexpr double kRestTime = 1;         // [s]
+constexpr double kArrivalSpeed = 1;     // [m/s] at the last way-point, of one that hovers
+constexpr double kCeilingMargin = 0.5;  // [m]
+constexpr double kFlareHeight = 15;     // [m] below it, one that cannot hover lands slowly
+constexpr double kTouchRate = 0.3;      // [m/s] sink rate at the ground
+constexpr double kRoomMargin = 1.5;     // room is made until a turn this much wider leads there
+constexpr double kSinkGain = 0.25;      // [1/s] sink rate per metre of height, near the ground
+constexpr double kNear = 0.05;          // [m] where directions no longer mean anything
+constexpr double kSlow = 1.5;           // [m/s] it may look elsewhere than it flies
+constexpr double kLookAhead = 2;        // [s] for rising ground
+constexpr double kOrbitGain = 1.5;      // how sharply it joins its circle
+
+double bearing(const Vector2& from, const Vector2& to) {
+  return std::atan2(to.y() - from.y(), to.x() - from.x());
+}
+
+/// The speed from which it can still stop in `distance` with half its acceleration.
+double stopping_speed(double acceleration, double distance) {
+  return std::min(std::sqrt(acceleration * distance), kPositionGain * distance);
+}
+
+/// Stops where the way turns back, keeps its speed where it goes straight on.
+double corner_speed(const Fly& goal) {
+  if (goal.next == 0 || goal.next + 1 >= goal.waypoints.size()) return 0;
+  const Vector3 in = goal.waypoints[goal.next] - goal.waypoints[goal.next - 1];
+  const Vector3 out = goal.waypoints[goal.next + 1] - goal.waypoints[goal.next];
+  const double lengths = in.norm() * out.norm();
+  return lengths > 0 ? goal.speed * (1 + in.dot(out) / lengths) / 2 : 0;
+}
+
+}  // namespace
+
+double arrival_tolerance(const world::VehicleModel& model, const world::Wind& wind) {
+  const double displaced =
+      model.hovers ? model.wind_drift * (wind.speed + 3 * wind.gusts) / kPositionGain : 0;
+  return 1 + 3 * world::tracking_spread(model) + displaced;
+}
+
+Guidance::Guidance(const world::VehicleModel& model, const world::Terrain& terrain,
+                   const world::Wind& wind)
+    : model_(model), terrain_(&terrain), tolerance_(arrival_tolerance(model, wind)) {}
+
+void Guidance::set(Goal goal) {
+  goal_ = std::move(goal);
+  done_ = std::holds_alternative<Stay>(goal_) || std::holds_alternative<Hold>(goal_);
+}
+
+void Guidance::finish(Goal then) {
+  set(std::move(then));
+  done_ = true;
+}
+
+Command Guidance::next(const Vehicle& vehicle, const Vector3& error, double heading_error,
+                       double dt) {
+  advance(vehicle, dt);
+  Command command =
+      std::visit([&](const auto& goal) { return follow(goal, vehicle, error); }, goal_);
+  if (!command.may_touch) avoid_ground(vehicle, command);
+  const bool slow = vehicle.air_velocity().head<2>().norm() < kSlow;
+  if (look_at_ && slow && model_.hovers)
+    command.heading = bearing(vehicle.state().position.head<2>(), *look_at_) + heading_error;
+  return command;
+}
+
+void Guidance::advance(const Vehicle& vehicle, double dt) {
+  const world::VehicleState& state = vehicle.state();
+  if (const auto* rise = std::get_if<Rise>(&goal_)) {
+    const bool level = std::abs(vehicle.air_velocity().z()) < 2 * kRestSpeed;
+    if (state.airborne && level && std::abs(state.position.z() - rise->height) <= tolerance_)
+      finish(Hold{Vector3(rise->at.x(), rise->at.y(), rise->height)});
+  } else if (std::holds_alternative<Descend>(goal_)) {
+    if (!state.airborne && vehicle.air_velocity().norm() <= 0) finish(Stay{});
+  } else if (auto* fly = std::get_if<Fly>(&goal_)) {
+    advance_fly(*fly, vehicle);
+  } else if (auto* brake = std::get_if<Brake>(&goal_)) {
+    advance_brake(*brake, vehicle, dt);
+  }
+}
+
+void Guidance::advance_fly(Fly& goal, const Vehicle& vehicle) {
+  while (goal.next + 1 < goal.waypoints.size() &&
+         reached(vehicle.state(), goal.waypoints[goal.next])) {
+    ++goal.next;
+    goal.makes_room = false;
+  }
+  if (!model_.hovers) {
+    // Two radii: with one, it would circle the point for ever on the edge between the two answers.
+    const double radius = model_.min_turn_radius * (goal.makes_room ? kRoomMargin : 1);
+    goal.makes_room = needs_room(vehicle.state(), goal.waypoints[goal.next].head<2>(), radius);
+  }
+  const Vector3 last = goal.waypoints.back();
+  const bool slow = !model_.hovers || vehicle.air_velocity().norm() <= kArrivalSpeed;
+  if (goal.next + 1 == goal.waypoints.size() && slow && reached(vehicle.state(), last))
+    finish(Hold{last});
+}
+
+void Guidance::advance_brake(Brake& goal, const Vehicle& vehicle, double dt) {
+  const Vector3& velocity = vehicle.air_velocity();
+  const double motion = model_.hovers ? velocity.norm() : std::abs(velocity.z());
+  goal.at_rest = motion < kRestSpeed ? goal.at_rest + dt : 0;
+  if (!goal.centre || model_.hovers) goal.centre = vehicle.state().position;
+  goal.centre->z() = vehicle.state().position.z();
+  if (goal.at_rest >= kRestTime) finish(Hold{Vector3(*goal.centre)});
+}
+
+bool Guidance::reached(const world::VehicleState& state, const Vector3& point) const {
+  const Vector3 offset = point - state.position;
+  return offset.head<2>().norm() <= tolerance_ && std::abs(offset.z()) <= tolerance_;
+}
+
+Command Guidance::follow(const Stay&, const Vehicle&, const Vector3&) const {
+  Command command;
+  command.may_touch = true;
+  return command;
+}
+
+Command Guidance::follow(const Hold& goal, const Vehicle& vehicle, const Vector3& error) const {
+  return keep(vehicle, goal.at + error);
+}
+
+Command Guidance::follow(const Rise& goal, const Vehicle& vehicle, const Vector3& error) const {
+  Command command = keep(vehicle, Vector3(goal.at.x(), goal.at.y(), goal.height + error.z()));
+  command.may_touch = true;
+  if (!vehicle.state().airborne) command.climb = model_.climb_rate;
+  return command;
+}
+
+Command Guidance::follow(const Descend& goal, const Vehicle& vehicle, const Vector3& error) const {
+  const world::VehicleState& state = vehicle.state();
+  if (!state.airborne) return follow(Stay{}, vehicle, error);
+  const double height =
+      state.position.z() - terrain_->elevation(state.position.x(), state.position.y());
+  Command command =
+      keep(vehicle, Vector3(goal.at.x() + error.x(), goal.at.y() + error.y(), state.position.z()));
+  if (!model_.hovers && height < kFlareHeight) command.speed = model_.min_speed;
+  command.climb = -std::min(model_.descent_rate, kTouchRate + kSinkGain * std::max(0.0, height));
+  command.may_touch = true;
+  return command;
+}
+
+Command Guidance::follow(const Fly& goal, const Vehicle& vehicle, const Vector3& error) const {
+  const Vector3 aim = goal.waypoints[goal.next] + error;
+  if (model_.hovers) return hover_towards(vehicle, aim, goal.speed, corner_speed(goal));
+  Command command;
+  command.speed = goal.speed;
+  const Vector2 position = vehicle.state().position.head<2>();
+  command.course = goal.makes_room ? vehicle.state().heading : bearing(position, aim.head<2>());
+  command.climb = level_towards(vehicle.state(), aim.z());
+  return command;
+}
+
+Command Guidance::follow(const Brake& goal, const Vehicle& vehicle, const Vector3&) const {
+  Command command;
+  if (!model_.hovers) command = orbit(vehicle, *goal.centre);
+  command.climb = 0;
+  return command;
+}
+
+Command Guidance::keep(const Vehicle& vehicle, const Vector3& at) const {
+  return model_.hovers ? hover_towards(vehicle, at, model_.cruise_speed, 0) : orbit(vehicle, at);
+}
+
+/// Straight at the point in space: the quicker of the two motions waits for the slower.
+Command Guidance::hover_towards(const Vehicle& vehicle, const Vector3& at, double speed,
+                                double speed_there) const {
+  const world::VehicleState& state = vehicle.state();
+  const double distance = (at - state.position).head<2>().norm();
+  const double rise = std::abs(allowed_height(state, at.z()) - state.position.z());
+  Command command;
+  command.course = bearing(state.position.head<2>(), at.head<2>());
+  command.climb = level_towards(state, at.z());
+  command.speed =
+      std::min(speed, std::hypot(speed_there, stopping_speed(model_.acceleration, distance)));
+  if (distance < kNear || rise < kNear) return command;
+  const double level_time = distance / command.speed;
+  const double climb_time = rise / std::abs(command.climb);
+  if (climb_time < level_time)
+    command.climb *= climb_time / level_time;
+  else
+    command.speed *= level_time / climb_time;
+  return command;
+}
+
+/// A vector field that ends on the circle, counter-clockwise, whatever side it is joined from.
+Command Guidance::orbit(const Vehicle& vehicle, const Vector3& at) const {
+  const world::VehicleState& state = vehicle.state();
+  const Vector2 offset = state.position.head<2>() - at.head<2>();
+  const double excess = (offset.norm() - model_.orbit_radius) / model_.orbit_radius;
+  const double around = offset.norm() > 1e-6 ? std::atan2(offset.y(), offset.x())
+                                             : state.heading - std::numbers::pi / 2;
+  Command command;
+  command.speed = model_.cruise_speed;
+  command.course = around + std::numbers::pi / 2 + std::atan(kOrbitGain * excess);
+  command.climb = level_towards(state, at.z());
+  return command;
+}
+
+/// True when the point lies inside the circle of that radius that would turn towards it.
+bool Guidance::needs_room(const world::VehicleState& state, const Vector2& at,
+                          double radius) const {
+  const Vector2 position = state.position.head<2>();
+  const double side = world::wrapped(bearing(position, at) - state.heading) >= 0 ? 1 : -1;
+  const Vector2 left(-std::sin(state.heading), std::cos(state.heading));
+  return (at - (position + side * radius * left)).norm() < radius - tolerance_ / 2;
+}
+
+/// The nearest height that the ceiling and the ground below allow.
+double Guidance::allowed_height(const world::VehicleState& state, double height) const {
+  const double ground = terrain_->elevation(state.position.x(), state.position.y());
+  const double most = std::max(kLeastHeight, model_.ceiling - kCeilingMargin);
+  return std::clamp(height, ground + kLeastHeight, ground + most);
+}
+
+double Guidance::level_towards(const world::VehicleState& state, double height) const {
+  const double error = allowed_height(state, height) - state.position.z();
+  const double rate = stopping_speed(model_.acceleration, std::abs(error));
+  return std::clamp(std::copysign(rate, error), -model_.descent_rate, model_.climb_rate);
+}
+
+/// The last guard: rising ground ahead makes it climb whatever else is asked.
+void Guidance::avoid_ground(const Vehicle& vehicle, Command& command) const {
+  const world::VehicleState& state = vehicle.state();
+  if (!state.airborne) return;
+  const Vector3 ahead = state.position + kLookAhead * state.velocity;
+  const double ground = std::max(terrain_->elevation(state.position.x(), state.position.y()),
+                                 terrain_->elevation(ahead.x(), ahead.y()));
+  if (std::min(state.position.z(), ahead.z()) - ground < kLeastHeight / 2)
+    command.climb = model_.climb_rate;
+}
+
+std::string Guidance::activity() const {
+  if (const auto* fly = std::get_if<Fly>(&goal_))
+    return "goto " + std::to_string(fly->next + 1) + "/" + std::to_string(fly->waypoints.size());
+  if (std::holds_alternative<Stay>(goal_)) return "on the ground";
+  if (std::holds_alternative<Rise>(goal_)) return "takeoff";
+  if (std::holds_alternative<Descend>(goal_)) return "landing";
+  if (std::holds_alternative<Brake>(goal_)) return "stopping";
+  return model_.hovers ? "hold" : "orbit";
+}
+
+}  // namespace skein::sim

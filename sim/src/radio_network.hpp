@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The radio between all pairs of nodes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "skein/sim/messages.hpp"
+#include "skein/sim/simulator_config.hpp"
+
+namespace skein::sim {
+
+/// Both directions of a pair are always alike. Geometry is looked at once per radio period,
+/// scripted cuts at the first update after they begin or end.
+class RadioNetwork {
+ public:
+  /// `nodes`: their names, in the order of the positions given to update.
+  RadioNetwork(const SimulatorConfig& config, std::vector<std::string> nodes);
+
+  /// True if update has something to look at.
+  bool due(MissionTime now) const { return now >= next_; }
+  /// Tells what changed (the first time: how everything is).
+  void update(const std::vector<world::Vector3>& positions, const world::Terrain& terrain,
+              MissionTime now, std::vector<Effect>& effects);
+
+ private:
+  struct Pair {
+    std::size_t a, b;
+    bool in_contact = true;  ///< by geometry, without the cuts
+    world::RadioLink link = {};
+  };
+  bool is_cut(const Pair& pair, MissionTime now) const;
+  MissionTime next_after(MissionTime now) const;
+
+  world::RadioModel model_;
+  std::vector<RadioCut> cuts_;
+  Duration period_;
+  std::vector<std::string> nodes_;
+  std::vector<Pair> pairs_;
+  MissionTime next_;
+  MissionTime next_look_;
+  bool first_ = true;
+};
+
+}  // namespace skein::sim

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one look of one sensor detects, by geometry and by chance.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "skein/foundation/random.hpp"
+#include "skein/world/object.hpp"
+#include "skein/world/perception.hpp"
+#include "skein/world/sensor_model.hpp"
+#include "skein/world/vehicle_state.hpp"
+
+namespace skein::sim {
+
+/// What there is to see.
+struct Scene {
+  const world::Terrain& terrain;
+  const std::vector<world::WorldObject>& objects;
+};
+
+/// The cone the sensor looks through: at the target if it is gimballed and has one (turned aside by
+/// `pointing_error` [rad]), else ahead of the vehicle at its pitch.
+world::View view_of(const world::SensorModel& sensor, const world::VehicleState& state,
+                    const std::optional<world::Vector3>& target, double pointing_error);
+
+/// True when the object is there, in view, and the terrain does not hide its top.
+bool is_visible(const world::View& view, const world::WorldObject& object, MissionTime at,
+                const world::Terrain& terrain);
+
+/// One look: each visible object of a known kind is detected with its probability, at a place with
+/// the sensor's spread; false alarms come on top, on the ground in view where there is some.
+std::vector<world::Detection> look(const world::SensorModel& sensor, const world::View& view,
+                                   const Scene& scene, MissionTime at, Random& random);
+
+}  // namespace skein::sim

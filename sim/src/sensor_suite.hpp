@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The takeshot tasks of one vehicle.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+
+#include "sensing.hpp"
+#include "status_board.hpp"
+#include "task_checks.hpp"
+
+namespace skein::sim {
+
+/// Each device runs at most one task. A task looks at once, then at each period of its device,
+/// until it is interrupted, or has its duration or its number of shots.
+class SensorSuite {
+ public:
+  SensorSuite(const world::VehicleModel& model, const std::string& uav, std::uint64_t seed);
+
+  /// Why the device cannot start; nothing if it can.
+  std::optional<std::string> refusal(const std::string& device) const;
+  void start(std::uint64_t id, TakeshotTask task, MissionTime now, StatusBoard& board,
+             std::vector<Effect>& effects);
+  /// False when no such task runs here.
+  bool interrupt(std::uint64_t id, MissionTime now, StatusBoard& board,
+                 std::vector<Effect>& effects);
+  void abort_all(const std::string& reason, MissionTime now, StatusBoard& board,
+                 std::vector<Effect>& effects);
+  void break_device(const std::string& device, MissionTime now, StatusBoard& board,
+                    std::vector<Effect>& effects);
+  /// Takes the looks that are due.
+  void step(const world::VehicleState& state, double pointing_error, const Scene& scene,
+            MissionTime now, StatusBoard& board, std::vector<Effect>& effects);
+
+  /// Where the first running task that has a target wants to look.
+  std::optional<world::Vector2> target() const;
+
+ private:
+  struct Shot {
+    std::uint64_t id;
+    TakeshotTask task;
+    MissionTime next;
+    MissionTime until;
+    std::uint64_t left;  ///< shots
+  };
+
+  world::VehicleModel model_;
+  std::map<std::string, Random> randoms_;  ///< by device: one does not disturb the others
+  std::set<std::string> broken_;
+  std::vector<Shot> shots_;
+};
+
+}  // namespace skein::sim

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "task_checks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "guidance.hpp"
+#include "parameter_reader.hpp"
+#include "skein/foundation/nearest.hpp"
+
+namespace skein::sim {
+namespace {
+
+using world::Vector3;
+
+constexpr double kSteepestLanding = 0.2;  // [rad]
+constexpr double kTurningShare = 1.2;     // how much longer the way of one that cannot hover may be
+constexpr double kMostShots = 1e6;
+constexpr double kLongest = 1e6;  // [s]
+
+const std::vector<std::string>& task_types() {
+  static const std::vector<std::string> types = {"takeoff", "land", "goto", "wait", "takeshot"};
+  return types;
+}
+
+/// What may still be used in flight [J]; negative below the reserve.
+double spare_energy(const Situation& s) {
+  return (s.state.energy - s.model.energy.reserve) * s.model.energy.capacity;
+}
+
+void need_energy(const Situation& s, double joules, const std::string& what,
+                 ParameterReader& read) {
+  const double spare = spare_energy(s);
+  if (joules <= spare) return;
+  read.refuse("energy too low for " + what + ": it takes " + figure(joules / 1e3) + " kJ, " +
+              figure(std::max(0.0, spare) / 1e3) + " kJ are left above the reserve");
+}
+
+void need_flight(const Situation& s, const std::string& what, ParameterReader& read) {
+  if (!s.engine_works) read.refuse("engine failure");
+  if (!s.state.airborne) read.refuse(what + " before takeoff: the vehicle is on the ground");
+}
+
+std::optional<Duration> read_duration(ParameterReader& read) {
+  const auto duration = read.number("duration");
+  if (!duration) return std::nullopt;
+  if (*duration > 0 && *duration <= kLongest) return Duration::seconds(*duration);
+  read.refuse("duration must be greater than 0 s and at most " + figure(kLongest) + " s");
+  return std::nullopt;
+}
+
+ElementaryTask read_takeoff(const Situation& s, ParameterReader& read) {
+  read.names({"altitude"});
+  const double altitude = read.number("altitude").value_or(s.model.ceiling / 2);
+  if (!read.has("altitude")) read.refuse("altitude is missing");
+  if (altitude < kLeastHeight || altitude > s.model.ceiling)
+    read.refuse("altitude " + figure(altitude) + " m is not between " + figure(kLeastHeight) +
+                " m and the ceiling of " + figure(s.model.ceiling) + " m above ground");
+  if (!s.engine_works) read.refuse("engine failure");
+  if (s.state.airborne) read.refuse("already in the air");
+  const double time = std::max(0.0, altitude) / s.model.climb_rate;
+  need_energy(s, time * world::flight_power(s.model, 0, s.model.climb_rate), "the takeoff", read);
+  const Vector3& at = s.state.position;
+  return TakeoffTask{s.terrain.elevation(at.x(), at.y()) + altitude};
+}
+
+ElementaryTask read_land(const Situation& s, ParameterReader& read) {
+  read.names({});
+  if (!s.state.airborne) read.refuse("already on the ground");
+  const Vector3& at = s.state.position;
+  if (!s.terrain.contains(at.x(), at.y())) read.refuse("no landing outside the terrain");
+  if (const double slope = s.terrain.slope(at.x(), at.y()); slope > kSteepestLanding)
+    read.refuse("the ground slopes by " + figure(slope * 180 / std::numbers::pi) +
+                " degrees here, too steep to land");
+  return LandTask{};
+}
+
+void check_waypoint(const Situation& s, const Vector3& point, const std::string& name,
+                    ParameterReader& read) {
+  if (!s.terrain.contains(point.x(), point.y())) {
+    read.refuse(name + " is outside the terrain");
+    return;
+  }
+  const double height = point.z() - s.terrain.elevation(point.x(), point.y());
+  if (height < 0)
+    read.refuse(name + " is " + figure(-height) + " m under the ground");
+  else if (height < kLeastHeight)
+    read.refuse(name + " is only " + figure(height) + " m above the ground, less than " +
+                figure(kLeastHeight) + " m");
+  if (height > s.model.ceiling)
+    read.refuse(name + " is " + figure(height) + " m above the ground, over the ceiling of " +
+                figure(s.model.ceiling) + " m");
+}
+
+/// Energy of a way at a speed, straight from point to point [J].
+double way_energy(const Situation& s, const std::vector<Vector3>& way, double speed) {
+  double energy = 0;
+  Vector3 from = s.state.position;
+  for (const Vector3& to : way) {
+    const double rise = to.z() - from.z();
+    const double level_time = (to - from).head<2>().norm() / speed;
+    const double climb_time = rise > 0 ? rise / s.model.climb_rate : -rise / s.model.descent_rate;
+    energy += level_time * world::flight_power(s.model, speed, 0);
+    energy += std::max(0.0, climb_time - level_time) * world::flight_power(s.model, 0, 0);
+    if (rise > 0) energy += climb_time * s.model.energy.climb_power;
+    from = to;
+  }
+  return s.model.hovers ? energy : energy * kTurningShare;
+}
+
+void check_legs(const Situation& s, const std::vector<Vector3>& way, ParameterReader& read) {
+  Vector3 from = s.state.position;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    if (const auto hit = s.terrain.first_hit(from, way[i])) {
+      const Vector3 at = from + *hit * (way[i] - from);
+      read.refuse("the way to way-point " + std::to_string(i + 1) + " meets the ground at (" +
+                  figure(at.x()) + ", " + figure(at.y()) + ")");
+    }
+    from = way[i];
+  }
+}
+
+ElementaryTask read_goto(const Situation& s, ParameterReader& read) {
+  read.names({"waypoints", "speed"});
+  GotoTask task{read.points("waypoints"), read.number("speed").value_or(s.model.cruise_speed)};
+  if (!read.has("waypoints")) read.refuse("waypoints is missing");
+  const bool speed_known = task.speed > 0 && task.speed >= s.model.min_speed;
+  if (!speed_known || task.speed > s.model.max_speed)
+    read.refuse("speed " + figure(task.speed) + " m/s is not within what it can fly, " +
+                (s.model.hovers ? "more than 0" : figure(s.model.min_speed)) + " to " +
+                figure(s.model.max_speed) + " m/s");
+  for (std::size_t i = 0; i < task.waypoints.size(); ++i)
+    check_waypoint(s, task.waypoints[i], "way-point " + std::to_string(i + 1), read);
+  need_flight(s, "goto", read);
+  if (!read.refused()) check_legs(s, task.waypoints, read);
+  if (speed_known) need_energy(s, way_energy(s, task.waypoints, task.speed), "the way", read);
+  return task;
+}
+
+ElementaryTask read_wait(const Situation& s, ParameterReader& read) {
+  read.names({"duration"});
+  const WaitTask task{read_duration(read)};
+  if (!s.engine_works) read.refuse("engine failure");
+  if (task.duration && s.state.airborne)
+    need_energy(s, task.duration->to_seconds() * world::flight_power(s.model, s.model.min_speed, 0),
+                "the wait", read);
+  return task;
+}
+
+void check_device(const Situation& s, const std::string& device, ParameterReader& read) {
+  if (world::find_sensor(s.model, device) != nullptr) return;
+  std::vector<std::string> devices;
+  for (const world::SensorModel& sensor : s.model.sensors) devices.push_back(sensor.device);
+  const std::string nearest = nearest_name(device, devices);
+  read.refuse("no device '" + device + "' on board" +
+              (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
+}
+
+ElementaryTask read_takeshot(const Situation& s, ParameterReader& read) {
+  read.names({"device", "target", "duration", "shots"});
+  TakeshotTask task;
+  if (const auto device = read.text("device")) {
+    check_device(s, *device, read);
+    task.device = *device;
+  } else if (!read.has("device")) {
+    read.refuse("device is missing");
+  }
+  const std::vector<Vector3> target = read.points("target");
+  if (target.size() > 1) read.refuse("target must be one point");
+  if (target.size() == 1) task.target = target.front();
+  if (task.target && !s.terrain.contains(task.target->x(), task.target->y()))
+    read.refuse("target is outside the terrain");
+  task.duration = read_duration(read);
+  if (const auto shots = read.number("shots")) {
+    if (*shots >= 1 && *shots <= kMostShots && *shots == std::floor(*shots))
+      task.shots = static_cast<std::uint64_t>(*shots);
+    else
+      read.refuse("shots must be a whole number from 1 to " + figure(kMostShots));
+  }
+  return task;
+}
+
+}  // namespace
+
+Result<ElementaryTask, Failure> checked_task(const std::string& type,
+                                             const world::Parameters& parameters,
+                                             const Situation& situation) {
+  using Read = ElementaryTask (*)(const Situation&, ParameterReader&);
+  constexpr std::array<Read, 5> readers = {read_takeoff, read_land, read_goto, read_wait,
+                                           read_takeshot};
+  const auto found = std::find(task_types().begin(), task_types().end(), type);
+  if (found == task_types().end()) {
+    const std::string nearest = nearest_name(type, task_types());
+    return failure("unknown task type '" + type + "'" +
+                   (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
+  }
+  ParameterReader read(parameters);
+  ElementaryTask task =
+      readers[static_cast<std::size_t>(found - task_types().begin())](situation, read);
+  if (read.refused()) return failure(read.reasons());
+  return task;
+}
+
+}  // namespace skein::sim

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "unit.hpp"
+
+#include <utility>
+
+namespace skein::sim {
+namespace {
+
+using world::Vector2;
+using world::Vector3;
+
+/// Lower than this a landing is not stopped any more [m].
+constexpr double kCommittedHeight = 3;
+constexpr double kCommittedHeightTurning = 20;
+
+Vector3 on_ground(const world::Terrain& terrain, const Vector2& at) {
+  return {at.x(), at.y(), terrain.elevation(at.x(), at.y())};
+}
+
+/// The goal of guidance for a task that begins in some state; a wait goes on holding where it
+/// holds.
+Goal goal_of(const ElementaryTask& task, const world::VehicleState& state, const Goal& now) {
+  const Vector2 at = state.position.head<2>();
+  if (const auto* takeoff = std::get_if<TakeoffTask>(&task)) return Rise{at, takeoff->height};
+  if (const auto* go = std::get_if<GotoTask>(&task)) return Fly{go->waypoints, go->speed};
+  if (std::holds_alternative<LandTask>(task)) {
+    const auto* hold = std::get_if<Hold>(&now);
+    return Descend{hold != nullptr ? Vector2(hold->at.head<2>()) : at};
+  }
+  if (std::holds_alternative<Hold>(now) || std::holds_alternative<Stay>(now)) return now;
+  return Brake{};
+}
+
+}  // namespace
+
+Unit::Unit(const SimulatedVehicle& vehicle, const SimulatorConfig& config, const Scene& scene)
+    : model_(vehicle.model),
+      scene_(scene),
+      vehicle_(vehicle.model, on_ground(scene.terrain, vehicle.start), vehicle.heading,
+               vehicle.energy),
+      guidance_(vehicle.model, scene.terrain, config.wind),
+      pilot_(vehicle.model, Random(config.seed, vehicle.name + "/pilot")),
+      gusts_(config.wind, Random(config.seed, vehicle.name + "/gusts")),
+      sensors_(vehicle.model, vehicle.name, config.seed),
+      board_(vehicle.name) {
+  vehicle_.state().activity = activity();
+}
+
+void Unit::handle(const FunctionalRequest& request, MissionTime now, std::vector<Effect>& effects) {
+  if (request.verb == RequestVerb::kInterrupt)
+    interrupt(request.task, now, effects);
+  else
+    dispatch(request, now, effects);
+}
+
+void Unit::dispatch(const FunctionalRequest& request, MissionTime now,
+                    std::vector<Effect>& effects) {
+  if (board_.knows(request.task)) return board_.repeat(request.task, now, effects);
+  const auto refuse = [&](const std::string& why) {
+    board_.tell(request.task, FunctionalState::kAborted, why, now, effects);
+  };
+  auto task = checked_task(request.type, request.parameters,
+                           {model_, scene_.terrain, vehicle_.state(), vehicle_.engine_works()});
+  if (!task) return refuse(task.error().why);
+  if (auto* shot = std::get_if<TakeshotTask>(&*task)) {
+    if (const auto why = sensors_.refusal(shot->device)) return refuse(*why);
+    return sensors_.start(request.task, std::move(*shot), now, board_, effects);
+  }
+  if (motion_) return refuse("motion task " + std::to_string(motion_->id) + " is still active");
+  board_.note(request.task);
+  motion_ = MotionTask{request.task, std::move(*task)};
+  motion_->begins = now + pilot_.reaction();
+  if (motion_->begins <= now) begin(now, effects);
+}
+
+void Unit::interrupt(std::uint64_t task, MissionTime now, std::vector<Effect>& effects) {
+  if (motion_ && motion_->id == task) {
+    if (motion_->stops) return;
+    motion_->stops = now + pilot_.reaction();
+    if (*motion_->stops <= now) stop();
+    return;
+  }
+  if (sensors_.interrupt(task, now, board_, effects)) return;
+  if (board_.knows(task)) return board_.repeat(task, now, effects);
+  board_.tell(task, FunctionalState::kAborted, "no such task here", now, effects);
+}
+
+void Unit::begin(MissionTime now, std::vector<Effect>& effects) {
+  motion_->phase = MotionTask::Phase::kActive;
+  guidance_.set(goal_of(motion_->task, vehicle_.state(), guidance_.goal()));
+  if (const auto* wait = std::get_if<WaitTask>(&motion_->task); wait != nullptr && wait->duration)
+    motion_->ends = now + *wait->duration;
+  board_.tell(motion_->id, FunctionalState::kRunning, "", now, effects);
+}
+
+void Unit::stop() {
+  const bool landing = std::holds_alternative<Descend>(guidance_.goal());
+  motion_->phase = MotionTask::Phase::kStopping;
+  come_to_rest();
+  if (landing && std::holds_alternative<Descend>(guidance_.goal()))
+    motion_->stopped_because = "interrupted too low to stop the landing: landed";
+}
+
+/// Stops where it is, unless it holds already; a landing that is nearly done is done.
+void Unit::come_to_rest() {
+  if (std::holds_alternative<Hold>(guidance_.goal())) return;
+  if (std::holds_alternative<Descend>(guidance_.goal()) &&
+      height() < (model_.hovers ? kCommittedHeight : kCommittedHeightTurning))
+    return;
+  if (vehicle_.state().airborne)
+    guidance_.set(Brake{});
+  else
+    guidance_.set(Stay{});
+}
+
+void Unit::advance_task(MissionTime now, std::vector<Effect>& effects) {
+  if (!motion_) return;
+  if (motion_->stops && *motion_->stops <= now && motion_->phase != MotionTask::Phase::kStopping)
+    stop();
+  if (motion_->phase == MotionTask::Phase::kStopping) {
+    if (guidance_.done()) finish(FunctionalState::kAborted, motion_->stopped_because, now, effects);
+    return;
+  }
+  if (motion_->phase == MotionTask::Phase::kPending && motion_->begins <= now) begin(now, effects);
+  if (motion_->phase != MotionTask::Phase::kActive) return;
+  const bool waits = std::holds_alternative<WaitTask>(motion_->task);
+  if (waits ? now >= motion_->ends : guidance_.done())
+    finish(FunctionalState::kEnded, "", now, effects);
+}
+
+void Unit::finish(FunctionalState state, std::string reason, MissionTime now,
+                  std::vector<Effect>& effects) {
+  board_.tell(motion_->id, state, std::move(reason), now, effects);
+  motion_.reset();
+}
+
+void Unit::abort_everything(const std::string& reason, MissionTime now,
+                            std::vector<Effect>& effects) {
+  if (motion_) finish(FunctionalState::kAborted, reason, now, effects);
+  sensors_.abort_all(reason, now, board_, effects);
+}
+
+void Unit::handle(const Fault& fault, MissionTime now, std::vector<Effect>& effects) {
+  if (fault.kind == FaultKind::kSensor)
+    return sensors_.break_device(fault.device, now, board_, effects);
+  vehicle_.break_engine();
+  watch_breakdowns(now, effects);
+}
+
+void Unit::handle(const ContactLost& contact, MissionTime now, std::vector<Effect>& effects) {
+  if (!contact.lost) return;
+  const bool moving = motion_ && !std::holds_alternative<WaitTask>(motion_->task);
+  abort_everything("contact with the decision node lost", now, effects);
+  if (moving) come_to_rest();
+}
+
+void Unit::watch_breakdowns(MissionTime now, std::vector<Effect>& effects) {
+  if (vehicle_.state().energy <= 0) vehicle_.break_engine();
+  if (vehicle_.engine_works() || breakdown_told_) return;
+  breakdown_told_ = true;
+  const char* reason = vehicle_.crashed()             ? "the vehicle met the ground"
+                       : vehicle_.state().energy <= 0 ? "energy used up"
+                                                      : "engine failure";
+  abort_everything(reason, now, effects);
+  guidance_.set(Descend{vehicle_.state().position.head<2>()});
+}
+
+void Unit::step(MissionTime now, double dt, std::vector<Effect>& effects) {
+  pilot_.attend(now);
+  guidance_.look_at(sensors_.target());
+  const Command command =
+      guidance_.next(vehicle_, pilot_.position_error(), pilot_.heading_error(), dt);
+  const Vector3& position = vehicle_.state().position;
+  const double ground = scene_.terrain.elevation(position.x(), position.y());
+  const bool still = !vehicle_.state().airborne && command.climb <= 0;
+  vehicle_.step(command, still ? Vector3(Vector3::Zero()) : gusts_.next(dt), ground, dt);
+  watch_breakdowns(now, effects);
+  advance_task(now, effects);
+  sensors_.step(vehicle_.state(), pilot_.heading_error(), scene_, now, board_, effects);
+  vehicle_.state().activity = activity();
+}
+
+std::string Unit::activity() const {
+  if (vehicle_.crashed()) return "crashed";
+  if (!vehicle_.engine_works()) return "engine failure";
+  const bool waits = motion_ && motion_->phase == MotionTask::Phase::kActive &&
+                     std::holds_alternative<WaitTask>(motion_->task);
+  return waits ? "wait, " + guidance_.activity() : guidance_.activity();
+}
+
+double Unit::height() const {
+  const Vector3& at = vehicle_.state().position;
+  return at.z() - scene_.terrain.elevation(at.x(), at.y());
+}
+
+}  // namespace skein::sim

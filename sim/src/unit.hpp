@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// One simulated UAV: vehicle, pilot, guidance, sensors, and the functional layer that runs its
+// tasks.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "guidance.hpp"
+#include "gusts.hpp"
+#include "pilot.hpp"
+#include "sensor_suite.hpp"
+#include "skein/sim/simulator_config.hpp"
+#include "status_board.hpp"
+
+namespace skein::sim {
+
+/// At most one motion task (takeoff, land, goto, wait) at a time:
+///
+/// | from     | when                                    | to       | told              |
+/// | –        | request accepted                         | pending  | –                 |
+/// | –        | request impossible, or a motion task runs | –        | aborted + reason  |
+/// | pending  | pilot has reacted (autopilot: at once)   | active   | running           |
+/// | active   | guidance done, or duration over          | –        | ended             |
+/// | pending, active | interrupt, pilot has reacted      | stopping | –                 |
+/// | stopping | at rest (a landing too low: on the ground) | –      | aborted           |
+/// | any      | engine failure, energy out, contact lost | –        | aborted + reason  |
+///
+/// Between tasks it holds where it is (or circles, or stays on the ground).
+class Unit {
+ public:
+  Unit(const SimulatedVehicle& vehicle, const SimulatorConfig& config, const Scene& scene);
+
+  void handle(const FunctionalRequest& request, MissionTime now, std::vector<Effect>& effects);
+  void handle(const Fault& fault, MissionTime now, std::vector<Effect>& effects);
+  void handle(const ContactLost& contact, MissionTime now, std::vector<Effect>& effects);
+  /// Advances to `now`, one step of the physics after the last.
+  void step(MissionTime now, double dt, std::vector<Effect>& effects);
+
+  const std::string& name() const { return board_.uav(); }
+  const world::VehicleState& state() const { return vehicle_.state(); }
+
+ private:
+  struct MotionTask {
+    enum class Phase { kPending, kActive, kStopping };
+    std::uint64_t id;
+    ElementaryTask task;
+    Phase phase = Phase::kPending;
+    MissionTime begins = {};                ///< kPending: when the pilot has reacted
+    std::optional<MissionTime> stops = {};  ///< when the pilot reacts to an interrupt
+    MissionTime ends = MissionTime::max();  ///< of a wait with a duration
+    std::string stopped_because = "interrupted";
+  };
+
+  void dispatch(const FunctionalRequest& request, MissionTime now, std::vector<Effect>& effects);
+  void interrupt(std::uint64_t task, MissionTime now, std::vector<Effect>& effects);
+  void begin(MissionTime now, std::vector<Effect>& effects);
+  void stop();
+  void advance_task(MissionTime now, std::vector<Effect>& effects);
+  void finish(FunctionalState state, std::string reason, MissionTime now,
+              std::vector<Effect>& effects);
+  void abort_everything(const std::string& reason, MissionTime now, std::vector<Effect>& effects);
+  void come_to_rest();
+  void watch_breakdowns(MissionTime now, std::vector<Effect>& effects);
+  std::string activity() const;
+  double height() const;
+
+  world::VehicleModel model_;
+  Scene scene_;
+  Vehicle vehicle_;
+  Guidance guidance_;
+  Pilot pilot_;
+  Gusts gusts_;
+  SensorSuite sensors_;
+  StatusBoard board_;
+  std::optional<MotionTask> motion_;
+  bool breakdown_told_ = false;
+};
+
+}  // namespace skein::sim

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The dynamics of one vehicle: a point mass within the limits of its model.
+#pragma once
+
+#include <optional>
+
+#include "skein/world/vehicle_model.hpp"
+#include "skein/world/vehicle_state.hpp"
+
+namespace skein::sim {
+
+/// What guidance asks of the vehicle for one step; the vehicle does what its limits let it.
+struct Command {
+  double speed = 0;   ///< horizontal, through the air [m/s]
+  double course = 0;  ///< where to [rad]
+  double climb = 0;   ///< [m/s], up positive
+  std::optional<double> heading =
+      {};                  ///< of a vehicle that hovers; else it looks where it flies [rad]
+  bool may_touch = false;  ///< touching the ground is meant (takeoff and landing)
+};
+
+/// Laws: speed, acceleration, climb and descent rates never exceed the model's; one that cannot
+/// hover never turns tighter than its radius and, in flight, never falls below its least speed;
+/// energy never grows. All of them hold through the air: the wind adds its drift.
+class Vehicle {
+ public:
+  Vehicle(const world::VehicleModel& model, const world::Vector3& position, double heading,
+          double energy);
+
+  /// Advances by `dt` [s]. `wind`: motion of the air [m/s]; `ground`: elevation below [m].
+  void step(const Command& command, const world::Vector3& wind, double ground, double dt);
+
+  const world::VehicleState& state() const { return state_; }
+  world::VehicleState& state() { return state_; }
+  /// Velocity through the air, scaled as if all drift were wind [m/s].
+  const world::Vector3& air_velocity() const { return air_velocity_; }
+
+  /// From now on it sinks to the ground and stays there.
+  void break_engine() { engine_works_ = false; }
+  bool engine_works() const { return engine_works_; }
+  /// It met the ground without meaning to; its engine is broken too.
+  bool crashed() const { return crashed_; }
+
+ private:
+  void accelerate_hovering(const Command& command, double dt);
+  void accelerate_turning(const Command& command, double dt);
+  void climb_towards(double climb, double dt);
+  void draw_energy(double dt);
+  void touch(double ground, bool meant, double dt);
+
+  world::VehicleModel model_;
+  world::VehicleState state_;
+  world::Vector3 air_velocity_ = world::Vector3::Zero();
+  bool engine_works_ = true;
+  bool crashed_ = false;
+};
+
+}  // namespace skein::sim

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "radio_network.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <map>
+
+#include "testing.hpp"
+
+namespace skein::sim {
+namespace {
+
+using testing::at;
+using testing::flat;
+using world::Vector3;
+
+SimulatorConfig radio_config(double range = 100) {
+  SimulatorConfig config{flat()};
+  config.radio = {range, true, Duration::milliseconds(20), 0.1, 0.1};
+  return config;
+}
+
+std::vector<LinkChange> links_of(const std::vector<Effect>& effects) {
+  std::vector<LinkChange> links;
+  for (const Effect& effect : effects) links.push_back(std::get<LinkChange>(effect));
+  return links;
+}
+
+/// A network of "a" and "b" on a line, and the changes that moving b gives.
+struct Line {
+  explicit Line(const SimulatorConfig& config)
+      : terrain(config.terrain), network(config, {"a", "b"}) {}
+  std::vector<LinkChange> put_b_at(double x, double seconds) {
+    std::vector<Effect> effects;
+    if (network.due(at(seconds)))
+      network.update({{0, 0, 50}, {x, 0, 50}}, terrain, at(seconds), effects);
+    return links_of(effects);
+  }
+  world::Terrain terrain;
+  RadioNetwork network;
+};
+
+TEST(RadioNetwork, TellsEveryLinkBothWaysAtTheStart) {
+  std::vector<Effect> effects;
+  RadioNetwork network(radio_config(), {"a", "b", "c"});
+
+  network.update({{0, 0, 50}, {50, 0, 50}, {300, 0, 50}}, flat(), at(0), effects);
+
+  const auto links = links_of(effects);
+  ASSERT_EQ(links.size(), 6u);
+  EXPECT_EQ(links[0], (LinkChange{"a", "b", true, Duration::milliseconds(20), 0.1, at(0)}));
+  EXPECT_EQ(links[1], (LinkChange{"b", "a", true, Duration::milliseconds(20), 0.1, at(0)}));
+  EXPECT_EQ(links[2], (LinkChange{"a", "c", false, Duration(), 1, at(0)}));
+}
+
+TEST(RadioNetwork, TellsOnlyChangesAfterwards) {
+  Line line(radio_config());
+  line.put_b_at(50, 0);
+
+  EXPECT_TRUE(line.put_b_at(60, 1).empty());
+  EXPECT_EQ(line.put_b_at(200, 2).size(), 2u);
+  EXPECT_TRUE(line.put_b_at(201, 3).empty());
+}
+
+TEST(RadioNetwork, ALinkOnTheLimitDoesNotFlutter) {
+  Line line(radio_config());
+  line.put_b_at(50, 0);
+
+  EXPECT_TRUE(line.put_b_at(105, 1).empty()) << "holds within its hysteresis";
+  EXPECT_EQ(line.put_b_at(111, 2).size(), 2u);
+  EXPECT_TRUE(line.put_b_at(105, 3).empty()) << "comes back within the range only";
+  EXPECT_EQ(line.put_b_at(99, 4).size(), 2u);
+}
+
+TEST(RadioNetwork, AScriptedCutHoldsFromItsBeginningToItsEnd) {
+  SimulatorConfig config = radio_config();
+  config.cuts = {{"b", "a", at(10.3), at(12.7)}};
+  Line line(config);
+
+  std::vector<std::pair<double, bool>> changes;
+  for (int tenth = 0; tenth < 200; ++tenth)
+    for (const LinkChange& link : line.put_b_at(50, tenth * 0.1))
+      if (link.from == "a") changes.emplace_back(link.at.to_seconds(), link.up);
+
+  ASSERT_EQ(changes.size(), 3u);
+  EXPECT_NEAR(changes[1].first, 10.3, 1e-6);
+  EXPECT_FALSE(changes[1].second);
+  EXPECT_NEAR(changes[2].first, 12.7, 1e-6);
+  EXPECT_TRUE(changes[2].second);
+}
+
+TEST(RadioNetwork, ACutDoesNotTouchOtherPairs) {
+  SimulatorConfig config = radio_config();
+  config.cuts = {{"a", "b", at(0), at(100)}};
+  RadioNetwork network(config, {"a", "b", "c"});
+  std::vector<Effect> effects;
+
+  network.update({{0, 0, 50}, {10, 0, 50}, {20, 0, 50}}, flat(), at(1), effects);
+
+  for (const LinkChange& link : links_of(effects))
+    EXPECT_EQ(link.up, link.from == "c" || link.to == "c") << link.from << ">" << link.to;
+}
+
+TEST(RadioNetwork, TheEndOfACutDoesNotBringBackWhatIsOutOfRange) {
+  SimulatorConfig config = radio_config();
+  config.cuts = {{"a", "b", at(1), at(2)}};
+  Line line(config);
+  line.put_b_at(50, 0);
+  EXPECT_EQ(line.put_b_at(50, 1).size(), 2u);
+
+  EXPECT_TRUE(line.put_b_at(500, 2).empty());
+}
+
+TEST(RadioNetwork, AHillBetweenTwoNodesCutsThem) {
+  SimulatorConfig config = radio_config(1000);
+  config.terrain = testing::with_hill(100, 0, 80, 60);
+  RadioNetwork network(config, {"a", "b"});
+  std::vector<Effect> effects;
+
+  network.update({{0, 0, 30}, {200, 0, 30}}, config.terrain, at(0), effects);
+  network.update({{0, 0, 30}, {200, 0, 200}}, config.terrain, at(5), effects);
+
+  const auto links = links_of(effects);
+  ASSERT_EQ(links.size(), 4u);
+  EXPECT_FALSE(links[0].up);
+  EXPECT_TRUE(links[2].up);
+}
+
+RC_GTEST_PROP(RadioNetwork, BothDirectionsAreAlwaysAlike, ()) {
+  SimulatorConfig config = radio_config(300);
+  config.terrain = testing::with_hill(0, 0, 60, 150);
+  config.cuts = {{"a", "b", at(3), at(6)}};
+  RadioNetwork network(config, {"a", "b", "c"});
+  std::map<std::pair<std::string, std::string>, bool> up;
+  const auto coordinate = rc::gen::inRange(-300, 300);
+
+  for (int second = 0; second < 20; ++second) {
+    std::vector<Vector3> positions;
+    for (int i = 0; i < 3; ++i) positions.emplace_back(*coordinate, *coordinate, 70);
+    std::vector<Effect> effects;
+    network.update(positions, config.terrain, at(second), effects);
+    for (const LinkChange& link : links_of(effects)) up[{link.from, link.to}] = link.up;
+
+    RC_ASSERT(up.size() == 6u);
+    for (const auto& [pair, is_up] : up) RC_ASSERT((up[{pair.second, pair.first}] == is_up));
+  }
+}
+
+}  // namespace
+}  // namespace skein::sim
