@@ -66,9 +66,7 @@ void Guidance::finish(Goal then) {
   done_ = true;
 }
 
-Command Guidance::next(const Vehicle& vehicle, const Vector3& error, double heading_error,
-                       double dt) {
-  advance(vehicle, dt);
+Command Guidance::next(const Vehicle& vehicle, const Vector3& error, double heading_error) const {
   Command command =
       std::visit([&](const auto& goal) { return follow(goal, vehicle, error); }, goal_);
   if (!command.may_touch) avoid_ground(vehicle, command);
@@ -78,7 +76,7 @@ Command Guidance::next(const Vehicle& vehicle, const Vector3& error, double head
   return command;
 }
 
-void Guidance::advance(const Vehicle& vehicle, double dt) {
+void Guidance::update(const Vehicle& vehicle, double dt) {
   const world::VehicleState& state = vehicle.state();
   if (const auto* rise = std::get_if<Rise>(&goal_)) {
     const bool level = std::abs(vehicle.air_velocity().z()) < 2 * kRestSpeed;
@@ -167,7 +165,7 @@ Command Guidance::follow(const Fly& goal, const Vehicle& vehicle, const Vector3&
 
 Command Guidance::follow(const Brake& goal, const Vehicle& vehicle, const Vector3&) const {
   Command command;
-  if (!model_.hovers) command = orbit(vehicle, *goal.centre);
+  if (!model_.hovers) command = orbit(vehicle, goal.centre.value_or(vehicle.state().position));
   command.climb = 0;
   return command;
 }

@@ -68,17 +68,16 @@ class Guidance {
   const Goal& goal() const { return goal_; }
   bool done() const { return done_; }
   /// Where a vehicle that hovers turns to when it is slow.
-  void look_at(std::optional<world::Vector2> target) { look_at_ = target; }
+  void look_at(const std::optional<world::Vector2>& target) { look_at_ = target; }
 
-  /// What to do in the next `dt` seconds. `error`: where it is flown to, relative to where meant
-  /// [m].
-  Command next(const Vehicle& vehicle, const world::Vector3& error, double heading_error,
-               double dt);
+  /// What to do in the next step. `error`: where it is flown to, relative to where meant [m].
+  Command next(const Vehicle& vehicle, const world::Vector3& error, double heading_error) const;
+  /// After each step of the vehicle, `dt` seconds long: takes note of what it reached.
+  void update(const Vehicle& vehicle, double dt);
   /// For people: "goto 2/5", "hold", "orbit", …
   std::string activity() const;
 
  private:
-  void advance(const Vehicle& vehicle, double dt);
   void advance_fly(Fly& goal, const Vehicle& vehicle);
   void advance_brake(Brake& goal, const Vehicle& vehicle, double dt);
   void finish(Goal then);

@@ -168,12 +168,12 @@ void Unit::watch_breakdowns(MissionTime now, std::vector<Effect>& effects) {
 void Unit::step(MissionTime now, double dt, std::vector<Effect>& effects) {
   pilot_.attend(now);
   guidance_.look_at(sensors_.target());
-  const Command command =
-      guidance_.next(vehicle_, pilot_.position_error(), pilot_.heading_error(), dt);
+  const Command command = guidance_.next(vehicle_, pilot_.position_error(), pilot_.heading_error());
   const Vector3& position = vehicle_.state().position;
   const double ground = scene_.terrain.elevation(position.x(), position.y());
   const bool still = !vehicle_.state().airborne && command.climb <= 0;
   vehicle_.step(command, still ? Vector3(Vector3::Zero()) : gusts_.next(dt), ground, dt);
+  guidance_.update(vehicle_, dt);
   watch_breakdowns(now, effects);
   advance_task(now, effects);
   sensors_.step(vehicle_.state(), pilot_.heading_error(), scene_, now, board_, effects);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/ddn/ddn_node.hpp"
 
+#include <algorithm>
+
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
 
@@ -62,6 +64,16 @@ void DdnNode::on(const node::Started&) {
 }
 
 void DdnNode::on(const node::Received& received) {
+  if (const std::string why = why_not(received); !why.empty()) {
+    const wire::Slot slot = wire::slot_of(received.sample);
+    if (!dropped_.emplace(received.from, slot).second) return;
+    log(record("dropped")
+            .with("slot", wire::slot_name(slot))
+            .with("origin", roster_.name_of(received.from))
+            .with("field", "header.origin")
+            .with("why", why));
+    return;
+  }
   std::visit([this](const auto& sample) { take(sample); }, received.sample);
 }
 
@@ -74,33 +86,48 @@ void DdnNode::on(const node::Wakeup&) { run(executive::Tick{}); }
 
 // ---- what comes in ----
 
-void DdnNode::take(const wire::TaskRequest& request) {
-  if (const auto known = answered_.find(request.command); known != answered_.end()) {
-    send_to_ground(known->second);
-    return;
+// Every node of the radio can write to this one; who commands it and who moves it is fixed.
+std::string DdnNode::why_not(const node::Received& received) const {
+  switch (wire::slot_of(received.sample)) {
+    case wire::Slot::kTaskRequest:
+    case wire::Slot::kFunctionalRequest:
+      return received.from == roster_.ground() ? "" : "only the ground station makes requests";
+    case wire::Slot::kFunctionalStatus:
+    case wire::Slot::kTelemetry:
+    case wire::Slot::kPerceptionReport:
+      return received.from == roster_.sim() ? "" : "only the functional layer tells of the vehicle";
+    default:
+      return "";
   }
-  wire::RequestReply reply;
-  reply.command = request.command;
-  reply.kind = request.kind;
-  if (config_.degree == 1) {
-    reply.id = request.kind == wire::RequestKind::kStart ? request.task.id : request.id;
-    reply.why = "at degree 1 the ground station runs the plan";
-    answer(request.command, reply);
-    return;
+}
+
+void DdnNode::take(const wire::TaskRequest& request) {
+  const auto known = answered_.find({request.header.incarnation, request.command});
+  if (known != answered_.end()) return send_to_ground(known->second);
+  if (config_.degree == 1) return refuse(request, "at degree 1 the ground station runs the plan");
+  if (request.kind == wire::RequestKind::kStart && own_task(request.task.id)) {
+    return refuse(request, "ids from 1000000000 are the decision node's own");
   }
   mode_of_request_ = static_cast<executive::InsertionMode>(request.mode);
-  last_reply_.reset();
   const executive::Effects effects =
       executive_.handle(translation::to_input(from_wire(request)), now_);
   for (const executive::Effect& effect : effects) {
     if (const auto* answered = std::get_if<executive::Reply>(&effect)) {
+      wire::RequestReply reply;
       reply.id = answered->id.value_or(executive::TaskId()).value();
       reply.accepted = answered->accepted;
       reply.why = answered->why;
-      answer(request.command, reply);
+      answer(request, std::move(reply));
     }
   }
   carry_out(effects);
+}
+
+void DdnNode::refuse(const wire::TaskRequest& request, const char* why) {
+  wire::RequestReply reply;
+  reply.id = request.kind == wire::RequestKind::kStart ? request.task.id : request.id;
+  reply.why = why;
+  answer(request, std::move(reply));
 }
 
 void DdnNode::take(const wire::FunctionalRequest& request) {
@@ -264,6 +291,8 @@ void DdnNode::start_safe_tasks() {
 
 void DdnNode::start_own(const std::string& type, executive::Parameters parameters,
                         executive::InsertionMode mode) {
+  const std::int64_t milliseconds = std::max<std::int64_t>(now_.count(), 0) / 1'000'000;
+  next_own_task_ = std::max(next_own_task_, kFirstOwnTask + static_cast<std::uint64_t>(milliseconds));
   executive::Task task;
   task.id = executive::TaskId(next_own_task_++);
   task.type = type;
@@ -274,9 +303,11 @@ void DdnNode::start_own(const std::string& type, executive::Parameters parameter
 
 // ---- what goes out ----
 
-void DdnNode::answer(std::uint64_t command, const wire::RequestReply& reply) {
-  answered_.emplace(command, reply);
-  send_to_ground(reply);
+void DdnNode::answer(const wire::TaskRequest& request, wire::RequestReply reply) {
+  reply.command = request.command;
+  reply.kind = request.kind;
+  answered_.emplace(std::pair(request.header.incarnation, request.command), reply);
+  send_to_ground(std::move(reply));
 }
 
 void DdnNode::send_to_ground(wire::Sample sample) {

@@ -107,7 +107,7 @@ std::map<std::string, DeviceReliability, std::less<>> default_devices() {
       {"visible",
        {.kinds = {{"fire", {0.8, 0.02}},
                   {"smoke", {0.1, 0.02}},
-                  {"vehicle", {0.01, 0.2}},
+                  {"hot-vehicle", {0.01, 0.2}},
                   {"hot-vehicle", {0.01, 0.2}}},
         .confirms = true,
         .limit = 12}},
@@ -123,6 +123,8 @@ std::vector<std::string> problems_of(const PpsConfig& config) {
     problems.emplace_back("thresholds must be in order: 0 < infirm < prior < raise <= confirm < 1");
   }
   if (!(config.gate > 0)) problems.emplace_back("gate must be positive");
+  if (!(config.least_separation >= 0))
+    problems.emplace_back("least_separation must not be negative");
   if (!(config.least_spread > 0)) problems.emplace_back("least_spread must be positive");
   if (!(config.refine_distance > 0)) problems.emplace_back("refine_distance must be positive");
   if (config.decorrelation < Duration())
@@ -191,7 +193,8 @@ std::optional<std::size_t> PerceptionProcessing::nearest_in_gate(
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const Alarm& alarm = candidates_[i].alarm;
     const double distance = horizontal(alarm.position, detection.position);
-    const double reach = config_.gate * std::hypot(spread, alarm.position_sigma) + alarm.radius;
+    const double gate = config_.gate * std::hypot(spread, alarm.position_sigma) + alarm.radius;
+    const double reach = std::max(gate, config_.least_separation);
     if (distance > reach || (nearest && distance >= least)) continue;
     nearest = i;
     least = distance;

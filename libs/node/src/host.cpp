@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "skein/foundation/contract.hpp"
-
 namespace skein::node {
 
 namespace {
@@ -77,8 +75,9 @@ bool Host::step(Now now) {
 void Host::job_done(JobDone done, Now now) { give(std::move(done), now); }
 
 void Host::publish(wire::Sample sample, Now now) {
+  const wire::Slot slot = wire::slot_of(sample);
   const auto sent = blackboard_.publish(std::move(sample), now);
-  SKEIN_ENSURES(sent.has_value());
+  if (!sent) log_unsent(slot, "world", sent.error(), now);
 }
 
 bool Host::all_peers_heard() const {
@@ -104,10 +103,7 @@ void Host::send(const Send& one, Now now) {
   const wire::Slot slot = wire::slot_of(one.sample);
   const auto sent = blackboard_.send(one.sample, one.to, now, {one.expires});
   if (!sent) {
-    ports_.journal(record("unsent", now)
-                       .with("slot", wire::slot_name(slot))
-                       .with("to", roster_.name_of(one.to))
-                       .with("why", blackboard::name_of(sent.error())));
+    log_unsent(slot, roster_.name_of(one.to), sent.error(), now);
     return;
   }
   const bool radio = is_radio_peer(roster_, one.to) && is_radio_peer(roster_, self_.number);
@@ -182,6 +178,13 @@ void Host::apply(const wire::LinkState& link, Now now) {
   condition.latency = Duration::seconds(static_cast<double>(link.latency) * 1e-9 / config_.rate);
   condition.loss = link.loss;
   blackboard_.set_condition(from, to, condition, now);
+}
+
+void Host::log_unsent(wire::Slot slot, const std::string& to, blackboard::Refusal why, Now now) {
+  ports_.journal(record("unsent", now)
+                     .with("slot", wire::slot_name(slot))
+                     .with("to", to)
+                     .with("why", blackboard::name_of(why)));
 }
 
 void Host::log_message(wire::Slot slot, const std::string& from, const std::string& to,

@@ -7,18 +7,23 @@ namespace skein::node {
 
 namespace {
 
-/// How fast an estimate made early gives way [mission s per steady s]: faster than crystals drift,
+/// How fast an estimate made early gives way, as a share of the rate: faster than crystals drift,
 /// slower than anything notices.
 constexpr double kGivingWay = 1e-3;
+
+/// Rates of any use; a sample outside of them is not from one of us.
+constexpr double kLeastRate = 1e-3;
+constexpr double kGreatestRate = 1e6;
 
 }  // namespace
 
 double MissionClock::estimate(Duration steady) const {
   const double s = steady.to_seconds();
-  return rate_ * s + offset_ - kGivingWay * (s - updated_);
+  return rate_ * (s - kGivingWay * (s - updated_)) + offset_;
 }
 
 void MissionClock::update(const wire::Clock& sample, Duration steady) {
+  if (!(sample.rate >= kLeastRate && sample.rate <= kGreatestRate)) return;
   const MissionTime time = MissionTime::nanoseconds(sample.time);
   const double implied = time.to_seconds() - sample.rate * steady.to_seconds();
   const bool first = phase_ != wire::ClockPhase::kRunning || sample.rate != rate_;
@@ -40,8 +45,8 @@ MissionTime MissionClock::now(Duration steady) {
 
 std::optional<Duration> MissionClock::steady_at(MissionTime at) const {
   if (phase_ != wire::ClockPhase::kRunning) return std::nullopt;
-  return Duration::seconds((at.to_seconds() - offset_ - kGivingWay * updated_) /
-                           (rate_ - kGivingWay));
+  const double s = (at.to_seconds() - offset_) / rate_;
+  return Duration::seconds((s - kGivingWay * updated_) / (1 - kGivingWay));
 }
 
 void ClockLeader::run(Duration steady) {

@@ -60,15 +60,14 @@ class VirtualRun {
 
   Now now() const { return {now_, now_ - MissionTime()}; }
 
-  VirtualOutcome outcome(End end) const { return {end, std::min(now_, stop_at_), steps_}; }
+  VirtualOutcome outcome(End end) const {
+    return {end, end == End::kTimeLimit ? config_.time_limit : now_, steps_};
+  }
 
   void plan_crash(const Crash& crash) {
     faults_.emplace(crash.at, [this, node = crash.node] { kill(seat_of(node)); });
     if (!crash.restart) return;
-    faults_.emplace(*crash.restart, [this, node = crash.node] {
-      log_fault("restart", node);
-      start(seat_of(node));
-    });
+    faults_.emplace(*crash.restart, [this, node = crash.node] { restart(seat_of(node)); });
   }
 
   Seat& seat_of(const std::string& name) {
@@ -82,7 +81,15 @@ class VirtualRun {
     journal_(journal::Record(now_, "runner", "fault").with("what", what).with("target", target));
   }
 
+  // Crashes may overlap: who is dead cannot die, who lives is not started again.
+  void restart(Seat& seat) {
+    if (seat.host) return;
+    log_fault("restart", seat.member->name);
+    start(seat);
+  }
+
   void kill(Seat& seat) {
+    if (!seat.host) return;
     log_fault("kill", seat.member->name);
     seat.host.reset();
     seat.transport.reset();
@@ -125,10 +132,12 @@ class VirtualRun {
       const auto fault = faults_.begin()->second;
       fault();
     }
-    for (; !jobs_.empty() && jobs_.begin()->first <= now_; jobs_.erase(jobs_.begin())) {
-      Job job = jobs_.begin()->second;
+    while (!jobs_.empty() && jobs_.begin()->first <= now_) {
+      auto first = jobs_.extract(jobs_.begin());
+      Job& job = first.mapped();
       Seat& seat = seat_of(job.node);
-      if (seat.host && seat.incarnation == job.incarnation) seat.host->job_done(job.done, now());
+      if (!seat.host || seat.incarnation != job.incarnation) continue;
+      seat.host->job_done(std::move(job.done), now());
     }
     int rounds = 0;
     for (bool busy = true; busy; SKEIN_ENSURES(++rounds < kMaximumRounds)) {

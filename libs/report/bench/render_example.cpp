@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes the three documents of the invented missions: render_example DIRECTORY.
+// Writes the three documents of the invented missions, and of run folders, to look at:
+// report_render_example DIRECTORY [RUN_FOLDER…].
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -12,6 +13,12 @@ namespace {
 
 void write(const std::string& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
+}
+
+std::string slurp(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
 }
 
 void render(const std::string& directory, const skein::report::RunInfo& info,
@@ -41,5 +48,10 @@ int main(int argc, char** argv) {
   render(directory, testing::comets_info(), testing::comets_journal());
   render(directory, testing::swarm_info(20), testing::swarm_journal(20, 100'000, 1));
   render(directory, skein::report::RunInfo{}, "");
+  for (int i = 2; i < argc; ++i) {
+    const std::string folder = argv[i];
+    const auto info = skein::report::run_info_from_json(slurp(folder + "/run.json"), "run.json");
+    if (info) render(directory, *info, slurp(folder + "/events.jsonl"));
+  }
   return 0;
 }

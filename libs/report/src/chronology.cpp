@@ -11,8 +11,6 @@ namespace skein::report {
 
 namespace {
 
-double seconds(const Stamp& stamp) { return stamp.at.to_seconds(); }
-
 bool is_terminal(TaskState s) { return s == TaskState::kEnded || s == TaskState::kAborted; }
 
 template <class Record>
@@ -116,7 +114,7 @@ class BarBuilder {
   }
 
  private:
-  using Key = std::pair<std::size_t, std::int64_t>;
+  using Key = std::pair<std::size_t, std::uint64_t>;
 
   // Ground and UAV may both write the end of one task.
   bool ended_again(const Key& key, const TaskRecord& r) const {
@@ -181,7 +179,7 @@ std::vector<NamedSpan> tell_phases(const Journal& journal, double end) {
 
 std::vector<AlarmStory> tell_alarms(const Journal& journal) {
   std::vector<AlarmStory> alarms;
-  std::map<std::int64_t, std::size_t> indices;
+  std::map<std::uint64_t, std::size_t> indices;
   for (const AlarmRecord& r : journal.alarms) {
     const auto [it, added] = indices.try_emplace(r.alarm, alarms.size());
     if (added) alarms.emplace_back();
@@ -209,6 +207,8 @@ std::vector<ObjectStory> tell_objects(const Journal& journal) {
 }
 
 }  // namespace
+
+double seconds(const Stamp& stamp) { return static_cast<double>(stamp.at.count()) / 1e9; }
 
 std::optional<Span> TaskBar::active() const {
   for (const TaskSegment& s : segments) {

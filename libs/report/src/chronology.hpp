@@ -13,6 +13,9 @@
 
 namespace skein::report {
 
+/// The instant of a record [s], correctly rounded.
+double seconds(const Stamp& stamp);
+
 /// A closed span of mission time [s].
 struct Span {
   double from = 0.0;
@@ -28,7 +31,7 @@ struct TaskSegment {
 /// One task from its first to its last known state.
 struct TaskBar {
   std::size_t uav = 0;  ///< index into Chronology::uavs
-  std::int64_t id = 0;
+  std::uint64_t id = 0;
   std::string type;
   std::vector<TaskSegment> segments;  ///< adjoining, in time order; none of a terminal state
   Span span;
@@ -69,7 +72,7 @@ struct Flight {
   std::string what;  ///< slot, or synchronisation id
   std::string from;
   std::string to;
-  std::int64_t sequence = 0;
+  std::uint64_t sequence = 0;
   std::optional<double> sent;
   std::optional<double> received;
 };
@@ -85,7 +88,7 @@ struct LinkStory {
 };
 
 struct AlarmStory {
-  std::int64_t id = 0;
+  std::uint64_t id = 0;
   Position position;  ///< the last estimate
   double belief = 0.0;
   AlarmState state = AlarmState::kRaised;  ///< the last

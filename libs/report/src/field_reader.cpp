@@ -2,6 +2,7 @@
 #include "field_reader.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "skein/foundation/nearest.hpp"
@@ -60,18 +61,31 @@ std::string FieldReader::optional_text(const char* key) {
 }
 
 std::int64_t FieldReader::integer(const char* key) {
-  if (require(key) == nullptr) return 0;
-  return optional_integer(key).value_or(0);
-}
-
-std::optional<std::int64_t> FieldReader::optional_integer(const char* key) {
-  const nlohmann::json* value = find(key);
-  if (value == nullptr) return std::nullopt;
+  const nlohmann::json* value = require(key);
+  if (value == nullptr) return 0;
   const bool fits = value->is_number_unsigned()
                         ? value->get<std::uint64_t>() <= std::uint64_t{INT64_MAX}
                         : value->is_number_integer();
   if (fits) return value->get<std::int64_t>();
   fault(key, "not an integer", "a 64-bit integer");
+  return 0;
+}
+
+std::uint64_t FieldReader::id(const char* key) {
+  return require(key) == nullptr ? 0 : optional_id(key).value_or(0);
+}
+
+std::optional<std::uint64_t> FieldReader::optional_id(const char* key) {
+  const nlohmann::json* value = find(key);
+  if (value == nullptr) return std::nullopt;
+  if (value->is_number_unsigned()) return value->get<std::uint64_t>();
+  if (value->is_string()) {
+    const auto& text = value->get_ref<const std::string&>();
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error == std::errc() && end == text.data() + text.size()) return number;
+  }
+  fault(key, "not an identifier", "an unsigned 64-bit integer");
   return std::nullopt;
 }
 

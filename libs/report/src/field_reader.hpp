@@ -32,8 +32,11 @@ class FieldReader {
   /// A string, or an integer as its decimal text.
   std::string name(const char* key);
   std::int64_t integer(const char* key);
-  std::optional<std::int64_t> optional_integer(const char* key);
   std::uint64_t unsigned_integer(const char* key);
+  /// An identifier or sequence number: unsigned, or its decimal text (from 2^63 on the log has
+  /// text).
+  std::uint64_t id(const char* key);
+  std::optional<std::uint64_t> optional_id(const char* key);
   double number(const char* key, double limit = kLargestNumber);
   bool boolean(const char* key);
   Position position(const char* key);

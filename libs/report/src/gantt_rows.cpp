@@ -17,8 +17,6 @@ constexpr std::array<const char*, 6> kStateNames{"scheduled", "started", "runnin
 
 const char* name_of(TaskState state) { return kStateNames[static_cast<std::size_t>(state)]; }
 
-double seconds(const Stamp& stamp) { return stamp.at.to_seconds(); }
-
 double label_width(const TaskBar& bar) { return text_width(bar_label(bar), kBarFont) + 7; }
 
 enum class LabelPlace { kInside, kAfter, kBefore };

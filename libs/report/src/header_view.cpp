@@ -20,7 +20,7 @@ void write_tile(Markup& out, std::string_view value, std::string_view name,
 Span mission_span(const Run& run) {
   Span span = run.story.time;
   for (const MissionRecord& r : run.journal.missions) {
-    (r.state == "started" ? span.from : span.to) = r.stamp.at.to_seconds();
+    (r.state == "started" ? span.from : span.to) = seconds(r.stamp);
   }
   return span;
 }

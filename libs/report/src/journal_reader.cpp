@@ -27,7 +27,7 @@ Enumeration state(FieldReader& f, const char* key, const std::array<std::string_
 void read_task(FieldReader& f, Journal& j) {
   j.tasks.push_back({{},
                      f.name("uav"),
-                     f.integer("task"),
+                     f.id("task"),
                      f.text("type"),
                      state<TaskState>(f, "state", kTaskStates),
                      f.optional_text("reason")});
@@ -37,14 +37,14 @@ void read_request(FieldReader& f, Journal& j) {
                         f.name("uav"),
                         f.text("request"),
                         f.optional_text("mode"),
-                        f.optional_integer("task"),
+                        f.optional_id("task"),
                         f.boolean("accepted"),
                         f.optional_text("why")});
 }
 void read_command(FieldReader& f, Journal& j) {
   j.commands.push_back({{},
                         f.name("uav"),
-                        f.integer("command"),
+                        f.id("command"),
                         f.text("what"),
                         state<CommandState>(f, "state", kCommandStates),
                         f.optional_text("why")});
@@ -61,7 +61,7 @@ void read_message(FieldReader& f, Journal& j) {
                         f.text("slot"),
                         f.name("from"),
                         f.name("to"),
-                        f.integer("sequence"),
+                        f.id("sequence"),
                         state<Direction>(f, "direction", kDirections)});
 }
 void read_link(FieldReader& f, Journal& j) {
@@ -92,7 +92,7 @@ void read_perception(FieldReader& f, Journal& j) {
 }
 void read_alarm(FieldReader& f, Journal& j) {
   j.alarms.push_back({{},
-                      f.integer("alarm"),
+                      f.id("alarm"),
                       state<AlarmState>(f, "state", kAlarmStates),
                       f.position("position"),
                       f.number("belief")});
@@ -116,10 +116,10 @@ void read_dropped(FieldReader& f, Journal& j) {
                        f.optional_text("why")});
 }
 void read_expired(FieldReader& f, Journal& j) {
-  j.undelivered.push_back({{}, true, f.text("slot"), f.name("to"), f.integer("sequence")});
+  j.undelivered.push_back({{}, true, f.text("slot"), f.name("to"), f.id("sequence")});
 }
 void read_lost(FieldReader& f, Journal& j) {
-  j.undelivered.push_back({{}, false, f.text("slot"), f.name("to"), f.integer("sequence")});
+  j.undelivered.push_back({{}, false, f.text("slot"), f.name("to"), f.id("sequence")});
 }
 void read_mission(FieldReader& f, Journal& j) { j.missions.push_back({{}, f.text("state")}); }
 void read_expectation(FieldReader& f, Journal& j) {

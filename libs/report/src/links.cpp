@@ -38,7 +38,7 @@ using Openness = std::map<std::tuple<std::string, std::string>, bool>;
 }  // namespace
 
 std::vector<Flight> pair_messages(const std::vector<MessageRecord>& records) {
-  using Key = std::tuple<std::string_view, std::string_view, std::string_view, std::int64_t>;
+  using Key = std::tuple<std::string_view, std::string_view, std::string_view, std::uint64_t>;
   std::vector<Flight> flights;
   std::map<Key, std::size_t> indices;
   for (const MessageRecord& r : records) {
@@ -47,7 +47,7 @@ std::vector<Flight> pair_messages(const std::vector<MessageRecord>& records) {
     if (added) flights.push_back({r.slot, r.from, r.to, r.sequence, {}, {}});
     Flight& flight = flights[it->second];
     std::optional<double>& when = r.direction == Direction::kSent ? flight.sent : flight.received;
-    const double t = r.stamp.at.to_seconds();
+    const double t = seconds(r.stamp);
     when = std::min(when.value_or(t), t);
   }
   return flights;
@@ -61,7 +61,7 @@ std::vector<Flight> pair_syncs(const std::vector<SyncRecord>& records) {
     const bool received = r.direction == Direction::kReceived;
     const Key key{r.id, r.from, r.to};
     std::deque<std::size_t>& partners = waiting[received ? 0 : 1][key];
-    const double t = r.stamp.at.to_seconds();
+    const double t = seconds(r.stamp);
     std::size_t index = flights.size();
     if (partners.empty()) {
       waiting[received ? 1 : 0][key].push_back(index);
@@ -81,12 +81,12 @@ std::vector<LinkStory> tell_links(const Journal& journal, double end) {
   for (const LinkRecord& r : journal.links) {
     auto [story, direction] = table.find(r.from, r.to);
     story.truth[direction] = true;
-    extend(story.up[direction], up[{r.from, r.to}], r.stamp.at.to_seconds(), r.up);
+    extend(story.up[direction], up[{r.from, r.to}], seconds(r.stamp), r.up);
   }
   for (const ReachRecord& r : journal.reaches) {
     auto [story, direction] = table.find(r.stamp.node, r.peer);
     story.belief[direction] = true;
-    extend(story.believed[direction], believed[{r.stamp.node, r.peer}], r.stamp.at.to_seconds(),
+    extend(story.believed[direction], believed[{r.stamp.node, r.peer}], seconds(r.stamp),
            r.reachable);
   }
   std::vector<LinkStory> links;

@@ -204,7 +204,7 @@ std::optional<NearestObject> nearest_object(const Chronology& story, const Alarm
   for (const ObjectStory& object : story.objects) {
     const ObjectRecord* now = nullptr;
     for (const ObjectRecord& r : object.states) {
-      if (r.stamp.at.to_seconds() <= t) now = &r;
+      if (seconds(r.stamp) <= t) now = &r;
     }
     if (now == nullptr || !now->active) continue;
     const double metres =

@@ -71,7 +71,7 @@ class EventList {
     for (const Record& r : records) {
       std::string said = text(r);
       if (!said.empty()) {
-        events_.push_back({r.stamp.at.to_seconds(), r.stamp.node, std::move(said), style});
+        events_.push_back({seconds(r.stamp), r.stamp.node, std::move(said), style});
       }
     }
   }

@@ -37,10 +37,10 @@ std::vector<Flag> collect_flags(const Run& run) {
     }
   }
   for (const OperatorRecord& r : run.journal.operators) {
-    flags.push_back({r.stamp.at.to_seconds(), "operator: " + r.does, "flag operator-flag"});
+    flags.push_back({seconds(r.stamp), "operator: " + r.does, "flag operator-flag"});
   }
   for (const FaultRecord& r : run.journal.faults) {
-    flags.push_back({r.stamp.at.to_seconds(), r.what + " " + r.target, "flag fault-flag"});
+    flags.push_back({seconds(r.stamp), r.what + " " + r.target, "flag fault-flag"});
   }
   std::stable_sort(flags.begin(), flags.end(),
                    [](const Flag& a, const Flag& b) { return a.t < b.t; });

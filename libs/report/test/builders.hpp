@@ -18,7 +18,7 @@ inline Stamp stamp(double at, std::string node = "n") {
   return s;
 }
 
-inline TaskRecord task(double at, std::string uav, std::int64_t id, TaskState state,
+inline TaskRecord task(double at, std::string uav, std::uint64_t id, TaskState state,
                        std::string reason = {}) {
   return {stamp(at, uav), uav, id, "goto", state, std::move(reason)};
 }
@@ -28,7 +28,7 @@ inline TelemetryRecord telemetry(double at, std::string uav, Position p, bool ai
   return {stamp(at, "sim"), std::move(uav), p, {3, 4, 0}, 0.0, energy, airborne};
 }
 
-inline MessageRecord message(double at, std::string from, std::string to, std::int64_t sequence,
+inline MessageRecord message(double at, std::string from, std::string to, std::uint64_t sequence,
                              Direction direction, std::string slot = "Alarm") {
   const std::string node = direction == Direction::kSent ? from : to;
   return {stamp(at, node), std::move(slot), std::move(from), std::move(to), sequence, direction};

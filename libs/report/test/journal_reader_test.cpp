@@ -138,7 +138,7 @@ TEST(ReadJournal, AllFaultsOfALineAreTold) {
 
   EXPECT_EQ(to_text(read.errors),
             "e.jsonl:1: at: not a number; expected a number\n"
-            "e.jsonl:1: task: not an integer; expected a 64-bit integer\n"
+            "e.jsonl:1: task: not an identifier; expected an unsigned 64-bit integer\n"
             "e.jsonl:1: type: not a text; expected a string\n"
             "e.jsonl:1: state: unknown value 'runing'; expected scheduled, started, running, "
             "aborting, ended, aborted; did you mean 'running'?\n");
@@ -158,6 +158,20 @@ TEST(ReadJournal, NumbersOutOfRangeAreRefused) {
   EXPECT_TRUE(read.journal.phases.empty());
   EXPECT_TRUE(read.journal.alarms.empty());
   EXPECT_TRUE(read.journal.degrees.empty());
+}
+
+TEST(ReadJournal, AnIdentifierMayBeDecimalText) {
+  const SalvagedJournal read = salvage(
+      "{\"at\":1,\"node\":\"m\",\"kind\":\"lost\",\"slot\":\"Alarm\",\"to\":\"g\","
+      "\"sequence\":\"18446744073709551615\"}\n"
+      "{\"at\":1,\"node\":\"m\",\"kind\":\"lost\",\"slot\":\"Alarm\",\"to\":\"g\","
+      "\"sequence\":\"12x\"}\n"
+      "{\"at\":1,\"node\":\"m\",\"kind\":\"lost\",\"slot\":\"Alarm\",\"to\":\"g\","
+      "\"sequence\":-1}\n");
+
+  ASSERT_EQ(read.journal.undelivered.size(), 1U);
+  EXPECT_EQ(read.journal.undelivered[0].sequence, UINT64_MAX);
+  EXPECT_EQ(read.errors.size(), 2U);
 }
 
 TEST(ReadJournal, PositionsHaveThreeNumbers) {

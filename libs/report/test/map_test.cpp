@@ -147,7 +147,7 @@ TEST(Map, AWorldOfAnySizeHasAScaleBar) {
     const std::string svg = map_of(j);
 
     EXPECT_EQ(count(svg, "class=\"furniture\""), 1U);
-    EXPECT_EQ(count(svg, size > 100'000 ? " km</text>" : " m</text>"), 1U) << size;
+    EXPECT_EQ(count(svg, size > 1000 ? " km</text>" : " m</text>"), 1U) << size;
   }
 }
 

@@ -240,9 +240,9 @@ RC_GTEST_PROP(Page, AnyPartOfALogGivesAPage, ()) {
 TEST(Page, ExtremeNumbersGiveAPage) {
   Journal j;
   j.telemetry = {telemetry(-1e8, "m", {-1e9, 1e9, 1e9}), telemetry(1e8, "m", {1e9, -1e9, -1e9})};
-  j.alarms = {{stamp(1e8), INT64_MIN, AlarmState::kRaised, {1e9, 1e9, 0}, 1e9}};
+  j.alarms = {{stamp(1e8), UINT64_MAX, AlarmState::kRaised, {1e9, 1e9, 0}, 1e9}};
   j.objects = {{stamp(0), "f", "fire", {-1e9, 0, 0}, 1e9, true}};
-  j.tasks = {task(0, "m", INT64_MAX, TaskState::kRunning)};
+  j.tasks = {task(0, "m", UINT64_MAX, TaskState::kRunning)};
 
   const std::string html = without_code(html_report({}, j));
 

@@ -126,8 +126,6 @@ TEST(Timeline, ARunningBarSpansItsTimeOnTheAxis) {
   const std::string svg = timeline_of(j);
 
   // 132 + 1086 × 0.25 = 403.5; 1086 × 0.5 = 543
-  EXPECT_EQ(count(svg, "<rect class=\"running\" x=\"403.5\" y=\"70\" width=\"543\""),
-            0U + count(svg, "class=\"running\" x=\"403.5\""));
   EXPECT_EQ(count(svg, "class=\"running\" x=\"403.5\""), 1U);
   EXPECT_EQ(count(svg, "width=\"543\""), 1U);
 }
@@ -265,7 +263,7 @@ TEST(Timeline, AnEmptyRunHasAnAxisAndNothingElse) {
 
   EXPECT_EQ(count(svg, "<svg "), 1U);
   EXPECT_EQ(count(svg, "class=\"bar"), 0U);
-  EXPECT_EQ(count(svg, ">0:00</text>"), 4U);  // two rulers, and the clock rounds half seconds down
+  EXPECT_EQ(count(svg, ">0:00</text>"), 2U);  // the rulers above and below
 }
 
 }  // namespace

@@ -153,12 +153,15 @@ void check_ids(const Reader& reader, const ground_station::Script& script) {
 }  // namespace
 
 void read_pps(const Reader& reader, ground_station::PpsConfig& pps) {
-  if (!reader.keys({"prior", "raise", "confirm", "infirm", "gate", "forget"})) return;
+  if (!reader.keys({"prior", "raise", "confirm", "infirm", "gate", "least_separation", "forget"}))
+    return;
   pps.prior = reader.optional("prior").number(pps.prior, {0, 1, ""});
   pps.raise = reader.optional("raise").number(pps.raise, {0, 1, ""});
   pps.confirm = reader.optional("confirm").number(pps.confirm, {0, 1, ""});
   pps.infirm = reader.optional("infirm").number(pps.infirm, {0, 1, ""});
   pps.gate = reader.optional("gate").number(pps.gate, {0.1, 100, "standard deviations"});
+  pps.least_separation =
+      reader.optional("least_separation").number(pps.least_separation, {0, 10'000, "m"});
   pps.forget = read_seconds(reader.optional("forget"), pps.forget);
   for (const std::string& problem : ground_station::problems_of(pps)) reader.error(problem);
 }

@@ -126,6 +126,44 @@ TEST(VehicleModelReader, EveryErrorIsGivenAtOnce) {
   EXPECT_THAT(all, HasSubstr("ceiling: missing"));
 }
 
+TEST(VehicleModelReader, EachFigureHasItsRange) {
+  struct Case {
+    const char* path;
+    const char* from;
+    const char* to;
+  };
+  const Case cases[] = {
+      {"speed.cruise", "cruise: 8", "cruise: -8"},
+      {"speed.max", "max: 14", "max: 201"},
+      {"climb_rate", "climb_rate: 3", "climb_rate: 0"},
+      {"descent_rate", "descent_rate: 2", "descent_rate: -2"},
+      {"acceleration", "acceleration: 2", "acceleration: 0"},
+      {"yaw_rate", "yaw_rate: 0.8", "yaw_rate: 11"},
+      {"ceiling", "ceiling: 300", "ceiling: 0"},
+      {"position_precision", "position_precision: 0.3", "position_precision: -1"},
+      {"wind_drift", "wind_drift: 0.05", "wind_drift: -0.05"},
+      {"energy.capacity", "capacity: 6.0e6", "capacity: 0"},
+      {"energy.hover", "hover: 1700", "hover: -1"},
+      {"energy.reserve", "reserve: 0.1", "reserve: 1"},
+      {"sensors.visible.aperture", "aperture: 0.35", "aperture: 3"},
+      {"sensors.visible.pitch", "pitch: -0.6", "pitch: -60"},
+      {"sensors.visible.period", "period: 0.5", "period: 0"},
+      {"sensors.visible.position_spread", "position_spread: 3", "position_spread: -3"},
+      {"sensors.visible.false_alarms.rate", "rate: 0.001", "rate: -0.001"},
+      {"sensors.visible.sees.fire.probability", "probability: 0.9", "probability: 1.1"},
+      {"sensors.visible.sees.fire.confidence", "confidence: 0.8", "confidence: 80"},
+  };
+  for (const Case& c : cases) {
+    const auto model = read_vehicle_model(replaced(kHelicopter, c.from, c.to), "bee.yaml");
+
+    ASSERT_FALSE(model) << c.to;
+    ASSERT_EQ(model.error().size(), 1u) << to_text(model.error());
+    EXPECT_EQ(model.error().all()[0].path, c.path);
+    EXPECT_GT(model.error().all()[0].line, 0);
+    EXPECT_NE(model.error().all()[0].expected, "");
+  }
+}
+
 TEST(VehicleModelReader, FiguresThatContradictEachOtherAreRefused) {
   struct Case {
     const char* from;
@@ -147,6 +185,22 @@ TEST(VehicleModelReader, FiguresThatContradictEachOtherAreRefused) {
   };
   for (const Case& c : cases)
     EXPECT_THAT(report(replaced(kHelicopter, c.from, c.to)), HasSubstr(c.error)) << c.to;
+}
+
+TEST(VehicleModelReader, AVehicleThatCannotHoverHasItsOwnFigures) {
+  std::string text = replaced(kHelicopter, "hovers: true", "hovers: false");
+  text = replaced(text, "kind: helicopter", "kind: blimp");
+  text = replaced(text, "yaw_rate: 0.8", "min_turn_radius: 25\norbit_radius: 40");
+  text = replaced(text, "cruise: 8", "min: 2, cruise: 8");
+
+  const auto model = read_vehicle_model(text, "bee.yaml");
+
+  ASSERT_TRUE(model) << to_text(model.error());
+  EXPECT_EQ(model->kind, VehicleKind::kBlimp);
+  EXPECT_FALSE(model->hovers);
+  EXPECT_EQ(model->min_speed, 2);
+  EXPECT_EQ(model->min_turn_radius, 25);
+  EXPECT_EQ(model->orbit_radius, 40);
 }
 
 TEST(VehicleModelReader, MissingSectionsAreNamedOnce) {

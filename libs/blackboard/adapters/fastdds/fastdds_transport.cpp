@@ -151,10 +151,13 @@ FastDdsTransport::Impl::~Impl() {
 
 Result<void, Failure> FastDdsTransport::Impl::open(const TransportPlan& plan) {
   SKEIN_EXPECTS(participant_ == nullptr);
-  participant_ = factory().create_participant(config_.domain, fastdds::participant_qos(config_),
-                                              nullptr, dds::StatusMask::none());
+  const std::string domain = std::to_string(config_.domain);
+  const auto number = claim_participant_number();
+  if (!number) return failure("too many DDS participants in domain " + domain);
+  participant_ = factory().create_participant(
+      config_.domain, fastdds::participant_qos(config_, *number), nullptr, dds::StatusMask::none());
   if (participant_ == nullptr) {
-    return failure("no DDS participant in domain " + std::to_string(config_.domain) +
+    return failure("no DDS participant in domain " + domain +
                    " (no such interface, or its ports are taken?)");
   }
   channels_.resize(plan.channels.size());

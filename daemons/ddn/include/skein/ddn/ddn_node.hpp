@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "skein/ddn/contact.hpp"
 #include "skein/executive/executive.hpp"
@@ -35,10 +36,13 @@ struct DdnConfig {
 ///
 /// At every degree telemetry and perceptions are passed on to the ground, and the contact-loss
 /// policy is carried out by the MLE on board, with task ids from kFirstOwnTask. A command is
-/// executed once: its number, seen again, gets the same answer and nothing else. Source: T II.2, T
-/// III, spec 1.2.
+/// executed once: its number, seen again from the same life of the ground station, gets the same
+/// answer and nothing else. Requests are taken from the ground and statuses from the simulator
+/// only. Source: T II.2, T III, spec 1.2.
 class DdnNode final : public node::Node {
  public:
+  /// Own tasks are numbered from here on, by the millisecond of the mission in which they were
+  /// made, so that a node that was restarted does not use a number twice. The ground's are below.
   static constexpr std::uint64_t kFirstOwnTask = 1'000'000'000;
 
   DdnNode(DdnConfig config, node::Roster roster);
@@ -54,6 +58,8 @@ class DdnNode final : public node::Node {
   void on(const node::JobDone&) {}
   void on(const node::Wakeup&);
 
+  std::string why_not(const node::Received& received) const;
+  void refuse(const wire::TaskRequest& request, const char* why);
   void take(const wire::TaskRequest& request);
   void take(const wire::FunctionalRequest& request);
   void take(const wire::FunctionalStatus& status);
@@ -78,7 +84,7 @@ class DdnNode final : public node::Node {
   void interrupt_functional(std::uint64_t task);
   void start_own(const std::string& type, executive::Parameters parameters,
                  executive::InsertionMode mode);
-  void answer(std::uint64_t command, const wire::RequestReply& reply);
+  void answer(const wire::TaskRequest& request, wire::RequestReply reply);
   void send_to_ground(wire::Sample sample);
   void send_board_if_changed();
   void log(journal::Record record);
@@ -93,8 +99,9 @@ class DdnNode final : public node::Node {
   std::set<std::uint64_t> passed_through_;  ///< degree 1: the ground's tasks that are under way
   bool safe_tasks_pending_ = false;         ///< they begin when nothing of the ground's is under way
   std::uint64_t next_own_task_ = kFirstOwnTask;
-  std::map<std::uint64_t, wire::RequestReply> answered_;  ///< by command number
-  std::optional<executive::Reply> last_reply_;
+  /// By incarnation of the ground and command number.
+  std::map<std::pair<std::uint64_t, std::uint64_t>, wire::RequestReply> answered_;
+  std::set<std::pair<node::NodeNumber, wire::Slot>> dropped_;  ///< already logged
   executive::InsertionMode mode_of_request_ = executive::InsertionMode::kSeq;
   std::optional<wire::PlanBoard> last_board_;
 

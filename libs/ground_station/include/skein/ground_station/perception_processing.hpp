@@ -46,6 +46,9 @@ struct PpsConfig {
   double infirm = 0.05;   ///< belief down to which a raised alarm is infirmed, a candidate dropped
   double gate =
       3;  ///< association distance, in standard deviations of detection and candidate together
+  /// [m] places closer than this are one fire: a burning patch scatters detections further than the
+  /// errors of the sensors do, and one outlier must not raise a second alarm beside the first.
+  double least_separation = 25;
   double least_spread = 2;      ///< [m] lower bound on a detection's standard deviation
   double least_confidence = 0;  ///< detections below it are not considered
   double refine_distance = 10;  ///< [m] an alarm that moved by it is told again
@@ -70,16 +73,16 @@ struct PerceptionLogged {
 ///   ln(P(look | fire) / P(look | no fire)),
 /// where the sum over the looks of each device is held within ±limit after every look (so that a
 /// device that changes its mind is heard at once). A look counts at most once per `decorrelation`
-/// and device, and is either the kind reported within the gate or, when the candidate's place with
-/// its uncertainty was wholly in the cone, in range and in line of sight, "nothing".
+/// and device, and is either the kind reported within the gate (or `least_separation`) or, when the
+/// candidate's place with its uncertainty was wholly in the cone, in range and in line of sight,
+/// "nothing".
 ///
 /// | from      | when                                                                | to        |
 /// | candidate | belief >= raise                                                     | raised    |
 /// | candidate | belief <= infirm, or not seen for `forget`                          | (dropped) |
 /// | raised    | belief >= confirm and a confirming device has seen it               | confirmed |
 /// | raised    | belief <= infirm                                                    | infirmed  |
-/// | infirmed  | belief >= raise without a further word of the devices that had raised it    |
-/// raised    |
+/// | infirmed  | belief >= raise; those who had raised it are no longer heard        | raised    |
 ///
 /// An infirmed alarm stays as a place: the same heat seen again by a device that had a part in
 /// raising it (and does not confirm) changes nothing and makes no new alarm. Confirmed is for good.

@@ -48,7 +48,8 @@ class Host {
   bool step(blackboard::Now now);
   /// A job's result.
   void job_done(JobDone done, blackboard::Now now);
-  /// Publishes on the world channel what does not come from the node (clock, directory, journal).
+  /// Publishes on the world channel what does not come from the node (clock, directory, journal). A
+  /// refusal is logged.
   void publish(wire::Sample sample, blackboard::Now now);
 
   std::optional<MissionTime> next_mission_wakeup() const { return node_->next_wakeup(); }
@@ -67,6 +68,8 @@ class Host {
   void take_received(blackboard::Received received, blackboard::Now now);
   void apply(const wire::LinkState& link, blackboard::Now now);
   void send(const Send& send, blackboard::Now now);
+  void log_unsent(wire::Slot slot, const std::string& to, blackboard::Refusal why,
+                  blackboard::Now now);
   void log_message(wire::Slot slot, const std::string& from, const std::string& to,
                    std::uint64_t sequence, const char* direction, blackboard::Now now);
   journal::Record record(const char* kind, blackboard::Now now) const;

@@ -11,13 +11,15 @@ namespace skein::node {
 
 /// Follows the clock slot. Between samples, and if they stop coming, mission time goes on at the
 /// last rate. It never goes back: a sample that was slow on its way is outweighed by a faster one,
-/// and the estimate gives way slowly, so that clocks that drift stay together. Steady times are of
-/// this process and never decrease. Source: spec 1.4.
+/// and the estimate gives way slowly, so that clocks that drift stay together. A sample whose rate
+/// is of no use (not within 0.001 and a million) is disregarded. Steady times are of this process
+/// and never decrease. Source: spec 1.4.
 class MissionClock {
  public:
   void update(const wire::Clock& sample, Duration steady);
   MissionTime now(Duration steady);
-  /// The steady time at which mission time reaches `at`; absent while time stands still.
+  /// The steady time at which mission time reaches `at`, to the microsecond; absent while time
+  /// stands still.
   std::optional<Duration> steady_at(MissionTime at) const;
   wire::ClockPhase phase() const { return phase_; }
   double rate() const { return rate_; }

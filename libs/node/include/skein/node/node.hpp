@@ -55,7 +55,7 @@ struct Send {
   wire::Sample sample;
   MissionTime expires = MissionTime::max();
 };
-/// Sends to everybody over the world channel.
+/// Sends to everybody over the world channel. A refusal is logged.
 struct Publish {
   wire::Sample sample;
 };

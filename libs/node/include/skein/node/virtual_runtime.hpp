@@ -14,7 +14,8 @@ namespace skein::node {
 /// Makes the node of a name; called at its start and at each restart.
 using NodeFactory = std::function<std::unique_ptr<Node>(const std::string& name)>;
 
-/// A node dies at once and, if told so, is started again with nothing it knew.
+/// A node dies at once and, if told so, is started again with nothing it knew. Of a node that is
+/// dead already a death changes nothing, of one that lives a restart.
 struct Crash {
   MissionTime at;
   std::string node;
@@ -33,15 +34,15 @@ struct VirtualConfig {
 struct VirtualOutcome {
   enum class End { kFinished, kTimeLimit, kNothingLeftToDo, kStopped };
   End end = End::kFinished;
-  MissionTime at;
+  MissionTime at;  ///< the last instant that was played, or the time limit
   std::uint64_t steps = 0;  ///< host steps, a measure of work
 };
 
 /// Runs the roster's ground, sim and UAV nodes until one of them says Finish, the time limit comes,
 /// nothing is left to do, or `keep_going` says no (asked once per mission second). Everything
 /// happens in a fixed order that depends only on the arguments: hosts in roster order at each
-/// instant, so the same arguments give the same records. Records go to `journal` in order. Source:
-/// spec 1.5.
+/// instant, so the same arguments give the same records. Records go to `journal` in order.
+/// Precondition: crashes name nodes of the roster, not the runner. Source: spec 1.5.
 VirtualOutcome run_virtual(const Roster& roster, const NodeFactory& make_node,
                            const VirtualConfig& config,
                            const std::function<void(const journal::Record&)>& journal,

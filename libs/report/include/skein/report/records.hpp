@@ -36,7 +36,7 @@ enum class AlarmState : std::uint8_t { kRaised, kConfirmed, kInfirmed };
 struct TaskRecord {
   Stamp stamp;
   std::string uav;
-  std::int64_t task = 0;  ///< unique within the UAV
+  std::uint64_t task = 0;  ///< unique within the UAV
   std::string type;
   TaskState state = TaskState::kScheduled;
   std::string reason;  ///< empty: none given
@@ -48,7 +48,7 @@ struct RequestRecord {
   std::string uav;
   std::string request;  ///< START, ABORT, …
   std::string mode;     ///< of a START; empty otherwise
-  std::optional<std::int64_t> task;
+  std::optional<std::uint64_t> task;
   bool accepted = true;
   std::string why;
 };
@@ -57,7 +57,7 @@ struct RequestRecord {
 struct CommandRecord {
   Stamp stamp;
   std::string uav;
-  std::int64_t command = 0;
+  std::uint64_t command = 0;
   std::string what;
   CommandState state = CommandState::kIssued;
   std::string why;
@@ -78,7 +78,7 @@ struct MessageRecord {
   std::string slot;
   std::string from;
   std::string to;
-  std::int64_t sequence = 0;
+  std::uint64_t sequence = 0;
   Direction direction = Direction::kSent;
 };
 
@@ -128,7 +128,7 @@ struct PerceptionRecord {
 
 struct AlarmRecord {
   Stamp stamp;
-  std::int64_t alarm = 0;
+  std::uint64_t alarm = 0;
   AlarmState state = AlarmState::kRaised;
   Position position;    ///< as estimated
   double belief = 0.0;  ///< in [0, 1]
@@ -178,7 +178,7 @@ struct UndeliveredRecord {
   bool expired = true;
   std::string slot;
   std::string to;
-  std::int64_t sequence = 0;
+  std::uint64_t sequence = 0;
 };
 
 struct MissionRecord {

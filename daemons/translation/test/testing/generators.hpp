@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random values of the domain, for round trips over the wire.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <string>
+#include <vector>
+
+#include "skein/translation/tasks.hpp"
+#include "skein/world/parameters.hpp"
+#include "skein/world/perception.hpp"
+#include "skein/world/vehicle_state.hpp"
+
+namespace skein::translation::testing {
+
+inline double any_number() {
+  return static_cast<double>(*rc::gen::inRange<std::int64_t>(-1'000'000'000, 1'000'000'000)) / 977;
+}
+
+inline std::string any_text() { return *rc::gen::container<std::string>(rc::gen::arbitrary<char>()); }
+
+inline std::uint64_t any_id() { return *rc::gen::arbitrary<std::uint64_t>(); }
+
+inline MissionTime any_instant() {
+  return MissionTime::nanoseconds(*rc::gen::arbitrary<std::int64_t>());
+}
+
+/// Up to three of what `make` makes.
+template <class Make>
+auto some(Make make) {
+  std::vector<decltype(make())> all;
+  const int count = *rc::gen::inRange(0, 4);
+  for (int i = 0; i < count; ++i) all.push_back(make());
+  return all;
+}
+
+inline world::Vector3 any_vector() { return {any_number(), any_number(), any_number()}; }
+
+inline world::VehicleState any_vehicle_state() {
+  return {any_vector(), any_vector(), any_number(), any_number(), *rc::gen::arbitrary<bool>(),
+          any_text()};
+}
+
+inline world::Detection any_detection() {
+  return {any_text(), any_vector(), any_number(), any_number()};
+}
+
+inline world::Perception any_perception() {
+  return {any_text(),   any_text(),   any_vector(),        any_vector(),
+          any_number(), any_number(), some(any_detection), any_instant()};
+}
+
+inline world::Parameters any_world_parameters() {
+  return world::Parameters(some(
+      [] { return world::Parameter{any_text(), any_text(), some(any_number)}; }));
+}
+
+inline executive::Parameters any_parameters() {
+  executive::Parameters parameters;
+  for (auto& one :
+       some([] { return executive::Parameter{any_text(), any_text(), some(any_number)}; })) {
+    parameters.add(std::move(one));
+  }
+  return parameters;
+}
+
+inline executive::TaskState any_state() {
+  return static_cast<executive::TaskState>(*rc::gen::inRange(0, 6));
+}
+
+inline executive::Condition any_condition() {
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0:
+      return executive::TaskInState{executive::TaskId(any_id()), any_state()};
+    case 1:
+      return executive::MessageReceived{any_text()};
+    default:
+      return executive::TimeIs{any_instant(), *rc::gen::arbitrary<bool>()};
+  }
+}
+
+inline executive::Literal any_literal() {
+  return {any_condition(), *rc::gen::arbitrary<bool>(),
+          *rc::gen::arbitrary<bool>() ? executive::Modality::kOptional
+                                      : executive::Modality::kMandatory};
+}
+
+inline executive::Formula any_formula() {
+  return some([] { return some(any_literal); });
+}
+
+inline executive::Synchronisation any_synchronisation() {
+  executive::Synchronisation sync{any_id(), some(any_text), some(any_text), std::nullopt};
+  if (*rc::gen::arbitrary<bool>()) sync.deadline = any_instant();
+  return sync;
+}
+
+inline executive::Task any_task() {
+  executive::Task task;
+  task.id = executive::TaskId(any_id());
+  task.type = any_text();
+  task.parameters = any_parameters();
+  task.preconditions = any_formula();
+  task.exit = any_formula();
+  if (*rc::gen::arbitrary<bool>()) task.synchronisation = any_synchronisation();
+  return task;
+}
+
+inline executive::UpdateConditions any_update() {
+  executive::UpdateConditions update{executive::TaskId(any_id()), std::nullopt, std::nullopt};
+  if (*rc::gen::arbitrary<bool>()) update.preconditions = any_formula();
+  if (*rc::gen::arbitrary<bool>()) update.exit = any_formula();
+  return update;
+}
+
+inline executive::InsertionMode any_mode() {
+  return static_cast<executive::InsertionMode>(*rc::gen::inRange(0, 4));
+}
+
+}  // namespace skein::translation::testing
