@@ -13,6 +13,8 @@ namespace {
 using translation::from_wire;
 using translation::to_wire;
 
+constexpr const char* kOwnIds = "ids from 1000000000 are the decision node's own";
+
 executive::Config executive_config(const DdnConfig& config) {
   executive::Config result;
   result.name = config.uav;
@@ -106,7 +108,7 @@ void DdnNode::take(const wire::TaskRequest& request) {
   if (known != answered_.end()) return send_to_ground(known->second);
   if (config_.degree == 1) return refuse(request, "at degree 1 the ground station runs the plan");
   if (request.kind == wire::RequestKind::kStart && own_task(request.task.id)) {
-    return refuse(request, "ids from 1000000000 are the decision node's own");
+    return refuse(request, kOwnIds);
   }
   mode_of_request_ = static_cast<executive::InsertionMode>(request.mode);
   const executive::Effects effects =
@@ -131,7 +133,8 @@ void DdnNode::refuse(const wire::TaskRequest& request, const char* why) {
 }
 
 void DdnNode::take(const wire::FunctionalRequest& request) {
-  if (config_.degree == 1) {
+  const bool own = own_task(request.id);
+  if (config_.degree == 1 && !own) {
     const bool dispatch = request.kind == wire::FunctionalRequestKind::kDispatch;
     if (dispatch) passed_through_.insert(request.id);
     out_.push_back(node::Send{roster_.sim(), request, MissionTime::max()});
@@ -141,7 +144,7 @@ void DdnNode::take(const wire::FunctionalRequest& request) {
   refusal.uav = config_.uav;
   refusal.id = request.id;
   refusal.state = wire::TaskState::kAborted;
-  refusal.reason = "elementary requests are taken at degree 1 only";
+  refusal.reason = own ? kOwnIds : "elementary requests are taken at degree 1 only";
   send_to_ground(refusal);
 }
 

@@ -108,7 +108,7 @@ std::map<std::string, DeviceReliability, std::less<>> default_devices() {
        {.kinds = {{"fire", {0.8, 0.02}},
                   {"smoke", {0.1, 0.02}},
                   {"hot-vehicle", {0.01, 0.2}},
-                  {"hot-vehicle", {0.01, 0.2}}},
+                  {"vehicle", {0.01, 0.2}}},
         .confirms = true,
         .limit = 12}},
       {"mapping", {.kinds = {{"fire", {0.5, 0.1}}}, .confirms = false, .limit = 3}},

@@ -134,7 +134,7 @@ TEST(PerceptionProcessing, RandomLooksOfSeveralDevicesFollowBayesRule) {
     for (int i = 0; i < 30; ++i) {
       const bool visible = i > 3 && random.chance(0.5);
       const bool seen = i <= 3 || random.chance(0.6);
-      const std::string kind = visible && seen && random.chance(0.3) ? "hot-vehicle" : "fire";
+      const std::string kind = visible && seen && random.chance(0.3) ? "vehicle" : "fire";
       Perception p = look("marvin", visible ? "visible" : "ir", 10 + 2 * i);
       give(pps, seen ? seeing(p, kind) : p);
       const double p_fire = !visible ? (seen ? 0.85 : 0.15)
@@ -260,7 +260,7 @@ TEST(PerceptionProcessing, RecognisingAVehicleInfirmsAlthoughTheHeatIsSeenMeanwh
   std::vector<AlarmState> seen;
   for (int i = 0; i < 30 && seen.empty(); ++i) {
     give(pps, seeing(look("heliv", "ir", at += 2), "fire"));
-    seen = states(give(pps, seeing(look("heliv", "visible", at), "hot-vehicle")));
+    seen = states(give(pps, seeing(look("heliv", "visible", at), "vehicle")));
   }
 
   EXPECT_EQ(seen, std::vector{AlarmState::kInfirmed});

@@ -21,27 +21,30 @@ std::optional<MissionTime> first_match(const Pattern& pattern, const Records& re
 struct Interval {
   MissionTime from;
   MissionTime until;
+  std::optional<MissionTime> before;  ///< excluded itself
+
+  bool contains(MissionTime at) const {
+    return at >= from && at <= until && (!before || at < *before);
+  }
 };
 
 // The instants that count, or why there are none.
 tl::expected<Interval, std::string> interval_of(const Window& window, const Records& records) {
-  Interval interval{window.from, window.until};
+  Interval interval{window.from, window.until, std::nullopt};
   if (window.after) {
     const auto reference = first_match(*window.after, records);
     if (!reference) return tl::unexpected<std::string>("never saw " + to_text(*window.after));
     interval.from = std::max(interval.from, *reference);
     if (window.within) interval.until = std::min(interval.until, *reference + *window.within);
   }
-  if (window.before) {
-    const auto reference = first_match(*window.before, records);
-    if (reference) interval.until = std::min(interval.until, *reference);
-  }
+  if (window.before) interval.before = first_match(*window.before, records);
   return interval;
 }
 
 std::string interval_text(const Interval& interval) {
   std::string text = "from " + to_text(interval.from) + " s";
   if (interval.until != MissionTime::max()) text += " until " + to_text(interval.until) + " s";
+  if (interval.before) text += " before " + to_text(*interval.before) + " s";
   return text;
 }
 
@@ -53,12 +56,12 @@ std::string bounds_text(const ExpectEvent& expected) {
 
 Verdict check_event(const ExpectEvent& expected, const Records& records) {
   const auto interval = interval_of(expected.window, records);
-  if (!interval) return {"", expected.at_most == std::size_t{0}, interval.error()};
+  if (!interval) return {"", expected.at_least == 0, interval.error()};
   std::size_t inside = 0;
   std::string first_inside, first_outside;
   for (const auto& record : records) {
     if (!expected.event.matches(record)) continue;
-    const bool counts = record.at() >= interval->from && record.at() <= interval->until;
+    const bool counts = interval->contains(record.at());
     if (counts && ++inside == 1) first_inside = to_text(record.at());
     if (!counts && first_outside.empty()) first_outside = to_text(record.at());
   }

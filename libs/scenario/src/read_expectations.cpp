@@ -38,14 +38,12 @@ Pattern read_pattern(const Reader& reader, const Names& names) {
       "object",  "perception", "alarm",   "step", "phase",   "operator", "degree",  "fault",
       "process", "dropped",    "expired", "lost", "unsent",  "mission",  "contact", "notice"};
   Pattern pattern;
-  for (const auto& [key, field] : reader.entries()) {
+  for (const auto& [key, field] : entries_of(reader)) {
     std::vector<journal::Value> values;
-    if (key == "kind") (void)field.name_among(kKinds, "a kind of record (docs/journal.md)");
-    if (key == "uav" && field.is_scalar()) (void)field.name_among(names.uavs, "a UAV");
-    if (field.is_sequence()) {
-      for (const Reader& item : field.items()) values.push_back(value_of(item));
-    } else {
-      values.push_back(value_of(field));
+    for (const Reader& one : field.is_sequence() ? items_of(field) : std::vector{field}) {
+      if (key == "kind") (void)one.name_among(kKinds, "a kind of record (docs/journal.md)");
+      if (key == "uav") (void)one.name_among(names.uavs, "a UAV");
+      values.push_back(value_of(one));
     }
     pattern.fields.emplace_back(key, std::move(values));
   }
@@ -82,6 +80,7 @@ ExpectEvent read_event(const Reader& reader, const Names& names) {
     if (count.optional("at_most").present()) {
       expected.at_most = static_cast<std::size_t>(count.optional("at_most").integer(0, 0, 1 << 30));
     }
+    if (expected.at_most < expected.at_least) count.error("no count is within these bounds");
   } else if (count.present()) {
     expected.at_least = static_cast<std::size_t>(count.integer(1, 0, 1 << 30));
     expected.at_most = expected.at_least;
@@ -93,7 +92,7 @@ ExpectMeasure read_measure(const Reader& reader, const Names& names) {
   ExpectMeasure expected;
   expected.quantity = static_cast<ExpectMeasure::Quantity>(reader.required("measure").choice(
       {"minimum-separation", "distance-flown", "mission-duration", "energy-left"}));
-  for (const Reader& uav : reader.optional("uavs").items()) {
+  for (const Reader& uav : items_of(reader.optional("uavs"))) {
     expected.uavs.push_back(uav.name_among(names.uavs, "a UAV"));
   }
   const Reader low = reader.optional("at_least");
@@ -102,6 +101,8 @@ ExpectMeasure read_measure(const Reader& reader, const Names& names) {
   if (high.present()) expected.at_most = high.number();
   if (!low.present() && !high.present())
     reader.error("a measure without bounds", "at_least, at_most");
+  if (expected.at_least && expected.at_most && *expected.at_most < *expected.at_least)
+    reader.error("no figure is within these bounds");
   return expected;
 }
 
@@ -118,7 +119,7 @@ ExpectEvent read_never(const Reader& reader, const Names& names) {
 
 void read_expectations(const Reader& reader, const Names& names,
                        std::vector<Expectation>& expectations) {
-  for (const Reader& item : reader.items()) {
+  for (const Reader& item : items_of(reader)) {
     Expectation expectation;
     expectation.name = item.required("name").text();
     if (item.optional("event").present()) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ground station's part of a scenario file: its script and its perception processing.
-#include <set>
-
 #include "read_tasks.hpp"
 
 namespace skein::scenario {
@@ -16,7 +14,7 @@ Trigger read_trigger(const Reader& reader, const Names& names);
 
 std::vector<Trigger> read_triggers(const Reader& reader, const Names& names) {
   std::vector<Trigger> triggers;
-  for (const Reader& item : reader.items()) triggers.push_back(read_trigger(item, names));
+  for (const Reader& item : items_of(reader)) triggers.push_back(read_trigger(item, names));
   return triggers;
 }
 
@@ -39,7 +37,7 @@ Trigger read_trigger(const Reader& reader, const Names& names) {
   }
   if (given("task")) return {read_on_task(reader.optional("task"), names)};
   if (given("operator")) return {ground_station::OnOperator{reader.optional("operator").text()}};
-  if (given("step")) return {ground_station::OnStep{reader.optional("step").text()}};
+  if (given("step")) return {ground_station::OnStep{reader.optional("step").name_among(names.steps, "a step")}};
   if (given("restart")) {
     return {ground_station::OnRestart{reader.optional("restart").name_among(names.uavs, "a UAV")}};
   }
@@ -53,16 +51,16 @@ std::string read_uav(const Reader& reader, const TaskContext& context) {
   return reader.required("uav").name_among(context.names.uavs, "a UAV");
 }
 
-Action read_plan(const Reader& reader, const TaskContext& context) {
+Action read_plan(const Reader& reader, TaskContext& context) {
   reader.keys({"uav", "tasks"});
   ground_station::SendPlan plan{read_uav(reader, context), {}};
-  for (const Reader& task : reader.required("tasks").items()) {
-    plan.tasks.push_back(read_task(task, context));
+  for (const Reader& task : items_of(reader.required("tasks"))) {
+    plan.tasks.push_back(read_task(task, plan.uav, context));
   }
   return plan;
 }
 
-Action read_abort(const Reader& reader, const TaskContext& context) {
+Action read_abort(const Reader& reader, TaskContext& context) {
   reader.keys({"uav", "tasks"});
   ground_station::AbortTasks abort{read_uav(reader, context), std::nullopt};
   const Reader tasks = reader.optional("tasks");
@@ -70,12 +68,12 @@ Action read_abort(const Reader& reader, const TaskContext& context) {
     (void)tasks.choice({"all"});
   } else if (tasks.present()) {
     abort.tasks.emplace();
-    for (const Reader& id : tasks.items()) abort.tasks->push_back(read_task_id(id));
+    for (const Reader& id : items_of(tasks)) abort.tasks->push_back(read_task_id(id));
   }
   return abort;
 }
 
-Action read_update(const Reader& reader, const TaskContext& context) {
+Action read_update(const Reader& reader, TaskContext& context) {
   reader.keys({"uav", "id", "pre", "exit"});
   ground_station::UpdateConditions result{read_uav(reader, context), {}};
   result.update.id = read_task_id(reader.required("id"));
@@ -86,10 +84,11 @@ Action read_update(const Reader& reader, const TaskContext& context) {
   return result;
 }
 
-std::vector<Action> read_actions(const Reader& reader, const TaskContext& context) {
+std::vector<Action> read_actions(const Reader& reader, TaskContext& context) {
   std::vector<Action> actions;
-  for (const Reader& item : reader.items()) {
+  for (const Reader& item : items_of(reader)) {
     item.keys({"plan", "abort", "message", "update", "finish"});
+    at_most_one_of(item, {"plan", "abort", "message", "update", "finish"});
     if (const Reader plan = item.optional("plan"); plan.present()) {
       actions.push_back(read_plan(plan, context));
     } else if (const Reader abort = item.optional("abort"); abort.present()) {
@@ -109,7 +108,7 @@ std::vector<Action> read_actions(const Reader& reader, const TaskContext& contex
   return actions;
 }
 
-ground_station::Step read_step(const Reader& reader, const TaskContext& context) {
+ground_station::Step read_step(const Reader& reader, TaskContext& context) {
   reader.keys({"step", "phase", "when", "after", "do", "repeats"});
   ground_station::Step step;
   step.name = reader.required("step").text();
@@ -121,7 +120,7 @@ ground_station::Step read_step(const Reader& reader, const TaskContext& context)
   return step;
 }
 
-ground_station::OperatorAction read_operator(const Reader& reader, const TaskContext& context) {
+ground_station::OperatorAction read_operator(const Reader& reader, TaskContext& context) {
   reader.keys({"does", "when", "after", "do"});
   ground_station::OperatorAction action;
   action.does = reader.required("does").text();
@@ -129,25 +128,6 @@ ground_station::OperatorAction read_operator(const Reader& reader, const TaskCon
   action.after = read_seconds(reader.optional("after"));
   action.actions = read_actions(reader.optional("do"), context);
   return action;
-}
-
-// Ids are unique within a UAV for the whole mission; one given twice in one script is a mistake
-// that would only show in flight.
-void check_ids(const Reader& reader, const ground_station::Script& script) {
-  std::set<std::pair<std::string, executive::TaskId>> seen;
-  const auto check = [&](const std::vector<Action>& actions) {
-    for (const Action& action : actions) {
-      const auto* plan = std::get_if<ground_station::SendPlan>(&action);
-      if (plan == nullptr) continue;
-      for (const auto& planned : plan->tasks) {
-        if (seen.emplace(plan->uav, planned.task.id).second) continue;
-        reader.error("task " + to_text(planned.task.id) + " of " + plan->uav +
-                     " is planned twice; ids are unique for the whole mission");
-      }
-    }
-  };
-  for (const auto& step : script.steps) check(step.actions);
-  for (const auto& action : script.operators) check(action.actions);
 }
 
 }  // namespace
@@ -173,17 +153,19 @@ void read_script(const Reader& ground, const Scenario& scenario, ground_station:
   level.east = level.north = 1000;
   const bool usable = world::problems_of(scenario.world.terrain).empty();
   const world::Terrain terrain(usable ? scenario.world.terrain : level);
-  const TaskContext context{scenario, names_of(scenario), terrain};
-  for (const Reader& step : ground.required("script").items()) {
+  TaskContext context{scenario, names_of(scenario), terrain, {}};
+  for (const Reader& step : items_of(ground.required("script"))) {
+    context.names.steps.push_back(step.optional("step").text());
+  }
+  for (const Reader& step : items_of(ground.required("script"))) {
     script.steps.push_back(read_step(step, context));
   }
-  for (const Reader& action : ground.optional("operator").items()) {
+  for (const Reader& action : items_of(ground.optional("operator"))) {
     script.operators.push_back(read_operator(action, context));
   }
   script.command_lifetime =
       read_seconds(ground.optional("command_lifetime"), script.command_lifetime);
   for (const std::string& problem : ground_station::problems_of(script)) ground.error(problem);
-  check_ids(ground, script);
 }
 
 }  // namespace skein::scenario

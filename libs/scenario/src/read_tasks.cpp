@@ -16,13 +16,16 @@ constexpr config::Range kAltitude{0, 10'000, "m above the ground"};
 
 Literal read_literal(const Reader& reader) {
   Literal literal;
-  reader.keys({"task", "state", "message", "time", "is", "not", "modality"});
-  if (const Reader task = reader.optional("task"); task.present()) {
+  if (reader.optional("task").present()) {
+    reader.keys({"task", "state", "not", "modality"});
     literal.condition =
-        executive::TaskInState{read_task_id(task), read_task_state(reader.required("state"))};
+        executive::TaskInState{read_task_id(reader.required("task")),
+                               read_task_state(reader.required("state"))};
   } else if (const Reader message = reader.optional("message"); message.present()) {
+    reader.keys({"message", "not", "modality"});
     literal.condition = executive::MessageReceived{message.text()};
   } else if (const Reader time = reader.optional("time"); time.present()) {
+    reader.keys({"time", "is", "not", "modality"});
     const bool passed = reader.required("is").choice({"passed", "not-yet-passed"}) == 0;
     literal.condition = executive::TimeIs{read_instant(time), passed};
   } else {
@@ -61,7 +64,7 @@ Target to_points(const Reader& params, const TaskContext& context) {
   const Reader to = params.optional("to");
   const bool several = to.is_sequence() && !to.items().empty() && !to.items()[0].is_scalar();
   if (several) {
-    for (const Reader& one : to.items()) {
+    for (const Reader& one : items_of(to)) {
       at.points.push_back(at_altitude(read_place(one, context), altitude, context));
     }
   } else {
@@ -123,10 +126,27 @@ executive::Parameter read_parameter(const std::string& name, const Reader& reade
   return {name, scalar.scalar, {}};
 }
 
+void check_device(const Reader& device, const std::string& uav, const TaskContext& context) {
+  const UavSpec* spec = context.scenario.find_uav(uav);
+  if (spec == nullptr || spec->model.name.empty()) return;  // reported already
+  std::vector<std::string> devices;
+  for (const world::SensorModel& sensor : spec->model.sensors) devices.push_back(sensor.device);
+  (void)device.name_among(devices, "a device of " + uav);
+}
+
+// Ids are unique within a UAV for the whole mission; one given twice in one script is a mistake
+// that would only show in flight.
+void check_id(const Reader& reader, executive::TaskId id, const std::string& uav,
+              TaskContext& context) {
+  if (uav.empty() || !reader.present() || context.planned.emplace(uav, id).second) return;
+  reader.error("task " + to_text(id) + " of " + uav + " is planned twice",
+               "ids that are unique for the whole mission");
+}
+
 // The parameters that go to the UAV as they are written.
 void read_parameters(const Reader& params, executive::Parameters& parameters) {
   const bool resolved = params.optional("to").present();
-  for (const auto& [name, value] : params.entries()) {
+  for (const auto& [name, value] : entries_of(params)) {
     if (name == "to" || name == "near_alarm" || name == "over" || name == "target") continue;
     if (name == "altitude" && resolved) continue;
     parameters.add(read_parameter(name, value));
@@ -137,10 +157,10 @@ void read_synchronisation(const Reader& params, const TaskContext& context, exec
   params.keys({"id", "senders", "receivers", "deadline"});
   executive::Synchronisation sync;
   sync.id = params.required("id").natural();
-  for (const Reader& uav : params.required("senders").items()) {
+  for (const Reader& uav : items_of(params.required("senders"))) {
     sync.senders.push_back(uav.name_among(context.names.uavs, "a UAV"));
   }
-  for (const Reader& uav : params.required("receivers").items()) {
+  for (const Reader& uav : items_of(params.required("receivers"))) {
     sync.receivers.push_back(uav.name_among(context.names.uavs, "a UAV"));
   }
   const Reader deadline = params.optional("deadline");
@@ -173,19 +193,21 @@ executive::TaskState read_task_state(const Reader& reader) {
 
 executive::Formula read_formula(const Reader& reader) {
   executive::Formula formula;
-  for (const Reader& clause : reader.items()) {
+  for (const Reader& clause : items_of(reader)) {
     executive::Clause literals;
-    for (const Reader& literal : clause.items()) literals.push_back(read_literal(literal));
+    for (const Reader& literal : items_of(clause)) literals.push_back(read_literal(literal));
     formula.push_back(std::move(literals));
   }
   return formula;
 }
 
-ground_station::PlannedTask read_task(const Reader& reader, const TaskContext& context) {
+ground_station::PlannedTask read_task(const Reader& reader, const std::string& uav,
+                                      TaskContext& context) {
   ground_station::PlannedTask planned;
   reader.keys({"id", "type", "mode", "params", "pre", "exit"});
   executive::Task& task = planned.task;
   task.id = read_task_id(reader.required("id"));
+  check_id(reader.optional("id"), task.id, uav, context);
   task.type = reader.required("type").text();
   check_type(reader.optional("type"), task.type);
   planned.mode = read_mode(reader.optional("mode"));
@@ -197,6 +219,7 @@ ground_station::PlannedTask read_task(const Reader& reader, const TaskContext& c
   } else if (params.present()) {
     planned.targets = read_targets(params, context);
     read_parameters(params, task.parameters);
+    check_device(params.optional("device"), uav, context);
   }
   return planned;
 }

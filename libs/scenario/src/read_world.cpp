@@ -28,7 +28,7 @@ void read_terrain(const Reader& reader, world::TerrainSpec& terrain) {
   terrain.north = reader.required("north").number(1000, kMetres);
   terrain.cell = reader.optional("cell").number(20, {0.1, 10'000, "m"});
   terrain.base = reader.optional("base").number(0, kMetres);
-  for (const Reader& hill : reader.optional("hills").items()) {
+  for (const Reader& hill : items_of(reader.optional("hills"))) {
     if (!hill.keys({"at", "height", "radius"})) continue;
     terrain.hills.push_back({read_point_2d(hill.required("at")),
                              hill.required("height").number(0, {-5000, 5000, "m"}),
@@ -39,7 +39,7 @@ void read_terrain(const Reader& reader, world::TerrainSpec& terrain) {
 
 void read_zone(const std::string& name, const Reader& reader, std::vector<world::Zone>& zones) {
   world::Zone zone{name, {}};
-  for (const Reader& corner : reader.items()) zone.polygon.push_back(read_point_2d(corner));
+  for (const Reader& corner : items_of(reader)) zone.polygon.push_back(read_point_2d(corner));
   if (zone.polygon.size() < 3 || world::area(zone.polygon) <= 0) {
     reader.error("a zone without area", "at least three corners [x, y]");
   }
@@ -57,7 +57,7 @@ world::WorldObject read_object(const std::string& name, const Reader& reader) {
   object.radius = reader.optional("radius").number(1, {0, 1000, "m"});
   object.appears = read_instant(reader.optional("appears"));
   object.disappears = read_instant(reader.optional("disappears"), MissionTime::max());
-  for (const Reader& point : reader.optional("waypoints").items()) {
+  for (const Reader& point : items_of(reader.optional("waypoints"))) {
     object.waypoints.push_back(read_point_2d(point));
   }
   object.speed = reader.optional("speed").number(0, {0, 200, "m/s"});
@@ -101,6 +101,37 @@ bool usable_name(const std::string& name) {
 
 }  // namespace
 
+std::vector<Reader> items_of(const Reader& reader) {
+  std::vector<Reader> items = reader.items();
+  std::erase_if(items, [](const Reader& item) {
+    if (!item.present()) item.error("nothing in a list");
+    return !item.present();
+  });
+  return items;
+}
+
+std::vector<std::pair<std::string, Reader>> entries_of(const Reader& reader) {
+  auto entries = reader.entries();
+  std::erase_if(entries, [](const auto& entry) {
+    if (!entry.second.present()) entry.second.error("nothing is said of '" + entry.first + "'");
+    return !entry.second.present();
+  });
+  return entries;
+}
+
+void at_most_one_of(const Reader& reader, std::initializer_list<const char*> keys) {
+  const char* first = nullptr;
+  for (const char* key : keys) {
+    if (!reader.optional(key).present()) continue;
+    if (first != nullptr) {
+      reader.optional(key).error(std::string("'") + key + "' beside '" + first + "'",
+                                 "one of the two");
+      return;
+    }
+    first = key;
+  }
+}
+
 world::Vector3 read_point(const Reader& reader) {
   const auto xyz = reader.numbers(3, kMetres);
   return xyz.size() == 3 ? world::Vector3(xyz[0], xyz[1], xyz[2]) : world::Vector3::Zero();
@@ -122,7 +153,7 @@ Duration read_seconds(const Reader& reader, Duration otherwise) {
 }
 
 void read_world(const Reader& reader, WorldSpec& world) {
-  reader.keys({"origin", "terrain", "wind", "zones", "places", "objects"});
+  if (!reader.keys({"origin", "terrain", "wind", "zones", "places", "objects"})) return;
   const Reader origin = reader.required("origin");
   if (origin.keys({"latitude", "longitude", "altitude"})) {
     world.origin = {origin.required("latitude").number(0, {-90, 90, "degrees"}),
@@ -137,27 +168,27 @@ void read_world(const Reader& reader, WorldSpec& world) {
         wind.optional("speed").number(0, {0, 50, "m/s"}),
         wind.optional("gusts").number(0, {0, 20, "m/s"})};
   }
-  for (const auto& [name, zone] : reader.optional("zones").entries()) {
+  for (const auto& [name, zone] : entries_of(reader.optional("zones"))) {
     read_zone(name, zone, world.zones);
   }
-  for (const auto& [name, place] : reader.optional("places").entries()) {
+  for (const auto& [name, place] : entries_of(reader.optional("places"))) {
     world.places.emplace(name, read_point(place));
   }
-  for (const auto& [name, object] : reader.optional("objects").entries()) {
+  for (const auto& [name, object] : entries_of(reader.optional("objects"))) {
     world.objects.push_back(read_object(name, object));
   }
 }
 
 void read_uavs(const Reader& reader, const std::string& folder, Diagnostics& diagnostics,
                std::vector<UavSpec>& uavs) {
-  for (const auto& [name, uav] : reader.entries()) {
+  for (const auto& [name, uav] : entries_of(reader)) {
     UavSpec spec;
     spec.name = name;
     if (!usable_name(name)) {
       uav.error("'" + name + "' cannot be a UAV's name",
                 "1 to 32 letters, digits, '-' or '_', and none of ground, sim, runner");
     }
-    uav.keys({"model", "start", "heading", "energy", "degree", "contact_loss"});
+    if (!uav.keys({"model", "start", "heading", "energy", "degree", "contact_loss"})) continue;
     read_model(uav.required("model"), folder, diagnostics, spec);
     spec.start = read_point_2d(uav.required("start"));
     spec.heading = uav.optional("heading").number(0, {-7, 7, "rad"});
@@ -167,7 +198,7 @@ void read_uavs(const Reader& reader, const std::string& folder, Diagnostics& dia
     read_contact_loss(uav.optional("contact_loss"), spec.contact_loss);
     uavs.push_back(std::move(spec));
   }
-  if (uavs.empty()) reader.error("no UAV");
+  if (uavs.empty() && reader.is_map()) reader.error("no UAV");
 }
 
 void read_radio(const Reader& reader, const Names& names, RadioSpec& radio) {
@@ -177,7 +208,7 @@ void read_radio(const Reader& reader, const Names& names, RadioSpec& radio) {
   radio.model.latency = Duration::seconds(reader.optional("latency").number(0.02, {0, 60, "s"}));
   radio.model.loss = reader.optional("loss").number(0, {0, 0.99, ""});
   radio.model.hysteresis = reader.optional("hysteresis").number(0.05, {0, 1, ""});
-  for (const Reader& cut : reader.optional("cuts").items()) {
+  for (const Reader& cut : items_of(reader.optional("cuts"))) {
     if (!cut.keys({"between", "from", "until"})) continue;
     const std::vector<Reader> pair = cut.required("between").items();
     if (pair.size() != 2) {
@@ -194,8 +225,9 @@ void read_radio(const Reader& reader, const Names& names, RadioSpec& radio) {
 }
 
 void read_faults(const Reader& reader, const Names& names, FaultSpec& faults) {
-  for (const Reader& fault : reader.items()) {
+  for (const Reader& fault : items_of(reader)) {
     fault.keys({"at", "kill", "restart_after", "engine", "sensor", "random"});
+    at_most_one_of(fault, {"kill", "engine", "sensor", "random"});
     const Reader random = fault.optional("random");
     if (random.present()) {
       random.keys({"cuts_per_hour", "mean_cut", "kills_per_hour", "mean_dead"});

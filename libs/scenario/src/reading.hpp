@@ -3,7 +3,9 @@
 // leaves harmless values where something is wrong.
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "skein/config/reader.hpp"
@@ -17,6 +19,7 @@ struct Names {
   std::vector<std::string> nodes;  ///< the UAVs and "ground"
   std::vector<std::string> zones;
   std::vector<std::string> places;
+  std::vector<std::string> steps;  ///< of the ground's script
 };
 
 Names names_of(const Scenario& scenario);
@@ -31,6 +34,13 @@ void read_script(const config::Reader& ground, const Scenario& scenario,
                  ground_station::Script& script);
 void read_expectations(const config::Reader& reader, const Names& names,
                        std::vector<Expectation>& expectations);
+
+/// The items of a list and the entries of a map; reports those that say nothing, and leaves them
+/// out.
+std::vector<config::Reader> items_of(const config::Reader& reader);
+std::vector<std::pair<std::string, config::Reader>> entries_of(const config::Reader& reader);
+/// Reports when a map has more than one of these keys: it can mean only one thing.
+void at_most_one_of(const config::Reader& reader, std::initializer_list<const char*> keys);
 
 /// [x, y, z] in metres.
 world::Vector3 read_point(const config::Reader& reader);

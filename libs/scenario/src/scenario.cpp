@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/scenario/scenario.hpp"
 
+#include <chrono>
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
+#include <iomanip>
+#include <sstream>
 
 #include "reading.hpp"
 #include "skein/config/parse.hpp"
@@ -37,12 +41,28 @@ void read_ground(const Reader& reader, Scenario& scenario) {
   read_script(reader, scenario, scenario.ground.script);
 }
 
+// ISO 8601 in UTC, to the second: 2005-05-19T09:00:00Z.
+void read_epoch(const Reader& reader, std::string& epoch) {
+  epoch = reader.text();
+  std::istringstream text(epoch);
+  std::tm parts{};
+  text >> std::get_time(&parts, "%Y-%m-%dT%H:%M:%SZ");
+  const std::chrono::year_month_day date{std::chrono::year(parts.tm_year + 1900),
+                                         std::chrono::month(static_cast<unsigned>(parts.tm_mon + 1)),
+                                         std::chrono::day(static_cast<unsigned>(parts.tm_mday))};
+  if (epoch.empty() || (text && epoch.size() == 20 && date.ok() && parts.tm_sec < 60)) return;
+  reader.error("'" + epoch + "'", "an instant in UTC such as 2005-05-19T09:00:00Z");
+}
+
 void read_all(const Reader& reader, const std::string& folder, Diagnostics& diagnostics,
               Scenario& scenario) {
-  reader.keys({"scenario", "epoch", "duration_limit", "rate", "seed", "world", "uavs", "radio",
-               "ground", "faults", "expect"});
+  if (!reader.present()) reader.error("nothing", "a scenario");
+  if (!reader.keys({"scenario", "epoch", "duration_limit", "rate", "seed", "world", "uavs", "radio",
+                    "ground", "faults", "expect"})) {
+    return;
+  }
   scenario.name = reader.required("scenario").text();
-  scenario.epoch = reader.required("epoch").text();
+  read_epoch(reader.required("epoch"), scenario.epoch);
   scenario.duration_limit = read_instant(reader.required("duration_limit"));
   scenario.rate = reader.optional("rate").number(1, {0.01, 1000, "mission seconds per second"});
   scenario.seed = reader.optional("seed").natural(1);
@@ -79,8 +99,10 @@ Names names_of(const Scenario& scenario) {
   return names;
 }
 
-Result<Scenario, Diagnostics> read_scenario(const std::string& path) {
-  const auto document = config::parse_yaml_file(path);
+namespace {
+
+Result<Scenario, Diagnostics> read_document(const Result<config::Value, Diagnostics>& document,
+                                            const std::string& path) {
   if (!document) return tl::unexpected(document.error());
   Diagnostics diagnostics;
   Scenario scenario;
@@ -89,6 +111,16 @@ Result<Scenario, Diagnostics> read_scenario(const std::string& path) {
   read_all(Reader(*document, path, diagnostics), folder, diagnostics, scenario);
   if (!diagnostics.empty()) return tl::unexpected(std::move(diagnostics));
   return scenario;
+}
+
+}  // namespace
+
+Result<Scenario, Diagnostics> read_scenario(const std::string& path) {
+  return read_document(config::parse_yaml_file(path), path);
+}
+
+Result<Scenario, Diagnostics> read_scenario_text(std::string_view text, const std::string& file) {
+  return read_document(config::parse_yaml(text, file), file);
 }
 
 void draw_random_faults(Scenario& scenario) {

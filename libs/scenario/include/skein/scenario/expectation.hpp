@@ -25,13 +25,15 @@ struct Pattern {
 std::string to_text(const Pattern& pattern);
 
 /// When a match counts: within [from, until], and, if `after` is given, not before the first record
-/// that matches it and no later than `within` of it.
+/// that matches it and no later than `within` of it. If that record never comes nothing counts.
 struct Window {
   MissionTime from;
   MissionTime until = MissionTime::max();
   std::optional<Pattern> after;
   std::optional<Duration> within;
-  std::optional<Pattern> before;  ///< not after the first record that matches it
+  /// Earlier than the first record that matches it: not at the same instant, and any time if no
+  /// record does.
+  std::optional<Pattern> before;
 };
 
 /// At least `at_least` and at most `at_most` matching records in the window.

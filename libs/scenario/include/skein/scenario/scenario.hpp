@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "skein/foundation/diagnostics.hpp"
@@ -118,9 +119,11 @@ struct Scenario {
 
 /// Reads a scenario file and the model files it names (relative to it). Every error at once.
 Result<Scenario, Diagnostics> read_scenario(const std::string& path);
+/// The same of text; `file` is what messages say and what model files are relative to.
+Result<Scenario, Diagnostics> read_scenario_text(std::string_view text, const std::string& file);
 
-/// The same with another seed, before the random faults are drawn: they become cuts and kills.
-/// Precondition: called once.
+/// Draws the random faults from the scenario's seed: they become cuts and kills beside those written
+/// down. Precondition: called once.
 void draw_random_faults(Scenario& scenario);
 
 }  // namespace skein::scenario
