@@ -7,6 +7,7 @@
 
 #include "skein/foundation/exit_code.hpp"
 #include "skein/run_tool/run.hpp"
+#include "skein/spy_tool/spy.hpp"
 
 namespace skein::cli {
 
@@ -54,6 +55,40 @@ void add_report(CLI::App& app, Action& action) {
   });
 }
 
+constexpr const char* kSpyExamples = R"(
+Examples:
+  skein spy --domain 1                               nodes, slots and rates
+  skein spy --domain 1 echo TaskEvent SyncMessage    samples of two slots as they come
+  skein spy --domain 1 echo Telemetry --from marvin --json -n 10
+  skein spy --domain 1 --partition 'radio/marvin>ground'
+Exit codes: 0, 2 wrong options, 3 DDS refused, 4 nothing heard.)";
+
+void add_spy(CLI::App& app, Action& action) {
+  auto options = std::make_shared<spy_tool::SpyOptions>();
+  CLI::App* spy = app.add_subcommand("spy", "List or print what is on the wire");
+  spy->fallthrough();
+  spy->add_option("--domain", options->domain, "DDS domain id")
+      ->check(CLI::Range(0, 100))
+      ->envname("SKEIN_DOMAIN");
+  spy->add_option("--interface", options->interfaces, "IPv4 address to listen on");
+  spy->add_option("--partition", options->partitions,
+                  "DDS partition, with * and ? (default: world, onboard/*, radio/*)");
+  spy->add_option("--from", options->from, "Only samples made by this node");
+  spy->add_option("--duration", options->duration, "Seconds to listen")
+      ->check(CLI::NonNegativeNumber);
+  spy->add_flag("--json", options->json, "JSON: one document, or one line per sample");
+  spy->footer(kSpyExamples);
+  CLI::App* echo = spy->add_subcommand("echo", "Print samples as they come");
+  echo->add_option("slots", options->slots, "Slots to print (default: all)");
+  echo->add_option("-n,--count", options->count, "Stop after so many samples");
+  spy->callback([options, echo, &action] {
+    action = [options, echoes = echo->parsed()] {
+      return echoes ? spy_tool::echo(*options, std::cout, std::cerr)
+                    : spy_tool::list(*options, std::cout, std::cerr);
+    };
+  });
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) try {
@@ -63,6 +98,7 @@ int run_command_line(int argc, char** argv) try {
   Action action;
   add_run(app, action);
   add_report(app, action);
+  add_spy(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -267,8 +267,9 @@ void DdnNode::carry_out(const executive::Notice& notice) {
 
 // ---- contact ----
 
-// What is planned is given up and what flies the vehicle is interrupted, so that nothing of the plan
-// moves it while the ground is silent. At degree 1 the ground's own requests are interrupted first.
+// What is planned is given up and what flies the vehicle is interrupted, so that nothing of the
+// plan moves it while the ground is silent. At degree 1 the ground's own requests are interrupted
+// first.
 void DdnNode::carry_out_contact_policy() {
   log(record("contact").with("uav", config_.uav).with("policy", name_of(config_.contact_policy)));
   if (!airborne_) return;
@@ -295,7 +296,8 @@ void DdnNode::start_safe_tasks() {
 void DdnNode::start_own(const std::string& type, executive::Parameters parameters,
                         executive::InsertionMode mode) {
   const std::int64_t milliseconds = std::max<std::int64_t>(now_.count(), 0) / 1'000'000;
-  next_own_task_ = std::max(next_own_task_, kFirstOwnTask + static_cast<std::uint64_t>(milliseconds));
+  next_own_task_ =
+      std::max(next_own_task_, kFirstOwnTask + static_cast<std::uint64_t>(milliseconds));
   executive::Task task;
   task.id = executive::TaskId(next_own_task_++);
   task.type = type;

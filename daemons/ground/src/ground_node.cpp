@@ -66,12 +66,42 @@ std::optional<MissionTime> GroundNode::next_wakeup() const { return control_.nex
 
 // ---- what comes in ----
 
-std::optional<GroundNode::Input> GroundNode::input_of(const node::Input& input) const {
-  if (const auto* received = std::get_if<node::Received>(&input)) return input_of(*received);
+std::optional<GroundNode::Input> GroundNode::input_of(const node::Input& input) {
+  if (const auto* received = std::get_if<node::Received>(&input)) {
+    const std::string why = why_not(*received);
+    if (why.empty()) return input_of(*received);
+    drop(*received, why);
+  }
   if (const auto* reach = std::get_if<node::Reachability>(&input)) {
+    if (!is_uav(reach->peer)) return std::nullopt;
     return gs::PeerReachable{roster_.name_of(reach->peer), reach->reachable, reach->restarted};
   }
   return std::nullopt;
+}
+
+bool GroundNode::is_uav(node::NodeNumber number) const {
+  const node::Member* member = roster_.find(number);
+  return member != nullptr && member->role == wire::Role::kDdn;
+}
+
+std::string GroundNode::why_not(const node::Received& received) const {
+  if (!is_uav(received.from)) return "not a UAV of this mission";
+  if (const auto* reply = std::get_if<wire::RequestReply>(&received.sample)) {
+    const auto addressee = addressees_.find(reply->command);
+    const bool right = addressee == addressees_.end() || addressee->second == received.from;
+    if (!right) return "the command was another UAV's";
+  }
+  return "";
+}
+
+void GroundNode::drop(const node::Received& received, const std::string& why) {
+  const wire::Slot slot = wire::slot_of(received.sample);
+  if (!dropped_.emplace(received.from, slot).second) return;
+  log(record("dropped")
+          .with("slot", wire::slot_name(slot))
+          .with("origin", roster_.name_of(received.from))
+          .with("field", "header.origin")
+          .with("why", why));
 }
 
 // A UAV is known by the node that sent the sample, whatever name the sample gives.
@@ -122,6 +152,7 @@ GroundNode::Input GroundNode::input_of(const wire::PlanBoard& board) const {
 void GroundNode::carry_out(const gs::SendRequest& effect) {
   wire::TaskRequest request = to_wire(effect.request);
   request.command = effect.command.value();
+  addressees_.insert_or_assign(request.command, roster_.find(effect.uav)->number);
   send(effect.uav, std::move(request), effect.expires);
 }
 

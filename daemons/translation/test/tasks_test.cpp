@@ -25,14 +25,12 @@ TEST_P(EveryTaskState, KeepsItsNameOnTheWireAndBack) {
   EXPECT_EQ(from_wire(to_wire(state)), state);
 }
 
-INSTANTIATE_TEST_SUITE_P(Tasks, EveryTaskState,
-                         ::testing::Values(executive::TaskState::kScheduled,
-                                           executive::TaskState::kStarted,
-                                           executive::TaskState::kRunning,
-                                           executive::TaskState::kAborting,
-                                           executive::TaskState::kEnded,
-                                           executive::TaskState::kAborted),
-                         [](const auto& one) { return std::string(to_text(one.param)); });
+INSTANTIATE_TEST_SUITE_P(
+    Tasks, EveryTaskState,
+    ::testing::Values(executive::TaskState::kScheduled, executive::TaskState::kStarted,
+                      executive::TaskState::kRunning, executive::TaskState::kAborting,
+                      executive::TaskState::kEnded, executive::TaskState::kAborted),
+    [](const auto& one) { return std::string(to_text(one.param)); });
 
 class EveryRequestKind : public ::testing::TestWithParam<executive::RequestKind> {};
 
@@ -56,11 +54,12 @@ TEST_P(EveryInsertionMode, KeepsItsNameOnTheWireAndBack) {
   EXPECT_EQ(over_the_wire(start).mode, GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Tasks, EveryInsertionMode,
-    ::testing::Values(executive::InsertionMode::kSeq, executive::InsertionMode::kVut,
-                      executive::InsertionMode::kDep, executive::InsertionMode::kNut),
-    [](const auto& one) { return std::string(to_text(one.param)); });
+INSTANTIATE_TEST_SUITE_P(Tasks, EveryInsertionMode,
+                         ::testing::Values(executive::InsertionMode::kSeq,
+                                           executive::InsertionMode::kVut,
+                                           executive::InsertionMode::kDep,
+                                           executive::InsertionMode::kNut),
+                         [](const auto& one) { return std::string(to_text(one.param)); });
 
 // ---- round trips ----
 
@@ -106,7 +105,8 @@ RC_GTEST_PROP(Tasks, AbortSuppressAndMessageComeBackAsTheyWere, ()) {
 
 // An update with an empty formula is not an update without one.
 TEST(Tasks, AnEmptyFormulaOfAnUpdateIsNotAnAbsentOne) {
-  const executive::UpdateConditions update{executive::TaskId(4), executive::Formula(), std::nullopt};
+  const executive::UpdateConditions update{executive::TaskId(4), executive::Formula(),
+                                           std::nullopt};
 
   const executive::UpdateConditions back = over_the_wire(update);
 

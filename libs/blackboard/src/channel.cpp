@@ -9,10 +9,12 @@ using wire::Slot;
 
 // At degree 1 the ground station talks with the functional layer through the decision node.
 std::vector<Slot> radio_slots() {
-  return {Slot::kPlanBoard,         Slot::kAutonomyDegree,   Slot::kMissionState,
-          Slot::kTaskRequest,       Slot::kRequestReply,     Slot::kTaskEvent,
-          Slot::kFunctionalRequest, Slot::kFunctionalStatus, Slot::kSyncMessage,
-          Slot::kAlarm,             Slot::kTelemetry,        Slot::kPerceptionReport};
+  return {Slot::kPlanBoard,         Slot::kAutonomyDegree,
+          Slot::kMissionState,      Slot::kTaskRequest,
+          Slot::kRequestReply,      Slot::kTaskEvent,
+          Slot::kFunctionalRequest, Slot::kFunctionalStatus,
+          Slot::kSyncMessage,       Slot::kAlarm,
+          Slot::kTelemetry,         Slot::kPerceptionReport};
 }
 
 std::vector<Slot> onboard_slots() {

@@ -15,7 +15,7 @@ constexpr std::size_t kBufferLimit = 4 * kEventDepth;
 bool IncomingEvents::enter(std::uint64_t incarnation) {
   if (incarnation < incarnation_) return false;
   if (incarnation > incarnation_) {
-    *this = IncomingEvents{};
+    *this = IncomingEvents(self_, self_incarnation_);
     incarnation_ = incarnation;
   }
   return true;
@@ -34,12 +34,12 @@ void IncomingEvents::on_event(const wire::SampleHeader& header, std::optional<wi
   buffer_.emplace(sequence, std::move(event));
 }
 
-void IncomingEvents::on_heartbeat(const wire::Heartbeat& heartbeat, NodeNumber self,
-                                  std::vector<Incoming>& out) {
+void IncomingEvents::on_heartbeat(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out) {
   if (!enter(heartbeat.header.incarnation)) return;
+  if (!open_ && heartbeat.ack_incarnation != self_incarnation_) return;
   const std::uint64_t from = std::max<std::uint64_t>(heartbeat.events_from, 1);
   if (open_ && from > next_) {
-    out.emplace_back(EventsLost{NodeNumber(heartbeat.header.origin), self, next_, from - 1});
+    out.emplace_back(EventsLost{NodeNumber(heartbeat.header.origin), self_, next_, from - 1});
   }
   if (!open_ || from > next_) {
     next_ = from;

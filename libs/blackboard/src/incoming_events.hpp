@@ -18,26 +18,30 @@ namespace skein::blackboard {
 /// | any     | greater incarnation              | waiting, nothing buffered                       |
 /// | any     | smaller incarnation              | same (ignored)                                  |
 /// | waiting | event                            | waiting, event buffered                         |
-/// | waiting | heartbeat                        | open, next = its events_from                    |
+/// | waiting | heartbeat that has heard of us   | open, next = its events_from                    |
+/// | waiting | any other heartbeat              | waiting                                         |
 /// | open    | event next                       | open, it and its successors in the buffer go    |
 /// | open    | event after next                 | open, event buffered                            |
 /// | open    | event before next                | open (already handled)                          |
 /// | open    | heartbeat, events_from > next    | open, what lies between is lost                 |
 ///
 /// It waits because of what DDS does to who comes late: old events come again, and only the sender
-/// knows which of them an earlier incarnation of this node has handled.
+/// knows which of them an earlier incarnation of this node has handled. A heartbeat that does not
+/// name this incarnation may be older than that knowledge.
 class IncomingEvents {
  public:
+  IncomingEvents(NodeNumber self, std::uint64_t self_incarnation)
+      : self_(self), self_incarnation_(self_incarnation) {}
+
   /// An event; it may be empty if it was malformed: then it only fills its place in the sequence.
   void on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event);
-  void on_heartbeat(const wire::Heartbeat& heartbeat, NodeNumber self, std::vector<Incoming>& out);
+  void on_heartbeat(const wire::Heartbeat& heartbeat, std::vector<Incoming>& out);
   /// Lets through what is next; expired events are reported instead.
   void deliver(ChannelKind kind, MissionTime now, std::vector<Incoming>& out);
 
   /// What was let through so far counts as handled from now on.
   void commit();
   /// For the heartbeat to the peer; 0 while waiting.
-  std::uint64_t ack_incarnation() const { return open_ ? incarnation_ : 0; }
   std::uint64_t ack_sequence() const { return open_ ? handled_ : 0; }
   /// The peer would send less again if it were told now.
   bool owes_acknowledgement() const { return owes_; }
@@ -46,7 +50,9 @@ class IncomingEvents {
  private:
   bool enter(std::uint64_t incarnation);
 
-  std::uint64_t incarnation_ = 0;
+  NodeNumber self_;
+  std::uint64_t self_incarnation_;
+  std::uint64_t incarnation_ = 0;  ///< of the peer
   bool open_ = false;
   std::uint64_t next_ = 1;
   std::uint64_t handled_ = 0;

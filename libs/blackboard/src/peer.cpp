@@ -19,10 +19,10 @@ std::optional<Duration> sooner(std::optional<Duration> a, std::optional<Duration
 
 Peer::Peer(PeerChannels channels, const Config& config)
     : channels_(channels),
-      self_(config.self),
       self_incarnation_(config.incarnation),
       period_(config.heartbeat_period),
-      outgoing_(config.held_events, config.retransmission) {}
+      outgoing_(config.held_events, config.retransmission),
+      incoming_(config.self, config.incarnation) {}
 
 void Peer::set_outgoing(const ChannelCondition& condition, Now now) {
   if (condition.up && !out_condition_.up) next_heartbeat_ = now.steady;
@@ -53,7 +53,7 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
   reachable_ = true;
   incarnation_ = incarnation;
   last_heard_ = now.steady;
-  incoming_.on_heartbeat(heartbeat, self_, out);
+  incoming_.on_heartbeat(heartbeat, out);
   incoming_.deliver(channels_.kind, now.mission, out);
   if (incoming_.owes_acknowledgement() && !acknowledge_at_) {
     acknowledge_at_ = now.steady + kAcknowledgementDelay;
@@ -85,7 +85,7 @@ wire::Heartbeat Peer::take_heartbeat(Duration steady) {
   wire::Heartbeat heartbeat;
   heartbeat.events_from = outgoing_.oldest();
   heartbeat.events_to = outgoing_.next_sequence() - 1;
-  heartbeat.ack_incarnation = incoming_.ack_incarnation();
+  heartbeat.ack_incarnation = incarnation_;
   heartbeat.ack_sequence = incoming_.ack_sequence();
   return heartbeat;
 }

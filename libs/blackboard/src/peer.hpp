@@ -59,7 +59,6 @@ class Peer {
   Duration silence_limit() const { return period_ + period_ + period_; }
 
   PeerChannels channels_;
-  NodeNumber self_;
   std::uint64_t self_incarnation_;
   Duration period_;
   ChannelCondition out_condition_;

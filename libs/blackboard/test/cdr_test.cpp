@@ -115,8 +115,8 @@ TEST(Cdr, SaysWhichFieldIsWrongAndWhoseItIs) {
 TEST(Cdr, ABooleanIsZeroOrOne) {
   wire::PlanBoard board;
   Bytes bytes = encoded(board);
-  // … airborne, 2 bytes of padding, the number of tasks: 4 bytes.
-  bytes[bytes.size() - 7] = 2;
+  // … airborne, a byte of padding, the number of tasks: 4 bytes.
+  bytes[bytes.size() - 6] = 2;
 
   const auto decoded = decode(wire::Slot::kPlanBoard, bytes);
 

@@ -52,7 +52,9 @@ void draw_label(Sheet& sheet, const TaskBar& bar, double top, double height) {
   sheet.plot.element("text",
                      {{"class", running ? "inside" : "outside"},
                       {"x", running || before ? from : to},
-                      {"dx", before ? -6 : 5},
+                      {"dx", before    ? -6
+                             : running ? 4
+                                       : 7},
                       {"y", top + height / 2 + 3.5},
                       {"text-anchor", before ? "end" : "start"},
                       {"data-from", from},

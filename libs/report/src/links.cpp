@@ -91,6 +91,8 @@ std::vector<LinkStory> tell_links(const Journal& journal, double end) {
   }
   std::vector<LinkStory> links;
   for (auto& [pair, story] : table.all()) {
+    // Where the truth is told, a pair without any is not a radio link (a node and the simulator).
+    if (!journal.links.empty() && !story.truth[0] && !story.truth[1]) continue;
     for (const std::size_t d : {0U, 1U}) {
       const auto key =
           d == 0 ? std::tuple{story.first, story.second} : std::tuple{story.second, story.first};

@@ -91,12 +91,11 @@ void write_alarms(Scene& s) {
     }
     s.out.open("g", {{"class", std::string("alarm ") + state}, {"transform", moved_to(p)}});
     s.out.title(name + ", belief " + short_number(alarm.belief, 2) + off);
-    s.out.leaf("path", {{"d", "M0 -9L9 0L0 9L-9 0Z"}});
+    s.out.leaf("path", {{"d", "M0 -12L12 0L0 12L-12 0Z"}});
     if (alarm.state == AlarmState::kInfirmed) s.out.leaf("path", {{"d", "M-4 -4L4 4M-4 4L4 -4"}});
-    if (alarm.state == AlarmState::kConfirmed) s.out.leaf("circle", {{"r", 2.2}});
     s.out.close();
-    s.block(p, 9);
-    s.label(p, 10, name + off, "alarm-name", kFont);
+    s.block(p, 11);
+    s.label(p, 12, name + off, "alarm-name", kFont);
   }
 }
 
@@ -110,6 +109,7 @@ void write_view_points(Scene& s) {
     const UavStory& uav = s.run.story.uavs[bar.uav];
     const std::optional<TrackPoint> p = at(uav.track, *t);
     if (!p) continue;
+    s.block(s.frame(p->position), 4);
     const double degrees = -p->heading * 180.0 / M_PI;
     s.out.open("g", {{"class", "view " + colour_class(bar.uav)},
                      {"transform",
@@ -249,8 +249,7 @@ void write_map_legend(Markup& out, const Run& run) {
       {"<g class='object fire'><path d='M0 7C-6 6 -5 -1 -2 -4C-2 -2 0 -1 0 -8C4 -5 7 5 0 7Z'/></g>",
        "fire (truth)"},
       {"<g class='alarm raised'><path d='M0 -8L8 0L0 8L-8 0Z'/></g>", "alarm raised"},
-      {"<g class='alarm confirmed'><path d='M0 -8L8 0L0 8L-8 0Z'/><circle r='2.2'/></g>",
-       "confirmed"},
+      {"<g class='alarm confirmed'><path d='M0 -8L8 0L0 8L-8 0Z'/></g>", "confirmed"},
       {"<g class='alarm infirmed'><path d='M0 -8L8 0L0 8L-8 0Z'/><path d='M-4 -4L4 4M-4 4L4 -4'/>"
        "</g>",
        "infirmed"},

@@ -94,6 +94,17 @@ TEST(TellLinks, WhatANodeBelievesIsItsOwnDirection) {
   EXPECT_EQ(links[0].believed[1], (std::vector<Span>{{1, 5}}));
 }
 
+TEST(TellLinks, APairWithoutRadioIsLeftOutWhereTheTruthIsTold) {
+  Journal j;
+  j.reaches = {{stamp(0, "a"), "sim", true}, {stamp(0, "a"), "b", true}};
+  EXPECT_EQ(tell_links(j, 10).size(), 2U);
+
+  j.links = {{stamp(0), "a", "b", true}};
+
+  ASSERT_EQ(tell_links(j, 10).size(), 1U);
+  EXPECT_EQ(tell_links(j, 10)[0].second, "b");
+}
+
 TEST(TellLinks, RepeatedStatesChangeNothing) {
   Journal j;
   j.links = {{stamp(0), "a", "b", false},

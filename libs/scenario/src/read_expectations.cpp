@@ -80,7 +80,8 @@ ExpectEvent read_event(const Reader& reader, const Names& names) {
     if (count.optional("at_most").present()) {
       expected.at_most = static_cast<std::size_t>(count.optional("at_most").integer(0, 0, 1 << 30));
     }
-    if (expected.at_most < expected.at_least) count.error("no count is within these bounds");
+    if (expected.at_most && *expected.at_most < expected.at_least)
+      count.error("no count is within these bounds");
   } else if (count.present()) {
     expected.at_least = static_cast<std::size_t>(count.integer(1, 0, 1 << 30));
     expected.at_most = expected.at_least;

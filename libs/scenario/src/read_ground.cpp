@@ -10,6 +10,9 @@ using config::Reader;
 using ground_station::Action;
 using ground_station::Trigger;
 
+// In place of a trigger that was reported; it breaks no other rule.
+Trigger wrong_trigger() { return {ground_station::AtTime{}}; }
+
 Trigger read_trigger(const Reader& reader, const Names& names);
 
 std::vector<Trigger> read_triggers(const Reader& reader, const Names& names) {
@@ -25,8 +28,10 @@ ground_station::OnTask read_on_task(const Reader& reader, const Names& names) {
 }
 
 Trigger read_trigger(const Reader& reader, const Names& names) {
-  reader.keys({"time", "alarm", "task", "operator", "step", "restart", "all", "any"});
-  if (reader.is_map() && reader.entries().size() != 1) {
+  if (!reader.keys({"time", "alarm", "task", "operator", "step", "restart", "all", "any"})) {
+    return wrong_trigger();
+  }
+  if (entries_of(reader).size() > 1 || reader.entries().empty()) {
     reader.error("a trigger is one thing", "all: [...] or any: [...] for several");
   }
   const auto given = [&](const char* key) { return reader.optional(key).present(); };
@@ -37,14 +42,16 @@ Trigger read_trigger(const Reader& reader, const Names& names) {
   }
   if (given("task")) return {read_on_task(reader.optional("task"), names)};
   if (given("operator")) return {ground_station::OnOperator{reader.optional("operator").text()}};
-  if (given("step")) return {ground_station::OnStep{reader.optional("step").name_among(names.steps, "a step")}};
+  if (given("step")) {
+    const std::string step = reader.optional("step").name_among(names.steps, "a step");
+    return step.empty() ? wrong_trigger() : Trigger{ground_station::OnStep{step}};
+  }
   if (given("restart")) {
     return {ground_station::OnRestart{reader.optional("restart").name_among(names.uavs, "a UAV")}};
   }
   if (given("all")) return {ground_station::AllOf{read_triggers(reader.optional("all"), names)}};
   if (given("any")) return {ground_station::AnyOf{read_triggers(reader.optional("any"), names)}};
-  if (!reader.is_map()) reader.error("a trigger of no kind", "a map such as {alarm: raised}");
-  return {ground_station::AnyOf{}};
+  return wrong_trigger();
 }
 
 std::string read_uav(const Reader& reader, const TaskContext& context) {
@@ -111,7 +118,7 @@ std::vector<Action> read_actions(const Reader& reader, TaskContext& context) {
 ground_station::Step read_step(const Reader& reader, TaskContext& context) {
   reader.keys({"step", "phase", "when", "after", "do", "repeats"});
   ground_station::Step step;
-  step.name = reader.required("step").text();
+  step.name = reader.required("step").text("of line " + std::to_string(reader.line()));
   step.phase = reader.optional("phase").text();
   step.when = read_trigger(reader.required("when"), context.names);
   step.after = read_seconds(reader.optional("after"));
@@ -128,6 +135,17 @@ ground_station::OperatorAction read_operator(const Reader& reader, TaskContext& 
   action.after = read_seconds(reader.optional("after"));
   action.actions = read_actions(reader.optional("do"), context);
   return action;
+}
+
+// Known beforehand, for steps may wait for later ones.
+std::vector<std::string> step_names(const Reader& script) {
+  std::vector<std::string> names;
+  if (!script.is_sequence()) return names;
+  for (const Reader& step : script.items()) {
+    const Reader name = step.optional("step");
+    if (name.is_scalar()) names.push_back(name.text());
+  }
+  return names;
 }
 
 }  // namespace
@@ -154,9 +172,7 @@ void read_script(const Reader& ground, const Scenario& scenario, ground_station:
   const bool usable = world::problems_of(scenario.world.terrain).empty();
   const world::Terrain terrain(usable ? scenario.world.terrain : level);
   TaskContext context{scenario, names_of(scenario), terrain, {}};
-  for (const Reader& step : items_of(ground.required("script"))) {
-    context.names.steps.push_back(step.optional("step").text());
-  }
+  context.names.steps = step_names(ground.optional("script"));
   for (const Reader& step : items_of(ground.required("script"))) {
     script.steps.push_back(read_step(step, context));
   }

@@ -18,9 +18,8 @@ Literal read_literal(const Reader& reader) {
   Literal literal;
   if (reader.optional("task").present()) {
     reader.keys({"task", "state", "not", "modality"});
-    literal.condition =
-        executive::TaskInState{read_task_id(reader.required("task")),
-                               read_task_state(reader.required("state"))};
+    literal.condition = executive::TaskInState{read_task_id(reader.required("task")),
+                                               read_task_state(reader.required("state"))};
   } else if (const Reader message = reader.optional("message"); message.present()) {
     reader.keys({"message", "not", "modality"});
     literal.condition = executive::MessageReceived{message.text()};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/scenario/scenario.hpp"
 
-#include <chrono>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
@@ -47,9 +47,10 @@ void read_epoch(const Reader& reader, std::string& epoch) {
   std::istringstream text(epoch);
   std::tm parts{};
   text >> std::get_time(&parts, "%Y-%m-%dT%H:%M:%SZ");
-  const std::chrono::year_month_day date{std::chrono::year(parts.tm_year + 1900),
-                                         std::chrono::month(static_cast<unsigned>(parts.tm_mon + 1)),
-                                         std::chrono::day(static_cast<unsigned>(parts.tm_mday))};
+  const std::chrono::year_month_day date{
+      std::chrono::year(parts.tm_year + 1900),
+      std::chrono::month(static_cast<unsigned>(parts.tm_mon + 1)),
+      std::chrono::day(static_cast<unsigned>(parts.tm_mday))};
   if (epoch.empty() || (text && epoch.size() == 20 && date.ok() && parts.tm_sec < 60)) return;
   reader.error("'" + epoch + "'", "an instant in UTC such as 2005-05-19T09:00:00Z");
 }

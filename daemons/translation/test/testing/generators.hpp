@@ -18,7 +18,12 @@ inline double any_number() {
   return static_cast<double>(*rc::gen::inRange<std::int64_t>(-1'000'000'000, 1'000'000'000)) / 977;
 }
 
-inline std::string any_text() { return *rc::gen::container<std::string>(rc::gen::arbitrary<char>()); }
+/// Any bytes but zero, which ends a text on the wire.
+inline std::string any_text() {
+  const auto byte =
+      rc::gen::map(rc::gen::inRange(1, 256), [](int i) { return static_cast<char>(i); });
+  return *rc::gen::container<std::string>(byte);
+}
 
 inline std::uint64_t any_id() { return *rc::gen::arbitrary<std::uint64_t>(); }
 
@@ -52,14 +57,16 @@ inline world::Perception any_perception() {
 }
 
 inline world::Parameters any_world_parameters() {
-  return world::Parameters(some(
-      [] { return world::Parameter{any_text(), any_text(), some(any_number)}; }));
+  return world::Parameters(some([] {
+    return world::Parameter{any_text(), any_text(), some(any_number)};
+  }));
 }
 
 inline executive::Parameters any_parameters() {
   executive::Parameters parameters;
-  for (auto& one :
-       some([] { return executive::Parameter{any_text(), any_text(), some(any_number)}; })) {
+  for (auto& one : some([] {
+         return executive::Parameter{any_text(), any_text(), some(any_number)};
+       })) {
     parameters.add(std::move(one));
   }
   return parameters;

@@ -97,7 +97,7 @@ class DdnNode final : public node::Node {
   ContactWatch contact_;
   bool airborne_ = false;
   std::set<std::uint64_t> passed_through_;  ///< degree 1: the ground's tasks that are under way
-  bool safe_tasks_pending_ = false;         ///< they begin when nothing of the ground's is under way
+  bool safe_tasks_pending_ = false;  ///< they begin when nothing of the ground's is under way
   std::uint64_t next_own_task_ = kFirstOwnTask;
   /// By incarnation of the ground and command number.
   std::map<std::pair<std::uint64_t, std::uint64_t>, wire::RequestReply> answered_;

@@ -2,7 +2,10 @@
 // The ground station as a node.
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "skein/ground_station/ground_control.hpp"
 #include "skein/node/node.hpp"
@@ -11,7 +14,9 @@
 
 namespace skein::ground {
 
-/// Samples and records around GroundControl (the CDN: MPS, MCS, PPS). Source: spec 1.1.
+/// Samples and records around GroundControl (the CDN: MPS, MCS, PPS). What does not come from the
+/// decision node of a UAV, or answers another UAV's command, is logged once per sender and slot and
+/// dropped. Source: spec 1.1.
 class GroundNode final : public node::Node {
  public:
   GroundNode(const ground_station::GroundConfig& config, world::Terrain terrain,
@@ -23,8 +28,11 @@ class GroundNode final : public node::Node {
  private:
   using Input = ground_station::GroundControl::Input;
 
-  std::optional<Input> input_of(const node::Input& input) const;
+  std::optional<Input> input_of(const node::Input& input);
   std::optional<Input> input_of(const node::Received& received) const;
+  bool is_uav(node::NodeNumber number) const;
+  std::string why_not(const node::Received& received) const;
+  void drop(const node::Received& received, const std::string& why);
   Input input_of(const wire::PlanBoard& board) const;
 
   void carry_out(const ground_station::SendRequest& effect);
@@ -52,6 +60,8 @@ class GroundNode final : public node::Node {
   world::Terrain terrain_;
   node::Roster roster_;
   ground_station::GroundControl control_;
+  std::map<std::uint64_t, node::NodeNumber> addressees_;       ///< of commands, by number
+  std::set<std::pair<node::NodeNumber, wire::Slot>> dropped_;  ///< already logged
 
   // Of the call that is running.
   MissionTime now_;

@@ -11,13 +11,18 @@ namespace skein::wire {
 template <class T>
 inline constexpr bool is_record = false;
 
-/// Two structs that only differ in how a field is reached: a member or an accessor `field()`, as in
-/// what the IDL compilers generate.
-#define SKEIN_WIRE_PAIR(field)                  \
-  if constexpr (requires { other.field(); })    \
-    visitor(#field, self.field, other.field()); \
-  else                                          \
-    visitor(#field, self.field, other.field);
+/// Two structs that only differ in how a field is reached, as in what the IDL compilers generate:
+/// by an accessor `field()`, as a member, or (the header, which is a base in the IDL) as the base
+/// itself, which is the member `parent` in C.
+#define SKEIN_WIRE_PAIR(field)                   \
+  if constexpr (requires { other.field(); })     \
+    visitor(#field, self.field, other.field());  \
+  else if constexpr (requires { other.field; })  \
+    visitor(#field, self.field, other.field);    \
+  else if constexpr (requires { other.parent; }) \
+    visitor(#field, self.field, other.parent);   \
+  else                                           \
+    visitor(#field, self.field, other);
 
 #define SKEIN_WIRE_VISIT(field) visitor(#field, self.field);
 

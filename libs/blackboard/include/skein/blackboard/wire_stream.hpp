@@ -66,8 +66,8 @@ struct Heartbeat {
   SampleHeader header;
   std::uint64_t events_from = 0;      ///< oldest event still held for this peer, or events_to + 1
   std::uint64_t events_to = 0;        ///< last event sent to this peer; 0: none
-  std::uint64_t ack_incarnation = 0;  ///< of the peer whose events are acknowledged; 0: none known
-  std::uint64_t ack_sequence = 0;     ///< every event of the peer up to this one was handled
+  std::uint64_t ack_incarnation = 0;  ///< of the peer, as last heard; 0: never
+  std::uint64_t ack_sequence = 0;     ///< all its events up to this one were handled
   bool operator==(const Heartbeat&) const = default;
 };
 SKEIN_WIRE_FIELDS(Heartbeat, header, events_from, events_to, ack_incarnation, ack_sequence)

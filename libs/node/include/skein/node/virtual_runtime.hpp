@@ -34,7 +34,7 @@ struct VirtualConfig {
 struct VirtualOutcome {
   enum class End { kFinished, kTimeLimit, kNothingLeftToDo, kStopped };
   End end = End::kFinished;
-  MissionTime at;  ///< the last instant that was played, or the time limit
+  MissionTime at;           ///< the last instant that was played, or the time limit
   std::uint64_t steps = 0;  ///< host steps, a measure of work
 };
 

@@ -122,8 +122,8 @@ Result<Scenario, Diagnostics> read_scenario(const std::string& path);
 /// The same of text; `file` is what messages say and what model files are relative to.
 Result<Scenario, Diagnostics> read_scenario_text(std::string_view text, const std::string& file);
 
-/// Draws the random faults from the scenario's seed: they become cuts and kills beside those written
-/// down. Precondition: called once.
+/// Draws the random faults from the scenario's seed: they become cuts and kills beside those
+/// written down. Precondition: called once.
 void draw_random_faults(Scenario& scenario);
 
 }  // namespace skein::scenario

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The spy's ears: readers in any partitions, no writers.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "skein/blackboard/fastdds_transport.hpp"
+#include "skein/foundation/diagnostics.hpp"
+#include "skein/node/waker.hpp"
+#include "skein/spy_tool/spy.hpp"
+
+namespace skein::spy_tool {
+
+/// One thing heard, whatever it is.
+struct Heard {
+  Duration at;  ///< steady
+  const std::variant<wire::Sample, blackboard::Malformed>& content;
+};
+
+class Listener {
+ public:
+  /// Wrong slots are errors of the options.
+  explicit Listener(const SpyOptions& options) : options_(options) {}
+
+  /// Slots that are no slots, with the nearest that are.
+  Diagnostics check() const;
+  Result<void, Failure> open();
+  /// Hands over everything heard until `until` (none: for ever), Ctrl-C, or `use` says false.
+  void listen(std::optional<Duration> until, const std::function<bool(const Heard&)>& use);
+
+  /// The node's name if its directory entry was heard, else "node 7".
+  std::string name_of(std::uint32_t number) const;
+  const std::map<std::uint32_t, wire::DirectoryEntry>& directory() const { return directory_; }
+  bool interrupted() const { return waker_.stop_requested(); }
+
+ private:
+  bool wanted(wire::Slot slot) const;
+  bool hear(const blackboard::Arrival& arrival, const std::function<bool(const Heard&)>& use);
+
+  const SpyOptions& options_;
+  node::Waker waker_;
+  std::optional<blackboard::FastDdsTransport> transport_;
+  std::map<std::uint32_t, wire::DirectoryEntry> directory_;
+};
+
+}  // namespace skein::spy_tool

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// The spy against a node on a real domain of its own.
+#include "skein/spy_tool/spy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "skein/blackboard/blackboard.hpp"
+#include "skein/blackboard/domain_lease.hpp"
+#include "skein/blackboard/fastdds_transport.hpp"
+#include "skein/foundation/exit_code.hpp"
+#include "skein/node/roster.hpp"
+#include "skein/node/waker.hpp"
+
+namespace skein::spy_tool {
+namespace {
+
+using blackboard::Now;
+
+// A ground station that has published its directory entry and a mission state.
+class SpyOnANode : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    auto lease = blackboard::claim_domain();
+    ASSERT_TRUE(lease.has_value()) << lease.error().why;
+    lease_.emplace(std::move(*lease));
+    options_.domain = lease_->domain();
+    transport_.emplace(blackboard::FastDdsConfig{lease_->domain(), "ground", {"127.0.0.1"}, {}});
+    const node::Roster roster({"marvin"});
+    blackboard::Config config;
+    config.self = roster.ground();
+    config.channels = roster.channels_of(*roster.find("ground"));
+    auto board = blackboard::Blackboard::open(config, *transport_);
+    ASSERT_TRUE(board.has_value()) << board.error().why;
+    board_.emplace(std::move(*board));
+    wire::DirectoryEntry entry;
+    entry.name = "ground";
+    entry.role = wire::Role::kGround;
+    ASSERT_TRUE(board_->publish(entry, Now{{}, node::Waker::steady_now()}).has_value());
+    wire::MissionState state;
+    state.phase = "Detection";
+    ASSERT_TRUE(board_->publish(state, Now{{}, node::Waker::steady_now()}).has_value());
+  }
+
+  std::optional<blackboard::DomainLease> lease_;
+  std::optional<blackboard::FastDdsTransport> transport_;
+  std::optional<blackboard::Blackboard> board_;
+  SpyOptions options_;
+  std::ostringstream out_;
+  std::ostringstream err_;
+};
+
+TEST_F(SpyOnANode, PrintsTheSampleAskedFor) {
+  options_.slots = {"MissionState"};
+  options_.count = 1;
+  options_.duration = 20;
+  options_.json = true;
+
+  EXPECT_EQ(echo(options_, out_, err_), kExitOk) << err_.str();
+
+  const auto line = nlohmann::json::parse(out_.str());
+  EXPECT_EQ(line["phase"], "Detection");
+  EXPECT_EQ(line["header"]["origin"], 1);
+}
+
+TEST_F(SpyOnANode, ListsNodesAndSlotsAsJson) {
+  options_.duration = 1.5;
+  options_.json = true;
+
+  EXPECT_EQ(list(options_, out_, err_), kExitOk) << err_.str();
+
+  const auto document = nlohmann::json::parse(out_.str());
+  ASSERT_EQ(document["nodes"].size(), 1U);
+  EXPECT_EQ(document["nodes"][0]["name"], "ground");
+  bool phase_seen = false;
+  for (const auto& slot : document["slots"]) phase_seen |= slot["slot"] == "MissionState";
+  EXPECT_TRUE(phase_seen);
+}
+
+TEST_F(SpyOnANode, HearsNothingInAPartitionWithoutWriters) {
+  options_.partitions = {"radio/nobody>nowhere"};
+  options_.duration = 0.5;
+
+  EXPECT_EQ(list(options_, out_, err_), kExitTimeout);
+  EXPECT_NE(err_.str().find("nothing heard"), std::string::npos);
+}
+
+TEST(Spy, AWrongSlotIsRefusedWithTheNearest) {
+  SpyOptions options;
+  options.slots = {"Telemtry"};
+  std::ostringstream out, err;
+
+  EXPECT_EQ(echo(options, out, err), kExitBadInput);
+
+  EXPECT_NE(err.str().find("did you mean 'Telemetry'?"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace skein::spy_tool

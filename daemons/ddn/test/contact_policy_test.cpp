@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a decision node does by itself once it has lost the ground (spec 1.2).
+#include "testing/bench.hpp"
+
+namespace skein::ddn {
+namespace {
+
+using executive::InsertionMode;
+using testing::a_task;
+using testing::Bench;
+using ::testing::Contains;
+using testing::dispatch;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using testing::start;
+using testing::status;
+using testing::telemetry;
+using wire::TaskState;
+
+// Own tasks are numbered by the millisecond in which they are made.
+std::string own(double seconds, int offset = 0) {
+  const auto milliseconds = static_cast<std::uint64_t>(seconds * 1000);
+  return std::to_string(DdnNode::kFirstOwnTask + milliseconds + static_cast<unsigned>(offset));
+}
+std::uint64_t own_id(double seconds, int offset = 0) { return std::stoull(own(seconds, offset)); }
+
+void take_off(Bench& bench) {
+  bench.hear_ground(true);
+  bench.from_sim(telemetry(true));
+}
+
+void lose_ground_at(Bench& bench, double seconds) {
+  bench.set_time(seconds);
+  bench.hear_ground(false);
+}
+
+TEST(ContactPolicy, ContinueChangesNothing) {
+  Bench bench(Bench::with_policy(3, ContactPolicy::kContinue));
+  take_off(bench);
+  bench.from_ground(start(1, a_task(2, "goto")));
+
+  lose_ground_at(bench, 10);
+
+  EXPECT_THAT(bench.wake_at(100), IsEmpty());
+}
+
+TEST(ContactPolicy, HoldWaitsInsteadOfWhatFliesOnceTheDelayIsOver) {
+  Bench bench(Bench::with_policy(3, ContactPolicy::kHold));
+  take_off(bench);
+  bench.from_ground(start(1, a_task(2, "goto")));
+  bench.from_sim(status(2, TaskState::kRunning));
+  lose_ground_at(bench, 10);
+
+  EXPECT_EQ(bench.node().next_wakeup(), testing::at(40));
+  EXPECT_THAT(bench.wake_at(39), IsEmpty());
+  EXPECT_THAT(bench.wake_at(40), Contains("sim: interrupt 2"));
+  EXPECT_THAT(bench.from_sim(status(2, TaskState::kAborted)),
+              Contains("sim: dispatch " + own(40) + " wait"));
+}
+
+TEST(ContactPolicy, GivesUpWhatIsPlanned) {
+  Bench bench(Bench::with_policy(3, ContactPolicy::kHold));
+  take_off(bench);
+  bench.from_ground(start(1, a_task(2, "goto"), InsertionMode::kVut));
+  bench.from_ground(start(2, a_task(3, "goto"), InsertionMode::kDep));
+  bench.from_ground(start(3, a_task(4, "land"), InsertionMode::kNut));
+  lose_ground_at(bench, 10);
+
+  const auto words = bench.wake_at(40);
+
+  EXPECT_THAT(words, Contains("ground: 3 aborted"));
+  EXPECT_THAT(words, Contains("ground: 4 aborted"));
+  EXPECT_THAT(words, Not(Contains("sim: dispatch 4 land")));
+}
+
+TEST(ContactPolicy, ReturnFliesHomeAndLands) {
+  Bench bench(Bench::with_policy(3, ContactPolicy::kReturn));
+  take_off(bench);
+  lose_ground_at(bench, 10);
+
+  EXPECT_THAT(bench.wake_at(40), Contains("sim: dispatch " + own(40) + " goto"));
+  EXPECT_EQ(bench.sent<wire::FunctionalRequest>()->parameters,
+            (std::vector<wire::Parameter>{{"waypoints", "", {1, 2, 50}}}));
+  bench.from_sim(status(own_id(40), TaskState::kRunning));
+  EXPECT_THAT(bench.from_sim(status(own_id(40), TaskState::kEnded)),
+              Contains("sim: dispatch " + own(40, 1) + " land"));
+}
+
+// The way home is barred, but it must still come down.
+TEST(ContactPolicy, ReturnLandsWhereItIsWhenTheWayHomeFails) {
+  Bench bench(Bench::with_policy(3, ContactPolicy::kReturn));
+  take_off(bench);
+  lose_ground_at(bench, 10);
+  bench.wake_at(40);
+
+  EXPECT_THAT(bench.from_sim(status(own_id(40), TaskState::kAborted, "no energy")),
+              Contains("sim: dispatch " + own(40, 1) + " land"));
+}
+
+TEST(ContactPolicy, IsNotCarriedOutWhenTheGroundIsBackBeforeTheDelay) {
+  Bench bench(Bench::with_policy(3, ContactPolicy::kHold));
+  take_off(bench);
+  bench.from_ground(start(1, a_task(2, "goto")));
+  lose_ground_at(bench, 10);
+  bench.set_time(39);
+  bench.hear_ground(true);
+
+  EXPECT_THAT(bench.wake_at(100), Not(Contains("sim: interrupt 2")));
+  EXPECT_THAT(bench.records("contact"), IsEmpty());
+}
+
+TEST(ContactPolicy, LeavesWhatWasBegunWhenTheGroundIsBackAfterIt) {
+  Bench bench(Bench::with_policy(3, ContactPolicy::kReturn));
+  take_off(bench);
+  lose_ground_at(bench, 10);
+  bench.wake_at(40);
+  bench.set_time(50);
+
+  EXPECT_THAT(bench.hear_ground(true), Not(Contains("sim: interrupt " + own(40))));
+}
+
+TEST(ContactPolicy, LosingAnotherUavIsNotLosingTheGround) {
+  Bench bench(Bench::with_policy(3, ContactPolicy::kHold));
+  take_off(bench);
+  bench.set_time(10);
+  bench.hear(bench.heliv(), false);
+
+  EXPECT_EQ(bench.node().next_wakeup(), std::nullopt);
+}
+
+TEST(ContactPolicy, OnTheGroundIsLoggedAndNeedsNothing) {
+  Bench bench(Bench::with_policy(3, ContactPolicy::kReturn));
+  bench.hear_ground(true);
+  lose_ground_at(bench, 10);
+
+  EXPECT_THAT(bench.wake_at(40), IsEmpty());
+  EXPECT_EQ(bench.records("contact").size(), 1U);
+}
+
+TEST(ContactPolicy, UsesNewIdsAtTheNextLoss) {
+  Bench bench(Bench::with_policy(3, ContactPolicy::kHold));
+  take_off(bench);
+  lose_ground_at(bench, 10);
+  bench.wake_at(40);
+  bench.from_sim(status(own_id(40), TaskState::kRunning));
+  bench.hear_ground(true);
+  lose_ground_at(bench, 60);
+
+  bench.wake_at(90);
+  EXPECT_THAT(bench.from_sim(status(own_id(40), TaskState::kAborted)),
+              Contains("sim: dispatch " + own(90) + " wait"));
+}
+
+// The functional layer remembers ids for the whole mission, a restarted node does not.
+TEST(ContactPolicy, UsesNewIdsAfterARestart) {
+  const DdnConfig config = Bench::with_policy(3, ContactPolicy::kHold);
+  Bench before(config);
+  take_off(before);
+  lose_ground_at(before, 10);
+  const auto first = before.wake_at(40);
+
+  Bench after(config);
+  after.give(node::Started{2});
+  take_off(after);
+  lose_ground_at(after, 110);
+  const auto second = after.wake_at(140);
+
+  EXPECT_THAT(first, Contains("sim: dispatch " + own(40) + " wait"));
+  EXPECT_THAT(second, Contains("sim: dispatch " + own(140) + " wait"));
+}
+
+// ---- degree 1: the plan is at the ground, the policy on board all the same ----
+
+TEST(ContactPolicyAtDegree1, InterruptsTheGroundsTasksAndBeginsOnceTheyAreOver) {
+  Bench bench(Bench::with_policy(1, ContactPolicy::kHold));
+  take_off(bench);
+  bench.from_ground(dispatch(4, "goto"));
+  bench.from_ground(dispatch(5, "takeshot"));
+  bench.from_sim(status(4, TaskState::kRunning));
+  bench.from_sim(status(5, TaskState::kRunning));
+  lose_ground_at(bench, 10);
+
+  EXPECT_THAT(bench.wake_at(40), ElementsAre("sim: interrupt 4", "sim: interrupt 5"));
+  EXPECT_THAT(bench.from_sim(status(4, TaskState::kAborted)),
+              ElementsAre("ground: status 4 aborted"));
+  EXPECT_THAT(bench.from_sim(status(5, TaskState::kAborted)),
+              ::testing::IsSupersetOf(
+                  {std::string("ground: status 5 aborted"), "sim: dispatch " + own(40) + " wait"}));
+}
+
+TEST(ContactPolicyAtDegree1, BeginsAtOnceWhenNothingIsUnderWay) {
+  Bench bench(Bench::with_policy(1, ContactPolicy::kReturn));
+  take_off(bench);
+  bench.from_ground(dispatch(4, "goto"));
+  bench.from_sim(status(4, TaskState::kEnded));
+  lose_ground_at(bench, 10);
+
+  EXPECT_THAT(bench.wake_at(40), Contains("sim: dispatch " + own(40) + " goto"));
+}
+
+TEST(ContactPolicyAtDegree1, KeepsItsOwnStatusesFromTheGroundsPlan) {
+  Bench bench(Bench::with_policy(1, ContactPolicy::kHold));
+  take_off(bench);
+  lose_ground_at(bench, 10);
+  bench.wake_at(40);
+
+  const auto words = bench.from_sim(status(own_id(40), TaskState::kRunning));
+
+  EXPECT_THAT(words, ElementsAre("ground: " + own(40) + " running"));
+}
+
+TEST(ContactPolicyAtDegree1, AContactRegainedBeforeTheDelayLeavesTheGroundsTasksAlone) {
+  Bench bench(Bench::with_policy(1, ContactPolicy::kHold));
+  take_off(bench);
+  bench.from_ground(dispatch(4, "goto"));
+  lose_ground_at(bench, 10);
+  bench.set_time(20);
+  bench.hear_ground(true);
+
+  EXPECT_THAT(bench.wake_at(100), IsEmpty());
+  EXPECT_THAT(bench.from_sim(status(4, TaskState::kEnded)), ElementsAre("ground: status 4 ended"));
+}
+
+// The ground is back while its tasks are being interrupted: what was begun goes on, and the ground
+// is told of everything.
+TEST(ContactPolicyAtDegree1, AContactRegainedAmidTheInterruptionIsToldOfTheEnd) {
+  Bench bench(Bench::with_policy(1, ContactPolicy::kHold));
+  take_off(bench);
+  bench.from_ground(dispatch(4, "goto"));
+  bench.from_sim(status(4, TaskState::kRunning));
+  lose_ground_at(bench, 10);
+  bench.wake_at(40);
+  bench.hear_ground(true);
+
+  EXPECT_THAT(bench.from_sim(status(4, TaskState::kAborted)),
+              ::testing::IsSupersetOf(
+                  {std::string("ground: status 4 aborted"), "sim: dispatch " + own(40) + " wait"}));
+}
+
+}  // namespace
+}  // namespace skein::ddn

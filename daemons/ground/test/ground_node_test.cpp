@@ -1,0 +1,454 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/ground/ground_node.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "skein/translation/sensing.hpp"
+
+namespace skein::ground {
+namespace {
+
+namespace gs = ground_station;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using wire::TaskState;
+
+MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
+
+world::Terrain flat() { return world::Terrain({-1000, -1000, 1000, 1000, 100, 0, {}}); }
+
+gs::PlannedTask planned(std::uint64_t id, const std::string& type) {
+  gs::PlannedTask planned;
+  planned.task.id = executive::TaskId(id);
+  planned.task.type = type;
+  return planned;
+}
+
+gs::Step step(const std::string& name, gs::Trigger when, std::vector<gs::Action> actions) {
+  return {name, "", std::move(when), Duration(), std::move(actions), true};
+}
+
+/// A mission of one step: at 1 s Marvin gets a goto.
+gs::Script one_goto() {
+  gs::Script script;
+  script.steps.push_back(
+      step("go", {gs::AtTime{at(1)}}, {gs::SendPlan{"marvin", {planned(2, "goto")}}}));
+  script.steps.back().phase = "Going";
+  return script;
+}
+
+/// The ground station of "marvin" and "heliv".
+class Station {
+ public:
+  explicit Station(gs::Script script = {}, int degree = 3)
+      : node_(config(std::move(script), degree), flat(), roster_) {}
+
+  /// Effects of an input now, kept for the questions below.
+  void give(const node::Input& input, double seconds) {
+    effects_ = node_.handle(input, at(seconds));
+  }
+  void from(const std::string& node, wire::Sample sample, double seconds) {
+    give(node::Received{roster_.find(node)->number, std::move(sample)}, seconds);
+  }
+  void from_stranger(wire::Sample sample, double seconds) {
+    give(node::Received{node::NodeNumber(77), std::move(sample)}, seconds);
+  }
+
+  /// What was sent, with to whom.
+  template <class Sample>
+  std::vector<std::pair<std::string, Sample>> sent() const {
+    std::vector<std::pair<std::string, Sample>> sent;
+    for (const node::Effect& effect : effects_) {
+      const auto* send = std::get_if<node::Send>(&effect);
+      if (send == nullptr) continue;
+      if (const auto* sample = std::get_if<Sample>(&send->sample)) {
+        sent.emplace_back(roster_.name_of(send->to), *sample);
+      }
+    }
+    return sent;
+  }
+  template <class Kind>
+  std::vector<Kind> all() const {
+    std::vector<Kind> found;
+    for (const node::Effect& effect : effects_) {
+      if (const auto* one = std::get_if<Kind>(&effect)) found.push_back(*one);
+    }
+    return found;
+  }
+  std::vector<journal::Record> records(const std::string& kind) const {
+    std::vector<journal::Record> found;
+    for (const node::Log& log : all<node::Log>()) {
+      if (log.record.kind() == kind) found.push_back(log.record);
+    }
+    return found;
+  }
+  bool sends_nothing() const { return all<node::Send>().empty() && all<node::Publish>().empty(); }
+  GroundNode& node() { return node_; }
+  const node::Roster& roster() const { return roster_; }
+
+ private:
+  static gs::GroundConfig config(gs::Script script, int degree) {
+    gs::GroundConfig config;
+    config.uavs = {{"marvin", degree, {}}, {"heliv", degree, {}}};
+    config.script = std::move(script);
+    return config;
+  }
+
+  node::Roster roster_{{"marvin", "heliv"}};
+  GroundNode node_;
+  node::Effects effects_;
+};
+
+wire::TaskEvent task_event(std::uint64_t id, TaskState state) {
+  wire::TaskEvent event;
+  event.id = id;
+  event.type = "goto";
+  event.state = state;
+  return event;
+}
+
+wire::RequestReply reply(std::uint64_t command, bool accepted, const std::string& why = "") {
+  wire::RequestReply sample;
+  sample.command = command;
+  sample.accepted = accepted;
+  sample.why = why;
+  return sample;
+}
+
+wire::SyncMessage sync(const std::string& from, const std::string& to) {
+  wire::SyncMessage message;
+  message.id = 551;
+  message.from = from;
+  message.to = to;
+  return message;
+}
+
+/// A look straight down at (0, 0) that sees fire there.
+wire::PerceptionReport sight(const std::string& device) {
+  world::Perception look;
+  look.uav = "somebody";
+  look.device = device;
+  look.viewpoint = {0, 0, 40};
+  look.direction = {0, 0, -1};
+  look.range = 200;
+  look.aperture = 0.8;
+  look.detections = {{"fire", {0, 0, 0}, 5, 0.9}};
+  return translation::to_wire(look);
+}
+
+// ---- the script becomes requests ----
+
+TEST(GroundNode, WakesForItsScript) {
+  Station station(one_goto());
+
+  EXPECT_EQ(station.node().next_wakeup(), at(1));
+}
+
+TEST(GroundNode, SendsAPlannedTaskAsANumberedRequestThatExpires) {
+  Station station(one_goto());
+
+  station.give(node::Wakeup{}, 1);
+
+  const auto requests = station.sent<wire::TaskRequest>();
+  ASSERT_EQ(requests.size(), 1U);
+  EXPECT_EQ(requests[0].first, "marvin");
+  EXPECT_EQ(requests[0].second.command, 1U);
+  EXPECT_EQ(requests[0].second.kind, wire::RequestKind::kStart);
+  EXPECT_EQ(requests[0].second.task.id, 2U);
+  EXPECT_EQ(requests[0].second.task.type, "goto");
+  EXPECT_EQ(station.all<node::Send>()[0].expires, at(61));
+}
+
+TEST(GroundNode, PublishesAndLogsThePhaseItEnters) {
+  Station station(one_goto());
+
+  station.give(node::Wakeup{}, 1);
+
+  ASSERT_EQ(station.all<node::Publish>().size(), 1U);
+  const auto state = std::get<wire::MissionState>(station.all<node::Publish>()[0].sample);
+  EXPECT_EQ(state.phase, "Going");
+  EXPECT_FALSE(state.finished);
+  ASSERT_EQ(station.records("phase").size(), 1U);
+  EXPECT_EQ(station.records("phase")[0].text("name"), "Going");
+  EXPECT_EQ(station.records("step").size(), 1U);
+}
+
+TEST(GroundNode, LogsACommandFromItsIssueToItsAnswer) {
+  Station station(one_goto());
+  station.give(node::Wakeup{}, 1);
+  ASSERT_EQ(station.records("command").size(), 1U);
+  EXPECT_EQ(station.records("command")[0].text("state"), "issued");
+  EXPECT_EQ(station.records("command")[0].text("uav"), "marvin");
+
+  station.from("marvin", reply(1, true), 2);
+
+  ASSERT_EQ(station.records("command").size(), 1U);
+  EXPECT_EQ(station.records("command")[0].text("state"), "acknowledged");
+}
+
+TEST(GroundNode, LogsWhyACommandWasRefused) {
+  Station station(one_goto());
+  station.give(node::Wakeup{}, 1);
+
+  station.from("marvin", reply(1, false, "known id"), 2);
+
+  ASSERT_EQ(station.records("command").size(), 1U);
+  EXPECT_EQ(station.records("command")[0].text("state"), "refused");
+  EXPECT_EQ(station.records("command")[0].text("why"), "known id");
+}
+
+TEST(GroundNode, LogsACommandThatWasNeverAnsweredAsExpired) {
+  Station station(one_goto());
+  station.give(node::Wakeup{}, 1);
+  ASSERT_TRUE(station.node().next_wakeup().has_value());
+
+  station.give(node::Wakeup{}, station.node().next_wakeup()->to_seconds());
+
+  ASSERT_EQ(station.records("command").size(), 1U);
+  EXPECT_EQ(station.records("command")[0].text("state"), "expired");
+}
+
+// ---- what the UAVs say reaches the script ----
+
+TEST(GroundNode, AStepFollowsTheEventOfATask) {
+  gs::Script script = one_goto();
+  script.steps.push_back(
+      step("end", {gs::OnTask{"marvin", executive::TaskId(2), executive::TaskState::kEnded}},
+           {gs::Finish{}}));
+  Station station(script);
+  station.give(node::Wakeup{}, 1);
+  station.from("marvin", reply(1, true), 2);
+  station.from("marvin", task_event(2, TaskState::kRunning), 3);
+  EXPECT_THAT(station.all<node::Finish>(), IsEmpty());
+
+  station.from("marvin", task_event(2, TaskState::kEnded), 4);
+
+  EXPECT_EQ(station.all<node::Finish>().size(), 1U);
+  ASSERT_EQ(station.records("mission").size(), 1U);
+  EXPECT_EQ(station.records("mission")[0].text("state"), "finished");
+  const auto state = std::get<wire::MissionState>(station.all<node::Publish>().back().sample);
+  EXPECT_TRUE(state.finished);
+  EXPECT_EQ(state.outcome, "finished");
+}
+
+// A UAV is known by its node, whatever name its samples give.
+TEST(GroundNode, TheEventOfAnotherUavIsNotMarvins) {
+  gs::Script script;
+  script.steps.push_back(
+      step("end", {gs::OnTask{"marvin", executive::TaskId(2), executive::TaskState::kEnded}},
+           {gs::Finish{}}));
+  Station station(script);
+  wire::TaskEvent event = task_event(2, TaskState::kEnded);
+  event.uav = "marvin";
+
+  station.from("heliv", event, 1);
+  EXPECT_THAT(station.all<node::Finish>(), IsEmpty());
+
+  station.from("marvin", event, 2);
+  EXPECT_EQ(station.all<node::Finish>().size(), 1U);
+}
+
+TEST(GroundNode, APlanBoardTellsWhatEventsDidNot) {
+  gs::Script script;
+  script.steps.push_back(
+      step("end", {gs::OnTask{"marvin", executive::TaskId(2), executive::TaskState::kEnded}},
+           {gs::Finish{}}));
+  Station station(script);
+  wire::PlanBoard board;
+  board.uav = "marvin";
+  board.degree = 3;
+  board.tasks = {{2, "goto", TaskState::kEnded, ""}};
+
+  station.from("marvin", board, 1);
+
+  EXPECT_EQ(station.all<node::Finish>().size(), 1U);
+}
+
+TEST(GroundNode, ARestartedUavIsNoticedWithWhatWasLost) {
+  Station station(one_goto());
+  station.give(node::Wakeup{}, 1);
+  station.from("marvin", reply(1, true), 2);
+  station.from("marvin", task_event(2, TaskState::kRunning), 3);
+
+  station.give(node::Reachability{station.roster().find("marvin")->number, true, true}, 9);
+
+  ASSERT_EQ(station.records("notice").size(), 1U);
+  EXPECT_EQ(station.records("notice")[0].text("text"), "restarted; 1 tasks lost");
+}
+
+// ---- perceptions become alarms ----
+
+TEST(GroundNode, LogsAPerceptionUnderTheNameOfItsSender) {
+  Station station;
+
+  station.from("marvin", sight("fire-sensor"), 1);
+
+  ASSERT_EQ(station.records("perception").size(), 1U);
+  EXPECT_EQ(station.records("perception")[0].text("uav"), "marvin");
+  EXPECT_EQ(station.records("perception")[0].text("device"), "fire-sensor");
+  EXPECT_EQ(station.records("perception")[0].number("detections"), 1);
+}
+
+TEST(GroundNode, SendsAnAlarmToEveryUavAndLogsIt) {
+  Station station;
+  double now = 0;
+  while (station.records("alarm").empty() && now < 60) {
+    now += 2;
+    wire::PerceptionReport report = sight("fire-sensor");
+    report.header.mission_time = at(now).count();
+    station.from("marvin", report, now);
+  }
+
+  ASSERT_EQ(station.records("alarm").size(), 1U);
+  EXPECT_EQ(station.records("alarm")[0].text("state"), "raised");
+  const auto alarms = station.sent<wire::Alarm>();
+  ASSERT_EQ(alarms.size(), 2U);
+  EXPECT_EQ(alarms[0].first, "marvin");
+  EXPECT_EQ(alarms[1].first, "heliv");
+  EXPECT_EQ(alarms[0].second.state, wire::AlarmState::kRaised);
+  EXPECT_GE(alarms[0].second.belief, 0.9);
+}
+
+// ---- synchronisation ----
+
+TEST(GroundNode, RelaysASynchronisationMessageToTheOneItIsFor) {
+  Station station({}, 2);
+
+  station.from("marvin", sync("marvin", "heliv"), 1);
+
+  const auto relayed = station.sent<wire::SyncMessage>();
+  ASSERT_EQ(relayed.size(), 1U);
+  EXPECT_EQ(relayed[0].first, "heliv");
+  EXPECT_EQ(relayed[0].second.id, 551U);
+  EXPECT_EQ(relayed[0].second.from, "marvin");
+}
+
+struct Stray {
+  std::string name, from, to;
+};
+class StraySynchronisation : public ::testing::TestWithParam<Stray> {};
+
+TEST_P(StraySynchronisation, IsNoticedAndGoesNowhere) {
+  Station station({}, 2);
+
+  station.from("marvin", sync(GetParam().from, GetParam().to), 1);
+
+  EXPECT_TRUE(station.sends_nothing());
+  EXPECT_EQ(station.records("notice").size(), 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(GroundNode, StraySynchronisation,
+                         ::testing::Values(Stray{"to_nobody", "marvin", "nobody"},
+                                           Stray{"to_the_ground", "marvin", "ground"},
+                                           Stray{"to_the_simulator", "marvin", "sim"},
+                                           Stray{"from_nobody", "nobody", "heliv"},
+                                           Stray{"empty", "", ""}),
+                         [](const auto& one) { return one.param.name; });
+
+// ---- degree 1: the ground runs the plan ----
+
+TEST(GroundNode, AtDegree1DispatchesElementaryRequestsAndFollowsTheirStatuses) {
+  Station station(one_goto(), 1);
+  station.give(node::Wakeup{}, 1);
+  EXPECT_THAT(station.sent<wire::TaskRequest>(), IsEmpty());
+  const auto requests = station.sent<wire::FunctionalRequest>();
+  ASSERT_EQ(requests.size(), 1U);
+  EXPECT_EQ(requests[0].first, "marvin");
+  EXPECT_EQ(requests[0].second.kind, wire::FunctionalRequestKind::kDispatch);
+  EXPECT_EQ(requests[0].second.type, "goto");
+  EXPECT_EQ(station.records("request").size(), 1U);
+
+  wire::FunctionalStatus status;
+  status.id = 2;
+  status.state = TaskState::kAborted;
+  status.reason = "out of the terrain";
+  station.from("marvin", status, 2);
+
+  ASSERT_EQ(station.records("task").size(), 1U);
+  EXPECT_EQ(station.records("task")[0].text("state"), "aborted");
+  EXPECT_EQ(station.records("task")[0].text("reason"), "out of the terrain");
+  EXPECT_EQ(station.records("task")[0].text("uav"), "marvin");
+}
+
+TEST(GroundNode, AtDegree1InterruptsWhatTheScriptAborts) {
+  gs::Script script = one_goto();
+  script.steps.push_back(
+      step("stop", {gs::AtTime{at(5)}}, {gs::AbortTasks{"marvin", std::nullopt}}));
+  Station station(script, 1);
+  station.give(node::Wakeup{}, 1);
+
+  station.give(node::Wakeup{}, 5);
+
+  const auto requests = station.sent<wire::FunctionalRequest>();
+  ASSERT_EQ(requests.size(), 1U);
+  EXPECT_EQ(requests[0].second.kind, wire::FunctionalRequestKind::kInterrupt);
+  EXPECT_EQ(requests[0].second.id, 2U);
+}
+
+TEST(GroundNode, LogsTheSynchronisationsOfThePlansItRuns) {
+  gs::PlannedTask rendezvous = planned(3, "synchronise");
+  rendezvous.task.synchronisation =
+      executive::Synchronisation{551, {"marvin", "heliv"}, {"marvin", "heliv"}, {}};
+  gs::Script script;
+  script.steps.push_back(step("meet", {gs::AtTime{at(1)}}, {gs::SendPlan{"marvin", {rendezvous}}}));
+  Station station(script, 1);
+
+  station.give(node::Wakeup{}, 1);
+
+  ASSERT_GE(station.records("sync").size(), 1U);
+  EXPECT_EQ(station.records("sync")[0].text("from"), "marvin");
+  EXPECT_EQ(station.records("sync")[0].text("direction"), "sent");
+}
+
+// ---- strangers ----
+
+class FromAStranger : public ::testing::TestWithParam<wire::Sample> {};
+
+TEST_P(FromAStranger, ASampleSendsNothing) {
+  Station station(one_goto());
+  station.give(node::Wakeup{}, 1);
+
+  station.from_stranger(GetParam(), 2);
+  EXPECT_TRUE(station.sends_nothing());
+  station.from("sim", GetParam(), 3);
+  EXPECT_TRUE(station.sends_nothing());
+  station.give(node::Reachability{node::NodeNumber(77), true, true}, 4);
+  EXPECT_TRUE(station.sends_nothing());
+}
+
+INSTANTIATE_TEST_SUITE_P(GroundNode, FromAStranger,
+                         ::testing::Values(wire::Telemetry{}, sight("fire-sensor"),
+                                           task_event(2, TaskState::kEnded), reply(44, true),
+                                           wire::FunctionalStatus{}, wire::PlanBoard{},
+                                           sync("a", "b"), wire::AutonomyDegree{}, wire::Alarm{},
+                                           wire::TaskRequest{}, wire::LinkState{}),
+                         [](const auto& one) {
+                           return std::string(wire::slot_name(wire::slot_of(one.param)));
+                         });
+
+// A stranger cannot answer in the place of the UAV.
+TEST(GroundNode, AReplyFromSomebodyElseDoesNotSettleACommand) {
+  Station station(one_goto());
+  station.give(node::Wakeup{}, 1);
+
+  station.from("heliv", reply(1, true), 2);
+
+  EXPECT_THAT(station.records("command"), IsEmpty());
+}
+
+TEST(GroundNode, PerceptionsOfAStrangerRaiseNoAlarm) {
+  Station station;
+  std::size_t alarms = 0;
+  for (int i = 1; i < 30; ++i) {
+    wire::PerceptionReport report = sight("fire-sensor");
+    report.header.mission_time = at(2.0 * i).count();
+    station.from_stranger(report, 2.0 * i);
+    alarms += station.records("alarm").size();
+  }
+
+  EXPECT_EQ(alarms, 0U);
+}
+
+}  // namespace
+}  // namespace skein::ground

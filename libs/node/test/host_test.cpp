@@ -1,0 +1,455 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/node/host.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "skein/blackboard/memory_transport.hpp"
+#include "testing/fake_node.hpp"
+
+namespace skein::node {
+namespace {
+
+using blackboard::Now;
+using journal::Record;
+using testing::abort_request;
+using testing::at;
+using testing::Diary;
+using testing::FakeNode;
+using testing::link;
+
+// One node with its host, and everything that came out of it.
+struct Station {
+  explicit Station(blackboard::MemoryHub& hub) : transport(hub) {}
+
+  Diary diary;
+  blackboard::MemoryTransport transport;
+  std::unique_ptr<Host> host;
+  std::vector<Record> records;
+  std::vector<wire::Sample> world;
+  std::vector<StartJob> jobs;
+  int finishes = 0;
+
+  std::vector<std::string> lines(const std::string& kind) const {
+    std::vector<std::string> found;
+    for (const Record& record : records) {
+      if (record.kind() == kind) found.push_back(to_json(record));
+    }
+    return found;
+  }
+};
+
+// ground, sim and two UAVs in one process; time is the test's.
+class Hosts : public ::testing::Test {
+ protected:
+  Hosts() {
+    for (const char* name : {"ground", "sim", "marvin", "heliv"}) start(name);
+  }
+
+  void start(const std::string& name, std::uint64_t incarnation = 1, double rate = 1) {
+    auto station = std::make_unique<Station>(hub_);
+    Station& it = *station;
+    HostConfig config;
+    config.incarnation = incarnation;
+    config.rate = rate;
+    HostPorts ports;
+    ports.journal = [&it](const Record& record) { it.records.push_back(record); };
+    ports.start_job = [&it](StartJob job) { it.jobs.push_back(std::move(job)); };
+    ports.finish = [&it] { ++it.finishes; };
+    ports.world = [&it](const wire::Sample& sample) { it.world.push_back(sample); };
+    auto host = Host::open(roster_, *roster_.find(name), std::make_unique<FakeNode>(it.diary),
+                           it.transport, config, ports);
+    it.host = std::move(host.value());
+    stations_[name] = std::move(station);
+  }
+
+  Station& operator[](const std::string& name) { return *stations_.at(name); }
+  NodeNumber number(const std::string& name) const { return roster_.find(name)->number; }
+  Now now() const { return {MissionTime::seconds(time_), Duration::seconds(time_)}; }
+
+  // Steps every host until all are quiet.
+  void settle() {
+    for (bool busy = true; busy;) {
+      busy = false;
+      for (auto& [name, station] : stations_) busy = station->host->step(now()) || busy;
+    }
+  }
+  void advance(double seconds) {
+    const double until = time_ + seconds;
+    while (time_ + 0.05 < until) {
+      time_ += 0.05;
+      settle();
+    }
+    time_ = until;
+    settle();
+  }
+  // Lets a node answer its next input, a wakeup now, with an effect.
+  void act(const std::string& name, Effects effects) {
+    Station& station = (*this)[name];
+    station.diary.effects = std::move(effects);
+    station.diary.wakeup = now().mission;
+    station.host->step(now());
+  }
+  void set_link(const std::string& a, const std::string& b, bool up) {
+    (*this)["sim"].host->publish(link(number(a), number(b), up), now());
+    (*this)["sim"].host->publish(link(number(b), number(a), up), now());
+    settle();
+  }
+  void meet() { advance(0.2); }
+
+  Roster roster_{{"marvin", "heliv"}};
+  blackboard::MemoryHub hub_;
+  std::map<std::string, std::unique_ptr<Station>> stations_;
+  double time_ = 0;
+};
+
+TEST_F(Hosts, StartingTellsTheNodeItsIncarnation) {
+  start("marvin", 3);
+
+  (*this)["marvin"].host->start(now());
+
+  ASSERT_EQ((*this)["marvin"].diary.all<Started>().size(), 1U);
+  EXPECT_EQ((*this)["marvin"].diary.all<Started>()[0].incarnation, 3U);
+}
+
+TEST_F(Hosts, ASampleGoesToTheNodeItIsFor) {
+  meet();
+
+  act("ground", {Send{number("marvin"), abort_request(7)}});
+  settle();
+
+  const auto received = (*this)["marvin"].diary.all<Received>();
+  ASSERT_EQ(received.size(), 1U);
+  EXPECT_EQ(received[0].from, number("ground"));
+  EXPECT_EQ(std::get<wire::TaskRequest>(received[0].sample).id, 7U);
+  EXPECT_TRUE((*this)["heliv"].diary.all<Received>().empty());
+}
+
+TEST_F(Hosts, OnboardSamplesPassBetweenAUavAndItsVehicle) {
+  meet();
+  wire::Telemetry telemetry;
+  telemetry.uav = "heliv";
+
+  act("sim", {Send{number("heliv"), telemetry}});
+  settle();
+
+  EXPECT_EQ((*this)["heliv"].diary.samples<wire::Telemetry>().size(), 1U);
+  EXPECT_TRUE((*this)["marvin"].diary.samples<wire::Telemetry>().empty());
+}
+
+TEST_F(Hosts, WorldSamplesReachTheRuntimeAndNotTheNode) {
+  wire::Clock clock;
+  clock.time = 5;
+
+  (*this)["sim"].host->publish(clock, now());
+  settle();
+
+  ASSERT_EQ((*this)["marvin"].world.size(), 1U);
+  EXPECT_EQ(std::get<wire::Clock>((*this)["marvin"].world[0]).time, 5);
+  EXPECT_TRUE((*this)["marvin"].diary.all<Received>().empty());
+}
+
+TEST_F(Hosts, ANodeCanPublishToTheWorld) {
+  wire::MissionState state;
+  state.finished = true;
+
+  act("ground", {Publish{state}});
+  settle();
+
+  ASSERT_EQ((*this)["sim"].world.size(), 1U);
+  EXPECT_TRUE(std::get<wire::MissionState>((*this)["sim"].world[0]).finished);
+}
+
+TEST_F(Hosts, EventsOverRadioAreLoggedAtBothEnds) {
+  meet();
+
+  act("ground", {Send{number("marvin"), abort_request(7)}});
+  settle();
+
+  EXPECT_EQ((*this)["ground"].lines("message"),
+            (std::vector<std::string>{
+                R"({"at":0.2,"node":"ground","kind":"message","slot":"TaskRequest",)"
+                R"("from":"ground","to":"marvin","sequence":1,"direction":"sent"})"}));
+  EXPECT_EQ((*this)["marvin"].lines("message"),
+            (std::vector<std::string>{
+                R"({"at":0.2,"node":"marvin","kind":"message","slot":"TaskRequest",)"
+                R"("from":"ground","to":"marvin","sequence":1,"direction":"received"})"}));
+}
+
+TEST_F(Hosts, StatesStreamsAndOnboardEventsAreNoMessages) {
+  meet();
+
+  act("marvin",
+      {Send{number("ground"), wire::PlanBoard{}}, Send{number("ground"), wire::Telemetry{}},
+       Send{number("sim"), wire::FunctionalRequest{}}});
+  settle();
+
+  EXPECT_EQ((*this)["ground"].diary.all<Received>().size(), 2U);
+  EXPECT_EQ((*this)["sim"].diary.samples<wire::FunctionalRequest>().size(), 1U);
+  for (const char* name : {"marvin", "ground", "sim"}) {
+    EXPECT_TRUE((*this)[name].lines("message").empty()) << name;
+  }
+}
+
+TEST_F(Hosts, AnEventWaitsForALinkThatIsDown) {
+  meet();
+  set_link("ground", "marvin", false);
+
+  act("ground", {Send{number("marvin"), abort_request(7)}});
+  advance(5);
+  const auto during = (*this)["marvin"].diary.samples<wire::TaskRequest>().size();
+  set_link("ground", "marvin", true);
+  advance(2);
+
+  EXPECT_EQ(during, 0U);
+  EXPECT_EQ((*this)["marvin"].diary.samples<wire::TaskRequest>().size(), 1U);
+}
+
+TEST_F(Hosts, OneLinkThatIsDownLeavesTheOthersAlone) {
+  meet();
+  set_link("ground", "marvin", false);
+
+  act("ground", {Send{number("heliv"), abort_request(7)}});
+  act("heliv", {Send{number("marvin"), wire::SyncMessage{}}});
+  advance(1);
+
+  EXPECT_EQ((*this)["heliv"].diary.samples<wire::TaskRequest>().size(), 1U);
+  EXPECT_EQ((*this)["marvin"].diary.samples<wire::SyncMessage>().size(), 1U);
+}
+
+TEST_F(Hosts, ALinkStateOfStrangersIsDisregarded) {
+  meet();
+
+  (*this)["sim"].host->publish(link(NodeNumber(70), NodeNumber(71), false), now());
+  (*this)["sim"].host->publish(link(NodeNumber(70), number("marvin"), false), now());
+  advance(5);
+
+  EXPECT_TRUE((*this)["marvin"].host->all_peers_heard());
+  EXPECT_EQ((*this)["marvin"].lines("reach").size(), 3U);
+}
+
+TEST_F(Hosts, TheLatencyOfALinkIsMissionTime) {
+  for (const char* name : {"ground", "marvin"}) start(name, 2, 10);
+  meet();
+  wire::LinkState slow = link(number("ground"), number("marvin"), true);
+  slow.latency = Duration::seconds(5).count();
+  (*this)["sim"].host->publish(slow, now());
+  settle();
+
+  act("ground", {Send{number("marvin"), abort_request(7)}});
+  advance(0.45);  // steady: 4.5 s of mission time at rate 10
+  const auto early = (*this)["marvin"].diary.samples<wire::TaskRequest>().size();
+  advance(0.1);
+
+  EXPECT_EQ(early, 0U);
+  EXPECT_EQ((*this)["marvin"].diary.samples<wire::TaskRequest>().size(), 1U);
+}
+
+TEST_F(Hosts, AllStreamsAreLostOnALinkThatLosesAll) {
+  meet();
+  wire::LinkState bad = link(number("marvin"), number("ground"), true);
+  bad.loss = 1;
+  (*this)["sim"].host->publish(bad, now());
+  settle();
+
+  act("marvin",
+      {Send{number("ground"), wire::Telemetry{}}, Send{number("ground"), wire::PlanBoard{}}});
+  settle();
+
+  EXPECT_TRUE((*this)["ground"].diary.samples<wire::Telemetry>().empty());
+  EXPECT_EQ((*this)["ground"].diary.samples<wire::PlanBoard>().size(), 1U);
+}
+
+TEST_F(Hosts, ReachabilityIsLoggedAndGivenToTheNode) {
+  meet();
+  set_link("ground", "marvin", false);
+  advance(5);
+
+  EXPECT_EQ((*this)["ground"].lines("reach").back(),
+            R"({"at":3,"node":"ground","kind":"reach","peer":"marvin","reachable":false})");
+  const auto known = (*this)["ground"].diary.all<Reachability>();
+  ASSERT_EQ(known.size(), 3U);  // both UAVs came, one went
+  EXPECT_TRUE(known[0].reachable);
+  EXPECT_EQ(known[2].peer, number("marvin"));
+  EXPECT_FALSE(known[2].reachable);
+}
+
+TEST_F(Hosts, ARestartOfAPeerIsGivenToTheNode) {
+  meet();
+
+  stations_.erase("marvin");
+  start("marvin", 2);
+  advance(1.5);
+
+  const auto known = (*this)["ground"].diary.all<Reachability>();
+  ASSERT_EQ(known.size(), 3U);
+  EXPECT_TRUE(known.back().restarted);
+}
+
+TEST_F(Hosts, MalformedContentIsLoggedOnceAndGoesNoFurther) {
+  meet();
+  wire::Telemetry wrong;
+  wrong.header.origin = number("ground").value();
+  wrong.header.incarnation = wrong.header.sequence_number = 1;
+  wrong.position.x = std::numeric_limits<double>::quiet_NaN();
+
+  for (int i = 0; i < 3; ++i) hub_.inject("radio/ground>marvin", wrong);
+  settle();
+
+  EXPECT_EQ((*this)["marvin"].lines("dropped"),
+            (std::vector<std::string>{
+                R"({"at":0.2,"node":"marvin","kind":"dropped","slot":"Telemetry",)"
+                R"("origin":"ground","field":"position.x","why":"not a finite number"})"}));
+  EXPECT_TRUE((*this)["marvin"].diary.all<Received>().empty());
+}
+
+TEST_F(Hosts, AnEventThatExpiresIsLoggedAndGivenBackToItsSender) {
+  meet();
+  set_link("ground", "marvin", false);
+
+  act("ground", {Send{number("marvin"), abort_request(7), at(2)}});
+  advance(4);
+
+  const auto lines = (*this)["ground"].lines("expired");
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NE(lines[0].find(R"("slot":"TaskRequest","to":"marvin","sequence":1)"), std::string::npos);
+  const auto undelivered = (*this)["ground"].diary.all<Undelivered>();
+  ASSERT_EQ(undelivered.size(), 1U);
+  EXPECT_EQ(undelivered[0].to, number("marvin"));
+  EXPECT_EQ(undelivered[0].slot, wire::Slot::kTaskRequest);
+  EXPECT_EQ(undelivered[0].sequence, 1U);
+}
+
+TEST_F(Hosts, WhatTheSenderGaveUpIsLoggedAsLostByTheReceiver) {
+  meet();
+  set_link("ground", "marvin", false);
+  act("ground", {Send{number("marvin"), abort_request(7), at(2)}});
+  advance(4);
+
+  set_link("ground", "marvin", true);
+  advance(2);
+
+  const auto lines = (*this)["marvin"].lines("lost");
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NE(lines[0].find(R"("to":"marvin","sequence":1,"last":1,"from":"ground")"),
+            std::string::npos)
+      << lines[0];
+  EXPECT_TRUE((*this)["marvin"].diary.samples<wire::TaskRequest>().empty());
+}
+
+TEST_F(Hosts, WhatCannotBeSentIsLoggedWithTheReason) {
+  meet();
+  wire::Telemetry wrong;
+  wrong.uav = "\xff";
+
+  act("ground", {Send{number("marvin"), wire::Clock{}}, Send{number("sim"), abort_request(1)},
+                 Send{NodeNumber(99), abort_request(1)}, Send{number("marvin"), wrong}});
+
+  const auto lines = (*this)["ground"].lines("unsent");
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_NE(lines[0].find(R"("slot":"Clock","to":"marvin","why":")"), std::string::npos);
+  EXPECT_NE(lines[1].find(R"("slot":"TaskRequest","to":"sim")"), std::string::npos);
+  EXPECT_NE(lines[2].find(R"("to":"node 99")"), std::string::npos);
+  EXPECT_NE(lines[3].find(R"("slot":"Telemetry","to":"marvin")"), std::string::npos);
+  EXPECT_TRUE((*this)["ground"].lines("message").empty());
+}
+
+TEST_F(Hosts, WhatCannotBePublishedIsLoggedAndStopsNothing) {
+  wire::JournalEntry too_long;
+  too_long.record.assign(wire::kMaximumString + 1, 'x');
+  wire::MissionState state;
+  state.phase = "\xff";
+
+  (*this)["ground"].host->publish(too_long, now());
+  act("ground", {Publish{state}, Publish{abort_request(1)}});
+
+  const auto lines = (*this)["ground"].lines("unsent");
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_NE(lines[0].find(R"("slot":"JournalEntry","to":"world")"), std::string::npos);
+  EXPECT_NE(lines[1].find(R"("slot":"MissionState","to":"world")"), std::string::npos);
+  EXPECT_NE(lines[2].find(R"("slot":"TaskRequest","to":"world")"), std::string::npos);
+}
+
+TEST_F(Hosts, AWakeupComesWhenMissionTimeIsThereAndOnlyThen) {
+  Diary& diary = (*this)["marvin"].diary;
+  diary.wakeup = at(1);
+
+  advance(0.9);
+  const auto early = diary.all<Wakeup>().size();
+  advance(0.2);
+
+  EXPECT_EQ(early, 0U);
+  EXPECT_EQ(diary.all<Wakeup>().size(), 1U);
+  EXPECT_FALSE((*this)["marvin"].host->next_mission_wakeup());
+}
+
+TEST_F(Hosts, EffectsAreCarriedOutInTheirOrder) {
+  act("marvin", {Log{Record(at(0), "marvin", "first")}, StartJob{5, [] { return std::any(1); }},
+                 Log{Record(at(0), "marvin", "second")}, Finish{}});
+
+  const Station& marvin = (*this)["marvin"];
+  ASSERT_EQ(marvin.records.size(), 2U);
+  EXPECT_EQ(marvin.records[0].kind(), "first");
+  EXPECT_EQ(marvin.records[1].kind(), "second");
+  ASSERT_EQ(marvin.jobs.size(), 1U);
+  EXPECT_EQ(marvin.jobs[0].id, 5U);
+  EXPECT_EQ(marvin.finishes, 1);
+}
+
+TEST_F(Hosts, AJobsResultReachesTheNode) {
+  (*this)["marvin"].host->job_done({5, std::any(std::string("route"))}, now());
+
+  const auto done = (*this)["marvin"].diary.all<JobDone>();
+  ASSERT_EQ(done.size(), 1U);
+  EXPECT_EQ(done[0].id, 5U);
+  EXPECT_EQ(std::any_cast<std::string>(done[0].result), "route");
+}
+
+TEST_F(Hosts, SteppingWithNothingToDoIsNotBusy) {
+  meet();
+
+  EXPECT_FALSE((*this)["marvin"].host->step(now()));
+}
+
+TEST_F(Hosts, PeersAreAllHeardAfterTheFirstHeartbeats) {
+  EXPECT_FALSE((*this)["ground"].host->all_peers_heard());
+
+  meet();
+
+  for (const char* name : {"ground", "sim", "marvin", "heliv"}) {
+    EXPECT_TRUE((*this)[name].host->all_peers_heard()) << name;
+  }
+}
+
+TEST_F(Hosts, APeerThatTheRadioHoldsDownIsNotWaitedFor) {
+  (*this)["sim"].host->publish(link(number("ground"), number("marvin"), false), now());
+  (*this)["sim"].host->publish(link(number("marvin"), number("ground"), false), now());
+  meet();
+
+  EXPECT_TRUE((*this)["ground"].host->all_peers_heard());
+  EXPECT_TRUE((*this)["ground"].diary.all<Reachability>().size() == 1);
+}
+
+TEST_F(Hosts, AChannelThatCannotBeOpenedIsAFailure) {
+  class Refusing final : public blackboard::Transport {
+   public:
+    Result<void, Failure> open(const blackboard::TransportPlan&) override {
+      return failure("no such interface");
+    }
+    bool write(std::size_t, const wire::Sample&) override { return false; }
+    void set_up(std::size_t, bool) override {}
+    std::vector<blackboard::Arrival> take() override { return {}; }
+    void on_arrival(std::function<void()>) override {}
+  } transport;
+  Diary diary;
+
+  const auto host = Host::open(roster_, *roster_.find("marvin"), std::make_unique<FakeNode>(diary),
+                               transport, {}, {});
+
+  ASSERT_FALSE(host.has_value());
+  EXPECT_EQ(host.error().why, "no such interface");
+}
+
+}  // namespace
+}  // namespace skein::node

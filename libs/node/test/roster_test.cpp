@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/node/roster.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace skein::node {
+namespace {
+
+using blackboard::ChannelConfig;
+using blackboard::ChannelKind;
+
+std::vector<ChannelConfig> of_kind(const std::vector<ChannelConfig>& channels, ChannelKind kind) {
+  std::vector<ChannelConfig> found;
+  std::copy_if(channels.begin(), channels.end(), std::back_inserter(found),
+               [&](const ChannelConfig& channel) { return channel.kind == kind; });
+  return found;
+}
+
+TEST(Roster, NumbersFollowFromTheScenarioAlone) {
+  const Roster roster({"marvin", "heliv"});
+
+  EXPECT_EQ(roster.ground(), NodeNumber(1));
+  EXPECT_EQ(roster.sim(), NodeNumber(2));
+  EXPECT_EQ(roster.runner(), NodeNumber(3));
+  EXPECT_EQ(roster.find("marvin")->number, NodeNumber(10));
+  EXPECT_EQ(roster.find("heliv")->number, NodeNumber(11));
+  EXPECT_EQ(roster.find("heliv")->role, wire::Role::kDdn);
+  EXPECT_EQ(roster.find(NodeNumber(10))->name, "marvin");
+}
+
+TEST(Roster, StrangersHaveNoPlaceButAPrintableName) {
+  const Roster roster({"marvin"});
+
+  EXPECT_EQ(roster.find("heliv"), nullptr);
+  EXPECT_EQ(roster.find(NodeNumber(11)), nullptr);
+  EXPECT_EQ(roster.name_of(NodeNumber(10)), "marvin");
+  EXPECT_EQ(roster.name_of(NodeNumber(11)), "node 11");
+}
+
+TEST(Roster, TheGroundTalksOverRadioWithEveryUavAndOnlyWithThem) {
+  const Roster roster({"marvin", "heliv"});
+
+  const auto channels = roster.channels_of(*roster.find("ground"));
+
+  ASSERT_EQ(channels.size(), 5U);
+  EXPECT_EQ(channels[0].kind, ChannelKind::kWorld);
+  EXPECT_EQ(of_kind(channels, ChannelKind::kRadio).size(), 4U);
+  EXPECT_EQ(channels[1].partition, "radio/ground>marvin");
+  EXPECT_EQ(channels[2].partition, "radio/marvin>ground");
+}
+
+TEST(Roster, AUavTalksWithItsOwnVehicleOnly) {
+  const Roster roster({"marvin", "heliv"});
+
+  const auto onboard = of_kind(roster.channels_of(*roster.find("marvin")), ChannelKind::kOnboard);
+
+  ASSERT_EQ(onboard.size(), 2U);
+  for (const ChannelConfig& channel : onboard) EXPECT_EQ(channel.partition, "onboard/marvin");
+}
+
+TEST(Roster, TheSimulatorHasNoRadioAndTheRunnerOnlyTheWorld) {
+  const Roster roster({"marvin", "heliv"});
+
+  const auto sim = roster.channels_of(*roster.find("sim"));
+  const auto runner = roster.channels_of(*roster.find("runner"));
+
+  EXPECT_EQ(of_kind(sim, ChannelKind::kRadio).size(), 0U);
+  EXPECT_EQ(of_kind(sim, ChannelKind::kOnboard).size(), 4U);
+  ASSERT_EQ(runner.size(), 1U);
+  EXPECT_EQ(runner[0].kind, ChannelKind::kWorld);
+}
+
+TEST(Roster, NobodyButTheRunnerReadsTheEventLog) {
+  for (const auto role : {wire::Role::kGround, wire::Role::kDdn, wire::Role::kSim}) {
+    const auto reads = Roster::world_reads_of(role);
+    EXPECT_EQ(std::count(reads.begin(), reads.end(), wire::Slot::kJournalEntry), 0)
+        << name_of(role);
+  }
+  const auto reads = Roster::world_reads_of(wire::Role::kRunner);
+  EXPECT_EQ(std::count(reads.begin(), reads.end(), wire::Slot::kJournalEntry), 1);
+}
+
+TEST(Roster, WhoeverHasARadioIsToldOfTheLinks) {
+  for (const auto role : {wire::Role::kGround, wire::Role::kDdn}) {
+    const auto reads = Roster::world_reads_of(role);
+    EXPECT_EQ(std::count(reads.begin(), reads.end(), wire::Slot::kLinkState), 1) << name_of(role);
+  }
+}
+
+// Every channel but the world is known, with the same partition and slots, to exactly the two
+// nodes at its ends; and numbers and names are distinct.
+RC_GTEST_PROP(Roster, BothEndsOfAChannelAgreeOnIt, ()) {
+  const int count = *rc::gen::inRange(0, 8);
+  std::vector<std::string> uavs;
+  for (int i = 0; i < count; ++i) uavs.push_back("uav-" + std::to_string(i));
+  const Roster roster(uavs);
+  using Key = std::tuple<std::uint32_t, std::uint32_t, std::string, std::vector<wire::Slot>>;
+  std::map<Key, std::set<std::string>> known;
+  std::set<NodeNumber> numbers;
+
+  for (const Member& member : roster.members()) {
+    numbers.insert(member.number);
+    for (const ChannelConfig& channel : roster.channels_of(member)) {
+      if (channel.kind == ChannelKind::kWorld) continue;
+      const auto inserted =
+          known[{channel.from.value(), channel.to.value(), channel.partition, channel.slots}]
+              .insert(member.name);
+      RC_ASSERT(inserted.second);
+    }
+  }
+
+  RC_ASSERT(numbers.size() == roster.members().size());
+  for (const auto& [key, members] : known) {
+    const std::set<std::string> ends{roster.name_of(NodeNumber(std::get<0>(key))),
+                                     roster.name_of(NodeNumber(std::get<1>(key)))};
+    RC_ASSERT(ends == members);
+  }
+  const auto n = static_cast<std::size_t>(count);
+  RC_ASSERT(known.size() == n * (n + 1) + 2 * n);  // radio among n + 1, onboard of n
+}
+
+}  // namespace
+}  // namespace skein::node

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sizes: functions, files, mains and parameter lists stay small; prints how they are spread.
+
+With --list N also prints the N longest functions.
+"""
+import re
+import sys
+
+from sources import Architecture, code_files, finish, is_test, without_comments
+
+FUNCTION_LINES = 60
+FILE_LINES = 500
+MAIN_LINES = 60
+PARAMETERS = 6
+
+BRACES = re.compile(r"[{};]")
+# What stands before the brace of a function body: a parameter list, then only what may follow one.
+SIGNATURE = re.compile(
+    r"\)\s*(const|noexcept(\s*\([^()]*\))?|override|final|mutable|&&?|try|\s|->\s*[\w:<>,&*\s]+)*$")
+INITIALISERS = re.compile(r"\)\s*(noexcept\s*)?(try\s*)?:(?!:)(.*)$", re.S)
+TYPE = re.compile(r"\b(class|struct|union|enum|namespace|concept)\b[^()=]*$")
+INITIALISER = re.compile(r"(?<!operator)(?<!operator[=!<>+*/|&^%-])=\s*(\[[^\]]*\])?\s*\(?[^()]*$")
+NAME = re.compile(r"(operator\s*[^\s\w]+|operator\s*\(\)|~?[\w:]+)\s*\($")
+
+
+class Function:
+    def __init__(self, name, first, last, parameters):
+        self.name, self.first, self.last, self.parameters = name, first, last, parameters
+
+    @property
+    def lines(self):
+        return self.last - self.first + 1
+
+
+def matching(code, start, step, opening, closing):
+    """Where the bracket opened (or closed) at `start` ends, going by `step`; -1 if it does not."""
+    depth = 0
+    while 0 <= start < len(code):
+        depth += {opening: 1, closing: -1}.get(code[start], 0)
+        if depth == 0:
+            return start
+        start += step
+    return -1
+
+
+def parameter_list(head):
+    """(start, end) of the parameter list in the text before a body, or None."""
+    initialisers = INITIALISERS.search(head)
+    while initialisers:  # the first ')' that a ':' follows and whose '(' follows a name
+        end = initialisers.start()
+        start = matching(head, end, -1, ")", "(")
+        if start > 0:
+            return start, end
+        initialisers = INITIALISERS.search(head, end + 1)
+    found = SIGNATURE.search(head)
+    if not found:
+        return None
+    start = matching(head, found.start(), -1, ")", "(")
+    return (start, found.start()) if start > 0 else None
+
+
+def count_parameters(text):
+    depth, count = 0, 1 if text.strip() else 0
+    for character in text:
+        depth += {"(": 1, "<": 1, "{": 1, "[": 1, ")": -1, ">": -1, "}": -1, "]": -1}.get(character, 0)
+        count += character == "," and depth == 0
+    return count
+
+
+def functions_of(text):
+    """Outermost functions with their bodies, from the first line of the declaration to the closing brace."""
+    code = re.sub(r"^\s*#(?:[^\n]*\\\n)*[^\n]*", lambda m: "\n" * m.group(0).count("\n"), without_comments(text),
+                  flags=re.M)
+    at, statement, found = 0, 0, []
+    while match := BRACES.search(code, at):
+        at = match.end()
+        if match.group(0) != "{":
+            statement = at
+            continue
+        head = code[statement:match.start()]
+        if TYPE.search(head.rsplit(")", 1)[-1]) and "(" not in head.rsplit(")", 1)[-1]:
+            statement = at
+            continue
+        list_at = parameter_list(head)
+        end = matching(code, match.start(), 1, "{", "}")
+        if end < 0:
+            break
+        if list_at and not INITIALISER.search(head[:list_at[0]]):
+            if INITIALISERS.search(head) and re.match(r"\s*[,{]", code[end + 1:]):
+                at = end + 1  # the braces of a member's initialiser; the body is still to come
+                continue
+            found.append(function(code, head, statement, list_at, end))
+            statement = at = end + 1
+            catch = re.compile(r"\s*catch\s*\([^()]*\)\s*\{").match(code, at)
+            while catch:  # of a function-try-block: part of the function
+                end = matching(code, catch.end() - 1, 1, "{", "}")
+                found[-1].last = code.count("\n", 0, end) + 1
+                statement = at = end + 1
+                catch = re.compile(r"\s*catch\s*\([^()]*\)\s*\{").match(code, at)
+        elif "=" in head or not TYPE.search(head):
+            at = end + 1  # an initialiser or a lambda outside functions
+    return found
+
+
+def function(code, head, statement, list_at, end):
+    start = statement + len(head) - len(head.lstrip())
+    name = NAME.search(head[:list_at[0] + 1])
+    return Function(name.group(1) if name else "?", code.count("\n", 0, start) + 1, code.count("\n", 0, end) + 1,
+                    count_parameters(head[list_at[0] + 1:list_at[1]]))
+
+
+def problems_of(relative, text):
+    lines = text.count("\n")
+    limit = MAIN_LINES if relative.endswith("/main.cpp") else FILE_LINES
+    if lines > limit:
+        yield f"{relative}: {lines} lines, {limit} are allowed"
+    for one in functions_of(text):
+        if one.lines > FUNCTION_LINES:
+            yield f"{relative}:{one.first}: {one.name} has {one.lines} lines, {FUNCTION_LINES} are allowed"
+        if one.parameters > PARAMETERS:
+            yield f"{relative}:{one.first}: {one.name} has {one.parameters} parameters, {PARAMETERS} are allowed"
+
+
+def spread(values):
+    values = sorted(values)
+    at = lambda share: values[min(len(values) - 1, int(share * len(values)))] if values else 0
+    return f"median {at(0.5)}, p90 {at(0.9)}, p99 {at(0.99)}, most {at(1)}"
+
+
+def main():
+    architecture = Architecture(sys.argv[1])
+    wanted = int(sys.argv[sys.argv.index("--list") + 1]) if "--list" in sys.argv else 0
+    problems, sizes, longest, code, tests = [], [], [], 0, 0
+    for relative in code_files(architecture.source, ("libs", "sim", "daemons", "cli", "tests")):
+        text = (architecture.source / relative).read_text()
+        problems += problems_of(relative, text)
+        lines = sum(1 for line in without_comments(text, keep_strings=True).splitlines() if line.strip())
+        if is_test(relative):
+            tests += lines
+            continue
+        code += lines
+        sizes.append(text.count("\n"))
+        longest += [(one.lines, f"{relative}:{one.first} {one.name}") for one in functions_of(text)]
+    for lines, where in sorted(longest, reverse=True)[:wanted]:
+        print(f"{lines:4} {where}")
+    print(f"functions: {spread([lines for lines, _ in longest])} lines; files: {spread(sizes)} lines")
+    finish(problems, f"{code} lines of code, {tests} of tests ({tests / code:.2f}): all within the budgets")
+
+
+if __name__ == "__main__":
+    main()
