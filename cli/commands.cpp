@@ -2,10 +2,13 @@
 #include "commands.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <fstream>
 #include <functional>
 #include <iostream>
 
 #include "skein/foundation/exit_code.hpp"
+#include "skein/mle_tool/mle.hpp"
 #include "skein/run_tool/run.hpp"
 #include "skein/spy_tool/spy.hpp"
 
@@ -14,6 +17,18 @@ namespace skein::cli {
 namespace {
 
 using Action = std::function<int()>;
+
+// CLI11's ranges let "nan" pass and print their bounds in full.
+std::string finite_problem(const std::string& text) {
+  double value = 0;
+  const bool number = CLI::detail::lexical_cast(text, value);
+  return number && std::isfinite(value) ? "" : "'" + text + "' is not a finite number";
+}
+
+std::string positive_problem(const std::string& text) {
+  const std::string problem = finite_problem(text);
+  return problem.empty() && std::stod(text) <= 0 ? "'" + text + "' is not positive" : problem;
+}
 
 constexpr const char* kRunExamples = R"(
 Examples:
@@ -31,7 +46,8 @@ void add_run(CLI::App& app, Action& action) {
   run->add_option("--rate", options->overrides.rate, "Mission seconds per second");
   run->add_option("--seed", options->overrides.seed, "Seed of everything random");
   run->add_option("--degree", options->overrides.degrees,
-                  "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated");
+                  "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated")
+      ->allow_extra_args(false);
   run->add_option("--out", options->out, "Folder for the results (default: out/NAME)");
   run->add_flag("--json", options->json, "The result as JSON on standard output, no progress");
   run->add_flag("--quiet", options->quiet, "No progress");
@@ -70,12 +86,13 @@ void add_spy(CLI::App& app, Action& action) {
   spy->add_option("--domain", options->domain, "DDS domain id")
       ->check(CLI::Range(0, 100))
       ->envname("SKEIN_DOMAIN");
-  spy->add_option("--interface", options->interfaces, "IPv4 address to listen on");
+  spy->add_option("--interface", options->interfaces, "IPv4 address to listen on")
+      ->allow_extra_args(false);
   spy->add_option("--partition", options->partitions,
-                  "DDS partition, with * and ? (default: world, onboard/*, radio/*)");
+                  "DDS partition, with * and ? (default: world, onboard/*, radio/*)")
+      ->allow_extra_args(false);
   spy->add_option("--from", options->from, "Only samples made by this node");
-  spy->add_option("--duration", options->duration, "Seconds to listen")
-      ->check(CLI::NonNegativeNumber);
+  spy->add_option("--duration", options->duration, "Seconds to listen")->check(positive_problem);
   spy->add_flag("--json", options->json, "JSON: one document, or one line per sample");
   spy->footer(kSpyExamples);
   CLI::App* echo = spy->add_subcommand("echo", "Print samples as they come");
@@ -89,6 +106,52 @@ void add_spy(CLI::App& app, Action& action) {
   });
 }
 
+constexpr const char* kMleExamples = R"(
+Examples:
+  skein mle trace.jsonl --uav marvin
+  skein mle --until 300 < trace.jsonl | grep '"dispatch"'
+Formats: cli/mle/README.md. Exit codes: 0, 1 some line was wrong, 2 wrong options or files.)";
+
+// What the command line gives as plain values.
+struct MleArguments {
+  mle_tool::MleOptions options;
+  std::string file;
+  std::optional<double> until;
+  std::optional<double> timeout;
+};
+
+int run_mle(MleArguments arguments) {
+  if (arguments.until) arguments.options.until = MissionTime::seconds(*arguments.until);
+  if (arguments.timeout) arguments.options.timeout = Duration::seconds(*arguments.timeout);
+  if (arguments.file.empty() || arguments.file == "-") {
+    return mle_tool::run_mle(arguments.options, std::cin, std::cout, std::cerr);
+  }
+  std::ifstream in(arguments.file);
+  if (!in) {
+    std::cerr << arguments.file << ": cannot be read\n";
+    return kExitBadInput;
+  }
+  arguments.options.input_name = arguments.file;
+  return mle_tool::run_mle(arguments.options, in, std::cout, std::cerr);
+}
+
+void add_mle(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<MleArguments>();
+  CLI::App* mle = app.add_subcommand("mle", "Replay a trace through the multi-level executive");
+  mle->add_option("trace", arguments->file, "JSON lines (default: standard input)");
+  mle->add_option("--uav", arguments->options.uav, "Own name among senders and receivers");
+  mle->add_option("--until", arguments->until, "Run time conditions up to this instant [s]")
+      ->check(finite_problem);
+  mle->add_option("--types", arguments->options.types_file, "Task types and their resources (JSON)")
+      ->check(CLI::ExistingFile);
+  mle->add_option("--timeout", arguments->timeout, "Of the functional layer [s] (default: off)")
+      ->check(positive_problem);
+  mle->add_option("--background", arguments->options.background,
+                  "Task type of the background routine (default: off)");
+  mle->footer(kMleExamples);
+  mle->callback([arguments, &action] { action = [arguments] { return run_mle(*arguments); }; });
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv) try {
@@ -99,6 +162,7 @@ int run_command_line(int argc, char** argv) try {
   add_run(app, action);
   add_report(app, action);
   add_spy(app, action);
+  add_mle(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

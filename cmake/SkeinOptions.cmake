@@ -28,6 +28,10 @@ if(SKEIN_SANITIZE)
   endif()
 endif()
 
+if(SKEIN_BUILD_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)  # so that the libraries under test guide the fuzzer
+endif()
+
 find_program(SKEIN_CCACHE ccache)
 if(SKEIN_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${SKEIN_CCACHE})

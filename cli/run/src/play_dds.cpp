@@ -140,7 +140,9 @@ class DdsRun {
       add(record("process")
               .with("name", ended.name)
               .with("state", ended.crashed() ? "crashed" : "exited")
-              .with("why", to_text(ended.status)));
+              .with("why", to_text(ended.status))
+              .with("cpu", journal::rounded(ended.status.cpu))
+              .with("memory", journal::rounded(ended.status.peak_memory)));
       const bool right = ended.killed || (winding_up && !ended.crashed());
       if (right || played_.end == Played::End::kFailed) continue;
       fail(ended.name + " (" + ended.program + ") died: " + to_text(ended.status) +

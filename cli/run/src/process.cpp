@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,6 +18,10 @@ extern char** environ;
 namespace skein::run_tool {
 
 namespace {
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
 
 // Actions and attributes of posix_spawn: output to the log, own group, no blocked signals.
 class SpawnSetup {
@@ -79,8 +84,16 @@ Process::~Process() {
 std::optional<Process::Status> Process::poll() {
   if (ended_) return ended_;
   int status = 0;
-  if (waitpid(pid_, &status, WNOHANG) != pid_) return std::nullopt;
-  ended_ = WIFSIGNALED(status) ? Status{0, WTERMSIG(status)} : Status{WEXITSTATUS(status), 0};
+  rusage usage{};
+  if (wait4(pid_, &status, WNOHANG, &usage) != pid_) return std::nullopt;
+  ended_.emplace();
+  if (WIFSIGNALED(status)) {
+    ended_->signal = WTERMSIG(status);
+  } else {
+    ended_->code = WEXITSTATUS(status);
+  }
+  ended_->cpu = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  ended_->peak_memory = static_cast<double>(usage.ru_maxrss) / 1024;
   return ended_;
 }
 

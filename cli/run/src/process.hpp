@@ -20,6 +20,8 @@ class Process {
   struct Status {
     int code = 0;
     int signal = 0;  ///< 0: it exited by itself
+    double cpu = 0;          ///< user and system time [s]
+    double peak_memory = 0;  ///< greatest resident set [MB]
   };
 
   static Result<Process, Failure> start(const std::vector<std::string>& command,

@@ -113,11 +113,12 @@ Result<std::string, Failure> write_report(const std::string& folder) {
   if (!info) return failure(to_text(info.error()));
   std::ifstream events(from / "events.jsonl");
   if (!events) return failure("cannot read " + (from / "events.jsonl").string());
-  const auto journal = report::read_journal(events, (from / "events.jsonl").string());
-  if (!journal) return failure(to_text(journal.error()));
-  const std::string summary = report::summary_json(*info, *journal);
-  for (const auto& [name, text] : {std::pair{"report.html", report::html_report(*info, *journal)},
-                                   std::pair{"junit.xml", report::junit(*info, *journal)},
+  // A line that was cut off by a crash must not cost the report; the page tells how many there are.
+  const report::Journal journal =
+      report::salvage_journal(events, (from / "events.jsonl").string()).journal;
+  const std::string summary = report::summary_json(*info, journal);
+  for (const auto& [name, text] : {std::pair{"report.html", report::html_report(*info, journal)},
+                                   std::pair{"junit.xml", report::junit(*info, journal)},
                                    std::pair{"result.json", summary}}) {
     if (auto done = write_file(from / name, text); !done) return tl::unexpected(done.error());
   }

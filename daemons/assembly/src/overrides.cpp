@@ -10,18 +10,20 @@ namespace skein::assembly {
 
 namespace {
 
-// "marvin=1" or "2" (name empty); nothing if the degree is not 1, 2 or 3.
+// "marvin=1", or "2" for everybody.
 struct Assignment {
-  std::string uav;
-  int degree = 0;
+  std::optional<std::string> uav;  ///< absent: all
+  int degree = 0;                  ///< 0: it was not 1, 2 or 3
 };
 
 Assignment parsed(const std::string& text) {
   const std::size_t equals = text.find('=');
-  const std::string uav = equals == std::string::npos ? "" : text.substr(0, equals);
+  Assignment result;
+  if (equals != std::string::npos) result.uav = text.substr(0, equals);
   const std::string degree = equals == std::string::npos ? text : text.substr(equals + 1);
   const bool valid = degree.size() == 1 && degree[0] >= '1' && degree[0] <= '3';
-  return {uav, valid ? degree[0] - '0' : 0};
+  if (valid) result.degree = degree[0] - '0';
+  return result;
 }
 
 void set_degree(const std::string& text, scenario::Scenario& scenario, Diagnostics& diagnostics) {
@@ -32,13 +34,13 @@ void set_degree(const std::string& text, scenario::Scenario& scenario, Diagnosti
   }
   bool found = false;
   for (scenario::UavSpec& uav : scenario.uavs) {
-    if (!assignment.uav.empty() && uav.name != assignment.uav) continue;
+    if (assignment.uav && uav.name != *assignment.uav) continue;
     uav.degree = assignment.degree;
     found = true;
   }
-  if (!found) {
-    diagnostics.add({"", 0, 0, "--degree", "no UAV '" + assignment.uav + "'", "",
-                     nearest_name(assignment.uav, scenario.uav_names())});
+  if (!found && assignment.uav) {
+    diagnostics.add({"", 0, 0, "--degree", "no UAV '" + *assignment.uav + "'", "",
+                     nearest_name(*assignment.uav, scenario.uav_names())});
   }
 }
 

@@ -38,12 +38,14 @@ void declare(CLI::App& app, Options& options, bool needs_uav) {
       ->check(CLI::Range(0, 100))
       ->envname("SKEIN_DOMAIN");
   app.add_option("--interface", options.interfaces,
-                 "IPv4 address to talk on; repeat for several (default: this machine only)");
+                 "IPv4 address to talk on; repeat for several (default: this machine only)")
+      ->allow_extra_args(false);
   app.add_option("--rate", options.overrides.rate,
                  "Mission seconds per second, for the scenario's");
   app.add_option("--seed", options.overrides.seed, "Seed, for the scenario's");
   app.add_option("--degree", options.overrides.degrees,
-                 "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated");
+                 "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated")
+      ->allow_extra_args(false);
   app.add_option("--log-level", options.log_level, "error, warn, info or debug");
   app.add_flag("--exit-with-parent", options.exit_with_parent,
                "Stop when the process that started this one ends");

@@ -69,7 +69,7 @@ std::optional<MissionTime> GroundNode::next_wakeup() const { return control_.nex
 std::optional<GroundNode::Input> GroundNode::input_of(const node::Input& input) {
   if (const auto* received = std::get_if<node::Received>(&input)) {
     const std::string why = why_not(*received);
-    if (why.empty()) return input_of(*received);
+    if (why.empty()) return input_from(*received);
     drop(*received, why);
   }
   if (const auto* reach = std::get_if<node::Reachability>(&input)) {
@@ -105,7 +105,7 @@ void GroundNode::drop(const node::Received& received, const std::string& why) {
 }
 
 // A UAV is known by the node that sent the sample, whatever name the sample gives.
-std::optional<GroundNode::Input> GroundNode::input_of(const node::Received& received) const {
+std::optional<GroundNode::Input> GroundNode::input_from(const node::Received& received) const {
   const std::string uav = roster_.name_of(received.from);
   const wire::Sample& sample = received.sample;
   if (const auto* telemetry = std::get_if<wire::Telemetry>(&sample)) {

@@ -403,5 +403,93 @@ TEST_F(BlackboardLaws, LatencyDelaysWithoutReordering) {
   EXPECT_THAT(events(kGround), ElementsAre(1, 2, 3, 4, 5));
 }
 
+TEST_F(BlackboardLaws, WhatIsMalformedIsReportedAndGoesNoFurther) {
+  system.start(kGround);
+  const auto intruder = system.medium().transport("intruder");
+  TransportPlan plan;
+  plan.self = kMarvin.number;
+  plan.channels = radio_link(kMarvin, kGround);
+  ASSERT_TRUE(intruder->open(plan));
+  wire::PlanBoard board;
+  board.header.origin = kMarvin.number.value();
+  board.header.incarnation = 1;
+  board.tasks.resize(3);
+  const auto write = [&](std::uint64_t sequence, wire::TaskState state) {
+    board.header.sequence_number = sequence;
+    board.tasks[sequence].state = state;
+    ASSERT_TRUE(intruder->write(0, board));
+    const std::size_t before = system.received(kGround).size();
+    ASSERT_TRUE(system.run_until([&] { return system.received(kGround).size() > before; }));
+    board.tasks[sequence].state = wire::TaskState::kEnded;
+  };
+
+  write(1, static_cast<wire::TaskState>(77));
+  write(2, static_cast<wire::TaskState>(78));
+  write(1, wire::TaskState::kRunning);
+
+  const auto dropped = system.reports<Dropped>(kGround);
+  ASSERT_EQ(dropped.size(), 2U);
+  EXPECT_EQ(dropped[0].slot, wire::Slot::kPlanBoard);
+  EXPECT_EQ(dropped[0].origin, kMarvin.number);
+  EXPECT_EQ(dropped[0].field, "tasks[1].state");
+  EXPECT_EQ(dropped[0].why, "77 is not a value of the enumeration");
+  EXPECT_TRUE(dropped[0].first);
+  EXPECT_EQ(dropped[1].field, "tasks[2].state");
+  EXPECT_FALSE(dropped[1].first);
+  EXPECT_EQ(system.values<wire::PlanBoard>(kGround).size(), 1U);
+}
+
+TEST_F(BlackboardLaws, AStrangerOnAChannelIsRefused) {
+  system.start(kGround);
+  const auto intruder = system.medium().transport("intruder");
+  TransportPlan plan;
+  plan.self = NodeNumber(66);
+  plan.channels = radio_link({NodeNumber(66), "marvin"}, kGround);
+  ASSERT_TRUE(intruder->open(plan));
+  wire::PlanBoard board;
+  board.header.origin = 66;
+  board.header.incarnation = 1;
+  board.header.sequence_number = 1;
+
+  ASSERT_TRUE(intruder->write(0, board));
+
+  ASSERT_TRUE(system.run_until([&] { return !system.received(kGround).empty(); }));
+  EXPECT_EQ(system.reports<Dropped>(kGround).at(0).field, "header.origin");
+  EXPECT_THAT(system.values<wire::PlanBoard>(kGround), IsEmpty());
+}
+
+TEST_F(BlackboardLaws, ASpyReadsWhatOthersSay) {
+  const auto spy = system.medium().transport("spy");
+  TransportPlan plan;
+  plan.self = NodeNumber(99);
+  ChannelConfig any = radio_link(kMarvin, kGround)[0];
+  any.partition = "radio/*";
+  plan.channels.push_back(any);
+  ASSERT_TRUE(spy->open(plan));
+  start_pair();
+
+  send(kMarvin, kGround, degree(4));
+
+  bool seen = false;
+  EXPECT_TRUE(system.run_until([&] {
+    for (const Arrival& arrival : spy->take()) {
+      const auto* sample = std::get_if<wire::Sample>(&arrival.content);
+      seen = seen || (sample != nullptr && std::holds_alternative<wire::AutonomyDegree>(*sample));
+    }
+    return seen;
+  }));
+}
+
+TEST_F(BlackboardLaws, WhatASenderMayNotSendIsRefused) {
+  system.start(kMarvin);
+  wire::Telemetry wrong = telemetry(std::numeric_limits<double>::infinity());
+  Blackboard& marvin = system[kMarvin];
+
+  EXPECT_EQ(marvin.send(degree(2), NodeNumber(42), system.now()).error(), Refusal::kNoChannel);
+  EXPECT_EQ(marvin.send(wire::Clock{}, kGround.number, system.now()).error(), Refusal::kNoChannel);
+  EXPECT_EQ(marvin.publish(degree(2), system.now()).error(), Refusal::kNoChannel);
+  EXPECT_EQ(marvin.send(wrong, kGround.number, system.now()).error(), Refusal::kMalformed);
+}
+
 }  // namespace
 }  // namespace skein::blackboard::testing

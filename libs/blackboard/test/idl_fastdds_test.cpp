@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "../adapters/fastdds/sample_type.hpp"
+#include "adapters/fastdds/sample_type.hpp"
 #include "skein/blackboard/cdr.hpp"
 #include "testing/random_sample.hpp"
 

@@ -169,7 +169,9 @@ TEST_F(Virtual, AJobsResultComesBackAfterItsLatency) {
   EXPECT_EQ(done[0].id, 9U);
   EXPECT_EQ(std::any_cast<int>(done[0].result), 42);
   for (const auto& [when, input] : of["a"].inputs) {
-    if (std::holds_alternative<JobDone>(input)) EXPECT_EQ(when, at(2.75));
+    if (std::holds_alternative<JobDone>(input)) {
+      EXPECT_EQ(when, at(2.75));
+    }
   }
 }
 
@@ -265,7 +267,6 @@ TEST_F(Virtual, ALinkThatTheSimulatorCutsIsCut) {
 
   run();
 
-  EXPECT_EQ(lines("reach").back().find(R"({"at":3,"node":"a")") == std::string::npos, false);
   EXPECT_FALSE(of["ground"].all<Reachability>().back().reachable);
 }
 

@@ -79,11 +79,13 @@ std::vector<LinkStory> tell_links(const Journal& journal, double end) {
   LinkTable table;
   Openness up, believed;
   for (const LinkRecord& r : journal.links) {
+    if (r.from == r.to) continue;
     auto [story, direction] = table.find(r.from, r.to);
     story.truth[direction] = true;
     extend(story.up[direction], up[{r.from, r.to}], seconds(r.stamp), r.up);
   }
   for (const ReachRecord& r : journal.reaches) {
+    if (r.stamp.node == r.peer) continue;
     auto [story, direction] = table.find(r.stamp.node, r.peer);
     story.belief[direction] = true;
     extend(story.believed[direction], believed[{r.stamp.node, r.peer}], seconds(r.stamp),

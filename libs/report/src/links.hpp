@@ -16,7 +16,8 @@ std::vector<Flight> pair_messages(const std::vector<MessageRecord>& records);
 std::vector<Flight> pair_syncs(const std::vector<SyncRecord>& records);
 
 /// One story per pair of nodes that a link record names (without any link record: that a reach
-/// record names), in the order of the names. A span that no record closes lasts until `end`.
+/// record names), in the order of the names; a node's link to itself is none. A span that no record
+/// closes lasts until `end`.
 std::vector<LinkStory> tell_links(const Journal& journal, double end);
 
 /// The total length of spans [s].

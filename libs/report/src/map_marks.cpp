@@ -183,6 +183,23 @@ void write_names(Scene& s) {
   }
 }
 
+// Labels keep off the trajectories: a point every few pixels along each.
+void avoid_tracks(Scene& s) {
+  constexpr double kStep = 5.0;
+  constexpr std::size_t kMost = 8000;
+  std::size_t count = 0;
+  for (const UavStory& uav : s.run.story.uavs) {
+    Point last{-1e9, -1e9};
+    for (const TrackPoint& t : uav.track) {
+      const Point p = s.frame(t.position);
+      if (std::hypot(p.x - last.x, p.y - last.y) < kStep) continue;
+      if (++count > kMost) return;
+      s.placer.avoid(p);
+      last = p;
+    }
+  }
+}
+
 struct LegendEntry {
   const char* icon;
   const char* text;
@@ -222,6 +239,7 @@ void write_map_marks(Markup& out, const Run& run, const MapFrame& frame) {
   for (const Zone& zone : run.info.zones) {
     for (const GroundPoint& p : zone.polygon) scene.block(frame(p.x, p.y), 8);
   }
+  avoid_tracks(scene);
   write_objects(scene);
   write_view_points(scene);
   write_takeoffs(scene);

@@ -95,6 +95,13 @@ bool LabelPlacer::is_free(const Box& box) const {
                                 [&](const Box& other) { return other.overlaps(box); });
 }
 
+std::size_t LabelPlacer::covered(const Box& box) const {
+  return static_cast<std::size_t>(
+      std::count_if(avoided_.begin(), avoided_.end(), [&](const Point& p) {
+        return p.x > box.left && p.x < box.right && p.y > box.top && p.y < box.bottom;
+      }));
+}
+
 std::optional<LabelPlacer::Placed> LabelPlacer::place(Point at, double radius,
                                                       std::string_view text, double font_size) {
   const double width = text_width(text, font_size), height = font_size;
@@ -111,6 +118,9 @@ std::optional<LabelPlacer::Placed> LabelPlacer::place(Point at, double radius,
                                    {0.7 * r, 0.7 * r + 0.75 * height, "start"},
                                    {-0.7 * r, -0.7 * r, "end"},
                                    {-0.7 * r, 0.7 * r + 0.75 * height, "end"}}};
+  std::optional<Placed> best;
+  Box best_box;
+  std::size_t least = 0;
   for (const Side& side : sides) {
     const Placed placed{at.x + side.dx, at.y + side.dy, side.anchor};
     const double shift = std::string_view(side.anchor) == "start" ? 0.0
@@ -119,10 +129,14 @@ std::optional<LabelPlacer::Placed> LabelPlacer::place(Point at, double radius,
     const Box box{placed.x - shift - 1, placed.y - 0.8 * height, placed.x - shift + width + 1,
                   placed.y + 0.25 * height};
     if (!is_free(box)) continue;
-    block(box);
-    return placed;
+    const std::size_t cost = covered(box);
+    if (best && cost >= least) continue;
+    best = placed;
+    best_box = box;
+    least = cost;
   }
-  return std::nullopt;
+  if (best) block(best_box);
+  return best;
 }
 
 }  // namespace skein::report

@@ -67,14 +67,19 @@ class LabelPlacer {
   explicit LabelPlacer(Box area) : area_(area) {}
   /// Nothing will be placed over this.
   void block(const Box& box) { taken_.push_back(box); }
-  /// A free place near a point whose own mark has the given radius; none when all are taken.
+  /// Labels keep off this point where they can.
+  void avoid(Point p) { avoided_.push_back(p); }
+  /// The place near a point, whose own mark has the given radius, that is free and covers the least
+  /// of what to avoid (the right-hand side, if all are equal); none when all are taken.
   std::optional<Placed> place(Point at, double radius, std::string_view text, double font_size);
 
  private:
   bool is_free(const Box& box) const;
+  std::size_t covered(const Box& box) const;
 
   Box area_;
   std::vector<Box> taken_;
+  std::vector<Point> avoided_;
 };
 
 }  // namespace skein::report

@@ -105,6 +105,14 @@ TEST(TellLinks, APairWithoutRadioIsLeftOutWhereTheTruthIsTold) {
   EXPECT_EQ(tell_links(j, 10)[0].second, "b");
 }
 
+TEST(TellLinks, ANodesLinkToItselfIsNone) {
+  Journal j;
+  j.links = {{stamp(0), "a", "a", true}};
+  j.reaches = {{stamp(0, "b"), "b", true}};
+
+  EXPECT_TRUE(tell_links(j, 10).empty());
+}
+
 TEST(TellLinks, RepeatedStatesChangeNothing) {
   Journal j;
   j.links = {{stamp(0), "a", "b", false},

@@ -113,6 +113,25 @@ TEST(LabelPlacer, StaysInsideTheAreaAndOffWhatIsBlocked) {
   EXPECT_TRUE(placer.place({50, 80}, 1, "x", 8));
 }
 
+TEST(LabelPlacer, KeepsOffWhatIsToBeAvoidedWhereItCan) {
+  LabelPlacer placer({0, 0, 200, 200});
+  placer.avoid({115, 100});
+
+  const auto placed = placer.place({100, 100}, 4, "name", 10);
+
+  ASSERT_TRUE(placed);
+  EXPECT_STREQ(placed->anchor, "end");
+}
+
+TEST(LabelPlacer, TakesTheLeastBadSideWhenAllAreToBeAvoided) {
+  LabelPlacer placer({0, 0, 200, 200});
+  for (int x = 0; x < 200; x += 2) {
+    for (int y = 0; y < 200; y += 2) placer.avoid({x + 0.5, y + 0.5});
+  }
+
+  EXPECT_TRUE(placer.place({100, 100}, 4, "name", 10));
+}
+
 TEST(LabelPlacer, PrefersTheRightSide) {
   LabelPlacer placer({0, 0, 200, 200});
 

@@ -29,7 +29,7 @@ class GroundNode final : public node::Node {
   using Input = ground_station::GroundControl::Input;
 
   std::optional<Input> input_of(const node::Input& input);
-  std::optional<Input> input_of(const node::Received& received) const;
+  std::optional<Input> input_from(const node::Received& received) const;
   bool is_uav(node::NodeNumber number) const;
   std::string why_not(const node::Received& received) const;
   void drop(const node::Received& received, const std::string& why);

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/assembly/assembly.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace skein::assembly {
+namespace {
+
+using ::testing::HasSubstr;
+
+scenario::Scenario comets() {
+  auto scenario =
+      scenario::read_scenario(std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/confirmed.yaml");
+  if (!scenario) ADD_FAILURE() << to_text(scenario.error());
+  return scenario ? *scenario : scenario::Scenario();
+}
+
+MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
+
+TEST(Assembly, TheRosterHasEveryUavInTheOrderOfTheScenario) {
+  const node::Roster roster = roster_of(comets());
+
+  ASSERT_EQ(roster.members().size(), 6U);
+  EXPECT_EQ(roster.members()[3].name, "marvin");
+  EXPECT_EQ(roster.members()[4].name, "heliv");
+  EXPECT_EQ(roster.members()[5].name, "karma");
+}
+
+TEST(Assembly, EveryNameOfTheRosterButTheRunnersMakesANodeThatStarts) {
+  const scenario::Scenario scenario = comets();
+  const node::Roster roster = roster_of(scenario);
+
+  for (const node::Member& member : roster.members()) {
+    if (member.role == wire::Role::kRunner) continue;
+    SCOPED_TRACE(member.name);
+    const auto node = make_node(scenario, member.name);
+    ASSERT_NE(node, nullptr);
+    EXPECT_NO_FATAL_FAILURE((void)node->handle(node::Started{1}, MissionTime()));
+  }
+}
+
+TEST(Assembly, ADecisionNodeHasTheDegreeAndThePolicyOfItsUav) {
+  scenario::Scenario scenario = comets();
+  scenario.uavs[2].degree = 2;
+  const auto node = make_node(scenario, "karma");
+
+  const node::Effects effects = node->handle(node::Started{1}, MissionTime());
+
+  const auto* send = std::get_if<node::Send>(&effects.at(0));
+  ASSERT_NE(send, nullptr);
+  const auto* degree = std::get_if<wire::AutonomyDegree>(&send->sample);
+  ASSERT_NE(degree, nullptr);
+  EXPECT_EQ(degree->uav, "karma");
+  EXPECT_EQ(degree->degree, 2);
+  EXPECT_EQ(degree->contact_policy, "return");
+}
+
+TEST(Assembly, AWayHomeEndsAboveTheStart) {
+  const scenario::Scenario scenario = comets();
+  const node::Roster roster = roster_of(scenario);
+  const auto karma = make_node(scenario, "karma");
+  (void)karma->handle(node::Reachability{roster.ground(), true, false}, at(1));
+  wire::Telemetry flying;
+  flying.airborne = true;
+  (void)karma->handle(node::Received{roster.sim(), flying}, at(2));
+  (void)karma->handle(node::Reachability{roster.ground(), false, false}, at(3));
+
+  const node::Effects effects = karma->handle(node::Wakeup{}, at(123));
+
+  std::vector<double> way;
+  for (const node::Effect& effect : effects) {
+    const auto* send = std::get_if<node::Send>(&effect);
+    const auto* request =
+        send == nullptr ? nullptr : std::get_if<wire::FunctionalRequest>(&send->sample);
+    if (request != nullptr && request->type == "goto") way = request->parameters.at(0).numbers;
+  }
+  ASSERT_EQ(way.size(), 3U);
+  EXPECT_EQ(way[0], 0);
+  EXPECT_EQ(way[1], -90);
+  EXPECT_GE(way[2], 40);
+}
+
+TEST(Assembly, TheScenariosOfTheRepositoryHaveNothingWrong) {
+  EXPECT_TRUE(check_assembly(comets()).empty());
+}
+
+TEST(Assembly, WhatTheReaderCannotSeeIsToldAllAtOnce) {
+  scenario::Scenario scenario = comets();
+  scenario.uavs[0].start = {5000, 0};
+  scenario.uavs[1].start = {0, 9000};
+
+  const Diagnostics diagnostics = check_assembly(scenario);
+
+  ASSERT_EQ(diagnostics.size(), 2U);
+  EXPECT_THAT(to_text(diagnostics), HasSubstr("marvin"));
+  EXPECT_THAT(to_text(diagnostics), HasSubstr("heliv"));
+  EXPECT_THAT(to_text(diagnostics), HasSubstr("confirmed.yaml"));
+}
+
+TEST(Assembly, TheVirtualRunHasTheSeedAndTheLimitOfTheScenario) {
+  scenario::Scenario scenario = comets();
+  scenario.seed = 42;
+
+  const node::VirtualConfig config = virtual_config(scenario);
+
+  EXPECT_EQ(config.seed, 42U);
+  EXPECT_EQ(config.time_limit, at(2100));
+  EXPECT_TRUE(config.crashes.empty());
+}
+
+TEST(Assembly, KillsBecomeCrashesWithTheInstantOfTheRestart) {
+  scenario::Scenario scenario = comets();
+  scenario.faults.kills = {{at(500), "heliv", Duration::seconds(10)}, {at(600), "karma", {}}};
+
+  const node::VirtualConfig config = virtual_config(scenario);
+
+  ASSERT_EQ(config.crashes.size(), 2U);
+  EXPECT_EQ(config.crashes[0].node, "heliv");
+  EXPECT_EQ(config.crashes[0].at, at(500));
+  EXPECT_EQ(config.crashes[0].restart, at(510));
+  EXPECT_EQ(config.crashes[1].node, "karma");
+  EXPECT_EQ(config.crashes[1].restart, std::nullopt);
+}
+
+TEST(Assembly, FaultsOnBoardReachTheSimulatorInOrderOfTime) {
+  scenario::Scenario scenario = comets();
+  scenario.faults.breaks = {{at(9), "karma", ""}, {at(4), "heliv", "visible"}};
+  const auto sim = make_node(scenario, "sim");
+
+  const node::Effects effects = sim->handle(node::Wakeup{}, at(10));
+
+  std::vector<std::string> faults;
+  for (const node::Effect& effect : effects) {
+    const auto* log = std::get_if<node::Log>(&effect);
+    if (log == nullptr || log->record.kind() != "fault") continue;
+    faults.push_back(std::string(log->record.text("what")) + " of " +
+                     std::string(log->record.text("target")));
+  }
+  EXPECT_THAT(faults, ::testing::ElementsAre("sensor visible of heliv", "engine of karma"));
+}
+
+TEST(AssemblyDeathTest, ANameThatIsNotOfTheScenarioIsABrokenContract) {
+  const scenario::Scenario scenario = comets();
+
+  EXPECT_DEATH((void)make_node(scenario, "nobody"), "precondition");
+}
+
+}  // namespace
+}  // namespace skein::assembly

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+// Daemons over real DDS, each in its own process, and a reader as the runner is one.
+#include "skein/node/daemon.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "skein/blackboard/domain_lease.hpp"
+#include "skein/blackboard/fastdds_transport.hpp"
+#include "skein/node/waker.hpp"
+
+extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to us
+
+namespace skein::node {
+namespace {
+
+// Far longer than anything here takes: a test that gets there has failed.
+constexpr Duration kDeadline = Duration::milliseconds(60'000);
+
+// Three daemons in a DDS domain of their own, and what a reader on the world channel sees of them.
+class Daemons : public ::testing::Test {
+ protected:
+  Daemons() {
+    std::filesystem::create_directories(folder_);
+    transport_.on_arrival([this] { waker_.notify(); });
+    blackboard::Config config;
+    config.self = roster_.runner();
+    config.channels = roster_.channels_of(*roster_.find("runner"));
+    config.world_reads = Roster::world_reads_of(wire::Role::kRunner);
+    auto opened = blackboard::Blackboard::open(std::move(config), transport_);
+    EXPECT_TRUE(opened.has_value());
+    board_.emplace(std::move(*opened));
+  }
+  ~Daemons() override {
+    for (const auto& [name, process] : running_) {
+      kill(process, SIGKILL);
+      waitpid(process, nullptr, 0);
+    }
+    std::filesystem::remove_all(folder_);
+  }
+
+  void start(const std::string& name, const std::string& finish = "0") {
+    const std::string program = SKEIN_BINARY_DIR "/bin/skein_node_test_daemon";
+    std::vector<std::string> words{program, std::to_string(lease_.value().domain()), name, finish,
+                                   file_of(name)};
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    pid_t process = 0;
+    ASSERT_EQ(posix_spawn(&process, program.c_str(), nullptr, nullptr, arguments.data(), environ),
+              0);
+    running_[name] = process;
+  }
+  void start_all(const std::string& finish = "0") {
+    for (const char* name : {"sim", "ground", "a"}) start(name, finish);
+  }
+  void stop(const std::string& name) { kill(running_.at(name), SIGTERM); }
+
+  // Reads until the condition holds; false if it does not within the deadline.
+  bool until(const std::function<bool()>& condition) {
+    const Duration deadline = Waker::steady_now() + kDeadline;
+    while (!condition()) {
+      if (Waker::steady_now() > deadline) return false;
+      waker_.wait(Duration::milliseconds(100));
+      for (auto& incoming : board_->step({MissionTime(), Waker::steady_now()})) {
+        if (auto* received = std::get_if<blackboard::Received>(&incoming)) see(received->sample);
+      }
+      collect_ends();
+    }
+    return true;
+  }
+  bool until_ended(const std::string& name) {
+    return until([&] { return ends_.count(name) > 0; });
+  }
+  bool until_all_ended() {
+    return until([&] { return running_.empty(); });
+  }
+
+  // The records of a daemon by its own account, and what the reader got of them.
+  std::vector<std::string> written(const std::string& name) const {
+    std::vector<std::string> lines;
+    std::ifstream in(file_of(name));
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+  }
+  std::vector<std::string> read(const std::string& name) const {
+    const auto found = records_.find(roster_.find(name)->number);
+    return found == records_.end() ? std::vector<std::string>() : found->second;
+  }
+  std::size_t ticks_read(const std::string& name) const {
+    const auto lines = read(name);
+    return static_cast<std::size_t>(std::count_if(
+        lines.begin(), lines.end(),
+        [](const std::string& line) { return line.find("\"tick\"") != std::string::npos; }));
+  }
+
+  std::map<std::string, int> ends_;  // exit codes; signals count negative
+  std::vector<wire::Clock> clocks_;
+  std::map<std::string, wire::DirectoryEntry> directory_;
+
+ private:
+  std::string file_of(const std::string& name) const {
+    return (folder_ / (name + ".jsonl")).string();
+  }
+
+  void see(const wire::Sample& sample) {
+    if (const auto* clock = std::get_if<wire::Clock>(&sample)) clocks_.push_back(*clock);
+    if (const auto* entry = std::get_if<wire::DirectoryEntry>(&sample)) {
+      directory_[entry->name] = *entry;
+    }
+    if (const auto* entry = std::get_if<wire::JournalEntry>(&sample)) {
+      records_[NodeNumber(entry->header.origin)].push_back(entry->record);
+    }
+  }
+  void collect_ends() {
+    std::erase_if(running_, [this](const auto& one) {
+      int status = 0;
+      if (waitpid(one.second, &status, WNOHANG) != one.second) return false;
+      ends_[one.first] = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+      return true;
+    });
+  }
+
+  const Roster roster_{{"a"}};
+  Result<blackboard::DomainLease, Failure> lease_ = blackboard::claim_domain();
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("skein-daemon-test-" + std::to_string(getpid()));
+  Waker waker_;
+  blackboard::FastDdsTransport transport_{
+      {lease_.value().domain(), "runner", {"127.0.0.1"}, nullptr}};
+  std::optional<blackboard::Blackboard> board_;
+  std::map<std::string, pid_t> running_;
+  std::map<NodeNumber, std::vector<std::string>> records_;
+};
+
+TEST_F(Daemons, TheClockStartsOnceEverybodyIsReady) {
+  start("sim");
+  start("ground");
+  ASSERT_TRUE(until([&] { return clocks_.size() >= 5; }));
+  for (const wire::Clock& clock : clocks_) EXPECT_EQ(clock.phase, wire::ClockPhase::kHolding);
+
+  start("a");
+
+  ASSERT_TRUE(until([&] { return clocks_.back().phase == wire::ClockPhase::kRunning; }));
+  ASSERT_TRUE(until([&] { return directory_.count("a") > 0; }));
+  EXPECT_TRUE(directory_.at("a").ready);
+  EXPECT_EQ(directory_.at("sim").role, wire::Role::kSim);
+  EXPECT_EQ(clocks_.back().rate, 10);
+}
+
+TEST_F(Daemons, MissionTimeAdvancesAtTheFollowersInStepWithTheLeaders) {
+  start_all();
+
+  ASSERT_TRUE(until([&] { return ticks_read("a") >= 250; }));
+
+  // The n-th burst is written when mission second n has come there.
+  std::size_t ticks = 0;
+  for (const std::string& line : read("a")) {
+    const auto record = journal::parse_record(line);
+    ASSERT_TRUE(record.has_value()) << line;
+    if (record->text("what") != "tick") continue;
+    const double second = static_cast<double>(ticks++ / 50 + 1);
+    EXPECT_GE(record->at().to_seconds(), second) << line;
+  }
+}
+
+TEST_F(Daemons, JobsComeBackWhileTheLoopGoesOn) {
+  start_all();
+
+  EXPECT_TRUE(until([&] {
+    const auto lines = read("ground");
+    return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+      return line.find("\"job\"") != std::string::npos;
+    });
+  }));
+}
+
+TEST_F(Daemons, TheEndOfTheMissionEndsThemAll) {
+  start_all("3");
+
+  ASSERT_TRUE(until_all_ended());
+
+  EXPECT_EQ(ends_, (std::map<std::string, int>{{"a", 0}, {"ground", 0}, {"sim", 0}}));
+  EXPECT_EQ(clocks_.back().phase, wire::ClockPhase::kFinished);
+  EXPECT_GE(clocks_.back().time, MissionTime::seconds(5).count());  // two seconds after the end
+}
+
+TEST_F(Daemons, EveryRecordArrivesInOrderUpToTheLast) {
+  start_all("4");
+
+  ASSERT_TRUE(until_all_ended());
+
+  for (const char* name : {"ground", "sim", "a"}) {
+    ASSERT_GE(written(name).size(), 200U) << name;
+    EXPECT_TRUE(until([&] { return read(name).size() >= written(name).size(); })) << name;
+    EXPECT_EQ(read(name), written(name)) << name;
+  }
+}
+
+TEST_F(Daemons, ASignalStopsOneAndItsLastRecordsArrive) {
+  start_all();
+  ASSERT_TRUE(until([&] { return ticks_read("a") >= 50; }));
+
+  stop("a");
+
+  ASSERT_TRUE(until_ended("a"));
+  EXPECT_EQ(ends_.at("a"), 10);
+  EXPECT_EQ(ends_.size(), 1U);  // the others go on
+  EXPECT_TRUE(until([&] { return read("a").size() >= written("a").size(); }));
+  EXPECT_EQ(read("a"), written("a"));
+}
+
+TEST_F(Daemons, ASignalStopsTheLeader) {
+  start_all();
+  ASSERT_TRUE(until([&] { return !clocks_.empty(); }));
+
+  stop("sim");
+
+  ASSERT_TRUE(until_ended("sim"));
+  EXPECT_EQ(ends_.at("sim"), 10);
+}
+
+TEST_F(Daemons, AReaderThatDiedDoesNotHoldAnyoneUp) {
+  start_all();
+  ASSERT_TRUE(until([&] { return ticks_read("a") >= 50; }));
+  const Duration before = Waker::steady_now();
+
+  stop("sim");
+  stop("ground");
+  stop("a");
+
+  ASSERT_TRUE(until_all_ended());
+  EXPECT_LT(Waker::steady_now() - before, Duration::seconds(20));
+}
+
+TEST(RunDaemon, AnInterfaceThatDoesNotExistIsAFailure) {
+  class Idle final : public Node {
+    Effects handle(const Input&, MissionTime) override { return {}; }
+    std::optional<MissionTime> next_wakeup() const override { return std::nullopt; }
+  };
+  const auto lease = blackboard::claim_domain();
+  const Roster roster({"a"});
+  DaemonConfig config;
+  config.domain = lease.value().domain();
+  config.interfaces = {"192.0.2.77"};
+
+  const auto end = run_daemon(roster, *roster.find("a"), std::make_unique<Idle>(), config);
+
+  ASSERT_FALSE(end.has_value());
+  EXPECT_NE(end.error().why, "");
+}
+
+}  // namespace
+}  // namespace skein::node

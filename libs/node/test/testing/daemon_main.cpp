@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// A small daemon for the tests of run_daemon: skein_node_test_daemon DOMAIN NAME FINISH FILE
+// System of ground, sim and UAV "a"; sim leads the clock at rate 10. Every mission second the node
+// writes 50 records; at mission second FINISH (0: never) the ground ends the mission.
+// FILE: where every record of this daemon goes, one line each. Exit: 0 finished, 10 stopped, 3
+// failure.
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "skein/node/daemon.hpp"
+#include "testing/fake_node.hpp"
+
+namespace {
+
+using skein::MissionTime;
+using namespace skein::node;  // NOLINT(google-build-using-namespace): a test program of one file
+
+constexpr int kBurst = 50;
+
+class Talker final : public Node {
+ public:
+  Talker(std::string name, MissionTime finish) : name_(std::move(name)), finish_(finish) {}
+
+  Effects handle(const Input& input, MissionTime now) override {
+    if (const auto* done = std::get_if<JobDone>(&input)) return {note("job", done->id, now)};
+    if (!std::holds_alternative<Wakeup>(input)) return {};
+    next_ = next_ + skein::Duration::seconds(1);
+    Effects effects;
+    for (int i = 0; i < kBurst; ++i) effects.push_back(note("tick", ++count_, now));
+    effects.push_back(StartJob{count_, [] { return std::any(); }});
+    if (name_ == "ground" && finish_ > MissionTime() && now >= finish_) {
+      skein::wire::MissionState state;
+      state.finished = true;
+      effects.push_back(Publish{state});
+      effects.push_back(Finish{});
+    }
+    return effects;
+  }
+  std::optional<MissionTime> next_wakeup() const override { return next_; }
+
+ private:
+  Effect note(const char* what, std::uint64_t number, MissionTime now) const {
+    return Log{skein::journal::Record(now, name_, "note")
+                   .with("what", what)
+                   .with("number", number)
+                   .with("padding", std::string(200, '.'))};
+  }
+
+  std::string name_;
+  MissionTime finish_;
+  MissionTime next_ = MissionTime::seconds(1);
+  std::uint64_t count_ = 0;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 5) return 2;
+  const std::string name = argv[2];
+  std::ofstream file(argv[4]);
+  const Roster roster({"a"});
+  DaemonConfig config;
+  config.domain = static_cast<std::uint32_t>(std::strtoul(argv[1], nullptr, 10));
+  config.rate = 10;
+  config.leads_clock = name == "sim";
+  if (config.leads_clock) config.awaited = {"ground", "sim", "a"};
+  config.time_limit = MissionTime::seconds(60);
+  config.on_record = [&](const skein::journal::Record& record) {
+    file << to_json(record) << "\n" << std::flush;
+  };
+  const MissionTime finish = MissionTime::seconds(std::strtod(argv[3], nullptr));
+  const auto end =
+      run_daemon(roster, *roster.find(name), std::make_unique<Talker>(name, finish), config);
+  if (!end) std::fprintf(stderr, "%s: %s\n", name.c_str(), end.error().why.c_str());
+  if (!end) return 3;
+  return *end == DaemonEnd::kFinished ? 0 : 10;
+}

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the documents say is what the code does: exit codes, event log, packages, links, last lines."""
+import pathlib
+import re
+import sys
+
+from sources import Architecture, code_files, finish, is_test, without_comments
+
+# A record's kind is the last word of what makes one; its fields are what follows in the statement.
+RECORD = re.compile(r'\b(?:record|Record|emplace_back)\(((?:[^()";]|\([^()]*\)|"[^"]*"(?=\s*,))*)"([a-z-]+)"'
+                    r'(?:\s*,\s*now)?\s*\)')
+FIELD = re.compile(r'\.with\(\s*"([a-z_]+)"')
+KIND_ROW = re.compile(r"^\| `([a-z-]+)` \|([^|]*)\|([^|]*)\|", re.M)
+
+
+def exit_codes_of(header):
+    """{number: constant} of exit_code.hpp."""
+    return {int(number): name for name, number in
+            re.findall(r"inline constexpr int (\w+)\s*=\s*(\d+)", header)}
+
+
+def exit_code_problems(source):
+    codes = exit_codes_of((source / "libs/foundation/include/skein/foundation/exit_code.hpp").read_text())
+    page = (source / "docs/exit-codes.md").read_text()
+    rows = {int(number): name for number, name in re.findall(r"^\| (\d+) \| `(\w+)` \|", page, re.M)}
+    for number in sorted(codes.keys() | rows.keys()):
+        if codes.get(number) != rows.get(number):
+            yield (f"docs/exit-codes.md: {number} is {rows.get(number, 'absent')} there, "
+                   f"{codes.get(number, 'absent')} in exit_code.hpp")
+
+
+def records_of(text):
+    """(kind, fields) of each record that a source file makes."""
+    code = without_comments(text, keep_strings=True)
+    for match in RECORD.finditer(code):
+        if match.group(0).startswith("emplace_back") and '"runner"' not in match.group(1):
+            continue
+        # `journal::Record line = record("task")…; if (…) line.with(…); log(line);` is one record too.
+        named = re.search(r"\bRecord line =\s*$", code[:match.start()])
+        end = code.find("log(line)" if named else ";", match.end())
+        yield match.group(2), set(FIELD.findall(code[match.end():end]))
+
+
+def documented_kinds(page):
+    """{kind: fields} of docs/journal.md."""
+    return {kind: set(re.findall(r"`([a-z_]+)`", fields)) for kind, _, fields in KIND_ROW.findall(page)}
+
+
+def written_kinds(source):
+    """{kind: fields} of everything that writes to the event log."""
+    written = {}
+    for relative in code_files(source):
+        if is_test(relative) or relative.startswith(("libs/report/", "libs/journal/", "libs/scenario/")):
+            continue
+        for kind, fields in records_of((source / relative).read_text()):
+            written.setdefault(kind, set()).update(fields)
+    return written
+
+
+def journal_problems(source):
+    documented = documented_kinds((source / "docs/journal.md").read_text())
+    written = written_kinds(source)
+    for kind in sorted(written.keys() - documented.keys()):
+        yield f"docs/journal.md: records of kind '{kind}' are written and not described"
+    for kind in sorted(documented.keys() - written.keys()):
+        yield f"docs/journal.md: describes '{kind}', which nobody writes"
+    for kind in sorted(written.keys() & documented.keys()):
+        for field in sorted(written[kind] - documented[kind]):
+            yield f"docs/journal.md: '{kind}' has a field '{field}' that is not described"
+    reader = (source / "libs/scenario/src/read_expectations.cpp").read_text()
+    known = set(re.findall(r'"([a-z-]+)"', re.search(r"kKinds\{(.*?)\};", reader, re.S).group(1)))
+    for kind in sorted(known - documented.keys()):
+        yield f"libs/scenario/src/read_expectations.cpp: knows the kind '{kind}', docs/journal.md does not"
+    for kind in sorted(documented.keys() - known - {"expectation"}):
+        yield f"libs/scenario/src/read_expectations.cpp: does not know the kind '{kind}' of docs/journal.md"
+
+
+def packages_of(text):
+    return [line.strip() for line in re.sub(r"#.*", "", text).splitlines() if line.strip()]
+
+
+def package_problems(source):
+    described = set(re.findall(r"^\| `([a-z0-9.+-]+)` \|", (source / "docs/dependencies.md").read_text(), re.M))
+    listed = set()
+    for path in sorted((source / "scripts").glob("packages*.txt")):
+        listed |= set(packages_of(path.read_text()))
+    for package in sorted(listed - described):
+        yield f"docs/dependencies.md: no reason for the package {package}"
+    for package in sorted(described - listed):
+        yield f"docs/dependencies.md: {package} is in no scripts/packages*.txt"
+
+
+def documents(source):
+    found = [*source.glob("*.md"), *source.glob("docs/**/*.md"), *source.glob("docker/*.md")]
+    for root in ("libs", "sim", "daemons", "cli", "idl", "tests"):
+        found += source.glob(f"{root}/**/*.md")
+    return sorted(found)
+
+
+def link_problems(source):
+    """Every relative link and image leads somewhere; every decision and page of docs/ is linked from README.md."""
+    for path in documents(source):
+        text = re.sub(r"```.*?```", "", path.read_text(), flags=re.S)
+        for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text):
+            if not re.match(r"[a-z]+:", target) and not (path.parent / target).exists():
+                yield f"{path.relative_to(source)}: the link {target} leads nowhere"
+    readme = (source / "README.md").read_text()
+    for path in sorted(source.glob("docs/*.md")):
+        if f"docs/{path.name}" not in readme:
+            yield f"README.md: does not mention docs/{path.name}"
+
+
+def last_line_problems(source):
+    """The last lines that README.md promises are the ones the scripts print."""
+    readme = (source / "README.md").read_text()
+    expectations = len(re.findall(r"^  - \{name:", (source / "scenarios/comets/confirmed.yaml").read_text(), re.M))
+    promised = f"{expectations} of {expectations} expectations met; report: out/comets-confirmed/report.html"
+    if promised not in readme:
+        yield f"README.md: the last line of ./demo is '{promised}'"
+    passed = re.search(r'echo "(skein: all [^"]*)"', (source / "check").read_text())
+    if not passed or passed.group(1) not in readme:
+        yield "README.md: the last line of ./check is not the one it prints"
+
+
+def header_problems(source):
+    for relative in code_files(source, ("libs", "sim", "daemons", "cli", "tests", "idl", "cmake"),
+                               (".hpp", ".cpp", ".idl", ".py")):
+        first = (source / relative).read_text().split("\n", 1)[0]
+        if first not in ("// SPDX-License-Identifier: Apache-2.0", "# SPDX-License-Identifier: Apache-2.0"):
+            yield f"{relative}: the first line is not the licence"
+
+
+CHECKS = (exit_code_problems, journal_problems, package_problems, link_problems, last_line_problems, header_problems)
+
+
+def main():
+    source = pathlib.Path(Architecture(sys.argv[1]).source)
+    problems = []
+    for check in CHECKS:
+        try:
+            problems += check(source)
+        except (FileNotFoundError, AttributeError) as error:
+            problems.append(f"{check.__name__}: {error}")
+    finish(problems, f"{len(documents(source))} documents say what the code does")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The checks find what they are for, and nothing in code that is right."""
+import json
+import pathlib
+import sys
+import tempfile
+import unittest
+
+import check_budgets
+import check_documents
+import check_includes
+import sources
+
+
+def architecture(**libraries):
+    """libraries: name=[depends]; all live in libs/<name> of a source tree that does not exist."""
+    entries = [{"name": name, "directory": f"libs/{name}", "depends": depends} for name, depends in libraries.items()]
+    with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+        json.dump({"source": "/nowhere", "build_type": "Release", "compiler": "c++", "werror": "ON",
+                   "libraries": entries}, file)
+        file.flush()
+        return sources.Architecture(file.name)
+
+
+class Comments(unittest.TestCase):
+    def test_comments_and_literals_are_blanked_and_lines_stay(self):
+        text = 'int a; // std::thread\n/* x\n y */ int b = 1\'000; const char* c = "{ // }"; char d = \'{\';\nR"(a " {)";'
+        code = sources.without_comments(text)
+        self.assertEqual(text.count("\n"), code.count("\n"))
+        for gone in ("thread", "{", "}"):
+            self.assertNotIn(gone, code)
+        self.assertIn("1000", code)
+
+
+class Includes(unittest.TestCase):
+    def setUp(self):
+        self.architecture = architecture(foundation=[], world=["foundation"], executive=["foundation"])
+
+    def problems(self, relative, text):
+        return list(check_includes.include_problems(relative, text, self.architecture.owner(relative), self.architecture))
+
+    def test_a_declared_dependency_may_be_included(self):
+        self.assertEqual([], self.problems("libs/world/src/a.cpp", '#include "skein/foundation/time.hpp"\n'))
+
+    def test_an_undeclared_one_may_not(self):
+        self.assertIn("does not declare", self.problems("libs/executive/src/a.cpp", '#include "skein/world/wind.hpp"\n')[0])
+
+    def test_a_commented_include_is_none(self):
+        self.assertEqual([], self.problems("libs/executive/src/a.cpp", '// #include "skein/world/wind.hpp"\n'))
+
+    def test_dds_headers_stay_in_the_adapters(self):
+        dds = "#include <fastdds/dds/domain/DomainParticipant.hpp>\n"
+        self.assertIn("adapters", self.problems("libs/world/src/a.cpp", dds)[0])
+        self.assertEqual([], self.problems("libs/blackboard/adapters/fastdds/a.cpp", dds))
+
+    def test_layers_hold_against_declarations(self):
+        layers = check_includes.read_layers("foundation pure\nworld pure foundation\nexecutive pure\n")
+        problems = list(check_includes.layer_problems(self.architecture, layers))
+        self.assertEqual(1, len(problems))
+        self.assertIn("executive must not depend on foundation", problems[0])
+
+    def test_a_library_without_a_layer_is_a_problem(self):
+        layers = check_includes.read_layers("foundation pure\nworld pure foundation\n")
+        self.assertIn("no line", list(check_includes.layer_problems(self.architecture, layers))[0])
+
+    def test_pure_code_has_no_clock_thread_file_or_chance(self):
+        for text in ("auto t = std::chrono::steady_clock::now();", "#include <thread>\n", "std::ofstream out;",
+                     "std::mt19937 r;", "if (getenv(name)) {}", "std::cout << 1;", "int x = rand();"):
+            self.assertTrue(list(check_includes.purity_problems("libs/world/src/a.cpp", text, "pure")), text)
+
+    def test_words_that_only_look_like_it_are_fine(self):
+        text = 'int operand(int time); // the wall clock\nauto s = "std::thread"; std::string brand(5, 0);'
+        self.assertEqual([], list(check_includes.purity_problems("libs/world/src/a.cpp", text, "pure")))
+
+    def test_code_that_reads_files_still_has_no_clock(self):
+        self.assertEqual([], list(check_includes.purity_problems("a.cpp", "#include <fstream>\n", "files")))
+        self.assertTrue(list(check_includes.purity_problems("a.cpp", "std::chrono::system_clock::now()", "files")))
+
+    def test_the_layers_file_is_sound(self):
+        layers = check_includes.read_layers(check_includes.LAYERS.read_text())
+        for name in ("executive", "temporal", "htn"):
+            self.assertEqual({"foundation"}, layers[name][1])
+        done = set()
+        for name, (_, allowed) in layers.items():  # each line names only lines above it or below: no circle
+            self.assertNotIn(name, allowed)
+        while len(done) < len(layers):
+            ready = {name for name, (_, allowed) in layers.items() if allowed <= done} - done
+            self.assertTrue(ready, f"a circle among {set(layers) - done}")
+            done |= ready
+
+
+class Budgets(unittest.TestCase):
+    def names(self, text):
+        return [(one.name, one.lines, one.parameters) for one in check_budgets.functions_of(text)]
+
+    def test_functions_methods_and_constructors_are_found_with_their_lengths(self):
+        text = """
+namespace a { struct B : C {
+  B(int x, std::map<int, int> y) : x_{x}, y_(y) {
+    f();
+  }
+  bool operator==(const B&) const = default;
+  B& operator=(B&& o) noexcept {
+    return *this;
+  }
+  int x_{}; };
+enum class E { kA, kB };
+const std::vector<int> kList = {1, 2};
+auto D::get(int a,
+            int b) const -> std::optional<int> {
+  if (a) { return {}; }
+  for (;;) {}
+  auto l = [&](int q) { return q; };
+}
+template <class T> requires std::same_as<T, int> void g(T) { }
+} """
+        self.assertEqual([("B", 3, 2), ("operator=", 3, 1), ("D::get", 6, 2), ("g", 1, 1)], self.names(text))
+
+    def test_a_function_try_block_counts_as_one(self):
+        self.assertEqual([("f", 4, 0)], self.names("int f() try {\n  g();\n} catch (...) {\n}\n"))
+
+    def test_a_long_function_a_long_file_and_many_parameters_are_problems(self):
+        long = "void f() {\n" + "  g();\n" * 60 + "}\n"
+        self.assertIn("has 62 lines", list(check_budgets.problems_of("a.cpp", long))[0])
+        self.assertIn("501 lines", list(check_budgets.problems_of("a.cpp", "\n" * 501))[0])
+        self.assertIn("61 lines", list(check_budgets.problems_of("x/main.cpp", "\n" * 61))[0])
+        self.assertIn("7 parameters", list(check_budgets.problems_of("a.cpp", "void f(int,int,int,int,int,int,int) {}"))[0])
+        self.assertEqual([], list(check_budgets.problems_of("a.cpp", "void f() {\n" + "  g();\n" * 58 + "}\n")))
+
+
+class Documents(unittest.TestCase):
+    def test_records_are_found_with_their_fields(self):
+        text = ('log(record("degree").with("uav", u).with("degree", d));'
+                'ports_.journal(record("reach", now).with("peer", p));'
+                'journal::Record(now().mission, self_.name, "mission").with("state", s);'
+                'records.emplace_back(at, "runner", "expectation").with("name", n);'
+                'journal::Record line = record("task").with("uav", u); if (r) line.with("reason", r); log(line);'
+                'v.emplace_back(at, "other");')
+        self.assertEqual([("degree", {"uav", "degree"}), ("reach", {"peer"}), ("mission", {"state"}),
+                          ("expectation", {"name"}), ("task", {"uav", "reason"})], list(check_documents.records_of(text)))
+
+    def test_rows_of_the_journal_page_are_read(self):
+        page = "| `task` | ddn | `uav`, `task` [id] | a task |\n"
+        self.assertEqual({"task": {"uav", "task"}}, check_documents.documented_kinds(page))
+
+    def test_exit_codes_are_read(self):
+        self.assertEqual({0: "kExitOk", 1: "kExitNegative"}, check_documents.exit_codes_of(
+            "inline constexpr int kExitOk = 0;  ///< x\ninline constexpr int kExitNegative =\n    1;\n"))
+
+    def test_comments_in_package_lists_are_no_packages(self):
+        self.assertEqual(["a", "b"], check_documents.packages_of("# x\na  # y\n\nb\n"))
+
+
+if __name__ == "__main__":
+    sys.path.insert(0, str(pathlib.Path(__file__).parent))
+    unittest.main(argv=[sys.argv[0]])

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testing/mission.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "skein/assembly/assembly.hpp"
+
+namespace skein::testing {
+
+namespace {
+
+[[noreturn]] void give_up(const Diagnostics& diagnostics) {
+  std::fputs(to_text(diagnostics).c_str(), stderr);
+  std::abort();
+}
+
+struct AsText {
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(std::int64_t value) const { return std::to_string(value); }
+  std::string operator()(double value) const { return std::to_string(value); }
+  std::string operator()(const std::string& value) const { return value; }
+  std::string operator()(const std::vector<double>&) const { return "[]"; }
+};
+
+bool has(const journal::Record& record, const std::string& key, const std::string& value) {
+  if (key == "kind") return record.kind() == value;
+  if (key == "node") return record.node() == value;
+  const journal::Value* field = record.find(key);
+  return field != nullptr && std::visit(AsText{}, *field) == value;
+}
+
+}  // namespace
+
+std::string Mission::log() const {
+  std::string text;
+  for (const journal::Record& record : records) text += journal::to_json(record) + "\n";
+  return text;
+}
+
+std::string Mission::failures() const {
+  std::string text;
+  for (const scenario::Verdict& verdict : verdicts) {
+    if (!verdict.passed) text += verdict.name + ": " + verdict.seen + "\n";
+  }
+  return text;
+}
+
+std::vector<journal::Record> Mission::find(const Fields& fields) const {
+  std::vector<journal::Record> found;
+  for (const journal::Record& record : records) {
+    const bool all = std::all_of(fields.begin(), fields.end(), [&](const auto& field) {
+      return has(record, field.first, field.second);
+    });
+    if (all) found.push_back(record);
+  }
+  return found;
+}
+
+std::optional<double> Mission::first(const Fields& fields) const {
+  const auto found = find(fields);
+  if (found.empty()) return std::nullopt;
+  return found.front().at().to_seconds();
+}
+
+scenario::Scenario comets(const std::string& name, const assembly::Overrides& overrides) {
+  auto scenario = scenario::read_scenario(std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/" +
+                                          name + ".yaml");
+  if (!scenario) give_up(scenario.error());
+  const Diagnostics diagnostics = assembly::apply(overrides, *scenario);
+  if (!diagnostics.empty()) give_up(diagnostics);
+  return std::move(*scenario);
+}
+
+assembly::Overrides with(std::uint64_t seed, std::vector<std::string> degrees) {
+  assembly::Overrides overrides;
+  overrides.seed = seed;
+  overrides.degrees = std::move(degrees);
+  return overrides;
+}
+
+Mission play(const scenario::Scenario& scenario) {
+  Mission mission;
+  const auto outcome = node::run_virtual(
+      assembly::roster_of(scenario),
+      [&](const std::string& name) { return assembly::make_node(scenario, name); },
+      assembly::virtual_config(scenario),
+      [&](const journal::Record& record) { mission.records.push_back(record); });
+  mission.end = outcome.end;
+  std::stable_sort(mission.records.begin(), mission.records.end(),
+                   [](const auto& a, const auto& b) { return a.at() < b.at(); });
+  mission.verdicts = scenario::check(scenario.expectations, mission.records);
+  return mission;
+}
+
+}  // namespace skein::testing
