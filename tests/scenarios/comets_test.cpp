@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <ostream>
+
 #include "testing/journal_laws.hpp"
 #include "testing/mission.hpp"
 
@@ -13,6 +15,7 @@ struct Team {
   std::string name;
   std::vector<std::string> degrees;
 };
+void PrintTo(const Team& team, std::ostream* out) { *out << team.name; }
 
 const std::vector<Team>& teams() {
   static const std::vector<Team> kTeams{{"all_3", {"3"}},

@@ -45,8 +45,8 @@ Record link(double seconds, bool up) {
       .with("to", "marvin")
       .with("up", up);
 }
-Record kill(double seconds, const char* node) {
-  return Record(at(seconds), "runner", "fault").with("what", "kill").with("target", node);
+Record fault(double seconds, const char* what, const char* node) {
+  return Record(at(seconds), "runner", "fault").with("what", what).with("target", node);
 }
 
 TEST(JournalLaws, AnOrdinaryLifeBreaksNone) {
@@ -109,8 +109,8 @@ TEST(JournalLaws, ARestartedNodeMayUseItsNumbersAgain) {
 }
 
 TEST(JournalLaws, TheRestartOfAnotherNodeForgetsNothing) {
-  const Log log{task(1, "scheduled"), task(1, "started"), task(2, "ended"), kill(3, "heliv"),
-                task(4, "scheduled")};
+  const Log log{task(1, "scheduled"), task(1, "started"), task(2, "ended"),
+                fault(3, "kill", "heliv"), task(4, "scheduled")};
 
   EXPECT_THAT(broken_laws(log), ElementsAre(HasSubstr("from 'ended'")));
 }

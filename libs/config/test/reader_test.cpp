@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <functional>
+#include <limits>
 
 #include "skein/config/parse.hpp"
+#include "skein/foundation/random.hpp"
 
 namespace skein::config {
 namespace {
@@ -114,6 +117,116 @@ TEST(Reader, PathsNameListItems) {
                        }
                      }),
             "f:1:10: a[0].b: 'x'; expected a number\n");
+}
+
+TEST(Reader, EntriesKeepTheOrderWritten) {
+  std::string order;
+  const auto report = reported("{z: 1, a: 2, m: 3}", [&](const Reader& r) {
+    for (const auto& [key, value] : r.entries()) order += key + std::to_string(value.integer());
+  });
+
+  EXPECT_EQ(report, "");
+  EXPECT_EQ(order, "z1a2m3");
+}
+
+TEST(Reader, AnAbsentValueAnswersEveryQuestionInSilence) {
+  const auto report = reported("{a: 1}", [](const Reader& r) {
+    const Reader absent = r.optional("b").optional("c");
+    EXPECT_FALSE(absent.present());
+    EXPECT_EQ(absent.number(2.5), 2.5);
+    EXPECT_EQ(absent.integer(4), 4);
+    EXPECT_EQ(absent.natural(5), 5U);
+    EXPECT_TRUE(absent.boolean(true));
+    EXPECT_EQ(absent.text("t"), "t");
+    EXPECT_EQ(absent.choice({"x", "y"}, 1), 1U);
+    EXPECT_EQ(absent.name_among({"x"}, "a name"), "");
+    EXPECT_TRUE(absent.numbers(2).empty());
+    EXPECT_TRUE(absent.items().empty());
+    EXPECT_TRUE(absent.entries().empty());
+    EXPECT_FALSE(absent.keys({"x"}));
+  });
+
+  EXPECT_EQ(report, "");
+}
+
+TEST(Reader, AMissingKeyOfAMissingMapIsReportedOnce) {
+  EXPECT_EQ(
+      reported("{a: 1}", [](const Reader& r) { (void)r.required("b").required("c").number(); }),
+      "f:1:1: b: missing\n");
+}
+
+TEST(Reader, BooleansAreTrueAndFalseOnly) {
+  for (const char* text : {"yes", "no", "on", "True", "1", "~"}) {
+    bool value = true;
+    const auto report = reported(std::string("{x: ") + text + "}",
+                                 [&](const Reader& r) { value = r.optional("x").boolean(false); });
+    EXPECT_TRUE(!report.empty() || text == std::string("~")) << text;
+    EXPECT_FALSE(value) << text;
+  }
+}
+
+TEST(Reader, ARangeThatIsOpenOnOneSideSaysSo) {
+  EXPECT_EQ(
+      reported("{x: -1}",
+               [](const Reader& r) {
+                 (void)r.optional("x").number(0, {0, std::numeric_limits<double>::max(), "m"});
+               }),
+      "f:1:5: x: '-1'; expected a number of at least 0 m\n");
+  EXPECT_EQ(reported("{x: 9}", [](const Reader& r) { (void)r.optional("x").integer(0, 1, 5); }),
+            "f:1:5: x: '9'; expected a whole number from 1 to 5\n");
+}
+
+TEST(Reader, ExtremesOfWholeNumbersAreReadExactly) {
+  const auto report =
+      reported("{low: -9223372036854775808, high: 9223372036854775807, big: 18446744073709551615}",
+               [](const Reader& r) {
+                 EXPECT_EQ(r.optional("low").integer(), std::numeric_limits<std::int64_t>::min());
+                 EXPECT_EQ(r.optional("high").integer(), std::numeric_limits<std::int64_t>::max());
+                 EXPECT_EQ(r.optional("big").natural(), std::numeric_limits<std::uint64_t>::max());
+               });
+
+  EXPECT_EQ(report, "");
+  EXPECT_NE(reported("{x: 18446744073709551616}",
+                     [](const Reader& r) { (void)r.optional("x").natural(); }),
+            "");
+}
+
+// Laws on random documents: every key that is there and unknown is reported, and none other.
+TEST(ReaderLaws, ExactlyTheUnknownKeysAreReported) {
+  Random random(21);
+  for (int trial = 0; trial < 300; ++trial) {
+    std::string text = "{";
+    std::size_t unknown = 0;
+    for (int k = 0; k < 6; ++k) {
+      const bool known = random.chance(0.5);
+      unknown += known ? 0 : 1;
+      text +=
+          (k > 0 ? ", " : "") + std::string(known ? "known" : "other") + std::to_string(k) + ": 1";
+    }
+    text += "}";
+    const auto value = parse_yaml(text, "f");
+    ASSERT_TRUE(value.has_value()) << text;
+    Diagnostics diagnostics;
+
+    Reader(*value, "f", diagnostics)
+        .keys({"known0", "known1", "known2", "known3", "known4", "known5"});
+
+    EXPECT_EQ(diagnostics.size(), unknown) << text;
+  }
+}
+
+// A number written in plain decimal reads as the double nearest to it.
+TEST(ReaderLaws, PlainDecimalsReadAsTheNearestDouble) {
+  Random random(22);
+  for (int trial = 0; trial < 1000; ++trial) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*g", 1 + static_cast<int>(random.below(17)),
+                  random.normal() * 1e3);
+    const auto report = reported(std::string("{x: ") + text + "}", [&](const Reader& r) {
+      EXPECT_EQ(r.optional("x").number(), std::strtod(text, nullptr)) << text;
+    });
+    EXPECT_EQ(report, "");
+  }
 }
 
 }  // namespace

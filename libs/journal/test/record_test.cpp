@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+
+#include "skein/foundation/random.hpp"
 
 namespace skein::journal {
 namespace {
@@ -64,6 +67,75 @@ TEST(Record, FieldsAreFoundByKeyAndKind) {
   EXPECT_FALSE(record.truth("n"));
   EXPECT_EQ(record.numbers("p").size(), 2U);
   EXPECT_EQ(record.find("absent"), nullptr);
+}
+
+Value any_value(Random& random) {
+  switch (random.below(5)) {
+    case 0:
+      return random.chance(0.5);
+    case 1:
+      return static_cast<std::int64_t>(random.bits() >> random.below(64));
+    case 2:
+      return random.normal() * std::pow(10.0, random.uniform(-12, 12));
+    case 3: {
+      std::string text;
+      for (std::uint64_t i = random.below(12); i > 0; --i)
+        text += static_cast<char>(1 + random.below(127));
+      return text;
+    }
+    default:
+      break;
+  }
+  std::vector<double> list;
+  for (std::uint64_t i = random.below(4); i > 0; --i) list.push_back(random.uniform(-1e4, 1e4));
+  return list;
+}
+
+// A whole double is written without a point and reads back as an integer of the same value.
+bool same_meaning(const Value& a, const Value& b) {
+  if (const auto* number = std::get_if<double>(&a)) {
+    const auto* whole = std::get_if<std::int64_t>(&b);
+    if (whole != nullptr) return static_cast<double>(*whole) == *number;
+  }
+  return a == b;
+}
+
+TEST(RecordLaws, EveryRecordReadsBackWithTheSameMeaning) {
+  Random random(11);
+  for (int trial = 0; trial < 2000; ++trial) {
+    Record record(
+        MissionTime::nanoseconds(static_cast<std::int64_t>(random.below(8'000'000'000'000))),
+        "marvin", "task");
+    for (int i = 0; i < 4; ++i) record.with("k" + std::to_string(i), any_value(random));
+
+    const auto again = parse_record(to_json(record));
+
+    ASSERT_TRUE(again.has_value()) << to_json(record);
+    EXPECT_EQ(again->at(), record.at());
+    ASSERT_EQ(again->fields().size(), record.fields().size()) << to_json(record);
+    for (std::size_t i = 0; i < record.fields().size(); ++i) {
+      EXPECT_TRUE(same_meaning(record.fields()[i].second, again->fields()[i].second))
+          << to_json(record);
+    }
+    EXPECT_EQ(to_json(*again), to_json(record));
+  }
+}
+
+TEST(RecordLaws, FieldsThatNoRecordHasAreDropped) {
+  const auto record = parse_record(
+      R"({"at":1,"node":"n","kind":"k","object":{"a":1},"mixed":[1,"x"],"nothing":null,"ok":2})");
+
+  ASSERT_TRUE(record.has_value());
+  ASSERT_EQ(record->fields().size(), 1U);
+  EXPECT_EQ(record->number("ok"), 2);
+}
+
+TEST(RecordLaws, InstantsOutOfRangeSaturateAndDoNotTrap) {
+  for (const char* at : {"1e300", "-1e300", "9223372036.9", "0.0000000001"}) {
+    const auto record = parse_record(std::string(R"({"at":)") + at + R"(,"node":"n","kind":"k"})");
+    EXPECT_TRUE(record.has_value()) << at;
+  }
+  EXPECT_FALSE(parse_record(R"({"at":"1","node":"n","kind":"k"})").has_value());
 }
 
 TEST(Rounded, ToAThousandth) {

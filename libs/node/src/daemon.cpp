@@ -40,7 +40,9 @@ class Daemon {
         transport_({config.domain, self.name, config.interfaces, config.on_middleware_log}),
         leader_(config.rate),
         jobs_([this] { waker_.notify(); }),
-        awaited_(config.awaited.begin(), config.awaited.end()) {}
+        awaited_(config.awaited.begin(), config.awaited.end()) {
+    awaited_.erase(self.name);  // it does not hear itself, and waits for itself in any case
+  }
 
   Result<DaemonEnd, Failure> run(std::unique_ptr<Node> node) {
     transport_.on_arrival([this] { waker_.notify(); });

@@ -24,7 +24,7 @@ namespace skein::node {
 namespace {
 
 // Far longer than anything here takes: a test that gets there has failed.
-constexpr Duration kDeadline = Duration::milliseconds(60'000);
+constexpr Duration kDeadline = Duration::milliseconds(30'000);
 
 // Three daemons in a DDS domain of their own, and what a reader on the world channel sees of them.
 class Daemons : public ::testing::Test {

@@ -49,7 +49,8 @@ class Checker {
     if (kind == "sync") see_sync(record);
     if (kind == "message") see_message(record);
     if (kind == "link") see_link(record);
-    if (kind == "fault" && record.text("what") == "kill") forget(text(record, "target"));
+    if (kind == "fault" && record.text("what") == "kill") see_death(text(record, "target"));
+    if (kind == "fault" && record.text("what") == "restart") see_birth(text(record, "target"));
   }
 
   void breach(const Record& record, const std::string& why) {
@@ -130,15 +131,18 @@ class Checker {
     }
   }
 
-  // What the node knew is gone: plans of MLEs there, numbers of its messages and commands.
-  void forget(const std::string& node) {
+  // What the node knew is gone: the plans of its MLEs, what it has received, its commands.
+  void see_death(const std::string& node) {
     std::erase_if(tasks_, [&](const auto& one) { return std::get<0>(one.first) == node; });
-    const auto of_node = [&](const auto& one) {
-      return one.first.first == node || one.first.second == node;
-    };
-    std::erase_if(sent_, of_node);
-    std::erase_if(received_, of_node);
+    std::erase_if(received_, [&](const auto& one) { return one.first.second == node; });
     if (node == "ground") commands_.clear();
+  }
+
+  // It numbers its messages anew. (What it sent just before its death arrived meanwhile.)
+  void see_birth(const std::string& node) {
+    const auto from_node = [&](const auto& one) { return one.first.first == node; };
+    std::erase_if(sent_, from_node);
+    std::erase_if(received_, from_node);
   }
 
   Duration command_limit_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A small daemon for the tests of run_daemon: skein_node_test_daemon DOMAIN NAME FINISH FILE
 // System of ground, sim and UAV "a"; sim leads the clock at rate 10. Every mission second the node
-// writes 50 records; at mission second FINISH (0: never) the ground ends the mission.
+// writes 50 records; at mission second FINISH (0: never) the ground ends the mission and everybody
+// writes 2000 at once, a second later, just before they stop.
 // FILE: where every record of this daemon goes, one line each. Exit: 0 finished, 10 stopped, 3
 // failure.
 #include <cstdio>
@@ -18,6 +19,7 @@ using skein::MissionTime;
 using namespace skein::node;  // NOLINT(google-build-using-namespace): a test program of one file
 
 constexpr int kBurst = 50;
+constexpr int kLastBurst = 2000;  // less than what a writer keeps of its events
 
 class Talker final : public Node {
  public:
@@ -28,7 +30,9 @@ class Talker final : public Node {
     if (!std::holds_alternative<Wakeup>(input)) return {};
     next_ = next_ + skein::Duration::seconds(1);
     Effects effects;
-    for (int i = 0; i < kBurst; ++i) effects.push_back(note("tick", ++count_, now));
+    const bool last = finish_ > MissionTime() && now >= finish_ + skein::Duration::seconds(1);
+    for (int i = 0; i < (last ? kLastBurst : kBurst); ++i)
+      effects.push_back(note("tick", ++count_, now));
     effects.push_back(StartJob{count_, [] { return std::any(); }});
     if (name_ == "ground" && finish_ > MissionTime() && now >= finish_) {
       skein::wire::MissionState state;
