@@ -101,9 +101,18 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& one) { return one.param.name; });
 
 TEST(JournalLaws, ARestartedNodeMayUseItsNumbersAgain) {
-  const Log log{task(1, "scheduled"),     message(1, 1, "sent"), message(2, 1, "received"),
-                kill(3, "marvin"),        task(4, "scheduled"),  message(4, 1, "sent"),
-                message(5, 1, "received")};
+  const Log messages{message(1, 1, "sent"),      message(2, 1, "received"),
+                     fault(3, "kill", "ground"), fault(4, "restart", "ground"),
+                     message(4, 1, "sent"),      message(5, 1, "received")};
+  const Log tasks{task(1, "scheduled"), fault(3, "kill", "marvin"), task(4, "scheduled")};
+
+  EXPECT_THAT(broken_laws(messages), IsEmpty());
+  EXPECT_THAT(broken_laws(tasks), IsEmpty());
+}
+
+TEST(JournalLaws, WhatWasSentToANodeMayReachItsNextLife) {
+  const Log log{message(1, 1, "sent"), message(2, 1, "received"), fault(3, "kill", "marvin"),
+                fault(4, "restart", "marvin"), message(5, 1, "received")};
 
   EXPECT_THAT(broken_laws(log), IsEmpty());
 }

@@ -195,15 +195,21 @@ TEST_P(WithAnMle, ADecisionNodeRestartedInMidPlanHasLostItAndTheGroundKnows) {
   EXPECT_THAT(std::string(notices[0].text("text")), HasSubstr("restarted"));
 }
 
-// At degree 1 the plan is at the ground: it survives the decision node.
-TEST(RestartAtDegree1, OfADecisionNodeInMidPlanDoesNotStopTheMission) {
+// At degree 1 the plan is at the ground and survives the decision node; the vehicle has given up
+// what it did, so what comes after in the plan is done: Marvin goes home.
+TEST(RestartAtDegree1, OfADecisionNodeInMidPlanLeavesTheGroundToGoOnWithThePlan) {
   scenario::Scenario scenario = comets("confirmed", with(1, {"1"}));
   scenario.faults.kills.push_back({at(150), "marvin", Duration::seconds(5)});
 
   const Mission mission = play(scenario);
 
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
-  EXPECT_THAT(mission.end, AnyOf(Eq(End::kFinished), Eq(End::kTimeLimit)));
+  EXPECT_EQ(
+      mission.count({{"kind", "task"}, {"uav", "marvin"}, {"task", "3"}, {"state", "aborted"}}),
+      1U);
+  EXPECT_EQ(mission.count({{"kind", "task"}, {"uav", "marvin"}, {"task", "6"}, {"state", "ended"}}),
+            1U);
+  EXPECT_FALSE(mission.find({{"kind", "telemetry"}, {"uav", "marvin"}}).back().truth("airborne"));
 }
 
 TEST_P(AtDegree, ADecisionNodeThatNeverComesBackDoesNotHangTheRun) {

@@ -19,9 +19,11 @@ namespace {
 using blackboard::Now;
 
 constexpr Duration kLook = Duration::milliseconds(100);  ///< between two looks at everything
-constexpr Duration kStartLimit = Duration::milliseconds(45'000);  ///< for all daemons to become ready
-constexpr Duration kClockLimit = Duration::milliseconds(15'000);  ///< of silence of the mission clock
-constexpr Duration kEndLimit = Duration::milliseconds(15'000);    ///< for the daemons to exit
+constexpr Duration kStartLimit =
+    Duration::milliseconds(45'000);  ///< for all daemons to become ready
+constexpr Duration kClockLimit =
+    Duration::milliseconds(15'000);                             ///< of silence of the mission clock
+constexpr Duration kEndLimit = Duration::milliseconds(15'000);  ///< for the daemons to exit
 
 class DdsRun {
  public:
@@ -134,16 +136,18 @@ class DdsRun {
   journal::Record record(const char* kind) { return {now().mission, "runner", kind}; }
 
   // Notes the daemons that ended; true if one should not have, or not that way. During the mission
-  // none may end but by a scripted kill; after it, all should, with exit code 0.
+  // none may end but by a scripted kill; after it, all should, with exit code 0, or, told to stop
+  // before they could listen to signals, by the signal.
   bool look_at_processes(bool winding_up) {
     for (const Fleet::Ended& ended : fleet_.take_ended()) {
+      const bool stopped = told_to_stop_ && ended.status.signal == SIGTERM;
       add(record("process")
               .with("name", ended.name)
-              .with("state", ended.crashed() ? "crashed" : "exited")
+              .with("state", ended.crashed() && !stopped ? "crashed" : "exited")
               .with("why", to_text(ended.status))
               .with("cpu", journal::rounded(ended.status.cpu))
               .with("memory", journal::rounded(ended.status.peak_memory)));
-      const bool right = ended.killed || (winding_up && !ended.crashed());
+      const bool right = ended.killed || stopped || (winding_up && !ended.crashed());
       if (right || played_.end == Played::End::kFailed) continue;
       fail(ended.name + " (" + ended.program + ") died: " + to_text(ended.status) +
            "; its last lines:\n" + tail_of(ended.log, 5));
@@ -193,7 +197,8 @@ class DdsRun {
   void wind_up() {
     const bool over =
         played_.end == Played::End::kFinished || played_.end == Played::End::kTimeLimit;
-    if (!over) fleet_.signal_all(SIGTERM);
+    told_to_stop_ = !over;
+    if (told_to_stop_) fleet_.signal_all(SIGTERM);
     const Duration limit = node::Waker::steady_now() + kEndLimit;
     while (fleet_.any_running() && node::Waker::steady_now() < limit) {
       waker_.wait(kLook);
@@ -221,6 +226,7 @@ class DdsRun {
   Duration started_;
   Duration heard_clock_;
   bool time_limit_ = false;
+  bool told_to_stop_ = false;  ///< the daemons, by a signal
   Played played_;
 };
 

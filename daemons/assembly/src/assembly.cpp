@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sim_node.hpp"
+#include "skein/sim_node/sim_node.hpp"
 #include "skein/ddn/ddn_node.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/ground/ground_node.hpp"

@@ -61,7 +61,7 @@ class Writer {
     for (const T& value : values) put(value);
   }
   template <class T>
-  requires wire::is_record<T>
+  requires wire::kIsRecord<T>
   void put(const T& record) { visit_fields(*this, record); }
 
   void align(std::size_t size) {
@@ -151,7 +151,7 @@ class Reader {
     }
   }
   template <class T>
-  requires wire::is_record<T>
+  requires wire::kIsRecord<T>
   void get(T& record) { visit_fields(*this, record); }
 
   std::span<const std::uint8_t> bytes_;

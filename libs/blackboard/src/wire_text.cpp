@@ -13,14 +13,14 @@ template <class T>
 Json json_of(const T& value);
 
 template <class T>
-requires is_record<T>
+requires kIsRecord<T>
 void put_fields(Json& object, const T& record) {
   visit_fields([&](const char* name, const auto& field) { object[name] = json_of(field); }, record);
 }
 
 template <class T>
 Json json_of(const T& value) {
-  if constexpr (is_record<T>) {
+  if constexpr (kIsRecord<T>) {
     Json object = Json::object();
     put_fields(object, value);
     return object;

@@ -82,7 +82,7 @@ class Checker {
     }
   }
   template <class T>
-  requires is_record<T>
+  requires kIsRecord<T>
   void check(const T& record) { visit_fields(*this, record); }
 
   std::optional<Violation> violation_;

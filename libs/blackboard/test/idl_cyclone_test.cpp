@@ -33,7 +33,7 @@ class SameFields {
  private:
   template <class T, class C>
   bool same(const T& value, const C& image) {
-    if constexpr (wire::is_record<T>) {
+    if constexpr (wire::kIsRecord<T>) {
       visit_pairs(*this, value, image);
       return true;
     } else if constexpr (wire::WireEnum<T>) {

@@ -30,7 +30,7 @@ class ToGenerated {
  private:
   template <class T, class G>
   void copy(const T& value, G& generated) {
-    if constexpr (wire::is_record<T>) {
+    if constexpr (wire::kIsRecord<T>) {
       visit_pairs(*this, value, generated);
     } else if constexpr (wire::WireEnum<T>) {
       generated = static_cast<G>(value);

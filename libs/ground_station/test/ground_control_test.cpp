@@ -428,13 +428,45 @@ TEST(GroundControl, AnAlarmSetsTheScriptInMotion) {
   EXPECT_THAT(ground.alarms(), SizeIs(1));
 }
 
+// One input of a random kind, about a random UAV and task.
+GroundControl::Input any_input(Random& random, const std::vector<std::string>& names, double now) {
+  const std::string uav = names[random.below(names.size())];
+  const std::uint64_t task = 1 + random.below(7);
+  const auto state = static_cast<TaskState>(random.below(6));
+  switch (random.below(10)) {
+    case 0:
+      return FunctionalStatusReceived{uav, {id(task), state, ""}};
+    case 1:
+      return TaskEventReceived{uav, id(task), "goto", state, ""};
+    case 2:
+      return PeerReachable{uav, random.chance(0.5), random.chance(0.3)};
+    case 3:
+      return SyncReceived{551, uav, names[random.below(names.size())]};
+    case 4:
+      return RequestReplyReceived{CommandNumber(random.below(30)), random.chance(0.5), ""};
+    case 5:
+      return CommandUndelivered{CommandNumber(random.below(30))};
+    case 6: {
+      const auto degree = static_cast<Degree>(random.below(7));
+      return PlanBoardReceived{uav, degree, random.chance(0.5), {{id(task), "goto", state}}};
+    }
+    case 7:
+      return OperatorCommand{uav, random.chance(0.5) ? start_of(task) : abort_of(task),
+                             Duration::seconds(random.uniform(-1, 9))};
+    case 8:
+      return OperatorActs{"end-monitoring"};
+    default:
+      break;
+  }
+  return TelemetryReceived{uav, {}, at(now)};
+}
+
 // Whatever comes in, in whatever order, nothing breaks and no command is left over.
 TEST(GroundControl, AnySequenceOfInputsIsSurvived) {
   rc::check([](std::uint64_t seed) {
     Random random(seed);
     GroundControl ground =
         control({{"karma", 1, {}}, {"heliv", 2, {}}, {"marvin", 3, {}}}, monitoring_script());
-    const std::vector<std::string> names = {"karma", "heliv", "marvin", "nobody"};
     std::map<CommandNumber, int> ends;
     const auto give = [&](const GroundControl::Input& input, double now) {
       for (const auto& change : only<CommandChanged>(ground.handle(input, at(now)))) {
@@ -446,46 +478,7 @@ TEST(GroundControl, AnySequenceOfInputsIsSurvived) {
     double now = 0;
     for (int i = 0; i < 80; ++i) {
       now += random.uniform(0, 3);
-      const std::string uav = names[random.below(4)];
-      const std::uint64_t task = 1 + random.below(7);
-      const auto state = static_cast<TaskState>(random.below(6));
-      switch (random.below(10)) {
-        case 0:
-          give(FunctionalStatusReceived{uav, {id(task), state, ""}}, now);
-          break;
-        case 1:
-          give(TaskEventReceived{uav, id(task), "goto", state, ""}, now);
-          break;
-        case 2:
-          give(PeerReachable{uav, random.chance(0.5), random.chance(0.3)}, now);
-          break;
-        case 3:
-          give(SyncReceived{551, uav, names[random.below(4)]}, now);
-          break;
-        case 4:
-          give(RequestReplyReceived{CommandNumber(random.below(30)), random.chance(0.5), ""}, now);
-          break;
-        case 5:
-          give(CommandUndelivered{CommandNumber(random.below(30))}, now);
-          break;
-        case 6:
-          give(PlanBoardReceived{uav,
-                                 static_cast<Degree>(random.below(7)),
-                                 random.chance(0.5),
-                                 {{id(task), "goto", state}}},
-               now);
-          break;
-        case 7:
-          give(OperatorCommand{uav, random.chance(0.5) ? start_of(task) : abort_of(task),
-                               Duration::seconds(random.uniform(-1, 9))},
-               now);
-          break;
-        case 8:
-          give(OperatorActs{"end-monitoring"}, now);
-          break;
-        default:
-          give(TelemetryReceived{uav, {}, at(now)}, now);
-      }
+      give(any_input(random, {"karma", "heliv", "marvin", "nobody"}, now), now);
     }
     for (int i = 0; i < 1000; ++i) {
       const auto wakeup = ground.next_wakeup();

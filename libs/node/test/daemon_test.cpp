@@ -63,7 +63,7 @@ class Daemons : public ::testing::Test {
   void start_all(const std::string& finish = "0") {
     for (const char* name : {"sim", "ground", "a"}) start(name, finish);
   }
-  void stop(const std::string& name) { kill(running_.at(name), SIGTERM); }
+  void stop(const std::string& name, int signal = SIGTERM) { kill(running_.at(name), signal); }
 
   // Reads until the condition holds; false if it does not within the deadline.
   bool until(const std::function<bool()>& condition) {
@@ -202,7 +202,8 @@ TEST_F(Daemons, EveryRecordArrivesInOrderUpToTheLast) {
   for (const char* name : {"ground", "sim", "a"}) {
     ASSERT_GE(written(name).size(), 200U) << name;
     EXPECT_TRUE(until([&] { return read(name).size() >= written(name).size(); })) << name;
-    EXPECT_EQ(read(name), written(name)) << name;
+    EXPECT_EQ(read(name).size(), written(name).size()) << name;
+    EXPECT_TRUE(read(name) == written(name)) << name;
   }
 }
 
@@ -229,34 +230,16 @@ TEST_F(Daemons, ASignalStopsTheLeader) {
   EXPECT_EQ(ends_.at("sim"), 10);
 }
 
-TEST_F(Daemons, AReaderThatDiedDoesNotHoldAnyoneUp) {
+TEST_F(Daemons, OneThatDiedDoesNotHoldTheOthersUp) {
   start_all();
   ASSERT_TRUE(until([&] { return ticks_read("a") >= 50; }));
-  const Duration before = Waker::steady_now();
 
+  stop("ground", SIGKILL);
   stop("sim");
-  stop("ground");
   stop("a");
 
   ASSERT_TRUE(until_all_ended());
-  EXPECT_LT(Waker::steady_now() - before, Duration::seconds(20));
-}
-
-TEST(RunDaemon, AnInterfaceThatDoesNotExistIsAFailure) {
-  class Idle final : public Node {
-    Effects handle(const Input&, MissionTime) override { return {}; }
-    std::optional<MissionTime> next_wakeup() const override { return std::nullopt; }
-  };
-  const auto lease = blackboard::claim_domain();
-  const Roster roster({"a"});
-  DaemonConfig config;
-  config.domain = lease.value().domain();
-  config.interfaces = {"192.0.2.77"};
-
-  const auto end = run_daemon(roster, *roster.find("a"), std::make_unique<Idle>(), config);
-
-  ASSERT_FALSE(end.has_value());
-  EXPECT_NE(end.error().why, "");
+  EXPECT_EQ(ends_, (std::map<std::string, int>{{"a", 10}, {"ground", -SIGKILL}, {"sim", 10}}));
 }
 
 }  // namespace

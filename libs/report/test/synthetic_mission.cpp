@@ -60,19 +60,26 @@ Position place_at(const std::vector<Waypoint>& way, double t) {
   return sum;
 }
 
-void add_track(Log& log, const std::string& uav, const std::vector<Waypoint>& way, double takeoff,
-               double landing, double wobble, Random random) {
+/// When a UAV flies, and how unsteadily [m].
+struct Flight {
+  double takeoff;
+  double landing;
+  double wobble;
+};
+
+void add_track(Log& log, const std::string& uav, const std::vector<Waypoint>& way,
+               const Flight& flight, Random random) {
   double energy = 1.0, heading = 0.6;
   for (int second = 0; second <= 1500; ++second) {
     const double t = second;
-    const bool airborne = t >= takeoff && t < landing;
+    const bool airborne = t >= flight.takeoff && t < flight.landing;
     Position p = place_at(way, t);
     const Position q = place_at(way, t + 1);
     if (airborne) {
       energy -= 0.00042 + 0.0001 * random.uniform();
-      p.x += wobble * std::sin(t / 9.0);
-      p.y += wobble * std::cos(t / 7.0);
-      p.z += 0.3 * wobble * std::sin(t / 5.0);
+      p.x += flight.wobble * std::sin(t / 9.0);
+      p.y += flight.wobble * std::cos(t / 7.0);
+      p.z += 0.3 * flight.wobble * std::sin(t / 5.0);
     }
     if (std::hypot(q.x - p.x, q.y - p.y) > 1.0) heading = std::atan2(q.y - p.y, q.x - p.x);
     log.add(
@@ -177,7 +184,7 @@ void add_marvin(Log& log, Messages& messages) {
              {1300, 0, 10, 40},
              {1345, 0, 0, 0},
              {1346, 0, 0, 0}},
-            14, 1345, 0.6, Random(1, "marvin"));
+            {14, 1345, 0.6}, Random(1, "marvin"));
   add_tasks(log, messages, "marvin",
             {{1, "takeoff", 8, 8.2, 9, -1, 36, "ended"},
              {2, "goto", 8.4, 36.2, 37, -1, 130, "ended"},
@@ -211,7 +218,7 @@ void add_heliv(Log& log, Messages& messages) {
              {1330, -18, 24, 40},
              {1378, -18, 22, 0},
              {1379, -18, 22, 0}},
-            412, 1378, 3.5, Random(2, "heliv"));
+            {412, 1378, 3.5}, Random(2, "heliv"));
   add_tasks(log, messages, "heliv",
             {{1, "takeoff", 405, 405.3, 412, -1, 440, "ended"},
              {2, "goto", 405.4, 440.2, 442, -1, 560, "ended"},
@@ -237,7 +244,7 @@ void add_karma(Log& log, Messages& messages) {
   }
   way.insert(way.end(),
              {{1165, 500, 250, 180}, {1405, 60, -10, 90}, {1462, 30, -25, 0}, {1463, 30, -25, 0}});
-  add_track(log, "karma", way, 662, 1462, 1.5, Random(3, "karma"));
+  add_track(log, "karma", way, {662, 1462, 1.5}, Random(3, "karma"));
   add_tasks(log, messages, "karma",
             {{1, "takeoff", 658, 658.3, 662, -1, 722, "ended"},
              {2, "goto", 658.3, 722.2, 723, -1, 850, "ended"},

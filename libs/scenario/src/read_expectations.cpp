@@ -137,6 +137,7 @@ void read_expectations(const Reader& reader, const Names& names,
       item.keys({"name", "measure", "uavs", "at_least", "at_most"});
       expectation.what = read_measure(item, names);
     } else {
+      item.keys({"name", "event", "never", "finally", "measure"});
       item.error("an expectation of no kind", "one of event, never, finally, measure");
     }
     expectations.push_back(std::move(expectation));

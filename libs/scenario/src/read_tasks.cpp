@@ -28,6 +28,7 @@ Literal read_literal(const Reader& reader) {
     const bool passed = reader.required("is").choice({"passed", "not-yet-passed"}) == 0;
     literal.condition = executive::TimeIs{read_instant(time), passed};
   } else {
+    reader.keys({"task", "message", "time", "state", "is", "not", "modality"});
     reader.error("a condition of no kind", "one of task, message, time");
   }
   literal.negated = reader.optional("not").boolean(false);

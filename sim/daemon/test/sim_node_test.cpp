@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sim_node.hpp"
+#include "skein/sim_node/sim_node.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

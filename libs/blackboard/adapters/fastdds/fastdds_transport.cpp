@@ -14,6 +14,7 @@
 #include <fastdds/dds/topic/Topic.hpp>
 
 #include <array>
+#include <chrono>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -31,6 +32,9 @@ namespace {
 namespace dds = eprosima::fastdds::dds;
 using eprosima::fastrtps::types::ReturnCode_t;
 using fastdds::Cargo;
+
+/// How long the end of a node may be held up by those who have not yet got its last words.
+constexpr std::chrono::milliseconds kLastWords{2000};
 
 /// What listeners of any thread leave and the owner takes.
 class Mailbox {
@@ -126,6 +130,9 @@ class FastDdsTransport::Impl {
     std::array<dds::DataWriter*, wire::kSlotCount> writers{};
   };
 
+  /// On the world channel no session makes good what a writer takes with it: waits, within bounds,
+  /// until everybody has got it.
+  void flush_world();
   /// The smallest number whose ports nobody has; nothing if all are taken.
   std::optional<std::uint32_t> claim_participant_number();
   Result<void, Failure> open_channel(std::size_t index, const TransportPlan& plan);
@@ -145,8 +152,22 @@ class FastDdsTransport::Impl {
 
 FastDdsTransport::Impl::~Impl() {
   if (participant_ == nullptr) return;
+  flush_world();
   participant_->delete_contained_entities();
   factory().delete_participant(participant_);
+}
+
+void FastDdsTransport::Impl::flush_world() {
+  const auto until = std::chrono::steady_clock::now() + kLastWords;
+  for (const Channel& channel : channels_) {
+    if (channel.config.kind != ChannelKind::kWorld) continue;
+    for (dds::DataWriter* const writer : channel.writers) {
+      const std::chrono::nanoseconds left = until - std::chrono::steady_clock::now();
+      if (writer == nullptr || left.count() <= 0) continue;
+      writer->wait_for_acknowledgments({static_cast<std::int32_t>(left.count() / 1'000'000'000),
+                                        static_cast<std::uint32_t>(left.count() % 1'000'000'000)});
+    }
+  }
 }
 
 Result<void, Failure> FastDdsTransport::Impl::open(const TransportPlan& plan) {

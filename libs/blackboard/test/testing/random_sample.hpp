@@ -43,7 +43,7 @@ class RandomFields {
     for (T& value : values) fill(value);
   }
   template <class T>
-  requires wire::is_record<T>
+  requires wire::kIsRecord<T>
   void fill(T& record) { visit_fields(*this, record); }
 
   Random& random_;

@@ -2,13 +2,14 @@
 // A small daemon for the tests of run_daemon: skein_node_test_daemon DOMAIN NAME FINISH FILE
 // System of ground, sim and UAV "a"; sim leads the clock at rate 10. Every mission second the node
 // writes 50 records; at mission second FINISH (0: never) the ground ends the mission and everybody
-// writes 2000 at once, a second later, just before they stop.
+// writes 1000 at once, a second later, just before they stop.
 // FILE: where every record of this daemon goes, one line each. Exit: 0 finished, 10 stopped, 3
 // failure.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "skein/node/daemon.hpp"
 #include "testing/fake_node.hpp"
@@ -19,7 +20,7 @@ using skein::MissionTime;
 using namespace skein::node;  // NOLINT(google-build-using-namespace): a test program of one file
 
 constexpr int kBurst = 50;
-constexpr int kLastBurst = 2000;  // less than what a writer keeps of its events
+constexpr int kLastBurst = 1000;  // more than a socket takes at once, less than a writer keeps
 
 class Talker final : public Node {
  public:
@@ -30,7 +31,8 @@ class Talker final : public Node {
     if (!std::holds_alternative<Wakeup>(input)) return {};
     next_ = next_ + skein::Duration::seconds(1);
     Effects effects;
-    const bool last = finish_ > MissionTime() && now >= finish_ + skein::Duration::seconds(1);
+    const bool last = finish_ > MissionTime() && now >= finish_ + skein::Duration::seconds(1) &&
+                      !std::exchange(wrote_last_, true);
     for (int i = 0; i < (last ? kLastBurst : kBurst); ++i)
       effects.push_back(note("tick", ++count_, now));
     effects.push_back(StartJob{count_, [] { return std::any(); }});
@@ -56,6 +58,7 @@ class Talker final : public Node {
   MissionTime finish_;
   MissionTime next_ = MissionTime::seconds(1);
   std::uint64_t count_ = 0;
+  bool wrote_last_ = false;
 };
 
 }  // namespace

@@ -24,8 +24,9 @@ struct FastDdsConfig {
 
 /// One participant over UDP; each channel has its own publisher and subscriber, and cutting it
 /// moves both out of the partition. Topics are named after the slots, types are those of idl/.
-/// Decoding happens in the middleware's threads, into a mailbox. Environment variables and profile
-/// files of Fast DDS have no effect.
+/// Decoding happens in the middleware's threads, into a mailbox. Destruction waits, two seconds at
+/// most, until all readers have got what was written to the world channel. Environment variables
+/// and profile files of Fast DDS have no effect.
 class FastDdsTransport final : public Transport {
  public:
   explicit FastDdsTransport(FastDdsConfig config);

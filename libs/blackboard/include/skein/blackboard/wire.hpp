@@ -60,8 +60,8 @@ SampleHeader& header_of(Sample& sample);
 const SampleHeader& header_of(const Sample& sample);
 
 /// Limits on what a peer may send; anything larger is malformed.
-inline constexpr std::size_t kMaximumString = 64 * 1024;  ///< [byte]
-inline constexpr std::size_t kMaximumSequence = 4096;     ///< elements
+inline constexpr std::size_t kMaximumString = 65'536;  ///< [byte]
+inline constexpr std::size_t kMaximumSequence = 4096;  ///< elements
 
 /// The first field that breaks the rules of the wire.
 struct Violation {

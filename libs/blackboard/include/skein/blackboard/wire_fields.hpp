@@ -9,7 +9,7 @@ namespace skein::wire {
 
 /// A struct declared with SKEIN_WIRE_FIELDS.
 template <class T>
-inline constexpr bool is_record = false;
+inline constexpr bool kIsRecord = false;
 
 /// Two structs that only differ in how a field is reached, as in what the IDL compilers generate:
 /// by an accessor `field()`, as a member, or (the header, which is a base in the IDL) as the base
@@ -44,7 +44,7 @@ inline constexpr bool is_record = false;
 ///   `other` is the struct that an IDL compiler made of the same definition.
 #define SKEIN_WIRE_FIELDS(Type, ...)                                        \
   template <>                                                               \
-  inline constexpr bool is_record<Type> = true;                             \
+  inline constexpr bool kIsRecord<Type> = true;                             \
   template <class Visitor, class Self>                                      \
   requires std::same_as<std::remove_const_t<Self>, Type>                    \
   constexpr void visit_fields(Visitor&& visitor, Self& self) {              \

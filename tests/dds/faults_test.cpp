@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Daemons that die, users that lose patience: the run says so, ends, and leaves nothing behind.
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "testing/dds_run.hpp"
+
+namespace skein::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr const char* kStarted = "the mission starts";
+constexpr const char* kFlying = "marvin takeoff 1";
+
+void expect_nothing_left(DdsRun& run) {
+  EXPECT_TRUE(run.nothing_runs());
+  EXPECT_THAT(run.left_in_shared_memory(), IsEmpty());
+}
+
+TEST(DdsFault, ADaemonKilledInMidMissionEndsTheRunWithThreeAndItsName) {
+  DdsRun run;
+  run.take_scenario("confirmed");
+  run.start();
+  run.wait_for_output(kFlying);
+  EXPECT_THAT(run.daemons(), ElementsAre("ground", "heliv", "karma", "marvin", "sim"));
+
+  run.kill_daemon("heliv");
+  const auto status = run.wait(30);
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 3);
+  EXPECT_THAT(run.output(), HasSubstr("the run failed: heliv (skein-ddn) died: signal 9"));
+  EXPECT_EQ(run.count("process", "state", "crashed"), 1U);
+  EXPECT_TRUE(fs::exists(run.folder() / "report.html"));
+  expect_nothing_left(run);
+}
+
+TEST(DdsFault, TheSimulatorKilledInMidMissionIsNoDifferent) {
+  DdsRun run;
+  run.take_scenario("confirmed");
+  run.start();
+  run.wait_for_output(kFlying);
+
+  run.kill_daemon("sim");
+  const auto status = run.wait(30);
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 3);
+  EXPECT_THAT(run.output(), HasSubstr("sim (skein-sim) died: signal 9"));
+  expect_nothing_left(run);
+}
+
+TEST(DdsFault, AScriptedKillAndRestartIsPartOfTheMission) {
+  DdsRun run;
+  run.take_scenario("infirmed", "faults: [{at: 30, kill: karma, restart_after: 60}]\n");
+  run.start({"--rate", "40"});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 0);
+  EXPECT_EQ(run.count("fault", "what", "kill"), 1U);
+  EXPECT_EQ(run.count("fault", "what", "restart"), 1U);
+  EXPECT_EQ(run.count("process", "name", "karma"), 5U);  // started ready crashed started exited
+  expect_nothing_left(run);
+}
+
+TEST(DdsFault, CtrlCEndsTheRunWith130) {
+  DdsRun run;
+  run.take_scenario("confirmed");
+  run.start();
+  run.wait_for_output(kFlying);
+
+  run.send(SIGINT);
+  const auto status = run.wait(30);
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 130);
+  EXPECT_THAT(run.output(), HasSubstr("interrupted"));
+  EXPECT_EQ(run.count("process", "state", "crashed"), 0U);
+  EXPECT_TRUE(fs::exists(run.folder() / "report.html"));
+  expect_nothing_left(run);
+}
+
+TEST(DdsFault, CtrlCBeforeTheMissionStartsEndsTheRunWith130Too) {
+  DdsRun run;
+  run.take_scenario("confirmed");
+  run.start();
+  run.wait_until("daemon", [&] { return run.daemons().size() == 5; });
+
+  run.send(SIGINT);
+  const auto status = run.wait(30);
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 130);
+  expect_nothing_left(run);
+}
+
+// Not even the runner may be relied upon.
+TEST(DdsFault, DaemonsEndWhenTheRunnerIsKilled) {
+  DdsRun run;
+  run.take_scenario("confirmed");
+  run.start();
+  run.wait_for_output(kStarted);
+
+  run.send(SIGKILL);
+  const auto status = run.wait(30);
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->signal, SIGKILL);
+  expect_nothing_left(run);
+}
+
+// A folder of programs where the decision node is this script.
+std::string programs_with_a_ddn_that(const DdsRun& run, const std::string& script) {
+  const fs::path folder = run.file("programs");
+  fs::create_directories(folder);
+  for (const char* name : {"skein-sim", "skein-ground"}) {
+    fs::create_symlink(fs::path(kPrograms) / name, folder / name);
+  }
+  std::ofstream(folder / "skein-ddn") << "#!/bin/sh\n" << script << "\n";
+  fs::permissions(folder / "skein-ddn", fs::perms::owner_all);
+  return folder.string();
+}
+
+TEST(DdsFault, ADaemonThatFailsAtItsStartIsQuoted) {
+  DdsRun run;
+  run.take_scenario("confirmed");
+
+  run.start({"--daemons", programs_with_a_ddn_that(run, "echo no memory >&2; exit 7")});
+  const auto status = run.wait(30);
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 3);
+  EXPECT_THAT(run.output(),
+              HasSubstr("(skein-ddn) died: exit code 7; its last lines:\n    no memory"));
+  expect_nothing_left(run);
+}
+
+}  // namespace
+}  // namespace skein::testing

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testing/dds_run.hpp"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+
+namespace skein::testing {
+
+namespace {
+
+std::string read_text(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// The words of a process's command line; none if it is gone.
+std::vector<std::string> command_of(pid_t pid) {
+  const std::string text = read_text("/proc/" + std::to_string(pid) + "/cmdline");
+  std::vector<std::string> words(1);
+  for (const char c : text) {
+    if (c == '\0') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
+std::string daemon_name(const std::vector<std::string>& command) {
+  const auto uav = std::find(command.begin(), command.end(), "--uav");
+  if (uav != command.end() && uav + 1 != command.end()) return *(uav + 1);
+  const std::string program = fs::path(command[0]).filename().string();
+  return program.rfind("skein-", 0) == 0 ? program.substr(6) : program;
+}
+
+std::set<std::string> shared_memory() {
+  std::set<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator("/dev/shm", ignored)) {
+    const std::string name = entry.path().filename().string();
+    for (const char* mark : {"fast", "skein", "sem.fast"}) {
+      if (name.rfind(mark, 0) == 0) names.insert(name);
+    }
+  }
+  return names;
+}
+
+// True when the condition holds, asked again and again until the deadline.
+bool holds_within(double seconds, const std::function<bool()>& condition) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > deadline) return false;
+    poll(nullptr, 0, 20);
+  }
+  return true;
+}
+
+}  // namespace
+
+DdsRun::DdsRun() : shared_memory_before_(shared_memory()) {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  folder_ = fs::temp_directory_path() /
+            ("skein-dds-" + std::string(test->name()) + "-" + std::to_string(getpid()));
+  fs::remove_all(folder_);
+  fs::create_directories(folder_);
+}
+
+DdsRun::~DdsRun() {
+  if (::testing::Test::HasFailure()) {
+    std::fputs(output().c_str(), stderr);
+  }
+  process_.reset();
+  for (const Daemon& daemon : pids()) kill(daemon.pid, SIGKILL);
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void DdsRun::take_scenario(const std::string& name, const std::string& more) {
+  const std::string comets = std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/";
+  std::ofstream(folder_ / "scenario.yaml") << read_text(comets + name + ".yaml") << more;
+  change("model: models/", "model: " + comets + "models/");
+}
+
+void DdsRun::change(const std::string& from, const std::string& to) {
+  std::string text = read_text(folder_ / "scenario.yaml");
+  ASSERT_NE(text.find(from), std::string::npos) << from;
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  std::ofstream(folder_ / "scenario.yaml") << text;
+}
+
+void DdsRun::start(const std::vector<std::string>& options) {
+  std::vector<std::string> command{kPrograms + "/skein", "run",
+                                   (folder_ / "scenario.yaml").string(), "--out",
+                                   folder().string()};
+  command.insert(command.end(), options.begin(), options.end());
+  auto process = run_tool::Process::start(command, (folder_ / "output").string());
+  ASSERT_TRUE(process.has_value()) << process.error().why;
+  process_.emplace(std::move(*process));
+}
+
+std::optional<run_tool::Process::Status> DdsRun::wait(double seconds) {
+  const bool ended = holds_within(seconds, [&] { return process_->poll().has_value(); });
+  EXPECT_TRUE(ended) << "the run goes on after " << seconds << " s";
+  return process_->poll();
+}
+
+void DdsRun::wait_until(const std::string& what, const std::function<bool()>& condition,
+                        double seconds) {
+  bool ended = false;
+  const bool held = holds_within(seconds, [&] {
+    ended = process_->poll().has_value();
+    return ended || condition();
+  });
+  ASSERT_TRUE(held) << "no " << what << " after " << seconds << " s";
+  ASSERT_TRUE(!ended || condition()) << "the run ended before " << what;
+}
+
+void DdsRun::wait_for_output(const std::string& text, double seconds) {
+  wait_until(
+      "'" + text + "'", [&] { return output().find(text) != std::string::npos; }, seconds);
+}
+
+void DdsRun::kill_daemon(const std::string& name) {
+  for (const Daemon& daemon : pids()) {
+    if (daemon.name == name) kill(daemon.pid, SIGKILL);
+  }
+}
+
+bool DdsRun::nothing_runs() {
+  return holds_within(20, [&] { return pids().empty(); });
+}
+
+std::vector<std::string> DdsRun::left_in_shared_memory() const {
+  const std::set<std::string> now = shared_memory();
+  std::vector<std::string> left;
+  std::set_difference(now.begin(), now.end(), shared_memory_before_.begin(),
+                      shared_memory_before_.end(), std::back_inserter(left));
+  return left;
+}
+
+std::string DdsRun::output() const { return read_text(folder_ / "output"); }
+
+std::vector<journal::Record> DdsRun::records() const {
+  std::vector<journal::Record> records;
+  std::ifstream in(folder() / "events.jsonl");
+  for (std::string line; std::getline(in, line);) {
+    auto record = journal::parse_record(line);
+    EXPECT_TRUE(record.has_value()) << line;
+    if (record) records.push_back(std::move(*record));
+  }
+  return records;
+}
+
+std::size_t DdsRun::count(const std::string& kind, const std::string& key,
+                          const std::string& value) const {
+  const std::vector<journal::Record> all = records();
+  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const auto& record) {
+    return record.kind() == kind && record.text(key) == value;
+  }));
+}
+
+std::vector<DdsRun::Daemon> DdsRun::pids() const {
+  const std::string scenario = (folder_ / "scenario.yaml").string();
+  std::vector<Daemon> daemons;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator("/proc", ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    const auto pid = static_cast<pid_t>(std::stol(name));
+    const std::vector<std::string> command = command_of(pid);
+    const bool ours = std::find(command.begin(), command.end(), scenario) != command.end();
+    if (ours && !(process_ && pid == process_->pid())) {
+      daemons.push_back({pid, daemon_name(command)});
+    }
+  }
+  return daemons;
+}
+
+std::set<std::string> DdsRun::names_of(const std::vector<Daemon>& daemons) {
+  std::set<std::string> names;
+  for (const Daemon& daemon : daemons) names.insert(daemon.name);
+  return names;
+}
+
+}  // namespace skein::testing
