@@ -73,6 +73,12 @@ function(skein_add_test name)
   endif()
   add_test(NAME ${name} COMMAND ${ARG_COMMAND})
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+  if(SKEIN_SANITIZE)
+    # Fast DDS deletes objects through a base without virtual destructor, and is not instrumented.
+    # Given by the environment, so that the daemons a test starts have it too.
+    set_tests_properties(${name} PROPERTIES ENVIRONMENT
+      "ASAN_OPTIONS=new_delete_type_mismatch=0;TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/tsan.supp")
+  endif()
 endfunction()
 
 # skein_add_bench(NAME SOURCES … DEPENDS …): a Google Benchmark program; never run as a test.
@@ -103,14 +109,14 @@ function(skein_add_fuzzer name)
   endif()
 endfunction()
 
-# Adds a directory if it exists and, when SKEIN_ONLY names a library, only if that library or one of
-# its declared dependencies lives there (its CMakeLists.txt decides by skein_wanted).
+# Adds a directory if it exists and, when SKEIN_ONLY is set, only if it is listed there: by its path or
+# by its last name.
 function(skein_add_subdirectory directory)
   if(NOT EXISTS ${CMAKE_SOURCE_DIR}/${directory}/CMakeLists.txt)
     return()
   endif()
   get_filename_component(name ${directory} NAME)
-  if(SKEIN_ONLY AND NOT name IN_LIST SKEIN_ONLY)
+  if(SKEIN_ONLY AND NOT directory IN_LIST SKEIN_ONLY AND NOT name IN_LIST SKEIN_ONLY)
     return()
   endif()
   add_subdirectory(${CMAKE_SOURCE_DIR}/${directory})

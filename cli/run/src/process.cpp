@@ -86,7 +86,7 @@ std::optional<Process::Status> Process::poll() {
   int status = 0;
   rusage usage{};
   if (wait4(pid_, &status, WNOHANG, &usage) != pid_) return std::nullopt;
-  ended_.emplace();
+  ended_ = Status{};
   if (WIFSIGNALED(status)) {
     ended_->signal = WTERMSIG(status);
   } else {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "skein/sim_node/sim_node.hpp"
 #include "skein/ddn/ddn_node.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/ground/ground_node.hpp"
+#include "skein/sim_node/sim_node.hpp"
 
 namespace skein::assembly {
 

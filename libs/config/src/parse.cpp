@@ -70,7 +70,7 @@ class Converter {
       const std::string key = entry.first.Scalar();
       const std::string below = path.empty() ? key : path + "." + key;
       if (!seen.insert(key).second) report(at, below, "key '" + key + "' given twice");
-      value.entries.emplace_back(key, convert(entry.second, below, depth + 1));
+      value.entries.push_back({key, convert(entry.second, below, depth + 1)});
     }
     return value;
   }

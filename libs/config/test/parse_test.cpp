@@ -15,7 +15,7 @@ TEST(ParseYaml, KeepsOrderTextAndPosition) {
   const auto value = parse_yaml("b: 1\na:\n  - x\n  - \"7\"\n", "f.yaml");
 
   ASSERT_TRUE(value.has_value());
-  EXPECT_EQ(value->entries[0].first, "b");
+  EXPECT_EQ(value->entries[0].key, "b");
   const Value* list = value->find("a");
   ASSERT_NE(list, nullptr);
   EXPECT_EQ(list->items[0].line, 3);

@@ -65,9 +65,9 @@ bool holds_within(double seconds, const std::function<bool()>& condition) {
 }  // namespace
 
 DdsRun::DdsRun() : shared_memory_before_(shared_memory()) {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  folder_ = fs::temp_directory_path() /
-            ("skein-dds-" + std::string(test->name()) + "-" + std::to_string(getpid()));
+  std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::replace(test.begin(), test.end(), '/', '-');
+  folder_ = fs::temp_directory_path() / ("skein-dds-" + test + "-" + std::to_string(getpid()));
   fs::remove_all(folder_);
   fs::create_directories(folder_);
 }

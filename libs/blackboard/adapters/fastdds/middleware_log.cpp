@@ -24,9 +24,15 @@ Sink& sink() {
   return *the_one;
 }
 
+/// Every pair of endpoints of one slot on two channels gives such a line: channels are partitions.
+bool is_expected(const std::string& message) {
+  return message.find("Different Partitions") != std::string::npos;
+}
+
 class Consumer final : public LogConsumer {
  public:
   void Consume(const Log::Entry& entry) override {
+    if (is_expected(entry.message)) return;
     const std::lock_guard lock(sink().mutex);
     if (!sink().function) return;
     const std::string category = entry.context.category != nullptr ? entry.context.category : "";
