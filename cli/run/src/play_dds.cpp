@@ -179,6 +179,7 @@ class DdsRun {
       faults_.erase(faults_.begin());
       add(record("fault").with("what", "kill").with("target", fault.node));
       fleet_.kill(fault.node);
+      ready_.erase(fault.node);
       if (fault.restart_after) restarts_.emplace_back(fault.at + *fault.restart_after, fault.node);
     }
     for (auto one = restarts_.begin(); one != restarts_.end();) {

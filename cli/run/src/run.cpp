@@ -53,19 +53,34 @@ int exit_code(const Played& played, const std::vector<Verdict>& verdicts) {
   return kExitOk;
 }
 
+// Why a run came to no proper end; empty if it did.
+std::string early_end(const Played& played) {
+  switch (played.end) {
+    case Played::End::kFailed:
+      return "the run failed: " + played.why;
+    case Played::End::kInterrupted:
+      return "interrupted";
+    default:
+      break;
+  }
+  return "";
+}
+
 void print_summary(const std::vector<Verdict>& verdicts, const Played& played,
                    const std::string& folder, std::ostream& out) {
+  const std::string early = early_end(played);
+  if (!early.empty()) out << early << (early.back() == '\n' ? "" : "\n");
   std::size_t passed = 0;
   for (const Verdict& verdict : verdicts) {
     passed += verdict.passed ? 1 : 0;
-    if (!verdict.passed) out << "FAILED  " << verdict.name << "\n        " << verdict.seen << '\n';
+    // Of a run that was cut short nobody expects the rest; the report has it all.
+    if (verdict.passed || !early.empty()) continue;
+    out << "FAILED  " << verdict.name << "\n        " << verdict.seen << '\n';
   }
   if (played.end == Played::End::kTimeLimit)
     out << "the time limit came before the mission's end\n";
   if (played.end == Played::End::kIdle)
     out << "nothing was left to happen before the mission's end\n";
-  if (played.end == Played::End::kInterrupted) out << "interrupted\n";
-  if (played.end == Played::End::kFailed) out << "the run failed: " << played.why << '\n';
   out << passed << " of " << verdicts.size() << " expectations met; report: " << folder
       << "/report.html\n";
 }

@@ -117,9 +117,9 @@ Result<std::string, Failure> write_report(const std::string& folder) {
   const report::Journal journal =
       report::salvage_journal(events, (from / "events.jsonl").string()).journal;
   const std::string summary = report::summary_json(*info, journal);
-  for (const auto& [name, text] : {std::pair{"report.html", report::html_report(*info, journal)},
-                                   std::pair{"junit.xml", report::junit(*info, journal)},
-                                   std::pair{"result.json", summary}}) {
+  for (const auto& [name, text] :
+       {std::pair{"report.html", report::html_report(*info, journal)},
+        std::pair{"junit.xml", report::junit(*info, journal)}, std::pair{"result.json", summary}}) {
     if (auto done = write_file(from / name, text); !done) return tl::unexpected(done.error());
   }
   return summary;

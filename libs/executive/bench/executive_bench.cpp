@@ -4,29 +4,16 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "skein/executive/executive.hpp"
-
-namespace {
-std::size_t live_bytes = 0;  // as the allocator rounds them
-}  // namespace
-
-void* operator new(std::size_t size) {
-  void* memory = std::malloc(size);
-  if (memory == nullptr) throw std::bad_alloc();
-  live_bytes += malloc_usable_size(memory) + sizeof(void*);
-  return memory;
-}
-void operator delete(void* memory) noexcept {
-  if (memory != nullptr) live_bytes -= malloc_usable_size(memory) + sizeof(void*);
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept { operator delete(memory); }
 
 namespace skein::executive {
 namespace {
+
+/// Bytes handed out by the allocator, as it rounds them and with its headers.
+std::size_t live_bytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
 
 Literal task_is(std::uint64_t id, TaskState state, Modality modality = Modality::kMandatory) {
   return Literal{TaskInState{TaskId{id}, state}, false, modality};
@@ -72,9 +59,9 @@ class MovingWindow {
 };
 
 void event_in_a_moving_window(benchmark::State& state) {
-  const std::size_t before = live_bytes;
+  const std::size_t before = live_bytes();
   MovingWindow window(static_cast<std::uint64_t>(state.range(0)));
-  const std::size_t built = live_bytes - before;
+  const std::size_t built = live_bytes() - before;
   for (auto _ : state) window.move_on();
   const auto moves = static_cast<double>(state.iterations());
   state.counters["events/s"] = benchmark::Counter(4.0 * moves, benchmark::Counter::kIsRate);

@@ -55,8 +55,6 @@ class Daemon {
     if (!host) return tl::unexpected(host.error());
     host_ = std::move(*host);
     introduce();
-    host_->start(now());
-    flush_journal();
     return loop();
   }
 
@@ -73,6 +71,8 @@ class Daemon {
   void turn() {
     for (JobDone& done : jobs_.take_done()) host_->job_done(std::move(done), now());
     host_->step(now());
+    // A daemon that is restarted in mid-mission must not live at mission time zero.
+    if (!host_->started() && (config_.leads_clock || clock_heard_)) host_->start(now());
     if (!introduced_as_ready_ && host_->all_peers_heard()) introduce();
     if (config_.leads_clock) lead();
     flush_journal();
@@ -114,6 +114,7 @@ class Daemon {
   void take_world(const wire::Sample& sample) {
     if (const auto* clock = std::get_if<wire::Clock>(&sample)) {
       follower_.update(*clock, Waker::steady_now());
+      clock_heard_ = true;
     } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&sample)) {
       if (entry->ready) awaited_.erase(entry->name);
     } else if (const auto* state = std::get_if<wire::MissionState>(&sample)) {
@@ -179,6 +180,7 @@ class Daemon {
   std::unique_ptr<Host> host_;
   std::vector<journal::Record> unsent_records_;
   bool introduced_as_ready_ = false;
+  bool clock_heard_ = false;
   std::set<std::string> awaited_;
   Duration next_clock_;
   std::optional<MissionTime> finish_at_;

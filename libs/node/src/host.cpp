@@ -2,6 +2,9 @@
 #include "skein/node/host.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "skein/foundation/contract.hpp"
 
 namespace skein::node {
 
@@ -21,6 +24,11 @@ bool is_radio_peer(const Roster& roster, NodeNumber number) {
   const Member* member = roster.find(number);
   return member != nullptr &&
          (member->role == wire::Role::kGround || member->role == wire::Role::kDdn);
+}
+
+bool is_of_the_world(const blackboard::Incoming& incoming) {
+  const auto* received = std::get_if<blackboard::Received>(&incoming);
+  return received != nullptr && received->channel == ChannelKind::kWorld;
 }
 
 }  // namespace
@@ -58,14 +66,19 @@ Host::Host(const Roster& roster, const Member& self, std::unique_ptr<Node> node,
   }
 }
 
-void Host::start(Now now) { give(Started{config_.incarnation}, now); }
+void Host::start(Now now) {
+  SKEIN_EXPECTS(!started_);
+  started_ = true;
+  give(Started{config_.incarnation}, now);
+  for (auto& incoming : std::exchange(before_start_, {})) take(std::move(incoming), now);
+}
 
 bool Host::step(Now now) {
   std::vector<blackboard::Incoming> incoming = blackboard_.step(now);
   bool busy = !incoming.empty();
   for (auto& one : incoming) take(std::move(one), now);
   const auto due = node_->next_wakeup();
-  if (due && *due <= now.mission) {
+  if (started_ && due && *due <= now.mission) {
     give(Wakeup{}, now);
     busy = true;
   }
@@ -113,9 +126,14 @@ void Host::send(const Send& one, Now now) {
 }
 
 void Host::take(blackboard::Incoming incoming, Now now) {
+  const auto* reach = std::get_if<blackboard::Reachability>(&incoming);
+  if (reach != nullptr && reach->reachable) heard_.insert(reach->peer);
+  if (!started_ && !is_of_the_world(incoming)) {
+    before_start_.push_back(std::move(incoming));
+    return;
+  }
   std::visit(Overloaded{[&](blackboard::Received& one) { take_received(std::move(one), now); },
                         [&](blackboard::Reachability& one) {
-                          if (one.reachable) heard_.insert(one.peer);
                           ports_.journal(record("reach", now)
                                              .with("peer", roster_.name_of(one.peer))
                                              .with("reachable", one.reachable));

@@ -48,6 +48,11 @@ class Hosts : public ::testing::Test {
   }
 
   void start(const std::string& name, std::uint64_t incarnation = 1, double rate = 1) {
+    open(name, incarnation, rate);
+    (*this)[name].host->start(now());
+  }
+  // A host that is there, but not started yet.
+  void open(const std::string& name, std::uint64_t incarnation = 1, double rate = 1) {
     auto station = std::make_unique<Station>(hub_);
     Station& it = *station;
     HostConfig config;
@@ -105,12 +110,32 @@ class Hosts : public ::testing::Test {
 };
 
 TEST_F(Hosts, StartingTellsTheNodeItsIncarnation) {
-  start("marvin", 3);
+  open("marvin", 3);
 
   (*this)["marvin"].host->start(now());
 
   ASSERT_EQ((*this)["marvin"].diary.all<Started>().size(), 1U);
   EXPECT_EQ((*this)["marvin"].diary.all<Started>()[0].incarnation, 3U);
+}
+
+TEST_F(Hosts, WhatComesBeforeTheStartIsHandledAndLoggedAfterIt) {
+  open("marvin", 2);
+  Station& marvin = (*this)["marvin"];
+  advance(1);
+  const bool heard_before = marvin.host->all_peers_heard();
+  act("ground", {Send{number("marvin"), abort_request(7)}});
+  advance(1);
+  const std::size_t given_before = marvin.diary.all<Received>().size();
+  const std::size_t logged_before = marvin.records.size();
+
+  marvin.host->start(now());
+
+  EXPECT_TRUE(heard_before);
+  EXPECT_EQ(given_before, 0U);
+  EXPECT_EQ(logged_before, 0U);
+  EXPECT_EQ(marvin.diary.samples<wire::TaskRequest>().size(), 1U);
+  ASSERT_FALSE(marvin.records.empty());
+  EXPECT_EQ(marvin.records[0].at(), now().mission);
 }
 
 TEST_F(Hosts, ASampleGoesToTheNodeItIsFor) {

@@ -41,8 +41,11 @@ class Host {
                                                      blackboard::Transport& transport,
                                                      const HostConfig& config, HostPorts ports);
 
-  /// Gives the node its Started input.
+  /// Gives the node its Started input, then what came before. Until then the blackboard works and
+  /// peers are heard, but the node gets nothing and nothing is logged: a runtime starts it once it
+  /// knows the mission time.
   void start(blackboard::Now now);
+  bool started() const { return started_; }
   /// Takes what arrived, wakes the node if it is due, carries out effects. True if there was
   /// anything to do, so that a runtime can go on until all hosts are quiet.
   bool step(blackboard::Now now);
@@ -80,6 +83,8 @@ class Host {
   blackboard::Blackboard blackboard_;
   HostConfig config_;
   HostPorts ports_;
+  bool started_ = false;
+  std::vector<blackboard::Incoming> before_start_;
   std::set<NodeNumber> peers_;  ///< with a radio or onboard channel
   std::set<NodeNumber> heard_;
   std::set<NodeNumber> down_;  ///< held down by the radio
