@@ -222,5 +222,14 @@ TEST_F(FastDdsRaw, AGeneratedReaderUnderstandsUs) {
   EXPECT_EQ(seen.contact_policy(), "hold");
 }
 
+TEST(FastDdsTransport, AnAddressThatNobodyHereHasIsAFailureAndNotSilence) {
+  FastDdsTransport transport({1, "lost", {"127.0.0.1", "192.0.2.77"}, {}});
+
+  const auto opened = transport.open({kGround.number, {}, {}});
+
+  ASSERT_FALSE(opened.has_value());
+  EXPECT_EQ(opened.error().why, "no interface that is up has address 192.0.2.77");
+}
+
 }  // namespace
 }  // namespace skein::blackboard

@@ -18,6 +18,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 
 #include "middleware_log.hpp"
 #include "named_lock.hpp"
@@ -173,6 +174,11 @@ void FastDdsTransport::Impl::flush_world() {
 Result<void, Failure> FastDdsTransport::Impl::open(const TransportPlan& plan) {
   SKEIN_EXPECTS(participant_ == nullptr);
   const std::string domain = std::to_string(config_.domain);
+  // Fast DDS would take an address that nobody has and then be deaf.
+  const std::set<std::string> own = fastdds::own_addresses();
+  for (const std::string& address : config_.interfaces) {
+    if (!own.contains(address)) return failure("no interface that is up has address " + address);
+  }
   const auto number = claim_participant_number();
   if (!number) return failure("too many DDS participants in domain " + domain);
   participant_ = factory().create_participant(

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The UDP ports of DDS domains and participants.
+// The UDP ports of DDS domains and participants, and the addresses of this machine.
 #include "ports.hpp"
 
+#include <arpa/inet.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -26,6 +31,23 @@ std::set<unsigned> bound_udp_ports() {
     }
   }
   return ports;
+}
+
+std::set<std::string> own_addresses() {
+  std::set<std::string> addresses;
+  ifaddrs* all = nullptr;
+  if (getifaddrs(&all) != 0) return addresses;
+  for (const ifaddrs* one = all; one != nullptr; one = one->ifa_next) {
+    const bool up = (one->ifa_flags & IFF_UP) != 0;
+    if (!up || one->ifa_addr == nullptr || one->ifa_addr->sa_family != AF_INET) continue;
+    sockaddr_in address{};
+    std::memcpy(&address, one->ifa_addr, sizeof address);
+    char text[INET_ADDRSTRLEN];
+    inet_ntop(AF_INET, &address.sin_addr, text, sizeof text);
+    addresses.emplace(text);
+  }
+  freeifaddrs(all);
+  return addresses;
 }
 
 }  // namespace skein::blackboard::fastdds

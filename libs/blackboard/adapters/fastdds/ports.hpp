@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The UDP ports of DDS domains and participants.
+// The UDP ports of DDS domains and participants, and the addresses of this machine.
 #pragma once
 
 #include <cstdint>
 #include <set>
+#include <string>
 
 namespace skein::blackboard::fastdds {
 
@@ -21,5 +22,8 @@ inline constexpr std::uint32_t kParticipants = 32;
 
 /// UDP ports bound in this network namespace.
 std::set<unsigned> bound_udp_ports();
+
+/// IPv4 addresses of this machine's interfaces that are up, as text.
+std::set<std::string> own_addresses();
 
 }  // namespace skein::blackboard::fastdds
