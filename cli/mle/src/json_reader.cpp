@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "skein/foundation/nearest.hpp"
 
@@ -20,6 +21,29 @@ std::string hint(std::string_view word, std::initializer_list<std::string_view> 
   const std::string nearest = word.size() > 64 ? "" : nearest_name(word, candidates);
   return nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?";
 }
+
+// What JSON allows and a trace does not, found while parsing: deep nesting, keys that come twice.
+class Strictness {
+ public:
+  bool accepts(int depth, Json::parse_event_t event, const Json& value) {
+    if (!problem_.empty()) return false;
+    if (depth > kDeepest) problem_ = "nested more than " + std::to_string(kDeepest) + " deep";
+    if (event == Json::parse_event_t::object_start) keys_.emplace_back();
+    if (event == Json::parse_event_t::object_end && !keys_.empty()) keys_.pop_back();
+    if (event == Json::parse_event_t::key && !keys_.empty()) note(value.get<std::string>());
+    return problem_.empty();
+  }
+
+  const std::string& problem() const { return problem_; }
+
+ private:
+  void note(const std::string& key) {
+    if (!keys_.back().insert(key).second) problem_ = "key " + in_quotes(key) + " comes twice";
+  }
+
+  std::vector<std::set<std::string>> keys_;  ///< of each object that is open
+  std::string problem_;
+};
 
 }  // namespace
 
@@ -99,20 +123,18 @@ std::size_t Node::one_of(std::initializer_list<std::string_view> words) const {
 }
 
 Result<Json, Failure> parse(std::string_view text) {
-  bool too_deep = false;
-  const Json::parser_callback_t bounded = [&](int depth, Json::parse_event_t, Json&) {
-    too_deep = too_deep || depth > kDeepest;
-    return !too_deep;
+  Strictness strictness;
+  const Json::parser_callback_t check = [&](int depth, Json::parse_event_t event, Json& value) {
+    return strictness.accepts(depth, event, value);
   };
   try {
-    Json json = Json::parse(text.begin(), text.end(), bounded);
-    if (too_deep) return failure("nested too deeply");
+    Json json = Json::parse(text.begin(), text.end(), check);
+    if (!strictness.problem().empty()) return failure(strictness.problem());
     return json;
-  } catch (const Json::exception& error) {
-    // "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error …"
-    const std::string_view what = error.what();
-    const std::size_t start = what.find("column");
-    return failure("not JSON: " + std::string(start == what.npos ? what : what.substr(start)));
+  } catch (const Json::parse_error& error) {
+    return failure("not JSON, from column " + std::to_string(error.byte) + " on");
+  } catch (const Json::exception&) {
+    return failure("not JSON: a number out of range");
   }
 }
 

@@ -50,7 +50,7 @@ class Node {
   std::string path_;
 };
 
-/// A whole document; the nesting is bounded.
+/// A whole document; the nesting is bounded and no object has a key twice.
 Result<Json, Failure> parse(std::string_view text);
 
 }  // namespace skein::mle_tool

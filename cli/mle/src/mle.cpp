@@ -39,8 +39,8 @@ bool is_blank(const std::string& line) {
 /// The replay: an executive, the present instant, and where its effects are written.
 class Replay {
  public:
-  Replay(executive::Config config, std::ostream& out, std::ostream& err)
-      : executive_(std::move(config)), out_(out), err_(err) {}
+  Replay(executive::Config config, std::string input_name, std::ostream& out, std::ostream& err)
+      : executive_(std::move(config)), input_name_(std::move(input_name)), out_(out), err_(err) {}
 
   void line(std::size_t number, const std::string& text) {
     const Result<TraceLine, Failure> line = read_line(text);
@@ -55,6 +55,7 @@ class Replay {
 
   void wrong(std::size_t number, const std::string& why) {
     out_ << wrong_line(last_.value_or(MissionTime()), number, why) << '\n';
+    err_ << input_name_ << ':' << number << ": " << why << '\n';
     any_wrong_ = true;
   }
 
@@ -79,6 +80,7 @@ class Replay {
   }
 
   executive::Executive executive_;
+  std::string input_name_;
   std::optional<MissionTime> last_;
   bool any_wrong_ = false;
   std::ostream& out_;
@@ -106,7 +108,8 @@ int run_mle(const MleOptions& options, std::istream& in, std::ostream& out, std:
   config.types = *types;
   config.background_type = options.background;
   config.functional_timeout = options.timeout;
-  Replay replay(std::move(config), out, err);
+  const std::string name = options.input_name.empty() ? "standard input" : options.input_name;
+  Replay replay(std::move(config), name, out, err);
   std::string line;
   std::size_t number = 0;
   for (Got got = get_line(in, line); got != Got::kEnd; got = get_line(in, line)) {

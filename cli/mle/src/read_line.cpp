@@ -56,8 +56,7 @@ Condition condition(const Node& node) {
   }
   node.expect_keys({"time", "is", "not", "modality"});
   if (!node.has("time")) node.wrong("expected a literal with 'task', 'message' or 'time'");
-  return TimeIs{node.at("time").instant(),
-                node.at("is").one_of({"passed", "not-yet-passed"}) == 0};
+  return TimeIs{node.at("time").instant(), node.at("is").one_of({"passed", "not-yet-passed"}) == 0};
 }
 
 Literal literal(const Node& node) {
@@ -136,8 +135,8 @@ Task task(const Node& node) {
 // --- lines ---------------------------------------------------------------------------------------
 
 Input request(const Node& node) {
-  const std::size_t kind = node.at("request").one_of(
-      {"START", "ABORT", "PROCESS-MSG", "UPDATE-COND", "SUPPRESS"});
+  const std::size_t kind =
+      node.at("request").one_of({"START", "ABORT", "PROCESS-MSG", "UPDATE-COND", "SUPPRESS"});
   switch (static_cast<RequestKind>(kind)) {
     case RequestKind::kStart: {
       node.expect_keys({"at", "request", "mode", "task"});
@@ -187,7 +186,8 @@ Input input(const Node& node) {
     return PeerReachable{node.at("reachable").text()};
   }
   node.expect_keys({"at", "request", "status", "sync", "reachable", "airborne"});
-  if (!node.has("airborne")) node.wrong("expected 'request', 'status' or 'sync'");
+  if (!node.has("airborne"))
+    node.wrong("expected 'request', 'status', 'sync', 'reachable' or 'airborne'");
   return Flight{node.at("airborne").flag()};
 }
 

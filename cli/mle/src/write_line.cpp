@@ -22,8 +22,8 @@ struct LineOf {
   using Line = std::optional<std::string>;
 
   Line operator()(const executive::TaskEvent& e) const {
-    return opening(at) + ",\"task\":" + to_text(e.id) + ",\"state\":" +
-           json_text(executive::to_text(e.state)) + "}";
+    return opening(at) + ",\"task\":" + to_text(e.id) +
+           ",\"state\":" + json_text(executive::to_text(e.state)) + "}";
   }
   Line operator()(const executive::Dispatch& e) const {
     return opening(at) + ",\"dispatch\":" + to_text(e.id) + "}";
@@ -32,8 +32,8 @@ struct LineOf {
     return opening(at) + ",\"interrupt\":" + to_text(e.id) + "}";
   }
   Line operator()(const executive::SendSync& e) const {
-    return opening(at) + ",\"sync\":{\"id\":" + std::to_string(e.id) + ",\"to\":" + json_text(e.to) +
-           "}}";
+    return opening(at) + ",\"sync\":{\"id\":" + std::to_string(e.id) +
+           ",\"to\":" + json_text(e.to) + "}}";
   }
   Line operator()(const executive::Reply& e) const {
     if (e.accepted) return std::nullopt;

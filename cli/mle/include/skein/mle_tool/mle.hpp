@@ -21,9 +21,9 @@ struct MleOptions {
 };
 
 /// Reads JSON lines from `in` (formats: cli/mle/README.md), writes to `out` what happens and to
-/// `err` what is only for the log. Lines are read one by one and answered at once.
-/// 0: done; 1: some line was wrong (the others were replayed); 2: the types file cannot be used.
+/// `err` what is only for the log, and again what is wrong with a line. Lines are read one by one
+/// and answered at once. 0: done; 1: some line was wrong (the others were replayed); 2: the types
+/// file cannot be used.
 int run_mle(const MleOptions& options, std::istream& in, std::ostream& out, std::ostream& err);
-
 
 }  // namespace skein::mle_tool
