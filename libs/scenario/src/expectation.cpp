@@ -85,15 +85,15 @@ Verdict check_finally(const ExpectFinally& expected, const Records& records) {
 }
 
 Verdict check_measure(const ExpectMeasure& expected, const Records& records) {
-  const auto value = measure(expected.quantity, expected.uavs, records);
-  if (!value) return {"", false, "nothing to measure: " + value.error()};
-  const bool passed = (!expected.at_least || *value >= *expected.at_least) &&
-                      (!expected.at_most || *value <= *expected.at_most);
-  const double rounded = std::round(*value * 1000) / 1000;
+  const auto measured = measure(expected.quantity, expected.uavs, records);
+  if (!measured) return {"", false, "nothing to measure: " + measured.error()};
+  const bool passed = (!expected.at_least || measured->value >= *expected.at_least) &&
+                      (!expected.at_most || measured->value <= *expected.at_most);
+  const double rounded = std::round(measured->value * 1000) / 1000;
   std::string number = std::to_string(rounded);
   number.erase(number.find_last_not_of('0') + 1);
   if (number.back() == '.') number.pop_back();
-  return {"", passed, number};
+  return {"", passed, number + measured->context};
 }
 
 struct Checker {

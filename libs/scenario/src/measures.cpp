@@ -34,31 +34,34 @@ void for_telemetry(const std::vector<std::string>& uavs, const Records& records,
 // last, if those are not older than this.
 constexpr double kSameInstant = 0.5;
 
-tl::expected<double, std::string> minimum_separation(const std::vector<std::string>& uavs,
-                                                     const Records& records) {
+tl::expected<Measured, std::string> minimum_separation(const std::vector<std::string>& uavs,
+                                                       const Records& records) {
   struct Last {
     MissionTime at;
     Position position;
     bool airborne;
   };
   std::map<std::string, Last> last;
-  double least = std::numeric_limits<double>::infinity();
+  Measured least{std::numeric_limits<double>::infinity(), ""};
   for_telemetry(uavs, records, [&](const journal::Record& record, const std::string& uav) {
     const Last now{record.at(), record.numbers("position"), record.truth("airborne")};
     for (const auto& [name, other] : last) {
       const bool together = (now.at - other.at).to_seconds() <= kSameInstant;
       if (name != uav && together && now.airborne && other.airborne) {
-        least = std::min(least, distance(now.position, other.position));
+        const double apart = distance(now.position, other.position);
+        if (apart >= least.value) continue;
+        least = {apart, " m (" + name + " and " + uav + " at " + to_text(now.at) + " s)"};
       }
     }
     last.insert_or_assign(uav, now);
   });
-  if (std::isinf(least)) return tl::unexpected<std::string>("no two UAVs were airborne together");
+  if (std::isinf(least.value))
+    return tl::unexpected<std::string>("no two UAVs were airborne together");
   return least;
 }
 
-tl::expected<double, std::string> distance_flown(const std::vector<std::string>& uavs,
-                                                 const Records& records) {
+tl::expected<Measured, std::string> distance_flown(const std::vector<std::string>& uavs,
+                                                   const Records& records) {
   std::map<std::string, Position> last;
   double sum = 0;
   for_telemetry(uavs, records, [&](const journal::Record& record, const std::string& uav) {
@@ -68,25 +71,25 @@ tl::expected<double, std::string> distance_flown(const std::vector<std::string>&
     last.insert_or_assign(uav, position);
   });
   if (last.empty()) return tl::unexpected<std::string>("no telemetry");
-  return sum;
+  return Measured{sum, " m"};
 }
 
-tl::expected<double, std::string> energy_left(const std::vector<std::string>& uavs,
-                                              const Records& records) {
+tl::expected<Measured, std::string> energy_left(const std::vector<std::string>& uavs,
+                                                const Records& records) {
   std::map<std::string, double> last;
   for_telemetry(uavs, records, [&](const journal::Record& record, const std::string& uav) {
     last[uav] = record.number("energy");
   });
   if (last.empty()) return tl::unexpected<std::string>("no telemetry");
-  return std::min_element(last.begin(), last.end(),
-                          [](const auto& a, const auto& b) { return a.second < b.second; })
-      ->second;
+  const auto least = std::min_element(
+      last.begin(), last.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return Measured{least->second, " (" + least->first + ")"};
 }
 
-tl::expected<double, std::string> mission_duration(const Records& records) {
+tl::expected<Measured, std::string> mission_duration(const Records& records) {
   for (const auto& record : records) {
     if (record.kind() == "mission" && record.text("state") == "finished") {
-      return record.at().to_seconds();
+      return Measured{record.at().to_seconds(), " s"};
     }
   }
   return tl::unexpected<std::string>("the mission did not finish");
@@ -94,9 +97,9 @@ tl::expected<double, std::string> mission_duration(const Records& records) {
 
 }  // namespace
 
-tl::expected<double, std::string> measure(ExpectMeasure::Quantity quantity,
-                                          const std::vector<std::string>& uavs,
-                                          const std::vector<journal::Record>& records) {
+tl::expected<Measured, std::string> measure(ExpectMeasure::Quantity quantity,
+                                            const std::vector<std::string>& uavs,
+                                            const std::vector<journal::Record>& records) {
   switch (quantity) {
     case ExpectMeasure::Quantity::kMinimumSeparation:
       return minimum_separation(uavs, records);

@@ -7,9 +7,15 @@
 
 namespace skein::scenario {
 
+/// A figure, and what a person needs to understand it: " m (marvin and heliv at 617 s)".
+struct Measured {
+  double value = 0;
+  std::string context;  ///< unit, who and when; follows the number
+};
+
 /// The figure, or why it cannot be computed. `uavs` empty: all that have telemetry.
-tl::expected<double, std::string> measure(ExpectMeasure::Quantity quantity,
-                                          const std::vector<std::string>& uavs,
-                                          const std::vector<journal::Record>& records);
+tl::expected<Measured, std::string> measure(ExpectMeasure::Quantity quantity,
+                                            const std::vector<std::string>& uavs,
+                                            const std::vector<journal::Record>& records);
 
 }  // namespace skein::scenario

@@ -280,7 +280,7 @@ TEST(MinimumSeparation, IsTheLeastDistanceInTheAir) {
       verdict_of(ExpectMeasure{Quantity::kMinimumSeparation, {}, 13, {}}, records);
 
   EXPECT_TRUE(verdict.passed);
-  EXPECT_EQ(verdict.seen, "13");
+  EXPECT_EQ(verdict.seen, "13 m (a and b at 2 s)");
 }
 
 TEST(MinimumSeparation, DoesNotCountOnTheGroundNorAtDifferentTimes) {
@@ -289,7 +289,8 @@ TEST(MinimumSeparation, DoesNotCountOnTheGroundNorAtDifferentTimes) {
                                     telemetry(2.8, "b", {1, 0, 10}),
                                     telemetry(3, "a", {50, 0, 10})};
 
-  EXPECT_EQ(verdict_of(ExpectMeasure{Quantity::kMinimumSeparation, {}, 1, {}}, records).seen, "49");
+  EXPECT_EQ(verdict_of(ExpectMeasure{Quantity::kMinimumSeparation, {}, 1, {}}, records).seen,
+            "49 m (b and a at 3 s)");
 }
 
 TEST(MinimumSeparation, OfChosenUavsLeavesOutTheOthers) {
@@ -298,7 +299,7 @@ TEST(MinimumSeparation, OfChosenUavsLeavesOutTheOthers) {
 
   EXPECT_EQ(
       verdict_of(ExpectMeasure{Quantity::kMinimumSeparation, {"a", "c"}, 1, {}}, records).seen,
-      "5");
+      "5 m (a and c at 1 s)");
 }
 
 TEST(MinimumSeparation, OfOneAloneIsNoFigure) {
@@ -314,8 +315,9 @@ TEST(DistanceFlown, IsTheSumOfAllWays) {
                                     telemetry(2, "a", {3, 4, 0}), telemetry(2, "b", {0, 0, 2}),
                                     telemetry(3, "a", {3, 4, 12})};
 
-  EXPECT_EQ(verdict_of(ExpectMeasure{Quantity::kDistanceFlown, {}, {}, 19}, records).seen, "19");
-  EXPECT_EQ(verdict_of(ExpectMeasure{Quantity::kDistanceFlown, {"a"}, {}, 19}, records).seen, "17");
+  EXPECT_EQ(verdict_of(ExpectMeasure{Quantity::kDistanceFlown, {}, {}, 19}, records).seen, "19 m");
+  EXPECT_EQ(verdict_of(ExpectMeasure{Quantity::kDistanceFlown, {"a"}, {}, 19}, records).seen,
+            "17 m");
   EXPECT_FALSE(passes(ExpectMeasure{Quantity::kDistanceFlown, {}, {}, 18.999}, records));
   EXPECT_FALSE(passes(ExpectMeasure{Quantity::kDistanceFlown, {"c"}, 0, {}}, records));
 }
@@ -326,7 +328,7 @@ TEST(MissionDuration, IsTheInstantItFinished) {
       Record(at(1234.5), "ground", "mission").with("state", "finished")};
 
   EXPECT_EQ(verdict_of(ExpectMeasure{Quantity::kMissionDuration, {}, {}, 2000}, records).seen,
-            "1234.5");
+            "1234.5 s");
   EXPECT_FALSE(passes(ExpectMeasure{Quantity::kMissionDuration, {}, {}, 1000}, records));
   EXPECT_EQ(verdict_of(ExpectMeasure{Quantity::kMissionDuration, {}, {}, 2000}, {}).seen,
             "nothing to measure: the mission did not finish");
@@ -337,8 +339,9 @@ TEST(EnergyLeft, IsTheLeastAtTheEnd) {
                                     telemetry(2, "a", {0, 0, 0}, true, 0.5),
                                     telemetry(2, "b", {0, 0, 0}, true, 0.4)};
 
-  EXPECT_EQ(verdict_of(ExpectMeasure{Quantity::kEnergyLeft, {}, 0.2, {}}, records).seen, "0.4");
-  EXPECT_EQ(verdict_of(ExpectMeasure{Quantity::kEnergyLeft, {"a"}, 0.2, {}}, records).seen, "0.5");
+  EXPECT_EQ(verdict_of(ExpectMeasure{Quantity::kEnergyLeft, {}, 0.2, {}}, records).seen, "0.4 (b)");
+  EXPECT_EQ(verdict_of(ExpectMeasure{Quantity::kEnergyLeft, {"a"}, 0.2, {}}, records).seen,
+            "0.5 (a)");
   EXPECT_FALSE(passes(ExpectMeasure{Quantity::kEnergyLeft, {}, 0.41, {}}, records));
   EXPECT_FALSE(passes(ExpectMeasure{Quantity::kEnergyLeft, {}, 0.2, {}}, {}));
 }
