@@ -14,11 +14,19 @@ namespace {
 constexpr int kDeepest = 32;
 constexpr double kLatest = 9.2e9;  // [s], just inside the 64-bit range of nanoseconds
 
-std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
+constexpr std::size_t kLongestQuote = 64;  // [bytes]
+
+// A long word is cut, not within a character of UTF-8.
+std::string in_quotes(std::string_view text) {
+  if (text.size() <= kLongestQuote) return "'" + std::string(text) + "'";
+  std::size_t end = kLongestQuote;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  return "'" + std::string(text.substr(0, end)) + "…'";
+}
 
 std::string hint(std::string_view word, std::initializer_list<std::string_view> words) {
   const std::vector<std::string> candidates(words.begin(), words.end());
-  const std::string nearest = word.size() > 64 ? "" : nearest_name(word, candidates);
+  const std::string nearest = word.size() > kLongestQuote ? "" : nearest_name(word, candidates);
   return nearest.empty() ? "" : "; did you mean " + in_quotes(nearest) + "?";
 }
 

@@ -17,18 +17,24 @@ namespace {
 
 constexpr std::size_t kLongestLine = 1 << 20;  // [bytes]
 
-enum class Got { kLine, kTooLong, kEnd };
+enum class Got { kLine, kTooLong, kEnd, kFailed };
 
-// A line of any length is read; of one that is too long only the beginning is kept.
+// A line of any length is read; of one that is too long only the beginning is kept. What cannot be
+// read (a directory) shows as an exception of the stream buffer.
 Got get_line(std::istream& in, std::string& line) {
+  using Traits = std::char_traits<char>;
   line.clear();
   std::size_t length = 0;
-  std::streambuf* buffer = in.rdbuf();
-  for (int c = buffer->sbumpc(); c != std::char_traits<char>::eof(); c = buffer->sbumpc()) {
-    if (c == '\n') return length > kLongestLine ? Got::kTooLong : Got::kLine;
-    if (++length <= kLongestLine) line.push_back(static_cast<char>(c));
+  try {
+    std::streambuf* buffer = in.rdbuf();
+    int c = buffer->sbumpc();
+    if (c == Traits::eof()) return Got::kEnd;
+    for (; c != Traits::eof() && c != '\n'; c = buffer->sbumpc()) {
+      if (++length <= kLongestLine) line.push_back(Traits::to_char_type(c));
+    }
+  } catch (const std::ios_base::failure&) {
+    return Got::kFailed;
   }
-  if (length == 0) return Got::kEnd;
   return length > kLongestLine ? Got::kTooLong : Got::kLine;
 }
 
@@ -89,10 +95,30 @@ class Replay {
 
 Result<executive::TypeTable, Failure> types_from(const std::string& file) {
   if (file.empty()) return executive::TypeTable::elementary();
-  std::ifstream in(file, std::ios::binary);
-  const std::string text((std::istreambuf_iterator<char>(in)), {});
-  if (!in.good() && !in.eof()) return failure("cannot be read");
-  return read_types(text);
+  try {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return failure("cannot be read");
+    return read_types(std::string(std::istreambuf_iterator<char>(in), {}));
+  } catch (const std::ios_base::failure&) {
+    return failure("cannot be read");
+  }
+}
+
+// Until the end of the input. Whether all of it could be read.
+bool replay_lines(Replay& replay, std::istream& in, std::ostream& out) {
+  std::string line;
+  std::size_t number = 0;
+  Got got = get_line(in, line);
+  for (; got == Got::kLine || got == Got::kTooLong; got = get_line(in, line)) {
+    ++number;
+    if (got == Got::kTooLong) {
+      replay.wrong(number, "longer than " + std::to_string(kLongestLine) + " bytes");
+    } else if (!is_blank(line)) {
+      replay.line(number, line);
+    }
+    if (in.rdbuf()->in_avail() <= 0) out.flush();
+  }
+  return got == Got::kEnd;
 }
 
 }  // namespace
@@ -103,6 +129,10 @@ int run_mle(const MleOptions& options, std::istream& in, std::ostream& out, std:
     err << options.types_file << ": " << types.error().why << '\n';
     return 2;
   }
+  if (options.timeout && *options.timeout <= Duration()) {
+    err << "--timeout: " << to_text(*options.timeout) << " s is not positive\n";
+    return 2;
+  }
   executive::Config config;
   config.name = options.uav;
   config.types = *types;
@@ -110,16 +140,9 @@ int run_mle(const MleOptions& options, std::istream& in, std::ostream& out, std:
   config.functional_timeout = options.timeout;
   const std::string name = options.input_name.empty() ? "standard input" : options.input_name;
   Replay replay(std::move(config), name, out, err);
-  std::string line;
-  std::size_t number = 0;
-  for (Got got = get_line(in, line); got != Got::kEnd; got = get_line(in, line)) {
-    ++number;
-    if (got == Got::kTooLong) {
-      replay.wrong(number, "longer than " + std::to_string(kLongestLine) + " bytes");
-    } else if (!is_blank(line)) {
-      replay.line(number, line);
-    }
-    if (in.rdbuf()->in_avail() <= 0) out.flush();
+  if (!replay_lines(replay, in, out)) {
+    err << name << ": cannot be read\n";
+    return 2;
   }
   if (options.until) replay.pass_until(*options.until);
   out.flush();

@@ -215,6 +215,7 @@ Result<TypeTable, Failure> read_types(std::string_view text) {
     if (!json->is_object()) node.wrong("expected an object of types");
     TypeTable table = TypeTable::elementary();
     for (const auto& [type, value] : json->items()) {
+      if (type.empty()) node.wrong("a type has an empty name");
       const Node declaration = node.at(type);
       declaration.expect_keys({"resources"});
       table.declare(type, declaration.at("resources").names());

@@ -38,15 +38,14 @@ bool precondition_ready(const TaskRecord& record) {
 
 Truth Conditions::evaluate(const Literal& literal) const {
   const Standing standing = std::visit(
-      Overloaded{[&](const TaskInState& c) {
-                   return standing_of_task(*plan_.state_of(c.task), c.state);
-                 },
-                 [&](const MessageReceived& c) {
-                   const auto found = message_indices_.find(c.message);
-                   return standing_of_message(found != message_indices_.end() &&
-                                              messages_[found->second].received);
-                 },
-                 [&](const TimeIs& c) { return standing_of_time(c.instant <= now_, c.passed); }},
+      Overloaded{
+          [&](const TaskInState& c) { return standing_of_task(*plan_.state_of(c.task), c.state); },
+          [&](const MessageReceived& c) {
+            const auto found = message_indices_.find(c.message);
+            return standing_of_message(found != message_indices_.end() &&
+                                       messages_[found->second].received);
+          },
+          [&](const TimeIs& c) { return standing_of_time(c.instant <= now_, c.passed); }},
       literal.condition);
   return truth_of(standing, literal.negated, literal.modality);
 }
@@ -223,11 +222,9 @@ Formula Conditions::formula_of(Plan::Slot slot, Role role) const {
     } else {
       condition = TimeIs{instant_of(c.key), c.wanted != 0};
     }
-    formula[c.clause].push_back(Literal{std::move(condition),
-                                        (c.flags & CompiledLiteral::kNegated) != 0,
-                                        (c.flags & CompiledLiteral::kOptional) != 0
-                                            ? Modality::kOptional
-                                            : Modality::kMandatory});
+    formula[c.clause].push_back(Literal{
+        std::move(condition), (c.flags & CompiledLiteral::kNegated) != 0,
+        (c.flags & CompiledLiteral::kOptional) != 0 ? Modality::kOptional : Modality::kMandatory});
   }
   if (only_deadline && !state.literals().empty()) formula.clear();
   return formula;
@@ -273,9 +270,8 @@ void Conditions::instant_passed(MissionTime instant) {
   now_ = instant;
   WatchList watchers = std::move(found->second);
   instants_.erase(found);
-  visit(watchers, [](const CompiledLiteral& literal) {
-    return standing_of_time(true, literal.wanted != 0);
-  });
+  visit(watchers,
+        [](const CompiledLiteral& literal) { return standing_of_time(true, literal.wanted != 0); });
 }
 
 void Conditions::trim_instants() {

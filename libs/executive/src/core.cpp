@@ -128,13 +128,12 @@ void Executive::Core::on(const FunctionalStatus& status) {
   if (!slot) return notice(what + "unknown task " + to_text(status.id));
   const TaskRecord& record = plan_[*slot];
   const TaskState from = record.state;
-  const bool fits =
-      !record.synchronisation && is_active(from) &&
-      (is_terminal(status.state) ||
-       (status.state == TaskState::kRunning && from == TaskState::kStarted));
+  const bool fits = !record.synchronisation && is_active(from) &&
+                    (is_terminal(status.state) ||
+                     (status.state == TaskState::kRunning && from == TaskState::kStarted));
   if (!fits) {
-    return notice(what + "task " + to_text(status.id) + ", which is " +
-                  std::string(to_text(from)) + ", does not fit");
+    return notice(what + "task " + to_text(status.id) + ", which is " + std::string(to_text(from)) +
+                  ", does not fit");
   }
   const bool counts_as_aborted = from == TaskState::kAborting;
   std::string reason = status.reason;

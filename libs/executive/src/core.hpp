@@ -53,8 +53,7 @@ class Executive::Core {
   Slot enter(const Task& task);
   void make_urgent(Slot slot);
   std::optional<std::string> refusal_of(const UpdateConditions& request) const;
-  void reply(RequestKind kind, std::optional<TaskId> id,
-             const std::optional<std::string>& refusal);
+  void reply(RequestKind kind, std::optional<TaskId> id, const std::optional<std::string>& refusal);
 
   // transitions.cpp
   void set_state(Slot slot, TaskState state, const std::string& reason = {});

@@ -123,8 +123,8 @@ void Executive::Core::on(const Suppress& request) {
   if (!slot || plan_[*slot].background) {
     refusal = not_in_plan(request.id);
   } else if (!is_terminal(plan_[*slot].state)) {
-    refusal = "task " + to_text(request.id) + " is " +
-              std::string(to_text(plan_[*slot].state)) + ", not terminal";
+    refusal = "task " + to_text(request.id) + " is " + std::string(to_text(plan_[*slot].state)) +
+              ", not terminal";
   }
   reply(RequestKind::kSuppress, request.id, refusal);
   if (refusal) return;
@@ -147,9 +147,9 @@ std::optional<std::string> Executive::Core::refusal_of(const UpdateConditions& r
     return task + " is " + state + ": its preconditions no longer matter";
   }
   if (request.preconditions && record.urgent) return task + " is urgent: it has no preconditions";
-  return conditions_.incoherence(
-      request.id, request.preconditions ? &*request.preconditions : nullptr,
-      request.exit ? &*request.exit : nullptr, std::nullopt);
+  return conditions_.incoherence(request.id,
+                                 request.preconditions ? &*request.preconditions : nullptr,
+                                 request.exit ? &*request.exit : nullptr, std::nullopt);
 }
 
 void Executive::Core::on(const UpdateConditions& request) {

@@ -12,14 +12,14 @@ namespace {
 
 using testing::ce;
 using testing::cm;
-using testing::Mission;
-using testing::passed;
-using testing::TaskOf;
-using testing::Words;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::Mission;
+using testing::passed;
 using ::testing::SizeIs;
+using testing::TaskOf;
+using testing::Words;
 using enum TaskState;
 using enum InsertionMode;
 
@@ -93,8 +93,8 @@ TEST(Executive, OnlyNoticesStatusesThatDoNotFit) {
   mission.start(TaskOf(3, "goto"));
   mission.ends(3);
   const std::vector<std::pair<std::uint64_t, TaskState>> misfits = {
-      {1, kRunning}, {1, kEnded},    {1, kAborted},   {2, kRunning}, {2, kStarted},
-      {2, kAborting}, {2, kScheduled}, {3, kRunning}, {3, kEnded},   {3, kAborted}, {9, kEnded}};
+      {1, kRunning},   {1, kEnded},   {1, kAborted}, {2, kRunning}, {2, kStarted}, {2, kAborting},
+      {2, kScheduled}, {3, kRunning}, {3, kEnded},   {3, kAborted}, {9, kEnded}};
 
   for (const auto& [id, state] : misfits) {
     EXPECT_THAT(mission.status(id, state), IsEmpty()) << id << " " << to_text(state);

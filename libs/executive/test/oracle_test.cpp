@@ -36,8 +36,7 @@ RC_GTEST_PROP(Executive, GivesExactlyTheTraceOfTheNaiveExecutive, ()) {
   for (const auto& [at, input] : trace) {
     while (punctual && executive.next_wakeup() && *executive.next_wakeup() <= at) {
       const MissionTime instant = *executive.next_wakeup();
-      RC_ASSERT(show(executive.handle(Tick{}, instant)) ==
-                show(naive.handle(Tick{}, instant)));
+      RC_ASSERT(show(executive.handle(Tick{}, instant)) == show(naive.handle(Tick{}, instant)));
     }
     RC_ASSERT(show(executive.handle(input, at)) == show(naive.handle(input, at)));
   }
@@ -50,6 +49,39 @@ RC_GTEST_PROP(Executive, SameTraceGivesTheSameEffects, ()) {
 
   for (const auto& [at, input] : trace) {
     RC_ASSERT(one.handle(input, at) == other.handle(input, at));
+  }
+}
+
+RC_GTEST_PROP(Executive, NextWakeupIsNeverInThePast, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  const auto trace = RandomTrace(seed).make(150);
+  Executive executive(config_for(seed));
+
+  for (const auto& [at, input] : trace) {
+    executive.handle(input, at);
+    RC_ASSERT(!executive.next_wakeup() || *executive.next_wakeup() > at);
+  }
+}
+
+// An oracle says nothing about what its traces never meet.
+TEST(RandomTrace, MeetsEveryKindOfHappening) {
+  std::map<std::string, int> met;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Executive executive(config_for(seed));
+    for (const auto& [at, input] : RandomTrace(seed).make(150)) {
+      for (std::string word : show(executive.handle(input, at))) {
+        std::erase_if(word, [](char c) { return c >= '0' && c <= '9'; });
+        ++met[word];
+      }
+    }
+  }
+
+  for (const char* word :
+       {" scheduled", " started", " running", " aborting", " ended", " aborted", "dispatch ",
+        "dispatch joint ", "interrupt ", "interrupt joint ", "sync  to heliv", "forward  started",
+        "forward  aborted", "refused START", "refused ABORT", "refused UPDATE-COND",
+        "refused SUPPRESS", "accepted UPDATE-COND", "accepted SUPPRESS"}) {
+    EXPECT_GT(met[word], 50) << word;
   }
 }
 

@@ -100,8 +100,7 @@ class NaiveExecutive {
   }
   bool holds(const Formula& f) const {
     return std::all_of(f.begin(), f.end(), [&](const Clause& clause) {
-      return std::any_of(clause.begin(), clause.end(),
-                         [&](const Literal& l) { return holds(l); });
+      return std::any_of(clause.begin(), clause.end(), [&](const Literal& l) { return holds(l); });
     });
   }
   bool never(const Formula& f) const {
@@ -280,9 +279,9 @@ class NaiveExecutive {
     if (s.mode == InsertionMode::kDep || s.mode == InsertionMode::kNut) {
       for (const auto& [other, o] : tasks_) {
         if (is_terminal(o.state)) continue;
-        e.pre.push_back({Literal{TaskInState{other, TaskState::kEnded}, false,
-                                 s.mode == InsertionMode::kDep ? Modality::kMandatory
-                                                               : Modality::kOptional}});
+        e.pre.push_back(
+            {Literal{TaskInState{other, TaskState::kEnded}, false,
+                     s.mode == InsertionMode::kDep ? Modality::kMandatory : Modality::kOptional}});
       }
     }
     const bool coherent = names_only_known(id, e.pre) && names_only_known(id, e.exit) &&
@@ -357,7 +356,8 @@ class NaiveExecutive {
     for (const auto& [id, e] : tasks_) {
       const bool sent = e.sync() && !e.suppressed &&
                         (e.state == TaskState::kRunning || e.state == TaskState::kEnded);
-      if (sent && is_in(receivers_of(e), p.name) && done.insert(e.task.synchronisation->id).second) {
+      if (sent && is_in(receivers_of(e), p.name) &&
+          done.insert(e.task.synchronisation->id).second) {
         out_.push_back(SendSync{e.task.synchronisation->id, p.name});
       }
     }

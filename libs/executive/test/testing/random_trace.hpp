@@ -30,24 +30,31 @@ class RandomTrace {
   T one_of(const std::vector<T>& all) {
     return all[random_.below(all.size())];
   }
-  // Mostly one of the last tasks; now and then one to come.
+  // One of the last tasks; now and then one to come.
   TaskId id() {
-    const std::uint64_t first = next_ > 9 ? next_ - 9 : 0;
-    return TaskId{1 + first + random_.below(10)};
+    const std::uint64_t first = next_ > 8 ? next_ - 8 : 0;
+    return random_.chance(0.03) ? TaskId{next_ + 1} : TaskId{1 + first + random_.below(8)};
+  }
+  // What a condition of the task being made names: mostly one before it.
+  TaskId id_before() {
+    const std::uint64_t first = next_ > 8 ? next_ - 8 : 0;
+    return random_.chance(0.03) || next_ < 2 ? id()
+                                             : TaskId{1 + first + random_.below(next_ - first - 1)};
   }
   // In rising order but for a few that come out of order, or twice.
   TaskId new_id() {
     ++next_;
     return random_.chance(0.1) ? id() : TaskId{next_};
   }
-  std::string message() { return one_of<std::string>({"go", "stop", "alarm"}); }
+  // New ones come up, so that conditions on messages stay open.
+  std::string message() { return "m" + std::to_string(next_ / 6 + random_.below(3)); }
   std::string uav() { return one_of<std::string>({"marvin", "heliv", "karma"}); }
 
   Literal literal(double at) {
     Literal l;
     const double kind = random_.uniform();
     if (kind < 0.7) {
-      l.condition = TaskInState{id(), static_cast<TaskState>(random_.below(6))};
+      l.condition = TaskInState{id_before(), static_cast<TaskState>(random_.below(6))};
     } else if (kind < 0.85) {
       l.condition = MessageReceived{message()};
     } else {
@@ -84,21 +91,21 @@ class RandomTrace {
       }
     }
     if (random_.chance(0.7)) t.preconditions = formula(at);
-    if (random_.chance(0.5)) t.exit = formula(at);
+    if (random_.chance(0.4)) t.exit = formula(at);
     return t;
   }
   Input input(double at) {
     const double kind = random_.uniform();
     if (kind < 0.30) return Start{task(at), static_cast<InsertionMode>(random_.below(4))};
     if (kind < 0.68) {
-      const TaskState state = one_of<TaskState>(
-          {TaskState::kRunning, TaskState::kRunning, TaskState::kEnded, TaskState::kAborted,
-           TaskState::kStarted, TaskState::kAborting});
+      const TaskState state =
+          one_of<TaskState>({TaskState::kRunning, TaskState::kRunning, TaskState::kEnded,
+                             TaskState::kAborted, TaskState::kStarted, TaskState::kAborting});
       return FunctionalStatus{id(), state, ""};
     }
-    if (kind < 0.73) return Abort{id()};
-    if (kind < 0.77) return ProcessMessage{message()};
-    if (kind < 0.85) {
+    if (kind < 0.75) return Abort{id()};
+    if (kind < 0.79) return ProcessMessage{message()};
+    if (kind < 0.86) {
       UpdateConditions u{id(), {}, {}};
       if (random_.chance(0.6)) u.preconditions = formula(at);
       if (random_.chance(0.6)) u.exit = formula(at);

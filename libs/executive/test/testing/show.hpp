@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Effects as short words, so that a test reads as a trace: "1 started", "dispatch 1", "refused START".
+// Effects as short words, so that a test reads as a trace: "1 started", "dispatch 1", "refused
+// START".
 #pragma once
 
 #include <string>

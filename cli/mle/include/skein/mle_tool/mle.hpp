@@ -10,12 +10,12 @@
 
 namespace skein::mle_tool {
 
-/// Source: spec 2.8. Durations must be positive.
+/// Source: spec 2.8.
 struct MleOptions {
-  std::string uav;                        ///< --uav NAME: own name among senders and receivers
-  std::optional<MissionTime> until;       ///< --until S: run time on to S after the last line
-  std::string types_file;                 ///< --types FILE: types declared over the elementary ones
-  std::optional<Duration> timeout;        ///< --timeout S: of the functional layer; absent: off
+  std::string uav;                   ///< --uav NAME: own name among senders and receivers
+  std::optional<MissionTime> until;  ///< --until S: run time on to S after the last line
+  std::string types_file;            ///< --types FILE: types declared over the elementary ones
+  std::optional<Duration> timeout;  ///< --timeout S: of the functional layer, positive; absent: off
   std::optional<std::string> background;  ///< --background TYPE; absent: off
   std::string input_name;                 ///< for messages; empty: standard input
 };

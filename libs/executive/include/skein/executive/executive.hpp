@@ -15,11 +15,11 @@ namespace skein::executive {
 
 /// Durations must be positive.
 struct Config {
-  std::string name;                                ///< of this UAV, as in senders and receivers
+  std::string name;  ///< of this UAV, as in senders and receivers
   TypeTable types = TypeTable::elementary();
-  std::optional<std::string> background_type;      ///< absent: no background routine
-  std::optional<Duration> functional_timeout;      ///< absent: wait for ever
-  Duration urgent_wait = Duration::seconds(10);    ///< longest wait of a VUT task
+  std::optional<std::string> background_type;        ///< absent: no background routine
+  std::optional<Duration> functional_timeout;        ///< absent: wait for ever
+  Duration urgent_wait = Duration::seconds(10);      ///< longest wait of a VUT task
   Duration background_retry = Duration::seconds(5);  ///< before a refused routine is tried again
 };
 
@@ -32,7 +32,8 @@ struct TaskStatus {
   bool operator==(const TaskStatus&) const = default;
 };
 
-/// What is kept of a task in the plan; references into the executive, valid until the next handle().
+/// What is kept of a task in the plan; references into the executive, valid until the next
+/// handle().
 struct TaskView {
   TaskId id;
   const std::string& type;
@@ -81,7 +82,8 @@ class Executive {
   /// The next instant that means something to a task; call handle(Tick{}, …) then. Absent: none.
   std::optional<MissionTime> next_wakeup() const;
 
-  /// The tasks of the plan in the order of their ids, background routine included. Cost: O(n log n).
+  /// The tasks of the plan in the order of their ids, background routine included. Cost: O(n log
+  /// n).
   std::vector<TaskStatus> tasks() const;
   /// Absent: never started, or suppressed.
   std::optional<TaskView> find(TaskId id) const;

@@ -54,8 +54,8 @@ struct Task {
   TaskId id;
   std::string type;
   Parameters parameters;
-  Formula preconditions;  ///< Π
-  Formula exit;           ///< Ξ
+  Formula preconditions;                           ///< Π
+  Formula exit;                                    ///< Ξ
   std::optional<Synchronisation> synchronisation;  ///< present exactly for `synchronise`
   bool operator==(const Task&) const = default;
 };

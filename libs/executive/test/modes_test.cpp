@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+// The four modes of insertion. Source: spec 2.3.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/mission.hpp"
+
+namespace skein::executive {
+namespace {
+
+using testing::ce;
+using testing::cm;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::Mission;
+using testing::optional;
+using testing::TaskOf;
+using enum TaskState;
+using enum InsertionMode;
+
+Literal ended(std::uint64_t id) { return ce(id, kEnded); }
+
+// --- DEP, NUT ---
+
+TEST(InsertionMode, DepFollowsTheEndOfEveryTaskNotYetTerminal) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.start(TaskOf(2, "goto").pre({cm("go")}));
+  mission.start(TaskOf(3, "takeshot"));
+  mission.ends(3);
+
+  mission.start(TaskOf(4, "land").pre({cm("ignored")}).exit({cm("stop")}), kDep);
+
+  EXPECT_EQ(mission.executive.preconditions(TaskId{4}), (Formula{{ended(1)}, {ended(2)}}));
+  EXPECT_EQ(mission.executive.exit_conditions(TaskId{4}), (Formula{{cm("stop")}}));
+}
+
+TEST(InsertionMode, NutIsTheSameWithOptionalConditions) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+
+  mission.start(TaskOf(2, "land").exit({cm("stop")}), kNut);
+
+  EXPECT_EQ(mission.executive.preconditions(TaskId{2}), (Formula{{optional(ended(1))}}));
+  EXPECT_EQ(mission.executive.exit_conditions(TaskId{2}), (Formula{{cm("stop")}}));
+}
+
+TEST(InsertionMode, DepAndNutGoAtOnceWhenNothingIsLeft) {
+  Mission mission;
+
+  EXPECT_THAT(mission.start(TaskOf(1, "goto"), kDep),
+              ElementsAre("1 scheduled", "1 started", "dispatch 1"));
+  mission.ends(1);
+  EXPECT_THAT(mission.start(TaskOf(2, "goto"), kNut),
+              ElementsAre("2 scheduled", "2 started", "dispatch 2"));
+}
+
+TEST(InsertionMode, DepFallsWithItsPredecessorAndNutSurvivesIt) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.start(TaskOf(2, "goto"), kDep);
+  mission.start(TaskOf(3, "land"), kNut);
+
+  mission.abort(1);
+
+  EXPECT_THAT(mission.aborted(1), ElementsAre("1 aborted", "2 aborted", "3 started", "dispatch 3"));
+}
+
+TEST(InsertionMode, ASuccessorNeverStartsWhileItsPredecessorIsAborting) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.start(TaskOf(2, "land"), kNut);
+
+  EXPECT_THAT(mission.abort(1), ElementsAre("1 aborting", "interrupt 1"));
+  EXPECT_THAT(mission.aborted(1), ElementsAre("1 aborted", "2 started", "dispatch 2"));
+}
+
+TEST(InsertionMode, DepAndNutWaitForATaskThatIsAborting) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.abort(1);
+
+  EXPECT_THAT(mission.start(TaskOf(2, "goto"), kDep), ElementsAre("2 scheduled"));
+  EXPECT_THAT(mission.start(TaskOf(3, "takeshot"), kNut), ElementsAre("3 scheduled"));
+}
+
+// --- VUT ---
+
+TEST(InsertionMode, VutGoesAtOnceAndIgnoresItsPreconditions) {
+  Mission mission;
+  mission.start(TaskOf(1, "takeshot"));
+
+  EXPECT_THAT(mission.start(TaskOf(2, "goto").pre({cm("never said")}), kVut),
+              ElementsAre("2 scheduled", "2 started", "dispatch 2"));
+}
+
+TEST(InsertionMode, VutDoesNotEvenLookAtWhatItsPreconditionsName) {
+  Mission mission;
+
+  EXPECT_THAT(mission.start(TaskOf(2, "goto").pre({ended(99)}), kVut),
+              ElementsAre("2 scheduled", "2 started", "dispatch 2"));
+}
+
+TEST(InsertionMode, VutKeepsItsExitConditionsAndTheirCoherence) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto").exit({cm("stop")}), kVut);
+
+  EXPECT_THAT(mission.message("stop"), ElementsAre("1 aborting", "interrupt 1"));
+  EXPECT_THAT(mission.start(TaskOf(2, "takeshot").exit({cm("stop")}), kVut),
+              ElementsAre("2 aborted"));
+}
+
+TEST(InsertionMode, VutIsScheduledThenInterruptsWhatIsIncompatibleById) {
+  Mission mission;
+  mission.start(TaskOf(5, "goto"));
+  mission.start(TaskOf(3, "wait"));
+  mission.runs(3);
+  mission.start(TaskOf(4, "takeshot").device("camera"));
+
+  EXPECT_THAT(mission.start(TaskOf(9, "land"), kVut),
+              ElementsAre("9 scheduled", "3 aborting", "interrupt 3", "5 aborting", "interrupt 5"));
+}
+
+TEST(InsertionMode, VutWaitsUntilAllThatIsIncompatibleIsTerminal) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.start(TaskOf(2, "wait"));
+  mission.start(TaskOf(3, "land"), kVut);
+
+  EXPECT_THAT(mission.aborted(1), ElementsAre("1 aborted"));
+  EXPECT_THAT(mission.ends(2), ElementsAre("2 aborted", "3 started", "dispatch 3"));
+}
+
+TEST(InsertionMode, VutWaitsForATaskAlreadyAbortingWithoutInterruptingItAgain) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.abort(1);
+
+  EXPECT_THAT(mission.start(TaskOf(2, "land"), kVut), ElementsAre("2 scheduled"));
+  EXPECT_THAT(mission.aborted(1), ElementsAre("1 aborted", "2 started", "dispatch 2"));
+}
+
+TEST(InsertionMode, VutLeavesAloneWhatIsOnlyScheduled) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto").pre({cm("go")}));
+
+  EXPECT_THAT(mission.start(TaskOf(2, "land"), kVut),
+              ElementsAre("2 scheduled", "2 started", "dispatch 2"));
+  EXPECT_EQ(mission.state_of(1), kScheduled);
+}
+
+TEST(InsertionMode, VutGoesAheadOfTasksWithALowerId) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.start(TaskOf(2, "takeshot").pre({optional(ended(1))}));
+  mission.start(TaskOf(3, "land"), kVut);
+
+  EXPECT_THAT(mission.aborted(1),
+              ElementsAre("1 aborted", "3 started", "dispatch 3", "2 started", "dispatch 2"));
+}
+
+TEST(InsertionMode, VutGoesAfterABoundedWaitAndSaysSo) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.start(TaskOf(2, "land"), kVut);
+
+  EXPECT_EQ(mission.executive.next_wakeup(), MissionTime::seconds(10));
+  EXPECT_THAT(mission.at(9.9).tick(), IsEmpty());
+  EXPECT_THAT(mission.at(10).tick(), ElementsAre("2 started", "dispatch 2"));
+  EXPECT_THAT(mission.notices, ElementsAre(HasSubstr("urgent task 2 goes after 10")));
+  EXPECT_EQ(mission.state_of(1), kAborting);
+}
+
+TEST(InsertionMode, TheLateConfirmationOfABlockerDoesNotDispatchTheUrgentTaskAgain) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.start(TaskOf(2, "land"), kVut);
+  mission.at(10).tick();
+
+  EXPECT_THAT(mission.aborted(1), ElementsAre("1 aborted"));
+}
+
+TEST(InsertionMode, AWaitingVutCanBeCancelled) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.start(TaskOf(2, "land").exit({cm("stop")}), kVut);
+
+  EXPECT_THAT(mission.message("stop"), ElementsAre("2 aborted"));
+  EXPECT_THAT(mission.aborted(1), ElementsAre("1 aborted"));
+  EXPECT_EQ(mission.executive.next_wakeup(), std::nullopt);
+}
+
+TEST(InsertionMode, AWaitingVutTakesNoPreconditionsButTakesExitConditions) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.start(TaskOf(2, "land"), kVut);
+
+  EXPECT_THAT(mission.update(2, Formula{}, {}), ElementsAre("refused UPDATE-COND"));
+  EXPECT_THAT(mission.update(2, {}, Formula{{cm("stop")}}), IsEmpty());
+  EXPECT_THAT(mission.message("stop"), ElementsAre("2 aborted"));
+}
+
+TEST(InsertionMode, TwoUrgentTasksGoByIdWhenTheSameTaskFreesThem) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.start(TaskOf(4, "land"), kVut);
+  mission.start(TaskOf(2, "wait"), kVut);
+
+  EXPECT_THAT(mission.aborted(1),
+              ElementsAre("1 aborted", "2 started", "dispatch 2", "4 started", "dispatch 4"));
+}
+
+// --- incompatibility (spec 2.5) ---
+
+TEST(InsertionMode, TwoShotsAreIncompatibleExactlyOnTheSameDevice) {
+  Mission mission;
+  mission.start(TaskOf(1, "takeshot").device("camera"));
+  mission.start(TaskOf(2, "takeshot").device("infrared"));
+
+  EXPECT_THAT(mission.start(TaskOf(3, "takeshot").device("infrared"), kVut),
+              ElementsAre("3 scheduled", "2 aborting", "interrupt 2"));
+}
+
+TEST(InsertionMode, SynchronisationsAndJointTasksAreCompatibleWithAll) {
+  Mission mission;
+  mission.start(TaskOf(1, "goto"));
+  mission.start(TaskOf(2, "joint:track"));
+
+  EXPECT_THAT(mission.start(TaskOf(3, "joint:survey"), kVut),
+              ElementsAre("3 scheduled", "forward 3 scheduled", "3 started", "forward 3 started",
+                          "dispatch joint 3"));
+}
+
+TEST(InsertionMode, IncompatibilityComesFromTheDeclaredResources) {
+  Config config = testing::named("marvin");
+  config.types.declare("winch", {"hook", "motion"});
+  Mission mission(config);
+  mission.start(TaskOf(1, "goto"));
+
+  EXPECT_THAT(mission.start(TaskOf(2, "winch"), kVut),
+              ElementsAre("2 scheduled", "1 aborting", "interrupt 1"));
+}
+
+TEST(InsertionMode, IsWrittenAndReadBack) {
+  for (const InsertionMode mode : {kSeq, kVut, kDep, kNut}) {
+    EXPECT_EQ(insertion_mode_from(to_text(mode)), mode);
+  }
+  EXPECT_EQ(insertion_mode_from("seq"), std::nullopt);
+}
+
+TEST(RequestKind, IsWrittenAndReadBack) {
+  for (const std::string text : {"START", "ABORT", "PROCESS-MSG", "UPDATE-COND", "SUPPRESS"}) {
+    const std::optional<RequestKind> kind = request_kind_from(text);
+    ASSERT_TRUE(kind.has_value()) << text;
+    EXPECT_EQ(to_text(*kind), text);
+  }
+  EXPECT_EQ(request_kind_from("STOP"), std::nullopt);
+}
+
+// --- resources of a type ---
+
+TEST(TypeTable, ResolvesAResourceNamedByAParameter) {
+  TypeTable table = TypeTable::elementary();
+  table.declare("scan", {"motion", "$device", "motion"});
+
+  EXPECT_THAT(table.resources_of("scan", Parameters{{"device", "lidar", {}}}),
+              ElementsAre("lidar", "motion"));
+  EXPECT_THAT(table.resources_of("takeshot", Parameters{}), ElementsAre(""));
+  EXPECT_THAT(table.resources_of("never heard of", Parameters{}), IsEmpty());
+}
+
+TEST(TypeTable, KnowsTheElementaryAndTheJointTypes) {
+  const TypeTable table = TypeTable::elementary();
+
+  for (const char* type : {"takeoff", "land", "goto", "wait", "takeshot", "synchronise"}) {
+    EXPECT_TRUE(table.is_declared(type)) << type;
+  }
+  EXPECT_TRUE(table.is_declared("joint:track"));
+  EXPECT_FALSE(table.is_declared("spray"));
+}
+
+}  // namespace
+}  // namespace skein::executive
