@@ -87,9 +87,9 @@ TEST(ReadLine, ReadsTheLargestId) {
 }
 
 TEST(ReadLine, TakesParametersAsTextAndNumbers) {
-  const Start start = read<Start>(start_of(
-      R"({"id":2,"type":"goto",)"
-      R"("params":{"a":"x","b":2.5,"c":[1,-2],"d":[1,"x"],"e":{"f":null}}})"));
+  const Start start =
+      read<Start>(start_of(R"({"id":2,"type":"goto",)"
+                           R"("params":{"a":"x","b":2.5,"c":[1,-2],"d":[1,"x"],"e":{"f":null}}})"));
   const executive::Parameters& parameters = start.task.parameters;
 
   EXPECT_EQ(parameters.find("a")->text, "x");
