@@ -48,7 +48,8 @@ void add_run(CLI::App& app, Action& action) {
   run->add_option("--degree", options->overrides.degrees,
                   "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated")
       ->allow_extra_args(false);
-  run->add_option("--out", options->out, "Folder for the results (default: out/NAME)");
+  run->add_option("--out", options->out, "Folder for the results (default: out/NAME)")
+      ->take_last();  // ./demo gives one that its caller may replace
   run->add_flag("--json", options->json, "The result as JSON on standard output, no progress");
   run->add_flag("--quiet", options->quiet, "No progress");
   run->add_flag("--check", options->check_only, "Only read and check the scenario");
