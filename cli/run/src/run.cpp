@@ -19,15 +19,6 @@ namespace {
 using scenario::Scenario;
 using scenario::Verdict;
 
-Result<Scenario, Diagnostics> load(const RunOptions& options) {
-  auto scenario = scenario::read_scenario(options.scenario);
-  if (!scenario) return scenario;
-  Diagnostics diagnostics = assembly::apply(options.overrides, *scenario);
-  if (diagnostics.empty()) diagnostics = assembly::check_assembly(*scenario);
-  if (!diagnostics.empty()) return tl::unexpected(std::move(diagnostics));
-  return scenario;
-}
-
 Progress::Style progress_style(const RunOptions& options) {
   if (options.json || options.quiet) return Progress::Style::kNone;
   return isatty(STDERR_FILENO) != 0 ? Progress::Style::kTerminal : Progress::Style::kLines;
@@ -118,7 +109,7 @@ int play(const Scenario& scenario, const RunOptions& options, const std::string&
 }  // namespace
 
 int run(const RunOptions& options, std::ostream& out, std::ostream& err) {
-  const auto scenario = load(options);
+  const auto scenario = assembly::load_scenario(options.scenario, options.overrides);
   if (!scenario) {
     err << to_text(scenario.error());
     return kExitBadInput;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "skein/assembly/assembly.hpp"
 #include "skein/foundation/nearest.hpp"
 
 namespace skein::assembly {
@@ -69,6 +70,16 @@ Diagnostics apply(const Overrides& overrides, scenario::Scenario& scenario) {
   for (const std::string& degree : overrides.degrees) set_degree(degree, scenario, diagnostics);
   scenario::draw_random_faults(scenario);
   return diagnostics;
+}
+
+Result<scenario::Scenario, Diagnostics> load_scenario(const std::string& path,
+                                                      const Overrides& overrides) {
+  auto scenario = scenario::read_scenario(path);
+  if (!scenario) return scenario;
+  Diagnostics diagnostics = apply(overrides, *scenario);
+  if (diagnostics.empty()) diagnostics = check_assembly(*scenario);
+  if (!diagnostics.empty()) return tl::unexpected(std::move(diagnostics));
+  return scenario;
 }
 
 }  // namespace skein::assembly

@@ -70,15 +70,6 @@ void follow_parent() {
   if (getppid() != parent || parent == 1) raise(SIGTERM);
 }
 
-Result<scenario::Scenario, Diagnostics> load(const Options& options) {
-  auto scenario = scenario::read_scenario(options.scenario);
-  if (!scenario) return scenario;
-  Diagnostics diagnostics = assembly::apply(options.overrides, *scenario);
-  if (diagnostics.empty()) diagnostics = assembly::check_assembly(*scenario);
-  if (!diagnostics.empty()) return tl::unexpected(std::move(diagnostics));
-  return scenario;
-}
-
 node::DaemonConfig daemon_config(const Options& options, const scenario::Scenario& scenario,
                                  const node::Member& self, const node::Roster& roster) {
   node::DaemonConfig config;
@@ -100,7 +91,7 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
 }
 
 int run(const DaemonProgram& program, const Options& options) {
-  const auto scenario = load(options);
+  const auto scenario = assembly::load_scenario(options.scenario, options.overrides);
   if (!scenario) {
     std::cerr << to_text(scenario.error());
     return kExitBadInput;

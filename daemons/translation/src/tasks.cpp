@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/translation/tasks.hpp"
 
+#include "skein/foundation/overloaded.hpp"
+
 namespace skein::translation {
 
 namespace {
-
-template <class... Fs>
-struct Overloaded : Fs... {
-  using Fs::operator()...;
-};
-template <class... Fs>
-Overloaded(Fs...) -> Overloaded<Fs...>;
 
 // The enumerations of both sides list the same values in the same order.
 static_assert(static_cast<int>(wire::TaskState::kAborted) ==

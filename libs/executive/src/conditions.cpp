@@ -5,17 +5,11 @@
 #include <limits>
 
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/overloaded.hpp"
 
 namespace skein::executive {
 
 namespace {
-
-template <class... Ts>
-struct Overloaded : Ts... {
-  using Ts::operator()...;
-};
-template <class... Ts>
-Overloaded(Ts...) -> Overloaded<Ts...>;
 
 std::uint64_t key_of(MissionTime instant) { return static_cast<std::uint64_t>(instant.count()); }
 MissionTime instant_of(std::uint64_t key) {

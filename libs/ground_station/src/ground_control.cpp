@@ -5,16 +5,10 @@
 #include <algorithm>
 
 #include "request_facts.hpp"
+#include "skein/foundation/overloaded.hpp"
 
 namespace skein::ground_station {
 namespace {
-
-template <class... Handlers>
-struct Overloaded : Handlers... {
-  using Handlers::operator()...;
-};
-template <class... Handlers>
-Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 std::vector<Monitoring::Uav> roster(const std::vector<GroundUav>& uavs) {
   std::vector<Monitoring::Uav> names;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/overloaded.hpp"
 
 namespace skein::node {
 
@@ -12,13 +13,6 @@ namespace {
 
 using blackboard::ChannelKind;
 using blackboard::Now;
-
-template <class... Fs>
-struct Overloaded : Fs... {
-  using Fs::operator()...;
-};
-template <class... Fs>
-Overloaded(Fs...) -> Overloaded<Fs...>;
 
 bool is_radio_peer(const Roster& roster, NodeNumber number) {
   const Member* member = roster.find(number);

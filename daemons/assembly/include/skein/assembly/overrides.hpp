@@ -22,4 +22,8 @@ struct Overrides {
 /// Changes the scenario, then draws its random faults with the seed in force. Every error at once.
 Diagnostics apply(const Overrides& overrides, scenario::Scenario& scenario);
 
+/// Reads a scenario file, applies the overrides and checks that its parts fit together.
+Result<scenario::Scenario, Diagnostics> load_scenario(const std::string& path,
+                                                      const Overrides& overrides);
+
 }  // namespace skein::assembly
