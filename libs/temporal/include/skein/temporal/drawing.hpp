@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures of a network: bounds as labels, contingent links dashed, the conflict in red.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "skein/foundation/result.hpp"
+#include "skein/temporal/network.hpp"
+#include "skein/temporal/stnu_fault.hpp"
+
+namespace skein::temporal {
+
+/// Earliest and latest date of a node [ns].
+struct DateWindow {
+  Ticks earliest = kMinusInfinite;
+  Ticks latest = kInfinite;
+  bool operator==(const DateWindow&) const = default;
+};
+
+struct DrawingOptions {
+  std::string title;
+  std::vector<DateWindow> windows;  ///< of each node, shown under its name; empty: not shown
+  std::vector<LinkRef> conflict;    ///< in red, with the nodes they join
+};
+
+/// A picture with more nodes than this needs a viewer that zooms.
+inline constexpr std::size_t kLegibleNodes = 60;
+inline constexpr std::size_t kMostDrawnNodes = 1000;
+
+/// Text for Graphviz, of any size. Preconditions: the indices are positions; there are as many
+/// windows as nodes, or none.
+std::string draw_dot(const Stnu& network, const DrawingOptions& options);
+
+/// A self-contained picture: time goes from left to right, each node right of what it must follow.
+/// Fails above kMostDrawnNodes nodes, or when there are too many long links to be told apart.
+/// Preconditions as draw_dot(). Cost: about O(links × layers).
+Result<std::string, Failure> draw_svg(const Stnu& network, const DrawingOptions& options);
+
+/// "[1.5, 3]", "≥ 1.5", "≤ 3", "= 3" or "free": bounds as they are shown.
+std::string bounds_text(Ticks min, Ticks max);
+
+}  // namespace skein::temporal

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What our two JSON formats have in common: {"from": "a", "to": "b", "min": 1.5, "max": null}.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "json_document.hpp"
+#include "link_tables.hpp"
+
+namespace skein::temporal {
+
+/// Nothing, and problems, when something is missing or wrong.
+std::optional<Arc> arc_from(const JsonNode& node, const NameTable& nodes);
+
+/// Without a line end.
+std::string arc_text(const Arc& arc, const std::vector<std::string>& nodes);
+
+/// A JSON array with one element on each line.
+std::string lines_text(const std::vector<std::string>& elements);
+
+}  // namespace skein::temporal

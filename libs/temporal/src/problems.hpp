@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The errors of one reading as they are found: bounded in number, printable whatever the input.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skein/foundation/diagnostics.hpp"
+
+namespace skein::temporal {
+
+/// Where something stands in a file. Zero and empty: unknown.
+struct Place {
+  int line = 0;
+  int column = 0;
+  std::string path;
+};
+
+class Problems {
+ public:
+  /// More errors than this are only announced.
+  static constexpr std::size_t kMost = 100;
+
+  explicit Problems(std::string file) : file_(std::move(file)) {}
+
+  void add(const Place& place, std::string message, std::string expected = "",
+           std::string nearest = "");
+  /// As add(), and offers the nearest of the candidates. (Only the first errors and only among a
+  /// bounded number of candidates, so that a wrong file costs no more than a right one.)
+  void add_unknown(const Place& place, std::string_view kind, std::string_view name,
+                   const std::vector<std::string>& candidates);
+
+  bool none() const { return found_.empty(); }
+  /// There is no use in reading on.
+  bool full() const { return full_; }
+  Diagnostics take() { return std::move(found_); }
+
+ private:
+  std::string file_;
+  Diagnostics found_;
+  std::size_t searches_ = 0;
+  bool full_ = false;
+};
+
+/// In single quotes, cut when long, with '?' for what a terminal had better not see.
+std::string in_quotes(std::string_view text);
+
+/// Why a text cannot be the name of a node or agent; empty when it can. Names are UTF-8 without
+/// control characters and noncharacters, 1 to 256 bytes.
+std::string name_problem(std::string_view text);
+
+}  // namespace skein::temporal

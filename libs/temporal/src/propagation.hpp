@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+// The propagation common to the engine and to the agents: two bound systems with chains of causes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "skein/temporal/network.hpp"
+#include "skein/temporal/stn_engine.hpp"
+
+namespace skein::temporal {
+
+inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// Constraint 2a of arc a: to - from >= min; 2a + 1: from - to >= -max. Both kinds of bounds are
+/// "value(target) >= value(source) + weight": earliest dates go with the constraint, latest dates
+/// are stored negated and go against it.
+using Constraint = std::uint32_t;
+inline constexpr Bound kBounds[] = {Bound::kLower, Bound::kUpper};
+constexpr std::uint32_t side(Bound bound) { return static_cast<std::uint32_t>(bound); }
+constexpr Bound opposite(Bound bound) {
+  return bound == Bound::kLower ? Bound::kUpper : Bound::kLower;
+}
+
+/// Values tied to the origin lie within ±kLargest; the others are offsets from kFloating, far
+/// below, as if a virtual source were at -∞: so a cycle among nodes not tied to v0 is found too.
+inline constexpr Ticks kFloating = -(Ticks{1} << 62);
+constexpr bool anchored(Ticks value) { return value >= -kLargest; }
+/// The date that a stored value stands for.
+constexpr Ticks to_date(Bound bound, Ticks value) {
+  if (!anchored(value)) return bound == Bound::kLower ? kMinusInfinite : kInfinite;
+  return bound == Bound::kLower ? value : -value;
+}
+/// The weights of the two constraints of an arc; kMinusInfinite: no constraint.
+constexpr Ticks weight_of_min(Ticks min) { return min; }
+constexpr Ticks weight_of_max(Ticks max) { return max == kInfinite ? kMinusInfinite : -max; }
+/// kEmptyInterval, kOverflow or nothing.
+std::optional<StnError> check_interval(Ticks min, Ticks max);
+
+/// Incremental propagation, in two phases that a caller may separate (DIP-L does): `relax()` resets
+/// what followed from weakened constraints, `propagate()` revises until nothing changes.
+///
+/// A raise of v by a constraint from u is impossible, and the constraint goes to `pending()`, when
+/// v is the origin, when the earliest date of v would pass its latest, when v is itself a cause of
+/// u, or when the chain of u comes from an import whose trail contains v. The third test walks the
+/// effects of v and marks them stale: they will rise too, so nothing is derived from them meanwhile
+/// and no later test walks them again (Tarjan's subtree disassembly; walking up the chain of u
+/// would cost its length at each raise). Callers check their arguments. Source: notes 5.2.
+class Propagation {
+ public:
+  struct BoundRef {
+    NodeIndex node;
+    Bound bound;
+  };
+  struct Pending {
+    Constraint constraint;
+    Bound bound;
+  };
+
+  /// The origin only. `literal_upper_test`: erratum 1 of the paper, for mutation tests.
+  explicit Propagation(bool literal_upper_test = false);
+
+  /// An imported node is raised by `set_import` only.
+  NodeIndex add_node(bool imported = false);
+  /// Preconditions: the nodes exist and differ; the interval passes `check_interval`.
+  ArcId add_arc(const Arc& arc);
+  /// Precondition: its interval was relaxed to ]-∞, +∞[ and propagated.
+  void remove_arc(ArcId arc);
+
+  /// Notes new bounds; to be followed by `relax()`.
+  void set_bounds(const ArcBounds& bounds);
+  void set_import(NodeIndex node, Bound bound, Ticks value, std::vector<NodeIndex> trail);
+  /// Resets an import and all that follows from it.
+  void drop_import(NodeIndex node, Bound bound);
+  void relax();
+  void propagate();
+
+  bool consistent() const { return pending_.empty(); }
+  Ticks value(NodeIndex node, Bound bound) const { return at(node, bound).value; }
+  Ticks date(NodeIndex node, Bound bound) const { return to_date(bound, value(node, bound)); }
+  /// The import that the chain of causes starts from, else kNone.
+  NodeIndex root(NodeIndex node, Bound bound) const { return at(node, bound).root; }
+  Constraint cause(NodeIndex node, Bound bound) const { return at(node, bound).cause; }
+  const std::vector<Pending>& pending() const { return pending_; }
+  NodeIndex source(Constraint k, Bound bound) const { return ends_[k ^ side(bound)].node; }
+  NodeIndex target(Constraint k, Bound bound) const { return ends_[k ^ side(bound) ^ 1].node; }
+  Ticks weight(Constraint k) const { return weights_[k]; }
+
+  bool has_arc(ArcId arc) const { return arc < arc_slots() && ends_[2 * arc].node != kNone; }
+  Arc arc(ArcId arc) const;
+  std::optional<ArcId> find_arc(NodeIndex from, NodeIndex to) const;
+  std::size_t node_count() const { return first_.size(); }
+  std::size_t arc_slots() const { return ends_.size() / 2; }
+  std::size_t arc_count() const { return arc_slots() - free_arcs_.size(); }
+
+  /// What was reset since the last call.
+  std::vector<BoundRef> take_resets();
+  void forget_resets() { resets_.clear(); }
+  /// What changed for an observer since the last call, in the order of first change.
+  void take_changes(std::vector<BoundChange>& changes);
+
+  /// Undo. While at least one mark is open every write is logged.
+  void mark();
+  void undo_to_mark();  ///< the mark stays
+  void drop_mark();
+
+  /// Whether a date passed ±kLargest in the last `propagate()`. The constraint is then pending.
+  bool overflowed() const { return overflowed_; }
+  std::uint64_t checks() const { return checks_; }
+  std::size_t memory_bytes() const;
+  /// Gives back what building left over.
+  void shrink();
+
+ private:
+  struct State {
+    Ticks value = kFloating;
+    Constraint cause = kNone;
+    NodeIndex root = kNone;
+    std::uint32_t child = kNone;  ///< first effect; the next ones are its siblings
+    std::uint32_t next = kNone;
+    std::uint32_t previous = kNone;
+    bool stale = false;
+    bool queued = false;
+    bool deferred = false;
+    bool changed = false;
+  };
+  struct End {
+    NodeIndex node = kNone;
+    std::uint32_t next = kNone;
+    std::uint32_t previous = kNone;
+  };
+  struct Item {
+    std::uint32_t id;  ///< of a constraint or of a node
+    Bound bound;
+    bool is_node;
+  };
+  /// First in, first out, on one array that is used again.
+  class Queue {
+   public:
+    void push(Item item) { items_.push_back(item); }
+    bool empty() const { return head_ == items_.size(); }
+    Item pop();
+    std::size_t memory_bytes() const { return items_.capacity() * sizeof(Item); }
+    void shrink() { items_.shrink_to_fit(); }
+
+   private:
+    std::vector<Item> items_;
+    std::size_t head_ = 0;
+  };
+  enum class Write : std::uint8_t {
+    kState,
+    kStale,
+    kWeight,
+    kPendingAdded,
+    kPendingRemoved,
+    kNodeAdded,
+    kArcAdded,
+    kArcRemoved,
+  };
+  struct Undo {
+    Write write;
+    Bound bound;
+    bool stale;
+    std::uint32_t id;
+    Ticks value;
+    std::uint32_t cause;
+    std::uint32_t root;
+  };
+  struct Changed {
+    std::uint32_t state;
+    Ticks old_value;
+  };
+
+  State& at(NodeIndex node, Bound bound) { return states_[2 * node + side(bound)]; }
+  const State& at(NodeIndex node, Bound bound) const { return states_[2 * node + side(bound)]; }
+
+  void set_weight(Constraint k, Ticks weight);
+  void link_arc(ArcId arc, NodeIndex from, NodeIndex to);
+  void unlink_arc(ArcId arc);
+  void link_end(std::uint32_t end, NodeIndex node);
+  void unlink_end(std::uint32_t end);
+
+  void process(Item item);
+  void process_deferred(Item item);
+  void revise_from(NodeIndex node, Bound bound);
+  void revise(Constraint k, Bound bound);
+  bool impossible(Constraint k, Bound bound, Ticks candidate);
+  /// Fills effects_ with the fresh effects of `node`, as far as the answer is no.
+  bool is_cause_of(NodeIndex node, NodeIndex effect, Bound bound);
+  void mark_effects_stale(Bound bound);
+  void raise(Constraint k, Bound bound, Ticks value);
+  void queue_node(NodeIndex node, Bound bound);
+  void queue_constraint(Constraint k, Bound bound);
+
+  void append_effects(NodeIndex node, Bound bound, bool fresh_only);
+  void reset_tree(NodeIndex root, Bound bound);
+  void revise_again(NodeIndex node, Bound bound);
+  void write_state(NodeIndex node, Bound bound, Ticks value, Constraint cause, NodeIndex root);
+  void link_effect(NodeIndex node, Bound bound);
+  void unlink_effect(NodeIndex node, Bound bound);
+  void note_change(NodeIndex node, Bound bound);
+
+  bool is_pending(Constraint k, Bound bound) const {
+    return pending_at_[2 * k + side(bound)] != kNone;
+  }
+  void add_pending(Constraint k, Bound bound);
+  void remove_pending(Constraint k, Bound bound);
+
+  void log(Undo undo) {
+    if (!marks_.empty()) log_.push_back(undo);
+  }
+  void undo(const Undo& undo);
+  void undo_state(const Undo& undo);
+
+  bool literal_upper_test_;
+  std::vector<std::uint32_t> first_;  ///< of each node, its first end
+  std::vector<bool> imported_;
+  std::vector<State> states_;
+  std::vector<End> ends_;  ///< 2a: arc a at its `from`; 2a + 1: at its `to`
+  std::vector<Ticks> weights_;
+  std::vector<std::uint32_t> pending_at_;  ///< of (constraint, bound), its place in pending_
+  std::vector<ArcId> free_arcs_;
+  std::vector<Pending> pending_;
+  std::vector<std::vector<NodeIndex>> trails_;  ///< as states_, when there are imports
+  Queue queue_;
+  Queue deferred_;  ///< from nodes not tied to the origin: they wait for the others
+  std::vector<Constraint> weakened_;
+  std::vector<BoundRef> resets_;
+  std::vector<Changed> changed_;
+  std::vector<NodeIndex> effects_;  ///< scratch
+  std::vector<Undo> log_;
+  std::vector<std::size_t> marks_;
+  std::uint64_t checks_ = 0;
+  bool overflowed_ = false;
+};
+
+/// A negative cycle, from the chains of the pending constraints, else by Bellman–Ford.
+std::vector<ConflictArc> find_conflict(const Propagation& network);
+
+}  // namespace skein::temporal
