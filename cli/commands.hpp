@@ -4,7 +4,9 @@
 
 namespace skein::cli {
 
+struct LiveActions;
+
 /// Parses and runs; returns the exit code. Never throws.
-int run_command_line(int argc, char** argv);
+int run_command_line(int argc, char** argv, const LiveActions& live);
 
 }  // namespace skein::cli

@@ -1,5 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
-// skein: everything that is not a daemon.
-#include "commands.hpp"
+// skein: everything that is not a daemon. Commands that need DDS are passed on to skein-live beside it:
+// loading DDS costs more than most plans.
+#include <unistd.h>
 
-int main(int argc, char** argv) { return skein::cli::run_command_line(argc, argv); }
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <system_error>
+
+#include "commands.hpp"
+#include "live_commands.hpp"
+#include "skein/foundation/exit_code.hpp"
+
+namespace {
+
+// Becomes skein-live, with the same arguments; returns only if that cannot be.
+int become_live(char** argv) {
+  std::error_code none;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none);
+  const std::string live = (self.parent_path() / "skein-live").string();
+  execv(live.c_str(), argv);
+  std::cerr << "skein: " << live << " cannot be started: " << std::strerror(errno) << '\n';
+  return skein::kExitSystem;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  skein::cli::LiveActions live;
+  live.run = [argv](const auto&) { return become_live(argv); };
+  live.report = [argv](const auto&) { return become_live(argv); };
+  live.spy = [argv](const auto&, bool) { return become_live(argv); };
+  return skein::cli::run_command_line(argc, argv, live);
+}

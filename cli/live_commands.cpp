@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live_commands.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "argument_checks.hpp"
+#include "skein/run_tool/run.hpp"
+#include "skein/spy_tool/spy.hpp"
+
+namespace skein::cli {
+
+namespace {
+
+using Action = std::function<int()>;
+
+constexpr const char* kRunExamples = R"(
+Examples:
+  skein run scenarios/comets/confirmed.yaml                 over DDS, at the scenario's rate
+  skein run scenarios/comets/infirmed.yaml --rate 40        twice as fast
+  skein run scenarios/comets/confirmed.yaml --virtual       in virtual time, as fast as possible
+  skein run scenarios/comets/confirmed.yaml --virtual --degree 2 --degree marvin=1 --seed 7
+Exit codes: 0 all expectations met, 1 some not, 2 wrong input, 3 a daemon died, 4 time-out, 130 Ctrl-C.)";
+
+void add_run(CLI::App& app, Action& action, const LiveActions& live) {
+  auto options = std::make_shared<run_tool::RunOptions>();
+  CLI::App* run = app.add_subcommand("run", "Play a scenario, check it, write its report");
+  run->add_option("scenario", options->scenario, "Scenario file (YAML)")->required();
+  run->add_flag("--virtual", options->virtual_time, "In virtual time, in this process");
+  run->add_option("--rate", options->overrides.rate, "Mission seconds per second");
+  run->add_option("--seed", options->overrides.seed, "Seed of everything random");
+  run->add_option("--degree", options->overrides.degrees,
+                  "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated")
+      ->allow_extra_args(false);
+  run->add_option("--out", options->out, "Folder for the results (default: out/NAME)")
+      ->take_last();  // ./demo gives one that its caller may replace
+  run->add_flag("--json", options->json, "The result as JSON on standard output, no progress");
+  run->add_flag("--quiet", options->quiet, "No progress");
+  run->add_flag("--check", options->check_only, "Only read and check the scenario");
+  run->add_option("--domain", options->domain, "DDS domain id (default: a free one)")
+      ->check(CLI::Range(0, 100));
+  run->add_option("--daemons", options->daemons, "Folder of the daemons (default: beside skein)");
+  run->footer(kRunExamples);
+  run->callback([options, &action, &live] {
+    action = [options, &live] { return live.run(*options); };
+  });
+}
+
+void add_report(CLI::App& app, Action& action, const LiveActions& live) {
+  auto folder = std::make_shared<std::string>();
+  CLI::App* report = app.add_subcommand("report", "Write the report of a run's folder again");
+  report->add_option("folder", *folder, "Folder with events.jsonl and run.json")->required();
+  report->footer("\nExample:\n  skein report out/comets-confirmed");
+  report->callback([folder, &action, &live] {
+    action = [folder, &live] { return live.report(*folder); };
+  });
+}
+
+constexpr const char* kSpyExamples = R"(
+Examples:
+  skein spy --domain 1                               nodes, slots and rates
+  skein spy --domain 1 echo TaskEvent SyncMessage    samples of two slots as they come
+  skein spy --domain 1 echo Telemetry --from marvin --json -n 10
+  skein spy --domain 1 --partition 'radio/marvin>ground'
+Exit codes: 0, 2 wrong options, 3 DDS refused, 4 nothing heard.)";
+
+void add_spy(CLI::App& app, Action& action, const LiveActions& live) {
+  auto options = std::make_shared<spy_tool::SpyOptions>();
+  CLI::App* spy = app.add_subcommand("spy", "List or print what is on the wire");
+  spy->fallthrough();
+  spy->add_option("--domain", options->domain, "DDS domain id")
+      ->check(CLI::Range(0, 100))
+      ->envname("SKEIN_DOMAIN");
+  spy->add_option("--interface", options->interfaces, "IPv4 address to listen on")
+      ->allow_extra_args(false);
+  spy->add_option("--partition", options->partitions,
+                  "DDS partition, with * and ? (default: world, onboard/*, radio/*)")
+      ->allow_extra_args(false);
+  spy->add_option("--from", options->from, "Only samples made by this node");
+  spy->add_option("--duration", options->duration, "Seconds to listen")->check(positive_problem);
+  spy->add_flag("--json", options->json, "JSON: one document, or one line per sample");
+  spy->footer(kSpyExamples);
+  CLI::App* echo = spy->add_subcommand("echo", "Print samples as they come");
+  echo->add_option("slots", options->slots, "Slots to print (default: all)");
+  echo->add_option("-n,--count", options->count, "Stop after so many samples");
+  spy->callback([options, echo, &action, &live] {
+    action = [options, echoes = echo->parsed(), &live] { return live.spy(*options, echoes); };
+  });
+}
+
+}  // namespace
+
+void add_live(CLI::App& app, std::function<int()>& action, const LiveActions& live) {
+  add_run(app, action, live);
+  add_report(app, action, live);
+  add_spy(app, action, live);
+}
+
+}  // namespace skein::cli

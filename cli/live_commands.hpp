@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands that meet daemons and DDS: run, report, spy.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+namespace skein::run_tool {
+struct RunOptions;
+}
+namespace skein::spy_tool {
+struct SpyOptions;
+}
+
+namespace skein::cli {
+
+/// What the commands do with their options; each returns an exit code.
+struct LiveActions {
+  std::function<int(const run_tool::RunOptions&)> run;
+  std::function<int(const std::string& folder)> report;
+  std::function<int(const spy_tool::SpyOptions&, bool echo)> spy;
+};
+
+/// Adds the commands. `action` and `live` must outlive the parsing and the action.
+void add_live(CLI::App& app, std::function<int()>& action, const LiveActions& live);
+
+}  // namespace skein::cli

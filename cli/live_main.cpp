@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// skein-live: the commands of `skein` that need DDS. `skein` starts it, so that all others start without.
+#include <iostream>
+
+#include "commands.hpp"
+#include "live_commands.hpp"
+#include "skein/run_tool/run.hpp"
+#include "skein/spy_tool/spy.hpp"
+
+int main(int argc, char** argv) {
+  using namespace skein;  // NOLINT(google-build-using-namespace): the whole program is this function
+  cli::LiveActions live;
+  live.run = [](const run_tool::RunOptions& options) {
+    return run_tool::run(options, std::cout, std::cerr);
+  };
+  live.report = [](const std::string& folder) {
+    return run_tool::report(folder, std::cout, std::cerr);
+  };
+  live.spy = [](const spy_tool::SpyOptions& options, bool echo) {
+    return echo ? spy_tool::echo(options, std::cout, std::cerr)
+                : spy_tool::list(options, std::cout, std::cerr);
+  };
+  return cli::run_command_line(argc, argv, live);
+}

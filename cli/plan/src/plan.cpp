@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/plan_tool/plan.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <ostream>
+
+#include "library.hpp"
+#include "progress.hpp"
+#include "report.hpp"
+#include "show_diagnostics.hpp"
+#include "skein/foundation/exit_code.hpp"
+#include "skein/htn/plan_graph.hpp"
+#include "skein/htn/plan_json.hpp"
+#include "skein/htn/search_text.hpp"
+#include "validate.hpp"
+
+namespace skein::plan_tool {
+
+namespace {
+
+using htn::Outcome;
+using htn::Verdict;
+
+const htn::TextStyle& style_of(bool colour) {
+  return colour ? htn::kTerminalText : htn::kPlainText;
+}
+
+double asked(const std::function<double()>& question) { return question ? question() : 0; }
+
+/// Plans problem by problem and reports each as soon as it is done.
+class Session {
+ public:
+  Session(Library& library, const PlanOptions& options, const Surroundings& surroundings,
+          std::ostream& out, std::ostream& err)
+      : library_(library),
+        options_(options),
+        surroundings_(surroundings),
+        out_(out),
+        err_(err),
+        progress_(err, surroundings.cpu_seconds, surroundings.progress && !options.quiet),
+        reading_seconds_(asked(surroundings.cpu_seconds)) {}
+
+  void plan(const ChosenProblem& chosen) {
+    const htn::Problem problem = htn::make_problem(*chosen.problem, library_.store());
+    htn::PlanningReport report;
+    report.problem = chosen.problem->name;
+    report.domain = chosen.domain->name;
+    report.reading_seconds = reading_seconds_;
+    progress_.begin(report.problem);
+    const double began = asked(surroundings_.cpu_seconds);
+    const Outcome outcome =
+        htn::plan(*library_.compiled(*chosen.domain), problem, search_options(), host());
+    report.seconds = asked(surroundings_.cpu_seconds) - began;
+    report.memory_mb = asked(surroundings_.memory_mb);
+    progress_.end();
+    note(outcome);
+    show(report, outcome);
+  }
+
+  bool interrupted() const { return surroundings_.interrupted && surroundings_.interrupted(); }
+
+  /// Whether all graphs could be written.
+  bool write_graphs() {
+    if (options_.dot.empty()) return true;
+    if (options_.dot == "-") {
+      out_ << graphs_;
+      return true;
+    }
+    std::ofstream file(options_.dot, std::ios::binary);
+    file << graphs_ << std::flush;
+    if (!file) err_ << options_.dot << ": cannot be written\n";
+    return bool(file);
+  }
+
+  int exit_code(bool graphs_written) const {
+    if (interrupted()) return kExitInterrupted;
+    if (any_error_) return kExitBadInput;
+    if (!graphs_written) return kExitSystem;
+    if (any_limit_) return kExitTimeout;
+    return any_without_plan_ ? kExitNegative : kExitOk;
+  }
+
+ private:
+  htn::Options search_options() const {
+    htn::Options search = options_.search;
+    search.trees = options_.tree || !options_.dot.empty();
+    search.explain_failure = options_.why_not;
+    return search;
+  }
+
+  htn::Host host() {
+    htn::Host host;
+    host.cpu_seconds = surroundings_.cpu_seconds;
+    host.cancelled = [this] {
+      progress_.tick();
+      return interrupted();
+    };
+    host.plan_found = [this](const htn::Plan& plan) { progress_.see(plan); };
+    if (options_.trace) {
+      host.trace = [this](const htn::TraceEvent& event) {
+        const bool aside = options_.json || options_.dot == "-";
+        const bool colour = aside ? surroundings_.colour_err : surroundings_.colour_out;
+        (aside ? err_ : out_) << htn::to_text(event, library_.store(), style_of(colour));
+      };
+    }
+    return host;
+  }
+
+  void note(const Outcome& outcome) {
+    any_error_ |= outcome.verdict == Verdict::kError;
+    any_limit_ |= outcome.verdict == Verdict::kLimit;
+    any_without_plan_ |= outcome.verdict == Verdict::kNoPlan;
+  }
+
+  void show(const htn::PlanningReport& report, const Outcome& outcome) {
+    if (!options_.dot.empty()) draw(report, outcome);
+    if (options_.dot == "-") return;
+    if (options_.json) {
+      const htn::PlanJsonOptions shown{!options_.no_internal, options_.tree};
+      out_ << htn::to_json(report, outcome, library_.store(), shown) << '\n' << std::flush;
+      return;
+    }
+    const ReportOptions shown{!options_.no_internal, options_.tree,
+                              style_of(surroundings_.colour_out)};
+    out_ << report_text(report, outcome, library_.store(), shown) << std::flush;
+  }
+
+  void draw(const htn::PlanningReport& report, const Outcome& outcome) {
+    for (const htn::Plan& plan : outcome.plans) {
+      const std::string title = report.problem + ", cost " + to_text(plan.cost);
+      graphs_ += htn::to_dot(plan, library_.store(), {!options_.no_internal, title});
+    }
+  }
+
+  Library& library_;
+  const PlanOptions& options_;
+  const Surroundings& surroundings_;
+  std::ostream& out_;
+  std::ostream& err_;
+  Progress progress_;
+  double reading_seconds_;
+  std::string graphs_;
+  bool any_error_ = false;
+  bool any_limit_ = false;
+  bool any_without_plan_ = false;
+};
+
+int plan_all(Library& library, const std::vector<ChosenProblem>& problems,
+             const PlanOptions& options, const Surroundings& surroundings, std::ostream& out,
+             std::ostream& err) {
+  Session session(library, options, surroundings, out, err);
+  for (const ChosenProblem& problem : problems) {
+    session.plan(problem);
+    if (session.interrupted()) break;
+  }
+  const bool written = session.write_graphs();
+  return session.exit_code(written);
+}
+
+}  // namespace
+
+int run_plan(const PlanOptions& options, const Surroundings& surroundings, std::istream& in,
+             std::ostream& out, std::ostream& err) {
+  Library library;
+  library.read(options.files, in);
+  const std::vector<ChosenProblem> problems = library.choose(options.problems);
+  if (options.validate.empty()) library.compile(problems);
+  const htn::TextStyle& style = style_of(surroundings.colour_err);
+  if (!options.quiet) {
+    show(library.warnings(), Severity::kWarning, library.definitions(), style, err);
+  }
+  show(library.errors(), Severity::kError, library.definitions(), style, err);
+  if (!library.errors().empty()) return kExitBadInput;
+  if (!options.validate.empty()) {
+    return validate_plans(library, problems, options, surroundings, {in, out, err});
+  }
+  return plan_all(library, problems, options, surroundings, out, err);
+}
+
+}  // namespace skein::plan_tool

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The outcome of one problem as people read it.
+#pragma once
+
+#include <string>
+
+#include "skein/htn/plan_json.hpp"
+#include "skein/htn/planner.hpp"
+#include "skein/htn/text_style.hpp"
+
+namespace skein::plan_tool {
+
+struct ReportOptions {
+  bool internal = true;
+  bool tree = false;
+  htn::TextStyle style = htn::kPlainText;
+};
+
+/// Heading, plans, statistics, and why there is no plan if the outcome says so.
+std::string report_text(const htn::PlanningReport& report, const htn::Outcome& outcome,
+                        const htn::TermStore& store, const ReportOptions& options);
+
+}  // namespace skein::plan_tool

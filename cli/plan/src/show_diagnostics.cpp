@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "show_diagnostics.hpp"
+
+#include <ostream>
+
+namespace skein::plan_tool {
+
+namespace {
+
+htn::Excerpt excerpt_of(const Diagnostic& diagnostic, const htn::Definitions& definitions) {
+  for (const auto& document : definitions.documents) {
+    if (document->file == diagnostic.file) return htn::excerpt(diagnostic, document->text);
+  }
+  return {};
+}
+
+}  // namespace
+
+void show(const Diagnostics& diagnostics, Severity severity, const htn::Definitions& definitions,
+          const htn::TextStyle& style, std::ostream& err) {
+  const bool error = severity == Severity::kError;
+  const std::string_view colour = error ? style.bad : style.accent;
+  std::string text;  // in one piece: standard error is not buffered
+  for (Diagnostic diagnostic : diagnostics.all()) {
+    const htn::Excerpt excerpt = excerpt_of(diagnostic, definitions);
+    diagnostic.message = style.mark(colour, error ? "error: " : "warning: ") + diagnostic.message;
+    text += to_text(diagnostic) + '\n';
+    if (excerpt.line.empty()) continue;
+    text += "  " + excerpt.line + "\n  " + style.mark(colour, excerpt.marks) + '\n';
+  }
+  err << text;
+}
+
+}  // namespace skein::plan_tool

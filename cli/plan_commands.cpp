@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plan_commands.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "argument_checks.hpp"
+#include "skein/plan_tool/plan.hpp"
+
+namespace skein::cli {
+
+namespace {
+
+using htn::Which;
+
+constexpr const char* kExamples = R"(
+Files come before options that may take words (--trace, --optimize-cost). "-" is standard input.
+Examples:
+  skein plan domain.lisp problem.lisp                  the first plan, as SHOP2 finds it
+  skein plan uav.lisp --problem two-uavs --tree        how the tasks were decomposed, and what needed what
+  skein plan uav.lisp --which best --time-limit 5      the cheapest plan, or the best found in 5 s
+  skein plan uav.lisp --problem too-far --why-not      where the search came furthest and what was missing
+  skein plan uav.lisp --problem two-uavs --trace fly   how each task `fly` was tried
+  skein plan uav.lisp --dot plan.dot && dot -Tsvg plan.dot > plan.svg
+  skein plan uav.lisp --json > plans.jsonl && skein plan uav.lisp --validate plans.jsonl
+Guide and formats: docs/planning.md. Exit codes: 0 every problem has a plan (plans valid), 1 some has none
+(not valid), 2 wrong files or options, 4 a limit came first, 130 Ctrl-C (the best plan so far is shown).)";
+
+const std::map<std::string, Which> kWhich = {{"first", Which::kFirst},
+                                             {"all", Which::kAll},
+                                             {"shallowest", Which::kShallowest},
+                                             {"all-shallowest", Which::kAllShallowest},
+                                             {"id-first", Which::kIdFirst},
+                                             {"id-all", Which::kIdAll},
+                                             {"best", Which::kBest}};
+
+volatile std::sig_atomic_t interrupt_seen = 0;
+
+// The second Ctrl-C ends the process at once.
+void watch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupt_seen = 1; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+}
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+}
+
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+}
+
+// getrusage would count what the process was before exec too, as the copy of a large parent.
+double memory_mb() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    double kilobytes = 0;
+    if (word == "VmHWM:" && status >> kilobytes) return kilobytes * 1024e-6;
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024e-6;
+}
+
+bool colour_on(int stream) {
+  const char* refused = std::getenv("NO_COLOR");  // no-color.org: set and not empty
+  return isatty(stream) != 0 && (refused == nullptr || *refused == '\0');
+}
+
+plan_tool::Surroundings surroundings() {
+  plan_tool::Surroundings out;
+  out.cpu_seconds = cpu_seconds;
+  out.interrupted = [] { return interrupt_seen != 0; };
+  out.memory_mb = memory_mb;
+  out.colour_out = colour_on(STDOUT_FILENO);
+  out.colour_err = colour_on(STDERR_FILENO);
+  out.progress = isatty(STDERR_FILENO) != 0;
+  return out;
+}
+
+// What the command line gives as plain values.
+struct Arguments {
+  plan_tool::PlanOptions options;
+  std::optional<std::string> cost_limit;  // empty: none given
+  std::optional<double> memory_mb;
+};
+
+// A search without end is to be cut before the machine swaps: three quarters of its memory.
+std::uint64_t default_memory_limit() {
+  const auto pages = static_cast<std::uint64_t>(std::max(sysconf(_SC_PHYS_PAGES), 1L));
+  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 4 * 3;
+}
+
+int run(Arguments arguments) {
+  htn::Options& search = arguments.options.search;
+  if (arguments.cost_limit && !arguments.cost_limit->empty()) {
+    search.cost_limit = std::stod(*arguments.cost_limit);
+  } else if (arguments.cost_limit) {
+    search.optimize_cost = true;
+  }
+  search.limits.memory_bytes = arguments.memory_mb
+                                   ? static_cast<std::uint64_t>(*arguments.memory_mb * 1e6)
+                                   : default_memory_limit();
+  watch_interrupts();
+  return plan_tool::run_plan(arguments.options, surroundings(), std::cin, std::cout, std::cerr);
+}
+
+void add_limits(CLI::App& plan, Arguments& arguments) {
+  htn::Limits& limits = arguments.options.search.limits;
+  constexpr const char* kGroup = "Limits (each ends the search with what was found so far)";
+  const auto count = [&](const char* name, std::optional<std::uint64_t>& limit, const char* help) {
+    plan.add_option(name, limit, help)->check(count_problem)->group(kGroup);
+  };
+  plan.add_option("--time-limit", limits.seconds, "Processor time of each problem [s]")
+      ->check(positive_problem)
+      ->group(kGroup);
+  count("--expansions", limits.expansions, "Tasks taken");
+  count("--inferences", limits.inferences, "Goals tried");
+  count("--depth", limits.depth, "Decompositions and steps along one path");
+  count("--plans", limits.plans, "Plans found");
+  plan.add_option("--memory", arguments.memory_mb,
+                  "Memory of the search [MB] (default: 3/4 of the machine's)")
+      ->check(positive_problem)
+      ->group(kGroup);
+}
+
+void add_outputs(CLI::App& plan, plan_tool::PlanOptions& options) {
+  constexpr const char* kGroup = "What is shown";
+  plan.add_flag("--tree", options.tree, "The decomposition, with what each step was needed for")
+      ->group(kGroup);
+  plan.add_option("--dot", options.dot,
+                  "Write the decomposition for Graphviz; - is standard output")
+      ->type_name("FILE")
+      ->group(kGroup);
+  plan.add_flag("--json", options.json, "One JSON object a line for each problem")->group(kGroup);
+  plan.add_flag("--no-internal", options.no_internal, "Leave internal steps (!!name) out")
+      ->group(kGroup);
+  plan.add_option_function<std::vector<std::string>>(
+          "--trace",
+          [&options](const std::vector<std::string>& tasks) {
+            options.trace = true;
+            for (const std::string& task : tasks) {
+              if (!task.empty()) options.search.traced_tasks.push_back(task);
+            }
+          },
+          "Why methods of these tasks (default: all) are tried, fail or are chosen")
+      ->expected(0, CLI::detail::expected_max_vector_size)
+      ->type_name("TASK")
+      ->group(kGroup);
+  plan.add_flag("--why-not", options.why_not, "Without a plan: where the search came furthest")
+      ->group(kGroup);
+  plan.add_flag("--quiet", options.quiet, "No warnings, no progress")->group(kGroup);
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, std::function<int()>& action) {
+  auto arguments = std::make_shared<Arguments>();
+  plan_tool::PlanOptions& options = arguments->options;
+  CLI::App* plan = app.add_subcommand("plan", "Plan the problems of files in SHOP2's language");
+  plan->add_option("files", options.files, "Domains and problems, in any order")->required();
+  plan->add_option("--problem", options.problems, "Only this problem; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  plan->add_option_function<std::string>(
+          "--which",
+          [&options](const std::string& word) { options.search.which = kWhich.at(word); },
+          "Which plans (default: first)")
+      ->check(CLI::IsMember(kWhich));
+  plan->add_option("--optimize-cost", arguments->cost_limit,
+                   "Keep the cheapest plan; with N, take only plans up to that cost")
+      ->expected(0, 1)
+      ->type_name("N");
+  plan->add_option("--validate", options.validate, "Check the plans of this file, plan nothing")
+      ->type_name("PLAN");
+  add_limits(*plan, *arguments);
+  add_outputs(*plan, options);
+  plan->footer(kExamples);
+  plan->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace skein::cli

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keeps every term once: equality is comparison of handles.
+#pragma once
+
+#include <any>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "skein/htn/number.hpp"
+#include "skein/htn/term.hpp"
+
+namespace skein::htn {
+
+/// What occurs anywhere inside a term (bits).
+enum TermContent : std::uint8_t {
+  kHasSlot = 1,       ///< a clause variable
+  kHasVariable = 2,   ///< a search variable
+  kHasLocal = 4,      ///< a renamed variable
+  kHasLooseEqual = 8  ///< a float, ratio or string: `equalp` may differ from `equal`
+};
+
+/// Owner of all terms of a domain, its problems and searches on them. Nothing is ever removed.
+/// Memory: 20 to 30 bytes for a pair. Thread rule: one thread at a time.
+class TermStore {
+ public:
+  TermStore();
+
+  /// Case does not count.
+  Term symbol(std::string_view name);
+  Term number(const Number& value);
+  Term integer(std::int64_t value) { return number(htn::integer(value)); }
+  Term string(std::string_view text);
+  Term pair(Term car, Term cdr);
+  /// The pair if it was ever made.
+  std::optional<Term> find_pair(Term car, Term cdr) const;
+  Term list(std::span<const Term> items, Term tail = kNil);
+  Term object(std::shared_ptr<const std::any> value, std::string label);
+  static Term boolean(bool value) { return value ? kTrue : kNil; }
+
+  std::string_view name(Term symbol) const { return symbols_[symbol.index()]; }
+  const Number& value(Term number) const { return numbers_[number.index()]; }
+  const std::string& text(Term string) const { return strings_[string.index()]; }
+  Term car(Term pair) const { return pairs_[pair.index()].car; }
+  Term cdr(Term pair) const { return pairs_[pair.index()].cdr; }
+  const std::any& host_value(Term object) const { return *objects_[object.index()].value; }
+
+  std::uint8_t content(Term term) const {
+    if (term.is(TermKind::kPair)) return pair_content_[term.index()];
+    return term.is(TermKind::kSymbol) ? std::uint8_t{0} : atom_content(term);
+  }
+  /// No variable of any kind inside.
+  bool ground(Term term) const {
+    return (content(term) & (kHasSlot | kHasVariable | kHasLocal)) == 0;
+  }
+  /// The representative of all terms that are `equalp` to this one: numbers by value, strings
+  /// without case. The same term for nearly all terms, at no cost.
+  Term loose(Term term);
+
+  /// The items of a proper list; what follows the last pair is ignored.
+  std::vector<Term> items(Term list) const;
+  /// Proper list: nil, or pairs ending in nil.
+  bool is_list(Term term) const;
+  std::string to_text(Term term) const;
+
+  std::size_t pair_count() const { return pairs_.size(); }
+  std::size_t memory_bytes() const;
+
+ private:
+  struct Pair {
+    Term car;
+    Term cdr;
+  };
+  struct SymbolSlot {
+    std::uint32_t hash = 0;
+    std::uint32_t index = 0;  ///< 0: free, else index + 1
+  };
+  struct Object {
+    std::shared_ptr<const std::any> value;
+    std::string label;
+  };
+  void grow_symbol_table();
+  void grow_number_table();
+  void grow_pair_table();
+  std::uint8_t atom_content(Term term) const;
+  void append_text(Term term, std::string& out) const;
+  void append_atom(Term term, std::string& out) const;
+
+  std::deque<std::string> symbols_;
+  std::vector<SymbolSlot> symbol_table_;  // open addressing, never more than half full
+  std::vector<Number> numbers_;
+  std::vector<std::uint32_t> number_table_;  // open addressing; 0: free, else index + 1
+  std::deque<std::string> strings_;
+  std::unordered_map<std::string_view, std::uint32_t> string_index_;
+  std::vector<Pair> pairs_;
+  std::vector<std::uint8_t> pair_content_;
+  std::vector<std::uint32_t> pair_table_;  // open addressing; 0: free, else index + 1
+  std::vector<Object> objects_;
+  std::unordered_map<Term, Term> loose_pairs_;
+};
+
+}  // namespace skein::htn

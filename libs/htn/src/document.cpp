@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstring>
+
+#include "scanner.hpp"
+#include "skein/htn/syntax.hpp"
+#include "utf8.hpp"
+
+namespace skein::htn {
+
+namespace {
+
+constexpr std::size_t kLargestText = std::size_t{1} << 30U;
+
+std::vector<std::uint32_t> line_begins_of(std::string_view text) {
+  std::vector<std::uint32_t> begins = {0};
+  for (std::size_t at = text.find('\n'); at != std::string_view::npos;
+       at = text.find('\n', at + 1)) {
+    begins.push_back(static_cast<std::uint32_t>(at + 1));
+  }
+  return begins;
+}
+
+}  // namespace
+
+Place place_of(const Document& document, std::uint32_t offset) {
+  const auto& begins = document.line_begins;
+  if (begins.empty()) return {};
+  const auto behind = std::upper_bound(begins.begin(), begins.end(), offset);
+  const std::uint32_t begin = *(behind - 1);
+  const std::string_view before = std::string_view(document.text).substr(begin, offset - begin);
+  return {static_cast<int>(behind - begins.begin()),
+          static_cast<int>(count_characters(before)) + 1};
+}
+
+Document read_document(std::string file, std::string text, TermStore& store,
+                       Diagnostics& problems) {
+  Document document;
+  document.file = std::move(file);
+  if (text.size() > kLargestText) {
+    problems.add({document.file, 0, 0, "", "a text of more than 1 GiB", "a smaller file", ""});
+    return document;
+  }
+  document.text = std::move(text);
+  document.line_begins = line_begins_of(document.text);
+  Diagnostics found;
+  if (!Scanner(document, store, found, false).scan()) {
+    found = {};
+    document.nodes.clear();
+    document.top.clear();
+    document.depth = 0;
+    Scanner(document, store, found, true).scan();
+  }
+  problems.append(found);
+  return document;
+}
+
+std::vector<NodeIndex> children(const Document& document, NodeIndex list) {
+  std::vector<NodeIndex> out;
+  if (list == kNoNode || !document[list].list) return out;
+  for (NodeIndex at = document[list].first_child; at != kNoNode; at = document[at].next) {
+    out.push_back(at);
+  }
+  return out;
+}
+
+}  // namespace skein::htn

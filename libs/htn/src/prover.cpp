@@ -1,0 +1,471 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prover.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+namespace skein::htn {
+
+std::string place_text(Expression where) {
+  if (where.document == nullptr) return "";
+  if (!where) return where.document->file;
+  const Place place = place_of(*where.document, (*where).begin);
+  return where.document->file + ":" + std::to_string(place.line) + ":" +
+         std::to_string(place.column);
+}
+
+bool Prover::solve(ConditionIndex condition, Base base, bool just_one, Answers& out) {
+  out.clear();
+  if (condition == kAbsent) {
+    out.locals.push_back(0);
+    if (recording_) out.support.emplace_back();
+    return true;
+  }
+  const Condition& wanted = domain_.conditions[condition];
+  Query query;
+  query.base = base;
+  begin(Purpose::kTop, condition, just_one || wanted.first, query);
+  if (!run()) return false;
+  std::swap(out, sets_[0]);
+  sets_open_ = 0;
+  return !wanted.sorted || sort(wanted, base, out);
+}
+
+bool Prover::solve_part(ConditionIndex condition, std::size_t goals, Base base, Answers& out) {
+  Condition part = domain_.conditions[condition];
+  part.goals.resize(goals);
+  part.sorted = false;
+  domain_.conditions.push_back(std::move(part));
+  return solve(static_cast<ConditionIndex>(domain_.conditions.size() - 1), base, false, out);
+}
+
+bool Prover::holds(Term atom) {
+  if (facts_.holds(atom)) return true;
+  if (!domain_.axioms.contains(store_.car(atom))) return false;
+  const std::optional<ConditionIndex> condition = condition_of_atom(atom);
+  if (!condition) return false;
+  Answers answers;
+  const bool recording = std::exchange(recording_, false);
+  solve(*condition, 0, true, answers);
+  recording_ = recording;
+  return answers.count() > 0;
+}
+
+std::optional<ConditionIndex> Prover::condition_of_atom(Term atom) {
+  const auto known = domain_.conditions_of_atoms.find(atom);
+  if (known != domain_.conditions_of_atoms.end()) return known->second;
+  const std::optional<ConditionIndex> made = condition_of_terms(store_.pair(atom, kNil), Goal{});
+  if (made) domain_.conditions_of_atoms.emplace(atom, *made);
+  return made;
+}
+
+// Back to where the proof began, whatever stopped it.
+bool Prover::run() {
+  Move move = Move::kForward;
+  while (move != Move::kDone && move != Move::kStop) {
+    move = move == Move::kForward ? forward() : back();
+  }
+  if (move == Move::kDone) return true;
+  bindings_.undo(frames_.front().mark);
+  frames_.clear();
+  queries_.clear();
+  continuations_.clear();
+  support_.clear();
+  sets_open_ = 0;
+  once_frames_ = 0;
+  return false;
+}
+
+Prover::Move Prover::forward() {
+  const Continuation& here = continuations_[current_];
+  switch (here.kind) {
+    case ContinuationKind::kEmit:
+      return emit();
+    case ContinuationKind::kCut:
+      frames_[here.position].committed = true;
+      current_ = here.next;
+      return Move::kForward;
+    case ContinuationKind::kGoals:
+      break;
+  }
+  if (!budget_.infer()) return Move::kStop;
+  const GoalIndex goal = (*here.goals)[here.position];
+  const Base base = here.base;
+  const std::uint32_t after = push_goals(*here.goals, here.position + 1, base, here.next);
+  return execute(goal, base, after);
+}
+
+Prover::Move Prover::back() {
+  const Frame& top = frames_.back();
+  restore(top);
+  switch (top.kind) {
+    case FrameKind::kQuery:
+      return finish_query();
+    case FrameKind::kAtom:
+      return retry_atom();
+    case FrameKind::kRows:
+      return next_row();
+    case FrameKind::kOr:
+      return next_alternative();
+    case FrameKind::kForall:
+    case FrameKind::kExists:
+      return quantifier_part();
+    case FrameKind::kItems:
+      return next_item();
+  }
+  return Move::kStop;
+}
+
+// A proof of the innermost query is complete.
+Prover::Move Prover::emit() {
+  const Query& query = queries_.back();
+  const Frame& barrier = frames_[query.frame];
+  Answers& answers = set(query.set);
+  answers.record(bindings_, barrier.mark.cells);
+  if (recording_) {
+    answers.support.emplace_back(support_.begin() + barrier.support, support_.end());
+  }
+  if (query.just_one) {
+    pop_frames(query.frame + 1);
+    restore(frames_.back());
+    return finish_query();
+  }
+  if (once_frames_ == 0) return Move::kBack;
+  for (std::size_t at = query.frame + 1; at < frames_.size(); ++at) {
+    if (!frames_[at].once) continue;
+    pop_frames(at + 1);
+    frames_[at].once = false;
+    frames_[at].committed = true;
+    --once_frames_;
+    break;
+  }
+  return Move::kBack;
+}
+
+Prover::Move Prover::execute(GoalIndex index, Base base, std::uint32_t after) {
+  const Goal& goal = domain_.goals[index];
+  Query query;
+  query.after = after;
+  query.goal = index;
+  query.base = base;
+  switch (goal.kind) {
+    case GoalKind::kAtom:
+      return atom(index, base, after);
+    case GoalKind::kAnd:
+    case GoalKind::kImply:
+      return begin(Purpose::kEach, goal.conditions[0], false, query);
+    case GoalKind::kOr:
+      push_frame(FrameKind::kOr, index, base, after);
+      return next_alternative();
+    case GoalKind::kNot:
+      return begin(Purpose::kNot, goal.conditions[0], true, query);
+    case GoalKind::kForall:
+      return begin(Purpose::kForallBounds, goal.conditions[0], false, query);
+    case GoalKind::kExists:
+      return begin(Purpose::kExistsBounds, goal.conditions[0], false, query);
+    case GoalKind::kEval:
+      return evaluate(goal, base, after);
+    case GoalKind::kAssign:
+      return assign(goal, base, after);
+    case GoalKind::kAssignEach:
+      return assign_each(index, base, after);
+    case GoalKind::kSetOf:
+    case GoalKind::kBagOf:
+      return begin(Purpose::kCollect, goal.conditions[0], false, query);
+    case GoalKind::kEnforce:
+      return begin(Purpose::kEnforce, goal.conditions[0], false, query);
+    case GoalKind::kVariable:
+      return value_as_goal(goal, base, after);
+  }
+  return Move::kStop;
+}
+
+// ---- queries ---------------------------------------------------------------------------------
+
+Prover::Move Prover::begin(Purpose purpose, ConditionIndex condition, bool just_one, Query query) {
+  const Condition& wanted = domain_.conditions[condition];
+  query.purpose = purpose;
+  query.frame = static_cast<std::uint32_t>(frames_.size());
+  query.set = open_set();
+  push_frame(FrameKind::kQuery, query.goal, query.base, query.after);
+  const bool values_matter = purpose != Purpose::kNot && purpose != Purpose::kForallPart &&
+                             purpose != Purpose::kExistsPart;
+  if (values_matter) collect_cells(wanted, query.base, set(query.set));
+  // Where no variable gets a value, one proof tells all.
+  query.just_one = just_one || set(query.set).cells.empty();
+  queries_.push_back(query);
+  continuations_.push_back({});
+  current_ = push_goals(wanted.goals, 0, query.base,
+                        static_cast<std::uint32_t>(continuations_.size() - 1));
+  return Move::kForward;
+}
+
+void Prover::collect_cells(const Condition& condition, Base base, Answers& answers) {
+  for (const std::uint32_t slot : condition.slots) {
+    bindings_.collect_unbound(Term(TermKind::kSlot, slot), base, answers.cells);
+  }
+  for (const Term variable : condition.variables) {
+    bindings_.collect_unbound(variable, base, answers.cells);
+  }
+}
+
+// All proofs of the innermost query are found, or as many as were wanted.
+Prover::Move Prover::finish_query() {
+  const Query query = queries_.back();
+  queries_.pop_back();
+  frames_.pop_back();
+  Answers& answers = set(query.set);
+  switch (query.purpose) {
+    case Purpose::kTop:
+      answers.finish();
+      continuations_.clear();
+      support_.clear();
+      return Move::kDone;
+    case Purpose::kNot: {
+      const bool holds = answers.count() > 0;
+      sets_open_ = query.set;
+      if (holds) return Move::kBack;
+      if (recording_) note_absence(domain_.goals[query.goal], query.base);
+      current_ = query.after;
+      return Move::kForward;
+    }
+    case Purpose::kEach:
+    case Purpose::kAlternative:
+    case Purpose::kEnforce:
+      return finish_rows(query);
+    case Purpose::kCollect:
+      return finish_collection(query);
+    case Purpose::kForallBounds:
+    case Purpose::kExistsBounds:
+      return finish_quantifier_bounds(query);
+    case Purpose::kForallPart:
+    case Purpose::kExistsPart: {
+      const bool holds = answers.count() > 0;
+      sets_open_ = query.set;
+      return finish_quantifier_part(holds);
+    }
+  }
+  return Move::kStop;
+}
+
+Prover::Move Prover::finish_rows(const Query& query) {
+  Answers& answers = set(query.set);
+  answers.finish();
+  if (answers.count() == 0) {
+    sets_open_ = query.set;
+    const Goal& goal = domain_.goals[query.goal];
+    if (query.purpose != Purpose::kEnforce) return Move::kBack;
+    return fail(goal, goal.text.empty() ? "an enforced condition does not hold" : goal.text);
+  }
+  Frame& frame = push_frame(FrameKind::kRows, query.goal, query.base, query.after);
+  frame.set = query.set;
+  return next_row();
+}
+
+Prover::Move Prover::next_row() {
+  Frame& frame = frames_.back();
+  const Answers& answers = set(frame.set);
+  if (frame.at == answers.count()) {
+    pop_frames(frames_.size() - 1);
+    return Move::kBack;
+  }
+  const std::uint32_t row = frame.at++;
+  answers.apply(row, bindings_);
+  if (recording_) {
+    support_.insert(support_.end(), answers.support[row].begin(), answers.support[row].end());
+  }
+  current_ = frame.after;
+  if (frame.at == answers.count()) pop_frames(frames_.size() - 1);
+  return Move::kForward;
+}
+
+Prover::Move Prover::next_alternative() {
+  Frame& frame = frames_.back();
+  const Goal& goal = domain_.goals[frame.goal];
+  if (frame.at == goal.conditions.size()) {
+    pop_frames(frames_.size() - 1);
+    return Move::kBack;
+  }
+  const ConditionIndex alternative = goal.conditions[frame.at++];
+  Query query;
+  query.after = frame.after;
+  query.goal = frame.goal;
+  query.base = frame.base;
+  return begin(Purpose::kAlternative, alternative, false, query);
+}
+
+Prover::Move Prover::finish_collection(const Query& query) {
+  const Goal& goal = domain_.goals[query.goal];
+  Answers& answers = set(query.set);
+  answers.finish();
+  std::vector<Term> collected;
+  for (std::size_t row = 0; row < answers.count(); ++row) {
+    const Bindings::Mark mark = bindings_.mark();
+    answers.apply(row, bindings_);
+    const Term value = bindings_.instance(goal.term, query.base);
+    bindings_.undo(mark);
+    const bool again = std::find(collected.begin(), collected.end(), value) != collected.end();
+    if (goal.kind == GoalKind::kBagOf || !again) collected.push_back(value);
+  }
+  sets_open_ = query.set;
+  if (collected.empty()) return Move::kBack;
+  if (!bind_value(goal.pattern, query.base, store_.list(collected))) return Move::kBack;
+  current_ = query.after;
+  return Move::kForward;
+}
+
+// forall and exists: the bounds are known, now the condition under each of them.
+Prover::Move Prover::finish_quantifier_bounds(const Query& query) {
+  Answers& answers = set(query.set);
+  answers.finish();
+  const bool all = query.purpose == Purpose::kForallBounds;
+  Frame& frame = push_frame(all ? FrameKind::kForall : FrameKind::kExists, query.goal, query.base,
+                            query.after);
+  frame.set = query.set;
+  return quantifier_part();
+}
+
+Prover::Move Prover::quantifier_part() {
+  Frame& frame = frames_.back();
+  const Answers& answers = set(frame.set);
+  const bool all = frame.kind == FrameKind::kForall;
+  if (frame.at == answers.count()) {
+    current_ = frame.after;
+    pop_frames(frames_.size() - 1);
+    return all ? Move::kForward : Move::kBack;
+  }
+  answers.apply(frame.at++, bindings_);
+  Query query;
+  query.goal = frame.goal;
+  query.base = frame.base;
+  const ConditionIndex condition = domain_.goals[frame.goal].conditions[1];
+  return begin(all ? Purpose::kForallPart : Purpose::kExistsPart, condition, true, query);
+}
+
+Prover::Move Prover::finish_quantifier_part(bool holds) {
+  Frame& frame = frames_.back();
+  const bool all = frame.kind == FrameKind::kForall;
+  restore(frame);
+  if (holds == all) return quantifier_part();
+  current_ = frame.after;
+  pop_frames(frames_.size() - 1);
+  return holds ? Move::kForward : Move::kBack;
+}
+
+// ---- stacks ----------------------------------------------------------------------------------
+
+Prover::Frame& Prover::push_frame(FrameKind kind, GoalIndex goal, Base base, std::uint32_t after) {
+  Frame& frame = frames_.emplace_back();
+  frame.kind = kind;
+  frame.mark = bindings_.mark();
+  frame.continuations = static_cast<std::uint32_t>(continuations_.size());
+  frame.support = static_cast<std::uint32_t>(support_.size());
+  frame.after = after;
+  frame.goal = goal;
+  frame.base = base;
+  frame.set = sets_open_;
+  return frame;
+}
+
+void Prover::restore(const Frame& frame) {
+  bindings_.undo(frame.mark);
+  continuations_.resize(frame.continuations);
+  support_.resize(frame.support);
+}
+
+// Keeps the first `count` frames. Rows that nobody goes through any more are given back, those of
+// an innermost query apart.
+void Prover::pop_frames(std::size_t count) {
+  while (frames_.size() > count) {
+    const Frame& frame = frames_.back();
+    if (frame.once) --once_frames_;
+    const bool owns_rows = frame.kind == FrameKind::kRows || frame.kind == FrameKind::kForall ||
+                           frame.kind == FrameKind::kExists;
+    if (owns_rows) sets_open_ = frame.set;
+    frames_.pop_back();
+  }
+}
+
+std::uint32_t Prover::push_goals(const std::vector<GoalIndex>& goals, std::uint32_t position,
+                                 Base base, std::uint32_t next) {
+  if (position == goals.size()) return next;
+  continuations_.push_back({ContinuationKind::kGoals, position, &goals, base, next});
+  return static_cast<std::uint32_t>(continuations_.size() - 1);
+}
+
+std::uint32_t Prover::open_set() {
+  if (sets_open_ == sets_.size()) sets_.emplace_back();
+  sets_[sets_open_].clear();
+  return sets_open_++;
+}
+
+void Prover::note_support(Term fact, StepIndex step) {
+  if (recording_) support_.push_back({fact, step});
+}
+
+// (not atom) rests on the step that deleted the atom.
+void Prover::note_absence(const Goal& goal, Base base) {
+  const std::vector<GoalIndex>& inner = domain_.conditions[goal.conditions[0]].goals;
+  if (inner.size() != 1 || domain_.goals[inner[0]].kind != GoalKind::kAtom) return;
+  const Term atom = bindings_.instance(domain_.goals[inner[0]].pattern, base);
+  if (!store_.ground(atom)) return;
+  const StepIndex step = facts_.deleter(atom);
+  if (step == kInitialState) return;
+  const std::array<Term, 2> negation{store_.symbol("not"), atom};
+  support_.push_back({store_.list(negation), step});
+}
+
+Prover::Move Prover::fail(const Goal& goal, const std::string& why) {
+  budget_.fail(place_text(goal.where) + ": " + why);
+  return Move::kStop;
+}
+
+std::size_t Prover::memory_bytes() const {
+  std::size_t bytes = continuations_.capacity() * sizeof(Continuation) +
+                      frames_.capacity() * sizeof(Frame) + support_.capacity() * sizeof(CausalLink);
+  for (const Answers& answers : sets_) bytes += answers.memory_bytes();
+  return bytes;
+}
+
+// :sort-by, stable as in SBCL: rows by the value of an expression under each of them.
+bool Prover::sort(const Condition& condition, Base base, Answers& answers) {
+  std::vector<Term> keys;
+  for (std::size_t row = 0; row < answers.count(); ++row) {
+    const Bindings::Mark mark = bindings_.mark();
+    answers.apply(row, bindings_);
+    const std::optional<Term> key = value_of(condition.sort_key, base);
+    bindings_.undo(mark);
+    if (!key) return false;
+    keys.push_back(*key);
+  }
+  std::vector<std::size_t> order(answers.count());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t left, std::size_t right) {
+    return before(condition, keys[left], keys[right]);
+  });
+  if (budget_.stopped()) return false;
+  answers.reorder(order);
+  return true;
+}
+
+bool Prover::before(const Condition& condition, Term left, Term right) {
+  if (condition.compare == kNoCode) {
+    if (left.is(TermKind::kNumber) && right.is(TermKind::kNumber)) {
+      return less_value(store_.value(left), store_.value(right));
+    }
+    budget_.fail(place_text(condition.where) + ": :sort-by compares numbers, not " +
+                 store_.to_text(left) + " and " + store_.to_text(right));
+    return false;
+  }
+  const std::array<Term, 2> arguments{left, right};
+  const auto result = domain_.lisp.apply(condition.compare, arguments, [](std::uint32_t) { return kNil; });
+  if (!result) {
+    budget_.fail(place_text(result.error().where) + ": " + result.error().why);
+    return false;
+  }
+  return *result != kNil;
+}
+
+}  // namespace skein::htn

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finds the satisfiers of conditions in a state, with axioms.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "answers.hpp"
+#include "budget.hpp"
+#include "compiled_domain.hpp"
+
+namespace skein::htn {
+
+/// Proves goals depth first with its own stacks: neither recursion of axioms nor the length of a
+/// conjunction can overflow. The order of answers is that of SHOP3: for one goal, facts before
+/// axioms; the answers of a complete query are the reverse of the order in which they are met;
+/// `and`, `or` and `imply` are complete queries of their own whose answers are gone through one
+/// after the other. Source: docs/decisions/0006-htn-search.md.
+class Prover {
+ public:
+  Prover(CompiledDomain& domain, Bindings& bindings, FactBase& facts, Budget& budget)
+      : domain_(domain), store_(domain.store), bindings_(bindings), facts_(facts), budget_(budget) {}
+
+  /// All satisfiers of a condition, or the first met. False when the budget stopped the proof.
+  bool solve(ConditionIndex condition, Base base, bool just_one, Answers& out);
+  /// All satisfiers of the first goals of a condition (for explanations).
+  bool solve_part(ConditionIndex condition, std::size_t goals, Base base, Answers& out);
+  /// Whether a ground atom holds, by fact or axiom.
+  bool holds(Term atom);
+
+  /// Records which facts each answer rests on.
+  void record_support(bool on) { recording_ = on; }
+  std::size_t memory_bytes() const;
+
+ private:
+  enum class Purpose : std::uint8_t {
+    kTop, kNot, kEach, kEnforce, kAlternative, kForallBounds, kForallPart, kExistsBounds,
+    kExistsPart, kCollect
+  };
+  enum class ContinuationKind : std::uint8_t { kGoals, kCut, kEmit };
+  struct Continuation {
+    ContinuationKind kind = ContinuationKind::kEmit;
+    std::uint32_t position = 0;  // kGoals: next goal; kCut: the frame
+    const std::vector<GoalIndex>* goals = nullptr;
+    Base base = 0;
+    std::uint32_t next = 0;
+  };
+  enum class FrameKind : std::uint8_t { kQuery, kAtom, kRows, kOr, kForall, kExists, kItems };
+  struct Frame {
+    FrameKind kind = FrameKind::kQuery;
+    bool committed = false;  // kAtom: a tail of the axiom held
+    bool once = false;       // kAtom: one answer of this axiom is enough
+    Bindings::Mark mark;
+    std::uint32_t continuations = 0;
+    std::uint32_t support = 0;
+    std::uint32_t after = 0;  // continuation behind the goal
+    GoalIndex goal = 0;
+    Base base = 0;
+    std::uint32_t at = 0;      // row, alternative, or axiom
+    std::uint32_t tail = 0;    // kAtom
+    std::uint32_t set = 0;     // kRows, kForall, kExists
+    std::uint32_t answers_first = 0;   // kAtom: answers of the query when the goal came up
+    std::uint32_t answers_middle = 0;  // kAtom: when its axioms began
+    bool axioms_begun = false;
+    FactBase::Cursor cursor;
+    Term items;  // kItems
+  };
+  struct Query {
+    Purpose purpose = Purpose::kTop;
+    bool just_one = false;
+    std::uint32_t frame = 0;
+    std::uint32_t set = 0;
+    std::uint32_t after = 0;
+    GoalIndex goal = 0;
+    Base base = 0;
+  };
+  enum class Move : std::uint8_t { kForward, kBack, kDone, kStop };
+
+  bool run();
+  Move forward();
+  Move back();
+  Move emit();
+  Move execute(GoalIndex goal, Base base, std::uint32_t after);
+
+  Move begin(Purpose purpose, ConditionIndex condition, bool just_one, Query query);
+  void collect_cells(const Condition& condition, Base base, Answers& answers);
+  Move finish_query();
+  Move finish_rows(const Query& query);
+  Move finish_collection(const Query& query);
+  Move finish_quantifier_bounds(const Query& query);
+  Move finish_quantifier_part(bool holds);
+
+  Move atom(GoalIndex goal, Base base, std::uint32_t after);
+  Move retry_atom();
+  Move try_axioms();
+  bool match_fact(const Goal& goal, Base base, FactIndex fact);
+  Move enter_tail(const Axiom& axiom, Base axiom_base);
+  Move leave_atom();
+  Move next_row();
+  Move next_alternative();
+  Move next_item();
+  Move quantifier_part();
+  Move evaluate(const Goal& goal, Base base, std::uint32_t after);
+  Move assign(const Goal& goal, Base base, std::uint32_t after);
+  Move assign_each(GoalIndex goal, Base base, std::uint32_t after);
+  Move value_as_goal(const Goal& goal, Base base, std::uint32_t after);
+  std::optional<GoalIndex> goal_of_term(Term term, const Goal& from);
+  std::optional<ConditionIndex> condition_of_atom(Term atom);
+  std::optional<ConditionIndex> condition_of_terms(Term list, const Goal& from);
+  std::optional<Term> value_of(CodeIndex code, Base base);
+  bool bind_value(Term pattern, Base base, Term value);
+
+  Frame& push_frame(FrameKind kind, GoalIndex goal, Base base, std::uint32_t after);
+  void restore(const Frame& frame);
+  void pop_frames(std::size_t count);
+  std::uint32_t push_goals(const std::vector<GoalIndex>& goals, std::uint32_t position, Base base,
+                           std::uint32_t next);
+  std::uint32_t open_set();
+  Answers& set(std::uint32_t index) { return sets_[index]; }
+  void note_support(Term fact, StepIndex step);
+  void note_absence(const Goal& goal, Base base);
+  Move fail(const Goal& goal, const std::string& why);
+  bool sort(const Condition& condition, Base base, Answers& answers);
+  bool before(const Condition& condition, Term left, Term right);
+  static bool connective(std::string_view name);
+
+  CompiledDomain& domain_;
+  TermStore& store_;
+  Bindings& bindings_;
+  FactBase& facts_;
+  Budget& budget_;
+  std::vector<Continuation> continuations_;
+  std::vector<Frame> frames_;
+  std::vector<Query> queries_;
+  std::deque<Answers> sets_;
+  std::uint32_t sets_open_ = 0;
+  std::uint32_t current_ = 0;
+  std::uint32_t once_frames_ = 0;
+  static constexpr int kDeepestValue = 200;
+  int value_nesting_ = 0;
+  bool recording_ = false;
+  std::vector<CausalLink> support_;
+};
+
+/// "file:line:column" of an expression.
+std::string place_text(Expression where);
+
+}  // namespace skein::htn

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/htn/repair.hpp"
+
+#include <algorithm>
+
+#include "repair_searches.hpp"
+
+namespace skein::htn {
+
+namespace {
+
+/// One repair: looks at the plan, lists the ways of repairing it, and has them searched.
+class Repairing {
+ public:
+  Repairing(const Domain& domain, const Problem& problem, const RepairRequest& request,
+            const RepairOptions& options, const Host& host)
+      : domain_(domain), problem_(problem), request_(request), options_(options), host_(host),
+        store_(domain.store()) {}
+
+  Repair run() {
+    if (std::string wrong = wrong_request(); !wrong.empty()) return error(std::move(wrong));
+    OldTree cautious(*request_.plan, request_.executed, store_);
+    if (!cautious.fault().empty()) return error(cautious.fault());
+    now_ = problem_;
+    const std::vector<Event> past = events(request_.executed);
+    now_.past.insert(now_.past.end(), past.begin(), past.end());
+    Budget budget(options_.limits, host_, [] { return std::size_t{0}; });
+    Search present(domain_, now_, plain_, silent_);
+    const std::size_t relived = present.relive(budget);
+    if (budget.stopped() && !budget.error()) return stopped(RepairVerdict::kLimit, budget.why());
+    if (relived < now_.past.size()) return error(not_executed(relived, budget));
+
+    const auto holds = [&](Term fact) { return this->holds(present.facts(), fact); };
+    OldTree lenient = cautious;
+    cautious.settle(holds, true);
+    lenient.settle(holds, false);
+    const auto clobbered = cautious.first_clobbered(holds);
+    list_attempts(cautious, lenient, clobbered ? clobbered->first : first_in_doubt(cautious));
+    Repair repair = RepairSearches(domain_, now_, request_, options_, host_).run(attempts_);
+    if (clobbered) {
+      repair.clobbered = {clobbered->second, request_.plan->tree[clobbered->first].task};
+    }
+    return repair;
+  }
+
+ private:
+  static Repair stopped(RepairVerdict verdict, std::string why) {
+    Repair repair;
+    repair.verdict = verdict;
+    repair.why = std::move(why);
+    return repair;
+  }
+  static Repair error(std::string why) { return stopped(RepairVerdict::kError, std::move(why)); }
+
+  std::string wrong_request() const {
+    if (request_.plan == nullptr) return "there is no plan";
+    if (request_.executed > request_.plan->steps.size()) {
+      return "more steps are said to be executed than the plan has: " +
+             std::to_string(request_.executed) + " of " +
+             std::to_string(request_.plan->steps.size());
+    }
+    StepIndex before = 0;
+    for (const Divergence& divergence : request_.divergences) {
+      if (divergence.after > request_.executed || divergence.after < before) {
+        return "the divergences are not in the order of the executed steps";
+      }
+      before = divergence.after;
+      for (const Change& change : divergence.changes) {
+        if (!is_fact(change.fact)) return store_.to_text(change.fact) + " is no ground fact";
+      }
+    }
+    return "";
+  }
+
+  bool is_fact(Term fact) const {
+    return fact.is(TermKind::kPair) && store_.car(fact).is(TermKind::kSymbol) &&
+           store_.ground(fact) && store_.is_list(fact);
+  }
+
+  // The first `steps` steps with all divergences between and behind them.
+  std::vector<Event> events(StepIndex steps) const {
+    std::vector<Event> out;
+    auto divergence = request_.divergences.begin();
+    for (StepIndex step = 0; step <= steps; ++step) {
+      for (; divergence != request_.divergences.end() && divergence->after == step; ++divergence) {
+        for (const Change& change : divergence->changes) {
+          out.push_back({change.added ? Event::Kind::kAdded : Event::Kind::kDeleted, change.fact});
+        }
+      }
+      if (step < steps) out.push_back({Event::Kind::kStep, request_.plan->steps[step].action});
+    }
+    return out;
+  }
+
+  std::string not_executed(std::size_t event, const Budget& budget) const {
+    if (budget.error()) return budget.why();
+    return "the step " + store_.to_text(now_.past[event].term) +
+           ", said to be executed, does not apply";
+  }
+
+  bool holds(const FactBase& facts, Term fact) const {
+    const bool negated = store_.car(fact) == store_.symbol("not");
+    return negated ? !facts.holds(store_.car(store_.cdr(fact))) : facts.holds(fact);
+  }
+
+  // Nothing that the links know is lost: the first remaining step that cannot be done all the
+  // same, or the next step.
+  TreeIndex first_in_doubt(const OldTree& tree) const {
+    const std::vector<Step>& steps = request_.plan->steps;
+    if (request_.executed == steps.size()) return 0;
+    Problem whole = now_;
+    for (std::size_t step = request_.executed; step < steps.size(); ++step) {
+      whole.past.push_back({Event::Kind::kStep, steps[step].action});
+    }
+    Budget budget(options_.limits, host_, [] { return std::size_t{0}; });
+    const std::size_t relived = Search(domain_, whole, plain_, silent_).relive(budget);
+    const std::size_t applied = std::max(relived, now_.past.size()) - now_.past.size();
+    const std::size_t step = request_.executed + applied;
+    return tree.leaf_of(static_cast<StepIndex>(step < steps.size() ? step : request_.executed));
+  }
+
+  void list_attempts(const OldTree& cautious, const OldTree& lenient, TreeIndex failing) {
+    attempts_ = {{&cautious, {}, false}};
+    const auto first = cautious.remaining({});
+    const auto other = lenient.remaining({});
+    if (first && other && first->leaves != other->leaves) attempts_.push_back({&lenient, {}, false});
+    for (const TreeIndex task : cautious.begun_above(failing)) {
+      attempts_.push_back({&cautious, {task}, false});
+    }
+    std::vector<TreeIndex> tops = cautious.top_tasks();
+    std::erase_if(tops, [&](TreeIndex task) { return !cautious.in_progress(task); });
+    attempts_.push_back({&cautious, std::move(tops), true});
+  }
+
+  const Domain& domain_;
+  const Problem& problem_;
+  const RepairRequest& request_;
+  const RepairOptions& options_;
+  const Host& host_;
+  TermStore& store_;
+  const Options plain_;
+  const Host silent_;
+  Problem now_;  // with what has happened
+  std::vector<RepairAttempt> attempts_;
+};
+
+}  // namespace
+
+Repair repair(const Domain& domain, const Problem& problem, const RepairRequest& request,
+              const RepairOptions& options, const Host& host) {
+  return Repairing(domain, problem, request, options, host).run();
+}
+
+}  // namespace skein::htn

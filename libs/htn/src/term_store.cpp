@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/htn/term_store.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "skein/foundation/contract.hpp"
+
+namespace skein::htn {
+
+namespace {
+
+constexpr std::size_t kFirstTable = 1024;
+constexpr std::size_t kLargestIndex = (std::size_t{1} << 29) - 1;
+
+std::uint64_t mix(std::uint64_t value) {
+  value ^= value >> 32U;
+  value *= 0x9E3779B97F4A7C15ULL;
+  return value ^ (value >> 29U);
+}
+
+std::uint64_t pair_hash(Term car, Term cdr) {
+  return mix((std::uint64_t{car.bits()} << 32U) | cdr.bits());
+}
+
+std::size_t number_hash(const Number& value) {
+  const auto kind = static_cast<std::uint64_t>(value.kind);
+  const bool exact = value.kind == NumberKind::kInteger || value.kind == NumberKind::kRatio;
+  const std::uint64_t bits = exact ? static_cast<std::uint64_t>(value.numerator) * 31 +
+                                         static_cast<std::uint64_t>(value.denominator)
+                                   : std::bit_cast<std::uint64_t>(value.real);
+  return mix(bits ^ (kind << 61U));
+}
+
+char lower(char letter) {
+  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+}
+
+// Eight letters at once: sets bit 5 of each byte from 'A' to 'Z'.
+std::uint64_t lower_eight(std::uint64_t bytes) {
+  constexpr std::uint64_t kOnes = 0x0101010101010101ULL;
+  constexpr std::uint64_t kHigh = 0x80 * kOnes;
+  const std::uint64_t low = bytes & ~kHigh;
+  const std::uint64_t from_a = low + (0x80 - 'A') * kOnes;
+  const std::uint64_t beyond_z = low + (0x7F - 'Z') * kOnes;
+  return bytes | (((from_a ^ beyond_z) & ~bytes & kHigh) >> 2U);
+}
+
+std::uint64_t eight_at(std::string_view text, std::size_t at) {
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, text.data() + at, std::min<std::size_t>(8, text.size() - at));
+  return bytes;
+}
+
+// Case does not count.
+std::uint32_t name_hash(std::string_view name) {
+  std::uint64_t hash = name.size();
+  for (std::size_t at = 0; at < name.size(); at += 8) {
+    hash = mix(hash ^ lower_eight(eight_at(name, at)));
+  }
+  return static_cast<std::uint32_t>(mix(hash));
+}
+
+bool is_lowered(std::string_view name, std::string_view lowered) {
+  if (name.size() != lowered.size()) return false;
+  for (std::size_t at = 0; at < name.size(); at += 8) {
+    if (lower_eight(eight_at(name, at)) != eight_at(lowered, at)) return false;
+  }
+  return true;
+}
+
+std::string lowered(std::string_view text) {
+  std::string out(text);
+  std::transform(out.begin(), out.end(), out.begin(), lower);
+  return out;
+}
+
+std::uint32_t checked_index(std::size_t size) {
+  SKEIN_ENSURES(size <= kLargestIndex);
+  return static_cast<std::uint32_t>(size);
+}
+
+}  // namespace
+
+TermStore::TermStore()
+    : symbol_table_(kFirstTable), number_table_(kFirstTable, 0), pair_table_(kFirstTable, 0) {
+  symbol("nil");
+  symbol("t");
+}
+
+Term TermStore::symbol(std::string_view name) {
+  const std::uint32_t hash = name_hash(name);
+  const std::size_t mask = symbol_table_.size() - 1;
+  std::size_t at = hash & mask;
+  for (; symbol_table_[at].index != 0; at = (at + 1) & mask) {
+    const std::uint32_t index = symbol_table_[at].index - 1;
+    if (symbol_table_[at].hash == hash && is_lowered(name, symbols_[index])) {
+      return {TermKind::kSymbol, index};
+    }
+  }
+  const std::uint32_t index = checked_index(symbols_.size());
+  symbols_.push_back(lowered(name));
+  symbol_table_[at] = {hash, index + 1};
+  if (symbols_.size() * 2 > symbol_table_.size()) grow_symbol_table();
+  return {TermKind::kSymbol, index};
+}
+
+void TermStore::grow_symbol_table() {
+  std::vector<SymbolSlot> table(symbol_table_.size() * 2);
+  const std::size_t mask = table.size() - 1;
+  for (const SymbolSlot& slot : symbol_table_) {
+    if (slot.index == 0) continue;
+    std::size_t at = slot.hash & mask;
+    while (table[at].index != 0) at = (at + 1) & mask;
+    table[at] = slot;
+  }
+  symbol_table_ = std::move(table);
+}
+
+Term TermStore::number(const Number& value) {
+  const std::size_t mask = number_table_.size() - 1;
+  std::size_t at = number_hash(value) & mask;
+  for (; number_table_[at] != 0; at = (at + 1) & mask) {
+    const std::uint32_t index = number_table_[at] - 1;
+    if (numbers_[index] == value) return {TermKind::kNumber, index};
+  }
+  const std::uint32_t index = checked_index(numbers_.size());
+  numbers_.push_back(value);
+  number_table_[at] = index + 1;
+  if (numbers_.size() * 2 > number_table_.size()) grow_number_table();
+  return {TermKind::kNumber, index};
+}
+
+void TermStore::grow_number_table() {
+  std::vector<std::uint32_t> table(number_table_.size() * 2, 0);
+  const std::size_t mask = table.size() - 1;
+  for (std::uint32_t index = 0; index < numbers_.size(); ++index) {
+    std::size_t at = number_hash(numbers_[index]) & mask;
+    while (table[at] != 0) at = (at + 1) & mask;
+    table[at] = index + 1;
+  }
+  number_table_ = std::move(table);
+}
+
+Term TermStore::string(std::string_view text) {
+  const auto known = string_index_.find(text);
+  if (known != string_index_.end()) return {TermKind::kString, known->second};
+  const std::uint32_t index = checked_index(strings_.size());
+  strings_.emplace_back(text);
+  string_index_.emplace(strings_.back(), index);
+  return {TermKind::kString, index};
+}
+
+Term TermStore::pair(Term car, Term cdr) {
+  const std::size_t mask = pair_table_.size() - 1;
+  std::size_t at = pair_hash(car, cdr) & mask;
+  while (pair_table_[at] != 0) {
+    const std::uint32_t index = pair_table_[at] - 1;
+    if (pairs_[index].car == car && pairs_[index].cdr == cdr) return {TermKind::kPair, index};
+    at = (at + 1) & mask;
+  }
+  const std::uint32_t index = checked_index(pairs_.size());
+  pairs_.push_back({car, cdr});
+  pair_content_.push_back(static_cast<std::uint8_t>(content(car) | content(cdr)));
+  pair_table_[at] = index + 1;
+  if (pairs_.size() * 2 > pair_table_.size()) grow_pair_table();
+  const Term made{TermKind::kPair, index};
+  if ((pair_content_.back() & kHasLooseEqual) != 0) {
+    const Term representative = pair(loose(car), loose(cdr));
+    loose_pairs_.emplace(made, representative);
+  }
+  return made;
+}
+
+std::optional<Term> TermStore::find_pair(Term car, Term cdr) const {
+  const std::size_t mask = pair_table_.size() - 1;
+  std::size_t at = pair_hash(car, cdr) & mask;
+  while (pair_table_[at] != 0) {
+    const std::uint32_t index = pair_table_[at] - 1;
+    if (pairs_[index].car == car && pairs_[index].cdr == cdr) return Term(TermKind::kPair, index);
+    at = (at + 1) & mask;
+  }
+  return std::nullopt;
+}
+
+void TermStore::grow_pair_table() {
+  std::vector<std::uint32_t> table(pair_table_.size() * 2, 0);
+  const std::size_t mask = table.size() - 1;
+  for (std::uint32_t index = 0; index < pairs_.size(); ++index) {
+    std::size_t at = pair_hash(pairs_[index].car, pairs_[index].cdr) & mask;
+    while (table[at] != 0) at = (at + 1) & mask;
+    table[at] = index + 1;
+  }
+  pair_table_ = std::move(table);
+}
+
+Term TermStore::list(std::span<const Term> items, Term tail) {
+  for (auto at = items.rbegin(); at != items.rend(); ++at) tail = pair(*at, tail);
+  return tail;
+}
+
+Term TermStore::object(std::shared_ptr<const std::any> value, std::string label) {
+  const std::uint32_t index = checked_index(objects_.size());
+  objects_.push_back({std::move(value), std::move(label)});
+  return {TermKind::kObject, index};
+}
+
+std::uint8_t TermStore::atom_content(Term term) const {
+  switch (term.kind()) {
+    case TermKind::kSlot:
+      return kHasSlot;
+    case TermKind::kVariable:
+      return kHasVariable;
+    case TermKind::kLocal:
+      return kHasLocal;
+    case TermKind::kString:
+      return kHasLooseEqual;
+    case TermKind::kNumber:
+      return numbers_[term.index()].kind == NumberKind::kInteger
+                 ? std::uint8_t{0}
+                 : static_cast<std::uint8_t>(kHasLooseEqual);
+    default:
+      return 0;
+  }
+}
+
+// Pairs know theirs from their making: no recursion into deep terms.
+Term TermStore::loose(Term term) {
+  if ((content(term) & kHasLooseEqual) == 0) return term;
+  if (term.is(TermKind::kString)) return string(lowered(text(term)));
+  if (term.is(TermKind::kPair)) return loose_pairs_.at(term);
+  const Number& number_value = value(term);
+  if (number_value.kind == NumberKind::kRatio) return number(real(to_double(number_value)));
+  const double exact = number_value.real;
+  constexpr double kExactInteger = 9007199254740992.0;
+  if (exact >= -kExactInteger && exact <= kExactInteger) {
+    const auto whole = static_cast<std::int64_t>(exact);
+    if (static_cast<double>(whole) == exact) return integer(whole);
+  }
+  return number(real(exact));
+}
+
+std::vector<Term> TermStore::items(Term list) const {
+  std::vector<Term> out;
+  for (; list.is(TermKind::kPair); list = cdr(list)) out.push_back(car(list));
+  return out;
+}
+
+bool TermStore::is_list(Term term) const {
+  while (term.is(TermKind::kPair)) term = cdr(term);
+  return term == kNil;
+}
+
+std::string TermStore::to_text(Term term) const {
+  std::string out;
+  append_text(term, out);
+  return out;
+}
+
+void TermStore::append_atom(Term term, std::string& out) const {
+  switch (term.kind()) {
+    case TermKind::kSymbol:
+      out += name(term);
+      return;
+    case TermKind::kNumber:
+      out += htn::to_text(value(term));
+      return;
+    case TermKind::kString:
+      out += '"';
+      for (const char letter : text(term)) {
+        if (letter == '"' || letter == '\\') out += '\\';
+        out += letter;
+      }
+      out += '"';
+      return;
+    case TermKind::kObject:
+      out += "#<" + objects_[term.index()].label + '>';
+      return;
+    default:
+      out += "?_" + std::to_string(term.index());
+  }
+}
+
+// An explicit stack: a list nested a million deep is only long to print.
+void TermStore::append_text(Term term, std::string& out) const {
+  std::vector<Term> rests;  // what remains of each list that is open
+  bool fresh = true;        // `term` is to be written; else go on with the innermost list
+  while (true) {
+    if (fresh) {
+      if (term.is(TermKind::kPair)) {
+        out += '(';
+        rests.push_back(cdr(term));
+        term = car(term);
+        continue;
+      }
+      append_atom(term, out);
+    }
+    if (rests.empty()) return;
+    const Term rest = rests.back();
+    fresh = rest.is(TermKind::kPair);
+    if (fresh) {
+      out += ' ';
+      rests.back() = cdr(rest);
+      term = car(rest);
+      continue;
+    }
+    if (rest != kNil) {
+      out += " . ";
+      append_atom(rest, out);
+    }
+    out += ')';
+    rests.pop_back();
+  }
+}
+
+std::size_t TermStore::memory_bytes() const {
+  return pairs_.capacity() * (sizeof(Pair) + 1) + pair_table_.capacity() * sizeof(std::uint32_t) +
+         numbers_.capacity() * (sizeof(Number) + 48) + symbols_.size() * 96 + strings_.size() * 96;
+}
+
+}  // namespace skein::htn

@@ -1,0 +1,10 @@
+(defproblem)
+(defproblem lone ((a)))
+(defproblem many d ((a)) ((b)) ((c)))
+(defproblem "text" d () ())
+(defproblem facts d
+  ((on ?block table) on (5 6) (a . b) () ("p") ((nested)) (fine (with ?x inside)))
+  (:ordred (go)))
+(defproblem swapped (a b) () ())
+(defproblem single d (on a b) (go))
+(defproblem atoms d 12 go)
