@@ -5,6 +5,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <string_view>
 
 #include "argument_checks.hpp"
 #include "live_commands.hpp"
@@ -66,6 +67,17 @@ void add_mle(CLI::App& app, Action& action) {
   mle->callback([arguments, &action] { action = [arguments] { return run_mle(*arguments); }; });
 }
 
+// Only the command that is meant, if it can be told: describing all of them to CLI11 costs more than
+// a small plan.
+void add_commands(CLI::App& app, Action& action, const LiveActions& live, std::string_view meant) {
+  if (meant == "plan") return add_plan(app, action);
+  add_live(app, action, live);
+  add_mle(app, action);
+  add_plan(app, action);
+  add_mastn(app, action);
+  add_stn(app, action);
+}
+
 }  // namespace
 
 int run_command_line(int argc, char** argv, const LiveActions& live) try {
@@ -73,11 +85,7 @@ int run_command_line(int argc, char** argv, const LiveActions& live) try {
   app.set_version_flag("--version", std::string("skein ") + SKEIN_VERSION);
   app.require_subcommand(1);
   Action action;
-  add_live(app, action, live);
-  add_mle(app, action);
-  add_plan(app, action);
-  add_mastn(app, action);
-  add_stn(app, action);
+  add_commands(app, action, live, argc > 1 ? argv[1] : "");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

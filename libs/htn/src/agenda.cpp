@@ -175,13 +175,24 @@ void Agenda::unlink_last(NodeId task) {
       kNoNodeId;
 }
 
+NodeId Agenda::next_distinct(NodeId task) const {
+  const auto repeats = [this](NodeId candidate) {
+    if (alike_[nodes_[candidate].task.index()] < 2) return false;
+    NodeId at = first();
+    while (!equal(at, candidate)) at = next(at);
+    return at != candidate;
+  };
+  NodeId at = next(task);
+  while (at != kNoNodeId && repeats(at)) at = next(at);
+  return at;
+}
+
 NodeId Agenda::twin(NodeId task) {
   if (alike(task) < 2) return task;
-  const AgendaNode& wanted = nodes_[task];
   NodeId front = kNoNodeId;
   NodeId found = task;
   for (NodeId at = first(); at != kNoNodeId; at = next(at)) {
-    if (nodes_[at].task != wanted.task || nodes_[at].immediate != wanted.immediate) continue;
+    if (!equal(at, task)) continue;
     if (front == kNoNodeId) front = at;
     if (at != found && stands_before(at, found)) found = at;
   }

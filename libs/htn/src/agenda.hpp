@@ -44,6 +44,8 @@ class Agenda {
   NodeId first_immediate() const { return holder(first_immediate_); }
   /// The task behind this one on the agenda.
   NodeId next(NodeId task) const { return holder(nodes_[nodes_[task].entry].next); }
+  /// The task behind this one that no task before it equals: trying an equal again would be the same.
+  NodeId next_distinct(NodeId task) const;
   /// The task to work on when `task` comes up: of those that equal it the first in the network; it
   /// changes places with the first of them on the agenda, which is the place that gets free.
   NodeId twin(NodeId task);
@@ -87,6 +89,10 @@ class Agenda {
   bool stands_before(NodeId left, NodeId right) const;
   void swap_places(NodeId left, NodeId right);
   std::uint32_t& alike(NodeId task);
+  bool equal(NodeId left, NodeId right) const {
+    return nodes_[left].task == nodes_[right].task &&
+           nodes_[left].immediate == nodes_[right].immediate;
+  }
   NodeId add(NetworkKind kind, NodeId parent);
   void set_task(NodeId node, Term task, bool immediate) {
     nodes_[node].task = task;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "expression_term.hpp"
 
 namespace skein::htn {
 
@@ -37,18 +36,26 @@ void add_inner_positions(const TermStore& store, Term argument, std::uint8_t out
   }
 }
 
+void add_slot(std::uint32_t slot, std::vector<std::uint32_t>& out) {
+  if (std::find(out.begin(), out.end(), slot) == out.end()) out.push_back(slot);
+}
+
 void add_slots(const TermStore& store, Term pattern, std::vector<std::uint32_t>& out) {
+  if (pattern.is(TermKind::kSlot)) return add_slot(pattern.index(), out);
+  if ((store.content(pattern) & kHasSlot) == 0) return;
   std::vector<Term> open{pattern};
   while (!open.empty()) {
-    const Term term = open.back();
+    Term rest = open.back();
     open.pop_back();
-    if ((store.content(term) & kHasSlot) == 0) continue;
-    if (term.is(TermKind::kPair)) {
-      open.push_back(store.cdr(term));
-      open.push_back(store.car(term));
-    } else if (std::find(out.begin(), out.end(), term.index()) == out.end()) {
-      out.push_back(term.index());
+    for (; rest.is(TermKind::kPair); rest = store.cdr(rest)) {
+      const Term item = store.car(rest);
+      if (item.is(TermKind::kSlot)) {
+        add_slot(item.index(), out);
+      } else if ((store.content(item) & kHasSlot) != 0) {
+        open.push_back(item);
+      }
     }
+    if (rest.is(TermKind::kSlot)) add_slot(rest.index(), out);
   }
 }
 
@@ -144,9 +151,10 @@ void ConditionCompiler::error(Expression where, std::string message, std::string
 
 Term ConditionCompiler::pattern(Expression expression, ClauseScope& scope) {
   TermStore& store = domain_.store;
-  return term_of(expression, store, [&](Term atom) {
+  const auto leaf = [&](Term atom) {
     return is_variable(store, atom) ? Term(TermKind::kSlot, scope.slot(atom)) : atom;
-  });
+  };
+  return term_of(expression, store, leaf, scratch_);
 }
 
 CodeIndex ConditionCompiler::code(Expression expression, ClauseScope& scope) {

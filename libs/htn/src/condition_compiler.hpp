@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiled_domain.hpp"
+#include "expression_term.hpp"
 
 namespace skein::htn {
 
@@ -76,6 +77,7 @@ class ConditionCompiler {
 
   CompiledDomain& domain_;
   Diagnostics& errors_;
+  TermScratch scratch_;
   int nesting_ = 0;
 };
 

@@ -10,6 +10,7 @@ namespace skein::htn {
 
 namespace {
 
+constexpr std::size_t kBytesPerNode = 6;  // about what domains and problems have
 constexpr std::size_t kLargestText = std::size_t{1} << 30U;
 
 std::vector<std::uint32_t> line_begins_of(std::string_view text) {
@@ -43,6 +44,7 @@ Document read_document(std::string file, std::string text, TermStore& store,
   }
   document.text = std::move(text);
   document.line_begins = line_begins_of(document.text);
+  document.nodes.reserve(document.text.size() / kBytesPerNode);
   Diagnostics found;
   if (!Scanner(document, store, found, false).scan()) {
     found = {};

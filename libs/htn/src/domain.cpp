@@ -6,6 +6,7 @@
 
 #include "condition_compiler.hpp"
 #include "network_compiler.hpp"
+#include "read_context.hpp"
 
 namespace skein::htn {
 
@@ -128,9 +129,9 @@ class DomainCompiler {
   }
 
   std::string_view head_of(Expression expression) const {
-    const std::vector<Expression> all = parts(expression);
-    if (all.empty() || !(*all.front()).atom.is(TermKind::kSymbol) || (*all.front()).list) return {};
-    return domain_.store.name((*all.front()).atom);
+    const Expression head = first(expression);
+    if (!head || !(*head).atom.is(TermKind::kSymbol) || (*head).list) return {};
+    return domain_.store.name((*head).atom);
   }
 
   // An add or delete list: atoms, or a variable that will hold such a list, or one atom.

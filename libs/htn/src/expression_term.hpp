@@ -9,18 +9,25 @@
 
 namespace skein::htn {
 
-/// The term an expression writes, with `leaf` applied to its symbols, numbers and strings. Works
-/// without recursion.
-template <class Leaf>
-Term term_of(Expression expression, TermStore& store, Leaf leaf) {
-  struct Open {
+/// What term_of works with; kept by callers that make many terms.
+struct TermScratch {
+  struct Open {  // a list whose items are being read
     NodeIndex next;
     bool dotted;
     std::size_t start;
   };
-  const Document& document = *expression.document;
   std::vector<Open> open;
   std::vector<Term> items;
+};
+
+/// The term an expression writes, with `leaf` applied to its symbols, numbers and strings. Works
+/// without recursion.
+template <class Leaf>
+Term term_of(Expression expression, TermStore& store, Leaf leaf, TermScratch& scratch) {
+  const Document& document = *expression.document;
+  auto& [open, items] = scratch;
+  open.clear();
+  items.clear();
   NodeIndex at = expression.node;
   while (true) {
     const Node& node = document[at];
@@ -30,7 +37,7 @@ Term term_of(Expression expression, TermStore& store, Leaf leaf) {
       items.push_back(node.list ? kNil : leaf(node.atom));
     }
     while (!open.empty() && open.back().next == kNoNode) {
-      const Open done = open.back();
+      const TermScratch::Open done = open.back();
       open.pop_back();
       Term tail = kNil;
       if (done.dotted) {

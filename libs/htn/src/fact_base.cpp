@@ -199,7 +199,8 @@ FactBase::Index& FactBase::index_for(Predicate& predicate, Path path) {
   index.path = path;
   index.links.resize(predicate.facts.size());
   std::vector<FactIndex> newest_first;
-  for (FactIndex at = predicate.all.head; at != kNoFact; at = predicate.links[facts_[at].local].next) {
+  for (FactIndex at = predicate.all.head; at != kNoFact;
+       at = predicate.links[facts_[at].local].next) {
     newest_first.push_back(at);
   }
   for (auto fact = newest_first.rbegin(); fact != newest_first.rend(); ++fact) {

@@ -97,7 +97,7 @@ class FactBase {
     Bucket all;
     std::vector<struct FactLink> links;
     std::vector<FactIndex> facts;  // by Fact::local
-    std::deque<Index> indexes;  // never moved: cursors point into them
+    std::deque<Index> indexes;     // never moved: cursors point into them
   };
   enum class Change : std::uint8_t { kAdded, kRemoved, kProducer, kDeleter, kSpelling };
   struct Undo {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "read_context.hpp"
+
 namespace skein::htn {
 
 namespace {
@@ -12,9 +14,9 @@ constexpr std::string_view kNothing = "!!inop";
 constexpr std::size_t kDeepestNetwork = 500;
 
 std::string_view head_name(const TermStore& store, Expression list) {
-  const std::vector<Expression> all = parts(list);
-  if (all.empty() || (*all.front()).list) return {};
-  const Term atom = (*all.front()).atom;
+  const Expression head = first(list);
+  if (!head || (*head).list) return {};
+  const Term atom = (*head).atom;
   return atom.is(TermKind::kSymbol) ? store.name(atom) : std::string_view{};
 }
 
@@ -24,7 +26,7 @@ bool mentions_call(const TermStore& store, Expression expression) {
     const Expression at = open.back();
     open.pop_back();
     if (head_name(store, at) == "call") return true;
-    for (const Expression part : parts(at)) {
+    for (Expression part = first(at); part; part = next(part)) {
       if ((*part).list) open.push_back(part);
     }
   }
@@ -53,7 +55,7 @@ class NetworkCompiler {
         if (!name.empty()) inner.erase(inner.begin());
         if (inner.empty()) add_nothing(self);
         for (auto part = inner.rbegin(); part != inner.rend(); ++part) open.push_back({*part, self});
-      } else if (name.empty() && parts(at).empty()) {
+      } else if (name.empty() && !first(at)) {
         add_nothing(parent);
       } else {
         add_task(at, name, parent);
@@ -63,8 +65,8 @@ class NetworkCompiler {
 
  private:
   bool head_is_list(Expression at) const {
-    const std::vector<Expression> all = parts(at);
-    return !all.empty() && (*all.front()).list;
+    const Expression head = first(at);
+    return head && (*head).list;
   }
   std::uint32_t add_group(bool unordered, std::uint32_t parent) {
     BodyNode node;

@@ -15,7 +15,10 @@ bool deepens(Which which) { return which == Which::kIdFirst || which == Which::k
 class Planning {
  public:
   Planning(const Domain& domain, const Problem& problem, const Options& options, const Host& host)
-      : domain_(domain), problem_(problem), options_(options), host_(host),
+      : domain_(domain),
+        problem_(problem),
+        options_(options),
+        host_(host),
         budget_(options.limits, host, [this] { return search_ ? search_->memory_bytes() : 0; }) {}
 
   Outcome run() {

@@ -39,7 +39,8 @@ class NetworkReader {
   TaskNetwork task(Expression expression, std::string_view name) {
     TaskNetwork network;
     network.kind = NetworkKind::kTask;
-    network.task = term_of(expression, store_, [this](Term atom) { return number(atom); });
+    network.task = term_of(
+        expression, store_, [this](Term atom) { return number(atom); }, scratch_);
     if (name == ":task") network.task = store_.cdr(network.task);
     const Term immediate = store_.symbol(":immediate");
     if (network.task.is(TermKind::kPair) && store_.car(network.task) == immediate) {
@@ -58,6 +59,7 @@ class NetworkReader {
   }
 
   TermStore& store_;
+  TermScratch scratch_;
   std::vector<Term> variables_;
 };
 
@@ -66,8 +68,10 @@ class NetworkReader {
 Problem make_problem(const ProblemDefinition& definition, TermStore& store) {
   Problem problem;
   problem.name = definition.name;
+  TermScratch scratch;
+  const auto leaf = [](Term atom) { return atom; };
   for (const Expression fact : parts(definition.facts)) {
-    problem.facts.push_back(term_of(fact, store, [](Term atom) { return atom; }));
+    problem.facts.push_back(term_of(fact, store, leaf, scratch));
   }
   problem.tasks = NetworkReader(store).read(definition.tasks);
   return problem;

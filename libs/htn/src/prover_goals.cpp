@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The prover's work on single goals: atoms from facts and axioms, values, expressions met as values.
+// The prover's work on single goals: atoms from facts and axioms, values, expressions met as
+// values.
 #include <algorithm>
 #include <array>
 
@@ -90,7 +91,8 @@ Prover::Move Prover::try_axioms() {
     const Axiom& axiom = (*goal.axioms)[frame.at];
     if (!frame.committed && frame.tail < axiom.tails.size()) {
       const Base axiom_base = bindings_.open(axiom.slots);
-      if (bindings_.unify(store_.cdr(goal.pattern), frame.base, store_.cdr(axiom.head), axiom_base)) {
+      if (bindings_.unify(store_.cdr(goal.pattern), frame.base, store_.cdr(axiom.head),
+                          axiom_base)) {
         return enter_tail(axiom, axiom_base);
       }
       bindings_.undo(frame.mark);
@@ -261,8 +263,8 @@ std::optional<ConditionIndex> Prover::condition_of_terms(Term list, const Goal& 
 }
 
 bool Prover::connective(std::string_view name) {
-  constexpr std::array kNames{"imply",  "forall", "exists", "eval",    "call",   "assign",
-                              "assign*", "setof", "bagof",  "enforce", ":first", ":sort-by"};
+  constexpr std::array kNames{"imply",   "forall", "exists", "eval",    "call",   "assign",
+                              "assign*", "setof",  "bagof",  "enforce", ":first", ":sort-by"};
   return std::find(kNames.begin(), kNames.end(), name) != kNames.end();
 }
 

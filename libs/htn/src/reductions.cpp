@@ -51,7 +51,10 @@ void Reducer::add(const Branch& branch, Bindings::Mark mark, Base base, const An
       pool_.cut(before);
       continue;
     }
-    Reduction reduction{&branch, 0, before.tasks, before.bindings,
+    Reduction reduction{&branch,
+                        0,
+                        before.tasks,
+                        before.bindings,
                         static_cast<std::uint32_t>(pool_.bindings.size()),
                         static_cast<std::uint32_t>(renamed_.size())};
     if (!answers.support.empty()) {
@@ -77,6 +80,10 @@ bool Reducer::add_row(const Branch& branch, Bindings::Mark mark, Base base) {
   for (const std::uint32_t node : branch.leaves) {
     const std::optional<Term> task = leaf(branch.body[node], base);
     if (!task) return false;
+    if (!task->is(TermKind::kPair)) {
+      budget_.fail(place_text(branch.where) + ": a computed task is " + store_.to_text(*task));
+      return false;
+    }
     pool_.tasks.push_back(map_leaves(store_, *task, kHasVariable, rename));
   }
   bindings_.for_each_bound_since(mark, [&](Term variable) {

@@ -35,8 +35,10 @@ class Repairing {
     cautious.settle(holds, true);
     lenient.settle(holds, false);
     const auto clobbered = cautious.first_clobbered(holds);
-    list_attempts(cautious, lenient, clobbered ? clobbered->first : first_in_doubt(cautious));
-    Repair repair = RepairSearches(domain_, now_, request_, options_, host_).run(attempts_);
+    const StepIndex doubtful = first_impossible();
+    const bool applies = !clobbered && doubtful == request_.plan->steps.size();
+    list_attempts(cautious, lenient, clobbered ? clobbered->first : node_in_doubt(cautious, doubtful));
+    Repair repair = RepairSearches(domain_, now_, request_, options_, host_).run(attempts_, applies);
     if (clobbered) {
       repair.clobbered = {clobbered->second, request_.plan->tree[clobbered->first].task};
     }
@@ -103,20 +105,24 @@ class Repairing {
     return negated ? !facts.holds(store_.car(store_.cdr(fact))) : facts.holds(fact);
   }
 
-  // Nothing that the links know is lost: the first remaining step that cannot be done all the
-  // same, or the next step.
-  TreeIndex first_in_doubt(const OldTree& tree) const {
-    const std::vector<Step>& steps = request_.plan->steps;
-    if (request_.executed == steps.size()) return 0;
+  // The first remaining step that cannot be done when the others are done as planned.
+  StepIndex first_impossible() const {
     Problem whole = now_;
+    const std::vector<Step>& steps = request_.plan->steps;
     for (std::size_t step = request_.executed; step < steps.size(); ++step) {
       whole.past.push_back({Event::Kind::kStep, steps[step].action});
     }
     Budget budget(options_.limits, host_, [] { return std::size_t{0}; });
     const std::size_t relived = Search(domain_, whole, plain_, silent_).relive(budget);
     const std::size_t applied = std::max(relived, now_.past.size()) - now_.past.size();
-    const std::size_t step = request_.executed + applied;
-    return tree.leaf_of(static_cast<StepIndex>(step < steps.size() ? step : request_.executed));
+    return request_.executed + static_cast<StepIndex>(applied);
+  }
+
+  // Where to repair when the links know of nothing lost: at that step, or at the next one.
+  TreeIndex node_in_doubt(const OldTree& tree, StepIndex impossible) const {
+    const std::size_t steps = request_.plan->steps.size();
+    if (request_.executed == steps) return 0;
+    return tree.leaf_of(impossible < steps ? impossible : request_.executed);
   }
 
   void list_attempts(const OldTree& cautious, const OldTree& lenient, TreeIndex failing) {

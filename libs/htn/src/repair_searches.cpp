@@ -45,7 +45,8 @@ RepairSearches::RepairSearches(const Domain& domain, const Problem& present,
   if (host_.cpu_seconds) began_ = host_.cpu_seconds();
 }
 
-Repair RepairSearches::run(const std::vector<RepairAttempt>& attempts) {
+Repair RepairSearches::run(const std::vector<RepairAttempt>& attempts, bool applies) {
+  applies_ = applies;
   prepare(attempts);
   std::uint64_t effort = kFirstEffort + kEffortPerNode * request_.plan->tree.size();
   while (!pending_.empty() && found_.empty()) {
@@ -178,6 +179,8 @@ void RepairSearches::take(const Pending& pending, Plan made) {
   Repair repair;
   repair.redone = redone_tasks(old, *attempt.tree, pending.remaining, made, attempt.again,
                                store_);
+  const bool in_other_order = applies_ && attempt.again.empty() && repair.redone.empty();
+  if (in_other_order) return take_old();
   std::vector<TreeNode> tree =
       merged_tree(old, *attempt.tree, pending.remaining, made, executed);
   repair.plan = std::move(made);
@@ -191,6 +194,15 @@ void RepairSearches::take(const Pending& pending, Plan made) {
                       std::equal(old.steps.begin(), old.steps.end(), repair.plan.steps.begin(),
                                  repair.plan.steps.end(), same);
   repair.verdict = stands ? RepairVerdict::kStands : RepairVerdict::kRepaired;
+  found_.push_back(std::move(repair));
+}
+
+// Every task came out as before, if in another order: the old order is as good.
+void RepairSearches::take_old() {
+  Repair repair;
+  repair.plan = *request_.plan;
+  compare_steps(repair.plan, request_.executed, store_, repair);
+  repair.verdict = RepairVerdict::kStands;
   found_.push_back(std::move(repair));
 }
 

@@ -27,7 +27,8 @@ class RepairSearches {
   /// `present` is the whole problem with all that has happened.
   RepairSearches(const Domain& domain, const Problem& present, const RepairRequest& request,
                  const RepairOptions& options, const Host& host);
-  Repair run(const std::vector<RepairAttempt>& attempts);
+  /// `applies`: the remaining steps can be done in their order, and their links hold.
+  Repair run(const std::vector<RepairAttempt>& attempts, bool applies);
 
  private:
   struct Pending {
@@ -44,6 +45,7 @@ class RepairSearches {
   Limits limits(std::uint64_t effort) const;
   bool exhausted() const;
   void take(const Pending& pending, Plan made);
+  void take_old();
   bool satisfied() const;
   Repair finish();
 
@@ -54,6 +56,7 @@ class RepairSearches {
   const RepairOptions& options_;
   const Host& host_;
   double began_ = 0;
+  bool applies_ = false;
   std::vector<Pending> pending_;
   std::vector<Repair> found_;
   Statistics statistics_;

@@ -97,7 +97,7 @@ Search::Move Search::expand() {
   if (immediate != kNoNodeId) return attempt(immediate);
   const NodeId first = preferences_.empty() ? agenda_.first() : preferred_node();
   const bool in_turn = first == agenda_.first();
-  const NodeId second = in_turn ? agenda_.next(first) : agenda_.first();
+  const NodeId second = in_turn ? agenda_.next_distinct(first) : agenda_.first();
   if (second != kNoNodeId) {
     Choice& choice = push_choice(ChoiceKind::kTask, second);
     if (!in_turn) choice.tried = first;

@@ -167,7 +167,7 @@ std::uint32_t Search::preferred_method(Term task, const std::vector<Method>& met
 NodeId Search::preferred_node() {
   NodeId best = agenda_.first();
   std::uint32_t least = kAbsent;
-  for (NodeId at = best; at != kNoNodeId; at = agenda_.next(at)) {
+  for (NodeId at = best; at != kNoNodeId; at = agenda_.next_distinct(at)) {
     const Preference* preference = preferences_.find(bindings_.instance(agenda_[at].task, 0));
     if (preference == nullptr || preference->order >= least) continue;
     least = preference->order;
@@ -177,8 +177,8 @@ NodeId Search::preferred_node() {
 }
 
 NodeId Search::behind(NodeId node, NodeId tried) const {
-  const NodeId next = agenda_.next(node);
-  return next == tried && tried != kNoNodeId ? agenda_.next(next) : next;
+  const NodeId next = agenda_.next_distinct(node);
+  return next == tried && tried != kNoNodeId ? agenda_.next_distinct(next) : next;
 }
 
 // One event; false for a step that does not apply as it is given.

@@ -92,9 +92,8 @@ bool StepMaker::work_out(const Operator& operation, Base base) {
 }
 
 bool StepMaker::collect(const std::vector<Effect>& effects, Base base, bool negated) {
-  return std::all_of(effects.begin(), effects.end(), [&](const Effect& effect) {
-    return collect(effect, base, negated);
-  });
+  return std::all_of(effects.begin(), effects.end(),
+                     [&](const Effect& effect) { return collect(effect, base, negated); });
 }
 
 bool StepMaker::collect(const Effect& effect, Base base, bool negated) {
@@ -171,7 +170,8 @@ bool StepMaker::change_state(StepIndex step) {
   }
   if (!protections_.empty() && !protections_hold()) return refuse("it would violate a protection");
   for (const Term atom : protected_) {
-    if (!is_atom(atom)) return fail("a step would protect " + store_.to_text(atom) + ", which is no atom");
+    if (!is_atom(atom))
+      return fail("a step would protect " + store_.to_text(atom) + ", which is no atom");
     if (!prover_.holds(atom)) return refuse("it would protect what does not hold");
     protections_.add(atom);
   }

@@ -25,8 +25,13 @@ class StepMaker {
  public:
   StepMaker(CompiledDomain& domain, Bindings& bindings, FactBase& facts, Protections& protections,
             Prover& prover, Budget& budget)
-      : domain_(domain), store_(domain.store), bindings_(bindings), facts_(facts),
-        protections_(protections), prover_(prover), budget_(budget) {}
+      : domain_(domain),
+        store_(domain.store),
+        bindings_(bindings),
+        facts_(facts),
+        protections_(protections),
+        prover_(prover),
+        budget_(budget) {}
 
   /// False when the operator does not apply (why() tells) or the budget stopped; then nothing
   /// changed. `step` is the position in the plan.

@@ -165,8 +165,13 @@ class Search {
       return task.immediate || store_.car(task.task) == store_.symbol(replay::kNoOperation);
     });
     if (urgent != node.agenda.end()) return pursue(node, *urgent);
-    for (const Net& task : node.agenda) {
-      pursue(node, task);
+    for (auto task = node.agenda.begin(); task != node.agenda.end(); ++task) {
+      // Trying an equal task again would be the same.
+      const bool repeats = std::any_of(node.agenda.begin(), task, [&](const Net& before) {
+        return before.task == task->task && before.immediate == task->immediate;
+      });
+      if (repeats && !limits_.equals_again) continue;
+      pursue(node, *task);
       if (finished()) return;
     }
   }

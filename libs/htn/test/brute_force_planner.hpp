@@ -35,6 +35,7 @@ struct OracleLimits {
   std::uint64_t expansions = 3'000;
   std::uint64_t inferences = 200'000;
   bool first_only = false;
+  bool equals_again = false;  ///< as SHOP3: of equal tasks on the agenda each is tried
 };
 
 OracleOutcome brute_force(const DomainDefinition& domain,

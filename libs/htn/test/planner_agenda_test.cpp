@@ -388,9 +388,8 @@ TaskNetwork random_network(Tasks& tasks, std::uint8_t byte, int& named) {
       return Tasks::group(NetworkKind::kUnordered,
                           {tasks.ordered({name(), name()}), tasks.task(name())});
     default:
-      return Tasks::group(
-          NetworkKind::kOrdered,
-          {tasks.unordered({name(), name()}), tasks.task(name()), tasks.unordered({name()})});
+      return Tasks::group(NetworkKind::kOrdered, {tasks.unordered({name(), name()}),
+                                                  tasks.task(name()), tasks.unordered({name()})});
   }
 }
 
@@ -399,9 +398,8 @@ RC_GTEST_PROP(AgendaProperty, AgreesWithNetworksThatAreCopied,
   Tasks tasks;
   Model model;
   int named = 0;
-  const TaskNetwork whole =
-      Tasks::group(NetworkKind::kUnordered,
-                   {random_network(tasks, 0, named), random_network(tasks, 3, named)});
+  const TaskNetwork whole = Tasks::group(
+      NetworkKind::kUnordered, {random_network(tasks, 0, named), random_network(tasks, 3, named)});
   tasks.agenda.start(whole);
   model.start(whole);
   std::vector<std::pair<Agenda::Mark, Model>> saved;

@@ -24,9 +24,14 @@ TEST(Bindings, UnifyEqualTermsWithoutBindingAnything) {
 }
 
 TEST(Bindings, DoNotUnifyDifferentGroundTerms) {
-  for (const auto& [left, right] : std::vector<std::pair<std::string, std::string>>{
-           {"a", "b"}, {"(a)", "a"}, {"(a b)", "(a c)"}, {"(a b)", "(a . b)"}, {"1", "1.0"},
-           {"\"A\"", "\"a\""}, {"nil", "(nil)"}}) {
+  for (const auto& [left, right] :
+       std::vector<std::pair<std::string, std::string>>{{"a", "b"},
+                                                        {"(a)", "a"},
+                                                        {"(a b)", "(a c)"},
+                                                        {"(a b)", "(a . b)"},
+                                                        {"1", "1.0"},
+                                                        {"\"A\"", "\"a\""},
+                                                        {"nil", "(nil)"}}) {
     Lab lab;
 
     EXPECT_FALSE(lab.unify(left, right)) << left << " and " << right;
@@ -293,7 +298,8 @@ TEST(Bindings, CollectEachUnboundVariableOnceInTheOrderOfTheText) {
   EXPECT_EQ(unbound, (std::vector<Term>{lab.term("?a"), lab.term("?c"), lab.term("?d")}));
 }
 
-// ---- against a unifier on substitutions that are copied ------------------------------------------
+// ---- against a unifier on substitutions that are copied
+// ------------------------------------------
 
 using Substitution = std::map<std::uint32_t, Term>;
 

@@ -77,8 +77,9 @@ Term Case::term(const std::string& text) {
   Diagnostics errors;
   const Document document = read_document("term", text, store, errors);
   EXPECT_TRUE(errors.empty()) << text;
-  return term_of(Expression{&document, document.top.front()}, store,
-                 [](Term atom) { return atom; });
+  TermScratch scratch;
+  const auto same = [](Term atom) { return atom; };
+  return term_of(Expression{&document, document.top.front()}, store, same, scratch);
 }
 
 std::string does(const std::string& head, const std::string& tasks) {

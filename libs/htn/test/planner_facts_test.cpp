@@ -22,9 +22,12 @@ class World : public test::Lab {
   bool holds(const std::string& atom) { return facts.holds(term(atom)); }
   StepIndex producer(const std::string& atom) { return facts.producer(facts.find(term(atom))); }
 
-  std::string all(const std::string& predicate) { return listed(facts.all(store.symbol(predicate))); }
+  std::string all(const std::string& predicate) {
+    return listed(facts.all(store.symbol(predicate)));
+  }
   /// The list a goal takes whose slots are unknown.
-  std::string candidates(const std::string& predicate, const std::vector<IndexedPosition>& positions) {
+  std::string candidates(const std::string& predicate,
+                         const std::vector<IndexedPosition>& positions) {
     return listed(facts.candidates(store.symbol(predicate), positions,
                                    [](Term pattern) -> std::optional<Term> {
                                      if (pattern.is(TermKind::kSlot)) return std::nullopt;
@@ -136,7 +139,8 @@ TEST(FactBase, TakesTheNewSpellingOfAFactThatWasDeleted) {
   world.add("(cost 1.0)");
 
   EXPECT_EQ(world.all("cost"), "(cost 1.0)");
-  EXPECT_EQ(world.store.to_text(world.facts.arguments(world.facts.all(world.store.symbol("cost")).fact)[0]),
+  EXPECT_EQ(world.store.to_text(
+                world.facts.arguments(world.facts.all(world.store.symbol("cost")).fact)[0]),
             "1.0");
 }
 
@@ -172,7 +176,8 @@ TEST(FactBase, GivesTheArgumentsOfAFact) {
   world.add("(at karma (p 1) 2.5)");
   world.add("(dawn)");
 
-  const auto arguments = world.facts.arguments(world.facts.find(world.term("(at karma (p 1) 2.5)")));
+  const auto arguments =
+      world.facts.arguments(world.facts.find(world.term("(at karma (p 1) 2.5)")));
 
   ASSERT_EQ(arguments.size(), 3U);
   EXPECT_EQ(world.store.to_text(arguments[1]), "(p 1)");

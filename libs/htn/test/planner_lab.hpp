@@ -57,10 +57,12 @@ class Lab {
     Diagnostics errors;
     const Document document = read_document("lab", text, store, errors);
     EXPECT_TRUE(errors.empty()) << text;
-    return term_of(Expression{&document, document.top.front()}, store, [&](Term atom) {
+    const auto replaced = [&](Term atom) {
       const bool variable = atom.is(TermKind::kSymbol) && store.name(atom).starts_with('?');
       return variable ? leaf(atom) : atom;
-    });
+    };
+    TermScratch scratch;
+    return term_of(Expression{&document, document.top.front()}, store, replaced, scratch);
   }
   Term cell(Term variable) {
     const auto known = cells_.find(variable.index());

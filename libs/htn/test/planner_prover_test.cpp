@@ -108,8 +108,7 @@ TEST(Prover, FindsTheSameAnswersThroughAnIndexAsByScanning) {
 TEST(Prover, FindsAnAtomWhosePredicateIsTheValueOfAVariable) {
   Questions state("(kind at) (kind near) (at karma p1) (near karma p2) (near karma p3)");
 
-  EXPECT_EQ(state.ask("((kind ?p) (?p karma ?where))", "?p ?where"),
-            "(at p1) (near p2) (near p3)");
+  EXPECT_EQ(state.ask("((kind ?p) (?p karma ?where))", "?p ?where"), "(at p1) (near p2) (near p3)");
   EXPECT_EQ(state.ask("((kind ?p) (?p karma p2))", "?p"), "(near)");
 }
 
@@ -203,31 +202,35 @@ TEST(ProverAxioms, CallEachOtherAndThemselves) {
 }
 
 TEST(ProverAxioms, KeepTheVariablesOfTheirActivationsApart) {
-  Questions state("", "(:- (len nil 0)) "
-                      "(:- (len (?_ . ?rest) ?n) ((len ?rest ?m) (assign ?n (call + ?m 1))))");
+  Questions state("",
+                  "(:- (len nil 0)) "
+                  "(:- (len (?_ . ?rest) ?n) ((len ?rest ?m) (assign ?n (call + ?m 1))))");
 
   EXPECT_EQ(state.ask("((len (a b c d) ?n))", "?n"), "(4)");
   EXPECT_EQ(state.ask("((len () ?n))", "?n"), "(0)");
 }
 
 TEST(ProverAxioms, RecurAHundredThousandLevelsDeep) {
-  Questions state("", "(:- (down 0) ()) "
-                      "(:- (down ?n) ((eval (> ?n 0)) (assign ?m (- ?n 1)) (down ?m)))");
+  Questions state("",
+                  "(:- (down 0) ()) "
+                  "(:- (down ?n) ((eval (> ?n 0)) (assign ?m (- ?n 1)) (down ?m)))");
 
   EXPECT_TRUE(state.holds("((down 100000))"));
 }
 
 TEST(ProverAxioms, RecurAHundredThousandLevelsDeepWithGoalsLeftBehind) {
-  Questions state("", "(:- (sum 0 0) ()) "
-                      "(:- (sum ?n ?s) ((eval (> ?n 0)) (assign ?m (- ?n 1)) (sum ?m ?r)"
-                      " (assign ?s (+ ?r 1))))");
+  Questions state("",
+                  "(:- (sum 0 0) ()) "
+                  "(:- (sum ?n ?s) ((eval (> ?n 0)) (assign ?m (- ?n 1)) (sum ?m ?r)"
+                  " (assign ?s (+ ?r 1))))");
 
   EXPECT_EQ(state.ask("((sum 100000 ?s))", "?s"), "(100000)");
 }
 
 TEST(ProverAxioms, RecurAHundredThousandLevelsDeepThroughNegationsAndTails) {
-  Questions state("", "(:- (even ?n) zero ((eval (= ?n 0)))"
-                      " more ((assign ?m (- ?n 1)) (not (even ?m))))");
+  Questions state("",
+                  "(:- (even ?n) zero ((eval (= ?n 0)))"
+                  " more ((assign ?m (- ?n 1)) (not (even ?m))))");
 
   EXPECT_TRUE(state.holds("((even 100000))"));
   EXPECT_FALSE(state.holds("((even 100001))"));
@@ -350,15 +353,13 @@ TEST(ProverSortBy, KeepsTheOrderOfEqualValues) {
 }
 
 TEST(ProverSortBy, SortsWithAFunctionOfTheDomain) {
-  const std::string by_distance =
-      "(:sort-by ?n #'(lambda (x y) (< (abs x) (abs y))) ((d ?x ?n)))";
+  const std::string by_distance = "(:sort-by ?n #'(lambda (x y) (< (abs x) (abs y))) ((d ?x ?n)))";
 
   EXPECT_EQ(Questions("(d a 3) (d b -5) (d c 2)").ask(by_distance, "?x"), "(c) (a) (b)");
 }
 
 TEST(ProverSortBy, IsAnErrorWithItsPlaceForWhatIsNoNumber) {
-  const std::string found =
-      Questions("(d a 3) (d b x)").ask("(:sort-by ?n ((d ?x ?n)))", "?x");
+  const std::string found = Questions("(d a 3) (d b x)").ask("(:sort-by ?n ((d ?x ?n)))", "?x");
 
   EXPECT_EQ(found.substr(0, 18), "error: case.lisp:3") << found;
   EXPECT_NE(found.find(":sort-by compares numbers, not x and 3"), std::string::npos) << found;

@@ -52,8 +52,7 @@ class Questions {
     Prover prover(domain, bindings, facts, budget);
     const Base base = bindings.open(method.slots);
     Answers found;
-    const bool done =
-        prover.solve(method.branches.front().precondition, base, just_one, found);
+    const bool done = prover.solve(method.branches.front().precondition, base, just_one, found);
     inferences = budget.inferences();
     if (!done) return (budget.error() ? "error: " : "stopped: ") + budget.why();
     std::string out;

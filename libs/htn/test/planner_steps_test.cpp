@@ -14,8 +14,9 @@ using test::does;
 /// Steps done one after the other; "!end" shows the facts of p as they stand in the end.
 std::string end_after(const std::string& operators, const std::string& facts,
                       const std::string& tasks) {
-  Case made(operators + "(:operator (!!ask) ((bagof ?x (p ?x) ?all)) () ((seen ?all)) 0)"
-                        "(:operator (!end ?all) ((seen ?all)) () ())",
+  Case made(operators +
+                "(:operator (!!ask) ((bagof ?x (p ?x) ?all)) () ((seen ?all)) 0)"
+                "(:operator (!end ?all) ((seen ?all)) () ())",
             facts, "(:ordered " + tasks + " (!!ask) (!end ?what))");
   const Outcome outcome = made.run();
   if (outcome.verdict != Verdict::kPlan) return "no plan: " + outcome.why;
@@ -23,9 +24,9 @@ std::string end_after(const std::string& operators, const std::string& facts,
 }
 
 TEST(Steps, DeleteAndAddFacts) {
-  EXPECT_EQ(end_after("(:operator (!go ?x ?y) ((p ?x)) ((p ?x)) ((p ?y)))", "(p a) (p b)",
-                      "(!go a c)"),
-            "(!end (b c))");
+  EXPECT_EQ(
+      end_after("(:operator (!go ?x ?y) ((p ?x)) ((p ?x)) ((p ?y)))", "(p a) (p b)", "(!go a c)"),
+      "(!end (b c))");
 }
 
 TEST(Steps, DeleteBeforeTheyAdd) {
@@ -99,11 +100,12 @@ TEST(Steps, DeleteNothingWhereWhatTheyDeleteIsNoFact) {
 }
 
 TEST(Steps, BindTheUnboundVariablesOfTheirHead) {
-  Case made("(:method (refuel ?u) () ((!refuel ?u ?from ?to) (!log ?from ?to)))"
-            "(:operator (!refuel ?u ?from ?to) ((fuel ?u ?from) (next ?from ?to))"
-            " ((fuel ?u ?from)) ((fuel ?u ?to)))"
-            "(:operator (!log ?a ?b) () () ())",
-            "(fuel k low) (next low high)", "((refuel k))");
+  Case made(
+      "(:method (refuel ?u) () ((!refuel ?u ?from ?to) (!log ?from ?to)))"
+      "(:operator (!refuel ?u ?from ?to) ((fuel ?u ?from) (next ?from ?to))"
+      " ((fuel ?u ?from)) ((fuel ?u ?to)))"
+      "(:operator (!log ?a ?b) () () ())",
+      "(fuel k low) (next low high)", "((refuel k))");
 
   EXPECT_EQ(made.first(), "(!refuel k low high) (!log low high)");
 }
@@ -175,9 +177,10 @@ TEST(StepProtections, CannotProtectWhatDoesNotHold) {
 }
 
 TEST(StepProtections, AreUndoneOnBacktracking) {
-  Case made(std::string(kGuards) + "(:method (try) () ((!guard a) (!impossible)))"
-                                   "(:method (try) () ((!drop a)))"
-                                   "(:operator (!impossible) ((never)) () ())",
+  Case made(std::string(kGuards) +
+                "(:method (try) () ((!guard a) (!impossible)))"
+                "(:method (try) () ((!drop a)))"
+                "(:operator (!impossible) ((never)) () ())",
             "(p a)", "((try))");
 
   EXPECT_EQ(made.first(), "(!drop a)");
@@ -216,8 +219,9 @@ TEST(Actions, DeleteWhatTheyNegate) {
 }
 
 TEST(Actions, DeleteFirstWhateverTheOrderOfTheText) {
-  EXPECT_EQ(end_after("(:action same :parameters () :effect (and (p a) (not (p a))))", "", "(!same)"),
-            "(!end (a))");
+  EXPECT_EQ(
+      end_after("(:action same :parameters () :effect (and (p a) (not (p a))))", "", "(!same)"),
+      "(!end (a))");
 }
 
 TEST(Actions, ChangeUnderAConditionOfTheStateBeforeThem) {

@@ -171,7 +171,7 @@ TEST(BruteForce, CountsStepsExpansionsAndInferencesAsShop3) {
     load(field[0], loaded);
     const ProblemDefinition* problem = problem_of(loaded.definitions, field[1]);
     ASSERT_NE(problem, nullptr) << row;
-    oracle::OracleLimits limits{10'000, 10'000, 1'000'000, field[2] == "first"};
+    oracle::OracleLimits limits{10'000, 10'000, 1'000'000, field[2] == "first", true};
     const oracle::OracleOutcome outcome =
         oracle::brute_force(loaded.definitions.domains.front(), loaded.definitions.functions,
                             *problem, loaded.store, limits);
