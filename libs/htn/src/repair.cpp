@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "repair_searches.hpp"
+#include "repaired_plan.hpp"
 
 namespace skein::htn {
 
@@ -37,6 +38,7 @@ class Repairing {
     const auto clobbered = cautious.first_clobbered(holds);
     const StepIndex doubtful = first_impossible();
     const bool applies = !clobbered && doubtful == request_.plan->steps.size();
+    if (applies && nothing_changed(present.facts())) return unchanged();
     list_attempts(cautious, lenient, clobbered ? clobbered->first : node_in_doubt(cautious, doubtful));
     Repair repair = RepairSearches(domain_, now_, request_, options_, host_).run(attempts_, applies);
     if (clobbered) {
@@ -116,6 +118,28 @@ class Repairing {
     const std::size_t relived = Search(domain_, whole, plain_, silent_).relive(budget);
     const std::size_t applied = std::max(relived, now_.past.size()) - now_.past.size();
     return request_.executed + static_cast<StepIndex>(applied);
+  }
+
+  // Whether the last divergence left the state as it was.
+  bool nothing_changed(const FactBase& present) const {
+    Problem before = now_;
+    while (!before.past.empty() && before.past.back().kind != Event::Kind::kStep) {
+      before.past.pop_back();
+    }
+    Budget budget(options_.limits, host_, [] { return std::size_t{0}; });
+    Search search(domain_, before, plain_, silent_);
+    if (search.relive(budget) < before.past.size()) return false;
+    const std::vector<Term> facts = present.atoms();
+    return facts.size() == search.facts().atoms().size() &&
+           std::all_of(facts.begin(), facts.end(),
+                       [&](Term fact) { return search.facts().holds(fact); });
+  }
+
+  Repair unchanged() const {
+    Repair repair = stopped(RepairVerdict::kStands, "");
+    repair.plan = *request_.plan;
+    compare_steps(repair.plan, request_.executed, store_, repair);
+    return repair;
   }
 
   // Where to repair when the links know of nothing lost: at that step, or at the next one.

@@ -18,6 +18,7 @@ Limits small_search() {
   Limits limits;
   limits.expansions = 3'000;
   limits.inferences = 200'000;
+  limits.depth = 60;
   return limits;
 }
 
@@ -68,6 +69,8 @@ RC_GTEST_PROP(Repair, APlanStandsWhileNothingHappens, ()) {
   const auto seed = *rc::gen::inRange<std::uint64_t>(0, kSeeds);
   RepairFixture fixture(oracle::random_domain(seed));
   RC_PRE(!fixture.make_plan(small_search()).tree.empty());
+  // Steps that share an unbound variable do not show what it was bound to when they were done.
+  for (const Step& step : fixture.plan().steps) RC_PRE(fixture.store().ground(step.action));
   const auto executed = *rc::gen::inRange<std::size_t>(0, fixture.plan().steps.size() + 1);
 
   const Repair& repair = fixture.repair(static_cast<StepIndex>(executed), small_repair());
