@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "search.hpp"
+#include "term_map.hpp"
 
 namespace skein::htn {
 
@@ -26,7 +27,9 @@ void Search::dead_end(NodeId node, Term task) {
 
 void Search::explain(NodeId node, Term task) {
   failure_.emplace();
+  const Term nothing = store_.pair(store_.symbol("!!inop"), kNil);
   for (const StepRecord& step : steps_) {
+    if (step.action == nothing) continue;
     failure_->steps.push_back({step.action, step.cost, internal(store_, store_.car(step.action))});
   }
   for (NodeId at = node; at != kNoNodeId; at = agenda_[at].parent) {
@@ -50,7 +53,7 @@ void Search::explain_task(Term task) {
       attempt.condition = "the task does not match " + store_.to_text(operation->second.head);
       failure_->attempts.push_back(attempt);
     } else if (steps_made_->precondition_failed()) {
-      explain_condition(operation->second.precondition, base, attempt);
+      explain_condition(operation->second.precondition, {operation->second, base}, attempt);
     } else {
       attempt.condition = steps_made_->why();
       failure_->attempts.push_back(attempt);
@@ -68,7 +71,7 @@ void Search::explain_task(Term task) {
     const Base base = bindings_.open(method.slots);
     if (bindings_.unify(store_.cdr(method.head), base, store_.cdr(task), 0)) {
       for (const Branch& branch : method.branches) {
-        explain_condition(branch.precondition, base, {task, branch.label, "", {}});
+        explain_condition(branch.precondition, {method, base}, {task, branch.label, "", {}});
       }
     }
     bindings_.undo(mark);
@@ -76,7 +79,9 @@ void Search::explain_task(Term task) {
 }
 
 // The first conjunct that fails whatever satisfies those before it, under the first such satisfier.
-void Search::explain_condition(ConditionIndex condition, Base base, Attempt attempt) {
+void Search::explain_condition(ConditionIndex condition, const Activation& activation,
+                               Attempt attempt) {
+  const Base base = activation.base;
   if (condition == kAbsent) return;
   const std::vector<GoalIndex> goals = domain_.conditions[condition].goals;
   Answers before;
@@ -91,7 +96,7 @@ void Search::explain_condition(ConditionIndex condition, Base base, Attempt atte
     if (before.count() > 0) before.apply(0, bindings_);
     const Goal& goal = domain_.goals[goals[count - 1]];
     if (goal.kind == GoalKind::kAtom) {
-      attempt.condition = store_.to_text(bindings_.instance(goal.pattern, base));
+      attempt.condition = store_.to_text(readable(goal.pattern, activation));
       attempt.nearest = nearest_facts(goal, base);
     } else if (goal.where) {
       const Node& node = *goal.where;
@@ -101,6 +106,17 @@ void Search::explain_condition(ConditionIndex condition, Base base, Attempt atte
     failure_->attempts.push_back(std::move(attempt));
     return;
   }
+}
+
+// An instance whose unbound variables have the names of the text.
+Term Search::readable(Term pattern, const Activation& activation) {
+  const Clause& clause = activation.clause;
+  return map_leaves(store_, bindings_.instance(pattern, activation.base), kHasVariable,
+                    [&](Term variable) {
+                      const std::uint32_t slot = variable.index() - activation.base;
+                      const bool own = variable.index() >= activation.base && slot < clause.slots;
+                      return own ? clause.names[slot] : variable;
+                    });
 }
 
 // Facts of the goal's predicate that agree with it in the most arguments.

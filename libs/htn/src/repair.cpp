@@ -38,7 +38,7 @@ class Repairing {
     const auto clobbered = cautious.first_clobbered(holds);
     const StepIndex doubtful = first_impossible();
     const bool applies = !clobbered && doubtful == request_.plan->steps.size();
-    if (applies && nothing_changed(present.facts())) return unchanged();
+    if (nothing_changed(present.facts())) return unchanged();
     list_attempts(cautious, lenient, clobbered ? clobbered->first : node_in_doubt(cautious, doubtful));
     Repair repair = RepairSearches(domain_, now_, request_, options_, host_).run(attempts_, applies);
     if (clobbered) {

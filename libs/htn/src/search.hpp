@@ -124,7 +124,12 @@ class Search {
   void explain(NodeId node, Term task);
   void explain_task(Term task);
 
-  void explain_condition(ConditionIndex condition, Base base, Attempt attempt);
+  struct Activation {  // a clause and the cells of its variables
+    const Clause& clause;
+    Base base;
+  };
+  void explain_condition(ConditionIndex condition, const Activation& activation, Attempt attempt);
+  Term readable(Term pattern, const Activation& activation);
   std::vector<Term> nearest_facts(const Goal& goal, Base base);
 
   const Domain& interface_;

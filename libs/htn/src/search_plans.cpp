@@ -86,11 +86,13 @@ Plan Search::make_plan() {
 
 // The nodes of the agenda are the tree; empty reductions lose their step that does nothing.
 std::vector<TreeNode> Search::make_tree(const std::vector<StepIndex>& renumbered) {
-  const auto links = [&](std::vector<CausalLink> support) {
-    for (CausalLink& link : support) {
+  const auto links = [&](const std::vector<CausalLink>& support) {
+    std::vector<CausalLink> out;
+    for (CausalLink link : support) {
       if (link.step < renumbered.size()) link.step = renumbered[link.step];
+      if (std::find(out.begin(), out.end(), link) == out.end()) out.push_back(link);
     }
-    return support;
+    return out;
   };
   std::vector<TreeIndex> place(agenda_.size(), kNoParent);
   std::vector<TreeNode> tree;

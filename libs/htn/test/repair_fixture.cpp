@@ -181,7 +181,12 @@ std::string RepairFixture::fault() const {
     const Step& now = repair_.plan.steps.at(step);
     if (now != plan_.steps[step]) return "executed step " + text(now.action) + " was changed";
   }
-  const Injected injected(repair_.plan, divergences_, store_);
+  return fault_of(repair_.plan, divergences_);
+}
+
+std::string RepairFixture::fault_of(const Plan& plan,
+                                    const std::vector<Divergence>& divergences) const {
+  const Injected injected(plan, divergences, store_);
   std::string changed = text_;
   const std::string head = "(defdomain d (";
   changed.insert(changed.find(head) + head.size(), "\n" + injected.operators());

@@ -50,6 +50,7 @@ RC_GTEST_PROP(Repair, KeepsThePrefixAndValidates, ()) {
   const auto seed = *rc::gen::inRange<std::uint64_t>(0, kSeeds);
   RepairFixture fixture(oracle::random_domain(seed));
   RC_PRE(!fixture.make_plan(small_search()).tree.empty());
+  RC_PRE(fixture.plan_fault() == "");
   Random random(seed, "divergence");
   const auto executed = static_cast<StepIndex>(random.below(fixture.plan().steps.size() + 1));
   fixture.diverge(executed, changes(fixture, random));
