@@ -67,8 +67,8 @@ void add_mle(CLI::App& app, Action& action) {
   mle->callback([arguments, &action] { action = [arguments] { return run_mle(*arguments); }; });
 }
 
-// Only the command that is meant, if it can be told: describing all of them to CLI11 costs more than
-// a small plan.
+// Only the command that is meant, if it can be told: describing all of them to CLI11 costs more
+// than a small plan.
 void add_commands(CLI::App& app, Action& action, const LiveActions& live, std::string_view meant) {
   if (meant == "plan") return add_plan(app, action);
   add_live(app, action, live);

@@ -41,9 +41,8 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
       ->check(CLI::Range(0, 100));
   run->add_option("--daemons", options->daemons, "Folder of the daemons (default: beside skein)");
   run->footer(kRunExamples);
-  run->callback([options, &action, &live] {
-    action = [options, &live] { return live.run(*options); };
-  });
+  run->callback(
+      [options, &action, &live] { action = [options, &live] { return live.run(*options); }; });
 }
 
 void add_report(CLI::App& app, Action& action, const LiveActions& live) {
@@ -51,9 +50,8 @@ void add_report(CLI::App& app, Action& action, const LiveActions& live) {
   CLI::App* report = app.add_subcommand("report", "Write the report of a run's folder again");
   report->add_option("folder", *folder, "Folder with events.jsonl and run.json")->required();
   report->footer("\nExample:\n  skein report out/comets-confirmed");
-  report->callback([folder, &action, &live] {
-    action = [folder, &live] { return live.report(*folder); };
-  });
+  report->callback(
+      [folder, &action, &live] { action = [folder, &live] { return live.report(*folder); }; });
 }
 
 constexpr const char* kSpyExamples = R"(

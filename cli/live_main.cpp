@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// skein-live: the commands of `skein` that need DDS. `skein` starts it, so that all others start without.
+// skein-live: the commands of `skein` that need DDS. `skein` starts it, so that all others start
+// without.
 #include <iostream>
 
 #include "commands.hpp"
@@ -8,7 +9,8 @@
 #include "skein/spy_tool/spy.hpp"
 
 int main(int argc, char** argv) {
-  using namespace skein;  // NOLINT(google-build-using-namespace): the whole program is this function
+  using namespace skein;  // NOLINT(google-build-using-namespace): the whole program is this
+                          // function
   cli::LiveActions live;
   live.run = [](const run_tool::RunOptions& options) {
     return run_tool::run(options, std::cout, std::cerr);

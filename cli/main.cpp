@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// skein: everything that is not a daemon. Commands that need DDS are passed on to skein-live beside it:
-// loading DDS costs more than most plans.
+// skein: everything that is not a daemon. Commands that need DDS are passed on to skein-live beside
+// it: loading DDS costs more than most plans.
 #include <unistd.h>
 
 #include <cerrno>

@@ -164,6 +164,25 @@ void add_outputs(CLI::App& plan, plan_tool::PlanOptions& options) {
   plan.add_flag("--quiet", options.quiet, "No warnings, no progress")->group(kGroup);
 }
 
+void add_repair(CLI::App& plan, plan_tool::PlanOptions& options) {
+  constexpr const char* kGroup = "Repair of a plan under execution";
+  CLI::Option* repair =
+      plan.add_option("--repair", options.repair, "Repair the plan of this file (--json --tree)")
+          ->type_name("PLAN")
+          ->excludes("--validate")
+          ->group(kGroup);
+  plan.add_option("--executed", options.executed, "How many of its steps were executed")
+      ->check(count_problem)
+      ->needs(repair)
+      ->group(kGroup);
+  plan.add_option("--diverge", options.diverge,
+                  "What changed by itself then: (:add (fact)…) (:delete (fact)…); "
+                  "earlier: (:after N (:add …))")
+      ->type_name("FORM")
+      ->needs(repair)
+      ->group(kGroup);
+}
+
 }  // namespace
 
 void add_plan(CLI::App& app, std::function<int()>& action) {
@@ -185,6 +204,7 @@ void add_plan(CLI::App& app, std::function<int()>& action) {
       ->type_name("N");
   plan->add_option("--validate", options.validate, "Check the plans of this file, plan nothing")
       ->type_name("PLAN");
+  add_repair(*plan, options);
   add_limits(*plan, *arguments);
   add_outputs(*plan, options);
   plan->footer(kExamples);

@@ -7,6 +7,7 @@
 
 #include "library.hpp"
 #include "progress.hpp"
+#include "repair.hpp"
 #include "report.hpp"
 #include "show_diagnostics.hpp"
 #include "skein/foundation/exit_code.hpp"
@@ -174,6 +175,9 @@ int run_plan(const PlanOptions& options, const Surroundings& surroundings, std::
   if (!library.errors().empty()) return kExitBadInput;
   if (!options.validate.empty()) {
     return validate_plans(library, problems, options, surroundings, {in, out, err});
+  }
+  if (!options.repair.empty()) {
+    return repair_plan(library, problems, options, surroundings, {in, out, err});
   }
   return plan_all(library, problems, options, surroundings, out, err);
 }

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "file_text.hpp"
+#include "given_plans.hpp"
 #include "show_diagnostics.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/htn/text_style.hpp"
@@ -17,25 +17,6 @@ namespace {
 
 using htn::GivenPlan;
 using htn::Validation;
-
-/// Why there is no problem to check a plan with.
-Diagnostic no_problem(const std::string& file, const GivenPlan& plan) {
-  Diagnostic out;
-  out.file = file;
-  out.message = plan.problem.empty() ? "the plan does not say of which problem it is"
-                                     : "the plan is of problem '" + plan.problem +
-                                           "', which is not among those read";
-  out.expected = plan.problem.empty() ? "one problem, chosen with --problem" : "";
-  return out;
-}
-
-const ChosenProblem* problem_of(const GivenPlan& plan, const std::vector<ChosenProblem>& problems) {
-  if (plan.problem.empty()) return problems.size() == 1 ? &problems.front() : nullptr;
-  const auto found = std::find_if(problems.begin(), problems.end(), [&](const auto& one) {
-    return one.problem->name == plan.problem;
-  });
-  return found == problems.end() ? nullptr : &*found;
-}
 
 nlohmann::ordered_json to_json(const std::string& problem, const Validation& validation) {
   nlohmann::ordered_json out;
@@ -96,29 +77,14 @@ class Checker {
   std::map<const htn::DomainDefinition*, std::unique_ptr<htn::Validator>> validators_;
 };
 
-std::vector<GivenPlan> plans_of(const std::string& file, Library& library, std::istream& in,
-                                Diagnostics& errors) {
-  const Result<std::string, Failure> text = text_of_file(file, in);
-  std::vector<GivenPlan> plans;
-  if (text) plans = htn::read_plans(file, *text, library.store(), errors);
-  if ((text && !plans.empty()) || !errors.empty()) return plans;
-  Diagnostic diagnostic;
-  diagnostic.file = file;
-  diagnostic.message = text ? "there is no plan in it" : text.error().why;
-  errors.add(diagnostic);
-  return plans;
-}
-
 }  // namespace
 
 int validate_plans(Library& library, const std::vector<ChosenProblem>& problems,
                    const PlanOptions& options, const Surroundings& surroundings,
                    const Streams& streams) {
   Diagnostics errors;
-  const std::vector<GivenPlan> plans = plans_of(options.validate, library, streams.in, errors);
-  for (const GivenPlan& plan : plans) {
-    if (problem_of(plan, problems) == nullptr) errors.add(no_problem(options.validate, plan));
-  }
+  const std::vector<GivenPlan> plans =
+      plans_of(options.validate, library, problems, streams.in, errors);
   Checker checker(library, options, surroundings, streams.out);
   if (errors.empty()) {
     for (const GivenPlan& plan : plans) checker.check(*problem_of(plan, problems), plan);

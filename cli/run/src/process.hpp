@@ -19,7 +19,7 @@ class Process {
   /// How it ended: an exit code, or a signal.
   struct Status {
     int code = 0;
-    int signal = 0;  ///< 0: it exited by itself
+    int signal = 0;          ///< 0: it exited by itself
     double cpu = 0;          ///< user and system time [s]
     double peak_memory = 0;  ///< greatest resident set [MB]
   };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "agenda.hpp"
 
-
 #include <algorithm>
 
 #include "skein/foundation/contract.hpp"
@@ -126,7 +125,8 @@ void Agenda::append(NodeId task) {
   if (nodes_[task].immediate) {
     entry.previous_immediate = last_immediate_;
     entry.next_immediate = kNoNodeId;
-    (last_immediate_ == kNoNodeId ? first_immediate_ : nodes_[last_immediate_].next_immediate) = self;
+    (last_immediate_ == kNoNodeId ? first_immediate_ : nodes_[last_immediate_].next_immediate) =
+        self;
     last_immediate_ = self;
   }
   ++alike(task);

@@ -18,7 +18,7 @@ inline constexpr NodeId kNoNodeId = 0xFFFFFFFFU;
 struct AgendaNode {
   NetworkKind kind = NetworkKind::kTask;
   bool immediate = false;
-  Term task;                     // may hold variables
+  Term task;  // may hold variables
   NodeId parent = kNoNodeId;
   NodeId next_sibling = kNoNodeId;
   NodeId first_child = kNoNodeId;
@@ -44,7 +44,8 @@ class Agenda {
   NodeId first_immediate() const { return holder(first_immediate_); }
   /// The task behind this one on the agenda.
   NodeId next(NodeId task) const { return holder(nodes_[nodes_[task].entry].next); }
-  /// The task behind this one that no task before it equals: trying an equal again would be the same.
+  /// The task behind this one that no task before it equals: trying an equal again would be the
+  /// same.
   NodeId next_distinct(NodeId task) const;
   /// The task to work on when `task` comes up: of those that equal it the first in the network; it
   /// changes places with the first of them on the agenda, which is the place that gets free.

@@ -13,9 +13,9 @@ namespace skein::htn {
 /// Values for some variables, one row for each satisfier. Variables made during the proof are kept
 /// as kLocal terms and become fresh cells when a row is applied.
 struct Answers {
-  std::vector<Term> cells;         ///< the variables
-  std::vector<Term> values;        ///< row after row
-  std::vector<std::uint32_t> locals;  ///< for each row, how many kLocal terms it uses
+  std::vector<Term> cells;                       ///< the variables
+  std::vector<Term> values;                      ///< row after row
+  std::vector<std::uint32_t> locals;             ///< for each row, how many kLocal terms it uses
   std::vector<std::vector<CausalLink>> support;  ///< for each row, while recording
 
   std::size_t count() const { return locals.size(); }

@@ -98,9 +98,7 @@ class Bindings {
   };
   static constexpr std::size_t kMostKnownItems = 24;
   static constexpr int kMostKnownNesting = 8;
-  bool plain(Term term) const {
-    return (store_.content(term) & (kHasSlot | kHasVariable)) == 0;
-  }
+  bool plain(Term term) const { return (store_.content(term) & (kHasSlot | kHasVariable)) == 0; }
   bool step_list(Open& list);
   bool unify_step(const Pair& pair);
   bool bind_checked(Term variable, Term value, Base base);

@@ -5,7 +5,9 @@
 
 namespace skein::htn {
 
-void Budget::note_memory() { greatest_memory_ = std::max<std::uint64_t>(greatest_memory_, memory_()); }
+void Budget::note_memory() {
+  greatest_memory_ = std::max<std::uint64_t>(greatest_memory_, memory_());
+}
 
 bool Budget::check() {
   next_check_ = inferences_ + kInferencesPerCheck;

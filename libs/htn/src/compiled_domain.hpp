@@ -33,8 +33,8 @@ enum class GoalKind : std::uint8_t {
   kAssignEach,  ///< assign*: the value is a list of alternatives
   kSetOf,       ///< pattern: the variable for the list; term: what to collect; conditions[0]
   kBagOf,
-  kEnforce,     ///< conditions[0]; an error if it does not hold
-  kVariable     ///< pattern: a variable that is bound to an expression when the goal comes up
+  kEnforce,  ///< conditions[0]; an error if it does not hold
+  kVariable  ///< pattern: a variable that is bound to an expression when the goal comes up
 };
 
 struct Axiom;
@@ -43,9 +43,9 @@ struct Goal {
   GoalKind kind = GoalKind::kAtom;
   Term pattern;
   Term term;
-  Term predicate;                          ///< kAtom
-  std::vector<Term> arguments;             ///< kAtom
-  std::vector<IndexedPosition> positions;  ///< kAtom: where a value may be known
+  Term predicate;                              ///< kAtom
+  std::vector<Term> arguments;                 ///< kAtom
+  std::vector<IndexedPosition> positions;      ///< kAtom: where a value may be known
   const std::vector<Axiom>* axioms = nullptr;  ///< kAtom: of its predicate, if any
   std::vector<ConditionIndex> conditions;
   CodeIndex code = kNoCode;
@@ -61,25 +61,33 @@ struct Condition {
   bool first = false;                ///< :first
   bool sorted = false;               ///< :sort-by
   CodeIndex sort_key = kNoCode;
-  CodeIndex compare = kNoCode;       ///< kNoCode: <
+  CodeIndex compare = kNoCode;  ///< kNoCode: <
   Expression where;
 };
 
 /// What clauses have in common: numbered variables.
 struct Clause {
-  Term head;                 ///< pattern (name argument…)
+  Term head;  ///< pattern (name argument…)
   std::uint32_t slots = 0;
-  std::vector<Term> names;   ///< symbol of each slot
+  std::vector<Term> names;  ///< symbol of each slot
 };
 
-enum class EffectKind : std::uint8_t { kAtom, kProtection, kList, kForall, kWhen, kNegated, kGroup };
+enum class EffectKind : std::uint8_t {
+  kAtom,
+  kProtection,
+  kList,
+  kForall,
+  kWhen,
+  kNegated,
+  kGroup
+};
 
 /// A part of what an operator adds or deletes.
 struct Effect {
   EffectKind kind = EffectKind::kAtom;
-  Term pattern;                       ///< kAtom, kProtection: an atom; kList: a variable
-  ConditionIndex condition = kAbsent; ///< kForall, kWhen
-  std::vector<Effect> parts;          ///< kForall, kWhen, kNegated, kGroup
+  Term pattern;                        ///< kAtom, kProtection: an atom; kList: a variable
+  ConditionIndex condition = kAbsent;  ///< kForall, kWhen
+  std::vector<Effect> parts;           ///< kForall, kWhen, kNegated, kGroup
 };
 
 struct Operator : Clause {
@@ -98,7 +106,7 @@ struct BodyNode {
   NetworkKind kind = NetworkKind::kTask;
   std::uint32_t parent = kAbsent;
   bool immediate = false;
-  Term task;                ///< pattern, when no call stands in it
+  Term task;                 ///< pattern, when no call stands in it
   CodeIndex code = kNoCode;  ///< template, when one does
   std::uint8_t skipped = 0;  ///< words before the name in what the template makes
 };
@@ -138,7 +146,7 @@ struct CompiledDomain {
   TermStore& store;
   std::vector<FunctionDefinition> defined;
   Lisp lisp;
-  std::deque<Goal> goals;            // grows during a search, by goals met as values
+  std::deque<Goal> goals;  // grows during a search, by goals met as values
   std::deque<Condition> conditions;
   std::unordered_map<Term, Operator> operators;
   std::unordered_map<Term, std::vector<Method>> methods;

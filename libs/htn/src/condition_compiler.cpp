@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-
 namespace skein::htn {
 
 namespace {
@@ -33,29 +32,6 @@ void add_inner_positions(const TermStore& store, Term argument, std::uint8_t out
        rest = store.cdr(rest), ++inner) {
     const Term item = store.car(rest);
     if (inner > 0 && !item.is(TermKind::kPair)) out.push_back({{outer, inner}, item});
-  }
-}
-
-void add_slot(std::uint32_t slot, std::vector<std::uint32_t>& out) {
-  if (std::find(out.begin(), out.end(), slot) == out.end()) out.push_back(slot);
-}
-
-void add_slots(const TermStore& store, Term pattern, std::vector<std::uint32_t>& out) {
-  if (pattern.is(TermKind::kSlot)) return add_slot(pattern.index(), out);
-  if ((store.content(pattern) & kHasSlot) == 0) return;
-  std::vector<Term> open{pattern};
-  while (!open.empty()) {
-    Term rest = open.back();
-    open.pop_back();
-    for (; rest.is(TermKind::kPair); rest = store.cdr(rest)) {
-      const Term item = store.car(rest);
-      if (item.is(TermKind::kSlot)) {
-        add_slot(item.index(), out);
-      } else if ((store.content(item) & kHasSlot) != 0) {
-        open.push_back(item);
-      }
-    }
-    if (rest.is(TermKind::kSlot)) add_slot(rest.index(), out);
   }
 }
 
@@ -117,21 +93,6 @@ Goal atom_goal(const TermStore& store, Term pattern, Expression where) {
     add_inner_positions(store, argument, outer, goal.positions);
   }
   return goal;
-}
-
-void set_slots(const CompiledDomain& domain, Condition& condition) {
-  std::vector<GoalIndex> open(condition.goals.rbegin(), condition.goals.rend());
-  while (!open.empty()) {
-    const Goal& goal = domain.goals[open.back()];
-    open.pop_back();
-    add_slots(domain.store, goal.pattern, condition.slots);
-    add_slots(domain.store, goal.term, condition.slots);
-    if (goal.kind == GoalKind::kForall) continue;
-    for (const ConditionIndex inner : goal.conditions) {
-      const std::vector<GoalIndex>& goals = domain.conditions[inner].goals;
-      open.insert(open.end(), goals.rbegin(), goals.rend());
-    }
-  }
 }
 
 void ConditionCompiler::error(Expression where, std::string message, std::string expected) {
@@ -267,7 +228,8 @@ AxiomTail ConditionCompiler::tail(const BranchDefinition& definition, ClauseScop
   } else {
     append_goals(definition.precondition, scope, goals);
   }
-  if (goals.size() > 1) {  // a tail is one goal: of several the answers are found first, as of `and`
+  if (goals.size() >
+      1) {  // a tail is one goal: of several the answers are found first, as of `and`
     Goal together;
     together.kind = GoalKind::kAnd;
     together.where = definition.precondition;
@@ -291,14 +253,14 @@ GoalIndex ConditionCompiler::goal(Expression expression, ClauseScope& scope) {
     }
     return add(std::move(value));
   }
-  const std::string_view name =
-      symbol_name(domain_.store, child(expression, node.first_child));
+  const std::string_view name = symbol_name(domain_.store, child(expression, node.first_child));
   if (name == "and") return connective(GoalKind::kAnd, expression, scope);
   if (name == ":external") return connective(GoalKind::kAnd, expression, scope);
   if (name == "or") return alternatives(expression, scope);
   if (name == "not") return connective(GoalKind::kNot, expression, scope);
   if (name == "imply") return implication(expression, scope);
-  if (name == "forall" || name == "shop-forall") return quantified(GoalKind::kForall, expression, scope);
+  if (name == "forall" || name == "shop-forall")
+    return quantified(GoalKind::kForall, expression, scope);
   if (name == "exists") return quantified(GoalKind::kExists, expression, scope);
   if (name == "eval") return evaluation(expression, scope, false);
   if (name == "call") return evaluation(expression, scope, true);
@@ -368,6 +330,9 @@ GoalIndex ConditionCompiler::quantified(GoalKind kind, Expression expression, Cl
   }
   std::vector<Term> variables;
   for (const Expression variable : parts(all[1])) variables.push_back((*variable).atom);
+  if (!(*all[1]).list && is_variable(domain_.store, (*all[1]).atom)) {
+    variables.push_back((*all[1]).atom);  // one variable without parentheses
+  }
   scope.hide(variables);
   Goal made;
   made.kind = kind;

@@ -216,7 +216,8 @@ class DomainCompiler {
     }
     scope.hide(variables);
     std::vector<Term> typed;
-    effect.condition = conditions_.add_condition(conditions_.type_goals(all[1], scope, typed), all[1]);
+    effect.condition =
+        conditions_.add_condition(conditions_.type_goals(all[1], scope, typed), all[1]);
     effect.parts.push_back(action_effect(all.back(), scope));
     scope.reveal();
     return effect;

@@ -31,6 +31,27 @@ Expression domain_name(const ReadContext& context, Expression form) {
   return name && context.is_list(name) ? first(name) : name;
 }
 
+// The name in (define (domain name) …).
+Expression pddl_domain_name(const ReadContext& context, Expression form) {
+  const Expression head = next(first(form));
+  const bool domain = head && context.is_list(head) && first(head) &&
+                      context.is_name(first(head)) && context.name(first(head)) == "domain";
+  return domain ? next(first(head)) : Expression{};
+}
+
+// A file name as written, or inside a form that would make a path of it when Lisp read it.
+Expression first_string(Expression expression) {
+  std::vector<Expression> open{expression};
+  while (!open.empty()) {
+    const Expression at = open.back();
+    open.pop_back();
+    if (!(*at).list && (*at).atom.is(TermKind::kString)) return at;
+    const std::vector<Expression> inner = parts(at);
+    open.insert(open.end(), inner.rbegin(), inner.rend());
+  }
+  return {};
+}
+
 }  // namespace
 
 void DomainReader::read() {
@@ -131,12 +152,13 @@ void DomainReader::read_include(Expression item) {
   const Expression name = next(first(item));
   const Expression file = name ? next(name) : Expression{};
   const bool named = name && context_.is_name(name);
-  const bool filed = !file || (!context_.is_list(file) && (*file).atom.is(TermKind::kString));
+  const Expression path_text = file ? first_string(file) : Expression{};
+  const bool filed = !file || path_text;
   if (!named || !filed || (file && next(file))) {
     return context_.error(item, "malformed inclusion", "(:include name [\"file\"])");
   }
   const std::string wanted = context_.name(name);
-  const std::string given = file ? context_.store.text((*file).atom) : wanted + ".lisp";
+  const std::string given = file ? context_.store.text((*path_text).atom) : wanted + ".lisp";
   if (++includes_ > kMostIncludes) {
     if (includes_ == kMostIncludes + 1) context_.error(item, "more than 1000 inclusions");
     return;
@@ -167,13 +189,18 @@ void DomainReader::read_included(Expression item, const std::string& name,
   std::vector<std::string> found;
   for (const NodeIndex top : document.top) {
     const Expression form{&document, top};
-    if (context_.head(form) != context_.words.defdomain) continue;
-    const Expression symbol = domain_name(context_, form);
+    const bool pddl = context_.head(form) == context_.words.define;
+    if (!pddl && context_.head(form) != context_.words.defdomain) continue;
+    const Expression symbol = pddl ? pddl_domain_name(context_, form) : domain_name(context_, form);
     if (!symbol || !context_.is_name(symbol)) continue;
     found.push_back(context_.name(symbol));
     if (found.back() != name) continue;
     const Expression items = next(next(first(form)));
-    if (items) read_items(unquoted(items, context_.words));
+    if (pddl) {
+      for (Expression at = items; at; at = next(at)) read_item(at);
+    } else if (items) {
+      read_items(unquoted(items, context_.words));
+    }
     return;
   }
   context_.error(item, "no domain '" + name + "' in '" + file + "'", "(defdomain " + name + " …)",

@@ -20,8 +20,9 @@ void Search::dead_end(NodeId node, Term task) {
     }
     return;
   }
-  const bool further = steps_.size() > deepest_failure_.steps ||
-                       (steps_.size() == deepest_failure_.steps && depth_ >= deepest_failure_.depth);
+  const bool further =
+      steps_.size() > deepest_failure_.steps ||
+      (steps_.size() == deepest_failure_.steps && depth_ >= deepest_failure_.depth);
   if (further) deepest_failure_ = {expansion, steps_.size(), depth_};
 }
 

@@ -2,6 +2,7 @@
 #include "skein/htn/given_plan.hpp"
 
 #include <charconv>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -15,6 +16,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kDeepest = 2000;
+constexpr std::uint64_t kLargestInteger = std::numeric_limits<std::int64_t>::max();
 
 /// Makes terms of what a plan file holds; variables that were left unbound become kLocal terms.
 class TermMaker {
@@ -43,7 +45,8 @@ class TermMaker {
   std::optional<Term> from_json(const json& value, int depth = 0) {
     if (value.is_null()) return kNil;
     if (value.is_boolean()) return TermStore::boolean(value.get<bool>());
-    if (value.is_number_integer()) return store_.integer(value.get<std::int64_t>());
+    const bool beyond = value.is_number_unsigned() && value.get<std::uint64_t>() > kLargestInteger;
+    if (value.is_number_integer() && !beyond) return store_.integer(value.get<std::int64_t>());
     if (value.is_number()) return store_.number(real(value.get<double>()));
     if (value.is_string()) return from_string(value.get_ref<const std::string&>());
     if (!value.is_array() || depth > kDeepest) return {};
@@ -189,12 +192,29 @@ class JsonReader {
       given.task = *task;
       given.method = string_in(member(node, "method"));
       given.step = index_in(member(node, "step"), kNoStep);
+      given.immediate = member(node, "immediate") == json(true);
+      given.support = support_in(member(node, "support"), maker);
       for (const json& child : member(node, "children")) {
         given.children.push_back(index_in(child, kNoParent));
       }
       made.tree.push_back(std::move(given));
     }
     return true;
+  }
+
+  static std::vector<CausalLink> support_in(const json& links, TermMaker& maker) {
+    std::vector<CausalLink> out;
+    for (const json& link : links) {
+      if (!link.is_object()) continue;
+      const std::optional<Term> fact = maker.from_json(member(link, "fact"));
+      const json& step = member(link, "step");
+      const std::string word = string_in(step);
+      const StepIndex from = word == "initial"   ? kInitialState
+                             : word == "outside" ? kOutside
+                                                 : index_in(step, kNoStep);
+      if (fact && fact->is(TermKind::kPair) && from != kNoStep) out.push_back({*fact, from});
+    }
+    return out;
   }
 
   const std::string& file_;

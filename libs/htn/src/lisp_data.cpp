@@ -106,9 +106,13 @@ void Compiler::backquoted(NodeIndex at) {
   --nesting_;
 }
 
-// Runs of plain items become lists; with the spliced ones between them they are appended.
+// Runs of plain items become lists; with the spliced ones between them they are appended. A tail
+// `. ,x` is read as the two items `comma x`.
 void Compiler::backquoted_list(NodeIndex at) {
-  const std::vector<NodeIndex> items = children(document_, at);
+  std::vector<NodeIndex> items = children(document_, at);
+  const bool comma_tail =
+      !node(at).dotted && items.size() > 2 && symbol(items[items.size() - 2]) == "comma";
+  if (comma_tail) items.erase(items.end() - 2);
   std::uint32_t pieces = 0;
   std::uint32_t plain = 0;
   const auto end_run = [&](Op op) {
@@ -118,7 +122,10 @@ void Compiler::backquoted_list(NodeIndex at) {
     ++pieces;
   };
   for (const NodeIndex item : items) {
-    if (is_form(item, "comma-at")) {
+    if (comma_tail && item == items.back()) {
+      value(item);
+      ++plain;
+    } else if (is_form(item, "comma-at")) {
       end_run(Op::kList);
       value(children(document_, item).back());
       ++pieces;
@@ -127,7 +134,7 @@ void Compiler::backquoted_list(NodeIndex at) {
       ++plain;
     }
   }
-  end_run(node(at).dotted ? Op::kListStar : Op::kList);
+  end_run(node(at).dotted || comma_tail ? Op::kListStar : Op::kList);
   if (pieces != 1) emit_function("append", pieces);
 }
 

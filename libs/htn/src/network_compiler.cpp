@@ -54,7 +54,8 @@ class NetworkCompiler {
         std::vector<Expression> inner = parts(at);
         if (!name.empty()) inner.erase(inner.begin());
         if (inner.empty()) add_nothing(self);
-        for (auto part = inner.rbegin(); part != inner.rend(); ++part) open.push_back({*part, self});
+        for (auto part = inner.rbegin(); part != inner.rend(); ++part)
+          open.push_back({*part, self});
       } else if (name.empty() && !first(at)) {
         add_nothing(parent);
       } else {

@@ -102,7 +102,8 @@ void OldTree::settle(const Holds& holds, bool cautious) {
   phases_.assign(plan_.tree.size(), Phase::kDone);
   for (const TreeIndex at : top_down_) {
     const TreeNode& node = plan_.tree[at];
-    const bool topmost = node.kind == TreeNodeKind::kTask && idle(at) && phases_[at] == Phase::kDone;
+    const bool topmost =
+        node.kind == TreeNodeKind::kTask && idle(at) && phases_[at] == Phase::kDone;
     if (!topmost || passed_[at]) continue;
     const bool again = !reached_[at] || cautious || lost_below(at, holds);
     if (again) settle_idle(at, Phase::kAhead);

@@ -74,8 +74,8 @@ class OldTree {
   std::vector<TreeIndex> leaves_;    // by step
   std::vector<StepIndex> first_;     // step below; kNoStep: none
   std::vector<StepIndex> last_;
-  std::vector<bool> reached_;        // may have been looked at already
-  std::vector<bool> passed_;         // something executed comes after it
+  std::vector<bool> reached_;  // may have been looked at already
+  std::vector<bool> passed_;   // something executed comes after it
   std::vector<Phase> phases_;
 };
 

@@ -244,7 +244,8 @@ Prover::Move Prover::finish_query() {
     case Purpose::kExistsPart: {
       const bool holds = answers.count() > 0;
       sets_open_ = query.set;
-      return finish_quantifier_part(holds);
+      return finish_quantifier_part(
+          holds, holds && recording_ ? answers.support.front() : std::vector<CausalLink>{});
     }
   }
   return Move::kStop;
@@ -311,6 +312,9 @@ Prover::Move Prover::finish_collection(const Query& query) {
   }
   sets_open_ = query.set;
   if (collected.empty()) return Move::kBack;
+  for (const std::vector<CausalLink>& support : answers.support) {
+    support_.insert(support_.end(), support.begin(), support.end());
+  }
   if (!bind_value(goal.pattern, query.base, store_.list(collected))) return Move::kBack;
   current_ = query.after;
   return Move::kForward;
@@ -344,14 +348,21 @@ Prover::Move Prover::quantifier_part() {
   return begin(all ? Purpose::kForallPart : Purpose::kExistsPart, condition, true, query);
 }
 
-Prover::Move Prover::finish_quantifier_part(bool holds) {
+Prover::Move Prover::finish_quantifier_part(bool holds, const std::vector<CausalLink>& support) {
   Frame& frame = frames_.back();
   const bool all = frame.kind == FrameKind::kForall;
   restore(frame);
+  if (holds && recording_) keep_support(frame, support);
   if (holds == all) return quantifier_part();
   current_ = frame.after;
   pop_frames(frames_.size() - 1);
   return holds ? Move::kForward : Move::kBack;
+}
+
+// What a part of a quantifier rests on outlives the part.
+void Prover::keep_support(Frame& frame, const std::vector<CausalLink>& support) {
+  support_.insert(support_.end(), support.begin(), support.end());
+  frame.support = static_cast<std::uint32_t>(support_.size());
 }
 
 // ---- stacks ----------------------------------------------------------------------------------
@@ -460,7 +471,8 @@ bool Prover::before(const Condition& condition, Term left, Term right) {
     return false;
   }
   const std::array<Term, 2> arguments{left, right};
-  const auto result = domain_.lisp.apply(condition.compare, arguments, [](std::uint32_t) { return kNil; });
+  const auto result =
+      domain_.lisp.apply(condition.compare, arguments, [](std::uint32_t) { return kNil; });
   if (!result) {
     budget_.fail(place_text(result.error().where) + ": " + result.error().why);
     return false;

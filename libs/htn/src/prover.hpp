@@ -20,7 +20,11 @@ namespace skein::htn {
 class Prover {
  public:
   Prover(CompiledDomain& domain, Bindings& bindings, FactBase& facts, Budget& budget)
-      : domain_(domain), store_(domain.store), bindings_(bindings), facts_(facts), budget_(budget) {}
+      : domain_(domain),
+        store_(domain.store),
+        bindings_(bindings),
+        facts_(facts),
+        budget_(budget) {}
 
   /// All satisfiers of a condition, or the first met. False when the budget stopped the proof.
   bool solve(ConditionIndex condition, Base base, bool just_one, Answers& out);
@@ -35,8 +39,16 @@ class Prover {
 
  private:
   enum class Purpose : std::uint8_t {
-    kTop, kNot, kEach, kEnforce, kAlternative, kForallBounds, kForallPart, kExistsBounds,
-    kExistsPart, kCollect
+    kTop,
+    kNot,
+    kEach,
+    kEnforce,
+    kAlternative,
+    kForallBounds,
+    kForallPart,
+    kExistsBounds,
+    kExistsPart,
+    kCollect
   };
   enum class ContinuationKind : std::uint8_t { kGoals, kCut, kEmit };
   struct Continuation {
@@ -57,9 +69,9 @@ class Prover {
     std::uint32_t after = 0;  // continuation behind the goal
     GoalIndex goal = 0;
     Base base = 0;
-    std::uint32_t at = 0;      // row, alternative, or axiom
-    std::uint32_t tail = 0;    // kAtom
-    std::uint32_t set = 0;     // kRows, kForall, kExists
+    std::uint32_t at = 0;              // row, alternative, or axiom
+    std::uint32_t tail = 0;            // kAtom
+    std::uint32_t set = 0;             // kRows, kForall, kExists
     std::uint32_t answers_first = 0;   // kAtom: answers of the query when the goal came up
     std::uint32_t answers_middle = 0;  // kAtom: when its axioms began
     bool axioms_begun = false;
@@ -89,7 +101,8 @@ class Prover {
   Move finish_rows(const Query& query);
   Move finish_collection(const Query& query);
   Move finish_quantifier_bounds(const Query& query);
-  Move finish_quantifier_part(bool holds);
+  Move finish_quantifier_part(bool holds, const std::vector<CausalLink>& support);
+  void keep_support(Frame& frame, const std::vector<CausalLink>& support);
 
   Move atom(GoalIndex goal, Base base, std::uint32_t after);
   Move retry_atom();

@@ -16,7 +16,7 @@ struct Reduction {
   std::uint32_t tasks = 0;     ///< first of the leaves in ReductionPool::tasks
   std::uint32_t bindings = 0;  ///< first of the values it gives to older variables
   std::uint32_t bindings_end = 0;
-  std::uint32_t locals = 0;    ///< variables of its own that are still unbound
+  std::uint32_t locals = 0;  ///< variables of its own that are still unbound
   std::uint32_t support = 0xFFFFFFFFU;
 };
 
@@ -55,8 +55,12 @@ class Reducer {
  public:
   Reducer(CompiledDomain& domain, Bindings& bindings, Prover& prover, Budget& budget,
           ReductionPool& pool)
-      : domain_(domain), store_(domain.store), bindings_(bindings), prover_(prover),
-        budget_(budget), pool_(pool) {}
+      : domain_(domain),
+        store_(domain.store),
+        bindings_(bindings),
+        prover_(prover),
+        budget_(budget),
+        pool_(pool) {}
 
   /// Which branch was taken or refused, for traces.
   using Tell = std::function<void(const Branch&, std::size_t satisfiers)>;

@@ -15,7 +15,11 @@ class Repairing {
  public:
   Repairing(const Domain& domain, const Problem& problem, const RepairRequest& request,
             const RepairOptions& options, const Host& host)
-      : domain_(domain), problem_(problem), request_(request), options_(options), host_(host),
+      : domain_(domain),
+        problem_(problem),
+        request_(request),
+        options_(options),
+        host_(host),
         store_(domain.store()) {}
 
   Repair run() {
@@ -39,8 +43,10 @@ class Repairing {
     const StepIndex doubtful = first_impossible();
     const bool applies = !clobbered && doubtful == request_.plan->steps.size();
     if (nothing_changed(present.facts())) return unchanged();
-    list_attempts(cautious, lenient, clobbered ? clobbered->first : node_in_doubt(cautious, doubtful));
-    Repair repair = RepairSearches(domain_, now_, request_, options_, host_).run(attempts_, applies);
+    list_attempts(cautious, lenient,
+                  clobbered ? clobbered->first : node_in_doubt(cautious, doubtful));
+    Repair repair =
+        RepairSearches(domain_, now_, request_, options_, host_).run(attempts_, applies);
     if (clobbered) {
       repair.clobbered = {clobbered->second, request_.plan->tree[clobbered->first].task};
     }
@@ -153,7 +159,8 @@ class Repairing {
     attempts_ = {{&cautious, {}, false}};
     const auto first = cautious.remaining({});
     const auto other = lenient.remaining({});
-    if (first && other && first->leaves != other->leaves) attempts_.push_back({&lenient, {}, false});
+    if (first && other && first->leaves != other->leaves)
+      attempts_.push_back({&lenient, {}, false});
     for (const TreeIndex task : cautious.begun_above(failing)) {
       attempts_.push_back({&cautious, {task}, false});
     }

@@ -40,8 +40,12 @@ void match(const TermStore& store, Term task, Term instance, std::map<std::uint3
 RepairSearches::RepairSearches(const Domain& domain, const Problem& present,
                                const RepairRequest& request, const RepairOptions& options,
                                const Host& host)
-    : domain_(domain), store_(domain.store()), present_(present), request_(request),
-      options_(options), host_(host) {
+    : domain_(domain),
+      store_(domain.store()),
+      present_(present),
+      request_(request),
+      options_(options),
+      host_(host) {
   if (host_.cpu_seconds) began_ = host_.cpu_seconds();
 }
 
@@ -177,22 +181,21 @@ void RepairSearches::take(const Pending& pending, Plan made) {
   const StepIndex executed = request_.executed;
   const RepairAttempt& attempt = *pending.attempt;
   Repair repair;
-  repair.redone = redone_tasks(old, *attempt.tree, pending.remaining, made, attempt.again,
-                               store_);
+  repair.redone = redone_tasks(old, *attempt.tree, pending.remaining, made, attempt.again, store_);
   const bool in_other_order = applies_ && attempt.again.empty() && repair.redone.empty();
   if (in_other_order) return take_old();
-  std::vector<TreeNode> tree =
-      merged_tree(old, *attempt.tree, pending.remaining, made, executed);
+  std::vector<TreeNode> tree = merged_tree(old, *attempt.tree, pending.remaining, made, executed);
   repair.plan = std::move(made);
   repair.plan.tree = std::move(tree);
-  for (StepIndex step = 0; step < executed; ++step) repair.plan.steps[step].action = old.steps[step].action;
+  for (StepIndex step = 0; step < executed; ++step)
+    repair.plan.steps[step].action = old.steps[step].action;
   compare_steps(old, executed, store_, repair);
   const auto same = [this](const Step& left, const Step& right) {
     return renumbered(left.action, store_) == renumbered(right.action, store_);
   };
-  const bool stands = attempt.again.empty() &&
-                      std::equal(old.steps.begin(), old.steps.end(), repair.plan.steps.begin(),
-                                 repair.plan.steps.end(), same);
+  const bool stands =
+      attempt.again.empty() && std::equal(old.steps.begin(), old.steps.end(),
+                                          repair.plan.steps.begin(), repair.plan.steps.end(), same);
   repair.verdict = stands ? RepairVerdict::kStands : RepairVerdict::kRepaired;
   found_.push_back(std::move(repair));
 }
@@ -214,8 +217,8 @@ bool RepairSearches::satisfied() const {
 
 Repair RepairSearches::finish() {
   Repair repair;
-  const auto best = std::min_element(
-      found_.begin(), found_.end(), [](const Repair& left, const Repair& right) {
+  const auto best =
+      std::min_element(found_.begin(), found_.end(), [](const Repair& left, const Repair& right) {
         if (left.kept.size() != right.kept.size()) return left.kept.size() > right.kept.size();
         return left.added.size() < right.added.size();
       });

@@ -118,7 +118,8 @@ Search::Move Search::back() {
   const NodeId node = choice.node;
   if (choice.reduction < choice.reductions_end) {
     const std::uint32_t index = choice.reduction++;
-    if (choice.reduction == choice.reductions_end && choice.method == choice.methods) choices_.pop_back();
+    if (choice.reduction == choice.reductions_end && choice.method == choice.methods)
+      choices_.pop_back();
     return take_reduction(node, index);
   }
   pool_.cut(choice.pool);
@@ -183,8 +184,7 @@ Search::Move Search::attempt_methods(NodeId node, Term task, std::uint32_t from,
   static const std::vector<Method> kNone;
   const std::vector<Method>& methods = found == domain_.methods.end() ? kNone : found->second;
   const ReductionPool::Mark before = pool_.mark();
-  const Reducer::Tell teller_of_task =
-      host_.trace && traced(task) ? teller(task) : Reducer::Tell{};
+  const Reducer::Tell teller_of_task = host_.trace && traced(task) ? teller(task) : Reducer::Tell{};
   for (std::uint32_t position = from; position < methods.size(); ++position) {
     reducer_->reduce(method_at(methods, position, preferred), task, teller_of_task);
     if (budget_->stopped()) return Move::kStop;
@@ -222,7 +222,8 @@ Search::Move Search::take_reduction(NodeId node, std::uint32_t index) {
   } else if (options_.explain_failure) {
     notes_.push_back({reduction.branch, {}});
   }
-  agenda_.reduce(node, *reduction.branch, reduction.branch->forcings[reduction.forcing], tasks, note);
+  agenda_.reduce(node, *reduction.branch, reduction.branch->forcings[reduction.forcing], tasks,
+                 note);
   if (host_.trace && traced(task)) {
     tell(TraceKind::kReduction, task, reduction.branch->label, 0, "");
   }
@@ -278,11 +279,10 @@ void Search::forget() {
 }
 
 std::size_t Search::memory_bytes() const {
-  std::size_t bytes = bindings_.memory_bytes() + facts_.memory_bytes() + agenda_.memory_bytes() +
-                      pool_.memory_bytes() + store_.memory_bytes() +
-                      choices_.capacity() * sizeof(Choice) +
-                      steps_.capacity() * sizeof(StepRecord) +
-                      notes_.capacity() * sizeof(ReductionNote);
+  std::size_t bytes =
+      bindings_.memory_bytes() + facts_.memory_bytes() + agenda_.memory_bytes() +
+      pool_.memory_bytes() + store_.memory_bytes() + choices_.capacity() * sizeof(Choice) +
+      steps_.capacity() * sizeof(StepRecord) + notes_.capacity() * sizeof(ReductionNote);
   if (prover_) bytes += prover_->memory_bytes();
   return bytes;
 }

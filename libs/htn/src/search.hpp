@@ -71,23 +71,23 @@ class Search {
   enum class ChoiceKind : std::uint8_t { kTask, kMethod };
   struct Choice {
     ChoiceKind kind = ChoiceKind::kTask;
-    NodeId node = kNoNodeId;        // kTask: the next to try; kMethod: the one reduced
+    NodeId node = kNoNodeId;  // kTask: the next to try; kMethod: the one reduced
     std::uint64_t depth = 0;
     Number cost;
     Bindings::Mark bindings;
     FactBase::Mark facts = 0;
     Agenda::Mark agenda;
     Protections::Mark protections = 0;
-    ReductionPool::Mark pool;       // before the reductions of this choice
-    ReductionPool::Mark pool_end;   // behind them
+    ReductionPool::Mark pool;      // before the reductions of this choice
+    ReductionPool::Mark pool_end;  // behind them
     std::uint32_t steps = 0;
     std::uint32_t notes = 0;
-    std::uint32_t method = 0;       // kMethod: the next to try
-    std::uint32_t methods = 0;      // kMethod: how many there are
-    std::uint32_t reduction = 0;    // kMethod: the next to try
+    std::uint32_t method = 0;     // kMethod: the next to try
+    std::uint32_t methods = 0;    // kMethod: how many there are
+    std::uint32_t reduction = 0;  // kMethod: the next to try
     std::uint32_t reductions_end = 0;
     std::uint32_t preferred = kAbsent;
-    NodeId tried = kNoNodeId;       // kTask: was tried first, out of its turn
+    NodeId tried = kNoNodeId;  // kTask: was tried first, out of its turn
     Preferences::Mark preferences = 0;
   };
 

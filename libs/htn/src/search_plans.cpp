@@ -103,10 +103,10 @@ std::vector<TreeNode> Search::make_tree(const std::vector<StepIndex>& renumbered
     if (step && renumbered[node.note] == kNoStep) continue;
     TreeNode& made = tree.emplace_back();
     place[id] = static_cast<TreeIndex>(tree.size() - 1);
-    made.kind = step                                      ? TreeNodeKind::kStep
-                : task                                    ? TreeNodeKind::kTask
+    made.kind = step                                   ? TreeNodeKind::kStep
+                : task                                 ? TreeNodeKind::kTask
                 : node.kind == NetworkKind::kUnordered ? TreeNodeKind::kUnordered
-                                                          : TreeNodeKind::kOrdered;
+                                                       : TreeNodeKind::kOrdered;
     made.immediate = node.immediate;
     if (step) {
       made.step = renumbered[node.note];
@@ -147,8 +147,9 @@ void Search::prefer(Term task, std::size_t first) {
   if (preference == nullptr) return;
   const auto liked = [&](const Reduction& reduction) {
     return preference->method == reduction.branch->label &&
-           preferences_.agrees(*preference, std::span(pool_.tasks).subspan(
-                                                reduction.tasks, reduction.branch->leaves.size()));
+           preferences_.agrees(
+               *preference,
+               std::span(pool_.tasks).subspan(reduction.tasks, reduction.branch->leaves.size()));
   };
   std::stable_partition(pool_.reductions.begin() + static_cast<std::ptrdiff_t>(first),
                         pool_.reductions.end(), liked);
@@ -195,18 +196,17 @@ bool Search::relive(const Event& event) {
   }
   std::map<Term, Term, bool (*)(Term, Term)> cells(
       [](Term left, Term right) { return left.bits() < right.bits(); });
-  const Term action =
-      map_leaves(store_, event.term, kHasLocal | kHasVariable, [&](Term variable) {
-        const auto [at, fresh] = cells.try_emplace(variable, kNil);
-        if (fresh) at->second = Term(TermKind::kVariable, bindings_.open(1));
-        return at->second;
-      });
-  const auto operation = domain_.operators.find(action.is(TermKind::kPair) ? store_.car(action)
-                                                                           : action);
+  const Term action = map_leaves(store_, event.term, kHasLocal | kHasVariable, [&](Term variable) {
+    const auto [at, fresh] = cells.try_emplace(variable, kNil);
+    if (fresh) at->second = Term(TermKind::kVariable, bindings_.open(1));
+    return at->second;
+  });
+  const auto operation =
+      domain_.operators.find(action.is(TermKind::kPair) ? store_.car(action) : action);
   MadeStep made;
-  const bool applied = operation != domain_.operators.end() &&
-                       steps_made_->apply(operation->second, action,
-                                          static_cast<StepIndex>(steps_.size()), made);
+  const bool applied =
+      operation != domain_.operators.end() &&
+      steps_made_->apply(operation->second, action, static_cast<StepIndex>(steps_.size()), made);
   if (!applied) return false;
   const Result<Number, Failure> cost = add(cost_, made.cost);
   if (!cost) return false;

@@ -56,9 +56,13 @@ void TaskChecker::check_task(Expression task) {
   }
   const std::string text = context_.name(name);
   if (text.starts_with(':')) {
-    return context_.error(name, "unknown keyword " + text + " in a task list",
-                          ":ordered, :unordered, :task or :immediate",
-                          nearest_name(text, {":ordered", ":unordered", ":task", ":immediate"}));
+    // SHOP3 takes any word; what is nearly a keyword is most likely a slip.
+    const std::string meant = nearest_name(text, {":ordered", ":unordered", ":task", ":immediate"});
+    const std::string expected = ":ordered, :unordered, :task or :immediate";
+    if (!meant.empty()) {
+      return context_.error(name, "unknown keyword " + text + " in a task list", expected, meant);
+    }
+    context_.warn(name, "keyword " + text + " as the name of a task", expected);
   }
   if (context_.is_variable(name)) return;
   TaskUse use{task, (*name).atom, 0, (*task).dotted};

@@ -28,6 +28,8 @@ std::vector<TypedName> read_typed_list(const ReadContext& context, Expression li
                                        Expression from) {
   std::vector<TypedName> out;
   const bool variables = kind == TypedNames::kVariables;
+  // One variable without parentheses is met in old domains.
+  if (variables && !from && context.is_variable(list)) return {{list, {}}};
   if (!context.is_list(list) && !context.is_nil(list)) {
     context.error(list, text_of(list) + " is no list",
                   variables ? "a list of variables" : "a list of names");

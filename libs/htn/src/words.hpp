@@ -17,6 +17,7 @@ class Words {
  public:
   // around definitions
   Term defdomain = word("defdomain");
+  Term define = word("define");
   Term defproblem = word("defproblem");
   Term make_problem = word("make-problem");
   Term def_problem_set = word("def-problem-set");

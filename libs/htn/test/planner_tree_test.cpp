@@ -89,6 +89,18 @@ TEST(SearchTree, LinksWhatMustNotHoldToTheStepThatDeletedIt) {
   EXPECT_EQ(tree(made), "ordered\n 0: (!clear)\n 1: (!go) <(not (blocked a)) 0>\n");
 }
 
+TEST(SearchTree, LinksThroughQuantifiersAndCollections) {
+  for (const char* const condition :
+       {"(exists (?x) ((kind ?x)) ((made ?x)))", "(forall (?x) ((kind ?x)) ((made ?x)))",
+        "(setof ?x (made ?x) ?all)"}) {
+    Case made(std::string("(:operator (!make) () () ((made a))) (:operator (!use) (") + condition +
+                  ") () ())",
+              "(kind a)", "((!make) (!use))");
+
+    EXPECT_EQ(tree(made), "ordered\n 0: (!make)\n 1: (!use) <(made a) 0>\n") << condition;
+  }
+}
+
 TEST(SearchTree, LinksThroughAxiomsToTheFactsBehindThem) {
   Case made(
       "(:- (ready ?u) ((fuel ?u) (crew ?u))) (:operator (!fuel ?u) () () ((fuel ?u)))"

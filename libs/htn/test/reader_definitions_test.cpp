@@ -239,6 +239,28 @@ TEST(ReadInclude, TakesTheItemsOfTheNamedDomainInPlace) {
   EXPECT_EQ(reader.definitions.documents.size(), 3U);
 }
 
+TEST(ReadInclude, APddlDomainIsIncludedByTheTextThatWouldMakeItsPath) {
+  ReaderFixture reader;
+  reader.with_file("base.pddl",
+                   "(define (domain base) (:types site) (:action look :parameters (?s - site)"
+                   " :precondition (open ?s) :effect (seen ?s)))");
+
+  reader.read_items("(:include base #.(merge-pathnames \"base.pddl\" (or here there)))");
+
+  EXPECT_EQ(reader.error_text(), "");
+  ASSERT_EQ(reader.domain().operators.size(), 1U);
+  EXPECT_TRUE(reader.domain().operators.front().action);
+  EXPECT_TRUE(reader.domain().pddl);
+}
+
+TEST(ReaderDefinitions, AQuantifierMayHaveOneVariableWithoutParentheses) {
+  ReaderFixture reader;
+
+  reader.read_items("(:- (all-made ?o) ((forall ?p (part ?o ?p) (made ?p))))");
+
+  EXPECT_EQ(reader.error_text(), "");
+}
+
 TEST(ReadInclude, ReportsCyclesAndWhatIsAbsent) {
   ReaderFixture reader;
   reader.with_file("a.lisp", "(defdomain a ((:include b)))")

@@ -138,7 +138,8 @@ RepairFixture::RepairFixture(const std::string& text) : text_(text) {
   Diagnostics warnings;
   read_definitions({"test.lisp", text}, store_, no_include, definitions_, errors, warnings);
   if (definitions_.domains.size() == 1 && definitions_.problems.size() == 1) {
-    domain_ = Domain::compile(definitions_.domains[0], definitions_.functions, host_, store_, errors);
+    domain_ =
+        Domain::compile(definitions_.domains[0], definitions_.functions, host_, store_, errors);
     problem_ = make_problem(definitions_.problems[0], store_);
   }
   EXPECT_TRUE(errors.empty() && domain_ != nullptr) << to_text(errors);

@@ -74,9 +74,9 @@ TEST(Repair, ATaskAheadIsDecomposedOtherwise) {
   const Repair& repair = fixture.diverge(1, Strings{"(closed p1 p2)"}).repair(1);
 
   EXPECT_EQ(repair.verdict, RepairVerdict::kRepaired);
-  EXPECT_THAT(fixture.rest(), ElementsAre("(!goto karma base p1)", "(!takeshot karma p1)",
-                                          "(!detour karma p1 p2)", "(!takeshot karma p2)",
-                                          "(!goto karma p2 base)", "(!land karma)"));
+  EXPECT_THAT(fixture.rest(),
+              ElementsAre("(!goto karma base p1)", "(!takeshot karma p1)", "(!detour karma p1 p2)",
+                          "(!takeshot karma p2)", "(!goto karma p2 base)", "(!land karma)"));
   EXPECT_THAT(fixture.redone(), ElementsAre("(fly karma p2)"));
   EXPECT_THAT(fixture.actions(repair.plan, repair.added), ElementsAre("(!detour karma p1 p2)"));
   EXPECT_THAT(fixture.actions(fixture.plan(), repair.dropped), ElementsAre("(!goto karma p1 p2)"));
@@ -90,9 +90,9 @@ TEST(Repair, WhatWasReachedInTheMiddleOfATaskIsReachedAgain) {
   const Repair& repair = fixture.repair(2);
 
   EXPECT_EQ(repair.verdict, RepairVerdict::kRepaired);
-  EXPECT_THAT(fixture.rest(), ElementsAre("(!goto karma ridge p1)", "(!takeshot karma p1)",
-                                          "(!goto karma p1 p2)", "(!takeshot karma p2)",
-                                          "(!goto karma p2 base)", "(!land karma)"));
+  EXPECT_THAT(fixture.rest(),
+              ElementsAre("(!goto karma ridge p1)", "(!takeshot karma p1)", "(!goto karma p1 p2)",
+                          "(!takeshot karma p2)", "(!goto karma p2 base)", "(!land karma)"));
   EXPECT_EQ(repair.kept.size(), 5U);
   ASSERT_TRUE(repair.clobbered);
   EXPECT_EQ(fixture.text(repair.clobbered->fact), "(at karma p1)");
@@ -169,7 +169,8 @@ struct Logistics : RepairFixture {
   explicit Logistics(const std::string& tasks)
       : RepairFixture(kLogistics + R"((defproblem p d
     ((truck lorry) (runs lorry) (at lorry depot) (truck van) (runs van) (at van depot)
-     (at one mill) (at two mine)) )" + tasks + ")") {
+     (at one mill) (at two mine)) )" +
+                      tasks + ")") {
     make_plan();
   }
 };
@@ -183,9 +184,8 @@ TEST(Repair, GoesUpUntilAnotherChoiceIsOpen) {
   const Repair& repair = fixture.diverge(1, Strings{"-(runs lorry)"}).repair(1);
 
   EXPECT_EQ(repair.verdict, RepairVerdict::kRepaired);
-  EXPECT_THAT(fixture.rest(),
-              ElementsAre("(!drive van depot mill)", "(!load one van)", "(!drive van mill port)",
-                          "(!unload one van)"));
+  EXPECT_THAT(fixture.rest(), ElementsAre("(!drive van depot mill)", "(!load one van)",
+                                          "(!drive van mill port)", "(!unload one van)"));
   EXPECT_THAT(fixture.redone(), ElementsAre("again (deliver one port)"));
   EXPECT_GE(repair.attempts, 3U);
   EXPECT_EQ(fixture.fault(), "");
@@ -256,8 +256,7 @@ TEST(Repair, AProtectionThatTheWorldBrokeBindsNobody) {
   RepairFixture fixture(kGate);
   fixture.make_plan();
 
-  const Repair& repair =
-      fixture.diverge(2, Strings{"-(open north)", "(shut north)"}).repair(2);
+  const Repair& repair = fixture.diverge(2, Strings{"-(open north)", "(shut north)"}).repair(2);
 
   EXPECT_EQ(repair.verdict, RepairVerdict::kStands);
   EXPECT_THAT(fixture.rest(), ElementsAre("(!release north)"));

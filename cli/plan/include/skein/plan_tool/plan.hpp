@@ -19,11 +19,14 @@ struct PlanOptions {
   bool tree = false;                  ///< --tree
   std::string dot;                    ///< --dot FILE; "-": standard output, nothing else there then
   bool json = false;                  ///< --json: one object a line
-  bool no_internal = false;  ///< --no-internal: steps `!!name` are left out of what is shown
-  bool trace = false;        ///< --trace [TASK…]; the tasks are search.traced_tasks
-  bool why_not = false;      ///< --why-not
-  std::string validate;      ///< --validate PLAN: no planning
-  bool quiet = false;        ///< --quiet: no warnings, no progress
+  bool no_internal = false;     ///< --no-internal: steps `!!name` are left out of what is shown
+  bool trace = false;           ///< --trace [TASK…]; the tasks are search.traced_tasks
+  bool why_not = false;         ///< --why-not
+  std::string validate;         ///< --validate PLAN: no planning
+  std::string repair;           ///< --repair PLAN: no planning from the start
+  htn::StepIndex executed = 0;  ///< --executed N: steps of that plan, internal ones too
+  std::vector<std::string> diverge;  ///< --diverge FORM…: what changed by itself
+  bool quiet = false;                ///< --quiet: no warnings, no progress
 };
 
 /// What the tool may ask of the process it runs in; every function may be absent.

@@ -25,6 +25,8 @@ struct GivenNode {
   Term task;
   std::string method;  ///< label of the branch
   StepIndex step = kNoStep;
+  bool immediate = false;
+  std::vector<CausalLink> support{};  ///< as in the plan; what an internal step made is left out
 };
 
 struct GivenPlan {
@@ -40,5 +42,9 @@ struct GivenPlan {
 /// none. Precision of floats cannot be seen in either form: they are read as double precision.
 std::vector<GivenPlan> read_plans(const std::string& file, const std::string& text,
                                   TermStore& store, Diagnostics& errors);
+
+/// The plan as the planner makes it, with its tree if one is given. With `single_precision` all
+/// floats become single precision.
+Plan to_plan(const GivenPlan& given, bool single_precision, TermStore& store);
 
 }  // namespace skein::htn

@@ -31,7 +31,7 @@ struct Step {
 
 /// `fact` made a precondition true; `step` had produced it.
 struct CausalLink {
-  Term fact;                      ///< an atom, or (not atom)
+  Term fact;  ///< an atom, or (not atom)
   StepIndex step = kInitialState;
   bool operator==(const CausalLink&) const = default;
 };

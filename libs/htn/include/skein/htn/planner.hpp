@@ -49,7 +49,7 @@ struct TraceEvent {
   TraceKind kind = TraceKind::kTask;
   std::uint64_t depth = 0;
   Term task;
-  std::string label;         ///< of the branch
+  std::string label;  ///< of the branch
   std::uint64_t count = 0;
   std::string detail;
 };
@@ -73,25 +73,25 @@ struct Preference {
 
 struct Options {
   Which which = Which::kFirst;
-  bool optimize_cost = false;                ///< keep the plan of least cost (:optimize-cost t)
-  std::optional<double> cost_limit;          ///< only plans up to this cost (:optimize-cost n)
+  bool optimize_cost = false;        ///< keep the plan of least cost (:optimize-cost t)
+  std::optional<double> cost_limit;  ///< only plans up to this cost (:optimize-cost n)
   Limits limits;
-  bool trees = false;                        ///< record decomposition and causal links
-  std::vector<std::string> traced_tasks;     ///< names; empty: all, if the host listens
+  bool trees = false;                     ///< record decomposition and causal links
+  std::vector<std::string> traced_tasks;  ///< names; empty: all, if the host listens
   std::vector<Preference> preferences;
-  bool explain_failure = false;              ///< fill Outcome::failure when there is no plan
+  bool explain_failure = false;  ///< fill Outcome::failure when there is no plan
 };
 
 /// The deepest point a failed search reached.
 struct Attempt {
-  Term task;                     ///< that could not be accomplished there
-  std::string label;             ///< branch or operator
-  std::string condition;         ///< the first conjunct that has no satisfier after those before it
-  std::vector<Term> nearest;     ///< facts that differ least from that conjunct
+  Term task;                  ///< that could not be accomplished there
+  std::string label;          ///< branch or operator
+  std::string condition;      ///< the first conjunct that has no satisfier after those before it
+  std::vector<Term> nearest;  ///< facts that differ least from that conjunct
 };
 struct FailurePoint {
-  std::vector<Step> steps;         ///< the partial plan
-  std::vector<Term> open_tasks;    ///< from the top-level task down to the one that failed
+  std::vector<Step> steps;       ///< the partial plan
+  std::vector<Term> open_tasks;  ///< from the top-level task down to the one that failed
   std::vector<Attempt> attempts;
 };
 

@@ -25,7 +25,8 @@ struct Divergence {
 };
 
 struct RepairRequest {
-  /// With its tree and causal links (Options::trees): as the planner, or an earlier repair, made it.
+  /// With its tree and causal links (Options::trees): as the planner, or an earlier repair, made
+  /// it.
   const Plan* plan = nullptr;
   StepIndex executed = 0;  ///< steps of the plan that were executed; never undone
   /// In the order of time. Those of earlier repairs belong here too: without them the executed
@@ -34,7 +35,7 @@ struct RepairRequest {
 };
 
 struct RepairOptions {
-  Limits limits;           ///< of all searches together
+  Limits limits;             ///< of all searches together
   std::size_t compared = 3;  ///< plans: the one that keeps most steps is taken, then the first
 };
 
@@ -49,7 +50,8 @@ enum class RepairVerdict : std::uint8_t {
 /// A task that is not accomplished as the old plan meant to.
 struct Redone {
   Term task;
-  bool begun = false;  ///< some of its steps were executed; it is begun again from the present state
+  bool begun =
+      false;  ///< some of its steps were executed; it is begun again from the present state
   bool operator==(const Redone&) const = default;
 };
 

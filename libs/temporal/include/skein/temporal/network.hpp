@@ -9,8 +9,8 @@
 
 namespace skein::temporal {
 
-/// An instant or a distance in time [ns]. Finite values are within ±kLargest, so that the sum of any
-/// two fits; what goes beyond is the error `kOverflow`, never a wrap-around.
+/// An instant or a distance in time [ns]. Finite values are within ±kLargest, so that the sum of
+/// any two fits; what goes beyond is the error `kOverflow`, never a wrap-around.
 using Ticks = std::int64_t;
 inline constexpr Ticks kLargest = Ticks{1} << 60;
 inline constexpr Ticks kInfinite = std::numeric_limits<Ticks>::max();  ///< no upper bound
@@ -62,8 +62,8 @@ using AgentIndex = std::uint32_t;
 
 /// One change of an arc's bounds in the course of a scenario: both bounds at once.
 struct Step {
-  Ticks at = 0;            ///< when it is injected [ns]
-  std::uint32_t arc = 0;   ///< position in `Mastn::arcs`
+  Ticks at = 0;           ///< when it is injected [ns]
+  std::uint32_t arc = 0;  ///< position in `Mastn::arcs`
   Ticks min = kMinusInfinite;
   Ticks max = kInfinite;
   bool operator==(const Step&) const = default;
@@ -74,10 +74,10 @@ struct Step {
 /// is v0). Source: M 2.2, spec 5.3.
 struct Mastn {
   std::vector<std::string> agents;
-  std::vector<std::string> nodes;   ///< nodes[0] is "v0"
-  std::vector<AgentIndex> owner;    ///< of each node; owner[0] has no meaning
+  std::vector<std::string> nodes;  ///< nodes[0] is "v0"
+  std::vector<AgentIndex> owner;   ///< of each node; owner[0] has no meaning
   std::vector<Arc> arcs;
-  std::vector<Step> steps;          ///< in the order of `at`
+  std::vector<Step> steps;  ///< in the order of `at`
   bool operator==(const Mastn&) const = default;
 };
 
