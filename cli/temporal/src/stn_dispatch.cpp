@@ -82,6 +82,20 @@ void write_execution(const StnDispatchOptions& options, const Stnu& network,
   }
 }
 
+// A controllable network has no dispatchable form when a node must come before the origin, with
+// which an execution begins.
+int refuse_early_node(const StnDispatchOptions& options, const Stnu& network, std::ostream& out) {
+  if (options.common.json) {
+    out << R"({"controllable": true, "seed": )" << options.seed
+        << R"(, "complete": false, "violated": [], "events": []})" << '\n';
+    return kExitNegative;
+  }
+  const Paint paint(options.common.colour);
+  out << paint.bad("not executable") << ": a node must come before '"
+      << network.nodes[network.origin] << "', with which an execution begins\n";
+  return kExitNegative;
+}
+
 // Says what breaks a network that has no dispatchable form.
 int refuse(const StnDispatchOptions& options, const Stnu& network, std::ostream& out,
            std::ostream& err) {
@@ -90,6 +104,7 @@ int refuse(const StnDispatchOptions& options, const Stnu& network, std::ostream&
     err << input_name(options.common) << ": " << answer.error().why << '\n';
     return kExitBadInput;
   }
+  if (answer->controllable) return refuse_early_node(options, network, out);
   if (options.common.json) {
     out << R"({"controllable": false, "conflict": )" << conflict_json(network, answer->conflict)
         << "}\n";

@@ -269,6 +269,7 @@ GoalIndex ConditionCompiler::goal(Expression expression, ClauseScope& scope) {
   if (name == "setof") return collection(GoalKind::kSetOf, expression, scope);
   if (name == "bagof") return collection(GoalKind::kBagOf, expression, scope);
   if (name == "enforce") return enforcement(expression, scope);
+  if (compares_fluents(expression, name)) return fluent_comparison(expression, scope);
   return atom(expression, scope);
 }
 

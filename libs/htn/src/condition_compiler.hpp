@@ -2,6 +2,7 @@
 // From logical expressions as written to goals and conditions.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -48,6 +49,8 @@ class ConditionCompiler {
   /// Goals for `(type ?v)` of a typed list, `object` apart; the variables go to `variables`.
   std::vector<GoalIndex> type_goals(Expression typed_list, ClauseScope& scope,
                                     std::vector<Term>& variables);
+  /// A PDDL effect on a number: (increase (name …) term) and the like; empty if it is none.
+  std::optional<Effect> fluent_effect(Expression expression, ClauseScope& scope);
   ConditionIndex add_condition(std::vector<GoalIndex> goals, Expression where);
   CodeIndex code(Expression expression, ClauseScope& scope);
 
@@ -60,6 +63,12 @@ class ConditionCompiler {
   std::vector<GoalIndex> rest_goals(Expression list, std::size_t skip, ClauseScope& scope);
   GoalIndex goal(Expression expression, ClauseScope& scope);
   GoalIndex atom(Expression expression, ClauseScope& scope);
+  bool names_fluent(Expression expression) const;
+  bool compares_fluents(Expression expression, std::string_view name) const;
+  GoalIndex fluent_comparison(Expression expression, ClauseScope& scope);
+  Term fluent_value(Expression fluent, ClauseScope& scope, std::vector<GoalIndex>& goals);
+  std::string render(Expression expression, ClauseScope& scope, std::vector<GoalIndex>& goals);
+  CodeIndex made_code(std::string text, Expression where, ClauseScope& scope);
   GoalIndex connective(GoalKind kind, Expression expression, ClauseScope& scope);
   GoalIndex alternatives(Expression expression, ClauseScope& scope);
   GoalIndex implication(Expression expression, ClauseScope& scope);
@@ -79,6 +88,7 @@ class ConditionCompiler {
   Diagnostics& errors_;
   TermScratch scratch_;
   int nesting_ = 0;
+  int made_variables_ = 0;
 };
 
 /// The goal of an atom pattern with the positions where its values may be known.

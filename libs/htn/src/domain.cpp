@@ -19,6 +19,7 @@ class DomainCompiler {
 
   void compile() {
     if (definition_.pddl) add_equality();
+    domain_.fluents = definition_.functions;
     for (const AxiomDefinition& axiom : definition_.axioms) add_axiom(axiom);
     // SHOP3 has the axioms of types after those of the text, the last type first.
     for (auto type = definition_.types.rbegin(); type != definition_.types.rend(); ++type) {
@@ -115,6 +116,7 @@ class DomainCompiler {
     operation.head = domain_.store.list(head);
     operation.precondition =
         conditions_.typed_condition(definition.parameters, definition.precondition, scope);
+    operation.effect.kind = EffectKind::kGroup;  // an action without effects has an empty one
     if (definition.effect) operation.effect = action_effect(definition.effect, scope);
   }
 
@@ -187,6 +189,7 @@ class DomainCompiler {
     Effect effect;
     const std::string_view name = head_of(expression);
     const std::vector<Expression> all = parts(expression);
+    if (std::optional<Effect> change = conditions_.fluent_effect(expression, scope)) return *change;
     if (name == "and" || all.empty()) {
       effect.kind = EffectKind::kGroup;
       for (std::size_t at = 1; at < all.size(); ++at) {

@@ -118,7 +118,10 @@ void DomainReader::read_predicates(Expression item) {
     const Expression name = first(at);
     if (!name || !context_.is_name(name)) {
       context_.error(at, text_of(at) + " is no declaration", "(name ?variable - type …)");
-    } else if (next(name)) {
+      continue;
+    }
+    if (functions) domain_.functions.push_back((*name).atom);
+    if (next(name)) {
       take_types(read_typed_list(context_, at, TypedNames::kVariables, next(name)), used_types_);
     }
   }

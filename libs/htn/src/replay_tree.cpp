@@ -150,11 +150,12 @@ class TreeCheck {
       if (given.size() != 1) break;
       at = given[0];
     }
+    const bool leaf = node(at).kind == TreeNodeKind::kTask || node(at).kind == TreeNodeKind::kStep;
     if (outer->kind == TreeNodeKind::kTask) {
       if (idle(*outer)) return idle_[at];
-      return (node(at).kind == TreeNodeKind::kTask || node(at).kind == TreeNodeKind::kStep) &&
-             context_.bindings.unify(task_of(*outer, base), tasks_[at]);
+      return leaf && context_.bindings.unify(task_of(*outer, base), tasks_[at]);
     }
+    if (leaf) return wanted.empty() && idle_[at];
     if (wanted.size() != given.size()) return false;
     if (!wanted.empty() && outer->kind != node(at).kind) return false;
     for (std::size_t child = 0; child < wanted.size(); ++child) {

@@ -120,7 +120,9 @@ TEST_F(LispScoping, ChangingTheVariableOfALoopDoesNotChangeItsCount) {
 }
 
 TEST_F(LispScoping, ReturnLeavesTheInnermostLoopAndReturnFromTheNamedBlock) {
-  define("(defun first-big (ll) (dolist (l ll) (dolist (x l) (if (> x 9) (return-from first-big x)))))");
+  define(
+      "(defun first-big (ll) (dolist (l ll) (dolist (x l) (if (> x 9) (return-from first-big "
+      "x)))))");
 
   expect({{"(let ((n 0)) (dolist (x '(1 2)) (dolist (y '(1 2)) (incf n) (return))) n)", "2"},
           {"(first-big '((1 2) (3 40) (50)))", "40"},
@@ -136,17 +138,18 @@ TEST_F(LispScoping, ALambdaCannotLeaveTheBlockAroundIt) {
 }
 
 TEST_F(LispScoping, ConditionalsTakeTheirValuesFromTheTakenBranch) {
-  expect({{"(if nil 1 2 3)", "load: test.lisp:1:1: 'if' with 4 arguments; expected 2 to 3 arguments"},
-          {"(cond ((member 'b '(a b c))) (t 'no))", "(b c)"},
-          {"(cond (nil 1))", "nil"},
-          {"(cond (1 nil) (t 2))", "nil"},
-          {"(when 1)", "nil"},
-          {"(unless nil)", "nil"},
-          {"(case 1.0 (1 'integer) (1.0 'float))", "float"},
-          {"(case 'z ((a b) 1))", "nil"},
-          {"(case '(a) ((a) 1) (t 2))", "2"},
-          {"(or nil nil)", "nil"},
-          {"(and 1 nil 2)", "nil"}});
+  expect(
+      {{"(if nil 1 2 3)", "load: test.lisp:1:1: 'if' with 4 arguments; expected 2 to 3 arguments"},
+       {"(cond ((member 'b '(a b c))) (t 'no))", "(b c)"},
+       {"(cond (nil 1))", "nil"},
+       {"(cond (1 nil) (t 2))", "nil"},
+       {"(when 1)", "nil"},
+       {"(unless nil)", "nil"},
+       {"(case 1.0 (1 'integer) (1.0 'float))", "float"},
+       {"(case 'z ((a b) 1))", "nil"},
+       {"(case '(a) ((a) 1) (t 2))", "2"},
+       {"(or nil nil)", "nil"},
+       {"(and 1 nil 2)", "nil"}});
 }
 
 TEST_F(LispScoping, AssignmentsGiveTheirLastValue) {

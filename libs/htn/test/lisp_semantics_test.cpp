@@ -163,8 +163,7 @@ TEST_F(LispSemantics, CountsOfTailsMayBeZeroOrBeyondTheEnd) {
           {"(butlast '(a b) 0)", "(a b)"},
           {"(butlast '(a b) 2)", "nil"},
           {"(butlast '(a b) 9)", "nil"},
-          {"(last '(a b) -1)",
-           "error: 'last': argument 2 is -1, expected no negative integer"}});
+          {"(last '(a b) -1)", "error: 'last': argument 2 is -1, expected no negative integer"}});
 }
 
 TEST_F(LispSemantics, AppendSharesItsLastArgumentWhateverItIs) {
@@ -225,8 +224,7 @@ TEST_F(LispSemantics, AKeyOfNilIsNone) {
 TEST_F(LispSemantics, OptionsOfOtherFunctionsAreRefused) {
   expect({{"(find-if #'evenp '(1) :test #'eql)",
            "error: 'find-if': unknown option :test, expected :key, :from-end"},
-          {"(sort '(2 1) #'< :test #'eql)",
-           "error: 'sort': unknown option :test, expected :key"},
+          {"(sort '(2 1) #'< :test #'eql)", "error: 'sort': unknown option :test, expected :key"},
           {"(reduce #'+ '(1) :key)", "error: 'reduce': option :key without value"},
           {"(assoc 'a '((a 1)) :from-end t)",
            "error: 'assoc': unknown option :from-end, expected :test, :test-not, :key"},
@@ -271,7 +269,8 @@ TEST_F(LispSemantics, RowsEndWithTheShortestList) {
           {"(every #'< '(1 2) '(2))", "t"},
           {"(some #'> '(1 2) '(2 1))", "t"},
           {"(mapcan #'identity '((a) nil (b c)))", "(a b c)"},
-          {"(mapcar #'car '(a))", "error: 'mapcar': 'car': argument 1 is the symbol a, expected a list"}});
+          {"(mapcar #'car '(a))",
+           "error: 'mapcar': 'car': argument 1 is the symbol a, expected a list"}});
 }
 
 TEST_F(LispSemantics, EveryAndSomeStopAtTheFirstThatDecides) {
@@ -306,11 +305,11 @@ TEST_F(LispSemantics, ApplyTakesItsLastArgumentApart) {
 }
 
 TEST_F(LispSemantics, SortingKeepsDuplicatesAndTheGivenList) {
-  expect({{"(sort '(2 1 2 1) #'<)", "(1 1 2 2)"},
-          {"(let ((l '(2 1))) (list (sort l #'<) l))", "((1 2) (2 1))"},
-          {"(sort '((1 . b) (0 . a)) #'< :key #'car)", "((0 . a) (1 . b))"},
-          {"(sort '(1 a) #'<)",
-           "error: 'sort': '<': argument 1 is the symbol a, expected a number"}});
+  expect(
+      {{"(sort '(2 1 2 1) #'<)", "(1 1 2 2)"},
+       {"(let ((l '(2 1))) (list (sort l #'<) l))", "((1 2) (2 1))"},
+       {"(sort '((1 . b) (0 . a)) #'< :key #'car)", "((0 . a) (1 . b))"},
+       {"(sort '(1 a) #'<)", "error: 'sort': '<': argument 1 is the symbol a, expected a number"}});
 }
 
 // Texts

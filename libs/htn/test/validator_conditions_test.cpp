@@ -220,8 +220,8 @@ TEST(ValidatorLimits, AnEndlessProofIsAFaultNotAHang) {
 }
 
 TEST(ValidatorLimits, NegationsInsideEachOtherWithoutEndAreAFault) {
-  ValidatorFixture fixture(
-      "(:operator (!do ?x) ((odd ?x)) () ()) (:- (odd ?x) ((not (odd ?x))))", kFacts);
+  ValidatorFixture fixture("(:operator (!do ?x) ((odd ?x)) () ()) (:- (odd ?x) ((not (odd ?x))))",
+                           kFacts);
 
   const Validation result = fixture.validate("(!do a)");
 

@@ -71,8 +71,9 @@ TEST(ValidatorEffects, AVariableMayHoldOneAtomAmongOthers) {
 TEST(ValidatorEffects, AVariableInPlaceOfTheListHoldsTheList) {
   Effects effects("(:operator (!change ?out ?in) () ?out ?in)");
 
-  EXPECT_TRUE(effects.valid("(!change ((open) (in a box)) ((p)))"
-                            " (!is-not (open)) (!is-not (in a box)) (!is (p)) (!is (in b box))"));
+  EXPECT_TRUE(
+      effects.valid("(!change ((open) (in a box)) ((p)))"
+                    " (!is-not (open)) (!is-not (in a box)) (!is (p)) (!is (in b box))"));
   EXPECT_TRUE(effects.valid("(!change nil nil) (!is (open))"));
 }
 
@@ -114,7 +115,8 @@ constexpr const char* kLift =
     " :effect (and (not (in ?x ?b)) (held ?x) (when (wet ?x) (slippery))"
     "  (forall (?y - box) (when (in ?x ?y) (seen ?y)))) :cost 2)";
 constexpr const char* kLiftFacts =
-    "(nil-fact) (ball a) (ball b) (box red) (box blue) (in a red) (in b blue) (wet b) (in red blue)";
+    "(nil-fact) (ball a) (ball b) (box red) (box blue) (in a red) (in b blue) (wet b) (in red "
+    "blue)";
 
 TEST(ValidatorActions, HaveTheirNameWithAnExclamationMark) {
   Effects lift(kLift, kLiftFacts);
@@ -171,7 +173,7 @@ TEST(ValidatorActions, TakeEachBindingOfAForallWithItsType) {
 
 TEST(ValidatorActions, UnderstandQuantifiersEqualityAndDerivedPredicates) {
   Effects stack(
-      "(:types ball box) (:derived (empty ?b - box) (not (exists (?x - ball) (in ?x ?b))))"
+      "(:types ball box) (:derived (empty ?b) (not (exists (?x - ball) (in ?x ?b))))"
       "(:action stack :parameters (?b - box ?c - box)"
       " :precondition (and (not (= ?b ?c)) (forall (?x - ball) (not (in ?x ?b))) (empty ?b))"
       " :effect (on ?b ?c))",
@@ -208,8 +210,8 @@ TEST(ValidatorFaults, EachKindComesWithItsStepAndLine) {
        "cannot be evaluated: '>': argument 1 is the symbol b, expected a number"}};
 
   for (const Case& one : cases) {
-    const Validation result =
-        effects.validate("; comment\n(!hold a)\n(!go a) 2\n\n" + std::string(one.step) + "\n(!go b)");
+    const Validation result = effects.validate("; comment\n(!hold a)\n(!go a) 2\n\n" +
+                                               std::string(one.step) + "\n(!go b)");
 
     ASSERT_TRUE(result.fault) << one.step;
     EXPECT_EQ(result.fault->kind, one.kind) << one.step;
@@ -233,9 +235,11 @@ TEST(ValidatorFaults, TheTotalCostIsCompared) {
 TEST(ValidatorFaults, CostsOfStepsAreComparedWhereTheyAreGiven) {
   Effects effects("(:operator (!go ?x) ((ball ?x)) () () (if (eq '?x 'a) 1/3 2))");
 
-  EXPECT_TRUE(effects.valid(R"({"plans":[{"steps":[["!go","a"],["!go","b"]],"costs":["1/3",2]}]})"));
+  EXPECT_TRUE(
+      effects.valid(R"({"plans":[{"steps":[["!go","a"],["!go","b"]],"costs":["1/3",2]}]})"));
   EXPECT_TRUE(effects.valid(R"({"plans":[{"steps":[["!go","a"],["!go","b"]],"costs":["1/3"]}]})"));
-  EXPECT_FALSE(effects.valid(R"({"plans":[{"steps":[["!go","a"],["!go","b"]],"costs":[2,"1/3"]}]})"));
+  EXPECT_FALSE(
+      effects.valid(R"({"plans":[{"steps":[["!go","a"],["!go","b"]],"costs":[2,"1/3"]}]})"));
 }
 
 TEST(ValidatorFaults, OperatorsWithoutCostCostOne) {

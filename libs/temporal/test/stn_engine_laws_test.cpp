@@ -12,24 +12,30 @@
 namespace skein::temporal {
 namespace {
 
+/// Of full size from the first example on, so that conflicts are as frequent as in the last.
+template <class T>
+T between(T low, T end) {
+  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<T>(low, end));
+}
+
 /// Bounds small enough for conflicts to be frequent; no two arcs alike.
 Stn any_network() {
   Stn stn;
-  const auto nodes = *rc::gen::inRange<NodeIndex>(2, 7);
+  const auto nodes = between<NodeIndex>(2, 7);
   for (NodeIndex node = 0; node < nodes; ++node) stn.nodes.push_back(std::to_string(node));
-  stn.origin = *rc::gen::inRange<NodeIndex>(0, nodes);
-  const int arcs = *rc::gen::inRange(1, 14);
+  stn.origin = between<NodeIndex>(0, nodes);
+  const int arcs = between(1, 14);
   for (int i = 0; i < arcs; ++i) {
-    const NodeIndex from = *rc::gen::inRange<NodeIndex>(0, nodes);
-    const NodeIndex to = (from + *rc::gen::inRange<NodeIndex>(1, nodes)) % nodes;
+    const NodeIndex from = between<NodeIndex>(0, nodes);
+    const NodeIndex to = (from + between<NodeIndex>(1, nodes)) % nodes;
     const bool taken = std::any_of(stn.arcs.begin(), stn.arcs.end(), [&](const Arc& arc) {
       return arc.from == from && arc.to == to;
     });
     if (taken) continue;
-    const Ticks min = *rc::gen::inRange<Ticks>(-9, 10);
-    const int open = *rc::gen::inRange(0, 6);
+    const Ticks min = between<Ticks>(-9, 10);
+    const int open = between(0, 6);
     stn.arcs.push_back({from, to, open == 1 ? kMinusInfinite : min,
-                        open == 2 ? kInfinite : min + *rc::gen::inRange<Ticks>(0, 7)});
+                        open == 2 ? kInfinite : min + between<Ticks>(0, 7)});
   }
   return stn;
 }
@@ -121,7 +127,7 @@ RC_GTEST_PROP(StnEngineLaws, TheOrderInWhichArcsComeDoesNotMatter, ()) {
   std::vector<std::size_t> order(stn.arcs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t i = order.size(); i > 1; --i) {
-    std::swap(order[i - 1], order[*rc::gen::inRange<std::size_t>(0, i)]);
+    std::swap(order[i - 1], order[between<std::size_t>(0, i)]);
   }
 
   StnEngine grown = StnEngine::make({stn.nodes, stn.origin, {}}).value();
@@ -136,12 +142,12 @@ RC_GTEST_PROP(StnEngineLaws, AContractionNeverWidensAWindowNorMendsAConflict, ()
   StnEngine engine = StnEngine::make(stn).value();
   const bool consistent = engine.consistent();
   const auto before = windows(engine);
-  const auto arc = *rc::gen::inRange<ArcId>(0, static_cast<ArcId>(stn.arcs.size()));
+  const auto arc = between<ArcId>(0, static_cast<ArcId>(stn.arcs.size()));
   const Ticks low = std::max<Ticks>(stn.arcs[arc].min, -20);
   const Ticks high = std::min<Ticks>(stn.arcs[arc].max, 20);
-  const Ticks min = *rc::gen::inRange<Ticks>(low, high + 1);
+  const Ticks min = between<Ticks>(low, high + 1);
 
-  RC_ASSERT(!engine.set_arc({arc, min, *rc::gen::inRange<Ticks>(min, high + 1)}));
+  RC_ASSERT(!engine.set_arc({arc, min, between<Ticks>(min, high + 1)}));
 
   RC_ASSERT(consistent || !engine.consistent());
   if (!engine.consistent()) return;
@@ -157,12 +163,12 @@ RC_GTEST_PROP(StnEngineLaws, ABoundPutBackGivesTheDatesBack, ()) {
   StnEngine engine = StnEngine::make(stn).value();
   const bool consistent = engine.consistent();
   const auto before = windows(engine);
-  const int changes = *rc::gen::inRange(1, 6);
+  const int changes = between(1, 6);
 
   for (int i = 0; i < changes; ++i) {
-    const auto arc = *rc::gen::inRange<ArcId>(0, static_cast<ArcId>(stn.arcs.size()));
-    const Ticks min = *rc::gen::inRange<Ticks>(-15, 15);
-    RC_ASSERT(!engine.set_arc({arc, min, min + *rc::gen::inRange<Ticks>(0, 5)}));
+    const auto arc = between<ArcId>(0, static_cast<ArcId>(stn.arcs.size()));
+    const Ticks min = between<Ticks>(-15, 15);
+    RC_ASSERT(!engine.set_arc({arc, min, min + between<Ticks>(0, 5)}));
   }
   for (ArcId arc = 0; arc < stn.arcs.size(); ++arc) {
     RC_ASSERT(!engine.set_arc({arc, stn.arcs[arc].min, stn.arcs[arc].max}));
@@ -176,10 +182,10 @@ RC_GTEST_PROP(StnEngineLaws, ChangesAreExactlyTheDifferencesOfTheDates, ()) {
   const Stn stn = any_network();
   StnEngine engine = StnEngine::make(stn).value();
   const auto before = windows(engine);
-  const auto arc = *rc::gen::inRange<ArcId>(0, static_cast<ArcId>(stn.arcs.size()));
-  const Ticks min = *rc::gen::inRange<Ticks>(-15, 15);
+  const auto arc = between<ArcId>(0, static_cast<ArcId>(stn.arcs.size()));
+  const Ticks min = between<Ticks>(-15, 15);
 
-  RC_ASSERT(!engine.set_arc({arc, min, min + *rc::gen::inRange<Ticks>(0, 9)}));
+  RC_ASSERT(!engine.set_arc({arc, min, min + between<Ticks>(0, 9)}));
 
   std::map<std::pair<NodeIndex, Bound>, Ticks> told, seen;
   for (const BoundChange& change : engine.changes()) {

@@ -79,6 +79,7 @@ struct DomainDefinition {
   std::vector<AxiomDefinition> axioms;  ///< in the order of the text
   std::vector<TypeDefinition> types;
   std::vector<Term> static_predicates;
+  std::vector<Term> functions;  ///< of PDDL :functions: what has a number as its value
 };
 
 struct ProblemDefinition {
