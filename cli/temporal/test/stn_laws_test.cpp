@@ -260,7 +260,8 @@ TEST(StnBadInput, DatesThatOverflowAreAnErrorAndNoCrash) {
                             "]}";
 
   for (const Outcome& outcome : {run(check_stn, StnCheckOptions{}, input),
-                                 run(check_stn_controllability, StnOptions{}, input)}) {
+                                 run(check_stn_controllability, StnOptions{}, input),
+                                 run(dispatch_stn, StnDispatchOptions{}, input)}) {
     EXPECT_EQ(outcome.code, kExitBadInput);
     EXPECT_THAT(outcome.out, IsEmpty());
     EXPECT_THAT(outcome.err, StartsWith("standard input: "));

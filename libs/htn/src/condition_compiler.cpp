@@ -374,7 +374,9 @@ std::vector<GoalIndex> ConditionCompiler::type_goals(Expression typed_list, Clau
   for (const Expression part : parts(typed_list)) {
     const Term atom = (*part).atom;
     if (type_follows) {
+      const bool checked = !(*part).list && atom != store.symbol("object");
       for (const Term variable : waiting) {
+        if (!checked) break;
         const std::array<Term, 2> typed{atom, Term(TermKind::kSlot, scope.slot(variable))};
         goals.push_back(add(atom_goal(store, store.list(typed), part)));
       }
@@ -382,7 +384,7 @@ std::vector<GoalIndex> ConditionCompiler::type_goals(Expression typed_list, Clau
       type_follows = false;
     } else if (symbol_name(store, part) == "-") {
       type_follows = true;
-    } else {
+    } else if (is_variable(store, atom)) {
       waiting.push_back(atom);
       variables.push_back(atom);
     }

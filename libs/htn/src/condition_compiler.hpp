@@ -46,7 +46,8 @@ class ConditionCompiler {
   ConditionIndex typed_condition(Expression typed_list, Expression expression, ClauseScope& scope);
   /// The goals of an axiom's tail.
   AxiomTail tail(const BranchDefinition& definition, ClauseScope& scope);
-  /// Goals for `(type ?v)` of a typed list, `object` apart; the variables go to `variables`.
+  /// Goals for `(type ?v)` of a typed list, `object` and (either …) apart; the variables go to
+  /// `variables`. What is no variable, as the name of a head, is passed over.
   std::vector<GoalIndex> type_goals(Expression typed_list, ClauseScope& scope,
                                     std::vector<Term>& variables);
   /// A PDDL effect on a number: (increase (name …) term) and the like; empty if it is none.

@@ -67,13 +67,27 @@ class DomainCompiler {
   void add_axiom(const AxiomDefinition& definition) {
     Axiom axiom;
     ClauseScope scope(domain_.store);
-    axiom.head = conditions_.pattern(definition.head, scope);
+    std::vector<GoalIndex> types;
+    axiom.head = definition.derived ? typed_head(definition.head, scope, types)
+                                    : conditions_.pattern(definition.head, scope);
     for (const BranchDefinition& tail : definition.tails) {
       axiom.tails.push_back(conditions_.tail(tail, scope));
     }
     if (axiom.tails.empty()) axiom.tails.emplace_back();
+    for (AxiomTail& tail : axiom.tails) {
+      tail.goals.insert(tail.goals.begin(), types.begin(), types.end());
+    }
     scope.finish(axiom);
     domain_.axioms[domain_.store.car(axiom.head)].push_back(std::move(axiom));
+  }
+
+  // (:derived (name ?variable - type …) …): the types become goals before those of the body.
+  Term typed_head(Expression head, ClauseScope& scope, std::vector<GoalIndex>& types) {
+    std::vector<Term> variables;
+    types = conditions_.type_goals(head, scope, variables);
+    std::vector<Term> items{(*first(head)).atom};
+    for (const Term variable : variables) items.push_back(slot(scope.slot(variable)));
+    return domain_.store.list(items);
   }
 
   // The step of an empty reduction: it does nothing, costs nothing and is left out of plans.

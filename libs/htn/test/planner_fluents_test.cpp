@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PDDL's numbers: functions in conditions and effects.
+// PDDL's numbers: functions in conditions and effects; and derived predicates with types.
 #include <gtest/gtest.h>
 
 #include "planner_case.hpp"
@@ -46,6 +46,17 @@ TEST(Fluents, WithoutAValueSatisfyNothingAndStayWithoutOne) {
 
   EXPECT_EQ(unknown.first(), "no plan");
   EXPECT_EQ(cost.first(), "(!charge r) (!charge r)");
+}
+
+TEST(DerivedPredicates, HoldForArgumentsOfTheirTypes) {
+  const char* const items =
+      "(:types box) (:derived (empty ?b - box) (light ?b))"
+      "(:action go :parameters (?b - box) :precondition (empty ?b) :effect (done ?b))";
+  Case box(items, "(box r) (light r)", "((!go r))");
+  Case no_box(items, "(light r)", "((!go r))");
+
+  EXPECT_EQ(box.first(), "(!go r)");
+  EXPECT_EQ(no_box.first(), "no plan");
 }
 
 }  // namespace

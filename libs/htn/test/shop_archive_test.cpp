@@ -109,8 +109,8 @@ void load(const std::string& plans, Loaded& loaded) {
     return failure("no includes here");
   };
   for (const fs::path& file : files_of(plans)) {
-    read_definitions({file.string(), read_file(file)}, loaded.store, none, loaded.definitions, errors,
-                     warnings);
+    read_definitions({file.string(), read_file(file)}, loaded.store, none, loaded.definitions,
+                     errors, warnings);
   }
 }
 

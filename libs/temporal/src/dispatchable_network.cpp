@@ -8,6 +8,7 @@
 
 #include "back_propagation.hpp"
 #include "implied_edges.hpp"
+#include "skein/temporal/stnu_controllability.hpp"
 
 namespace skein::temporal {
 
@@ -123,6 +124,9 @@ Result<DispatchableNetwork, StnuError> make_dispatchable(const Stnu& network) {
     }
   }
   const Stnu started = after_origin(network);
+  // Back-propagation saturates; whether all distances fit is for the check to say.
+  const auto checked = check_dynamic_controllability(started);
+  if (!checked) return tl::unexpected(checked.error());
   BackPropagation propagation(started, true);
   if (!propagation.run())
     return tl::unexpected<StnuError>({StnuFault::kNotControllable, std::nullopt});

@@ -65,6 +65,19 @@ Answers answers_of(const Dispatcher& dispatcher, NodeIndex nodes) {
   return all;
 }
 
+TEST(DispatchableForm, OfDistancesThatDoNotFitIsANamedError) {
+  // Each arc fits, and two of them; the third takes the date beyond.
+  Stnu network = StnuBuilder("z a b c").build();
+  network.arcs = {{0, 1, kLargest, kInfinite}, {1, 2, kLargest, kInfinite}};
+  EXPECT_TRUE(make_dispatchable(network).has_value());
+
+  network.arcs.push_back({2, 3, kLargest, kInfinite});
+  const auto form = make_dispatchable(network);
+
+  ASSERT_FALSE(form.has_value());
+  EXPECT_EQ(form.error().fault, StnuFault::kOverflow);
+}
+
 TEST(DispatcherWindow, OfOneInstantIsOfferedThenAndOnlyThen) {
   const StnuBuilder appointment = StnuBuilder("z a").arc("z", "a", 5, 5);
   Dispatcher in_time = dispatcher_of(appointment);

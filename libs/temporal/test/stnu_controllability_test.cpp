@@ -113,8 +113,9 @@ TEST(Controllability, AnInconsistentNetworkNamesItsNegativeCycle) {
   EXPECT_FALSE(result.consistent);
   const std::set<ConflictTerm> named(result.conflict.begin(), result.conflict.end());
   const auto arc = [](std::uint32_t index) { return LinkRef{LinkKind::kRequirement, index}; };
-  EXPECT_EQ(named, (std::set<ConflictTerm>{
-                       {arc(0), LinkBound::kMin}, {arc(1), LinkBound::kMin}, {arc(2), LinkBound::kMax}}));
+  EXPECT_EQ(named,
+            (std::set<ConflictTerm>{
+                {arc(0), LinkBound::kMin}, {arc(1), LinkBound::kMin}, {arc(2), LinkBound::kMax}}));
 }
 
 TEST(Controllability, AZeroCycleIsNoConflict) {
