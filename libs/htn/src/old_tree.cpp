@@ -98,14 +98,14 @@ void OldTree::mark_passed() {
   }
 }
 
-void OldTree::settle(const Holds& holds, bool cautious) {
+void OldTree::settle(const Gone& gone, bool cautious) {
   phases_.assign(plan_.tree.size(), Phase::kDone);
   for (const TreeIndex at : top_down_) {
     const TreeNode& node = plan_.tree[at];
     const bool topmost =
         node.kind == TreeNodeKind::kTask && idle(at) && phases_[at] == Phase::kDone;
     if (!topmost || passed_[at]) continue;
-    const bool again = !reached_[at] || cautious || lost_below(at, holds);
+    const bool again = !reached_[at] || cautious || lost_below(at, gone);
     if (again) settle_idle(at, Phase::kAhead);
   }
   for (auto at = top_down_.rbegin(); at != top_down_.rend(); ++at) {
@@ -139,30 +139,30 @@ std::vector<TreeIndex> OldTree::below(TreeIndex node) const {
 }
 
 // What a step still ahead produces will be there again.
-bool OldTree::lost(const CausalLink& link, const Holds& holds) const {
+bool OldTree::lost(const CausalLink& link, const Gone& gone) const {
   const bool past = link.step == kInitialState || link.step == kOutside || link.step < executed_;
-  return past && !holds(link.fact);
+  return past && gone(link.fact);
 }
 
-std::optional<Term> OldTree::lost_at(TreeIndex node, const Holds& holds) const {
+std::optional<Term> OldTree::lost_at(TreeIndex node, const Gone& gone) const {
   for (const CausalLink& link : plan_.tree[node].support) {
-    if (lost(link, holds)) return link.fact;
+    if (lost(link, gone)) return link.fact;
   }
   return std::nullopt;
 }
 
 std::optional<std::pair<TreeIndex, Term>> OldTree::lost_below(TreeIndex node,
-                                                              const Holds& holds) const {
+                                                              const Gone& gone) const {
   for (const TreeIndex at : below(node)) {
-    if (const std::optional<Term> fact = lost_at(at, holds)) return std::pair{at, *fact};
+    if (const std::optional<Term> fact = lost_at(at, gone)) return std::pair{at, *fact};
   }
   return std::nullopt;
 }
 
-std::optional<std::pair<TreeIndex, Term>> OldTree::first_clobbered(const Holds& holds) const {
+std::optional<std::pair<TreeIndex, Term>> OldTree::first_clobbered(const Gone& gone) const {
   for (const TreeIndex at : top_down_) {
     if (!idle(at) || !reached_[at] || passed_[at]) continue;
-    if (const std::optional<Term> fact = lost_at(at, holds)) return std::pair{at, *fact};
+    if (const std::optional<Term> fact = lost_at(at, gone)) return std::pair{at, *fact};
   }
   for (StepIndex step = executed_; step < leaves_.size(); ++step) {
     std::vector<TreeIndex> chain{leaves_[step]};
@@ -171,7 +171,7 @@ std::optional<std::pair<TreeIndex, Term>> OldTree::first_clobbered(const Holds& 
       chain.push_back(up);
     }
     for (auto at = chain.rbegin(); at != chain.rend(); ++at) {
-      if (const std::optional<Term> fact = lost_at(*at, holds)) return std::pair{*at, *fact};
+      if (const std::optional<Term> fact = lost_at(*at, gone)) return std::pair{*at, *fact};
     }
   }
   return std::nullopt;

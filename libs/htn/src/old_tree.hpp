@@ -20,8 +20,8 @@ struct RemainingTasks {
 
 class OldTree {
  public:
-  /// Whether a fact (or (not fact)) holds now.
-  using Holds = std::function<bool(Term)>;
+  /// Whether a fact (or (not fact)) was taken away by the last divergence.
+  using Gone = std::function<bool(Term)>;
 
   OldTree(const Plan& plan, StepIndex executed, TermStore& store);
   /// What makes the plan no plan with a tree, if anything; nothing else may be called then.
@@ -29,14 +29,14 @@ class OldTree {
 
   /// Says what is done. A task without steps that nothing executed comes after may have to be
   /// looked at again: all of them are taken as ahead, or only those that lost what they rest on.
-  void settle(const Holds& holds, bool cautious);
+  void settle(const Gone& gone, bool cautious);
 
   bool done(TreeIndex node) const { return phases_[node] == Phase::kDone; }
   bool ahead(TreeIndex node) const { return phases_[node] == Phase::kAhead; }
   bool in_progress(TreeIndex node) const { return phases_[node] == Phase::kInProgress; }
 
   /// The first node, in the order of execution, that needs a fact which is lost.
-  std::optional<std::pair<TreeIndex, Term>> first_clobbered(const Holds& holds) const;
+  std::optional<std::pair<TreeIndex, Term>> first_clobbered(const Gone& gone) const;
   /// The node of a step.
   TreeIndex leaf_of(StepIndex step) const { return leaves_[step]; }
   /// Tasks in progress above a node, the nearest first.
@@ -57,9 +57,9 @@ class OldTree {
   bool idle(TreeIndex node) const { return first_[node] == kNoStep; }
   bool begun(TreeIndex node) const { return !idle(node) && first_[node] < executed_; }
   Phase phase_of(TreeIndex node) const;
-  bool lost(const CausalLink& link, const Holds& holds) const;
-  std::optional<Term> lost_at(TreeIndex node, const Holds& holds) const;
-  std::optional<std::pair<TreeIndex, Term>> lost_below(TreeIndex node, const Holds& holds) const;
+  bool lost(const CausalLink& link, const Gone& gone) const;
+  std::optional<Term> lost_at(TreeIndex node, const Gone& gone) const;
+  std::optional<std::pair<TreeIndex, Term>> lost_below(TreeIndex node, const Gone& gone) const;
   std::vector<TreeIndex> below(TreeIndex node) const;
   void mark_reached();
   void mark_passed();

@@ -26,6 +26,7 @@ class Repairing {
     if (std::string wrong = wrong_request(); !wrong.empty()) return error(std::move(wrong));
     OldTree cautious(*request_.plan, request_.executed, store_);
     if (!cautious.fault().empty()) return error(cautious.fault());
+    if (host_.cpu_seconds) began_ = host_.cpu_seconds();
     now_ = problem_;
     const std::vector<Event> past = events(request_.executed);
     now_.past.insert(now_.past.end(), past.begin(), past.end());
@@ -34,26 +35,37 @@ class Repairing {
     const std::size_t relived = present.relive(budget);
     if (budget.stopped() && !budget.error()) return stopped(RepairVerdict::kLimit, budget.why());
     if (relived < now_.past.size()) return error(not_executed(relived, budget));
-
-    const auto holds = [&](Term fact) { return this->holds(present.facts(), fact); };
-    OldTree lenient = cautious;
-    cautious.settle(holds, true);
-    lenient.settle(holds, false);
-    const auto clobbered = cautious.first_clobbered(holds);
-    const StepIndex doubtful = first_impossible();
-    const bool applies = !clobbered && doubtful == request_.plan->steps.size();
-    if (nothing_changed(present.facts())) return unchanged();
-    list_attempts(cautious, lenient,
-                  clobbered ? clobbered->first : node_in_doubt(cautious, doubtful));
-    Repair repair =
-        RepairSearches(domain_, now_, request_, options_, host_).run(attempts_, applies);
-    if (clobbered) {
-      repair.clobbered = {clobbered->second, request_.plan->tree[clobbered->first].task};
-    }
-    return repair;
+    const Problem earlier = before();
+    Search unharmed(domain_, earlier, plain_, silent_);
+    unharmed.relive(budget);
+    if (same_facts(unharmed.facts(), present.facts())) return unchanged();
+    return repair(std::move(cautious), earlier, [&](Term fact) {
+      return holds(unharmed.facts(), fact) && !holds(present.facts(), fact);
+    });
   }
 
  private:
+  Repair repair(OldTree cautious, const Problem& earlier, const OldTree::Gone& gone) {
+    OldTree lenient = cautious;
+    cautious.settle(gone, true);
+    lenient.settle(gone, false);
+    const auto clobbered = cautious.first_clobbered(gone);
+    const StepIndex doubtful = first_impossible();
+    const bool applies = !clobbered && doubtful == request_.plan->steps.size();
+    list_attempts(cautious, lenient,
+                  clobbered ? clobbered->first : node_in_doubt(cautious, doubtful));
+    Repair made = RepairSearches(domain_, now_, request_, options_, host_).run(attempts_, applies);
+    const bool stands = made.verdict == RepairVerdict::kStands;
+    if (applies && !stands && made.verdict != RepairVerdict::kLimit &&
+        !shows_the_change(cautious, earlier, made.statistics)) {
+      return unchanged();
+    }
+    if (clobbered) {
+      made.clobbered = {clobbered->second, request_.plan->tree[clobbered->first].task};
+    }
+    return made;
+  }
+
   static Repair stopped(RepairVerdict verdict, std::string why) {
     Repair repair;
     repair.verdict = verdict;
@@ -126,19 +138,34 @@ class Repairing {
     return request_.executed + static_cast<StepIndex>(applied);
   }
 
-  // Whether the last divergence left the state as it was.
-  bool nothing_changed(const FactBase& present) const {
+  // The problem as it was when the last step had been executed.
+  Problem before() const {
     Problem before = now_;
     while (!before.past.empty() && before.past.back().kind != Event::Kind::kStep) {
       before.past.pop_back();
     }
-    Budget budget(options_.limits, host_, [] { return std::size_t{0}; });
-    Search search(domain_, before, plain_, silent_);
-    if (search.relive(budget) < before.past.size()) return false;
-    const std::vector<Term> facts = present.atoms();
-    return facts.size() == search.facts().atoms().size() &&
-           std::all_of(facts.begin(), facts.end(),
-                       [&](Term fact) { return search.facts().holds(fact); });
+    return before;
+  }
+
+  static bool same_facts(const FactBase& left, const FactBase& right) {
+    const std::vector<Term> facts = left.atoms();
+    return facts.size() == right.atoms().size() &&
+           std::all_of(facts.begin(), facts.end(), [&](Term fact) { return right.holds(fact); });
+  }
+
+  // That the remaining tasks do not come out the same speaks against the plan only if they did
+  // before the change: the preferences cannot bring every search back to its plan.
+  bool shows_the_change(const OldTree& tree, const Problem& earlier, const Statistics& used) const {
+    RepairOptions left = options_;
+    Limits& limits = left.limits;
+    if (limits.expansions) *limits.expansions -= std::min(*limits.expansions, used.expansions);
+    if (limits.inferences) *limits.inferences -= std::min(*limits.inferences, used.inferences);
+    if (limits.seconds && host_.cpu_seconds) {
+      limits.seconds = std::max(0.0, *limits.seconds - (host_.cpu_seconds() - began_));
+    }
+    const std::vector<RepairAttempt> same{{&tree, {}, false}};
+    const Repair made = RepairSearches(domain_, earlier, request_, left, host_).run(same, true);
+    return made.verdict == RepairVerdict::kStands;
   }
 
   Repair unchanged() const {
@@ -177,6 +204,7 @@ class Repairing {
   TermStore& store_;
   const Options plain_;
   const Host silent_;
+  double began_ = 0;
   Problem now_;  // with what has happened
   std::vector<RepairAttempt> attempts_;
 };

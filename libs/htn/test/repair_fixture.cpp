@@ -177,16 +177,16 @@ const Repair& RepairFixture::repair(StepIndex executed, const RepairOptions& opt
   return repair_;
 }
 
-std::string RepairFixture::fault() const {
+std::string RepairFixture::fault(bool with_tree) const {
   for (StepIndex step = 0; step < executed_; ++step) {
     const Step& now = repair_.plan.steps.at(step);
     if (now != plan_.steps[step]) return "executed step " + text(now.action) + " was changed";
   }
-  return fault_of(repair_.plan, divergences_);
+  return fault_of(repair_.plan, divergences_, with_tree);
 }
 
-std::string RepairFixture::fault_of(const Plan& plan,
-                                    const std::vector<Divergence>& divergences) const {
+std::string RepairFixture::fault_of(const Plan& plan, const std::vector<Divergence>& divergences,
+                                    bool with_tree) const {
   const Injected injected(plan, divergences, store_);
   std::string changed = text_;
   const std::string head = "(defdomain d (";
@@ -200,7 +200,9 @@ std::string RepairFixture::fault_of(const Plan& plan,
   read_definitions({"changed.lisp", changed}, store_, no_include, definitions, errors, warnings);
   if (!errors.empty()) return changed + to_text(errors);
   const Validator validator(definitions.domains[0], definitions.functions, host_, store_, errors);
-  const Validation validation = validator.validate(definitions.problems[1], injected.plan());
+  GivenPlan given = injected.plan();
+  if (!with_tree) given.tree.clear();
+  const Validation validation = validator.validate(definitions.problems[1], given);
   return validation.fault ? to_text(validation) : "";
 }
 

@@ -33,9 +33,9 @@ class RepairFixture {
 
   /// Replays the repaired plan with the divergences at their places and checks its tree; a
   /// sentence, "" if all is well. The validator sees divergences as steps of their own.
-  std::string fault() const;
+  std::string fault(bool with_tree = true) const;
   /// The same for the plan before it was repaired.
-  std::string plan_fault() const { return fault_of(plan_, {}); }
+  std::string plan_fault() const { return fault_of(plan_, {}, true); }
   /// The actions as text: of the repaired plan behind the executed steps, or any of a plan.
   std::vector<std::string> rest() const;
   std::vector<std::string> actions(const Plan& plan, StepIndex from = 0) const;
@@ -49,7 +49,8 @@ class RepairFixture {
 
  private:
   Term term(const std::string& text);
-  std::string fault_of(const Plan& plan, const std::vector<Divergence>& divergences) const;
+  std::string fault_of(const Plan& plan, const std::vector<Divergence>& divergences,
+                       bool with_tree) const;
 
   mutable TermStore store_;
   std::string text_;
