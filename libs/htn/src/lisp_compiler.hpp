@@ -106,6 +106,7 @@ class Compiler {
   void copy_local(std::uint32_t from, NodeIndex to);
 
   // Forms.
+  void short_circuit(Parts parts, Op jump, Term empty);
   void and_form(NodeIndex form, Parts parts);
   void backquote_form(NodeIndex form, Parts parts);
   void block_form(NodeIndex form, Parts parts);

@@ -59,25 +59,23 @@ std::vector<std::string> Compiler::form_names() {
           "unless", "when",        "funcall", "decf"};
 }
 
-// A single argument needs no jump; the last value stays.
-void Compiler::and_form(NodeIndex /*form*/, Parts parts) {
-  if (parts.size() == 1) emit_constant(kTrue);
+// The values one after the other until one ends it by `jump`, which keeps it; the last stays too.
+void Compiler::short_circuit(Parts parts, Op jump, Term empty) {
+  if (parts.size() == 1) emit_constant(empty);
   std::vector<std::size_t> exits;
   for (std::size_t at = 1; at < parts.size(); ++at) {
     value(parts[at]);
-    if (at + 1 < parts.size()) exits.push_back(emit(Op::kJumpIfNilKeep));
+    if (at + 1 < parts.size()) exits.push_back(emit(jump));
   }
   for (const std::size_t exit : exits) patch(exit);
 }
 
+void Compiler::and_form(NodeIndex /*form*/, Parts parts) {
+  short_circuit(parts, Op::kJumpIfNilKeep, kTrue);
+}
+
 void Compiler::or_form(NodeIndex /*form*/, Parts parts) {
-  if (parts.size() == 1) emit_constant(kNil);
-  std::vector<std::size_t> exits;
-  for (std::size_t at = 1; at < parts.size(); ++at) {
-    value(parts[at]);
-    if (at + 1 < parts.size()) exits.push_back(emit(Op::kJumpIfTrueKeep));
-  }
-  for (const std::size_t exit : exits) patch(exit);
+  short_circuit(parts, Op::kJumpIfTrueKeep, kNil);
 }
 
 void Compiler::if_form(NodeIndex /*form*/, Parts parts) {

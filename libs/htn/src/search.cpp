@@ -31,8 +31,7 @@ TaskNetwork with_cells(const TaskNetwork& network, TermStore& store, Bindings& b
 
 Search::Search(const Domain& domain, const Problem& problem, const Options& options,
                const Host& host)
-    : interface_(domain),
-      domain_(domain.compiled()),
+    : domain_(domain.compiled()),
       store_(domain.store()),
       options_(options),
       host_(host),

@@ -132,7 +132,6 @@ class Search {
   Term readable(Term pattern, const Activation& activation);
   std::vector<Term> nearest_facts(const Goal& goal, Base base);
 
-  const Domain& interface_;
   CompiledDomain& domain_;
   TermStore& store_;
   const Options& options_;
