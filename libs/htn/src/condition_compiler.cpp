@@ -59,9 +59,14 @@ std::uint32_t ClauseScope::slot(Term variable) {
   return made;
 }
 
-void ClauseScope::hide(const std::vector<Term>& variables) {
+void ClauseScope::hide(Expression variables) {
   hidden_.emplace_back();
-  for (const Term variable : variables) hidden_.back()[variable] = fresh(variable);
+  const auto add = [this](Expression part) {
+    if ((*part).list || !is_variable(store_, (*part).atom)) return;
+    hidden_.back()[(*part).atom] = fresh((*part).atom);
+  };
+  add(variables);
+  for (const Expression part : parts(variables)) add(part);
 }
 
 void ClauseScope::reveal() { hidden_.pop_back(); }
@@ -329,12 +334,7 @@ GoalIndex ConditionCompiler::quantified(GoalKind kind, Expression expression, Cl
           "(forall (variable …) bounds condition)");
     return connective(GoalKind::kAnd, expression, scope);
   }
-  std::vector<Term> variables;
-  for (const Expression variable : parts(all[1])) variables.push_back((*variable).atom);
-  if (!(*all[1]).list && is_variable(domain_.store, (*all[1]).atom)) {
-    variables.push_back((*all[1]).atom);  // one variable without parentheses
-  }
-  scope.hide(variables);
+  scope.hide(all[1]);
   Goal made;
   made.kind = kind;
   made.where = expression;
@@ -348,13 +348,7 @@ GoalIndex ConditionCompiler::quantified(GoalKind kind, Expression expression, Cl
 GoalIndex ConditionCompiler::typed_quantified(GoalKind kind, Expression expression,
                                               ClauseScope& scope) {
   const std::vector<Expression> all = parts(expression);
-  std::vector<Term> variables;
-  for (const Expression part : parts(all[1])) {
-    if (!(*part).list && is_variable(domain_.store, (*part).atom)) {
-      variables.push_back((*part).atom);
-    }
-  }
-  scope.hide(variables);
+  scope.hide(all[1]);
   std::vector<Term> typed;
   Goal made;
   made.kind = kind;

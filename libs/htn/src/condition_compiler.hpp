@@ -18,7 +18,8 @@ class ClauseScope {
  public:
   explicit ClauseScope(TermStore& store) : store_(store) {}
   std::uint32_t slot(Term variable);
-  void hide(const std::vector<Term>& variables);
+  /// The variables of a quantifier: one, or a list that may have types in it.
+  void hide(Expression variables);
   void reveal();
   SlotOf slot_of();
   void finish(Clause& clause) const;

@@ -185,9 +185,7 @@ class DomainCompiler {
   Effect quantified_effect(const std::vector<Expression>& all, ClauseScope& scope) {
     Effect effect;
     effect.kind = EffectKind::kForall;
-    std::vector<Term> variables;
-    for (const Expression variable : parts(all[1])) variables.push_back((*variable).atom);
-    scope.hide(variables);
+    scope.hide(all[1]);
     effect.condition = bounds(conditions_.condition(all[2], scope), all[2]);
     effect.parts = effects(all[3], scope);
     scope.reveal();
@@ -227,11 +225,7 @@ class DomainCompiler {
   Effect typed_forall(const std::vector<Expression>& all, ClauseScope& scope) {
     Effect effect;
     effect.kind = EffectKind::kForall;
-    std::vector<Term> variables;
-    for (const Expression part : parts(all[1])) {
-      if (is_variable(domain_.store, (*part).atom)) variables.push_back((*part).atom);
-    }
-    scope.hide(variables);
+    scope.hide(all[1]);
     std::vector<Term> typed;
     effect.condition =
         conditions_.add_condition(conditions_.type_goals(all[1], scope, typed), all[1]);
