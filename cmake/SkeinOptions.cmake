@@ -13,6 +13,8 @@ endif()
 # Debian's own flags on -O2; no -g in Release keeps a full build short on two cores.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2")
 
+set(SKEIN_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+
 add_library(skein_options INTERFACE)
 add_library(skein::options ALIAS skein_options)
 target_compile_options(skein_options INTERFACE
@@ -34,5 +36,10 @@ endif()
 
 find_program(SKEIN_CCACHE ccache)
 if(SKEIN_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${SKEIN_CCACHE})
+  # The sloppiness is what ccache asks for to keep what was compiled over a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${SKEIN_CCACHE})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options(-fpch-preprocess)
+  endif()
 endif()
