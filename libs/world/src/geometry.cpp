@@ -13,6 +13,7 @@ double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() 
 bool on_edge(const Vector2& from, const Vector2& to, const Vector2& point) {
   const Vector2 edge = to - from;
   const Vector2 offset = point - from;
+  if (edge.isZero(0)) return offset.isZero(0);
   const double along = edge.dot(offset);
   const double length2 = edge.squaredNorm();
   return std::abs(cross(edge, offset)) <= 1e-9 * std::max(1.0, length2) && along >= 0 &&

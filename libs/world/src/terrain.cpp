@@ -15,6 +15,8 @@ namespace {
 
 /// Grazing within a nanometre is no hit: what stands on the ground sees along level ground.
 constexpr double kGrazing = 1e-9;
+/// No ground is farther from the origin's level [m].
+constexpr double kHighest = 1e5;
 
 double hill_height(const HillSpec& hill, const Vector2& at) {
   const double distance = (at - hill.at).norm();
@@ -76,6 +78,32 @@ void check_extent(const TerrainSpec& spec, std::vector<std::string>& problems) {
     problems.emplace_back("terrain: more than 4 million cells; use a larger cell");
 }
 
+void check_hills(const TerrainSpec& spec, std::vector<std::string>& problems) {
+  if (spec.hills.size() > kMostHills) problems.emplace_back("terrain: more than 1000 hills");
+  for (std::size_t i = 0; i < spec.hills.size(); ++i) {
+    const HillSpec& hill = spec.hills[i];
+    const std::string which = "terrain: hill " + std::to_string(i + 1);
+    if (!(hill.radius > 0)) problems.push_back(which + ": the radius must be greater than 0");
+    if (!hill.at.allFinite() || !std::isfinite(hill.height) || !std::isfinite(hill.radius))
+      problems.push_back(which + ": every figure must be finite");
+  }
+}
+
+/// The shape is right already.
+void check_elevations(const TerrainSpec& spec, std::vector<std::string>& problems) {
+  if (spec.elevations.empty()) return;
+  const TerrainCorners corners = corners_of(spec);
+  if (spec.elevations.size() != corners.count())
+    problems.push_back("terrain: " + std::to_string(spec.elevations.size()) + " elevations for " +
+                       std::to_string(corners.columns) + " × " + std::to_string(corners.rows) +
+                       " corners");
+  const auto wrong = std::find_if_not(spec.elevations.begin(), spec.elevations.end(),
+                                      [](double z) { return std::abs(z) <= kHighest; });
+  if (wrong != spec.elevations.end())
+    problems.push_back("terrain: elevation " + std::to_string(wrong - spec.elevations.begin() + 1) +
+                       " is not between -100 km and 100 km");
+}
+
 }  // namespace
 
 std::vector<std::string> problems_of(const TerrainSpec& spec) {
@@ -85,30 +113,45 @@ std::vector<std::string> problems_of(const TerrainSpec& spec) {
                                          spec.north, spec.cell,  spec.base};
   if (!std::all_of(figures.begin(), figures.end(), [](double x) { return std::isfinite(x); }))
     problems.emplace_back("terrain: every figure must be finite");
-  for (std::size_t i = 0; i < spec.hills.size(); ++i) {
-    const HillSpec& hill = spec.hills[i];
-    const std::string which = "terrain: hill " + std::to_string(i + 1);
-    if (!(hill.radius > 0)) problems.push_back(which + ": the radius must be greater than 0");
-    if (!hill.at.allFinite() || !std::isfinite(hill.height) || !std::isfinite(hill.radius))
-      problems.push_back(which + ": every figure must be finite");
-  }
+  const bool has_shape = problems.empty();
+  check_hills(spec, problems);
+  if (has_shape) check_elevations(spec, problems);
   return problems;
 }
 
-Terrain::Terrain(const TerrainSpec& spec) : spec_(spec) {
-  SKEIN_EXPECTS(problems_of(spec).empty());
-  columns_ = cells_over(spec.east - spec.west, spec.cell) + 1;
-  rows_ = cells_over(spec.north - spec.south, spec.cell) + 1;
-  nodes_.resize(columns_ * rows_);
-  for (std::size_t row = 0; row < rows_; ++row)
-    for (std::size_t column = 0; column < columns_; ++column) {
-      const Vector2 at(spec.west + static_cast<double>(column) * spec.cell,
-                       spec.south + static_cast<double>(row) * spec.cell);
-      double& elevation = nodes_[row * columns_ + column];
-      elevation = spec.base;
-      for (const HillSpec& hill : spec.hills) elevation += hill_height(hill, at);
+TerrainCorners corners_of(const TerrainSpec& spec) {
+  return {cells_over(spec.east - spec.west, spec.cell) + 1,
+          cells_over(spec.north - spec.south, spec.cell) + 1};
+}
+
+Terrain::Terrain(TerrainSpec spec) : spec_(std::move(spec)) {
+  SKEIN_EXPECTS(problems_of(spec_).empty());
+  const TerrainCorners corners = corners_of(spec_);
+  columns_ = corners.columns;
+  rows_ = corners.rows;
+  nodes_ = std::exchange(spec_.elevations, {});
+  if (nodes_.empty()) nodes_.assign(corners.count(), spec_.base);
+  for (const HillSpec& hill : spec_.hills) add(hill);
+  const auto [lowest, highest] = std::minmax_element(nodes_.begin(), nodes_.end());
+  lowest_ = *lowest;
+  highest_ = *highest;
+}
+
+void Terrain::add(const HillSpec& hill) {
+  const auto first = [&](double from, double origin, std::size_t count) {
+    const double along = std::floor((from - origin) / spec_.cell);
+    return static_cast<std::size_t>(std::clamp(along, 0.0, static_cast<double>(count)));
+  };
+  const std::size_t west = first(hill.at.x() - hill.radius, spec_.west, columns_);
+  const std::size_t east = first(hill.at.x() + hill.radius + 2 * spec_.cell, spec_.west, columns_);
+  const std::size_t south = first(hill.at.y() - hill.radius, spec_.south, rows_);
+  const std::size_t north = first(hill.at.y() + hill.radius + 2 * spec_.cell, spec_.south, rows_);
+  for (std::size_t row = south; row < north; ++row)
+    for (std::size_t column = west; column < east; ++column) {
+      const Vector2 at(spec_.west + static_cast<double>(column) * spec_.cell,
+                       spec_.south + static_cast<double>(row) * spec_.cell);
+      nodes_[row * columns_ + column] += hill_height(hill, at);
     }
-  highest_ = *std::max_element(nodes_.begin(), nodes_.end());
 }
 
 bool Terrain::contains(double x, double y) const {
@@ -117,7 +160,8 @@ bool Terrain::contains(double x, double y) const {
 
 Terrain::Cell Terrain::cell_at(double u, double v) const {
   const auto index = [](double along, std::size_t count) {
-    return static_cast<std::size_t>(std::clamp(along, 0.0, static_cast<double>(count - 2)));
+    // In this order, NaN gives the first cell: what is read there is then NaN too.
+    return static_cast<std::size_t>(std::min(std::max(0.0, along), static_cast<double>(count - 2)));
   };
   return {index(u, columns_), index(v, rows_)};
 }
@@ -152,8 +196,9 @@ bool Terrain::line_of_sight(const Vector3& a, const Vector3& b, double clearance
 
 std::optional<double> Terrain::first_hit(const Vector3& a, const Vector3& b,
                                          double clearance) const {
-  if (std::min(a.z(), b.z()) - clearance > highest_) return std::nullopt;
   const Vector3 step = b - a;
+  if (!step.allFinite()) return 0.0;
+  if (std::min(a.z(), b.z()) - clearance > highest_) return std::nullopt;
   std::pair<double, double> span = {0.0, 1.0};
   span = clipped(a.x(), step.x(), spec_.west, spec_.east, span);
   span = clipped(a.y(), step.y(), spec_.south, spec_.north, span);

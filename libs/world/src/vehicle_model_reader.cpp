@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "sensor_model_reader.hpp"
 #include "skein/config/parse.hpp"
 #include "skein/config/reader.hpp"
 
@@ -18,7 +19,6 @@ using config::Reader;
 constexpr double kLeast = 1e-3;
 /// What is wrong already compares false with everything, so that it gives no second error.
 constexpr double kWrong = std::numeric_limits<double>::quiet_NaN();
-constexpr double kRightAngle = std::numbers::pi / 2;
 constexpr Range kSpeed = {kLeast, 200, "m/s"};
 constexpr Range kDistance = {kLeast, 1e5, "m"};
 constexpr Range kSpread = {0, 1e4, "m"};
@@ -55,45 +55,6 @@ std::optional<PilotModel> read_pilot(const Reader& reader) {
       reader.required("heading_imprecision").number(0, {0, std::numbers::pi, "rad"});
   pilot.attention_period = seconds(reader.required("attention_period"), kPeriod);
   return pilot;
-}
-
-void read_responses(const Reader& reader, SensorModel& sensor) {
-  for (const auto& [kind, entry] : reader.entries()) {
-    entry.keys({"probability", "confidence", "reported_as"});
-    SensorResponse response;
-    response.probability = entry.required("probability").number(0, kFraction);
-    response.confidence = entry.required("confidence").number(0, kFraction);
-    response.reported_as = entry.optional("reported_as").text(kind);
-    if (!entry.present()) entry.error("missing", "a map with probability and confidence");
-    if (response.reported_as.empty()) entry.error("reported_as is empty", "a kind of object");
-    sensor.responses[kind] = response;
-  }
-  if (sensor.responses.empty()) reader.error("sees nothing", "at least one kind of object");
-}
-
-void read_false_alarms(const Reader& reader, SensorModel& sensor) {
-  if (!reader.present()) return;
-  reader.keys({"rate", "kind", "confidence"});
-  sensor.false_alarm_rate = reader.required("rate").number(0, {0, 100, "1/s"});
-  sensor.false_alarm_kind = reader.required("kind").text();
-  sensor.false_alarm_confidence = reader.required("confidence").number(0, kFraction);
-}
-
-SensorModel read_sensor(const std::string& device, const Reader& reader) {
-  reader.keys({"aperture", "pitch", "gimballed", "range", "period", "position_spread",
-               "false_alarms", "sees"});
-  SensorModel sensor;
-  sensor.device = device;
-  sensor.aperture = reader.required("aperture").number(kLeast, {kLeast, kRightAngle, "rad"});
-  sensor.boresight_pitch =
-      reader.required("pitch").number(0, {-kRightAngle - 1e-3, kRightAngle, "rad"});
-  sensor.gimballed = reader.optional("gimballed").boolean(false);
-  sensor.range = reader.required("range").number(kDistance.low, kDistance);
-  sensor.period = seconds(reader.required("period"), kPeriod);
-  sensor.position_spread = reader.required("position_spread").number(0, kSpread);
-  read_false_alarms(reader.optional("false_alarms"), sensor);
-  read_responses(reader.required("sees"), sensor);
-  return sensor;
 }
 
 void read_speeds(const Reader& reader, VehicleModel& model) {
@@ -141,17 +102,20 @@ void read_flight(const Reader& reader, VehicleModel& model) {
   model.descent_rate = reader.required("descent_rate").number(kSpeed.low, kSpeed);
   model.acceleration = reader.required("acceleration").number(1, {0.01, 100, "m/s²"});
   model.ceiling = reader.required("ceiling").number(kDistance.low, kDistance);
+  model.body_radius = reader.optional("body_radius").number(1, {0.01, 100, "m"});
   model.position_precision = reader.required("position_precision").number(0, kSpread);
   model.wind_drift = reader.required("wind_drift").number(0, kFraction);
   read_manoeuvre(reader, model);
 }
 
-VehicleModel read_model(const Reader& reader) {
+}  // namespace
+
+VehicleModel read_vehicle_model(const Reader& reader) {
   constexpr std::array kinds = {VehicleKind::kHelicopter, VehicleKind::kBlimp,
                                 VehicleKind::kFixedWing};
   reader.keys({"model", "kind", "hovers", "speed", "climb_rate", "descent_rate", "acceleration",
-               "yaw_rate", "min_turn_radius", "orbit_radius", "ceiling", "position_precision",
-               "wind_drift", "energy", "pilot", "sensors"});
+               "yaw_rate", "min_turn_radius", "orbit_radius", "ceiling", "body_radius",
+               "position_precision", "wind_drift", "energy", "pilot", "sensors"});
   VehicleModel model;
   model.name = reader.required("model").text();
   if (reader.optional("model").present() && model.name.empty())
@@ -167,8 +131,6 @@ VehicleModel read_model(const Reader& reader) {
   return model;
 }
 
-}  // namespace
-
 Result<VehicleModel, Diagnostics> read_vehicle_model(std::string_view text,
                                                      const std::string& file) {
   const auto document = config::parse_yaml(text, file);
@@ -179,7 +141,7 @@ Result<VehicleModel, Diagnostics> read_vehicle_model(std::string_view text,
     reader.error("this is not a vehicle model", "a map that begins with model: NAME");
     return tl::make_unexpected(diagnostics);
   }
-  VehicleModel model = read_model(reader);
+  VehicleModel model = read_vehicle_model(reader);
   if (!diagnostics.empty()) return tl::make_unexpected(diagnostics);
   return model;
 }

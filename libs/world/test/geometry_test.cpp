@@ -53,6 +53,11 @@ TEST(Contains, InsideOutsideAndOnTheEdge) {
   EXPECT_FALSE(contains({}, {0, 0}));
 }
 
+TEST(Contains, ARepeatedCornerIsNoEdgeThroughEverything) {
+  EXPECT_FALSE(contains({{0, 0}, {0, 0}, {5, 0}, {5, 5}}, {100, 100}));
+  EXPECT_TRUE(contains({{0, 0}, {0, 0}, {5, 0}, {5, 5}}, {0, 0}));
+}
+
 TEST(Contains, AVertexLevelWithThePointCountsOnce) {
   const Polygon diamond = {{5, 0}, {10, 5}, {5, 10}, {0, 5}};
   EXPECT_TRUE(contains(diamond, {5, 5}));

@@ -70,6 +70,17 @@ TEST(VehicleModelReader, ReadsEveryFigure) {
   EXPECT_EQ(sensor.responses.at("hot-vehicle").reported_as, "fire");
 }
 
+TEST(VehicleModelReader, TheBodyIsAMetreUnlessItIsGiven) {
+  const auto silent = read_vehicle_model(kHelicopter, "bee.yaml");
+  const auto given = read_vehicle_model(kHelicopter + "body_radius: 0.6\n", "bee.yaml");
+
+  ASSERT_TRUE(silent && given);
+  EXPECT_EQ(silent->body_radius, 1);
+  EXPECT_EQ(given->body_radius, 0.6);
+  EXPECT_THAT(report(kHelicopter + "body_radius: 0\n"), HasSubstr("body_radius: "));
+  EXPECT_THAT(report(kHelicopter + "body_radius: 101\n"), HasSubstr("body_radius: "));
+}
+
 TEST(VehicleModelReader, ReadsThePilot) {
   const auto model = read_vehicle_model(
       kHelicopter +

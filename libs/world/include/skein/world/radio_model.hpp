@@ -2,7 +2,12 @@
 // Which pairs of nodes can talk, how well.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "skein/foundation/time.hpp"
+#include "skein/world/grid.hpp"
 #include "skein/world/terrain.hpp"
 
 namespace skein::world {
@@ -15,19 +20,55 @@ struct RadioLink {
   bool operator==(const RadioLink&) const = default;
 };
 
-/// One radio for all nodes of a scenario. Source: spec 1.3 (channels), 8.1.
+/// Emission against reception, by the log-distance law: at d metres
+///   received = emission_power - reference_loss - 10 path_loss_exponent log10(d).
+/// Source: spec 4.1 (radio).
+struct LinkBudget {
+  double emission_power = 0;      ///< antenna gains included [dBm]
+  double sensitivity = 0;         ///< the least that can be received [dBm]
+  double reference_loss = 40;     ///< at 1 m [dB]; free space at 2.4 GHz: 40
+  double path_loss_exponent = 2;  ///< 2 in free space, up to 4 near the ground; > 0
+  bool operator==(const LinkBudget&) const = default;
+
+  /// Where what is received falls to the sensitivity [m].
+  double range() const;
+};
+
+/// One radio for all nodes of a scenario. Source: spec 1.3 (channels), 4.1 (radio), 8.1.
 struct RadioModel {
-  double range = 0;                 ///< [m], > 0
+  double range = 0;                 ///< [m], > 0; does not count when there is a budget
   bool needs_line_of_sight = true;  ///< terrain between two nodes cuts them
   Duration latency;
   double loss = 0;  ///< [0, 1)
   /// A link that is up holds until this much beyond the range, as a fraction of it, so that a
   /// vehicle on the limit does not cut and restore it at every step.
   double hysteresis = 0.05;
+  /// When present, the range follows from it.
+  std::optional<LinkBudget> budget = std::nullopt;
   bool operator==(const RadioModel&) const = default;
+
+  /// How far it carries in sight [m]: the range, or what the budget gives.
+  double reach() const;
 
   /// Symmetrical in a and b [m, ENU]. `was_up`: what it was when last asked.
   RadioLink link(const Vector3& a, const Vector3& b, const Terrain& terrain, bool was_up) const;
+
+  /// What is received at this distance [m] above what must be [dB]; the terrain is not asked.
+  /// 10 n log10(reach / distance) with n the exponent of the budget, 2 without one. Not below 0 up
+  /// to the reach and only there; less than a metre counts as a metre (as the reach, if shorter).
+  double margin(double distance) const;
+  /// The same between two places; -∞ when the ground cuts them and they need sight. Symmetrical.
+  /// Not below 0 exactly when a link that was down comes up.
+  double margin(const Vector3& a, const Vector3& b, const Terrain& terrain) const;
+
+  /// Margins [dB] from a point to a receiver `height` [m] over the ground at the centre of each
+  /// cell, in the order of Grid::index. Cost: a line of sight for each cell within reach; the rest
+  /// have the margin of their distance.
+  std::vector<double> coverage(const Vector3& point, const Grid& grid, const Terrain& terrain,
+                               double height) const;
 };
+
+/// What is wrong with a radio model, in sentences, all at once; empty when it can be used.
+std::vector<std::string> problems_of(const RadioModel& radio);
 
 }  // namespace skein::world

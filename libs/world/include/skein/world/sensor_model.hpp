@@ -18,6 +18,18 @@ struct SensorResponse {
   bool operator==(const SensorResponse&) const = default;
 };
 
+/// How well a sensor perceives a piece of ground, apart from whether it can: the product of what
+/// distance and incidence leave. As it stands by default, everything within range is perceived
+/// equally well. Source: spec 4.1 (perception).
+struct QualityModel {
+  double best_distance = 0;  ///< up to which distance takes nothing away [m], [0, range]
+  double at_range = 1;       ///< what distance leaves at full range, [0, 1]; linear in between
+  /// Incidence leaves its cosine to this power, >= 0. At 0 incidence does not matter; else ground
+  /// that faces away cannot be perceived.
+  double incidence_power = 0;
+  bool operator==(const QualityModel&) const = default;
+};
+
 /// One device of a vehicle. It looks once per period, in a cone about its boresight.
 /// Source: spec 4.1 (perception), 8.2.
 struct SensorModel {
@@ -34,6 +46,8 @@ struct SensorModel {
   double position_spread = 0;         ///< standard deviation of a reported position, per axis [m]
   /// By kind of object; the sensor is blind to kinds that are not here.
   std::map<std::string, SensorResponse, std::less<>> responses;
+  QualityModel quality;
+  double cost = 0;  ///< of a use, in units of quality, [0, 1]: power, film, the link it fills
   bool operator==(const SensorModel&) const = default;
 };
 
@@ -48,5 +62,18 @@ struct View {
 /// True when some part of a ball (radius 0: the point) is in the cone and within range of the
 /// viewpoint; terrain is not considered.
 bool in_view(const View& view, const Vector3& centre, double radius = 0);
+
+/// How well the ground at `target` is perceived from a viewpoint, [0, 1]; 0 beyond the range.
+/// Incidence is the angle between the line of sight and `normal`, of unit length: of the ground at
+/// the target, since it is its foreshortening that loses detail; straight up for what has no
+/// surface of its own. Aperture, attitude and terrain are not considered. Monotone: never better
+/// further away on the same line. Source: spec 4.1 (quality as a function of distance and
+/// incidence).
+double perceived_quality(const SensorModel& sensor, const Vector3& viewpoint, const Vector3& target,
+                         const Vector3& normal);
+
+/// The two factors of it: `distance` in [0, range], cosine of the incidence in [-1, 1].
+double distance_quality(const SensorModel& sensor, double distance);
+double incidence_quality(const SensorModel& sensor, double cosine);
 
 }  // namespace skein::world

@@ -23,10 +23,25 @@ struct TerrainSpec {
   double cell = 20;                                 ///< side of a grid cell [m]
   double base = 0;                                  ///< elevation without hills [m], ENU z
   std::vector<HillSpec> hills;
+  /// Measured ground, for what a raster gave: elevations at the corners of the cells [m, ENU z],
+  /// row-major from the south-west, (columns + 1) × (rows + 1) of them, where columns is
+  /// ceil((east - west) / cell). Empty: level ground at `base`. The hills add up on it either way.
+  std::vector<double> elevations;
 };
 
 /// Most cells a terrain may have, so that a wrong figure in a file cannot exhaust memory.
 inline constexpr double kMaxTerrainCells = 4e6;
+
+/// Most hills, so that a file cannot ask for endless work.
+inline constexpr std::size_t kMostHills = 1000;
+
+/// How many corners of cells a terrain has.
+struct TerrainCorners {
+  std::size_t columns = 0, rows = 0;  ///< along east and north; each >= 2
+  std::size_t count() const { return columns * rows; }
+};
+/// Precondition: the extent and the cell are such that problems_of() does not speak of them.
+TerrainCorners corners_of(const TerrainSpec& spec);
 
 /// Why no terrain can be made from it, in sentences, all at once; empty when one can.
 std::vector<std::string> problems_of(const TerrainSpec& spec);
@@ -36,8 +51,8 @@ std::vector<std::string> problems_of(const TerrainSpec& spec);
 /// point, and hides nothing. Source: spec 4.1.
 class Terrain {
  public:
-  /// Precondition: problems_of(spec) is empty.
-  explicit Terrain(const TerrainSpec& spec);
+  /// Precondition: problems_of(spec) is empty. Moved in, its elevations are not copied.
+  explicit Terrain(TerrainSpec spec);
 
   /// True inside and on the border of the extent given.
   bool contains(double x, double y) const;
@@ -47,18 +62,25 @@ class Terrain {
   double slope(double x, double y) const;
   /// The highest elevation of the grid [m].
   double highest() const { return highest_; }
+  /// The lowest elevation of the grid [m].
+  double lowest() const { return lowest_; }
 
   /// True when the straight segment stays at least `clearance` [m] above the ground (negative: may
   /// graze below it by as much). Exact for the bilinear surface, so symmetrical in a and b.
   /// Cost: O(cells crossed); none when both ends are above the highest point.
   bool line_of_sight(const Vector3& a, const Vector3& b, double clearance = 0) const;
   /// The first fraction of the way from a to b, in [0, 1], where it comes closer than `clearance`
-  /// to the ground; nothing when it never does.
+  /// to the ground; nothing when it never does. 0 when a coordinate is NaN or infinite: there is
+  /// nothing that can be seen from there.
   std::optional<double> first_hit(const Vector3& a, const Vector3& b, double clearance = 0) const;
 
+  /// What it was made from, without the measured elevations: these are the corners now.
   const TerrainSpec& spec() const { return spec_; }
+  /// The elevation of a corner of the grid [m]. Precondition: inside corners_of(spec()).
+  double corner(std::size_t column, std::size_t row) const { return node(column, row); }
 
  private:
+  void add(const HillSpec& hill);
   struct Cell {
     std::size_t column, row;
   };
@@ -70,7 +92,7 @@ class Terrain {
   TerrainSpec spec_;
   std::size_t columns_ = 0, rows_ = 0;  ///< of corners: one more than of cells
   std::vector<double> nodes_;           ///< row-major, rows from south to north
-  double highest_ = 0;
+  double lowest_ = 0, highest_ = 0;
 };
 
 }  // namespace skein::world

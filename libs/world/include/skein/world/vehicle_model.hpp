@@ -55,6 +55,7 @@ struct VehicleModel {
   double orbit_radius =
       0;               ///< of its waiting circle [m], >= 1.1 × min_turn_radius; 0 when it hovers
   double ceiling = 0;  ///< greatest height above the ground below [m]
+  double body_radius = 1;         ///< of the ball that holds all of it, for collisions [m], > 0
   double position_precision = 0;  ///< standard deviation of its own navigation, per axis [m]
   double wind_drift = 0;          ///< part of the wind that displaces it, uncompensated, [0, 1]
   EnergyModel energy;

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "skein/config/reader.hpp"
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
 #include "skein/world/vehicle_model.hpp"
@@ -17,5 +18,9 @@ namespace skein::world {
 /// README.
 Result<VehicleModel, Diagnostics> read_vehicle_model(std::string_view text,
                                                      const std::string& file);
+
+/// The same of a model inside another document. What is wrong goes to the reader's diagnostics, and
+/// something harmless is given in its place.
+VehicleModel read_vehicle_model(const config::Reader& reader);
 
 }  // namespace skein::world

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ground elevation and burning risk from raster files, on local grids.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/foundation/diagnostics.hpp"
+#include "skein/foundation/result.hpp"
+#include "skein/world/geodetic.hpp"
+#include "skein/world/grid.hpp"
+#include "skein/world/terrain.hpp"
+#include "skein/world/world_file.hpp"
+
+namespace skein::geodata {
+
+struct ElevationOptions {
+  /// Absent: the middle of the raster, at the lowest elevation that is read.
+  std::optional<world::GeodeticOrigin> origin;
+  std::optional<double> cell;           ///< [m], > 0; absent: as fine as the raster
+  std::optional<world::Extent> extent;  ///< [m], ENU; absent: the largest upright rectangle covered
+  std::optional<double> no_data;        ///< elevation for cells without data [m]; absent: refused
+  /// For a raster that does not say in which coordinates it is ("EPSG:4326"); empty: refused.
+  /// One that says another than this is refused too.
+  std::string crs;
+};
+
+struct Elevation {
+  world::TerrainSpec terrain;  ///< usable: problems_of() is empty
+  world::GeodeticOrigin origin;
+};
+
+/// Reads a GeoTIFF, an ESRI ASCII grid or an SRTM tile (.hgt), in WGS 84 or any geographic or
+/// projected coordinates. Its heights are taken as heights over the ellipsoid: where they are over
+/// the geoid, as most are, origin.altitude is to be given likewise. Each corner of the local grid
+/// is looked up where it really is on Earth, so that the ground bends away from the local plane as
+/// the Earth does; bilinear between the middles of the raster's cells, level within half a cell of
+/// its border. Refused, each naming the file: a file that is missing, damaged or of another format,
+/// unknown or unusable projections, an extent beyond the raster, cells without data, figures that
+/// are no elevations, too many cells. Never writes or prints anything, never asks the network.
+/// Cost: the part of the raster that is needed in memory (4 bytes a cell, at most 32 million), some
+/// 2 µs for each corner of the terrain. Safe from any thread.
+Result<Elevation, Diagnostics> read_elevation(const std::string& path,
+                                              const ElevationOptions& options = {});
+
+struct RiskOptions {
+  std::optional<double> no_data;  ///< risk of cells without data, [0, 1]; absent: refused
+  std::string crs;                ///< as for elevations
+};
+
+/// Burning risk at the middle of each cell of a local grid, at the level of the origin; read as
+/// elevations are. Values outside [0, 1] are refused.
+Result<std::vector<double>, Diagnostics> read_risk(const std::string& path, const world::Grid& grid,
+                                                   const world::GeodeticOrigin& origin,
+                                                   const RiskOptions& options = {});
+
+}  // namespace skein::geodata
