@@ -11,6 +11,7 @@
 #include "live_commands.hpp"
 #include "mastn_commands.hpp"
 #include "plan_commands.hpp"
+#include "refine_commands.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/mle_tool/mle.hpp"
 #include "stn_commands.hpp"
@@ -76,6 +77,7 @@ void add_commands(CLI::App& app, Action& action, const LiveActions& live, std::s
   add_plan(app, action);
   add_mastn(app, action);
   add_stn(app, action);
+  add_refine(app, action, live);
 }
 
 }  // namespace

@@ -11,17 +11,22 @@ class App;
 namespace skein::run_tool {
 struct RunOptions;
 }
+namespace skein::refine_tool {
+struct RefineOptions;
+}
 namespace skein::spy_tool {
 struct SpyOptions;
 }
 
 namespace skein::cli {
 
-/// What the commands do with their options; each returns an exit code.
+/// What the commands that other programs carry out do with their options; each returns an exit
+/// code.
 struct LiveActions {
   std::function<int(const run_tool::RunOptions&)> run;
   std::function<int(const std::string& folder)> report;
   std::function<int(const spy_tool::SpyOptions&, bool echo)> spy;
+  std::function<int(const refine_tool::RefineOptions&)> refine;
 };
 
 /// Adds the commands. `action` and `live` must outlive the parsing and the action.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // skein: everything that is not a daemon. Commands that need DDS are passed on to skein-live beside
-// it: loading DDS costs more than most plans.
+// it, that which needs maps and motion planning to skein-refine: loading those libraries costs more
+// than most plans.
 #include <unistd.h>
 
 #include <cerrno>
@@ -15,13 +16,13 @@
 
 namespace {
 
-// Becomes skein-live, with the same arguments; returns only if that cannot be.
-int become_live(char** argv) {
+// Becomes that program, with the same arguments; returns only if that cannot be.
+int become(const char* program, char** argv) {
   std::error_code none;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", none);
-  const std::string live = (self.parent_path() / "skein-live").string();
-  execv(live.c_str(), argv);
-  std::cerr << "skein: " << live << " cannot be started: " << std::strerror(errno) << '\n';
+  const std::string other = (self.parent_path() / program).string();
+  execv(other.c_str(), argv);
+  std::cerr << "skein: " << other << " cannot be started: " << std::strerror(errno) << '\n';
   return skein::kExitSystem;
 }
 
@@ -29,8 +30,9 @@ int become_live(char** argv) {
 
 int main(int argc, char** argv) {
   skein::cli::LiveActions live;
-  live.run = [argv](const auto&) { return become_live(argv); };
-  live.report = [argv](const auto&) { return become_live(argv); };
-  live.spy = [argv](const auto&, bool) { return become_live(argv); };
+  live.run = [argv](const auto&) { return become("skein-live", argv); };
+  live.report = [argv](const auto&) { return become("skein-live", argv); };
+  live.spy = [argv](const auto&, bool) { return become("skein-live", argv); };
+  live.refine = [argv](const auto&) { return become("skein-refine", argv); };
   return skein::cli::run_command_line(argc, argv, live);
 }

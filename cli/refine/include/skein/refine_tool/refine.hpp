@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// `skein refine`: one question to a refiner, its answer as text, JSON and picture.
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace skein::refine_tool {
+
+struct RefineOptions {
+  std::string query;              ///< file; "-": standard input
+  std::string example;            ///< service whose example is printed instead
+  std::string svg;                ///< picture to write; empty: none
+  bool json = false;              ///< the answer as JSON
+  bool colour = false;            ///< in the text
+  std::optional<double> seconds;  ///< time budget, before that of the query
+  std::optional<std::uint64_t> seed;
+  /// Seconds of a steady clock from any origin; the time budget is kept by it.
+  std::function<double()> now;
+};
+
+/// Names of the services, in the order of the documentation.
+std::vector<std::string> service_names();
+
+/// Returns an exit code: 0 there is a solution, 1 there is none, 2 wrong input, 3 the picture
+/// cannot be written, 4 the budget ended first. Never throws.
+int run_refine(const RefineOptions& options, std::istream& in, std::ostream& out,
+               std::ostream& err);
+
+}  // namespace skein::refine_tool

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "terms.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "skein/foundation/nearest.hpp"
+#include "skein/world/environment_reader.hpp"
+#include "skein/world/vehicle_model_reader.hpp"
+
+namespace skein::refine_tool {
+namespace {
+
+using config::Range;
+using config::Reader;
+using world::Vector3;
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr Range kLength{0, world::kFarthest, "m"};
+
+std::vector<std::string> zone_names(const world::World& world) {
+  std::vector<std::string> names;
+  for (const world::Zone& zone : world.zones) names.push_back(zone.name);
+  return names;
+}
+
+/// Half the width of what a sensor that looks down sees, per metre of altitude.
+double half_width(const world::SensorModel& sensor) { return std::tan(sensor.aperture); }
+
+bool looks_down(const world::SensorModel& sensor) {
+  return sensor.gimballed || std::abs(sensor.boresight_pitch + std::numbers::pi / 2) < 0.05;
+}
+
+}  // namespace
+
+double metres(const Reader& reader, double otherwise) { return reader.number(otherwise, kLength); }
+
+double speed(const Reader& reader) { return reader.number(0, {-1000, 1000, "m/s"}); }
+
+double angle(const Reader& reader, double otherwise) {
+  return reader.number(otherwise, {-kTurn, kTurn, "rad"});
+}
+
+std::optional<double> optional_angle(const Reader& reader) {
+  if (!reader.present()) return std::nullopt;
+  return angle(reader);
+}
+
+std::vector<std::string> Terms::place_names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, at] : world_.places) names.push_back(name);
+  return names;
+}
+
+Vector3 Terms::over_ground(const Reader& reader) const {
+  reader.keys({"at", "height"});
+  const Reader at = reader.required("at");
+  world::Vector2 point = world::Vector2::Zero();
+  if (at.is_sequence()) {
+    point = world::read_point_2d(at);
+  } else if (at.present()) {
+    point = place(at).head<2>();
+  }
+  const double height = reader.required("height").number(0, {-1000, 20'000, "m"});
+  return {point.x(), point.y(), world_.terrain.elevation(point.x(), point.y()) + height};
+}
+
+Vector3 Terms::place(const Reader& reader) const {
+  if (reader.is_map()) return over_ground(reader);
+  if (reader.is_sequence()) return world::read_point(reader);
+  if (!reader.present()) return Vector3::Zero();
+  const std::string name = reader.name_among(place_names(), "[x, y, z], or a place of the world");
+  const auto found = world_.places.find(name);
+  return found == world_.places.end() ? Vector3(Vector3::Zero()) : found->second;
+}
+
+std::optional<Vector3> Terms::optional_place(const Reader& reader) const {
+  if (!reader.present()) return std::nullopt;
+  return place(reader);
+}
+
+refiners::Way Terms::places(const Reader& reader) const {
+  refiners::Way way;
+  if (!reader.present()) return way;
+  for (const Reader& item : world::items_of(reader)) way.push_back(place(item));
+  return way;
+}
+
+world::Polygon Terms::area(const Reader& reader) const {
+  if (!reader.present()) return {};
+  if (!reader.is_scalar()) {
+    world::Polygon polygon;
+    for (const Reader& corner : world::items_of(reader))
+      polygon.push_back(world::read_point_2d(corner));
+    return polygon;
+  }
+  const std::string name =
+      reader.name_among(zone_names(world_), "[[x, y], …], or a zone of the world");
+  for (const world::Zone& zone : world_.zones)
+    if (zone.name == name) return zone.polygon;
+  return {};
+}
+
+std::vector<world::Volume> Terms::volumes(const Reader& reader) const {
+  std::vector<world::Volume> volumes;
+  if (!reader.present()) return volumes;
+  for (const auto& [name, entry] : world::entries_of(reader)) {
+    if (!entry.keys({"polygon", "floor", "ceiling", "from", "until"})) continue;
+    world::Volume volume;
+    volume.name = name;
+    volume.polygon = area(entry.required("polygon"));
+    volume.floor = entry.optional("floor").number(volume.floor, world::kCoordinate);
+    volume.ceiling = entry.optional("ceiling").number(volume.ceiling, world::kCoordinate);
+    volume.when.from = world::read_instant(entry.optional("from"));
+    volume.when.until = world::read_instant(entry.optional("until"), MissionTime::max());
+    if (volume.floor >= volume.ceiling) entry.error("the floor is not below the ceiling");
+    if (volume.when.from >= volume.when.until) entry.error("it ends before it begins");
+    volumes.push_back(std::move(volume));
+  }
+  return volumes;
+}
+
+world::VehicleModel Terms::vehicle(const Reader& reader) const {
+  if (!reader.present()) return {};
+  if (reader.is_map()) return world::read_vehicle_model(reader);
+  auto model = references_.vehicle_in_file(reader.text());
+  if (model) return std::move(*model);
+  reader.error("the vehicle model cannot be read");
+  diagnostics_.append(model.error());
+  return {};
+}
+
+double Terms::swath(const Reader& reader, const world::VehicleModel& vehicle,
+                    double altitude) const {
+  const Reader given = reader.optional("swath"), device = reader.optional("device");
+  if (given.present() == device.present()) {
+    reader.error(given.present() ? "swath beside device" : "neither swath nor device",
+                 "swath: METRES, or device: NAME of a sensor of the vehicle that looks down");
+    return 0;
+  }
+  if (given.present()) return given.number(0, {-world::kFarthest, world::kFarthest, "m"});
+  std::vector<std::string> devices;
+  for (const world::SensorModel& sensor : vehicle.sensors) devices.push_back(sensor.device);
+  const std::string name = device.name_among(devices, "a sensor of the vehicle");
+  const world::SensorModel* sensor = world::find_sensor(vehicle, name);
+  if (sensor == nullptr) return 0;
+  if (!looks_down(*sensor)) device.error("'" + name + "' does not look down");
+  if (altitude > sensor->range)
+    device.error("'" + name + "' does not see the ground from that altitude",
+                 "at most its range, " + std::to_string(static_cast<int>(sensor->range)) + " m");
+  return 2 * altitude * half_width(*sensor);
+}
+
+}  // namespace skein::refine_tool

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The terms that queries of all services are made of: places, areas, vehicles, volumes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "query_reader.hpp"
+#include "skein/refiners/flight.hpp"
+
+namespace skein::refine_tool {
+
+/// Reads the terms of one query. What is wrong goes to the readers' diagnostics, and something
+/// harmless is given in its place.
+class Terms {
+ public:
+  Terms(const world::World& world, const References& references, Diagnostics& diagnostics)
+      : world_(world), references_(references), diagnostics_(diagnostics) {}
+
+  /// [x, y, z], the name of a place, or {at: [x, y] or a name, height: above the ground}.
+  world::Vector3 place(const config::Reader& reader) const;
+  std::optional<world::Vector3> optional_place(const config::Reader& reader) const;
+  refiners::Way places(const config::Reader& reader) const;
+  /// [[x, y], …], or the name of a zone.
+  world::Polygon area(const config::Reader& reader) const;
+  /// {NAME: {polygon, floor, ceiling, from, until}}.
+  std::vector<world::Volume> volumes(const config::Reader& reader) const;
+  /// The name of a model file, or a model written inside.
+  world::VehicleModel vehicle(const config::Reader& reader) const;
+  /// `swath` as a number, or that of the `device` from this altitude; of a member of the query.
+  double swath(const config::Reader& reader, const world::VehicleModel& vehicle,
+               double altitude) const;
+
+  const world::World& world() const { return world_; }
+
+ private:
+  world::Vector3 over_ground(const config::Reader& reader) const;
+  std::vector<std::string> place_names() const;
+
+  const world::World& world_;
+  const References& references_;
+  Diagnostics& diagnostics_;
+};
+
+// Ranges of figures, all services alike. Zero and negative speeds are left to the refiners, which
+// name the field too, wherever a query comes from.
+double metres(const config::Reader& reader, double otherwise = 0);
+double speed(const config::Reader& reader);
+std::optional<double> optional_angle(const config::Reader& reader);
+double angle(const config::Reader& reader, double otherwise = 0);
+
+}  // namespace skein::refine_tool

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/refine_tool/refine.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "examples.hpp"
+#include "skein/foundation/exit_code.hpp"
+#include "testing/queries.hpp"
+
+namespace skein::refine_tool {
+namespace {
+
+using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+struct Done {
+  int code;
+  std::string out, err;
+};
+
+/// `query` on standard input.
+Done refine(const std::string& query, RefineOptions options = {}) {
+  std::istringstream in(query);
+  std::ostringstream out, err;
+  if (options.query.empty() && options.example.empty()) options.query = "-";
+  const int code = run_refine(options, in, out, err);
+  return {code, out.str(), err.str()};
+}
+
+RefineOptions as_json() {
+  RefineOptions options;
+  options.json = true;
+  return options;
+}
+
+class Folder {
+ public:
+  Folder()
+      : path_(std::filesystem::temp_directory_path() /
+              ("skein-refine-test-" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(path_);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { std::filesystem::remove_all(path_); }
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name) << text;
+    return *this / name;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+class Example : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Example, RunsAsItIs) {
+  RefineOptions options;
+  options.example = GetParam();
+  const Done printed = refine("", options);
+  ASSERT_EQ(printed.code, kExitOk);
+
+  const Done done = refine(printed.out, as_json());
+
+  EXPECT_EQ(done.code, kExitOk) << done.out << done.err;
+  const json answer = json::parse(done.out);
+  EXPECT_EQ(answer["service"], GetParam());
+  EXPECT_EQ(answer["feasible"], true);
+  EXPECT_GE(answer["cost"].get<double>(), 0);
+  EXPECT_TRUE(answer[GetParam()].is_object());
+}
+
+TEST_P(Example, GivesTheSameAnswerAndPictureAgain) {
+  const Folder folder;
+  RefineOptions first = as_json(), second = as_json();
+  first.svg = folder / "a.svg";
+  second.svg = folder / "b.svg";
+
+  const Done a = refine(example_of(GetParam()), first), b = refine(example_of(GetParam()), second);
+
+  const auto text = [](const std::string& file) {
+    std::ifstream in(file);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  EXPECT_EQ(a.out, b.out);
+  EXPECT_EQ(text(first.svg), text(second.svg));
+  EXPECT_THAT(text(first.svg), HasSubstr("</svg>"));
+}
+
+TEST_P(Example, IsToldToPeopleInText) {
+  const Done done = refine(example_of(GetParam()));
+
+  EXPECT_THAT(done.out, AllOf(HasSubstr(GetParam() + ": feasible"), HasSubstr("duration")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Services, Example, ::testing::ValuesIn(service_names()));
+
+TEST(Refine, HasTheNineServices) {
+  EXPECT_THAT(service_names(), ElementsAre("path", "tour", "coverage", "partition", "patrol",
+                                           "viewpoint", "relay", "evaluate", "insertion"));
+}
+
+TEST(Refine, NoExampleOfAnUnknownService) {
+  RefineOptions options;
+  options.example = "patrl";
+
+  const Done done = refine("", options);
+
+  EXPECT_EQ(done.code, kExitBadInput);
+  EXPECT_THAT(done.err, HasSubstr("did you mean 'patrol'"));
+}
+
+TEST(Refine, NoSolutionIsAnAnswerWithItsReason) {
+  const std::string query =
+      testing::query_text("path", R"("from": "pad", "to": [0, 0, 10])");  // inside the hill
+
+  const Done text = refine(query), machine = refine(query, as_json());
+
+  EXPECT_EQ(text.code, kExitNegative);
+  EXPECT_THAT(text.out, AllOf(HasSubstr("path: no solution (blocked)"), HasSubstr("ground")));
+  const json answer = json::parse(machine.out);
+  EXPECT_EQ(answer["feasible"], false);
+  EXPECT_EQ(answer["refusal"]["kind"], "blocked");
+  EXPECT_EQ(answer["refusal"]["field"], "to");
+}
+
+TEST(Refine, ARefusalHasItsPictureToo) {
+  const Folder folder;
+  RefineOptions options;
+  options.svg = folder / "no.svg";
+
+  const Done done =
+      refine(testing::query_text("path", R"("from": "pad", "to": [0, 0, 10])"), options);
+
+  EXPECT_EQ(done.code, kExitNegative);
+  EXPECT_TRUE(std::filesystem::exists(options.svg));
+}
+
+TEST(Refine, AQueryThatMakesNoSenseIsWrongInput) {
+  const Done done =
+      refine(testing::query_text("coverage", R"("area": "field", "swath": -5, "altitude": 60)"));
+
+  EXPECT_EQ(done.code, kExitBadInput);
+  EXPECT_THAT(done.out, AllOf(HasSubstr("bad-query"), HasSubstr("swath")));
+}
+
+TEST(Refine, APolygonThatCrossesItselfIsRefusedByItsCorners) {
+  const Done done = refine(testing::query_text(
+      "coverage",
+      R"("area": [[0, 0], [100, 100], [100, 0], [0, 100]], "swath": 5, "altitude": 60)"));
+
+  EXPECT_EQ(done.code, kExitBadInput);
+  EXPECT_THAT(done.out, AllOf(HasSubstr("area"), HasSubstr("cross")));
+}
+
+TEST(Refine, TextThatIsNoQueryIsWrongInput) {
+  const Done done = refine("{\"service\": \"path\"");
+
+  EXPECT_EQ(done.code, kExitBadInput);
+  EXPECT_THAT(done.err, HasSubstr("standard input:"));
+  EXPECT_EQ(done.out, "");
+}
+
+TEST(Refine, AMissingQueryFileIsNamed) {
+  RefineOptions options;
+  options.query = "/nowhere/q.json";
+
+  const Done done = refine("", options);
+
+  EXPECT_EQ(done.code, kExitBadInput);
+  EXPECT_THAT(done.err, HasSubstr("/nowhere/q.json: there is no such file"));
+}
+
+TEST(Refine, FilesOfAQueryAreNamedFromItsFolder) {
+  const Folder folder;
+  folder.write("world.yaml",
+               "origin: {latitude: 40, longitude: -8, altitude: 0}\n"
+               "terrain: {west: -500, south: -500, east: 500, north: 500}\n"
+               "airspace: {floor: 0, ceiling: 100, voxel: 20}\n");
+  RefineOptions options = as_json();
+  options.query = folder.write(
+      "q.json", R"({"service": "path", "world": "world.yaml", "vehicle": ")" +
+                    std::string(SKEIN_SOURCE_DIR "/scenarios/comets/models/marvin.yaml") +
+                    R"(", "from": [0, 0, 50], "to": [300, 400, 50]})");
+
+  const Done done = refine("", options);
+
+  // The folder of the query is put before an absolute name as well: std::filesystem keeps those.
+  ASSERT_EQ(done.code, kExitOk) << done.err << done.out;
+  EXPECT_NEAR(json::parse(done.out)["path"]["length"].get<double>(), 500, 0.01);
+}
+
+TEST(Refine, AMissingRasterIsNamedWithTheWorld) {
+  const Folder folder;
+  folder.write("world.yaml", "terrain: {raster: hills.tif}\n");
+  RefineOptions options;
+  options.query =
+      folder.write("q.json", R"({"service": "relay", "world": "world.yaml", "a": [0, 0, 9]})");
+
+  const Done done = refine("", options);
+
+  EXPECT_EQ(done.code, kExitBadInput);
+  EXPECT_THAT(done.err, AllOf(HasSubstr("world.yaml"), HasSubstr("hills.tif")));
+}
+
+TEST(Refine, ThePictureThatCannotBeWrittenIsAFailureOfTheSystem) {
+  RefineOptions options;
+  options.svg = "/nowhere/at/all.svg";
+
+  const Done done = refine(example_of("relay"), options);
+
+  EXPECT_EQ(done.code, kExitSystem);
+  EXPECT_THAT(done.err, HasSubstr("/nowhere/at/all.svg: cannot be written"));
+}
+
+TEST(Refine, ATimeBudgetThatIsOverAtOnceIsToldAsSuch) {
+  RefineOptions options;
+  options.seconds = 1;
+  double clock = 0;
+  options.now = [&clock] { return clock += 10; };
+
+  const Done done = refine(example_of("path"), options);
+
+  EXPECT_EQ(done.code, kExitTimeout);
+  EXPECT_THAT(done.out, HasSubstr("budget-exhausted"));
+}
+
+TEST(Refine, ColourOnlyWhereItIsAskedFor) {
+  RefineOptions options;
+  options.colour = true;
+
+  EXPECT_THAT(refine(example_of("evaluate"), options).out, HasSubstr("\033[1;32mevaluate"));
+  EXPECT_THAT(refine(example_of("evaluate")).out, ::testing::Not(HasSubstr("\033")));
+}
+
+}  // namespace
+}  // namespace skein::refine_tool

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// `skein refine` on the command line.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace skein::cli {
+
+struct LiveActions;
+
+/// Adds the command; when it is chosen, parsing sets `action` to what it does. `live` must outlive
+/// the action.
+void add_refine(CLI::App& app, std::function<int()>& action, const LiveActions& live);
+
+}  // namespace skein::cli

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// Patrol against the lawn mower and the thesis's gradient, by the same vehicle on the same maps.
+// Figures are those of a naive simulation of the ways, after a warm-up of a quarter of the time.
+// "ratio": against the lawn mower; goals are 0.6 for worst risk × idleness and 0.92 for the mean on
+// peaked maps, 1.5 lower bounds for the worst idleness on uniform ones.
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "../test/testing/builders.hpp"
+#include "../test/testing/patrol_oracle.hpp"
+
+namespace {
+
+using namespace skein;
+using namespace skein::refiners;
+using namespace skein::refiners::testing;
+
+struct Case {
+  std::size_t side;
+  double cell, footprint, speed;
+  int peaks;
+  std::uint64_t seed;
+  double duration;  ///< in cell lengths flown
+};
+
+struct Row {
+  NaiveFigures figures;
+  double seconds = 0;
+};
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+world::World world_of(const Case& c) {
+  world::World world = level_world(2 * c.cell * static_cast<double>(c.side), 200);
+  world.ground = peaked_ground(c.side, c.cell, c.peaks, c.seed);
+  return world;
+}
+
+PatrolQuery query_of(const Case& c) {
+  PatrolQuery query;
+  query.vehicle = helicopter();
+  query.vehicle.max_speed = 100;
+  query.vehicle.energy.capacity = 1e12;
+  const double extent = c.cell * static_cast<double>(c.side);
+  query.zone = {{0, 0}, {extent, 0}, {extent, extent}, {0, extent}};
+  query.start = {0.5 * c.cell, 0.5 * c.cell, 50};
+  query.altitude = 50;
+  query.footprint = c.footprint;
+  query.speed = c.speed;
+  query.duration = Duration::seconds(c.duration * c.cell / c.speed);
+  return query;
+}
+
+NaiveFigures simulate(const Case& c, const world::World& world, const PatrolQuery& query,
+                      const Way& way) {
+  const double seconds = query.duration.to_seconds();
+  const NaiveFlight flight{.speed = c.speed,
+                           .footprint = c.footprint,
+                           .from = seconds / 4,
+                           .step = 0.5 * c.cell / c.speed,
+                           .least_risk = query.least_risk};
+  return NaivePatrol(world.ground, cells_in(world.ground.grid, query.zone), flight).fly(way);
+}
+
+Row planned(const Case& c, const world::World& world, PatrolQuery query, PatrolMode mode) {
+  query.mode = mode;
+  const double before = now();
+  const auto refined = refine(query, Setting{.world = world, .budget = {}});
+  const double took = now() - before;
+  if (!refined) {
+    std::printf("refused: %s %s\n", refined.error().field.c_str(), refined.error().why.c_str());
+    std::exit(1);
+  }
+  return {simulate(c, world, query, refined->task.way), took};
+}
+
+void print(const char* method, const Row& row, const NaiveFigures& mower, double bound) {
+  std::printf(
+      "    %-12s worst %7.0f (%5.2f LB)  max r*idle %6.0f (ratio %.2f)  mean %6.0f "
+      "(ratio %.2f)  unseen %zu",
+      method, row.figures.worst, row.figures.worst / bound, row.figures.worst_risk,
+      row.figures.worst_risk / mower.worst_risk, row.figures.mean, row.figures.mean / mower.mean,
+      row.figures.unseen);
+  if (row.seconds > 0) std::printf("  planned in %.2f s", row.seconds);
+  std::printf("\n");
+}
+
+/// True when the goals are met.
+bool run(const Case& c, bool with_gradient) {
+  const world::World world = world_of(c);
+  const PatrolQuery query = query_of(c);
+  const double extent = c.cell * static_cast<double>(c.side);
+  const double bound = extent * extent / (2 * c.footprint * c.speed);
+  const Row mower{simulate(c, world, query,
+                           lawn_mower(extent, extent, c.footprint, c.cell, c.duration * c.cell))};
+  const Row committed = planned(c, world, query, PatrolMode::kCommitted);
+  const bool good =
+      committed.figures.unseen == 0 &&
+      (c.peaks == 0 ? committed.figures.worst <= 1.5 * bound
+                    : committed.figures.worst_risk <= 0.6 * mower.figures.worst_risk &&
+                          committed.figures.mean <= 0.92 * mower.figures.mean);
+  std::printf("%zux%zu cells of %g m, footprint %g m, %g m/s, %d peaks, seed %d: %s\n", c.side,
+              c.side, c.cell, c.footprint, c.speed, c.peaks, static_cast<int>(c.seed),
+              good ? "goals met" : "GOALS MISSED");
+  print("lawn mower", mower, mower.figures, bound);
+  print("committed", committed, mower.figures, bound);
+  if (with_gradient)
+    print("gradient", planned(c, world, query, PatrolMode::kGradient), mower.figures, bound);
+  std::fflush(stdout);
+  return good;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool full = argc > 1 && std::strcmp(argv[1], "--all") == 0;
+  std::vector<Case> cases = {{64, 1, 2, 1, 0, 1, 40000}};
+  for (const int peaks : {1, 2, 3, 4, 6})
+    for (std::uint64_t seed = 1; seed <= (full ? 6U : 2U); ++seed)
+      cases.push_back({64, 1, 2, 1, peaks, seed, 40000});
+  for (const int peaks : {0, 2, 3}) {
+    cases.push_back({48, 10, 30, 12, peaks, 11, 30000});
+    cases.push_back({64, 20, 30, 8, peaks, 12, 40000});
+    cases.push_back({96, 1, 3.3, 2, peaks, 13, 60000});
+    cases.push_back({40, 5, 5, 5, peaks, 14, 30000});
+  }
+  std::size_t met = 0, done = 0;
+  for (const Case& c : cases) {
+    met += run(c, done < 2) ? 1 : 0;
+    ++done;
+  }
+  std::printf("%zu of %zu cases meet the goals\n", met, cases.size());
+  return met == cases.size() ? 0 : 1;
+}

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "any_angle_search.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+#include "blocked_words.hpp"
+#include "bucket_queue.hpp"
+
+namespace skein::refiners {
+namespace {
+
+using world::Airspace;
+using world::Voxel;
+
+/// Priorities are held to so many steps a voxel; the order need not be exact here.
+constexpr double kStepsPerVoxel = 32;
+constexpr std::int64_t kSpan = (1 << 15) - 1;
+
+/// The steps to the neighbours, and what must be free around a voxel to make them: every voxel of
+/// the box between, as bits of the 27 around, the lowest first.
+struct Step {
+  Voxel by{};
+  std::uint32_t needs = 0;
+};
+constexpr std::uint32_t bit_of(std::int32_t x, std::int32_t y, std::int32_t z) {
+  return std::uint32_t{1} << static_cast<unsigned>((z + 1) * 9 + (y + 1) * 3 + x + 1);
+}
+constexpr std::array<Step, 26> all_steps() {
+  std::array<Step, 26> steps{};
+  std::size_t count = 0;
+  for (std::int32_t z = -1; z <= 1; ++z)
+    for (std::int32_t y = -1; y <= 1; ++y)
+      for (std::int32_t x = -1; x <= 1; ++x) {
+        if (x == 0 && y == 0 && z == 0) continue;
+        steps[count].by = {x, y, z};
+        for (std::int32_t some = 0; some < 8; ++some)
+          steps[count].needs |= bit_of((some & 1) * x, (some >> 1 & 1) * y, (some >> 2) * z);
+        ++count;
+      }
+  return steps;
+}
+constexpr std::array<Step, 26> kSteps = all_steps();
+
+/// What is known of a voxel, in one word: cost so far [voxels × cost], where it hangs, and whether
+/// it was expanded.
+struct Record {
+  float cost = 0;
+  std::uint32_t parent = 0;  // index in the grid, plus one; 0: never reached
+  bool expanded = false;
+
+  static Record of(std::uint64_t word) {
+    return {std::bit_cast<float>(static_cast<std::uint32_t>(word >> 32U)),
+            static_cast<std::uint32_t>(word & 0x7FFFFFFFU), (word & 0x80000000U) != 0};
+  }
+  std::uint64_t word() const {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(cost)} << 32U | parent |
+           (expanded ? 0x80000000U : 0U);
+  }
+};
+
+class AnyAngleSearch {
+ public:
+  AnyAngleSearch(const Airspace& airspace, const Voxel& from, const Voxel& to, double bound,
+                 const Budget& budget)
+      : airspace_(airspace),
+        from_(from),
+        to_(to),
+        rate_(airspace.least_cost() * Airspace::kCostStep),
+        even_(airspace.least_cost() == airspace.greatest_cost()),
+        records_(airspace.grid()),
+        queue_(kSpan),
+        bound_(bound / airspace.grid().voxel),
+        countdown_(budget, 256) {}
+
+  AnyAngleWay run() {
+    AnyAngleWay answer;
+    if (records_.usable()) search(answer);
+    answer.expanded = countdown_.steps();
+    answer.cut_short = countdown_.cut_short();
+    return answer;
+  }
+
+ private:
+  void search(AnyAngleWay& answer) {
+    reach(from_, index_of(from_), 0);
+    while (!queue_.empty()) {
+      const Voxel at = voxel_of(queue_.pop());
+      Record record = Record::of(records_.at(at));
+      if (record.expanded) continue;
+      if (static_cast<double>(queue_.priority()) >= bound_ * kStepsPerVoxel) return;
+      if (!countdown_.step()) return;
+      const std::uint32_t around = free_around(at);
+      if (!settle(at, around, record)) continue;
+      if (at == to_) {
+        trace(answer.way);
+        return;
+      }
+      expand(at, around, record);
+    }
+  }
+
+  std::uint32_t index_of(const Voxel& voxel) const {
+    return static_cast<std::uint32_t>(airspace_.grid().index(voxel[0], voxel[1], voxel[2]));
+  }
+  Voxel voxel_of(std::uint64_t index) const {
+    const auto width = static_cast<std::uint64_t>(airspace_.grid().size[0]);
+    const auto depth = static_cast<std::uint64_t>(airspace_.grid().size[1]);
+    return {static_cast<std::int32_t>(index % width),
+            static_cast<std::int32_t>(index / width % depth),
+            static_cast<std::int32_t>(index / width / depth)};
+  }
+  static double distance(const Voxel& a, const Voxel& b) {
+    const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+    return std::sqrt(x * x + y * y + z * z);
+  }
+  static Voxel moved(Voxel voxel, const Voxel& by) {
+    for (std::size_t i = 0; i < 3; ++i) voxel[i] += by[i];
+    return voxel;
+  }
+
+  std::uint32_t free_around(const Voxel& at) const {
+    std::uint32_t free = 0;
+    for (std::int32_t z = -1; z <= 1; ++z)
+      for (std::int32_t y = -1; y <= 1; ++y)
+        for (std::int32_t x = -1; x <= 1; ++x)
+          if (airspace_.is_free(at[0] + x, at[1] + y, at[2] + z)) free |= bit_of(x, y, z);
+    return free;
+  }
+
+  /// [voxels × cost]; nothing when it is not free.
+  std::optional<double> leg(const Voxel& a, const Voxel& b) const {
+    const world::Vector3 from = airspace_.centre(a), to = airspace_.centre(b);
+    if (!even_) {
+      const auto cost = airspace_.cost(from, to);
+      return cost ? std::optional(*cost / airspace_.grid().voxel) : std::nullopt;
+    }
+    return airspace_.is_free(from, to) ? std::optional(rate_ * distance(a, b)) : std::nullopt;
+  }
+
+  void reach(const Voxel& voxel, std::uint32_t parent, double cost) {
+    const Record record{static_cast<float>(cost), parent + 1, false};
+    records_.at(voxel) = record.word();
+    const double estimate = (cost + rate_ * distance(voxel, to_)) * kStepsPerVoxel;
+    queue_.push(std::clamp(static_cast<std::int64_t>(estimate), queue_.priority(),
+                           queue_.priority() + kSpan),
+                index_of(voxel));
+  }
+
+  /// Makes the cost a real one: that of the leg from its parent when that is free, or else over the
+  /// best neighbour expanded. False when it has to queue again since it came out dearer.
+  bool settle(const Voxel& at, std::uint32_t around, Record& record) {
+    if (at != from_) {
+      const Voxel parent = voxel_of(record.parent - 1);
+      const auto direct = leg(parent, at);
+      const float assumed = record.cost;
+      const float free_cost =
+          direct ? Record::of(records_.at(parent)).cost + static_cast<float>(*direct) : 0;
+      if (!direct || free_cost > assumed * 1.0001F) {
+        record.cost = direct ? free_cost : std::numeric_limits<float>::infinity();
+        take_best_neighbour(at, around, record);
+        if (record.cost > assumed + 0.5F) {
+          reach(at, record.parent - 1, record.cost);
+          return false;
+        }
+      }
+    }
+    record.expanded = true;
+    records_.at(at) = record.word();
+    return true;
+  }
+
+  void take_best_neighbour(const Voxel& at, std::uint32_t around, Record& record) const {
+    for (const Step& step : kSteps) {
+      if ((around & step.needs) != step.needs) continue;
+      const Voxel beside = moved(at, step.by);
+      const Record other = Record::of(records_.at(beside));
+      if (!other.expanded) continue;
+      const double step_cost =
+          even_ ? rate_ * distance(beside, at) : leg(beside, at).value_or(1e30);
+      const auto cost = other.cost + static_cast<float>(step_cost);
+      if (cost >= record.cost) continue;
+      record.cost = cost;
+      record.parent = index_of(beside) + 1;
+    }
+  }
+
+  void expand(const Voxel& at, std::uint32_t around, const Record& record) {
+    const std::uint32_t parent = record.parent - 1;
+    const Voxel corner = voxel_of(parent);
+    const double cost = Record::of(records_.at(corner)).cost;
+    for (const Step& step : kSteps) {
+      if ((around & step.needs) != step.needs) continue;
+      const Voxel beside = moved(at, step.by);
+      const Record other = Record::of(records_.at(beside));
+      const double sum = cost + rate_ * distance(corner, beside);
+      if (other.parent != 0 && (other.expanded || other.cost <= static_cast<float>(sum))) continue;
+      reach(beside, parent, sum);
+    }
+  }
+
+  void trace(Way& way) const {
+    for (Voxel at = to_; at != from_; at = voxel_of(Record::of(records_.at(at)).parent - 1))
+      way.push_back(airspace_.centre(at));
+    way.push_back(airspace_.centre(from_));
+    std::reverse(way.begin(), way.end());
+  }
+
+  const Airspace& airspace_;
+  Voxel from_, to_;
+  double rate_;
+  bool even_;  // one crossing cost everywhere
+  BlockedWords records_;
+  BucketQueue queue_;
+  double bound_;  // [voxels × cost]
+  Countdown countdown_;
+};
+
+}  // namespace
+
+AnyAngleWay search_any_angle(const Airspace& airspace, const Voxel& from, const Voxel& to,
+                             double bound, const Budget& budget) {
+  return AnyAngleSearch(airspace, from, to, bound, budget).run();
+}
+
+}  // namespace skein::refiners

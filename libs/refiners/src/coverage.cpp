@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/refiners/coverage.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "coverage_checks.hpp"
+#include "sweep_track.hpp"
+
+namespace skein::refiners {
+namespace {
+
+using world::Vector2;
+using world::Vector3;
+constexpr double kLeastTolerance = 1;  // of heights [m]
+
+using Volumes = std::vector<const world::Volume*>;
+
+std::string figure(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+/// Volumes over the area, by the rectangles around them.
+Volumes over(const world::Polygon& area, const Volumes& volumes) {
+  const auto box = [](const world::Polygon& polygon) {
+    Vector2 low = polygon.front(), high = polygon.front();
+    for (const Vector2& corner : polygon) {
+      low = low.cwiseMin(corner);
+      high = high.cwiseMax(corner);
+    }
+    return std::pair{low, high};
+  };
+  const auto [low, high] = box(area);
+  Volumes found;
+  for (const world::Volume* volume : volumes) {
+    if (volume->polygon.empty()) continue;
+    const auto [volume_low, volume_high] = box(volume->polygon);
+    if ((volume_low.array() < high.array()).all() && (volume_high.array() > low.array()).all())
+      found.push_back(volume);
+  }
+  return found;
+}
+
+std::optional<Vector2> level(const std::optional<Vector3>& point) {
+  if (!point) return std::nullopt;
+  return Vector2(point->head<2>());
+}
+
+Duration later(Duration duration, double seconds) {
+  return duration == Duration::max() ? duration : duration + Duration::seconds(seconds);
+}
+
+class CoverageRefiner {
+ public:
+  CoverageRefiner(const CoverageQuery& query, const Setting& setting)
+      : query_(query),
+        setting_(setting),
+        model_(query.vehicle, query.speed > 0 ? query.speed : query.vehicle.cruise_speed),
+        volumes_(volumes_from(setting.world, query.depart)) {}
+
+  Outcome<Coverage> refine() {
+    Countdown countdown(setting_.budget, 8);
+    SweepTask task = sweep_task();
+    if (!(task.wind.norm() < model_.speed()))
+      return refuse(RefusalKind::kBeyondVehicle, "speed",
+                    "a wind that moves it by " + figure(task.wind.norm()) +
+                        " m/s cannot be flown against at " + figure(model_.speed()) + " m/s");
+    const Volumes above = over(query_.area, volumes_);
+    if (!above.empty())
+      task.is_free = [&](const Vector2& from, const Vector2& to) {
+        return entered(lifted(from), lifted(to), above) == nullptr;
+      };
+    const auto sweep = plan_sweep(task, model_, countdown);
+    if (!sweep)
+      return refuse(RefusalKind::kBlocked, "area",
+                    "every set of lanes found enters a volume" +
+                        (above.empty() ? std::string() : " (" + above.front()->name + ")") +
+                        "; cut it out of the area, with half a swath around it");
+    Refined<Coverage> refined;
+    refined.effort = {countdown.steps(), countdown.cut_short()};
+    if (auto problem = fly(*sweep, task.ends, refined)) return tl::unexpected<Refusal>(*problem);
+    return refined;
+  }
+
+ private:
+  SweepTask sweep_task() const {
+    SweepTask task;
+    task.region = {query_.area, query_.holes};
+    task.swath = query_.swath;
+    task.mode = query_.mode;
+    task.direction = query_.direction;
+    task.ends = {level(query_.start), level(query_.end)};
+    task.wind = query_.vehicle.wind_drift * world::mean_velocity(setting_.world.wind).head<2>();
+    return task;
+  }
+
+  Vector3 lifted(const Vector2& at) const {
+    return {at.x(), at.y(), setting_.world.terrain.elevation(at.x(), at.y()) + query_.altitude};
+  }
+
+  static const world::Volume* entered(const Vector3& from, const Vector3& to,
+                                      const Volumes& volumes) {
+    for (const world::Volume* volume : volumes)
+      if (enters(from, to, *volume)) return volume;
+    return nullptr;
+  }
+
+  /// Fills in what the sweep gives; or says why it cannot be flown.
+  std::optional<Refusal> fly(const Sweep& sweep, const SweepEnds& ends,
+                             Refined<Coverage>& refined) const {
+    Obstacles obstacles;
+    obstacles.is_free = [&](const Vector2& from, const Vector2& to) {
+      return entered(lifted(from), lifted(to), volumes_) == nullptr;
+    };
+    for (const world::Volume* volume : volumes_) obstacles.outlines.push_back(volume->polygon);
+    const Track track = track_of(sweep, ends, model_, obstacles);
+    const auto z_of = [](const std::optional<Vector3>& place) {
+      return place ? std::optional(place->z()) : std::nullopt;
+    };
+    Coverage& task = refined.task;
+    const Profile profile{query_.altitude, tolerance(), z_of(query_.start), z_of(query_.end),
+                          model_.speed()};
+    task.way = raised(track, profile, query_.vehicle, setting_.world.terrain);
+    task.direction = sweep.direction;
+    task.parts = sweep.blocks;
+    task.turns = sweep.passes.size() - 1;
+    task.length = length_of(task.way);
+    for (const Pass& pass : sweep.passes) task.lanes.push_back({pass.from, pass.to});
+    double run = 0;
+    for (std::size_t i = 1; i < track.points.size(); ++i)
+      run += (track.points[i] - track.points[i - 1]).norm();
+    estimate(std::max(0.0, track.seconds - run / model_.speed()), refined);
+    return check_flown(refined);
+  }
+
+  /// A quarter of the altitude, or what is left up to the ceiling, but for a metre.
+  double tolerance() const {
+    return std::min(query_.altitude / 4,
+                    std::max(kLeastTolerance, query_.vehicle.ceiling - query_.altitude));
+  }
+
+  /// `standing`: what stops and turns add to flying on at speed [s].
+  void estimate(double standing, Refined<Coverage>& refined) const {
+    const Flight flight =
+        estimate_flight(refined.task.way, query_.vehicle, setting_.world.wind, query_.speed);
+    refined.duration = {later(flight.duration.least, standing),
+                        later(flight.duration.expected, standing),
+                        later(flight.duration.most, standing)};
+    refined.cost = refined.duration.expected.to_seconds();
+    const double power = model_.hovers() ? world::flight_power(query_.vehicle, 0, 0)
+                                         : world::flight_power(query_.vehicle, model_.speed(), 0);
+    refined.task.energy = flight.energy + standing * power / query_.vehicle.energy.capacity;
+  }
+
+  std::optional<Refusal> check_flown(const Refined<Coverage>& refined) const {
+    const Way& way = refined.task.way;
+    for (const Vector3& point : way) {
+      const double height = point.z() - setting_.world.terrain.elevation(point.x(), point.y());
+      if (height > query_.vehicle.ceiling + kLeastTolerance)
+        return Refusal{RefusalKind::kBeyondVehicle, "altitude",
+                       "over ground this steep the way is " + figure(height) +
+                           " m high somewhere, above the vehicle's ceiling of " +
+                           figure(query_.vehicle.ceiling) + " m"};
+    }
+    for (std::size_t i = 0; i + 1 < way.size(); ++i)
+      if (const world::Volume* volume = entered(way[i], way[i + 1], volumes_))
+        return Refusal{RefusalKind::kBlocked, "area",
+                       "the way enters the volume " + volume->name + " near (" +
+                           figure(way[i].x()) + ", " + figure(way[i].y()) + ")"};
+    const double most = 1 - query_.vehicle.energy.reserve;
+    if (!(refined.task.energy <= most))
+      return Refusal{RefusalKind::kBeyondVehicle, "area",
+                     "sweeping it takes " + figure(100 * refined.task.energy) +
+                         " % of the energy held when full; " + figure(100 * most) +
+                         " % may be used"};
+    return std::nullopt;
+  }
+
+  const CoverageQuery& query_;
+  const Setting& setting_;
+  TurnModel model_;
+  Volumes volumes_;
+};
+
+}  // namespace
+
+Outcome<Coverage> refine(const CoverageQuery& query, const Setting& setting) {
+  if (auto problem = check_coverage(query, setting.world)) return tl::unexpected<Refusal>(*problem);
+  return CoverageRefiner(query, setting).refine();
+}
+
+}  // namespace skein::refiners

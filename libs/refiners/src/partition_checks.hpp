@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is wrong with a partition query.
+#pragma once
+
+#include <optional>
+
+#include "skein/refiners/partition.hpp"
+
+namespace skein::refiners {
+
+/// More members than anyone shares an area out among.
+inline constexpr std::size_t kMostMembers = 64;
+
+/// The first fault of the query, if any.
+std::optional<Refusal> check_partition(const PartitionQuery& query);
+
+}  // namespace skein::refiners

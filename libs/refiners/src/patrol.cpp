@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/refiners/patrol.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "patrol_plan.hpp"
+#include "patrol_ring.hpp"
+#include "patrol_setup.hpp"
+#include "skein/foundation/contract.hpp"
+
+namespace skein::refiners {
+namespace {
+
+using world::Vector2;
+using world::Vector3;
+
+/// The clock is asked every as many visits: one takes some microseconds.
+constexpr std::uint32_t kStride = 16;
+
+PlanePatrol plan(const PatrolQuery& query, const PatrolGround& ground, Countdown& countdown) {
+  const PatrolTask task{query.start.head<2>(), query.heading, patrol_speed(query),
+                        query.duration.to_seconds()};
+  if (query.mode == PatrolMode::kGradient)
+    return fly_gradient(ground.field, ground.space, ground.sight, task,
+                        {query.time_scale.to_seconds()}, countdown);
+  const std::vector<Visit> whole = round_over_all(ground.blocks, *ground.links);
+  return plan_patrol({ground.field, ground.blocks, *ground.links, whole, task.speed}, ground.sight,
+                     task, countdown);
+}
+
+/// Leads from the height of the start to those of the way: on the spot where the vehicle hovers,
+/// else as steeply as it can.
+void join_start(Way& way, const PatrolQuery& query) {
+  if (query.vehicle.hovers) {
+    if (way.front() != query.start) way.insert(way.begin(), query.start);
+    return;
+  }
+  const HeightRule rule = height_rule(query);
+  double along = 0;
+  Vector2 before = way.front().head<2>();
+  for (Vector3& point : way) {
+    along += (point.head<2>() - before).norm();
+    before = point.head<2>();
+    const double wanted = point.z();
+    point.z() = std::clamp(wanted, query.start.z() - rule.descent * along,
+                           query.start.z() + rule.climb * along);
+    if (along > 0 && point.z() == wanted) return;
+  }
+}
+
+/// The way as long as the patrol lasts: a start on the spot takes its time too.
+Way flown(const PatrolQuery& query, const world::World& world, const PlanePatrol& plane) {
+  const double speed = patrol_speed(query);
+  const HeightRule rule = height_rule(query);
+  const double wanted = world.terrain.elevation(query.start.x(), query.start.y()) + query.altitude;
+  const double rise = wanted - query.start.z();
+  const double on_the_spot = query.vehicle.hovers ? std::max(rise / query.vehicle.climb_rate,
+                                                             -rise / query.vehicle.descent_rate)
+                                                  : 0;
+  const double left = std::max(0.0, query.duration.to_seconds() - on_the_spot);
+  std::vector<Vector2> part = first_part(plane.way, left * speed);
+  // Part of a chord of an arc would be a sharper turn than the arc.
+  const bool cuts_arc =
+      !query.vehicle.hovers && part.size() > 2 &&
+      (part.back() - part[part.size() - 2]).norm() < query.vehicle.min_turn_radius;
+  if (cuts_arc) part.pop_back();
+  Way way = over_ground(part, world.terrain, rule);
+  join_start(way, query);
+  return way;
+}
+
+std::optional<Refusal> check_heights(const Way& way, const PatrolQuery& query,
+                                     const world::Terrain& terrain) {
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double over = way[i].z() - terrain.elevation(way[i].x(), way[i].y());
+    if (over > query.vehicle.ceiling + 1e-6 && over > query.altitude * (1 + kHeightTolerance))
+      return Refusal{RefusalKind::kBeyondVehicle, "altitude",
+                     "the ground is too steep to follow at that speed: it would be " +
+                         std::to_string(static_cast<int>(over)) + " m below; the ceiling is " +
+                         std::to_string(static_cast<int>(query.vehicle.ceiling)) + " m"};
+    if (!terrain.line_of_sight(way[i - 1], way[i]))
+      return Refusal{RefusalKind::kBlocked, "start", "the way up from it runs into the ground"};
+  }
+  return std::nullopt;
+}
+
+std::optional<Refusal> check_energy(const Flight& flight, const world::VehicleModel& vehicle) {
+  const double usable = 1 - vehicle.energy.reserve;
+  if (flight.energy <= usable) return std::nullopt;
+  const double seconds = flight.duration.expected.to_seconds();
+  return Refusal{RefusalKind::kBeyondVehicle, "duration",
+                 std::to_string(static_cast<long>(seconds)) + " s draw " +
+                     std::to_string(static_cast<long>(100 * flight.energy)) +
+                     " % of the energy held when full, of which " +
+                     std::to_string(static_cast<int>(100 * usable)) +
+                     " % may be used: enough for about " +
+                     std::to_string(static_cast<long>(seconds * usable / flight.energy)) + " s"};
+}
+
+double leg_time(const Vector3& from, const Vector3& to, const PatrolQuery& query) {
+  const double rise = to.z() - from.z();
+  const double vertical =
+      rise > 0 ? rise / query.vehicle.climb_rate : -rise / query.vehicle.descent_rate;
+  return std::max((to - from).head<2>().norm() / patrol_speed(query), vertical);
+}
+
+PatrolFigures predicted(const Way& way, const PatrolQuery& query, const PatrolGround& ground) {
+  double total = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) total += leg_time(way[i - 1], way[i], query);
+  IdlenessLog log(ground.field, ground.sight, total / 2);
+  for (std::size_t i = 1; i < way.size(); ++i)
+    log.fly(way[i - 1].head<2>(), way[i].head<2>(),
+            log.now() + leg_time(way[i - 1], way[i], query));
+  PatrolFigures figures = log.figures();
+  const PatrolFigures bounds = make_bounds(ground.field, ground.sight, patrol_speed(query));
+  figures.worst_idleness_bound = bounds.worst_idleness_bound;
+  figures.worst_risk_idleness_bound = bounds.worst_risk_idleness_bound;
+  figures.mean_idleness_bound = bounds.mean_idleness_bound;
+  return figures;
+}
+
+std::vector<double> potentials(const Way& way, const PatrolQuery& query,
+                               const PatrolGround& ground) {
+  std::vector<Vector2> plane;
+  for (const Vector3& point : way) plane.emplace_back(point.head<2>());
+  const std::vector<double> idleness =
+      fading_idleness(ground.field, ground.sight, plane, patrol_speed(query));
+  std::vector<double> all(ground.sight.grid().size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < idleness.size(); ++i)
+    all[ground.field.cells[i]] =
+        potential(ground.field.risk[i], idleness[i], query.time_scale.to_seconds());
+  return all;
+}
+
+}  // namespace
+
+double potential(double risk, double idleness, double time_scale) {
+  SKEIN_EXPECTS(time_scale > 0);
+  return std::exp(-risk * idleness / time_scale);
+}
+
+double updated_idleness(double idleness, double dt, double distance, double sigma) {
+  SKEIN_EXPECTS(sigma > 0);
+  return -std::expm1(-distance * distance / (sigma * sigma)) * (idleness + dt);
+}
+
+Outcome<Patrol> refine(const PatrolQuery& query, const Setting& setting) {
+  if (auto problem = check_patrol(query, setting.world)) return tl::unexpected(*problem);
+  const auto ground = make_patrol_ground(query, setting.world);
+  if (!ground) return tl::unexpected(ground.error());
+  Countdown countdown(setting.budget, kStride);
+  const PlanePatrol plane = plan(query, **ground, countdown);
+  if (plane.way.size() < 2)
+    return countdown.over()
+               ? refuse(RefusalKind::kBudgetExhausted, "", "nothing was planned in time")
+               : refuse(RefusalKind::kUnreachable, "start", "no way leads to the zone");
+  Refined<Patrol> refined;
+  Patrol& patrol = refined.task;
+  patrol.way = flown(query, setting.world, plane);
+  if (auto problem = check_heights(patrol.way, query, setting.world.terrain))
+    return tl::unexpected(*problem);
+  const Flight flight =
+      estimate_flight(patrol.way, query.vehicle, setting.world.wind, patrol_speed(query));
+  if (auto problem = check_energy(flight, query.vehicle)) return tl::unexpected(*problem);
+  patrol.energy = flight.energy;
+  patrol.predicted = predicted(patrol.way, query, **ground);
+  patrol.potential = potentials(patrol.way, query, **ground);
+  refined.cost = patrol.predicted.mean_idleness;
+  refined.duration = flight.duration;
+  refined.effort = {countdown.steps(), countdown.cut_short()};
+  return refined;
+}
+
+}  // namespace skein::refiners

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "patrol_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "patrol_ring.hpp"
+
+namespace skein::refiners {
+namespace {
+
+using world::Vector2;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Rules are tried over as many rounds over everything.
+constexpr double kTrialRounds = 11;
+/// Lengths of the laps tried, as parts of a round over everything.
+constexpr std::array<double, 6> kLapParts = {0.7, 0.58, 0.5, 0.43, 0.36, 0.28};
+constexpr std::array<double, 2> kPowers = {0.6, 0.85};
+/// How many rules are flown over the whole time, of those that come near everything in turn.
+constexpr std::size_t kFlownWhole = 4;
+constexpr double kHopeless = 1.75;
+/// What the worst risk × idleness and the mean idleness are worth against each other, as parts of
+/// what everything in turn gives: the worst can be brought down further.
+constexpr double kWorstShare = 0.6, kMeanShare = 0.92;
+
+/// Flies laps for a time.
+class LapFlight {
+ public:
+  LapFlight(const LapGround& ground, const PatrolSight& sight, const PatrolTask& task)
+      : ground_(ground), task_(task), log_(ground.field, sight, task.duration / 3) {
+    way_.push_back(task.start);
+  }
+
+  /// False when the countdown ended it before its time.
+  bool fly(const LapRule& rule, Countdown& countdown) {
+    LapPlanner planner(ground_, rule);
+    while (log_.now() < task_.duration) {
+      // Everything in turn begins with what is nearest to the start.
+      std::vector<Visit> lap = planner.next(log_.last_seen(), log_.now());
+      if (way_.size() == 1) begin_near(lap);
+      for (const Visit visit : lap) {
+        if (!countdown.step()) return false;
+        go_to(visit);
+        if (log_.now() >= task_.duration) break;
+      }
+    }
+    return true;
+  }
+
+  PatrolFigures figures() const { return log_.figures(); }
+  std::vector<Vector2> take_way() { return std::move(way_); }
+
+ private:
+  void begin_near(std::vector<Visit>& lap) const {
+    const auto nearest = std::min_element(lap.begin(), lap.end(), [&](Visit a, Visit b) {
+      return cost_from_start(a) < cost_from_start(b);
+    });
+    if (cost_from_start(*nearest) < kInfinity)
+      std::rotate(lap.begin(), nearest, lap.end());
+    else
+      lap.insert(lap.begin(), nearest_of_all());
+  }
+
+  double cost_from_start(Visit visit) const {
+    return ground_.links.cost_from(task_.start, task_.heading, visit);
+  }
+
+  Visit nearest_of_all() const {
+    Visit nearest = 0;
+    for (Visit visit = 1; visit < 2 * ground_.blocks.size(); ++visit)
+      if (cost_from_start(visit) < cost_from_start(nearest)) nearest = visit;
+    return nearest;
+  }
+
+  void go_to(Visit visit) {
+    const std::size_t from = way_.size();
+    if (from == 1)
+      ground_.links.append_way_from(task_.start, task_.heading, visit, way_);
+    else
+      ground_.links.append_way(last_, visit, way_);
+    ground_.links.append_track(visit, way_);
+    last_ = visit;
+    for (std::size_t i = from; i < way_.size(); ++i)
+      log_.fly(way_[i - 1], way_[i], log_.now() + (way_[i] - way_[i - 1]).norm() / task_.speed);
+    // A single point visited for ever takes no time: wait there.
+    if (ground_.blocks.size() == 1 && ground_.blocks[0].track.size() == 1)
+      log_.fly(way_.back(), way_.back(), task_.duration);
+  }
+
+  const LapGround& ground_;
+  const PatrolTask& task_;
+  IdlenessLog log_;
+  std::vector<Vector2> way_;
+  Visit last_ = 0;
+};
+
+/// The greater of two shares of what everything in turn gives; what leaves cells unseen is worst.
+double badness(const PatrolFigures& figures, const PatrolFigures& in_turn) {
+  if (figures.unseen > in_turn.unseen) return kInfinity;
+  return std::max(figures.worst_risk_idleness / (kWorstShare * in_turn.worst_risk_idleness),
+                  figures.mean_idleness / (kMeanShare * in_turn.mean_idleness));
+}
+
+/// The most promising rules by trials over the first part of the time, the best first.
+std::vector<LapRule> promising_rules(const LapGround& ground, const PatrolSight& sight,
+                                     PatrolTask task, Countdown& countdown) {
+  const double round = round_length(ground.whole, ground.links);
+  task.duration = std::min(task.duration, kTrialRounds * round / ground.speed);
+  std::vector<LapRule> rules;
+  LapFlight reference(ground, sight, task);
+  if (!reference.fly({.length = kInfinity}, countdown)) return rules;
+  std::vector<std::pair<double, std::size_t>> ranking;
+  for (const double power : kPowers)
+    for (const double part : kLapParts) {
+      const LapRule rule{.length = part * round, .power = power};
+      LapFlight flight(ground, sight, task);
+      if (!flight.fly(rule, countdown)) return {};
+      ranking.emplace_back(badness(flight.figures(), reference.figures()), rules.size());
+      rules.push_back(rule);
+    }
+  std::sort(ranking.begin(), ranking.end());
+  std::vector<LapRule> best;
+  for (const auto& [bad, rule] : ranking)
+    if (best.size() < kFlownWhole && bad < kHopeless) best.push_back(rules[rule]);
+  return best;
+}
+
+}  // namespace
+
+PlanePatrol plan_patrol(const LapGround& ground, const PatrolSight& sight, const PatrolTask& task,
+                        Countdown& countdown) {
+  LapFlight in_turn(ground, sight, task);
+  const bool complete = in_turn.fly({.length = kInfinity}, countdown);
+  PlanePatrol patrol{in_turn.take_way(), complete};
+  if (!complete || ground.blocks.size() < 4) return patrol;
+  const PatrolFigures reference = in_turn.figures();
+  double least = badness(reference, reference);
+  for (const LapRule& rule : promising_rules(ground, sight, task, countdown)) {
+    LapFlight flight(ground, sight, task);
+    if (!flight.fly(rule, countdown)) return patrol;
+    const double bad = badness(flight.figures(), reference);
+    if (bad < least) patrol.way = flight.take_way();
+    least = std::min(least, bad);
+  }
+  return patrol;
+}
+
+}  // namespace skein::refiners

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/refiners/voxel_path_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "path_approach.hpp"
+#include "path_checks.hpp"
+#include "path_space.hpp"
+#include "skein/refiners/flyable.hpp"
+#include "tour_checks.hpp"
+
+namespace skein::refiners {
+namespace {
+
+using world::Airspace;
+using world::Vector3;
+
+Refusal out_of_budget(const std::string& when) {
+  return {RefusalKind::kBudgetExhausted, "", "the budget was used up " + when};
+}
+
+/// One attempt, with the volumes that count for one length of flight.
+class Route {
+ public:
+  Route(const PathQuery& query, const Setting& setting, const PathSpace& space)
+      : query_(query),
+        setting_(setting),
+        space_(space),
+        airspace_(space.airspace(setting.world.airspace)) {}
+
+  /// A way that can be flown.
+  Result<Way, Refusal> find() {
+    if (setting_.budget.expired()) return tl::unexpected(out_of_budget("before the search"));
+    from_ = approach(space_, airspace_, query_.from, query_.to);
+    if (!from_) return tl::unexpected(space_.closed(query_.from, "from"));
+    to_ = approach(space_, airspace_, query_.to, query_.from);
+    if (!to_) return tl::unexpected(space_.closed(query_.to, "to"));
+    const VoxelWay found = search(airspace_);
+    graph_cost_ = found.graph_cost;
+    if (!found.found) return tl::unexpected(no_way(found));
+    return query_.vehicle.hovers ? joined(found.way) : flown({found.way, found.graph_way});
+  }
+
+  double graph_cost() const { return graph_cost_; }
+  const Effort& effort() const { return effort_; }
+
+  /// Integral of the crossing cost; that of the approaches is 1.
+  double cost(const Way& way) const {
+    double sum = 0;
+    for (std::size_t i = 1; i < way.size(); ++i)
+      sum += airspace_.cost(way[i - 1], way[i]).value_or((way[i] - way[i - 1]).norm());
+    return sum;
+  }
+
+ private:
+  Budget rest_of_budget() const {
+    Budget rest = setting_.budget;
+    rest.steps -= std::min(rest.steps, effort_.steps);
+    return rest;
+  }
+
+  VoxelWay search(const Airspace& airspace) {
+    VoxelWay found = find_way(airspace, from_->way.back(), to_->way.back(), rest_of_budget());
+    effort_.steps += found.effort.steps;
+    effort_.cut_short = effort_.cut_short || found.effort.cut_short;
+    return found;
+  }
+
+  Refusal no_way(const VoxelWay& found) const {
+    if (found.out_of_budget) return out_of_budget("before a way was found");
+    const Refusal unreachable = {RefusalKind::kUnreachable, "to",
+                                 "every way there is closed by the ground or by volumes"};
+    if (!query_.contact) return unreachable;
+    const Airspace silent = space_.without_contact().airspace(setting_.world.airspace);
+    const GraphWay other = search_graph(silent, from_->voxel, to_->voxel, rest_of_budget());
+    if (other.out_of_budget) return out_of_budget("before a way was found");
+    if (!other.found) return unreachable;
+    return {RefusalKind::kNoContact, "contact", "no way there keeps radio contact all along"};
+  }
+
+  bool is_free(const Vector3& a, const Vector3& b) const {
+    return airspace_.is_free(a, b) || (from_->near && from_->near->is_free(a, b)) ||
+           (to_->near && to_->near->is_free(a, b));
+  }
+
+  /// With the ways from the ends to the graph, leaving the joints out or behind where that is free.
+  Way joined(Way way) const {
+    if (from_->near) {
+      way.insert(way.begin(), from_->way.begin(), from_->way.end() - 1);
+      straighten_joint(way, from_->way.size() - 1);
+    }
+    if (to_->near) {
+      way.insert(way.end(), to_->way.rbegin() + 1, to_->way.rend());
+      std::reverse(way.begin(), way.end());
+      straighten_joint(way, to_->way.size() - 1);
+      std::reverse(way.begin(), way.end());
+    }
+    return way;
+  }
+  void straighten_joint(Way& way, std::size_t joint) const {
+    if (joint + 1 >= way.size()) return;
+    const Vector3 at = way[joint], next = way[joint + 1];
+    for (double part = 1; part > 0.05; part /= 2) {
+      const Vector3 place = at + part * (next - at);
+      if (!is_free(way[joint - 1], place) || !is_free(place, next)) continue;
+      way[joint] = place;
+      if (part == 1) way.erase(way.begin() + static_cast<std::ptrdiff_t>(joint));
+      return;
+    }
+  }
+
+  /// For a vehicle that cannot hover: the shortest of the ways that can be made flyable; one with
+  /// room for its turns when the others cannot.
+  Result<Way, Refusal> flown(const std::vector<Way>& ways) {
+    FlyableQuery flyable;
+    flyable.heading_from = query_.heading_from;
+    flyable.heading_to = query_.heading_to;
+    flyable.speed = query_.speed;
+    flyable.tolerance = kChordTolerance;
+    flyable.is_free = [&](const Vector3& a, const Vector3& b) {
+      return !setting_.budget.expired() && is_free(a, b);
+    };
+    std::optional<Way> best;
+    std::optional<Refusal> refusal;
+    const auto attempt = [&](const Way& way) {
+      flyable.corners = joined(way);
+      const auto flown = make_flyable(flyable, query_.vehicle);
+      if (!flown && !refusal) refusal = flown.error();
+      if (flown && (!best || cost(*flown) < cost(*best))) best = *flown;
+    };
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      if (i == 0 || ways[i] != ways[i - 1]) attempt(ways[i]);
+    if (!best)
+      if (const VoxelWay wide = search(roomy()); wide.found) attempt(wide.way);
+    if (best) return *best;
+    if (setting_.budget.expired()) return tl::unexpected(out_of_budget("making the way flyable"));
+    return tl::unexpected(*refusal);
+  }
+
+  /// The airspace without what is close to blocked voxels on the level, but around the ends.
+  Airspace roomy() const {
+    const double radius = query_.vehicle.min_turn_radius, voxel = airspace_.grid().voxel;
+    const auto range =
+        static_cast<std::int32_t>(std::clamp(std::ceil(radius / 2 / voxel), 1.0, 4.0));
+    Airspace roomy = airspace_;
+    roomy.keep_where([&](const world::Voxel& at) {
+      const Vector3 centre = airspace_.centre(at);
+      if (std::min((centre - query_.from).norm(), (centre - query_.to).norm()) <
+          2 * radius + 2 * voxel)
+        return true;
+      for (std::int32_t y = -range; y <= range; ++y)
+        for (std::int32_t x = -range; x <= range; ++x)
+          if (!airspace_.is_free(at[0] + x, at[1] + y, at[2])) return false;
+      return true;
+    });
+    return roomy;
+  }
+
+  const PathQuery& query_;
+  const Setting& setting_;
+  const PathSpace& space_;
+  Airspace airspace_;
+  std::optional<Approach> from_, to_;
+  double graph_cost_ = 0;
+  Effort effort_;
+};
+
+Outcome<Path> answer(const PathQuery& query, const Route& route, const Way& way,
+                     const Flight& flight, const Effort& effort) {
+  if (flight.duration.expected == Duration::max())
+    return refuse(RefusalKind::kBeyondVehicle, "speed", "the vehicle cannot hold against the wind");
+  if (auto problem = check_energy(flight.energy, query.vehicle, "the way"))
+    return tl::unexpected(*problem);
+  Refined<Path> refined;
+  refined.task = {way, flight.length, route.graph_cost(), flight.energy};
+  refined.cost = route.cost(way);
+  refined.duration = flight.duration;
+  refined.effort = effort;
+  return refined;
+}
+
+}  // namespace
+
+Outcome<Path> VoxelPathPlanner::plan(const PathQuery& query, const Setting& setting) const {
+  if (auto problem = check(query, setting.world)) return tl::unexpected(*problem);
+  const auto estimate = [&](const Way& way) {
+    return estimate_flight(way, query.vehicle, setting.world.wind, query.speed);
+  };
+  Duration horizon = estimate({query.from, query.to}).duration.least;
+  Effort effort;
+  while (true) {
+    const PathSpace space(query, setting.world, horizon);
+    Setting rest{setting.world, setting.budget, setting.seed, nullptr};
+    rest.budget.steps -= std::min(rest.budget.steps, effort.steps);
+    Route route(query, rest, space);
+    const auto way = route.find();
+    if (!way) return tl::unexpected(way.error());
+    effort.steps += route.effort().steps;
+    effort.cut_short = effort.cut_short || route.effort().cut_short;
+    const Flight flight = estimate(*way);
+    const Duration most = std::max(horizon, flight.duration.most);
+    if (PathSpace(query, setting.world, most).counted() == space.counted())
+      return answer(query, route, *way, flight, effort);
+    horizon = most;
+  }
+}
+
+}  // namespace skein::refiners

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <utility>
+
+#include "any_angle_search.hpp"
+#include "skein/foundation/contract.hpp"
+#include "skein/refiners/voxel_path_planner.hpp"
+#include "string_puller.hpp"
+
+namespace skein::refiners {
+namespace {
+
+Budget less(Budget budget, std::uint64_t steps) {
+  budget.steps -= std::min(budget.steps, steps);
+  return budget;
+}
+
+}  // namespace
+
+VoxelWay find_way(const world::Airspace& airspace, const world::Vector3& from,
+                  const world::Vector3& to, const Budget& budget) {
+  const auto first = airspace.free_voxel_at(from), last = airspace.free_voxel_at(to);
+  SKEIN_EXPECTS(first && last);
+  const auto with_ends = [&](Way way) {
+    way.insert(way.begin(), from);
+    way.push_back(to);
+    return way;
+  };
+  const StringPuller puller(airspace, budget);
+  GraphWay graph = search_graph(airspace, *first, *last, budget);
+  VoxelWay found;
+  found.found = graph.found;
+  found.graph_cost = graph.cost;
+  found.effort = {graph.expanded, graph.cut_short};
+  found.out_of_budget = graph.out_of_budget;
+  if (!found.found) return found;
+  found.way = found.graph_way = puller.pulled(with_ends(std::move(graph.way)));
+  found.cost = puller.cost(found.way);
+
+  // The other search goes from centre to centre, and is pulled straight afterwards.
+  const double bound = 1.02 * found.cost + 2 * airspace.grid().voxel;
+  AnyAngleWay other =
+      search_any_angle(airspace, *first, *last, bound, less(budget, graph.expanded));
+  found.effort.steps += other.expanded;
+  if (!other.way.empty()) {
+    Way pulled = puller.pulled(with_ends(std::move(other.way)));
+    const double cost = puller.cost(pulled);
+    if (cost < found.cost) {
+      found.way = std::move(pulled);
+      found.cost = cost;
+    }
+  }
+  found.effort.cut_short = other.cut_short || budget.expired();
+  return found;
+}
+
+}  // namespace skein::refiners

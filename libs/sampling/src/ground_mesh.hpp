@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ground as triangles that are never below it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "skein/world/terrain.hpp"
+
+namespace skein::sampling {
+
+/// What a mesh covers.
+struct Region {
+  double west, south, east, north;
+};
+
+/// A bilinear patch is not plane: cut along the diagonal along which it is convex, its two
+/// triangles lie above it, by at most a quarter of its twist (the height of one diagonal's middle
+/// over the other's, doubled). Each cell is cut in as many patches as bring that under the
+/// accuracy. Cells meet without cracks, since a patch is straight along its edges. A value type.
+class GroundMesh {
+ public:
+  /// Outside the terrain's extent the ground goes on as Terrain says.
+  GroundMesh(const world::Terrain& terrain, const Region& region, double accuracy,
+             std::size_t most_triangles);
+
+  const std::vector<world::Vector3>& vertices() const { return vertices_; }
+  const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return triangles_; }
+  double highest() const { return highest_; }
+  /// Of the triangles; at the border's height outside the region. Cost: O(log lines).
+  double height(double x, double y) const;
+
+ private:
+  struct Cell {
+    std::array<double, 4> corners{};  ///< heights in the SW, SE, NW, NE
+    std::uint32_t cuts = 1;           ///< along each side
+
+    double twist() const { return corners[0] + corners[3] - corners[1] - corners[2]; }
+    double at(double u, double v) const;
+  };
+
+  void set_lines(const world::Terrain& terrain, const Region& region, std::size_t merged);
+  void set_cells(const world::Terrain& terrain, bool merged);
+  /// How many triangles there are with that accuracy.
+  std::size_t cut(double accuracy);
+  void emit();
+  void emit_patch(const Cell& cell, std::size_t column, std::size_t row, std::uint32_t i,
+                  std::uint32_t j);
+  const Cell& cell(std::size_t column, std::size_t row) const {
+    return cells_[row * (xs_.size() - 1) + column];
+  }
+
+  std::vector<double> xs_, ys_;
+  std::vector<Cell> cells_;
+  std::vector<world::Vector3> vertices_;
+  std::vector<std::array<std::uint32_t, 3>> triangles_;
+  double highest_ = 0;
+};
+
+}  // namespace skein::sampling

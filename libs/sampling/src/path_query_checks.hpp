@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Queries that make no sense, before anything is searched.
+#pragma once
+
+#include <optional>
+
+#include "skein/refiners/path.hpp"
+
+namespace skein::sampling {
+
+std::optional<refiners::Refusal> check_query(const refiners::PathQuery& query,
+                                             const world::World& world);
+
+}  // namespace skein::sampling
