@@ -23,6 +23,7 @@ int become(const char* program, char** argv) {
   const std::string other = (self.parent_path() / program).string();
   execv(other.c_str(), argv);
   std::cerr << "skein: " << other << " cannot be started: " << std::strerror(errno) << '\n';
+  if (errno == ENOENT) std::cerr << "skein: to build it: scripts/build release " << program << '\n';
   return skein::kExitSystem;
 }
 

@@ -12,8 +12,7 @@ namespace skein::sim {
 namespace {
 
 world::VehicleModel model_of(const std::string& name) {
-  const std::string path =
-      std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/models/" + name + ".yaml";
+  const std::string path = SKEIN_SOURCE_DIR "/scenarios/comets/models/" + name + ".yaml";
   std::stringstream text;
   text << std::ifstream(path).rdbuf();
   return world::read_vehicle_model(text.str(), path).value();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "skein/world/ground_normal.hpp"
+
 namespace skein::sim {
 namespace {
 
@@ -83,6 +85,20 @@ bool is_visible(const world::View& view, const world::WorldObject& object, Missi
   return terrain.line_of_sight(view.viewpoint, Vector3(centre.x(), centre.y(), top));
 }
 
+double quality_of(const world::SensorModel& sensor, const Vector3& viewpoint,
+                  const world::WorldObject& object, MissionTime at, const world::Terrain& terrain) {
+  const Vector3 centre = world::position_at(object, at, terrain);
+  const Vector3 offset = viewpoint - centre;
+  const double distance = offset.norm();
+  if (distance <= object.radius) return 1;
+  const Vector3 normal = object.height > 0 ? Vector3(Vector3::UnitZ())
+                                           : world::ground_normal(terrain, centre.x(), centre.y());
+  // What is in view is within range, whatever rounding says.
+  const double nearest = std::min(distance - object.radius, sensor.range);
+  return world::distance_quality(sensor, nearest) *
+         world::incidence_quality(sensor, offset.dot(normal) / distance);
+}
+
 std::vector<world::Detection> look(const world::SensorModel& sensor, const world::View& view,
                                    const Scene& scene, MissionTime at, Random& random) {
   std::vector<world::Detection> detections;
@@ -90,7 +106,8 @@ std::vector<world::Detection> look(const world::SensorModel& sensor, const world
     const auto response = sensor.responses.find(object.kind);
     if (response == sensor.responses.end() || !is_visible(view, object, at, scene.terrain))
       continue;
-    if (!random.chance(response->second.probability)) continue;
+    const double quality = quality_of(sensor, view.viewpoint, object, at, scene.terrain);
+    if (!random.chance(response->second.probability * quality)) continue;
     const Vector3 centre = world::position_at(object, at, scene.terrain);
     detections.push_back({response->second.reported_as,
                           scattered(centre, sensor.position_spread, random), sensor.position_spread,

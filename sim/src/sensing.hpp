@@ -28,8 +28,16 @@ world::View view_of(const world::SensorModel& sensor, const world::VehicleState&
 bool is_visible(const world::View& view, const world::WorldObject& object, MissionTime at,
                 const world::Terrain& terrain);
 
-/// One look: each visible object of a known kind is detected with its probability, at a place with
-/// the sensor's spread; false alarms come on top, on the ground in view where there is some.
+/// How well an object is perceived, [0, 1], by the part of it that is nearest: what distance and
+/// incidence leave, as world::perceived_quality has it, so that who plans a view and who simulates
+/// it agree. An object that lies on the ground is inclined as the ground is; one over it has no
+/// surface of its own. 1 from within the object. Within the range, whatever the view says.
+double quality_of(const world::SensorModel& sensor, const world::Vector3& viewpoint,
+                  const world::WorldObject& object, MissionTime at, const world::Terrain& terrain);
+
+/// One look: each visible object of a known kind is detected with its probability times the quality
+/// with which it is perceived, at a place with the sensor's spread; false alarms come on top, on
+/// the ground in view where there is some.
 std::vector<world::Detection> look(const world::SensorModel& sensor, const world::View& view,
                                    const Scene& scene, MissionTime at, Random& random);
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace skein::sim {
 namespace {
@@ -60,11 +61,8 @@ void check_objects(const SimulatorConfig& config, Problems& problems) {
 void check_radio(const SimulatorConfig& config, Problems& problems) {
   std::set<std::string> nodes = {kGroundNode};
   for (const SimulatedVehicle& vehicle : config.vehicles) nodes.insert(vehicle.name);
-  if (!(config.radio.range > 0)) problems.emplace_back("radio: the range must be greater than 0");
-  if (!(config.radio.loss >= 0 && config.radio.loss < 1))
-    problems.emplace_back("radio: the loss must be at least 0 and less than 1");
-  if (config.radio.latency < Duration()) problems.emplace_back("radio: the latency is negative");
-  if (!(config.radio.hysteresis >= 0)) problems.emplace_back("radio: the hysteresis is negative");
+  for (std::string& problem : world::problems_of(config.radio))
+    problems.push_back(std::move(problem));
   for (const RadioCut& cut : config.cuts) {
     for (const std::string& node : {cut.a, cut.b})
       if (nodes.count(node) == 0) problems.push_back("radio cut: unknown node '" + node + "'");

@@ -73,6 +73,17 @@ TEST(RadioNetwork, ALinkOnTheLimitDoesNotFlutter) {
   EXPECT_EQ(line.put_b_at(99, 4).size(), 2u);
 }
 
+TEST(RadioNetwork, TheRangeFollowsFromALinkBudget) {
+  SimulatorConfig config = radio_config(1);  // does not count
+  config.radio.budget = world::LinkBudget{20, -60, 40, 2};
+  Line line(config);
+  ASSERT_NEAR(config.radio.reach(), 100, 1e-9);
+
+  EXPECT_TRUE(line.put_b_at(99, 0)[0].up);
+  EXPECT_TRUE(line.put_b_at(109, 1).empty()) << "holds within its hysteresis";
+  EXPECT_FALSE(line.put_b_at(111, 2)[0].up);
+}
+
 TEST(RadioNetwork, AScriptedCutHoldsFromItsBeginningToItsEnd) {
   SimulatorConfig config = radio_config();
   config.cuts = {{"b", "a", at(10.3), at(12.7)}};

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sensing.hpp"
 
+#include <rapidcheck/gtest.h>
+
 #include <numbers>
 #include <set>
 
+#include "skein/world/ground_normal.hpp"
 #include "testing.hpp"
 
 namespace skein::sim {
@@ -131,6 +134,77 @@ TEST(Sensing, DetectsAndMissesAsOftenAsTheModelSays) {
     const double deviation = std::sqrt(probability * (1 - probability) / n);
     EXPECT_NEAR(seen / static_cast<double>(n), probability, 4 * deviation + 1e-12);
   }
+}
+
+TEST(Sensing, WithoutAModelOfQualityAllThatIsInViewIsPerceivedWholly) {
+  const world::Terrain terrain = with_hill(0, 0, 60, 90);
+  const world::SensorModel sensor = a_sensor();
+  const world::WorldObject edge = an_object("fire", 0, 0);  // its radius reaches into the range
+
+  EXPECT_EQ(quality_of(sensor, {0, 0, 60 + 103}, edge, at(0), terrain), 1);
+  EXPECT_EQ(quality_of(sensor, {0, 0, 61}, edge, at(0), terrain), 1);
+  EXPECT_EQ(quality_of(sensor, {0, 0, 0}, edge, at(0), terrain), 1);
+}
+
+TEST(Sensing, TheNearestPartOfAnObjectIsWhatIsPerceived) {
+  world::SensorModel sensor = a_sensor();
+  sensor.quality = {20, 0.2, 0};
+  world::WorldObject object = an_object("fire", 0, 0);
+  object.radius = 10;
+
+  EXPECT_DOUBLE_EQ(quality_of(sensor, {0, 0, 70}, object, at(0), flat()), 0.6);
+  EXPECT_DOUBLE_EQ(quality_of(sensor, {0, 0, 110}, object, at(0), flat()), 0.2);
+  EXPECT_EQ(quality_of(sensor, {0, 0, 30}, object, at(0), flat()), 1);
+  EXPECT_EQ(quality_of(sensor, {0, 0, 5}, object, at(0), flat()), 1) << "from within it";
+}
+
+TEST(Sensing, WhatIsOverTheGroundIsNotInclinedAsItIs) {
+  const world::Terrain terrain = with_hill(0, 0, 60, 120);
+  world::SensorModel sensor = a_sensor();
+  sensor.quality.incidence_power = 1;
+  world::WorldObject lying = an_object("fire", 60, 0), floating = an_object("smoke", 60, 0);
+  floating.height = 5;
+  const Vector3 above(60, 0, 120);
+
+  EXPECT_NEAR(quality_of(sensor, above, lying, at(0), terrain),
+              world::ground_normal(terrain, 60, 0).z(), 1e-12);
+  EXPECT_EQ(quality_of(sensor, above, floating, at(0), terrain), 1);
+}
+
+RC_GTEST_PROP(Sensing, APointOnTheGroundIsPerceivedAsThePlannerHasIt, ()) {
+  static const world::Terrain terrain = with_hill(100, 0, 60, 200);
+  const auto within = [](int low, int high) { return *rc::gen::inRange(low, high) * 0.01; };
+  world::SensorModel sensor = a_sensor();
+  sensor.range = 300;
+  sensor.quality = {within(0, 30001), within(0, 101), within(0, 400)};
+  world::WorldObject point = an_object("fire", within(-10000, 30000), within(-20000, 20000));
+  point.radius = 0;
+  const Vector3 there = world::position_at(point, at(0), terrain);
+  const Vector3 from =
+      there + within(1, 29900) * world::direction_of(within(-314, 315), within(1, 157));
+
+  const Vector3 normal = world::ground_normal(terrain, there.x(), there.y());
+  RC_ASSERT(quality_of(sensor, from, point, at(0), terrain) ==
+            world::perceived_quality(sensor, from, there, normal));
+}
+
+TEST(Sensing, DetectsLessOftenWhatItPerceivesBadly) {
+  const world::Terrain terrain = flat();
+  world::SensorModel sensor = a_sensor();
+  sensor.responses["fire"].probability = 0.8;
+  sensor.quality = {0, 0, 0};
+  world::WorldObject fire = an_object("fire", 0, 0);
+  fire.radius = 0;
+  const std::vector<world::WorldObject> objects = {fire};
+  const world::View view = view_of(sensor, over(0, 0, 50), std::nullopt, 0);
+  Random random(14);
+  const int n = 10000;
+
+  int seen = 0;
+  for (int i = 0; i < n; ++i)
+    seen += static_cast<int>(look(sensor, view, {terrain, objects}, at(i), random).size());
+
+  EXPECT_NEAR(seen / static_cast<double>(n), 0.4, 4 * std::sqrt(0.4 * 0.6 / n));
 }
 
 TEST(Sensing, ReportedPlacesAreSpreadAsTheModelSays) {

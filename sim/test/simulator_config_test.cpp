@@ -45,7 +45,8 @@ TEST(SimulatorConfig, EachWrongFigureIsNamed) {
          c.objects = {an_object("fire", 0, 0)};
          c.objects[0].radius = -1;
        }},
-      {"radio: the range must be greater than 0", [](SimulatorConfig& c) { c.radio.range = 0; }},
+      {"radio: the range must be finite and greater than 0",
+       [](SimulatorConfig& c) { c.radio.range = 0; }},
       {"radio: the loss must be at least 0 and less than 1",
        [](SimulatorConfig& c) { c.radio.loss = 1; }},
       {"radio cut: unknown node 'marvn'",
@@ -73,6 +74,16 @@ TEST(SimulatorConfig, EachWrongFigureIsNamed) {
 
     EXPECT_THAT(problems_of(config), ::testing::ElementsAre(c.expected));
   }
+}
+
+TEST(SimulatorConfig, ALinkBudgetNeedsNoRange) {
+  SimulatorConfig config = a_config();
+  config.radio.range = 0;
+  config.radio.budget = world::LinkBudget{20, -90, 40, 2};
+
+  EXPECT_TRUE(problems_of(config).empty());
+  config.radio.budget->path_loss_exponent = 0;
+  EXPECT_THAT(problems_of(config), ::testing::SizeIs(1));
 }
 
 TEST(SimulatorConfig, AllProblemsAreGivenAtOnce) {

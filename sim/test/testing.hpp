@@ -35,8 +35,7 @@ inline world::Terrain with_hill(double x, double y, double height, double radius
 
 /// A model of the COMETS scenario, from its file.
 inline world::VehicleModel model_of(const std::string& name) {
-  const std::string path =
-      std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/models/" + name + ".yaml";
+  const std::string path = SKEIN_SOURCE_DIR "/scenarios/comets/models/" + name + ".yaml";
   std::ifstream file(path);
   std::stringstream text;
   text << file.rdbuf();

@@ -35,13 +35,13 @@ constexpr std::string_view kWorld = R"(  "world": {
 constexpr std::string_view kHelicopter = R"({
     "model": "helicopter", "kind": "helicopter", "hovers": true,
     "speed": {"cruise": 10, "max": 15}, "climb_rate": 4, "descent_rate": 3, "acceleration": 2,
-    "yaw_rate": 1, "ceiling": 400, "position_precision": 1, "wind_drift": 0.2,
+    "yaw_rate": 1, "ceiling": 150, "position_precision": 1, "wind_drift": 0.2,
     "energy": {"capacity": 5e6, "hover": 1000, "cruise": 1200, "climb": 500, "reserve": 0.1},
     "sensors": {
       "camera": {
         "aperture": 0.4, "pitch": -0.6, "gimballed": true, "range": 400, "period": 1,
         "position_spread": 3, "cost": 0.02,
-        "quality": {"best_distance": 120, "at_range": 0.3, "incidence_power": 1},
+        "quality": {"best_distance": 140, "at_range": 0.3, "incidence_power": 0.2},
         "sees": {"smoke": {"probability": 0.9, "confidence": 0.8}}
       }
     }
@@ -98,9 +98,9 @@ constexpr std::array<Texts, 9> kQuestions = {{
 )"},
     {"viewpoint", R"(  "vehicle": @H,
   "device": "camera", "target": {"at": [-260, -60], "height": 1},
-  "nearest": 100, "farthest": 350, "count": 3, "least_angle": 1.2,
-  "from": [-500, -300, 100], "cost_of_way": 0.0004,
-  "constraints": {"not from the north": {"sector": [2.4, 7]}}
+  "nearest": 140, "farthest": 350, "count": 3, "least_angle": 1.4,
+  "from": [-420, -260, 120], "cost_of_way": 0.0004,
+  "constraints": {"not from the north": {"sector": [2.4, -0.3]}}
 )"},
     {"relay", R"(  "vehicle": @H,
   "a": {"at": "pad", "height": 5}, "b": [600, 700, 100], "most": 3, "least_margin": 1

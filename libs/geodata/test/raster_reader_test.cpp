@@ -20,7 +20,7 @@ using world::TerrainCorners;
 using world::TerrainSpec;
 using world::Vector3;
 
-const std::string kJacksboro = std::string(SKEIN_SOURCE_DIR) + "/scenarios/terrain/jacksboro.asc";
+const std::string kJacksboro = SKEIN_SOURCE_DIR "/scenarios/terrain/jacksboro.asc";
 
 Elevation read(const std::string& path, const ElevationOptions& options = {}) {
   auto elevation = read_elevation(path, options);

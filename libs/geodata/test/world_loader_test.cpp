@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using world::World;
 
-const std::string kTerrain = std::string(SKEIN_SOURCE_DIR) + "/scenarios/terrain/";
+const std::string kTerrain = SKEIN_SOURCE_DIR "/scenarios/terrain/";
 
 World read(const std::string& path) {
   auto world = read_world(path);

@@ -27,7 +27,8 @@ const Terrain& flat_terrain() {
                                            .north = 1000,
                                            .cell = 100,
                                            .base = 0,
-                                           .hills = {}});
+                                           .hills = {},
+                                           .elevations = {}});
   return terrain;
 }
 
@@ -322,7 +323,8 @@ TEST(PerceptionProcessing, ALookThatCouldNotHaveSeenItSaysNothing) {
                                   .north = 1000,
                                   .cell = 10,
                                   .base = 0,
-                                  .hills = {{{160, 50}, 80, 50}}});
+                                  .hills = {{{160, 50}, 80, 50}},
+                                  .elevations = {}});
   Perception far = look("heliv", "visible", 100);
   far.viewpoint = kFire + Vector3(0, 0, 160);
   Perception aside = look("heliv", "visible", 100);

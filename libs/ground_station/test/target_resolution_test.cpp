@@ -31,7 +31,8 @@ const Terrain& hill() {
                                            .north = 500,
                                            .cell = 10,
                                            .base = 5,
-                                           .hills = {{{100, 0}, 80, 60}}});
+                                           .hills = {{{100, 0}, 80, 60}},
+                                           .elevations = {}});
   return terrain;
 }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tours within 50 ms of wall time, against nearest neighbour + 2-opt in the same run: mean and
 // worst gap over the best known (TSPLIB: published; others: the best of all runs made here).
+// Then whole tours between hills, with the ways on the voxels: how long, and how many ways.
 //   skein_refiners_tour_bench [MILLISECONDS] [DIRECTORY WITH *.tsp AND tsplib_optima.txt]
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 #include "../test/tour_cases.hpp"
+#include "../test/tour_worlds.hpp"
 
 namespace {
 
@@ -117,6 +120,52 @@ void print(const char* title, const Totals& totals) {
       totals.plain.sum / std::max(1, totals.plain.runs), totals.plain.worst, totals.longest_ms);
 }
 
+double cpu_ms_since(std::clock_t begin) {
+  return 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+/// Without bounds: the same costs both ways, or dearer one way.
+void measure_unbounded(bool symmetrical) {
+  for (TourCase c : skein::refiners::test::cases_like_tsplib(1, 7)) {
+    TourProblem problem = skein::refiners::test::closed_tour(c);
+    if (!symmetrical)
+      for (std::size_t i = 0; i < problem.gates(); ++i)
+        for (std::size_t j = 0; j < i; ++j) problem.between[i * problem.gates() + j] += 1;
+    const auto begin = std::clock();
+    const auto order = solve_tour(problem, {}, 1);
+    const double ms = cpu_ms_since(begin);
+    std::printf("%-14s %s, without bounds: %.1f ms CPU, %llu steps\n", c.name.c_str(),
+                symmetrical ? "symmetrical" : "general", ms,
+                static_cast<unsigned long long>(order.effort.steps));
+  }
+}
+
+void measure_hills(std::size_t stops, std::uint64_t seed, bool hovers) {
+  namespace test = skein::refiners::test;
+  const skein::world::World world = test::hills();
+  const skein::refiners::TourQuery query = test::tour_among_hills(world, stops, seed, hovers);
+  const auto airspace = skein::refiners::airspace_of(test::first_leg(query), {world, {}});
+  const test::CountingPlanner planner(*airspace);
+  const test::Closed closed = test::closed_pairs(*airspace, query);
+  skein::refiners::Setting setting{.world = world, .budget = {}};
+  auto begin = std::clock();
+  const auto tour = refine(query, setting);
+  const double ms = cpu_ms_since(begin);
+  setting.paths = &planner;
+  const auto counted = refine(query, setting);
+  if (!tour || !counted) {
+    std::printf("%3zu stops, seed %llu: %s\n", stops, static_cast<unsigned long long>(seed),
+                (tour ? counted : tour).error().why.c_str());
+    return;
+  }
+  std::printf(
+      "%3zu stops %s seed %llu: %8.1f ms CPU, %5d ways (%.1f a stop) of %zu pairs closed of %zu; "
+      "%.0f s%s\n",
+      stops, hovers ? "hovering" : "fixed-wing", static_cast<unsigned long long>(seed), ms,
+      planner.asked(), planner.asked() / static_cast<double>(stops), closed.closed, closed.pairs,
+      tour->cost, tour->task.exact ? ", exact" : "");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -133,4 +182,8 @@ int main(int argc, char** argv) {
   for (const TourCase& c : skein::refiners::test::cases_like_tsplib(3, 7))
     measure(c, 0, time, made);
   print("like TSPLIB, against the best known here", made);
+  for (const bool symmetrical : {true, false}) measure_unbounded(symmetrical);
+  for (const bool hovers : {true, false})
+    for (const std::size_t stops : {12, 50, 200})
+      for (const std::uint64_t seed : {1, 2, 3}) measure_hills(stops, seed, hovers);
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "coverage_checks.hpp"
 #include "sweep_track.hpp"
@@ -15,6 +16,8 @@ namespace {
 using world::Vector2;
 using world::Vector3;
 constexpr double kLeastTolerance = 1;  // of heights [m]
+/// Tried where turns are in the way, and as many edges.
+constexpr std::size_t kOtherDirections = 12;
 
 using Volumes = std::vector<const world::Volume*>;
 
@@ -74,6 +77,15 @@ class CoverageRefiner {
       task.is_free = [&](const Vector2& from, const Vector2& to) {
         return entered(lifted(from), lifted(to), above) == nullptr;
       };
+    Outcome<Coverage> refined = flown(task, countdown, above);
+    if (refined || refined.error().kind != RefusalKind::kBlocked ||
+        query_.mode != SweepMode::kLeastTime)
+      return refined;
+    return in_other_directions(task, countdown, std::move(refined));
+  }
+
+ private:
+  Outcome<Coverage> flown(const SweepTask& task, Countdown& countdown, const Volumes& above) const {
     const auto sweep = plan_sweep(task, model_, countdown);
     if (!sweep)
       return refuse(RefusalKind::kBlocked, "area",
@@ -86,7 +98,28 @@ class CoverageRefiner {
     return refined;
   }
 
- private:
+  /// The quickest lanes have turns in a volume: the quickest of those in some other directions that
+  /// have none, or what was `refused`.
+  Outcome<Coverage> in_other_directions(SweepTask task, Countdown& countdown,
+                                        Outcome<Coverage> refused) const {
+    task.mode = SweepMode::kGiven;
+    Outcome<Coverage> best = std::move(refused);
+    std::vector<double> directions;
+    for (std::size_t i = 0; i < query_.area.size() && i < kOtherDirections; ++i) {
+      const Vector2 edge = query_.area[(i + 1) % query_.area.size()] - query_.area[i];
+      directions.push_back(std::atan2(edge.y(), edge.x()));
+    }
+    for (std::size_t i = 0; i < kOtherDirections; ++i)
+      directions.push_back(std::numbers::pi * static_cast<double>(i) / kOtherDirections);
+    for (const double direction : directions) {
+      if (countdown.over()) break;
+      task.direction = direction;
+      Outcome<Coverage> other = flown(task, countdown, {});
+      if (other && (!best || other->cost < best->cost)) best = std::move(other);
+    }
+    return best;
+  }
+
   SweepTask sweep_task() const {
     SweepTask task;
     task.region = {query_.area, query_.holes};

@@ -7,6 +7,7 @@
 
 #include "evaluate_heights.hpp"
 #include "evaluate_volumes.hpp"
+#include "shared_checks.hpp"
 #include "skein/refiners/flyable.hpp"
 #include "tour_checks.hpp"
 

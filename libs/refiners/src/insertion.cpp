@@ -32,14 +32,23 @@ class PlanChain {
 
   std::size_t positions() const { return leaves_.size(); }
   bool goes_on(std::size_t position) const { return position < enters_.size(); }
-  double hop(std::size_t position) {
+  /// Looks for the way that the plan has there; false when the time is up.
+  bool settle_hop(std::size_t position) {
+    return !goes_on(position) || travel_.settle(leaves_[position], enters_[position]);
+  }
+  double hop(std::size_t position) const {
     return goes_on(position) ? travel_.seconds(leaves_[position], enters_[position]) : 0;
   }
-  /// By the ways there and on, less the way that falls out.
-  double added(std::size_t position) {
-    const double there = travel_.seconds(leaves_[position], from_);
+  /// Looks for the ways there and on; false when the time is up.
+  bool settle_detour(std::size_t position) {
+    if (!travel_.settle(leaves_[position], from_)) return false;
+    if (there(position) == kNever || !goes_on(position)) return true;
+    return travel_.settle(to_, enters_[position]);
+  }
+  /// By the ways there and on, less the way that falls out; at least that when they are not known.
+  double added(std::size_t position) const {
     const double on = goes_on(position) ? travel_.seconds(to_, enters_[position]) : 0;
-    return there + on < kNever ? there + on - hop(position) : kNever;
+    return there(position) + on < kNever ? there(position) + on - hop(position) : kNever;
   }
   Way way_there(std::size_t position) const { return travel_.way(leaves_[position], from_); }
   Way way_on(std::size_t position) const {
@@ -50,6 +59,8 @@ class PlanChain {
   }
 
  private:
+  double there(std::size_t position) const { return travel_.seconds(leaves_[position], from_); }
+
   Travel& travel_;
   std::vector<Travel::Id> leaves_, enters_;
   Travel::Id from_ = 0, to_ = 0;
@@ -82,6 +93,19 @@ Refined<Insertion> refined(const InsertionQuery& query, const Travel& travel,
   return result;
 }
 
+/// What the task adds at each position; those that look best first, while there is time.
+Insertion tried_everywhere(const InsertionQuery& query, PlanChain& chain) {
+  std::vector<std::pair<double, std::size_t>> promising;
+  for (std::size_t i = 0; i < chain.positions(); ++i) promising.emplace_back(chain.added(i), i);
+  std::sort(promising.begin(), promising.end());
+  Insertion insertion;
+  insertion.added.assign(chain.positions(), kNever);
+  for (const auto& [least, i] : promising)
+    if (chain.settle_detour(i))
+      insertion.added[i] = chain.added(i) + query.task.duration.to_seconds();
+  return insertion;
+}
+
 }  // namespace
 
 Outcome<Insertion> refine(const InsertionQuery& query, const Setting& setting) {
@@ -91,13 +115,15 @@ Outcome<Insertion> refine(const InsertionQuery& query, const Setting& setting) {
   if (!travel) return tl::unexpected(travel.error());
 
   PlanChain chain(query, *travel);
-  Insertion insertion;
   for (std::size_t i = 0; i < chain.positions(); ++i) {
+    if (!chain.settle_hop(i))
+      return refuse(RefusalKind::kBudgetExhausted, hop_field(query, i),
+                    "the time was up before the ways of the plan as it is were found");
     if (chain.hop(i) == kNever)
       return refuse(RefusalKind::kUnreachable, hop_field(query, i),
                     "the plan as it is has no open way to there");
-    insertion.added.push_back(chain.added(i) + query.task.duration.to_seconds());
   }
+  Insertion insertion = tried_everywhere(query, chain);
   const auto best = std::min_element(insertion.added.begin(), insertion.added.end());
   if (*best == kNever)
     return refuse(travel->cut_short() ? RefusalKind::kBudgetExhausted : RefusalKind::kUnreachable,

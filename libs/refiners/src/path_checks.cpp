@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "shared_checks.hpp"
 #include "skein/refiners/checks.hpp"
-#include "tour_checks.hpp"
 
 namespace skein::refiners {
 namespace {

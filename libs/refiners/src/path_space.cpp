@@ -7,8 +7,8 @@
 
 #include "contact_space.hpp"
 #include "path_checks.hpp"
+#include "shared_checks.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
-#include "tour_checks.hpp"
 
 namespace skein::refiners {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tour_checks.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "shared_checks.hpp"
 #include "skein/refiners/checks.hpp"
 #include "skein/refiners/tour_problem.hpp"
 
@@ -60,12 +59,6 @@ std::optional<Refusal> check_task(const PlannedTask& task, const std::string& fi
 
 }  // namespace
 
-std::string rounded(double figure) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", figure);
-  return text.data();
-}
-
 std::optional<Refusal> check(const TourQuery& query) {
   if (auto problem = check_planned_flight(query.vehicle, query.clearance, query.speed))
     return problem;
@@ -111,15 +104,6 @@ std::optional<Refusal> check(const EvaluateQuery& query) {
       return bad(field + ".ceiling", "the ceiling must be above the floor");
   }
   return std::nullopt;
-}
-
-std::optional<Refusal> check_energy(double energy, const world::VehicleModel& vehicle,
-                                    const std::string& what) {
-  const double usable = 1 - vehicle.energy.reserve;
-  if (energy <= usable) return std::nullopt;
-  return Refusal{RefusalKind::kBeyondVehicle, "vehicle.energy",
-                 what + " takes " + rounded(100 * energy) + " % of the energy held when full; " +
-                     rounded(100 * usable) + " % may be used"};
 }
 
 }  // namespace skein::refiners

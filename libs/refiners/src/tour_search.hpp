@@ -24,6 +24,9 @@ class StopGates {
 /// Source: Held and Karp 1962.
 std::optional<TourOrder> solve_exactly(const TourProblem& problem, Countdown& countdown);
 
+/// Sets of stops that the exact search of solve_tour steps through; 0 when it is never made.
+std::uint64_t exact_sets(const TourProblem& problem);
+
 /// Each stop in turn where, and by the gate by which, it adds least.
 std::vector<std::size_t> insert_cheaply(const TourProblem& problem);
 

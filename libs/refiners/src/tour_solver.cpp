@@ -91,6 +91,10 @@ std::uint64_t default_tour_steps(const TourProblem& problem) {
   return is_symmetrical(problem) ? 100 * stops : 20'000 + 20 * stops;
 }
 
+std::uint64_t exact_sets(const TourProblem& problem) {
+  return fits_exact_search(problem, exact_tour_steps(problem)) ? sets_of(problem) : 0;
+}
+
 TourOrder solve_tour(const TourProblem& problem, const Budget& budget, std::uint64_t seed) {
   SKEIN_EXPECTS(problem.stops() >= 1 && problem.stops() <= kMostStops);
   SKEIN_EXPECTS(problem.between.size() == problem.gates() * problem.gates());

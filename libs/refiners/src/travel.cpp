@@ -5,13 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "path_approach.hpp"
+#include "plain_way.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::refiners {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kUnknown = -1;
 
 PathQuery path_query(const Traveller& who, const world::Vector3& from, const world::Vector3& to) {
   PathQuery query;
@@ -43,29 +44,24 @@ Travel::Travel(const Traveller& who, const Setting& setting, world::Airspace air
 
 Travel::Id Travel::add(const world::Vector3& place) {
   const auto [at, is_new] = ids_.try_emplace({place.x(), place.y(), place.z()}, places_.size());
-  if (is_new) places_.push_back(place);
+  if (is_new) {
+    regions_.push_back(places_.size());
+    places_.push_back(place);
+  }
   return at->second;
 }
 
-bool Travel::is_free(Id place) const { return airspace_.is_free(places_[place]); }
-
-double Travel::seconds(Id from, Id to) {
-  if (from == to) return 0;
-  if (width_ < places_.size()) reserve_pairs();
-  double& known = seconds_[from * width_ + to];
-  if (known != kUnknown) return known;
-  if (can_go_straight(from, to)) return known = seconds_of(flight({places_[from], places_[to]}));
-  return known = plan(from, to);
+std::optional<Refusal> Travel::closed(Id place, const std::string& field) const {
+  const world::Vector3& at = places_[place];
+  if (airspace_.is_free(at)) return std::nullopt;
+  const PathQuery query = path_query(who_, at, at);
+  const PathSpace space(query, setting_->world, Duration::max());
+  if (approach(space, airspace_, at, at)) return std::nullopt;
+  return space.closed(at, field);
 }
 
-void Travel::reserve_pairs() {
-  const std::size_t width = std::max(places_.size(), 2 * width_);
-  std::vector<double> wider(width * width, kUnknown);
-  for (std::size_t row = 0; row < width_; ++row)
-    std::copy_n(seconds_.begin() + static_cast<std::ptrdiff_t>(row * width_), width_,
-                wider.begin() + static_cast<std::ptrdiff_t>(row * width));
-  seconds_ = std::move(wider);
-  width_ = width;
+double Travel::bound(Id from, Id to) const {
+  return from == to ? 0 : seconds_of(flight({places_[from], places_[to]}));
 }
 
 /// A vehicle that hovers slows down where it is steep; another must not climb faster than it can.
@@ -76,10 +72,29 @@ bool Travel::can_go_straight(Id from, Id to) const {
     const double speed = who_.speed > 0 ? who_.speed : who_.vehicle.cruise_speed;
     if (std::abs(step.z()) * speed > rate * step.head<2>().norm()) return false;
   }
-  const double back = seconds_[to * width_ + from];
-  if (back != kUnknown && back < kNever && !planned_.contains({to, from}))
-    return true;  // it was straight
   return airspace_.is_free(places_[from], places_[to]);
+}
+
+bool Travel::settle(Id from, Id to) {
+  if (is_known(from, to)) return true;
+  if (can_go_straight(from, to)) {
+    legs_.emplace(std::pair(from, to), Leg{bound(from, to), {}, {}});
+    join(from, to);
+    return true;
+  }
+  if (are_shut_off(from, to)) {
+    legs_.emplace(std::pair(from, to), Leg{kNever, {}, "every way there is closed"});
+    return true;
+  }
+  time_is_up_ = time_is_up_ || setting_->budget.expired();
+  cut_short_ = cut_short_ || time_is_up_;
+  if (time_is_up_) return false;
+  std::optional<Leg> leg = plan(from, to);
+  if (!leg) return false;
+  if (turns_back_alike() && !is_known(to, from))
+    legs_.emplace(std::pair(to, from), turned(to, from, *leg));
+  legs_.emplace(std::pair(from, to), std::move(*leg));
+  return true;
 }
 
 /// A way may be flown back when nothing makes climbing it harder than descending it.
@@ -87,36 +102,73 @@ bool Travel::turns_back_alike() const {
   return who_.vehicle.hovers || who_.vehicle.climb_rate == who_.vehicle.descent_rate;
 }
 
-double Travel::plan(Id from, Id to) {
-  const auto back = planned_.find({to, from});
-  if (turns_back_alike() && seconds_[to * width_ + from] != kUnknown) {
-    if (back == planned_.end()) return kNever;
-    const Way way(back->second.rbegin(), back->second.rend());
-    planned_.emplace(std::pair(from, to), way);
-    // Sums in another order: what differs by rounding only is to be the same.
-    const double there = seconds_[to * width_ + from], here = seconds_of(flight(way));
-    return std::abs(here - there) < 1e-6 ? there : here;
-  }
-  if (setting_->budget.expired()) {
-    cut_short_ = true;
-    return kNever;
-  }
+/// Nothing when the time was up first.
+std::optional<Travel::Leg> Travel::plan(Id from, Id to) {
   Setting setting{setting_->world, {}, setting_->seed, setting_->paths};
   setting.budget.time_is_up = setting_->budget.time_is_up;
-  const auto path = refine(path_query(who_, places_[from], places_[to]), setting);
-  if (!path) {
-    cut_short_ = cut_short_ || path.error().kind == RefusalKind::kBudgetExhausted;
-    return kNever;
+  const VoxelPathPlanner on_voxels(airspace_);
+  const PathPlanner& planner = setting.paths != nullptr ? *setting.paths : on_voxels;
+  ++planned_;
+  const auto path = planner.plan(path_query(who_, places_[from], places_[to]), setting);
+  if (path) {
+    cut_short_ = cut_short_ || path->effort.cut_short;
+    join(from, to);
+    const Way way = without_repeats(path->task.way);
+    return Leg{std::max(bound(from, to), seconds_of(flight(way))), way, {}};
   }
-  planned_.emplace(std::pair(from, to), path->task.way);
-  return seconds_of(flight(path->task.way));
+  if (path.error().kind == RefusalKind::kBudgetExhausted) {
+    cut_short_ = true;
+    time_is_up_ = static_cast<bool>(setting.budget.time_is_up);
+    if (time_is_up_) return std::nullopt;
+  }
+  // On the voxels that is so for all places which ways lead to from the one and from the other.
+  if (setting.paths == nullptr && path.error().kind == RefusalKind::kUnreachable &&
+      airspace_.is_free(places_[from]) && airspace_.is_free(places_[to]))
+    shut_off_.emplace_back(from, to);
+  return Leg{kNever, {}, path.error().why};
+}
+
+Travel::Leg Travel::turned(Id from, Id to, const Leg& back) const {
+  if (back.seconds == kNever) return back;
+  Way way(back.way.rbegin(), back.way.rend());
+  // Sums in another order: what differs by rounding only is to be the same.
+  const double here = std::max(bound(from, to), seconds_of(flight(way)));
+  return {std::abs(here - back.seconds) < 1e-6 ? back.seconds : here, std::move(way), {}};
+}
+
+void Travel::join(Id from, Id to) { regions_[region(from)] = region(to); }
+
+Travel::Id Travel::region(Id place) const {
+  while (regions_[place] != place) place = regions_[place] = regions_[regions_[place]];
+  return place;
+}
+
+bool Travel::are_shut_off(Id from, Id to) const {
+  if (shut_off_.empty() || region(from) == region(to)) return false;
+  const auto regions = std::minmax({region(from), region(to)});
+  return std::any_of(shut_off_.begin(), shut_off_.end(), [&](const auto& pair) {
+    return regions == std::minmax({region(pair.first), region(pair.second)});
+  });
+}
+
+bool Travel::is_known(Id from, Id to) const { return from == to || legs_.contains({from, to}); }
+
+double Travel::seconds(Id from, Id to) const {
+  const auto leg = legs_.find({from, to});
+  if (leg != legs_.end()) return leg->second.seconds;
+  return are_shut_off(from, to) ? kNever : bound(from, to);
 }
 
 Way Travel::way(Id from, Id to) const {
-  SKEIN_EXPECTS(from == to || seconds_[from * width_ + to] < kNever);
-  const auto found = planned_.find({from, to});
-  if (found != planned_.end()) return found->second;
-  return {places_[from], places_[to]};
+  if (from == to) return {places_[from]};
+  const Leg& leg = legs_.at({from, to});
+  SKEIN_EXPECTS(leg.seconds < kNever);
+  return leg.way.empty() ? Way{places_[from], places_[to]} : leg.way;
+}
+
+std::string Travel::why_closed(Id from, Id to) const {
+  const auto leg = legs_.find({from, to});
+  return leg == legs_.end() ? "every way there is closed" : leg->second.why;
 }
 
 Flight Travel::flight(const Way& way) const {

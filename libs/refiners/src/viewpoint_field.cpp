@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "skein/foundation/contract.hpp"
+#include "skein/world/ground_normal.hpp"
 
 namespace skein::refiners {
 namespace {
@@ -23,15 +24,6 @@ constexpr double kInside = 1e-9;
 constexpr double kRightAngle = std::numbers::pi / 2;
 /// Straight above the target there is no azimuth: places are at least so far aside [rad].
 constexpr double kAside = 1e-4;
-
-/// Of the ground, from its slopes across one cell.
-Vector3 normal_at(const world::Terrain& terrain, const Vector3& at) {
-  const double h = terrain.spec().cell / 2;
-  const double east = terrain.elevation(at.x() + h, at.y()) - terrain.elevation(at.x() - h, at.y());
-  const double north =
-      terrain.elevation(at.x(), at.y() + h) - terrain.elevation(at.x(), at.y() - h);
-  return Vector3(-east / (2 * h), -north / (2 * h), 1).normalized();
-}
 
 BearingCell whole_of(const ViewpointQuery& query, const world::SensorModel& sensor) {
   BearingCell whole;
@@ -70,7 +62,7 @@ ViewpointField::ViewpointField(const ViewpointQuery& query, const Setting& setti
       world_(setting.world),
       sensor_(sensor),
       eye_(query.target),
-      normal_(normal_at(setting.world.terrain, query.target)),
+      normal_(world::ground_normal(setting.world.terrain, query.target.x(), query.target.y())),
       whole_(whole_of(query, sensor)) {
   const double ground = world_.terrain.elevation(eye_.x(), eye_.y());
   eye_.z() = std::max(eye_.z(), ground + kShows);

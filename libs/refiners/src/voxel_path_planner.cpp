@@ -7,8 +7,9 @@
 #include "path_approach.hpp"
 #include "path_checks.hpp"
 #include "path_space.hpp"
+#include "plain_way.hpp"
+#include "shared_checks.hpp"
 #include "skein/refiners/flyable.hpp"
-#include "tour_checks.hpp"
 
 namespace skein::refiners {
 namespace {
@@ -23,11 +24,9 @@ Refusal out_of_budget(const std::string& when) {
 /// One attempt, with the volumes that count for one length of flight.
 class Route {
  public:
-  Route(const PathQuery& query, const Setting& setting, const PathSpace& space)
-      : query_(query),
-        setting_(setting),
-        space_(space),
-        airspace_(space.airspace(setting.world.airspace)) {}
+  Route(const PathQuery& query, const Setting& setting, const PathSpace& space,
+        const Airspace& airspace)
+      : query_(query), setting_(setting), space_(space), airspace_(airspace) {}
 
   /// A way that can be flown.
   Result<Way, Refusal> find() {
@@ -39,7 +38,8 @@ class Route {
     const VoxelWay found = search(airspace_);
     graph_cost_ = found.graph_cost;
     if (!found.found) return tl::unexpected(no_way(found));
-    return query_.vehicle.hovers ? joined(found.way) : flown({found.way, found.graph_way});
+    if (query_.vehicle.hovers) return without_repeats(joined(found.way));
+    return flown({found.way, found.graph_way}).map(without_repeats);
   }
 
   double graph_cost() const { return graph_cost_; }
@@ -160,7 +160,7 @@ class Route {
   const PathQuery& query_;
   const Setting& setting_;
   const PathSpace& space_;
-  Airspace airspace_;
+  const Airspace& airspace_;
   std::optional<Approach> from_, to_;
   double graph_cost_ = 0;
   Effort effort_;
@@ -180,10 +180,22 @@ Outcome<Path> answer(const PathQuery& query, const Route& route, const Way& way,
   return refined;
 }
 
+/// Through an airspace that is there already.
+Outcome<Path> plan_within(const Airspace& airspace, const PathQuery& query,
+                          const Setting& setting) {
+  const PathSpace space(query, setting.world, Duration::max());
+  Route route(query, setting, space, airspace);
+  const auto way = route.find();
+  if (!way) return tl::unexpected(way.error());
+  const Flight flight = estimate_flight(*way, query.vehicle, setting.world.wind, query.speed);
+  return answer(query, route, *way, flight, route.effort());
+}
+
 }  // namespace
 
 Outcome<Path> VoxelPathPlanner::plan(const PathQuery& query, const Setting& setting) const {
   if (auto problem = check(query, setting.world)) return tl::unexpected(*problem);
+  if (airspace_ != nullptr) return plan_within(*airspace_, query, setting);
   const auto estimate = [&](const Way& way) {
     return estimate_flight(way, query.vehicle, setting.world.wind, query.speed);
   };
@@ -193,7 +205,8 @@ Outcome<Path> VoxelPathPlanner::plan(const PathQuery& query, const Setting& sett
     const PathSpace space(query, setting.world, horizon);
     Setting rest{setting.world, setting.budget, setting.seed, nullptr};
     rest.budget.steps -= std::min(rest.budget.steps, effort.steps);
-    Route route(query, rest, space);
+    const Airspace airspace = space.airspace(setting.world.airspace);
+    Route route(query, rest, space, airspace);
     const auto way = route.find();
     if (!way) return tl::unexpected(way.error());
     effort.steps += route.effort().steps;

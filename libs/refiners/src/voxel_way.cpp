@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "any_angle_search.hpp"
+#include "plain_way.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
 #include "string_puller.hpp"
@@ -22,8 +23,11 @@ VoxelWay find_way(const world::Airspace& airspace, const world::Vector3& from,
   const auto first = airspace.free_voxel_at(from), last = airspace.free_voxel_at(to);
   SKEIN_EXPECTS(first && last);
   const auto with_ends = [&](Way way) {
-    way.insert(way.begin(), from);
-    way.push_back(to);
+    if (way.size() == 1) return Way{from, way.front(), to};
+    if ((way.front() - from).norm() > kSamePoint) way.insert(way.begin(), from);
+    if ((way.back() - to).norm() > kSamePoint) way.push_back(to);
+    way.front() = from;
+    way.back() = to;
     return way;
   };
   const StringPuller puller(airspace, budget);

@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "skein/world/polygon_check.hpp"
 #include "testing/builders.hpp"
 
 namespace skein::refiners {
@@ -88,7 +90,7 @@ TEST(Checks, APolygonThatCrossesItselfIsRefusedByItsEdges) {
 
   ASSERT_TRUE(refusal);
   EXPECT_EQ(refusal->field, "zone");
-  EXPECT_THAT(refusal->why, HasSubstr("corners 1 and 3 cross"));
+  EXPECT_THAT(refusal->why, HasSubstr("corner 1 and corner 3 cross"));
 }
 
 TEST(Checks, ACornerOnAnotherEdgeIsRefused) {
@@ -96,7 +98,8 @@ TEST(Checks, ACornerOnAnotherEdgeIsRefused) {
 }
 
 TEST(Checks, ARepeatedCornerIsRefused) {
-  EXPECT_THAT(check_polygon({{0, 0}, {10, 0}, {10, 0}, {0, 10}}, "zone")->why, HasSubstr("twice"));
+  EXPECT_THAT(check_polygon({{0, 0}, {10, 0}, {10, 0}, {0, 10}}, "zone")->why,
+              HasSubstr("corner 2 and corner 3 are the same place"));
 }
 
 TEST(Checks, ABorderThatFoldsBackIsRefused) {
@@ -110,7 +113,7 @@ TEST(Checks, ACornerThatIsNotANumberIsRefusedByItsPlace) {
 
 TEST(Checks, MoreCornersThanCanBeCheckedAreRefused) {
   world::Polygon circle;
-  for (std::size_t i = 0; i <= kMostCorners; ++i) {
+  for (std::size_t i = 0; i <= world::kMostCorners; ++i) {
     const double angle = static_cast<double>(i) / 1000 * std::numbers::pi;
     circle.emplace_back(std::cos(angle), std::sin(angle));
   }

@@ -339,6 +339,26 @@ TEST(CoverageAir, AStartWithinAVolumeIsRefused) {
   EXPECT_EQ(refusal_of(query, world).kind, RefusalKind::kBlocked);
 }
 
+TEST(Coverage, TakesOtherLanesWhereTheTurnsOfTheQuickestWouldBeInAVolume) {
+  world::World world = testing::level_world();
+  CoverageQuery query = plain_query();
+  query.vehicle = fixed_wing();
+  query.area = rectangle(-300, -100, 300, 100);
+  query.mode = SweepMode::kGiven;  // along the longer side, with turns at the west and the east
+  const double along = refine(query, {.world = world, .budget = {}})->cost;
+  world.volumes = {zone(rectangle(320, -400, 600, 400))};  // no room to turn in the east
+  ASSERT_FALSE(refine(query, {.world = world, .budget = {}}));
+
+  query.mode = SweepMode::kLeastTime;
+  const auto refined = refine(query, {.world = world, .budget = {}});
+
+  ASSERT_TRUE(refined) << refined.error().why;
+  EXPECT_GT(refined->cost, along);
+  EXPECT_GT(covered(query, refined->task), 0.9999);
+  for (std::size_t i = 0; i + 1 < refined->task.way.size(); ++i)
+    EXPECT_FALSE(enters(refined->task.way[i], refined->task.way[i + 1], world.volumes[0]));
+}
+
 TEST(Enters, TouchingIsNotEntering) {
   const world::Volume tower = zone(rectangle(0, 0, 10, 10), 0, 20);
 

@@ -113,6 +113,99 @@ TEST(Insertion, IsRefusedWhenNoPlaceHasAWay) {
   EXPECT_EQ(plan.error().field, "plan.0.from");
 }
 
+/// A wall through the whole air but for a gap in the north.
+world::World walled_world() {
+  world::World world = level_world();
+  world::Volume wall;
+  wall.polygon = {{-10, -1000}, {10, -1000}, {10, 900}, {-10, 900}};
+  world.volumes.push_back(wall);
+  return world;
+}
+
+/// To and fro across the wall, with places at the centres of voxels.
+InsertionQuery query_across(int tasks) {
+  InsertionQuery query;
+  query.vehicle = helicopter();
+  query.start = {-850, -850, 30};
+  query.end = query.start;
+  for (int i = 0; i < tasks; ++i) {
+    const world::Vector3 at(i % 2 == 0 ? 510 : -510, -800 + 60 * i, 50);
+    query.plan.push_back({at, at, Duration::seconds(10)});
+  }
+  query.task = {{-510, 310, 50}, {-490, 310, 50}, Duration::seconds(30)};
+  return query;
+}
+
+/// Around the wall by the north; counts, and asks the clock as a search does.
+class DetourPlanner final : public PathPlanner {
+ public:
+  Outcome<Path> plan(const PathQuery& query, const Setting& setting) const override {
+    ++asked;
+    if (setting.budget.expired()) return refuse(RefusalKind::kBudgetExhausted, "", "late");
+    Refined<Path> path;
+    path.task.way = {query.from, {0, 950, 50}, query.to};
+    return path;
+  }
+  mutable int asked = 0;
+};
+
+TEST(Insertion, LooksForAtMostThreeWaysAPosition) {
+  const world::World world = walled_world();
+  const InsertionQuery query = query_across(20);
+  const DetourPlanner planner;
+
+  const auto found = refine(query, {.world = world, .budget = {}, .paths = &planner});
+
+  ASSERT_TRUE(found);
+  EXPECT_GT(planner.asked, 10);
+  EXPECT_LE(planner.asked, 3 * 21);
+}
+
+TEST(Insertion, RepeatsNoPointInSuccession) {
+  const world::World world = walled_world();
+  InsertionQuery query = query_across(1);
+  query.task = {{490, 310, 50}, {510, 310, 50}, Duration::seconds(30)};
+
+  const auto found = refine(query, {.world = world, .budget = {}});
+
+  ASSERT_TRUE(found);
+  for (const Way& way : {found->task.to, found->task.from}) {
+    ASSERT_GE(way.size(), 2U);
+    for (std::size_t i = 1; i < way.size(); ++i) EXPECT_NE(way[i - 1], way[i]);
+  }
+}
+
+TEST(Insertion, GivesTheBestPositionTriedWhenTheTimeIsUp) {
+  const world::World world = walled_world();
+  const InsertionQuery query = query_across(12);
+  const DetourPlanner planner;
+  Setting setting{.world = world, .budget = {}, .paths = &planner};
+  const auto whole = refine(query, setting);
+  ASSERT_TRUE(whole);
+  int none = 0, some = 0;
+  for (int asks = 0; asks < 100; ++asks) {
+    SCOPED_TRACE(asks);
+    int asked = 0;
+    setting.budget.time_is_up = [&] { return ++asked > asks; };
+
+    const auto found = refine(query, setting);
+
+    if (!found) {
+      EXPECT_EQ(found.error().kind, RefusalKind::kBudgetExhausted);
+      ++none;
+      continue;
+    }
+    const auto& added = found->task.added;
+    EXPECT_EQ(found->cost, *std::min_element(added.begin(), added.end()));
+    if (found->effort.cut_short) ++some;
+    if (!found->effort.cut_short) {
+      EXPECT_EQ(added, whole->task.added);
+    }
+  }
+  EXPECT_GT(none, 0);
+  EXPECT_GT(some, 0);
+}
+
 TEST(Insertion, RefusesFiguresThatMakeNoSenseByTheirFields) {
   const world::World world = level_world();
   Random random(3);

@@ -68,7 +68,7 @@ void expect_goal(const Tally& tally) {
 
 TEST(ViewpointSearch, FindsWhatAnExhaustiveSearchFindsOverHills) {
   Tally tally;
-  for (std::uint64_t seed = 1; seed <= cases(30, 500); ++seed) {
+  for (std::uint64_t seed = 1; seed <= cases(12, 500); ++seed) {
     Random random(seed, "ground");
     compare(random_case(seed, random_hills(random), 1), seed, tally);
   }
@@ -80,7 +80,7 @@ TEST(ViewpointSearch, FindsWhatAnExhaustiveSearchFindsOverRealGround) {
   const auto ground = jacksboro(90);
   if (!ground) GTEST_SKIP() << "jacksboro.asc is not there";
   Tally tally;
-  for (std::uint64_t seed = 1; seed <= cases(8, 100); ++seed)
+  for (std::uint64_t seed = 1; seed <= cases(6, 100); ++seed)
     compare(random_case(seed, *ground, 5), seed, tally);
 
   expect_goal(tally);
@@ -88,7 +88,7 @@ TEST(ViewpointSearch, FindsWhatAnExhaustiveSearchFindsOverRealGround) {
 
 TEST(ViewpointSearch, TheSecondIsTheBestThatIsApartFromTheFirst) {
   std::uint64_t solved = 0, good = 0;
-  for (std::uint64_t seed = 1; seed <= cases(12, 200); ++seed) {
+  for (std::uint64_t seed = 1; seed <= cases(6, 200); ++seed) {
     Random random(seed, "ground");
     ViewpointCase c = random_case(seed, random_hills(random), 1);
     c.query.count = 2;
@@ -113,12 +113,13 @@ TEST(ViewpointSearch, TheSecondIsTheBestThatIsApartFromTheFirst) {
   std::printf("  %llu of %llu\n", static_cast<unsigned long long>(good),
               static_cast<unsigned long long>(solved));
   EXPECT_GE(good * 100, solved * 95);
-  EXPECT_GT(solved, 5u);
+  EXPECT_GT(solved, 3u);
 }
 
 TEST(ViewpointSearch, SeveralAreAllGoodApartAndBestFirst) {
-  std::size_t several = 0;
-  for (std::uint64_t seed = 1; seed <= cases(60, 500); ++seed) {
+  const std::uint64_t all = cases(8, 500);
+  std::uint64_t several = 0;
+  for (std::uint64_t seed = 1; seed <= all; ++seed) {
     Random random(seed, "ground");
     ViewpointCase c = random_case(seed, random_hills(random), 1);
     c.query.count = 2 + random.below(4);
@@ -142,7 +143,7 @@ TEST(ViewpointSearch, SeveralAreAllGoodApartAndBestFirst) {
       }
     }
   }
-  EXPECT_GT(several, 20u);
+  EXPECT_GT(3 * several, all);
 }
 
 }  // namespace

@@ -86,6 +86,51 @@ TEST(VoxelPathPlanner, StaysWhereItIs) {
   EXPECT_EQ(outcome->cost, 0);
 }
 
+TEST(VoxelPathPlanner, RepeatsNoPointInSuccession) {
+  for (const auto& vehicle : {testing::helicopter(), testing::plane()}) {
+    World world = testing::flat_world();
+    world.volumes.push_back(testing::wall("wall", 290, 0, 310, 500));
+    PathQuery query = testing::query({55, 45, 35}, {515, 435, 95});  // centres of voxels
+    query.vehicle = vehicle;
+
+    const auto round = planned(query, world);
+    query.to = {62, 51, 35};
+    const auto straight = planned(query, world);
+    query.to = query.from;
+    const auto nowhere = planned(query, world);
+
+    ASSERT_TRUE(round && straight && nowhere);
+    for (const Way& way : {round->task.way, straight->task.way, nowhere->task.way})
+      for (std::size_t i = 1; i < way.size(); ++i) EXPECT_NE(way[i - 1], way[i]);
+    EXPECT_EQ(round->task.way.front(), query.from);
+    EXPECT_EQ(round->task.way.back(), Vector3(515, 435, 95));
+    EXPECT_THAT(nowhere->task.way, ::testing::ElementsAre(query.from));
+  }
+}
+
+TEST(VoxelPathPlanner, GivesTheSameWaysThroughAnAirspaceBuiltBefore) {
+  World world = testing::hilly_world({{{300, 300}, 120, 200}});
+  world.volumes.push_back(testing::wall("wall", 100, 100, 130, 500));
+  for (const auto& vehicle : {testing::helicopter(), testing::plane()}) {
+    PathQuery query = testing::query({52, 247, 33}, {511, 330, 51});
+    query.vehicle = vehicle;
+    const Setting setting{world, {}, 1, nullptr};
+    const auto airspace = airspace_of(query, setting);
+    const VoxelPathPlanner prepared(*airspace);
+
+    for (const Vector3& to : {Vector3(511, 330, 51), Vector3(300, 560, 44), Vector3(560, 60, 3)}) {
+      query.to = to;
+      const auto one = prepared.plan(query, setting), other = planned(query, world);
+
+      ASSERT_TRUE(one && other) << (one ? other : one).error().why;
+      EXPECT_EQ(one->task.way, other->task.way);
+      EXPECT_EQ(one->cost, other->cost);
+    }
+    query.to = {115, 300, 50};
+    EXPECT_EQ(prepared.plan(query, setting).error(), planned(query, world).error());
+  }
+}
+
 TEST(VoxelPathPlanner, KeepsItsDistanceFromGroundAndVolumes) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     SCOPED_TRACE(seed);

@@ -38,9 +38,12 @@ refiners::PathQuery query_of(int i) {
   query.vehicle.max_speed = 12;
   query.vehicle.climb_rate = 2.5;
   query.vehicle.descent_rate = 1.5;
+  query.vehicle.acceleration = 1.5;
   query.vehicle.yaw_rate = 0.6;
   query.vehicle.ceiling = 150;
   query.vehicle.energy.capacity = 7e6;
+  query.vehicle.energy.hover_power = 1900;
+  query.vehicle.energy.cruise_power = 1700;
   query.clearance = 15;
   query.from = {150, 250.0 + 220 * i, 70};
   query.to = {2350, 2250.0 - 220 * i, 70};

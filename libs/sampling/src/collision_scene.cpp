@@ -82,6 +82,7 @@ class CollisionScene::Parts {
               {low_.x() - kBeyond, low_.y() - kBeyond, high_.x() + kBeyond, high_.y() + kBeyond},
               spec.ground_accuracy, kMostTriangles) {
     build_ground();
+    steepness_ = steepness();
     for (const auto* volumes : {&world.volumes, &spec.reserved})
       for (const world::Volume& volume : *volumes)
         if (volume.when.overlaps(spec.when)) add(volume);
@@ -134,19 +135,39 @@ class CollisionScene::Parts {
     return (point.array() >= low_.array()).all() && (point.array() <= high_.array()).all();
   }
 
-  /// The ground is lifted by what of the clearance the body does not keep itself.
+  /// By the centre over the ground lifted by the clearance, and by the body over the ground itself.
+  /// One of them says the other: the body keeps as much height as its radius; and a height h over
+  /// ground whose steepest slope is s is a distance of h cos(s) at least.
   bool in_ground(const Sweep& sweep, const fcl::CollisionObjectd& body) const {
-    const double lift = std::max(0.0, clearance_ - sweep.radius);
     const double lowest = std::min(sweep.from.z(), sweep.to.z());
-    if (lowest - sweep.radius > mesh_.highest() + lift) return false;
+    if (lowest > mesh_.highest() + std::max(clearance_, sweep.radius)) return false;
     for (const Vector3& end : {sweep.from, sweep.to})
-      if (end.z() < mesh_.height(end.x(), end.y()) + lift) return true;
-    // By the geometries: an object for the ground would look at every vertex to find its box anew.
+      if (end.z() < mesh_.height(end.x(), end.y()) + std::max(clearance_, sweep.radius))
+        return true;
+    if (clearance_ > sweep.radius &&
+        meets_ground(body_of({sweep.from, sweep.to, kLeastRadius}), clearance_ - kLeastRadius))
+      return true;
+    return clearance_ < sweep.radius * steepness_ && meets_ground(body, 0);
+  }
+
+  /// By the geometries: an object for the ground would look at every vertex to find its box anew.
+  bool meets_ground(const fcl::CollisionObjectd& body, double lift) const {
     const fcl::CollisionRequestd any_contact;
     fcl::CollisionResultd result;
     const fcl::Transform3d lifted(Eigen::Translation3d(0, 0, lift));
     return fcl::collide(ground_.get(), lifted, body.collisionGeometry().get(), body.getTransform(),
                         any_contact, result) > 0;
+  }
+
+  /// 1 / cos of the steepest slope.
+  double steepness() const {
+    double steepest = 1;
+    const auto& at = mesh_.vertices();
+    for (const auto& [a, b, c] : mesh_.triangles()) {
+      const Vector3 normal = (at[b] - at[a]).cross(at[c] - at[a]);
+      steepest = std::max(steepest, normal.norm() / std::abs(normal.z()));
+    }
+    return steepest;
   }
 
   struct Search {
@@ -173,6 +194,7 @@ class CollisionScene::Parts {
   Vector3 low_, high_;
   double clearance_;
   GroundMesh mesh_;
+  double steepness_ = 1;
   std::shared_ptr<Ground> ground_;
   std::vector<std::unique_ptr<fcl::CollisionObjectd>> prisms_;
   std::vector<std::string> names_;  // of the volume each prism is part of

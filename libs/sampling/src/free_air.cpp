@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 namespace skein::sampling {
 namespace {
@@ -20,6 +21,33 @@ std::string sentence(const char* format, const Vector3& at, const std::string& r
   std::array<char, 128> text{};
   std::snprintf(text.data(), text.size(), format, at.x(), at.y(), at.z());
   return text.data() + rest;
+}
+
+/// The fractions of a segment at which it crosses lines, in their order, with 0 and 1.
+std::vector<double> parts_between_lines(const world::TerrainSpec& terrain, const Vector3& from,
+                                        const Vector3& to) {
+  std::vector<double> parts = {0, 1};
+  const auto add = [&](double a, double b, double low, double high) {
+    const auto cross = [&](double line) {
+      if (line > std::min(a, b) && line < std::max(a, b)) parts.push_back((line - a) / (b - a));
+    };
+    const double first = std::max(0.0, std::floor((std::min(a, b) - low) / terrain.cell));
+    const double last = std::floor((std::min(std::max(a, b), high) - low) / terrain.cell);
+    for (double i = first; i <= last; ++i) cross(low + i * terrain.cell);
+    cross(high);
+  };
+  add(from.x(), to.x(), terrain.west, terrain.east);
+  add(from.y(), to.y(), terrain.south, terrain.north);
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
+/// Of a quadratic function with these values at the begin, in the middle and at the end.
+double highest_between(double begin, double middle, double end) {
+  const double curve = 2 * (begin + end) - 4 * middle;
+  const double slope = end - begin - curve;
+  if (curve >= 0 || slope <= 0 || slope >= -2 * curve) return std::max(begin, end);
+  return begin - slope * slope / (4 * curve);
 }
 
 }  // namespace
@@ -43,14 +71,19 @@ double FreeAir::height(const Vector3& point) const {
   return point.z() - world_.terrain.elevation(point.x(), point.y());
 }
 
-/// The surface is a plane or a hyperbolic paraboloid between the lines of the terrain's grid: with
-/// samples every eighth of a cell it sags below the segment's height by at most 1/64 of what it
-/// does over a whole cell.
+/// Exact: between the lines of the terrain's grid the ground is a quadratic function of the way.
 bool FreeAir::is_low_enough(const Vector3& from, const Vector3& to) const {
-  const double spacing = world_.terrain.spec().cell / 8;
-  const auto steps = static_cast<int>(std::ceil((to - from).head<2>().norm() / spacing)) + 1;
-  for (int i = 0; i <= steps; ++i)
-    if (height(from + (to - from) * i / steps) > query_.vehicle.ceiling + kSlack) return false;
+  const double limit = query_.vehicle.ceiling + kSlack;
+  if (std::max(from.z(), to.z()) - world_.terrain.lowest() <= limit) return true;
+  const std::vector<double> parts = parts_between_lines(world_.terrain.spec(), from, to);
+  const auto height_at = [&](double part) { return height(from + part * (to - from)); };
+  double before = height_at(0);
+  if (before > limit) return false;
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const double middle = height_at((parts[i - 1] + parts[i]) / 2), after = height_at(parts[i]);
+    if (after > limit || highest_between(before, middle, after) > limit) return false;
+    before = after;
+  }
   return true;
 }
 

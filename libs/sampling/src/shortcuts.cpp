@@ -2,6 +2,7 @@
 #include "shortcuts.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace skein::sampling {
 namespace {
@@ -73,10 +74,12 @@ Vector3 random_direction(Random& random) {
   return ball.normalized();
 }
 
-/// Draws the corners of a free way in. Every move keeps it free and makes it shorter.
+/// Draws the corners of a free way in. Every move keeps it free and makes it shorter; what could
+/// gain less than `least_gain` [m] is not tried.
 class Tightening {
  public:
-  Tightening(const IsFree& is_free, Random& random) : is_free_(is_free), random_(random) {}
+  Tightening(const IsFree& is_free, double least_gain, Random& random)
+      : is_free_(is_free), least_gain_(least_gain), random_(random) {}
 
   /// A corner moves as far as it is free to where the way would be shorter: towards the straight
   /// line between its neighbours; back along its two legs; up or down alone; and, since it may lie
@@ -95,17 +98,46 @@ class Tightening {
       pull_to(way, i, best_on_line(a, way[i], b, random_direction(random_)));
   }
 
+  /// The corners between two others take the heights of one slope, as far as that is free: all
+  /// together, since one by one they would hold each other back. Then those of each half.
+  void level(Way& way, std::size_t first, std::size_t last) const {
+    if (last - first < 2) return;
+    const Way before(way.begin() + static_cast<std::ptrdiff_t>(first),
+                     way.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    const Way sloped = on_one_slope(before);
+    if (refiners::length_of(sloped) < refiners::length_of(before) - least_gain_) {
+      const auto between = [&](double part) {
+        Way moved = before;
+        for (std::size_t i = 0; i < moved.size(); ++i) moved[i] += part * (sloped[i] - before[i]);
+        return moved;
+      };
+      const Way best = between(furthest([&](double part) {
+        const Way moved = between(part);
+        for (std::size_t i = 1; i < moved.size(); ++i)
+          if (!is_free_(moved[i - 1], moved[i])) return false;
+        return true;
+      }));
+      std::copy(best.begin(), best.end(), way.begin() + static_cast<std::ptrdiff_t>(first));
+    }
+    const std::size_t middle = (first + last) / 2;
+    level(way, first, middle);
+    level(way, middle, last);
+  }
+
   /// A corner becomes two where the way cannot go straight past it but can turn in two steps.
   Way with_corners_cut(const Way& way) const {
     Way cut = {way.front()};
     for (std::size_t i = 1; i + 1 < way.size(); ++i) {
-      const Vector3 corner = way[i], a = (cut.back() + corner) / 2, b = (corner + way[i + 1]) / 2;
-      const double part = furthest([&](double step) {
-        return is_free_(corner + step * (a - corner), corner + step * (b - corner));
+      const Vector3 before = cut.back(), corner = way[i], after = way[i + 1];
+      const Vector3 to_a = (before - corner) / 2, to_b = (after - corner) / 2;
+      const double most = to_a.norm() + to_b.norm() - (to_b - to_a).norm();
+      const double part = most < least_gain_ ? 0 : furthest([&](double step) {
+        const Vector3 p = corner + step * to_a, q = corner + step * to_b;
+        return is_free_(p, q) && is_free_(before, p) && is_free_(q, after);
       });
-      if (part > 0 && detour(a, corner, b) > (b - a).norm() * (1 + kLeastGain)) {
-        cut.push_back(corner + part * (a - corner));
-        cut.push_back(corner + part * (b - corner));
+      if (part * most >= least_gain_) {
+        cut.push_back(corner + part * to_a);
+        cut.push_back(corner + part * to_b);
       } else {
         cut.push_back(corner);
       }
@@ -115,8 +147,6 @@ class Tightening {
   }
 
  private:
-  static constexpr double kLeastGain = 1e-5;
-
   /// The greatest step that halving finds free, 0 if none is.
   template <class Free>
   static double furthest(const Free& free_at) {
@@ -129,10 +159,21 @@ class Tightening {
     return free;
   }
 
+  /// Ends stay; in between the height goes with the distance on the map.
+  static Way on_one_slope(Way way) {
+    std::vector<double> far = {0};
+    for (std::size_t i = 1; i < way.size(); ++i)
+      far.push_back(far.back() + (way[i] - way[i - 1]).head<2>().norm());
+    const double rise = way.back().z() - way.front().z();
+    for (std::size_t i = 1; far.back() > 0 && i + 1 < way.size(); ++i)
+      way[i].z() = way.front().z() + rise * far[i] / far.back();
+    return way;
+  }
+
   void pull_to(Way& way, std::size_t i, const Vector3& target) const {
     const Vector3 a = way[i - 1], corner = way[i], b = way[i + 1];
     const double now = detour(a, corner, b);
-    if (detour(a, target, b) > now * (1 - kLeastGain)) return;
+    if (detour(a, target, b) > now - least_gain_) return;
     const double step = furthest([&](double part) {
       const Vector3 moved = corner + part * (target - corner);
       return is_free_(a, moved) && is_free_(moved, b);
@@ -142,6 +183,7 @@ class Tightening {
   }
 
   const IsFree& is_free_;
+  double least_gain_;
   Random& random_;
 };
 
@@ -149,10 +191,11 @@ class Tightening {
 void tighten(Way& way, const IsFree& is_free, const std::function<bool()>& is_over,
              Random& random) {
   constexpr int kMostRounds = 12;
-  Tightening tightening(is_free, random);
   double before = refiners::length_of(way);
+  Tightening tightening(is_free, 1e-5 * before, random);
   for (int round = 0; round < kMostRounds && way.size() > 2 && !is_over(); ++round) {
     for (std::size_t i = 1; i + 1 < way.size() && !is_over(); ++i) tightening.pull(way, i);
+    tightening.level(way, 0, way.size() - 1);
     way = without_needless_corners(tightening.with_corners_cut(way), is_free);
     const double after = refiners::length_of(way);
     if (after > before * (1 - 1e-4)) return;
@@ -172,7 +215,8 @@ Way shortened(const Way& way, const IsFree& is_free, const std::function<bool()>
     if (from.leg > to.leg) std::swap(from, to);
     if (from.leg == to.leg) continue;
     const Vector3 a = point_at(best, from), b = point_at(best, to);
-    if (!is_free(a, b)) continue;
+    // Parts of free legs too: what is asked of samples may differ for them.
+    if (!is_free(a, b) || !is_free(best[from.leg], a) || !is_free(b, best[to.leg + 1])) continue;
     Way cut(best.begin(), best.begin() + static_cast<std::ptrdiff_t>(from.leg) + 1);
     for (const Vector3& point : {a, b})
       if (point != cut.back()) cut.push_back(point);

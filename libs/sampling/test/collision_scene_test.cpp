@@ -189,5 +189,21 @@ TEST(CollisionScene, ManyTrianglesAreBounded) {
   EXPECT_TRUE(sut.collides({100, 100, 2}, {900, 900, 2}, 1));
 }
 
+TEST(CollisionScene, ClearanceIsHeightOnASteepSlopeToo) {
+  world::World world = a_plain();
+  world::TerrainSpec terrain = world.terrain.spec();
+  terrain.hills = {{{500, 500}, 180, 150}};
+  world.terrain = world::Terrain(terrain);
+  const CollisionScene scene(world, {.clearance = 5, .ground_accuracy = 0.02});
+  const auto over = [&](double height) {
+    return Vector3(430, 500, world.terrain.elevation(430, 500) + height);
+  };
+
+  ASSERT_GT(world.terrain.slope(430, 500), 0.9);
+  EXPECT_FALSE(scene.collides(over(5.05), 2)) << "the ball is 3 m off the ground itself";
+  EXPECT_TRUE(scene.collides(over(4.95), 2));
+  EXPECT_TRUE(scene.collides(over(5.05), 4.5)) << "the ball touches the flank";
+}
+
 }  // namespace
 }  // namespace skein::sampling

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <numbers>
 
 #include "reading.hpp"
+#include "skein/world/radio_reader.hpp"
 #include "skein/world/vehicle_model_reader.hpp"
 
 namespace skein::scenario {
@@ -15,36 +15,7 @@ namespace {
 using config::Range;
 using config::Reader;
 
-constexpr double kFar = 1e6;  ///< [m] no coordinate is farther from the origin
-constexpr Range kMetres{-kFar, kFar, "m"};
-constexpr Range kLength{0, kFar, "m"};
 constexpr Range kFraction{0, 1, ""};
-
-void read_terrain(const Reader& reader, world::TerrainSpec& terrain) {
-  if (!reader.keys({"west", "south", "east", "north", "cell", "base", "hills"})) return;
-  terrain.west = reader.required("west").number(-1000, kMetres);
-  terrain.south = reader.required("south").number(-1000, kMetres);
-  terrain.east = reader.required("east").number(1000, kMetres);
-  terrain.north = reader.required("north").number(1000, kMetres);
-  terrain.cell = reader.optional("cell").number(20, {0.1, 10'000, "m"});
-  terrain.base = reader.optional("base").number(0, kMetres);
-  for (const Reader& hill : items_of(reader.optional("hills"))) {
-    if (!hill.keys({"at", "height", "radius"})) continue;
-    terrain.hills.push_back({read_point_2d(hill.required("at")),
-                             hill.required("height").number(0, {-5000, 5000, "m"}),
-                             hill.required("radius").number(1, {1, kFar, "m"})});
-  }
-  for (const std::string& problem : world::problems_of(terrain)) reader.error(problem);
-}
-
-void read_zone(const std::string& name, const Reader& reader, std::vector<world::Zone>& zones) {
-  world::Zone zone{name, {}};
-  for (const Reader& corner : items_of(reader)) zone.polygon.push_back(read_point_2d(corner));
-  if (zone.polygon.size() < 3 || world::area(zone.polygon) <= 0) {
-    reader.error("a zone without area", "at least three corners [x, y]");
-  }
-  zones.push_back(std::move(zone));
-}
 
 world::WorldObject read_object(const std::string& name, const Reader& reader) {
   world::WorldObject object;
@@ -101,24 +72,6 @@ bool usable_name(const std::string& name) {
 
 }  // namespace
 
-std::vector<Reader> items_of(const Reader& reader) {
-  std::vector<Reader> items = reader.items();
-  std::erase_if(items, [](const Reader& item) {
-    if (!item.present()) item.error("nothing in a list");
-    return !item.present();
-  });
-  return items;
-}
-
-std::vector<std::pair<std::string, Reader>> entries_of(const Reader& reader) {
-  auto entries = reader.entries();
-  std::erase_if(entries, [](const auto& entry) {
-    if (!entry.second.present()) entry.second.error("nothing is said of '" + entry.first + "'");
-    return !entry.second.present();
-  });
-  return entries;
-}
-
 void at_most_one_of(const Reader& reader, std::initializer_list<const char*> keys) {
   const char* first = nullptr;
   for (const char* key : keys) {
@@ -132,21 +85,6 @@ void at_most_one_of(const Reader& reader, std::initializer_list<const char*> key
   }
 }
 
-world::Vector3 read_point(const Reader& reader) {
-  const auto xyz = reader.numbers(3, kMetres);
-  return xyz.size() == 3 ? world::Vector3(xyz[0], xyz[1], xyz[2]) : world::Vector3::Zero();
-}
-
-world::Vector2 read_point_2d(const Reader& reader) {
-  const auto xy = reader.numbers(2, kMetres);
-  return xy.size() == 2 ? world::Vector2(xy[0], xy[1]) : world::Vector2::Zero();
-}
-
-MissionTime read_instant(const Reader& reader, MissionTime otherwise) {
-  if (!reader.present()) return otherwise;
-  return MissionTime::seconds(reader.number(0, {0, 1e7, "s"}));
-}
-
 Duration read_seconds(const Reader& reader, Duration otherwise) {
   if (!reader.present()) return otherwise;
   return Duration::seconds(reader.number(0, {0, 1e7, "s"}));
@@ -154,23 +92,10 @@ Duration read_seconds(const Reader& reader, Duration otherwise) {
 
 void read_world(const Reader& reader, WorldSpec& world) {
   if (!reader.keys({"origin", "terrain", "wind", "zones", "places", "objects"})) return;
-  const Reader origin = reader.required("origin");
-  if (origin.keys({"latitude", "longitude", "altitude"})) {
-    world.origin = {origin.required("latitude").number(0, {-90, 90, "degrees"}),
-                    origin.required("longitude").number(0, {-180, 180, "degrees"}),
-                    origin.required("altitude").number(0, {-1000, 9000, "m"})};
-  }
-  read_terrain(reader.required("terrain"), world.terrain);
-  const Reader wind = reader.optional("wind");
-  if (wind.keys({"toward", "speed", "gusts"})) {
-    world.wind = {
-        wind.optional("toward").number(0, {-2 * std::numbers::pi, 2 * std::numbers::pi, "rad"}),
-        wind.optional("speed").number(0, {0, 50, "m/s"}),
-        wind.optional("gusts").number(0, {0, 20, "m/s"})};
-  }
-  for (const auto& [name, zone] : entries_of(reader.optional("zones"))) {
-    read_zone(name, zone, world.zones);
-  }
+  world.origin = world::read_geodetic(reader.required("origin"));
+  world.terrain = world::read_terrain(reader.required("terrain"));
+  world.wind = world::read_wind(reader.optional("wind"));
+  world.zones = world::read_zones(reader.optional("zones"));
   for (const auto& [name, place] : entries_of(reader.optional("places"))) {
     world.places.emplace(name, read_point(place));
   }
@@ -202,12 +127,7 @@ void read_uavs(const Reader& reader, const std::string& folder, Diagnostics& dia
 }
 
 void read_radio(const Reader& reader, const Names& names, RadioSpec& radio) {
-  reader.keys({"range", "line_of_sight", "latency", "loss", "hysteresis", "cuts"});
-  radio.model.range = reader.optional("range").number(10'000, {1, kFar, "m"});
-  radio.model.needs_line_of_sight = reader.optional("line_of_sight").boolean(true);
-  radio.model.latency = Duration::seconds(reader.optional("latency").number(0.02, {0, 60, "s"}));
-  radio.model.loss = reader.optional("loss").number(0, {0, 0.99, ""});
-  radio.model.hysteresis = reader.optional("hysteresis").number(0.05, {0, 1, ""});
+  radio.model = world::read_radio(reader, "cuts");
   for (const Reader& cut : items_of(reader.optional("cuts"))) {
     if (!cut.keys({"between", "from", "until"})) continue;
     const std::vector<Reader> pair = cut.required("between").items();

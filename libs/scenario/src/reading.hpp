@@ -5,11 +5,11 @@
 
 #include <initializer_list>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "skein/config/reader.hpp"
 #include "skein/scenario/scenario.hpp"
+#include "skein/world/environment_reader.hpp"
 
 namespace skein::scenario {
 
@@ -35,18 +35,17 @@ void read_script(const config::Reader& ground, const Scenario& scenario,
 void read_expectations(const config::Reader& reader, const Names& names,
                        std::vector<Expectation>& expectations);
 
-/// The items of a list and the entries of a map; reports those that say nothing, and leaves them
-/// out.
-std::vector<config::Reader> items_of(const config::Reader& reader);
-std::vector<std::pair<std::string, config::Reader>> entries_of(const config::Reader& reader);
+// What scenarios read as world files do.
+using world::entries_of;
+using world::items_of;
+using world::read_instant;
+using world::read_point;
+using world::read_point_2d;
+
 /// Reports when a map has more than one of these keys: it can mean only one thing.
 void at_most_one_of(const config::Reader& reader, std::initializer_list<const char*> keys);
 
-/// [x, y, z] in metres.
-world::Vector3 read_point(const config::Reader& reader);
-world::Vector2 read_point_2d(const config::Reader& reader);
 /// Seconds of mission time, not negative.
-MissionTime read_instant(const config::Reader& reader, MissionTime otherwise = {});
 Duration read_seconds(const config::Reader& reader, Duration otherwise = {});
 
 }  // namespace skein::scenario

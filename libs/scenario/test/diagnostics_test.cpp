@@ -71,9 +71,16 @@ SKEIN_WRONG_FILES(
     Wrong{"TerrainTooFine", "cell: 20", "cell: 0.1",
           "6:12: world.terrain: terrain: more than 4 million cells; use a larger cell\n"},
     Wrong{"ZoneWithoutArea", "[[0, 0], [200, 0], [200, 100]]", "[[0, 0], [200, 0]]",
-          "8:8: world.zones.Z: a zone without area; expected at least three corners [x, y]\n"},
+          "8:8: world.zones.Z: 2 corners enclose nothing: at least three; expected the corners [x, "
+          "y] "
+          "of a simple polygon in order\n"},
+    Wrong{"ZoneThatCrossesItself", "[[0, 0], [200, 0], [200, 100]]",
+          "[[0, 0], [200, 0], [0, 100], [200, 100]]",
+          "8:8: world.zones.Z: the edges after corner 2 and corner 4 cross or touch; expected the "
+          "corners [x, y] of a simple polygon in order\n"},
     Wrong{"PlaceOfTwoNumbers", "base: [0, 0, 0]", "base: [0, 0]",
-          "9:18: world.places.base: a list; expected a list of 3 numbers\n"},
+          "9:18: world.places.base: this is not a point; expected [x, y, z] in metres\n"},
+    Wrong{"PlaceWithoutName", "aside: [50", "'': [50", "9:33: world.places.: an empty name\n"},
     Wrong{"PlaceOfNothing", "base: [0, 0, 0]", "base:",
           "9:17: world.places.base: nothing is said of 'base'\n"
           "26:61: ground.script[0].do[0].plan.tasks[1].params.to: unknown name 'base'; expected a "
@@ -116,7 +123,17 @@ SKEIN_WRONG_FILES(
           "16:10: radio.cuts[0]: a cut that ends before it begins\n"},
     Wrong{"CutOfNothing", kCut, "~", "16:10: radio.cuts[0]: nothing in a list\n"},
     Wrong{"LossOfEverything", "  cuts:", "  loss: 1\n  cuts:",
-          "16:9: radio.loss: '1'; expected a number from 0 to 0.99\n"});
+          "16:9: radio.loss: '1'; expected a number from 0 to 0.99\n"},
+    Wrong{"RangeBesideABudget", "  cuts:", "  range: 900\n  power: 20\n  sensitivity: -90\n  cuts:",
+          "16:10: radio.range: a range beside a link budget, from which it follows; expected one "
+          "of the two\n"},
+    Wrong{"BudgetWithoutPower", "  cuts:", "  sensitivity: -90\n  cuts:",
+          "16:16: radio.sensitivity: sensitivity without power; expected the emission power in "
+          "dBm\n"},
+    Wrong{"UnknownKeyOfTheRadio", "  cuts:", "  rage: 900\n  cuts:",
+          "16:9: radio.rage: unknown key 'rage'; expected one of range, power, sensitivity, "
+          "reference_loss, exponent, line_of_sight, latency, loss, hysteresis, cuts; did you mean "
+          "'range'?\n"});
 
 SKEIN_WRONG_FILES(
     Faults,

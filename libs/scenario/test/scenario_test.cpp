@@ -113,6 +113,14 @@ TEST(Scenario, WhatIsLeftOutHasADefault) {
   EXPECT_EQ(scenario.world.objects[0].disappears, MissionTime::max());
 }
 
+TEST(Scenario, ItsRadioMayBeALinkBudgetAsThatOfAWorldFile) {
+  const Scenario scenario = read_valid(
+      scenario_with("  cuts:", "  power: 27\n  sensitivity: -95\n  exponent: 2.2\n  cuts:"));
+
+  EXPECT_EQ(scenario.radio.model.budget, (world::LinkBudget{27, -95, 40, 2.2}));
+  EXPECT_EQ(scenario.radio.cuts.size(), 1U);
+}
+
 TEST(Scenario, ATeleoperatedUavHoldsWhenContactIsLostUnlessToldOtherwise) {
   const Scenario scenario = read_valid(scenario_with());
   const Scenario told = read_valid(

@@ -6,6 +6,7 @@
 #include "skein/config/parse.hpp"
 #include "skein/config/reader.hpp"
 #include "skein/world/environment_reader.hpp"
+#include "skein/world/radio_reader.hpp"
 
 namespace skein::world {
 namespace {
@@ -137,38 +138,6 @@ GroundRequest read_ground_state(const Reader& reader) {
   ground.alarms = read_points(reader.optional("alarms"));
   ground.fires = read_points(reader.optional("fires"));
   return ground;
-}
-
-std::optional<LinkBudget> read_budget(const Reader& reader) {
-  if (!reader.optional("power").present()) {
-    for (const char* key : {"sensitivity", "reference_loss", "exponent"})
-      if (const Reader figure = reader.optional(key); figure.present())
-        figure.error(std::string(key) + " without power", "the emission power in dBm");
-    return std::nullopt;
-  }
-  if (const Reader range = reader.optional("range"); range.present())
-    range.error("a range beside a link budget, from which it follows", "one of the two");
-  LinkBudget budget;
-  budget.emission_power = reader.required("power").number(20, {-100, 100, "dBm"});
-  budget.sensitivity = reader.required("sensitivity").number(-90, {-200, 100, "dBm"});
-  budget.reference_loss = reader.optional("reference_loss").number(40, {0, 200, "dB"});
-  budget.path_loss_exponent = reader.optional("exponent").number(2, {1, 8, ""});
-  return budget;
-}
-
-RadioModel read_radio(const Reader& reader) {
-  RadioModel radio;
-  reader.keys({"range", "power", "sensitivity", "reference_loss", "exponent", "line_of_sight",
-               "latency", "loss", "hysteresis"});
-  radio.range = reader.optional("range").number(10'000, {1, kFarthest, "m"});
-  radio.budget = read_budget(reader);
-  radio.needs_line_of_sight = reader.optional("line_of_sight").boolean(true);
-  radio.latency = Duration::seconds(reader.optional("latency").number(0.02, {0, 60, "s"}));
-  radio.loss = reader.optional("loss").number(0, {0, 0.99, ""});
-  radio.hysteresis = reader.optional("hysteresis").number(0.05, {0, 1, ""});
-  if (radio.budget)
-    for (const std::string& problem : problems_of(radio)) reader.error(problem);
-  return radio;
 }
 
 void read_places(const Reader& reader, WorldFile& world) {

@@ -96,8 +96,7 @@ TEST(VehicleModelReader, ReadsThePilot) {
 
 TEST(VehicleModelReader, TheModelsOfTheCometsScenarioAreSound) {
   for (const std::string name : {"marvin", "heliv", "karma"}) {
-    const std::string path =
-        std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/models/" + name + ".yaml";
+    const std::string path = SKEIN_SOURCE_DIR "/scenarios/comets/models/" + name + ".yaml";
     std::stringstream text;
     text << std::ifstream(path).rdbuf();
 

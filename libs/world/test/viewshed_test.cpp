@@ -41,7 +41,7 @@ void write_ascii(const fs::path& file, const Terrain& terrain, const Grid& grid)
 /// What the tool says of each cell; empty when it failed.
 std::vector<bool> by_gdal(const Terrain& terrain, const Grid& grid, const Vector2& at,
                           double height, double target) {
-  const fs::path directory = fs::path(SKEIN_BINARY_DIR) / "viewshed_test";
+  const fs::path directory = SKEIN_BINARY_DIR "/viewshed_test";
   fs::create_directories(directory);
   write_ascii(directory / "ground.asc", terrain, grid);
   std::ostringstream command;

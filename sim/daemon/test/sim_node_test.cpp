@@ -20,8 +20,7 @@ using ::testing::IsEmpty;
 MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
 
 world::VehicleModel model_of(const std::string& name) {
-  const std::string path =
-      std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/models/" + name + ".yaml";
+  const std::string path = SKEIN_SOURCE_DIR "/scenarios/comets/models/" + name + ".yaml";
   std::ifstream in(path);
   const std::string text((std::istreambuf_iterator<char>(in)), {});
   const auto model = world::read_vehicle_model(text, path);

@@ -24,7 +24,8 @@ inline const world::Terrain& flat_terrain() {
                                                          .north = 1000,
                                                          .cell = 100,
                                                          .base = 0,
-                                                         .hills = {}});
+                                                         .hills = {},
+                                                         .elevations = {}});
   return terrain;
 }
 

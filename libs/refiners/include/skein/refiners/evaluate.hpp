@@ -57,11 +57,14 @@ struct InsertionQuery {
 
 struct Insertion {
   std::size_t position = 0;   ///< before plan[position]; plan.size(): at the end
-  std::vector<double> added;  ///< seconds that it adds at each position; infinite: no way there
+  std::vector<double> added;  ///< seconds that it adds at each position; infinite: no way there, or
+                              ///< none found before the time was up (Effort::cut_short)
   Way to, from;               ///< ways to the task and on from it, at the best position
 };
 
-/// Refined cost: seconds added at the best position.
+/// Refined cost: seconds added at the best position. When the time is up before all positions were
+/// tried, the best of those that were; kBudgetExhausted when none was. Steps: positions. Cost: the
+/// airspace is built once; then at most three ways for each position.
 Outcome<Insertion> refine(const InsertionQuery& query, const Setting& setting);
 
 }  // namespace skein::refiners

@@ -35,7 +35,8 @@ struct PathQuery {
 };
 
 struct Path {
-  Way way;                ///< from `from` to `to`; flyable by the vehicle
+  Way way;                ///< from `from` to `to`; flyable by the vehicle. No point twice in
+                          ///< succession: one that stays where it is is that one point
   double length = 0;      ///< [m]
   double graph_cost = 0;  ///< of the least costly way on the graph, before it was pulled straight
                           ///< [m × crossing cost]; 0 when no graph was searched

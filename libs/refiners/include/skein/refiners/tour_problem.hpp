@@ -72,8 +72,9 @@ inline constexpr std::uint64_t kMostQuickSteps = 30'000'000;
 /// Source: spec 4.2 (tour).
 TourOrder solve_tour(const TourProblem& problem, const Budget& budget, std::uint64_t seed);
 
-/// Of the iterated search: 100 perturbations a stop, or 20,000 stops looked at. Some 50 to 100 ms
-/// for 200 stops.
+/// Of the iterated search: 100 perturbations a stop, or 20,000 stops looked at. Measured on 200
+/// stops of seven kinds (bench/tour_bench.cpp): 19 to 58 ms of CPU where the costs are the same
+/// both ways, 62 to 65 ms where not.
 std::uint64_t default_tour_steps(const TourProblem& problem);
 
 }  // namespace skein::refiners

@@ -73,7 +73,18 @@ Result<world::Airspace, Refusal> airspace_of(const PathQuery& query, const Setti
 /// volumes at all times, and a refusal may be of a flight that would have been in time by luck.
 class VoxelPathPlanner final : public PathPlanner {
  public:
+  VoxelPathPlanner() = default;
+  /// Through that airspace, instead of one built for each query (which takes longer than most
+  /// searches): for services that ask for many ways. It comes from airspace_of, for a query with
+  /// the same vehicle, clearance, reserved volumes and contact in the same world, and must outlive
+  /// the planner. The volumes it has count whenever a query departs.
+  explicit VoxelPathPlanner(const world::Airspace& airspace) : airspace_(&airspace) {}
+  explicit VoxelPathPlanner(world::Airspace&&) = delete;
+
   Outcome<Path> plan(const PathQuery& query, const Setting& setting) const override;
+
+ private:
+  const world::Airspace* airspace_ = nullptr;
 };
 
 }  // namespace skein::refiners

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shared_checks.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace skein::refiners {
+
+std::string rounded(double figure) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", figure);
+  return text.data();
+}
+
+std::optional<Refusal> check_energy(double energy, const world::VehicleModel& vehicle,
+                                    const std::string& what) {
+  const double usable = 1 - vehicle.energy.reserve;
+  if (energy <= usable) return std::nullopt;
+  return Refusal{RefusalKind::kBeyondVehicle, "vehicle.energy",
+                 what + " takes " + rounded(100 * energy) + " % of the energy held when full; " +
+                     rounded(100 * usable) + " % may be used"};
+}
+
+}  // namespace skein::refiners
