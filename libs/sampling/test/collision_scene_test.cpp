@@ -143,7 +143,7 @@ TEST(CollisionScene, TheBayOfAConcaveVolumeIsFree) {
 }
 
 TEST(CollisionScene, VolumesCountOnlyInTheirTime) {
-  world::Volume volume = a_box("drill", 400, 400, 600, 600, 0, 200);
+  world::Volume volume = a_box("drill", {400, 400}, {600, 600}, 0, 200);
   volume.when = {MissionTime::seconds(100), MissionTime::seconds(200)};
   const world::World world = plain_with({volume});
   const auto at = [](double from, double until) {
@@ -157,8 +157,8 @@ TEST(CollisionScene, VolumesCountOnlyInTheirTime) {
 
 TEST(CollisionScene, NamesWhatIsMetFirstAndWhere) {
   const world::World world = plain_with(
-      {a_box("far", 800, 0, 900, 1000, 0, 200), a_box("near", 400, 0, 500, 1000, 0, 200)});
-  const CollisionScene sut(world, {.reserved = {a_box("other's", 100, 500, 200, 600, 0, 90)}});
+      {a_box("far", {800, 0}, {900, 1000}, 0, 200), a_box("near", {400, 0}, {500, 1000}, 0, 200)});
+  const CollisionScene sut(world, {.reserved = {a_box("other's", {100, 500}, {200, 600}, 0, 90)}});
 
   const auto conflict = sut.first_conflict({0, 50, 50}, {1000, 50, 50}, 10);
   const auto reserved = sut.first_conflict({150, 550, 80}, 1);

@@ -34,7 +34,7 @@ Outcome<Path> planned(const world::World& world, const PathQuery& query, std::ui
 /// A wall across the plain with a gap at its north end.
 world::World walled() {
   world::World world = a_plain();
-  world.volumes = {a_box("wall", 480, 0, 520, 900, -10, 300)};
+  world.volumes = {a_box("wall", {480, 0}, {520, 900}, -10, 300)};
   return world;
 }
 
@@ -81,7 +81,7 @@ TEST(SamplingPathPlanner, GoesRoundAWallByAboutTheShortestWay) {
 
 TEST(SamplingPathPlanner, KeepsOutOfVolumesReservedByOthers) {
   auto query = a_query({100, 500, 50}, {900, 500, 50});
-  query.reserved = {a_box("other's", 400, 300, 600, 700, 0, 120)};
+  query.reserved = {a_box("other's", {400, 300}, {600, 700}, 0, 120)};
 
   const auto path = planned(a_plain(), query);
 
@@ -272,7 +272,7 @@ TEST(SamplingPathPlanner, FiguresThatMakeNoSenseAreRefused) {
   queries[3].speed = nan;
   queries[4].heading_from = nan;
   queries[5].reserved = {{"crossed", {{0, 0}, {10, 10}, {10, 0}, {0, 10}}, 0, 10, {}}};
-  queries[6].reserved = {a_box("upside down", 0, 0, 10, 10, 50, 20)};
+  queries[6].reserved = {a_box("upside down", {0, 0}, {10, 10}, 50, 20)};
   queries[7].contact = refiners::Contact{{nan, 0, 0}, {}};
   queries[8].vehicle.cruise_speed = -3;
 

@@ -87,7 +87,7 @@ TEST(BothPlanners, AgreeOnWhatIsEasyAndOnAboutHowLongItIs) {
 
 TEST(BothPlanners, FindNoWayThroughAClosedWall) {
   world::World world = a_plain();
-  world.volumes = {a_box("wall", 480, -10, 520, 1010, -10, 300)};
+  world.volumes = {a_box("wall", {480, -10}, {520, 1010}, -10, 300)};
   PathQuery query;
   query.vehicle = a_helicopter();
   query.from = {100, 100, 55};

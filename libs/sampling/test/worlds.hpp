@@ -70,13 +70,14 @@ inline world::World hills(Random& random, int count = 12) {
   return world;
 }
 
-inline world::Volume a_box(std::string name, double west, double south, double east, double north,
-                           double floor, double ceiling) {
-  return {std::move(name),
-          {{west, south}, {east, south}, {east, north}, {west, north}},
-          floor,
-          ceiling,
-          {}};
+inline world::Volume a_box(std::string name, const world::Vector2& south_west,
+                           const world::Vector2& north_east, double floor, double ceiling) {
+  return {
+      std::move(name),
+      {south_west, {north_east.x(), south_west.y()}, north_east, {south_west.x(), north_east.y()}},
+      floor,
+      ceiling,
+      {}};
 }
 
 /// A star-shaped, as a rule concave, volume about a point.
