@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/refiners/checks.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 #include <vector>
 
+#include "shared_checks.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "skein/world/polygon_check.hpp"
 
 namespace skein::refiners {
-namespace {
-
-std::string figure(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", value);
-  return text.data();
-}
-
-Refusal bad(std::string field, std::string why) {
-  return {RefusalKind::kBadQuery, std::move(field), std::move(why)};
-}
-
-}  // namespace
-
 std::optional<Refusal> check_finite(const world::Vector3& point, const std::string& field) {
   if (point.allFinite()) return std::nullopt;
   return bad(field, "every coordinate must be a finite number");

@@ -2,12 +2,11 @@
 #include "skein/refiners/coverage.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "coverage_checks.hpp"
+#include "shared_checks.hpp"
 #include "sweep_track.hpp"
 
 namespace skein::refiners {
@@ -20,12 +19,6 @@ constexpr double kLeastTolerance = 1;  // of heights [m]
 constexpr std::size_t kOtherDirections = 12;
 
 using Volumes = std::vector<const world::Volume*>;
-
-std::string figure(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
 
 /// Volumes over the area, by the rectangles around them.
 Volumes over(const world::Polygon& area, const Volumes& volumes) {
@@ -70,8 +63,8 @@ class CoverageRefiner {
     SweepTask task = sweep_task();
     if (!(task.wind.norm() < model_.speed()))
       return refuse(RefusalKind::kBeyondVehicle, "speed",
-                    "a wind that moves it by " + figure(task.wind.norm()) +
-                        " m/s cannot be flown against at " + figure(model_.speed()) + " m/s");
+                    "a wind that moves it by " + rounded(task.wind.norm()) +
+                        " m/s cannot be flown against at " + rounded(model_.speed()) + " m/s");
     const Volumes above = over(query_.area, volumes_);
     if (!above.empty())
       task.is_free = [&](const Vector2& from, const Vector2& to) {
@@ -195,20 +188,20 @@ class CoverageRefiner {
       const double height = point.z() - setting_.world.terrain.elevation(point.x(), point.y());
       if (height > query_.vehicle.ceiling + kLeastTolerance)
         return Refusal{RefusalKind::kBeyondVehicle, "altitude",
-                       "over ground this steep the way is " + figure(height) +
+                       "over ground this steep the way is " + rounded(height) +
                            " m high somewhere, above the vehicle's ceiling of " +
-                           figure(query_.vehicle.ceiling) + " m"};
+                           rounded(query_.vehicle.ceiling) + " m"};
     }
     for (std::size_t i = 0; i + 1 < way.size(); ++i)
       if (const world::Volume* volume = entered(way[i], way[i + 1], volumes_))
         return Refusal{RefusalKind::kBlocked, "area",
                        "the way enters the volume " + volume->name + " near (" +
-                           figure(way[i].x()) + ", " + figure(way[i].y()) + ")"};
+                           rounded(way[i].x()) + ", " + rounded(way[i].y()) + ")"};
     const double most = 1 - query_.vehicle.energy.reserve;
     if (!(refined.task.energy <= most))
       return Refusal{RefusalKind::kBeyondVehicle, "area",
-                     "sweeping it takes " + figure(100 * refined.task.energy) +
-                         " % of the energy held when full; " + figure(100 * most) +
+                     "sweeping it takes " + rounded(100 * refined.task.energy) +
+                         " % of the energy held when full; " + rounded(100 * most) +
                          " % may be used"};
     return std::nullopt;
   }

@@ -2,11 +2,10 @@
 #include "coverage_checks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "shared_checks.hpp"
 #include "skein/refiners/checks.hpp"
 
 namespace skein::refiners {
@@ -17,16 +16,6 @@ using world::Vector2;
 using world::Vector3;
 
 constexpr double kTouch = 1e-6;  // [m]
-
-std::string figure(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", value);
-  return text.data();
-}
-
-Refusal bad(std::string field, std::string why) {
-  return {RefusalKind::kBadQuery, std::move(field), std::move(why)};
-}
 
 double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/refiners/partition.hpp"
 
-#include <array>
-#include <cstdio>
-
 #include "partition_checks.hpp"
 #include "partition_planner.hpp"
+#include "shared_checks.hpp"
 
 namespace skein::refiners {
 namespace {
@@ -17,19 +15,13 @@ using partition::Trial;
 /// Divisions tried for one that everybody has the energy for.
 constexpr int kEnergyRounds = 12;
 
-std::string figure(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
-
 Refusal too_much_area(const std::vector<Ability>& abilities, double whole) {
   double limits = 0;
   for (const Ability& ability : abilities) limits += ability.limit;
   return {RefusalKind::kBeyondVehicle, "members",
           "with the energy that they hold when full, less their reserves, all members together "
           "sweep less than the area: some " +
-              figure(limits) + " of " + figure(whole) + " m2"};
+              rounded(limits) + " of " + rounded(whole) + " m2"};
 }
 
 Refusal too_much_asked(const PartitionQuery& query, const Trial& trial) {
@@ -41,8 +33,8 @@ Refusal too_much_asked(const PartitionQuery& query, const Trial& trial) {
     if (excess(i) > excess(worst)) worst = i;
   return {RefusalKind::kBeyondVehicle, "members." + std::to_string(worst) + ".share",
           query.members[worst].uav + " would need " +
-              figure(100 * trial.sweeps[worst].task.energy) + " % of the energy held when full; " +
-              figure(100 * partition::usable(query.members[worst])) + " % may be used"};
+              rounded(100 * trial.sweeps[worst].task.energy) + " % of the energy held when full; " +
+              rounded(100 * partition::usable(query.members[worst])) + " % may be used"};
 }
 
 std::vector<double> areas_asked_for(const Planner& planner) {

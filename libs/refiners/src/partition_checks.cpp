@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "shared_checks.hpp"
 #include "skein/refiners/checks.hpp"
 
 namespace skein::refiners {
@@ -11,10 +12,6 @@ namespace {
 
 using world::Polygon;
 using world::Vector2;
-
-Refusal bad(std::string field, std::string why) {
-  return {RefusalKind::kBadQuery, std::move(field), std::move(why)};
-}
 
 /// The first corner that turns against the sense of the polygon, more than rounding does.
 std::optional<std::size_t> reflex_corner(const Polygon& polygon) {

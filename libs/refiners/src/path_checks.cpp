@@ -9,10 +9,6 @@
 namespace skein::refiners {
 namespace {
 
-Refusal bad(std::string field, std::string why) {
-  return {RefusalKind::kBadQuery, std::move(field), std::move(why)};
-}
-
 std::optional<Refusal> check_speed(const PathQuery& query) {
   const world::VehicleModel& vehicle = query.vehicle;
   if (!(std::isfinite(query.speed) && query.speed >= 0))

@@ -2,11 +2,10 @@
 #include "patrol_setup.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
+#include "shared_checks.hpp"
 #include "skein/refiners/checks.hpp"
 
 namespace skein::refiners {
@@ -18,16 +17,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Links among more pieces would need too much memory.
 constexpr std::size_t kMostBlocks = 3000;
 constexpr double kChordTolerance = 0.5;  ///< of curves [m]
-
-std::string figure(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", value);
-  return text.data();
-}
-
-Refusal bad(std::string field, std::string why) {
-  return {RefusalKind::kBadQuery, std::move(field), std::move(why)};
-}
 
 Refusal beyond(std::string field, std::string why) {
   return {RefusalKind::kBeyondVehicle, std::move(field), std::move(why)};

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/refiners/relay.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "relay_space.hpp"
+#include "shared_checks.hpp"
 #include "skein/refiners/checks.hpp"
 
 namespace skein::refiners {
@@ -17,22 +16,12 @@ using world::Vector3;
 
 constexpr std::size_t kMostRelays = 64;
 
-std::string figure(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
-
-Refusal bad(std::string field, std::string why) {
-  return {RefusalKind::kBadQuery, std::move(field), std::move(why)};
-}
-
 std::optional<Refusal> check_end(const Vector3& end, const std::string& field,
                                  const world::Terrain& terrain) {
   if (auto problem = check_finite(end, field)) return problem;
   const double under = terrain.elevation(end.x(), end.y()) - end.z();
   if (under > 1e-6)
-    return Refusal{RefusalKind::kBlocked, field, "it is " + figure(under) + " m under the ground"};
+    return Refusal{RefusalKind::kBlocked, field, "it is " + rounded(under) + " m under the ground"};
   return std::nullopt;
 }
 
@@ -58,13 +47,13 @@ Refusal no_contact(const RelayQuery& query, const Space& space) {
   const double apart = (query.a - query.b).norm(), link = space.longest_link();
   const double reach = link * static_cast<double>(query.most + 1);
   const std::string relays = std::to_string(query.most) + (query.most == 1 ? " relay" : " relays");
-  const std::string links = "links of at most " + figure(link) + " m";
+  const std::string links = "links of at most " + rounded(link) + " m";
   if (apart > reach)
     return {RefusalKind::kNoContact, "most",
-            "they are " + figure(apart) + " m apart; " + relays + " with " + links + " span " +
-                figure(reach) + " m, " + figure(apart - reach) + " m too little"};
+            "they are " + rounded(apart) + " m apart; " + relays + " with " + links + " span " +
+                rounded(reach) + " m, " + rounded(apart - reach) + " m too little"};
   return {RefusalKind::kNoContact, "",
-          "they are " + figure(apart) + " m apart, which " + relays + " with " + links +
+          "they are " + rounded(apart) + " m apart, which " + relays + " with " + links +
               " could span, but the ground or the volumes leave no places that see each other"};
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <utility>
 
 namespace skein::refiners {
 
@@ -10,6 +11,16 @@ std::string rounded(double figure) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.4g", figure);
   return text.data();
+}
+
+std::string figure(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", value);
+  return text.data();
+}
+
+Refusal bad(std::string field, std::string why) {
+  return {RefusalKind::kBadQuery, std::move(field), std::move(why)};
 }
 
 std::optional<Refusal> check_energy(double energy, const world::VehicleModel& vehicle,

@@ -15,7 +15,12 @@ namespace skein::refiners {
 std::optional<Refusal> check_energy(double energy, const world::VehicleModel& vehicle,
                                     const std::string& what);
 
-/// "12.3"
+/// "12.3": four digits, for people.
 std::string rounded(double figure);
+/// Up to six digits: as it was given.
+std::string figure(double value);
+
+/// A query whose `field` makes no sense.
+Refusal bad(std::string field, std::string why);
 
 }  // namespace skein::refiners

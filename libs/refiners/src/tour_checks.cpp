@@ -12,10 +12,6 @@ namespace {
 
 constexpr std::size_t kMostGates = 3000;  // of all stops; their costs take 72 MB
 
-Refusal bad(std::string field, std::string why) {
-  return {RefusalKind::kBadQuery, std::move(field), std::move(why)};
-}
-
 /// What all three ask for.
 std::optional<Refusal> check_flight(const world::VehicleModel& vehicle, double clearance,
                                     double speed) {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <utility>
 
+#include "shared_checks.hpp"
 #include "skein/refiners/checks.hpp"
 
 namespace skein::refiners {
@@ -15,16 +15,6 @@ namespace {
 
 /// How far under the ground a target may be and still count as on it [m].
 constexpr double kBuried = 0.5;
-
-std::string figure(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
-
-Refusal bad(std::string field, std::string why) {
-  return {RefusalKind::kBadQuery, std::move(field), std::move(why)};
-}
 
 std::optional<Refusal> check_between(double value, double least, double most,
                                      const std::string& field) {
