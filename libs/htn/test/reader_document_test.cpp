@@ -172,7 +172,7 @@ TEST(Document, ReportsAHundredErrorsAtMost) {
 TEST(Document, ReadsListsNestedAMillionDeep) {
   const std::size_t depth = 1'000'000;
   const Reading lists(std::string(depth, '(') + std::string(depth, ')'));
-  const Reading quotes(std::string(depth, '\'') + "a");
+  const Reading quotes(std::string(depth, '\'').append("a"));
   const Reading open(std::string(depth, '('));
   const Reading dots([] {
     std::string text;
