@@ -129,6 +129,9 @@ Result<TerrainSpec, RasterProblem> shape_of(const Raster& raster, const Geodetic
     extent.south = std::ceil(extent.south / terrain.cell) * terrain.cell;
     extent.east = std::floor(extent.east / terrain.cell) * terrain.cell;
     extent.north = std::floor(extent.north / terrain.cell) * terrain.cell;
+    if (extent.west >= extent.east || extent.south >= extent.north)
+      return tl::make_unexpected(RasterProblem{"it does not cover one cell of the terrain",
+                                               "a larger raster, or a smaller cell"});
   }
   terrain.west = extent.west;
   terrain.south = extent.south;

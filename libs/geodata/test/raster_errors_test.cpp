@@ -202,6 +202,15 @@ TEST(RasterErrors, GroundBeyondTheRaster) {
   EXPECT_THAT(report(path, partly), HasSubstr("reaches beyond it"));
 }
 
+TEST(RasterErrors, ARasterSmallerThanOneCellOfTheTerrain) {
+  const TempFolder folder;
+  ElevationOptions options = in_degrees();
+  options.cell = 50'000;
+
+  EXPECT_THAT(report(folder.write("a.asc", kAscii), options),
+              HasSubstr("does not cover one cell of the terrain"));
+}
+
 TEST(RasterErrors, TooManyCells) {
   const TempFolder folder;
   ElevationOptions fine;
