@@ -16,7 +16,7 @@ using wire::TaskState;
 
 MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
 
-world::Terrain flat() { return world::Terrain({-1000, -1000, 1000, 1000, 100, 0, {}}); }
+world::Terrain flat() { return world::Terrain({-1000, -1000, 1000, 1000, 100, 0, {}, {}}); }
 
 gs::PlannedTask planned(std::uint64_t id, const std::string& type) {
   gs::PlannedTask planned;

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
+#include <sstream>
 
 namespace skein::config {
 
@@ -91,20 +93,49 @@ tl::unexpected<Diagnostics> one_error(const std::string& file, int line, int col
   return tl::unexpected<Diagnostics>(std::move(diagnostics));
 }
 
+/// Takes note of where the last document began, and of nothing else.
+class DocumentStart final : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& at) override { mark = at; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                  YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+
+  YAML::Mark mark;
+};
+
+/// Where a second document begins, or anything else after the first. Not by YAML::LoadAll, which
+/// (in 0.7) never comes back from what follows a closed map or list: {a: 1}}.
+std::optional<YAML::Mark> second_document(const std::string& text) {
+  std::istringstream in(text);
+  YAML::Parser parser(in);
+  DocumentStart start;
+  if (!parser.HandleNextDocument(start) || !parser.HandleNextDocument(start)) return std::nullopt;
+  return start.mark;
+}
+
 }  // namespace
 
 Result<Value, Diagnostics> parse_yaml(std::string_view text, const std::string& file) {
   if (text.size() > kMaximumBytes) return one_error(file, 0, 0, "larger than 16 MiB");
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(std::string(text));
-    if (documents.empty() || !documents[0].IsDefined() || documents[0].IsNull()) {
+    const std::string whole(text);
+    if (const auto second = second_document(whole))
+      return one_error(file, second->line + 1, 1, "a second document; expected one");
+    const YAML::Node document = YAML::Load(whole);
+    if (!document.IsDefined() || document.IsNull()) {
       return one_error(file, 1, 1, "the file is empty");
     }
-    if (documents.size() > 1) {
-      return one_error(file, documents[1].Mark().line + 1, 1, "a second document; expected one");
-    }
     Converter converter(file);
-    Value value = converter.convert(documents[0], "", 0);
+    Value value = converter.convert(document, "", 0);
     if (!converter.diagnostics.empty()) {
       return tl::unexpected<Diagnostics>(std::move(converter.diagnostics));
     }

@@ -37,6 +37,13 @@ TEST(ParseYaml, EmptyAndSeveralDocumentsAreErrors) {
   EXPECT_NE(errors_of("a: 1\n---\nb: 2\n"), "");
 }
 
+// yaml-cpp 0.7 reads such text as documents without end.
+TEST(ParseYaml, WhatFollowsAClosedMapOrListIsAnErrorNotAnEndlessFile) {
+  for (const char* text : {"{a: 1}}", "{\"a\": 1} x", "[1] ]", "{a: 1}\n}\n", "[a]: b]"})
+    EXPECT_NE(errors_of(text), "") << text;
+  EXPECT_EQ(errors_of("{a: 1}\n\n}"), "f.yaml:3:1: a second document; expected one\n");
+}
+
 TEST(ParseYaml, DeepNestingIsRefusedNotFollowed) {
   const std::string deep = std::string(100, '[') + std::string(100, ']');
   EXPECT_NE(errors_of(deep).find("nested too deeply"), std::string::npos);

@@ -29,7 +29,7 @@ world::VehicleModel model_of(const std::string& name) {
 }
 
 SimulatorConfig a_config() {
-  SimulatorConfig config{world::Terrain({-1000, -1000, 2000, 2000, 20, 0, {}})};
+  SimulatorConfig config{world::Terrain({-1000, -1000, 2000, 2000, 20, 0, {}, {}})};
   config.radio = {5000, true, Duration::milliseconds(20), 0.01, 0.05};
   config.vehicles.push_back({"marvin", model_of("marvin"), {0, 0}, 0, 1});
   config.vehicles.push_back({"heliv", model_of("heliv"), {50, 0}, 0, 1});
