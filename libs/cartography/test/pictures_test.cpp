@@ -152,7 +152,8 @@ TEST(Pictures, APartitionGivesEachUavItsColour) {
   query.members[1].uav = "karma";
   refiners::Partition partition;
   partition.parts.resize(2);
-  partition.parts[0] = {"marvin", {{-200, -200}, {0, -200}, {0, 200}, {-200, 200}}, 0.5, {}, {}, {}};
+  partition.parts[0] = {"marvin", {{-200, -200}, {0, -200}, {0, 200}, {-200, 200}}, 0.5, {}, {},
+                        {}};
   partition.parts[1] = {"karma", {{0, -200}, {200, -200}, {200, 200}, {0, 200}}, 0.5, {}, {}, {}};
 
   const std::string svg = picture(small_world(), query, solved(partition));
