@@ -165,6 +165,17 @@ Vector3 within_ellipsoid(const Vector3& a, const Vector3& b, double length, Rand
 
 double range_of(const SearchSpace& space) { return (space.high - space.low).norm() / 8; }
 
+/// The way that a planner finds before the countdown is over.
+std::optional<Way> solved(ob::Planner& planner, const ob::ProblemDefinitionPtr& problem,
+                          const Countdown& countdown) {
+  planner.setProblemDefinition(problem);
+  planner.setup();
+  const auto over = [&countdown] { return countdown.over(); };
+  if (planner.solve(ob::PlannerTerminationCondition(over)) != ob::PlannerStatus::EXACT_SOLUTION)
+    return std::nullopt;
+  return way_of(*problem);
+}
+
 }  // namespace
 
 std::optional<Way> first_way(const SearchSpace& space, Random& random, Countdown& countdown) try {
@@ -176,12 +187,7 @@ std::optional<Way> first_way(const SearchSpace& space, Random& random, Countdown
   const auto problem = problem_of(info, space);
   Seeded<og::RRTConnect> planner(info, random);
   planner.setRange(range_of(space));
-  planner.setProblemDefinition(problem);
-  planner.setup();
-  const auto over = [&countdown] { return countdown.over(); };
-  if (planner.solve(ob::PlannerTerminationCondition(over)) != ob::PlannerStatus::EXACT_SOLUTION)
-    return std::nullopt;
-  return way_of(*problem);
+  return solved(planner, problem, countdown);
 } catch (const ompl::Exception&) {
   return std::nullopt;
 }
@@ -205,12 +211,7 @@ std::optional<Way> shorter_way(const SearchSpace& space, double length, Random& 
       });
   Seeded<og::RRTstar> planner(info, random);
   planner.setRange(range_of(space));
-  planner.setProblemDefinition(problem);
-  planner.setup();
-  const auto over = [&countdown] { return countdown.over(); };
-  if (planner.solve(ob::PlannerTerminationCondition(over)) != ob::PlannerStatus::EXACT_SOLUTION)
-    return std::nullopt;
-  return way_of(*problem);
+  return solved(planner, problem, countdown);
 } catch (const ompl::Exception&) {
   return std::nullopt;
 }
