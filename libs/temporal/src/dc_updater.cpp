@@ -96,7 +96,7 @@ DcUpdater::Outcome DcUpdater::improve(std::uint32_t link) {
   const std::size_t first_former = former_.size();
   come_closer(link);
   const std::vector<BestCaseSchedule::Seed> stronger = stronger_edges(link, first_former);
-  if (stronger.empty()) return Outcome::kDone;
+  if (stronger.empty() && !leaves_out_edges(link, first_former)) return Outcome::kDone;
   const BestCaseSchedule::Outcome outcome = schedule_.add_edges(graph_, activation, stronger);
   if (outcome != BestCaseSchedule::Outcome::kDone) return break_off(outcome);
   rebuild_derived(link);
@@ -155,6 +155,17 @@ std::vector<BestCaseSchedule::Seed> DcUpdater::stronger_edges(std::uint32_t link
     if (closes || derives) seeds.push_back({former.node, weight, {EdgeRef::Kind::kDerived, link}});
   }
   return seeds;
+}
+
+/// Whether nodes came so close that their derived edges are no longer kept. Such an edge has to go
+/// at once: a loosening looks only for what the distances say is there.
+bool DcUpdater::leaves_out_edges(std::uint32_t link, std::size_t first_former) const {
+  const LoGraph::Link& facts = graph_.link(link);
+  return std::any_of(former_.begin() + static_cast<std::ptrdiff_t>(first_former), former_.end(),
+                     [&](const Former& former) {
+                       return derives_edge(facts, former.node, former.distance) &&
+                              !derives_edge(facts, former.node, distance_[link][former.node]);
+                     });
 }
 
 void DcUpdater::rebuild_derived(std::uint32_t link) {

@@ -8,9 +8,9 @@
 
 namespace skein::temporal {
 
-/// Keeps the distances that the last search of each link found. A link needs links whose activation
-/// is later in the best-case schedule, so changes are carried on from the latest activation to the
-/// earliest.
+/// Keeps the distances that the last search of each link found, and in the graph exactly the
+/// derived edges that follow from them. A link needs links whose activation is later in the
+/// best-case schedule, so changes are carried on from the latest activation to the earliest.
 class DcUpdater {
  public:
   enum class Outcome : std::uint8_t { kDone, kBroken, kOverflow };
@@ -22,10 +22,12 @@ class DcUpdater {
   /// `conflict` tells why. Distances only shrink, so only nodes that come closer are looked at.
   Outcome tighten(std::uint32_t edge, Ticks weight);
   /// Raises the weight (kInfinite: no bound). Only nodes that had a shortest path on the edge are
-  /// looked at.
+  /// looked at. Precondition: the new weight is greater.
   void loosen(std::uint32_t edge, Ticks weight);
 
   const std::vector<ConflictTerm>& conflict() const { return conflict_; }
+  /// Of the node to the end of the link; kInfinite: a search from that end does not reach it.
+  Ticks distance(std::uint32_t link, NodeIndex node) const { return distance_[link][node]; }
   /// Since the last call.
   DcCounters take_counters();
 
@@ -51,6 +53,7 @@ class DcUpdater {
   void pass(std::uint32_t link, NodeIndex node);
   std::vector<BestCaseSchedule::Seed> stronger_edges(std::uint32_t link,
                                                      std::size_t first_former) const;
+  bool leaves_out_edges(std::uint32_t link, std::size_t first_former) const;
   void rebuild_derived(std::uint32_t link);
   Outcome break_off(BestCaseSchedule::Outcome outcome);
   void take_back(std::uint32_t edge, Ticks weight, std::vector<Ticks> dates);
