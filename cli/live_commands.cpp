@@ -19,6 +19,7 @@ Examples:
   skein run scenarios/comets/confirmed.yaml                 over DDS, at the scenario's rate
   skein run scenarios/comets/infirmed.yaml --rate 40        twice as fast
   skein run scenarios/comets/confirmed.yaml --virtual       in virtual time, as fast as possible
+  skein run scenarios/karma/detection.yaml --virtual --explain karma:104   why, whence and when
   skein run scenarios/comets/confirmed.yaml --virtual --degree 2 --degree marvin=1 --seed 7
 Exit codes: 0 all expectations met, 1 some not, 2 wrong input, 3 a daemon died, 4 time-out, 130 Ctrl-C.)";
 
@@ -34,6 +35,9 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
       ->allow_extra_args(false);
   run->add_option("--out", options->out, "Folder for the results (default: out/NAME)")
       ->take_last();  // ./demo gives one that its caller may replace
+  run->add_option("--explain", options->explain,
+                  "After the run: why a UAV (karma) or one of its tasks (karma:104) was planned so")
+      ->allow_extra_args(false);
   run->add_flag("--json", options->json, "The result as JSON on standard output, no progress");
   run->add_flag("--quiet", options->quiet, "No progress");
   run->add_flag("--check", options->check_only, "Only read and check the scenario");
@@ -46,12 +50,19 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
 }
 
 void add_report(CLI::App& app, Action& action, const LiveActions& live) {
-  auto folder = std::make_shared<std::string>();
+  auto options = std::make_shared<run_tool::ReportOptions>();
   CLI::App* report = app.add_subcommand("report", "Write the report of a run's folder again");
-  report->add_option("folder", *folder, "Folder with events.jsonl and run.json")->required();
-  report->footer("\nExample:\n  skein report out/comets-confirmed");
+  report->add_option("folder", options->folder, "Folder with events.jsonl and run.json")
+      ->required();
+  report
+      ->add_option("--explain", options->explain,
+                   "Instead: why a UAV (karma) or one of its tasks (karma:104) was planned so")
+      ->allow_extra_args(false);
+  report->footer(
+      "\nExamples:\n  skein report out/comets-confirmed\n"
+      "  skein report out/karma-detection --explain karma:104");
   report->callback(
-      [folder, &action, &live] { action = [folder, &live] { return live.report(*folder); }; });
+      [options, &action, &live] { action = [options, &live] { return live.report(*options); }; });
 }
 
 constexpr const char* kSpyExamples = R"(

@@ -10,6 +10,7 @@ class App;
 }
 namespace skein::run_tool {
 struct RunOptions;
+struct ReportOptions;
 }
 namespace skein::refine_tool {
 struct RefineOptions;
@@ -24,7 +25,7 @@ namespace skein::cli {
 /// code.
 struct LiveActions {
   std::function<int(const run_tool::RunOptions&)> run;
-  std::function<int(const std::string& folder)> report;
+  std::function<int(const run_tool::ReportOptions&)> report;
   std::function<int(const spy_tool::SpyOptions&, bool echo)> spy;
   std::function<int(const refine_tool::RefineOptions&)> refine;
 };

@@ -15,8 +15,8 @@ int main(int argc, char** argv) {
   live.run = [](const run_tool::RunOptions& options) {
     return run_tool::run(options, std::cout, std::cerr);
   };
-  live.report = [](const std::string& folder) {
-    return run_tool::report(folder, std::cout, std::cerr);
+  live.report = [](const run_tool::ReportOptions& options) {
+    return run_tool::report(options, std::cout, std::cerr);
   };
   live.spy = [](const spy_tool::SpyOptions& options, bool echo) {
     return echo ? spy_tool::echo(options, std::cout, std::cerr)

@@ -164,6 +164,50 @@ void add_outputs(CLI::App& plan, plan_tool::PlanOptions& options) {
   plan.add_flag("--quiet", options.quiet, "No warnings, no progress")->group(kGroup);
 }
 
+// "x,y,z".
+std::string home_problem(const std::string& text) {
+  double x = 0, y = 0, z = 0;
+  int end = -1;
+  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &x, &y, &z, &end) == 3 &&
+      end == static_cast<int>(text.size()) && std::isfinite(x + y + z))
+    return {};
+  return "'" + text + "' is no place; expected X,Y,Z";
+}
+
+void add_mission(CLI::App& plan, plan_tool::MissionFiles& files) {
+  constexpr const char* kGroup = "Domains of missions, which ask refiners (docs/comets-domain.md)";
+  CLI::Option* world = plan.add_option("--world", files.world, "Where it flies: a world file")
+                           ->type_name("FILE")
+                           ->group(kGroup);
+  CLI::Option* vehicle = plan.add_option("--vehicle", files.vehicle, "What flies: a vehicle model")
+                             ->type_name("FILE")
+                             ->needs(world)
+                             ->group(kGroup);
+  world->needs(vehicle);
+  plan.add_option("--uav", files.uav, "Its name (default: the model's)")
+      ->type_name("NAME")
+      ->needs(world)
+      ->group(kGroup);
+  plan.add_option_function<std::string>(
+          "--home",
+          [&files](const std::string& text) {
+            std::sscanf(text.c_str(), "%lf,%lf,%lf", &files.home[0], &files.home[1],
+                        &files.home[2]);
+          },
+          "Where it takes off and lands [m] (default: 0,0,0)")
+      ->check(home_problem)
+      ->type_name("X,Y,Z")
+      ->needs(world)
+      ->group(kGroup);
+  plan.add_option("--altitude", files.altitude, "Of flights, over the ground [m] (default: 40)")
+      ->check(positive_problem)
+      ->needs(world)
+      ->group(kGroup);
+  plan.add_flag("--taskreq", files.taskreq, "Elementary tasks, in the form of the seeds")
+      ->needs(world)
+      ->group(kGroup);
+}
+
 void add_repair(CLI::App& plan, plan_tool::PlanOptions& options) {
   constexpr const char* kGroup = "Repair of a plan under execution";
   CLI::Option* repair =
@@ -205,6 +249,7 @@ void add_plan(CLI::App& app, std::function<int()>& action) {
   plan->add_option("--validate", options.validate, "Check the plans of this file, plan nothing")
       ->type_name("PLAN");
   add_repair(*plan, options);
+  add_mission(*plan, options.mission);
   add_limits(*plan, *arguments);
   add_outputs(*plan, options);
   plan->footer(kExamples);

@@ -135,7 +135,7 @@ Command Guidance::follow(const Hold& goal, const Vehicle& vehicle, const Vector3
 Command Guidance::follow(const Rise& goal, const Vehicle& vehicle, const Vector3& error) const {
   Command command = keep(vehicle, Vector3(goal.at.x(), goal.at.y(), goal.height + error.z()));
   command.may_touch = true;
-  if (!vehicle.state().airborne) command.climb = model_.climb_rate;
+  if (!vehicle.state().airborne) command.climb = pace() * model_.climb_rate;
   return command;
 }
 
@@ -147,16 +147,18 @@ Command Guidance::follow(const Descend& goal, const Vehicle& vehicle, const Vect
   Command command =
       keep(vehicle, Vector3(goal.at.x() + error.x(), goal.at.y() + error.y(), state.position.z()));
   if (!model_.hovers && height < kFlareHeight) command.speed = model_.min_speed;
-  command.climb = -std::min(model_.descent_rate, kTouchRate + kSinkGain * std::max(0.0, height));
+  command.climb =
+      -std::min(pace() * model_.descent_rate, kTouchRate + kSinkGain * std::max(0.0, height));
   command.may_touch = true;
   return command;
 }
 
 Command Guidance::follow(const Fly& goal, const Vehicle& vehicle, const Vector3& error) const {
   const Vector3 aim = goal.waypoints[goal.next] + error;
-  if (model_.hovers) return hover_towards(vehicle, aim, goal.speed, corner_speed(goal));
+  const double speed = pace() * goal.speed;
+  if (model_.hovers) return hover_towards(vehicle, aim, speed, pace() * corner_speed(goal));
   Command command;
-  command.speed = goal.speed;
+  command.speed = speed;
   const Vector2 position = vehicle.state().position.head<2>();
   command.course = goal.makes_room ? vehicle.state().heading : bearing(position, aim.head<2>());
   command.climb = level_towards(vehicle.state(), aim.z());
@@ -228,7 +230,14 @@ double Guidance::allowed_height(const world::VehicleState& state, double height)
 double Guidance::level_towards(const world::VehicleState& state, double height) const {
   const double error = allowed_height(state, height) - state.position.z();
   const double rate = stopping_speed(model_.acceleration, std::abs(error));
-  return std::clamp(std::copysign(rate, error), -model_.descent_rate, model_.climb_rate);
+  return std::clamp(std::copysign(rate, error), -pace() * model_.descent_rate,
+                    pace() * model_.climb_rate);
+}
+
+double Guidance::pace() const {
+  const bool moves = std::holds_alternative<Rise>(goal_) ||
+                     std::holds_alternative<Descend>(goal_) || std::holds_alternative<Fly>(goal_);
+  return moves ? pace_ : 1;
 }
 
 /// The last guard: rising ground ahead makes it climb whatever else is asked.

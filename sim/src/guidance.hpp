@@ -69,6 +69,8 @@ class Guidance {
   bool done() const { return done_; }
   /// Where a vehicle that hovers turns to when it is slow.
   void look_at(const std::optional<world::Vector2>& target) { look_at_ = target; }
+  /// The part of their speed that Rise, Descend and Fly are flown at, > 0; 1 at first.
+  void set_pace(double pace) { pace_ = pace; }
 
   /// What to do in the next step. `error`: where it is flown to, relative to where meant [m].
   Command next(const Vehicle& vehicle, const world::Vector3& error, double heading_error) const;
@@ -97,6 +99,7 @@ class Guidance {
   bool needs_room(const world::VehicleState& state, const world::Vector2& at, double radius) const;
   double allowed_height(const world::VehicleState& state, double height) const;
   double level_towards(const world::VehicleState& state, double height) const;
+  double pace() const;
   void avoid_ground(const Vehicle& vehicle, Command& command) const;
 
   world::VehicleModel model_;
@@ -105,6 +108,7 @@ class Guidance {
   Goal goal_ = Stay{};
   bool done_ = true;
   std::optional<world::Vector2> look_at_;
+  double pace_ = 1;
 };
 
 }  // namespace skein::sim

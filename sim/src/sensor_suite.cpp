@@ -49,6 +49,14 @@ void SensorSuite::abort_all(const std::string& reason, MissionTime now, StatusBo
   shots_.clear();
 }
 
+bool SensorSuite::abort_one(const std::string& reason, MissionTime now, StatusBoard& board,
+                            std::vector<Effect>& effects) {
+  if (shots_.empty()) return false;
+  board.tell(shots_.front().id, FunctionalState::kAborted, reason, now, effects);
+  shots_.erase(shots_.begin());
+  return true;
+}
+
 void SensorSuite::break_device(const std::string& device, MissionTime now, StatusBoard& board,
                                std::vector<Effect>& effects) {
   broken_.insert(device);

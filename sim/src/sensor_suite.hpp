@@ -28,12 +28,16 @@ class SensorSuite {
                  std::vector<Effect>& effects);
   void abort_all(const std::string& reason, MissionTime now, StatusBoard& board,
                  std::vector<Effect>& effects);
+  /// Aborts the task that has run longest; false when none runs.
+  bool abort_one(const std::string& reason, MissionTime now, StatusBoard& board,
+                 std::vector<Effect>& effects);
   void break_device(const std::string& device, MissionTime now, StatusBoard& board,
                     std::vector<Effect>& effects);
   /// Takes the looks that are due.
   void step(const world::VehicleState& state, double pointing_error, const Scene& scene,
             MissionTime now, StatusBoard& board, std::vector<Effect>& effects);
 
+  const std::set<std::string>& broken() const { return broken_; }
   /// Where the first running task that has a target wants to look.
   std::optional<world::Vector2> target() const;
 

@@ -76,7 +76,7 @@ class Simulator::Implementation {
     if (!telemetry) return;
     next_telemetry_ = at + config_.telemetry_period;
     for (const Unit& unit : units_) {
-      effects.push_back(Telemetry{unit.name(), unit.state(), at});
+      effects.push_back(Telemetry{unit.name(), unit.state(), at, unit.failed()});
       effects.push_back(VehicleTruth{unit.name(), unit.state(), at});
     }
   }

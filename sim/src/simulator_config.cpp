@@ -24,6 +24,8 @@ void check_vehicles(const SimulatorConfig& config, Problems& problems) {
     if (!std::isfinite(vehicle.heading)) problems.push_back(which + ": the heading is no number");
     if (!is_fraction(vehicle.energy))
       problems.push_back(which + ": energy at the start is not between 0 and 1");
+    if (!(vehicle.speed_factor > 0) || !std::isfinite(vehicle.speed_factor))
+      problems.push_back(which + ": the speed factor must be greater than 0");
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "unit.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace skein::sim {
@@ -12,6 +13,7 @@ using world::Vector3;
 /// Lower than this a landing is not stopped any more [m].
 constexpr double kCommittedHeight = 3;
 constexpr double kCommittedHeightTurning = 20;
+constexpr const char* kTakeshot = "takeshot";
 
 Vector3 on_ground(const world::Terrain& terrain, const Vector2& at) {
   return {at.x(), at.y(), terrain.elevation(at.x(), at.y())};
@@ -42,7 +44,8 @@ Unit::Unit(const SimulatedVehicle& vehicle, const SimulatorConfig& config, const
       pilot_(vehicle.model, Random(config.seed, vehicle.name + "/pilot")),
       gusts_(config.wind, Random(config.seed, vehicle.name + "/gusts")),
       sensors_(vehicle.model, vehicle.name, config.seed),
-      board_(vehicle.name) {
+      board_(vehicle.name),
+      speed_factor_(vehicle.speed_factor) {
   vehicle_.state().activity = activity();
 }
 
@@ -64,11 +67,13 @@ void Unit::dispatch(const FunctionalRequest& request, MissionTime now,
   if (!task) return refuse(task.error().why);
   if (auto* shot = std::get_if<TakeshotTask>(&*task)) {
     if (const auto why = sensors_.refusal(shot->device)) return refuse(*why);
+    if (takes_abort(request.type)) return refuse(kAbortedByFault);
     return sensors_.start(request.task, std::move(*shot), now, board_, effects);
   }
   if (motion_) return refuse("motion task " + std::to_string(motion_->id) + " is still active");
+  if (takes_abort(request.type)) return refuse(kAbortedByFault);
   board_.note(request.task);
-  motion_ = MotionTask{request.task, std::move(*task)};
+  motion_ = MotionTask{request.task, request.type, std::move(*task)};
   motion_->begins = now + pilot_.reaction();
   if (motion_->begins <= now) begin(now, effects);
 }
@@ -141,10 +146,50 @@ void Unit::abort_everything(const std::string& reason, MissionTime now,
 }
 
 void Unit::handle(const Fault& fault, MissionTime now, std::vector<Effect>& effects) {
-  if (fault.kind == FaultKind::kSensor)
-    return sensors_.break_device(fault.device, now, board_, effects);
-  vehicle_.break_engine();
+  switch (fault.kind) {
+    case FaultKind::kSensor:
+      return sensors_.break_device(fault.device, now, board_, effects);
+    case FaultKind::kAbort:
+      return abort_one(fault.type, now, effects);
+    case FaultKind::kSlow:
+      slowed_by_ = fault.factor;
+      slow_until_ = now + fault.lasts;
+      return;
+    case FaultKind::kEnergy:
+      vehicle_.state().energy = std::min(vehicle_.state().energy, fault.left);
+      break;
+    case FaultKind::kEngine:
+      vehicle_.break_engine();
+      break;
+  }
   watch_breakdowns(now, effects);
+}
+
+void Unit::abort_one(const std::string& type, MissionTime now, std::vector<Effect>& effects) {
+  if (motion_ && motion_->type == type && motion_->phase != MotionTask::Phase::kStopping) {
+    finish(FunctionalState::kAborted, kAbortedByFault, now, effects);
+    return come_to_rest();
+  }
+  if (type == kTakeshot && sensors_.abort_one(kAbortedByFault, now, board_, effects)) return;
+  aborts_.insert(type);
+}
+
+/// True once for each fault that waits for a task of the type.
+bool Unit::takes_abort(const std::string& type) {
+  const auto found = aborts_.find(type);
+  if (found == aborts_.end()) return false;
+  aborts_.erase(found);
+  return true;
+}
+
+double Unit::pace_at(MissionTime now) const {
+  return now < slow_until_ ? speed_factor_ / slowed_by_ : speed_factor_;
+}
+
+std::vector<std::string> Unit::failed() const {
+  std::set<std::string> names = sensors_.broken();
+  if (!vehicle_.engine_works()) names.emplace(kEngineDevice);
+  return {names.begin(), names.end()};
 }
 
 void Unit::handle(const ContactLost& contact, MissionTime now, std::vector<Effect>& effects) {
@@ -168,6 +213,7 @@ void Unit::watch_breakdowns(MissionTime now, std::vector<Effect>& effects) {
 void Unit::step(MissionTime now, double dt, std::vector<Effect>& effects) {
   pilot_.attend(now);
   guidance_.look_at(sensors_.target());
+  guidance_.set_pace(pace_at(now));
   const Command command = guidance_.next(vehicle_, pilot_.position_error(), pilot_.heading_error());
   const Vector3& position = vehicle_.state().position;
   const double ground = scene_.terrain.elevation(position.x(), position.y());

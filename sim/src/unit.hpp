@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ namespace skein::sim {
 /// | pending, active | interrupt, pilot has reacted      | stopping | –                 |
 /// | stopping | at rest (a landing too low: on the ground) | –      | aborted           |
 /// | any      | engine failure, energy out, contact lost | –        | aborted + reason  |
+/// | pending, active | fault of the functional layer     | –        | aborted + reason  |
 ///
 /// Between tasks it holds where it is (or circles, or stays on the ground).
 class Unit {
@@ -40,11 +42,14 @@ class Unit {
 
   const std::string& name() const { return board_.uav(); }
   const world::VehicleState& state() const { return vehicle_.state(); }
+  /// Devices that do not work, in the order of their names; the engine among them.
+  std::vector<std::string> failed() const;
 
  private:
   struct MotionTask {
     enum class Phase { kPending, kActive, kStopping };
     std::uint64_t id;
+    std::string type;
     ElementaryTask task;
     Phase phase = Phase::kPending;
     MissionTime begins = {};                ///< kPending: when the pilot has reacted
@@ -62,6 +67,9 @@ class Unit {
               std::vector<Effect>& effects);
   void abort_everything(const std::string& reason, MissionTime now, std::vector<Effect>& effects);
   void come_to_rest();
+  void abort_one(const std::string& type, MissionTime now, std::vector<Effect>& effects);
+  bool takes_abort(const std::string& type);
+  double pace_at(MissionTime now) const;
   void watch_breakdowns(MissionTime now, std::vector<Effect>& effects);
   std::string activity() const;
   double height() const;
@@ -76,6 +84,10 @@ class Unit {
   StatusBoard board_;
   std::optional<MotionTask> motion_;
   bool breakdown_told_ = false;
+  double speed_factor_;
+  double slowed_by_ = 1;
+  MissionTime slow_until_ = {};
+  std::multiset<std::string> aborts_;  ///< types whose next task aborts
 };
 
 }  // namespace skein::sim

@@ -38,6 +38,10 @@ class Library {
   const Diagnostics& warnings() const { return warnings_; }
   const htn::Definitions& definitions() const { return definitions_; }
   const htn::Functions& functions() const { return functions_; }
+  /// To fill before anything is compiled.
+  htn::Functions& functions() { return functions_; }
+  /// What was wrong with other files of the command.
+  void blame(const Diagnostics& errors) { errors_.append(errors); }
   htn::TermStore& store() { return store_; }
 
  private:

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "library.hpp"
+#include "mission_host.hpp"
 #include "progress.hpp"
 #include "repair.hpp"
 #include "report.hpp"
@@ -14,6 +15,7 @@
 #include "skein/htn/plan_graph.hpp"
 #include "skein/htn/plan_json.hpp"
 #include "skein/htn/search_text.hpp"
+#include "skein/supervisor/plan_reader.hpp"
 #include "validate.hpp"
 
 namespace skein::plan_tool {
@@ -29,12 +31,44 @@ const htn::TextStyle& style_of(bool colour) {
 
 double asked(const std::function<double()>& question) { return question ? question() : 0; }
 
+/// What the files of a mission come to, as long as the command lasts.
+struct Mission {
+  std::shared_ptr<const supervisor::Knowledge> knowledge;
+  std::unique_ptr<supervisor::PlannerHost> host;
+};
+
+/// Registers the functions of the host; what is wrong is blamed in the library.
+Mission mission_of(const PlanOptions& options, Library& library, std::istream& in) {
+  Mission mission;
+  const MissionFiles& files = options.mission;
+  Diagnostics errors;
+  mission.knowledge = knowledge_of(files, in, errors);
+  const auto world = world_of(files, in, errors);
+  if (files.world.empty() != files.vehicle.empty()) {
+    Diagnostic one;
+    one.message = files.world.empty() ? "a vehicle without a world" : "a world without a vehicle";
+    one.expected = "both --world and --vehicle";
+    errors.add(one);
+  }
+  library.blame(errors);
+  if (!mission.knowledge || !world) {
+    // The names at least, so that the domain is not blamed for what the files are wrong in.
+    if (!errors.empty()) supervisor::PlannerHost::declare(library.functions());
+    return mission;
+  }
+  mission.host = std::make_unique<supervisor::PlannerHost>(mission.knowledge, world, MissionTime(),
+                                                           std::uint64_t{1});
+  mission.host->offer(library.functions());
+  return mission;
+}
+
 /// Plans problem by problem and reports each as soon as it is done.
 class Session {
  public:
-  Session(Library& library, const PlanOptions& options, const Surroundings& surroundings,
-          std::ostream& out, std::ostream& err)
+  Session(Library& library, const Mission& mission, const PlanOptions& options,
+          const Surroundings& surroundings, std::ostream& out, std::ostream& err)
       : library_(library),
+        mission_(mission),
         options_(options),
         surroundings_(surroundings),
         out_(out),
@@ -122,9 +156,30 @@ class Session {
       out_ << htn::to_json(report, outcome, library_.store(), shown) << '\n' << std::flush;
       return;
     }
+    if (options_.mission.taskreq && mission_.knowledge && !outcome.plans.empty())
+      return show_tasks(outcome);
     const ReportOptions shown{!options_.no_internal, options_.tree,
                               style_of(surroundings_.colour_out)};
     out_ << report_text(report, outcome, library_.store(), shown) << std::flush;
+    if (outcome.plans.empty()) show_refusals();
+  }
+
+  void show_tasks(const Outcome& outcome) {
+    for (const htn::Plan& plan : outcome.plans) {
+      const auto tasks =
+          supervisor::read_plan(library_.store(), plan, *mission_.knowledge, MissionTime());
+      any_error_ |= !tasks.has_value();
+      if (tasks)
+        out_ << mission::to_taskreq(*tasks) << std::flush;
+      else
+        err_ << tasks.error().why << '\n';
+    }
+  }
+
+  void show_refusals() {
+    if (!mission_.host) return;
+    for (const std::string& why : mission_.host->refusals()) out_ << "  refused: " << why << '\n';
+    out_ << std::flush;
   }
 
   void draw(const htn::PlanningReport& report, const Outcome& outcome) {
@@ -135,6 +190,7 @@ class Session {
   }
 
   Library& library_;
+  const Mission& mission_;
   const PlanOptions& options_;
   const Surroundings& surroundings_;
   std::ostream& out_;
@@ -147,10 +203,7 @@ class Session {
   bool any_without_plan_ = false;
 };
 
-int plan_all(Library& library, const std::vector<ChosenProblem>& problems,
-             const PlanOptions& options, const Surroundings& surroundings, std::ostream& out,
-             std::ostream& err) {
-  Session session(library, options, surroundings, out, err);
+int plan_all(Session& session, const std::vector<ChosenProblem>& problems) {
   for (const ChosenProblem& problem : problems) {
     session.plan(problem);
     if (session.interrupted()) break;
@@ -165,6 +218,7 @@ int run_plan(const PlanOptions& options, const Surroundings& surroundings, std::
              std::ostream& out, std::ostream& err) {
   Library library;
   library.read(options.files, in);
+  const Mission mission = mission_of(options, library, in);
   const std::vector<ChosenProblem> problems = library.choose(options.problems);
   if (options.validate.empty()) library.compile(problems);
   const htn::TextStyle& style = style_of(surroundings.colour_err);
@@ -179,7 +233,8 @@ int run_plan(const PlanOptions& options, const Surroundings& surroundings, std::
   if (!options.repair.empty()) {
     return repair_plan(library, problems, options, surroundings, {in, out, err});
   }
-  return plan_all(library, problems, options, surroundings, out, err);
+  Session session(library, mission, options, surroundings, out, err);
+  return plan_all(session, problems);
 }
 
 }  // namespace skein::plan_tool

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <charconv>
 #include <chrono>
 #include <ostream>
 
@@ -11,6 +12,7 @@
 #include "run_folder.hpp"
 #include "skein/assembly/assembly.hpp"
 #include "skein/foundation/exit_code.hpp"
+#include "skein/report/explain.hpp"
 
 namespace skein::run_tool {
 
@@ -76,6 +78,40 @@ void print_summary(const std::vector<Verdict>& verdicts, const Played& played,
       << "/report.html\n";
 }
 
+// "karma" or "karma:104".
+Result<std::string, Failure> explained(const report::Journal& journal, const std::string& wanted) {
+  const std::size_t colon = wanted.find(':');
+  if (colon == std::string::npos) return report::explain(journal, wanted, std::nullopt);
+  std::uint64_t task = 0;
+  const char* const end = wanted.data() + wanted.size();
+  const auto [rest, error] = std::from_chars(wanted.data() + colon + 1, end, task);
+  if (error != std::errc() || rest != end) {
+    return failure("--explain: '" + wanted + "', expected UAV or UAV:TASK, as in karma:104");
+  }
+  return report::explain(journal, wanted.substr(0, colon), task);
+}
+
+// The exit code: that of the run, unless something asked for could not be explained.
+int explain_all(const std::string& folder, const std::vector<std::string>& wanted, int code,
+                std::ostream& out, std::ostream& err) {
+  if (wanted.empty()) return code;
+  const auto journal = read_run_journal(folder);
+  if (!journal) {
+    err << journal.error().why << '\n';
+    return kExitBadInput;
+  }
+  for (const std::string& one : wanted) {
+    const auto text = explained(*journal, one);
+    if (text) {
+      out << *text;
+      continue;
+    }
+    err << text.error().why << '\n';
+    code = kExitBadInput;
+  }
+  return code;
+}
+
 int play(const Scenario& scenario, const RunOptions& options, const std::string& folder,
          std::ostream& out, std::ostream& err) {
   Progress progress(err, progress_style(options), scenario.uav_names());
@@ -103,7 +139,7 @@ int play(const Scenario& scenario, const RunOptions& options, const std::string&
   } else {
     print_summary(verdicts, played, folder, out);
   }
-  return exit_code(played, verdicts);
+  return explain_all(folder, options.explain, exit_code(played, verdicts), out, err);
 }
 
 }  // namespace
@@ -128,13 +164,16 @@ int run(const RunOptions& options, std::ostream& out, std::ostream& err) {
   return play(*scenario, options, folder, out, err);
 }
 
-int report(const std::string& folder, std::ostream& out, std::ostream& err) {
-  const auto summary = write_report(folder);
+int report(const ReportOptions& options, std::ostream& out, std::ostream& err) {
+  if (!options.explain.empty()) {
+    return explain_all(options.folder, options.explain, kExitOk, out, err);
+  }
+  const auto summary = write_report(options.folder);
   if (!summary) {
     err << summary.error().why << '\n';
     return kExitBadInput;
   }
-  out << folder << "/report.html\n";
+  out << options.folder << "/report.html\n";
   return kExitOk;
 }
 

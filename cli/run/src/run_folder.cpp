@@ -106,20 +106,25 @@ Result<std::string, Failure> write_folder(const std::string& folder,
   return write_report(folder);
 }
 
+// A line that was cut off by a crash must not cost the report; the page tells how many there are.
+Result<report::Journal, Failure> read_run_journal(const std::string& folder) {
+  const fs::path file = fs::path(folder) / "events.jsonl";
+  std::ifstream events(file);
+  if (!events) return failure("cannot read " + file.string());
+  return report::salvage_journal(events, file.string()).journal;
+}
+
 Result<std::string, Failure> write_report(const std::string& folder) {
   const fs::path from(folder);
   const auto info =
       report::run_info_from_json(read_text(from / "run.json"), (from / "run.json").string());
   if (!info) return failure(to_text(info.error()));
-  std::ifstream events(from / "events.jsonl");
-  if (!events) return failure("cannot read " + (from / "events.jsonl").string());
-  // A line that was cut off by a crash must not cost the report; the page tells how many there are.
-  const report::Journal journal =
-      report::salvage_journal(events, (from / "events.jsonl").string()).journal;
-  const std::string summary = report::summary_json(*info, journal);
-  for (const auto& [name, text] :
-       {std::pair{"report.html", report::html_report(*info, journal)},
-        std::pair{"junit.xml", report::junit(*info, journal)}, std::pair{"result.json", summary}}) {
+  const auto journal = read_run_journal(folder);
+  if (!journal) return tl::unexpected(journal.error());
+  const std::string summary = report::summary_json(*info, *journal);
+  for (const auto& [name, text] : {std::pair{"report.html", report::html_report(*info, *journal)},
+                                   std::pair{"junit.xml", report::junit(*info, *journal)},
+                                   std::pair{"result.json", summary}}) {
     if (auto done = write_file(from / name, text); !done) return tl::unexpected(done.error());
   }
   return summary;

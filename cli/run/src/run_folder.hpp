@@ -7,6 +7,7 @@
 
 #include "played.hpp"
 #include "skein/foundation/result.hpp"
+#include "skein/report/journal.hpp"
 #include "skein/report/run_info.hpp"
 #include "skein/scenario/scenario.hpp"
 
@@ -28,5 +29,8 @@ Result<std::string, Failure> write_folder(const std::string& folder,
 
 /// Writes report.html, junit.xml and result.json from events.jsonl and run.json.
 Result<std::string, Failure> write_report(const std::string& folder);
+
+/// The event log of a folder, without the lines that cannot be read.
+Result<report::Journal, Failure> read_run_journal(const std::string& folder);
 
 }  // namespace skein::run_tool

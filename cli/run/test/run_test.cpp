@@ -253,7 +253,7 @@ TEST(Report, IsWrittenAgainFromTheFolder) {
   const std::string html = read_text(folder / "report.html");
   testing::fs::remove(folder / "report.html");
 
-  EXPECT_EQ(report(folder.text(), out, err), kExitOk);
+  EXPECT_EQ(report({folder.text(), {}}, out, err), kExitOk);
 
   EXPECT_EQ(read_text(folder / "report.html"), html);
 }
@@ -263,7 +263,7 @@ TEST(Report, OfAFolderWithoutARunGivesTwo) {
   std::ostringstream out;
   std::ostringstream err;
 
-  EXPECT_EQ(report(folder.text(), out, err), kExitBadInput);
+  EXPECT_EQ(report({folder.text(), {}}, out, err), kExitBadInput);
 
   EXPECT_THAT(err.str(), Not(::testing::IsEmpty()));
 }

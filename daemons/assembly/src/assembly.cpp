@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "skein/assembly/knowledge.hpp"
 #include "skein/ddn/ddn_node.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/ground/ground_node.hpp"
@@ -22,7 +23,8 @@ sim::SimulatorConfig simulator_config(const Scenario& scenario) {
   config.wind = scenario.world.wind;
   config.objects = scenario.world.objects;
   for (const UavSpec& uav : scenario.uavs) {
-    config.vehicles.push_back({uav.name, uav.model, uav.start, uav.heading, uav.energy});
+    config.vehicles.push_back(
+        {uav.name, uav.model, uav.start, uav.heading, uav.energy, uav.speed_factor});
   }
   config.radio = scenario.radio.model;
   config.ground_station = scenario.ground.position;
@@ -39,9 +41,34 @@ std::vector<sim::ScheduledFault> onboard_faults(const Scenario& scenario) {
     const auto kind = one.device.empty() ? sim::FaultKind::kEngine : sim::FaultKind::kSensor;
     faults.push_back({one.at, {one.uav, kind, one.device}});
   }
+  for (const scenario::SlowSpec& one : scenario.faults.slows) {
+    sim::Fault fault{one.uav, sim::FaultKind::kSlow};
+    fault.factor = one.factor;
+    fault.lasts = one.lasts;
+    faults.push_back({one.at, fault});
+  }
+  for (const scenario::AbortSpec& one : scenario.faults.aborts) {
+    sim::Fault fault{one.uav, sim::FaultKind::kAbort};
+    fault.type = one.type;
+    faults.push_back({one.at, fault});
+  }
+  for (const scenario::EnergySpec& one : scenario.faults.energies) {
+    sim::Fault fault{one.uav, sim::FaultKind::kEnergy};
+    fault.left = one.left;
+    faults.push_back({one.at, fault});
+  }
   std::stable_sort(faults.begin(), faults.end(),
                    [](const auto& a, const auto& b) { return a.at < b.at; });
   return faults;
+}
+
+ground_station::MissionKnowledge mission_knowledge(const Scenario& scenario) {
+  ground_station::MissionKnowledge knowledge;
+  if (scenario.planning) knowledge.vocabulary = vocabulary_of(scenario).value();
+  for (const auto& [name, place] : scenario.world.places) knowledge.places.push_back(name);
+  for (const world::Zone& zone : scenario.world.zones) knowledge.zones.push_back(zone.name);
+  for (const UavSpec& uav : scenario.uavs) knowledge.vehicles.emplace(uav.name, uav.model);
+  return knowledge;
 }
 
 std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
@@ -55,6 +82,7 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
   }
   config.script = scenario.ground.script;
   config.pps = scenario.ground.pps;
+  config.missions = mission_knowledge(scenario);
   return std::make_unique<ground::GroundNode>(config, world::Terrain(scenario.world.terrain),
                                               roster_of(scenario));
 }
@@ -68,6 +96,14 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
   const world::Terrain terrain(scenario.world.terrain);
   config.home = {uav.start.x(), uav.start.y(),
                  terrain.elevation(uav.start.x(), uav.start.y()) + kHomeAltitude};
+  if (scenario.planning) {
+    const auto& first_ids = scenario.planning->first_ids;
+    const auto first = first_ids.find(uav.name);
+    config.knowledge = std::make_shared<supervisor::Knowledge>(knowledge_of(scenario, uav));
+    config.world = std::make_shared<world::World>(world_of(scenario).value());
+    config.horizon = scenario.planning->horizon;
+    if (first != first_ids.end()) config.first_task = first->second;
+  }
   return std::make_unique<ddn::DdnNode>(config, roster_of(scenario));
 }
 
@@ -91,6 +127,7 @@ Diagnostics check_assembly(const Scenario& scenario) {
   for (const std::string& problem : sim::problems_of(simulator_config(scenario))) {
     diagnostics.add({scenario.file, 0, 0, "", problem, "", ""});
   }
+  diagnostics.append(planning_problems(scenario));
   return diagnostics;
 }
 

@@ -14,7 +14,7 @@ namespace {
 // "marvin=1", or "2" for everybody.
 struct Assignment {
   std::optional<std::string> uav;  ///< absent: all
-  int degree = 0;                  ///< 0: it was not 1, 2 or 3
+  int degree = 0;                  ///< 0: it was none from 1 to 4
 };
 
 Assignment parsed(const std::string& text) {
@@ -22,7 +22,7 @@ Assignment parsed(const std::string& text) {
   Assignment result;
   if (equals != std::string::npos) result.uav = text.substr(0, equals);
   const std::string degree = equals == std::string::npos ? text : text.substr(equals + 1);
-  const bool valid = degree.size() == 1 && degree[0] >= '1' && degree[0] <= '3';
+  const bool valid = degree.size() == 1 && degree[0] >= '1' && degree[0] <= '4';
   if (valid) result.degree = degree[0] - '0';
   return result;
 }
@@ -30,7 +30,7 @@ Assignment parsed(const std::string& text) {
 void set_degree(const std::string& text, scenario::Scenario& scenario, Diagnostics& diagnostics) {
   const Assignment assignment = parsed(text);
   if (assignment.degree == 0) {
-    diagnostics.add({"", 0, 0, "--degree", "'" + text + "'", "1, 2 or 3, or UAV=DEGREE", ""});
+    diagnostics.add({"", 0, 0, "--degree", "'" + text + "'", "1, 2, 3 or 4, or UAV=DEGREE", ""});
     return;
   }
   bool found = false;
@@ -69,6 +69,7 @@ Diagnostics apply(const Overrides& overrides, scenario::Scenario& scenario) {
   scenario.seed = overrides.seed.value_or(scenario.seed);
   for (const std::string& degree : overrides.degrees) set_degree(degree, scenario, diagnostics);
   scenario::draw_random_faults(scenario);
+  scenario::draw_variations(scenario);
   return diagnostics;
 }
 

@@ -140,6 +140,26 @@ TEST(Assembly, FaultsOnBoardReachTheSimulatorInOrderOfTime) {
   EXPECT_THAT(faults, ::testing::ElementsAre("sensor visible of heliv", "engine of karma"));
 }
 
+TEST(Assembly, FaultsOfEveryKindReachTheSimulatorInOrderOfTime) {
+  scenario::Scenario scenario = comets();
+  scenario.faults.slows = {{at(4), "karma", 3, Duration::seconds(60)}};
+  scenario.faults.aborts = {{at(3), "heliv", "takeshot"}};
+  scenario.faults.energies = {{at(2), "marvin", 0.5}};
+  const auto sim = make_node(scenario, "sim");
+
+  const node::Effects effects = sim->handle(node::Wakeup{}, at(10));
+
+  std::vector<std::string> faults;
+  for (const node::Effect& effect : effects) {
+    const auto* log = std::get_if<node::Log>(&effect);
+    if (log == nullptr || log->record.kind() != "fault") continue;
+    faults.push_back(std::string(log->record.text("what")) + " of " +
+                     std::string(log->record.text("target")));
+  }
+  EXPECT_THAT(faults, ::testing::ElementsAre("energy of marvin", "abort takeshot of heliv",
+                                             "slow of karma"));
+}
+
 TEST(AssemblyDeathTest, ANameThatIsNotOfTheScenarioIsABrokenContract) {
   const scenario::Scenario scenario = comets();
 

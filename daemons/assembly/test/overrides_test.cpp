@@ -76,6 +76,7 @@ TEST_P(Degrees, AreSetInOrderSoThatLaterOnesWin) {
 INSTANTIATE_TEST_SUITE_P(Overrides, Degrees,
                          ::testing::Values(DegreeCase{"all", {"2"}, {2, 2, 2}},
                                            DegreeCase{"one", {"heliv=1"}, {3, 1, 3}},
+                                           DegreeCase{"four", {"heliv=4"}, {3, 4, 3}},
                                            DegreeCase{"all_but_one", {"1", "karma=3"}, {1, 1, 3}},
                                            DegreeCase{"one_then_all", {"karma=2", "1"}, {1, 1, 1}},
                                            DegreeCase{
@@ -95,7 +96,7 @@ TEST_P(BadDegrees, AreRefusedAndChangeNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Overrides, BadDegrees,
-                         ::testing::Values("0", "4", "", "three", "22", "-1", "marvin=", "marvin=9",
+                         ::testing::Values("0", "5", "", "three", "22", "-1", "marvin=", "marvin=9",
                                            "marvin=1=2", "1.0", " 1", "=", "=9"));
 
 TEST(Overrides, AnEmptyNameBeforeTheDegreeIsNotEverybody) {
@@ -158,6 +159,23 @@ TEST(Overrides, RandomFaultsAreDrawnWithTheSeedInForce) {
   EXPECT_EQ(first.radio.cuts.size(), again.radio.cuts.size());
   EXPECT_EQ(first.radio.cuts[0].from, again.radio.cuts[0].from);
   EXPECT_NE(first.radio.cuts[0].from, other.radio.cuts[0].from);
+}
+
+TEST(Overrides, VariationsAreDrawnWithTheSeedInForce) {
+  scenario::Scenario first = a_scenario();
+  first.variations.speed_factor = {0.9, 1.1};
+  scenario::Scenario again = first, other = first;
+  Overrides seven, eight;
+  seven.seed = 7;
+  eight.seed = 8;
+
+  EXPECT_TRUE(apply(seven, first).empty());
+  EXPECT_TRUE(apply(seven, again).empty());
+  EXPECT_TRUE(apply(eight, other).empty());
+
+  EXPECT_EQ(first.uavs[0].speed_factor, again.uavs[0].speed_factor);
+  EXPECT_NE(first.uavs[0].speed_factor, other.uavs[0].speed_factor);
+  EXPECT_NE(first.uavs[0].speed_factor, first.uavs[1].speed_factor);
 }
 
 TEST(Overrides, AsOptionsTheyMeanTheSameToAnotherProgram) {

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+// Inputs to the components, errands between them, and the ways out.
 #include "skein/ddn/ddn_node.hpp"
 
-#include <algorithm>
-
-#include "skein/translation/sensing.hpp"
+#include "skein/foundation/contract.hpp"
 #include "skein/translation/tasks.hpp"
 
 namespace skein::ddn {
 
 namespace {
-
-using translation::from_wire;
-using translation::to_wire;
-
-constexpr const char* kOwnIds = "ids from 1000000000 are the decision node's own";
 
 executive::Config executive_config(const DdnConfig& config) {
   executive::Config result;
@@ -23,16 +17,16 @@ executive::Config executive_config(const DdnConfig& config) {
   return result;
 }
 
-const char* name_of(ContactPolicy policy) {
-  switch (policy) {
-    case ContactPolicy::kHold:
-      return "hold";
-    case ContactPolicy::kReturn:
-      return "return";
-    case ContactPolicy::kContinue:
-      break;
-  }
-  return "continue";
+std::optional<supervisor::Supervisor> supervisor_of(const DdnConfig& config) {
+  if (config.knowledge == nullptr) return std::nullopt;
+  SKEIN_EXPECTS(config.world != nullptr);
+  SKEIN_EXPECTS(config.first_task.value() < DdnNode::kFirstOwnTask);
+  supervisor::Config result;
+  result.knowledge = config.knowledge;
+  result.world = config.world;
+  result.horizon = config.horizon;
+  result.first_id = config.first_task;
+  return supervisor::Supervisor(std::move(result));
 }
 
 }  // namespace
@@ -40,42 +34,37 @@ const char* name_of(ContactPolicy policy) {
 DdnNode::DdnNode(DdnConfig config, node::Roster roster)
     : config_(std::move(config)),
       roster_(std::move(roster)),
+      degree_(config_.degree),
       executive_(executive_config(config_)),
-      contact_(config_.contact_policy, config_.contact_after) {}
+      supervisor_(supervisor_of(config_)),
+      contact_(config_.contact_policy, config_.contact_after) {
+  SKEIN_EXPECTS(degree_ >= mission::kLeastDegree && degree_ <= mission::kGreatestDegree);
+  SKEIN_EXPECTS(degree_ < mission::kGreatestDegree || supervisor_.has_value());
+}
 
 node::Effects DdnNode::handle(const node::Input& input, MissionTime now) {
   now_ = now;
   out_.clear();
   std::visit([this](const auto& one) { on(one); }, input);
-  if (const auto policy = contact_.due(now_); policy) carry_out_contact_policy();
+  if (contact_.due(now_)) carry_out_contact_policy();
+  release_waiting();
   send_board_if_changed();
   return std::move(out_);
 }
 
 std::optional<MissionTime> DdnNode::next_wakeup() const {
-  return earliest(executive_.next_wakeup(), contact_.next_wakeup());
+  const auto next = earliest(executive_.next_wakeup(), contact_.next_wakeup());
+  return supervisor_ ? earliest(next, supervisor_->next_wakeup()) : next;
 }
 
 void DdnNode::on(const node::Started&) {
-  wire::AutonomyDegree degree;
-  degree.uav = config_.uav;
-  degree.degree = static_cast<std::uint8_t>(config_.degree);
-  degree.contact_policy = name_of(config_.contact_policy);
-  send_to_ground(degree);
-  log(record("degree").with("uav", config_.uav).with("degree", config_.degree));
+  tell_degree();
+  log(record("degree").with("uav", config_.uav).with("degree", degree_));
+  if (degree_ == mission::kGreatestDegree) tell(supervisor::Engage{true, "start at degree 4"});
 }
 
 void DdnNode::on(const node::Received& received) {
-  if (const std::string why = why_not(received); !why.empty()) {
-    const wire::Slot slot = wire::slot_of(received.sample);
-    if (!dropped_.emplace(received.from, slot).second) return;
-    log(record("dropped")
-            .with("slot", wire::slot_name(slot))
-            .with("origin", roster_.name_of(received.from))
-            .with("field", "header.origin")
-            .with("why", why));
-    return;
-  }
+  if (const std::string why = why_not(received); !why.empty()) return drop(received, why);
   std::visit([this](const auto& sample) { take(sample); }, received.sample);
 }
 
@@ -84,15 +73,24 @@ void DdnNode::on(const node::Reachability& reach) {
   if (reach.reachable) run(executive::PeerReachable{roster_.name_of(reach.peer)});
 }
 
-void DdnNode::on(const node::Wakeup&) { run(executive::Tick{}); }
+void DdnNode::on(const node::JobDone& done) {
+  const auto* result = std::any_cast<supervisor::DeliberationResult>(&done.result);
+  if (result != nullptr) tell(supervisor::JobFinished{done.id, *result});
+}
 
-// ---- what comes in ----
+void DdnNode::on(const node::Wakeup&) {
+  run(executive::Tick{});
+  tell(supervisor::Tick{});
+}
 
 // Every node of the radio can write to this one; who commands it and who moves it is fixed.
 std::string DdnNode::why_not(const node::Received& received) const {
   switch (wire::slot_of(received.sample)) {
     case wire::Slot::kTaskRequest:
     case wire::Slot::kFunctionalRequest:
+    case wire::Slot::kMissionRequest:
+    case wire::Slot::kDegreeCommand:
+    case wire::Slot::kWorldChange:
       return received.from == roster_.ground() ? "" : "only the ground station makes requests";
     case wire::Slot::kFunctionalStatus:
     case wire::Slot::kTelemetry:
@@ -103,217 +101,63 @@ std::string DdnNode::why_not(const node::Received& received) const {
   }
 }
 
-void DdnNode::take(const wire::TaskRequest& request) {
-  const auto known = answered_.find({request.header.incarnation, request.command});
-  if (known != answered_.end()) return send_to_ground(known->second);
-  if (config_.degree == 1) return refuse(request, "at degree 1 the ground station runs the plan");
-  if (request.kind == wire::RequestKind::kStart && own_task(request.task.id)) {
-    return refuse(request, kOwnIds);
-  }
-  mode_of_request_ = static_cast<executive::InsertionMode>(request.mode);
-  const executive::Effects effects =
-      executive_.handle(translation::to_input(from_wire(request)), now_);
-  for (const executive::Effect& effect : effects) {
-    if (const auto* answered = std::get_if<executive::Reply>(&effect)) {
-      wire::RequestReply reply;
-      reply.id = answered->id.value_or(executive::TaskId()).value();
-      reply.accepted = answered->accepted;
-      reply.why = answered->why;
-      answer(request, std::move(reply));
-    }
-  }
-  carry_out(effects);
+void DdnNode::drop(const node::Received& received, const std::string& why) {
+  const wire::Slot slot = wire::slot_of(received.sample);
+  if (!dropped_.emplace(received.from, slot).second) return;
+  log(record("dropped")
+          .with("slot", wire::slot_name(slot))
+          .with("origin", roster_.name_of(received.from))
+          .with("field", "header.origin")
+          .with("why", why));
 }
 
-void DdnNode::refuse(const wire::TaskRequest& request, const char* why) {
-  wire::RequestReply reply;
-  reply.id = request.kind == wire::RequestKind::kStart ? request.task.id : request.id;
-  reply.why = why;
-  answer(request, std::move(reply));
+// ---- errands ----
+
+void DdnNode::run(executive::Input input) {
+  run(ForExecutive{std::move(input), false, std::nullopt});
 }
 
-void DdnNode::take(const wire::FunctionalRequest& request) {
-  const bool own = own_task(request.id);
-  if (config_.degree == 1 && !own) {
-    const bool dispatch = request.kind == wire::FunctionalRequestKind::kDispatch;
-    if (dispatch) passed_through_.insert(request.id);
-    out_.push_back(node::Send{roster_.sim(), request, MissionTime::max()});
-    return;
+void DdnNode::run(ForExecutive errand) {
+  errands_.emplace_back(std::move(errand));
+  do_errands();
+}
+
+void DdnNode::tell(supervisor::Input input, std::optional<Command> command) {
+  if (!supervisor_) return;
+  errands_.emplace_back(ForSupervisor{std::move(input), command});
+  do_errands();
+}
+
+// What one component asks of the other comes after all that it asked for before: an interruption
+// never overtakes the dispatch of its task.
+void DdnNode::do_errands() {
+  if (doing_errands_) return;
+  doing_errands_ = true;
+  while (!errands_.empty()) {
+    const auto errand = std::move(errands_.front());
+    errands_.pop_front();
+    std::visit([this](const auto& one) { do_errand(one); }, errand);
   }
-  wire::FunctionalStatus refusal;
-  refusal.uav = config_.uav;
-  refusal.id = request.id;
-  refusal.state = wire::TaskState::kAborted;
-  refusal.reason = own ? kOwnIds : "elementary requests are taken at degree 1 only";
-  send_to_ground(refusal);
+  doing_errands_ = false;
 }
 
-void DdnNode::take(const wire::FunctionalStatus& status) {
-  if (config_.degree == 1 && !own_task(status.id)) {
-    if (status.state != wire::TaskState::kRunning) passed_through_.erase(status.id);
-    send_to_ground(status);
-    start_safe_tasks();
-    return;
-  }
-  run(executive::FunctionalStatus{executive::TaskId(status.id), from_wire(status.state),
-                                  status.reason});
-}
-
-void DdnNode::take(const wire::SyncMessage& message) {
-  if (config_.degree == 1) {
-    send_to_ground(message);
-    return;
-  }
-  log(record("sync")
-          .with("id", message.id)
-          .with("from", message.from)
-          .with("to", message.to)
-          .with("direction", "received"));
-  run(executive::SyncReceived{message.id, message.from});
-}
-
-void DdnNode::take(const wire::Telemetry& telemetry) {
-  if (telemetry.airborne != airborne_) {
-    airborne_ = telemetry.airborne;
-    run(executive::Flight{airborne_});
-  }
-  send_to_ground(telemetry);
-}
-
-void DdnNode::take(const wire::PerceptionReport& report) { send_to_ground(report); }
-
-// ---- what the executive asks for ----
-
-void DdnNode::run(const executive::Input& input) { carry_out(executive_.handle(input, now_)); }
-
-void DdnNode::carry_out(const executive::Effects& effects) {
-  for (const executive::Effect& effect : effects) {
+void DdnNode::do_errand(const ForExecutive& errand) {
+  asked_executive_ = &errand;
+  for (const executive::Effect& effect : executive_.handle(errand.input, now_)) {
     std::visit([this](const auto& one) { carry_out(one); }, effect);
   }
+  asked_executive_ = nullptr;
 }
 
-void DdnNode::carry_out(const executive::TaskEvent& event) {
-  journal::Record line = record("task")
-                             .with("uav", config_.uav)
-                             .with("task", event.id.value())
-                             .with("type", event.type)
-                             .with("state", to_text(event.state));
-  if (!event.reason.empty()) line.with("reason", event.reason);
-  log(line);
-  send_to_ground(to_wire(config_.uav, event, now_));
-}
-
-void DdnNode::carry_out(const executive::Dispatch& dispatch) {
-  const auto task = executive_.find(dispatch.id);
-  if (!task) return;  // over within the same call
-  if (dispatch.joint) {
-    run(executive::FunctionalStatus{dispatch.id, executive::TaskState::kAborted,
-                                    "joint tasks need a deliberative layer"});
-    return;
+void DdnNode::do_errand(const ForSupervisor& errand) {
+  asked_supervisor_ = &errand;
+  for (const supervisor::Effect& effect : supervisor_->handle(errand.input, now_)) {
+    std::visit([this](const auto& one) { carry_out(one); }, effect);
   }
-  wire::FunctionalRequest request;
-  request.uav = config_.uav;
-  request.kind = wire::FunctionalRequestKind::kDispatch;
-  request.id = dispatch.id.value();
-  request.type = task->type;
-  request.parameters = to_wire(task->parameters);
-  out_.push_back(node::Send{roster_.sim(), request, MissionTime::max()});
-}
-
-void DdnNode::carry_out(const executive::Interrupt& interrupt) {
-  interrupt_functional(interrupt.id.value());
-}
-
-void DdnNode::interrupt_functional(std::uint64_t task) {
-  wire::FunctionalRequest request;
-  request.uav = config_.uav;
-  request.kind = wire::FunctionalRequestKind::kInterrupt;
-  request.id = task;
-  out_.push_back(node::Send{roster_.sim(), request, MissionTime::max()});
-}
-
-void DdnNode::carry_out(const executive::SendSync& sync) {
-  const node::Member* to = roster_.find(sync.to);
-  if (to == nullptr) {
-    log(record("notice").with("text", "no UAV '" + sync.to + "' to synchronise with"));
-    return;
-  }
-  wire::SyncMessage message;
-  message.id = sync.id;
-  message.from = config_.uav;
-  message.to = sync.to;
-  log(record("sync")
-          .with("id", sync.id)
-          .with("from", config_.uav)
-          .with("to", sync.to)
-          .with("direction", "sent"));
-  const node::NodeNumber next = config_.degree >= 3 ? to->number : roster_.ground();
-  out_.push_back(node::Send{next, message, MissionTime::max()});
-}
-
-void DdnNode::carry_out(const executive::Reply& reply) {
-  journal::Record line = record("request").with("uav", config_.uav);
-  line.with("request", to_text(reply.request));
-  if (reply.request == executive::RequestKind::kStart) line.with("mode", to_text(mode_of_request_));
-  if (reply.id) line.with("task", reply.id->value());
-  line.with("accepted", reply.accepted);
-  if (!reply.accepted) line.with("why", reply.why);
-  log(line);
-}
-
-void DdnNode::carry_out(const executive::Notice& notice) {
-  log(record("notice").with("uav", config_.uav).with("text", notice.text));
-}
-
-// ---- contact ----
-
-// What is planned is given up and what flies the vehicle is interrupted, so that nothing of the
-// plan moves it while the ground is silent. At degree 1 the ground's own requests are interrupted
-// first.
-void DdnNode::carry_out_contact_policy() {
-  log(record("contact").with("uav", config_.uav).with("policy", name_of(config_.contact_policy)));
-  if (!airborne_) return;
-  for (const std::uint64_t task : passed_through_) interrupt_functional(task);
-  const std::vector<executive::TaskStatus> tasks = executive_.tasks();
-  for (auto task = tasks.rbegin(); task != tasks.rend(); ++task) {
-    if (task->state == executive::TaskState::kScheduled) run(executive::Abort{task->id});
-  }
-  safe_tasks_pending_ = true;
-  start_safe_tasks();
-}
-
-void DdnNode::start_safe_tasks() {
-  if (!safe_tasks_pending_ || !passed_through_.empty()) return;
-  safe_tasks_pending_ = false;
-  if (config_.contact_policy == ContactPolicy::kHold) {
-    start_own("wait", {}, executive::InsertionMode::kVut);
-    return;
-  }
-  start_own("goto", {{"waypoints", "", config_.home}}, executive::InsertionMode::kVut);
-  start_own("land", {}, executive::InsertionMode::kNut);
-}
-
-void DdnNode::start_own(const std::string& type, executive::Parameters parameters,
-                        executive::InsertionMode mode) {
-  const std::int64_t milliseconds = std::max<std::int64_t>(now_.count(), 0) / 1'000'000;
-  next_own_task_ =
-      std::max(next_own_task_, kFirstOwnTask + static_cast<std::uint64_t>(milliseconds));
-  executive::Task task;
-  task.id = executive::TaskId(next_own_task_++);
-  task.type = type;
-  task.parameters = std::move(parameters);
-  mode_of_request_ = mode;
-  run(executive::Start{std::move(task), mode});
+  asked_supervisor_ = nullptr;
 }
 
 // ---- what goes out ----
-
-void DdnNode::answer(const wire::TaskRequest& request, wire::RequestReply reply) {
-  reply.command = request.command;
-  reply.kind = request.kind;
-  answered_.emplace(std::pair(request.header.incarnation, request.command), reply);
-  send_to_ground(std::move(reply));
-}
 
 void DdnNode::send_to_ground(wire::Sample sample) {
   wire::header_of(sample) = {};
@@ -323,10 +167,11 @@ void DdnNode::send_to_ground(wire::Sample sample) {
 void DdnNode::send_board_if_changed() {
   wire::PlanBoard board;
   board.uav = config_.uav;
-  board.degree = static_cast<std::uint8_t>(config_.degree);
+  board.degree = static_cast<std::uint8_t>(degree_);
   board.airborne = airborne_;
   for (const executive::TaskStatus& task : executive_.tasks()) {
-    board.tasks.push_back({task.id.value(), task.type, to_wire(task.state), task.reason});
+    board.tasks.push_back(
+        {task.id.value(), task.type, translation::to_wire(task.state), task.reason});
   }
   if (last_board_ == board) return;
   last_board_ = board;

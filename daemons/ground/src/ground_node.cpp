@@ -2,6 +2,8 @@
 #include "skein/ground/ground_node.hpp"
 
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/overloaded.hpp"
+#include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
 
@@ -24,27 +26,6 @@ wire::AlarmState wire_state(gs::AlarmState state) {
       break;
   }
   return wire::AlarmState::kInfirmed;
-}
-
-struct RequestName {
-  executive::RequestKind kind;
-  std::optional<executive::TaskId> task;
-};
-
-RequestName name_of(const translation::Request& request) {
-  if (const auto* start = std::get_if<executive::Start>(&request)) {
-    return {executive::RequestKind::kStart, start->task.id};
-  }
-  if (const auto* abort = std::get_if<executive::Abort>(&request)) {
-    return {executive::RequestKind::kAbort, abort->id};
-  }
-  if (const auto* update = std::get_if<executive::UpdateConditions>(&request)) {
-    return {executive::RequestKind::kUpdateConditions, update->id};
-  }
-  if (const auto* suppress = std::get_if<executive::Suppress>(&request)) {
-    return {executive::RequestKind::kSuppress, suppress->id};
-  }
-  return {executive::RequestKind::kProcessMessage, std::nullopt};
 }
 
 }  // namespace
@@ -70,7 +51,7 @@ std::optional<GroundNode::Input> GroundNode::input_of(const node::Input& input) 
   if (const auto* received = std::get_if<node::Received>(&input)) {
     const std::string why = why_not(*received);
     if (why.empty()) return input_from(*received);
-    drop(*received, why);
+    drop(*received, {"header.origin", why});
   }
   if (const auto* reach = std::get_if<node::Reachability>(&input)) {
     if (!is_uav(reach->peer)) return std::nullopt;
@@ -87,25 +68,28 @@ bool GroundNode::is_uav(node::NodeNumber number) const {
 std::string GroundNode::why_not(const node::Received& received) const {
   if (!is_uav(received.from)) return "not a UAV of this mission";
   if (const auto* reply = std::get_if<wire::RequestReply>(&received.sample)) {
-    const auto addressee = addressees_.find(reply->command);
-    const bool right = addressee == addressees_.end() || addressee->second == received.from;
-    if (!right) return "the command was another UAV's";
+    if (!is_addressee(reply->command, received.from)) return "the command was another UAV's";
   }
   return "";
 }
 
-void GroundNode::drop(const node::Received& received, const std::string& why) {
+bool GroundNode::is_addressee(std::uint64_t command, node::NodeNumber from) const {
+  const auto addressee = addressees_.find(command);
+  return addressee == addressees_.end() || addressee->second == from;
+}
+
+void GroundNode::drop(const node::Received& received, const wire::Violation& violation) {
   const wire::Slot slot = wire::slot_of(received.sample);
   if (!dropped_.emplace(received.from, slot).second) return;
   log(record("dropped")
           .with("slot", wire::slot_name(slot))
           .with("origin", roster_.name_of(received.from))
-          .with("field", "header.origin")
-          .with("why", why));
+          .with("field", violation.field)
+          .with("why", violation.why));
 }
 
 // A UAV is known by the node that sent the sample, whatever name the sample gives.
-std::optional<GroundNode::Input> GroundNode::input_from(const node::Received& received) const {
+std::optional<GroundNode::Input> GroundNode::input_from(const node::Received& received) {
   const std::string uav = roster_.name_of(received.from);
   const wire::Sample& sample = received.sample;
   if (const auto* telemetry = std::get_if<wire::Telemetry>(&sample)) {
@@ -136,11 +120,35 @@ std::optional<GroundNode::Input> GroundNode::input_from(const node::Received& re
     result.uav = uav;
     return result;
   }
+  return input_of_mission(uav, received);
+}
+
+std::optional<GroundNode::Input> GroundNode::input_of_mission(const std::string& uav,
+                                                              const node::Received& received) {
+  const wire::Sample& sample = received.sample;
+  const auto at = MissionTime::nanoseconds(wire::header_of(sample).mission_time);
+  if (const auto* plan = std::get_if<wire::MissionPlan>(&sample)) {
+    const auto read = from_wire(*plan);
+    if (read) return gs::MissionPlanReceived{uav, *read, at};
+    drop(received, read.error());
+  } else if (const auto* hand_over = std::get_if<wire::HandOver>(&sample)) {
+    const auto read = from_wire(*hand_over);
+    if (read) return gs::HandOverReceived{uav, *read, at};
+    drop(received, read.error());
+  } else if (const auto* decision = std::get_if<wire::Decision>(&sample)) {
+    return gs::DecisionReceived{uav, from_wire(*decision)};
+  } else if (const auto* outcome = std::get_if<wire::MissionOutcome>(&sample)) {
+    return gs::MissionOutcomeReceived{uav, from_wire(*outcome)};
+  }
   return std::nullopt;
 }
 
 GroundNode::Input GroundNode::input_of(const wire::PlanBoard& board) const {
-  gs::PlanBoardReceived result{board.uav, board.degree, board.airborne, {}};
+  gs::PlanBoardReceived result{board.uav,
+                               board.degree,
+                               board.airborne,
+                               {},
+                               MissionTime::nanoseconds(board.header.mission_time)};
   for (const wire::TaskEntry& task : board.tasks) {
     result.tasks.push_back({executive::TaskId(task.id), task.type, from_wire(task.state)});
   }
@@ -149,11 +157,24 @@ GroundNode::Input GroundNode::input_of(const wire::PlanBoard& board) const {
 
 // ---- what goes out ----
 
+wire::Sample GroundNode::sample_of(const gs::SendRequest& effect) const {
+  const auto numbered = [&](auto sample) -> wire::Sample {
+    sample.command = effect.command.value();
+    return sample;
+  };
+  return std::visit(
+      Overloaded{
+          [&](const mission::UnitMission& it) { return numbered(to_wire(it)); },
+          [&](const mission::CancelGoals& it) { return numbered(to_wire(it, effect.asked_by)); },
+          [&](const mission::ChangeDegree& it) { return numbered(to_wire(it, effect.asked_by)); },
+          [&](const mission::ChangeWorld& it) { return numbered(to_wire(it)); },
+          [&](const auto& it) { return numbered(to_wire(translation::Request(it))); }},
+      effect.request);
+}
+
 void GroundNode::carry_out(const gs::SendRequest& effect) {
-  wire::TaskRequest request = to_wire(effect.request);
-  request.command = effect.command.value();
-  addressees_.insert_or_assign(request.command, roster_.find(effect.uav)->number);
-  send(effect.uav, std::move(request), effect.expires);
+  addressees_.insert_or_assign(effect.command.value(), roster_.find(effect.uav)->number);
+  send(effect.uav, sample_of(effect), effect.expires);
 }
 
 void GroundNode::carry_out(const gs::SendFunctional& effect) {
@@ -207,34 +228,23 @@ void GroundNode::carry_out(const gs::CommandChanged& effect) {
 }
 
 void GroundNode::carry_out(const gs::LocalRequestAnswered& effect) {
-  const RequestName name = name_of(effect.request);
-  journal::Record line =
-      record("request").with("uav", effect.uav).with("request", to_text(name.kind));
-  if (const auto* start = std::get_if<executive::Start>(&effect.request)) {
-    line.with("mode", to_text(start->mode));
-  }
-  if (name.task) line.with("task", name.task->value());
-  line.with("accepted", effect.accepted);
-  if (!effect.accepted) line.with("why", effect.why);
-  log(line);
+  log(translation::request_line(writer(), effect.uav, effect.reply, effect.mode));
 }
 
 void GroundNode::carry_out(const gs::LocalTaskEvent& effect) {
-  journal::Record line = record("task")
-                             .with("uav", effect.uav)
-                             .with("task", effect.task.value())
-                             .with("type", effect.type)
-                             .with("state", to_text(effect.state));
-  if (!effect.reason.empty()) line.with("reason", effect.reason);
-  log(line);
+  log(translation::task_line(writer(), effect.uav, effect.event));
 }
 
 void GroundNode::carry_out(const gs::LocalSync& effect) {
-  log(record("sync")
-          .with("id", effect.id)
-          .with("from", effect.from)
-          .with("to", effect.to)
-          .with("direction", effect.direction == gs::SyncDirection::kSent ? "sent" : "received"));
+  const bool sent = effect.direction == gs::SyncDirection::kSent;
+  log(translation::sync_line(writer(), {effect.id, effect.from, effect.to, sent}));
+}
+
+void GroundNode::carry_out(const gs::HeldPlanChanged& effect) {
+  log(record("held")
+          .with("uav", effect.uav)
+          .with("tasks", static_cast<std::int64_t>(effect.tasks))
+          .with("state", to_text(effect.state)));
 }
 
 void GroundNode::carry_out(const gs::PerceptionLogged& effect) {

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "testing/station.hpp"
+
 #include "skein/translation/sensing.hpp"
 
 namespace skein::ground {
@@ -14,20 +16,10 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using wire::TaskState;
 
-MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
-
-world::Terrain flat() { return world::Terrain({-1000, -1000, 1000, 1000, 100, 0, {}, {}}); }
-
-gs::PlannedTask planned(std::uint64_t id, const std::string& type) {
-  gs::PlannedTask planned;
-  planned.task.id = executive::TaskId(id);
-  planned.task.type = type;
-  return planned;
-}
-
-gs::Step step(const std::string& name, gs::Trigger when, std::vector<gs::Action> actions) {
-  return {name, "", std::move(when), Duration(), std::move(actions), true};
-}
+using testing::at;
+using testing::planned;
+using testing::Station;
+using testing::step;
 
 /// A mission of one step: at 1 s Marvin gets a goto.
 gs::Script one_goto() {
@@ -37,68 +29,6 @@ gs::Script one_goto() {
   script.steps.back().phase = "Going";
   return script;
 }
-
-/// The ground station of "marvin" and "heliv".
-class Station {
- public:
-  explicit Station(gs::Script script = {}, int degree = 3)
-      : node_(config(std::move(script), degree), flat(), roster_) {}
-
-  /// Effects of an input now, kept for the questions below.
-  void give(const node::Input& input, double seconds) {
-    effects_ = node_.handle(input, at(seconds));
-  }
-  void from(const std::string& node, wire::Sample sample, double seconds) {
-    give(node::Received{roster_.find(node)->number, std::move(sample)}, seconds);
-  }
-  void from_stranger(wire::Sample sample, double seconds) {
-    give(node::Received{node::NodeNumber(77), std::move(sample)}, seconds);
-  }
-
-  /// What was sent, with to whom.
-  template <class Sample>
-  std::vector<std::pair<std::string, Sample>> sent() const {
-    std::vector<std::pair<std::string, Sample>> sent;
-    for (const node::Effect& effect : effects_) {
-      const auto* send = std::get_if<node::Send>(&effect);
-      if (send == nullptr) continue;
-      if (const auto* sample = std::get_if<Sample>(&send->sample)) {
-        sent.emplace_back(roster_.name_of(send->to), *sample);
-      }
-    }
-    return sent;
-  }
-  template <class Kind>
-  std::vector<Kind> all() const {
-    std::vector<Kind> found;
-    for (const node::Effect& effect : effects_) {
-      if (const auto* one = std::get_if<Kind>(&effect)) found.push_back(*one);
-    }
-    return found;
-  }
-  std::vector<journal::Record> records(const std::string& kind) const {
-    std::vector<journal::Record> found;
-    for (const node::Log& log : all<node::Log>()) {
-      if (log.record.kind() == kind) found.push_back(log.record);
-    }
-    return found;
-  }
-  bool sends_nothing() const { return all<node::Send>().empty() && all<node::Publish>().empty(); }
-  GroundNode& node() { return node_; }
-  const node::Roster& roster() const { return roster_; }
-
- private:
-  static gs::GroundConfig config(gs::Script script, int degree) {
-    gs::GroundConfig config;
-    config.uavs = {{"marvin", degree, {}}, {"heliv", degree, {}}};
-    config.script = std::move(script);
-    return config;
-  }
-
-  node::Roster roster_{{"marvin", "heliv"}};
-  GroundNode node_;
-  node::Effects effects_;
-};
 
 wire::TaskEvent task_event(std::uint64_t id, TaskState state) {
   wire::TaskEvent event;
@@ -417,15 +347,14 @@ TEST_P(FromAStranger, ASampleSendsNothing) {
   EXPECT_TRUE(station.sends_nothing());
 }
 
-INSTANTIATE_TEST_SUITE_P(GroundNode, FromAStranger,
-                         ::testing::Values(wire::Telemetry{}, sight("fire-sensor"),
-                                           task_event(2, TaskState::kEnded), reply(44, true),
-                                           wire::FunctionalStatus{}, wire::PlanBoard{},
-                                           sync("a", "b"), wire::AutonomyDegree{}, wire::Alarm{},
-                                           wire::TaskRequest{}, wire::LinkState{}),
-                         [](const auto& one) {
-                           return std::string(wire::slot_name(wire::slot_of(one.param)));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    GroundNode, FromAStranger,
+    ::testing::Values(wire::Telemetry{}, sight("fire-sensor"), task_event(2, TaskState::kEnded),
+                      reply(44, true), wire::FunctionalStatus{}, wire::PlanBoard{}, sync("a", "b"),
+                      wire::AutonomyDegree{}, wire::Alarm{}, wire::TaskRequest{}, wire::LinkState{},
+                      wire::HandOver{}, wire::MissionPlan{}, wire::MissionOutcome{},
+                      wire::Decision{}),
+    [](const auto& one) { return std::string(wire::slot_name(wire::slot_of(one.param))); });
 
 // A stranger cannot answer in the place of the UAV.
 TEST(GroundNode, AReplyFromSomebodyElseDoesNotSettleACommand) {

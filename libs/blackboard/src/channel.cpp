@@ -2,6 +2,8 @@
 // What the kinds of channel carry and how their partitions are named.
 #include "skein/blackboard/channel.hpp"
 
+#include <array>
+
 namespace skein::blackboard {
 namespace {
 
@@ -16,6 +18,11 @@ std::vector<Slot> radio_slots() {
           Slot::kSyncMessage,       Slot::kAlarm,
           Slot::kTelemetry,         Slot::kPerceptionReport};
 }
+
+constexpr auto kFromStation =
+    std::to_array<Slot>({Slot::kMissionRequest, Slot::kDegreeCommand, Slot::kWorldChange});
+constexpr auto kToStation = std::to_array<Slot>(
+    {Slot::kMissionPlan, Slot::kMissionOutcome, Slot::kHandOver, Slot::kDecision});
 
 std::vector<Slot> onboard_slots() {
   return {Slot::kFunctionalRequest, Slot::kFunctionalStatus, Slot::kTelemetry,
@@ -47,6 +54,15 @@ std::vector<ChannelConfig> radio_link(const Node& a, const Node& b) {
   };
   return {{a.number, b.number, ChannelKind::kRadio, partition(a, b), radio_slots()},
           {b.number, a.number, ChannelKind::kRadio, partition(b, a), radio_slots()}};
+}
+
+std::vector<ChannelConfig> station_link(const Node& station, const Node& uav) {
+  std::vector<ChannelConfig> link = radio_link(station, uav);
+  std::vector<Slot>& up = link[0].slots;
+  std::vector<Slot>& down = link[1].slots;
+  up.insert(up.end(), kFromStation.begin(), kFromStation.end());
+  down.insert(down.end(), kToStation.begin(), kToStation.end());
+  return link;
 }
 
 std::vector<ChannelConfig> onboard_link(const Node& uav, const Node& simulator) {

@@ -8,9 +8,12 @@ namespace skein::wire {
 namespace {
 
 constexpr auto kNames = std::to_array<std::string_view>(
-    {"DirectoryEntry", "Clock", "LinkState", "PlanBoard", "AutonomyDegree", "MissionState",
-     "TaskRequest", "RequestReply", "TaskEvent", "FunctionalRequest", "FunctionalStatus",
-     "SyncMessage", "Alarm", "JournalEntry", "Telemetry", "PerceptionReport", "Truth",
+    {"DirectoryEntry", "Clock",          "LinkState",         "PlanBoard",
+     "AutonomyDegree", "MissionState",   "MissionPlan",       "TaskRequest",
+     "RequestReply",   "TaskEvent",      "FunctionalRequest", "FunctionalStatus",
+     "SyncMessage",    "Alarm",          "MissionRequest",    "DegreeCommand",
+     "WorldChange",    "MissionOutcome", "HandOver",          "Decision",
+     "JournalEntry",   "Telemetry",      "PerceptionReport",  "Truth",
      "Heartbeat"});
 static_assert(kNames.size() == kSlotCount);
 

@@ -13,7 +13,7 @@ bool Executive::Core::uses_motion(const TaskRecord& record) const {
 
 // A motion task that is aborting still moves, and an urgent one is about to: the routine waits.
 bool Executive::Core::wants_background() const {
-  return config_.background_type && airborne_ && !background_ && !background_retry_ &&
+  return config_.background_type && airborne_ && !resting_ && !background_ && !background_retry_ &&
          urgent_motion_.empty() && resources_.users_of(motion_).empty();
 }
 
@@ -27,10 +27,13 @@ void Executive::Core::dispatch_background() {
 }
 
 void Executive::Core::displace_background(TaskId by) {
-  if (!background_ || *background_ == by) return;
+  if (background_ != by) end_background("displaced by task " + to_text(by));
+}
+
+void Executive::Core::end_background(const std::string& reason) {
+  if (!background_) return;
   const Slot slot = *plan_.find(*background_);
-  if (plan_[slot].state == TaskState::kAborting) return;
-  interrupt(slot, "displaced by task " + to_text(by));
+  if (plan_[slot].state != TaskState::kAborting) interrupt(slot, reason);
 }
 
 // A routine that ended or was refused by itself is not tried again at once.

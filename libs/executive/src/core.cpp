@@ -158,9 +158,25 @@ void Executive::Core::on(const PeerReachable& peer) {
 
 void Executive::Core::on(const Flight& flight) {
   airborne_ = flight.airborne;
-  if (airborne_ || !background_) return;
-  const Slot slot = *plan_.find(*background_);
-  if (plan_[slot].state != TaskState::kAborting) interrupt(slot, "no longer in flight");
+  if (!airborne_) end_background("no longer in flight");
+}
+
+// scheduled, started, running, aborting    out of the plan, remembered as aborted
+void Executive::Core::on(const Relinquish& request) {
+  std::vector<Slot> slots;
+  for (const TaskId id : plan_.open()) {
+    if (id < request.below) slots.push_back(*plan_.find(id));
+  }
+  for (const Slot slot : slots) {
+    conditions_.detach(slot, Role::kPreconditions);
+    conditions_.detach(slot, Role::kExit);
+  }
+  for (const Slot slot : slots) let_go(slot);
+  if (!slots.empty()) {
+    notice(std::to_string(slots.size()) + " task(s) are another executive's from now on");
+  }
+  resting_ = true;
+  end_background("another executive is in charge");
 }
 
 }  // namespace skein::executive

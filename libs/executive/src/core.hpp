@@ -40,6 +40,7 @@ class Executive::Core {
   void on(const SyncReceived& message);
   void on(const PeerReachable& peer);
   void on(const Flight& flight);
+  void on(const Relinquish& request);
   void on(const Tick&) {}
 
   // requests.cpp
@@ -64,6 +65,7 @@ class Executive::Core {
   void interrupt(Slot slot, const std::string& reason);
   void retire(Slot slot, bool was_aborting);
   void free_urgents(TaskId blocker);
+  void let_go(Slot slot);
   std::string reason_of_exit(const TaskRecord& record) const;
   bool answers_functionally(const TaskRecord& record) const;
   void expect_answer(TaskRecord& record);
@@ -74,6 +76,7 @@ class Executive::Core {
   bool wants_background() const;
   void dispatch_background();
   void displace_background(TaskId by);
+  void end_background(const std::string& reason);
   void retire_background(bool displaced);
 
   Config config_;
@@ -91,6 +94,7 @@ class Executive::Core {
 
   std::uint32_t motion_;  ///< number of the resource
   bool airborne_ = false;
+  bool resting_ = false;              ///< no background routine until the next START
   std::optional<TaskId> background_;  ///< under way
   std::optional<MissionTime> background_retry_;
   std::uint64_t background_count_ = 0;

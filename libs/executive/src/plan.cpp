@@ -8,7 +8,7 @@
 namespace skein::executive {
 
 Plan::Slot Plan::insert(Task&& task, bool background) {
-  SKEIN_EXPECTS(known_.find(task.id) == known_.end());
+  SKEIN_EXPECTS(may_insert(task.id));
   Slot slot = static_cast<Slot>(records_.size());
   if (free_.empty()) {
     records_.emplace_back();
@@ -28,8 +28,13 @@ Plan::Slot Plan::insert(Task&& task, bool background) {
   record.background = background;
   record.place_among_open = static_cast<std::uint32_t>(open_.size());
   open_.push_back(slot);
-  known_.emplace(task.id, Known{slot, TaskState::kScheduled});
+  known_.insert_or_assign(task.id, Known{slot});
   return slot;
+}
+
+bool Plan::may_insert(TaskId id) const {
+  const auto found = known_.find(id);
+  return found == known_.end() || found->second.readmitted;
 }
 
 void Plan::set_state(Slot slot, TaskState state) {

@@ -47,11 +47,15 @@ class Plan {
  public:
   using Slot = std::uint32_t;
 
-  /// The id must not be known. The record is blank but for id, type, parameters, synchronisation.
+  /// Precondition: may_insert(id). The record is blank but for id, type, parameters,
+  /// synchronisation.
   Slot insert(Task&& task, bool background);
   void set_state(Slot slot, TaskState state);
   /// Takes a terminal task out; what it was remains known unless it is of the background routine.
   void remove(Slot slot);
+  /// A task of this id, which has been removed, may be inserted again.
+  void readmit(TaskId id) { known_.at(id).readmitted = true; }
+  bool may_insert(TaskId id) const;
 
   TaskRecord& operator[](Slot slot) { return records_[slot]; }
   const TaskRecord& operator[](Slot slot) const { return records_[slot]; }
@@ -69,6 +73,7 @@ class Plan {
   struct Known {
     Slot slot = kNoSlot;
     TaskState last = TaskState::kScheduled;  ///< counts once the task has left the plan
+    bool readmitted = false;                 ///< relinquished: may come back
   };
   void close(Slot slot);
 

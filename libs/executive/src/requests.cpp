@@ -26,7 +26,7 @@ std::optional<std::string> Executive::Core::refusal_of(const Start& request) con
   if (task.id >= kFirstBackgroundId) {
     return "ids from " + to_text(kFirstBackgroundId) + " on are those of the background routine";
   }
-  if (plan_.state_of(task.id)) return "id " + to_text(task.id) + " is known already";
+  if (!plan_.may_insert(task.id)) return "id " + to_text(task.id) + " is known already";
   if ((task.type == kSynchroniseType) != task.synchronisation.has_value()) {
     return "a task has a synchronisation exactly when its type is 'synchronise'";
   }
@@ -62,6 +62,7 @@ void Executive::Core::on(const Start& request) {
   const std::optional<std::string> refusal = refusal_of(request);
   reply(RequestKind::kStart, task.id, refusal);
   if (refusal) return;
+  resting_ = false;
   if (!config_.types.is_declared(task.type)) {
     notice("type '" + task.type + "' is not declared: it uses no exclusive resource");
   }

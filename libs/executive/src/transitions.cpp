@@ -53,6 +53,22 @@ void Executive::Core::retire(Slot slot, bool was_aborting) {
   }
 }
 
+// A transition that nobody is told of; those whose conditions name the task see it aborted.
+void Executive::Core::let_go(Slot slot) {
+  TaskRecord& record = plan_[slot];
+  const TaskId id = record.id;
+  if (record.joint && is_active(record.state)) --joint_active_;
+  if (record.urgent) {
+    for (auto& [blocker, waiting] : waiting_for_) std::erase(waiting, id);
+  }
+  record.due.reset();
+  plan_.set_state(slot, TaskState::kAborted);
+  conditions_.task_changed(slot);
+  retire(slot, false);
+  plan_.remove(slot);
+  plan_.readmit(id);
+}
+
 void Executive::Core::free_urgents(TaskId blocker) {
   const auto waiting = waiting_for_.find(blocker);
   if (waiting == waiting_for_.end()) return;

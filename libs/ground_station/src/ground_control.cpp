@@ -11,14 +11,17 @@ namespace skein::ground_station {
 namespace {
 
 std::vector<Monitoring::Uav> roster(const std::vector<GroundUav>& uavs) {
-  std::vector<Monitoring::Uav> names;
-  names.reserve(uavs.size());
-  for (const GroundUav& uav : uavs) names.push_back({uav.name, uav.degree});
-  return names;
+  std::vector<Monitoring::Uav> roster;
+  roster.reserve(uavs.size());
+  for (const GroundUav& uav : uavs) roster.push_back({uav.name, uav.degree});
+  return roster;
 }
 
-executive::Input to_executive(const Request& request) {
-  return std::visit([](const auto& it) -> executive::Input { return it; }, request);
+std::vector<std::string> names_of(const std::vector<GroundUav>& uavs) {
+  std::vector<std::string> names;
+  names.reserve(uavs.size());
+  for (const GroundUav& uav : uavs) names.push_back(uav.name);
+  return names;
 }
 
 // Carried out by the functional layer, not by the executive or a supervisor.
@@ -32,8 +35,10 @@ bool is_due(std::optional<MissionTime> wakeup, MissionTime now) { return wakeup 
 
 GroundControl::GroundControl(const GroundConfig& config, const world::Terrain& terrain)
     : perception_(config.pps, terrain),
-      monitoring_(roster(config.uavs), config.reply_grace),
-      planning_(config.script, terrain) {
+      monitoring_(roster(config.uavs), config.reply_grace,
+                  MissionChecks(config.missions, names_of(config.uavs))),
+      planning_(config.script, terrain),
+      transfer_lifetime_(config.transfer_lifetime) {
   for (const GroundUav& uav : config.uavs) {
     executive::Config& mle = mle_configs_[uav.name];
     mle = uav.executive;
@@ -54,6 +59,12 @@ std::optional<MissionTime> GroundControl::next_wakeup() const {
   std::optional<MissionTime> wakeup = earliest(monitoring_.next_wakeup(), planning_.next_wakeup());
   for (const auto& [uav, mle] : local_) wakeup = earliest(wakeup, mle.executive.next_wakeup());
   return wakeup;
+}
+
+Board GroundControl::board(MissionTime now) const {
+  Board board = monitoring_.board(now);
+  for (UavOnBoard& uav : board.uavs) uav.held = held_.of(uav.name);
+  return board;
 }
 
 void GroundControl::wake(MissionTime now) {
@@ -87,8 +98,8 @@ void GroundControl::accept(const Input& input, MissionTime now, Effects& out) {
                  [&](const PeerReachable& it) { accept_reachability(it, out); },
                  [&](const OperatorActs& it) { errands_.emplace_back(MissionPlanning::Input(it)); },
                  [&](const OperatorCommand& it) {
-                   errands_.emplace_back(
-                       Monitoring::Input(IssueCommand{it.uav, it.request, now + it.lifetime}));
+                   errands_.emplace_back(Monitoring::Input(
+                       IssueCommand{it.uav, it.request, now + it.lifetime, "operator"}));
                  },
                  [&](const auto& it) { errands_.emplace_back(Monitoring::Input(it)); },
              },
@@ -112,9 +123,8 @@ void GroundControl::accept_reachability(const PeerReachable& input, Effects& out
     errands_.emplace_back(LocalInput{uav, executive::PeerReachable{input.uav}, std::nullopt});
   }
   if (input.restarted && local_.contains(input.uav)) ask_again(input.uav, out);
-  const auto relayed = relayed_.find(input.uav);
-  if (relayed == relayed_.end()) return;
-  for (const auto& [id, from] : relayed->second) out.emplace_back(SendSync{id, from, input.uav});
+  if (runs_here(input.uav)) return;
+  for (const auto& [id, from] : syncs_[input.uav]) out.emplace_back(SendSync{id, from, input.uav});
 }
 
 // What the transparent node may have taken with it: requests on their way, or their statuses.
@@ -136,42 +146,79 @@ void GroundControl::run_errands(MissionTime now, Effects& out) {
 }
 
 void GroundControl::do_errand(const Monitoring::Input& input, MissionTime now, Effects& out) {
-  for (const auto& effect : monitoring_.handle(input, now)) route(effect, out);
+  for (const auto& effect : monitoring_.handle(input, now)) route(effect, now, out);
 }
 
 void GroundControl::do_errand(const MissionPlanning::Input& input, MissionTime now, Effects& out) {
   for (const auto& effect : planning_.handle(input, now)) route(effect, out);
 }
 
+// The MLE may have handed over what it had since the errand was given.
 void GroundControl::do_errand(const LocalInput& input, MissionTime now, Effects& out) {
+  if (!runs_here(input.uav) && !local_.contains(input.uav)) return;
   for (const auto& effect : local(input.uav).executive.handle(input.input, now)) {
     route_local(input, effect, out);
   }
 }
 
-void GroundControl::route(const Monitoring::Effect& effect, Effects& out) {
+void GroundControl::route(const Monitoring::Effect& effect, MissionTime now, Effects& out) {
+  const auto tell_planning = [&](const auto& it) {
+    errands_.emplace_back(MissionPlanning::Input(it));
+  };
   std::visit(Overloaded{
-                 [&](const SendRequest& it) {
-                   if (is_held_here(it)) {
-                     errands_.emplace_back(LocalInput{it.uav, to_executive(it.request), it});
-                   } else {
-                     out.emplace_back(it);
-                   }
-                 },
-                 [&](const TaskChanged& it) { errands_.emplace_back(MissionPlanning::Input(it)); },
+                 [&](const SendRequest& it) { route(it, out); },
+                 [&](const TaskChanged& it) { tell_planning(it); },
+                 [&](const GoalChanged& it) { tell_planning(it); },
+                 [&](const MissionChanged& it) { tell_planning(it); },
                  [&](const UavRestarted& it) {
                    out.emplace_back(it);
-                   errands_.emplace_back(MissionPlanning::Input(it));
+                   tell_planning(it);
+                 },
+                 [&](const DegreeChanged& it) {
+                   out.emplace_back(it);
+                   tell_planning(it);
+                   if (!runs_at_ground(it.degree)) send_up(it.uav, now, out);
+                 },
+                 [&](const HandedOver& it) { take_over(it, now, out); },
+                 [&](const ChangeSettled& it) {
+                   errands_.emplace_back(Monitoring::Input(ReleaseCommands{it.uav}));
                  },
                  [&](const auto& it) { out.emplace_back(it); },
              },
              effect);
 }
 
+void GroundControl::route(const SendRequest& request, Effects& out) {
+  const auto answer = [&](bool accepted, const std::string& why) {
+    errands_.emplace_back(Monitoring::Input(RequestReplyReceived{request.command, accepted, why}));
+  };
+  if (const auto edited = held_.edit(request.uav, request.request)) {
+    if (edited->dropped > 0) {
+      out.emplace_back(HeldPlanChanged{request.uav, edited->dropped, HeldState::kDropped});
+    }
+    return answer(edited->accepted, edited->why);
+  }
+  const bool is_here = to_executive(request.request) && is_held_here(request);
+  SendRequest adapted = request;
+  adapted.request = for_receiver(request, is_here);
+  if (is_here) {
+    errands_.emplace_back(LocalInput{request.uav, *to_executive(adapted.request), adapted});
+    return;
+  }
+  out.emplace_back(std::move(adapted));
+}
+
 void GroundControl::route(const MissionPlanning::Effect& effect, Effects& out) {
+  const auto tell_monitoring = [&](const auto& it) {
+    errands_.emplace_back(Monitoring::Input(it));
+  };
   std::visit(Overloaded{
-                 [&](const IssueCommand& it) { errands_.emplace_back(Monitoring::Input(it)); },
-                 [&](const AbortEverything& it) { errands_.emplace_back(Monitoring::Input(it)); },
+                 [&](const IssueCommand& it) { tell_monitoring(it); },
+                 [&](const IssueToAll& it) { tell_monitoring(it); },
+                 [&](const AbortEverything& it) { tell_monitoring(it); },
+                 [&](const ChangeHands& it) { tell_monitoring(it); },
+                 [&](const ResumeHeld& it) { resume(it, out); },
+                 [&](const DropHeld& it) { drop(it.uav, out); },
                  [&](const auto& it) { out.emplace_back(it); },
              },
              effect);
@@ -194,9 +241,11 @@ void GroundControl::route_local(const LocalInput& cause, const executive::Effect
   std::visit(
       Overloaded{
           [&](const executive::TaskEvent& it) {
-            out.emplace_back(LocalTaskEvent{uav, it.id, it.type, it.state, it.reason});
-            errands_.emplace_back(
-                Monitoring::Input(TaskEventReceived{uav, it.id, it.type, it.state, it.reason}));
+            if (!monitoring_.has_told(uav, it.id, it.state)) {
+              out.emplace_back(LocalTaskEvent{uav, it});
+            }
+            errands_.emplace_back(Monitoring::Input(
+                TaskEventReceived{uav, it.id, it.type, it.state, it.reason, true}));
           },
           [&](const executive::Dispatch& it) { dispatch(uav, it, out); },
           [&](const executive::Interrupt& it) {
@@ -207,9 +256,13 @@ void GroundControl::route_local(const LocalInput& cause, const executive::Effect
             deliver_sync({it.id, uav, it.to}, out);
           },
           [&](const executive::Reply& it) {
-            if (!cause.command) return;
-            out.emplace_back(
-                LocalRequestAnswered{uav, cause.command->request, it.accepted, it.why});
+            if (!cause.command) {
+              if (!it.accepted) out.emplace_back(Anomaly{uav + ": not taken over: " + it.why});
+              return;
+            }
+            const auto* start = std::get_if<executive::Start>(&cause.command->request);
+            const auto mode = start != nullptr ? start->mode : executive::InsertionMode::kSeq;
+            out.emplace_back(LocalRequestAnswered{uav, it, mode});
             errands_.emplace_back(Monitoring::Input(
                 RequestReplyReceived{cause.command->command, it.accepted, it.why}));
           },
@@ -248,12 +301,12 @@ void GroundControl::deliver_sync(const SyncReceived& sync, Effects& out) {
                              "': one of them is unknown"});
     return;
   }
+  syncs_[sync.to].emplace(sync.id, sync.from);
   if (runs_here(sync.to)) {
     out.emplace_back(LocalSync{sync.id, sync.from, sync.to, SyncDirection::kReceived});
     errands_.emplace_back(
         LocalInput{sync.to, executive::SyncReceived{sync.id, sync.from}, std::nullopt});
   } else {
-    relayed_[sync.to].emplace(sync.id, sync.from);
     out.emplace_back(SendSync{sync.id, sync.from, sync.to});
   }
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "skein/foundation/contract.hpp"
-#include "skein/ground_station/target_resolution.hpp"
 
 namespace skein::ground_station {
 namespace {
@@ -62,15 +61,6 @@ std::optional<Standing> standing_of(const Trigger& trigger, Iterator& leaf) {
 template <class What>
 const What* as(const Trigger& trigger) {
   return std::get_if<What>(&trigger.what);
-}
-
-executive::Parameter parameter_of(const std::string& name,
-                                  const std::vector<world::Vector3>& points) {
-  executive::Parameter parameter{name, {}, {}};
-  for (const world::Vector3& point : points) {
-    parameter.numbers.insert(parameter.numbers.end(), {point.x(), point.y(), point.z()});
-  }
-  return parameter;
 }
 
 }  // namespace
@@ -142,6 +132,24 @@ void MissionPlanning::note(const Input& input, MissionTime now, Effects& effects
     mark<OnRestart>(now, [&](const OnRestart& on) { return on.uav == restarted->uav; });
   } else if (const auto* acts = std::get_if<OperatorActs>(&input)) {
     note_operator(acts->does, now, effects);
+  } else {
+    note_autonomy(input, now);
+  }
+}
+
+void MissionPlanning::note_autonomy(const Input& input, MissionTime now) {
+  if (const auto* degree = std::get_if<DegreeChanged>(&input)) {
+    mark<OnDegree>(now, [&](const OnDegree& on) {
+      return on.uav == degree->uav && on.degree == degree->degree;
+    });
+  } else if (const auto* goal = std::get_if<GoalChanged>(&input)) {
+    mark<OnGoal>(now, [&](const OnGoal& on) {
+      return on.uav == goal->uav && on.goal == goal->goal && on.state == goal->state;
+    });
+  } else if (const auto* mission = std::get_if<MissionChanged>(&input)) {
+    mark<OnMission>(now, [&](const OnMission& on) {
+      return on.uav == mission->uav && on.mission == mission->mission && on.state == mission->stage;
+    });
   }
 }
 
@@ -201,56 +209,16 @@ void MissionPlanning::fire(Waiting& waiting, MissionTime now, Effects& effects) 
     phase_ = step->phase;
     effects.emplace_back(PhaseEntered{phase_});
   }
+  const std::string asked_by =
+      step != nullptr ? "step " + step->name : "operator " + waiting.operator_action->does;
+  const Deed deed{asked_by, now + script_.command_lifetime, effects};
   for (const Action& action : step != nullptr ? step->actions : waiting.operator_action->actions) {
-    do_action(action, now, effects);
+    std::visit([&](const auto& it) { perform(it, deed); }, action);
     if (finished_) return;
   }
   if (step == nullptr) return;
   effects.emplace_back(StepDone{step->name});
   mark<OnStep>(now, [&](const OnStep& on) { return on.step == step->name; });
-}
-
-void MissionPlanning::do_action(const Action& action, MissionTime now, Effects& effects) {
-  const MissionTime expires = now + script_.command_lifetime;
-  const auto issue = [&](const std::string& uav, Request request) {
-    effects.emplace_back(IssueCommand{uav, std::move(request), expires});
-  };
-  if (const auto* plan = std::get_if<SendPlan>(&action)) {
-    send(*plan, expires, effects);
-  } else if (const auto* abort = std::get_if<AbortTasks>(&action)) {
-    if (!abort->tasks) effects.emplace_back(AbortEverything{abort->uav, expires});
-    for (const executive::TaskId id : abort->tasks.value_or(std::vector<executive::TaskId>())) {
-      issue(abort->uav, executive::Abort{id});
-    }
-  } else if (const auto* message = std::get_if<SendMessage>(&action)) {
-    issue(message->uav, executive::ProcessMessage{message->text});
-  } else if (const auto* update = std::get_if<UpdateConditions>(&action)) {
-    issue(update->uav, update->update);
-  } else {
-    finished_ = true;
-    effects.emplace_back(MissionFinished{});
-  }
-}
-
-void MissionPlanning::send(const SendPlan& plan, MissionTime expires, Effects& effects) {
-  for (const PlannedTask& planned : plan.tasks) {
-    executive::Start start{planned.task, planned.mode};
-    std::string problem;
-    for (const Target& target : planned.targets) {
-      const auto points = resolve(target, subject(), terrain_);
-      if (points) {
-        start.task.parameters.add(parameter_of(target.parameter, *points));
-      } else {
-        problem = points.error().why;
-      }
-    }
-    if (problem.empty()) {
-      effects.emplace_back(IssueCommand{plan.uav, std::move(start), expires});
-    } else {
-      effects.emplace_back(Anomaly{"task " + skein::to_text(planned.task.id) + " of " + plan.uav +
-                                   " is not sent: " + problem});
-    }
-  }
 }
 
 const Alarm* MissionPlanning::subject() const {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Status board and command intake.
+// The status board of UAVs and tasks.
 #include "skein/ground_station/monitoring.hpp"
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
-#include "request_facts.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::ground_station {
@@ -40,20 +38,6 @@ bool moves_the_vehicle(const std::string& type) {
 
 }  // namespace
 
-std::string_view to_text(CommandState state) {
-  switch (state) {
-    case CommandState::kIssued:
-      return "issued";
-    case CommandState::kAcknowledged:
-      return "acknowledged";
-    case CommandState::kRefused:
-      return "refused";
-    case CommandState::kExpired:
-      break;
-  }
-  return "expired";
-}
-
 bool is_open(const TaskOnBoard& task) { return !task.lost && !executive::is_terminal(task.state); }
 
 const TaskOnBoard* current_task(const UavOnBoard& uav) {
@@ -67,7 +51,8 @@ const TaskOnBoard* current_task(const UavOnBoard& uav) {
   return first;
 }
 
-Monitoring::Monitoring(const std::vector<Uav>& uavs, Duration grace) : grace_(grace) {
+Monitoring::Monitoring(const std::vector<Uav>& uavs, Duration grace, MissionChecks checks)
+    : grace_(grace), checks_(std::move(checks)) {
   SKEIN_EXPECTS(grace >= Duration());
   for (const Uav& uav : uavs) {
     SKEIN_EXPECTS(!uavs_.contains(uav.name));
@@ -86,8 +71,12 @@ std::vector<Monitoring::Effect> Monitoring::handle(const Input& input, MissionTi
 }
 
 std::optional<MissionTime> Monitoring::next_wakeup() const {
-  if (deadlines_.empty()) return std::nullopt;
-  return deadlines_.begin()->first;
+  std::optional<MissionTime> wakeup;
+  if (!deadlines_.empty()) wakeup = deadlines_.begin()->first;
+  for (const auto& [name, record] : uavs_) {
+    if (record.change) wakeup = earliest(wakeup, record.change->until);
+  }
+  return wakeup;
 }
 
 Board Monitoring::board(MissionTime now) const {
@@ -108,40 +97,15 @@ const TaskOnBoard* Monitoring::find_task(const std::string& uav, TaskId task) co
   return found == record->second.board.tasks.end() ? nullptr : &found->second;
 }
 
-void Monitoring::on(const Tick&, MissionTime, Effects&) {}
-
-void Monitoring::on(const IssueCommand& input, MissionTime now, Effects& effects) {
-  const CommandNumber number(++last_number_);
-  pending_[number] = {input.uav, input.request, input.expires};
-  effects.emplace_back(
-      CommandChanged{number, input.uav, what_of(input.request), CommandState::kIssued});
-  const auto uav = uavs_.find(input.uav);
-  if (uav == uavs_.end()) {
-    return close(number, CommandState::kRefused, "unknown UAV '" + input.uav + "'", effects);
-  }
-  uav->second.board.commands_pending += 1;
-  deadlines_.emplace(input.expires + grace_, number);
-  if (input.expires <= now) {
-    return close(number, CommandState::kExpired, "it had expired before it was issued", effects);
-  }
-  effects.emplace_back(SendRequest{number, input.uav, input.request, input.expires});
+bool Monitoring::has_told(const std::string& uav, TaskId task, TaskState state) const {
+  const TaskOnBoard* found = find_task(uav, task);
+  if (found == nullptr || found->lost) return false;
+  return uavs_.at(uav).told.at(task).contains(state);
 }
 
-// Besides the tasks on the board, those whose START is still under way.
-void Monitoring::on(const AbortEverything& input, MissionTime now, Effects& effects) {
-  Record* record = find(input.uav, "abort of all tasks", effects);
-  if (record == nullptr) return;
-  std::set<TaskId, std::greater<>> ids;
-  for (const auto& [id, task] : record->board.tasks) {
-    if (is_open(task) && id < executive::kFirstBackgroundId) ids.insert(id);
-  }
-  for (const auto& [number, pending] : pending_) {
-    const std::optional<TaskId> id = started_by(pending.request);
-    if (pending.uav == input.uav && id) ids.insert(*id);
-  }
-  for (const TaskId id : ids) {
-    on(IssueCommand{input.uav, executive::Abort{id}, input.expires}, now, effects);
-  }
+std::set<std::string> Monitoring::messages_of(const std::string& uav) const {
+  const auto found = uavs_.find(uav);
+  return found == uavs_.end() ? std::set<std::string>() : found->second.messages;
 }
 
 void Monitoring::on(const TelemetryReceived& input, MissionTime, Effects& effects) {
@@ -158,29 +122,31 @@ void Monitoring::on(const TaskEventReceived& input, MissionTime now, Effects& ef
   if (record != nullptr) learn(*record, input, now, effects);
 }
 
-void Monitoring::on(const RequestReplyReceived& input, MissionTime, Effects& effects) {
-  const CommandState state = input.accepted ? CommandState::kAcknowledged : CommandState::kRefused;
-  close(input.command, state, input.why, effects);
-}
-
-void Monitoring::on(const CommandUndelivered& input, MissionTime, Effects& effects) {
-  close(input.command, CommandState::kExpired, "not delivered in its lifetime", effects);
-}
-
 void Monitoring::on(const PeerReachable& input, MissionTime, Effects& effects) {
   Record* record = find(input.uav, "reachability", effects);
   if (record == nullptr) return;
   record->board.reachable = input.reachable;
-  if (input.restarted && !runs_at_ground(record->board.degree)) restart(*record, effects);
+  if (!input.restarted) return;
+  if (!runs_at_ground(record->board.degree)) lose_tasks(*record, effects);
+  record->board.plan = {};
+  record->board.goals.clear();
+  record->told_missions.clear();
+  send_again(*record, effects);
+  if (record->change && !pending_.contains(record->change->command)) settle(*record, effects);
 }
 
 void Monitoring::on(const PlanBoardReceived& input, MissionTime now, Effects& effects) {
   Record* record = find(input.uav, "plan board", effects);
   if (record == nullptr) return;
   record->board.airborne = input.airborne;
-  if (input.degree != record->board.degree) {
-    record->board.degree = input.degree;
-    effects.emplace_back(DegreeChanged{input.uav, input.degree});
+  const bool is_stale = input.at && record->degree_at && *input.at <= *record->degree_at;
+  if (!is_stale) {
+    record->degree_at = input.at;
+    if (record->change) {
+      record->change->seen = input.degree;
+    } else {
+      set_degree(*record, input.degree, effects);
+    }
   }
   for (const PlannedTaskStatus& task : input.tasks) {
     learn(*record, {input.uav, task.task, task.type, task.state}, now, effects);
@@ -194,39 +160,19 @@ Monitoring::Record* Monitoring::find(const std::string& uav, const char* what, E
   return nullptr;
 }
 
-void Monitoring::close(CommandNumber number, CommandState state, const std::string& why,
-                       Effects& effects) {
-  const auto found = pending_.find(number);
-  if (found == pending_.end()) {
-    effects.emplace_back(Anomaly{"command " + skein::to_text(number) + " is not pending, yet " +
-                                 std::string(to_text(state))});
-    return;
-  }
-  const Pending pending = std::move(found->second);
-  pending_.erase(found);
-  deadlines_.erase({pending.expires + grace_, number});
-  const auto uav = uavs_.find(pending.uav);
-  if (uav != uavs_.end()) uav->second.board.commands_pending -= 1;
-  effects.emplace_back(CommandChanged{number, pending.uav, what_of(pending.request), state, why});
-}
-
-void Monitoring::expire_due(MissionTime now, Effects& effects) {
-  while (!deadlines_.empty() && deadlines_.begin()->first <= now) {
-    close(deadlines_.begin()->second, CommandState::kExpired, "no answer", effects);
-  }
-}
-
 void Monitoring::learn(Record& record, const TaskEventReceived& event, MissionTime now,
                        Effects& effects) {
   const auto [entry, is_new] = record.board.tasks.try_emplace(
-      event.task, TaskOnBoard{event.task, event.type, event.state, false, event.reason, now});
+      event.task,
+      TaskOnBoard{event.task, event.type, event.state, false, event.reason, now, event.at_ground});
   TaskOnBoard& task = entry->second;
   if (task.lost) {
     // Only its first state shows that it was started anew, and is not late news of the former life.
     if (event.state != TaskState::kScheduled) return;
     record.told.erase(event.task);
-    task = TaskOnBoard{event.task, event.type, event.state, false, event.reason, now};
+    task = {event.task, event.type, event.state, false, event.reason, now, event.at_ground};
   }
+  if (!executive::is_terminal(task.state)) task.at_ground = event.at_ground;
   if (!record.told[event.task].insert(event.state).second) {
     if (task.reason.empty() && task.state == event.state) task.reason = event.reason;
     return;
@@ -239,8 +185,9 @@ void Monitoring::learn(Record& record, const TaskEventReceived& event, MissionTi
   effects.emplace_back(TaskChanged{record.board.name, event.task, event.state});
 }
 
-void Monitoring::restart(Record& record, Effects& effects) {
+void Monitoring::lose_tasks(Record& record, Effects& effects) {
   UavRestarted restarted{record.board.name, {}};
+  record.messages.clear();
   // The new life numbers its background routine from the beginning again.
   const auto routine = record.board.tasks.lower_bound(executive::kFirstBackgroundId);
   record.board.tasks.erase(routine, record.board.tasks.end());
@@ -251,25 +198,6 @@ void Monitoring::restart(Record& record, Effects& effects) {
     restarted.lost.push_back(id);
   }
   effects.emplace_back(std::move(restarted));
-  send_again(record, effects);
-}
-
-// What the former life was told and did not answer; what is about a task it took with it is void.
-void Monitoring::send_again(const Record& record, Effects& effects) {
-  std::vector<std::pair<CommandNumber, Pending>> open;
-  for (const auto& [number, pending] : pending_) {
-    if (pending.uav == record.board.name) open.emplace_back(number, pending);
-  }
-  for (const auto& [number, pending] : open) {
-    const std::optional<TaskId> about = named_by(pending.request);
-    const auto task = about ? record.board.tasks.find(*about) : record.board.tasks.end();
-    if (task != record.board.tasks.end() && task->second.lost) {
-      const std::string id = skein::to_text(*about);
-      close(number, CommandState::kRefused, "the UAV restarted: task " + id + " is lost", effects);
-    } else {
-      effects.emplace_back(SendRequest{number, pending.uav, pending.request, pending.expires});
-    }
-  }
 }
 
 }  // namespace skein::ground_station

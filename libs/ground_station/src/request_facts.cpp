@@ -2,6 +2,8 @@
 // One overload per kind of request.
 #include "request_facts.hpp"
 
+#include <type_traits>
+
 namespace skein::ground_station {
 namespace {
 
@@ -21,11 +23,34 @@ std::string describe(const executive::Suppress& suppress) {
   return "SUPPRESS " + skein::to_text(suppress.id);
 }
 
+std::string describe(const mission::UnitMission& mission) {
+  const std::string count = std::to_string(mission.tasks.size());
+  return "MISSION " + skein::to_text(mission.id) + " (" + count +
+         (mission.tasks.size() == 1 ? " task)" : " tasks)");
+}
+std::string describe(const mission::CancelGoals& cancel) {
+  std::string goals;
+  for (const mission::GoalId goal : cancel.goals) goals += " " + skein::to_text(goal);
+  const bool by_mission = cancel.mission != mission::MissionId();
+  if (by_mission) goals += " mission " + skein::to_text(cancel.mission);
+  return "CANCEL" + (goals.empty() ? " all" : goals);
+}
+std::string describe(const mission::ChangeDegree& change) {
+  return "DEGREE " + std::to_string(change.degree);
+}
+std::string describe(const mission::ChangeWorld& change) {
+  return (change.remove ? "OPEN " : "CLOSE ") + change.volume.name;
+}
+
 std::optional<TaskId> named(const executive::Start&) { return std::nullopt; }
 std::optional<TaskId> named(const executive::Abort& abort) { return abort.id; }
 std::optional<TaskId> named(const executive::ProcessMessage&) { return std::nullopt; }
 std::optional<TaskId> named(const executive::UpdateConditions& update) { return update.id; }
 std::optional<TaskId> named(const executive::Suppress& suppress) { return suppress.id; }
+template <class OfDecisionNode>
+std::optional<TaskId> named(const OfDecisionNode&) {
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -36,6 +61,18 @@ std::string what_of(const Request& request) {
 std::optional<TaskId> started_by(const Request& request) {
   const auto* start = std::get_if<executive::Start>(&request);
   return start == nullptr ? std::nullopt : std::optional(start->task.id);
+}
+
+std::optional<executive::Input> to_executive(const Request& request) {
+  return std::visit(
+      [](const auto& it) -> std::optional<executive::Input> {
+        if constexpr (std::is_constructible_v<executive::Input, decltype(it)>) {
+          return executive::Input(it);
+        } else {
+          return std::nullopt;
+        }
+      },
+      request);
 }
 
 std::optional<TaskId> named_by(const Request& request) {

@@ -9,11 +9,15 @@
 
 namespace skein::ground_station {
 
-/// "START 3 goto", "ABORT 3", "PROCESS-MSG go", "UPDATE-COND 3", "SUPPRESS 3".
+/// "START 3 goto", "ABORT 3", "PROCESS-MSG go", "UPDATE-COND 3", "SUPPRESS 3",
+/// "MISSION 2 (3 tasks)", "CANCEL 701", "DEGREE 1", "CLOSE tower", "OPEN tower".
 std::string what_of(const Request& request);
 
 /// The task that a START brings; nothing for another request.
 std::optional<executive::TaskId> started_by(const Request& request);
+
+/// As the executive takes it; nothing for what only a decision node can answer.
+std::optional<executive::Input> to_executive(const Request& request);
 
 /// The task, already there, that an ABORT, UPDATE-COND or SUPPRESS names; nothing for another.
 std::optional<executive::TaskId> named_by(const Request& request);

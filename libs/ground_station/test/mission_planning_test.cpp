@@ -10,6 +10,9 @@ namespace skein::ground_station {
 namespace {
 
 using executive::TaskState;
+using mission::GoalId;
+using mission::GoalState;
+using mission::MissionId;
 using testing::a_step;
 using testing::a_task;
 using testing::at;
@@ -75,6 +78,13 @@ TEST(MissionPlanning, EachKindOfEventFiresItsTrigger) {
        changed(2, TaskState::kRunning)},
       {when(OnOperator{"stop"}), OperatorActs{"halt"}, OperatorActs{"stop"}},
       {when(OnRestart{"marvin"}), UavRestarted{"heliv", {}}, UavRestarted{"marvin", {}}},
+      {when(OnDegree{"marvin", 1}), DegreeChanged{"marvin", 3}, DegreeChanged{"marvin", 1}},
+      {when(OnGoal{"marvin", GoalId(701), GoalState::kAchieved}),
+       GoalChanged{"marvin", GoalId(701), GoalState::kFailed},
+       GoalChanged{"marvin", GoalId(701), GoalState::kAchieved}},
+      {when(OnMission{"marvin", MissionId(2), MissionStage::kPlanned}),
+       MissionChanged{"marvin", MissionId(3), MissionStage::kPlanned},
+       MissionChanged{"marvin", MissionId(2), MissionStage::kPlanned}},
   };
 
   for (std::size_t i = 0; i < table.size(); ++i) {
@@ -209,6 +219,53 @@ TEST(MissionPlanning, TheOtherActionsBecomeTheirRequests) {
   EXPECT_EQ(first<AbortEverything>(effects).uav, "heliv");
 }
 
+world::Volume tower() {
+  world::Volume out;
+  out.name = "tower";
+  out.polygon = {{0, 0}, {10, 0}, {0, 10}};
+  return out;
+}
+
+TEST(MissionPlanning, ActionsOnAutonomyBecomeRequests) {
+  mission::CancelGoals cancel;
+  cancel.goals = {GoalId(701)};
+  MissionPlanning mps =
+      playing({a_step("all", when(AtTime{at(1)}),
+                      {CancelMission{"marvin", cancel}, SetDegree{"marvin", {3, true, false}},
+                       CloseAir{tower(), {"marvin"}}, OpenAir{"tower", {"marvin"}}})});
+
+  const auto issued = only<IssueCommand>(mps.handle(Tick{}, at(1)));
+
+  ASSERT_THAT(issued, SizeIs(4));
+  EXPECT_EQ(std::get<mission::CancelGoals>(issued[0].request), cancel);
+  EXPECT_EQ(std::get<mission::ChangeDegree>(issued[1].request),
+            (mission::ChangeDegree{3, true, false}));
+  EXPECT_EQ(std::get<mission::ChangeWorld>(issued[2].request).volume, tower());
+  EXPECT_TRUE(std::get<mission::ChangeWorld>(issued[3].request).remove);
+  EXPECT_EQ(issued[3].asked_by, "step all");
+}
+
+TEST(MissionPlanning, ActionsOnHandsAndAirGoToTheOthers) {
+  MissionPlanning mps =
+      playing({}, {{"operator",
+                    when(AtTime{at(1)}),
+                    Duration(),
+                    {TakeInHand{"marvin", true}, GiveBack{"marvin"}, ResumePlan{"marvin", {id(4)}},
+                     DropPlan{"marvin"}, CloseAir{tower()}, OpenAir{"tower"}}}});
+
+  const Effects effects = mps.handle(Tick{}, at(1));
+
+  const auto hands = only<ChangeHands>(effects);
+  ASSERT_THAT(hands, SizeIs(2));
+  EXPECT_EQ(hands[0].way, ChangeHands::Way::kTake);
+  EXPECT_TRUE(hands[0].interrupt);
+  EXPECT_EQ(hands[0].asked_by, "operator operator");
+  EXPECT_EQ(hands[1].way, ChangeHands::Way::kGiveBack);
+  EXPECT_THAT(first<ResumeHeld>(effects).without, ElementsAre(id(4)));
+  EXPECT_EQ(first<DropHeld>(effects).uav, "marvin");
+  EXPECT_THAT(only<IssueToAll>(effects), SizeIs(2));
+}
+
 TEST(MissionPlanning, PhasesAreEnteredOnce) {
   Step one = a_step("one", when(AtTime{at(1)}));
   Step two = a_step("two", when(AtTime{at(2)}));
@@ -320,6 +377,44 @@ TEST(MissionPlanning, ATaskWhoseTargetIsUnknownIsNotSent) {
 
   EXPECT_THAT(only<IssueCommand>(effects), IsEmpty());
   EXPECT_EQ(first<Anomaly>(effects).why, "task 7 of marvin is not sent: there is no alarm");
+}
+
+SendMission watch_alarm() {
+  mission::UnitMission mission;
+  mission.id = MissionId(2);
+  const world::Vector3 nowhere = world::Vector3::Zero();
+  mission.tasks = {{GoalId(701), "goto", {nowhere}, {}},
+                   {GoalId(702), "shot", {20.0, nowhere}, {}}};
+  return {"marvin", mission, {{0, 0, NearAlarm{0, 50, 40}}, {1, 1, TheAlarm{}}}};
+}
+
+TEST(MissionPlanning, AMissionIsAboutTheAlarmWhenItIsSent) {
+  MissionPlanning mps =
+      playing({a_step("watch", when(OnAlarm{AlarmState::kRaised}), {watch_alarm()})});
+
+  const auto issued = first<IssueCommand>(mps.handle(alarm(1, AlarmState::kRaised, 100), at(1)));
+
+  const auto& mission = std::get<mission::UnitMission>(issued.request);
+  EXPECT_EQ(mission.asked_by, "step watch");
+  EXPECT_EQ(std::get<world::Vector3>(mission.tasks[0].arguments[0]), world::Vector3(150, 0, 40));
+  EXPECT_EQ(std::get<double>(mission.tasks[1].arguments[0]), 20);
+  EXPECT_EQ(std::get<world::Vector3>(mission.tasks[1].arguments[1]), world::Vector3(100, 0, 0));
+}
+
+TEST(MissionPlanning, AMissionWhoseTargetIsUnknownIsNotSent) {
+  SendMission misplaced = watch_alarm();
+  misplaced.targets = {{5, 0, TheAlarm{}}};
+  MissionPlanning mps = playing({a_step("early", when(AtTime{at(1)}), {watch_alarm()}),
+                                 a_step("wrong", when(OnAlarm{AlarmState::kRaised}), {misplaced})});
+
+  const Effects early = mps.handle(Tick{}, at(1));
+  const Effects wrong = mps.handle(alarm(1, AlarmState::kRaised), at(2));
+
+  EXPECT_THAT(only<IssueCommand>(early), IsEmpty());
+  EXPECT_EQ(first<Anomaly>(early).why,
+            "mission 2 of marvin is not sent: there is no alarm to be near to");
+  EXPECT_EQ(first<Anomaly>(wrong).why,
+            "mission 2 of marvin is not sent: a target is for no argument");
 }
 
 // ---- the script itself ----

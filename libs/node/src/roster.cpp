@@ -12,10 +12,6 @@ using wire::Slot;
 
 constexpr std::uint32_t kFirstUav = 10;
 
-bool on_radio(const Member& member) {
-  return member.role == Role::kGround || member.role == Role::kDdn;
-}
-
 blackboard::Node as_node(const Member& member) { return {member.number, member.name}; }
 
 }  // namespace
@@ -52,7 +48,11 @@ std::vector<blackboard::ChannelConfig> Roster::channels_of(const Member& member)
   };
   for (const Member& other : members_) {
     if (other.number == member.number) continue;
-    if (on_radio(member) && on_radio(other)) {
+    if (member.role == Role::kGround && other.role == Role::kDdn) {
+      add(blackboard::station_link(as_node(member), as_node(other)));
+    } else if (member.role == Role::kDdn && other.role == Role::kGround) {
+      add(blackboard::station_link(as_node(other), as_node(member)));
+    } else if (member.role == Role::kDdn && other.role == Role::kDdn) {
       add(blackboard::radio_link(as_node(member), as_node(other)));
     } else if (member.role == Role::kDdn && other.role == Role::kSim) {
       add(blackboard::onboard_link(as_node(member), as_node(other)));

@@ -93,6 +93,33 @@ TEST(Roster, WhoeverHasARadioIsToldOfTheLinks) {
   }
 }
 
+// Missions and changes of degree come from the ground station, and what a UAV says of its plans
+// goes there, and nowhere else.
+TEST(Roster, OnlyTheStationCommandsAndIsTold) {
+  const Roster roster({"marvin", "heliv"});
+  const auto carried = [&](std::string_view from, std::string_view to, wire::Slot slot) {
+    for (const ChannelConfig& channel : roster.channels_of(*roster.find(from))) {
+      if (channel.from != roster.find(from)->number) continue;
+      if (channel.to != roster.find(to)->number) continue;
+      return std::count(channel.slots.begin(), channel.slots.end(), slot) == 1;
+    }
+    return false;
+  };
+
+  for (const auto slot :
+       {wire::Slot::kMissionRequest, wire::Slot::kDegreeCommand, wire::Slot::kWorldChange}) {
+    EXPECT_TRUE(carried("ground", "marvin", slot)) << wire::slot_name(slot);
+    EXPECT_FALSE(carried("marvin", "ground", slot)) << wire::slot_name(slot);
+    EXPECT_FALSE(carried("heliv", "marvin", slot)) << wire::slot_name(slot);
+  }
+  for (const auto slot : {wire::Slot::kMissionPlan, wire::Slot::kMissionOutcome,
+                          wire::Slot::kHandOver, wire::Slot::kDecision}) {
+    EXPECT_TRUE(carried("marvin", "ground", slot)) << wire::slot_name(slot);
+    EXPECT_FALSE(carried("ground", "marvin", slot)) << wire::slot_name(slot);
+    EXPECT_FALSE(carried("marvin", "heliv", slot)) << wire::slot_name(slot);
+  }
+}
+
 // Every channel but the world is known, with the same partition and slots, to exactly the two
 // nodes at its ends; and numbers and names are distinct.
 RC_GTEST_PROP(Roster, BothEndsOfAChannelAgreeOnIt, ()) {

@@ -107,6 +107,12 @@ double FieldReader::number(const char* key, double limit) {
   return 0.0;
 }
 
+std::optional<double> FieldReader::optional_number(const char* key, double limit) {
+  const nlohmann::json* value = find(key);
+  if (value == nullptr || value->is_null()) return std::nullopt;
+  return number(key, limit);
+}
+
 bool FieldReader::boolean(const char* key) {
   const nlohmann::json* value = require(key);
   if (value == nullptr) return false;
@@ -126,6 +132,26 @@ Position FieldReader::position(const char* key) {
   }
   fault(key, "not a position", "[x, y, z] in metres");
   return {};
+}
+
+std::vector<Position> FieldReader::optional_positions(const char* key) {
+  const nlohmann::json* value = find(key);
+  std::vector<Position> positions;
+  if (value == nullptr || value->is_null()) return positions;
+  const auto fits = [](const nlohmann::json& v) {
+    return v.is_number() && std::abs(v.get<double>()) <= kLargestNumber;
+  };
+  const bool good = value->is_array() && value->size() % 3 == 0 &&
+                    std::all_of(value->begin(), value->end(), fits);
+  if (!good) {
+    fault(key, "not positions", "[x, y, z, …] in metres");
+    return positions;
+  }
+  for (std::size_t i = 0; i + 2 < value->size(); i += 3) {
+    positions.push_back(
+        {(*value)[i].get<double>(), (*value)[i + 1].get<double>(), (*value)[i + 2].get<double>()});
+  }
+  return positions;
 }
 
 std::int64_t FieldReader::count(const char* key) {

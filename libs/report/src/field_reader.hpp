@@ -38,8 +38,12 @@ class FieldReader {
   std::uint64_t id(const char* key);
   std::optional<std::uint64_t> optional_id(const char* key);
   double number(const char* key, double limit = kLargestNumber);
+  /// Absent or null is none.
+  std::optional<double> optional_number(const char* key, double limit = kLargestNumber);
   bool boolean(const char* key);
   Position position(const char* key);
+  /// A flat list: x, y, z, …; absent is empty.
+  std::vector<Position> optional_positions(const char* key);
   /// An array counts its elements; an integer counts itself.
   std::int64_t count(const char* key);
   /// The index of the text in `names`.

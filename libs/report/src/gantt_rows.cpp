@@ -2,6 +2,7 @@
 // The rows of the ground station and of each UAV.
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "timeline.hpp"
 
@@ -79,14 +80,41 @@ void draw_outcome(Sheet& sheet, const TaskBar& bar, double top, double height) {
   sheet.plot.close();
 }
 
+// The dates that the temporal network promised when the task started, as a band along the bar: from
+// the earliest start to the latest end it may be under way, from the latest start to the earliest
+// end it must be.
+void draw_promise(Sheet& sheet, const TaskBar& bar, double top, double height) {
+  const auto found = sheet.run.plans.promises.find({sheet.run.story.uavs[bar.uav].name, bar.id});
+  if (found == sheet.run.plans.promises.end()) return;
+  const PlannedRecord& p = *found->second.planned;
+  const double end = p.latest_end.value_or(std::max(p.earliest_end, sheet.run.story.time.to));
+  sheet.bar({p.earliest_start, end}, top + height, 3, p.latest_end ? "promise" : "promise open");
+  const double must = p.latest_start.value_or(p.earliest_end);
+  if (must < p.earliest_end) sheet.bar({must, p.earliest_end}, top + height, 3, "certain");
+}
+
+std::string promise_title(const Sheet& sheet, const TaskBar& bar) {
+  const auto found = sheet.run.plans.promises.find({sheet.run.story.uavs[bar.uav].name, bar.id});
+  if (found == sheet.run.plans.promises.end()) return {};
+  const PlannedRecord& p = *found->second.planned;
+  const auto until = [](const std::optional<double>& t) {
+    return t ? clock_text(*t) : std::string("any time");
+  };
+  return "\nplanned to start " + clock_text(p.earliest_start) + " to " + until(p.latest_start) +
+         ", to end " + clock_text(p.earliest_end) + " to " + until(p.latest_end) +
+         "\nfor high-level task " + std::to_string(p.goal) +
+         (p.methods.empty() ? "" : " by " + p.methods);
+}
+
 void draw_bar(Sheet& sheet, const TaskBar& bar, double top, double height, bool with_scheduled) {
   sheet.plot.open("g", {{"class", "bar " + colour_class(bar.uav)}});
-  sheet.plot.title(bar_title(sheet.run.story.uavs[bar.uav].name, bar));
+  sheet.plot.title(bar_title(sheet.run.story.uavs[bar.uav].name, bar) + promise_title(sheet, bar));
   for (const TaskSegment& s : bar.segments) {
     if (s.state == TaskState::kScheduled && !with_scheduled) continue;
     sheet.bar(s.span, top, height, name_of(s.state));
     if (s.state == TaskState::kAborting) sheet.bar(s.span, top, height, "hatched");
   }
+  draw_promise(sheet, bar, top, height);
   draw_outcome(sheet, bar, top, height);
   draw_label(sheet, bar, top, height);
   sheet.plot.close();
@@ -167,7 +195,10 @@ std::size_t lane_count(const std::vector<PlacedBar>& placed) {
 void draw_uav(Sheet& sheet, std::size_t index, const std::vector<PlacedBar>& placed,
               bool with_scheduled) {
   const UavStory& uav = sheet.run.story.uavs[index];
-  const double lane = with_scheduled ? 15.0 : 13.0;
+  const bool planned = sheet.run.plans.promises.lower_bound({uav.name, 0}) !=
+                       sheet.run.plans.promises.upper_bound({uav.name, UINT64_MAX});
+  const double promise = planned ? 4.0 : 0.0;  // room for the band under each bar
+  const double lane = (with_scheduled ? 15.0 : 13.0) + promise;
   const double height = kRail + lane * static_cast<double>(lane_count(placed)) + 5;
   sheet.labels.leaf("rect", {{"class", "swatch " + colour_class(index)},
                              {"y", sheet.y + 2},
@@ -183,7 +214,7 @@ void draw_uav(Sheet& sheet, std::size_t index, const std::vector<PlacedBar>& pla
   const double rail = sheet.rails[uav.name];
   for (const PlacedBar& p : placed) {
     const double top = sheet.y + kRail + lane * static_cast<double>(p.lane) + 1;
-    draw_bar(sheet, *p.bar, top, lane - 3, with_scheduled);
+    draw_bar(sheet, *p.bar, top, lane - 3 - promise, with_scheduled);
   }
   draw_degrees(sheet, uav, rail);
   draw_processes(sheet, rail, &uav.name);

@@ -126,6 +126,47 @@ void read_expectation(FieldReader& f, Journal& j) {
   j.expectations.push_back({{}, f.text("name"), f.boolean("passed"), f.optional_text("seen")});
 }
 
+void read_goal(FieldReader& f, Journal& j) {
+  j.goals.push_back({{},
+                     f.name("uav"),
+                     f.id("goal"),
+                     f.id("mission"),
+                     f.text("statement"),
+                     f.text("state"),
+                     f.optional_text("why"),
+                     f.optional_text("asked_by")});
+}
+void read_plan(FieldReader& f, Journal& j) {
+  j.plans.push_back({{}, f.name("uav"), f.id("revision"), f.count("tasks")});
+}
+void read_planned(FieldReader& f, Journal& j) {
+  j.planned.push_back({{},
+                       f.name("uav"),
+                       f.id("revision"),
+                       f.id("task"),
+                       f.text("type"),
+                       f.id("goal"),
+                       f.number("earliest_start", kLatestSecond),
+                       f.optional_number("latest_start", kLatestSecond),
+                       f.number("earliest_end", kLatestSecond),
+                       f.optional_number("latest_end", kLatestSecond),
+                       f.optional_text("after"),
+                       f.optional_text("stop"),
+                       f.optional_text("methods"),
+                       f.boolean("committed"),
+                       f.optional_positions("way")});
+}
+void read_decision(FieldReader& f, Journal& j) {
+  j.decisions.push_back({{},
+                         f.name("uav"),
+                         f.id("number"),
+                         f.text("operator"),
+                         f.optional_text("cause"),
+                         f.optional_text("inputs"),
+                         f.optional_text("outcome"),
+                         f.number("took", kLatestSecond)});
+}
+
 // Gives the record just read its stamp, or takes it back when its line was wrong.
 template <class Record>
 void settle(std::vector<Record>& records, Stamp stamp, bool good) {
@@ -147,7 +188,7 @@ struct Kind {
   void (*settle)(Journal&, Stamp, bool good);
 };
 
-constexpr std::array<Kind, 21> kKinds{{
+constexpr std::array<Kind, 25> kKinds{{
     {"telemetry", read_telemetry, settle_in<&Journal::telemetry>},
     {"task", read_task, settle_in<&Journal::tasks>},
     {"message", read_message, settle_in<&Journal::messages>},
@@ -168,6 +209,10 @@ constexpr std::array<Kind, 21> kKinds{{
     {"expired", read_expired, settle_in<&Journal::undelivered>},
     {"lost", read_lost, settle_in<&Journal::undelivered>},
     {"mission", read_mission, settle_in<&Journal::missions>},
+    {"goal", read_goal, settle_in<&Journal::goals>},
+    {"plan", read_plan, settle_in<&Journal::plans>},
+    {"planned", read_planned, settle_in<&Journal::planned>},
+    {"decision", read_decision, settle_in<&Journal::decisions>},
     {"expectation", read_expectation, settle_in<&Journal::expectations>},
 }};
 
@@ -237,7 +282,8 @@ Result<Journal, Diagnostics> read_journal(std::istream& in, std::string_view nam
 void sort_by_time(Journal& j) {
   sort_each(j.tasks, j.requests, j.commands, j.syncs, j.messages, j.links, j.reaches, j.telemetry,
             j.objects, j.perceptions, j.alarms, j.phases, j.operators, j.degrees, j.faults,
-            j.processes, j.dropped, j.undelivered, j.missions, j.expectations, j.others);
+            j.processes, j.dropped, j.undelivered, j.missions, j.expectations, j.goals, j.plans,
+            j.planned, j.decisions, j.others);
 }
 
 }  // namespace skein::report

@@ -259,6 +259,7 @@ void write_map_legend(Markup& out, const Run& run) {
                        run.story.uavs[i].name);
   }
   const LegendEntry entries[] = {
+      {"<path class='planned u0' d='M-11 0H11'/>", "way planned"},
       {"<path class='takeoff u0' d='M0 -7L6 4H-6Z'/>", "take-off"},
       {"<path class='landing u0' d='M0 7L6 -4H-6Z'/>", "landing"},
       {"<g class='view u0' transform='translate(-10)'><path class='wedge' d='M0 0L20 -8V8Z'/>"

@@ -64,6 +64,9 @@ void write_body(Markup& out, const Run& run) {
   write_timeline(out, run);
   write_timeline_legend(out);
   out.close();
+  write_goal_table(out, run);
+  write_decision_table(out, run);
+  write_explained_tasks(out, run);
   write_uav_table(out, run);
   out.open("div", {{"class", "pair"}});
   write_message_table(out, run);
@@ -103,6 +106,9 @@ void write_timeline_legend(Markup& out) {
       {"<g class='bar u0'><rect class='running' y='1' width='20' height='12'/>"
        "<path class='cross' transform='translate(20 7)' d='M-4 -4L4 4M-4 4L4 -4'/></g>",
        "aborted"},
+      {"<g class='bar u0'><rect class='promise' y='5' width='28' height='4'/>"
+       "<rect class='certain' x='8' y='5' width='12' height='4'/></g>",
+       "planned: may be, must be under way"},
       {"<g class='sync'><line x1='3' x2='25' y1='7' y2='7' marker-end='url(#sync-head)'/></g>",
        "synchronisation"},
       {"<g class='message'><line x1='3' x2='25' y1='7' y2='7' "
@@ -125,7 +131,8 @@ std::string html_report(const RunInfo& info, const Journal& journal) {
   sort_by_time(ordered);
   const Chronology story = tell(info, ordered);
   const Statistics figures = measure(story, ordered);
-  const Run run{info, ordered, story, figures};
+  const Deliberation plans = tell_deliberation(ordered);
+  const Run run{info, ordered, story, figures, plans};
   Markup out;
   out.raw("<!DOCTYPE html>\n").open("html", {{"lang", "en"}});
   write_head(out, info);

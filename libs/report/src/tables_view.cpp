@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "links.hpp"
+#include "table.hpp"
 #include "views.hpp"
 
 namespace skein::report {
@@ -11,26 +12,10 @@ namespace {
 
 constexpr std::size_t kMostRows = 400;
 
-void open_table(Markup& out, std::string_view title, std::initializer_list<const char*> columns) {
-  out.open("section", {{"class", "card"}});
-  out.element("h2", {}, title);
-  out.open("div", {{"class", "scroll"}}).open("table", {{"class", "figures"}}).open("thead");
-  out.open("tr");
-  for (const char* column : columns) out.element("th", {}, column);
-  out.close().close().open("tbody");
-}
-
-void close_table(Markup& out) { out.close().close().close().close().line_break(); }
-
 void write_row(Markup& out, std::initializer_list<std::string> cells) {
   out.open("tr");
-  for (const std::string& cell : cells) out.element("td", {}, cell);
+  write_cells(out, cells);
   out.close();
-}
-
-void write_uav_name(Markup& out, std::size_t index, const std::string& name) {
-  out.open("td");
-  out.element("i", {{"class", "dot " + colour_class(index)}}, "").text(name).close();
 }
 
 std::string degrees_text(const UavStory& uav) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "chronology.hpp"
+#include "deliberation.hpp"
 #include "markup.hpp"
 #include "plot.hpp"
 #include "skein/report/journal.hpp"
@@ -19,6 +20,7 @@ struct Run {
   const Journal& journal;
   const Chronology& story;
   const Statistics& figures;
+  const Deliberation& plans;
 };
 
 /// How many distinct colours the style sheet has for UAVs (classes u0, u1, …).
@@ -59,6 +61,14 @@ void write_uav_table(Markup& out, const Run& run);
 void write_message_table(Markup& out, const Run& run);
 void write_link_table(Markup& out, const Run& run);
 void write_event_list(Markup& out, const Run& run);
+
+/// High-level tasks, decisions, and elementary tasks planned against done: nothing where there are
+/// none.
+void write_goal_table(Markup& out, const Run& run);
+void write_decision_table(Markup& out, const Run& run);
+void write_explained_tasks(Markup& out, const Run& run);
+/// The ways that were planned, under those that were flown.
+void write_planned_ways(Markup& out, const Run& run, const MapFrame& frame);
 
 /// The tracks and tasks that the page's script needs, as JSON.
 std::string page_data(const Run& run, const MapFrame& frame);

@@ -83,7 +83,8 @@ class Golden : public ::testing::Test {
   const Journal journal_ = small_journal();
   const Chronology story_ = tell(info_, journal_);
   const Statistics figures_ = measure(story_, journal_);
-  const report::Run run_{info_, journal_, story_, figures_};
+  const Deliberation plans_ = tell_deliberation(journal_);
+  const report::Run run_{info_, journal_, story_, figures_, plans_};
   Markup out_;
 };
 

@@ -19,7 +19,8 @@ std::string map_of(Journal journal, const RunInfo& info = {}) {
   sort_by_time(journal);
   const Chronology story = tell(info, journal);
   const Statistics figures = measure(story, journal);
-  const Run run{info, journal, story, figures};
+  const Deliberation plans = tell_deliberation(journal);
+  const Run run{info, journal, story, figures, plans};
   Markup out;
   write_map(out, run, frame_map(info, story));
   return out.take();

@@ -23,7 +23,7 @@ std::string written(Journal journal, const RunInfo& info, Write write) {
   const Chronology story = tell(info, journal);
   const Statistics figures = measure(story, journal);
   Markup out;
-  write(out, Run{info, journal, story, figures});
+  write(out, Run{info, journal, story, figures, tell_deliberation(journal)});
   return out.take();
 }
 
@@ -185,7 +185,7 @@ TEST(PageData, TracksAreInMapPixelsAndThinned) {
   const Statistics figures = measure(story, j);
   const MapFrame frame = frame_map(info, story);
 
-  const auto data = nlohmann::json::parse(page_data({info, j, story, figures}, frame));
+  const auto data = nlohmann::json::parse(page_data({info, j, story, figures, tell_deliberation(j)}, frame));
 
   const auto& track = data.at("uavs").at(0);
   EXPECT_LE(track.at("t").size(), 30'001U);
@@ -204,7 +204,7 @@ TEST(PageData, TasksThatNeverBeganAreLeftOut) {
   const Statistics figures = measure(story, j);
 
   const auto data =
-      nlohmann::json::parse(page_data({info, j, story, figures}, frame_map(info, story)));
+      nlohmann::json::parse(page_data({info, j, story, figures, tell_deliberation(j)}, frame_map(info, story)));
 
   EXPECT_EQ(data.at("tasks"), nlohmann::json::parse(R"([[0, 3.0, 8.0, "2 goto"]])"));
 }

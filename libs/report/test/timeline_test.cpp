@@ -21,7 +21,8 @@ std::string timeline_of(Journal journal, const RunInfo& info = {}) {
   const Chronology story = tell(info, journal);
   const Statistics figures = measure(story, journal);
   Markup out;
-  write_timeline(out, {info, journal, story, figures});
+  const Deliberation plans = tell_deliberation(journal);
+  write_timeline(out, {info, journal, story, figures, plans});
   return out.take();
 }
 

@@ -85,7 +85,7 @@ Verdict check_finally(const ExpectFinally& expected, const Records& records) {
 }
 
 Verdict check_measure(const ExpectMeasure& expected, const Records& records) {
-  const auto measured = measure(expected.quantity, expected.uavs, records);
+  const auto measured = measure(expected, records);
   if (!measured) return {"", false, "nothing to measure: " + measured.error()};
   const bool passed = (!expected.at_least || measured->value >= *expected.at_least) &&
                       (!expected.at_most || measured->value <= *expected.at_most);

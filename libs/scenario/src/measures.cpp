@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace skein::scenario {
 
@@ -95,22 +96,76 @@ tl::expected<Measured, std::string> mission_duration(const Records& records) {
   return tl::unexpected<std::string>("the mission did not finish");
 }
 
+// A volume with the time for which it is closed.
+struct Closure {
+  const world::Volume& volume;
+  world::TimeWindow when;
+
+  bool holds(MissionTime at, const Position& p) const {
+    return at >= when.from && at < when.until && p[2] >= volume.floor && p[2] < volume.ceiling &&
+           world::contains(volume.polygon, {p[0], p[1]});
+  }
+};
+
+std::vector<Closure> closures_of(const std::vector<ClosedAir>& air, const Records& records) {
+  std::vector<Closure> closures;
+  const auto first = [&](const Pattern& pattern, MissionTime from) {
+    const auto found = std::find_if(records.begin(), records.end(), [&](const auto& record) {
+      return record.at() >= from && pattern.matches(record);
+    });
+    return found == records.end() ? MissionTime::max() : found->at();
+  };
+  for (const ClosedAir& one : air) {
+    world::TimeWindow when = one.volume.when;
+    const MissionTime closed = one.closed_by ? first(*one.closed_by, {}) : MissionTime();
+    when.from = std::max(when.from, closed);
+    if (one.opened_by) when.until = std::min(when.until, first(*one.opened_by, closed));
+    closures.push_back({one.volume, when});
+  }
+  return closures;
+}
+
+tl::expected<Measured, std::string> time_in_volume(const ExpectMeasure& wanted,
+                                                   const Records& records) {
+  const std::vector<Closure> closures = closures_of(wanted.air, records);
+  std::map<std::string, std::optional<MissionTime>> inside;  // since when, by UAV
+  Measured sum{0, " s"};
+  for_telemetry(wanted.uavs, records, [&](const journal::Record& record, const std::string& uav) {
+    auto& since = inside[uav];
+    if (since) sum.value += (record.at() - *since).to_seconds();
+    since.reset();
+    if (!record.truth("airborne")) return;
+    const Position position = record.numbers("position");
+    for (const Closure& closure : closures) {
+      if (!closure.holds(record.at(), position)) continue;
+      since = record.at();
+      if (sum.context == " s") {
+        sum.context +=
+            " (" + uav + " in " + closure.volume.name + " at " + to_text(record.at()) + " s first)";
+      }
+      break;
+    }
+  });
+  if (inside.empty()) return tl::unexpected<std::string>("no telemetry");
+  return sum;
+}
+
 }  // namespace
 
-tl::expected<Measured, std::string> measure(ExpectMeasure::Quantity quantity,
-                                            const std::vector<std::string>& uavs,
-                                            const std::vector<journal::Record>& records) {
-  switch (quantity) {
+tl::expected<Measured, std::string> measure(const ExpectMeasure& wanted, const Records& records) {
+  switch (wanted.quantity) {
     case ExpectMeasure::Quantity::kMinimumSeparation:
-      return minimum_separation(uavs, records);
+      return minimum_separation(wanted.uavs, records);
     case ExpectMeasure::Quantity::kDistanceFlown:
-      return distance_flown(uavs, records);
+      return distance_flown(wanted.uavs, records);
+    case ExpectMeasure::Quantity::kTimeInVolume:
+      return time_in_volume(wanted, records);
     case ExpectMeasure::Quantity::kMissionDuration:
       return mission_duration(records);
     case ExpectMeasure::Quantity::kEnergyLeft:
       break;
   }
-  return energy_left(uavs, records);
+  return energy_left(wanted.uavs, records);
 }
 
 }  // namespace skein::scenario

@@ -13,9 +13,8 @@ struct Measured {
   std::string context;  ///< unit, who and when; follows the number
 };
 
-/// The figure, or why it cannot be computed. `uavs` empty: all that have telemetry.
-tl::expected<Measured, std::string> measure(ExpectMeasure::Quantity quantity,
-                                            const std::vector<std::string>& uavs,
+/// The figure, or why it cannot be computed. Without UAVs: all that have telemetry.
+tl::expected<Measured, std::string> measure(const ExpectMeasure& wanted,
                                             const std::vector<journal::Record>& records);
 
 }  // namespace skein::scenario

@@ -34,9 +34,10 @@ journal::Value value_of(const Reader& reader) {
 
 Pattern read_pattern(const Reader& reader, const Names& names) {
   static const std::vector<std::string> kKinds{
-      "task",    "request",    "command", "sync", "message", "link",     "reach",   "telemetry",
-      "object",  "perception", "alarm",   "step", "phase",   "operator", "degree",  "fault",
-      "process", "dropped",    "expired", "lost", "unsent",  "mission",  "contact", "notice"};
+      "task",    "request",    "command", "sync",     "message", "link",     "reach",   "telemetry",
+      "object",  "perception", "alarm",   "step",     "phase",   "operator", "degree",  "fault",
+      "process", "dropped",    "expired", "lost",     "unsent",  "mission",  "contact", "notice",
+      "goal",    "plan",       "planned", "decision", "answer",  "held"};
   Pattern pattern;
   for (const auto& [key, field] : entries_of(reader)) {
     std::vector<journal::Value> values;
@@ -89,10 +90,18 @@ ExpectEvent read_event(const Reader& reader, const Names& names) {
   return expected;
 }
 
-ExpectMeasure read_measure(const Reader& reader, const Names& names) {
+ExpectMeasure read_measure(const Reader& reader, const Names& names,
+                           const std::vector<ClosedAir>& air) {
   ExpectMeasure expected;
-  expected.quantity = static_cast<ExpectMeasure::Quantity>(reader.required("measure").choice(
-      {"minimum-separation", "distance-flown", "mission-duration", "energy-left"}));
+  const Reader quantity = reader.required("measure");
+  expected.quantity = static_cast<ExpectMeasure::Quantity>(
+      quantity.choice({"minimum-separation", "distance-flown", "mission-duration", "energy-left",
+                       "time-in-volume"}));
+  if (expected.quantity == ExpectMeasure::Quantity::kTimeInVolume) {
+    expected.air = air;
+    if (air.empty())
+      quantity.error("no air is closed", "world.volumes, or close_air in the script");
+  }
   for (const Reader& uav : items_of(reader.optional("uavs"))) {
     expected.uavs.push_back(uav.name_among(names.uavs, "a UAV"));
   }
@@ -118,7 +127,7 @@ ExpectEvent read_never(const Reader& reader, const Names& names) {
 
 }  // namespace
 
-void read_expectations(const Reader& reader, const Names& names,
+void read_expectations(const Reader& reader, const Names& names, const std::vector<ClosedAir>& air,
                        std::vector<Expectation>& expectations) {
   for (const Reader& item : items_of(reader)) {
     Expectation expectation;
@@ -135,7 +144,7 @@ void read_expectations(const Reader& reader, const Names& names,
                                        read_pattern(item.required("is"), names)};
     } else if (item.optional("measure").present()) {
       item.keys({"name", "measure", "uavs", "at_least", "at_most"});
-      expectation.what = read_measure(item, names);
+      expectation.what = read_measure(item, names, air);
     } else {
       item.keys({"name", "event", "never", "finally", "measure"});
       item.error("an expectation of no kind", "one of event, never, finally, measure");

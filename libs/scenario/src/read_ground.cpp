@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ground station's part of a scenario file: its script and its perception processing.
-#include "read_tasks.hpp"
+#include "read_missions.hpp"
 
 namespace skein::scenario {
 
@@ -13,22 +13,64 @@ using ground_station::Trigger;
 // In place of a trigger that was reported; it breaks no other rule.
 Trigger wrong_trigger() { return {ground_station::AtTime{}}; }
 
-Trigger read_trigger(const Reader& reader, const Names& names);
+Trigger read_trigger(const Reader& reader, TaskContext& context);
 
-std::vector<Trigger> read_triggers(const Reader& reader, const Names& names) {
+std::vector<Trigger> read_triggers(const Reader& reader, TaskContext& context) {
   std::vector<Trigger> triggers;
-  for (const Reader& item : items_of(reader)) triggers.push_back(read_trigger(item, names));
+  for (const Reader& item : items_of(reader)) triggers.push_back(read_trigger(item, context));
   return triggers;
 }
 
-ground_station::OnTask read_on_task(const Reader& reader, const Names& names) {
-  reader.keys({"uav", "id", "state"});
-  return {reader.required("uav").name_among(names.uavs, "a UAV"),
-          read_task_id(reader.required("id")), read_task_state(reader.required("state"))};
+std::string read_uav(const Reader& reader, const TaskContext& context) {
+  return reader.required("uav").name_among(context.names.uavs, "a UAV");
 }
 
-Trigger read_trigger(const Reader& reader, const Names& names) {
-  if (!reader.keys({"time", "alarm", "task", "operator", "step", "restart", "all", "any"})) {
+ground_station::OnTask read_on_task(const Reader& reader, const TaskContext& context) {
+  reader.keys({"uav", "id", "state"});
+  return {read_uav(reader, context), read_task_id(reader.required("id")),
+          read_task_state(reader.required("state"))};
+}
+
+ground_station::OnMission read_on_mission(const Reader& reader, TaskContext& context) {
+  reader.keys({"uav", "id", "state"});
+  ground_station::OnMission on{read_uav(reader, context), {}, {}};
+  on.mission = read_mission_id(reader.required("id"), on.uav, context);
+  on.state = static_cast<ground_station::MissionStage>(
+      reader.required("state").choice({"planned", "refused", "achieved", "failed"}));
+  return on;
+}
+
+ground_station::OnGoal read_on_goal(const Reader& reader, TaskContext& context) {
+  reader.keys({"uav", "id", "state"});
+  ground_station::OnGoal on{read_uav(reader, context), {}, {}};
+  on.goal = read_goal_id(reader.required("id"), on.uav, context);
+  on.state = static_cast<mission::GoalState>(reader.required("state").choice(
+      {"received", "planned", "under-way", "achieved", "failed", "cancelled", "handed-over"}));
+  return on;
+}
+
+ground_station::OnDegree read_on_degree(const Reader& reader, const TaskContext& context) {
+  reader.keys({"uav", "is"});
+  return {read_uav(reader, context), read_degree_number(reader.required("is"))};
+}
+
+// Those about one UAV; absent: it is none of them.
+std::optional<Trigger> read_uav_trigger(const Reader& reader, TaskContext& context) {
+  const auto given = [&](const char* key) { return reader.optional(key).present(); };
+  if (given("task")) return Trigger{read_on_task(reader.optional("task"), context)};
+  if (given("mission")) return Trigger{read_on_mission(reader.optional("mission"), context)};
+  if (given("goal")) return Trigger{read_on_goal(reader.optional("goal"), context)};
+  if (given("degree")) return Trigger{read_on_degree(reader.optional("degree"), context)};
+  if (given("restart")) {
+    return Trigger{ground_station::OnRestart{
+        reader.optional("restart").name_among(context.names.uavs, "a UAV")}};
+  }
+  return std::nullopt;
+}
+
+Trigger read_trigger(const Reader& reader, TaskContext& context) {
+  if (!reader.keys({"time", "alarm", "task", "mission", "goal", "degree", "operator", "step",
+                    "restart", "all", "any"})) {
     return wrong_trigger();
   }
   if (entries_of(reader).size() > 1 || reader.entries().empty()) {
@@ -40,22 +82,14 @@ Trigger read_trigger(const Reader& reader, const Names& names) {
     return {ground_station::OnAlarm{static_cast<ground_station::AlarmState>(
         reader.optional("alarm").choice({"raised", "confirmed", "infirmed"}))}};
   }
-  if (given("task")) return {read_on_task(reader.optional("task"), names)};
   if (given("operator")) return {ground_station::OnOperator{reader.optional("operator").text()}};
   if (given("step")) {
-    const std::string step = reader.optional("step").name_among(names.steps, "a step");
+    const std::string step = reader.optional("step").name_among(context.names.steps, "a step");
     return step.empty() ? wrong_trigger() : Trigger{ground_station::OnStep{step}};
   }
-  if (given("restart")) {
-    return {ground_station::OnRestart{reader.optional("restart").name_among(names.uavs, "a UAV")}};
-  }
-  if (given("all")) return {ground_station::AllOf{read_triggers(reader.optional("all"), names)}};
-  if (given("any")) return {ground_station::AnyOf{read_triggers(reader.optional("any"), names)}};
-  return wrong_trigger();
-}
-
-std::string read_uav(const Reader& reader, const TaskContext& context) {
-  return reader.required("uav").name_among(context.names.uavs, "a UAV");
+  if (given("all")) return {ground_station::AllOf{read_triggers(reader.optional("all"), context)}};
+  if (given("any")) return {ground_station::AnyOf{read_triggers(reader.optional("any"), context)}};
+  return read_uav_trigger(reader, context).value_or(wrong_trigger());
 }
 
 Action read_plan(const Reader& reader, TaskContext& context) {
@@ -91,25 +125,40 @@ Action read_update(const Reader& reader, TaskContext& context) {
   return result;
 }
 
+Action read_message(const Reader& reader, TaskContext& context) {
+  reader.keys({"uav", "text"});
+  return ground_station::SendMessage{read_uav(reader, context), reader.required("text").text()};
+}
+
+std::optional<Action> read_action(const Reader& reader, TaskContext& context) {
+  static const std::vector<MissionAction> kPlain{{"plan", read_plan},
+                                                 {"abort", read_abort},
+                                                 {"message", read_message},
+                                                 {"update", read_update}};
+  for (const auto* actions : {&kPlain, &mission_actions()}) {
+    for (const MissionAction& action : *actions) {
+      const Reader given = reader.optional(action.key);
+      if (given.present()) return action.read(given, context);
+    }
+  }
+  if (reader.optional("finish").boolean(false)) return ground_station::Finish{};
+  return std::nullopt;
+}
+
 std::vector<Action> read_actions(const Reader& reader, TaskContext& context) {
   std::vector<Action> actions;
   for (const Reader& item : items_of(reader)) {
-    item.keys({"plan", "abort", "message", "update", "finish"});
-    at_most_one_of(item, {"plan", "abort", "message", "update", "finish"});
-    if (const Reader plan = item.optional("plan"); plan.present()) {
-      actions.push_back(read_plan(plan, context));
-    } else if (const Reader abort = item.optional("abort"); abort.present()) {
-      actions.push_back(read_abort(abort, context));
-    } else if (const Reader message = item.optional("message"); message.present()) {
-      message.keys({"uav", "text"});
-      actions.push_back(
-          ground_station::SendMessage{read_uav(message, context), message.required("text").text()});
-    } else if (const Reader update = item.optional("update"); update.present()) {
-      actions.push_back(read_update(update, context));
-    } else if (item.optional("finish").boolean(false)) {
-      actions.push_back(ground_station::Finish{});
+    item.keys({"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
+               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "finish"});
+    at_most_one_of(
+        item, {"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
+               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "finish"});
+    if (auto action = read_action(item, context)) {
+      actions.push_back(std::move(*action));
     } else {
-      item.error("an action of no kind", "one of plan, abort, message, update, finish: true");
+      item.error("an action of no kind",
+                 "one of plan, abort, message, update, mission, cancel, degree, take_in_hand, "
+                 "give_back, resume_plan, drop_plan, close_air, open_air, finish: true");
     }
   }
   return actions;
@@ -120,7 +169,7 @@ ground_station::Step read_step(const Reader& reader, TaskContext& context) {
   ground_station::Step step;
   step.name = reader.required("step").text("of line " + std::to_string(reader.line()));
   step.phase = reader.optional("phase").text();
-  step.when = read_trigger(reader.required("when"), context.names);
+  step.when = read_trigger(reader.required("when"), context);
   step.after = read_seconds(reader.optional("after"));
   step.actions = read_actions(reader.optional("do"), context);
   step.once = !reader.optional("repeats").boolean(false);
@@ -131,13 +180,26 @@ ground_station::OperatorAction read_operator(const Reader& reader, TaskContext& 
   reader.keys({"does", "when", "after", "do"});
   ground_station::OperatorAction action;
   action.does = reader.required("does").text();
-  action.when = read_trigger(reader.required("when"), context.names);
+  action.when = read_trigger(reader.required("when"), context);
   action.after = read_seconds(reader.optional("after"));
   action.actions = read_actions(reader.optional("do"), context);
   return action;
 }
 
-// Known beforehand, for steps may wait for later ones.
+// Volumes that the script closes; known beforehand, for steps may stand in any order.
+void add_volume_names(const Reader& list, std::vector<std::string>& names) {
+  if (!list.is_sequence()) return;
+  for (const Reader& item : list.items()) {
+    const Reader actions = item.optional("do");
+    if (!actions.is_sequence()) continue;
+    for (const Reader& action : actions.items()) {
+      const Reader name = action.optional("close_air").optional("name");
+      if (name.is_scalar()) names.push_back(name.text());
+    }
+  }
+}
+
+// Likewise: steps may wait for later ones.
 std::vector<std::string> step_names(const Reader& script) {
   std::vector<std::string> names;
   if (!script.is_sequence()) return names;
@@ -171,14 +233,17 @@ void read_script(const Reader& ground, const Scenario& scenario, ground_station:
   level.east = level.north = 1000;
   const bool usable = world::problems_of(scenario.world.terrain).empty();
   const world::Terrain terrain(usable ? scenario.world.terrain : level);
-  TaskContext context{scenario, names_of(scenario), terrain, {}};
+  TaskContext context{scenario, names_of(scenario), terrain};
   context.names.steps = step_names(ground.optional("script"));
+  add_volume_names(ground.optional("script"), context.names.volumes);
+  add_volume_names(ground.optional("operator"), context.names.volumes);
   for (const Reader& step : items_of(ground.required("script"))) {
     script.steps.push_back(read_step(step, context));
   }
   for (const Reader& action : items_of(ground.optional("operator"))) {
     script.operators.push_back(read_operator(action, context));
   }
+  check_references(context);
   script.command_lifetime =
       read_seconds(ground.optional("command_lifetime"), script.command_lifetime);
   for (const std::string& problem : ground_station::problems_of(script)) ground.error(problem);

@@ -73,14 +73,6 @@ Target to_points(const Reader& params, const TaskContext& context) {
   return {at, "waypoints"};
 }
 
-Target near_alarm(const Reader& reader) {
-  reader.keys({"bearing", "distance", "altitude"});
-  return {ground_station::NearAlarm{reader.required("bearing").number(0, kAngle),
-                                    reader.required("distance").number(0, {0, 100'000, "m"}),
-                                    reader.required("altitude").number(0, kAltitude)},
-          "waypoints"};
-}
-
 Target over_zone(const Reader& reader, const TaskContext& context) {
   reader.keys({"zone", "spacing", "altitude", "around_alarm"});
   ground_station::OverZone over;
@@ -103,7 +95,7 @@ std::vector<Target> read_targets(const Reader& params, const TaskContext& contex
   std::vector<Target> targets;
   if (params.optional("to").present()) targets.push_back(to_points(params, context));
   if (const Reader near = params.optional("near_alarm"); near.present()) {
-    targets.push_back(near_alarm(near));
+    targets.push_back({read_near_alarm(near), "waypoints"});
   }
   if (const Reader over = params.optional("over"); over.present()) {
     targets.push_back(over_zone(over, context));
@@ -117,13 +109,8 @@ std::vector<Target> read_targets(const Reader& params, const TaskContext& contex
 
 executive::Parameter read_parameter(const std::string& name, const Reader& reader) {
   if (reader.is_sequence()) return {name, "", reader.numbers()};
-  config::Value scalar;
-  scalar.kind = config::Value::Kind::kScalar;
-  scalar.scalar = reader.text();
-  Diagnostics not_a_number;
-  const double number = Reader(scalar, "", not_a_number).number();
-  if (not_a_number.empty()) return {name, "", {number}};
-  return {name, scalar.scalar, {}};
+  if (const auto number = number_in(reader)) return {name, "", {*number}};
+  return {name, reader.text(), {}};
 }
 
 void check_device(const Reader& device, const std::string& uav, const TaskContext& context) {
@@ -179,6 +166,23 @@ void check_type(const Reader& type, const std::string& name) {
 }
 
 }  // namespace
+
+ground_station::NearAlarm read_near_alarm(const Reader& reader) {
+  reader.keys({"bearing", "distance", "altitude"});
+  return {reader.required("bearing").number(0, kAngle),
+          reader.required("distance").number(0, {0, 100'000, "m"}),
+          reader.required("altitude").number(0, kAltitude)};
+}
+
+std::optional<double> number_in(const Reader& reader) {
+  if (!reader.is_scalar()) return std::nullopt;
+  config::Value scalar;
+  scalar.kind = config::Value::Kind::kScalar;
+  scalar.scalar = reader.text();
+  Diagnostics not_a_number;
+  const double number = Reader(scalar, "", not_a_number).number();
+  return not_a_number.empty() ? std::optional(number) : std::nullopt;
+}
 
 executive::TaskId read_task_id(const Reader& reader) {
   const std::uint64_t id = reader.natural();

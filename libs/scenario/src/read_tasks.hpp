@@ -11,13 +11,25 @@
 
 namespace skein::scenario {
 
+/// A mission or high-level task that something in the script is about.
+struct Reference {
+  config::Reader at;
+  std::string uav;
+  std::uint64_t id = 0;
+  bool is_goal = false;
+};
+
 /// What tasks may refer to.
 struct TaskContext {
   const Scenario& scenario;
   Names names;
   const world::Terrain& terrain;
   /// Tasks planned so far, by UAV and id.
-  std::set<std::pair<std::string, executive::TaskId>> planned;
+  std::set<std::pair<std::string, executive::TaskId>> planned = {};
+  /// Missions and high-level tasks sent so far, likewise.
+  std::set<std::pair<std::string, mission::MissionId>> missions = {};
+  std::set<std::pair<std::string, mission::GoalId>> goals = {};
+  std::vector<Reference> references = {};
 };
 
 /// A task for a UAV; empty: for one that is not known.
@@ -26,5 +38,9 @@ ground_station::PlannedTask read_task(const config::Reader& reader, const std::s
 executive::Formula read_formula(const config::Reader& reader);
 executive::TaskId read_task_id(const config::Reader& reader);
 executive::TaskState read_task_state(const config::Reader& reader);
+/// {bearing, distance, altitude}.
+ground_station::NearAlarm read_near_alarm(const config::Reader& reader);
+/// The number that a scalar says, in silence if it says none.
+std::optional<double> number_in(const config::Reader& reader);
 
 }  // namespace skein::scenario

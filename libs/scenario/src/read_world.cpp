@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "reading.hpp"
+#include "skein/mission/autonomy.hpp"
 #include "skein/world/radio_reader.hpp"
 #include "skein/world/vehicle_model_reader.hpp"
 
@@ -40,14 +41,9 @@ void read_model(const Reader& reader, const std::string& folder, Diagnostics& di
   uav.model_file = reader.text();
   if (uav.model_file.empty()) return;
   const std::string path = (std::filesystem::path(folder) / uav.model_file).string();
-  std::error_code error;
-  std::ifstream in(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, error) || !in) {
-    reader.error("model file '" + path + "' cannot be read");
-    return;
-  }
-  const std::string text((std::istreambuf_iterator<char>(in)), {});
-  auto model = world::read_vehicle_model(text, path);
+  const auto text = read_text_of(reader, "model file", path);
+  if (!text) return;
+  auto model = world::read_vehicle_model(*text, path);
   if (!model) {
     diagnostics.append(model.error());
   } else {
@@ -72,6 +68,17 @@ bool usable_name(const std::string& name) {
 
 }  // namespace
 
+std::optional<std::string> read_text_of(const Reader& reader, const char* what,
+                                        const std::string& path) {
+  std::error_code error;
+  std::ifstream in(path, std::ios::binary);
+  if (std::filesystem::is_regular_file(path, error) && in) {
+    return std::string((std::istreambuf_iterator<char>(in)), {});
+  }
+  reader.error(std::string(what) + " '" + path + "' cannot be read");
+  return std::nullopt;
+}
+
 void at_most_one_of(const Reader& reader, std::initializer_list<const char*> keys) {
   const char* first = nullptr;
   for (const char* key : keys) {
@@ -91,11 +98,16 @@ Duration read_seconds(const Reader& reader, Duration otherwise) {
 }
 
 void read_world(const Reader& reader, WorldSpec& world) {
-  if (!reader.keys({"origin", "terrain", "wind", "zones", "places", "objects"})) return;
+  if (!reader.keys({"origin", "terrain", "wind", "zones", "volumes", "places", "objects"})) return;
   world.origin = world::read_geodetic(reader.required("origin"));
   world.terrain = world::read_terrain(reader.required("terrain"));
   world.wind = world::read_wind(reader.optional("wind"));
   world.zones = world::read_zones(reader.optional("zones"));
+  for (const auto& [name, volume] : entries_of(reader.optional("volumes"))) {
+    if (volume.keys({"polygon", "floor", "ceiling", "from", "until"})) {
+      world.volumes.push_back(read_volume(name, volume));
+    }
+  }
   for (const auto& [name, place] : entries_of(reader.optional("places"))) {
     world.places.emplace(name, read_point(place));
   }
@@ -118,7 +130,8 @@ void read_uavs(const Reader& reader, const std::string& folder, Diagnostics& dia
     spec.start = read_point_2d(uav.required("start"));
     spec.heading = uav.optional("heading").number(0, {-7, 7, "rad"});
     spec.energy = uav.optional("energy").number(1, kFraction);
-    spec.degree = static_cast<int>(uav.optional("degree").integer(3, 1, 3));
+    spec.degree = static_cast<int>(
+        uav.optional("degree").integer(3, mission::kLeastDegree, mission::kGreatestDegree));
     if (spec.model.pilot) spec.contact_loss.policy = ContactLoss::Policy::kHold;
     read_contact_loss(uav.optional("contact_loss"), spec.contact_loss);
     uavs.push_back(std::move(spec));
@@ -144,33 +157,59 @@ void read_radio(const Reader& reader, const Names& names, RadioSpec& radio) {
   }
 }
 
+namespace {
+
+void read_fault(const Reader& fault, const Names& names, FaultSpec& faults) {
+  const MissionTime at = read_instant(fault.required("at"));
+  const auto uav = [&](const Reader& of) { return of.name_among(names.uavs, "a UAV"); };
+  if (const Reader kill = fault.optional("kill"); kill.present()) {
+    KillSpec spec{at, kill.name_among(names.nodes, "a UAV or ground"), std::nullopt};
+    const Reader restart = fault.optional("restart_after");
+    if (restart.present()) spec.restart_after = read_seconds(restart);
+    faults.kills.push_back(std::move(spec));
+  } else if (const Reader engine = fault.optional("engine"); engine.present()) {
+    faults.breaks.push_back({at, uav(engine), ""});
+  } else if (const Reader sensor = fault.optional("sensor"); sensor.present()) {
+    sensor.keys({"uav", "device"});
+    faults.breaks.push_back({at, uav(sensor.required("uav")), sensor.required("device").text()});
+  } else if (const Reader slow = fault.optional("slow"); slow.present()) {
+    slow.keys({"uav", "factor", "for"});
+    faults.slows.push_back({at, uav(slow.required("uav")),
+                            slow.required("factor").number(1, {1, 100, "times slower"}),
+                            read_seconds(slow.required("for"))});
+  } else if (const Reader abort = fault.optional("abort"); abort.present()) {
+    abort.keys({"uav", "type"});
+    static const std::vector<std::string> kTypes{"takeoff", "land", "goto", "wait", "takeshot"};
+    faults.aborts.push_back({at, uav(abort.required("uav")),
+                             abort.required("type").name_among(kTypes, "a type of tasks")});
+  } else if (const Reader energy = fault.optional("energy"); energy.present()) {
+    energy.keys({"uav", "left"});
+    faults.energies.push_back(
+        {at, uav(energy.required("uav")), energy.required("left").number(0, kFraction)});
+  } else {
+    fault.error("a fault of no kind", "one of kill, engine, sensor, slow, abort, energy, random");
+  }
+}
+
+void read_random_faults(const Reader& random, RandomFaults& faults) {
+  random.keys({"cuts_per_hour", "mean_cut", "kills_per_hour", "mean_dead"});
+  faults = {random.optional("cuts_per_hour").number(0, {0, 1000, ""}),
+            random.optional("mean_cut").number(20, {1, 3600, "s"}),
+            random.optional("kills_per_hour").number(0, {0, 100, ""}),
+            random.optional("mean_dead").number(5, {1, 3600, "s"})};
+}
+
+}  // namespace
+
 void read_faults(const Reader& reader, const Names& names, FaultSpec& faults) {
   for (const Reader& fault : items_of(reader)) {
-    fault.keys({"at", "kill", "restart_after", "engine", "sensor", "random"});
-    at_most_one_of(fault, {"kill", "engine", "sensor", "random"});
-    const Reader random = fault.optional("random");
-    if (random.present()) {
-      random.keys({"cuts_per_hour", "mean_cut", "kills_per_hour", "mean_dead"});
-      faults.random = {random.optional("cuts_per_hour").number(0, {0, 1000, ""}),
-                       random.optional("mean_cut").number(20, {1, 3600, "s"}),
-                       random.optional("kills_per_hour").number(0, {0, 100, ""}),
-                       random.optional("mean_dead").number(5, {1, 3600, "s"})};
-      continue;
-    }
-    const MissionTime at = read_instant(fault.required("at"));
-    if (const Reader kill = fault.optional("kill"); kill.present()) {
-      KillSpec spec{at, kill.name_among(names.nodes, "a UAV or ground"), std::nullopt};
-      const Reader restart = fault.optional("restart_after");
-      if (restart.present()) spec.restart_after = read_seconds(restart);
-      faults.kills.push_back(std::move(spec));
-    } else if (const Reader engine = fault.optional("engine"); engine.present()) {
-      faults.breaks.push_back({at, engine.name_among(names.uavs, "a UAV"), ""});
-    } else if (const Reader sensor = fault.optional("sensor"); sensor.present()) {
-      sensor.keys({"uav", "device"});
-      faults.breaks.push_back({at, sensor.required("uav").name_among(names.uavs, "a UAV"),
-                               sensor.required("device").text()});
+    fault.keys(
+        {"at", "kill", "restart_after", "engine", "sensor", "slow", "abort", "energy", "random"});
+    at_most_one_of(fault, {"kill", "engine", "sensor", "slow", "abort", "energy", "random"});
+    if (const Reader random = fault.optional("random"); random.present()) {
+      read_random_faults(random, faults.random);
     } else {
-      fault.error("a fault of no kind", "one of kill, engine, sensor, random");
+      read_fault(fault, names, faults);
     }
   }
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,21 +20,38 @@ struct Names {
   std::vector<std::string> nodes;  ///< the UAVs and "ground"
   std::vector<std::string> zones;
   std::vector<std::string> places;
-  std::vector<std::string> steps;  ///< of the ground's script
+  std::vector<std::string> volumes;  ///< known from the start or closed by the script
+  std::vector<std::string> steps;    ///< of the ground's script
 };
 
 Names names_of(const Scenario& scenario);
+
+// What is said where planning on board is asked for in a scenario that has none.
+inline constexpr const char* kNoPlanning = "nothing is said of planning on board";
+inline constexpr const char* kPlanningWanted = "planning: {domain: FILE}";
 
 void read_world(const config::Reader& reader, WorldSpec& world);
 void read_uavs(const config::Reader& reader, const std::string& folder, Diagnostics& diagnostics,
                std::vector<UavSpec>& uavs);
 void read_radio(const config::Reader& reader, const Names& names, RadioSpec& radio);
 void read_faults(const config::Reader& reader, const Names& names, FaultSpec& faults);
+/// Absent: the scenario says nothing of planning.
+std::optional<PlanningSpec> read_planning(const config::Reader& reader, const std::string& folder,
+                                          const Names& names);
+void read_variations(const config::Reader& reader, Variations& variations);
 void read_pps(const config::Reader& reader, ground_station::PpsConfig& pps);
 void read_script(const config::Reader& ground, const Scenario& scenario,
                  ground_station::Script& script);
 void read_expectations(const config::Reader& reader, const Names& names,
-                       std::vector<Expectation>& expectations);
+                       const std::vector<ClosedAir>& air, std::vector<Expectation>& expectations);
+/// What is closed from the start and by the script, and when.
+std::vector<ClosedAir> closed_air_of(const Scenario& scenario);
+
+/// A closed piece of air: {polygon, floor, ceiling, from, until}, beside keys of the caller's.
+world::Volume read_volume(const std::string& name, const config::Reader& reader);
+/// The text of a file named relative to a folder; reports what cannot be read.
+std::optional<std::string> read_text_of(const config::Reader& reader, const char* what,
+                                        const std::string& path);
 
 // What scenarios read as world files do.
 using world::entries_of;

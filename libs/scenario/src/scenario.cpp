@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <iomanip>
@@ -11,28 +10,12 @@
 
 #include "reading.hpp"
 #include "skein/config/parse.hpp"
-#include "skein/foundation/random.hpp"
 
 namespace skein::scenario {
 
 namespace {
 
 using config::Reader;
-
-// A waiting time with this mean [s].
-double exponential(Random& random, double mean) { return -mean * std::log(1 - random.uniform()); }
-
-// Instants of a Poisson process over the mission, each followed by a pause of mean length `mean`.
-template <class Use>
-void draw(Random random, double per_hour, double mean, MissionTime limit, Use use) {
-  if (per_hour <= 0) return;
-  double at = exponential(random, 3600 / per_hour);
-  while (at < limit.to_seconds()) {
-    const double length = std::max(1.0, exponential(random, mean));
-    use(MissionTime::seconds(at), Duration::seconds(length));
-    at += length + exponential(random, 3600 / per_hour);
-  }
-}
 
 void read_ground(const Reader& reader, Scenario& scenario) {
   reader.keys({"position", "pps", "script", "operator", "command_lifetime"});
@@ -55,11 +38,18 @@ void read_epoch(const Reader& reader, std::string& epoch) {
   reader.error("'" + epoch + "'", "an instant in UTC such as 2005-05-19T09:00:00Z");
 }
 
+void check_degrees(const Reader& uavs, const Scenario& scenario) {
+  for (const UavSpec& uav : scenario.uavs) {
+    if (uav.degree < 4 || scenario.planning) continue;
+    uavs.optional(uav.name).optional("degree").error(kNoPlanning, kPlanningWanted);
+  }
+}
+
 void read_all(const Reader& reader, const std::string& folder, Diagnostics& diagnostics,
               Scenario& scenario) {
   if (!reader.present()) reader.error("nothing", "a scenario");
   if (!reader.keys({"scenario", "epoch", "duration_limit", "rate", "seed", "world", "uavs", "radio",
-                    "ground", "faults", "expect"})) {
+                    "ground", "planning", "faults", "variations", "expect"})) {
     return;
   }
   scenario.name = reader.required("scenario").text();
@@ -71,9 +61,13 @@ void read_all(const Reader& reader, const std::string& folder, Diagnostics& diag
   read_uavs(reader.required("uavs"), folder, diagnostics, scenario.uavs);
   const Names names = names_of(scenario);
   read_radio(reader.optional("radio"), names, scenario.radio);
+  scenario.planning = read_planning(reader.optional("planning"), folder, names);
+  check_degrees(reader.required("uavs"), scenario);
   read_ground(reader.required("ground"), scenario);
   read_faults(reader.optional("faults"), names, scenario.faults);
-  read_expectations(reader.optional("expect"), names, scenario.expectations);
+  read_variations(reader.optional("variations"), scenario.variations);
+  read_expectations(reader.optional("expect"), names, closed_air_of(scenario),
+                    scenario.expectations);
 }
 
 }  // namespace
@@ -97,6 +91,7 @@ Names names_of(const Scenario& scenario) {
   names.nodes.emplace_back("ground");
   for (const world::Zone& zone : scenario.world.zones) names.zones.push_back(zone.name);
   for (const auto& [name, place] : scenario.world.places) names.places.push_back(name);
+  for (const world::Volume& volume : scenario.world.volumes) names.volumes.push_back(volume.name);
   return names;
 }
 
@@ -122,26 +117,6 @@ Result<Scenario, Diagnostics> read_scenario(const std::string& path) {
 
 Result<Scenario, Diagnostics> read_scenario_text(std::string_view text, const std::string& file) {
   return read_document(config::parse_yaml(text, file), file);
-}
-
-void draw_random_faults(Scenario& scenario) {
-  const RandomFaults& random = scenario.faults.random;
-  std::vector<std::string> nodes = scenario.uav_names();
-  nodes.emplace_back("ground");
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    for (std::size_t j = i + 1; j < nodes.size(); ++j) {
-      draw(Random(scenario.seed, "cut " + nodes[i] + " " + nodes[j]), random.cuts_per_hour,
-           random.mean_cut, scenario.duration_limit, [&](MissionTime at, Duration length) {
-             scenario.radio.cuts.push_back({nodes[i], nodes[j], at, at + length});
-           });
-    }
-  }
-  for (const UavSpec& uav : scenario.uavs) {
-    draw(Random(scenario.seed, "kill " + uav.name), random.kills_per_hour, random.mean_dead,
-         scenario.duration_limit, [&](MissionTime at, Duration length) {
-           scenario.faults.kills.push_back({at, uav.name, length});
-         });
-  }
 }
 
 }  // namespace skein::scenario

@@ -44,7 +44,8 @@ SKEIN_WRONG_FILES(
     Top,
     Wrong{"UnknownKey", "duration_limit: 600", "duration_limit: 600\nsede: 4",
           "4:7: sede: unknown key 'sede'; expected one of scenario, epoch, duration_limit, rate, "
-          "seed, world, uavs, radio, ground, faults, expect; did you mean 'seed'?\n"},
+          "seed, world, uavs, radio, ground, planning, faults, variations, …; did you mean "
+          "'seed'?\n"},
     Wrong{"MissingKey", "duration_limit: 600\n", "", "1:1: duration_limit: missing\n"},
     Wrong{"WrongType", "duration_limit: 600", "duration_limit: soon",
           "3:17: duration_limit: 'soon'; expected a number from 0 to 1e+07 s\n"},
@@ -91,7 +92,7 @@ SKEIN_WRONG_FILES(
 SKEIN_WRONG_FILES(
     Uavs,
     Wrong{"DegreeOutOfRange", "degree: 2", "degree: 7",
-          "14:61: uavs.heliv.degree: '7'; expected a whole number from 1 to 3\n"},
+          "14:61: uavs.heliv.degree: '7'; expected a whole number from 1 to 4\n"},
     Wrong{"ModelThatIsNotThere", "models/marvin.yaml", "models/marvn.yaml",
           "13:19: uavs.marvin.model: model file 'models/marvn.yaml' cannot be read\n"},
     Wrong{"ModelThatIsAFolder", "models/marvin.yaml", "models",
@@ -138,15 +139,17 @@ SKEIN_WRONG_FILES(
 SKEIN_WRONG_FILES(
     Faults,
     Wrong{"OfNoKind", kFault, "{at: 100}",
-          "32:5: faults[0]: a fault of no kind; expected one of kill, engine, sensor, random\n"},
+          "32:5: faults[0]: a fault of no kind; expected one of kill, engine, sensor, slow, abort, "
+          "energy, random\n"},
     Wrong{"OfTwoKinds", kFault, "{at: 100, kill: heliv, engine: marvin}",
           "32:36: faults[0].engine: 'engine' beside 'kill'; expected one of the two\n"},
     Wrong{"OfAStranger", kFault, "{at: 100, engine: karma}",
           "32:23: faults[0].engine: unknown name 'karma'; expected a UAV\n"},
     Wrong{"UnknownKind", kFault, "{at: 100, kil: heliv}",
           "32:20: faults[0].kil: unknown key 'kil'; expected one of at, kill, restart_after, "
-          "engine, sensor, random; did you mean 'kill'?\n"
-          "32:5: faults[0]: a fault of no kind; expected one of kill, engine, sensor, random\n"});
+          "engine, sensor, slow, abort, energy, random; did you mean 'kill'?\n"
+          "32:5: faults[0]: a fault of no kind; expected one of kill, engine, sensor, slow, abort, "
+          "energy, random\n"});
 
 SKEIN_WRONG_FILES(
     Tasks,
@@ -226,7 +229,8 @@ SKEIN_WRONG_FILES(Script,
                         "18:3: ground: step 'start' waits for one of nothing\n"},
                   Wrong{"ActionOfNoKind", "do: [{finish: true}]", "do: [{finish: false}]",
                         "30:12: ground.script[1].do[0]: an action of no kind; expected one of "
-                        "plan, abort, message, update, finish: true\n"},
+                        "plan, abort, message, update, mission, cancel, degree, take_in_hand, "
+                        "give_back, resume_plan, drop_plan, close_air, open_air, finish: true\n"},
                   Wrong{"ActionOfTwoKinds", "do: [{finish: true}]",
                         "do: [{finish: true, message: {uav: heliv, text: go}}]",
                         "30:21: ground.script[1].do[0].finish: 'finish' beside 'message'; expected "
@@ -273,7 +277,7 @@ SKEIN_WRONG_FILES(
           "after, before, within\n"},
     Wrong{"UnknownMeasure", kExpectation, "{name: flies, measure: separation, at_least: 3}",
           "34:28: expect[0].measure: 'separation'; expected one of minimum-separation, "
-          "distance-flown, mission-duration, energy-left\n"},
+          "distance-flown, mission-duration, energy-left, time-in-volume\n"},
     Wrong{"MeasureWithoutBounds", kExpectation, "{name: flies, measure: energy-left}",
           "34:5: expect[0]: a measure without bounds; expected at_least, at_most\n"},
     Wrong{"BoundsOfNoFigure", kExpectation,
@@ -293,10 +297,10 @@ TEST(WrongFiles, AllErrorsOfAFileAreToldAtOnce) {
 
   EXPECT_EQ(errors_of(text),
             "3:16: duration_limt: unknown key 'duration_limt'; expected one of scenario, epoch, "
-            "duration_limit, rate, seed, world, uavs, radio, ground, faults, expect; did you mean "
-            "'duration_limit'?\n"
+            "duration_limit, rate, seed, world, uavs, radio, ground, planning, faults, variations, "
+            "…; did you mean 'duration_limit'?\n"
             "1:1: duration_limit: missing\n"
-            "14:61: uavs.heliv.degree: '7'; expected a whole number from 1 to 3\n"
+            "14:61: uavs.heliv.degree: '7'; expected a whole number from 1 to 4\n"
             "16:10: radio.cuts[0]: a cut between a node and itself\n"
             "26:61: ground.script[0].do[0].plan.tasks[1].params.to: unknown name 'bsae'; expected "
             "a place or [x, y, z]; did you mean 'base'?\n"

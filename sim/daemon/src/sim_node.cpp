@@ -34,6 +34,22 @@ FunctionalRequest request_of(const std::string& uav, const wire::FunctionalReque
           request.type, from_wire(request.parameters)};
 }
 
+std::string what_of(const Fault& fault) {
+  switch (fault.kind) {
+    case FaultKind::kEngine:
+      return "engine";
+    case FaultKind::kSensor:
+      return "sensor " + fault.device;
+    case FaultKind::kSlow:
+      return "slow";
+    case FaultKind::kAbort:
+      return "abort " + fault.type;
+    case FaultKind::kEnergy:
+      break;
+  }
+  return "energy";
+}
+
 // Wire instances are 32 bits: a truth's is a fixed hash of its name.
 std::uint32_t instance_of(const std::string& name) {
   std::uint32_t hash = 2166136261U;
@@ -80,10 +96,9 @@ void SimNode::run_due_faults(MissionTime now, node::Effects& out) {
   while (!faults_.empty() && faults_.front().at <= now) {
     const ScheduledFault due = faults_.front();
     faults_.pop_front();
-    const std::string what =
-        due.fault.kind == FaultKind::kEngine ? std::string("engine") : "sensor " + due.fault.device;
-    out.push_back(
-        node::Log{Record(due.at, "sim", "fault").with("what", what).with("target", due.fault.uav)});
+    out.push_back(node::Log{Record(due.at, "sim", "fault")
+                                .with("what", what_of(due.fault))
+                                .with("target", due.fault.uav)});
     const node::Effects effects = translate(simulator_.handle(due.fault, now));
     out.insert(out.end(), effects.begin(), effects.end());
   }
@@ -107,8 +122,9 @@ void SimNode::take(const FunctionalStatus& status, node::Effects& out) const {
 }
 
 void SimNode::take(const Telemetry& telemetry, node::Effects& out) const {
-  out.push_back(node::Send{number_of(telemetry.uav), to_wire(telemetry.uav, telemetry.state),
-                           MissionTime::max()});
+  wire::Telemetry sample = to_wire(telemetry.uav, telemetry.state);
+  sample.failed = telemetry.failed;
+  out.push_back(node::Send{number_of(telemetry.uav), std::move(sample), MissionTime::max()});
 }
 
 void SimNode::take(const PerceptionOut& out_of, node::Effects& out) const {

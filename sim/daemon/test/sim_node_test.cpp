@@ -249,6 +249,19 @@ TEST(SimNode, InterruptsWhatItIsToldTo) {
   EXPECT_THAT(rig.statuses(), Contains("marvin 1 aborted"));
 }
 
+// The second may be the ground's, through the decision node, after a change of degree.
+TEST(SimNode, AnswersARequestThatItHasAlreadyWithoutDoingItTwice) {
+  Rig rig;
+  rig.run_until(0);
+  rig.take_off("marvin", 1);
+
+  rig.take_off("marvin", 20);
+  EXPECT_THAT(rig.statuses(), Contains("marvin 1 ended"));
+  rig.take_off("marvin", 30);
+
+  EXPECT_THAT(rig.statuses(), ElementsAre("marvin 1 ended"));
+}
+
 class Unrelated : public ::testing::TestWithParam<wire::Sample> {};
 
 TEST_P(Unrelated, SamplesChangeNothing) {
@@ -327,6 +340,32 @@ TEST(SimNode, PlaysFaultsAtTheirInstantAndLogsThem) {
   ASSERT_EQ(rig.records("fault").size(), 1U);
   EXPECT_EQ(rig.records("fault")[0].text("what"), "sensor visible");
   EXPECT_EQ(rig.records("fault")[0].at(), at(30));
+}
+
+TEST(SimNode, EveryFaultHasANameInTheLog) {
+  Fault abort{"marvin", FaultKind::kAbort};
+  abort.type = "takeshot";
+  Fault energy{"marvin", FaultKind::kEnergy};
+  energy.left = 0.5;
+  Rig rig({{at(1), {"marvin", FaultKind::kSlow}}, {at(2), abort}, {at(3), energy}});
+
+  rig.run_until(4);
+
+  std::vector<std::string> names;
+  for (const journal::Record& record : rig.records("fault")) {
+    names.emplace_back(record.text("what"));
+  }
+  EXPECT_THAT(names, ElementsAre("slow", "abort takeshot", "energy"));
+}
+
+TEST(SimNode, TellsADecisionNodeWhatDoesNotWork) {
+  Rig rig({{at(1), {"heliv", FaultKind::kSensor, "visible"}}});
+
+  rig.run_until(2);
+
+  const auto telemetry = rig.sent<wire::Telemetry>();
+  EXPECT_THAT(telemetry[telemetry.size() - 2].second.failed, IsEmpty());
+  EXPECT_THAT(telemetry.back().second.failed, ElementsAre("visible"));
 }
 
 }  // namespace

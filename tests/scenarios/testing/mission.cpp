@@ -64,13 +64,15 @@ std::optional<double> Mission::first(const Fields& fields) const {
   return found.front().at().to_seconds();
 }
 
-scenario::Scenario comets(const std::string& name, const assembly::Overrides& overrides) {
-  auto scenario = scenario::read_scenario(std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/" +
-                                          name + ".yaml");
+scenario::Scenario scenario_at(const std::string& name, const assembly::Overrides& overrides) {
+  auto scenario = assembly::load_scenario(
+      std::string(SKEIN_SOURCE_DIR) + "/scenarios/" + name + ".yaml", overrides);
   if (!scenario) give_up(scenario.error());
-  const Diagnostics diagnostics = assembly::apply(overrides, *scenario);
-  if (!diagnostics.empty()) give_up(diagnostics);
   return std::move(*scenario);
+}
+
+scenario::Scenario comets(const std::string& name, const assembly::Overrides& overrides) {
+  return scenario_at("comets/" + name, overrides);
 }
 
 assembly::Overrides with(std::uint64_t seed, std::vector<std::string> degrees) {

@@ -33,6 +33,10 @@ struct Mission {
   std::optional<double> first(const Fields& fields) const;
 };
 
+/// scenarios/NAME.yaml ("karma/detection") with these overrides. Stops the program if it cannot be
+/// read.
+scenario::Scenario scenario_at(const std::string& name, const assembly::Overrides& overrides = {});
+
 /// scenarios/comets/NAME.yaml with these overrides. Stops the program if it cannot be read.
 scenario::Scenario comets(const std::string& name, const assembly::Overrides& overrides = {});
 

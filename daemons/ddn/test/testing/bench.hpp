@@ -42,6 +42,20 @@ inline wire::TaskRequest start(std::uint64_t number, executive::Task task,
   return command(number, executive::Start{std::move(task), mode});
 }
 
+inline wire::DegreeCommand degree(std::uint64_t number, int wanted) {
+  wire::DegreeCommand sample;
+  sample.header.incarnation = 1;
+  sample.command = number;
+  sample.degree = static_cast<std::uint8_t>(wanted);
+  sample.resume = true;
+  sample.asked_by = "operator";
+  return sample;
+}
+inline wire::DegreeCommand interrupting(wire::DegreeCommand sample) {
+  sample.interrupt = true;
+  return sample;
+}
+
 inline wire::FunctionalRequest dispatch(std::uint64_t id, const std::string& type) {
   wire::FunctionalRequest request;
   request.uav = "marvin";
@@ -108,6 +122,21 @@ inline std::string say(const wire::PerceptionReport&) { return "perception"; }
 inline std::string say(const wire::AutonomyDegree& it) {
   return "degree " + std::to_string(it.degree);
 }
+/// "hand-over 2: 4 running, 5 scheduled, (100)"; in brackets what is only planned.
+inline std::string say(const wire::HandOver& it) {
+  std::string text = "hand-over " + std::to_string(it.degree) + ":";
+  const char* separator = " ";
+  for (const wire::HeldTask& held : it.tasks) {
+    const std::string id = std::to_string(held.task.id);
+    text += separator +
+            (held.in_executive ? id + " " + std::string(name_of(held.state)) : "(" + id + ")");
+    separator = ", ";
+  }
+  return text;
+}
+inline std::string say(const wire::MissionOutcome& it) {
+  return "mission " + std::to_string(it.unit_mission) + (it.planned ? " planned" : " not planned");
+}
 template <class Other>
 std::string say(const Other&) {
   return "?";
@@ -133,13 +162,13 @@ class Bench {
     return config;
   }
 
-  /// Gives the input now; what goes out, but for plan boards and the log, as "to: word".
+  /// Gives the input now; what goes out, but for plans, decisions and the log, as "to: word".
   std::vector<std::string> give(const node::Input& input) {
     effects_ = node_.handle(input, now_);
     std::vector<std::string> words;
     for (const node::Effect& effect : effects_) {
       const auto* send = std::get_if<node::Send>(&effect);
-      if (send == nullptr || std::holds_alternative<wire::PlanBoard>(send->sample)) continue;
+      if (send == nullptr || is_report(send->sample)) continue;
       words.push_back(roster_.name_of(send->to) + ": " +
                       std::visit([](const auto& it) { return say(it); }, send->sample));
     }
@@ -197,7 +226,21 @@ class Bench {
     return nullptr;
   }
 
+  std::vector<node::StartJob> jobs() const {
+    std::vector<node::StartJob> jobs;
+    for (const node::Effect& effect : effects_) {
+      if (const auto* job = std::get_if<node::StartJob>(&effect)) jobs.push_back(*job);
+    }
+    return jobs;
+  }
+
  private:
+  static bool is_report(const wire::Sample& sample) {
+    return std::holds_alternative<wire::PlanBoard>(sample) ||
+           std::holds_alternative<wire::MissionPlan>(sample) ||
+           std::holds_alternative<wire::Decision>(sample);
+  }
+
   node::Roster roster_;
   DdnNode node_;
   MissionTime now_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/translation/missions.hpp"
 #include "skein/translation/tasks.hpp"
 #include "skein/world/parameters.hpp"
 #include "skein/world/perception.hpp"
@@ -123,6 +124,108 @@ inline executive::UpdateConditions any_update() {
 
 inline executive::InsertionMode any_mode() {
   return static_cast<executive::InsertionMode>(*rc::gen::inRange(0, 4));
+}
+
+// ---- missions ----
+
+inline bool any_truth() { return *rc::gen::arbitrary<bool>(); }
+
+/// A name as the domain and the scenario have it: no spaces.
+inline std::string any_word() {
+  const auto letter =
+      rc::gen::map(rc::gen::inRange(0, 26), [](int i) { return static_cast<char>('a' + i); });
+  return *rc::gen::nonEmpty(rc::gen::container<std::string>(letter));
+}
+
+inline std::uint64_t any_positive() {
+  return *rc::gen::inRange<std::uint64_t>(1, std::uint64_t{1} << 62U);
+}
+
+inline std::optional<MissionTime> perhaps_an_instant() {
+  if (any_truth()) return std::nullopt;
+  return MissionTime::nanoseconds(*rc::gen::inRange<std::int64_t>(-1'000'000, 1'000'000'000));
+}
+
+inline mission::TimeConstraints any_time_constraints() {
+  return {perhaps_an_instant(), perhaps_an_instant(), perhaps_an_instant(), perhaps_an_instant()};
+}
+
+inline mission::Argument any_argument() {
+  switch (*rc::gen::inRange(0, 4)) {
+    case 0:
+      return any_word();
+    case 1:
+      return any_number();
+    case 2:
+      return any_vector();
+    default:
+      return some(any_word);
+  }
+}
+
+inline mission::HighLevelTask any_high_level_task() {
+  return {mission::GoalId(any_positive()), any_text(), some(any_argument), any_time_constraints()};
+}
+
+inline mission::UnitMission any_unit_mission() {
+  return {mission::MissionId(any_positive()), some(any_high_level_task),
+          static_cast<mission::Placement>(*rc::gen::inRange(0, 5)), any_truth(), any_text()};
+}
+
+inline mission::CancelGoals any_cancellation() {
+  return {some([] { return mission::GoalId(any_positive()); }), mission::MissionId(any_id()),
+          any_truth()};
+}
+
+inline mission::GoalStatus any_goal() {
+  return {mission::GoalId(any_id()),
+          mission::MissionId(any_id()),
+          any_text(),
+          static_cast<mission::GoalState>(
+              *rc::gen::inRange(0, static_cast<int>(mission::GoalState::kCount))),
+          any_text(),
+          any_text()};
+}
+
+/// Ascending ids.
+inline std::vector<mission::HeldTask> any_held_tasks() {
+  std::uint64_t id = 0;
+  return some([&] {
+    mission::HeldTask held{any_task(), static_cast<executive::TaskState>(*rc::gen::inRange(0, 4)),
+                           any_truth(), mission::GoalId(any_id())};
+    held.task.id = executive::TaskId(id += *rc::gen::inRange<std::uint64_t>(1, 1000));
+    return held;
+  });
+}
+
+inline mission::Dependence any_dependence() {
+  return {static_cast<mission::DependenceKind>(*rc::gen::inRange(0, 3)),
+          executive::TaskId(any_id())};
+}
+
+/// What the wire has fields for; the rest as constructed.
+inline mission::PlannedTask any_planned_task(std::uint64_t id) {
+  mission::PlannedTask planned;
+  planned.task.id = executive::TaskId(id);
+  planned.task.type = any_text();
+  planned.task.origin = mission::GoalId(any_id());
+  planned.task.dependences = some(any_dependence);
+  planned.task.stop = some(any_dependence);
+  planned.task.way = some(any_vector);
+  planned.task.methods = some(any_word);
+  const auto later = [](MissionTime t) {
+    return any_truth() ? MissionTime::max() : t + Duration::seconds(std::abs(any_number()));
+  };
+  const auto start = MissionTime::seconds(any_number());
+  const auto end = MissionTime::seconds(any_number());
+  planned.dates = {start, later(start), end, later(end)};
+  planned.committed = any_truth();
+  return planned;
+}
+
+inline mission::PlanReport any_plan_report() {
+  std::uint64_t id = any_positive();
+  return {any_id(), any_instant(), some([&] { return any_planned_task(id++); }), some(any_goal)};
 }
 
 }  // namespace skein::translation::testing

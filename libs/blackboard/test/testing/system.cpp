@@ -16,7 +16,7 @@ std::vector<ChannelConfig> channels_of(const Node& node) {
   const auto add = [&](const std::vector<ChannelConfig>& link) {
     channels.insert(channels.end(), link.begin(), link.end());
   };
-  if (node.number != kSim.number) add(radio_link(kGround, kMarvin));
+  if (node.number != kSim.number) add(station_link(kGround, kMarvin));
   if (node.number != kGround.number) add(onboard_link(kMarvin, kSim));
   channels.push_back(world_channel());
   return channels;

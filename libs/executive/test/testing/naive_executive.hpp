@@ -36,7 +36,7 @@ class NaiveExecutive {
     Task task;
     Formula pre, exit;
     TaskState state = TaskState::kScheduled;
-    bool urgent = false, suppressed = false;
+    bool urgent = false, suppressed = false, relinquished = false;
     std::set<TaskId> blockers;
     std::optional<MissionTime> urgent_until, answer_until;
     std::set<std::string> resources;
@@ -123,6 +123,19 @@ class NaiveExecutive {
       }
     }
     return true;
+  }
+
+  // A relinquished task counts as aborted for ever to who names it, even if it comes back.
+  Formula settled(Formula f) const {
+    for (Clause& clause : f) {
+      for (Literal& l : clause) {
+        const auto* e = std::get_if<TaskInState>(&l.condition);
+        if (e == nullptr || tasks_.count(e->task) == 0 || !tasks_.at(e->task).relinquished)
+          continue;
+        l.condition = TimeIs{MissionTime::nanoseconds(-1), e->state == TaskState::kAborted};
+      }
+    }
+    return f;
   }
 
   // --- time ---
@@ -266,7 +279,7 @@ class NaiveExecutive {
   }
   void on(const Start& s) {
     const TaskId id = s.task.id;
-    const bool fine = tasks_.count(id) == 0;
+    const bool fine = tasks_.count(id) == 0 || tasks_.at(id).relinquished;
     reply(RequestKind::kStart, id, fine);
     if (!fine) return;
     Entry e;
@@ -291,6 +304,8 @@ class NaiveExecutive {
       go(tasks_[id] = e, TaskState::kAborted);
       return;
     }
+    e.pre = settled(e.pre);
+    e.exit = settled(e.exit);
     e.urgent = s.mode == InsertionMode::kVut;
     Entry& kept = tasks_[id] = e;
     tell(kept);
@@ -327,8 +342,8 @@ class NaiveExecutive {
     if (fine && u.exit) fine = names_only_known(u.id, *u.exit) && !exits(*u.exit);
     reply(RequestKind::kUpdateConditions, u.id, fine);
     if (!fine) return;
-    if (u.preconditions) e->pre = *u.preconditions;
-    if (u.exit) e->exit = *u.exit;
+    if (u.preconditions) e->pre = settled(*u.preconditions);
+    if (u.exit) e->exit = settled(*u.exit);
   }
   void on(const Suppress& s) {
     Entry* e = in_plan(s.id);
@@ -360,6 +375,17 @@ class NaiveExecutive {
           done.insert(e.task.synchronisation->id).second) {
         out_.push_back(SendSync{e.task.synchronisation->id, p.name});
       }
+    }
+  }
+  void on(const Relinquish& r) {
+    for (auto& [id, e] : tasks_) {
+      if (id >= r.below || is_terminal(e.state)) continue;
+      const Task task = e.task;
+      e = Entry();
+      e.task = task;
+      e.state = TaskState::kAborted;
+      e.suppressed = e.relinquished = true;
+      for (auto& [other, o] : tasks_) o.blockers.erase(id);
     }
   }
   void on(const Flight&) {}

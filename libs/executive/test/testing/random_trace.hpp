@@ -113,7 +113,8 @@ class RandomTrace {
     }
     if (kind < 0.89) return Suppress{id()};
     if (kind < 0.95) return SyncReceived{1 + random_.below(3), uav()};
-    if (kind < 0.98) return PeerReachable{uav()};
+    if (kind < 0.975) return PeerReachable{uav()};
+    if (kind < 0.985) return Relinquish{};
     return Tick{};
   }
 

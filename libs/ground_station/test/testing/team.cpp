@@ -105,7 +105,13 @@ void Team::take(const SendRequest& request) {
   by_radio(request.uav, [this, request] {
     Uav& uav = uavs_[request.uav];
     if (!uav.mle || now_ > request.expires || !uav.handled.insert(request.command).second) return;
-    std::visit([&](const auto& it) { to_mle(request.uav, it, request.command); }, request.request);
+    std::visit(
+        [&](const auto& it) {
+          if constexpr (std::is_constructible_v<executive::Input, decltype(it)>) {
+            to_mle(request.uav, it, request.command);
+          }
+        },
+        request.request);
   });
 }
 

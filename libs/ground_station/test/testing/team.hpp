@@ -63,7 +63,7 @@ class Team {
   void take(const SendSync& sync);
   void take(const CommandChanged& change) { commands_.push_back(change); }
   void take(const PhaseEntered& phase) { phases_.push_back(phase.name); }
-  void take(const LocalTaskEvent& event) { record(event.uav, event.task, event.state); }
+  void take(const LocalTaskEvent& event) { record(event.uav, event.event.id, event.event.state); }
   void take(const Anomaly& anomaly) { anomalies_.push_back(anomaly.why); }
   template <class Other>
   void take(const Other&) {}

@@ -48,6 +48,33 @@ expect:
   - {name: flies, event: {kind: task, uav: marvin, task: 1, state: ended}}
 )";
 
+constexpr const char* kPlanningScenario =
+    R"(scenario: planning
+epoch: 2005-05-19T09:00:00Z
+duration_limit: 600
+world:
+  origin: {latitude: 40.1, longitude: -8.2, altitude: 200}
+  terrain: {west: -500, south: -500, east: 500, north: 500, cell: 20}
+  zones: {Z: [[0, 0], [200, 0], [200, 100]]}
+  volumes: {tower: {polygon: [[300, 300], [400, 300], [400, 400]], ceiling: 90}}
+  places: {base: [0, 0, 0]}
+uavs:
+  karma: {model: models/karma.yaml, start: [0, 0], degree: 4}
+  heliv: {model: models/heliv.yaml, start: [10, 0]}
+planning: {domain: ../domains/comets.lisp, first_ids: {karma: 100}}
+ground:
+  script:
+    - step: start
+      when: {time: 5}
+      do:
+        - mission: {uav: karma, id: 1, tasks: [{id: 700, task: [general-takeoff]}, {id: 701, task: [perceive, base, 20]}]}
+    - step: end
+      when: {goal: {uav: karma, id: 701, state: achieved}}
+      do: [{finish: true}]
+expect:
+  - {name: plans, event: {kind: answer, uav: karma, planned: true}}
+)";
+
 // Beside the COMETS scenarios, so that their models are found.
 constexpr const char* kFolder = SKEIN_SOURCE_DIR "/scenarios/comets/";
 const std::string kFile = std::string(kFolder) + "small.yaml";
@@ -76,13 +103,24 @@ std::string TemporaryFolder::write(const std::string& name, const std::string& t
   return file.string();
 }
 
-std::string scenario_with(const std::string& piece, const std::string& instead) {
-  std::string text = kScenario;
+namespace {
+
+std::string replaced(std::string text, const std::string& piece, const std::string& instead) {
   if (piece.empty()) return text;
   const std::size_t at = text.find(piece);
   EXPECT_NE(at, std::string::npos) << piece;
   if (at != std::string::npos) text.replace(at, piece.size(), instead);
   return text;
+}
+
+}  // namespace
+
+std::string scenario_with(const std::string& piece, const std::string& instead) {
+  return replaced(kScenario, piece, instead);
+}
+
+std::string planning_scenario_with(const std::string& piece, const std::string& instead) {
+  return replaced(kPlanningScenario, piece, instead);
 }
 
 std::string errors_of(const std::string& text) {

@@ -28,6 +28,10 @@ class TemporaryFolder {
 /// there. Lines are those of the text in files.cpp.
 std::string scenario_with(const std::string& piece = "", const std::string& instead = "");
 
+/// Likewise of one with planning on board: karma at degree 4 is sent mission 1 with the high-level
+/// tasks 700 and 701 in step start; heliv at degree 3; no-fly volume tower, zone Z, place base.
+std::string planning_scenario_with(const std::string& piece = "", const std::string& instead = "");
+
 /// What reading it reports, one line each, without the file's name and folder; empty when it is
 /// fine.
 std::string errors_of(const std::string& text);

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "skein/foundation/time.hpp"
 #include "skein/world/parameters.hpp"
@@ -30,14 +31,27 @@ struct FunctionalRequest {
 /// Time passes.
 struct Tick {};
 
-enum class FaultKind { kEngine, kSensor };
+enum class FaultKind {
+  kEngine,  ///< for good: the vehicle sinks to the ground, its tasks abort
+  kSensor,  ///< for good: `device` fails, its task aborts
+  kSlow,    ///< takeoff, landing and goto are flown at 1/`factor` of their speed, for `lasts`
+  kAbort,   ///< the task of `type` that runs aborts, or else the next one that could begin
+  kEnergy   ///< what is left becomes `left`, if that is less
+};
 
-/// Something on board breaks, for good. Engine: the vehicle sinks to the ground, its tasks abort.
+/// Something goes wrong on board.
 struct Fault {
   std::string uav;
   FaultKind kind = FaultKind::kEngine;
-  std::string device = {};  ///< of a sensor fault
+  std::string device = {};
+  double factor = 1;  ///< >= 1; one that cannot hover stays at its least speed
+  Duration lasts = {};
+  std::string type = {};
+  double left = 0;  ///< [0, 1]
 };
+
+/// Why a task aborts that a fault of kind kAbort met.
+inline constexpr const char* kAbortedByFault = "aborted by the functional layer";
 
 /// The decision node of a vehicle can no longer be heard by it (lost), or again.
 struct ContactLost {
@@ -62,11 +76,15 @@ struct FunctionalStatus {
   bool operator==(const FunctionalStatus&) const = default;
 };
 
+/// Among the failed devices: the engine.
+inline constexpr const char* kEngineDevice = "engine";
+
 /// What the vehicle tells of itself, once per telemetry period.
 struct Telemetry {
   std::string uav;
   world::VehicleState state;
   MissionTime at;
+  std::vector<std::string> failed = {};  ///< devices that do not work, by name; kEngineDevice too
   bool operator==(const Telemetry&) const = default;
 };
 

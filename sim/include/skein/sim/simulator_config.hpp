@@ -24,6 +24,9 @@ struct SimulatedVehicle {
   world::Vector2 start = world::Vector2::Zero();  ///< on the ground there
   double heading = 0;                             ///< [rad], ENU counter-clockwise from east
   double energy = 1;                              ///< at the start, [0, 1]
+  /// Of the speeds that its model promises, what it flies takeoffs, landings and ways at, > 0; its
+  /// limits stay.
+  double speed_factor = 1;
 };
 
 /// A scripted loss of the radio between two nodes, both ways, in [from, until).

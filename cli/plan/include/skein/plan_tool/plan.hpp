@@ -2,6 +2,7 @@
 // `skein plan`: plans the problems of some files, or checks a plan against them.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <iosfwd>
 #include <string>
@@ -10,6 +11,16 @@
 #include "skein/htn/planner.hpp"
 
 namespace skein::plan_tool {
+
+/// What a planning domain of missions asks its host about (docs/comets-domain.md). Empty: nothing.
+struct MissionFiles {
+  std::string world;             ///< --world FILE
+  std::string vehicle;           ///< --vehicle FILE: a vehicle model
+  std::string uav;               ///< --uav NAME; empty: the model's
+  std::array<double, 3> home{};  ///< --home X,Y,Z: `home` and `zero` [m], unless places are
+  double altitude = 40;          ///< --altitude H: of flights, over the ground [m]
+  bool taskreq = false;          ///< --taskreq: plans in the form of the seeds
+};
 
 /// Source: spec 3.2.
 struct PlanOptions {
@@ -27,6 +38,7 @@ struct PlanOptions {
   htn::StepIndex executed = 0;  ///< --executed N: steps of that plan, internal ones too
   std::vector<std::string> diverge;  ///< --diverge FORM…: what changed by itself
   bool quiet = false;                ///< --quiet: no warnings, no progress
+  MissionFiles mission;
 };
 
 /// What the tool may ask of the process it runs in; every function may be absent.

@@ -4,6 +4,7 @@
 
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 #include "skein/assembly/overrides.hpp"
 
@@ -16,6 +17,7 @@ struct RunOptions {
   std::string out;    ///< folder for the results; empty: out/<scenario>
   bool json = false;  ///< one JSON document on standard output instead of text; no progress
   bool quiet = false;
+  std::vector<std::string> explain;     ///< "karma", "karma:104": said after the run
   bool check_only = false;              ///< read and check the scenario, start nothing
   std::string daemons;                  ///< folder of skein-ground, …; empty: beside this program
   std::optional<std::uint32_t> domain;  ///< DDS domain; absent: a free one
@@ -25,7 +27,12 @@ struct RunOptions {
 /// that is said on the way to `err`.
 int run(const RunOptions& options, std::ostream& out, std::ostream& err);
 
-/// Writes the report of a finished run's folder again.
-int report(const std::string& folder, std::ostream& out, std::ostream& err);
+struct ReportOptions {
+  std::string folder;
+  std::vector<std::string> explain;  ///< "karma", "karma:104"; then no report is written
+};
+
+/// Writes the report of a finished run's folder again, or explains what UAVs did in it.
+int report(const ReportOptions& options, std::ostream& out, std::ostream& err);
 
 }  // namespace skein::run_tool

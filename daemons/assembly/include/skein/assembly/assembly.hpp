@@ -18,7 +18,8 @@ node::Roster roster_of(const scenario::Scenario& scenario);
 std::unique_ptr<node::Node> make_node(const scenario::Scenario& scenario, const std::string& name);
 
 /// What the reader of a scenario cannot see because it only shows when the parts meet (a start
-/// outside the terrain, a cut between unknown nodes): every problem at once.
+/// outside the terrain, a cut between unknown nodes, a planning domain with errors): every problem
+/// at once. Missions that make no sense are none: a UAV refuses them in flight.
 Diagnostics check_assembly(const scenario::Scenario& scenario);
 
 /// How the virtual runtime plays the scenario.

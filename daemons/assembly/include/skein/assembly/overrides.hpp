@@ -19,7 +19,8 @@ struct Overrides {
   std::vector<std::string> as_options() const;
 };
 
-/// Changes the scenario, then draws its random faults with the seed in force. Every error at once.
+/// Changes the scenario, then draws its random faults and variations with the seed in force. Every
+/// error at once.
 Diagnostics apply(const Overrides& overrides, scenario::Scenario& scenario);
 
 /// Reads a scenario file, applies the overrides and checks that its parts fit together.

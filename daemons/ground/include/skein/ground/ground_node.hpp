@@ -10,13 +10,14 @@
 #include "skein/ground_station/ground_control.hpp"
 #include "skein/node/node.hpp"
 #include "skein/node/roster.hpp"
+#include "skein/translation/journal_lines.hpp"
 #include "skein/world/terrain.hpp"
 
 namespace skein::ground {
 
 /// Samples and records around GroundControl (the CDN: MPS, MCS, PPS). What does not come from the
-/// decision node of a UAV, or answers another UAV's command, is logged once per sender and slot and
-/// dropped. Source: spec 1.1.
+/// decision node of a UAV, answers another UAV's command, or makes no sense, is logged once per
+/// sender and slot and dropped. Source: spec 1.1.
 class GroundNode final : public node::Node {
  public:
   GroundNode(const ground_station::GroundConfig& config, world::Terrain terrain,
@@ -29,10 +30,12 @@ class GroundNode final : public node::Node {
   using Input = ground_station::GroundControl::Input;
 
   std::optional<Input> input_of(const node::Input& input);
-  std::optional<Input> input_from(const node::Received& received) const;
+  std::optional<Input> input_from(const node::Received& received);
+  std::optional<Input> input_of_mission(const std::string& uav, const node::Received& received);
   bool is_uav(node::NodeNumber number) const;
   std::string why_not(const node::Received& received) const;
-  void drop(const node::Received& received, const std::string& why);
+  void drop(const node::Received& received, const wire::Violation& violation);
+  bool is_addressee(std::uint64_t command, node::NodeNumber from) const;
   Input input_of(const wire::PlanBoard& board) const;
 
   void carry_out(const ground_station::SendRequest& effect);
@@ -50,11 +53,14 @@ class GroundNode final : public node::Node {
   void carry_out(const ground_station::OperatorDid& effect);
   void carry_out(const ground_station::DegreeChanged&) {}  // the UAV logs its own
   void carry_out(const ground_station::UavRestarted& effect);
+  void carry_out(const ground_station::HeldPlanChanged& effect);
   void carry_out(const ground_station::Anomaly& effect);
   void carry_out(const ground_station::MissionFinished& effect);
 
   void send(const std::string& uav, wire::Sample sample, MissionTime expires = MissionTime::max());
+  wire::Sample sample_of(const ground_station::SendRequest& effect) const;
   void log(journal::Record record);
+  translation::Writer writer() const { return {now_, "ground"}; }
   journal::Record record(const char* kind) const;
 
   world::Terrain terrain_;

@@ -15,10 +15,11 @@
 namespace skein::wire {
 
 /// The value of one slot. The order of the alternatives is the order of `Slot`.
-using Sample =
-    std::variant<DirectoryEntry, Clock, LinkState, PlanBoard, AutonomyDegree, MissionState,
-                 TaskRequest, RequestReply, TaskEvent, FunctionalRequest, FunctionalStatus,
-                 SyncMessage, Alarm, JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat>;
+using Sample = std::variant<DirectoryEntry, Clock, LinkState, PlanBoard, AutonomyDegree,
+                            MissionState, MissionPlan, TaskRequest, RequestReply, TaskEvent,
+                            FunctionalRequest, FunctionalStatus, SyncMessage, Alarm, MissionRequest,
+                            DegreeCommand, WorldChange, MissionOutcome, HandOver, Decision,
+                            JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat>;
 
 enum class Slot : std::uint8_t {
   kDirectoryEntry,
@@ -27,6 +28,7 @@ enum class Slot : std::uint8_t {
   kPlanBoard,
   kAutonomyDegree,
   kMissionState,
+  kMissionPlan,
   kTaskRequest,
   kRequestReply,
   kTaskEvent,
@@ -34,6 +36,12 @@ enum class Slot : std::uint8_t {
   kFunctionalStatus,
   kSyncMessage,
   kAlarm,
+  kMissionRequest,
+  kDegreeCommand,
+  kWorldChange,
+  kMissionOutcome,
+  kHandOver,
+  kDecision,
   kJournalEntry,
   kTelemetry,
   kPerceptionReport,
@@ -48,7 +56,7 @@ enum class SlotClass : std::uint8_t { kState, kEvent, kStream };
 constexpr Slot slot_of(const Sample& sample) { return static_cast<Slot>(sample.index()); }
 
 constexpr SlotClass slot_class(Slot slot) {
-  if (slot <= Slot::kMissionState) return SlotClass::kState;
+  if (slot <= Slot::kMissionPlan) return SlotClass::kState;
   return slot <= Slot::kJournalEntry ? SlotClass::kEvent : SlotClass::kStream;
 }
 

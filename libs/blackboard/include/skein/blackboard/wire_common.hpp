@@ -31,6 +31,8 @@ constexpr std::string_view name_of(E value) {
 }
 
 inline constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+/// Of an instant that may be absent: it is.
+inline constexpr std::int64_t kNoInstant = std::numeric_limits<std::int64_t>::min();
 
 /// Stamped by the blackboard, except `instance`, which a sender chooses. Source: spec 1.3.
 struct SampleHeader {
@@ -121,5 +123,60 @@ struct TaskSpec {
 };
 SKEIN_WIRE_FIELDS(TaskSpec, id, type, parameters, preconditions, exit_conditions,
                   has_synchronisation, synchronisation, senders, receivers, has_deadline, deadline)
+
+/// A high-level task as it is asked for. The name of each argument is its kind: "name" (text),
+/// "number" (one number), "location" (x, y, z) or "names" (text, separated by spaces).
+struct MissionTask {
+  std::uint64_t id = 0;
+  std::string name;
+  std::vector<Parameter> arguments;
+  std::int64_t start_before = kNoInstant;  ///< [ns]; kNoInstant: free, as the next three
+  std::int64_t start_after = kNoInstant;
+  std::int64_t end_before = kNoInstant;
+  std::int64_t end_after = kNoInstant;
+  bool operator==(const MissionTask&) const = default;
+};
+SKEIN_WIRE_FIELDS(MissionTask, id, name, arguments, start_before, start_after, end_before,
+                  end_after)
+
+enum class GoalState : std::uint32_t {
+  kReceived,
+  kPlanned,
+  kUnderWay,
+  kAchieved,
+  kFailed,
+  kCancelled,
+  kHandedOver,
+  kCount
+};
+constexpr auto names_of(GoalState) {
+  return std::to_array<std::string_view>(
+      {"received", "planned", "under-way", "achieved", "failed", "cancelled", "handed-over"});
+}
+
+/// Where a high-level task stands.
+struct GoalEntry {
+  std::uint64_t id = 0;
+  std::uint64_t mission = 0;
+  std::string statement;
+  GoalState state = GoalState::kReceived;
+  std::string why;  ///< of failed and cancelled
+  std::string asked_by;
+  bool operator==(const GoalEntry&) const = default;
+};
+SKEIN_WIRE_FIELDS(GoalEntry, id, mission, statement, state, why, asked_by)
+
+enum class DependenceKind : std::uint32_t { kEnded, kRunning, kOver, kCount };
+constexpr auto names_of(DependenceKind) {
+  return std::to_array<std::string_view>({"ended", "running", "over"});
+}
+
+/// What a planned task waits for of another one. Source: spec 3.4.
+struct TaskDependence {
+  DependenceKind kind = DependenceKind::kEnded;
+  std::uint64_t task = 0;
+  bool operator==(const TaskDependence&) const = default;
+};
+SKEIN_WIRE_FIELDS(TaskDependence, kind, task)
 
 }  // namespace skein::wire

@@ -12,11 +12,15 @@ enum class RequestKind : std::uint32_t {
   kProcessMessage,
   kUpdateConditions,
   kSuppress,
+  kMission,
+  kCancel,
+  kDegree,
+  kWorld,
   kCount
 };
 constexpr auto names_of(RequestKind) {
-  return std::to_array<std::string_view>(
-      {"START", "ABORT", "PROCESS-MSG", "UPDATE-COND", "SUPPRESS"});
+  return std::to_array<std::string_view>({"START", "ABORT", "PROCESS-MSG", "UPDATE-COND",
+                                          "SUPPRESS", "MISSION", "CANCEL", "DEGREE", "WORLD"});
 }
 
 enum class InsertionMode : std::uint32_t { kSeq, kVut, kDep, kNut, kCount };
@@ -24,7 +28,8 @@ constexpr auto names_of(InsertionMode) {
   return std::to_array<std::string_view>({"SEQ", "VUT", "DEP", "NUT"});
 }
 
-/// A request to an executive. Which fields count follows from `kind`. Source: spec 2.3.
+/// A request to an executive: the first five kinds. Which fields count follows from `kind`. Source:
+/// spec 2.3.
 struct TaskRequest {
   SampleHeader header;
   std::uint64_t command = 0;  ///< the sender's number for it, given back in the reply
@@ -42,13 +47,14 @@ struct TaskRequest {
 SKEIN_WIRE_FIELDS(TaskRequest, header, command, kind, mode, task, id, message, has_preconditions,
                   has_exit_conditions, preconditions, exit_conditions)
 
+/// The answer to a TaskRequest, MissionRequest, DegreeCommand or WorldChange.
 struct RequestReply {
   SampleHeader header;
   std::uint64_t command = 0;
   RequestKind kind = RequestKind::kStart;
-  std::uint64_t id = 0;  ///< of the task, where there is one
+  std::uint64_t id = 0;  ///< of the task or the unit mission, where there is one
   bool accepted = false;
-  std::string why;  ///< of a refusal
+  std::string why;  ///< of a refusal: all reasons, separated by "; "
   bool operator==(const RequestReply&) const = default;
 };
 SKEIN_WIRE_FIELDS(RequestReply, header, command, kind, id, accepted, why)
@@ -119,6 +125,102 @@ struct Alarm {
   bool operator==(const Alarm&) const = default;
 };
 SKEIN_WIRE_FIELDS(Alarm, header, id, state, position, radius, belief)
+
+enum class MissionPlacement : std::uint32_t { kBest, kLast, kInTime, kTour, kFirst, kCount };
+constexpr auto names_of(MissionPlacement) {
+  return std::to_array<std::string_view>({"best", "last", "in-time", "tour", "first"});
+}
+
+/// A unit mission for a UAV at degree 4; or, with `cancel`, high-level tasks that are to be given
+/// up. Source: spec 6.2 (0), (2).
+struct MissionRequest {
+  SampleHeader header;
+  std::uint64_t command = 0;  ///< the sender's number for it, given back in the reply
+  bool cancel = false;
+  std::uint64_t unit_mission = 0;  ///< cancel: 0: not by mission
+  MissionPlacement placement = MissionPlacement::kBest;
+  bool interrupt = false;  ///< what is under way is interrupted
+  std::string asked_by;
+  std::vector<MissionTask> tasks;    ///< in the order wanted; cancel: none
+  std::vector<std::uint64_t> goals;  ///< cancel only; none, and no mission: all
+  bool operator==(const MissionRequest&) const = default;
+};
+SKEIN_WIRE_FIELDS(MissionRequest, header, command, cancel, unit_mission, placement, interrupt,
+                  asked_by, tasks, goals)
+
+/// The degree of autonomy that a UAV is to have from now on. Source: spec 1.2.
+struct DegreeCommand {
+  SampleHeader header;
+  std::uint64_t command = 0;
+  std::uint8_t degree = 0;
+  bool interrupt = false;  ///< what runs is interrupted and the UAV waits
+  bool resume = false;     ///< up to 4: go on with what was handed over
+  std::string asked_by;
+  bool operator==(const DegreeCommand&) const = default;
+};
+SKEIN_WIRE_FIELDS(DegreeCommand, header, command, degree, interrupt, resume, asked_by)
+
+/// A volume of air that is closed or opened again.
+struct WorldChange {
+  SampleHeader header;
+  std::uint64_t command = 0;
+  bool remove = false;  ///< the volume of that name is no longer there; the rest does not count
+  std::string name;
+  std::vector<double> corners;  ///< [m] x, y of each corner
+  double floor = 0;             ///< [m]; at or below -1e9: none
+  double ceiling = 0;           ///< [m]; at or above 1e9: none
+  std::int64_t from = 0;        ///< [ns]
+  std::int64_t until = kNever;  ///< [ns]
+  bool operator==(const WorldChange&) const = default;
+};
+SKEIN_WIRE_FIELDS(WorldChange, header, command, remove, name, corners, floor, ceiling, from, until)
+
+/// What became of a mission that was accepted for planning.
+struct MissionOutcome {
+  SampleHeader header;
+  std::string uav;
+  std::uint64_t unit_mission = 0;
+  bool planned = false;
+  std::vector<std::string> reasons;  ///< why not
+  bool operator==(const MissionOutcome&) const = default;
+};
+SKEIN_WIRE_FIELDS(MissionOutcome, header, uav, unit_mission, planned, reasons)
+
+/// A task with its conditions and where it stands.
+struct HeldTask {
+  TaskSpec task;
+  TaskState state = TaskState::kScheduled;
+  bool in_executive = false;  ///< false: only planned
+  std::uint64_t origin = 0;   ///< the high-level task it comes from; 0: none
+  bool operator==(const HeldTask&) const = default;
+};
+SKEIN_WIRE_FIELDS(HeldTask, task, state, in_executive, origin)
+
+/// The plan that a UAV holds when its degree changes.
+struct HandOver {
+  SampleHeader header;
+  std::string uav;
+  std::uint8_t degree = 0;      ///< from now on
+  std::vector<HeldTask> tasks;  ///< by id
+  std::vector<GoalEntry> goals;
+  bool operator==(const HandOver&) const = default;
+};
+SKEIN_WIRE_FIELDS(HandOver, header, uav, degree, tasks, goals)
+
+/// One application of an operator of the supervisor. Source: spec 6.2.
+struct Decision {
+  SampleHeader header;
+  std::string uav;
+  std::uint64_t number = 0;  ///< from 1 in one life of the node
+  std::string applied;
+  std::string cause;
+  std::string inputs;
+  std::string outcome;
+  std::int64_t began = 0;  ///< [ns]
+  std::int64_t took = 0;   ///< [ns] of mission time
+  bool operator==(const Decision&) const = default;
+};
+SKEIN_WIRE_FIELDS(Decision, header, uav, number, applied, cause, inputs, outcome, began, took)
 
 /// One line of the event log. World channel.
 struct JournalEntry {

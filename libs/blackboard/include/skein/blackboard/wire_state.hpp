@@ -92,4 +92,35 @@ struct MissionState {
 };
 SKEIN_WIRE_FIELDS(MissionState, header, phase, finished, outcome)
 
+/// A task of a plan with its dates [ns]; kNever: unbounded.
+struct PlanEntry {
+  std::uint64_t id = 0;
+  std::string type;
+  std::uint64_t origin = 0;  ///< the high-level task it comes from
+  std::vector<TaskDependence> dependences;
+  std::vector<TaskDependence> stop;  ///< what ends it
+  std::int64_t earliest_start = 0;
+  std::int64_t latest_start = 0;
+  std::int64_t earliest_end = 0;
+  std::int64_t latest_end = 0;
+  bool committed = false;   ///< the executive has it
+  std::vector<double> way;  ///< x, y, z of each point; empty: it does not fly
+  std::string methods;      ///< from the high-level task down, separated by " > "
+  bool operator==(const PlanEntry&) const = default;
+};
+SKEIN_WIRE_FIELDS(PlanEntry, id, type, origin, dependences, stop, earliest_start, latest_start,
+                  earliest_end, latest_end, committed, way, methods)
+
+/// The elementary plan of a UAV at degree 4 with its high-level tasks. Source: spec 6.1.
+struct MissionPlan {
+  SampleHeader header;
+  std::string uav;
+  std::uint64_t revision = 0;    ///< from 1 in one life of the node
+  std::int64_t made = 0;         ///< [ns]
+  std::vector<PlanEntry> tasks;  ///< of goals that are not settled
+  std::vector<GoalEntry> goals;  ///< settled ones first
+  bool operator==(const MissionPlan&) const = default;
+};
+SKEIN_WIRE_FIELDS(MissionPlan, header, uav, revision, made, tasks, goals)
+
 }  // namespace skein::wire

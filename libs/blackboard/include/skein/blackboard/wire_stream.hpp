@@ -16,9 +16,11 @@ struct Telemetry {
   double energy = 0;   ///< share left, in [0, 1]
   bool airborne = false;
   std::string activity;
+  std::vector<std::string> failed;  ///< devices that do not work; "engine" too
   bool operator==(const Telemetry&) const = default;
 };
-SKEIN_WIRE_FIELDS(Telemetry, header, uav, position, velocity, heading, energy, airborne, activity)
+SKEIN_WIRE_FIELDS(Telemetry, header, uav, position, velocity, heading, energy, airborne, activity,
+                  failed)
 
 struct Detection {
   std::string kind;  ///< of object: "fire", "vehicle"

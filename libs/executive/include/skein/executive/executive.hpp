@@ -58,7 +58,8 @@ struct TaskView {
 ///   started, running  Ξ satisfied, ABORT, VUT of an incompatible     aborting
 ///   aborting          ended or aborted; no answer within time-out    aborted
 ///
-/// Anything else changes nothing and gives a Notice. A synchronise task goes scheduled → started →
+/// Anything else changes nothing and gives a Notice. Relinquish takes tasks out of the plan without
+/// a transition. A synchronise task goes scheduled → started →
 /// running by itself, and aborting → aborted in the same step.
 ///
 /// Laws: one input sequence has one outcome; of several things that may happen in one step, exit

@@ -73,11 +73,19 @@ struct Flight {
   bool airborne = false;
 };
 
+/// Another executive has taken over the tasks below this id that are not terminal. They leave the
+/// plan: whoever carries them out is told nothing, and there is no event but one Notice. To
+/// conditions of others they count as aborted, and a START may bring each of them back. The
+/// background routine is interrupted and rests until the next START. Source: spec 1.2 (hand-over).
+struct Relinquish {
+  TaskId below = kFirstBackgroundId;
+};
+
 /// Only time has passed.
 struct Tick {};
 
 using Input = std::variant<Start, Abort, ProcessMessage, UpdateConditions, Suppress,
-                           FunctionalStatus, SyncReceived, PeerReachable, Flight, Tick>;
+                           FunctionalStatus, SyncReceived, PeerReachable, Flight, Relinquish, Tick>;
 
 enum class RequestKind : std::uint8_t {
   kStart,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "skein/executive/executive.hpp"
+#include "skein/ground_station/held_plans.hpp"
 #include "skein/ground_station/messages.hpp"
 #include "skein/ground_station/mission_planning.hpp"
 #include "skein/ground_station/monitoring.hpp"
@@ -38,6 +39,9 @@ struct GroundConfig {
   Script script = {};
   PpsConfig pps = {};
   Duration reply_grace = Duration::milliseconds(5'000);  ///< see Monitoring
+  MissionKnowledge missions = {};
+  /// Of the requests that bring the tasks run here to a UAV whose degree goes up.
+  Duration transfer_lifetime = Duration::seconds(600);
 };
 
 /// Routes what comes in to its components and their effects to each other, in order, until only
@@ -46,7 +50,19 @@ struct GroundConfig {
 /// Who executes (T II.2, spec 1.2): at degree 1 a request goes to the UAV's MLE here, whose
 /// dispatches and interruptions become SendFunctional; at degrees 2 and up to the UAV's own MLE, as
 /// SendRequest. A request about a task goes to the MLE that holds the task, so that what runs
-/// across a change of degree stays commanded.
+/// across a change of degree stays commanded; requests that come while a change of degree is under
+/// way wait for its outcome. Missions, cancellations, changes of degree and of the world go to the
+/// UAV's decision node.
+///
+/// Hand-over is a transfer of the plan (ADR 9). Going to degree 1, the MLE here starts what the
+/// UAV's had, under the same ids; what is under way is dispatched again, which the functional layer
+/// answers without doing it twice. Going up, the tasks of the MLE here are sent to the UAV as START
+/// in the same way; a dispatch that finds the node changed is refused after the hand-over, since
+/// events keep their order, and is then no longer ours. Synchronisation messages known here go with
+/// them. What was only planned is held here: commands about it edit it, ResumePlan starts it,
+/// DropPlan discards it.
+///
+/// A state of a task is news once: states that a transferred task goes through again are not told.
 ///
 /// Who relays: a synchronisation message goes to the MLE here if its receiver's degree is 1; else
 /// it is sent on (SendSync), and again when the receiver comes back in reach or restarts. Messages
@@ -63,13 +79,14 @@ class GroundControl {
   using Input = std::variant<Tick, PerceptionReceived, TelemetryReceived, TaskEventReceived,
                              RequestReplyReceived, CommandUndelivered, PlanBoardReceived,
                              FunctionalStatusReceived, SyncReceived, PeerReachable, OperatorActs,
-                             OperatorCommand>;
+                             OperatorCommand, MissionPlanReceived, HandOverReceived,
+                             DecisionReceived, MissionOutcomeReceived>;
   using Effect = std::variant<
       // to be sent
       SendRequest, SendFunctional, SendSync, AlarmEvent, AlarmRefined,
       // for the journal
       CommandChanged, LocalRequestAnswered, LocalTaskEvent, LocalSync, PerceptionLogged,
-      PhaseEntered, StepDone, OperatorDid, DegreeChanged, UavRestarted,
+      PhaseEntered, StepDone, OperatorDid, DegreeChanged, UavRestarted, HeldPlanChanged,
       // for the runtime
       Anomaly, MissionFinished>;
 
@@ -81,7 +98,7 @@ class GroundControl {
   std::vector<Effect> handle(const Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
 
-  Board board(MissionTime now) const { return monitoring_.board(now); }
+  Board board(MissionTime now) const;
   std::vector<Alarm> alarms() const { return perception_.alarms(); }
   const std::string& phase() const { return planning_.phase(); }
   bool finished() const { return planning_.finished(); }
@@ -109,7 +126,8 @@ class GroundControl {
   void do_errand(const Monitoring::Input& input, MissionTime now, Effects& out);
   void do_errand(const MissionPlanning::Input& input, MissionTime now, Effects& out);
   void do_errand(const LocalInput& input, MissionTime now, Effects& out);
-  void route(const Monitoring::Effect& effect, Effects& out);
+  void route(const Monitoring::Effect& effect, MissionTime now, Effects& out);
+  void route(const SendRequest& request, Effects& out);
   void route(const MissionPlanning::Effect& effect, Effects& out);
   void route(const PerceptionProcessing::Effect& effect, Effects& out);
   void route_local(const LocalInput& cause, const executive::Effect& effect, Effects& out);
@@ -119,6 +137,15 @@ class GroundControl {
   void ask_again(const std::string& uav, Effects& out);
   void deliver_sync(const SyncReceived& sync, Effects& out);
   bool is_held_here(const SendRequest& request) const;
+
+  // execution_transfer.cpp
+  void take_over(const HandedOver& hand_over, MissionTime now, Effects& out);
+  void send_up(const std::string& uav, MissionTime now, Effects& out);
+  void resume(const ResumeHeld& request, Effects& out);
+  void drop(const std::string& uav, Effects& out);
+  Request for_receiver(const SendRequest& request, bool is_here) const;
+  std::vector<Request> requests_for(const std::string& uav,
+                                    std::vector<mission::HeldTask> tasks) const;
   bool runs_here(const std::string& uav) const {
     return runs_at_ground(monitoring_.degree_of(uav));
   }
@@ -131,8 +158,10 @@ class GroundControl {
   MissionPlanning planning_;
   std::map<std::string, LocalMle> local_;
   std::deque<Errand> errands_;
-  std::map<std::string, std::set<std::pair<std::uint64_t, std::string>>>
-      relayed_;  ///< by receiver: id, sender
+  HeldPlans held_;
+  /// Synchronisation messages that came by here, by receiver: id, sender.
+  std::map<std::string, std::set<std::pair<std::uint64_t, std::string>>> syncs_;
+  Duration transfer_lifetime_;
 };
 
 }  // namespace skein::ground_station

@@ -3,23 +3,38 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "skein/executive/effect.hpp"
 #include "skein/executive/input.hpp"
 #include "skein/executive/task.hpp"
 #include "skein/foundation/id.hpp"
 #include "skein/foundation/time.hpp"
 #include "skein/ground_station/degree.hpp"
+#include "skein/mission/autonomy.hpp"
+#include "skein/mission/elementary_plan.hpp"
+#include "skein/mission/high_level_task.hpp"
 #include "skein/world/vehicle_state.hpp"
 
 namespace skein::ground_station {
 
-/// What may be asked of an MLE. Source: T III.2.1, spec 2.3.
+/// What may be asked of a UAV: of its MLE (T III.2.1, spec 2.3), wherever that runs, or of its
+/// decision node (spec 1.2, 6.2).
 using Request = std::variant<executive::Start, executive::Abort, executive::ProcessMessage,
-                             executive::UpdateConditions, executive::Suppress>;
+                             executive::UpdateConditions, executive::Suppress, mission::UnitMission,
+                             mission::CancelGoals, mission::ChangeDegree, mission::ChangeWorld>;
+
+/// What a unit mission comes to.
+enum class MissionStage {
+  kPlanned,   ///< the UAV has a plan for it
+  kRefused,   ///< it was refused: by the ground, by the UAV, or because no plan has room for it
+  kAchieved,  ///< none of its high-level tasks is open, none failed, one was achieved
+  kFailed     ///< none of them is open, and one failed
+};
 
 /// Numbered from 1 in the order issued.
 using CommandNumber = Id<struct CommandNumberTag, std::uint64_t>;
@@ -41,6 +56,7 @@ struct TaskEventReceived {
   std::string type;
   executive::TaskState state = executive::TaskState::kScheduled;
   std::string reason = {};
+  bool at_ground = false;  ///< from the MLE that runs here for the UAV
 };
 /// The answer of a UAV's MLE to a command.
 struct RequestReplyReceived {
@@ -70,6 +86,30 @@ struct PlanBoardReceived {
   Degree degree = 3;
   bool airborne = false;
   std::vector<PlannedTaskStatus> tasks;
+  /// When it was so. Absent: taken as now.
+  std::optional<MissionTime> at = std::nullopt;
+};
+/// The plan of a UAV at degree 4, and where its high-level tasks stand.
+struct MissionPlanReceived {
+  std::string uav;
+  mission::PlanReport plan;
+  std::optional<MissionTime> at = std::nullopt;  ///< as in PlanBoardReceived
+};
+/// A UAV changed its degree and tells what it had in hand.
+struct HandOverReceived {
+  std::string uav;
+  mission::HandOver hand_over;
+  std::optional<MissionTime> at = std::nullopt;  ///< as in PlanBoardReceived
+};
+/// A UAV's supervisor applied an operator.
+struct DecisionReceived {
+  std::string uav;
+  mission::Decision decision;
+};
+/// What became of a mission that a UAV had accepted for planning.
+struct MissionOutcomeReceived {
+  std::string uav;
+  mission::MissionOutcome outcome;
 };
 /// The functional layer's answer to what the ground itself dispatched (degree 1).
 struct FunctionalStatusReceived {
@@ -100,6 +140,38 @@ struct IssueCommand {
   std::string uav;
   Request request;
   MissionTime expires;
+  std::string asked_by = {};  ///< for people: "step detection", "operator end"
+  /// It belongs to a change of degree, and goes before the commands that wait for that.
+  bool ahead = false;
+};
+/// Ask MCS to send a request to each UAV.
+struct IssueToAll {
+  Request request;
+  MissionTime expires;
+  std::string asked_by = {};
+};
+/// Ask MCS to take a UAV in hand (degree 1) or to give it back (the degree before).
+struct ChangeHands {
+  enum class Way { kTake, kGiveBack };
+  std::string uav;
+  Way way = Way::kTake;
+  bool interrupt = false;  ///< when taken: what runs is interrupted
+  MissionTime expires;
+  std::string asked_by = {};
+};
+/// Start, or discard, the plan that a UAV handed over.
+struct ResumeHeld {
+  std::string uav;
+  std::vector<executive::TaskId> without;
+  MissionTime expires;
+  std::string asked_by = {};
+};
+struct DropHeld {
+  std::string uav;
+};
+/// What belongs to a change of degree has been issued: the commands that waited for it may go.
+struct ReleaseCommands {
+  std::string uav;
 };
 /// Ask MCS to abort all that is not terminal, or still on its way, highest id first.
 struct AbortEverything {
@@ -117,12 +189,13 @@ struct SendRequest {
   std::string uav;
   Request request;
   MissionTime expires;
+  std::string asked_by = {};
 };
 /// A command was issued or came to its end; for the journal.
 struct CommandChanged {
   CommandNumber command;
   std::string uav;
-  std::string what;  ///< "START 3 goto", "ABORT 3", …
+  std::string what;  ///< "START 3 goto", "ABORT 3", "MISSION 2 (3 tasks)", "DEGREE 1", …
   CommandState state = CommandState::kIssued;
   std::string why = {};
 };
@@ -140,6 +213,38 @@ struct UavRestarted {
 struct DegreeChanged {
   std::string uav;
   Degree degree = 3;
+};
+/// A UAV handed its plan over, after DegreeChanged if it changed the degree. It does so by itself
+/// when its contact-loss policy takes the plan from its supervisor.
+struct HandedOver {
+  std::string uav;
+  mission::HandOver hand_over;
+  bool resumes = false;  ///< the UAV goes on with what it had handed over before
+};
+/// The change of degree that commands waited for is over, with or without effect.
+struct ChangeSettled {
+  std::string uav;
+};
+/// A high-level task of a UAV entered another state.
+struct GoalChanged {
+  std::string uav;
+  mission::GoalId goal;
+  mission::GoalState state = mission::GoalState::kReceived;
+};
+/// A unit mission came to a stage. Each stage is told once in a life of the UAV's node.
+struct MissionChanged {
+  std::string uav;
+  mission::MissionId mission;
+  MissionStage stage = MissionStage::kPlanned;
+};
+enum class HeldState { kHeld, kResumed, kDropped };
+/// "held", "resumed", "dropped".
+std::string_view to_text(HeldState state);
+/// What happened to the plan that a UAV handed over; for the journal.
+struct HeldPlanChanged {
+  std::string uav;
+  std::size_t tasks = 0;  ///< of which it happened
+  HeldState state = HeldState::kHeld;
 };
 /// Something that should not come, and was disregarded; for the log.
 struct Anomaly {
@@ -185,17 +290,13 @@ struct LocalSync {
 /// A task of an MLE at the ground entered a state; for the journal.
 struct LocalTaskEvent {
   std::string uav;
-  executive::TaskId task;
-  std::string type;
-  executive::TaskState state = executive::TaskState::kScheduled;
-  std::string reason = {};
+  executive::TaskEvent event;
 };
 /// An MLE at the ground answered a request; for the journal.
 struct LocalRequestAnswered {
   std::string uav;
-  Request request;
-  bool accepted = false;
-  std::string why = {};
+  executive::Reply reply;
+  executive::InsertionMode mode = executive::InsertionMode::kSeq;  ///< of a START
 };
 
 }  // namespace skein::ground_station

@@ -22,17 +22,18 @@ namespace skein::ground_station {
 ///
 /// The mission has at most one subject alarm, which targets are about: that of the OnAlarm of the
 /// step last done that has one, always with its latest estimate; until then, the first alarm
-/// raised. A step's targets are resolved when it is done; a task whose target cannot be is not sent
-/// (anomaly).
+/// raised. A step's targets are resolved when it is done; a task, or a mission, whose target cannot
+/// be is not sent (anomaly).
 ///
 /// Deterministic. Not safe to share between threads. Cost of an input: O(triggers of the script).
 /// Source: T VI.1.1, VI.1.3 (the ground sent task lists with their dependencies), spec 8.1.
 class MissionPlanning {
  public:
-  using Input =
-      std::variant<Tick, AlarmEvent, AlarmRefined, TaskChanged, UavRestarted, OperatorActs>;
-  using Effect = std::variant<IssueCommand, AbortEverything, PhaseEntered, OperatorDid, StepDone,
-                              MissionFinished, Anomaly>;
+  using Input = std::variant<Tick, AlarmEvent, AlarmRefined, TaskChanged, UavRestarted,
+                             OperatorActs, DegreeChanged, GoalChanged, MissionChanged>;
+  using Effect =
+      std::variant<IssueCommand, IssueToAll, AbortEverything, ChangeHands, ResumeHeld, DropHeld,
+                   PhaseEntered, OperatorDid, StepDone, MissionFinished, Anomaly>;
 
   /// Precondition: problems_of(script) is empty. The terrain must outlive this.
   MissionPlanning(Script script, const world::Terrain& terrain);
@@ -69,13 +70,33 @@ class MissionPlanning {
   void mark(MissionTime at, const Matches& matches);
   void mark_instants(MissionTime now);
   void note(const Input& input, MissionTime now, Effects& effects);
+  void note_autonomy(const Input& input, MissionTime now);
   void note_alarm(const Alarm& alarm, MissionTime now);
   void note_operator(const std::string& does, MissionTime now, Effects& effects);
   std::optional<MissionTime> due(const Waiting& waiting) const;
   Waiting* next_due(MissionTime now);
   void fire(Waiting& waiting, MissionTime now, Effects& effects);
-  void do_action(const Action& action, MissionTime now, Effects& effects);
-  void send(const SendPlan& plan, MissionTime expires, Effects& effects);
+  /// For whom actions are done, until when their commands live, and where their effects go.
+  struct Deed {
+    std::string asked_by;
+    MissionTime expires;
+    Effects& effects;
+    void issue(const std::string& uav, Request request) const;
+  };
+  void perform(const SendPlan& action, const Deed& deed);
+  void perform(const AbortTasks& action, const Deed& deed);
+  void perform(const SendMessage& action, const Deed& deed);
+  void perform(const UpdateConditions& action, const Deed& deed);
+  void perform(const SendMission& action, const Deed& deed);
+  void perform(const CancelMission& action, const Deed& deed);
+  void perform(const SetDegree& action, const Deed& deed);
+  void perform(const TakeInHand& action, const Deed& deed);
+  void perform(const GiveBack& action, const Deed& deed);
+  void perform(const ResumePlan& action, const Deed& deed);
+  void perform(const DropPlan& action, const Deed& deed);
+  void perform(const CloseAir& action, const Deed& deed);
+  void perform(const OpenAir& action, const Deed& deed);
+  void perform(const Finish& action, const Deed& deed);
   const Alarm* subject() const;
 
   Script script_;

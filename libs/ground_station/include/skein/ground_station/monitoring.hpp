@@ -2,6 +2,7 @@
 // MCS: the status board of every UAV and task, and the intake of commands.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "skein/ground_station/messages.hpp"
+#include "skein/ground_station/mission_checks.hpp"
 
 namespace skein::ground_station {
 
@@ -20,6 +22,7 @@ struct TaskOnBoard {
   bool lost = false;  ///< its MLE restarted before it was terminal
   std::string reason = {};
   MissionTime since;
+  bool at_ground = false;  ///< the MLE that runs here was the last to tell of it
 };
 
 /// Neither terminal nor lost.
@@ -34,6 +37,15 @@ struct UavOnBoard {
   MissionTime telemetry_at;                      ///< when it was so
   std::map<executive::TaskId, TaskOnBoard> tasks;
   std::size_t commands_pending = 0;
+  /// High-level tasks, in the order of the UAV's high-level plan.
+  std::vector<mission::GoalStatus> goals;
+  mission::PlanReport plan;  ///< the last; revision 0: none
+  /// What the UAV's supervisor did last, oldest first; not more than kDecisionsKept.
+  std::deque<mission::Decision> decisions;
+  /// What it handed over and nobody carries out until it is resumed, in the order of ids.
+  std::vector<mission::HeldTask> held;
+
+  static constexpr std::size_t kDecisionsKept = 20;
 };
 
 /// A snapshot for displays and progress. UAVs in the order configured.
@@ -49,10 +61,16 @@ const TaskOnBoard* current_task(const UavOnBoard& uav);
 
 /// A command is pending from its issue until exactly one of
 ///   acknowledged   its MLE accepted it,
-///   refused        its MLE refused it, its UAV is unknown, or what it is about was lost in a
-///   restart, expired        it could not be delivered, or no answer came by `expires` + `grace`.
+///   refused        its MLE or decision node refused it, it makes no sense (MissionChecks), its UAV
+///                  is unknown, or what it is about was lost in a restart,
+///   expired        it could not be delivered, or no answer came by `expires` + `grace`.
 /// What comes later about it is reported as an anomaly and changes nothing. It is sent when issued,
 /// and again, under its number, when its UAV's node restarted meanwhile.
+///
+/// A change of degree decides on who gets the commands after it. From its sending on, other
+/// commands to the UAV wait, in order, until the UAV handed over its plan or the change came to
+/// nothing (ChangeSettled), and then until ReleaseCommands. The degree on plan boards is
+/// set aside meanwhile, and disregarded when something later told the degree.
 ///
 /// Task states come by events and by plan boards, in any order and more than once; each is told
 /// once and the board never goes back (scheduled, started, running, aborting, then ended or
@@ -67,10 +85,12 @@ const TaskOnBoard* current_task(const UavOnBoard& uav);
 class Monitoring {
  public:
   using Input =
-      std::variant<Tick, IssueCommand, AbortEverything, TelemetryReceived, TaskEventReceived,
-                   RequestReplyReceived, CommandUndelivered, PeerReachable, PlanBoardReceived>;
-  using Effect =
-      std::variant<SendRequest, CommandChanged, TaskChanged, UavRestarted, DegreeChanged, Anomaly>;
+      std::variant<Tick, IssueCommand, IssueToAll, AbortEverything, ChangeHands, ReleaseCommands,
+                   TelemetryReceived, TaskEventReceived, RequestReplyReceived, CommandUndelivered,
+                   PeerReachable, PlanBoardReceived, MissionPlanReceived, HandOverReceived,
+                   DecisionReceived, MissionOutcomeReceived>;
+  using Effect = std::variant<SendRequest, CommandChanged, TaskChanged, UavRestarted, DegreeChanged,
+                              HandedOver, ChangeSettled, GoalChanged, MissionChanged, Anomaly>;
 
   struct Uav {
     std::string name;
@@ -78,7 +98,8 @@ class Monitoring {
   };
 
   /// How long after its expiry a command's answer may still be under way.
-  explicit Monitoring(const std::vector<Uav>& uavs, Duration grace = Duration::milliseconds(5'000));
+  explicit Monitoring(const std::vector<Uav>& uavs, Duration grace = Duration::milliseconds(5'000),
+                      MissionChecks checks = {});
 
   std::vector<Effect> handle(const Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
@@ -89,42 +110,86 @@ class Monitoring {
   bool knows(const std::string& uav) const { return uavs_.contains(uav); }
   /// Null when the UAV or the task is unknown. Valid until the next handle.
   const TaskOnBoard* find_task(const std::string& uav, executive::TaskId task) const;
+  /// Whether a TaskChanged was given for it; false when the UAV or the task is unknown or lost.
+  bool has_told(const std::string& uav, executive::TaskId task, executive::TaskState state) const;
+  /// Whether a START of the task is pending.
+  bool is_being_started(const std::string& uav, executive::TaskId task) const;
+  /// The messages that its MLE, wherever it is, has acknowledged to have processed.
+  std::set<std::string> messages_of(const std::string& uav) const;
 
  private:
   struct Pending {
     std::string uav;
     Request request;
     MissionTime expires;
+    std::string asked_by;
+  };
+  /// A change of degree that was sent and is not settled.
+  struct Change {
+    CommandNumber command;
+    mission::ChangeDegree wanted;
+    MissionTime until;           ///< then it counts as settled
+    std::optional<Degree> seen;  ///< on plan boards meanwhile
   };
   struct Record {
     UavOnBoard board;
     /// States already told, by task.
     std::map<executive::TaskId, std::set<executive::TaskState>> told;
+    std::set<std::pair<mission::MissionId, MissionStage>> told_missions;
+    std::optional<MissionTime> degree_at;  ///< when the last degree told was so
+    std::optional<MissionTime> goals_at;   ///< when the goals on the board were so
+    std::optional<Change> change;
+    /// The last change that expired; it may have been made, and its hand-over be under way.
+    std::optional<mission::ChangeDegree> unanswered;
+    std::deque<CommandNumber> waiting;          ///< for the change, in order
+    std::optional<Degree> degree_before_taken;  ///< in hand, the last time
+    std::set<std::string> messages;             ///< that it has processed
   };
   using Effects = std::vector<Effect>;
 
-  void on(const Tick& input, MissionTime now, Effects& effects);
-  void on(const IssueCommand& input, MissionTime now, Effects& effects);
-  void on(const AbortEverything& input, MissionTime now, Effects& effects);
+  // monitoring.cpp: what comes in about UAVs and tasks
+  void on(const Tick&, MissionTime, Effects&) {}
   void on(const TelemetryReceived& input, MissionTime now, Effects& effects);
   void on(const TaskEventReceived& input, MissionTime now, Effects& effects);
-  void on(const RequestReplyReceived& input, MissionTime now, Effects& effects);
-  void on(const CommandUndelivered& input, MissionTime now, Effects& effects);
   void on(const PeerReachable& input, MissionTime now, Effects& effects);
   void on(const PlanBoardReceived& input, MissionTime now, Effects& effects);
-
   Record* find(const std::string& uav, const char* what, Effects& effects);
+  void learn(Record& record, const TaskEventReceived& event, MissionTime now, Effects& effects);
+  void lose_tasks(Record& record, Effects& effects);
+
+  // monitoring_commands.cpp
+  void on(const IssueCommand& input, MissionTime now, Effects& effects);
+  void on(const IssueToAll& input, MissionTime now, Effects& effects);
+  void on(const AbortEverything& input, MissionTime now, Effects& effects);
+  void on(const ReleaseCommands& input, MissionTime now, Effects& effects);
+  void on(const RequestReplyReceived& input, MissionTime now, Effects& effects);
+  void on(const CommandUndelivered& input, MissionTime now, Effects& effects);
+  void send(CommandNumber number, MissionTime now, Effects& effects);
   void close(CommandNumber number, CommandState state, const std::string& why, Effects& effects);
   void expire_due(MissionTime now, Effects& effects);
-  void learn(Record& record, const TaskEventReceived& event, MissionTime now, Effects& effects);
-  void restart(Record& record, Effects& effects);
   void send_again(const Record& record, Effects& effects);
+
+  // monitoring_autonomy.cpp: missions and degrees
+  void on(const ChangeHands& input, MissionTime now, Effects& effects);
+  void on(const MissionPlanReceived& input, MissionTime now, Effects& effects);
+  void on(const HandOverReceived& input, MissionTime now, Effects& effects);
+  void on(const DecisionReceived& input, MissionTime now, Effects& effects);
+  void on(const MissionOutcomeReceived& input, MissionTime now, Effects& effects);
+  Degree expected_degree(const Record& record) const;
+  void set_degree(Record& record, Degree degree, Effects& effects);
+  void settle(Record& record, Effects& effects);
+  void settle_if_closed(Record& record, CommandNumber number, CommandState state, Effects& effects);
+  void take_goals(Record& record, const std::vector<mission::GoalStatus>& goals,
+                  std::optional<MissionTime> at, Effects& effects);
+  void tell_stages(Record& record, Effects& effects);
+  void tell_stage(Record& record, mission::MissionId mission, MissionStage stage, Effects& effects);
 
   std::vector<std::string> order_;  ///< of the board
   std::map<std::string, Record> uavs_;
   std::map<CommandNumber, Pending> pending_;
   std::set<std::pair<MissionTime, CommandNumber>> deadlines_;
   Duration grace_;
+  MissionChecks checks_;
   std::uint64_t last_number_ = 0;
 };
 

@@ -12,7 +12,12 @@
 #include "skein/executive/task.hpp"
 #include "skein/foundation/time.hpp"
 #include "skein/ground_station/alarm.hpp"
+#include "skein/ground_station/degree.hpp"
+#include "skein/ground_station/messages.hpp"
+#include "skein/mission/autonomy.hpp"
+#include "skein/mission/high_level_task.hpp"
 #include "skein/world/geometry.hpp"
+#include "skein/world/volume.hpp"
 
 namespace skein::ground_station {
 
@@ -47,6 +52,23 @@ struct OnStep {
 struct OnRestart {
   std::string uav;
 };
+/// The unit mission came to this.
+struct OnMission {
+  std::string uav;
+  mission::MissionId mission;
+  MissionStage state = MissionStage::kPlanned;
+};
+/// The high-level task entered the state.
+struct OnGoal {
+  std::string uav;
+  mission::GoalId goal;
+  mission::GoalState state = mission::GoalState::kAchieved;
+};
+/// The UAV changed to this degree. The degree at the start is no change.
+struct OnDegree {
+  std::string uav;
+  Degree degree = 1;
+};
 /// All have happened, in any order.
 struct AllOf {
   std::vector<Trigger> of;
@@ -59,7 +81,9 @@ struct AnyOf {
 /// What happened once has happened: a leaf is remembered from the mission's start until its step is
 /// done. AllOf nothing has happened at once, AnyOf nothing never does.
 struct Trigger {
-  std::variant<AtTime, OnAlarm, OnTask, OnOperator, OnStep, OnRestart, AllOf, AnyOf> what;
+  std::variant<AtTime, OnAlarm, OnTask, OnOperator, OnStep, OnRestart, OnMission, OnGoal, OnDegree,
+               AllOf, AnyOf>
+      what;
 };
 
 // ---- where ----
@@ -121,10 +145,64 @@ struct UpdateConditions {
   std::string uav;
   executive::UpdateConditions update;
 };
+
+/// An argument of a high-level task that becomes a location [m] ENU when the mission is sent.
+struct ArgumentTarget {
+  std::size_t task = 0;      ///< which of the mission's tasks, from 0
+  std::size_t argument = 0;  ///< which of its arguments, from 0; what is there is replaced
+  std::variant<TheAlarm, NearAlarm> where;
+};
+/// Sends a unit mission to a UAV at degree 4. Its `asked_by`, when empty, becomes the step's or the
+/// operator's name. Source: spec 6.2 (0), (1).
+struct SendMission {
+  std::string uav;
+  mission::UnitMission mission;
+  std::vector<ArgumentTarget> targets;
+};
+/// Cancels high-level tasks. Source: spec 6.2 (2).
+struct CancelMission {
+  std::string uav;
+  mission::CancelGoals cancel;
+};
+/// Asks for a change of degree. Source: spec 1.2.
+struct SetDegree {
+  std::string uav;
+  mission::ChangeDegree change;
+};
+/// To degree 1: the ground station executes what the UAV had begun and decides on the rest.
+struct TakeInHand {
+  std::string uav;
+  bool interrupt = false;  ///< what runs is interrupted
+};
+/// To the degree that the UAV had before it was last taken in hand; it goes on by itself.
+struct GiveBack {
+  std::string uav;
+};
+/// Starts the tasks of the plan that a UAV handed over, in the order of ids.
+struct ResumePlan {
+  std::string uav;
+  std::vector<executive::TaskId> without = {};  ///< are discarded
+};
+/// Discards the plan that a UAV handed over.
+struct DropPlan {
+  std::string uav;
+};
+/// Tells UAVs that a volume of air is closed. Source: spec 6.2 (6).
+struct CloseAir {
+  world::Volume volume;
+  std::vector<std::string> uavs = {};  ///< none: all
+};
+/// Tells UAVs that it is open again.
+struct OpenAir {
+  std::string name;
+  std::vector<std::string> uavs = {};  ///< none: all
+};
 /// The mission is over.
 struct Finish {};
 
-using Action = std::variant<SendPlan, AbortTasks, SendMessage, UpdateConditions, Finish>;
+using Action =
+    std::variant<SendPlan, AbortTasks, SendMessage, UpdateConditions, SendMission, CancelMission,
+                 SetDegree, TakeInHand, GiveBack, ResumePlan, DropPlan, CloseAir, OpenAir, Finish>;
 
 struct Step {
   std::string name;   ///< unique in the script

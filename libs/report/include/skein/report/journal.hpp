@@ -8,6 +8,7 @@
 
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
+#include "skein/report/plan_records.hpp"
 #include "skein/report/records.hpp"
 
 namespace skein::report {
@@ -35,6 +36,10 @@ struct Journal {
   std::vector<UndeliveredRecord> undelivered;
   std::vector<MissionRecord> missions;
   std::vector<ExpectationRecord> expectations;
+  std::vector<GoalRecord> goals;
+  std::vector<PlanRecord> plans;
+  std::vector<PlannedRecord> planned;
+  std::vector<DecisionRecord> decisions;
   std::vector<OtherRecord> others;
   std::size_t unreadable = 0;  ///< lines that were left out because they are wrong
 };

@@ -10,6 +10,7 @@
 
 #include "skein/foundation/time.hpp"
 #include "skein/journal/record.hpp"
+#include "skein/world/volume.hpp"
 
 namespace skein::scenario {
 
@@ -50,6 +51,14 @@ struct ExpectFinally {
   Pattern is;
 };
 
+/// A volume that is closed from the first record that matches `closed_by` on (absent: from the
+/// start) until the first one after it that matches `opened_by`, during the volume's own time.
+struct ClosedAir {
+  world::Volume volume;
+  std::optional<Pattern> closed_by;
+  std::optional<Pattern> opened_by;
+};
+
 /// A figure of the whole run within bounds.
 struct ExpectMeasure {
   enum class Quantity {
@@ -57,12 +66,14 @@ struct ExpectMeasure {
                          ///< telemetry
     kDistanceFlown,      ///< [m] by all of the UAVs together
     kMissionDuration,    ///< [s] until the mission finished
-    kEnergyLeft          ///< [0, 1], the least of the UAVs' at the end
+    kEnergyLeft,         ///< [0, 1], the least of the UAVs' at the end
+    kTimeInVolume        ///< [s] that the UAVs together flew in closed air, from telemetry
   };
   Quantity quantity = Quantity::kMinimumSeparation;
   std::vector<std::string> uavs;
   std::optional<double> at_least;
   std::optional<double> at_most;
+  std::vector<ClosedAir> air = {};  ///< of kTimeInVolume: all that is closed in the scenario
 };
 
 /// One named expectation. "never" is an event expected at most zero times. Source: spec 8.1.

@@ -18,7 +18,9 @@
 #include "skein/world/radio_model.hpp"
 #include "skein/world/terrain.hpp"
 #include "skein/world/vehicle_model.hpp"
+#include "skein/world/volume.hpp"
 #include "skein/world/wind.hpp"
+#include "skein/world/world_file.hpp"
 #include "skein/world/zone.hpp"
 
 namespace skein::scenario {
@@ -38,8 +40,9 @@ struct UavSpec {
   world::Vector2 start = world::Vector2::Zero();
   double heading = 0;  ///< [rad]
   double energy = 1;   ///< [0, 1]
-  int degree = 3;      ///< of decisional autonomy at the start, 1 to 3
+  int degree = 3;      ///< of decisional autonomy at the start, 1 to 4
   ContactLoss contact_loss;
+  double speed_factor = 1;  ///< it flies at this part of what its model promises; see Variations
 };
 
 struct WorldSpec {
@@ -47,6 +50,7 @@ struct WorldSpec {
   world::TerrainSpec terrain;
   world::Wind wind;
   std::vector<world::Zone> zones;
+  std::vector<world::Volume> volumes;            ///< no-fly, known from the start
   std::map<std::string, world::Vector3> places;  ///< [m] ENU
   std::vector<world::WorldObject> objects;
 };
@@ -84,6 +88,28 @@ struct BreakSpec {
   std::string device;  ///< empty: the engine
 };
 
+/// Takeoffs, landings and ways of a UAV are flown at 1/`factor` of their speed.
+struct SlowSpec {
+  MissionTime at;
+  std::string uav;
+  double factor = 1;  ///< >= 1
+  Duration lasts;
+};
+
+/// The functional layer of a UAV aborts the task of the type that runs, or else the next one.
+struct AbortSpec {
+  MissionTime at;
+  std::string uav;
+  std::string type;
+};
+
+/// A UAV finds that it has less energy than it believed.
+struct EnergySpec {
+  MissionTime at;
+  std::string uav;
+  double left = 0;  ///< [0, 1]
+};
+
 /// Faults drawn from the seed, in addition to those written down.
 struct RandomFaults {
   double cuts_per_hour = 0;   ///< of each radio link
@@ -95,7 +121,38 @@ struct RandomFaults {
 struct FaultSpec {
   std::vector<KillSpec> kills;
   std::vector<BreakSpec> breaks;
+  std::vector<SlowSpec> slows;
+  std::vector<AbortSpec> aborts;
+  std::vector<EnergySpec> energies;
   RandomFaults random;
+};
+
+/// What deliberation on board goes by. Source: spec 1.2, 3.3, 6.1.
+struct PlanningSpec {
+  std::string domain_file;        ///< as written
+  std::string domain_path;        ///< where it was read: for messages
+  std::string domain;             ///< its text
+  double altitude = 40;           ///< of flights, over the ground [m]
+  double voxel = 10;              ///< of the airspace [m]
+  std::optional<double> ceiling;  ///< of the airspace [m] ENU z; absent: as in world files
+  world::GroundRequest ground;    ///< the risk of the ground
+  Duration horizon = Duration::seconds(15);  ///< of commitment
+  /// The elementary tasks that a UAV plans are numbered from here on; 1 where nothing is said.
+  std::map<std::string, executive::TaskId> first_ids;
+};
+
+/// Bounds of what is drawn from the seed at each run; what is absent stays as written.
+struct Variations {
+  struct Range {
+    double low = 0, high = 0;
+  };
+  std::optional<Range> wind_speed;    ///< [m/s]
+  std::optional<Range> wind_toward;   ///< [rad]
+  std::optional<Range> speed_factor;  ///< of each UAV, drawn for each
+  std::optional<Range> latency;       ///< of the radio [s]
+  std::optional<Range> loss;          ///< of the radio, [0, 0.99]
+  /// So much later [s] comes every instant that the script waits for, the same for all.
+  std::optional<Range> start_delay;
 };
 
 /// Source: spec 8.1. The format by example: docs/scenario-format.md.
@@ -111,6 +168,8 @@ struct Scenario {
   RadioSpec radio;
   GroundSpec ground;
   FaultSpec faults;
+  std::optional<PlanningSpec> planning;
+  Variations variations;
   std::vector<Expectation> expectations;
 
   std::vector<std::string> uav_names() const;
@@ -125,5 +184,9 @@ Result<Scenario, Diagnostics> read_scenario_text(std::string_view text, const st
 /// Draws the random faults from the scenario's seed: they become cuts and kills beside those
 /// written down. Precondition: called once.
 void draw_random_faults(Scenario& scenario);
+
+/// Draws the variations from the scenario's seed, each from a sequence of its own: one more does
+/// not change what the others come to. Precondition: called once.
+void draw_variations(Scenario& scenario);
 
 }  // namespace skein::scenario

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/assembly/knowledge.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "skein/assembly/assembly.hpp"
+#include "skein/assembly/overrides.hpp"
+
+namespace skein::assembly {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::string comets_file() {
+  return std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/confirmed.yaml";
+}
+
+scenario::Scenario comets() {
+  auto scenario = scenario::read_scenario(comets_file());
+  if (!scenario) ADD_FAILURE() << to_text(scenario.error());
+  return scenario ? *scenario : scenario::Scenario();
+}
+
+// COMETS with a planning domain of this text.
+scenario::Scenario planning_with(const std::string& domain) {
+  scenario::Scenario scenario = comets();
+  scenario.planning.emplace();
+  scenario.planning->domain_path = "domains/own.lisp";
+  scenario.planning->domain = domain;
+  return scenario;
+}
+
+constexpr const char* kOneTask =
+    "(defdomain own (\n"
+    "  (:- (high-level-task survey (zone duration) (detection)) ())\n"
+    "  (:- (device-serves fire-sensor detection) ())))\n";
+
+TEST(Knowledge, TheWorldHasWhatTheScenarioSays) {
+  scenario::Scenario scenario = planning_with(kOneTask);
+  scenario.planning->voxel = 20;
+  scenario.planning->ceiling = 300;
+  scenario.planning->ground.risk = 0.25;
+  world::Volume volume;
+  volume.name = "tower";
+  scenario.world.volumes = {volume};
+
+  const auto world = world_of(scenario);
+
+  ASSERT_TRUE(world.has_value()) << to_text(world.error());
+  EXPECT_EQ(world->airspace.voxel, 20);
+  EXPECT_LE(world->airspace.origin.z() + 20 * world->airspace.size[2], 320);
+  EXPECT_EQ(world->volumes.at(0).name, "tower");
+  EXPECT_EQ(world->ground.risk.at(0), 0.25);
+  EXPECT_EQ(world->zones.at(0).name, "Z");
+  EXPECT_EQ(world->places.at("aside"), world::Vector3(420, 120, 0));
+  EXPECT_EQ(world->radio.range, 2500);
+  EXPECT_EQ(world->wind.speed, 2);
+  EXPECT_EQ(world->terrain.spec().hills.size(), 3U);
+}
+
+TEST(Knowledge, OfAUavIsWhatItIsAndWhoItsTeamIs) {
+  scenario::Scenario scenario = planning_with(kOneTask);
+  scenario.planning->altitude = 55;
+
+  const supervisor::Knowledge knowledge = knowledge_of(scenario, scenario.uavs[1]);
+
+  EXPECT_EQ(knowledge.uav, "heliv");
+  EXPECT_EQ(knowledge.vehicle.name, "heliv");
+  EXPECT_EQ(knowledge.home.x(), -40);
+  EXPECT_EQ(knowledge.home.y(), 30);
+  EXPECT_EQ(knowledge.home.z(), world::Terrain(scenario.world.terrain).elevation(-40, 30));
+  EXPECT_EQ(knowledge.altitude, 55);
+  EXPECT_THAT(knowledge.team, ElementsAre("marvin", "heliv", "karma"));
+  EXPECT_EQ(knowledge.domain.file, "domains/own.lisp");
+  ASSERT_EQ(knowledge.vocabulary.tasks.size(), 1U);
+  EXPECT_EQ(knowledge.vocabulary.tasks.begin()->first, "survey");
+}
+
+TEST(Knowledge, EveryUavOfAScenarioWithPlanningMayDeliberate) {
+  scenario::Scenario scenario = planning_with(kOneTask);
+  scenario.uavs[0].degree = 4;
+  scenario.planning->voxel = 40;
+
+  ASSERT_TRUE(check_assembly(scenario).empty()) << to_text(check_assembly(scenario));
+
+  for (const char* name : {"ground", "marvin", "heliv", "karma"}) {
+    const auto node = make_node(scenario, name);
+    EXPECT_FALSE(node->handle(node::Started{1}, MissionTime()).empty()) << name;
+  }
+}
+
+TEST(Knowledge, EveryErrorOfTheDomainIsToldWithItsFileAndLine) {
+  const scenario::Scenario scenario = planning_with(
+      "(defdomain own (\n"
+      "  (:- (high-level-task survey (zoen) ()) ())\n"
+      "  (:- (high-level-task watch (duraton) ()) ())))\n");
+
+  const Diagnostics diagnostics = check_assembly(scenario);
+
+  ASSERT_EQ(diagnostics.size(), 2U) << to_text(diagnostics);
+  EXPECT_THAT(to_text(diagnostics), HasSubstr("domains/own.lisp:2"));
+  EXPECT_THAT(to_text(diagnostics), HasSubstr("domains/own.lisp:3"));
+}
+
+TEST(Knowledge, ADomainThatIsNoneIsRefused) {
+  EXPECT_FALSE(check_assembly(planning_with("(defdomain own (")).empty());
+  EXPECT_FALSE(check_assembly(planning_with("")).empty());
+}
+
+TEST(Knowledge, AnAirspaceThatIsNoneIsRefused) {
+  scenario::Scenario scenario = planning_with(kOneTask);
+  scenario.planning->ceiling = -500;
+
+  EXPECT_THAT(to_text(check_assembly(scenario)), HasSubstr("planning: the airspace has no extent"));
+}
+
+TEST(Knowledge, DegreeFourNeedsPlanningHoweverItIsAskedFor) {
+  Overrides overrides;
+  overrides.degrees = {"4"};
+
+  const auto loaded = load_scenario(comets_file(), overrides);
+
+  ASSERT_FALSE(loaded.has_value());
+  EXPECT_EQ(loaded.error().size(), 3U);
+  EXPECT_THAT(to_text(loaded.error()), HasSubstr("degree 4 of karma"));
+}
+
+}  // namespace
+}  // namespace skein::assembly

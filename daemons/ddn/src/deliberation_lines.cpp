@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deliberation_lines.hpp"
+
+#include <algorithm>
+
+namespace skein::ddn {
+
+namespace {
+
+/// "ended 100, running 102".
+std::string text_of(const std::vector<wire::TaskDependence>& dependences) {
+  std::string text;
+  for (const wire::TaskDependence& one : dependences) {
+    text += (text.empty() ? "" : ", ") + std::string(name_of(one.kind)) + " " +
+            std::to_string(one.task);
+  }
+  return text;
+}
+
+double seconds(std::int64_t count) {
+  return journal::rounded(MissionTime::nanoseconds(count).to_seconds());
+}
+
+/// Left out when there is no such bound.
+void with_bound(journal::Record& line, const char* key, std::int64_t count) {
+  if (count != wire::kNever) line.with(key, seconds(count));
+}
+
+}  // namespace
+
+journal::Record plan_line(const translation::Writer& writer, const mission::PlanReport& report) {
+  journal::Record line(writer.at, writer.node, "plan");
+  line.with("uav", writer.node)
+      .with("revision", report.revision)
+      .with("tasks", static_cast<std::int64_t>(report.tasks.size()))
+      .with("goals", static_cast<std::int64_t>(report.goals.size()));
+  if (report.tasks.empty()) return line;
+  MissionTime earliest = report.tasks.front().dates.earliest_end;
+  MissionTime latest = report.tasks.front().dates.latest_end;
+  for (const mission::PlannedTask& task : report.tasks) {
+    earliest = std::max(earliest, task.dates.earliest_end);
+    latest = std::max(latest, task.dates.latest_end);
+  }
+  with_bound(line, "earliest_end", earliest.count());
+  with_bound(line, "latest_end", latest.count());
+  return line;
+}
+
+journal::Record planned_line(const translation::Writer& writer, const wire::MissionPlan& plan,
+                             const wire::PlanEntry& task) {
+  journal::Record line(writer.at, writer.node, "planned");
+  line.with("uav", writer.node)
+      .with("revision", plan.revision)
+      .with("task", task.id)
+      .with("type", task.type)
+      .with("goal", task.origin)
+      .with("earliest_start", seconds(task.earliest_start));
+  with_bound(line, "latest_start", task.latest_start);
+  line.with("earliest_end", seconds(task.earliest_end));
+  with_bound(line, "latest_end", task.latest_end);
+  line.with("after", text_of(task.dependences));
+  if (!task.stop.empty()) line.with("stop", text_of(task.stop));
+  line.with("methods", task.methods).with("committed", task.committed);
+  if (!task.way.empty()) line.with("way", journal::rounded(task.way));
+  return line;
+}
+
+journal::Record goal_line(const translation::Writer& writer, const mission::GoalStatus& goal) {
+  journal::Record line(writer.at, writer.node, "goal");
+  line.with("uav", writer.node)
+      .with("goal", goal.id.value())
+      .with("mission", goal.mission.value())
+      .with("statement", goal.statement)
+      .with("state", to_text(goal.state));
+  if (!goal.why.empty()) line.with("why", goal.why);
+  line.with("asked_by", goal.asked_by);
+  return line;
+}
+
+journal::Record decision_line(const translation::Writer& writer,
+                              const mission::Decision& decision) {
+  journal::Record line(writer.at, writer.node, "decision");
+  line.with("uav", writer.node)
+      .with("number", decision.number)
+      .with("operator", decision.applied)
+      .with("cause", decision.cause)
+      .with("inputs", decision.inputs)
+      .with("outcome", decision.outcome)
+      .with("took", journal::rounded(decision.took.to_seconds()));
+  return line;
+}
+
+}  // namespace skein::ddn

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the ground can know to be wrong with a request before it is sent.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/ground_station/messages.hpp"
+#include "skein/mission/vocabulary.hpp"
+#include "skein/world/vehicle_model.hpp"
+
+namespace skein::ground_station {
+
+/// What missions are checked against.
+struct MissionKnowledge {
+  /// Of the planning domain that the UAVs have. Absent: what a mission says is not checked here.
+  std::optional<mission::Vocabulary> vocabulary = std::nullopt;
+  std::vector<std::string> places = {}, zones = {};
+  /// By UAV; the devices of one that is not here are not checked.
+  std::map<std::string, world::VehicleModel> vehicles = {};
+};
+
+/// The request's addressee, as the board has it.
+struct Addressee {
+  std::string name;
+  Degree degree = 3;
+  const std::vector<mission::GoalStatus>& goals;
+};
+
+/// Refuses at the ground what no UAV could accept, so that an operator has every reason at once and
+/// a UAV's plan stays untouched. A value; not safe to share between threads while it is assigned.
+class MissionChecks {
+ public:
+  MissionChecks() = default;
+  MissionChecks(MissionKnowledge knowledge, std::vector<std::string> team)
+      : knowledge_(std::move(knowledge)), team_(std::move(team)) {}
+
+  /// Every reason why the request makes no sense, in sentences; empty when it may be sent. Requests
+  /// to an MLE are its own business. Source: spec 1.2, 6.2.
+  std::vector<std::string> problems_of(const Request& request, const Addressee& to,
+                                       MissionTime now) const;
+
+ private:
+  std::vector<std::string> problems(const mission::UnitMission& mission, const Addressee& to,
+                                    MissionTime now) const;
+
+  MissionKnowledge knowledge_;
+  std::vector<std::string> team_;
+};
+
+}  // namespace skein::ground_station

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Missions against the domain's vocabulary; degrees and volumes against what they may be.
+#include "skein/ground_station/mission_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace skein::ground_station {
+namespace {
+
+using Problems = std::vector<std::string>;
+
+Problems problems(const mission::ChangeDegree& change) {
+  if (change.degree >= mission::kLeastDegree && change.degree <= mission::kGreatestDegree) {
+    return {};
+  }
+  return {"there is no degree " + std::to_string(change.degree) + ": they go from " +
+          std::to_string(mission::kLeastDegree) + " to " +
+          std::to_string(mission::kGreatestDegree)};
+}
+
+Problems problems(const mission::ChangeWorld& change) {
+  const world::Volume& volume = change.volume;
+  Problems out;
+  if (volume.name.empty()) out.emplace_back("the volume has no name");
+  if (change.remove) return out;
+  const bool finite = std::all_of(volume.polygon.begin(), volume.polygon.end(),
+                                  [](const world::Vector2& corner) { return corner.allFinite(); });
+  if (!finite) out.emplace_back("a corner of the volume is not finite");
+  if (volume.polygon.size() < 3) out.emplace_back("the volume has fewer than three corners");
+  if (!(volume.floor < volume.ceiling)) {
+    out.emplace_back("the volume's floor is not below its ceiling");
+  }
+  if (volume.when.until <= volume.when.from) {
+    out.emplace_back("the volume is open again before it is closed");
+  }
+  return out;
+}
+
+}  // namespace
+
+Problems MissionChecks::problems_of(const Request& request, const Addressee& to,
+                                    MissionTime now) const {
+  if (const auto* mission = std::get_if<mission::UnitMission>(&request)) {
+    return problems(*mission, to, now);
+  }
+  if (const auto* change = std::get_if<mission::ChangeDegree>(&request)) {
+    return ground_station::problems(*change);
+  }
+  if (const auto* change = std::get_if<mission::ChangeWorld>(&request)) {
+    return ground_station::problems(*change);
+  }
+  return {};
+}
+
+Problems MissionChecks::problems(const mission::UnitMission& mission, const Addressee& to,
+                                 MissionTime now) const {
+  Problems out;
+  if (to.degree < 4) {
+    out.push_back(to.name + " is at degree " + std::to_string(to.degree) +
+                  ": missions are planned at degree 4");
+  }
+  for (const mission::GoalStatus& goal : to.goals) {
+    const bool is_again = std::any_of(mission.tasks.begin(), mission.tasks.end(),
+                                      [&](const auto& task) { return task.id == goal.id; });
+    if (is_again) {
+      out.push_back("high-level task " + skein::to_text(goal.id) +
+                    " is known already: " + goal.statement);
+    }
+  }
+  if (!knowledge_.vocabulary) return out;
+  const auto vehicle = knowledge_.vehicles.find(to.name);
+  const mission::Surroundings surroundings{
+      knowledge_.places, knowledge_.zones, team_,
+      vehicle == knowledge_.vehicles.end() ? nullptr : &vehicle->second};
+  for (std::string& problem :
+       mission::problems_of(mission, *knowledge_.vocabulary, surroundings, now)) {
+    out.push_back(std::move(problem));
+  }
+  return out;
+}
+
+}  // namespace skein::ground_station

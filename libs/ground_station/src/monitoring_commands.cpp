@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// Commands, from their issue to their one end.
+#include <algorithm>
+#include <functional>
+
+#include "request_facts.hpp"
+#include "skein/ground_station/monitoring.hpp"
+
+namespace skein::ground_station {
+namespace {
+
+using executive::TaskId;
+
+std::string joined(const std::vector<std::string>& reasons) {
+  std::string text;
+  for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
+  return text;
+}
+
+}  // namespace
+
+std::string_view to_text(CommandState state) {
+  switch (state) {
+    case CommandState::kIssued:
+      return "issued";
+    case CommandState::kAcknowledged:
+      return "acknowledged";
+    case CommandState::kRefused:
+      return "refused";
+    case CommandState::kExpired:
+      break;
+  }
+  return "expired";
+}
+
+void Monitoring::on(const IssueCommand& input, MissionTime now, Effects& effects) {
+  const CommandNumber number(++last_number_);
+  pending_[number] = {input.uav, input.request, input.expires, input.asked_by};
+  effects.emplace_back(
+      CommandChanged{number, input.uav, what_of(input.request), CommandState::kIssued});
+  const auto uav = uavs_.find(input.uav);
+  if (uav == uavs_.end()) {
+    return close(number, CommandState::kRefused, "unknown UAV '" + input.uav + "'", effects);
+  }
+  uav->second.board.commands_pending += 1;
+  deadlines_.emplace(input.expires + grace_, number);
+  if (input.expires <= now) {
+    return close(number, CommandState::kExpired, "it had expired before it was issued", effects);
+  }
+  Record& record = uav->second;
+  const bool waits = (record.change || !record.waiting.empty()) && !input.ahead;
+  waits ? record.waiting.push_back(number) : send(number, now, effects);
+}
+
+void Monitoring::on(const IssueToAll& input, MissionTime now, Effects& effects) {
+  for (const std::string& uav : order_) {
+    on(IssueCommand{uav, input.request, input.expires, input.asked_by}, now, effects);
+  }
+}
+
+// What was accepted may turn out not to make sense only now, since it waited for the degree.
+void Monitoring::send(CommandNumber number, MissionTime now, Effects& effects) {
+  const auto found = pending_.find(number);
+  if (found == pending_.end()) return;
+  const Pending& pending = found->second;
+  if (pending.expires <= now) {
+    return close(number, CommandState::kExpired, "it waited for a change of degree", effects);
+  }
+  Record& record = uavs_.at(pending.uav);
+  const Addressee to{pending.uav, record.board.degree, record.board.goals};
+  if (const auto problems = checks_.problems_of(pending.request, to, now); !problems.empty()) {
+    return close(number, CommandState::kRefused, joined(problems), effects);
+  }
+  if (const auto* change = std::get_if<mission::ChangeDegree>(&pending.request)) {
+    record.change = Change{number, *change, pending.expires + grace_, std::nullopt};
+  }
+  effects.emplace_back(
+      SendRequest{number, pending.uav, pending.request, pending.expires, pending.asked_by});
+}
+
+// The next change of degree that goes makes the others wait again.
+void Monitoring::on(const ReleaseCommands& input, MissionTime now, Effects& effects) {
+  Record* record = find(input.uav, "release of commands", effects);
+  while (record != nullptr && !record->change && !record->waiting.empty()) {
+    const CommandNumber number = record->waiting.front();
+    record->waiting.pop_front();
+    send(number, now, effects);
+  }
+}
+
+// Besides the tasks on the board, those whose START is still under way.
+void Monitoring::on(const AbortEverything& input, MissionTime now, Effects& effects) {
+  Record* record = find(input.uav, "abort of all tasks", effects);
+  if (record == nullptr) return;
+  std::set<TaskId, std::greater<>> ids;
+  for (const auto& [id, task] : record->board.tasks) {
+    if (is_open(task) && id < executive::kFirstBackgroundId) ids.insert(id);
+  }
+  for (const auto& [number, pending] : pending_) {
+    const std::optional<TaskId> id = started_by(pending.request);
+    if (pending.uav == input.uav && id) ids.insert(*id);
+  }
+  for (const TaskId id : ids) {
+    on(IssueCommand{input.uav, executive::Abort{id}, input.expires}, now, effects);
+  }
+}
+
+bool Monitoring::is_being_started(const std::string& uav, TaskId task) const {
+  return std::any_of(pending_.begin(), pending_.end(), [&](const auto& entry) {
+    return entry.second.uav == uav && started_by(entry.second.request) == task;
+  });
+}
+
+void Monitoring::on(const RequestReplyReceived& input, MissionTime, Effects& effects) {
+  const CommandState state = input.accepted ? CommandState::kAcknowledged : CommandState::kRefused;
+  close(input.command, state, input.why, effects);
+}
+
+void Monitoring::on(const CommandUndelivered& input, MissionTime, Effects& effects) {
+  close(input.command, CommandState::kExpired, "not delivered in its lifetime", effects);
+}
+
+void Monitoring::close(CommandNumber number, CommandState state, const std::string& why,
+                       Effects& effects) {
+  const auto found = pending_.find(number);
+  if (found == pending_.end()) {
+    effects.emplace_back(Anomaly{"command " + skein::to_text(number) + " is not pending, yet " +
+                                 std::string(to_text(state))});
+    return;
+  }
+  const Pending pending = std::move(found->second);
+  pending_.erase(found);
+  deadlines_.erase({pending.expires + grace_, number});
+  const auto uav = uavs_.find(pending.uav);
+  effects.emplace_back(CommandChanged{number, pending.uav, what_of(pending.request), state, why});
+  if (uav == uavs_.end()) return;
+  uav->second.board.commands_pending -= 1;
+  const auto* mission = std::get_if<mission::UnitMission>(&pending.request);
+  if (mission != nullptr && state == CommandState::kRefused) {
+    tell_stage(uav->second, mission->id, MissionStage::kRefused, effects);
+  }
+  const auto* message = std::get_if<executive::ProcessMessage>(&pending.request);
+  if (message != nullptr && state == CommandState::kAcknowledged) {
+    uav->second.messages.insert(message->message);
+  }
+  settle_if_closed(uav->second, number, state, effects);
+}
+
+void Monitoring::expire_due(MissionTime now, Effects& effects) {
+  while (!deadlines_.empty() && deadlines_.begin()->first <= now) {
+    close(deadlines_.begin()->second, CommandState::kExpired, "no answer", effects);
+  }
+  for (auto& [name, record] : uavs_) {
+    if (record.change && record.change->until <= now) settle(record, effects);
+  }
+}
+
+// What the former life was told and did not answer; what is about a task it took with it is void.
+void Monitoring::send_again(const Record& record, Effects& effects) {
+  std::vector<std::pair<CommandNumber, Pending>> open;
+  for (const auto& [number, pending] : pending_) {
+    const bool waits =
+        std::find(record.waiting.begin(), record.waiting.end(), number) != record.waiting.end();
+    if (pending.uav == record.board.name && !waits) open.emplace_back(number, pending);
+  }
+  for (const auto& [number, pending] : open) {
+    const std::optional<TaskId> about = named_by(pending.request);
+    const auto task = about ? record.board.tasks.find(*about) : record.board.tasks.end();
+    if (task != record.board.tasks.end() && task->second.lost) {
+      const std::string id = skein::to_text(*about);
+      close(number, CommandState::kRefused, "the UAV restarted: task " + id + " is lost", effects);
+    } else {
+      effects.emplace_back(
+          SendRequest{number, pending.uav, pending.request, pending.expires, pending.asked_by});
+    }
+  }
+}
+
+}  // namespace skein::ground_station

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each scripted action asks of the other components.
+#include "skein/ground_station/mission_planning.hpp"
+#include "skein/ground_station/target_resolution.hpp"
+
+namespace skein::ground_station {
+namespace {
+
+executive::Parameter parameter_of(const std::string& name,
+                                  const std::vector<world::Vector3>& points) {
+  executive::Parameter parameter{name, {}, {}};
+  for (const world::Vector3& point : points) {
+    parameter.numbers.insert(parameter.numbers.end(), {point.x(), point.y(), point.z()});
+  }
+  return parameter;
+}
+
+}  // namespace
+
+void MissionPlanning::Deed::issue(const std::string& uav, Request request) const {
+  effects.emplace_back(IssueCommand{uav, std::move(request), expires, asked_by});
+}
+
+void MissionPlanning::perform(const SendPlan& plan, const Deed& deed) {
+  for (const PlannedTask& planned : plan.tasks) {
+    executive::Start start{planned.task, planned.mode};
+    std::string problem;
+    for (const Target& target : planned.targets) {
+      const auto points = resolve(target, subject(), terrain_);
+      if (points) {
+        start.task.parameters.add(parameter_of(target.parameter, *points));
+      } else {
+        problem = points.error().why;
+      }
+    }
+    if (problem.empty()) {
+      deed.issue(plan.uav, std::move(start));
+    } else {
+      deed.effects.emplace_back(Anomaly{"task " + skein::to_text(planned.task.id) + " of " +
+                                        plan.uav + " is not sent: " + problem});
+    }
+  }
+}
+
+void MissionPlanning::perform(const AbortTasks& action, const Deed& deed) {
+  if (!action.tasks) {
+    deed.effects.emplace_back(AbortEverything{action.uav, deed.expires});
+    return;
+  }
+  for (const executive::TaskId id : *action.tasks) deed.issue(action.uav, executive::Abort{id});
+}
+
+void MissionPlanning::perform(const SendMessage& action, const Deed& deed) {
+  deed.issue(action.uav, executive::ProcessMessage{action.text});
+}
+
+void MissionPlanning::perform(const UpdateConditions& action, const Deed& deed) {
+  deed.issue(action.uav, action.update);
+}
+
+void MissionPlanning::perform(const SendMission& action, const Deed& deed) {
+  mission::UnitMission mission = action.mission;
+  if (mission.asked_by.empty()) mission.asked_by = deed.asked_by;
+  for (const ArgumentTarget& target : action.targets) {
+    const Target where{
+        std::visit([](const auto& it) -> decltype(Target::where) { return it; }, target.where), ""};
+    const auto points = resolve(where, subject(), terrain_);
+    const bool is_there = target.task < mission.tasks.size() &&
+                          target.argument < mission.tasks[target.task].arguments.size();
+    if (!points || !is_there) {
+      const std::string why = points ? "a target is for no argument" : points.error().why;
+      deed.effects.emplace_back(Anomaly{"mission " + skein::to_text(mission.id) + " of " +
+                                        action.uav + " is not sent: " + why});
+      return;
+    }
+    mission.tasks[target.task].arguments[target.argument] = points->front();
+  }
+  deed.issue(action.uav, std::move(mission));
+}
+
+void MissionPlanning::perform(const CancelMission& action, const Deed& deed) {
+  deed.issue(action.uav, action.cancel);
+}
+
+void MissionPlanning::perform(const SetDegree& action, const Deed& deed) {
+  deed.issue(action.uav, action.change);
+}
+
+void MissionPlanning::perform(const TakeInHand& action, const Deed& deed) {
+  deed.effects.emplace_back(ChangeHands{action.uav, ChangeHands::Way::kTake, action.interrupt,
+                                        deed.expires, deed.asked_by});
+}
+
+void MissionPlanning::perform(const GiveBack& action, const Deed& deed) {
+  deed.effects.emplace_back(
+      ChangeHands{action.uav, ChangeHands::Way::kGiveBack, false, deed.expires, deed.asked_by});
+}
+
+void MissionPlanning::perform(const ResumePlan& action, const Deed& deed) {
+  deed.effects.emplace_back(ResumeHeld{action.uav, action.without, deed.expires, deed.asked_by});
+}
+
+void MissionPlanning::perform(const DropPlan& action, const Deed& deed) {
+  deed.effects.emplace_back(DropHeld{action.uav});
+}
+
+void MissionPlanning::perform(const CloseAir& action, const Deed& deed) {
+  const mission::ChangeWorld change{action.volume, false};
+  for (const std::string& uav : action.uavs) deed.issue(uav, change);
+  if (action.uavs.empty()) {
+    deed.effects.emplace_back(IssueToAll{change, deed.expires, deed.asked_by});
+  }
+}
+
+void MissionPlanning::perform(const OpenAir& action, const Deed& deed) {
+  mission::ChangeWorld change;
+  change.volume.name = action.name;
+  change.remove = true;
+  for (const std::string& uav : action.uavs) deed.issue(uav, change);
+  if (action.uavs.empty()) {
+    deed.effects.emplace_back(IssueToAll{change, deed.expires, deed.asked_by});
+  }
+}
+
+void MissionPlanning::perform(const Finish&, const Deed& deed) {
+  finished_ = true;
+  deed.effects.emplace_back(MissionFinished{});
+}
+
+}  // namespace skein::ground_station

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/ground_station/mission_checks.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "testing/builders.hpp"
+
+namespace skein::ground_station {
+namespace {
+
+using testing::at;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+MissionChecks checks() {
+  MissionKnowledge knowledge;
+  knowledge.vocabulary = mission::Vocabulary{
+      {{"watch",
+        {"watch", {mission::ParameterKind::kPlace, mission::ParameterKind::kDuration}, {}}}},
+      {}};
+  knowledge.places = {"P1", "P2"};
+  return {knowledge, {"marvin", "heliv"}};
+}
+
+mission::UnitMission watch(const std::string& place, double seconds) {
+  mission::UnitMission out;
+  out.id = mission::MissionId(2);
+  out.tasks.push_back({mission::GoalId(701), "watch", {place, seconds}, {}});
+  return out;
+}
+
+std::vector<std::string> problems(const Request& request, Degree degree = 4,
+                                  const std::vector<mission::GoalStatus>& goals = {}) {
+  return checks().problems_of(request, {"marvin", degree, goals}, at(10));
+}
+
+TEST(MissionChecks, AMissionThatMakesSenseMayBeSent) {
+  EXPECT_THAT(problems(watch("P1", 20)), IsEmpty());
+}
+
+TEST(MissionChecks, EveryReasonIsGivenAtOnce) {
+  const auto reasons = problems(watch("P9", -1), 2);
+
+  ASSERT_THAT(reasons, SizeIs(3));
+  EXPECT_THAT(reasons[0], HasSubstr("degree 2"));
+  EXPECT_THAT(reasons[1] + reasons[2], HasSubstr("P9"));
+}
+
+TEST(MissionChecks, AHighLevelTaskIsAskedForOnce) {
+  const std::vector<mission::GoalStatus> goals = {{mission::GoalId(701), mission::MissionId(1),
+                                                   "watch P2 10", mission::GoalState::kAchieved, "",
+                                                   ""}};
+
+  EXPECT_THAT(problems(watch("P1", 20), 4, goals),
+              ElementsAre("high-level task 701 is known already: watch P2 10"));
+}
+
+TEST(MissionChecks, WithoutADomainWhatIsAskedForIsNotChecked) {
+  const MissionChecks none;
+
+  EXPECT_THAT(none.problems_of(watch("nowhere", -1), {"marvin", 4, {}}, at(1)), IsEmpty());
+  EXPECT_THAT(none.problems_of(watch("nowhere", -1), {"marvin", 3, {}}, at(1)), SizeIs(1));
+}
+
+TEST(MissionChecks, DegreesGoFromOneToFour) {
+  for (int degree = -1; degree <= 6; ++degree) {
+    const bool is_built = degree >= 1 && degree <= 4;
+    EXPECT_EQ(problems(mission::ChangeDegree{degree, false, true}).empty(), is_built) << degree;
+  }
+}
+
+world::Volume tower() {
+  world::Volume out;
+  out.name = "tower";
+  out.polygon = {{0, 0}, {10, 0}, {0, 10}};
+  return out;
+}
+
+TEST(MissionChecks, AVolumeHasANameAnAreaAHeightAndATime) {
+  EXPECT_THAT(problems(mission::ChangeWorld{tower(), false}), IsEmpty());
+  world::Volume wrong;
+  wrong.polygon = {{0, 0}, {NAN, 0}};
+  wrong.floor = 10;
+  wrong.ceiling = 10;
+  wrong.when = {at(5), at(5)};
+
+  EXPECT_THAT(problems(mission::ChangeWorld{wrong, false}), SizeIs(5));
+  EXPECT_THAT(problems(mission::ChangeWorld{wrong, true}), SizeIs(1)) << "only the name counts";
+}
+
+TEST(MissionChecks, RequestsToAnExecutiveAreItsOwnBusiness) {
+  EXPECT_THAT(problems(testing::start_of(1), 1), IsEmpty());
+  EXPECT_THAT(problems(mission::CancelGoals{}, 1), IsEmpty());
+}
+
+}  // namespace
+}  // namespace skein::ground_station

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// High-level tasks in words, and the words of the enumerations around them.
+#include "skein/mission/high_level_task.hpp"
+
+#include <charconv>
+
+#include "skein/foundation/overloaded.hpp"
+#include "words.hpp"
+
+namespace skein::mission {
+
+namespace {
+
+constexpr Words<Placement, 5> kPlacements{{{Placement::kBest, "best"},
+                                           {Placement::kLast, "last"},
+                                           {Placement::kInTime, "in-time"},
+                                           {Placement::kTour, "tour"},
+                                           {Placement::kFirst, "first"}}};
+constexpr Words<GoalState, 7> kGoalStates{{{GoalState::kReceived, "received"},
+                                           {GoalState::kPlanned, "planned"},
+                                           {GoalState::kUnderWay, "under-way"},
+                                           {GoalState::kAchieved, "achieved"},
+                                           {GoalState::kFailed, "failed"},
+                                           {GoalState::kCancelled, "cancelled"},
+                                           {GoalState::kHandedOver, "handed-over"}}};
+static_assert(kGoalStates.size() == static_cast<std::size_t>(GoalState::kCount));
+
+std::string text_of(const Argument& argument) {
+  return std::visit(Overloaded{[](const std::string& name) { return name; },
+                               [](double number) { return number_text(number); },
+                               [](const world::Vector3& point) {
+                                 return "(" + number_text(point.x()) + " " +
+                                        number_text(point.y()) + " " + number_text(point.z()) + ")";
+                               },
+                               [](const std::vector<std::string>& names) {
+                                 std::string text = "(";
+                                 for (const std::string& name : names) {
+                                   if (text.size() > 1) text += " ";
+                                   text += name;
+                                 }
+                                 return text + ")";
+                               }},
+                    argument);
+}
+
+std::string text_of(const TimeConstraints& time) {
+  std::string text;
+  const auto add = [&](std::string_view what, const std::optional<MissionTime>& bound) {
+    if (!bound) return;
+    text += text.empty() ? " [" : ", ";
+    text += std::string(what) + " " + to_text(*bound);
+  };
+  add("start-after", time.start_after);
+  add("start-before", time.start_before);
+  add("end-after", time.end_after);
+  add("end-before", time.end_before);
+  return text.empty() ? text : text + "]";
+}
+
+}  // namespace
+
+std::string number_text(double number) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, number == 0 ? 0.0 : number).ptr;
+  return std::string(text, end);
+}
+
+std::string to_text(const HighLevelTask& task) {
+  std::string text = task.name;
+  for (const Argument& argument : task.arguments) text += " " + text_of(argument);
+  return text + text_of(task.time);
+}
+
+std::string_view to_text(Placement placement) { return word_of(kPlacements, placement); }
+std::optional<Placement> placement_from(std::string_view text) {
+  return value_of(kPlacements, text);
+}
+
+std::string_view to_text(GoalState state) { return word_of(kGoalStates, state); }
+std::optional<GoalState> goal_state_from(std::string_view text) {
+  return value_of(kGoalStates, text);
+}
+
+}  // namespace skein::mission

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The words that stand for the values of an enumeration, both ways; and numbers for people.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace skein::mission {
+
+template <class E, std::size_t N>
+using Words = std::array<std::pair<E, std::string_view>, N>;
+
+template <class E, std::size_t N>
+constexpr std::string_view word_of(const Words<E, N>& words, E value) {
+  for (const auto& [one, word] : words) {
+    if (one == value) return word;
+  }
+  return "?";
+}
+
+template <class E, std::size_t N>
+constexpr std::optional<E> value_of(const Words<E, N>& words, std::string_view text) {
+  for (const auto& [one, word] : words) {
+    if (word == text) return one;
+  }
+  return std::nullopt;
+}
+
+/// The shortest text that reads back as the same number: "300", "0.1", "1e+30", "nan".
+std::string number_text(double number);
+
+}  // namespace skein::mission

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a script does with UAVs that plan: missions, degrees, hand-over, closed air.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "read_tasks.hpp"
+
+namespace skein::scenario {
+
+using ReadAction = ground_station::Action (*)(const config::Reader&, TaskContext&);
+struct MissionAction {
+  const char* key;
+  ReadAction read;
+};
+/// By their keys in a list of actions.
+const std::vector<MissionAction>& mission_actions();
+
+/// Of a mission or high-level task that must be one the script sends: see check_references.
+mission::MissionId read_mission_id(const config::Reader& reader, const std::string& uav,
+                                   TaskContext& context);
+mission::GoalId read_goal_id(const config::Reader& reader, const std::string& uav,
+                             TaskContext& context);
+int read_degree_number(const config::Reader& reader);
+
+/// Reports what was referred to and is never sent. Once all of the script is read.
+void check_references(const TaskContext& context);
+
+}  // namespace skein::scenario

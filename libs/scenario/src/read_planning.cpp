@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a scenario about deliberation on board, closed air, and what differs between runs.
+#include <algorithm>
+#include <filesystem>
+#include <numbers>
+
+#include "reading.hpp"
+#include "skein/foundation/nearest.hpp"
+
+namespace skein::scenario {
+
+namespace {
+
+using config::Range;
+using config::Reader;
+
+constexpr Range kFraction{0, 1, ""};
+constexpr std::int64_t kGreatestFirstId = 900'000'000;  // a decision node's own tasks come later
+constexpr Range kLevel{-10'000, 100'000, "m"};
+
+world::RiskPeaks read_peaks(const Reader& reader) {
+  world::RiskPeaks peaks;
+  if (!reader.keys({"peaks", "base"})) return peaks;
+  peaks.base = reader.optional("base").number(0, kFraction);
+  for (const Reader& peak : items_of(reader.required("peaks"))) {
+    if (!peak.keys({"at", "risk", "radius"})) continue;
+    peaks.peaks.push_back({read_point_2d(peak.required("at")),
+                           peak.required("risk").number(0, kFraction),
+                           peak.required("radius").number(1, {1, world::kFarthest, "m"})});
+  }
+  return peaks;
+}
+
+world::GroundRequest read_risk(const Reader& reader) {
+  world::GroundRequest ground;
+  ground.mark = {reader.line(), reader.path()};
+  if (reader.is_map()) {
+    ground.risk = read_peaks(reader);
+  } else {
+    ground.risk = reader.number(0.5, kFraction);
+  }
+  return ground;
+}
+
+std::map<std::string, executive::TaskId> read_first_ids(const Reader& reader, const Names& names) {
+  std::map<std::string, executive::TaskId> first;
+  for (const auto& [uav, id] : entries_of(reader)) {
+    if (std::find(names.uavs.begin(), names.uavs.end(), uav) == names.uavs.end()) {
+      id.error("no UAV '" + uav + "'", "a UAV", nearest_name(uav, names.uavs));
+    }
+    first.emplace(
+        uav, executive::TaskId(static_cast<std::uint64_t>(id.integer(1, 1, kGreatestFirstId))));
+  }
+  return first;
+}
+
+std::optional<Variations::Range> read_range(const Reader& reader, Range within) {
+  if (!reader.present()) return std::nullopt;
+  const std::vector<double> bounds = reader.numbers(2, within);
+  if (bounds.size() != 2) return std::nullopt;
+  if (bounds[1] < bounds[0]) reader.error("no figure is between these", "[LEAST, MOST]");
+  return Variations::Range{bounds[0], bounds[1]};
+}
+
+}  // namespace
+
+world::Volume read_volume(const std::string& name, const Reader& reader) {
+  world::Volume volume;
+  volume.name = name;
+  volume.polygon = world::read_polygon(reader.required("polygon"));
+  const Reader floor = reader.optional("floor"), ceiling = reader.optional("ceiling");
+  if (floor.present()) volume.floor = floor.number(0, kLevel);
+  if (ceiling.present()) volume.ceiling = ceiling.number(0, kLevel);
+  volume.when.from = read_instant(reader.optional("from"));
+  volume.when.until = read_instant(reader.optional("until"), MissionTime::max());
+  if (volume.ceiling <= volume.floor) reader.error("the ceiling is not above the floor");
+  if (volume.when.until <= volume.when.from) {
+    reader.error("it ends before it begins", "until greater than from");
+  }
+  return volume;
+}
+
+std::optional<PlanningSpec> read_planning(const Reader& reader, const std::string& folder,
+                                          const Names& names) {
+  if (!reader.present()) return std::nullopt;
+  PlanningSpec planning;
+  if (!reader.keys({"domain", "altitude", "voxel", "ceiling", "risk", "horizon", "first_ids"})) {
+    return planning;
+  }
+  const Reader domain = reader.required("domain");
+  planning.domain_file = domain.text();
+  if (!planning.domain_file.empty()) {
+    planning.domain_path = (std::filesystem::path(folder) / planning.domain_file).string();
+    planning.domain = read_text_of(domain, "domain file", planning.domain_path).value_or("");
+  }
+  planning.altitude = reader.optional("altitude").number(40, {2, 10'000, "m above the ground"});
+  planning.voxel = reader.optional("voxel").number(10, {0.1, 10'000, "m"});
+  const Reader ceiling = reader.optional("ceiling");
+  if (ceiling.present()) planning.ceiling = ceiling.number(0, kLevel);
+  planning.ground = read_risk(reader.optional("risk"));
+  planning.horizon = read_seconds(reader.optional("horizon"), planning.horizon);
+  planning.first_ids = read_first_ids(reader.optional("first_ids"), names);
+  return planning;
+}
+
+void read_variations(const Reader& reader, Variations& variations) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  if (!reader.present()) return;
+  reader.keys({"wind_speed", "wind_toward", "speed_factor", "latency", "loss", "start_delay"});
+  variations.wind_speed = read_range(reader.optional("wind_speed"), {0, 50, "m/s"});
+  variations.wind_toward = read_range(reader.optional("wind_toward"), {-kTurn, kTurn, "rad"});
+  variations.speed_factor = read_range(reader.optional("speed_factor"), {0.1, 2, ""});
+  variations.latency = read_range(reader.optional("latency"), {0, 10, "s"});
+  variations.loss = read_range(reader.optional("loss"), {0, 0.99, ""});
+  variations.start_delay = read_range(reader.optional("start_delay"), {0, 3600, "s"});
+}
+
+}  // namespace skein::scenario

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Operator 1: where new high-level tasks go among those already planned.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/supervisor/planning.hpp"
+#include "skein/supervisor/schedule.hpp"
+
+namespace skein::supervisor {
+
+/// What the executive has in hand and keeps; new tasks come after it.
+struct Standing {
+  std::vector<mission::ElementaryTask> tasks;
+  Observations seen;
+};
+
+struct InsertionRequest {
+  PlanningRequest base;  ///< its tasks do not count; the situation is that after `standing`
+  Standing standing;
+  std::vector<mission::HighLevelTask> planned;  ///< free to move, in the order of the plan
+  std::vector<mission::HighLevelTask> added;    ///< in the order wanted
+  mission::Placement placement = mission::Placement::kBest;
+};
+
+/// One order that was tried.
+struct Trial {
+  mission::Placement placement = mission::Placement::kLast;
+  std::vector<mission::GoalId> order;
+  bool feasible = false;
+  double cost = 0;                   ///< of the plan, where there is one
+  std::vector<std::string> reasons;  ///< why it is not feasible
+};
+
+struct InsertionOutcome {
+  /// Of the best feasible order: all that was planned and added. Absent: there is none.
+  std::optional<mission::ElementaryPlan> plan;
+  std::vector<mission::HighLevelTask> order;
+  mission::Placement chosen = mission::Placement::kLast;
+  Schedule schedule;  ///< of `standing` and the plan together
+  std::vector<Trial> trials;
+  std::vector<std::string> reasons;  ///< why there is no plan: of every trial, each once
+};
+
+/// Tries the placements that the request allows (spec 6.2 (1)): (a) after all, (b) by temporal
+/// compatibility with absolute constraints, (c) by spatial compatibility, through a tour over the
+/// places of what is free to move; plans each and keeps the one of least cost that is dynamically
+/// controllable, of equals the first. Takeoffs stay first, landings and waits for orders last.
+/// kFirst: added before planned. Tasks without a place stay behind their predecessor; those that
+/// synchronise keep their order. With nothing planned the mission is planned in the order asked
+/// for, unless kTour is. A plan must also leave the energy reserve alone. A job. Source: T IV.4.2
+/// (SCD-1).
+InsertionOutcome insert_tasks(const InsertionRequest& request);
+
+}  // namespace skein::supervisor

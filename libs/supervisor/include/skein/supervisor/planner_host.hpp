@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the planning domain asks of its host: refiners, and the names of the world.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "skein/htn/functions.hpp"
+#include "skein/supervisor/planning.hpp"
+
+namespace skein::supervisor {
+
+/// The functions that docs/comets-domain.md lists (compute-gotoxyz, in-time, …), for one planning:
+/// what was refined once is not refined again, and every refusal is kept in words. The airspace is
+/// built at the first way that is asked for; volumes that are closed for a time only count all
+/// along. Thread rule: one thread at a time.
+class PlannerHost {
+ public:
+  PlannerHost(std::shared_ptr<const Knowledge> knowledge, std::shared_ptr<const world::World> world,
+              MissionTime origin, std::uint64_t seed);
+  ~PlannerHost();
+  PlannerHost(const PlannerHost&) = delete;
+  PlannerHost& operator=(const PlannerHost&) = delete;
+
+  /// The functions may outlive the host.
+  void offer(htn::Functions& functions) const;
+  /// The same names and numbers of arguments, for reading a domain where there is no world: called,
+  /// they fail.
+  static void declare(htn::Functions& functions);
+
+  /// Each once, in the order they came.
+  const std::vector<std::string>& refusals() const;
+  /// Calls of refiners that were not known from before.
+  std::uint64_t refinements() const;
+
+ private:
+  class Services;
+  std::shared_ptr<Services> services_;
+};
+
+}  // namespace skein::supervisor

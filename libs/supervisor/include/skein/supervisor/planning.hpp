@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Operator 3: planner and refiners together make elementary tasks of high-level ones.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "skein/foundation/diagnostics.hpp"
+#include "skein/foundation/result.hpp"
+#include "skein/mission/elementary_plan.hpp"
+#include "skein/mission/vocabulary.hpp"
+#include "skein/world/world.hpp"
+
+namespace skein::supervisor {
+
+/// A planning domain as text (docs/comets-domain.md).
+struct DomainText {
+  std::string file;  ///< name for messages
+  std::string text;
+};
+
+/// What deliberation knows all along a mission. Immutable; shared by jobs.
+struct Knowledge {
+  std::string uav;
+  world::VehicleModel vehicle;
+  world::Vector3 home =
+      world::Vector3::Zero();     ///< where it takes off and lands [m] ENU, on ground
+  double altitude = 40;           ///< of flights, over the ground, where nothing else is asked [m]
+  std::vector<std::string> team;  ///< names of all UAVs, this one too
+  DomainText domain;
+  mission::Vocabulary vocabulary;
+};
+
+/// The tasks that the domain declares, or every error of the domain: text, unknown functions,
+/// declarations of unknown kinds.
+Result<mission::Vocabulary, Diagnostics> vocabulary_of(const DomainText& domain);
+
+/// When a resource is free, and after what. Source: spec 3.3.
+struct Timeline {
+  mission::Interval free;                    ///< relative to Situation::origin
+  std::optional<mission::Dependence> after;  ///< absent: nothing is to be waited for
+  bool operator==(const Timeline&) const = default;
+};
+
+/// The state that a plan starts from: where the UAV will be when what it has in hand is over.
+struct Situation {
+  MissionTime origin;
+  world::Vector3 position = world::Vector3::Zero();  ///< [m] ENU
+  double heading = 0;                                ///< [rad]
+  bool airborne = false;
+  double energy = 1;  ///< what will be left, [0, 1]
+  Timeline motion;
+  std::map<std::string, Timeline> devices;  ///< those that are not here are free at once
+  std::set<std::string> broken;             ///< devices that do not work
+  executive::TaskId next_id{1};             ///< elementary tasks are numbered from here
+};
+
+struct PlanningRequest {
+  std::shared_ptr<const Knowledge> knowledge;
+  std::shared_ptr<const world::World> world;
+  Situation situation;
+  std::vector<mission::HighLevelTask> tasks;  ///< in order
+  std::uint64_t seed = 1;
+};
+
+struct PlanningFailure {
+  std::optional<mission::GoalId> culprit;  ///< the high-level task that could not be refined
+  std::vector<std::string> reasons;        ///< all that is known: conditions, refusals of refiners
+  bool operator==(const PlanningFailure&) const = default;
+};
+
+/// Figures of one planning, for measurements.
+struct PlanningEffort {
+  std::uint64_t expansions = 0, inferences = 0;
+  std::uint64_t refinements = 0;  ///< calls of refiners that were not known from before
+  bool operator==(const PlanningEffort&) const = default;
+};
+
+/// A plan whose every task has its duration, way and conditions; not yet checked as a network
+/// (schedule.hpp). Deterministic; a job: it touches nothing shared but what the request points to.
+/// Cost: some milliseconds and what the refiners take. Source: T IV.2, IV.4.2 (SCD-3), spec 3.3 to
+/// 3.5.
+Result<mission::ElementaryPlan, PlanningFailure> plan_tasks(const PlanningRequest& request,
+                                                            PlanningEffort* effort = nullptr);
+
+/// The problem as the planner is given it, in the planner's language: for `skein plan` and logs.
+std::string problem_text(const PlanningRequest& request, const std::string& name);
+
+}  // namespace skein::supervisor

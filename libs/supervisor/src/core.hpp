@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// The supervisor's inside: one class, its functions in files by theme (supervisor_*.cpp).
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "book.hpp"
+#include "skein/supervisor/supervisor.hpp"
+
+namespace skein::supervisor {
+
+class Supervisor::Core {
+ public:
+  explicit Core(Config config);
+  Effects handle(const Input& input, MissionTime now);
+  std::optional<MissionTime> next_wakeup() const;
+  bool engaged() const { return engaged_; }
+  const mission::PlanReport& report() const { return report_; }
+
+ private:
+  /// A mission that waits for its insertion.
+  struct Pending {
+    mission::MissionId id;
+    mission::Placement placement = mission::Placement::kBest;
+    bool interrupt = false;
+    std::string cause;
+    MissionTime since;
+    int attempts = 0;
+  };
+  /// Something happened to the plan that needs planning.
+  struct Need {
+    std::optional<GoalId> failed;
+    bool refine = true;
+    std::string cause;
+    MissionTime since;
+    int attempts = 0;
+  };
+  /// What a job supposes.
+  struct Premises {
+    std::vector<TaskId> standing;
+    std::set<TaskId> withdrawn;  ///< to be told to stop when its result is applied
+    std::vector<GoalId> goals;   ///< planned anew
+    std::vector<GoalId> added;   ///< by operator 1
+    std::uint64_t world = 0;
+    std::set<std::string> broken;
+    TaskId next_id;
+    std::optional<world::Vector3> position;  ///< where it is, when nothing moves it
+  };
+  struct Job {
+    std::uint64_t id = 0;
+    std::optional<mission::MissionId> mission;  ///< an insertion; else a repair
+    Need need;
+    Premises premises;
+  };
+  /// A joint task between LoadJointTask and its answer, or due before it.
+  struct Joint {
+    bool answered = false, loaded = false, due = false;
+    std::string why;
+  };
+  /// What a Decided says, with its beginning.
+  struct Application {
+    std::string applied, cause, inputs, outcome;
+    MissionTime began;
+  };
+
+  // Inputs: supervisor_requests.cpp.
+  void on(const AddMission& input);
+  void on(const CancelMission& input);
+  void on(const WorldChanged& input);
+  std::vector<std::string> problems_of_mission(const mission::UnitMission& mission) const;
+  void enter(const mission::UnitMission& mission);
+  std::vector<GoalId> goals_named(const mission::CancelGoals& named,
+                                  std::vector<std::string>& problems) const;
+  void cancel(const std::vector<GoalId>& goals, bool interrupt, const std::string& cause);
+  std::vector<GoalId> left_to_plan(const std::vector<GoalId>& gone) const;
+  void drop_cancelled_missions();
+  void check_air(const std::string& cause);
+  bool goes_through(const Entry& entry, const world::Volume& volume) const;
+  void set_volume(const mission::ChangeWorld& change);
+
+  // supervisor_hand_over.cpp
+  void on(const Disengage& input);
+  void on(const Engage& input);
+  bool is_wholly_given(GoalId id) const;
+  void hand_over_goal(GoalId id);
+  std::vector<GoalId> take_back();
+  void forget_but(const std::set<TaskId>& kept);
+
+  // supervisor_observation.cpp
+  void on(const TaskSeen& input);
+  void on(const RequestAnswered& input);
+  void on(const VehicleSeen& input);
+  void on(const Tick&) {}
+  void see_flight(const executive::TaskEvent& event);
+  void see_loose(const executive::TaskEvent& event);
+  void see(Entry& entry, const executive::TaskEvent& event);
+  void see_started(Entry& entry);
+  void see_ended(Entry& entry);
+  void see_aborted(Entry& entry);
+  void settle_done(Entry& entry);
+  bool was_stopped_in_time(const Entry& entry) const;
+  bool follows_lost_task(const Entry& entry) const;
+  void reschedule();
+  void absorb_or_shift(const std::string& cause);
+  void check_network(const std::string& cause);
+  bool keeps_promises(Duration tolerance) const;
+  void promise();
+  void watch();
+  bool is_overdue(const Entry& entry) const;
+  bool is_late(const Entry& entry) const;
+  MissionTime late_from(const Entry& entry) const;
+
+  // supervisor_contingencies.cpp
+  void fail_task(const Entry& entry, const std::string& cause);
+  void fail_goal(GoalId id, const std::string& cause);
+  void operator_aborted(const Entry& entry);
+  void cancel_goal(GoalId id, const std::string& cause);
+  void retire(const std::set<GoalId>& goals);
+  std::vector<TaskId> withdraw(const std::set<GoalId>& goals);
+  void stop(const std::vector<TaskId>& tasks);
+  bool repairing() const { return need_ || (job_ && !job_->mission); }
+  void need(std::optional<GoalId> failed, bool refine, const std::string& cause);
+  void check_devices(const std::set<std::string>& newly);
+  void check_energy();
+  void fail_for_energy(double left);
+  void keep_safe();
+  void wait_safely();
+  void stop_safe_waits();
+
+  // supervisor_jobs.cpp
+  void on(const JobFinished& input);
+  void start_job();
+  void start_insertion(const Pending& pending);
+  void start_repair();
+  void run(Job job, DeliberationRequest request);
+  Premises premises_of_insertion(const Pending& pending) const;
+  Premises premises_of_repair() const;
+  Premises premises(const std::set<TaskId>& withdrawn) const;
+  std::set<TaskId> to_interrupt(const Pending& pending) const;
+  std::set<GoalId> goals_of(const std::set<TaskId>& tasks) const;
+  bool all_done(const std::vector<TaskId>& then, const std::vector<TaskId>& now) const;
+  bool hold(const Premises& then, const Premises& now) const;
+  bool again(const Job& job, const std::string& why);
+
+  // supervisor_results.cpp
+  void finish(const Job& job, const InsertionOutcome& outcome);
+  void finish(const Job& job, const RepairOutcome& outcome);
+  void refuse(const Job& job, const std::vector<std::string>& reasons);
+  void fail_safely(const Job& job, const std::vector<std::string>& reasons);
+  std::string fault_of(const Premises& premises, const mission::ElementaryPlan& plan) const;
+  bool fits_now(const Premises& premises, const mission::ElementaryPlan& plan) const;
+  void adopt(const Premises& premises, const mission::ElementaryPlan& plan,
+             const std::vector<mission::HighLevelTask>& order);
+  void enter(const mission::ElementaryPlan& plan);
+  void tell_refined(const Job& job, const mission::ElementaryPlan& plan);
+
+  // supervisor_situation.cpp
+  PlanningRequest base_request(const Standing& standing, const std::set<TaskId>& withdrawn) const;
+  Situation situation(const Standing& standing, const std::set<TaskId>& withdrawn) const;
+  void place_after(const Standing& standing, Situation& result) const;
+  Timeline timeline_after(const mission::ElementaryTask& task) const;
+  double energy_after(const Standing& standing) const;
+
+  // supervisor_commitment.cpp
+  void on(const JointTaskDue& input);
+  void on(const JointTaskAnswered& input);
+  void commit();
+  std::optional<GoalId> next_to_give() const;
+  std::optional<MissionTime> due(GoalId goal) const;
+  void give(GoalId goal);
+  mission::ElementaryTask as_given(const mission::ElementaryTask& task) const;
+  bool begins_motion(const mission::ElementaryTask& task) const;
+  void end_waits();
+  void load(const Entry& entry);
+  void report_joint(TaskId id, const std::string& why);
+
+  // supervisor_report.cpp
+  void set_state(Goal& goal, GoalState state, const std::string& why = {});
+  void decide(Application application);
+  void notice(std::string text) { out_.push_back(Notice{std::move(text)}); }
+  void send(executive::Input input) { out_.push_back(ToExecutive{std::move(input)}); }
+  void publish();
+  std::string plan_text() const;
+
+  Config config_;
+  std::shared_ptr<const world::World> world_;
+  std::uint64_t world_revision_ = 0;
+  Book book_;
+  bool engaged_ = false;
+  bool ever_gave_ = false;  ///< a task to the executive
+  bool told_idle_ = false;  ///< that it flies and has nothing to do
+  std::set<mission::MissionId> missions_;
+  std::deque<Pending> pending_;
+  std::optional<Need> need_;
+  std::optional<Job> job_;
+  std::uint64_t last_job_ = 0;
+  std::map<TaskId, Joint> joints_;
+  std::set<TaskId> forgotten_;     ///< loose ones that are over
+  std::vector<TaskId> end_waits_;  ///< by what is being given
+
+  world::VehicleState vehicle_;
+  std::set<std::string> broken_;
+  MissionTime grounded_until_;  ///< a state that says otherwise is older than the landing
+  std::optional<MissionTime> wait_again_;  ///< no safe wait before
+  bool energy_told_ = false;
+
+  Schedule schedule_;
+  std::uint64_t decisions_ = 0;
+  mission::PlanReport report_;
+
+  // Of the call that is running.
+  MissionTime now_;
+  Effects out_;
+};
+
+/// "goals 701 702", "tasks 100 101".
+template <class Ids>
+std::string list_of(const std::string& what, const Ids& ids) {
+  std::string text = what;
+  for (const auto& id : ids) text += " " + to_text(id);
+  return text;
+}
+
+/// "a; b".
+std::string joined(const std::vector<std::string>& texts);
+
+}  // namespace skein::supervisor

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which piece of the world a term of a domain names.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "skein/htn/term_store.hpp"
+#include "skein/supervisor/planning.hpp"
+
+namespace skein::supervisor {
+
+/// Names are found whatever the case of their letters, since the planner's symbols have none; one
+/// with the same letters exactly comes first. `home` and `zero` are where the UAV lands, unless
+/// the world has places of these names.
+class Gazetteer {
+ public:
+  Gazetteer(std::shared_ptr<const Knowledge> knowledge, std::shared_ptr<const world::World> world);
+
+  /// Of a name, or of (loc X Y Z).
+  std::optional<world::Vector3> place(const htn::TermStore& store, htn::Term term) const;
+  const world::Zone* zone(const std::string& name) const;
+  const world::SensorModel* sensor(const std::string& device) const;
+
+  double ground(const world::Vector3& at) const {
+    return world_->terrain.elevation(at.x(), at.y());
+  }
+  /// True of what lies on the ground: a thing to look at, not a place to fly to.
+  bool on_ground(const world::Vector3& at) const;
+  /// At the usual altitude over it.
+  world::Vector3 above(const world::Vector3& at) const;
+  /// The place itself if it is in the air.
+  world::Vector3 flown_to(const world::Vector3& at) const { return on_ground(at) ? above(at) : at; }
+  /// "P1", "(10, 20, 30)": for people.
+  static std::string words(const htn::TermStore& store, htn::Term place);
+
+  const Knowledge& knowledge() const { return *knowledge_; }
+  const world::World& world() const { return *world_; }
+
+ private:
+  std::shared_ptr<const Knowledge> knowledge_;
+  std::shared_ptr<const world::World> world_;
+};
+
+}  // namespace skein::supervisor

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "host_services.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "skein/foundation/nearest.hpp"
+#include "terms.hpp"
+
+namespace skein::supervisor {
+
+using htn::kNil;
+using htn::Term;
+using htn::TermStore;
+using world::Vector3;
+
+namespace {
+
+using Value = Result<Term, Failure>;
+
+tl::unexpected<Failure> wrong(const TermStore& store, Term term, const std::string& expected) {
+  return failure(store.to_text(term) + " is no " + expected);
+}
+
+/// Views of one place, of one vehicle or of a team.
+constexpr double kMostSides = 16;
+
+Term locations_term(TermStore& store, const std::vector<Vector3>& points) {
+  std::vector<Term> terms;
+  for (const Vector3& point : points) terms.push_back(location_term(store, point));
+  return store.list(terms);
+}
+
+/// The first way-point is where the vehicle is, unless it is the only one.
+Term waypoints_term(TermStore& store, const refiners::Way& way) {
+  std::vector<Term> terms;
+  for (std::size_t i = way.size() > 1 ? 1 : 0; i < way.size(); ++i)
+    terms.push_back(location_term(store, way[i]));
+  return headed(store, "waypoints", std::move(terms));
+}
+
+Term way_term(TermStore& store, const refiners::Way& way) {
+  std::vector<Term> terms;
+  for (const Vector3& point : way) terms.push_back(location_term(store, point));
+  return headed(store, "way", std::move(terms));
+}
+
+}  // namespace
+
+std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
+  static constexpr std::array<Entry, 18> entries = {
+      {{"compute-takeoff", 1, &Services::takeoff, true},
+       {"compute-land", 2, &Services::land, true},
+       {"compute-gotoxyz", 2, &Services::gotoxyz, true},
+       {"compute-patrol", 4, &Services::patrol, true},
+       {"compute-sweep", 3, &Services::sweep, true},
+       {"compute-sweep-entry", 3, &Services::sweep_entry, false},
+       {"compute-stay", 1, &Services::stay, false},
+       {"compute-viewpoint", 4, &Services::viewpoint, true},
+       {"compute-angles", 3, &Services::angles, true},
+       {"compute-entry", 1, &Services::entry, false},
+       {"compute-tour", 2, &Services::tour, true},
+       {"target-of", 1, &Services::target_of, false},
+       {"is-at", 2, &Services::is_at, false},
+       {"is-over", 2, &Services::is_over, false},
+       {"rank-in", 2, &Services::rank_in, false},
+       {"count-of", 2, &Services::count_of, false},
+       {"with-me", 1, &Services::with_me, false},
+       {"in-time", 5, &Services::in_time, false}}};
+  return entries;
+}
+
+PlannerHost::Services::Services(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed)
+    : gazetteer_(gazetteer), refinery_(std::move(gazetteer), origin, seed), origin_(origin) {}
+
+Value PlannerHost::Services::call(const Entry& entry, TermStore& store, Arguments arguments) {
+  Value value = kNil;
+  if (!entry.refines) {
+    value = (this->*entry.service)(store, arguments);
+  } else {
+    const std::string key = std::string(entry.name) + ' ' + store.to_text(store.list(arguments));
+    if (const auto known = known_.find(key); known != known_.end()) return known->second;
+    value = (this->*entry.service)(store, arguments);
+    if (value) known_[key] = *value;
+    ++refinements_;
+  }
+  if (!value) value.error().why.insert(0, std::string(entry.name) + ": ");
+  return value;
+}
+
+Term PlannerHost::Services::refuse(const std::string& why) {
+  if (std::find(refusals_.begin(), refusals_.end(), why) == refusals_.end())
+    refusals_.push_back(why);
+  return kNil;
+}
+
+Term PlannerHost::Services::answer(TermStore& store, const Motion& motion,
+                                   std::vector<Term> params) {
+  const Term destination = headed(store, "destination", {location_term(store, motion.way.back())});
+  const Term duration =
+      headed(store, "duration",
+             {number_term(store, motion.times.least), number_term(store, motion.times.most)});
+  params.push_back(way_term(store, motion.way));
+  const std::vector<Term> all = {destination, duration,
+                                 headed(store, "energy", {number_term(store, motion.energy)}),
+                                 headed(store, "cost", {number_term(store, motion.times.expected)}),
+                                 headed(store, "params", std::move(params))};
+  return store.list(all);
+}
+
+Term PlannerHost::Services::flight(TermStore& store, const Answer<Motion>& motion,
+                                   const std::string& what) {
+  if (!motion) return refuse(what + ": " + motion.error());
+  return answer(store, *motion, {waypoints_term(store, motion->way)});
+}
+
+std::optional<Vector3> PlannerHost::Services::place(const TermStore& store, Term term) {
+  auto at = gazetteer_.place(store, term);
+  if (at) return at;
+  std::vector<std::string> names;
+  for (const auto& one : gazetteer_.world().places) names.push_back(one.first);
+  const std::string name = Gazetteer::words(store, term);
+  const std::string nearest = nearest_name(name, names);
+  refuse("unknown place '" + name + "'" +
+         (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
+  return at;
+}
+
+Value PlannerHost::Services::takeoff(TermStore& store, Arguments arguments) {
+  auto from = place(store, arguments[0]);
+  if (!from) return kNil;
+  from->z() = gazetteer_.ground(*from);
+  const auto motion = refinery_.takeoff(*from);
+  if (!motion) return refuse("takeoff: " + motion.error());
+  const double altitude = motion->way.back().z() - from->z();
+  return answer(store, *motion, {headed(store, "altitude", {number_term(store, altitude)})});
+}
+
+Value PlannerHost::Services::land(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
+  if (!from || !to) return kNil;
+  const auto motion = refinery_.landing(*from, *to);
+  if (!motion) return refuse("landing: " + motion.error());
+  return answer(store, *motion, {});
+}
+
+Value PlannerHost::Services::gotoxyz(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
+  if (!from || !to) return kNil;
+  return flight(store, refinery_.path(*from, gazetteer_.flown_to(*to)),
+                "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
+                    Gazetteer::words(store, arguments[1]));
+}
+
+Value PlannerHost::Services::patrol(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]);
+  const std::string name = text_of(store, arguments[1]);
+  const world::Zone* zone = gazetteer_.zone(name);
+  const auto* device = gazetteer_.sensor(text_of(store, arguments[2]));
+  const auto seconds = number_of(store, arguments[3]);
+  if (device == nullptr) return refuse("no device '" + text_of(store, arguments[2]) + "' on board");
+  if (!seconds || *seconds <= 0) return wrong(store, arguments[3], "positive number of seconds");
+  if (!from) return kNil;
+  if (zone == nullptr) return refuse("unknown zone '" + name + "'");
+  return flight(store, refinery_.patrol(*from, *zone, *device, *seconds),
+                "no detection over " + zone->name);
+}
+
+Value PlannerHost::Services::sweep(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]);
+  const std::string name = text_of(store, arguments[1]);
+  const world::Zone* zone = gazetteer_.zone(name);
+  const auto* device = gazetteer_.sensor(text_of(store, arguments[2]));
+  if (device == nullptr) return refuse("no device '" + text_of(store, arguments[2]) + "' on board");
+  if (!from) return kNil;
+  if (zone == nullptr) return refuse("unknown zone '" + name + "'");
+  return flight(store, refinery_.sweep(*from, *zone, *device), "no mapping of " + zone->name);
+}
+
+/// Where the sweep begins: the first of its way, which is the first of its last parameter.
+Value PlannerHost::Services::sweep_entry(TermStore& store, Arguments arguments) {
+  const auto found = std::find_if(table().begin(), table().end(),
+                                  [](const Entry& one) { return one.service == &Services::sweep; });
+  const Value whole = call(*found, store, arguments);
+  if (!whole || *whole == kNil) return whole;
+  const Term params = store.items(*whole).back();
+  const Term way = store.items(params).back();
+  return store.items(way)[1];
+}
+
+Value PlannerHost::Services::stay(TermStore& store, Arguments arguments) {
+  const std::string word = text_of(store, arguments[0]);
+  const bool stopped = word == "stopped", unlimited = word == "unlimited";
+  const double seconds = number_of(store, arguments[0]).value_or(0);
+  if (!stopped && !unlimited && seconds <= 0)
+    return wrong(store, arguments[0], "positive number of seconds, `stopped` or `unlimited`");
+  const Times times = waiting_times(seconds, gazetteer_.knowledge().vehicle);
+  const Term most =
+      unlimited ? store.symbol("unlimited") : number_term(store, stopped ? 0 : times.most);
+  std::vector<Term> params;
+  if (unlimited) params.push_back(headed(store, "open-ended", {}));
+  if (seconds > 0) params.push_back(headed(store, "duration", {number_term(store, seconds)}));
+  const double energy = refinery_.energy_of_stay(seconds);
+  const std::vector<Term> all = {
+      headed(store, "duration", {number_term(store, seconds), most}),
+      headed(store, "energy", {number_term(store, energy)}),
+      headed(store, "cost", {number_term(store, seconds > 0 ? times.expected : 0)}),
+      headed(store, "params", std::move(params))};
+  return store.list(all);
+}
+
+/// Of the devices the first that sees the place from so many sides; a place in the air is flown to.
+std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermStore& store,
+                                                                         Term where, Term devices,
+                                                                         std::size_t count) {
+  const auto at = place(store, where);
+  if (!at || !store.is_list(devices)) return std::nullopt;
+  std::vector<std::string> why;
+  for (const Term device : store.items(devices)) {
+    const auto* sensor = gazetteer_.sensor(text_of(store, device));
+    if (sensor == nullptr) {
+      why.push_back("no device '" + text_of(store, device) + "' on board");
+      continue;
+    }
+    if (!gazetteer_.on_ground(*at)) return Views{device, {*at}, true};
+    auto found = refinery_.views(*at, *sensor, count);
+    if (found) return Views{device, std::move(*found), false};
+    why.push_back("nowhere to see " + Gazetteer::words(store, where) + " with " + sensor->device +
+                  ": " + found.error());
+  }
+  for (const std::string& one : why) refuse(one);
+  return std::nullopt;
+}
+
+/// (compute-viewpoint PLACE DEVICES RANK COUNT): (DEVICE LOC), of COUNT sides that of RANK.
+Value PlannerHost::Services::viewpoint(TermStore& store, Arguments arguments) {
+  const auto rank = number_of(store, arguments[2]), count = number_of(store, arguments[3]);
+  if (!rank || !count || *rank < 0 || *count < 1 || *count > kMostSides)
+    return failure("rank and count must be 0 and more, and 1 to 16");
+  const auto seen = views(store, arguments[0], arguments[1], static_cast<std::size_t>(*count));
+  if (!seen) return kNil;
+  const auto wanted = seen->in_the_air ? 0 : static_cast<std::size_t>(*rank);
+  if (wanted >= seen->points.size())
+    return refuse("only " + std::to_string(seen->points.size()) + " of " +
+                  std::to_string(static_cast<int>(*count)) + " sides to see " +
+                  Gazetteer::words(store, arguments[0]) + " from with " +
+                  text_of(store, seen->device));
+  const std::vector<Term> pair = {seen->device, location_term(store, seen->points[wanted])};
+  return store.list(pair);
+}
+
+/// (compute-angles PLACE DEVICES COUNT): (DEVICE LOC…).
+Value PlannerHost::Services::angles(TermStore& store, Arguments arguments) {
+  const auto count = number_of(store, arguments[2]);
+  if (!count || *count < 1 || *count > kMostSides)
+    return wrong(store, arguments[2], "number from 1 to 16");
+  const auto seen = views(store, arguments[0], arguments[1], static_cast<std::size_t>(*count));
+  if (!seen) return kNil;
+  std::vector<Term> all = {seen->device};
+  for (const Vector3& point : seen->points) all.push_back(location_term(store, point));
+  return store.list(all);
+}
+
+Value PlannerHost::Services::entry(TermStore& store, Arguments arguments) {
+  const auto at = place(store, arguments[0]);
+  return at ? location_term(store, gazetteer_.flown_to(*at)) : kNil;
+}
+
+Value PlannerHost::Services::tour(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]);
+  if (!store.is_list(arguments[1])) return wrong(store, arguments[1], "list of places");
+  std::vector<Vector3> places;
+  std::string names;
+  bool known = from.has_value();
+  for (const Term term : store.items(arguments[1])) {
+    const auto at = place(store, term);
+    known = known && at;
+    if (at) places.push_back(*at);
+    names += (names.empty() ? "" : ", ") + Gazetteer::words(store, term);
+  }
+  if (!known) return kNil;
+  if (places.empty()) return refuse("a tour of no places");
+  const auto order = refinery_.tour(*from, places);
+  if (!order) return refuse("no tour of " + names + ": " + order.error());
+  return locations_term(store, *order);
+}
+
+Value PlannerHost::Services::target_of(TermStore& store, Arguments arguments) {
+  const auto at = place(store, arguments[0]);
+  if (!at || !gazetteer_.on_ground(*at)) return kNil;
+  const std::vector<Term> one = {headed(store, "target", {location_term(store, *at)})};
+  return store.list(one);
+}
+
+}  // namespace skein::supervisor

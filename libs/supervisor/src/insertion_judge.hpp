@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plans an order of high-level tasks and says whether the plan serves.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/supervisor/insertion.hpp"
+
+namespace skein::supervisor {
+
+/// plan_tasks, or what takes its place in tests.
+using Planner =
+    std::function<Result<mission::ElementaryPlan, PlanningFailure>(const PlanningRequest&)>;
+Planner real_planner();
+
+using Goals = std::vector<mission::HighLevelTask>;
+std::vector<mission::GoalId> ids_of(const Goals& goals);
+
+/// With semicolons between.
+std::string in_one_line(const std::vector<std::string>& reasons);
+
+/// What is to be said of one order.
+struct Verdict {
+  bool serves = false;
+  std::optional<mission::ElementaryPlan> plan;  ///< may be there though it does not serve
+  Schedule schedule;                            ///< of what stands and the plan; without plan empty
+  double missing_energy = 0;                    ///< what the plan needs beyond what may be used
+  std::optional<mission::GoalId> culprit;       ///< that could not be refined, or comes too late
+  std::vector<std::string> reasons;             ///< why it does not serve
+};
+
+/// A plan serves when it can be made, is dynamically controllable together with what stands, and
+/// needs no more energy than is left above the vehicle's reserve. No order is planned twice.
+class Judge {
+ public:
+  /// Lifetime: `base` and `standing` must outlive it.
+  Judge(const PlanningRequest& base, const Standing& standing, Planner planner)
+      : base_(base), standing_(standing), planner_(std::move(planner)) {}
+
+  /// Valid as long as the judge. Of no tasks the plan is empty.
+  const Verdict& of(const Goals& order);
+  /// A plan for estimates only, without time constraints and with all the energy there could be.
+  std::optional<mission::ElementaryPlan> sketch(const Goals& order) const;
+  /// As sketch, of one task from the air, whatever is broken.
+  std::optional<mission::ElementaryPlan> sketch_in_the_air(
+      const mission::HighLevelTask& goal) const;
+
+  const PlanningRequest& base() const { return base_; }
+  const Standing& standing() const { return standing_; }
+  const Knowledge& knowledge() const { return *base_.knowledge; }
+  /// Fraction of what is held when full that a plan may use.
+  double usable_energy() const;
+
+ private:
+  Verdict consider(const Goals& order) const;
+  void check_dates(Verdict& verdict) const;
+  void check_energy(Verdict& verdict) const;
+
+  const PlanningRequest& base_;
+  const Standing& standing_;
+  Planner planner_;
+  std::map<std::vector<mission::GoalId>, Verdict> known_;
+};
+
+}  // namespace skein::supervisor

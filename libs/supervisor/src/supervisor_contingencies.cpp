@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// Operator 6 before its job: what a contingency stops, and what keeps the UAV safe meanwhile.
+#include <algorithm>
+
+#include "core.hpp"
+
+namespace skein::supervisor {
+
+// Goals lose their tasks. Returns those that the executive has to be told to stop, the highest id
+// first; what was only planned is forgotten.
+std::vector<TaskId> Supervisor::Core::withdraw(const std::set<GoalId>& goals) {
+  std::vector<TaskId> result;
+  for (auto it = book_.tasks.rbegin(); it != book_.tasks.rend(); ++it) {
+    Entry& entry = it->second;
+    if (goals.count(entry.task.origin) == 0 || !entry.live()) continue;
+    if (entry.in_hand()) result.push_back(it->first);
+    entry.withdrawn = true;
+  }
+  return result;
+}
+
+void Supervisor::Core::stop(const std::vector<TaskId>& tasks) {
+  for (const TaskId id : tasks) {
+    book_.tasks.at(id).stopping = true;
+    send(executive::Abort{id});
+  }
+}
+
+void Supervisor::Core::retire(const std::set<GoalId>& goals) { stop(withdraw(goals)); }
+
+void Supervisor::Core::need(std::optional<GoalId> failed, bool refine, const std::string& cause) {
+  if (!need_) {
+    need_ = Need{failed, refine, cause, now_, 0};
+    return;
+  }
+  need_->cause += "; " + cause;
+  if (need_->failed || !failed) return;
+  need_->failed = failed;
+  need_->refine = refine;
+}
+
+void Supervisor::Core::fail_task(const Entry& entry, const std::string& cause) {
+  fail_goal(entry.task.origin, cause);
+}
+
+// The goal is refined again from here as often as that is allowed.
+void Supervisor::Core::fail_goal(GoalId id, const std::string& cause) {
+  if (book_.is_given(id)) retire(book_.falling_with({id}));
+  Goal& goal = book_.goals.at(id);
+  const bool refine = goal.refined < config_.refinements;
+  if (need_ && need_->failed && *need_->failed != id && !refine) {
+    retire({id});
+    set_state(goal, GoalState::kFailed, cause);
+    return need(std::nullopt, false, cause);
+  }
+  if (refine) ++goal.refined;
+  need(id, refine, cause);
+}
+
+// Operator 2 from the executive's side: somebody had the task aborted there.
+void Supervisor::Core::operator_aborted(const Entry& entry) {
+  const TaskId task = entry.task.id;
+  const GoalId id = entry.task.origin;
+  const std::string cause = "task " + to_text(task) + " aborted on request";
+  cancel_goal(id, cause);
+}
+
+void Supervisor::Core::cancel_goal(GoalId id, const std::string& cause) {
+  retire(book_.falling_with({id}));
+  set_state(book_.goals.at(id), GoalState::kCancelled, cause);
+  reschedule();
+  const std::vector<GoalId> left = book_.free_goals();
+  decide({"2 cancel", cause, "goals " + to_text(id),
+          left.empty() ? "nothing is to be planned anew" : list_of("to plan anew:", left), now_});
+  if (!left.empty()) need(std::nullopt, false, cause);
+}
+
+// ---- devices and energy ----
+
+void Supervisor::Core::check_devices(const std::set<std::string>& newly) {
+  const auto needs = [&](const Entry* entry) {
+    const executive::Parameter* device = entry->task.parameters.find("device");
+    return book_.counts(*entry) && device != nullptr && newly.count(device->text) != 0;
+  };
+  for (const GoalId id : std::vector<GoalId>(book_.order)) {
+    const auto tasks = book_.of(id);
+    const auto hit = std::find_if(tasks.begin(), tasks.end(), needs);
+    if (hit == tasks.end()) continue;
+    const std::string device = (*hit)->task.parameters.find("device")->text;
+    fail_goal(id, "device " + device + " of task " + to_text((*hit)->task.id) + " failed");
+  }
+}
+
+// Told once; again only after what remains fitted with some room.
+void Supervisor::Core::check_energy() {
+  if (repairing()) return;
+  constexpr double kRoom = 0.02;
+  double wanted = 0;
+  for (const auto& [id, entry] : book_.tasks) {
+    if (book_.counts(entry)) wanted += entry.task.energy * energy_share(entry, now_);
+  }
+  const double left = vehicle_.energy - config_.knowledge->vehicle.energy.reserve;
+  if (wanted <= left - kRoom) energy_told_ = false;
+  if (wanted <= left || energy_told_) return;
+  energy_told_ = true;
+  fail_for_energy(left);
+}
+
+// When not even the end of the plan fits behind what is under way, that is given up.
+void Supervisor::Core::fail_for_energy(double left) {
+  double in_hand = 0;
+  std::set<GoalId> under_way;
+  for (const auto& [id, entry] : book_.tasks) {
+    if (!entry.in_hand()) continue;
+    in_hand += entry.task.energy * energy_share(entry, now_);
+    under_way.insert(entry.task.origin);
+  }
+  const std::vector<GoalId> free = book_.free_goals();
+  double last = 0;
+  if (!free.empty()) {
+    for (const Entry* entry : book_.of(free.back())) last += entry->task.energy;
+  }
+  const std::string cause = "energy short: what remains takes more than the " +
+                            std::to_string(static_cast<int>(100 * std::max(0.0, left))) +
+                            " % above the reserve";
+  if (in_hand + last <= left && !free.empty()) return need(std::nullopt, false, cause);
+  if (under_way.empty() || free.empty()) return notice(cause);
+  const GoalId given_up = *under_way.begin();
+  retire(book_.falling_with(under_way));
+  need(given_up, false, cause);
+}
+
+// ---- safety ----
+
+// In the air, the UAV has a task, or it is said that it has none.
+void Supervisor::Core::keep_safe() {
+  if (!vehicle_.airborne || book_.has_motion()) {
+    told_idle_ = false;
+    wait_again_.reset();
+    return;
+  }
+  if (!ever_gave_) {
+    if (!told_idle_) notice("in the air without a task");
+    told_idle_ = true;
+    return;
+  }
+  if (wait_again_ && now_ < *wait_again_) {
+    if (!told_idle_) notice("in the air without a task: its safe wait was refused or aborted");
+    told_idle_ = true;
+    return;
+  }
+  wait_safely();
+}
+
+void Supervisor::Core::wait_safely() {
+  wait_again_.reset();
+  const TaskId id = book_.next_id;
+  book_.next_id = TaskId(id.value() + 1);
+  executive::Task task;
+  task.id = id;
+  task.type = "wait";
+  book_.loose[id] = {"wait", true, true, false};
+  send(executive::Start{std::move(task), executive::InsertionMode::kVut});
+  notice("in the air with nothing to do: waits in safe mode, task " + to_text(id));
+}
+
+void Supervisor::Core::stop_safe_waits() {
+  for (auto it = book_.loose.rbegin(); it != book_.loose.rend(); ++it) {
+    if (!it->second.ours || it->second.stopping) continue;
+    it->second.stopping = true;
+    send(executive::Abort{it->first});
+  }
+}
+
+}  // namespace skein::supervisor

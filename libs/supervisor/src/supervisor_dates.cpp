@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is seen moves the dates of the plan: absorbed, shifted, or a contingency.
+#include <algorithm>
+
+#include "core.hpp"
+
+namespace skein::supervisor {
+
+namespace {
+
+constexpr Duration kTick = Duration::milliseconds(1);
+
+}  // namespace
+
+void Supervisor::Core::reschedule() {
+  schedule_ = schedule(book_.open_tasks(), book_.observations(), now_);
+  for (const auto& [id, window] : schedule_.dates) {
+    Entry& entry = book_.tasks.at(id);
+    entry.window = window;
+    entry.dates = schedule_.foreseen.at(id);
+  }
+}
+
+void Supervisor::Core::promise() {
+  for (auto& [id, entry] : book_.tasks) {
+    if (!book_.counts(entry)) continue;
+    entry.promised = entry.dates;
+    entry.late = false;
+  }
+}
+
+bool Supervisor::Core::keeps_promises(Duration tolerance) const {
+  return std::all_of(book_.tasks.begin(), book_.tasks.end(), [&](const auto& one) {
+    const Entry& entry = one.second;
+    if (!book_.counts(entry)) return true;
+    const mission::TaskDates &now = entry.dates, &then = entry.promised;
+    const bool start =
+        entry.seen.started || (now.earliest_start + tolerance >= then.earliest_start &&
+                               now.latest_start <= then.latest_start + tolerance);
+    return start && now.latest_end <= then.latest_end + tolerance;
+  });
+}
+
+// The first two rungs. Source: spec 6.2 (6).
+void Supervisor::Core::absorb_or_shift(const std::string& cause) {
+  if (!schedule_.controllable) return check_network(cause);
+  if (keeps_promises(Duration())) {
+    return decide({"6 repair: absorb", cause, plan_text(), "the promised dates hold", now_});
+  }
+  promise();
+  decide({"6 repair: shift", cause, plan_text(),
+          "ends between " + to_text(schedule_.earliest_end) + " and " +
+              to_text(schedule_.latest_end) + " s",
+          now_});
+}
+
+// The dates after something was seen; what breaks the network is a contingency.
+void Supervisor::Core::check_network(const std::string& cause) {
+  reschedule();
+  if (repairing()) return;
+  if (schedule_.controllable) {
+    if (!keeps_promises(config_.grace)) absorb_or_shift(cause);
+    return;
+  }
+  if (schedule_.conflicts.empty()) return;
+  const Conflict conflict = schedule_.conflicts.front();
+  const std::string what = cause + "; task " + to_text(conflict.task) + " " + conflict.why;
+  if (const Entry* entry = book_.find(conflict.task); entry != nullptr) {
+    fail_goal(entry->task.origin, what);
+  }
+}
+
+// ---- what should have been seen by now ----
+
+bool Supervisor::Core::is_overdue(const Entry& entry) const {
+  const bool nature = !ends_by_order(entry.task) && entry.task.duration.most != Duration::max();
+  return nature && entry.under_way() && !entry.overdue &&
+         now_ >= *entry.seen.started + entry.task.duration.most + config_.grace;
+}
+
+// When a task that has not started should have: what was foreseen, or the network, says so.
+MissionTime Supervisor::Core::late_from(const Entry& entry) const {
+  return std::min(entry.dates.latest_start + config_.grace, entry.window.latest_start + kTick);
+}
+
+bool Supervisor::Core::is_late(const Entry& entry) const {
+  return book_.counts(entry) && !entry.seen.started && !entry.late && now_ >= late_from(entry);
+}
+
+void Supervisor::Core::watch() {
+  std::string cause;
+  const auto add = [&](TaskId id, const char* what, MissionTime expected) {
+    cause += (cause.empty() ? "task " : "; task ") + to_text(id) + what + to_text(now_ - expected) +
+             " s";
+  };
+  for (auto& [id, entry] : book_.tasks) {
+    if (!is_overdue(entry)) continue;
+    entry.overdue = true;
+    add(id, " overdue by ", *entry.seen.started + entry.task.duration.most);
+  }
+  const bool by_another = !cause.empty();
+  for (auto& [id, entry] : book_.tasks) {
+    if (!is_late(entry)) continue;
+    entry.late = true;
+    if (!by_another)
+      add(id, " late by ", std::min(entry.dates.latest_start, entry.window.latest_start));
+  }
+  if (cause.empty() || repairing()) return;
+  std::vector<TaskId> told;
+  for (const auto& [id, entry] : book_.tasks) {
+    if (entry.late && !by_another) told.push_back(id);
+  }
+  reschedule();
+  absorb_or_shift(cause);
+  for (const TaskId id : told) book_.find(id)->late = true;
+}
+
+}  // namespace skein::supervisor

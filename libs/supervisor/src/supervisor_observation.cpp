@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is seen of tasks and of the vehicle.
+#include <algorithm>
+
+#include "core.hpp"
+
+namespace skein::supervisor {
+
+namespace {
+
+// A state of the vehicle that was on its way while it landed is not believed that it flies.
+constexpr Duration kLandingSettles = Duration::milliseconds(3000);
+constexpr Duration kWaitRetry = Duration::milliseconds(5000);
+
+}  // namespace
+
+// ---- tasks ----
+
+void Supervisor::Core::on(const TaskSeen& input) {
+  const executive::TaskEvent& event = input.event;
+  if (event.id >= executive::kFirstBackgroundId) return;
+  see_flight(event);
+  if (Entry* entry = book_.find(event.id); entry != nullptr) return see(*entry, event);
+  see_loose(event);
+}
+
+void Supervisor::Core::see_flight(const executive::TaskEvent& event) {
+  if (event.state != TaskState::kEnded) return;
+  if (event.type == "takeoff") {
+    vehicle_.airborne = true;
+    grounded_until_ = MissionTime();
+  } else if (event.type == "land") {
+    vehicle_.airborne = false;
+    grounded_until_ = now_ + kLandingSettles;
+  }
+}
+
+// Safe waits, and tasks of others. New tasks are numbered beyond theirs, unless theirs are in a
+// range of their own.
+void Supervisor::Core::see_loose(const executive::TaskEvent& event) {
+  constexpr TaskId kOtherRange{1'000'000'000};
+  if (event.id < kOtherRange) {
+    book_.next_id = std::max(book_.next_id, TaskId(event.id.value() + 1));
+  }
+  const auto known = book_.loose.find(event.id);
+  if (!is_terminal(event.state)) {
+    if (known != book_.loose.end()) return;
+    mission::ElementaryTask task;
+    task.type = event.type;
+    book_.loose[event.id] = {event.type, false, uses_motion(task), false};
+    return;
+  }
+  if (known == book_.loose.end()) return;
+  if (known->second.ours && !known->second.stopping) wait_again_ = now_ + kWaitRetry;
+  forgotten_.insert(event.id);
+  book_.loose.erase(known);
+}
+
+void Supervisor::Core::see(Entry& entry, const executive::TaskEvent& event) {
+  if (entry.over()) return;
+  entry.by_others = entry.by_others || !entry.given;
+  entry.given = true;
+  entry.state = event.state;
+  switch (event.state) {
+    case TaskState::kScheduled:
+      return;
+    case TaskState::kStarted:
+    case TaskState::kRunning:
+      see_started(entry);
+      break;
+    case TaskState::kAborting:
+      entry.why = event.reason;
+      return;
+    case TaskState::kEnded:
+      see_ended(entry);
+      break;
+    case TaskState::kAborted:
+      if (entry.why.empty()) entry.why = event.reason;
+      see_aborted(entry);
+      return;
+  }
+  if (!engaged_) return reschedule();
+  check_network("task " + to_text(event.id) + " " + std::string(to_text(event.state)));
+}
+
+// A goal that was handed over is the ground's, but when all of it is with the executive.
+void Supervisor::Core::see_started(Entry& entry) {
+  if (!entry.seen.started) entry.seen.started = now_;
+  const GoalId id = entry.task.origin;
+  Goal& goal = book_.goals.at(id);
+  const bool whole = is_wholly_given(id) && !book_.has_lost(id);
+  if (entry.live() && (whole || goal.state != GoalState::kHandedOver))
+    set_state(goal, GoalState::kUnderWay);
+}
+
+void Supervisor::Core::see_ended(Entry& entry) {
+  entry.seen.over = now_;
+  entry.done = true;
+  if (!entry.live()) return;
+  settle_done(entry);
+  if (!engaged_ || ends_by_order(entry.task)) return;
+  const Duration took = now_ - entry.seen.started.value_or(now_);
+  if (took + config_.grace < entry.task.duration.least) {
+    reschedule();
+    const Duration early = entry.task.duration.least - took;
+    return absorb_or_shift("task " + to_text(entry.task.id) + " early by " + to_text(early) + " s");
+  }
+  if (entry.overdue) {
+    reschedule();
+    if (schedule_.controllable) promise();
+  }
+}
+
+// Over as it should be: the goal is achieved when all its tasks are.
+void Supervisor::Core::settle_done(Entry& entry) {
+  entry.done = true;
+  const GoalId id = entry.task.origin;
+  Goal& goal = book_.goals.at(id);
+  if (is_settled(goal.state)) return;
+  const auto all = book_.of(id);
+  if (std::all_of(all.begin(), all.end(), [](const Entry* one) { return one->done; })) {
+    set_state(goal, GoalState::kAchieved);
+  }
+}
+
+// What ends when others do was stopped as it should be, if those have ended well.
+bool Supervisor::Core::was_stopped_in_time(const Entry& entry) const {
+  const auto& stop = entry.task.stop;
+  return !stop.empty() && entry.seen.started &&
+         std::all_of(stop.begin(), stop.end(), [this](const mission::Dependence& one) {
+           const Entry* other = book_.find(one.task);
+           return other == nullptr || other->done ||
+                  (one.kind == mission::DependenceKind::kOver && other->over());
+         });
+}
+
+bool Supervisor::Core::follows_lost_task(const Entry& entry) const {
+  const auto is_lost = [this](const mission::Dependence& one) {
+    const Entry* other = book_.find(one.task);
+    return other != nullptr && other->over() && !other->done;
+  };
+  return std::any_of(entry.task.dependences.begin(), entry.task.dependences.end(), is_lost) ||
+         std::any_of(entry.task.stop.begin(), entry.task.stop.end(), is_lost);
+}
+
+void Supervisor::Core::see_aborted(Entry& entry) {
+  entry.seen.over = now_;
+  entry.seen.aborted = true;
+  if (!entry.live()) return;
+  const bool asked = entry.why == "abort requested" && !entry.stopping;
+  const bool stopped = was_stopped_in_time(entry) && !asked;
+  if (entry.ordered || stopped) {
+    settle_done(entry);
+    return reschedule();
+  }
+  if (!engaged_) {
+    set_state(book_.goals.at(entry.task.origin), GoalState::kHandedOver);
+    return;
+  }
+  if (asked) return operator_aborted(entry);
+  const std::string what = "task " + to_text(entry.task.id) + " aborted: " + entry.why;
+  fail_task(entry, follows_lost_task(entry) ? what + " (it follows a lost one)" : what);
+}
+
+void Supervisor::Core::on(const RequestAnswered& input) {
+  const executive::Reply& reply = input.reply;
+  if (reply.accepted || !reply.id) return;
+  const std::string what = std::string(to_text(reply.request)) + " of task " + to_text(*reply.id) +
+                           " refused: " + reply.why;
+  notice(what);
+  if (reply.request == executive::RequestKind::kAbort) return;
+  if (const auto loose = book_.loose.find(*reply.id); loose != book_.loose.end()) {
+    if (!loose->second.ours) return;
+    book_.loose.erase(loose);
+    wait_again_ = now_ + kWaitRetry;
+    return;
+  }
+  Entry* entry = book_.find(*reply.id);
+  if (entry == nullptr || entry->over()) return;
+  if (reply.request == executive::RequestKind::kStart) {
+    entry->seen.over = now_;
+    entry->seen.aborted = true;
+  }
+  if (entry->live() && engaged_) fail_task(*entry, what);
+}
+
+// ---- the vehicle ----
+
+void Supervisor::Core::on(const VehicleSeen& input) {
+  const bool airborne = input.state.airborne && now_ >= grounded_until_;
+  vehicle_ = input.state;
+  vehicle_.airborne = airborne;
+  std::set<std::string> newly;
+  std::set<std::string> broken(input.failed.begin(), input.failed.end());
+  std::set_difference(broken.begin(), broken.end(), broken_.begin(), broken_.end(),
+                      std::inserter(newly, newly.end()));
+  broken_ = std::move(broken);
+  if (!engaged_) return;
+  if (!newly.empty()) check_devices(newly);
+  check_energy();
+}
+
+}  // namespace skein::supervisor

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Results of jobs are applied: a plan is adopted, or it is said that there is none.
+#include <algorithm>
+
+#include "core.hpp"
+
+namespace skein::supervisor {
+
+namespace {
+
+// "plan 3, 12 tasks" and what the plan leads to.
+std::string extent(const Schedule& dates) {
+  return ", ends between " + to_text(dates.earliest_end) + " and " + to_text(dates.latest_end) +
+         " s";
+}
+
+}  // namespace
+
+// What no plan may have: tasks of goals that were not asked for, ids that were used.
+std::string Supervisor::Core::fault_of(const Premises& premises,
+                                       const mission::ElementaryPlan& plan) const {
+  std::set<GoalId> asked(premises.goals.begin(), premises.goals.end());
+  asked.insert(premises.added.begin(), premises.added.end());
+  std::set<TaskId> ids;
+  for (const mission::ElementaryTask& task : plan.tasks) {
+    const std::string name = "task " + to_text(task.id);
+    if (asked.count(task.origin) == 0) return name + " is of no goal that was asked for";
+    if (task.id < premises.next_id) return name + " has an id that was used before";
+    if (!ids.insert(task.id).second) return name + " is there twice";
+  }
+  return {};
+}
+
+bool Supervisor::Core::fits_now(const Premises& premises,
+                                const mission::ElementaryPlan& plan) const {
+  Standing standing = book_.standing(premises.withdrawn);
+  standing.tasks.insert(standing.tasks.end(), plan.tasks.begin(), plan.tasks.end());
+  return schedule(standing.tasks, standing.seen, now_).controllable;
+}
+
+void Supervisor::Core::enter(const mission::ElementaryPlan& plan) {
+  for (const mission::ElementaryTask& task : plan.tasks) {
+    Entry entry;
+    entry.task = task;
+    book_.next_id = std::max(book_.next_id, TaskId(task.id.value() + 1));
+    book_.tasks[task.id] = std::move(entry);
+  }
+}
+
+// What is due is given before what it takes the place of is told to stop.
+void Supervisor::Core::adopt(const Premises& premises, const mission::ElementaryPlan& plan,
+                             const std::vector<mission::HighLevelTask>& order) {
+  const std::set<GoalId> anew(premises.goals.begin(), premises.goals.end());
+  const std::vector<TaskId> stopped = withdraw(anew);
+  enter(plan);
+  std::vector<GoalId> wanted;
+  for (const mission::HighLevelTask& task : order) {
+    if (book_.goals.count(task.id) == 0) continue;
+    wanted.push_back(task.id);
+    Goal& goal = book_.goals.at(task.id);
+    goal.queued = false;
+    if (goal.state == GoalState::kReceived) set_state(goal, GoalState::kPlanned);
+    if (book_.of(task.id).empty()) set_state(goal, GoalState::kAchieved);
+  }
+  book_.reorder(wanted);
+  reschedule();
+  promise();
+  commit();
+  stop(stopped);
+}
+
+void Supervisor::Core::tell_refined(const Job& job, const mission::ElementaryPlan& plan) {
+  std::vector<GoalId> goals = job.premises.goals;
+  goals.insert(goals.end(), job.premises.added.begin(), job.premises.added.end());
+  decide({"3 refine", job.mission ? "mission " + to_text(*job.mission) : job.need.cause,
+          list_of("goals", goals), std::to_string(plan.tasks.size()) + " tasks", now_});
+}
+
+// ---- operator 1 ----
+
+void Supervisor::Core::refuse(const Job& job, const std::vector<std::string>& reasons) {
+  const auto pending = std::find_if(pending_.begin(), pending_.end(),
+                                    [&](const Pending& one) { return one.id == *job.mission; });
+  const std::string why = reasons.empty() ? "no order is feasible" : joined(reasons);
+  for (const GoalId id : job.premises.added) {
+    book_.goals.at(id).queued = false;
+    set_state(book_.goals.at(id), GoalState::kFailed, why);
+  }
+  out_.push_back(MissionDecided{{*job.mission, false, {why}}});
+  if (!reasons.empty()) std::get<MissionDecided>(out_.back()).outcome.reasons = reasons;
+  decide({"1 insert", pending->cause, list_of("goals", job.premises.added), "refused: " + why,
+          pending->since});
+  pending_.erase(pending);
+}
+
+void Supervisor::Core::finish(const Job& job, const InsertionOutcome& outcome) {
+  if (!outcome.plan) return refuse(job, outcome.reasons);
+  if (const std::string fault = fault_of(job.premises, *outcome.plan); !fault.empty()) {
+    return refuse(job, {fault});
+  }
+  if (!fits_now(job.premises, *outcome.plan)) {
+    if (!again(job, "the plan no longer fits")) refuse(job, {"the plan no longer fits in time"});
+    return;
+  }
+  const auto pending = std::find_if(pending_.begin(), pending_.end(),
+                                    [&](const Pending& one) { return one.id == *job.mission; });
+  const Pending mission = *pending;
+  pending_.erase(pending);
+  tell_refined(job, *outcome.plan);
+  adopt(job.premises, *outcome.plan, outcome.order);
+  out_.push_back(MissionDecided{{mission.id, true, {}}});
+  decide({"1 insert: " + std::string(to_text(outcome.chosen)), mission.cause,
+          list_of("goals", job.premises.added), plan_text() + extent(schedule_), mission.since});
+}
+
+// ---- operator 6 ----
+
+void Supervisor::Core::fail_safely(const Job& job, const std::vector<std::string>& reasons) {
+  const std::string why = job.need.cause + (reasons.empty() ? "" : "; " + joined(reasons));
+  retire({job.premises.goals.begin(), job.premises.goals.end()});
+  for (const GoalId id : job.premises.goals) {
+    set_state(book_.goals.at(id), GoalState::kFailed, why);
+  }
+  reschedule();
+  notice("the mission has failed, safe mode: " + why);
+  decide({"6 repair: fail", job.need.cause, list_of("goals", job.premises.goals),
+          "safe mode: " + why, job.need.since});
+}
+
+void Supervisor::Core::finish(const Job& job, const RepairOutcome& outcome) {
+  if (!outcome.plan) return fail_safely(job, outcome.before);
+  if (const std::string fault = fault_of(job.premises, *outcome.plan); !fault.empty()) {
+    return fail_safely(job, {fault});
+  }
+  if (!fits_now(job.premises, *outcome.plan)) {
+    if (again(job, "the plan no longer fits")) return;
+    need_.reset();
+    return fail_safely(job, {"the plan no longer fits in time"});
+  }
+  std::set<GoalId> left(job.premises.goals.begin(), job.premises.goals.end());
+  for (const auto& task : outcome.order) left.erase(task.id);
+  tell_refined(job, *outcome.plan);
+  adopt(job.premises, *outcome.plan, outcome.order);
+  for (const GoalId id : left) {
+    const auto dropped = std::find_if(outcome.dropped.begin(), outcome.dropped.end(),
+                                      [&](const Dropped& one) { return one.goal == id; });
+    const bool told = dropped != outcome.dropped.end();
+    set_state(book_.goals.at(id), GoalState::kFailed, told ? dropped->why : "no plan has room");
+  }
+  decide({"6 repair: " + std::string(to_text(outcome.served)), job.need.cause,
+          list_of("goals", job.premises.goals),
+          plan_text() + extent(schedule_) + (left.empty() ? "" : list_of("; dropped", left)),
+          job.need.since});
+}
+
+}  // namespace skein::supervisor

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values of the host as terms of the planner, and back. Locations are (loc X Y Z) [m].
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skein/htn/term_store.hpp"
+#include "skein/world/geometry.hpp"
+
+namespace skein::supervisor {
+
+/// Of a symbol or a string; of a number its figures; empty for lists.
+std::string text_of(const htn::TermStore& store, htn::Term term);
+std::optional<double> number_of(const htn::TermStore& store, htn::Term term);
+std::optional<world::Vector3> location_of(const htn::TermStore& store, htn::Term term);
+/// ((num LEAST) (num MOST)), [s]; `unlimited` is infinite.
+struct Seconds {
+  double least = 0, most = 0;
+};
+std::optional<Seconds> seconds_of(const htn::TermStore& store, htn::Term term);
+/// What 'x is read as: x; other terms as they are.
+htn::Term unquoted(const htn::TermStore& store, htn::Term term);
+
+htn::Term number_term(htn::TermStore& store, double value);
+htn::Term location_term(htn::TermStore& store, const world::Vector3& at);
+/// (HEAD item…).
+htn::Term headed(htn::TermStore& store, std::string_view head, std::vector<htn::Term> items);
+
+/// The same letters whatever their case.
+bool same_name(std::string_view a, std::string_view b);
+
+}  // namespace skein::supervisor

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// The right to decide is given up and taken again. Source: spec 1.2.
+#include "testing/core_harness.hpp"
+
+namespace skein::supervisor {
+namespace {
+
+using namespace testing;  // NOLINT: builders read as words
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+Desk under_way() {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701, 702}));
+  desk.finish(inserted(
+      {701, 702}, {TaskOf(100, "goto", 701).takes(100, 120), TaskOf(101, "goto", 702).after(100),
+                   TaskOf(102, "takeshot", 702).during(101).stopped_by(101)}));
+  desk.runs(100);
+  return desk;
+}
+
+TEST(SupervisorHandOver, GivesWhatIsOnlyPlannedWithItsConditions) {
+  Desk desk = under_way();
+
+  desk.at(10).give(Disengage{"degree 3 by operator"});
+
+  EXPECT_FALSE(desk.supervisor.engaged());
+  ASSERT_EQ(desk.of<HandedOver>().size(), 1U);
+  const auto held = desk.of<HandedOver>()[0].tasks;
+  ASSERT_EQ(held.size(), 2U);
+  EXPECT_EQ(held[0].task.id, TaskId{101});
+  EXPECT_EQ(held[0].origin, GoalId{702});
+  EXPECT_FALSE(held[0].in_executive);
+  EXPECT_EQ(held[0].task.preconditions.size(), 1U);
+  EXPECT_EQ(held[1].task.exit.size(), 1U);
+  EXPECT_EQ(desk.state_of(701), "under-way");
+  EXPECT_EQ(desk.state_of(702), "handed-over");
+}
+
+TEST(SupervisorHandOver, StopsCommitmentAndForgetsItsJob) {
+  Desk desk = under_way();
+  desk.add(a_mission(2, {703}));
+  desk.at(10).give(Disengage{"degree 3"});
+  EXPECT_EQ(desk.state_of(703), "handed-over");
+
+  desk.finish(inserted({703, 702}, {TaskOf(103, "goto", 703), TaskOf(104, "goto", 702)}));
+  EXPECT_THAT(desk.requests(), IsEmpty());
+  desk.at(110).ends(100);
+  EXPECT_THAT(desk.requests(), IsEmpty());
+  EXPECT_EQ(desk.state_of(701), "achieved");
+  EXPECT_FALSE(desk.supervisor.next_wakeup().has_value());
+}
+
+TEST(SupervisorHandOver, GoalsAreAchievedByWhoeverCarriesThemOut) {
+  Desk desk = under_way();
+  desk.at(10).give(Disengage{"degree 3"});
+  desk.at(110).ends(100);
+
+  desk.seen(101, TaskState::kScheduled);
+  desk.runs(101);
+  desk.runs(102);
+  EXPECT_EQ(desk.state_of(702), "under-way");
+  desk.at(125).ends(101);
+  desk.aborted(102, "exit conditions satisfied");
+
+  EXPECT_EQ(desk.state_of(702), "achieved");
+}
+
+TEST(SupervisorHandOver, WithResumePlansWhatIsLeftFromHere) {
+  Desk desk = under_way();
+  desk.at(10).give(Disengage{"degree 1"});
+  desk.seen(100, TaskState::kAborted, "abort requested");
+  EXPECT_EQ(desk.state_of(701), "handed-over");
+
+  desk.at(50).give(Engage{true, "given back"});
+
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().remaining.size(), 2U);
+  EXPECT_EQ(desk.repair().base.situation.next_id, TaskId{103});
+  desk.finish(repaired(RepairStep::kReplan, {701, 702},
+                       {TaskOf(103, "goto", 701), TaskOf(104, "goto", 702).after(103)}));
+  EXPECT_THAT(desk.requests(), Contains("START 103"));
+  EXPECT_EQ(desk.state_of(702), "planned");
+}
+
+TEST(SupervisorHandOver, WithoutResumeLeavesThemAndPlansNewMissionsOnly) {
+  Desk desk = under_way();
+  desk.at(10).give(Disengage{"degree 3"});
+
+  desk.at(50).give(Engage{false, "degree 4"});
+  EXPECT_FALSE(desk.job_started());
+  desk.add(a_mission(2, {703}));
+
+  EXPECT_EQ(desk.state_of(702), "handed-over");
+  EXPECT_THAT(desk.insertion().planned, IsEmpty());
+  EXPECT_EQ(desk.insertion().standing.tasks.size(), 1U);
+}
+
+TEST(SupervisorHandOver, KeepsWithResumeWhatTheGroundHadResumed) {
+  Desk desk = under_way();
+  desk.at(10).give(Disengage{"degree 3"});
+  desk.seen(101, TaskState::kScheduled);
+
+  desk.at(50).give(Engage{true, "given back"});
+
+  EXPECT_FALSE(desk.job_started());
+  EXPECT_EQ(desk.state_of(702), "planned");
+}
+
+TEST(SupervisorHandOver, KnowsOfAirThatWasClosedMeanwhile) {
+  Desk desk = under_way();
+  desk.at(10).give(Disengage{"degree 3"});
+  mission::ChangeWorld change;
+  change.volume = {"fire", {{0, 0}, {9, 0}, {0, 9}}, 0, 10, {}};
+  desk.give(WorldChanged{change});
+  EXPECT_TRUE(desk.of<Answer>()[0].accepted);
+
+  desk.give(Engage{true, "given back"});
+
+  EXPECT_EQ(desk.repair().base.world->volumes.size(), 1U);
+}
+
+TEST(SupervisorHandOver, PlansAnewWhatTheExecutiveNoLongerHas) {
+  Desk desk = under_way();
+  desk.at(10).give(Disengage{"degree 1"});
+
+  desk.at(50).give(Engage{true, "given back", std::vector<TaskId>{}});
+
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().remaining.size(), 2U);
+  EXPECT_THAT(desk.repair().standing.tasks, IsEmpty());
+  EXPECT_THAT(desk.requests(), IsEmpty());
+}
+
+TEST(SupervisorHandOver, PlansAnewAGoalOfWhichATaskWasLostMeanwhile) {
+  Desk desk = under_way();
+  desk.at(10).give(Disengage{"degree 3"});
+  desk.seen(101, TaskState::kScheduled);
+  desk.seen(102, TaskState::kAborted, "abort requested");
+
+  desk.at(50).give(Engage{true, "given back"});
+
+  EXPECT_THAT(desk.requests(), ElementsAre("ABORT 101"));
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().remaining[0].id, GoalId{702});
+}
+
+TEST(SupervisorHandOver, NewTasksWaitForWhatTheGroundHasStarted) {
+  Desk desk = under_way();
+  desk.at(10).give(Disengage{"degree 3"});
+  desk.seen(101, TaskState::kScheduled);
+  desk.at(50).give(Engage{false, "degree 4"});
+  desk.add(a_mission(2, {703}));
+
+  desk.finish(inserted({703}, {TaskOf(103, "goto", 703).after(100)}));
+  desk.at(110).ends(100);
+
+  ASSERT_TRUE(desk.started(103).has_value());
+  const executive::Formula waits = desk.started(103)->task.preconditions;
+  ASSERT_EQ(waits.size(), 2U);
+  EXPECT_EQ(waits[1][0].condition, executive::Condition(executive::TaskInState{TaskId{101}}));
+}
+
+TEST(SupervisorHandOver, CancelledMeanwhileTakesWhatDependsOnItToTheGround) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701, 702}));
+  desk.finish(
+      inserted({701, 702}, {TaskOf(100, "goto", 701), TaskOf(101, "goto", 702).after(100)}));
+  desk.runs(100);
+  desk.at(1).give(Disengage{"degree 3"});
+  EXPECT_EQ(desk.state_of(702), "planned");  // the executive has it
+
+  desk.give(CancelMission{{{GoalId{701}}, {}, true}, "operator"});
+
+  EXPECT_THAT(desk.requests(), ElementsAre("ABORT 101", "ABORT 100"));
+  EXPECT_EQ(desk.state_of(701), "cancelled");
+  EXPECT_EQ(desk.state_of(702), "handed-over");
+}
+
+}  // namespace
+}  // namespace skein::supervisor

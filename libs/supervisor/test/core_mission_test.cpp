@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+// Missions: checked, planned, given to the executive, achieved. Source: spec 6.2 (0, 1, 5).
+#include "testing/core_harness.hpp"
+
+namespace skein::supervisor {
+namespace {
+
+using namespace testing;  // NOLINT: builders read as words
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using Words = std::vector<std::string>;
+
+// Goal 701 with two tasks, 702 with one that comes after them.
+std::vector<mission::ElementaryTask> two_goals() {
+  return {TaskOf(100, "takeoff", 701), TaskOf(101, "goto", 701).after(100).takes(100, 120),
+          TaskOf(102, "goto", 702).after(101)};
+}
+
+Desk with_two_goals() {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701, 702}));
+  desk.finish(inserted({701, 702}, two_goals()));
+  return desk;
+}
+
+TEST(SupervisorMission, IsAnsweredInTheSameCallAndPlannedByAJob) {
+  Desk desk = Desk::engaged();
+
+  desk.add(a_mission(1, {701, 702}));
+
+  ASSERT_EQ(desk.of<Answer>().size(), 1U);
+  EXPECT_TRUE(desk.of<Answer>()[0].accepted);
+  EXPECT_THAT(desk.goals(), ElementsAre("701 received", "702 received"));
+  EXPECT_THAT(desk.decisions(), ElementsAre("0 user request"));
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.insertion().added.size(), 2U);
+  EXPECT_THAT(desk.insertion().planned, IsEmpty());
+  EXPECT_EQ(desk.insertion().base.situation.next_id, TaskId{100});
+}
+
+TEST(SupervisorMission, ThatMakesNoSenseIsRefusedWithEveryReason) {
+  Desk desk = with_two_goals();
+  mission::UnitMission wrong = a_mission(1, {701});
+  wrong.tasks[0].name = "gone";
+
+  desk.add(wrong);
+
+  ASSERT_FALSE(desk.of<Answer>()[0].accepted);
+  EXPECT_THAT(desk.of<Answer>()[0].reasons, Contains(HasSubstr("'gone'")));
+  EXPECT_THAT(desk.of<Answer>()[0].reasons, Contains("mission 1 is known already"));
+  EXPECT_THAT(desk.of<Answer>()[0].reasons, Contains("high-level task 701 is known already"));
+  EXPECT_FALSE(desk.job_started());
+}
+
+TEST(SupervisorMission, IsRefusedWhileNotEngaged) {
+  Desk desk;
+
+  desk.add(a_mission(1, {701}));
+
+  EXPECT_FALSE(desk.of<Answer>()[0].accepted);
+  EXPECT_THAT(desk.supervisor.report().goals, IsEmpty());
+}
+
+TEST(SupervisorMission, ThatNeedsABrokenDeviceIsRefused) {
+  Desk desk = Desk::engaged();
+  desk.flies({0, 0, 0}, 1, {"camera"});
+  mission::UnitMission looks = a_mission(1, {701});
+  looks.tasks[0].name = "look";
+
+  desk.add(looks);
+
+  EXPECT_FALSE(desk.of<Answer>()[0].accepted);
+}
+
+TEST(SupervisorMission, PlannedIsToldAndItsFirstGoalGivenAtOnce) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701, 702}));
+
+  desk.finish(inserted({701, 702}, two_goals()));
+
+  ASSERT_EQ(desk.of<MissionDecided>().size(), 1U);
+  EXPECT_TRUE(desk.of<MissionDecided>()[0].outcome.planned);
+  EXPECT_THAT(desk.goals(), ElementsAre("701 planned", "702 planned"));
+  EXPECT_THAT(desk.requests(), ElementsAre("START 100", "START 101"));
+  EXPECT_THAT(desk.decisions(), ElementsAre("3 refine", "5 execute", "1 insert: tour"));
+  ASSERT_EQ(desk.of<PlanChanged>().size(), 1U);
+  EXPECT_EQ(desk.supervisor.report().tasks.size(), 3U);
+  EXPECT_TRUE(desk.supervisor.report().tasks[1].committed);
+  EXPECT_FALSE(desk.supervisor.report().tasks[2].committed);
+}
+
+TEST(SupervisorMission, IsGivenGoalByGoalAtTheHorizonAndAchievedWhenAllHasEnded) {
+  Desk desk = with_two_goals();
+  desk.runs(100);
+  EXPECT_EQ(desk.state_of(701), "under-way");
+  desk.at(10).ends(100);
+  desk.runs(101);
+  EXPECT_EQ(desk.supervisor.next_wakeup(), at(95));
+
+  desk.at(94).give(Tick{});
+  EXPECT_THAT(desk.requests(), IsEmpty());
+  desk.at(95).give(Tick{});
+  EXPECT_THAT(desk.requests(), ElementsAre("START 102"));
+
+  desk.at(115).ends(101);
+  EXPECT_THAT(desk.goals(), ElementsAre("701 achieved"));
+  desk.runs(102);
+  desk.at(130).ends(102);
+  EXPECT_EQ(desk.state_of(702), "achieved");
+  EXPECT_THAT(desk.supervisor.report().tasks, IsEmpty());
+}
+
+TEST(SupervisorMission, GoesToTheExecutiveWhenThatHasNothingLeft) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701, 702}));
+  desk.finish(inserted({701, 702}, {TaskOf(100, "takeoff", 701),
+                                    TaskOf(101, "goto", 702).after(100).starts_after(500)}));
+  desk.runs(100);
+
+  desk.at(12).ends(100);
+
+  EXPECT_THAT(desk.requests(), ElementsAre("START 101"));
+}
+
+TEST(SupervisorMission, RefusedLeavesThePlanAsItIs) {
+  Desk desk = with_two_goals();
+  const auto before = desk.supervisor.report().tasks;
+  desk.add(a_mission(2, {703}));
+
+  desk.finish(refused("no way to 703"));
+
+  ASSERT_EQ(desk.of<MissionDecided>().size(), 1U);
+  EXPECT_FALSE(desk.of<MissionDecided>()[0].outcome.planned);
+  EXPECT_THAT(desk.of<MissionDecided>()[0].outcome.reasons, ElementsAre("no way to 703"));
+  EXPECT_THAT(desk.goals(), ElementsAre("703 failed"));
+  EXPECT_EQ(desk.supervisor.report().tasks, before);
+  EXPECT_THAT(desk.requests(), IsEmpty());
+}
+
+TEST(SupervisorMission, ThatComesWhileAJobRunsWaitsForItsTurn) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  desk.add(a_mission(2, {702}));
+  EXPECT_FALSE(desk.job_started());
+
+  desk.finish(inserted({701}, {TaskOf(100, "takeoff", 701)}));
+
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.insertion().added[0].id, GoalId{702});
+  EXPECT_EQ(desk.insertion().standing.tasks.size(), 1U);
+  EXPECT_EQ(desk.insertion().base.situation.next_id, TaskId{101});
+}
+
+TEST(SupervisorMission, MayMoveWhatIsPlannedButNotWhatTheExecutiveHas) {
+  Desk desk = with_two_goals();
+
+  desk.add(a_mission(2, {703}));
+
+  ASSERT_EQ(desk.insertion().planned.size(), 1U);
+  EXPECT_EQ(desk.insertion().planned[0].id, GoalId{702});
+  EXPECT_EQ(desk.insertion().standing.tasks.size(), 2U);
+
+  desk.finish(inserted({703, 702},
+                       {TaskOf(103, "goto", 703).after(101), TaskOf(104, "goto", 702).after(103)}));
+  std::vector<TaskId> ids;
+  for (const auto& one : desk.supervisor.report().tasks) ids.push_back(one.task.id);
+  EXPECT_THAT(ids, ElementsAre(TaskId{100}, TaskId{101}, TaskId{103}, TaskId{104}));
+}
+
+TEST(SupervisorMission, IsPlannedFromWhereWhatIsInHandEnds) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  desk.finish(inserted(
+      {701}, {TaskOf(100, "takeoff", 701).takes(4, 6),
+              TaskOf(101, "goto", 701).after(100).energy(0.2).way({{0, 0, 40}, {0, 300, 50}})}));
+  desk.runs(100);
+
+  desk.at(2).add(a_mission(2, {702}));
+
+  const Situation& there = desk.insertion().base.situation;
+  EXPECT_EQ(there.position, world::Vector3(0, 300, 50));
+  EXPECT_TRUE(there.airborne);
+  EXPECT_NEAR(there.heading, 1.5708, 1e-3);
+  EXPECT_NEAR(there.energy, 0.8, 1e-9);
+  EXPECT_EQ(there.origin, at(2));
+  ASSERT_TRUE(there.motion.after.has_value());
+  EXPECT_EQ(*there.motion.after,
+            (mission::Dependence{mission::DependenceKind::kEnded, TaskId{101}}));
+  EXPECT_EQ(there.motion.free, (mission::Interval{secs(12), secs(24)}));
+}
+
+TEST(SupervisorMission, IsPlannedAgainWhenItsPremisesChanged) {
+  Desk desk = with_two_goals();
+  desk.runs(100);
+  desk.add(a_mission(2, {703}));
+  const std::uint64_t first = desk.job_id;
+  desk.at(5).aborted(100);
+
+  desk.finish(inserted({703, 702}, {TaskOf(103, "goto", 703), TaskOf(104, "goto", 702)}));
+
+  EXPECT_NE(desk.job_id, first);
+  EXPECT_TRUE(std::holds_alternative<RepairRequest>(*desk.request));
+  EXPECT_EQ(desk.state_of(703), "received");
+  EXPECT_FALSE(desk.started(103).has_value());
+}
+
+TEST(SupervisorMission, ThatIsPlannedAgainManyTimesIsNoted) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  Words said;
+  for (int i = 0; i < 6; ++i) {
+    mission::ChangeWorld change;
+    change.volume = {"v" + std::to_string(i), {{0, 0}, {1, 0}, {0, 1}}, 0, 10, {}};
+    desk.give(WorldChanged{change});
+    desk.finish(inserted({701}, {TaskOf(100, "takeoff", 701)}));
+    said = desk.notices();
+  }
+
+  EXPECT_THAT(said, Contains(HasSubstr("again for the 6th time")));
+  EXPECT_EQ(desk.state_of(701), "received");
+}
+
+TEST(SupervisorMission, ResultThatNobodyWaitsForChangesNothing) {
+  Desk desk = with_two_goals();
+
+  desk.give(JobFinished{77, inserted({702}, {})});
+
+  EXPECT_THAT(desk.requests(), IsEmpty());
+  EXPECT_THAT(desk.notices(), Contains(HasSubstr("nobody waits for")));
+}
+
+TEST(SupervisorMission, PlanWithAnIdThatWasUsedIsRefused) {
+  Desk desk = with_two_goals();
+  desk.add(a_mission(2, {703}));
+
+  desk.finish(inserted({703, 702}, {TaskOf(101, "goto", 703), TaskOf(103, "goto", 702)}));
+
+  EXPECT_EQ(desk.state_of(703), "failed");
+  EXPECT_EQ(desk.state_of(702), "planned");
+}
+
+TEST(SupervisorMission, UrgentInterruptsWhatIsUnderWayOnceItsPlanIsThere) {
+  Desk desk = with_two_goals();
+  desk.runs(100);
+  desk.at(10).ends(100);
+  desk.runs(101);
+  desk.flies({0, 0, 40});
+  mission::UnitMission urgent = a_mission(2, {703});
+  urgent.placement = mission::Placement::kFirst;
+  urgent.interrupt = true;
+
+  desk.at(20).add(urgent);
+  EXPECT_THAT(desk.requests(), IsEmpty());
+  EXPECT_THAT(desk.insertion().standing.tasks, IsEmpty());
+  EXPECT_EQ(desk.insertion().planned.size(), 2U);
+  EXPECT_EQ(desk.insertion().base.situation.motion.after->task, TaskId{101});
+
+  desk.at(21).finish(inserted(
+      {703, 701, 702}, {TaskOf(103, "goto", 703).over(101).takes(50, 60),
+                        TaskOf(104, "goto", 701).after(103), TaskOf(105, "goto", 702).after(104)}));
+  EXPECT_THAT(desk.requests(), ElementsAre("START 103", "ABORT 101"));
+  EXPECT_EQ(desk.state_of(701), "under-way");
+  desk.seen(101, TaskState::kAborted, "abort requested");
+  EXPECT_FALSE(desk.job_started());
+}
+
+TEST(SupervisorMission, UrgentDoesNotInterruptATakeoff) {
+  Desk desk = with_two_goals();
+  desk.runs(100);
+  mission::UnitMission urgent = a_mission(2, {703});
+  urgent.placement = mission::Placement::kFirst;
+  urgent.interrupt = true;
+
+  desk.at(2).add(urgent);
+
+  EXPECT_EQ(desk.insertion().standing.tasks.size(), 2U);
+}
+
+}  // namespace
+}  // namespace skein::supervisor

@@ -1,0 +1,517 @@
+; SPDX-License-Identifier: Apache-2.0
+; What the UAVs of COMETS may be asked to do, and what it comes down to (spec 3.3 to 3.5, T VI.2.3).
+; docs/comets-domain.md explains it: tasks, facts, the functions of the host, how to add a task.
+;
+; Every task is (NAME ARGUMENT... TIME-CONSTRAINTS ORIGIN). Time constraints are nil or (START-BEFORE START-AFTER
+; END-BEFORE END-AFTER), each nil or seconds since the plan's origin; all sub-tasks inherit them. ORIGIN is the number of
+; the high-level task.
+
+; --- intervals: ((num LEAST) (num MOST)), MOST may be `unlimited`
+
+(defun low (interval) (cadr (first interval)))
+(defun high (interval) (cadr (second interval)))
+(defun interval (least most) (list (list 'num least) (list 'num most)))
+(defun later (a b) (cond ((eq a 'unlimited) a) ((eq b 'unlimited) b) (t (max a b))))
+(defun plus (a b) (if (or (eq a 'unlimited) (eq b 'unlimited)) 'unlimited (+ a b)))
+(defun after (start duration)
+  (interval (plus (low start) (low duration)) (plus (high start) (high duration))))
+(defun latest (a b)
+  (interval (max (low a) (low b)) (later (high a) (high b))))
+; Reads are (INTERVAL EVENT TASK).
+(defun latest-of (written reads)
+  (let ((all written))
+    (dolist (one reads) (setq all (latest all (first one))))
+    all))
+; Not before START-AFTER, and so late that it cannot end before END-AFTER.
+(defun not-before (start duration constraints)
+  (let ((bound (low start)))
+    (when (second constraints) (setq bound (max bound (second constraints))))
+    (when (fourth constraints) (setq bound (max bound (- (fourth constraints) (low duration)))))
+    (interval bound (later (high start) bound))))
+
+; --- dependences: ((ended 102) ...)
+
+(defun dependence (event task)
+  (if (eq task 'none) nil
+    (list (list (case event (over 'over) (running 'running) (t 'ended)) task))))
+(defun dependences-of (reads)
+  (let ((all nil))
+    (dolist (one reads) (setq all (append (dependence (second one) (third one)) all)))
+    all))
+
+; All of the first, and what the second has beside them.
+(defun joined (a b)
+  (let ((all a))
+    (dolist (one b) (unless (member one a :test 'equal) (setq all (append all (list one)))))
+    all))
+
+; Those of the order first, and in it; then what it does not know.
+(defun in-order (all order)
+  (append (remove-if-not (lambda (one) (member one all)) order)
+          (remove-if (lambda (one) (member one order)) all)))
+
+; --- answers of refiners: ((destination LOC) (duration LEAST MOST) (energy E) (cost C) (params (NAME VALUE...)...))
+
+(defun get-destination (data) (second (assoc 'destination data)))
+(defun get-duration (data)
+  (interval (second (assoc 'duration data)) (third (assoc 'duration data))))
+(defun get-cost (data) (second (assoc 'cost data)))
+(defun get-params (type data)
+  (cons (list 'type type) (cons (assoc 'energy data) (rest (assoc 'params data)))))
+
+(defdomain comets-domain2 (
+
+  ; ================ what may be asked: (high-level-task NAME (KIND...) (USE...))
+
+  (:- (high-level-task general-takeoff () ()) ())
+  (:- (high-level-task general-land () ()) ())
+  (:- (high-level-task general-gotoxyz (place) ()) ())
+  (:- (high-level-task general-combined-goto-and-takeshot (place duration) (perception)) ())
+  (:- (high-level-task general-combined-goto-and-synchro-and-takeshot (sync-id uavs uavs place duration) (perception)) ())
+  (:- (high-level-task perceive (place duration) (perception)) ())
+  (:- (high-level-task perform-detection (zone place duration) (detection)) ())
+  (:- (high-level-task perform-mapping (zone) (mapping)) ())
+  (:- (high-level-task perform-tour (places) ()) ())
+  (:- (high-level-task perform-monitoring (place duration) (perception)) ())
+  (:- (high-level-task monitor-until (place sync-id uavs sync-id uav) (perception)) ())
+  (:- (high-level-task send-signal (sync-id uavs) ()) ())
+  (:- (high-level-task takeshot-while-waiting (duration) (perception)) ())
+  (:- (high-level-task synchro (sync-id uavs uavs) ()) ())
+  (:- (high-level-task wait-until-synchro (sync-id uavs uavs) ()) ())
+  (:- (high-level-task general-wait (duration) ()) ())
+  (:- (high-level-task wait-for-orders () ()) ())
+  (:- (high-level-task monitoring-with-relay (place uavs) ()) ())
+
+  ; ================ which device serves what, and which is better for it
+
+  (:- (device-serves visible perception) ())
+  (:- (device-serves ir perception) ())
+  (:- (device-serves singlecam perception) ())
+  (:- (device-serves mapping perception) ())
+  (:- (device-serves fire-sensor perception) ())
+  (:- (device-serves fire-sensor detection) ())
+  (:- (device-serves ir detection) ())
+  (:- (device-serves visible detection) ())
+  (:- (device-serves singlecam detection) ())
+  (:- (device-serves mapping detection) ())
+  (:- (device-serves mapping mapping) ())
+  (:- (device-serves singlecam mapping) ())
+
+  (:- (best-first perception (visible ir singlecam mapping fire-sensor)) ())
+  (:- (best-first detection (fire-sensor ir visible singlecam mapping)) ())
+  (:- (best-first mapping (mapping singlecam)) ())
+
+  ; Those on board that work, the best first; at least one.
+  (:- (devices-for ?use ?devices)
+    ((setof ?d (working-device ?use ?d) ?all) (best-first ?use ?order) (assign ?devices (in-order ?all ?order))))
+  (:- (working-device ?use ?device)
+    ((perception-device free '?device) (device-serves ?device ?use)))
+
+  ; ================ timelines: when a task may start, and what it depends on
+
+  ; Who moves the vehicle, or keeps it where it is, waits for who did so last and for all who relied on it since.
+  (:- (move-after ?earliest ?dependences)
+    ((my-write-time uavloc ?written ?event ?task)
+     (uavloc-reads ?reads)
+     (assign ?earliest (latest-of ?written ?reads))
+     (assign ?dependences (append (dependences-of ?reads) (dependence ?event ?task)))))
+  (:- (uavloc-reads ?reads)
+    some ((setof (?i ?e ?t) (my-read-time uavloc ?i ?e ?t) ?reads))
+    none ((assign ?reads nil)))
+  ; Who relies on what the vehicle is doing runs with it, and counts as done when that is.
+  (:- (rely-on-motion ?earliest ?dependences)
+    ((my-write-time uavloc ?earliest ?_event ?task)
+     (assign ?dependences (dependence 'running ?task))))
+  ; Who uses a device waits for its last use and for what was to come before the next one.
+  (:- (use-after ?device ?earliest ?dependences)
+    ((my-write-time perception-device '?device ?written ?event ?task)
+     (device-reads ?device ?reads)
+     (assign ?earliest (latest-of ?written ?reads))
+     (assign ?dependences (append (dependences-of ?reads) (dependence ?event ?task)))))
+  (:- (device-reads ?device ?reads)
+    some ((setof (?i ?e ?t) (my-read-time perception-device '?device ?i ?e ?t) ?reads))
+    none ((assign ?reads nil)))
+
+  ; ================ convenience operators: refiners are asked, their answer is kept until a task uses it
+
+  (:operator (!!lcompute-takeoff ?place)
+    ((assign ?data (compute-takeoff ?place)) (call consp ?data))
+    () ((eval-ok takeoff ?data)) 0)
+  (:operator (!!lcompute-land ?from ?place)
+    ((assign ?data (compute-land ?from ?place)) (call consp ?data))
+    () ((eval-ok land ?data)) 0)
+  (:operator (!!lcompute-gotoxyz ?from ?to)
+    ((assign ?data (compute-gotoxyz ?from ?to)) (call consp ?data))
+    () ((eval-ok gotoxyz ?data)) 0)
+  (:operator (!!lcompute-patrol ?from ?zone ?device ?seconds)
+    ((assign ?data (compute-patrol ?from ?zone ?device ?seconds)) (call consp ?data))
+    () ((eval-ok gotoxyz ?data)) 0)
+  (:operator (!!lcompute-sweep ?from ?zone ?device)
+    ((assign ?data (compute-sweep ?from ?zone ?device)) (call consp ?data))
+    () ((eval-ok gotoxyz ?data)) 0)
+  (:operator (!!lcompute-stay ?seconds)
+    ((assign ?data (compute-stay ?seconds)) (call consp ?data))
+    () ((eval-ok stay ?data)) 0)
+  ; What the next perception looks with, and at what: nil or ((target LOC)).
+  (:operator (!!aim ?device ?target)
+    () () ((aimed ?device ?target)) 0)
+  ; Who synchronises next, and how long that takes.
+  (:operator (!!agree ?sync ?senders ?receivers ?duration)
+    () () ((agreed ?sync ?senders ?receivers ?duration)) 0)
+
+  ; ================ actual operators: (!task-NAME ID DEPENDENCES PARAMS START DURATION TIME-CONSTRAINTS ORIGIN)
+
+  (:operator (!task-takeoff ?id ?dependences ?params ?start ?duration ?tc ?origin)
+    ((uavloc grounded ?from) (task-id ?id) (eval-ok takeoff ?data)
+     (move-after ?earliest ?dependences)
+     (assign ?params (get-params 'takeoff ?data))
+     (assign ?duration (get-duration ?data))
+     (assign ?start (not-before ?earliest ?duration ?tc))
+     (call in-time 'takeoff ?origin ?start ?duration ?tc)
+     (assign ?end (after ?start ?duration))
+     (assign ?there (get-destination ?data))
+     (assign ?next (+ ?id 1))
+     (my-write-time uavloc ?w ?we ?wt))
+    ((uavloc grounded ?from) (task-id ?id) (eval-ok takeoff ?data) (my-write-time uavloc ?w ?we ?wt)
+     (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt))))
+    ((uavloc flying ?there) (task-id ?next) (my-write-time uavloc ?end end ?id))
+    (get-cost ?data))
+
+  (:operator (!task-land ?id ?dependences ?params ?start ?duration ?tc ?origin)
+    ((uavloc flying ?from) (task-id ?id) (eval-ok land ?data)
+     (move-after ?earliest ?dependences)
+     (assign ?params (get-params 'land ?data))
+     (assign ?duration (get-duration ?data))
+     (assign ?start (not-before ?earliest ?duration ?tc))
+     (call in-time 'land ?origin ?start ?duration ?tc)
+     (assign ?end (after ?start ?duration))
+     (assign ?there (get-destination ?data))
+     (assign ?next (+ ?id 1))
+     (my-write-time uavloc ?w ?we ?wt))
+    ((uavloc flying ?from) (task-id ?id) (eval-ok land ?data) (my-write-time uavloc ?w ?we ?wt)
+     (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt))))
+    ((uavloc grounded ?there) (task-id ?next) (my-write-time uavloc ?end end ?id))
+    (get-cost ?data))
+
+  (:operator (!task-gotoxyz ?id ?dependences ?params ?start ?duration ?tc ?origin)
+    ((uavloc flying ?from) (task-id ?id) (eval-ok gotoxyz ?data)
+     (move-after ?earliest ?dependences)
+     (assign ?params (get-params 'goto ?data))
+     (assign ?duration (get-duration ?data))
+     (assign ?start (not-before ?earliest ?duration ?tc))
+     (call in-time 'gotoxyz ?origin ?start ?duration ?tc)
+     (assign ?end (after ?start ?duration))
+     (assign ?there (get-destination ?data))
+     (assign ?next (+ ?id 1))
+     (my-write-time uavloc ?w ?we ?wt))
+    ((uavloc flying ?from) (task-id ?id) (eval-ok gotoxyz ?data) (my-write-time uavloc ?w ?we ?wt)
+     (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt))))
+    ((uavloc flying ?there) (task-id ?next) (my-write-time uavloc ?end end ?id))
+    (get-cost ?data))
+
+  ; Waits some seconds, or as long as its stop says.
+  (:operator (!task-wait ?id ?dependences ?params ?start ?duration ?tc ?origin)
+    ((task-id ?id) (eval-ok stay ?data)
+     (move-after ?earliest ?dependences)
+     (assign ?params (get-params 'wait ?data))
+     (assign ?duration (get-duration ?data))
+     (assign ?start (not-before ?earliest ?duration ?tc))
+     (call in-time 'wait ?origin ?start ?duration ?tc)
+     (assign ?end (after ?start ?duration))
+     (assign ?next (+ ?id 1))
+     (my-write-time uavloc ?w ?we ?wt))
+    ((task-id ?id) (eval-ok stay ?data) (my-write-time uavloc ?w ?we ?wt)
+     (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt))))
+    ((task-id ?next) (my-write-time uavloc ?end end ?id))
+    (get-cost ?data))
+
+  ; The wait is over when what relied on it last is: then it was as long as it took.
+  (:operator (!stop-wait ?wait ?dependences () ?start ?duration ?_tc ?_origin)
+    ((my-write-time uavloc ?w end ?wait)
+     (my-read-time uavloc ?start end ?what)
+     (assign ?duration (interval 0 0))
+     (assign ?dependences (dependence 'end ?what)))
+    ((my-write-time uavloc ?w end ?wait)
+     (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt))))
+    ((my-write-time uavloc ?start end ?wait))
+    0)
+
+  ; Pictures all along the motion that goes on; the stop follows. It runs with a task whose times were checked: its place
+  ; on the timelines is the end of that.
+  (:operator (!task-takeshot ?id ?dependences ?params ?start ?duration ?_tc ?_origin)
+    ((task-id ?id) (aimed ?device ?target)
+     (rely-on-motion ?moved ?running)
+     (use-after ?device ?used ?uses)
+     (assign ?start (latest ?moved ?used))
+     (assign ?duration (interval 0 0))
+     (assign ?dependences (joined ?running ?uses))
+     (assign ?params (append (list (list 'type 'takeshot) (list 'device ?device)) ?target))
+     (assign ?next (+ ?id 1))
+     (my-write-time perception-device '?device ?w ?we ?wt))
+    ((task-id ?id) (aimed ?device ?target) (my-write-time perception-device '?device ?w ?we ?wt)
+     (forall (?q ?qe ?qt) ((my-read-time perception-device '?device ?q ?qe ?qt))
+       ((my-read-time perception-device '?device ?q ?qe ?qt))))
+    ((task-id ?next) (my-read-time uavloc ?start end ?id) (shooting ?id)
+     (my-write-time perception-device '?device ?start end ?id))
+    0)
+  (:operator (!stop-takeshot ?shot ?dependences () ?start ?duration ?_tc ?_origin)
+    ((shooting ?shot)
+     (my-read-time uavloc ?start end ?shot)
+     (my-write-time uavloc ?_written ?event ?motion)
+     (assign ?duration (interval 0 0))
+     (assign ?dependences (dependence ?event ?motion)))
+    ((shooting ?shot)) () 0)
+
+  ; Perceives for some seconds from where the vehicle is, which stays there.
+  (:operator (!task-perception ?id ?dependences ?params ?start ?duration ?tc ?origin)
+    ((task-id ?id) (eval-ok stay ?data) (aimed ?device ?target)
+     (move-after ?moved ?moves)
+     (use-after ?device ?used ?uses)
+     (assign ?dependences (joined ?moves ?uses))
+     (assign ?params (append (list (list 'type 'takeshot) (list 'device ?device)) ?target (list (assoc 'energy ?data))
+                             (rest (assoc 'params ?data))))
+     (assign ?duration (get-duration ?data))
+     (assign ?start (not-before (latest ?moved ?used) ?duration ?tc))
+     (call in-time 'perception ?origin ?start ?duration ?tc)
+     (assign ?end (after ?start ?duration))
+     (assign ?next (+ ?id 1))
+     (my-write-time uavloc ?w ?we ?wt)
+     (my-write-time perception-device '?device ?v ?ve ?vt))
+    ((task-id ?id) (eval-ok stay ?data) (aimed ?device ?target)
+     (my-write-time uavloc ?w ?we ?wt) (my-write-time perception-device '?device ?v ?ve ?vt)
+     (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt)))
+     (forall (?q ?qe ?qt) ((my-read-time perception-device '?device ?q ?qe ?qt))
+       ((my-read-time perception-device '?device ?q ?qe ?qt))))
+    ((task-id ?next) (my-write-time uavloc ?end end ?id) (my-write-time perception-device '?device ?end end ?id))
+    (get-cost ?data))
+
+  ; Likewise, until its stop.
+  (:operator (!task-monitoring ?id ?dependences ?params ?start ?duration ?tc ?origin)
+    ((task-id ?id) (aimed ?device ?target)
+     (move-after ?moved ?moves)
+     (use-after ?device ?used ?uses)
+     (assign ?dependences (joined ?moves ?uses))
+     (assign ?params (append (list (list 'type 'takeshot) (list 'device ?device)) ?target))
+     (assign ?duration (interval 0 0))
+     (assign ?start (not-before (latest ?moved ?used) ?duration ?tc))
+     (call in-time 'monitoring ?origin ?start ?duration ?tc)
+     (assign ?next (+ ?id 1))
+     (my-write-time uavloc ?w ?we ?wt)
+     (my-write-time perception-device '?device ?v ?ve ?vt))
+    ((task-id ?id) (aimed ?device ?target)
+     (my-write-time uavloc ?w ?we ?wt) (my-write-time perception-device '?device ?v ?ve ?vt)
+     (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt)))
+     (forall (?q ?qe ?qt) ((my-read-time perception-device '?device ?q ?qe ?qt))
+       ((my-read-time perception-device '?device ?q ?qe ?qt))))
+    ((task-id ?next) (my-write-time uavloc ?start end ?id) (my-write-time perception-device '?device ?start end ?id)
+     (monitoring ?id ?device))
+    0)
+  (:operator (!stop-monitoring ?shot ?dependences () ?start ?duration ?_tc ?_origin)
+    ((monitoring ?shot ?device)
+     (my-write-time uavloc ?w end ?shot)
+     (my-read-time uavloc ?start end ?what)
+     (assign ?duration (interval 0 0))
+     (assign ?dependences (dependence 'end ?what))
+     (my-write-time perception-device '?device ?v end ?shot))
+    ((monitoring ?shot ?device) (my-write-time uavloc ?w end ?shot)
+     (my-write-time perception-device '?device ?v end ?shot)
+     (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt))))
+    ((my-write-time uavloc ?start end ?shot) (my-write-time perception-device '?device ?start end ?shot))
+    0)
+
+  ; Synchronises while something else keeps the vehicle where it is; no perception begins before it is done.
+  (:operator (!task-synchro ?id ?dependences ?params ?start ?duration ?tc ?origin)
+    ((task-id ?id) (agreed ?sync ?senders ?receivers ?duration)
+     (rely-on-motion ?earliest ?dependences)
+     (assign ?params (list (list 'type 'synchronise) (list 'sync ?sync ?senders ?receivers)))
+     (assign ?start (not-before ?earliest ?duration ?tc))
+     (call in-time 'synchro ?origin ?start ?duration ?tc)
+     (assign ?end (after ?start ?duration))
+     (assign ?next (+ ?id 1)))
+    ((task-id ?id) (agreed ?sync ?senders ?receivers ?duration))
+    ((task-id ?next) (my-read-time uavloc ?end end ?id)
+     (forall (?d) ((perception-device free '?d)) ((my-read-time perception-device '?d ?end end ?id))))
+    0)
+
+  ; Synchronises by itself: the vehicle stays where it is, and what follows waits for it.
+  (:operator (!task-rendezvous ?id ?dependences ?params ?start ?duration ?tc ?origin)
+    ((task-id ?id) (agreed ?sync ?senders ?receivers ?duration)
+     (move-after ?earliest ?dependences)
+     (assign ?params (list (list 'type 'synchronise) (list 'sync ?sync ?senders ?receivers)))
+     (assign ?start (not-before ?earliest ?duration ?tc))
+     (call in-time 'rendezvous ?origin ?start ?duration ?tc)
+     (assign ?end (after ?start ?duration))
+     (assign ?next (+ ?id 1))
+     (my-write-time uavloc ?w ?we ?wt))
+    ((task-id ?id) (agreed ?sync ?senders ?receivers ?duration) (my-write-time uavloc ?w ?we ?wt)
+     (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt))))
+    ((task-id ?next) (my-write-time uavloc ?end end ?id))
+    0)
+
+  ; What needs others is refined with them: nobody knows yet how long it takes.
+  (:operator (!task-monitoring-with-relay ?id ?dependences ?params ?start ?duration ?tc ?origin)
+    ((task-id ?id) (joint ?place ?partners)
+     (move-after ?earliest ?dependences)
+     (assign ?params (list (list 'type "joint:monitoring-with-relay") (list 'place (compute-entry ?place))
+                           (list 'partners ?partners)))
+     (assign ?duration (interval 0 'unlimited))
+     (assign ?start (not-before ?earliest ?duration ?tc))
+     (call in-time 'monitoring-with-relay ?origin ?start ?duration ?tc)
+     (assign ?end (after ?start ?duration))
+     (assign ?next (+ ?id 1))
+     (my-write-time uavloc ?w ?we ?wt))
+    ((task-id ?id) (joint ?place ?partners) (my-write-time uavloc ?w ?we ?wt)
+     (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt))))
+    ((task-id ?next) (my-write-time uavloc ?end end ?id))
+    0)
+  (:operator (!!invite ?place ?partners) () () ((joint ?place ?partners)) 0)
+
+  ; ================ methods: motion
+
+  (:method (take-off ?tc ?origin)
+    in-the-air ((uavloc flying ?_loc)) ()
+    take-off ((uavloc grounded ?place))
+      ((!!lcompute-takeoff ?place) (!task-takeoff ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+
+  (:method (go ?to ?tc ?origin)
+    take-off-first ((uavloc grounded ?_place)) ((take-off ?tc ?origin) (go ?to ?tc ?origin))
+    fly ((uavloc flying ?from))
+      ((!!lcompute-gotoxyz ?from ?to) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+
+  (:method (go-unless-there ?to ?tc ?origin)
+    already-there ((uavloc flying ?from) (call is-at ?from ?to)) ()
+    elsewhere () ((go ?to ?tc ?origin)))
+
+  (:method (go-through ?places ?tc ?origin)
+    all-visited ((call null ?places)) ()
+    next-one ((assign ?to (first ?places)) (assign ?others (rest ?places)))
+      ((go-unless-there ?to ?tc ?origin) (go-through ?others ?tc ?origin)))
+
+  (:method (touch-down ?tc ?origin)
+    touch-down ((uavloc flying ?from) (landloc ?place))
+      ((!!lcompute-land ?from ?place) (!task-land ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+
+  (:method (general-takeoff ?tc ?origin)
+    general-takeoff () ((take-off ?tc ?origin)))
+
+  (:method (general-land ?tc ?origin)
+    on-the-ground ((uavloc grounded ?_place)) ()
+    land-here ((uavloc flying ?from) (landloc ?place) (call is-over ?from ?place)) ((touch-down ?tc ?origin))
+    come-back-and-land ((landloc ?place)) ((go ?place ?tc ?origin) (touch-down ?tc ?origin)))
+
+  (:method (general-gotoxyz ?place ?tc ?origin)
+    general-gotoxyz () ((go-unless-there ?place ?tc ?origin)))
+
+  (:method (perform-tour ?places ?tc ?origin)
+    tour ((uavloc ?_how ?from) (assign ?order (compute-tour ?from ?places)) (call consp ?order))
+      ((go-through ?order ?tc ?origin)))
+
+  ; ================ methods: perception
+
+  (:method (shoot-along ?device ?target ?tc ?origin)
+    takeshot-until-it-ends ()
+      ((!!aim ?device ?target) (!task-takeshot ?shot ?_d ?_p ?_s ?_u ?tc ?origin)
+       (!stop-takeshot ?shot ?_e ?_q ?_t ?_v ?tc ?origin)))
+
+  (:method (stay-and-shoot ?device ?place ?seconds ?tc ?origin)
+    wait-and-takeshot ((assign ?target (target-of ?place)))
+      ((!!lcompute-stay ?seconds) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (shoot-along ?device ?target ?tc ?origin)))
+
+  (:method (general-combined-goto-and-takeshot ?place ?seconds ?tc ?origin)
+    goto-and-takeshot
+    ((devices-for perception ?devices) (assign ?view (compute-viewpoint ?place ?devices 0 1)) (call consp ?view)
+      (assign ?device (first ?view)) (assign ?to (second ?view)))
+      ((go ?to ?tc ?origin) (stay-and-shoot ?device ?place ?seconds ?tc ?origin)))
+
+  (:method (perceive ?place ?seconds ?tc ?origin)
+    goto-and-perceive
+    ((devices-for perception ?devices) (assign ?view (compute-viewpoint ?place ?devices 0 1)) (call consp ?view)
+      (assign ?device (first ?view)) (assign ?to (second ?view)) (assign ?target (target-of ?place)))
+      ((go ?to ?tc ?origin) (!!lcompute-stay ?seconds) (!!aim ?device ?target)
+       (!task-perception ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+
+  (:method (takeshot-while-waiting ?seconds ?tc ?origin)
+    takeshot-while-waiting
+    ((devices-for perception ?devices) (assign ?device (first ?devices)))
+      ((!!lcompute-stay ?seconds) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (shoot-along ?device () ?tc ?origin)))
+
+  (:method (perform-detection ?zone ?place ?seconds ?tc ?origin)
+    detection
+    ((devices-for detection ?devices) (assign ?device (first ?devices)))
+      ((go ?place ?tc ?origin) (detect ?zone ?device ?seconds ?tc ?origin)))
+  (:method (detect ?zone ?device ?seconds ?tc ?origin)
+    pattern ((uavloc flying ?from))
+      ((!!lcompute-patrol ?from ?zone ?device ?seconds) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
+       (shoot-along ?device () ?tc ?origin)))
+
+  (:method (perform-mapping ?zone ?tc ?origin)
+    mapping
+    ((uavloc ?_how ?from) (devices-for mapping ?devices) (assign ?device (first ?devices))
+      (assign ?entry (compute-sweep-entry ?from ?zone ?device)) (call consp ?entry))
+      ((go ?entry ?tc ?origin) (!!lcompute-sweep ?from ?zone ?device) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
+       (shoot-along ?device () ?tc ?origin)))
+
+  ; From several angles in turn.
+  (:method (perform-monitoring ?place ?seconds ?tc ?origin)
+    monitoring
+    ((devices-for perception ?devices) (assign ?views (compute-angles ?place ?devices 3)) (call consp ?views)
+      (assign ?device (first ?views)) (assign ?points (rest ?views)) (assign ?each (/ (* 1.0d0 ?seconds) (length ?points))))
+      ((monitor-from ?points ?place ?device ?each ?tc ?origin)))
+  (:method (monitor-from ?points ?place ?device ?seconds ?tc ?origin)
+    all-angles ((call null ?points)) ()
+    next-angle ((assign ?to (first ?points)) (assign ?others (rest ?points)))
+      ((go ?to ?tc ?origin) (stay-and-shoot ?device ?place ?seconds ?tc ?origin)
+       (monitor-from ?others ?place ?device ?seconds ?tc ?origin)))
+
+  ; ================ methods: synchronisation
+
+  (:method (wait-for-partners ?sync ?senders ?receivers ?tc ?origin)
+    wait-until-synchro ()
+      ((!!lcompute-stay stopped) (!task-wait ?wait ?_d ?_p ?_s ?_u ?tc ?origin)
+       (!!agree ?sync ?senders ?receivers ((num 0) (num 30))) (!task-synchro ?_i ?_e ?_q ?_t ?_v ?tc ?origin)
+       (!stop-wait ?wait ?_f ?_r ?_x ?_w ?tc ?origin)))
+
+  (:method (general-combined-goto-and-synchro-and-takeshot ?sync ?senders ?receivers ?place ?seconds ?tc ?origin)
+    goto-and-synchro-and-takeshot
+    ((assign ?rank (rank-in ?senders ?receivers)) (assign ?count (count-of ?senders ?receivers))
+      (devices-for perception ?devices) (assign ?view (compute-viewpoint ?place ?devices ?rank ?count))
+      (call consp ?view) (assign ?device (first ?view)) (assign ?to (second ?view)))
+      ((go ?to ?tc ?origin) (wait-for-partners ?sync ?senders ?receivers ?tc ?origin)
+       (stay-and-shoot ?device ?place ?seconds ?tc ?origin)))
+
+  (:method (monitor-until ?place ?sync ?partners ?signal ?from ?tc ?origin)
+    monitor-until
+    ((assign ?team (with-me ?partners)) (assign ?rank (rank-in ?team ?team)) (assign ?count (length ?team))
+      (devices-for perception ?devices) (assign ?view (compute-viewpoint ?place ?devices ?rank ?count))
+      (call consp ?view) (assign ?device (first ?view)) (assign ?to (second ?view)) (assign ?target (target-of ?place)))
+      ((go-unless-there ?to ?tc ?origin)
+       (!!agree ?sync ?team ?team ((num 0) (num 30))) (!task-rendezvous ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
+       (!!aim ?device ?target) (!task-monitoring ?shot ?_e ?_q ?_t ?_v ?tc ?origin)
+       (!!agree ?signal (?from) ?team ((num 0) (num unlimited))) (!task-synchro ?_j ?_f ?_r ?_x ?_w ?tc ?origin)
+       (!stop-monitoring ?shot ?_g ?_k ?_y ?_z ?tc ?origin)))
+
+  (:method (send-signal ?sync ?receivers ?tc ?origin)
+    send-signal ((assign ?me (with-me ())))
+      ((!!agree ?sync ?me ?receivers ((num 0) (num 30))) (!task-rendezvous ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+
+  (:method (synchro ?sync ?senders ?receivers ?tc ?origin)
+    synchro ()
+      ((!!agree ?sync ?senders ?receivers ((num 0) (num 30))) (!task-rendezvous ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+
+  (:method (wait-until-synchro ?sync ?senders ?receivers ?tc ?origin)
+    wait-until-synchro () ((wait-for-partners ?sync ?senders ?receivers ?tc ?origin)))
+
+  ; ================ methods: waiting, and what needs others
+
+  ; Seconds, or the word `unlimited`.
+  (:method (general-wait ?seconds ?tc ?origin)
+    general-wait () ((!!lcompute-stay ?seconds) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+
+  (:method (wait-for-orders ?tc ?origin)
+    wait-for-orders () ((!!lcompute-stay unlimited) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+
+  (:method (monitoring-with-relay ?place ?partners ?tc ?origin)
+    monitoring-with-relay ((assign ?at (compute-entry ?place)) (call consp ?at))
+      ((take-off ?tc ?origin) (!!invite ?place ?partners)
+       (!task-monitoring-with-relay ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+  ))

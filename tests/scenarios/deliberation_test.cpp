@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Missions of high-level tasks on board (spec 8.3 to 8.5, 8.10) and what may befall them, over many
+// seeds: each draws other winds, speeds, delays, losses and sensor noise. SKEIN_SEEDS says how
+// many.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <ostream>
+
+#include "testing/deliberation_laws.hpp"
+#include "testing/journal_laws.hpp"
+#include "testing/mission.hpp"
+
+namespace skein::testing {
+namespace {
+
+constexpr std::uint64_t kSeeds = 6;
+
+std::uint64_t seeds() {
+  const char* wanted = std::getenv("SKEIN_SEEDS");
+  return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : kSeeds;
+}
+
+class Deliberation : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Deliberation, MeetsEveryExpectationAndKeepsTheLawsWhateverTheSeed) {
+  for (std::uint64_t seed = 1; seed <= seeds(); ++seed) {
+    const Mission mission = play(scenario_at(GetParam(), with(seed)));
+
+    EXPECT_EQ(mission.end, End::kFinished) << "seed " << seed;
+    EXPECT_EQ(mission.failures(), "") << "seed " << seed;
+    EXPECT_EQ(to_text(broken_laws(mission.records)), "") << "seed " << seed;
+    EXPECT_EQ(to_text(broken_deliberation_laws(mission.records)), "") << "seed " << seed;
+  }
+}
+
+TEST_P(Deliberation, IsTheSameByteForByteForOneSeedAndAnotherForAnother) {
+  const std::string once = play(scenario_at(GetParam(), with(1))).log();
+  const std::string again = play(scenario_at(GetParam(), with(1))).log();
+  const std::string other = play(scenario_at(GetParam(), with(2))).log();
+
+  EXPECT_TRUE(once == again);
+  EXPECT_FALSE(once == other);
+}
+
+std::string name_of(const ::testing::TestParamInfo<std::string>& one) {
+  std::string name = one.param;
+  for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Virtual, Deliberation,
+                         ::testing::Values("karma/detection", "heliv-marvin/monitoring",
+                                           "iros2005/fire", "handover/radio", "handover/cut",
+                                           "comets/mixed"),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(
+    Contingencies, Deliberation,
+    ::testing::Values("contingencies/slow-goto", "contingencies/takeshot-aborted",
+                      "contingencies/sensor-dead", "contingencies/no-fly-appears",
+                      "contingencies/energy-short", "contingencies/urgent-mission"),
+    name_of);
+
+}  // namespace
+}  // namespace skein::testing
