@@ -6,7 +6,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -30,6 +32,7 @@ Examples:
   skein plan uav.lisp --problem too-far --why-not      where the search came furthest and what was missing
   skein plan uav.lisp --problem two-uavs --trace fly   how each task `fly` was tried
   skein plan uav.lisp --dot plan.dot && dot -Tsvg plan.dot > plan.svg
+  skein plan comets.lisp karma.lisp --world seeds.yaml --vehicle seeds-uav.yaml --taskreq   (scenarios/domains)
   skein plan uav.lisp --json > plans.jsonl && skein plan uav.lisp --validate plans.jsonl
 Guide and formats: docs/planning.md. Exit codes: 0 every problem has a plan (plans valid), 1 some has none
 (not valid), 2 wrong files or options, 4 a limit came first, 130 Ctrl-C (the best plan so far is shown).)";

@@ -35,8 +35,13 @@ Gazetteer::Gazetteer(std::shared_ptr<const Knowledge> knowledge,
     : knowledge_(std::move(knowledge)), world_(std::move(world)) {}
 
 std::optional<Vector3> Gazetteer::place(const TermStore& store, Term term) const {
-  if (const auto location = location_of(store, term)) return location;
-  const std::string name = text_of(store, unquoted(store, term));
+  std::optional<Vector3> at = location_of(store, term);
+  if (!at) at = named_place(text_of(store, unquoted(store, term)));
+  if (at) at->z() = std::max(at->z(), ground(*at));  // what lies under the ground is on it
+  return at;
+}
+
+std::optional<Vector3> Gazetteer::named_place(const std::string& name) const {
   const auto found = found_by_name(world_->places, name, [](const auto& one) { return one.first; });
   if (found != world_->places.end()) return found->second;
   if (same_name(name, "home") || same_name(name, "zero")) return knowledge_->home;

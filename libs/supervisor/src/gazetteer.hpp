@@ -18,7 +18,7 @@ class Gazetteer {
  public:
   Gazetteer(std::shared_ptr<const Knowledge> knowledge, std::shared_ptr<const world::World> world);
 
-  /// Of a name, or of (loc X Y Z).
+  /// Of a name, or of (loc X Y Z). What lies under the ground counts as on it.
   std::optional<world::Vector3> place(const htn::TermStore& store, htn::Term term) const;
   const world::Zone* zone(const std::string& name) const;
   const world::SensorModel* sensor(const std::string& device) const;
@@ -39,6 +39,8 @@ class Gazetteer {
   const world::World& world() const { return *world_; }
 
  private:
+  std::optional<world::Vector3> named_place(const std::string& name) const;
+
   std::shared_ptr<const Knowledge> knowledge_;
   std::shared_ptr<const world::World> world_;
 };
