@@ -55,7 +55,9 @@ supervisor::Knowledge knowledge_of(const Scenario& scenario, const UavSpec& uav)
   knowledge.uav = uav.name;
   knowledge.vehicle = uav.model;
   knowledge.home = {uav.start.x(), uav.start.y(), terrain.elevation(uav.start.x(), uav.start.y())};
-  knowledge.altitude = scenario.planning->altitude;
+  const auto own = scenario.planning->altitudes.find(uav.name);
+  knowledge.altitude =
+      own != scenario.planning->altitudes.end() ? own->second : scenario.planning->altitude;
   knowledge.team = scenario.uav_names();
   knowledge.domain = domain_of(scenario);
   knowledge.vocabulary = std::move(*vocabulary);

@@ -42,16 +42,25 @@ world::GroundRequest read_risk(const Reader& reader) {
   return ground;
 }
 
-std::map<std::string, executive::TaskId> read_first_ids(const Reader& reader, const Names& names) {
-  std::map<std::string, executive::TaskId> first;
-  for (const auto& [uav, id] : entries_of(reader)) {
+// {UAV: figure, …}, each figure as `read` has it.
+template <class Read>
+auto read_by_uav(const Reader& reader, const Names& names, Read read) {
+  std::map<std::string, decltype(read(reader))> by_uav;
+  for (const auto& [uav, figure] : entries_of(reader)) {
     if (std::find(names.uavs.begin(), names.uavs.end(), uav) == names.uavs.end()) {
-      id.error("no UAV '" + uav + "'", "a UAV", nearest_name(uav, names.uavs));
+      figure.error("no UAV '" + uav + "'", "a UAV", nearest_name(uav, names.uavs));
     }
-    first.emplace(
-        uav, executive::TaskId(static_cast<std::uint64_t>(id.integer(1, 1, kGreatestFirstId))));
+    by_uav.emplace(uav, read(figure));
   }
-  return first;
+  return by_uav;
+}
+
+executive::TaskId read_first_id(const Reader& reader) {
+  return executive::TaskId(static_cast<std::uint64_t>(reader.integer(1, 1, kGreatestFirstId)));
+}
+
+double read_altitude(const Reader& reader) {
+  return reader.number(40, {2, 10'000, "m above the ground"});
 }
 
 std::optional<Variations::Range> read_range(const Reader& reader, Range within) {
@@ -84,7 +93,8 @@ std::optional<PlanningSpec> read_planning(const Reader& reader, const std::strin
                                           const Names& names) {
   if (!reader.present()) return std::nullopt;
   PlanningSpec planning;
-  if (!reader.keys({"domain", "altitude", "voxel", "ceiling", "risk", "horizon", "first_ids"})) {
+  if (!reader.keys({"domain", "altitude", "voxel", "ceiling", "risk", "horizon", "first_ids",
+                    "altitudes"})) {
     return planning;
   }
   const Reader domain = reader.required("domain");
@@ -93,13 +103,14 @@ std::optional<PlanningSpec> read_planning(const Reader& reader, const std::strin
     planning.domain_path = (std::filesystem::path(folder) / planning.domain_file).string();
     planning.domain = read_text_of(domain, "domain file", planning.domain_path).value_or("");
   }
-  planning.altitude = reader.optional("altitude").number(40, {2, 10'000, "m above the ground"});
+  planning.altitude = read_altitude(reader.optional("altitude"));
+  planning.altitudes = read_by_uav(reader.optional("altitudes"), names, read_altitude);
   planning.voxel = reader.optional("voxel").number(10, {0.1, 10'000, "m"});
   const Reader ceiling = reader.optional("ceiling");
   if (ceiling.present()) planning.ceiling = ceiling.number(0, kLevel);
   planning.ground = read_risk(reader.optional("risk"));
   planning.horizon = read_seconds(reader.optional("horizon"), planning.horizon);
-  planning.first_ids = read_first_ids(reader.optional("first_ids"), names);
+  planning.first_ids = read_by_uav(reader.optional("first_ids"), names, read_first_id);
   return planning;
 }
 

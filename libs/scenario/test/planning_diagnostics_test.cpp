@@ -55,12 +55,15 @@ SKEIN_WRONG_PLANNING(
           "13:11: planning.domain: missing\n"},
     Wrong{"UnknownKey", "first_ids", "first_id",
           "13:54: planning.first_id: unknown key 'first_id'; expected one of domain, altitude, "
-          "voxel, ceiling, risk, horizon, first_ids; did you mean 'first_ids'?\n"},
+          "voxel, ceiling, risk, horizon, first_ids, altitudes; did you mean 'first_ids'?\n"},
     Wrong{
         "FirstIdOfAStranger", "first_ids: {karma", "first_ids: {krama",
         "13:63: planning.first_ids.krama: no UAV 'krama'; expected a UAV; did you mean 'karma'?\n"},
     Wrong{"FirstIdOfNothing", "{karma: 100}", "{karma: 0}",
           "13:63: planning.first_ids.karma: '0'; expected a whole number from 1 to 900000000\n"},
+    Wrong{
+        "AltitudeOfAStranger", "first_ids: {karma: 100}", "altitudes: {krama: 60}",
+        "13:63: planning.altitudes.krama: no UAV 'krama'; expected a UAV; did you mean 'karma'?\n"},
     Wrong{"RiskOfMoreThanAll", "first_ids: {karma: 100}", "risk: 2",
           "13:50: planning.risk: '2'; expected a number from 0 to 1\n"},
     Wrong{"RiskWithoutPeaks", "first_ids: {karma: 100}", "risk: {base: 0.2}",

@@ -59,6 +59,7 @@ TEST(Planning, IsKeptWithTheTextOfItsDomain) {
   EXPECT_EQ(scenario.planning->domain_file, "../domains/comets.lisp");
   EXPECT_THAT(scenario.planning->domain_path, HasSubstr("scenarios/comets/../domains/comets.lisp"));
   EXPECT_THAT(scenario.planning->domain, HasSubstr("(defdomain "));
+  EXPECT_EQ(scenario.planning->altitudes.at("karma"), 60);
   EXPECT_EQ(scenario.planning->first_ids.at("karma"), executive::TaskId(100));
   EXPECT_EQ(scenario.find_uav("karma")->degree, 4);
 }

@@ -70,7 +70,6 @@ class Watch {
   }
 
   void see_plan(const Record& record) {
-    if (left_ != 0) breach(record, std::to_string(left_) + " planned tasks are missing");
     const Key revision = key(record, "revision");
     if (revision != revision_ + 1) breach(record, "revision " + std::to_string(revision));
     revision_ = revision;
@@ -79,6 +78,7 @@ class Watch {
 
   void see_planned(const Record& record) {
     left_ -= 1;
+    if (left_ < 0) breach(record, "more planned tasks than the revision has");
     const Key task = key(record, "task");
     if (key(record, "revision") != revision_) breach(record, "planned task of another revision");
     const auto [goal, is_new] = goal_of_.emplace(task, key(record, "goal"));

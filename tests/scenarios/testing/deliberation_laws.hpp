@@ -13,8 +13,8 @@ namespace skein::testing {
 /// - goals: each state follows from the one before (received, planned, under-way, then settled;
 /// back
 ///   to planned or received only by a repair or a hand-over), and nothing follows a settled one;
-/// - plans: revisions count up by one; what a revision lists as planned comes with it; no task that
-///   it lists is to start before what it waits for, nor to end before it starts;
+/// - plans: revisions count up by one; with each come the tasks that are new or changed in it, no
+///   more than it has; no task is to end before it starts;
 /// - origin: a task that a plan once had belongs to the same goal ever after;
 /// - promises: at degree 4, a UAV in the air has a motion task that is not over, but for `moment`
 ///   seconds between two, or says why not in a decision or notice;

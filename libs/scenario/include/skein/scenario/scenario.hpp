@@ -129,11 +129,12 @@ struct FaultSpec {
 
 /// What deliberation on board goes by. Source: spec 1.2, 3.3, 6.1.
 struct PlanningSpec {
-  std::string domain_file;        ///< as written
-  std::string domain_path;        ///< where it was read: for messages
-  std::string domain;             ///< its text
-  double altitude = 40;           ///< of flights, over the ground [m]
-  double voxel = 10;              ///< of the airspace [m]
+  std::string domain_file;                  ///< as written
+  std::string domain_path;                  ///< where it was read: for messages
+  std::string domain;                       ///< its text
+  double altitude = 40;                     ///< of flights, over the ground [m]
+  std::map<std::string, double> altitudes;  ///< of single UAVs, instead of `altitude` [m]
+  double voxel = 10;                        ///< of the airspace [m]
   std::optional<double> ceiling;  ///< of the airspace [m] ENU z; absent: as in world files
   world::GroundRequest ground;    ///< the risk of the ground
   Duration horizon = Duration::seconds(15);  ///< of commitment
