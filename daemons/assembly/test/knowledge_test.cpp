@@ -35,7 +35,8 @@ scenario::Scenario planning_with(const std::string& domain) {
 constexpr const char* kOneTask =
     "(defdomain own (\n"
     "  (:- (high-level-task survey (zone duration) (detection)) ())\n"
-    "  (:- (device-serves fire-sensor detection) ())))\n";
+    "  (:- (device-serves fire-sensor detection) ())\n"
+    "  (:method (survey ?_zone ?_duration ?_times ?_origin) () ())))\n";
 
 TEST(Knowledge, TheWorldHasWhatTheScenarioSays) {
   scenario::Scenario scenario = planning_with(kOneTask);
@@ -95,7 +96,9 @@ TEST(Knowledge, EveryErrorOfTheDomainIsToldWithItsFileAndLine) {
   const scenario::Scenario scenario = planning_with(
       "(defdomain own (\n"
       "  (:- (high-level-task survey (zoen) ()) ())\n"
-      "  (:- (high-level-task watch (duraton) ()) ())))\n");
+      "  (:- (high-level-task watch (duraton) ()) ())\n"
+      "  (:method (survey ?_zone ?_times ?_origin) () ())\n"
+      "  (:method (watch ?_duration ?_times ?_origin) () ())))\n");
 
   const Diagnostics diagnostics = check_assembly(scenario);
 

@@ -59,7 +59,6 @@ TEST(Planning, IsKeptWithTheTextOfItsDomain) {
   EXPECT_EQ(scenario.planning->domain_file, "../domains/comets.lisp");
   EXPECT_THAT(scenario.planning->domain_path, HasSubstr("scenarios/comets/../domains/comets.lisp"));
   EXPECT_THAT(scenario.planning->domain, HasSubstr("(defdomain "));
-  EXPECT_EQ(scenario.planning->altitudes.at("karma"), 60);
   EXPECT_EQ(scenario.planning->first_ids.at("karma"), executive::TaskId(100));
   EXPECT_EQ(scenario.find_uav("karma")->degree, 4);
 }
@@ -76,14 +75,14 @@ TEST(Planning, WhatIsLeftOutHasADefault) {
 
 TEST(Planning, WhatIsGivenCounts) {
   const PlanningSpec planning =
-      *read_valid(
-           planning_scenario_with(
-               "first_ids: {karma: 100}",
-               "altitude: 60, voxel: 20, ceiling: 400, horizon: 30, risk: {base: 0.1, peaks: "
-               "[{at: [10, 20], risk: 0.8, radius: 50}]}"))
+      *read_valid(planning_scenario_with("first_ids: {karma: 100}",
+                                         "altitude: 60, altitudes: {karma: 80}, voxel: 20, "
+                                         "ceiling: 400, horizon: 30, risk: {base: 0.1, peaks: "
+                                         "[{at: [10, 20], risk: 0.8, radius: 50}]}"))
            .planning;
 
   EXPECT_EQ(planning.altitude, 60);
+  EXPECT_EQ(planning.altitudes.at("karma"), 80);
   EXPECT_EQ(planning.voxel, 20);
   EXPECT_EQ(planning.ceiling, 400);
   EXPECT_EQ(planning.horizon, Duration::seconds(30));

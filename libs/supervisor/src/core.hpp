@@ -186,6 +186,7 @@ class Supervisor::Core {
   void send(executive::Input input) { out_.push_back(ToExecutive{std::move(input)}); }
   void publish();
   std::string plan_text() const;
+  std::string extent() const;
 
   Config config_;
   std::shared_ptr<const world::World> world_;

@@ -48,10 +48,7 @@ void Supervisor::Core::absorb_or_shift(const std::string& cause) {
     return decide({"6 repair: absorb", cause, plan_text(), "the promised dates hold", now_});
   }
   promise();
-  decide({"6 repair: shift", cause, plan_text(),
-          "ends between " + to_text(schedule_.earliest_end) + " and " +
-              to_text(schedule_.latest_end) + " s",
-          now_});
+  decide({"6 repair: shift", cause, plan_text(), extent(), now_});
 }
 
 // The dates after something was seen; what breaks the network is a contingency.

@@ -53,6 +53,13 @@ std::string Supervisor::Core::plan_text() const {
          std::to_string(book_.open_tasks().size()) + " tasks";
 }
 
+// "ends between 352 and 356.1 s".
+std::string Supervisor::Core::extent() const {
+  const std::string first = to_text(schedule_.earliest_end);
+  if (schedule_.latest_end == MissionTime::max()) return "ends from " + first + " s on";
+  return "ends between " + first + " and " + to_text(schedule_.latest_end) + " s";
+}
+
 void Supervisor::Core::publish() {
   mission::PlanReport report;
   const auto settled = [this](GoalId id) { return is_settled(book_.goals.at(id).state); };

@@ -6,16 +6,6 @@
 
 namespace skein::supervisor {
 
-namespace {
-
-// "plan 3, 12 tasks" and what the plan leads to.
-std::string extent(const Schedule& dates) {
-  return ", ends between " + to_text(dates.earliest_end) + " and " + to_text(dates.latest_end) +
-         " s";
-}
-
-}  // namespace
-
 // What no plan may have: tasks of goals that were not asked for, ids that were used.
 std::string Supervisor::Core::fault_of(const Premises& premises,
                                        const mission::ElementaryPlan& plan) const {
@@ -110,7 +100,7 @@ void Supervisor::Core::finish(const Job& job, const InsertionOutcome& outcome) {
   adopt(job.premises, *outcome.plan, outcome.order);
   out_.push_back(MissionDecided{{mission.id, true, {}}});
   decide({"1 insert: " + std::string(to_text(outcome.chosen)), mission.cause,
-          list_of("goals", job.premises.added), plan_text() + extent(schedule_), mission.since});
+          list_of("goals", job.premises.added), plan_text() + ", " + extent(), mission.since});
 }
 
 // ---- operator 6 ----
@@ -147,9 +137,10 @@ void Supervisor::Core::finish(const Job& job, const RepairOutcome& outcome) {
     const bool told = dropped != outcome.dropped.end();
     set_state(book_.goals.at(id), GoalState::kFailed, told ? dropped->why : "no plan has room");
   }
+  const std::string without = left.empty() ? "" : list_of("; dropped", left);
+  const std::string before = outcome.before.empty() ? "" : "; before: " + joined(outcome.before);
   decide({"6 repair: " + std::string(to_text(outcome.served)), job.need.cause,
-          list_of("goals", job.premises.goals),
-          plan_text() + extent(schedule_) + (left.empty() ? "" : list_of("; dropped", left)),
+          list_of("goals", job.premises.goals), plan_text() + ", " + extent() + without + before,
           job.need.since});
 }
 

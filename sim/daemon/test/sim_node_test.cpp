@@ -361,6 +361,7 @@ TEST(SimNode, EveryFaultHasANameInTheLog) {
 TEST(SimNode, TellsADecisionNodeWhatDoesNotWork) {
   Rig rig({{at(1), {"heliv", FaultKind::kSensor, "visible"}}});
 
+  rig.run_until(1);
   rig.run_until(2);
 
   const auto telemetry = rig.sent<wire::Telemetry>();
