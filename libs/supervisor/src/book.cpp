@@ -162,12 +162,26 @@ std::vector<const Entry*> Book::waits_for_orders() const {
   return result;
 }
 
-bool Book::has_motion() const {
-  const bool moves = std::any_of(tasks.begin(), tasks.end(), [](const auto& one) {
-    const Entry& entry = one.second;
-    return entry.given && !entry.over() && !entry.stopping && uses_motion(entry.task);
+// The executive starts it in the step that it is now telling of.
+bool Book::is_due(const Entry& entry) const {
+  const auto& waits = entry.task.dependences;
+  return std::all_of(waits.begin(), waits.end(), [&](const mission::Dependence& wait) {
+    const Entry* other = find(wait.task);
+    if (other == nullptr) return true;
+    const bool over = other->over();
+    if (wait.kind == mission::DependenceKind::kRunning) return other->under_way();
+    return over && (wait.kind == mission::DependenceKind::kOver || !other->seen.aborted);
   });
-  return moves || std::any_of(loose.begin(), loose.end(), [](const auto& one) {
+}
+
+bool Book::has_occupation() const {
+  const bool occupied = std::any_of(tasks.begin(), tasks.end(), [&](const auto& one) {
+    const Entry& entry = one.second;
+    const bool goes_on = entry.given && !entry.over() && !entry.stopping;
+    if (!goes_on) return false;
+    return uses_motion(entry.task) || entry.seen.started.has_value() || is_due(entry);
+  });
+  return occupied || std::any_of(loose.begin(), loose.end(), [](const auto& one) {
            return one.second.moves && !one.second.stopping;
          });
 }

@@ -111,8 +111,11 @@ class Book {
   std::set<TaskId> loose_motion() const;
   /// Open-ended tasks that wait for orders and are not over.
   std::vector<const Entry*> waits_for_orders() const;
-  /// Something that is to go on moves or holds the vehicle.
-  bool has_motion() const;
+  /// Something that is to go on moves or holds the vehicle, or is under way where it is: it hovers,
+  /// or circles, for a perception or a rendezvous.
+  bool has_occupation() const;
+  /// All that it waits for has come.
+  bool is_due(const Entry& entry) const;
 
   /// Settled ones first, then `wanted`, then what `wanted` does not name, as it was.
   void reorder(const std::vector<GoalId>& wanted);

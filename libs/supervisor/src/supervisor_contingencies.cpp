@@ -134,7 +134,7 @@ void Supervisor::Core::fail_for_energy(double left) {
 
 // In the air, the UAV has a task, or it is said that it has none.
 void Supervisor::Core::keep_safe() {
-  if (!vehicle_.airborne || book_.has_motion()) {
+  if (!vehicle_.airborne || book_.has_occupation()) {
     told_idle_ = false;
     wait_again_.reset();
     return;

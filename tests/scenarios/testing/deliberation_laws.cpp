@@ -102,7 +102,8 @@ class Watch {
   void see_task(const Record& record) {
     static const std::set<std::string, std::less<>> kMotion{"takeoff", "goto", "land", "wait"};
     const std::string state(record.text("state"));
-    if (!kMotion.contains(record.text("type"))) return;
+    // What does not move it occupies it only while it is under way.
+    if (!kMotion.contains(record.text("type")) && state == "scheduled") return;
     const bool over = state == "ended" || state == "aborted";
     if (over) {
       motion_.erase(key(record, "task"));

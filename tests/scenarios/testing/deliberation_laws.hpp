@@ -16,8 +16,8 @@ namespace skein::testing {
 /// - plans: revisions count up by one; with each come the tasks that are new or changed in it, no
 ///   more than it has; no task is to end before it starts;
 /// - origin: a task that a plan once had belongs to the same goal ever after;
-/// - promises: at degree 4, a UAV in the air has a motion task that is not over, but for `moment`
-///   seconds between two, or says why not in a decision or notice;
+/// - promises: at degree 4, a UAV in the air has a motion task that is not over, or another one
+///   under way, but for `moment` seconds between two, or says why not in a decision or notice;
 /// - decisions: numbered without gap; each repair names its cause.
 std::vector<std::string> broken_deliberation_laws(const std::vector<journal::Record>& records,
                                                   double moment = 5);
