@@ -7,7 +7,7 @@ import sys
 from sources import Architecture, code_files, finish, is_test, without_comments
 
 # A record's kind is the last word of what makes one; its fields are what follows in the statement.
-RECORD = re.compile(r'\b(?:record|Record|emplace_back)\(((?:[^()";]|\([^()]*\)|"[^"]*"(?=\s*,))*)"([a-z-]+)"'
+RECORD = re.compile(r'\b(?:record|Record(?: line)?|emplace_back)\(((?:[^()";]|\([^()]*\)|"[^"]*"(?=\s*,))*)"([a-z-]+)"'
                     r'(?:\s*,\s*now)?\s*\)')
 FIELD = re.compile(r'\.with\(\s*"([a-z_]+)"')
 KIND_ROW = re.compile(r"^\| `([a-z-]+)` \|([^|]*)\|([^|]*)\|", re.M)
@@ -37,7 +37,8 @@ def records_of(text):
             continue
         # `journal::Record line = record("task")…; if (…) line.with(…); log(line);` is one record too.
         named = re.search(r"\bRecord line =\s*$", code[:match.start()])
-        end = code.find("log(line)" if named else ";", match.end())
+        built = match.group(0).startswith("Record line(")  # a function that returns it
+        end = code.find("return line" if built else "log(line)" if named else ";", match.end())
         yield match.group(2), set(FIELD.findall(code[match.end():end]))
 
 

@@ -36,6 +36,7 @@ def main():
         file = pathlib.Path(folder, "every-key.yaml")
         file.write_text(example)
         pathlib.Path(folder, "models").symlink_to(source / "scenarios/comets/models")
+        pathlib.Path(folder, "domains").symlink_to(source / "scenarios/domains")
         done = subprocess.run([sys.argv[2], "run", str(file), "--check"], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         problems.append(done.stderr)

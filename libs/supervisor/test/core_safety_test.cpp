@@ -188,6 +188,27 @@ TEST(SupervisorSafety, WaitsWhenThePlanEndsInTheAir) {
   EXPECT_THAT(desk.notices(), Contains(HasSubstr("nothing to do")));
 }
 
+TEST(SupervisorSafety, APerceptionAtTheEndOfAWayIsATask) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  desk.finish(inserted({701}, {TaskOf(100, "takeoff", 701).takes(4, 6),
+                               TaskOf(101, "goto", 701).after(100).takes(100, 120),
+                               TaskOf(102, "takeshot", 701).after(101).takes(20, 20)}));
+  desk.runs(100);
+  desk.at(5).ends(100);
+  desk.runs(101);
+  desk.flies();
+
+  desk.at(110).ends(101);  // the executive starts 102 in the same step, and tells so next
+
+  EXPECT_THAT(desk.requests(), IsEmpty());
+  EXPECT_THAT(desk.notices(), IsEmpty());
+  desk.runs(102);
+  EXPECT_THAT(desk.requests(), IsEmpty());
+  desk.at(131).ends(102);
+  EXPECT_THAT(desk.requests(), ElementsAre("START 103"));
+}
+
 TEST(SupervisorSafety, OnlySaysSoBeforeItsFirstTask) {
   Desk desk = Desk::engaged();
 
