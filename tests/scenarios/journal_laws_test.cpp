@@ -49,6 +49,27 @@ Record fault(double seconds, const char* what, const char* node) {
   return Record(at(seconds), "runner", "fault").with("what", what).with("target", node);
 }
 
+Record degree(double seconds) {
+  return Record(at(seconds), "marvin", "degree").with("uav", "marvin").with("degree", 1);
+}
+
+TEST(JournalLaws, ATaskGoesOnWithWhoTakesItOver) {
+  const Log log{task(1, "scheduled"), task(1, "started"), task(2, "running"), degree(3),
+                task(4, "ended", "ground")};
+  const Log begun_again{task(1, "scheduled"), task(1, "started"), degree(3),
+                        task(4, "scheduled"), task(4, "started"), task(5, "ended")};
+
+  EXPECT_THAT(broken_laws(log), IsEmpty());
+  EXPECT_THAT(broken_laws(begun_again), IsEmpty());
+}
+
+TEST(JournalLaws, WhatIsOverIsNotTakenOver) {
+  const Log log{task(1, "scheduled"), task(1, "started"), task(2, "ended"), degree(3),
+                task(4, "running", "ground")};
+
+  EXPECT_THAT(broken_laws(log), ElementsAre(HasSubstr("a task goes from '' to 'running'")));
+}
+
 TEST(JournalLaws, AnOrdinaryLifeBreaksNone) {
   const Log log{
       task(1, "scheduled"), task(1, "started"),    task(2, "running"),         task(3, "aborting"),

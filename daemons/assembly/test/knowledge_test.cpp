@@ -86,7 +86,7 @@ TEST(Knowledge, EveryUavOfAScenarioWithPlanningMayDeliberate) {
 
   ASSERT_TRUE(check_assembly(scenario).empty()) << to_text(check_assembly(scenario));
 
-  for (const char* name : {"ground", "marvin", "heliv", "karma"}) {
+  for (const char* name : {"marvin", "heliv", "karma"}) {
     const auto node = make_node(scenario, name);
     EXPECT_FALSE(node->handle(node::Started{1}, MissionTime()).empty()) << name;
   }

@@ -38,6 +38,7 @@ class Checker {
     bool settled = false;
   };
   using Task = std::tuple<std::string, std::string, std::int64_t>;  ///< MLE at, UAV, id
+  using Job = std::pair<std::string, std::int64_t>;                 ///< UAV, id
   using Channel = std::pair<std::string, std::string>;              ///< from, to
   using Rendezvous = std::tuple<std::int64_t, std::string, std::string>;
 
@@ -45,6 +46,7 @@ class Checker {
     if (record.at() < last_) breach(record, "time goes back");
     const std::string& kind = record.kind();
     if (kind == "task") see_task(record);
+    if (kind == "degree") see_degree(text(record, "uav"));
     if (kind == "command") see_command(record);
     if (kind == "sync") see_sync(record);
     if (kind == "message") see_message(record);
@@ -67,11 +69,29 @@ class Checker {
   }
 
   void see_task(const Record& record) {
-    std::string& state = tasks_[{record.node(), text(record, "uav"), whole(record, "task")}];
-    if (!may_follow(state, record.text("state"))) {
-      breach(record, "a task goes from '" + state + "' to '" + text(record, "state") + "'");
+    const Job job{text(record, "uav"), whole(record, "task")};
+    std::string& state = tasks_[{record.node(), job.first, job.second}];
+    const std::string next = text(record, "state");
+    if (!may_follow(state, next) && !may_go_on(job, next)) {
+      breach(record, "a task goes from '" + state + "' to '" + next + "'");
     }
-    state = text(record, "state");
+    state = latest_[job] = next;
+  }
+
+  // What is not over may change hands with the degree: who takes it over goes on where the other
+  // was, or begins with telling that it has it.
+  void see_degree(const std::string& uav) {
+    for (const auto& [job, state] : latest_) {
+      if (job.first == uav && state != "ended" && state != "aborted") handed_over_[job] = state;
+    }
+  }
+
+  bool may_go_on(const Job& job, const std::string& next) {
+    const auto handed = handed_over_.find(job);
+    if (handed == handed_over_.end()) return false;
+    const bool allowed = next == "scheduled" || may_follow(handed->second, next);
+    handed_over_.erase(handed);
+    return allowed;
   }
 
   void see_command(const Record& record) {
@@ -148,6 +168,8 @@ class Checker {
   Duration command_limit_;
   MissionTime last_;
   std::map<Task, std::string> tasks_;
+  std::map<Job, std::string> latest_;       ///< whoever told it
+  std::map<Job, std::string> handed_over_;  ///< as it was when the degree changed
   std::map<std::int64_t, Command> commands_;
   std::set<Rendezvous> syncs_;
   std::map<Channel, std::set<std::int64_t>> sent_;

@@ -13,6 +13,7 @@ namespace skein::testing {
 /// Looks at the log alone, so that it shares nothing with what it checks. A node's memory ends with
 /// a scripted kill of it. Gives each breach, with its instant; empty when all laws hold:
 /// - tasks: only the transitions of spec 2.1, so at most one terminal state, and that the last;
+///   when a UAV's degree changes, who takes a task over goes on where the other was;
 /// - commands: issued once, then settled exactly once (acknowledged, refused or expired), at the
 ///   latest `command_limit` after their issue;
 /// - synchronisation: nothing is received that was not sent before;
