@@ -30,6 +30,7 @@ void DdnNode::change_degree(const mission::ChangeDegree& change, const std::stri
   const std::string cause = "degree " + std::to_string(change.degree) + " by " +
                             (asked_by.empty() ? "the ground" : asked_by);
   const bool deliberates = change.degree == mission::kGreatestDegree;
+  const bool executed_here = degree_ > mission::kLeastDegree;
   if (!deliberates || change.interrupt) disengage(cause);
   degree_ = change.degree;
   if (change.interrupt) interrupt_everything();
@@ -48,7 +49,22 @@ void DdnNode::change_degree(const mission::ChangeDegree& change, const std::stri
   log(line.with("held", static_cast<std::int64_t>(held.size())));
   tell_degree();
   send_hand_over(std::move(held));
-  if (deliberates && !engaged()) tell(supervisor::Engage{change.resume, cause});
+  if (deliberates && !engaged()) engage(change.resume, cause, executed_here);
+}
+
+// From degree 1 the ground gives back what its executive has; else what is not here is lost. Own
+// tasks, such as a hold, have kept the UAV safe and give way.
+void DdnNode::engage(bool resume, const std::string& cause, bool executed_here) {
+  supervisor::Engage engage{resume, cause};
+  if (executed_here) {
+    std::vector<executive::TaskId>& here = engage.in_executive.emplace();
+    for (const mission::HeldTask& one : tasks_in_executive()) here.push_back(one.task.id);
+  }
+  tell(engage);
+  const std::set<std::uint64_t> open = own_open_;
+  for (auto id = open.rbegin(); id != open.rend(); ++id) {
+    run(executive::Abort{executive::TaskId(*id)});
+  }
 }
 
 void DdnNode::disengage(const std::string& cause) {

@@ -205,6 +205,18 @@ TEST_F(ContactLostAt4, NothingIsPlannedUntilTheDegreeIsGivenAgain) {
   EXPECT_THAT(bench.from_ground(mission_to(22, 8)), Contains("ground: reply 22 accepted"));
 }
 
+// Else a plan would wait for the hold, which nobody ends.
+TEST_F(ContactLostAt4, WhatHeldItSafeGivesWayWhenTheDegreeIsGivenAgain) {
+  lose_contact();
+  bench.from_sim(status(101, TaskState::kAborted));
+  bench.from_sim(status(DdnNode::kFirstOwnTask + 40'000, TaskState::kRunning));
+  bench.hear_ground(true);
+
+  const Words given_again = bench.from_ground(degree(21, 4));
+
+  EXPECT_THAT(given_again, Contains("sim: interrupt 1000040000"));
+}
+
 TEST(ContactAt4, ContinueGoesOn) {
   Bench bench(deliberating(4, ContactPolicy::kContinue));
   plan(bench);

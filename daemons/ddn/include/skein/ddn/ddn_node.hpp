@@ -148,6 +148,7 @@ class DdnNode final : public node::Node {
   void take(const wire::DegreeCommand& command);
   void change_degree(const mission::ChangeDegree& change, const std::string& asked_by);
   bool engaged() const { return supervisor_ && supervisor_->engaged(); }
+  void engage(bool resume, const std::string& cause, bool executed_here);
   void disengage(const std::string& cause);
   void interrupt_everything();
   std::vector<mission::HeldTask> tasks_in_executive() const;
