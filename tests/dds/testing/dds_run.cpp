@@ -88,6 +88,13 @@ void DdsRun::take_scenario(const std::string& name, const std::string& more) {
   change("model: models/", "model: " + comets + "models/");
 }
 
+void DdsRun::take_scenario_of(const std::string& name) {
+  const std::string scenarios = std::string(SKEIN_SOURCE_DIR) + "/scenarios/";
+  std::ofstream(folder_ / "scenario.yaml") << read_text(scenarios + name + ".yaml");
+  change("model: ../", "model: " + scenarios);
+  change("domain: ../", "domain: " + scenarios);
+}
+
 void DdsRun::change(const std::string& from, const std::string& to) {
   std::string text = read_text(folder_ / "scenario.yaml");
   ASSERT_NE(text.find(from), std::string::npos) << from;
