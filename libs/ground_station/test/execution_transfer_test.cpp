@@ -222,7 +222,7 @@ TEST(ExecutionTransfer, AHeldPlanIsResumedWithoutWhatIsLeftOut) {
   const Effects effects = ground.handle(OperatorActs{"it"}, at(6));
 
   EXPECT_THAT(sent(effects), ElementsAre("START 8 goto"));
-  const auto& start = std::get<executive::Start>(first<SendRequest>(effects).request);
+  const auto start = std::get<executive::Start>(first<SendRequest>(effects).request);
   EXPECT_EQ(start.task.preconditions, Formula{in_state(6, TaskState::kEnded)});
   const auto changes = only<HeldPlanChanged>(effects);
   ASSERT_THAT(changes, SizeIs(2));
