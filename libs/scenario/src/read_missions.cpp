@@ -185,7 +185,7 @@ std::vector<std::string> read_uavs_of(const Reader& reader, const TaskContext& c
 
 Action read_close_air(const Reader& reader, TaskContext& context) {
   reader.keys({"name", "polygon", "floor", "ceiling", "from", "until", "uavs"});
-  return ground_station::CloseAir{read_volume(reader.required("name").text(), reader),
+  return ground_station::CloseAir{world::read_volume(reader.required("name").text(), reader),
                                   read_uavs_of(reader.optional("uavs"), context)};
 }
 

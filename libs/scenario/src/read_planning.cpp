@@ -73,22 +73,6 @@ std::optional<Variations::Range> read_range(const Reader& reader, Range within) 
 
 }  // namespace
 
-world::Volume read_volume(const std::string& name, const Reader& reader) {
-  world::Volume volume;
-  volume.name = name;
-  volume.polygon = world::read_polygon(reader.required("polygon"));
-  const Reader floor = reader.optional("floor"), ceiling = reader.optional("ceiling");
-  if (floor.present()) volume.floor = floor.number(0, kLevel);
-  if (ceiling.present()) volume.ceiling = ceiling.number(0, kLevel);
-  volume.when.from = read_instant(reader.optional("from"));
-  volume.when.until = read_instant(reader.optional("until"), MissionTime::max());
-  if (volume.ceiling <= volume.floor) reader.error("the ceiling is not above the floor");
-  if (volume.when.until <= volume.when.from) {
-    reader.error("it ends before it begins", "until greater than from");
-  }
-  return volume;
-}
-
 std::optional<PlanningSpec> read_planning(const Reader& reader, const std::string& folder,
                                           const Names& names) {
   if (!reader.present()) return std::nullopt;

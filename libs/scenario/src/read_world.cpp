@@ -105,7 +105,7 @@ void read_world(const Reader& reader, WorldSpec& world) {
   world.zones = world::read_zones(reader.optional("zones"));
   for (const auto& [name, volume] : entries_of(reader.optional("volumes"))) {
     if (volume.keys({"polygon", "floor", "ceiling", "from", "until"})) {
-      world.volumes.push_back(read_volume(name, volume));
+      world.volumes.push_back(world::read_volume(name, volume));
     }
   }
   for (const auto& [name, place] : entries_of(reader.optional("places"))) {

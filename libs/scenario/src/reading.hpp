@@ -47,8 +47,6 @@ void read_expectations(const config::Reader& reader, const Names& names,
 /// What is closed from the start and by the script, and when.
 std::vector<ClosedAir> closed_air_of(const Scenario& scenario);
 
-/// A closed piece of air: {polygon, floor, ceiling, from, until}, beside keys of the caller's.
-world::Volume read_volume(const std::string& name, const config::Reader& reader);
 /// The text of a file named relative to a folder; reports what cannot be read.
 std::optional<std::string> read_text_of(const config::Reader& reader, const char* what,
                                         const std::string& path);

@@ -105,6 +105,23 @@ MissionTime read_instant(const Reader& reader, MissionTime otherwise) {
   return MissionTime::seconds(reader.number(0, {0, 1e7, "s"}));
 }
 
+Volume read_volume(const std::string& name, const Reader& reader) {
+  constexpr config::Range kLevel{-10'000, 100'000, "m"};
+  Volume volume;
+  volume.name = name;
+  volume.polygon = read_polygon(reader.required("polygon"));
+  const Reader floor = reader.optional("floor"), ceiling = reader.optional("ceiling");
+  if (floor.present()) volume.floor = floor.number(0, kLevel);
+  if (ceiling.present()) volume.ceiling = ceiling.number(0, kLevel);
+  volume.when.from = read_instant(reader.optional("from"));
+  volume.when.until = read_instant(reader.optional("until"), MissionTime::max());
+  if (volume.ceiling <= volume.floor) reader.error("the ceiling is not above the floor");
+  if (volume.when.until <= volume.when.from) {
+    reader.error("it ends before it begins", "until greater than from");
+  }
+  return volume;
+}
+
 std::vector<Reader> items_of(const Reader& reader) {
   std::vector<Reader> items = reader.items();
   std::erase_if(items, [](const Reader& item) {

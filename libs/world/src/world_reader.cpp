@@ -82,18 +82,11 @@ AirspaceRequest read_airspace(const Reader& reader) {
   return airspace;
 }
 
-Volume read_volume(const std::string& name, const Reader& reader) {
+Volume read_no_fly(const std::string& name, const Reader& reader) {
+  if (reader.keys({"polygon", "floor", "ceiling", "from", "until"}))
+    return read_volume(name, reader);
   Volume volume;
   volume.name = name;
-  if (!reader.keys({"polygon", "floor", "ceiling", "from", "until"})) return volume;
-  volume.polygon = read_polygon(reader.required("polygon"));
-  volume.floor = optional_number(reader.optional("floor"), kLevel).value_or(volume.floor);
-  volume.ceiling = optional_number(reader.optional("ceiling"), kLevel).value_or(volume.ceiling);
-  volume.when.from = read_instant(reader.optional("from"));
-  volume.when.until = read_instant(reader.optional("until"), MissionTime::max());
-  if (volume.ceiling <= volume.floor) reader.error("the ceiling is not above the floor");
-  if (volume.when.until <= volume.when.from)
-    reader.error("it ends before it begins", "until greater than from");
   return volume;
 }
 
@@ -164,7 +157,7 @@ WorldFile read_world_file(const Reader& reader) {
   world.wind = read_wind(reader.optional("wind"));
   world.airspace = read_airspace(reader.optional("airspace"));
   for (const auto& [name, volume] : entries_of(reader.optional("no_fly")))
-    world.volumes.push_back(read_volume(name, volume));
+    world.volumes.push_back(read_no_fly(name, volume));
   world.zones = read_zones(reader.optional("zones"));
   read_places(reader.optional("places"), world);
   world.ground = read_ground_state(reader.optional("ground"));

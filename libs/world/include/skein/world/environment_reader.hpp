@@ -10,6 +10,7 @@
 #include "skein/foundation/time.hpp"
 #include "skein/world/geodetic.hpp"
 #include "skein/world/terrain.hpp"
+#include "skein/world/volume.hpp"
 #include "skein/world/wind.hpp"
 #include "skein/world/zone.hpp"
 
@@ -34,6 +35,9 @@ Vector2 read_point_2d(const config::Reader& reader);
 Vector3 read_point(const config::Reader& reader);
 /// [[x, y], …], a simple polygon.
 Polygon read_polygon(const config::Reader& reader);
+/// {polygon, floor, ceiling, from, until}, perhaps beside keys of the caller's: which keys there
+/// may be is the caller's to check.
+Volume read_volume(const std::string& name, const config::Reader& reader);
 /// Seconds of mission time, not negative.
 MissionTime read_instant(const config::Reader& reader, MissionTime otherwise = {});
 
