@@ -7,7 +7,7 @@
 #include <numbers>
 #include <queue>
 
-#include "skein/refiners/dubins.hpp"
+#include "skein/foundation/contract.hpp"
 
 namespace skein::refiners {
 namespace {
@@ -15,8 +15,26 @@ namespace {
 using world::Vector2;
 
 constexpr double kNoWay = std::numeric_limits<double>::infinity();
-/// Detours go over that many of the nearest blocks at each step.
+/// Detours go over that many of the nearest visits at each step, and from those that count it among
+/// their own nearest: what leads there leads back.
 constexpr std::size_t kNeighbours = 24;
+
+/// From a point on it once around and back to it; `side` 1: counter-clockwise. Chords are at most
+/// `tolerance` from the arc.
+std::vector<Vector2> circle(const Vector2& centre, const Vector2& from, double side,
+                            double tolerance) {
+  const Vector2 out = from - centre;
+  const double step = 2 * std::acos(std::max(0.0, 1 - tolerance / out.norm()));
+  const int parts = std::max(4, static_cast<int>(std::ceil(2 * std::numbers::pi / step)));
+  std::vector<Vector2> round = {from};
+  for (int i = 1; i < parts; ++i) {
+    const double angle = side * 2 * std::numbers::pi * i / parts;
+    round.emplace_back(centre.x() + std::cos(angle) * out.x() - std::sin(angle) * out.y(),
+                       centre.y() + std::sin(angle) * out.x() + std::cos(angle) * out.y());
+  }
+  round.push_back(from);
+  return round;
+}
 
 }  // namespace
 
@@ -32,7 +50,6 @@ PatrolLinks::PatrolLinks(const std::vector<PatrolBlock>& blocks, const PatrolSpa
   if (plain_) return;
   direct_ = known_;
   detours_.resize(visits_);
-  near_.resize(visits_);
 }
 
 const Vector2& PatrolLinks::entry(Visit visit) const {
@@ -67,21 +84,61 @@ double PatrolLinks::direct(Visit from, Visit to) const {
 }
 
 double PatrolLinks::direct_cost(Visit from, Visit to) const {
-  if (radius_ > 0) return curve_cost(exit(from), heading(from), to, false);
+  if (radius_ > 0 && is_point_again(from, to))
+    return round_over(from).empty() ? kNoWay : 2 * std::numbers::pi * radius_;
+  if (radius_ > 0) {
+    const double length = shortest(exit(from), heading(from), to).length();
+    return space_.is_simple() || is_open(link(from, to), false) ? length : kNoWay;
+  }
   return space_.is_open(exit(from), entry(to)) ? (entry(to) - exit(from)).norm() : kNoWay;
 }
 
-std::vector<Vector2> PatrolLinks::curve(const Vector2& from, double heading_from, Visit to) const {
-  return DubinsCurve::shortest({from, heading_from}, {entry(to), heading(to)}, radius_)
-      .sampled(tolerance_);
+/// Over the same point in the same sense: the shortest curve has no length and cannot be flown.
+bool PatrolLinks::is_point_again(Visit from, Visit to) const {
+  return from == to && blocks_[from / 2].track.size() == 1;
 }
 
-double PatrolLinks::curve_cost(const Vector2& from, double heading_from, Visit to,
-                               bool may_start_outside) const {
-  const DubinsCurve shortest =
-      DubinsCurve::shortest({from, heading_from}, {entry(to), heading(to)}, radius_);
-  if (space_.is_simple()) return shortest.length();
-  return is_open(shortest.sampled(tolerance_), may_start_outside) ? shortest.length() : kNoWay;
+/// A full circle from there and back again, left or right; empty: both are closed.
+std::vector<Vector2> PatrolLinks::round_over(Visit visit) const {
+  const double ahead = heading(visit);
+  for (const double side : {1.0, -1.0}) {
+    const Vector2 centre =
+        entry(visit) + side * radius_ * Vector2(-std::sin(ahead), std::cos(ahead));
+    std::vector<Vector2> round = circle(centre, entry(visit), side, tolerance_);
+    if (is_open(round, false)) return round;
+  }
+  return {};
+}
+
+std::vector<Vector2> PatrolLinks::small_round(const Vector2& at, double most, double least) const {
+  constexpr int kSides = 8;
+  for (double radius = most; radius >= least; radius /= 2)
+    for (int i = 0; i < kSides; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kSides;
+      const Vector2 centre = at + radius * Vector2(std::cos(angle), std::sin(angle));
+      std::vector<Vector2> round = circle(centre, at, 1, radius / 8);
+      bool open = true;
+      for (std::size_t k = 1; open && k < round.size(); ++k)
+        open = space_.is_open(round[k - 1], round[k]);
+      if (open) return round;
+    }
+  return {};
+}
+
+DubinsCurve PatrolLinks::shortest(const Vector2& from, double heading_from, Visit to) const {
+  return DubinsCurve::shortest({from, heading_from}, {entry(to), heading(to)}, radius_);
+}
+
+/// The same curve there and back: of several that are as short only one may be open.
+std::vector<Vector2> PatrolLinks::link(Visit from, Visit to) const {
+  const std::pair<Visit, Visit> back{to ^ 1U, from ^ 1U};
+  if (is_point_again(from, to)) return round_over(from);
+  if (std::pair{from, to} <= back)
+    return shortest(exit(from), heading(from), to).sampled(tolerance_);
+  std::vector<Vector2> points =
+      shortest(exit(back.first), heading(back.first), back.second).sampled(tolerance_);
+  std::reverse(points.begin(), points.end());
+  return points;
 }
 
 bool PatrolLinks::is_open(const std::vector<Vector2>& curve, bool may_start_outside) const {
@@ -103,18 +160,34 @@ bool PatrolLinks::is_open(const std::vector<Vector2>& curve, bool may_start_outs
   return true;
 }
 
-const std::vector<Visit>& PatrolLinks::neighbours(Visit from) const {
-  std::vector<Visit>& near = near_[from];
-  if (!near.empty()) return near;
+std::vector<Visit> PatrolLinks::nearest(Visit from) const {
   std::vector<std::pair<double, Visit>> by_distance;
   for (Visit to = 0; to < visits_; ++to)
-    if (to / 2 != from / 2) by_distance.emplace_back((entry(to) - exit(from)).norm(), to);
+    by_distance.emplace_back((entry(to) - exit(from)).norm(), to);
   std::sort(by_distance.begin(), by_distance.end());
+  std::vector<Visit> near;
+  // Turning back over its own block counts: a dead end is left as it was entered.
   for (const auto& [distance, to] : by_distance) {
     if (near.size() >= kNeighbours) break;
-    if (direct(from, to) < kNoWay) near.push_back(to);
+    if (to != from && direct(from, to) < kNoWay) near.push_back(to);
   }
   return near;
+}
+
+const std::vector<Visit>& PatrolLinks::neighbours(Visit from) const {
+  if (near_.empty()) {
+    near_.resize(visits_);
+    for (Visit visit = 0; visit < visits_; ++visit)
+      for (const Visit to : nearest(visit)) {
+        near_[visit].push_back(to);
+        near_[to ^ 1U].push_back(visit ^ 1U);
+      }
+    for (std::vector<Visit>& near : near_) {
+      std::sort(near.begin(), near.end());
+      near.erase(std::unique(near.begin(), near.end()), near.end());
+    }
+  }
+  return near_[from];
 }
 
 const PatrolLinks::Detours& PatrolLinks::detours(Visit from) const {
@@ -142,35 +215,50 @@ const PatrolLinks::Detours& PatrolLinks::detours(Visit from) const {
   return found;
 }
 
+bool PatrolLinks::leads_there_and_back(Visit from, Visit to) const {
+  if (plain_ || from == to) return true;
+  const auto there = [&](Visit a, Visit b) {
+    return static_cast<double>(detours(a).cost[b]) < kNoWay;
+  };
+  // Back from `to` is what its reverse reaches: links are reversible.
+  return there(from, to) && there(from ^ 1U, to ^ 1U);
+}
+
 void PatrolLinks::append_way(Visit from, Visit to, std::vector<Vector2>& way) const {
   if (plain_) return;
-  if (direct(from, to) == kNoWay) {
-    std::vector<Visit> over;
-    for (Visit at = detours(from).before[to]; at != from; at = detours(from).before[at])
-      over.push_back(at);
-    Visit at = from;
-    for (auto next = over.rbegin(); next != over.rend(); ++next) {
-      append_way(at, *next, way);
-      append_track(*next, way);
-      at = *next;
-    }
-    append_way(at, to, way);
-    return;
+  if (direct(from, to) < kNoWay) return append_direct(from, to, way);
+  const Detours& known = detours(from);
+  SKEIN_EXPECTS(static_cast<double>(known.cost[to]) < kNoWay);
+  std::vector<Visit> over;
+  for (Visit at = known.before[to]; at != from; at = known.before[at]) over.push_back(at);
+  Visit at = from;
+  for (auto next = over.rbegin(); next != over.rend(); ++next) {
+    append_direct(at, *next, way);
+    append_track(*next, way);
+    at = *next;
   }
+  append_direct(at, to, way);
+}
+
+void PatrolLinks::append_direct(Visit from, Visit to, std::vector<Vector2>& way) const {
   if (radius_ == 0) return;
-  const std::vector<Vector2> points = curve(exit(from), heading(from), to);
+  const std::vector<Vector2> points = link(from, to);
   if (points.size() > 2) way.insert(way.end(), points.begin() + 1, points.end() - 1);
 }
 
 double PatrolLinks::cost_from(const Vector2& start, double heading_from, Visit to) const {
-  if (radius_ > 0) return curve_cost(start, heading_from, to, true);
+  if (radius_ > 0) {
+    const DubinsCurve curve = shortest(start, heading_from, to);
+    const bool open = space_.is_simple() || is_open(curve.sampled(tolerance_), true);
+    return open ? curve.length() : kNoWay;
+  }
   return space_.is_clear(start, entry(to)) ? (entry(to) - start).norm() : kNoWay;
 }
 
 void PatrolLinks::append_way_from(const Vector2& start, double heading_from, Visit to,
                                   std::vector<Vector2>& way) const {
   if (radius_ == 0) return;
-  const std::vector<Vector2> points = curve(start, heading_from, to);
+  const std::vector<Vector2> points = shortest(start, heading_from, to).sampled(tolerance_);
   if (points.size() > 2) way.insert(way.end(), points.begin() + 1, points.end() - 1);
 }
 

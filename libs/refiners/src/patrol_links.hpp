@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "patrol_field.hpp"
+#include "skein/refiners/dubins.hpp"
 
 namespace skein::refiners {
 
@@ -31,12 +32,20 @@ class PatrolLinks {
     const float known = known_[from * visits_ + to];
     return known == known ? static_cast<double>(known) : find_cost(from, to);
   }
-  /// Adds the points strictly between the end of one and the beginning of the other.
+  /// True when every sequence of visits among those that are so linked can be flown: from one to
+  /// the other, and from there back, by direct links or over other blocks.
+  bool leads_there_and_back(Visit from, Visit to) const;
+  /// Adds the points strictly between the end of one and the beginning of the other. Precondition:
+  /// there is a way (cost is finite).
   void append_way(Visit from, Visit to, std::vector<world::Vector2>& way) const;
   /// From a place outside the blocks, with a heading there, if the vehicle minds.
   double cost_from(const world::Vector2& start, double heading, Visit to) const;
   void append_way_from(const world::Vector2& start, double heading, Visit to,
                        std::vector<world::Vector2>& way) const;
+  /// A circle through a point, that stays open, of a radius from `least` to `most` [m]; from that
+  /// point to it again. Empty: there is none. For a vehicle that hovers.
+  std::vector<world::Vector2> small_round(const world::Vector2& at, double most,
+                                          double least) const;
   /// Adds the track of the visit itself.
   void append_track(Visit visit, std::vector<world::Vector2>& way) const;
 
@@ -55,11 +64,14 @@ class PatrolLinks {
   double find_cost(Visit from, Visit to) const;
   double direct(Visit from, Visit to) const;
   double direct_cost(Visit from, Visit to) const;
-  double curve_cost(const world::Vector2& from, double heading, Visit to,
-                    bool may_start_outside) const;
-  std::vector<world::Vector2> curve(const world::Vector2& from, double heading, Visit to) const;
+  DubinsCurve shortest(const world::Vector2& from, double heading, Visit to) const;
+  std::vector<world::Vector2> link(Visit from, Visit to) const;
+  bool is_point_again(Visit from, Visit to) const;
+  std::vector<world::Vector2> round_over(Visit visit) const;
   bool is_open(const std::vector<world::Vector2>& curve, bool may_start_outside) const;
   const Detours& detours(Visit from) const;
+  void append_direct(Visit from, Visit to, std::vector<world::Vector2>& way) const;
+  std::vector<Visit> nearest(Visit from) const;
   const std::vector<Visit>& neighbours(Visit from) const;
 
   const std::vector<PatrolBlock>& blocks_;

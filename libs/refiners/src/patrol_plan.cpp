@@ -22,6 +22,8 @@ constexpr std::array<double, 2> kPowers = {0.6, 0.85};
 /// How many rules are flown over the whole time, of those that come near everything in turn.
 constexpr std::size_t kFlownWhole = 4;
 constexpr double kHopeless = 1.75;
+/// Circles over a zone that is seen from one point: their radius, as parts of the footprint.
+constexpr double kWidestRound = 0.25, kLeastRound = 0.01;
 /// What the worst risk × idleness and the mean idleness are worth against each other, as parts of
 /// what everything in turn gives: the worst can be brought down further.
 constexpr double kWorstShare = 0.6, kMeanShare = 0.92;
@@ -30,7 +32,10 @@ constexpr double kWorstShare = 0.6, kMeanShare = 0.92;
 class LapFlight {
  public:
   LapFlight(const LapGround& ground, const PatrolSight& sight, const PatrolTask& task)
-      : ground_(ground), task_(task), log_(ground.field, sight, task.duration / 3) {
+      : ground_(ground),
+        task_(task),
+        log_(ground.field, sight, task.duration / 3),
+        footprint_(sight.footprint()) {
     way_.push_back(task.start);
   }
 
@@ -39,6 +44,7 @@ class LapFlight {
     LapPlanner planner(ground_, rule);
     while (log_.now() < task_.duration) {
       // Everything in turn begins with what is nearest to the start.
+      const double began = log_.now();
       std::vector<Visit> lap = planner.next(log_.last_seen(), log_.now());
       if (way_.size() == 1) begin_near(lap);
       for (const Visit visit : lap) {
@@ -46,6 +52,7 @@ class LapFlight {
         go_to(visit);
         if (log_.now() >= task_.duration) break;
       }
+      if (log_.now() <= began && !pass_time(countdown)) return !countdown.over();
     }
     return true;
   }
@@ -83,16 +90,33 @@ class LapFlight {
       ground_.links.append_way(last_, visit, way_);
     ground_.links.append_track(visit, way_);
     last_ = visit;
+    take_note(from);
+  }
+
+  /// Of the way from that point on.
+  void take_note(std::size_t from) {
     for (std::size_t i = from; i < way_.size(); ++i)
       log_.fly(way_[i - 1], way_[i], log_.now() + (way_[i] - way_[i - 1]).norm() / task_.speed);
-    // A single point visited for ever takes no time: wait there.
-    if (ground_.blocks.size() == 1 && ground_.blocks[0].track.size() == 1)
-      log_.fly(way_.back(), way_.back(), task_.duration);
+  }
+
+  /// Laps that take no time, over one point from which all is seen: circles beside it, to the end
+  /// of the patrol. False: there is no room for any, or no more to plan.
+  bool pass_time(Countdown& countdown) {
+    const std::vector<Vector2> round =
+        ground_.links.small_round(way_.back(), kWidestRound * footprint_, kLeastRound * footprint_);
+    if (round.empty()) return false;
+    while (log_.now() < task_.duration && countdown.step()) {
+      const std::size_t from = way_.size();
+      way_.insert(way_.end(), round.begin() + 1, round.end());
+      take_note(from);
+    }
+    return !countdown.over();
   }
 
   const LapGround& ground_;
   const PatrolTask& task_;
   IdlenessLog log_;
+  double footprint_;
   std::vector<Vector2> way_;
   Visit last_ = 0;
 };

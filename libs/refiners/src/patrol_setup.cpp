@@ -111,23 +111,25 @@ Band heights_over(const world::Polygon& polygon, const PatrolQuery& query,
   return {lowest + query.altitude - slack, highest + query.altitude + slack};
 }
 
-/// Blocks of the part of the network that is reached from the start and holds most cells.
+/// Blocks of the part of the network that is reached from the start and holds most cells. Within it
+/// every block is flown either way and every sequence of them can be flown.
 std::vector<bool> reached(const PatrolGround& ground, const Vector2& start, double heading) {
   const auto visits = static_cast<Visit>(2 * ground.blocks.size());
-  std::vector<bool> known(ground.blocks.size(), false), best(ground.blocks.size(), false);
+  std::vector<bool> known(visits, false), best(ground.blocks.size(), false);
   std::size_t most = 0;
   for (Visit from = 0; from < visits; ++from) {
-    if (known[from / 2] || ground.links->cost_from(start, heading, from) == kInfinity) continue;
+    if (known[from] || ground.links->cost_from(start, heading, from) == kInfinity) continue;
+    known[from] = true;
+    if (!ground.links->leads_there_and_back(from, from ^ 1U)) continue;
     std::vector<bool> part(ground.blocks.size(), false);
     std::size_t cells = 0;
     for (Visit to = 0; to < visits; to += 2) {
-      const bool there = to / 2 == from / 2 || (ground.links->cost(from, to) < kInfinity &&
-                                                ground.links->cost(to, from) < kInfinity);
-      if (!there) continue;
-      known[to / 2] = part[to / 2] = true;
+      if (!ground.links->leads_there_and_back(from, to) ||
+          !ground.links->leads_there_and_back(from, to + 1))
+        continue;
+      known[to] = known[to + 1] = part[to / 2] = true;
       cells += ground.blocks[to / 2].cells.size();
     }
-    known[from / 2] = true;
     if (cells <= most) continue;
     most = cells;
     best = part;
@@ -204,8 +206,10 @@ Result<std::unique_ptr<PatrolGround>, Refusal> make_patrol_ground(const PatrolQu
   link();
   const std::vector<bool> keep = reached(*ground, start, query.heading);
   if (std::find(keep.begin(), keep.end(), true) == keep.end())
-    return refuse(RefusalKind::kUnreachable, "start",
-                  "no straight way or curve leads from it to the zone clear of what is closed");
+    return refuse(
+        RefusalKind::kUnreachable, "start",
+        "no straight way or curve leads from it to the zone clear of what is closed, with "
+        "room to turn back");
   if (std::find(keep.begin(), keep.end(), false) != keep.end()) {
     leave_only(ground->field, ground->blocks, keep);
     link();
