@@ -12,6 +12,7 @@
 # architecture test (tests/architecture) compares them with the include directives and with the
 # layers of spec 1.6.
 set_property(GLOBAL PROPERTY SKEIN_LIBRARIES "")
+set(SKEIN_CMAKE_DIR ${CMAKE_CURRENT_LIST_DIR})
 
 function(skein_add_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PUBLIC_DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_ARGS" ${ARGN})
@@ -33,11 +34,23 @@ function(skein_add_library name)
   set_property(GLOBAL PROPERTY SKEIN_DEPENDS_${name} "${ARG_DEPENDS}")
   set_property(GLOBAL PROPERTY SKEIN_SOURCE_DIR_${name} ${CMAKE_CURRENT_SOURCE_DIR})
 
+  skein_link_alone(${target})
   if(SKEIN_BUILD_TESTS AND ARG_TESTS)
     skein_add_test(${target}_test SOURCES ${ARG_TESTS} DEPENDS skein::${name} ${ARG_TEST_DEPENDS})
     target_include_directories(${target}_test PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src
                                                       ${CMAKE_CURRENT_SOURCE_DIR}/test)
   endif()
+endfunction()
+
+# A program of the whole library and of what it declares, nothing else: what the library uses without
+# declaring it is undefined here, whatever the tests and programs beside it are linked with.
+function(skein_link_alone target)
+  if(NOT SKEIN_BUILD_TESTS OR SKEIN_SANITIZE)
+    return()
+  endif()
+  add_executable(${target}_alone ${SKEIN_CMAKE_DIR}/alone.cpp)
+  target_link_libraries(${target}_alone PRIVATE "$<LINK_LIBRARY:WHOLE_ARCHIVE,${target}>")
+  set_target_properties(${target}_alone PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/alone)
 endfunction()
 
 # Links targets that are not ours; their headers count as system headers (no warnings from them).
@@ -52,6 +65,11 @@ function(skein_link_system target scope)
     endif()
   endforeach()
 endfunction()
+
+# For tests that try more in the long form of the checks: #include "test_cases.hpp".
+add_library(skein_test_cases INTERFACE)
+add_library(skein::test_cases ALIAS skein_test_cases)
+target_include_directories(skein_test_cases INTERFACE ${CMAKE_CURRENT_LIST_DIR})
 
 # skein_add_test(NAME SOURCES … DEPENDS … [LABELS …] [TIMEOUT S]): a GoogleTest program, one ctest
 # entry for the whole program. The root of the source tree is compiled in as SKEIN_SOURCE_DIR.

@@ -5,6 +5,7 @@
 
 #include <ostream>
 
+#include "test_cases.hpp"
 #include "testing/journal_laws.hpp"
 #include "testing/mission.hpp"
 
@@ -45,14 +46,14 @@ TEST_P(Comets, MeetsEveryExpectationAndKeepsTheLaws) {
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Virtual, Comets,
-                         ::testing::Combine(::testing::Values("confirmed", "infirmed"),
-                                            ::testing::ValuesIn(teams()),
-                                            ::testing::Range<std::uint64_t>(1, 9)),
-                         [](const auto& one) {
-                           return std::get<0>(one.param) + "_" + std::get<1>(one.param).name +
-                                  "_seed_" + std::to_string(std::get<2>(one.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Virtual, Comets,
+    ::testing::Combine(::testing::Values("confirmed", "infirmed"), ::testing::ValuesIn(teams()),
+                       ::testing::Range<std::uint64_t>(1, cases<std::uint64_t>(2, 9))),
+    [](const auto& one) {
+      return std::get<0>(one.param) + "_" + std::get<1>(one.param).name + "_seed_" +
+             std::to_string(std::get<2>(one.param));
+    });
 
 class CometsLog : public ::testing::TestWithParam<std::tuple<std::string, Team>> {};
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Missions of high-level tasks on board (spec 8.3 to 8.5, 8.10) and what may befall them, over many
-// seeds: each draws other winds, speeds, delays, losses and sensor noise. SKEIN_SEEDS says how
-// many.
+// seeds: each draws other winds, speeds, delays, losses and sensor noise.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <ostream>
 
+#include "test_cases.hpp"
 #include "testing/deliberation_laws.hpp"
 #include "testing/journal_laws.hpp"
 #include "testing/mission.hpp"
@@ -15,17 +14,11 @@
 namespace skein::testing {
 namespace {
 
-constexpr std::uint64_t kSeeds = 6;
-
-std::uint64_t seeds() {
-  const char* wanted = std::getenv("SKEIN_SEEDS");
-  return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : kSeeds;
-}
-
 class Deliberation : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Deliberation, MeetsEveryExpectationAndKeepsTheLawsWhateverTheSeed) {
-  for (std::uint64_t seed = 1; seed <= seeds(); ++seed) {
+  const auto seeds = cases<std::uint64_t>(2, 50);
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const Mission mission = play(scenario_at(GetParam(), with(seed)));
 
     EXPECT_EQ(mission.end, End::kFinished) << "seed " << seed;

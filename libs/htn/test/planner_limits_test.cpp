@@ -141,7 +141,7 @@ TEST(SearchLimits, AllowAnotherSearchAfterOneThatWasCut) {
 
 // ---- length and depth ------------------------------------------------------------------------
 
-constexpr std::size_t kLong = 200'000;
+constexpr std::size_t kLong = 60'000;
 
 Outcome counted(const std::string& tasks, bool trees = false) {
   Case made("(:method (count ?n) done ((eval (= ?n 0))) () more ((assign ?m (- ?n 1))) " + tasks +

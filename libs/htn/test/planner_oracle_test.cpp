@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// The planner against a brute-force planner and the validator, on random domains. The number of
-// cases can be raised: SKEIN_HTN_CASES=20000.
+// The planner against a brute-force planner and the validator, on random domains.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "brute_force_planner.hpp"
 #include "brute_force_prover.hpp"
 #include "random_domain.hpp"
 #include "skein/htn/planner.hpp"
 #include "skein/htn/validator.hpp"
+#include "test_cases.hpp"
 
 namespace skein::htn {
 namespace {
 
 constexpr std::uint64_t kDepth = 14;
 
-std::uint64_t case_count() {
-  const char* given = std::getenv("SKEIN_HTN_CASES");
-  return given == nullptr ? 300 : std::strtoull(given, nullptr, 10);
-}
+std::uint64_t case_count() { return testing::cases<std::uint64_t>(20, 3'000); }
 
 /// A random domain with its problem, compiled.
 class Case {

@@ -11,6 +11,7 @@
 #include "skein/temporal/stnu_execution.hpp"
 #include "skein/temporal/stnu_generator.hpp"
 #include "stnu_builder.hpp"
+#include "test_cases.hpp"
 #include "two_uavs.hpp"
 
 namespace skein::temporal {
@@ -201,21 +202,23 @@ void expect_kept(const Execution& run, const std::string& what) {
 constexpr StartPolicy kPolicies[] = {StartPolicy::kEarliest, StartPolicy::kLatest,
                                      StartPolicy::kRandom};
 
-TEST(Execution, AThousandRunsOfEachPlanKeepEveryRequirement) {
+const int kRuns = skein::testing::cases(100, 1'000);
+
+TEST(Execution, ManyRunsOfEachPlanKeepEveryRequirement) {
   Random random(60);
   for (int plan = 0; plan < 5; ++plan) {
     const Stnu network = generate_stnu(
         {.nodes = 60, .contingent = 12, .lanes = 4, .extra_arcs_percent = 65, .break_it = false},
         random);
     const DispatchableNetwork form = form_of(network);
-    for (int run = 0; run < 1'000; ++run) {
+    for (int run = 0; run < kRuns; ++run) {
       expect_kept(execute(form, draw_durations(network, random), kPolicies[run % 3], random),
                   "plan");
     }
   }
 }
 
-TEST(Execution, AThousandRunsOfEachRandomNetworkKeepEveryRequirement) {
+TEST(Execution, ManyRunsOfEachRandomNetworkKeepEveryRequirement) {
   Random random(61);
   int networks = 0;
   std::size_t waits = 0;
@@ -225,7 +228,7 @@ TEST(Execution, AThousandRunsOfEachRandomNetworkKeepEveryRequirement) {
     if (!form || form->waits.empty()) continue;
     ++networks;
     waits += form->waits.size();
-    for (int run = 0; run < 1'000; ++run) {
+    for (int run = 0; run < kRuns; ++run) {
       expect_kept(execute(*form, draw_durations(network, random), kPolicies[run % 3], random),
                   "random");
     }
@@ -236,7 +239,8 @@ TEST(Execution, AThousandRunsOfEachRandomNetworkKeepEveryRequirement) {
 TEST(Execution, ManyRandomNetworksKeepEveryRequirement) {
   Random random(62);
   int networks = 0;
-  for (int i = 0; i < 4'000; ++i) {
+  const int tried = skein::testing::cases(800, 4'000);
+  for (int i = 0; i < tried; ++i) {
     const auto nodes = static_cast<std::uint32_t>(3 + random.below(9));
     const Stnu network = random_stnu({nodes, 1 + nodes / 3, 2 * nodes, 12, true, 80}, random);
     const auto form = make_dispatchable(network);
@@ -250,7 +254,7 @@ TEST(Execution, ManyRandomNetworksKeepEveryRequirement) {
       }
     }
   }
-  EXPECT_GT(networks, 500);
+  EXPECT_GT(networks, tried / 8);
 }
 
 TEST(Execution, WithoutItsWaitsAFormBreaksARequirement) {
@@ -307,7 +311,7 @@ TEST(TwoUavs, EveryExecutionLandsBothInTime) {
   const Stnu network = testing::two_uavs();
   const DispatchableNetwork form = form_of(network);
   Random random(9);
-  for (int run = 0; run < 1'000; ++run) {
+  for (int run = 0; run < kRuns; ++run) {
     expect_kept(execute(form, draw_durations(network, random), kPolicies[run % 3], random),
                 "two UAVs");
   }

@@ -8,6 +8,7 @@
 #include "random_stnu.hpp"
 #include "skein/temporal/stnu_generator.hpp"
 #include "stnu_builder.hpp"
+#include "test_cases.hpp"
 
 namespace skein::temporal {
 namespace {
@@ -164,7 +165,8 @@ TEST(IncrementalDc, PlansOfTheBenchmarkFamilyAgreeWithAChecksFromScratch) {
       {.nodes = 200, .contingent = 30, .lanes = 5, .extra_arcs_percent = 65, .break_it = false},
       random);
   IncrementalDc check = incremental(first);
-  for (int step = 0; step < 1'000; ++step) {
+  const int steps = skein::testing::cases(200, 1'000);
+  for (int step = 0; step < steps; ++step) {
     const auto arc = static_cast<std::uint32_t>(random.below(first.arcs.size()));
     const Arc next =
         changed(check.network().arcs[arc], first.arcs[arc], 30 * kTicksPerSecond, random);
