@@ -68,6 +68,22 @@ std::optional<Trigger> read_uav_trigger(const Reader& reader, TaskContext& conte
   return std::nullopt;
 }
 
+// A state, or {state: …, id: …} of one in particular.
+ground_station::OnAlarm read_on_alarm(const Reader& reader) {
+  ground_station::OnAlarm on;
+  if (reader.is_map()) reader.keys({"state", "id"});
+  const Reader state = reader.is_map() ? reader.required("state") : reader;
+  on.state = static_cast<ground_station::AlarmState>(
+      state.choice({"raised", "confirmed", "infirmed"}));
+  if (!reader.is_map()) return on;
+  const Reader id = reader.optional("id");
+  on.id = ground_station::AlarmId(id.present() ? id.natural() : 0);
+  if (id.present() && on.id == ground_station::AlarmId()) {
+    id.error("0 is no id", "a whole number from 1");
+  }
+  return on;
+}
+
 Trigger read_trigger(const Reader& reader, TaskContext& context) {
   if (!reader.keys({"time", "alarm", "task", "mission", "goal", "degree", "operator", "step",
                     "restart", "all", "any"})) {
@@ -79,8 +95,7 @@ Trigger read_trigger(const Reader& reader, TaskContext& context) {
   const auto given = [&](const char* key) { return reader.optional(key).present(); };
   if (given("time")) return {ground_station::AtTime{read_instant(reader.optional("time"))}};
   if (given("alarm")) {
-    return {ground_station::OnAlarm{static_cast<ground_station::AlarmState>(
-        reader.optional("alarm").choice({"raised", "confirmed", "infirmed"}))}};
+    return {read_on_alarm(reader.optional("alarm"))};
   }
   if (given("operator")) return {ground_station::OnOperator{reader.optional("operator").text()}};
   if (given("step")) {
@@ -149,16 +164,19 @@ std::vector<Action> read_actions(const Reader& reader, TaskContext& context) {
   std::vector<Action> actions;
   for (const Reader& item : items_of(reader)) {
     item.keys({"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
-               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "finish"});
+               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "know_place",
+               "know_ground", "finish"});
     at_most_one_of(
         item, {"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
-               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "finish"});
+               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "know_place",
+               "know_ground", "finish"});
     if (auto action = read_action(item, context)) {
       actions.push_back(std::move(*action));
     } else {
       item.error("an action of no kind",
                  "one of plan, abort, message, update, mission, cancel, degree, take_in_hand, "
-                 "give_back, resume_plan, drop_plan, close_air, open_air, finish: true");
+                 "give_back, resume_plan, drop_plan, close_air, open_air, know_place, know_ground, "
+                 "finish: true");
     }
   }
   return actions;

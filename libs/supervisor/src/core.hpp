@@ -12,6 +12,7 @@
 #include "book.hpp"
 #include "plan_network.hpp"
 #include "skein/supervisor/supervisor.hpp"
+#include "wind_estimator.hpp"
 
 namespace skein::supervisor {
 
@@ -84,6 +85,11 @@ class Supervisor::Core {
   bool goes_through(const Entry& entry, const world::Volume& volume) const;
   void set_volume(const mission::ChangeWorld& change);
 
+  // supervisor_world.cpp: places and ground
+  void learn(const mission::ChangeWorld& change);
+  void look_elsewhere(const std::string& place, bool far, const std::string& cause);
+  void feel_wind();
+
   // supervisor_hand_over.cpp
   void on(const Disengage& input);
   void on(const Engage& input);
@@ -97,6 +103,8 @@ class Supervisor::Core {
   void on(const RequestAnswered& input);
   void on(const VehicleSeen& input);
   void on(const Tick&) {}
+  void follow_ways(const world::Vector3& position);
+  void tell_progress(GoalId id);
   void see_flight(const executive::TaskEvent& event);
   void see_loose(const executive::TaskEvent& event);
   void see(Entry& entry, const executive::TaskEvent& event);
@@ -211,6 +219,7 @@ class Supervisor::Core {
   std::vector<TaskId> end_waits_;  ///< by what is being given
 
   world::VehicleState vehicle_;
+  WindEstimator wind_;
   std::set<std::string> broken_;
   MissionTime grounded_until_;  ///< a state that says otherwise is older than the landing
   std::optional<MissionTime> wait_again_;  ///< no safe wait before

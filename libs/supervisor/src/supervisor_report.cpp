@@ -16,7 +16,8 @@ namespace {
 
 mission::GoalStatus status_of(const Goal& goal) {
   return {goal.task.id, goal.mission, mission::to_text(goal.task),
-          goal.state,   goal.why,     goal.asked_by};
+          goal.state,   goal.why,     goal.asked_by,
+          goal.done};
 }
 
 mission::TaskDates dates_of(const Entry& entry) {

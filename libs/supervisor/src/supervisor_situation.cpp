@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core.hpp"
+#include "progress.hpp"
 
 namespace skein::supervisor {
 
@@ -67,6 +68,11 @@ Situation Supervisor::Core::situation(const Standing& standing,
   result.energy = energy_after(standing);
   result.broken = broken_;
   result.next_id = book_.next_id;
+  for (const auto& [id, goal] : book_.goals) {
+    if (is_settled(goal.state) || !book_.was_begun(id)) continue;
+    mission::Progress done = progress_of(book_, id, now_);
+    if (!done.none()) result.done.emplace(id, std::move(done));
+  }
   std::set<TaskId> loose = book_.loose_motion();
   for (const TaskId id : withdrawn) {
     if (uses_motion(book_.tasks.at(id).task)) loose.insert(id);
