@@ -76,6 +76,7 @@
 (defun get-destination (data) (second (assoc 'destination data)))
 (defun get-duration (data)
   (interval (second (assoc 'duration data)) (third (assoc 'duration data))))
+(defun get-entry (data) (second (assoc 'way (rest (assoc 'params data)))))
 (defun get-cost (data) (second (assoc 'cost data)))
 (defun get-params (type data)
   (cons (list 'type type) (cons (assoc 'energy data) (rest (assoc 'params data)))))
@@ -524,7 +525,7 @@
     all-flown ((lanes-left ?origin ?_before ?way) (call null ?way)) ()
     lanes-left
     (:first (lanes-left ?origin ?before ?way) (uavloc ?_how ?from) (devices-for mapping ?devices) (assign* ?device ?devices)
-      (assign ?data (compute-rest ?from ?zone ?device ?before ?way)) (call consp ?data) (assign ?entry (first ?way)))
+      (assign ?data (compute-rest ?from ?zone ?device ?before ?way)) (call consp ?data) (assign ?entry (get-entry ?data)))
       ((go ?entry ?tc ?origin) (!!lcompute-rest ?from ?zone ?device ?before ?way)
        (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (shoot-along ?device () ?tc ?origin))
     mapping

@@ -53,7 +53,10 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values("contingencies/slow-goto", "contingencies/takeshot-aborted",
                       "contingencies/sensor-dead", "contingencies/no-fly-appears",
                       "contingencies/energy-short", "contingencies/urgent-mission",
-                      "contingencies/progress-kept"),
+                      "contingencies/progress-kept", "contingencies/mapping-goes-on",
+                      "contingencies/closed-for-a-time", "contingencies/rung-re-refine",
+                      "contingencies/rung-drop", "contingencies/rung-shift",
+                      "contingencies/rung-replan"),
     name_of);
 
 }  // namespace

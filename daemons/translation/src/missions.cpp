@@ -256,10 +256,8 @@ Read<mission::ChangeWorld> ground_from(const wire::WorldChange& change) {
   if (!polygon) return tl::unexpected(polygon.error());
   if (change.risk > 1) return wrong("risk", "above 1");
   mission::ChangeWorld result;
-  result.ground = {change.name,
-                   std::move(*polygon),
-                   change.risk < 0 ? std::nullopt : std::optional(change.risk),
-                   change.mapped,
+  result.ground = {change.name, std::move(*polygon),
+                   change.risk < 0 ? std::nullopt : std::optional(change.risk), change.mapped,
                    cells_from_wire(change.cells)};
   return result;
 }
@@ -302,7 +300,8 @@ Read<mission::ChangeWorld> from_wire(const wire::WorldChange& change) {
   if (change.part == wire::WorldPart::kPlace) {
     if (change.name.empty()) return wrong("name", "a place has a name");
     mission::ChangeWorld result;
-    result.place = {change.name, from_wire(change.at), change.radius, cells_from_wire(change.cells)};
+    result.place = {change.name, from_wire(change.at), change.radius,
+                    cells_from_wire(change.cells)};
     return result;
   }
   if (change.part == wire::WorldPart::kGround) return ground_from(change);

@@ -73,8 +73,8 @@ ground_station::OnAlarm read_on_alarm(const Reader& reader) {
   ground_station::OnAlarm on;
   if (reader.is_map()) reader.keys({"state", "id"});
   const Reader state = reader.is_map() ? reader.required("state") : reader;
-  on.state = static_cast<ground_station::AlarmState>(
-      state.choice({"raised", "confirmed", "infirmed"}));
+  on.state =
+      static_cast<ground_station::AlarmState>(state.choice({"raised", "confirmed", "infirmed"}));
   if (!reader.is_map()) return on;
   const Reader id = reader.optional("id");
   on.id = ground_station::AlarmId(id.present() ? id.natural() : 0);
@@ -166,10 +166,9 @@ std::vector<Action> read_actions(const Reader& reader, TaskContext& context) {
     item.keys({"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
                "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "know_place",
                "know_ground", "finish"});
-    at_most_one_of(
-        item, {"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
-               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "know_place",
-               "know_ground", "finish"});
+    at_most_one_of(item, {"plan", "abort", "message", "update", "mission", "cancel", "degree",
+                          "take_in_hand", "give_back", "resume_plan", "drop_plan", "close_air",
+                          "open_air", "know_place", "know_ground", "finish"});
     if (auto action = read_action(item, context)) {
       actions.push_back(std::move(*action));
     } else {

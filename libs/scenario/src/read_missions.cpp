@@ -264,11 +264,11 @@ void check_references(const TaskContext& context) {
 
 const std::vector<MissionAction>& mission_actions() {
   static const std::vector<MissionAction> kActions{
-      {"mission", read_mission},     {"cancel", read_cancel},
-      {"degree", read_degree},       {"take_in_hand", read_take_in_hand},
-      {"give_back", read_give_back}, {"resume_plan", read_resume_plan},
-      {"drop_plan", read_drop_plan}, {"close_air", read_close_air},
-      {"open_air", read_open_air},     {"know_place", read_know_place},
+      {"mission", read_mission},        {"cancel", read_cancel},
+      {"degree", read_degree},          {"take_in_hand", read_take_in_hand},
+      {"give_back", read_give_back},    {"resume_plan", read_resume_plan},
+      {"drop_plan", read_drop_plan},    {"close_air", read_close_air},
+      {"open_air", read_open_air},      {"know_place", read_know_place},
       {"know_ground", read_know_ground}};
   return kActions;
 }

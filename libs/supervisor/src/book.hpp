@@ -92,7 +92,7 @@ class Book {
   bool is_given(GoalId goal) const;  ///< some live task of it is, or was, with the executive
   bool is_planned(GoalId goal) const;
   bool was_begun(GoalId goal) const;  ///< some task of it, withdrawn or not, has started
-  bool has_lost(GoalId goal) const;  ///< some live task of it was aborted
+  bool has_lost(GoalId goal) const;   ///< some live task of it was aborted
 
   /// What the executive has of ours and keeps.
   std::vector<TaskId> in_hand() const;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of the host about what is left of a task that was begun, and about what can be flown to.
+// Functions of the host about what is left of a task that was begun, and about what can be flown
+// to.
 #include <algorithm>
 
 #include "host_services.hpp"

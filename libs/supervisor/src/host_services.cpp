@@ -159,14 +159,14 @@ Value PlannerHost::Services::gotoxyz(TermStore& store, Arguments arguments) {
                           (refinery_.has_windows() ? store.to_text(arguments[2]) : "");
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
   ++refinements_;
-  return known_[key] =
-             flight(store, refinery_.path(*from, gazetteer_.flown_to(*to), departure(store, arguments[2])),
-                    "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
-                        Gazetteer::words(store, arguments[1]));
+  return known_[key] = flight(
+             store, refinery_.path(*from, gazetteer_.flown_to(*to), departure(store, arguments[2])),
+             "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
+                 Gazetteer::words(store, arguments[1]));
 }
 
-/// (compute-wait FROM TO WHEN): seconds to wait in place until air that is closed for a time is open
-/// again, when that is possible and leads there earlier than any way around; else nil.
+/// (compute-wait FROM TO WHEN): seconds to wait in place until air that is closed for a time is
+/// open again, when that is possible and leads there earlier than any way around; else nil.
 Value PlannerHost::Services::wait(TermStore& store, Arguments arguments) {
   const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
   if (!from || !to) return kNil;

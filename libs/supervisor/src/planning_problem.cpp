@@ -131,8 +131,7 @@ std::string progress(mission::GoalId goal, const mission::Progress& done) {
   if (done.waited > Duration()) text += " (waited " + seconds(done.waited) + ")";
   for (const std::uint64_t id : done.synchronised)
     text += " (synchronised " + std::to_string(id) + ")";
-  if (done.rest)
-    text += " (rest " + symbol(done.rest->device) + locations(done.rest->way) + ")";
+  if (done.rest) text += " (rest " + symbol(done.rest->device) + locations(done.rest->way) + ")";
   return "   (progress " + std::to_string(goal.value()) + " (" + text.substr(text.empty() ? 0 : 1) +
          "))\n";
 }
@@ -155,7 +154,7 @@ std::string problem_text(const PlanningRequest& request, const std::string& name
                      write_time("uavloc", situation.motion) + read_time("uavloc");
   for (const world::SensorModel& sensor : request.knowledge->vehicle.sensors)
     text += device_facts(sensor.device, situation);
-text += progress_facts(request);
+  text += progress_facts(request);
   text += "   (task-id " + std::to_string(situation.next_id.value()) + "))\n  (\n";
   for (const mission::HighLevelTask& task : request.tasks) text += goal(task, situation.origin);
   return text + "  ))\n";

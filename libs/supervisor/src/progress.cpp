@@ -64,8 +64,7 @@ class Account {
       if (!other) return;
       span = {std::max(span.from, other->from), std::min(span.until, other->until)};
     }
-    if (span.length() > Duration())
-      done.looks.push_back({device, place_of(entry), span.length()});
+    if (span.length() > Duration()) done.looks.push_back({device, place_of(entry), span.length()});
     const Entry* along = flown_along(book_, entry);
     if (along == nullptr) return;
     const auto& way = along->task.way;

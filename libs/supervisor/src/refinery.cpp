@@ -27,6 +27,8 @@ constexpr double kSteep = 1.25;      // distances over heights that it must reac
 constexpr double kClimbShare = 0.8;  // of its rates, in ways of a vehicle that cannot hover
 constexpr double kOutStep = 10, kFarthestOut = 300;  // [m] out of closed air
 constexpr double kEnough = 1e-6;                     // [s]
+constexpr double kRunIn =
+    2;  // waiting circles' radii, straight before a lane that is taken up again
 
 tl::unexpected<std::string> no(std::string why) {
   return tl::unexpected<std::string>(std::move(why));
@@ -287,7 +289,13 @@ Answer<Motion> Refinery::rest(const Way& way, const world::SensorModel& device,
   if (needed && *width < *needed) return no(device.device + " sees less than " + before.device);
   for (std::size_t i = 1; i < way.size(); ++i)
     if (!(*air)->is_free(way[i - 1], way[i])) return no("air on what is left of it is closed");
-  return flown(way);
+  if (vehicle().hovers) return flown(way);
+  // It comes to the first lane in its direction.
+  const Vector3 along = (way[1] - way[0]).normalized();
+  const Vector3 before_it = way[0] - kRunIn * vehicle().orbit_radius * along;
+  Way with_run_in = {before_it};
+  with_run_in.insert(with_run_in.end(), way.begin(), way.end());
+  return flown((*air)->is_free(before_it, way[0]) ? std::move(with_run_in) : way);
 }
 
 Answer<std::vector<Vector3>> Refinery::views(const Vector3& place, const world::SensorModel& device,

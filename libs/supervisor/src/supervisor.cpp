@@ -30,7 +30,8 @@ Config checked(Config config) {
 
 }  // namespace
 
-Supervisor::Core::Core(Config config) : config_(checked(std::move(config))),
+Supervisor::Core::Core(Config config)
+    : config_(checked(std::move(config))),
       world_(config_.world),
       wind_(config_.knowledge->vehicle, config_.world->wind) {
   book_.next_id = config_.first_id;

@@ -13,7 +13,8 @@ namespace {
 // A state of the vehicle that was on its way while it landed is not believed that it flies.
 constexpr Duration kLandingSettles = Duration::milliseconds(3000);
 constexpr Duration kWaitRetry = Duration::milliseconds(5000);
-constexpr double kReachedMargin = 2;  // [m] beyond what a vehicle arrives within, between two states
+constexpr double kReachedMargin =
+    2;  // [m] beyond what a vehicle arrives within, between two states
 
 }  // namespace
 
@@ -201,8 +202,7 @@ void Supervisor::Core::follow_ways(const world::Vector3& position) {
     if (!entry.given || entry.over() || !entry.running) continue;
     const Entry* along = flown_along(book_, entry);
     if (along == nullptr || along->over() || !along->running) continue;
-    entry.passed =
-        passed_after(along->task.way, entry.passed, vehicle_.position, position, reach);
+    entry.passed = passed_after(along->task.way, entry.passed, vehicle_.position, position, reach);
   }
 }
 

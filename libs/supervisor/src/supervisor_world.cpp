@@ -100,7 +100,9 @@ void Supervisor::Core::feel_wind() {
   changed->wind = felt;
   world_ = std::move(changed);
   ++world_revision_;
-  const auto figure = [](double value) { return to_text(Duration::seconds(std::round(10 * value) / 10)); };
+  const auto figure = [](double value) {
+    return to_text(Duration::seconds(std::round(10 * value) / 10));
+  };
   notice("the wind is felt to be " + figure(felt.speed) + " m/s towards " +
          figure(felt.toward * 180 / M_PI) + " degrees north of east");
 }

@@ -9,16 +9,16 @@ namespace skein::supervisor {
 
 namespace {
 
-constexpr double kBelief = 3;             // [m/s] of each component of the wind believed
-constexpr double kAirSpeedShare = 0.15;   // of the cruise speed
-constexpr double kWindWalk = 0.02;        // [m/s per √s]
-constexpr double kAirSpeedWalk = 0.1;     // [m/s per √s]
-constexpr double kUnmodelled = 0.3;       // [m/s] of a velocity, beside gusts
-constexpr double kCorrelated = 5;         // [s] for which gusts last: so many states tell as one
-constexpr double kSteadyChange = 0.6;     // [m/s²] of the velocity over the ground
-constexpr double kSteadyTurn = 0.05;      // [rad/s] of a hovering vehicle's nose
-constexpr double kLeastShare = 0.5;       // of the cruise speed, through the air
-constexpr double kLongestStep = 5;        // [s] between states that are compared
+constexpr double kBelief = 3;            // [m/s] of each component of the wind believed
+constexpr double kAirSpeedShare = 0.15;  // of the cruise speed
+constexpr double kWindWalk = 0.02;       // [m/s per √s]
+constexpr double kAirSpeedWalk = 0.1;    // [m/s per √s]
+constexpr double kUnmodelled = 0.3;      // [m/s] of a velocity, beside gusts
+constexpr double kCorrelated = 5;        // [s] for which gusts last: so many states tell as one
+constexpr double kSteadyChange = 0.6;    // [m/s²] of the velocity over the ground
+constexpr double kSteadyTurn = 0.05;     // [rad/s] of a hovering vehicle's nose
+constexpr double kLeastShare = 0.5;      // of the cruise speed, through the air
+constexpr double kLongestStep = 5;       // [s] between states that are compared
 
 Eigen::Vector2d nose(const world::VehicleState& state) {
   return {std::cos(state.heading), std::sin(state.heading)};
@@ -65,8 +65,7 @@ void WindEstimator::see(const world::VehicleState& state, MissionTime at) {
   const double noise = (gust * gust + kUnmodelled * kUnmodelled) * std::max(1.0, kCorrelated / dt);
   const Eigen::Matrix2d of_surprise =
       sees * covariance_ * sees.transpose() + noise * Eigen::Matrix2d::Identity();
-  const Eigen::Matrix<double, 3, 2> gain =
-      covariance_ * sees.transpose() * of_surprise.inverse();
+  const Eigen::Matrix<double, 3, 2> gain = covariance_ * sees.transpose() * of_surprise.inverse();
   mean_ += gain * surprise;
   covariance_ = (Eigen::Matrix3d::Identity() - gain * sees) * covariance_;
   covariance_ = (covariance_ + covariance_.transpose().eval()) / 2;

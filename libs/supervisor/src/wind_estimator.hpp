@@ -13,12 +13,12 @@
 
 namespace skein::supervisor {
 
-/// A Kalman filter of mean wind and air speed. Where the vehicle flies steadily its velocity over the
-/// ground is its air speed in the direction of its nose, and its share of the wind
-/// (VehicleModel::wind_drift). Straight flight tells the wind across it; along it wind and air speed
-/// cannot be told apart until the vehicle turns. Starts from the wind believed and the cruise speed,
-/// both uncertain. States in hover, in turns that a hovering vehicle's nose may lag behind, and while
-/// it gathers speed or brakes tell nothing and are left out.
+/// A Kalman filter of mean wind and air speed. Where the vehicle flies steadily its velocity over
+/// the ground is its air speed in the direction of its nose, and its share of the wind
+/// (VehicleModel::wind_drift). Straight flight tells the wind across it; along it wind and air
+/// speed cannot be told apart until the vehicle turns. Starts from the wind believed and the cruise
+/// speed, both uncertain. States in hover, in turns that a hovering vehicle's nose may lag behind,
+/// and while it gathers speed or brakes tell nothing and are left out.
 ///
 /// Deterministic; a value type. Cost of a state: some hundred operations.
 class WindEstimator {
@@ -38,7 +38,7 @@ class WindEstimator {
 
   bool hovers_;
   double cruise_, drift_, gusts_;
-  Eigen::Vector3d mean_;        ///< wind east, north, air speed [m/s]
+  Eigen::Vector3d mean_;  ///< wind east, north, air speed [m/s]
   Eigen::Matrix3d covariance_;
   std::optional<world::VehicleState> last_;
   MissionTime last_at_;

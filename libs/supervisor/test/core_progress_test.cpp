@@ -21,10 +21,9 @@ mission::UnitMission urgent(std::uint64_t id, std::uint64_t goal) {
 Desk perceiving() {
   Desk desk = Desk::engaged();
   desk.add(a_mission(1, {701}));
-  desk.finish(inserted(
-      {701},
-      {TaskOf(100, "goto", 701).takes(5, 15).way({{0, 0, 40}, {90, 0, 40}}),
-       TaskOf(101, "takeshot", 701).after(100).device("camera").takes(120, 120)}));
+  desk.finish(
+      inserted({701}, {TaskOf(100, "goto", 701).takes(5, 15).way({{0, 0, 40}, {90, 0, 40}}),
+                       TaskOf(101, "takeshot", 701).after(100).device("camera").takes(120, 120)}));
   desk.flies();
   desk.runs(100);
   desk.at(10).ends(100);
@@ -36,9 +35,9 @@ Desk perceiving() {
 Desk shooting_along(std::vector<world::Vector3> way) {
   Desk desk = Desk::engaged();
   desk.add(a_mission(1, {701}));
-  desk.finish(inserted(
-      {701}, {TaskOf(100, "goto", 701).takes(300, 320).way(std::move(way)),
-              TaskOf(101, "takeshot", 701).during(100).device("camera").stopped_by(100)}));
+  desk.finish(
+      inserted({701}, {TaskOf(100, "goto", 701).takes(300, 320).way(std::move(way)),
+                       TaskOf(101, "takeshot", 701).during(100).device("camera").stopped_by(100)}));
   desk.at(10).flies({0, 0, 40});
   desk.runs(100);
   desk.runs(101);
@@ -73,10 +72,10 @@ TEST(SupervisorProgress, OfAPerceptionUnderWayIsGivenToThePlannerOfAnUrgentMissi
 TEST(SupervisorProgress, IsTheGoalsWhateverPlansItGets) {
   Desk desk = perceiving();
   desk.at(70).add(urgent(2, 702));
-  desk.at(71).finish(
-      inserted({702, 701}, {TaskOf(102, "goto", 702).takes(5, 15),
-                            TaskOf(103, "goto", 701).after(102).takes(5, 15),
-                            TaskOf(104, "takeshot", 701).after(103).device("camera").takes(60, 60)}));
+  desk.at(71).finish(inserted(
+      {702, 701},
+      {TaskOf(102, "goto", 702).takes(5, 15), TaskOf(103, "goto", 701).after(102).takes(5, 15),
+       TaskOf(104, "takeshot", 701).after(103).device("camera").takes(60, 60)}));
   desk.at(72).aborted(101, "abort requested");
   EXPECT_EQ(done_of(desk, 701), "perceived 62 s, 1 place reached");
   desk.runs(102);

@@ -203,7 +203,8 @@ TEST(PlanningProgress, MonitoringGoesOnFromTheSidesThatAreLeft) {
   const auto whole = planned(lab);
   const Vector3 first = whole.tasks.at(0).way.back(), second = whole.tasks.at(3).way.back();
   mission::Progress& done = lab.situation.done[mission::GoalId(7)];
-  done.looks = {{"visible", first, Duration::seconds(30)}, {"visible", second, Duration::seconds(10)}};
+  done.looks = {{"visible", first, Duration::seconds(30)},
+                {"visible", second, Duration::seconds(10)}};
 
   const auto plan = planned(lab);
 

@@ -206,9 +206,9 @@ struct TellWorld {
 /// The mission is over.
 struct Finish {};
 
-using Action =
-    std::variant<SendPlan, AbortTasks, SendMessage, UpdateConditions, SendMission, CancelMission,
-                 SetDegree, TakeInHand, GiveBack, ResumePlan, DropPlan, CloseAir, OpenAir, TellWorld, Finish>;
+using Action = std::variant<SendPlan, AbortTasks, SendMessage, UpdateConditions, SendMission,
+                            CancelMission, SetDegree, TakeInHand, GiveBack, ResumePlan, DropPlan,
+                            CloseAir, OpenAir, TellWorld, Finish>;
 
 struct Step {
   std::string name;   ///< unique in the script

@@ -58,8 +58,8 @@ inline std::string name_of_alarm(std::uint64_t id) { return "alarm:" + std::to_s
 
 /// Cells of the ground are not as they were thought to be. What is absent stays.
 struct KnownGround {
-  std::string name;     ///< for people
-  world::Polygon area;  ///< [m] ENU; cells with their middle inside
+  std::string name;                 ///< for people
+  world::Polygon area;              ///< [m] ENU; cells with their middle inside
   std::optional<double> risk = {};  ///< [0, 1]
   bool mapped = false;
   std::optional<world::CellState> cells = {};  ///< what burns or has burnt gives no risk any more

@@ -30,11 +30,11 @@ struct Progress {
     bool operator==(const Rest&) const = default;
   };
 
-  std::vector<world::Vector3> reached;  ///< where its motions ended [m] ENU, in order
-  std::vector<Look> looks;              ///< in order
-  Duration waited;                      ///< in place, with or without a device
-  std::set<std::uint64_t> synchronised; ///< ids of synchronisations that are done
-  std::optional<Rest> rest;             ///< of the last such way
+  std::vector<world::Vector3> reached;   ///< where its motions ended [m] ENU, in order
+  std::vector<Look> looks;               ///< in order
+  Duration waited;                       ///< in place, with or without a device
+  std::set<std::uint64_t> synchronised;  ///< ids of synchronisations that are done
+  std::optional<Rest> rest;              ///< of the last such way
   bool operator==(const Progress&) const = default;
 
   bool none() const { return *this == Progress{}; }
