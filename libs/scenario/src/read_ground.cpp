@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ground station's part of a scenario file: its script and its perception processing.
+#include <limits>
+
 #include "read_missions.hpp"
 
 namespace skein::scenario {
@@ -77,10 +79,10 @@ ground_station::OnAlarm read_on_alarm(const Reader& reader) {
       static_cast<ground_station::AlarmState>(state.choice({"raised", "confirmed", "infirmed"}));
   if (!reader.is_map()) return on;
   const Reader id = reader.optional("id");
-  on.id = ground_station::AlarmId(id.present() ? id.natural() : 0);
-  if (id.present() && on.id == ground_station::AlarmId()) {
-    id.error("0 is no id", "a whole number from 1");
-  }
+  if (!id.present()) return on;
+  const std::int64_t number = id.integer(1, 0, std::numeric_limits<std::int32_t>::max());
+  if (number == 0) id.error("0 is no id", "a whole number from 1");
+  on.id = ground_station::AlarmId(static_cast<std::uint32_t>(number));
   return on;
 }
 
