@@ -50,6 +50,19 @@ std::string what_of(const Fault& fault) {
   return "energy";
 }
 
+Record functional_line(const FunctionalStatus& status, const std::string& type,
+                       const std::string& device, const std::vector<double>& target) {
+  Record line(status.at, "sim", "functional");
+  line.with("uav", status.uav)
+      .with("task", status.task)
+      .with("type", type)
+      .with("state", to_text(status.state));
+  if (!device.empty()) line.with("device", device);
+  if (!target.empty()) line.with("target", target);
+  if (!status.reason.empty()) line.with("reason", status.reason);
+  return line;
+}
+
 // Wire instances are 32 bits: a truth's is a fixed hash of its name.
 std::uint32_t instance_of(const std::string& name) {
   std::uint32_t hash = 2166136261U;
@@ -80,16 +93,32 @@ std::optional<MissionTime> SimNode::next_wakeup() const {
 
 // What the simulator is told of: requests of the decision nodes, and their silence. A decision node
 // that restarted has forgotten what its vehicle does: it was lost for an instant.
-std::optional<Input> SimNode::input_of(const node::Input& input) const {
+std::optional<Input> SimNode::input_of(const node::Input& input) {
   if (const auto* received = std::get_if<node::Received>(&input)) {
     const auto* request = std::get_if<wire::FunctionalRequest>(&received->sample);
     const node::Member* from = roster_.find(received->from);
-    if (request != nullptr && from != nullptr) return request_of(from->name, *request);
+    if (request != nullptr && from != nullptr) {
+      FunctionalRequest mine = request_of(from->name, *request);
+      note(mine);
+      return mine;
+    }
   }
   if (const auto* reach = std::get_if<node::Reachability>(&input)) {
     return ContactLost{roster_.name_of(reach->peer), !reach->reachable || reach->restarted};
   }
   return std::nullopt;
+}
+
+// What is asked for twice is one task.
+void SimNode::note(const FunctionalRequest& request) {
+  if (request.verb != RequestVerb::kDispatch) return;
+  Asked asked;
+  asked.type = request.type;
+  if (const auto* device = request.parameters.find("device")) asked.device = device->text;
+  if (const auto* target = request.parameters.find("target")) {
+    asked.target = journal::rounded(target->numbers);
+  }
+  asked_.try_emplace({request.uav, request.task}, std::move(asked));
 }
 
 void SimNode::run_due_faults(MissionTime now, node::Effects& out) {
@@ -112,7 +141,13 @@ node::Effects SimNode::translate(const std::vector<Effect>& effects) {
   return out;
 }
 
-void SimNode::take(const FunctionalStatus& status, node::Effects& out) const {
+void SimNode::take(const FunctionalStatus& status, node::Effects& out) {
+  Asked& asked = asked_[{status.uav, status.task}];
+  const std::string state(to_text(status.state));
+  if (asked.told != state) {
+    asked.told = state;
+    out.push_back(node::Log{functional_line(status, asked.type, asked.device, asked.target)});
+  }
   wire::FunctionalStatus sample;
   sample.uav = status.uav;
   sample.id = status.task;

@@ -262,6 +262,43 @@ TEST(SimNode, AnswersARequestThatItHasAlreadyWithoutDoingItTwice) {
   EXPECT_THAT(rig.statuses(), ElementsAre("marvin 1 ended"));
 }
 
+TEST(SimNode, LogsOnceWhatTheFunctionalLayerBeganAndFinished) {
+  Rig rig;
+  rig.run_until(0);
+  rig.take_off("marvin", 1);
+  rig.run_until(20);
+  wire::FunctionalRequest look;
+  look.id = 2;
+  look.type = "takeshot";
+  look.parameters = {{"device", "visible", {}}, {"target", "", {30, 0, 0}}};
+  rig.from("marvin", look, 20.1);
+  ASSERT_EQ(rig.records("functional").size(), 1U);
+  const journal::Record began = rig.records("functional")[0];
+  rig.from("marvin", look, 20.2);
+  EXPECT_THAT(rig.records("functional"), IsEmpty());
+
+  EXPECT_EQ(began.text("uav"), "marvin");
+  EXPECT_EQ(began.number("task"), 2);
+  EXPECT_EQ(began.text("type"), "takeshot");
+  EXPECT_EQ(began.text("state"), "running");
+  EXPECT_EQ(began.text("device"), "visible");
+  EXPECT_THAT(began.numbers("target"), ElementsAre(30, 0, 0));
+}
+
+TEST(SimNode, LogsWhyTheFunctionalLayerRefused) {
+  Rig rig;
+  rig.run_until(0);
+  wire::FunctionalRequest request;
+  request.id = 3;
+  request.type = "teleport";
+
+  rig.from("marvin", request, 1);
+
+  ASSERT_EQ(rig.records("functional").size(), 1U);
+  EXPECT_EQ(rig.records("functional")[0].text("state"), "aborted");
+  EXPECT_FALSE(rig.records("functional")[0].text("reason").empty());
+}
+
 class Unrelated : public ::testing::TestWithParam<wire::Sample> {};
 
 TEST_P(Unrelated, SamplesChangeNothing) {

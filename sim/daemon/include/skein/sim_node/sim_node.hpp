@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 
 #include "skein/node/node.hpp"
@@ -18,7 +19,8 @@ struct ScheduledFault {
 };
 
 /// Functional requests in; functional statuses, telemetry and perceptions out to each UAV; link
-/// states and ground truth out to the world; ground truth to the event log.
+/// states and ground truth out to the world; ground truth to the event log, with what the
+/// functional layer of each vehicle really does.
 class SimNode final : public node::Node {
  public:
   /// `faults` in order of time.
@@ -29,19 +31,29 @@ class SimNode final : public node::Node {
 
  private:
   node::Effects translate(const std::vector<Effect>& effects);
-  void take(const FunctionalStatus& status, node::Effects& out) const;
+  void take(const FunctionalStatus& status, node::Effects& out);
   void take(const Telemetry& telemetry, node::Effects& out) const;
   void take(const PerceptionOut& perception, node::Effects& out) const;
   void take(const LinkChange& link, node::Effects& out) const;
   void take(const VehicleTruth& truth, node::Effects& out) const;
   void take(const ObjectTruth& truth, node::Effects& out) const;
   void run_due_faults(MissionTime now, node::Effects& out);
-  std::optional<Input> input_of(const node::Input& input) const;
+  std::optional<Input> input_of(const node::Input& input);
+  void note(const FunctionalRequest& request);
   node::NodeNumber number_of(const std::string& name) const;
+
+  /// A task as it was asked for, and what was last logged of it.
+  struct Asked {
+    std::string type;
+    std::string device;          ///< of a perception
+    std::vector<double> target;  ///< that the device is aimed at [m] ENU
+    std::string told;            ///< its last state
+  };
 
   node::Roster roster_;
   Simulator simulator_;
   std::deque<ScheduledFault> faults_;
+  std::map<std::pair<std::string, std::uint64_t>, Asked> asked_;  ///< by UAV and task
 };
 
 }  // namespace skein::sim

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// A goal reported achieved was done: perceptions, ways, takeoffs and landings, waits.
+#include <algorithm>
+#include <cmath>
+
+#include "laws/checks.hpp"
+#include "laws/statement.hpp"
+#include "skein/world/vehicle_model.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+constexpr double kStep = 0.5;      ///< [s] how finely truth is looked at
+constexpr double kNearby = 3;      ///< [m] a device aimed so near a place is aimed at it
+constexpr double kSightAbove = 1;  ///< [m] over the ground: what lies there is seen
+constexpr double kMoment = 3;      ///< [s] between what is done and its report
+
+/// What a perception was to look at, for how long.
+struct Look {
+  std::optional<world::Vector3> place;  ///< none: whatever is there
+  double seconds = 0;
+};
+
+bool circles(const Uav& uav) { return !uav.spec->model.hovers; }
+
+// In place for a place in the air.
+bool is_there(const History& history, const Uav& uav, const Sample& sample,
+              const world::Vector3& place) {
+  const double near = wander(history, uav);
+  const world::Vector3 off = sample.position - place;
+  return off.head<2>().norm() <= near && std::abs(off.z()) <= near;
+}
+
+// For a place on the ground: within range, in the field of the device, nothing between.
+bool is_seen(const History& history, const Uav& uav, const Activity& look, const Sample& sample,
+             const world::Vector3& place) {
+  const world::SensorModel* sensor = world::find_sensor(uav.spec->model, look.device);
+  if (sensor == nullptr) return false;
+  const double ground = history.terrain.elevation(place.x(), place.y());
+  const world::Vector3 seen(place.x(), place.y(), std::max(place.z(), ground) + kSightAbove);
+  const world::Vector3 line = seen - sample.position;
+  if (line.norm() > sensor->range + wander(history, uav)) return false;
+  if (!history.terrain.line_of_sight(sample.position, seen, -kSightAbove)) return false;
+  if (sensor->gimballed && look.target) {
+    return (look.target->head<2>() - place.head<2>()).norm() <= kNearby;
+  }
+  const world::Vector3 axis = world::direction_of(sample.heading, sensor->boresight_pitch);
+  const double angle = std::acos(std::clamp(axis.dot(line.normalized()), -1.0, 1.0));
+  const double lost = std::asin(std::min(1.0, wander(history, uav) / line.norm()));
+  return angle <= sensor->aperture + lost;
+}
+
+bool moves_at(const Uav& uav, double at) {
+  return std::any_of(uav.activities.begin(), uav.activities.end(), [&](const Activity& one) {
+    return one.moves() && one.from <= at && at < one.until;
+  });
+}
+
+double seconds_looked(const History& history, const Uav& uav, const Goal& goal,
+                      const Look& wanted) {
+  double seconds = 0;
+  for (const Activity* look : uav.activities_of(goal.id)) {
+    if (!look->looks()) continue;
+    for (double t = look->from; t < std::min(look->until, history.end); t += kStep) {
+      const auto sample = uav.at(t);
+      if (!sample || moves_at(uav, t)) continue;
+      const bool right = !wanted.place ? true
+                         : history.in_the_air(*wanted.place)
+                             ? is_there(history, uav, *sample, *wanted.place)
+                             : is_seen(history, uav, *look, *sample, *wanted.place);
+      if (right) seconds += std::min(kStep, look->until - t);
+    }
+  }
+  return seconds;
+}
+
+// The look that a perception of this name comes down to; nothing for other tasks.
+std::optional<Look> look_of(const History& history, const mission::HighLevelTask& task) {
+  const auto look = [&](std::size_t place, std::size_t seconds) -> std::optional<Look> {
+    if (task.arguments.size() <= std::max(place, seconds)) return std::nullopt;
+    const auto where = history.place(task.arguments[place]);
+    const auto long_for = number_of(task.arguments[seconds]);
+    if (!where || !long_for) return std::nullopt;
+    return Look{*where, *long_for};
+  };
+  if (task.name == "perceive" || task.name == "general-combined-goto-and-takeshot" ||
+      task.name == "perform-monitoring") {
+    return look(0, 1);
+  }
+  if (task.name == "general-combined-goto-and-synchro-and-takeshot") return look(3, 4);
+  if (task.name == "takeshot-while-waiting" && !task.arguments.empty()) {
+    return Look{std::nullopt, number_of(task.arguments[0]).value_or(0)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string figure(double number) {
+  std::string text = std::to_string(std::round(number * 10) / 10);
+  return text.substr(0, text.find('.') + 2);
+}
+
+double wander(const History& history, const Uav& uav) {
+  const world::VehicleModel& model = uav.spec->model;
+  const world::Wind& wind = history.scenario->world.wind;
+  const double drift = model.wind_drift * (wind.speed + 2 * wind.gusts);
+  const double tracking = 2 * (3 * world::tracking_spread(model) + drift + 1);
+  return circles(uav) ? tracking + 2 * model.orbit_radius : tracking;
+}
+
+void for_achieved(const History& history,
+                  const std::function<void(const Uav&, const Goal&, double)>& check) {
+  for (const auto& [name, uav] : history.uavs) {
+    if (history.was_killed(name)) continue;
+    for (const auto& [id, goal] : uav.goals) {
+      if (const auto at = goal.when("achieved")) check(uav, goal, *at);
+    }
+  }
+}
+
+std::vector<Violation> perceptions_not_done(const History& history) {
+  constexpr double kPart = 0.95;
+  constexpr double kSlack = 3;  // [s]
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    const auto wanted = look_of(history, goal.task);
+    if (!wanted) return;
+    const double seconds = seconds_looked(history, uav, goal, *wanted);
+    if (seconds >= kPart * wanted->seconds - kSlack) return;
+    result.push_back({"", at, uav.name(), goal.id,
+                      mission::to_text(goal.task) +
+                          " is achieved: it looked from the right place for " + figure(seconds) +
+                          " of " + figure(wanted->seconds) + " s"});
+  });
+  return result;
+}
+
+namespace {
+
+// The least distance from a place in a time; a place on the ground is flown over.
+double least_distance(const History& history, const Uav& uav, const world::Vector3& place,
+                      double from, double until) {
+  double least = kNever;
+  for (double t = from; t <= until; t += kStep) {
+    const auto sample = uav.at(t);
+    if (!sample || !sample->airborne) continue;
+    const world::Vector3 off = sample->position - place;
+    least = std::min(least, history.in_the_air(place) ? off.norm() : off.head<2>().norm());
+  }
+  return least;
+}
+
+double begin_of(const Goal& goal) { return goal.received(); }
+
+std::vector<world::Vector3> places_of(const History& history, const mission::HighLevelTask& task) {
+  std::vector<world::Vector3> places;
+  const auto add = [&](const mission::Argument& argument) {
+    if (const auto place = history.place(argument)) places.push_back(*place);
+  };
+  if (task.arguments.empty()) return places;
+  if (task.name == "general-gotoxyz") add(task.arguments[0]);
+  if (task.name == "perform-tour") {
+    for (const std::string& name : names_of(task.arguments[0])) add(name);
+  }
+  return places;
+}
+
+std::optional<std::string> not_as_said(const History& history, const Uav& uav, const Goal& goal,
+                                       double at) {
+  const bool takeoff = goal.task.name == "general-takeoff";
+  if (!takeoff && goal.task.name != "general-land") return std::nullopt;
+  for (double t = at - kMoment; t <= at + kMoment; t += kStep) {
+    const auto sample = uav.at(std::min(t, history.end));
+    if (!sample || sample->airborne == takeoff) return std::nullopt;
+  }
+  return takeoff ? "it stands on the ground" : "it is in the air";
+}
+
+}  // namespace
+
+std::vector<Violation> places_not_reached(const History& history) {
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    const std::string what = mission::to_text(goal.task) + " is achieved: ";
+    const auto breach = [&](const std::string& seen) {
+      result.push_back({"", at, uav.name(), goal.id, what + seen});
+    };
+    if (const auto why = not_as_said(history, uav, goal, at)) breach(*why);
+    const bool tour = goal.task.name == "perform-tour" || !uav.deliberates(begin_of(goal), at);
+    for (const world::Vector3& place : places_of(history, goal.task)) {
+      const double from = tour ? begin_of(goal) : std::max(begin_of(goal), at - kMoment);
+      const double least =
+          least_distance(history, uav, place, from, std::min(at + kMoment, history.end));
+      if (least <= 1.8 * wander(history, uav)) continue;
+      breach(least == kNever
+                 ? "it never flew there"
+                 : "it came no nearer than " + figure(least) + " m to (" + figure(place.x()) + " " +
+                       figure(place.y()) + " " + figure(place.z()) + ")");
+    }
+  });
+  return result;
+}
+
+std::vector<Violation> waits_not_done(const History& history) {
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    if (goal.task.name != "general-wait" || goal.task.arguments.empty()) return;
+    const double wanted = number_of(goal.task.arguments[0]).value_or(0);
+    double waited = 0;
+    for (const Activity* one : uav.activities_of(goal.id)) {
+      if (one->type == "wait") waited += std::min(one->until, history.end) - one->from;
+    }
+    if (waited >= wanted - kMoment) return;
+    result.push_back(
+        {"", at, uav.name(), goal.id,
+         "general-wait is achieved: it waited " + figure(waited) + " of " + figure(wanted) + " s"});
+  });
+  return result;
+}
+
+}  // namespace skein::laws

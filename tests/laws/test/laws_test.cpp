@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each law sees what breaks it and is silent about what does not.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/story.hpp"
+
+namespace skein::laws::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using world::Vector3;
+
+const Vector3 kHome{0, 0, 0}, kOver{0, 0, 40}, kAt{130, 60, 40}, kA1{150, 60, 50},
+    kFar{400, 300, 40};
+
+/// A look of `seconds` at P1 from 30 s on, asked for 60 s.
+Story look(double seconds, Vector3 from = kAt) {
+  Story story;
+  story.flies("marvin", 0, 30, kOver, from).flies("marvin", 31, 200, from, from);
+  story.goal("marvin", 701, "perceive P1 60", "received", 1);
+  story.does("marvin", 100, "goto", 701, 5, 29);
+  story.does("marvin", 101, "takeshot", 701, 30, 30 + seconds, "ended", "visible", {150, 60, 0});
+  story.goal("marvin", 701, "perceive P1 60", "achieved", 30 + seconds);
+  return story;
+}
+
+// ---- perceived ----
+
+TEST(Perceived, ALookFromItsPlaceForItsTimeIsDone) {
+  EXPECT_THAT(look(60).broken("perceived"), IsEmpty());
+}
+
+TEST(Perceived, ALookThatWasShorterThanAskedIsNotDone) {
+  EXPECT_THAT(look(20).broken("perceived"), ElementsAre(HasSubstr("for 20.0 of 60.0 s")));
+}
+
+TEST(Perceived, ALookFromBeyondTheRangeIsNotDone) {
+  EXPECT_THAT(look(60, kFar).broken("perceived"), ElementsAre(HasSubstr("for 0.0 of 60.0 s")));
+}
+
+TEST(Perceived, WhatWasSeenWhileItMovedAwayDoesNotCount) {
+  Story story = look(60);
+  story.does("marvin", 102, "goto", 702, 40, 90);
+
+  EXPECT_THAT(story.broken("perceived"), ElementsAre(HasSubstr("for 10.0 of 60.0 s")));
+}
+
+TEST(Perceived, TimeBeforeAnInterruptionCounts) {
+  Story story = look(20);
+  story.does("marvin", 103, "takeshot", 701, 100, 140, "ended", "visible", {150, 60, 0});
+
+  EXPECT_THAT(story.broken("perceived"), IsEmpty());
+}
+
+TEST(Perceived, TheLookOfAnotherGoalDoesNotCount) {
+  Story story = look(20);
+  story.does("marvin", 103, "takeshot", 702, 100, 140, "ended", "visible", {150, 60, 0});
+
+  EXPECT_THAT(story.broken("perceived"), SizeIs(1));
+}
+
+TEST(Perceived, APlaceInTheAirIsPerceivedFromThere) {
+  const auto at = [](Vector3 where) {
+    Story story;
+    story.flies("marvin", 0, 100, where, where);
+    story.goal("marvin", 701, "general-combined-goto-and-takeshot A1 30", "received", 1);
+    story.does("marvin", 101, "takeshot", 701, 30, 60, "aborted", "visible");
+    story.goal("marvin", 701, "general-combined-goto-and-takeshot A1 30", "achieved", 60);
+    return story.broken("perceived");
+  };
+
+  EXPECT_THAT(at(kA1), IsEmpty());
+  EXPECT_THAT(at(kFar), SizeIs(1));
+}
+
+// ---- reached ----
+
+TEST(Reached, AGotoIsAchievedWhereItSays) {
+  const auto achieved_at = [](double at) {
+    Story story;
+    story.flies("marvin", 0, 40, kOver, kA1).flies("marvin", 41, 100, kA1, kA1);
+    story.goal("marvin", 701, "general-gotoxyz A1", "received", 1);
+    story.goal("marvin", 701, "general-gotoxyz A1", "achieved", at);
+    return story.broken("reached");
+  };
+
+  EXPECT_THAT(achieved_at(41), IsEmpty());
+  EXPECT_THAT(achieved_at(5), ElementsAre(HasSubstr("it came no nearer than")));
+}
+
+TEST(Reached, ALandingIsAchievedOnTheGround) {
+  Story story;
+  story.flies("marvin", 0, 100, kOver, kOver);
+  story.goal("marvin", 702, "general-land", "received", 1);
+  story.goal("marvin", 702, "general-land", "achieved", 50);
+
+  EXPECT_THAT(story.broken("reached"), ElementsAre(HasSubstr("it is in the air")));
+}
+
+TEST(Reached, ATourHasBeenAtAllItsPlaces) {
+  Story story;
+  story.flies("marvin", 0, 30, kOver, kA1).flies("marvin", 31, 100, kA1, kOver);
+  story.goal("marvin", 703, "perform-tour (A1 A2)", "received", 1);
+  story.goal("marvin", 703, "perform-tour (A1 A2)", "achieved", 99);
+
+  EXPECT_THAT(story.broken("reached"), ElementsAre(HasSubstr("(250.0 60.0 50.0)")));
+}
+
+// ---- waited ----
+
+TEST(Waited, AWaitIsWaited) {
+  const auto waits = [](double seconds) {
+    Story story;
+    story.stands("marvin", 0, 100);
+    story.goal("marvin", 701, "general-wait 60", "received", 1);
+    story.does("marvin", 100, "wait", 701, 2, 2 + seconds);
+    story.goal("marvin", 701, "general-wait 60", "achieved", 70);
+    return story.broken("waited");
+  };
+
+  EXPECT_THAT(waits(60), IsEmpty());
+  EXPECT_THAT(waits(20), ElementsAre(HasSubstr("20.0 of 60.0 s")));
+}
+
+// ---- detected and mapped ----
+
+TEST(Detected, OnlyLooksAtTheZoneCount) {
+  const auto detection = [](Vector3 at, double seconds) {
+    Story story;
+    story.flies("marvin", 0, 400, at, at);
+    story.goal("marvin", 701, "perform-detection Z P1 100", "received", 1);
+    story.does("marvin", 100, "takeshot", 701, 10, 10 + seconds, "aborted", "fire-sensor");
+    story.goal("marvin", 701, "perform-detection Z P1 100", "achieved", 10 + seconds);
+    return story.broken("detected");
+  };
+
+  EXPECT_THAT(detection(kAt, 100), IsEmpty());
+  EXPECT_THAT(detection(kAt, 3), ElementsAre(HasSubstr("for 3.0 of 100.0 s")));
+  EXPECT_THAT(detection(kFar, 100), ElementsAre(HasSubstr("for 0.0 of 100.0 s")));
+}
+
+TEST(Mapped, TheZoneWasInTheSensorsView) {
+  const auto mapping = [](double last_x) {
+    Story story;
+    story.flies("karma", 0, 40, {100, 35, 95}, {last_x, 35, 95})
+        .flies("karma", 41, 80, {last_x, 85, 95}, {100, 85, 95});
+    story.goal("karma", 701, "perform-mapping Z", "received", 1);
+    story.does("karma", 100, "takeshot", 701, 0, 80, "aborted", "mapping");
+    story.goal("karma", 701, "perform-mapping Z", "achieved", 80);
+    return story.broken("mapped");
+  };
+
+  EXPECT_THAT(mapping(200), IsEmpty());
+  EXPECT_THAT(mapping(110), ElementsAre(HasSubstr("% of the zone")));
+}
+
+// ---- synchronisation ----
+
+Story meeting(double other_from, double other_until, const std::string& other_end) {
+  const std::string statement = "wait-until-synchro 500 (heliv marvin) (heliv marvin)";
+  Story story;
+  story.goal("marvin", 701, statement, "received", 1).goal("heliv", 701, statement, "received", 1);
+  story.does("marvin", 100, "synchronise", 701, 300, 310);
+  story.does("heliv", 200, "synchronise", 701, other_from, other_until, other_end);
+  story.goal("marvin", 701, statement, "achieved", 310);
+  return story;
+}
+
+TEST(Synchronised, BothWereInItAtOneTime) {
+  EXPECT_THAT(meeting(290, 309, "ended").broken("synchronised"), IsEmpty());
+}
+
+TEST(Synchronised, NotWithAPartnerWhoGaveUpBefore) {
+  EXPECT_THAT(meeting(10, 60, "aborted").broken("synchronised"),
+              ElementsAre(HasSubstr("heliv was never")));
+}
+
+TEST(PartnersApart, PartnersAreNotSentToOnePoint) {
+  Story story = meeting(290, 309, "ended");
+  story.goal("marvin", 701, "", "under-way", 5).goal("heliv", 701, "", "under-way", 5);
+  story.flies("marvin", 0, 300, kA1, kA1).flies("heliv", 0, 300, {152, 60, 51}, {152, 60, 51});
+
+  EXPECT_THAT(story.broken("partners-apart"), ElementsAre(HasSubstr("within 2.2 m")));
+}
+
+// ---- motion ----
+
+TEST(OneMotion, TwoMotionsOverlap) {
+  Story story;
+  story.does("marvin", 100, "goto", 701, 5, 60).does("marvin", 101, "wait", 702, 30, 90);
+
+  EXPECT_THAT(story.broken("one-motion"),
+              ElementsAre(HasSubstr("wait 101 of goal 702 begins while goto 100")));
+}
+
+TEST(OneMotion, OneAfterTheOtherIsFine) {
+  Story story;
+  story.does("marvin", 100, "goto", 701, 5, 60).does("marvin", 101, "wait", 702, 60, 90);
+
+  EXPECT_THAT(story.broken("one-motion"), IsEmpty());
+}
+
+TEST(Held, NoMotionBeginsUnderAPerceptionOfAnotherGoal) {
+  Story story;
+  story.does("marvin", 100, "takeshot", 701, 5, 125, "ended", "visible")
+      .does("marvin", 101, "goto", 702, 60, 90);
+
+  EXPECT_THAT(story.broken("held"),
+              ElementsAre(HasSubstr("goto 101 of goal 702 begins while takeshot 100 of goal 701")));
+}
+
+TEST(Held, TheOwnMotionAndWhatIsStoppedThenAreFine) {
+  Story story;
+  story.does("marvin", 100, "takeshot", 701, 5, 60.5, "aborted", "visible");
+  story.does("marvin", 101, "goto", 701, 20, 55).does("marvin", 102, "goto", 702, 60, 90);
+
+  EXPECT_THAT(story.broken("held"), IsEmpty());
+}
+
+// ---- promises ----
+
+TEST(Times, AchievedTooLateIsSaid) {
+  const auto ends_at = [](double end, const std::string& word) {
+    Story story;
+    const std::string statement = "general-gotoxyz A1 [end-before 100]";
+    story.goal("marvin", 701, statement, "received", 1).does("marvin", 100, "goto", 701, 5, end);
+    if (!word.empty()) story.says("marvin", end, word);
+    story.goal("marvin", 701, statement, "achieved", end);
+    return story.broken("times");
+  };
+
+  EXPECT_THAT(ends_at(90, ""), IsEmpty());
+  EXPECT_THAT(ends_at(120, ""),
+              ElementsAre(HasSubstr("goto 100 ended at 120.0 s, not before 100.0")));
+  EXPECT_THAT(ends_at(120, "goal 701 ended late"), IsEmpty());
+}
+
+TEST(Ends, AGoalForWhichNothingIsDoneAnyMoreShouldHaveEnded) {
+  Story story;
+  story.stands("marvin", 0, 300);
+  story.goal("marvin", 701, "perceive P1 60", "received", 1)
+      .goal("marvin", 701, "perceive P1 60", "under-way", 2);
+  story.does("marvin", 100, "goto", 701, 5, 60);
+  Story working = story;
+  working.does("marvin", 101, "takeshot", 701, 61, 400, "ended", "visible");
+
+  EXPECT_THAT(story.broken("ends"), ElementsAre(HasSubstr("is under-way at the end")));
+  EXPECT_THAT(working.broken("ends"), IsEmpty());
+}
+
+TEST(Idle, WhoWaitsInTheAirWithOpenGoalsNamesOne) {
+  const auto idles = [](const std::string& word) {
+    Story story;
+    story.flies("marvin", 0, 100, kOver, kOver);
+    story.goal("marvin", 701, "perceive P1 60", "received", 1);
+    story.does("marvin", 900, "wait", 0, 2, 100);
+    if (!word.empty()) story.says("marvin", 3, word);
+    return story.broken("idle");
+  };
+
+  EXPECT_THAT(idles("nothing to do: waits in safe mode"), SizeIs(1));
+  EXPECT_THAT(idles("goal 701 cannot begin yet: no air is free"), IsEmpty());
+}
+
+// ---- reasons ----
+
+TEST(Reasons, AReasonIsThereAndTrue) {
+  const auto fails = [](const std::string& why) {
+    Story story;
+    story.goal("marvin", 701, "perceive P1 60", "received", 1)
+        .goal("marvin", 701, "perceive P1 60", "failed", 2, why);
+    return story.broken("reasons");
+  };
+
+  EXPECT_THAT(fails(""), ElementsAre(HasSubstr("gives no reason")));
+  EXPECT_THAT(fails("task 104 must start while 103 runs, but waits for 102"), SizeIs(1));
+  EXPECT_THAT(fails("it begins in closed air, and no free air is near"),
+              ElementsAre(HasSubstr("no air is closed")));
+  EXPECT_THAT(fails("needs 140 % of the energy, and 90 % is left above the reserve"), IsEmpty());
+}
+
+TEST(Feasible, WhereNothingGoesWrongNothingFails) {
+  Story story;
+  story.goal("marvin", 701, "perceive P1 60", "received", 1)
+      .goal("marvin", 701, "perceive P1 60", "failed", 2, "no");
+
+  EXPECT_THAT(story.broken("feasible"), SizeIs(1));
+}
+
+// ---- safety ----
+
+constexpr const char* kTower =
+    "  volumes: {tower: {polygon: [[100, 0], [200, 0], [200, 100], [100, 100]]}}\n";
+constexpr const char* kClosing =
+    "    - {step: close, when: {time: 50}, do: [{close_air: {name: smoke, polygon: [[100, 0], "
+    "[200, 0], [200, 100], [100, 100]]}}]}\n";
+
+TEST(ClosedAir, NobodyFliesIntoIt) {
+  Story story(kTower);
+  story.flies("marvin", 0, 100, kOver, {300, 60, 40});
+
+  EXPECT_THAT(story.broken("closed-air"), ElementsAre(HasSubstr("into 'tower'")));
+}
+
+TEST(ClosedAir, WhoIsCaughtInsideLeavesWithoutDelay) {
+  const auto leaves_after = [](double seconds) {
+    Story story("", kClosing);
+    story.flies("marvin", 0, 50 + seconds, {150, 50, 40}, {150, 50, 40});
+    story.flies("marvin", 51 + seconds, 65 + seconds, {150, 50, 40}, {150, 150, 40});
+    story.step(50, "close", "marvin");
+    return story.broken("closed-air");
+  };
+
+  EXPECT_THAT(leaves_after(5), IsEmpty());
+  EXPECT_THAT(leaves_after(100), ElementsAre(HasSubstr("stays")));
+}
+
+TEST(Energy, NeverBelowTheReserveInTheAir) {
+  Story kept, drained;
+  kept.flies("marvin", 0, 50, kOver, kOver, 0.2);
+  for (int i = 0; i < 20; ++i) drained.flies("marvin", i, i, kOver, kOver, 0.165 - 0.005 * i);
+
+  EXPECT_THAT(kept.broken("energy"), IsEmpty());
+  EXPECT_THAT(drained.broken("energy"), ElementsAre(HasSubstr("reserve 8.0 %")));
+}
+
+TEST(Energy, WhatNobodyCouldHaveKeptIsNoBreach) {
+  Story lost;
+  lost.flies("marvin", 0, 50, kFar, kFar, 0.5).flies("marvin", 51, 60, kFar, kFar, 0.03);
+
+  EXPECT_THAT(lost.broken("energy"), IsEmpty());
+}
+
+// ---- statements ----
+
+TEST(Statement, IsReadBackAsItWasWritten) {
+  for (const char* text :
+       {"perceive P1 120 [start-after 20.5, end-before 300]", "general-land",
+        "perform-tour (A1 A2 P1)", "general-gotoxyz (1 -2.5 40)", "synchro 500 (a b) (a b)"}) {
+    EXPECT_EQ(mission::to_text(task_from(text)), text);
+  }
+}
+
+}  // namespace
+}  // namespace skein::laws::testing

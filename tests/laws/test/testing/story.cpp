@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testing/story.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace skein::laws::testing {
+
+namespace {
+
+constexpr const char* kHead = R"(scenario: story
+epoch: 2005-05-19T09:00:00Z
+duration_limit: 2000
+world:
+  origin: {latitude: 40.1, longitude: -8.2, altitude: 200}
+  terrain: {west: -300, south: -300, east: 1200, north: 900, cell: 20}
+  zones:
+    Z: [[100, 10], [200, 10], [200, 110], [100, 110]]
+  places: {P1: [150, 60, 0], A1: [150, 60, 50], A2: [250, 60, 50]}
+)";
+constexpr const char* kFoot = R"(planning: {domain: ../domains/comets.lisp}
+ground:
+  position: [0, 0, 8]
+)";
+
+std::string member(const std::string& name, const std::string& more) {
+  return "  " + name + ": {model: ../comets/models/" + name + ".yaml, start: [0, 0], degree: 4" +
+         more + "}\n";
+}
+
+}  // namespace
+
+Story::Story(const std::string& more, const std::string& script, const std::string& uav_more) {
+  const std::string text =
+      kHead + more + "uavs:\n" + member("marvin", uav_more) + member("heliv", "") +
+      member("karma", "") + kFoot + "  script:\n" +
+      (script.empty() ? "    - {step: end, when: {time: 1999}, do: [{finish: true}]}\n" : script);
+  auto scenario =
+      scenario::read_scenario_text(text, SKEIN_SOURCE_DIR "/scenarios/comets/story.yaml");
+  if (!scenario) {
+    std::fputs(to_text(scenario.error()).c_str(), stderr);
+    std::abort();
+  }
+  scenario_ = std::move(*scenario);
+}
+
+journal::Record& Story::add(double at, const std::string& node, const std::string& kind) {
+  return records_.emplace_back(MissionTime::seconds(at), node, kind);
+}
+
+Story& Story::flies(const std::string& uav, double from, double until, world::Vector3 a,
+                    world::Vector3 b, double energy) {
+  const world::Vector3 velocity = (b - a) / std::max(1.0, until - from);
+  const double heading = velocity.norm() > 0 ? std::atan2(velocity.y(), velocity.x()) : 0;
+  for (double t = from; t <= until; t += 1) {
+    const world::Vector3 p = a + (t - from) * velocity;
+    add(t, "sim", "telemetry")
+        .with("uav", uav)
+        .with("position", std::vector<double>{p.x(), p.y(), p.z()})
+        .with("velocity", std::vector<double>{velocity.x(), velocity.y(), velocity.z()})
+        .with("heading", heading)
+        .with("energy", energy)
+        .with("airborne", p.z() > 0.5);
+  }
+  return *this;
+}
+
+Story& Story::stands(const std::string& uav, double from, double until, world::Vector3 at) {
+  return flies(uav, from, until, at, at);
+}
+
+Story& Story::does(const std::string& uav, int task, const std::string& type, int goal, double from,
+                   double until, const std::string& end, const std::string& device,
+                   std::vector<double> target) {
+  if (goal != 0) add(from, uav, "planned").with("uav", uav).with("task", task).with("goal", goal);
+  const auto truth = [&](double at, const std::string& state) {
+    auto& line = add(at, "sim", "functional")
+                     .with("uav", uav)
+                     .with("task", task)
+                     .with("type", type)
+                     .with("state", state);
+    if (!device.empty()) line.with("device", device);
+    if (!target.empty()) line.with("target", target);
+  };
+  const auto told = [&](double at, const std::string& state) {
+    add(at, uav, "task")
+        .with("uav", uav)
+        .with("task", task)
+        .with("type", type)
+        .with("state", state);
+  };
+  told(from, "started");
+  if (type != "synchronise") truth(from, "running");
+  if (type != "synchronise") truth(until, end);
+  told(until, end);
+  return *this;
+}
+
+Story& Story::goal(const std::string& uav, int id, const std::string& statement,
+                   const std::string& state, double at, const std::string& why) {
+  auto& line = add(at, uav, "goal")
+                   .with("uav", uav)
+                   .with("goal", id)
+                   .with("statement", statement)
+                   .with("state", state);
+  if (!why.empty()) line.with("why", why);
+  return *this;
+}
+
+Story& Story::says(const std::string& uav, double at, const std::string& text) {
+  add(at, uav, "notice").with("uav", uav).with("text", text);
+  return *this;
+}
+
+Story& Story::degree(const std::string& uav, double at, int degree) {
+  add(at, uav, "degree").with("uav", uav).with("degree", degree);
+  return *this;
+}
+
+Story& Story::step(double at, const std::string& name, const std::string& told) {
+  add(at, "ground", "step").with("name", name);
+  add(at + 0.02, told, "message")
+      .with("slot", "WorldChange")
+      .with("from", "ground")
+      .with("to", told)
+      .with("direction", "received");
+  return *this;
+}
+
+Story& Story::fault(double at, const std::string& what, const std::string& uav) {
+  add(at, "sim", "fault").with("what", what).with("target", uav);
+  return *this;
+}
+
+std::vector<std::string> Story::broken(const std::string& law) const {
+  std::vector<journal::Record> ordered = records_;
+  std::stable_sort(ordered.begin(), ordered.end(),
+                   [](const auto& a, const auto& b) { return a.at() < b.at(); });
+  std::vector<std::string> sentences;
+  for (const Violation& one : broken_laws(scenario_, ordered, {law}))
+    sentences.push_back(to_text(one));
+  return sentences;
+}
+
+}  // namespace skein::laws::testing

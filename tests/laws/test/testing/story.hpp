@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Logs made by hand, for the tests of the laws.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "laws/laws.hpp"
+
+namespace skein::laws::testing {
+
+/// What happened to Marvin and Heliv (and Karma), written down line by line in any order. Level
+/// ground; places: P1 at (150, 60, 0), A1 at (150, 60, 50); zone Z of 100 m by 100 m about P1;
+/// everyone starts at (0, 0).
+class Story {
+ public:
+  /// `more`: lines of the scenario under `world:` (indented by two), such as volumes.
+  explicit Story(const std::string& more = "", const std::string& script = "",
+                 const std::string& uav_more = "");
+
+  /// Telemetry once a second: from a to b in a straight line, level with a heading along it.
+  Story& flies(const std::string& uav, double from, double until, world::Vector3 a,
+               world::Vector3 b, double energy = 0.9);
+  Story& stands(const std::string& uav, double from, double until, world::Vector3 at = {0, 0, 0});
+  /// A task of a goal, in the executive and on the vehicle.
+  Story& does(const std::string& uav, int task, const std::string& type, int goal, double from,
+              double until, const std::string& end = "ended", const std::string& device = "",
+              std::vector<double> target = {});
+  Story& goal(const std::string& uav, int id, const std::string& statement,
+              const std::string& state, double at, const std::string& why = "");
+  Story& says(const std::string& uav, double at, const std::string& text);
+  Story& degree(const std::string& uav, double at, int degree);
+  Story& step(double at, const std::string& name, const std::string& told);
+  Story& fault(double at, const std::string& what, const std::string& uav);
+
+  /// Sentences of what one law has to say.
+  std::vector<std::string> broken(const std::string& law) const;
+
+ private:
+  journal::Record& add(double at, const std::string& node, const std::string& kind);
+
+  scenario::Scenario scenario_;
+  std::vector<journal::Record> records_;
+};
+
+}  // namespace skein::laws::testing

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line of skein_random_missions.
+#pragma once
+
+namespace skein::random_missions {
+
+/// Returns the exit code: 1 when a law was broken.
+int command(int argc, char** argv);
+
+}  // namespace skein::random_missions

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws missions.
+#pragma once
+
+#include <cstdint>
+
+#include "random_missions/mission.hpp"
+
+namespace skein::random_missions {
+
+/// What may be drawn.
+struct Kinds {
+  bool faults = true;     ///< slow, aborted, dead sensors, less energy than believed
+  bool air = true;        ///< closed air: from the start, and while they fly, around them too
+  bool deadlines = true;  ///< times of high-level tasks
+  bool changes = true;    ///< cancellations and urgent missions that interrupt
+  bool degrees = true;    ///< autonomy degrees change and come back
+  bool radio = true;      ///< cuts
+  bool energy = true;     ///< starts with little of it
+};
+/// Nothing goes wrong, and what is asked is possible.
+inline constexpr Kinds kClean{false, false, false, false, false, false, false};
+
+/// One seed and the same kinds give one mission.
+Mission generate(std::uint64_t seed, const Kinds& kinds);
+
+}  // namespace skein::random_missions

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "random_missions/command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "laws/laws.hpp"
+#include "random_missions/generate.hpp"
+#include "random_missions/series.hpp"
+#include "skein/foundation/exit_code.hpp"
+
+namespace skein::random_missions {
+
+namespace {
+
+using laws::Violation;
+
+struct Options {
+  bool laws = false, show = false;
+  std::string seeds = "1..100";
+  std::vector<std::string> files, without;
+  std::string save;
+  bool clean = false, json = false, minimise = false, verbose = false;
+  std::size_t examples = 3;
+  JudgeOptions judge;
+};
+
+std::optional<std::pair<std::uint64_t, std::uint64_t>> range_of(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  std::istringstream first(text.substr(0, dots));
+  std::istringstream last(dots == std::string::npos ? text : text.substr(dots + 2));
+  std::uint64_t a = 0, b = 0;
+  if (!(first >> a) || !(last >> b) || a > b) return std::nullopt;
+  return std::pair(a, b);
+}
+
+Kinds kinds_of(const Options& options) {
+  Kinds kinds = options.clean ? kClean : Kinds{};
+  for (const std::string& name : options.without) {
+    if (name == "faults") kinds.faults = false;
+    if (name == "air") kinds.air = false;
+    if (name == "deadlines") kinds.deadlines = false;
+    if (name == "changes") kinds.changes = false;
+    if (name == "degrees") kinds.degrees = false;
+    if (name == "radio") kinds.radio = false;
+    if (name == "energy") kinds.energy = false;
+  }
+  return kinds;
+}
+
+// The models as seen from where the scenario stands.
+std::string scenarios_from(const std::string& folder) {
+  namespace fs = std::filesystem;
+  return fs::proximate(fs::path(SKEIN_SOURCE_DIR) / "scenarios", fs::absolute(folder)).string();
+}
+
+Case case_of(const Mission& mission) {
+  const std::string folder = std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets";
+  return {std::to_string(mission.seed), to_yaml(mission, ".."), folder + "/random.yaml"};
+}
+
+bool breaks(const Mission& mission, const std::string& law, JudgeOptions options) {
+  if (law != "hang") options.only = {law};
+  if (law == "crash" || law == "hang") options.only = {"crash"};
+  const Verdict verdict = judge_one(case_of(mission), options);
+  return verdict.valid && std::any_of(verdict.violations.begin(), verdict.violations.end(),
+                                      [&](const Violation& one) { return one.law == law; });
+}
+
+// Leaves out what can be left out, as long as the same law is broken.
+Mission minimised(Mission mission, const std::string& law, const JudgeOptions& options) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (Mission& less : smaller(mission)) {
+      if (!breaks(less, law, options)) continue;
+      mission = std::move(less);
+      changed = true;
+      break;
+    }
+  }
+  return mission;
+}
+
+void save(const Options& options, const Mission& mission, const Verdict& verdict) {
+  std::filesystem::create_directories(options.save);
+  std::set<std::string> laws;
+  for (const Violation& one : verdict.violations) {
+    if (!laws.insert(one.law).second) continue;
+    const Mission kept = options.minimise ? minimised(mission, one.law, options.judge) : mission;
+    std::ofstream out(options.save + "/" + one.law + "-" + std::to_string(mission.seed) + ".yaml");
+    out << "# " << laws::to_text(one) << '\n' << to_yaml(kept, scenarios_from(options.save));
+  }
+}
+
+int run_seeds(const Options& options, std::uint64_t first, std::uint64_t last) {
+  Series series;
+  const Kinds kinds = kinds_of(options);
+  std::uint64_t seed = first;
+  const auto next = [&](Case& one) {
+    if (seed > last) return false;
+    one = case_of(generate(seed++, kinds));
+    return true;
+  };
+  judge(next, options.judge, [&](const Case& what, const Verdict& verdict) {
+    if (!verdict.valid) {
+      std::cerr << "mission " << what.name << " cannot be read: " << verdict.problem << '\n';
+      std::exit(kExitInternal);
+    }
+    series.add(what, verdict);
+    if (options.verbose && !options.json) {
+      for (const Violation& one : verdict.violations)
+        std::cout << what.name << ": " << laws::to_text(one) << '\n';
+    }
+    if (options.json) print_json(std::cout, what, verdict);
+    if (!options.save.empty() && !verdict.violations.empty()) {
+      save(options, generate(std::stoull(what.name), kinds), verdict);
+    }
+    if (series.missions % 50 == 0) {
+      std::cerr << series.missions << " of " << last - first + 1 << ", " << series.broken
+                << " break a law\n";
+    }
+  });
+  if (!options.json) print(std::cout, series, options.examples);
+  return series.broken == 0 ? kExitOk : kExitNegative;
+}
+
+int run_files(const Options& options) {
+  Series series;
+  std::size_t i = 0;
+  bool valid = true;
+  const auto next = [&](Case& one) {
+    if (i == options.files.size()) return false;
+    std::ifstream in(options.files[i]);
+    one = {options.files[i], std::string(std::istreambuf_iterator<char>(in), {}), options.files[i]};
+    ++i;
+    return true;
+  };
+  judge(next, options.judge, [&](const Case& what, const Verdict& verdict) {
+    if (!verdict.valid) std::cerr << what.name << ": " << verdict.problem << '\n';
+    valid = valid && verdict.valid;
+    series.add(what, verdict);
+    if (options.json) return print_json(std::cout, what, verdict);
+    for (const Violation& one : verdict.violations)
+      std::cout << what.name << ": " << laws::to_text(one) << '\n';
+  });
+  if (!options.json) print(std::cout, series, options.examples);
+  return !valid ? kExitBadInput : series.broken == 0 ? kExitOk : kExitNegative;
+}
+
+void declare(CLI::App& app, Options& options) {
+  app.add_option("--seeds", options.seeds, "A..B: one mission each");
+  app.add_option("--law", options.judge.only, "only these laws (crash is one)");
+  app.add_flag("--clean", options.clean, "missions in which nothing goes wrong");
+  app.add_option("--without", options.without,
+                 "leave out: faults air deadlines changes degrees radio energy")
+      ->check(
+          CLI::IsMember({"faults", "air", "deadlines", "changes", "degrees", "radio", "energy"}));
+  app.add_option("--save", options.save, "keep missions that break a law in this folder");
+  app.add_flag("--minimise", options.minimise, "with --save: leave out what can be left out");
+  app.add_option("--jobs", options.judge.jobs, "how many at once")->check(CLI::Range(1, 64));
+  app.add_option("--patience", options.judge.patience, "seconds of wall-clock time for one")
+      ->check(CLI::Range(1, 3600));
+  app.add_option("--examples", options.examples, "seeds to name for each law");
+  app.add_flag("--laws", options.laws, "list the laws");
+  app.add_flag("--show", options.show, "write the missions drawn instead of playing them");
+  app.add_flag("--json", options.json, "a line for each violation");
+  app.add_flag("--verbose", options.verbose, "each violation as a sentence");
+  app.add_option("files", options.files, "judge these scenario files instead of drawing missions");
+}
+
+}  // namespace
+
+int command(int argc, char** argv) {
+  CLI::App app(
+      "Draws missions, plays them in virtual time and judges them by the laws of tests/laws.");
+  Options options;
+  declare(app, options);
+  CLI11_PARSE(app, argc, argv);
+  if (options.laws) {
+    for (const auto& law : laws::all_laws()) std::cout << law.name << ": " << law.says << '\n';
+    return kExitOk;
+  }
+  if (!options.files.empty()) return run_files(options);
+  const auto seeds = range_of(options.seeds);
+  if (!seeds) {
+    std::cerr << "--seeds: '" << options.seeds << "', expected A..B, as in 1..300\n";
+    return kExitBadInput;
+  }
+  if (options.show) {
+    for (auto seed = seeds->first; seed <= seeds->second; ++seed) {
+      std::cout << to_yaml(generate(seed, kinds_of(options)), scenarios_from("."));
+    }
+    return kExitOk;
+  }
+  return run_seeds(options, seeds->first, seeds->second);
+}
+
+}  // namespace skein::random_missions

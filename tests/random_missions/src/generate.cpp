@@ -1,0 +1,425 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "random_missions/generate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "skein/foundation/random.hpp"
+
+namespace skein::random_missions {
+
+namespace {
+
+std::string whole(double number) { return std::to_string(std::lround(number)); }
+std::string tenths(double number) {
+  const std::string text = std::to_string(std::round(number * 10) / 10);
+  return text.substr(0, text.find('.') + 2);
+}
+std::string point(double x, double y) { return "[" + whole(x) + ", " + whole(y) + "]"; }
+
+/// Draws one mission, part by part, always in the same order.
+class Drawing {
+ public:
+  Drawing(std::uint64_t seed, const Kinds& kinds) : random_(seed, "random mission"), kinds_(kinds) {
+    mission_.seed = seed;
+  }
+
+  Mission draw() {
+    draw_ground();
+    draw_team();
+    for (const Member& one : mission_.team) {
+      const bool at_start = random_.chance(0.7);
+      begin_mission("first-" + one.name, one, "{time: " + whole(random_.uniform(2, 12)) + "}",
+                    at_start ? 0 : random_.uniform(0, 60));
+      draw_tasks(1 + random_.below(4));
+    }
+    if (mission_.team.size() > 1 && random_.chance(0.6)) draw_meeting();
+    finish_first_missions();
+    draw_insertions();
+    draw_trouble();
+    const bool stays = random_.chance(0.15);
+    mission_.finish_after = stays ? -1 : random_.uniform(5, 60);
+    mission_.limit = stays ? 5000 : 2400;
+    return std::move(mission_);
+  }
+
+ private:
+  // ---- the world ----
+
+  void draw_ground() {
+    const double gusts = random_.chance(0.5) ? 0 : random_.uniform(0, 0.8);
+    mission_.wind = "toward: " + tenths(random_.uniform(0, 6.2)) +
+                    ", speed: " + (random_.chance(0.4) ? "0" : tenths(random_.uniform(0, 4))) +
+                    ", gusts: " + tenths(gusts);
+    if (random_.chance(0.3)) {
+      mission_.hills =
+          "{at: [250, 720], height: 70, radius: 260}, {at: [700, 520], height: 18, radius: 250}";
+    }
+    for (int i = 1; i <= 3; ++i)
+      mission_.zones.push_back("Z" + std::to_string(i) + ": " + draw_zone());
+    for (int i = 1; i <= 4; ++i) {
+      mission_.places.push_back("P" + std::to_string(i) + ": [" + whole(random_.uniform(30, 550)) +
+                                ", " + whole(random_.uniform(-100, 450)) + ", 0]");
+    }
+    for (int i = 1; i <= 3; ++i) {
+      mission_.places.push_back("A" + std::to_string(i) + ": [" + whole(random_.uniform(30, 550)) +
+                                ", " + whole(random_.uniform(-100, 450)) + ", " +
+                                whole(random_.uniform(75, 130)) + "]");
+    }
+  }
+
+  // Four corners, turned a little.
+  std::string draw_zone() {
+    const double x = random_.uniform(60, 400), y = random_.uniform(-50, 300);
+    const double a = random_.uniform(70, 220), b = random_.uniform(60, 180);
+    const double turn = random_.uniform(0, 0.5);
+    const auto corner = [&](double u, double v) {
+      return point(x + u * std::cos(turn) - v * std::sin(turn),
+                   y + u * std::sin(turn) + v * std::cos(turn));
+    };
+    return "[" + corner(0, 0) + ", " + corner(a, 0) + ", " + corner(a, b) + ", " + corner(0, b) +
+           "]";
+  }
+
+  void draw_team() {
+    const std::vector<Member> all{{"marvin", "marvin", "start: [0, 0]", 40, 100},
+                                  {"heliv", "heliv", "start: [-40, 40]", 60, 1100},
+                                  {"karma", "karma", "start: [0, -100]", 90, 2100},
+                                  {"marvin2", "marvin", "start: [-60, -40]", 75, 3100}};
+    const std::size_t count = 1 + random_.below(4);
+    std::vector<Member> left = all;
+    while (mission_.team.size() < count) {
+      const std::size_t i = random_.below(left.size());
+      Member one = left[i];
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+      if (kinds_.energy && random_.chance(0.12))
+        one.more += ", energy: " + tenths2(random_.uniform(0.12, 0.5));
+      if (kinds_.radio && random_.chance(0.3)) {
+        one.more += std::string(", contact_loss: {policy: ") +
+                    (random_.chance(0.5) ? "hold" : "return") + ", after: 60}";
+      }
+      next_goal_.push_back(700 + 1000 * static_cast<int>(mission_.team.size()));
+      mission_.team.push_back(std::move(one));
+    }
+  }
+  static std::string tenths2(double number) {
+    const std::string text = std::to_string(std::round(number * 100) / 100);
+    return text.substr(0, text.find('.') + 3);
+  }
+
+  // ---- high-level tasks ----
+
+  const Member& member() const { return mission_.team[who_]; }
+
+  void begin_mission(const std::string& name, const Member& one, const std::string& when,
+                     double after) {
+    who_ = static_cast<std::size_t>(&one - mission_.team.data());
+    Step step;
+    step.name = name;
+    step.when = when;
+    step.after = std::round(after);
+    step.uav = one.name;
+    step.mission = ++missions_[who_];
+    mission_.steps.push_back(std::move(step));
+  }
+
+  void add(const std::string& words) { add_to(mission_.steps.back(), who_, words); }
+  void add_to(Step& step, std::size_t who, const std::string& words) {
+    Task task{next_goal_[who]++, words, ""};
+    if (kinds_.deadlines && random_.chance(0.18)) task.times = draw_times();
+    step.tasks.push_back(std::move(task));
+  }
+
+  std::string draw_times() {
+    const double from = random_.uniform(30, 400);
+    switch (random_.below(6)) {
+      case 0:
+        return "start_after: " + whole(from);
+      case 1:
+        return "end_after: " + whole(from);
+      case 2:
+        return "start_before: " + whole(from + random_.uniform(50, 700));
+      case 3:
+        return "end_before: " + whole(from + random_.uniform(100, 900));
+      case 4:
+        return "start_after: " + whole(from) +
+               ", end_before: " + whole(from + random_.uniform(150, 900));
+      default:
+        return "start_after: " + whole(from) +
+               ", start_before: " + whole(from + random_.uniform(20, 300));
+    }
+  }
+
+  std::string on_ground() { return "P" + std::to_string(1 + random_.below(4)); }
+  std::string in_air() { return "A" + std::to_string(1 + random_.below(3)); }
+  std::string any_place() { return random_.chance(0.65) ? on_ground() : in_air(); }
+  std::string zone() { return "Z" + std::to_string(1 + random_.below(3)); }
+  std::string seconds() { return whole(random_.uniform(5, 120)); }
+  std::string places() {
+    std::string list;
+    for (std::size_t left = 2 + random_.below(3); left > 0; --left)
+      list += (list.empty() ? "" : ", ") + any_place();
+    return "[" + list + "]";
+  }
+
+  void draw_tasks(std::size_t count) {
+    if (random_.chance(0.4)) add("[general-takeoff]");
+    for (; count > 0; --count) draw_task();
+    if (random_.chance(0.5)) add("[general-land]");
+  }
+
+  void draw_task() {
+    const bool maps = member().model == "karma";
+    switch (random_.below(maps ? 11 : 10)) {
+      case 0:
+        return add("[general-gotoxyz, " + any_place() + "]");
+      case 1:
+        return add("[general-combined-goto-and-takeshot, " + any_place() + ", " + seconds() + "]");
+      case 2:
+      case 3:
+        return add("[perceive, " + any_place() + ", " + seconds() + "]");
+      case 4:
+        return add("[perform-detection, " + zone() + ", " + any_place() + ", " +
+                   whole(random_.uniform(60, 300)) + "]");
+      case 5:
+        return add("[perform-tour, " + places() + "]");
+      case 6:
+        return add("[perform-monitoring, " + on_ground() + ", " + whole(random_.uniform(30, 200)) +
+                   "]");
+      case 7:
+        return add("[takeshot-while-waiting, " + seconds() + "]");
+      case 8:
+        return add("[general-wait, " + seconds() + "]");
+      case 9:
+        return random_.chance(0.4) ? add("[general-land]")
+                                   : add("[general-gotoxyz, " + in_air() + "]");
+      default:
+        return add("[perform-mapping, " + zone() + "]");
+    }
+  }
+
+  // ---- together ----
+
+  // All of some team have it in their first missions, in one order, so that nobody waits for ever.
+  void draw_meeting() {
+    std::vector<std::size_t> team(mission_.team.size());
+    for (std::size_t i = 0; i < team.size(); ++i) team[i] = i;
+    while (team.size() > 2 && random_.chance(0.5))
+      team.erase(team.begin() + static_cast<std::ptrdiff_t>(random_.below(team.size())));
+    std::string names;
+    for (const std::size_t i : team) names += (names.empty() ? "" : ", ") + mission_.team[i].name;
+    names = "[" + names + "]";
+    const bool absent = kinds_.changes && random_.chance(0.1);  // one never comes
+    switch (random_.below(team.size() > 2 ? 4 : 3)) {
+      case 0:
+        return for_each(team, absent, [&](std::size_t) {
+          return "[wait-until-synchro, 500, " + names + ", " + names + "]";
+        });
+      case 1:
+        return for_each(team, absent, [&](std::size_t) {
+          return "[synchro, 500, " + names + ", " + names + "]";
+        });
+      case 2: {
+        const std::string place = any_place(), time = seconds();
+        return for_each(team, absent, [&](std::size_t) {
+          return "[general-combined-goto-and-synchro-and-takeshot, 500, " + names + ", " + names +
+                 ", " + place + ", " + time + "]";
+        });
+      }
+      default:
+        return monitor_until(team, absent);
+    }
+  }
+
+  template <class Words>
+  void for_each(const std::vector<std::size_t>& team, bool absent, const Words& words) {
+    for (const std::size_t i : team) {
+      if (absent && i == team.back()) continue;
+      add_to(mission_.steps[i], i, words(i));
+    }
+  }
+
+  // The last of the team signals the end to the others.
+  void monitor_until(std::vector<std::size_t> team, bool absent) {
+    const std::size_t signaller = team.back();
+    team.pop_back();
+    const std::string place = on_ground();
+    std::string names;
+    for (const std::size_t i : team) names += (names.empty() ? "" : ", ") + mission_.team[i].name;
+    for (const std::size_t i : team) {
+      std::string others;
+      for (const std::size_t j : team) {
+        if (j != i) others += (others.empty() ? "" : ", ") + mission_.team[j].name;
+      }
+      add_to(mission_.steps[i], i,
+             "[monitor-until, " + place + ", 501, [" + others + "], 502, " +
+                 mission_.team[signaller].name + "]");
+    }
+    if (!absent)
+      add_to(mission_.steps[signaller], signaller, "[send-signal, 502, [" + names + "]]");
+  }
+
+  void finish_first_missions() {
+    for (std::size_t i = 0; i < mission_.team.size(); ++i) {
+      who_ = i;
+      Step& step = mission_.steps[i];
+      if (random_.chance(0.5))
+        add_to(step, i, "[general-land]");
+      else if (random_.chance(0.15))
+        add_to(step, i, "[wait-for-orders]");
+    }
+  }
+
+  // ---- later ----
+
+  std::string draw_trigger(std::size_t who) {
+    if (random_.chance(0.5)) return "{time: " + whole(random_.uniform(15, 500)) + "}";
+    const Step& first = mission_.steps[who];
+    const Task& task = first.tasks[random_.below(first.tasks.size())];
+    const char* state = random_.chance(0.5) ? "under-way" : "achieved";
+    return "{goal: {uav: " + first.uav + ", id: " + std::to_string(task.id) + ", state: " + state +
+           "}}";
+  }
+
+  void draw_insertions() {
+    for (std::size_t left = random_.below(4), n = 0; n < left; ++n) {
+      const std::size_t who = random_.below(mission_.team.size());
+      const std::string when = draw_trigger(who);
+      begin_mission("later-" + std::to_string(n + 1), mission_.team[who], when,
+                    random_.uniform(0, 90));
+      const std::vector<std::string> placements{"best", "last", "in-time", "tour", "first"};
+      std::string placement = placements[random_.below(placements.size())];
+      if (placement == "first" && kinds_.changes && random_.chance(0.5))
+        placement += ", interrupt: true";
+      mission_.steps.back().placement = placement;
+      draw_tasks(1 + random_.below(2));
+    }
+  }
+
+  // ---- what goes wrong ----
+
+  Step plain_step(const std::string& name, const std::string& when, const std::string& action) {
+    Step step;
+    step.name = name;
+    step.when = when;
+    step.after = std::round(random_.uniform(0, 60));
+    step.action = action;
+    return step;
+  }
+
+  void draw_trouble() {
+    if (kinds_.changes && random_.chance(0.25)) draw_cancellation();
+    if (kinds_.air && random_.chance(0.25)) draw_closings();
+    if (kinds_.air && random_.chance(0.15))
+      mission_.volumes.push_back(
+          "tower: {" + draw_volume(random_.uniform(100, 450), random_.uniform(100, 350)) + "}");
+    if (kinds_.faults && random_.chance(0.3)) draw_fault();
+    if (kinds_.degrees && random_.chance(0.15)) draw_degree();
+    if (kinds_.radio && random_.chance(0.15)) draw_cut();
+  }
+
+  void draw_cancellation() {
+    const std::size_t who = random_.below(mission_.team.size());
+    const Step& first = mission_.steps[who];
+    const Task& task = first.tasks[random_.below(first.tasks.size())];
+    const std::string what =
+        random_.chance(0.3) ? "mission: 1" : "goals: [" + std::to_string(task.id) + "]";
+    const std::string interrupt = random_.chance(0.5) ? ", interrupt: true" : "";
+    const std::string action = "cancel: {uav: " + first.uav + ", " + what + interrupt + "}";
+    mission_.steps.push_back(plain_step("cancel", draw_trigger(who), action));
+  }
+
+  std::string draw_volume(double x, double y) {
+    const double a = random_.uniform(30, 90), b = random_.uniform(30, 90);
+    std::string text = "polygon: [" + point(x - a, y - b) + ", " + point(x + a, y - b) + ", " +
+                       point(x + a, y + b) + ", " + point(x - a, y + b) + "]";
+    if (random_.chance(0.4)) text += ", ceiling: " + whole(random_.uniform(50, 150));
+    return text;
+  }
+
+  // Half of them where something is to be done.
+  void draw_closings() {
+    for (std::size_t n = 1 + random_.below(2); n > 0; --n) {
+      double x = random_.uniform(80, 500), y = random_.uniform(-50, 400);
+      if (random_.chance(0.5)) {
+        const std::string& place = mission_.places[random_.below(mission_.places.size())];
+        x = std::stod(place.substr(place.find('[') + 1));
+        y = std::stod(place.substr(place.find(',') + 1));
+      }
+      const std::string name = "smoke-" + std::to_string(n);
+      const std::size_t who = random_.below(mission_.team.size());
+      const std::string volume = draw_volume(x, y);
+      mission_.steps.push_back(plain_step("close-" + std::to_string(n), draw_trigger(who),
+                                          "close_air: {name: " + name + ", " + volume + "}"));
+      if (random_.chance(0.3)) {
+        mission_.steps.push_back(plain_step("open-" + std::to_string(n),
+                                            "{step: close-" + std::to_string(n) + "}",
+                                            "open_air: {name: " + name + "}"));
+        mission_.steps.back().after = 100;
+      }
+    }
+  }
+
+  void draw_fault() {
+    const Member& one = mission_.team[random_.below(mission_.team.size())];
+    const std::string at = "at: " + whole(random_.uniform(10, 500)) + ", ";
+    const std::vector<std::string> types{"takeoff", "goto", "land", "wait", "takeshot"};
+    const std::string device = one.model == "karma"   ? "mapping"
+                               : random_.chance(0.5)  ? "visible"
+                               : one.model == "heliv" ? "ir"
+                                                      : "fire-sensor";
+    switch (random_.below(4)) {
+      case 0:
+        mission_.faults.push_back("{" + at + "slow: {uav: " + one.name +
+                                  ", factor: " + tenths(random_.uniform(1.2, 4)) +
+                                  ", for: " + whole(random_.uniform(20, 200)) + "}}");
+        break;
+      case 1:
+        mission_.faults.push_back("{" + at + "abort: {uav: " + one.name +
+                                  ", type: " + types[random_.below(types.size())] + "}}");
+        break;
+      case 2:
+        mission_.faults.push_back("{" + at + "sensor: {uav: " + one.name + ", device: " + device +
+                                  "}}");
+        break;
+      default:
+        mission_.faults.push_back("{" + at + "energy: {uav: " + one.name +
+                                  ", left: " + tenths2(random_.uniform(0.12, 0.6)) + "}}");
+    }
+  }
+
+  void draw_degree() {
+    const std::size_t who = random_.below(mission_.team.size());
+    const std::string uav = "uav: " + mission_.team[who].name;
+    const std::string to = std::to_string(1 + random_.below(3));
+    const std::string interrupt = random_.chance(0.5) ? ", interrupt: true" : "";
+    mission_.steps.push_back(
+        plain_step("down", draw_trigger(who), "degree: {" + uav + ", to: " + to + interrupt + "}"));
+    mission_.steps.push_back(plain_step("back", "{degree: {" + uav + ", is: " + to + "}}",
+                                        "degree: {" + uav + ", to: 4, resume: true}"));
+  }
+
+  void draw_cut() {
+    const std::string& one = mission_.team[random_.below(mission_.team.size())].name;
+    const std::string other = mission_.team.size() > 1 && random_.chance(0.4)
+                                  ? mission_.team[one == mission_.team[0].name ? 1 : 0].name
+                                  : "ground";
+    const double from = random_.uniform(10, 500);
+    mission_.cuts.push_back("{between: [" + one + ", " + other + "], from: " + whole(from) +
+                            ", until: " + whole(from + random_.uniform(5, 150)) + "}");
+  }
+
+  Random random_;
+  Kinds kinds_;
+  Mission mission_;
+  std::size_t who_ = 0;
+  std::vector<int> next_goal_;
+  int missions_[4] = {0, 0, 0, 0};
+};
+
+}  // namespace
+
+Mission generate(std::uint64_t seed, const Kinds& kinds) { return Drawing(seed, kinds).draw(); }
+
+}  // namespace skein::random_missions

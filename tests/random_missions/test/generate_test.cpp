@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Missions drawn are scenarios, the same for one seed, and have in them what there is to be met.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "random_missions/generate.hpp"
+#include "random_missions/judge.hpp"
+#include "random_missions/series.hpp"
+#include "skein/assembly/assembly.hpp"
+
+namespace skein::random_missions {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+const std::string kFile = SKEIN_SOURCE_DIR "/scenarios/comets/drawn.yaml";
+
+std::string text_of(std::uint64_t seed, const Kinds& kinds = {}) {
+  return to_yaml(generate(seed, kinds), "..");
+}
+
+std::string problems_of(const std::string& yaml) {
+  const auto scenario = scenario::read_scenario_text(yaml, kFile);
+  return scenario ? to_text(assembly::check_assembly(*scenario)) : to_text(scenario.error());
+}
+
+TEST(Generate, OneSeedGivesOneMissionAndAnotherAnother) {
+  EXPECT_EQ(text_of(5), text_of(5));
+  EXPECT_NE(text_of(5), text_of(6));
+}
+
+TEST(Generate, EveryMissionIsAScenario) {
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    EXPECT_EQ(problems_of(text_of(seed)), "") << "seed " << seed;
+    EXPECT_EQ(problems_of(text_of(seed, kClean)), "") << "clean, seed " << seed;
+  }
+}
+
+TEST(Generate, InCleanMissionsNothingGoesWrong) {
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    const Mission mission = generate(seed, kClean);
+    EXPECT_THAT(mission.faults, IsEmpty());
+    EXPECT_THAT(mission.cuts, IsEmpty());
+    EXPECT_THAT(mission.volumes, IsEmpty());
+    const std::string text = to_yaml(mission, "..");
+    for (const char* trouble :
+         {"cancel", "close_air", "degree: {", "interrupt", "_before", "_after:", "energy"}) {
+      EXPECT_THAT(text, Not(HasSubstr(trouble))) << "seed " << seed;
+    }
+  }
+}
+
+class Drawn : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Drawn, ComesUpSooner) {
+  bool seen = false;
+  for (std::uint64_t seed = 1; seed <= 400 && !seen; ++seed)
+    seen = text_of(seed).find(GetParam()) != std::string::npos;
+
+  EXPECT_TRUE(seen);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tasks, Drawn,
+    ::testing::Values("[general-takeoff]", "[general-land]", "[general-gotoxyz,", "[perceive,",
+                      "[general-combined-goto-and-takeshot,", "[perform-detection,",
+                      "[perform-mapping,", "[perform-tour,", "[perform-monitoring,",
+                      "[takeshot-while-waiting,", "[general-wait,", "[wait-for-orders]",
+                      "[synchro,", "[wait-until-synchro,", "[monitor-until,", "[send-signal,",
+                      "[general-combined-goto-and-synchro-and-takeshot,"));
+INSTANTIATE_TEST_SUITE_P(Happenings, Drawn,
+                         ::testing::Values("placement: first", "interrupt: true", "placement: tour",
+                                           "placement: in-time", "cancel: {", "close_air: {",
+                                           "open_air: {", "volumes:", "start_after:",
+                                           "start_before:", "end_after:", "end_before:", "slow: {",
+                                           "abort: {", "sensor: {", "energy: {", "degree: {uav",
+                                           "cuts:", "hills:"));
+
+TEST(Smaller, EachIsThereWithOnePartLess) {
+  const Mission whole = generate(3, {});
+  const std::vector<Mission> all = smaller(whole);
+
+  EXPECT_GE(all.size(), whole.steps.size() + whole.faults.size());
+  for (const Mission& less : all)
+    EXPECT_LT(to_yaml(less, "..").size(), to_yaml(whole, "..").size());
+}
+
+TEST(Judge, SaysWhatAScenarioCameTo) {
+  const Verdict verdict = judge_one({"clean", text_of(2, kClean), kFile}, {});
+
+  EXPECT_TRUE(verdict.valid);
+  EXPECT_GT(verdict.goals, 0);
+  EXPECT_GT(verdict.flown, 0);
+}
+
+TEST(Judge, SaysWhyTextIsNoScenario) {
+  const Verdict verdict = judge_one({"wrong", "scenario: [", kFile}, {});
+
+  EXPECT_FALSE(verdict.valid);
+  EXPECT_THAT(verdict.problem, HasSubstr("drawn.yaml"));
+}
+
+TEST(Series, CountsMissionsByLaw) {
+  Series series;
+  Verdict broken;
+  broken.violations = {
+      {"energy", 1, "marvin", 0, ""}, {"energy", 2, "heliv", 0, ""}, {"held", 3, "heliv", 7, ""}};
+  series.add({"1", "", ""}, broken);
+  series.add({"2", "", ""}, {});
+
+  EXPECT_EQ(series.missions, 2);
+  EXPECT_EQ(series.broken, 1);
+  EXPECT_EQ(series.rows.at("energy").missions, 1);
+  EXPECT_EQ(series.rows.at("energy").violations, 2);
+  EXPECT_THAT(series.rows.at("held").examples, ::testing::ElementsAre("1"));
+}
+
+}  // namespace
+}  // namespace skein::random_missions
