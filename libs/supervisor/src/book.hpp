@@ -28,6 +28,7 @@ struct Goal {
   std::string why;
   int refined = 0;      ///< times that it was refined again after a failure
   bool queued = false;  ///< its mission waits for its insertion
+  MissionTime settled;  ///< when, of one that is
 };
 
 /// An elementary task of a goal.
