@@ -244,8 +244,8 @@ class Supervisor::Core {
   MissionTime grounded_until_;  ///< a state that says otherwise is older than the landing
   std::optional<MissionTime> wait_again_;  ///< no safe wait before
   bool energy_told_ = false;
-  MissionTime air_watched_;       ///< closings before this have been dealt with
-  std::uint64_t own_goals_ = 0;   ///< given so far
+  MissionTime air_watched_;      ///< closings before this have been dealt with
+  std::uint64_t own_goals_ = 0;  ///< given so far
 
   Schedule schedule_;
   std::uint64_t decisions_ = 0;

@@ -117,9 +117,10 @@ void Judge::check_energy(Verdict& verdict) const {
   const double missing = needed + kSpareEnergy - usable_energy();
   if (missing <= kEnergyRounding) return;
   verdict.missing_energy = missing;
-  const std::string back = home > 0 ? ", " + percent(home) + " to come home from its end and land" : "";
-  verdict.reasons.push_back("needs " + percent(verdict.plan->energy) + " of the energy" + back + ", " +
-                            percent(kSpareEnergy) + " to spare, and " +
+  const std::string back =
+      home > 0 ? ", " + percent(home) + " to come home from its end and land" : "";
+  verdict.reasons.push_back("needs " + percent(verdict.plan->energy) + " of the energy" + back +
+                            ", " + percent(kSpareEnergy) + " to spare, and " +
                             percent(std::max(usable_energy(), 0.0)) + " is left above the reserve");
 }
 

@@ -28,8 +28,8 @@ double astray(const Knowledge& knowledge, const world::World& world) {
 const world::Volume* closed_over(const Knowledge& knowledge, const world::World& world,
                                  MissionTime now, const Vector3& ground) {
   const Vector3 above = ground + Vector3(0, 0, knowledge.altitude);
-  const double margin =
-      knowledge.vehicle.body_radius + (knowledge.vehicle.hovers ? 0 : knowledge.vehicle.orbit_radius);
+  const double margin = knowledge.vehicle.body_radius +
+                        (knowledge.vehicle.hovers ? 0 : knowledge.vehicle.orbit_radius);
   const auto found =
       std::find_if(world.volumes.begin(), world.volumes.end(), [&](const world::Volume& volume) {
         return now < volume.when.until && crosses(volume, margin, ground, above);
@@ -54,16 +54,14 @@ std::optional<std::string> landing_problem(const Knowledge& knowledge, const wor
 
 std::optional<Vector3> landing_place(const Knowledge& knowledge, const world::World& world,
                                      MissionTime now, const Vector3& from, const Vector3& wanted) {
-  const auto fit = [&](const Vector3& at) {
-    return !landing_problem(knowledge, world, now, at);
-  };
+  const auto fit = [&](const Vector3& at) { return !landing_problem(knowledge, world, now, at); };
   if (fit(wanted)) return wanted;
   for (double out = kStep; out <= kFarthest; out += kStep) {
     std::optional<Vector3> best;
     for (int i = 0; i < kDirections; ++i) {
       const double angle = 2 * std::numbers::pi * i / kDirections;
-      const Vector3 at = ground_at(
-          world, wanted.head<2>() + out * Vector2(std::cos(angle), std::sin(angle)));
+      const Vector3 at =
+          ground_at(world, wanted.head<2>() + out * Vector2(std::cos(angle), std::sin(angle)));
       const auto far = [&](const Vector3& one) { return (one - from).head<2>().norm(); };
       if ((!best || far(at) < far(*best)) && fit(at)) best = at;
     }

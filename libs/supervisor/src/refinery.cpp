@@ -28,7 +28,7 @@ constexpr double kSteep = 1.25;      // distances over heights that it must reac
 constexpr double kClimbShare = 0.8;  // of its rates, in ways of a vehicle that cannot hover
 constexpr double kOutStep = 10, kFarthestOut = 600;  // [m] out of closed air
 constexpr int kDirections = 24, kAround = 8;
-constexpr double kEnough = 1e-6;                     // [s]
+constexpr double kEnough = 1e-6;  // [s]
 
 tl::unexpected<std::string> no(std::string why) {
   return tl::unexpected<std::string>(std::move(why));

@@ -53,8 +53,8 @@ void Supervisor::Core::watch_air() {
 
 // ---- what ----
 
-// Where a task keeps it: the end of the last way before it; nothing on the ground, and of what rides
-// along with a flight.
+// Where a task keeps it: the end of the last way before it; nothing on the ground, and of what
+// rides along with a flight.
 std::optional<world::Vector3> Supervisor::Core::stand_of(const Entry& entry) const {
   const auto flies = [this](const mission::Dependence& on) {
     const Entry* other = book_.find(on.task);
@@ -82,14 +82,14 @@ bool Supervisor::Core::goes_through(const Entry& entry, const world::Volume& vol
   return leads_in(volume, margin, entry.task.way);
 }
 
-// One that has no end counts as far as it can be foreseen; it is looked at again before more closes.
+// One that has no end counts as far as it can be foreseen; it is looked at again before more
+// closes.
 bool Supervisor::Core::stays_in(const Entry& entry, const world::Volume& volume) const {
   const auto stand = stand_of(entry);
   if (!stand) return false;
   const MissionTime from = entry.seen.started ? now_ : std::max(now_, entry.dates.earliest_start);
   const bool ends = entry.dates.latest_end != MissionTime::max();
-  const MissionTime until =
-      ends ? entry.dates.latest_end : std::max(from, now_) + kWarning;
+  const MissionTime until = ends ? entry.dates.latest_end : std::max(from, now_) + kWarning;
   if (!volume.when.overlaps({from, until})) return false;
   const world::VehicleModel& vehicle = config_.knowledge->vehicle;
   return crosses(volume, vehicle.body_radius + stay_radius(vehicle), *stand, *stand);

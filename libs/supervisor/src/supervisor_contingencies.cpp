@@ -106,7 +106,8 @@ void Supervisor::Core::keep_safe() {
     return;
   }
   if (wait_again_ && now_ < *wait_again_) {
-    if (!told_idle_) notice("in the air without a task: its safe wait was refused or aborted; " + why_idle());
+    if (!told_idle_)
+      notice("in the air without a task: its safe wait was refused or aborted; " + why_idle());
     told_idle_ = true;
     return;
   }

@@ -9,7 +9,7 @@ namespace skein::supervisor {
 
 namespace {
 
-constexpr double kRoom = 0.005;      // after which a shortage may be told again
+constexpr double kRoom = 0.005;       // after which a shortage may be told again
 constexpr double kTouchDown = 0.004;  // above the reserve, beside the descent: it is time
 
 }  // namespace
@@ -57,10 +57,9 @@ void Supervisor::Core::check_energy() {
 // What is only planned is planned anew as long as what is under way and the way home fit; else that
 // is given up too.
 void Supervisor::Core::run_short(double wanted) {
-  const std::string cause = "energy short: what is planned and the way home take " +
-                            percent(wanted) + ", " +
-                            percent(std::max(0.0, energy_above_reserve())) +
-                            " are left above the reserve";
+  const std::string cause =
+      "energy short: what is planned and the way home take " + percent(wanted) + ", " +
+      percent(std::max(0.0, energy_above_reserve())) + " are left above the reserve";
   const std::vector<GoalId> free = book_.free_goals();
   const double left = energy_above_reserve() - kSpareEnergy / 2;
   if (!free.empty() && energy_in_hand() <= left) return need(std::nullopt, false, cause);

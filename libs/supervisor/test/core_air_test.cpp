@@ -97,9 +97,9 @@ TEST(SupervisorWorld, ClosedAroundAUavThatWaitsIsLeftFirst) {
 TEST(SupervisorWorld, ClosedOverAWaitElsewhereConcernsThatGoalOnly) {
   Desk desk = Desk::engaged(that_leaves());
   desk.add(a_mission(1, {701, 702}));
-  desk.finish(inserted({701, 702},
-                       {TaskOf(100, "goto", 701).takes(100, 110).way({{0, 0, 40}, {0, 20, 40}}),
-                        TaskOf(101, "wait", 702).after(100).takes(50, 50)}));
+  desk.finish(
+      inserted({701, 702}, {TaskOf(100, "goto", 701).takes(100, 110).way({{0, 0, 40}, {0, 20, 40}}),
+                            TaskOf(101, "wait", 702).after(100).takes(50, 50)}));
   desk.flies({500, 0, 40});
   desk.runs(100);
   desk.flies({500, 0, 40});

@@ -102,8 +102,9 @@ TEST(SupervisorSafety, WaitsWhenThePlanEndsInTheAir) {
   desk.at(165).ends(102);
 
   EXPECT_THAT(desk.requests(), ElementsAre("START 103"));
-  EXPECT_THAT(desk.notices(), Contains(AllOf(HasSubstr("nothing to do"),
-                                             HasSubstr("nothing follows goal 702 (go 1), achieved"))));
+  EXPECT_THAT(desk.notices(),
+              Contains(AllOf(HasSubstr("nothing to do"),
+                             HasSubstr("nothing follows goal 702 (go 1), achieved"))));
 }
 
 TEST(SupervisorSafety, APerceptionAtTheEndOfAWayIsATask) {

@@ -146,8 +146,8 @@ TEST(Repair, WhenNothingElseServesItReturnsAndLands) {
   Lab lab = eastern();
   lab.straight.blocked = {"A", "B"};
 
-  const auto outcome = repair(lab, with_retreat(request_of(lab, {Lab::visit(1, "A")},
-                                                           Lab::visit(2, "B"), 1)));
+  const auto outcome =
+      repair(lab, with_retreat(request_of(lab, {Lab::visit(1, "A")}, Lab::visit(2, "B"), 1)));
 
   EXPECT_EQ(outcome.served, RepairStep::kReturn);
   EXPECT_THAT(ids(outcome.order), ElementsAre(99));

@@ -53,9 +53,9 @@ mission::ElementaryTask task(const std::string& type, std::vector<Vector3> way =
 }
 
 TEST(Whereabouts, FollowWaysAndEndOnTheGroundAfterALanding) {
-  const auto flown = after({{0, 0, 0}, false}, {task("takeoff", {{0, 0, 0}, {0, 0, 40}}),
-                                                task("goto", {{0, 0, 40}, {90, 0, 40}}),
-                                                task("wait")});
+  const auto flown =
+      after({{0, 0, 0}, false}, {task("takeoff", {{0, 0, 0}, {0, 0, 40}}),
+                                 task("goto", {{0, 0, 40}, {90, 0, 40}}), task("wait")});
   EXPECT_TRUE(flown.airborne);
   EXPECT_EQ(flown.position, Vector3(90, 0, 40));
 

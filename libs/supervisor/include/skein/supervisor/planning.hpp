@@ -59,7 +59,7 @@ struct Situation {
   world::Vector3 position = world::Vector3::Zero();  ///< [m] ENU
   double heading = 0;                                ///< [rad]
   bool airborne = false;
-  double energy = 1;  ///< what will be left, [0, 1]
+  double energy = 1;                      ///< what will be left, [0, 1]
   std::optional<world::Vector3> land_at;  ///< on the ground [m] ENU; absent: at home
   Timeline motion;
   std::map<std::string, Timeline> devices;  ///< those that are not here are free at once

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "skein/world/vehicle_model.hpp"
 #include "skein/world/geometry.hpp"
+#include "skein/world/vehicle_model.hpp"
 
 namespace skein::world {
 
