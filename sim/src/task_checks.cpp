@@ -5,20 +5,19 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numbers>
 
 #include "guidance.hpp"
 #include "parameter_reader.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "skein/functional/task_types.hpp"
+#include "skein/world/landing_ground.hpp"
+#include "skein/world/way_energy.hpp"
 
 namespace skein::sim {
 namespace {
 
 using world::Vector3;
 
-constexpr double kSteepestLanding = 0.2;  // [rad]
-constexpr double kTurningShare = 1.2;     // how much longer the way of one that cannot hover may be
 constexpr double kMostShots = 1e6;
 constexpr double kLongest = 1e6;  // [s]
 
@@ -65,10 +64,7 @@ ElementaryTask read_takeoff(const Situation& s, ParameterReader& read) {
 ElementaryTask read_land(const Situation& s, ParameterReader& read) {
   if (!s.state.airborne) read.refuse("already on the ground");
   const Vector3& at = s.state.position;
-  if (!s.terrain.contains(at.x(), at.y())) read.refuse("no landing outside the terrain");
-  if (const double slope = s.terrain.slope(at.x(), at.y()); slope > kSteepestLanding)
-    read.refuse("the ground slopes by " + figure(slope * 180 / std::numbers::pi) +
-                " degrees here, too steep to land");
+  if (const auto problem = world::landing_problem(s.terrain, at.head<2>())) read.refuse(*problem);
   return LandTask{};
 }
 
@@ -87,22 +83,6 @@ void check_waypoint(const Situation& s, const Vector3& point, const std::string&
   if (height > s.model.ceiling)
     read.refuse(name + " is " + figure(height) + " m above the ground, over the ceiling of " +
                 figure(s.model.ceiling) + " m");
-}
-
-/// Energy of a way at a speed, straight from point to point [J].
-double way_energy(const Situation& s, const std::vector<Vector3>& way, double speed) {
-  double energy = 0;
-  Vector3 from = s.state.position;
-  for (const Vector3& to : way) {
-    const double rise = to.z() - from.z();
-    const double level_time = (to - from).head<2>().norm() / speed;
-    const double climb_time = rise > 0 ? rise / s.model.climb_rate : -rise / s.model.descent_rate;
-    energy += level_time * world::flight_power(s.model, speed, 0);
-    energy += std::max(0.0, climb_time - level_time) * world::flight_power(s.model, 0, 0);
-    if (rise > 0) energy += climb_time * s.model.energy.climb_power;
-    from = to;
-  }
-  return s.model.hovers ? energy : energy * kTurningShare;
 }
 
 void check_legs(const Situation& s, const std::vector<Vector3>& way, ParameterReader& read) {
@@ -129,7 +109,9 @@ ElementaryTask read_goto(const Situation& s, ParameterReader& read) {
     check_waypoint(s, task.waypoints[i], "way-point " + std::to_string(i + 1), read);
   need_flight(s, "goto", read);
   if (!read.refused()) check_legs(s, task.waypoints, read);
-  if (speed_known) need_energy(s, way_energy(s, task.waypoints, task.speed), "the way", read);
+  if (speed_known) need_energy(
+        s, world::energy_asked_for(s.model, s.state.position, task.waypoints, task.speed),
+        "the way", read);
   return task;
 }
 

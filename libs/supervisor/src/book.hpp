@@ -11,6 +11,7 @@
 #include "skein/mission/autonomy.hpp"
 #include "skein/mission/elementary_plan.hpp"
 #include "skein/supervisor/insertion.hpp"
+#include "whereabouts.hpp"
 
 namespace skein::supervisor {
 
@@ -18,12 +19,6 @@ using executive::TaskId;
 using executive::TaskState;
 using mission::GoalId;
 using mission::GoalState;
-
-/// Where the vehicle is at some moment of a plan.
-struct Whereabouts {
-  world::Vector3 position = world::Vector3::Zero();  ///< [m] ENU
-  bool airborne = false;
-};
 
 /// A high-level task.
 struct Goal {
@@ -36,6 +31,7 @@ struct Goal {
   bool queued = false;  ///< its mission waits for its insertion
   /// Planned to need no tasks: it is true when its turn comes, if the vehicle is there.
   std::optional<Whereabouts> true_at;
+  MissionTime settled;  ///< when, of one that is
 };
 
 /// An elementary task of a goal.

@@ -3,9 +3,9 @@
 #include "insertion_judge.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "placement_places.hpp"
+#include "retreat.hpp"
 #include "wording.hpp"
 
 namespace skein::supervisor {
@@ -29,16 +29,17 @@ PlanningRequest with_tasks(const PlanningRequest& base, Goals goals) {
   return request;
 }
 
+/// Nothing but a landing, and the way to it.
+bool comes_down(const std::vector<mission::ElementaryTask>& tasks) {
+  const bool lands = !tasks.empty() && tasks.back().type == "land";
+  return lands && std::all_of(tasks.begin(), tasks.end(), [&](const mission::ElementaryTask& task) {
+           return task.origin == tasks.back().origin;
+         });
+}
+
 Goals without_bounds(Goals goals) {
   for (mission::HighLevelTask& goal : goals) goal.time = {};
   return goals;
-}
-
-std::string percent(double fraction) {
-  const double tenths = std::round(fraction * 1000) / 10;
-  std::string text = std::to_string(tenths);
-  text.erase(text.find('.') + 2);
-  return text + " %";
 }
 
 }  // namespace
@@ -110,11 +111,22 @@ void Judge::check_dates(Verdict& verdict) const {
   if (verdict.reasons.empty()) verdict.reasons.emplace_back("its dates cannot be kept to");
 }
 
+// What is left of a flight at its end is least there: from each point before, the plan itself is a
+// way on to it. A UAV that only comes down does so whatever is left.
 void Judge::check_energy(Verdict& verdict) const {
-  const double missing = verdict.plan->energy - usable_energy();
-  if (verdict.plan->energy <= 0 || missing <= kEnergyRounding) return;
+  const Situation& from = base_.situation;
+  const auto& tasks = verdict.plan->tasks;
+  const Retreat retreat(knowledge(), *base_.world, from.origin);
+  const Whereabouts end = after({from.position, from.airborne}, tasks);
+  const double home = retreat.after(end);
+  const double needed = verdict.plan->energy + home;
+  if (needed <= 0 || (from.airborne && comes_down(tasks))) return;
+  const double missing = needed + kSpareEnergy - usable_energy();
+  if (missing <= kEnergyRounding) return;
   verdict.missing_energy = missing;
-  verdict.reasons.push_back("needs " + percent(verdict.plan->energy) + " of the energy, and " +
+  const std::string back = home > 0 ? ", " + percent(home) + " to come home from its end and land" : "";
+  verdict.reasons.push_back("needs " + percent(verdict.plan->energy) + " of the energy" + back + ", " +
+                            percent(kSpareEnergy) + " to spare, and " +
                             percent(std::max(usable_energy(), 0.0)) + " is left above the reserve");
 }
 

@@ -34,7 +34,8 @@ struct Verdict {
 };
 
 /// A plan serves when it can be made, is dynamically controllable together with what stands, and
-/// needs no more energy than is left above the vehicle's reserve. No order is planned twice.
+/// needs no more energy, the way home from its end and something to spare with it (retreat.hpp),
+/// than is left above the vehicle's reserve. No order is planned twice.
 class Judge {
  public:
   /// Lifetime: `base` and `standing` must outlive it.

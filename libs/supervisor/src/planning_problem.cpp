@@ -121,7 +121,9 @@ std::string goal(const mission::HighLevelTask& task, MissionTime origin) {
 std::string problem_text(const PlanningRequest& request, const std::string& name) {
   const Situation& situation = request.situation;
   std::string text = "(defproblem " + symbol(name) + "\n  ((current-plan main)\n" +
-                     "   (takeoffloc home)\n   (landloc home)\n   " + whereabouts(request) + "\n" +
+                     "   (takeoffloc home)\n   (landloc " +
+                     (situation.land_at ? location(*situation.land_at) : std::string("home")) +
+                     ")\n   " + whereabouts(request) + "\n" +
                      write_time("uavloc", situation.motion) + read_time("uavloc");
   for (const Timeline& rider : situation.riders) text += read_time("uavloc", rider);
   for (const world::SensorModel& sensor : request.knowledge->vehicle.sensors)

@@ -128,7 +128,7 @@ void Supervisor::Core::start_repair() {
   Job job;
   job.premises = premises_of_repair();
   const std::vector<GoalId>& goals = job.premises.goals;
-  if (goals.empty()) {
+  if (goals.empty() && !(need.home && vehicle_.airborne)) {
     return decide({"6 repair", need.cause, "no goals", "nothing is left to plan", need.since});
   }
   RepairRequest request;
@@ -144,6 +144,8 @@ void Supervisor::Core::start_repair() {
     remaining.erase(failed);
   }
   request.remaining = book_.tasks_of(remaining);
+  if (request.base.situation.airborne) request.retreat = own_task(kComeDown);
+  job.retreat = request.retreat;
   job.need = std::move(need);
   run(std::move(job), std::move(request));
 }
@@ -161,6 +163,7 @@ bool Supervisor::Core::again(const Job& job, const std::string& why) {
       merged.cause += "; " + need_->cause;
       if (!merged.failed) merged.refine = need_->refine;
       if (!merged.failed) merged.failed = need_->failed;
+      merged.home = merged.home || need_->home;
     }
     attempts = ++merged.attempts;
     need_ = std::move(merged);

@@ -48,6 +48,7 @@ void Supervisor::Core::set_state(Goal& goal, GoalState state, const std::string&
   const bool same = goal.state == state && goal.why == why && state != GoalState::kReceived;
   if (same || is_settled(goal.state)) return;
   goal.state = state;
+  goal.settled = now_;
   goal.why = why;
   out_.push_back(GoalChanged{status_of(goal)});
 }

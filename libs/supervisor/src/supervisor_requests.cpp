@@ -184,36 +184,4 @@ void Supervisor::Core::on(const WorldChanged& input) {
   if (engaged_ && !change.remove) check_air(cause);
 }
 
-bool Supervisor::Core::goes_through(const Entry& entry, const world::Volume& volume) const {
-  if (entry.task.way.empty()) return false;
-  const MissionTime from = entry.seen.started ? now_ : entry.dates.earliest_start;
-  if (!volume.when.overlaps({from, entry.dates.latest_end})) return false;
-  const double margin = config_.knowledge->vehicle.body_radius;
-  if (entry.under_way()) {
-    return crosses(volume, margin, rest_of(entry.task.way, vehicle_.position));
-  }
-  return crosses(volume, margin, entry.task.way);
-}
-
-// Every goal that would fly through closed air is stopped; the first of them counts as failed.
-void Supervisor::Core::check_air(const std::string& cause) {
-  std::optional<GoalId> first;
-  std::set<GoalId> stopped;
-  for (const GoalId id : book_.order) {
-    for (const Entry* entry : book_.of(id)) {
-      const auto& volumes = world_->volumes;
-      if (!book_.counts(*entry) ||
-          std::none_of(volumes.begin(), volumes.end(),
-                       [&](const auto& one) { return goes_through(*entry, one); })) {
-        continue;
-      }
-      if (!first) first = id;
-      if (book_.is_given(id)) stopped.insert(id);
-    }
-  }
-  if (!first) return;
-  retire(book_.falling_with(stopped));
-  need(first, true, cause + ", which the way of goal " + to_text(*first) + " crosses");
-}
-
 }  // namespace skein::supervisor

@@ -51,6 +51,7 @@ void Supervisor::Core::adopt(const Premises& premises, const mission::Elementary
     goal.queued = false;
     if (goal.state == GoalState::kReceived) set_state(goal, GoalState::kPlanned);
   }
+  tell_landing(plan);
   book_.reorder(wanted);
   foresee_true_goals();
   reschedule();
@@ -146,7 +147,11 @@ void Supervisor::Core::fail_safely(const Job& job, const std::vector<std::string
 
 void Supervisor::Core::finish(const Job& job, const RepairOutcome& outcome) {
   if (!outcome.plan) return fail_safely(job, outcome.before);
-  if (const std::string fault = fault_of(job.premises, *outcome.plan); !fault.empty()) {
+  Premises premises = job.premises;
+  if (outcome.served == RepairStep::kReturn && job.retreat) {
+    premises.added.push_back(enter_own(*job.retreat));
+  }
+  if (const std::string fault = fault_of(premises, *outcome.plan); !fault.empty()) {
     return fail_safely(job, {fault});
   }
   if (!fits_now(job.premises, *outcome.plan)) {
@@ -157,12 +162,13 @@ void Supervisor::Core::finish(const Job& job, const RepairOutcome& outcome) {
   std::set<GoalId> left(job.premises.goals.begin(), job.premises.goals.end());
   for (const auto& task : outcome.order) left.erase(task.id);
   tell_refined(job, *outcome.plan);
-  adopt(job.premises, *outcome.plan, outcome.order);
+  adopt(premises, *outcome.plan, outcome.order);
   for (const GoalId id : left) {
     const auto dropped = std::find_if(outcome.dropped.begin(), outcome.dropped.end(),
                                       [&](const Dropped& one) { return one.goal == id; });
-    const bool told = dropped != outcome.dropped.end();
-    set_state(book_.goals.at(id), GoalState::kFailed, told ? dropped->why : "no plan has room");
+    std::string why = dropped != outcome.dropped.end() ? dropped->why : "no plan has room";
+    if (job.need.failed == id) why = job.need.cause + (job.need.refine ? "; " + why : "");
+    set_state(book_.goals.at(id), GoalState::kFailed, why);
   }
   const std::string without = left.empty() ? "" : list_of("; dropped", left);
   const std::string before = outcome.before.empty() ? "" : "; before: " + joined(outcome.before);

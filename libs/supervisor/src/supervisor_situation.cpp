@@ -68,7 +68,7 @@ Timeline Supervisor::Core::timeline_after(const mission::ElementaryTask& task) c
 double Supervisor::Core::energy_after(const Standing& standing) const {
   double left = vehicle_.energy;
   for (const mission::ElementaryTask& task : standing.tasks) {
-    left -= task.energy * energy_share(book_.tasks.at(task.id), now_);
+    left -= energy_to_come(book_.tasks.at(task.id));
   }
   return std::clamp(left, 0.0, 1.0);
 }
