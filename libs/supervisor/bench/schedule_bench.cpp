@@ -12,6 +12,7 @@
 #include "skein/supervisor/schedule.hpp"
 #include "skein/temporal/stn_engine.hpp"
 #include "testing/elementary_plans.hpp"
+#include "testing/rebuilt_network.hpp"
 
 namespace skein::supervisor {
 namespace {

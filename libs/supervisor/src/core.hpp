@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "book.hpp"
+#include "plan_network.hpp"
 #include "skein/supervisor/supervisor.hpp"
 
 namespace skein::supervisor {
@@ -106,6 +107,11 @@ class Supervisor::Core {
   bool was_stopped_in_time(const Entry& entry) const;
   bool follows_lost_task(const Entry& entry) const;
   void reschedule();
+  const Schedule& schedule() const { return network_.schedule(); }
+  std::vector<TaskView> open_views() const;
+  std::vector<Hold> holds_of(TaskId task) const;
+  void tell_holds();
+  void send_preconditions(const Entry& entry);
   void absorb_or_shift(const std::string& cause);
   void check_network(const std::string& cause);
   bool keeps_promises(Duration tolerance) const;
@@ -153,7 +159,7 @@ class Supervisor::Core {
   void refuse(const Job& job, const std::vector<std::string>& reasons);
   void fail_safely(const Job& job, const std::vector<std::string>& reasons);
   std::string fault_of(const Premises& premises, const mission::ElementaryPlan& plan) const;
-  bool fits_now(const Premises& premises, const mission::ElementaryPlan& plan) const;
+  bool fits_now(const Premises& premises, const mission::ElementaryPlan& plan);
   void adopt(const Premises& premises, const mission::ElementaryPlan& plan,
              const std::vector<mission::HighLevelTask>& order);
   void enter(const mission::ElementaryPlan& plan);
@@ -210,7 +216,7 @@ class Supervisor::Core {
   std::optional<MissionTime> wait_again_;  ///< no safe wait before
   bool energy_told_ = false;
 
-  Schedule schedule_;
+  PlanNetwork network_;
   std::uint64_t decisions_ = 0;
   mission::PlanReport report_;
 
