@@ -42,15 +42,16 @@ struct Entry {
   mission::TaskDates promised;  ///< foreseen when the plan was made or last shifted
   TaskState state = TaskState::kScheduled;
   Observation seen;
-  std::string why;         ///< of its interruption
-  bool given = false;      ///< the executive has it
-  bool by_others = false;  ///< given by somebody else, with conditions of their own
-  bool withdrawn = false;  ///< no longer counts for its goal: told to stop, or made anew
-  bool stopping = false;   ///< we told the executive to abort it
-  bool ordered = false;    ///< open-ended, and ended by orders
-  bool done = false;       ///< over as it should be
-  bool overdue = false;    ///< that it is has been dealt with
-  bool late = false;       ///< likewise, that it has not started
+  std::string why;          ///< of its interruption
+  std::vector<Hold> holds;  ///< as the executive was told
+  bool given = false;       ///< the executive has it
+  bool by_others = false;   ///< given by somebody else, with conditions of their own
+  bool withdrawn = false;   ///< no longer counts for its goal: told to stop, or made anew
+  bool stopping = false;    ///< we told the executive to abort it
+  bool ordered = false;     ///< open-ended, and ended by orders
+  bool done = false;        ///< over as it should be
+  bool overdue = false;     ///< that it is has been dealt with
+  bool late = false;        ///< likewise, that it has not started
 
   bool over() const { return seen.over.has_value(); }
   bool live() const { return !withdrawn; }

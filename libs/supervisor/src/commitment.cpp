@@ -36,12 +36,24 @@ Literal exit_condition(const mission::Dependence& one) {
   return is(one.task, running ? TaskState::kRunning : TaskState::kEnded, Modality::kOptional);
 }
 
+/// An instant beyond all missions.
+constexpr MissionTime kNever = MissionTime::nanoseconds(1'000'000'000'000'000'000);
+
+executive::Clause held(const Hold& hold) {
+  executive::Clause clause;
+  if (hold.on != TaskId()) clause = {is(hold.on, TaskState::kEnded, Modality::kOptional)};
+  if (hold.until != MissionTime::max()) clause.push_back(Literal{TimeIs{hold.until, true}});
+  return clause;
+}
+
 executive::Formula preconditions(const mission::ElementaryTask& task,
-                                 const mission::TaskDates& dates, const std::set<TaskId>& stopped) {
+                                 const mission::TaskDates& dates, const std::set<TaskId>& stopped,
+                                 const std::vector<Hold>& holds) {
   executive::Formula formula;
   for (const mission::Dependence& one : task.dependences) {
     formula.push_back({precondition(one, stopped)});
   }
+  for (const Hold& hold : holds) formula.push_back(held(hold));
   const mission::TimeConstraints& time = task.time;
   if (time.start_after || time.end_after) {
     formula.push_back({Literal{TimeIs{dates.earliest_start, true}}});
@@ -67,15 +79,16 @@ executive::Formula exit_conditions(const mission::ElementaryTask& task) {
 }  // namespace
 
 executive::Start to_start(const mission::ElementaryTask& task, const mission::TaskDates& dates,
-                          const std::set<TaskId>& stopped) {
-  return {executive::Task{task.id, task.type, task.parameters, preconditions(task, dates, stopped),
-                          exit_conditions(task), task.synchronisation},
+                          const std::set<TaskId>& stopped, const std::vector<Hold>& holds) {
+  return {executive::Task{task.id, task.type, task.parameters,
+                          preconditions(task, dates, stopped, holds), exit_conditions(task),
+                          task.synchronisation},
           executive::InsertionMode::kSeq};
 }
 
 std::vector<executive::Input> to_requests(const std::vector<mission::ElementaryTask>& tasks,
                                           const std::map<TaskId, mission::TaskDates>& dates,
-                                          std::set<TaskId> stopped) {
+                                          std::set<TaskId> stopped, const Holds& holds) {
   std::set<TaskId> to_come;
   for (const mission::ElementaryTask& task : tasks) {
     to_come.insert(task.id);
@@ -85,11 +98,17 @@ std::vector<executive::Input> to_requests(const std::vector<mission::ElementaryT
   for (const mission::ElementaryTask& task : tasks) {
     const auto found = dates.find(task.id);
     SKEIN_EXPECTS(found != dates.end());
-    executive::Start start = to_start(task, found->second, stopped);
-    const bool ahead =
-        std::any_of(task.stop.begin(), task.stop.end(),
-                    [&](const mission::Dependence& one) { return to_come.count(one.task) > 0; });
-    if (ahead) {
+    const auto hold = holds.find(task.id);
+    const std::vector<Hold> behind = hold == holds.end() ? std::vector<Hold>() : hold->second;
+    executive::Start start = to_start(task, found->second, stopped, behind);
+    const auto ahead = [&](TaskId other) { return to_come.count(other) > 0; };
+    if (std::any_of(behind.begin(), behind.end(), [&](const Hold& one) { return ahead(one.on); })) {
+      updates.push_back(
+          executive::UpdateConditions{task.id, start.task.preconditions, std::nullopt});
+      start.task.preconditions = {{Literal{TimeIs{kNever, true}}}};
+    }
+    if (std::any_of(task.stop.begin(), task.stop.end(),
+                    [&](const mission::Dependence& one) { return ahead(one.task); })) {
       updates.push_back(executive::UpdateConditions{task.id, std::nullopt, start.task.exit});
       start.task.exit.clear();
     }

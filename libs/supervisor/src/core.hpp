@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "book.hpp"
+#include "plan_network.hpp"
 #include "retreat.hpp"
 #include "skein/supervisor/supervisor.hpp"
 
@@ -122,6 +123,11 @@ class Supervisor::Core {
   bool was_stopped_in_time(const Entry& entry) const;
   bool follows_lost_task(const Entry& entry) const;
   void reschedule();
+  const Schedule& schedule() const { return network_.schedule(); }
+  std::vector<TaskView> open_views() const;
+  std::vector<Hold> holds_of(TaskId task) const;
+  void tell_holds();
+  void send_preconditions(const Entry& entry);
   void absorb_or_shift(const std::string& cause);
   void check_network(const std::string& cause);
   bool keeps_promises(Duration tolerance) const;
@@ -192,7 +198,7 @@ class Supervisor::Core {
   std::string in_words(const std::string& text) const;
   void fail_safely(const Job& job, const std::vector<std::string>& reasons);
   std::string fault_of(const Premises& premises, const mission::ElementaryPlan& plan) const;
-  bool fits_now(const Premises& premises, const mission::ElementaryPlan& plan) const;
+  bool fits_now(const Premises& premises, const mission::ElementaryPlan& plan);
   void adopt(const Premises& premises, const mission::ElementaryPlan& plan,
              const std::vector<mission::HighLevelTask>& order);
   void enter(const mission::ElementaryPlan& plan);
@@ -257,7 +263,7 @@ class Supervisor::Core {
   MissionTime air_watched_;      ///< closings before this have been dealt with
   std::uint64_t own_goals_ = 0;  ///< given so far
 
-  Schedule schedule_;
+  PlanNetwork network_;
   std::uint64_t decisions_ = 0;
   mission::PlanReport report_;
 

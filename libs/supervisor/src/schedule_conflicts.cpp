@@ -2,15 +2,12 @@
 #include "schedule_conflicts.hpp"
 
 #include <algorithm>
-#include <map>
 #include <string>
 
 namespace skein::supervisor {
 
 namespace {
 
-using temporal::kInfinite;
-using temporal::NodeIndex;
 using temporal::Ticks;
 
 std::string seconds(Ticks ticks) { return to_text(Duration::nanoseconds(ticks)) + " s"; }
@@ -26,18 +23,19 @@ bool is_constraint(BoundKind kind) {
 
 class Sentences {
  public:
-  Sentences(const PlanNetwork& plan, bool consistent, const NodeDates* foreseen)
-      : plan_(plan), consistent_(consistent), foreseen_(foreseen) {}
+  Sentences(bool consistent, const ForeseenOf& foreseen, MissionTime now)
+      : consistent_(consistent), foreseen_(foreseen), now_(now) {}
 
-  std::string of(const Cause& cause, temporal::LinkRef link, temporal::LinkBound bound) const {
+  std::string of(const BrokenBound& broken) const {
+    const Cause& cause = broken.link->cause;
     const std::string other = "task " + to_text(cause.other);
     switch (cause.kind) {
       case BoundKind::kNow:
-        return "is not over at " + seconds(cause.instant);
+        return "is not over at " + seconds(now_);
       case BoundKind::kFact:
         return "was seen at " + seconds(cause.instant);
       case BoundKind::kDuration:
-        return duration(link, bound);
+        return duration(broken);
       case BoundKind::kOrder:
         return "ends after it starts";
       case BoundKind::kAfterEnd:
@@ -55,41 +53,39 @@ class Sentences {
       case BoundKind::kEndAfter:
         return "must end after " + seconds(cause.instant);
       case BoundKind::kStartBefore:
-        return upper(cause, "start", plan_.nodes.at(cause.task).start);
+        return upper(cause, "start", start_of(cause.task));
       case BoundKind::kEndBefore:
-        return upper(cause, "end", plan_.nodes.at(cause.task).end);
+        return upper(cause, "end", end_of(cause.task));
     }
     return "";
   }
 
  private:
-  std::string duration(temporal::LinkRef link, temporal::LinkBound bound) const {
-    const bool nature = link.kind == temporal::LinkKind::kContingent;
-    const bool least = bound == temporal::LinkBound::kMin;
-    const Ticks min =
-        nature ? plan_.stnu.contingent[link.index].min : plan_.stnu.arcs[link.index].min;
-    const Ticks max =
-        nature ? plan_.stnu.contingent[link.index].max : plan_.stnu.arcs[link.index].max;
-    return (nature ? "may take " : "takes ") +
-           std::string(least ? "as little as " : "as long as ") + seconds(least ? min : max);
+  static std::string duration(const BrokenBound& broken) {
+    const temporal::LiveLink& link = broken.link->link;
+    const bool least = broken.bound == temporal::LinkBound::kMin;
+    return (link.contingent ? "may take " : "takes ") +
+           std::string(least ? "as little as " : "as long as ") +
+           seconds(least ? link.min : link.max);
   }
 
   // "ends no earlier than 431 s, must end before 400 s"
-  std::string upper(const Cause& cause, const std::string& verb, NodeIndex node) const {
+  std::string upper(const Cause& cause, const std::string& verb,
+                    const temporal::NodeName& node) const {
     const std::string must = "must " + verb + " before " + seconds(cause.instant);
-    if (foreseen_ != nullptr) {
-      const Ticks soonest = foreseen_->earliest[node], latest = foreseen_->latest[node];
-      const Ticks limit = cause.instant.count();
-      if (soonest > limit) return verb + "s no earlier than " + seconds(soonest) + ", " + must;
-      if (consistent_ && latest > limit && latest != kInfinite)
-        return "may " + verb + " as late as " + seconds(latest) + ", " + must;
+    if (const auto dates = foreseen_(node)) {
+      const Duration limit = cause.instant - MissionTime();
+      if (dates->least > limit)
+        return verb + "s no earlier than " + to_text(dates->least) + " s, " + must;
+      if (consistent_ && dates->most > limit && dates->most != Duration::max())
+        return "may " + verb + " as late as " + to_text(dates->most) + " s, " + must;
     }
     return must + ", which what must come before or with it does not allow";
   }
 
-  const PlanNetwork& plan_;
   bool consistent_;
-  const NodeDates* foreseen_;
+  const ForeseenOf& foreseen_;
+  MissionTime now_;
 };
 
 // The causes that say most: constraints when one of them bounds from above, else what ties tasks to
@@ -103,7 +99,7 @@ auto telling(const Causes& causes) {
   };
   const auto any = [&](auto&& wanted) {
     return std::any_of(causes.begin(), causes.end(),
-                       [&](const auto& one) { return wanted(*one.first); });
+                       [&](const BrokenBound& one) { return wanted(one.link->cause); });
   };
   const bool constrained = any([](const Cause& one) { return is_upper_constraint(one.kind); });
   const bool tied = any(tie);
@@ -115,22 +111,19 @@ auto telling(const Causes& causes) {
 
 }  // namespace
 
-std::vector<Conflict> explain(const PlanNetwork& plan, const temporal::DcResult& verdict,
-                              const NodeDates* foreseen) {
-  std::vector<std::pair<const Cause*, const temporal::ConflictTerm*>> causes;
-  for (const temporal::ConflictTerm& term : verdict.conflict) {
-    causes.emplace_back(&plan.cause_of(term.link), &term);
-  }
-  const auto wanted = telling(causes);
-  const Sentences sentences(plan, verdict.consistent, foreseen);
+std::vector<Conflict> explain(const std::vector<BrokenBound>& bounds, bool consistent,
+                              const ForeseenOf& foreseen, MissionTime now) {
+  const auto wanted = telling(bounds);
+  const Sentences sentences(consistent, foreseen, now);
   std::vector<Conflict> conflicts;
-  for (const auto& [cause, term] : causes) {
-    if (!wanted(*cause)) continue;
-    const std::string text = sentences.of(*cause, term->link, term->bound);
+  for (const BrokenBound& broken : bounds) {
+    const Cause& cause = broken.link->cause;
+    if (!wanted(cause)) continue;
+    const std::string text = sentences.of(broken);
     const auto same = std::find_if(conflicts.begin(), conflicts.end(),
-                                   [&](const Conflict& one) { return one.task == cause->task; });
+                                   [&](const Conflict& one) { return one.task == cause.task; });
     if (same == conflicts.end()) {
-      conflicts.push_back({cause->task, text});
+      conflicts.push_back({cause.task, text});
     } else if (same->why.find(text) == std::string::npos) {
       same->why += "; " + text;
     }

@@ -2,16 +2,26 @@
 // What breaks the network of a plan, in sentences about its tasks.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
-#include "network.hpp"
-#include "schedule_dates.hpp"
+#include "plan_links.hpp"
 #include "skein/temporal/stnu_controllability.hpp"
 
 namespace skein::supervisor {
 
-/// Of a network that is not controllable. `foreseen` may be null; it gives the figures.
-std::vector<Conflict> explain(const PlanNetwork& plan, const temporal::DcResult& verdict,
-                              const NodeDates* foreseen);
+/// One bound of the conflict.
+struct BrokenBound {
+  const PlanLink* link = nullptr;
+  temporal::LinkBound bound = temporal::LinkBound::kMin;
+};
+
+/// When a node comes in the execution to be: soonest and latest; absent: nobody knows.
+using ForeseenOf = std::function<std::optional<mission::Interval>(const temporal::NodeName& node)>;
+
+/// Of a network that is not controllable. `foreseen` gives the figures.
+std::vector<Conflict> explain(const std::vector<BrokenBound>& bounds, bool consistent,
+                              const ForeseenOf& foreseen, MissionTime now);
 
 }  // namespace skein::supervisor

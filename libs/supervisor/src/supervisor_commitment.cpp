@@ -101,7 +101,13 @@ void Supervisor::Core::give(GoalId goal) {
     windows[entry.task.id] = entry.window;
     if (executive::is_joint(entry.task.type)) load(entry);
   }
-  for (executive::Input& request : to_requests(tasks, windows, book_.ending_by_order())) {
+  Holds holds;
+  for (const TaskId id : ids) {
+    Entry& entry = book_.tasks.at(id);
+    entry.holds = holds_of(id);
+    if (!entry.holds.empty()) holds[id] = entry.holds;
+  }
+  for (executive::Input& request : to_requests(tasks, windows, book_.ending_by_order(), holds)) {
     send(std::move(request));
   }
   ever_gave_ = true;
@@ -173,8 +179,7 @@ void Supervisor::Core::on(const JointTaskAnswered& input) {
   }
   reschedule();
   if (entry->seen.started || !entry->live()) return;
-  executive::Start start = to_start(as_given(entry->task), entry->window, book_.ending_by_order());
-  send(executive::UpdateConditions{input.task, std::move(start.task.preconditions), std::nullopt});
+  send_preconditions(*entry);
   absorb_or_shift("joint task " + to_text(input.task) + " agreed");
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "skein/supervisor/commitment.hpp"
 
 namespace skein::supervisor {
 
@@ -13,12 +14,52 @@ constexpr Duration kTick = Duration::milliseconds(1);
 }  // namespace
 
 void Supervisor::Core::reschedule() {
-  schedule_ = schedule(book_.open_tasks(), book_.observations(), now_);
-  for (const auto& [id, window] : schedule_.dates) {
+  network_.update(open_views(), now_);
+  for (const auto& [id, window] : schedule().dates) {
     Entry& entry = book_.tasks.at(id);
     entry.window = window;
-    entry.dates = schedule_.foreseen.at(id);
+    entry.dates = schedule().foreseen.at(id);
   }
+  tell_holds();
+}
+
+std::vector<TaskView> Supervisor::Core::open_views() const {
+  std::vector<TaskView> views;
+  views.reserve(book_.tasks.size());
+  for (const auto& [id, entry] : book_.tasks) {
+    if (book_.counts(entry)) views.push_back({&entry.task, entry.seen});
+  }
+  return views;
+}
+
+std::vector<Hold> Supervisor::Core::holds_of(TaskId task) const {
+  std::vector<Hold> result;
+  const auto found = schedule().holds.find(task);
+  if (found == schedule().holds.end()) return result;
+  for (const Hold& hold : found->second) {
+    const Entry* on = book_.find(hold.on);
+    if (hold.on == TaskId() || (on != nullptr && on->given)) result.push_back(hold);
+  }
+  return result;
+}
+
+// What the executive has and has not started is held back as the network says now.
+void Supervisor::Core::tell_holds() {
+  if (!schedule().controllable) return;
+  for (auto& [id, entry] : book_.tasks) {
+    if (!entry.in_hand() || entry.seen.started || entry.by_others) continue;
+    std::vector<Hold> holds = holds_of(id);
+    if (holds == entry.holds) continue;
+    entry.holds = std::move(holds);
+    send_preconditions(entry);
+  }
+}
+
+void Supervisor::Core::send_preconditions(const Entry& entry) {
+  executive::Start start =
+      to_start(as_given(entry.task), entry.window, book_.ending_by_order(), entry.holds);
+  send(executive::UpdateConditions{entry.task.id, std::move(start.task.preconditions),
+                                   std::nullopt});
 }
 
 void Supervisor::Core::promise() {
@@ -43,7 +84,7 @@ bool Supervisor::Core::keeps_promises(Duration tolerance) const {
 
 // The first two rungs. Source: spec 6.2 (6).
 void Supervisor::Core::absorb_or_shift(const std::string& cause) {
-  if (!schedule_.controllable) return check_network(cause);
+  if (!schedule().controllable) return check_network(cause);
   if (keeps_promises(Duration())) {
     return decide({"6 repair: absorb", cause, plan_text(), "the promised dates hold", now_});
   }
@@ -55,12 +96,12 @@ void Supervisor::Core::absorb_or_shift(const std::string& cause) {
 void Supervisor::Core::check_network(const std::string& cause) {
   reschedule();
   if (repairing()) return;
-  if (schedule_.controllable) {
+  if (schedule().controllable) {
     if (!keeps_promises(config_.grace)) absorb_or_shift(cause);
     return;
   }
-  if (schedule_.conflicts.empty()) return;
-  const Conflict conflict = schedule_.conflicts.front();
+  if (schedule().conflicts.empty()) return;
+  const Conflict conflict = schedule().conflicts.front();
   const std::string what = cause + "; task " + to_text(conflict.task) + " " + conflict.why;
   if (const Entry* entry = book_.find(conflict.task); entry != nullptr) {
     fail_goal(entry->task.origin, what);

@@ -107,7 +107,7 @@ void Supervisor::Core::see_ended(Entry& entry) {
   }
   if (entry.overdue) {
     reschedule();
-    if (schedule_.controllable) promise();
+    if (schedule().controllable) promise();
   }
 }
 

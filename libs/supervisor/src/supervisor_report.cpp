@@ -72,9 +72,9 @@ std::string Supervisor::Core::plan_text() const {
 
 // "ends between 352 and 356.1 s".
 std::string Supervisor::Core::extent() const {
-  const std::string first = to_text(schedule_.earliest_end);
-  if (schedule_.latest_end == MissionTime::max()) return "ends from " + first + " s on";
-  return "ends between " + first + " and " + to_text(schedule_.latest_end) + " s";
+  const std::string first = to_text(schedule().earliest_end);
+  if (schedule().latest_end == MissionTime::max()) return "ends from " + first + " s on";
+  return "ends between " + first + " and " + to_text(schedule().latest_end) + " s";
 }
 
 void Supervisor::Core::publish() {

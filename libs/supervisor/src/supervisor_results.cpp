@@ -21,11 +21,20 @@ std::string Supervisor::Core::fault_of(const Premises& premises,
   return {};
 }
 
-bool Supervisor::Core::fits_now(const Premises& premises,
-                                const mission::ElementaryPlan& plan) const {
-  Standing standing = book_.standing(premises.withdrawn);
-  standing.tasks.insert(standing.tasks.end(), plan.tasks.begin(), plan.tasks.end());
-  return schedule(standing.tasks, standing.seen, now_).controllable;
+// Where it fits, the network is that of the plan from here on.
+bool Supervisor::Core::fits_now(const Premises& premises, const mission::ElementaryPlan& plan) {
+  std::vector<TaskView> views;
+  for (const TaskId id : book_.in_hand()) {
+    const Entry& entry = book_.tasks.at(id);
+    if (premises.withdrawn.count(id) == 0) views.push_back({&entry.task, entry.seen});
+  }
+  for (const mission::ElementaryTask& task : plan.tasks) views.push_back({&task, {}});
+  std::sort(views.begin(), views.end(),
+            [](const TaskView& a, const TaskView& b) { return a.task->id < b.task->id; });
+  network_.update(views, now_);
+  const bool fits = schedule().controllable;
+  if (!fits) reschedule();
+  return fits;
 }
 
 void Supervisor::Core::enter(const mission::ElementaryPlan& plan) {

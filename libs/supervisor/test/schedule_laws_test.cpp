@@ -4,10 +4,13 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <set>
 
+#include "plan_network.hpp"
 #include "skein/supervisor/commitment.hpp"
 #include "skein/supervisor/schedule.hpp"
 #include "skein/temporal/stnu_execution.hpp"
+#include "testing/rebuilt_network.hpp"
 #include "testing/scripted_flight.hpp"
 
 namespace skein::supervisor {
@@ -103,10 +106,51 @@ std::string broken_by(const Tasks& tasks, const ScriptedFlight& flight, const Sc
   return violated.empty() ? "" : "link " + std::to_string(violated.front().index);
 }
 
-ScriptedFlight flown(const Tasks& tasks, const Schedule& plan, Random& random) {
-  ScriptedFlight flight(tasks, draw_durations(tasks, random));
-  flight.begin(to_requests(tasks, plan.dates, {}));
-  return flight;
+/// A flight with the network beside it, that tells the executive of holds as a supervisor does.
+class HeldFlight {
+ public:
+  HeldFlight(const Tasks& tasks, const Schedule& plan, Durations durations)
+      : tasks_(tasks), plan_(plan), told_(plan.holds), flight_(tasks, std::move(durations)) {
+    flight_.begin(to_requests(tasks, plan.dates, {}, plan.holds));
+    look(MissionTime());
+  }
+
+  void run_until(MissionTime end = MissionTime::max()) {
+    while (const auto now = flight_.step(end)) look(*now);
+  }
+  const ScriptedFlight& flight() const { return flight_; }
+  const Schedule& schedule() const { return network_.schedule(); }
+
+ private:
+  void look(MissionTime now) {
+    std::vector<TaskView> views;
+    std::set<executive::TaskId> stopped;
+    for (const auto& task : tasks_) {
+      const auto seen = flight_.seen().find(task.id);
+      views.push_back({&task, seen == flight_.seen().end() ? Observation() : seen->second});
+      if (!task.stop.empty()) stopped.insert(task.id);
+    }
+    network_.update(views, now);
+    for (const TaskView& view : views) {
+      if (view.seen.started || view.seen.over) continue;
+      const auto found = schedule().holds.find(view.task->id);
+      const auto holds = found == schedule().holds.end() ? std::vector<Hold>() : found->second;
+      if (holds == told_[view.task->id]) continue;
+      told_[view.task->id] = holds;
+      auto start = to_start(*view.task, plan_.dates.at(view.task->id), stopped, holds);
+      flight_.tell(executive::UpdateConditions{view.task->id, start.task.preconditions, {}}, now);
+    }
+  }
+
+  const Tasks& tasks_;
+  const Schedule& plan_;
+  Holds told_;
+  ScriptedFlight flight_;
+  PlanNetwork network_;
+};
+
+HeldFlight flown(const Tasks& tasks, const Schedule& plan, Random& random) {
+  return HeldFlight(tasks, plan, draw_durations(tasks, random));
 }
 
 RC_GTEST_PROP(ScheduleLaws, DatesAreThoseOfFloydAndWarshall, (std::uint64_t seed, bool odd)) {
@@ -120,7 +164,7 @@ RC_GTEST_PROP(ScheduleLaws, DatesAreThoseOfFloydAndWarshall, (std::uint64_t seed
   for (const Conflict& one : result.conflicts) RC_ASSERT(!one.why.empty());
 }
 
-// ADR 9: executing each task as early as it may be is a strategy that succeeds.
+// Starting each task as early as its conditions and holds allow is a strategy that succeeds.
 RC_GTEST_PROP(ScheduleLaws, FlightsOfAControllablePlanKeepEverything,
               (std::uint64_t seed, bool odd)) {
   Random random(seed);
@@ -129,10 +173,10 @@ RC_GTEST_PROP(ScheduleLaws, FlightsOfAControllablePlanKeepEverything,
   if (!plan.controllable) return;
 
   for (int i = 0; i < 10; ++i) {
-    ScriptedFlight flight = flown(tasks, plan, random);
+    HeldFlight flight = flown(tasks, plan, random);
     flight.run_until();
 
-    RC_ASSERT(broken_by(tasks, flight, plan) == "");
+    RC_ASSERT(broken_by(tasks, flight.flight(), plan) == "");
   }
 }
 
@@ -141,15 +185,15 @@ RC_GTEST_PROP(ScheduleLaws, AControllablePlanStaysSoWhileItIsFlown, (std::uint64
   const Tasks tasks = random_plan(random, false);
   const Schedule plan = schedule(tasks, {}, MissionTime());
   if (!plan.controllable) return;
-  ScriptedFlight flight = flown(tasks, plan, random);
+  HeldFlight flight = flown(tasks, plan, random);
 
   for (int i = 1; i <= 5; ++i) {
     const MissionTime now = at(20.0 * i + random.uniform());
     flight.run_until(now);
-    const Schedule then = schedule(tasks, flight.seen(), now);
+    const Schedule then = schedule(tasks, flight.flight().seen(), now);
 
     RC_ASSERT(then.controllable);
-    RC_ASSERT(dates_agree(tasks, flight.seen(), now, then));
+    RC_ASSERT(dates_agree(tasks, flight.flight().seen(), now, then));
     RC_ASSERT(then.latest_end <= plan.latest_end);
     RC_ASSERT(then.earliest_end >= plan.earliest_end);
   }
@@ -173,15 +217,33 @@ TEST(ScheduleLaws, RandomPlansAreOfEverySort) {
   }
 
   EXPECT_GT(controllable, 100);
-  EXPECT_GT(only_consistent, 30);
+  EXPECT_GT(only_consistent, 10);
   EXPECT_GT(inconsistent, 30);
   EXPECT_GT(constrained, 30);
 }
 
-// What the verdict is worth: plans refused for a companion that may come too late do fail.
-TEST(ScheduleLaws, SomeFlightOfAPlanWithALateCompanionFails) {
-  const Tasks tasks{a_task(1, "joint:relay").lasts(10, 100), a_task(2, "wait").lasts(20),
-                    a_task(3, "takeshot").running(2).ended(1).stopped_by(2)};
+/// A wait of 20 s beside which a takeshot must start that waits for a relay of up to 100 s.
+Tasks late_companion() {
+  return {a_task(1, "joint:relay").lasts(10, 100), a_task(2, "wait").lasts(20),
+          a_task(3, "takeshot").running(2).ended(1).stopped_by(2)};
+}
+
+TEST(ScheduleLaws, AHeldBackWaitIsThereWhenItsLateCompanionStarts) {
+  const Tasks tasks = late_companion();
+  const Schedule plan = schedule(tasks, {}, MissionTime());
+  for (const double relay : {10.0, 50.0, 79.0, 80.0, 81.0, 100.0}) {
+    HeldFlight flight(tasks, plan,
+                      {{id(1), Duration::seconds(relay)}, {id(2), Duration::seconds(20)}});
+
+    flight.run_until();
+
+    EXPECT_EQ(broken_by(tasks, flight.flight(), plan), "") << "relay of " << relay << " s";
+  }
+}
+
+// What a hold is worth: without it some flight fails.
+TEST(ScheduleLaws, SomeFlightOfAPlanWithoutItsHoldsFails) {
+  const Tasks tasks = late_companion();
   const Schedule plan = schedule(tasks, {}, MissionTime());
   ScriptedFlight flight(tasks, {{id(1), Duration::seconds(100)}, {id(2), Duration::seconds(20)}});
 

@@ -16,6 +16,13 @@ constexpr Ticks kLatestDate = 2 * kLargest;
 BestCaseSchedule::BestCaseSchedule(std::size_t nodes)
     : dates_(nodes, 0), active_(nodes, 0), settled_(nodes, 0), queue_(nodes) {}
 
+void BestCaseSchedule::add_node() {
+  dates_.push_back(0);
+  active_.push_back(0);
+  settled_.push_back(0);
+  queue_.grow();
+}
+
 BestCaseSchedule::Outcome BestCaseSchedule::solve(const LoGraph& graph, bool slowest) {
   parents_.assign(dates_.size(), {});
   std::fill(active_.begin(), active_.end(), std::uint8_t{1});

@@ -23,6 +23,8 @@ class BestCaseSchedule {
   };
 
   explicit BestCaseSchedule(std::size_t nodes);
+  /// A node without edges.
+  void add_node();
 
   Ticks date(NodeIndex node) const { return dates_[node]; }
   const std::vector<Ticks>& dates() const { return dates_; }

@@ -86,6 +86,12 @@ DcEngine::DcEngine(const Stnu& network, LoGraph::OpenBounds open)
       ready_(graph_.link_count(), 0),
       under_way_(graph_.link_count(), 0) {}
 
+void DcEngine::add_node() {
+  graph_.add_node();
+  schedule_.add_node();
+  search_.add_node();
+}
+
 Result<DcResult, StnuError> DcEngine::decide() {
   const BestCaseSchedule::Outcome best_case = schedule_.solve(graph_, false);
   if (best_case != BestCaseSchedule::Outcome::kDone) return judge_best_case(best_case);

@@ -18,6 +18,8 @@ class DcEngine {
 
   Result<DcResult, StnuError> decide();
 
+  void add_node();
+
   /// For who keeps the engine after `decide` said controllable, to change the network.
   LoGraph& graph() { return graph_; }
   BestCaseSchedule& schedule() { return schedule_; }

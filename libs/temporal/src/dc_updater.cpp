@@ -209,12 +209,65 @@ void DcUpdater::end_change() {
   former_derived_.clear();
 }
 
+// --- nodes and links ---
+
+void DcUpdater::add_node() {
+  engine_.add_node();
+  queue_.grow();
+  for (std::vector<Ticks>& distance : distance_) distance.push_back(kInfinite);
+}
+
+// First what it asks as a requirement, then nature's haste, then the search from its end, whose
+// derived edges go to the others as those of any change.
+DcUpdater::Outcome DcUpdater::add_link(std::uint32_t link) {
+  const LoGraph::Link facts = graph_.link(link);
+  if (link >= distance_.size()) {
+    distance_.resize(link + 1);
+    reached_.resize(link + 1);
+    lost_.resize(link + 1);
+    wanted_.resize(link + 1, 0);
+  }
+  distance_[link].assign(graph_.node_count(), kInfinite);
+  const Outcome asked = tighten(facts.base, -facts.min);
+  if (asked != Outcome::kDone) return asked;
+  const BestCaseSchedule::Outcome best_case = schedule_.add_edges(
+      graph_, facts.end, {{facts.activation, facts.min, {EdgeRef::Kind::kLower, link}}});
+  if (best_case != BestCaseSchedule::Outcome::kDone) {
+    return best_case == BestCaseSchedule::Outcome::kOverflow ? Outcome::kOverflow
+                                                             : Outcome::kBroken;
+  }
+  graph_.activate(link);
+  reach_through(facts.activation, facts.end, facts.min);
+  reached_[link].push_back({facts.end, 0});
+  want(link);
+  const Outcome outcome = carry_on();
+  if (outcome == Outcome::kDone) end_change();
+  return outcome;
+}
+
+void DcUpdater::remove_link(std::uint32_t link) {
+  const LoGraph::Link facts = graph_.link(link);
+  std::fill(distance_[link].begin(), distance_[link].end(), kInfinite);
+  const std::vector<LoGraph::Edge> derived = graph_.derived(link);
+  graph_.set_derived(link, {});
+  graph_.set_weight(facts.base, kInfinite);
+  graph_.remove_link(link);
+  for (const LoGraph::Edge& edge : derived) lose(edge.from, facts.activation, edge.weight);
+  lose(facts.activation, facts.end, facts.min);
+  lose(facts.end, facts.activation, -facts.min);
+  work_out_losses();
+}
+
 // --- loosening ---
 
 void DcUpdater::loosen(std::uint32_t edge, Ticks weight) {
   const Ticks former_weight = graph_.edge(edge).weight;
   graph_.set_weight(edge, weight);
   lose(graph_.edge(edge).from, graph_.edge_end(edge), former_weight);
+  work_out_losses();
+}
+
+void DcUpdater::work_out_losses() {
   while (!agenda_.empty()) find_new_ways(take_latest());
   end_change();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moves a controllable network to another one by changing the weight of one base edge.
+// Moves a controllable network to another one by changing the weight of one base edge
+// at a time, or one contingent link.
 #pragma once
 
 #include <vector>
@@ -25,6 +26,13 @@ class DcUpdater {
   /// looked at. Precondition: the new weight is greater.
   void loosen(std::uint32_t edge, Ticks weight);
 
+  void add_node();
+  /// Takes up a link that the graph has, not yet activated. After anything but kDone this and the
+  /// engine are of no use any more.
+  Outcome add_link(std::uint32_t link);
+  /// Takes a link out of the graph, as if its duration had no bounds.
+  void remove_link(std::uint32_t link);
+
   const std::vector<ConflictTerm>& conflict() const { return conflict_; }
   /// Of the node to the end of the link; kInfinite: a search from that end does not reach it.
   Ticks distance(std::uint32_t link, NodeIndex node) const { return distance_[link][node]; }
@@ -45,6 +53,7 @@ class DcUpdater {
   bool passes(std::uint32_t link, NodeIndex node) const;
   std::uint32_t take_latest();
   void want(std::uint32_t link);
+  void work_out_losses();
   void reach_through(NodeIndex from, NodeIndex to, Ticks weight);
   Outcome carry_on();
   Outcome improve(std::uint32_t link);

@@ -61,10 +61,113 @@ class IncrementalDc::State {
     return tl::unexpected(*error);
   }
 
+  NodeIndex add_node(std::string name) {
+    network_.nodes.push_back(std::move(name));
+    if (updater_) updater_->add_node();
+    return static_cast<NodeIndex>(network_.nodes.size() - 1);
+  }
+
+  /// An open arc between these nodes.
+  std::uint32_t place_arc(NodeIndex from, NodeIndex to) {
+    const Arc open{from, to, kMinusInfinite, kInfinite};
+    if (free_arcs_.empty()) {
+      network_.arcs.push_back(open);
+      if (updater_) engine_->graph().add_arc(from, to);
+      return static_cast<std::uint32_t>(network_.arcs.size() - 1);
+    }
+    const std::uint32_t arc = free_arcs_.back();
+    free_arcs_.pop_back();
+    network_.arcs[arc] = open;
+    if (updater_) engine_->graph().move_arc(arc, from, to);
+    return arc;
+  }
+
+  Result<DcResult, StnuError> add_arc(const Arc& arc) {
+    placed_ = place_arc(arc.from, arc.to);
+    auto result = change_arc(placed_, arc);
+    if (!result) free_arc(placed_);
+    return result;
+  }
+  std::uint32_t placed() const { return placed_; }
+
+  /// Of an open arc; what is kept of it goes too.
+  void free_arc(std::uint32_t arc) {
+    free_arcs_.push_back(arc);
+    if (!updater_) return;
+    for (const LinkBound bound : kBounds) {
+      const std::uint32_t edge = engine_->graph().edge_of(arc, bound);
+      if (engine_->graph().edge(edge).weight != kInfinite) updater_->loosen(edge, kInfinite);
+      unsettled_.erase(edge);
+    }
+  }
+
+  Result<DcResult, StnuError> add_contingent(const ContingentLink& link) {
+    network_.contingent.push_back(link);
+    const auto last = static_cast<std::uint32_t>(network_.contingent.size() - 1);
+    const auto error = can_take(link) && takes_up(link, last) ? settle() : start_over();
+    if (!error) return result_;
+    network_.contingent.pop_back();
+    start_over();
+    return tl::unexpected(*error);
+  }
+
+  /// In its place.
+  Result<DcResult, StnuError> change_contingent(std::uint32_t index, const ContingentLink& link) {
+    const ContingentLink former = network_.contingent[index];
+    const bool local = can_take(former) && can_take(link);
+    if (local) updater_->remove_link(engine_->graph().link_of(index));
+    network_.contingent[index] = link;
+    const auto error = local && takes_up(link, index) ? settle() : start_over();
+    if (!error) return result_;
+    network_.contingent[index] = former;
+    start_over();
+    return tl::unexpected(*error);
+  }
+
+  Result<DcResult, StnuError> remove_contingent(std::uint32_t index) {
+    const ContingentLink gone = network_.contingent[index];
+    const bool local = can_take(gone);
+    if (local) updater_->remove_link(engine_->graph().link_of(index));
+    network_.contingent[index] = network_.contingent.back();
+    network_.contingent.pop_back();
+    const auto error = local ? settle() : start_over();
+    if (error) return tl::unexpected(*error);
+    return result_;
+  }
+
+  std::vector<WaitEdge> waits() const {
+    std::vector<WaitEdge> result;
+    if (!updater_ || !result_.controllable) return result;
+    const LoGraph& graph = engine_->graph();
+    for (std::uint32_t given = 0; given < network_.contingent.size(); ++given) {
+      const std::uint32_t link = graph.link_of(given);
+      if (link == kNone) continue;
+      for (const LoGraph::Edge& edge : graph.derived(link)) {
+        const Ticks delay = network_.contingent[given].max - updater_->distance(link, edge.from);
+        if (delay > 0) result.push_back({edge.from, given, delay});
+      }
+    }
+    return result;
+  }
+
   const Stnu& network() const { return network_; }
   const DcResult& result() const { return result_; }
 
  private:
+  /// Links with min = max are no links for the engine, which numbers those it has.
+  bool can_take(const ContingentLink& link) const {
+    const auto fixed = [](const ContingentLink& one) { return one.min == one.max; };
+    return updater_ && !fixed(link) &&
+           std::none_of(network_.contingent.begin(), network_.contingent.end(), fixed);
+  }
+
+  bool takes_up(const ContingentLink& link, std::uint32_t position) {
+    LoGraph& graph = engine_->graph();
+    const std::uint32_t added = graph.add_link(link);
+    graph.exchange(graph.link(added).given, position);
+    return updater_->add_link(added) == DcUpdater::Outcome::kDone;
+  }
+
   void note(std::uint32_t arc) {
     if (!updater_) return;
     for (const LinkBound bound : kBounds) {
@@ -143,6 +246,8 @@ class IncrementalDc::State {
   std::unique_ptr<DcEngine> engine_;
   std::optional<DcUpdater> updater_;
   std::set<std::uint32_t> unsettled_;
+  std::vector<std::uint32_t> free_arcs_;
+  std::uint32_t placed_ = 0;
 };
 
 IncrementalDc::IncrementalDc(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -170,17 +275,53 @@ Result<DcResult, StnuError> IncrementalDc::change_arc(std::uint32_t arc, Ticks m
 Result<DcResult, StnuError> IncrementalDc::change_contingent(std::uint32_t link, Ticks min,
                                                              Ticks max) {
   const LinkRef ref{LinkKind::kContingent, link};
-  if (link >= state_->network().contingent.size()) {
-    return tl::unexpected<StnuError>({StnuFault::kUnknownLink, ref});
-  }
-  Stnu changed = state_->network();
-  changed.contingent[link].min = min;
-  changed.contingent[link].max = max;
-  auto fresh = create(std::move(changed));
-  if (!fresh) return tl::unexpected(fresh.error());
-  *this = std::move(*fresh);
-  return state_->result();
+  const std::vector<ContingentLink>& links = state_->network().contingent;
+  if (link >= links.size()) return tl::unexpected<StnuError>({StnuFault::kUnknownLink, ref});
+  const ContingentLink former = links[link];
+  const ContingentLink changed{former.activation, former.contingent, min, max};
+  if (const auto fault = find_fault(changed, state_->network().nodes.size()))
+    return tl::unexpected<StnuError>({*fault, ref});
+  return state_->change_contingent(link, changed);
 }
+
+NodeIndex IncrementalDc::add_node(std::string name) { return state_->add_node(std::move(name)); }
+
+Result<DcResult, StnuError> IncrementalDc::add_arc(const Arc& arc) {
+  const auto next = static_cast<std::uint32_t>(state_->network().arcs.size());
+  if (const auto fault = find_fault(arc, state_->network().nodes.size()))
+    return tl::unexpected<StnuError>({*fault, LinkRef{LinkKind::kRequirement, next}});
+  return state_->add_arc(arc);
+}
+
+std::uint32_t IncrementalDc::placed() const { return state_->placed(); }
+
+Result<DcResult, StnuError> IncrementalDc::remove_arc(std::uint32_t arc) {
+  auto result = change_arc(arc, kMinusInfinite, kInfinite);
+  if (result) state_->free_arc(arc);
+  return result;
+}
+
+Result<DcResult, StnuError> IncrementalDc::add_contingent(const ContingentLink& link) {
+  const Stnu& now = state_->network();
+  const LinkRef ref{LinkKind::kContingent, static_cast<std::uint32_t>(now.contingent.size())};
+  if (const auto fault = find_fault(link, now.nodes.size()))
+    return tl::unexpected<StnuError>({*fault, ref});
+  const bool shared =
+      std::any_of(now.contingent.begin(), now.contingent.end(),
+                  [&](const ContingentLink& one) { return one.contingent == link.contingent; });
+  if (shared) return tl::unexpected<StnuError>({StnuFault::kSharedContingentEnd, ref});
+  return state_->add_contingent(link);
+}
+
+Result<DcResult, StnuError> IncrementalDc::remove_contingent(std::uint32_t link) {
+  if (link >= state_->network().contingent.size()) {
+    return tl::unexpected<StnuError>(
+        {StnuFault::kUnknownLink, LinkRef{LinkKind::kContingent, link}});
+  }
+  return state_->remove_contingent(link);
+}
+
+std::vector<WaitEdge> IncrementalDc::waits() const { return state_->waits(); }
 
 const Stnu& IncrementalDc::network() const { return state_->network(); }
 const DcResult& IncrementalDc::result() const { return state_->result(); }

@@ -16,6 +16,12 @@ class IndexedHeap {
  public:
   explicit IndexedHeap(std::size_t size) : place_(size, kAbsent), key_(size) {}
 
+  /// Makes room for one number more.
+  void grow() {
+    place_.push_back(kAbsent);
+    key_.emplace_back();
+  }
+
   bool empty() const { return heap_.empty(); }
   bool contains(std::uint32_t item) const { return place_[item] != kAbsent; }
   const Key& key(std::uint32_t item) const { return key_[item]; }

@@ -4,6 +4,13 @@
 
 namespace skein::temporal {
 
+void LinkSearch::add_node() {
+  queue_.grow();
+  reached_.push_back(kUnseen);
+  distance_.emplace_back();
+  via_.emplace_back();
+}
+
 void LinkSearch::reset() {
   for (const NodeIndex node : touched_) reached_[node] = kUnseen;
   touched_.clear();

@@ -16,6 +16,9 @@ class LinkSearch {
   explicit LinkSearch(std::size_t nodes)
       : queue_(nodes), reached_(nodes, 0), distance_(nodes), via_(nodes) {}
 
+  /// A node more, for graphs that grow.
+  void add_node();
+
   /// A search waits for the links activated at a node it passes, unless they are `ready`. The
   /// answer is a link that is not, or kNone when the search is complete. Without `ready` it never
   /// waits.

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "skein/temporal/stnu_controllability.hpp"
@@ -26,12 +25,19 @@ class LoGraph {
     NodeIndex from = 0;
     Ticks weight = 0;  ///< kInfinite: absent for now
   };
+  /// A base edge as the node it ends in sees it.
+  struct InEdge {
+    NodeIndex from = 0;
+    std::uint32_t number = 0;
+    Ticks weight = 0;  ///< kInfinite: absent for now
+  };
   struct Link {
     NodeIndex activation = 0;
     NodeIndex end = 0;
     Ticks min = 0;
     Ticks max = 0;
     std::uint32_t given = 0;  ///< position in Stnu::contingent
+    std::uint32_t base = 0;   ///< number of its base edge, end -> activation
     Ticks spread() const { return max - min; }
   };
   /// Whether arcs that are open keep a place, so that they can be closed later.
@@ -40,19 +46,15 @@ class LoGraph {
   /// Precondition: find_fault(network) is absent. Links with min = max become base edges.
   LoGraph(const Stnu& network, OpenBounds open);
 
-  std::size_t node_count() const { return begin_.size() - 1; }
+  std::size_t node_count() const { return into_.size(); }
+  /// Places of links, those of links that went away too.
   std::size_t link_count() const { return links_.size(); }
   const Link& link(std::uint32_t link) const { return links_[link]; }
-  std::span<const Edge> base_into(NodeIndex node) const {
-    return {edges_.data() + begin_[node], edges_.data() + begin_[node + 1]};
-  }
-  /// The number of the first edge of base_into(node); the others follow.
-  std::uint32_t first_edge(NodeIndex node) const { return begin_[node]; }
+  const std::vector<InEdge>& base_into(NodeIndex node) const { return into_[node]; }
   /// The link that ends in the node, or kNone.
   std::uint32_t link_ending(NodeIndex node) const { return ending_[node]; }
-  std::span<const std::uint32_t> links_activated(NodeIndex node) const {
-    return {activated_.data() + activated_begin_[node],
-            activated_.data() + activated_begin_[node + 1]};
+  const std::vector<std::uint32_t>& links_activated(NodeIndex node) const {
+    return activated_[node];
   }
   /// Derived edges of a link; all end in its activation.
   const std::vector<Edge>& derived(std::uint32_t link) const { return derived_[link]; }
@@ -61,34 +63,63 @@ class LoGraph {
   }
 
   const ConflictTerm& term(std::uint32_t edge) const { return terms_[edge]; }
-  const Edge& edge(std::uint32_t edge) const { return edges_[edge]; }
-  NodeIndex edge_end(std::uint32_t edge) const { return ends_[edge]; }
-  /// Numbers of the base edges out of a node; with OpenBounds::kKeep only.
-  std::span<const std::uint32_t> base_out_of(NodeIndex node) const {
-    return {out_.data() + out_begin_[node], out_.data() + out_begin_[node + 1]};
+  Edge edge(std::uint32_t edge) const {
+    const InEdge& in = into_[places_[edge].end][places_[edge].at];
+    return {in.from, in.weight};
   }
-  void set_weight(std::uint32_t edge, Ticks weight) { edges_[edge].weight = weight; }
+  NodeIndex edge_end(std::uint32_t edge) const { return places_[edge].end; }
+  /// Numbers of the base edges out of a node; with OpenBounds::kKeep only.
+  const std::vector<std::uint32_t>& base_out_of(NodeIndex node) const { return out_[node]; }
+  void set_weight(std::uint32_t edge, Ticks weight) {
+    into_[places_[edge].end][places_[edge].at].weight = weight;
+  }
   /// kNone when the bound is open and such bounds are dropped.
   std::uint32_t edge_of(std::uint32_t arc, LinkBound bound) const {
     return of_arc_[arc][bound == LinkBound::kMax ? 1 : 0];
   }
+  /// The link of a position in Stnu::contingent; kNone when that has min = max.
+  std::uint32_t link_of(std::uint32_t contingent) const { return of_contingent_[contingent]; }
+
+  // Changes of structure; with OpenBounds::kKeep only.
+  void add_node();
+  /// A place for an arc between these nodes, open; the last one of the network.
+  void add_arc(NodeIndex from, NodeIndex to);
+  /// Precondition: the arc is open.
+  void move_arc(std::uint32_t arc, NodeIndex from, NodeIndex to);
+  /// The last one of the network, with min < max. Its base edge is absent and it counts neither as
+  /// ending nor as activated until `activate`.
+  std::uint32_t add_link(const ContingentLink& given);
+  void activate(std::uint32_t link);
+  /// Precondition: it has no derived edges any more, and its base edge is absent.
+  void remove_link(std::uint32_t link);
+  /// Two contingent links change positions.
+  void exchange(std::uint32_t one, std::uint32_t other);
 
  private:
-  struct Draft;
+  struct Place {
+    NodeIndex end = 0;
+    std::uint32_t at = 0;      ///< in into_[end]
+    std::uint32_t out_at = 0;  ///< in out_[from]
+  };
+  std::uint32_t add_edge(NodeIndex from, NodeIndex to, Ticks weight, ConflictTerm term);
+  void link_edge(std::uint32_t edge, NodeIndex from, NodeIndex to, Ticks weight);
+  void unlink_edge(std::uint32_t edge);
   void add_links(const Stnu& network);
-  void sort_out();
-  void sort_in(const std::vector<Draft>& drafts, std::size_t nodes, std::size_t arcs);
+  void put(std::uint32_t link, std::uint32_t position);
 
-  std::vector<Edge> edges_;
+  bool keeps_open_;
+  std::vector<std::vector<InEdge>> into_;
+  std::vector<std::vector<std::uint32_t>> out_;
+  std::vector<Place> places_;
   std::vector<ConflictTerm> terms_;
-  std::vector<std::uint32_t> begin_;
-  std::vector<NodeIndex> ends_;
-  std::vector<std::uint32_t> out_, out_begin_;
+  std::vector<std::uint32_t> free_edges_;
   std::vector<Link> links_;
+  std::vector<std::uint32_t> free_links_;
   std::vector<std::uint32_t> ending_;
-  std::vector<std::uint32_t> activated_, activated_begin_;
+  std::vector<std::vector<std::uint32_t>> activated_;
   std::vector<std::vector<Edge>> derived_;
   std::vector<std::array<std::uint32_t, 2>> of_arc_;
+  std::vector<std::uint32_t> of_contingent_;
 };
 
 /// Weight of the derived edge of a node at distance d from the end of a link.
@@ -114,12 +145,10 @@ struct PathStep {
 /// lower-case edge is left out.
 template <class Visit>
 void for_each_edge_into(const LoGraph& graph, NodeIndex node, std::uint32_t except, Visit&& visit) {
-  std::uint32_t number = graph.first_edge(node);
-  for (const LoGraph::Edge& edge : graph.base_into(node)) {
+  for (const LoGraph::InEdge& edge : graph.base_into(node)) {
     if (edge.weight != kInfinite) {
-      visit(edge.from, edge.weight, EdgeRef{EdgeRef::Kind::kBase, number});
+      visit(edge.from, edge.weight, EdgeRef{EdgeRef::Kind::kBase, edge.number});
     }
-    ++number;
   }
   const std::uint32_t ending = graph.link_ending(node);
   if (ending != kNone && ending != except) {

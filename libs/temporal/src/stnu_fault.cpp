@@ -12,16 +12,6 @@ bool too_large(Ticks bound) {
   return bound != kInfinite && bound != kMinusInfinite && (bound > kLargest || bound < -kLargest);
 }
 
-std::optional<StnuFault> fault_of(const ContingentLink& link, std::size_t nodes) {
-  if (link.activation >= nodes || link.contingent >= nodes) return StnuFault::kUnknownNode;
-  if (link.activation == link.contingent) return StnuFault::kContingentLoop;
-  if (link.min <= 0) return StnuFault::kContingentNotPositive;
-  if (link.max == kInfinite) return StnuFault::kContingentUnbounded;
-  if (link.min > link.max) return StnuFault::kEmptyInterval;
-  if (too_large(link.max)) return StnuFault::kOverflow;
-  return std::nullopt;
-}
-
 std::string name_of(const Stnu& network, NodeIndex node) {
   return node < network.nodes.size() ? network.nodes[node] : "#" + std::to_string(node);
 }
@@ -37,6 +27,16 @@ std::optional<StnuFault> find_fault(const Arc& arc, std::size_t nodes) {
   return std::nullopt;
 }
 
+std::optional<StnuFault> find_fault(const ContingentLink& link, std::size_t nodes) {
+  if (link.activation >= nodes || link.contingent >= nodes) return StnuFault::kUnknownNode;
+  if (link.activation == link.contingent) return StnuFault::kContingentLoop;
+  if (link.min <= 0) return StnuFault::kContingentNotPositive;
+  if (link.max == kInfinite) return StnuFault::kContingentUnbounded;
+  if (link.min > link.max) return StnuFault::kEmptyInterval;
+  if (too_large(link.max)) return StnuFault::kOverflow;
+  return std::nullopt;
+}
+
 std::optional<StnuError> find_fault(const Stnu& network) {
   const std::size_t nodes = network.nodes.size();
   if (network.origin >= nodes) return StnuError{StnuFault::kUnknownNode, std::nullopt};
@@ -48,7 +48,7 @@ std::optional<StnuError> find_fault(const Stnu& network) {
   std::vector<bool> ended(nodes, false);
   for (std::uint32_t i = 0; i < network.contingent.size(); ++i) {
     const LinkRef ref{LinkKind::kContingent, i};
-    if (const auto fault = fault_of(network.contingent[i], nodes)) return StnuError{*fault, ref};
+    if (const auto fault = find_fault(network.contingent[i], nodes)) return StnuError{*fault, ref};
     const NodeIndex end = network.contingent[i].contingent;
     if (ended[end]) return StnuError{StnuFault::kSharedContingentEnd, ref};
     ended[end] = true;

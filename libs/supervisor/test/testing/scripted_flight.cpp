@@ -43,18 +43,22 @@ void ScriptedFlight::begin(const std::vector<executive::Input>& requests) {
 }
 
 void ScriptedFlight::run_until(MissionTime end) {
-  while (true) {
-    const auto status = to_come_.empty() ? std::nullopt : std::optional(to_come_.begin()->first);
-    const auto next = earliest(status, executive_.next_wakeup());
-    if (!next || *next > end) return;
-    if (status && *status == *next) {
-      const executive::Input input = to_come_.begin()->second;
-      to_come_.erase(to_come_.begin());
-      take(input, *next);
-    } else {
-      take(executive::Tick{}, *next);
-    }
+  while (step(end)) {
   }
+}
+
+std::optional<MissionTime> ScriptedFlight::step(MissionTime end) {
+  const auto status = to_come_.empty() ? std::nullopt : std::optional(to_come_.begin()->first);
+  const auto next = earliest(status, executive_.next_wakeup());
+  if (!next || *next > end) return std::nullopt;
+  if (status && *status == *next) {
+    const executive::Input input = to_come_.begin()->second;
+    to_come_.erase(to_come_.begin());
+    take(input, *next);
+  } else {
+    take(executive::Tick{}, *next);
+  }
+  return next;
 }
 
 TaskState ScriptedFlight::state(std::uint64_t task) const {

@@ -29,6 +29,9 @@ class ScriptedFlight {
   void begin(const std::vector<executive::Input>& requests);
   /// Up to `end`, or until nothing is to come.
   void run_until(MissionTime end = MissionTime::max());
+  /// What comes next, if it comes by `end`; absent: nothing does.
+  std::optional<MissionTime> step(MissionTime end = MissionTime::max());
+  void tell(const executive::Input& request, MissionTime now) { take(request, now); }
 
   const Observations& seen() const { return seen_; }
   /// In order: "dispatch 103", "interrupt 103", "refused: …".

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "skein/mission/elementary_plan.hpp"
-#include "skein/temporal/network.hpp"
 
 namespace skein::supervisor {
 
@@ -31,11 +30,23 @@ struct Conflict {
 
 /// Within this time the end of a task follows what stops it.
 inline constexpr Duration kStopReaction = Duration::milliseconds(1000);
+/// What is to start while a task runs starts this long before its end: at one and the same instant
+/// the executive may see the end first.
+inline constexpr Duration kStartMargin = Duration::milliseconds(1);
+
+/// What holds a task back though all it waits for has come: were it to start, what must start while
+/// it runs might come too late. It starts when `on` is over, or when `until` is past.
+struct Hold {
+  executive::TaskId on;  ///< TaskId(): on time alone
+  MissionTime until;     ///< MissionTime::max() until `on` has started
+  bool operator==(const Hold&) const = default;
+};
+using Holds = std::map<executive::TaskId, std::vector<Hold>>;
 
 struct Schedule {
   bool consistent = false;
-  /// Dynamically, and by starting each task as early as it may be, as the executive does; implies
-  /// consistent.
+  /// Dynamically: whatever durations nature chooses, each task started as early as its conditions
+  /// and its holds allow. Implies consistent.
   bool controllable = false;
   std::vector<Conflict> conflicts;  ///< empty iff controllable
   /// Windows of the network: what is outside them breaks it. `latest` is unbounded unless some
@@ -44,20 +55,23 @@ struct Schedule {
   /// greatest); else that of the network with durations of one's choice. Empty unless consistent.
   std::map<executive::TaskId, mission::TaskDates> dates;
   /// What will come: dates at which tasks start and end when the executive starts each as early as
-  /// it may be; `latest` with all durations greatest, unbounded after what has no greatest
-  /// duration. To be shown to people and compared with promises. Empty unless consistent.
+  /// its conditions and holds allow; `latest` with all durations greatest, unbounded after what has
+  /// no greatest duration. To be shown to people and compared with promises. Empty unless
+  /// consistent.
   std::map<executive::TaskId, mission::TaskDates> foreseen;
+  /// Of tasks that have not started; of a controllable network only.
+  Holds holds;
   /// When the last task ends, as foreseen; MissionTime() without tasks or unless consistent.
   MissionTime earliest_end, latest_end;
 };
 
-/// The network of the tasks at `now`. Node 0 is mission time zero; each task has a start and an end
-/// node ("103 start", "103 end"). Source: T IV.4.1, spec 5.2, 6.1.
+/// Verdict and dates of the network of the tasks at `now`: mission time zero, and a start and an
+/// end of each task. Source: T IV.4.1, spec 5.2, 6.1.
 ///
 ///   duration [least, most]     contingent when 0 < least < most < ∞ (least 0: 1 ms); [d, d] fixed;
 ///                              else, or open-ended, at least `least`
 ///   ENDED j, OVER j            start >= end of j
-///   RUNNING j                  start of j <= start <= end of j
+///   RUNNING j                  start of j <= start <= end of j - kStartMargin
 ///   stop                       end >= every event waited for; the duration does not count. With
 ///                              one event, start <= event and end <= event + kStopReaction; once
 ///                              that has come, end <= now + kStopReaction
@@ -70,15 +84,10 @@ struct Schedule {
 ///   over                       start and end at their dates, nothing else: facts break nothing
 ///
 /// Instants beyond 13 days from mission time zero, and such durations, count as unbounded.
-temporal::Stnu network_of(const std::vector<mission::ElementaryTask>& tasks,
-                          const Observations& seen, MissionTime now);
-
-/// Starting each task as early as it may be is a strategy of the executive that succeeds whenever
-/// one does, but for one case: a task that must start while another runs, and waits for a third
-/// that the other does not wait for. Such a plan is not controllable here unless the dates show
-/// that the third is always over in time. Cost: a check of dynamic controllability, a few
-/// milliseconds for 300 tasks. Precondition: ids differ. A dependence on a task that is not among
-/// `tasks` counts as met.
+///
+/// Cost: a check of dynamic controllability, a few milliseconds for 300 tasks; in flight the
+/// network is kept instead (plan_network.hpp). Precondition: ids differ. A dependence on a task
+/// that is not among `tasks` counts as met.
 Schedule schedule(const std::vector<mission::ElementaryTask>& tasks, const Observations& seen,
                   MissionTime now);
 

@@ -46,6 +46,9 @@ std::optional<StnuError> find_fault(const Stnu& network);
 /// The fault of one arc, in a network of so many nodes.
 std::optional<StnuFault> find_fault(const Arc& arc, std::size_t nodes);
 
+/// The fault of one contingent link by itself, in a network of so many nodes.
+std::optional<StnuFault> find_fault(const ContingentLink& link, std::size_t nodes);
+
 /// "contingent link a -> b: …", with the names of the network; for people.
 std::string to_text(const StnuError& error, const Stnu& network);
 std::string to_text(StnuFault fault);

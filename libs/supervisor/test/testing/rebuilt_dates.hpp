@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "network.hpp"
+#include "rebuilt_network.hpp"
 
 namespace skein::supervisor {
 
@@ -15,15 +15,15 @@ struct NodeDates {
 };
 
 /// With durations of one's choice. Absent: inconsistent.
-std::optional<NodeDates> dates_by_choice(const PlanNetwork& plan);
+std::optional<NodeDates> dates_by_choice(const RebuiltNetwork& plan);
 
 /// Earliest with all durations least, latest with all greatest. Absent when one of the two is
 /// inconsistent; a controllable network never is.
-std::optional<NodeDates> dates_in_every_course(const PlanNetwork& plan);
+std::optional<NodeDates> dates_in_every_course(const RebuiltNetwork& plan);
 
 /// What comes of starting each task as early as it may be, with all durations least and greatest.
 /// Tasks with a start_after or end_after are held back to their date in `allowed`, as the executive
 /// does, if given. Bounds from above play no part. Absent: tasks wait for each other in a ring.
-std::optional<NodeDates> foresee(const PlanNetwork& plan, const NodeDates* allowed);
+std::optional<NodeDates> foresee(const RebuiltNetwork& plan, const NodeDates* allowed);
 
 }  // namespace skein::supervisor

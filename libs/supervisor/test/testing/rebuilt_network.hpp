@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The network of a plan, with what each of its links is about.
+// The network of a plan, built from scratch by rules written once more: the oracle of PlanNetwork.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace skein::supervisor {
 
-enum class BoundKind : std::uint8_t {
+enum class RuleKind : std::uint8_t {
   kNow,         ///< the present: neither started before, nor over
   kFact,        ///< a date that was seen
   kDuration,    ///< how long the task may take
@@ -28,9 +28,9 @@ enum class BoundKind : std::uint8_t {
 };
 
 /// What a link is about.
-struct Cause {
+struct Rule {
   executive::TaskId task;
-  BoundKind kind = BoundKind::kNow;
+  RuleKind kind = RuleKind::kNow;
   executive::TaskId other;
   MissionTime instant;  ///< of kNow, kFact and time constraints
 };
@@ -41,17 +41,19 @@ struct TaskNodes {
 
 /// Arcs have either a lower bound, with or without an upper one between the same nodes, or an upper
 /// one alone.
-struct PlanNetwork {
+struct RebuiltNetwork {
   temporal::Stnu stnu;
-  std::vector<Cause> arcs, contingent;  ///< of each link
+  std::vector<Rule> arcs, contingent;  ///< of each link
   std::map<executive::TaskId, TaskNodes> nodes;
   /// Ends that no figure bounds from above: open-ended, or under way for longer than foreseen.
   std::vector<temporal::NodeIndex> endless;
-
-  const Cause& cause_of(temporal::LinkRef link) const;
 };
 
-PlanNetwork build_network(const std::vector<mission::ElementaryTask>& tasks,
+RebuiltNetwork build_network(const std::vector<mission::ElementaryTask>& tasks,
+                             const Observations& seen, MissionTime now);
+
+/// Node 0 is mission time zero; each task has a start and an end node ("103 start", "103 end").
+temporal::Stnu network_of(const std::vector<mission::ElementaryTask>& tasks,
                           const Observations& seen, MissionTime now);
 
 }  // namespace skein::supervisor

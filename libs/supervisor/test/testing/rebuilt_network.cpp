@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Builds the network of a plan, task by task. The rules are in schedule.hpp.
-#include "network.hpp"
+#include "rebuilt_network.hpp"
 
 #include <algorithm>
 
@@ -44,7 +44,7 @@ class Builder {
   Builder(const std::vector<ElementaryTask>& tasks, const Observations& seen, MissionTime now)
       : tasks_(tasks), seen_(seen), now_(now) {}
 
-  PlanNetwork build() {
+  RebuiltNetwork build() {
     result_.stnu.nodes.emplace_back("0");
     for (const ElementaryTask& task : tasks_) {
       const auto start = static_cast<NodeIndex>(result_.stnu.nodes.size());
@@ -75,7 +75,7 @@ class Builder {
     if (seen.started) {
       fact(own_.start, *seen.started);
     } else {
-      not_before(own_.start, now_, BoundKind::kNow);
+      not_before(own_.start, now_, RuleKind::kNow);
       for (const mission::Dependence& one : task.dependences) depend(one);
       start_constraints(task.time);
     }
@@ -87,18 +87,18 @@ class Builder {
     end_constraints(task.time);
   }
 
-  void link(NodeIndex from, NodeIndex to, Ticks least, Ticks most, Cause cause) {
+  void link(NodeIndex from, NodeIndex to, Ticks least, Ticks most, Rule cause) {
     if (from == to) return;  // only of a task that names itself: it waits for nothing
     result_.stnu.arcs.push_back({from, to, least, most});
     result_.arcs.push_back(cause);
   }
   void fact(NodeIndex node, MissionTime at) {
-    link(0, node, clamped(at), clamped(at), {task_, BoundKind::kFact, {}, at});
+    link(0, node, clamped(at), clamped(at), {task_, RuleKind::kFact, {}, at});
   }
-  void not_before(NodeIndex node, MissionTime at, BoundKind kind) {
+  void not_before(NodeIndex node, MissionTime at, RuleKind kind) {
     link(0, node, clamped(at), kInfinite, {task_, kind, {}, at});
   }
-  void not_after(NodeIndex node, MissionTime at, BoundKind kind) {
+  void not_after(NodeIndex node, MissionTime at, RuleKind kind) {
     if (at.count() > kHorizon) return;
     link(0, node, kMinusInfinite, clamped(at), {task_, kind, {}, at});
   }
@@ -108,22 +108,23 @@ class Builder {
     if (other == result_.nodes.end()) return;
     const TaskNodes& nodes = other->second;
     if (one.kind != DependenceKind::kRunning) {
-      link(nodes.end, own_.start, 0, kInfinite, {task_, BoundKind::kAfterEnd, one.task, {}});
+      link(nodes.end, own_.start, 0, kInfinite, {task_, RuleKind::kAfterEnd, one.task, {}});
       return;
     }
-    link(nodes.start, own_.start, 0, kInfinite, {task_, BoundKind::kAfterStart, one.task, {}});
-    link(nodes.end, own_.start, kMinusInfinite, 0, {task_, BoundKind::kWithin, one.task, {}});
+    link(nodes.start, own_.start, 0, kInfinite, {task_, RuleKind::kAfterStart, one.task, {}});
+    link(nodes.end, own_.start, kMinusInfinite, -kStartMargin.count(),
+         {task_, RuleKind::kWithin, one.task, {}});
   }
 
   // Nature ends the task, or its duration is known.
   void last(const Span& span, const Observation& seen) {
-    const Cause cause{task_, BoundKind::kDuration, {}, {}};
+    const Rule cause{task_, RuleKind::kDuration, {}, {}};
     const Ticks gone = seen.started ? clamped(now_) - clamped(*seen.started) : 0;
     const bool overdue = seen.started && span.bounded() && gone >= span.most;
     if (!span.bounded() || overdue) {
       result_.endless.push_back(own_.end);
       link(own_.start, own_.end, span.least, kInfinite, cause);
-      if (seen.started) not_before(own_.end, now_, BoundKind::kNow);
+      if (seen.started) not_before(own_.end, now_, RuleKind::kNow);
     } else if (span.fixed()) {
       link(own_.start, own_.end, span.least, span.most, cause);
     } else {
@@ -134,8 +135,8 @@ class Builder {
   }
 
   void stop(const ElementaryTask& task, const Observation& seen) {
-    link(own_.start, own_.end, 0, kInfinite, {task_, BoundKind::kOrder, {}, {}});
-    if (seen.started) not_before(own_.end, now_, BoundKind::kNow);
+    link(own_.start, own_.end, 0, kInfinite, {task_, RuleKind::kOrder, {}, {}});
+    if (seen.started) not_before(own_.end, now_, RuleKind::kNow);
     for (const mission::Dependence& one : task.stop) {
       const auto other = result_.nodes.find(one.task);
       if (other == result_.nodes.end()) continue;
@@ -147,38 +148,34 @@ class Builder {
       const bool at_once = alone && to_come;
       if (alone && !to_come && seen.started) not_after(own_.end, now_ + kStopReaction, BoundKind::kStop);
       link(event, own_.end, 0, at_once ? kStopReaction.count() : kInfinite,
-           {task_, BoundKind::kStop, one.task, {}});
+           {task_, RuleKind::kStop, one.task, {}});
       if (task.stop.size() == 1 && !seen.started) {
-        link(event, own_.start, kMinusInfinite, 0, {task_, BoundKind::kBeforeStop, one.task, {}});
+        link(event, own_.start, kMinusInfinite, 0, {task_, RuleKind::kBeforeStop, one.task, {}});
       }
     }
   }
 
   void start_constraints(const mission::TimeConstraints& time) {
-    if (time.start_after) not_before(own_.start, *time.start_after, BoundKind::kStartAfter);
-    if (time.start_before) not_after(own_.start, *time.start_before, BoundKind::kStartBefore);
+    if (time.start_after) not_before(own_.start, *time.start_after, RuleKind::kStartAfter);
+    if (time.start_before) not_after(own_.start, *time.start_before, RuleKind::kStartBefore);
   }
   void end_constraints(const mission::TimeConstraints& time) {
-    if (time.end_after) not_before(own_.end, *time.end_after, BoundKind::kEndAfter);
-    if (time.end_before) not_after(own_.end, *time.end_before, BoundKind::kEndBefore);
+    if (time.end_after) not_before(own_.end, *time.end_after, RuleKind::kEndAfter);
+    if (time.end_before) not_after(own_.end, *time.end_before, RuleKind::kEndBefore);
   }
 
   const std::vector<ElementaryTask>& tasks_;
   const Observations& seen_;
   MissionTime now_;
-  PlanNetwork result_;
+  RebuiltNetwork result_;
   executive::TaskId task_;
   TaskNodes own_;
 };
 
 }  // namespace
 
-const Cause& PlanNetwork::cause_of(temporal::LinkRef link) const {
-  return link.kind == temporal::LinkKind::kRequirement ? arcs[link.index] : contingent[link.index];
-}
-
-PlanNetwork build_network(const std::vector<ElementaryTask>& tasks, const Observations& seen,
-                          MissionTime now) {
+RebuiltNetwork build_network(const std::vector<ElementaryTask>& tasks, const Observations& seen,
+                             MissionTime now) {
   return Builder(tasks, seen, now).build();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "schedule_dates.hpp"
+#include "rebuilt_dates.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -44,7 +44,7 @@ std::optional<std::vector<Arc>> merged(std::vector<Arc> arcs) {
   return result;
 }
 
-std::optional<StnEngine> engine_of(const PlanNetwork& plan, std::vector<Arc> arcs) {
+std::optional<StnEngine> engine_of(const RebuiltNetwork& plan, std::vector<Arc> arcs) {
   auto all = merged(std::move(arcs));
   if (!all) return std::nullopt;
   auto engine = StnEngine::make({plan.stnu.nodes, plan.stnu.origin, std::move(*all)});
@@ -52,7 +52,7 @@ std::optional<StnEngine> engine_of(const PlanNetwork& plan, std::vector<Arc> arc
   return std::move(*engine);
 }
 
-std::optional<StnEngine> engine_of(const PlanNetwork& plan, Durations durations) {
+std::optional<StnEngine> engine_of(const RebuiltNetwork& plan, Durations durations) {
   std::vector<Arc> arcs = plan.stnu.arcs;
   for (const auto& link : plan.stnu.contingent) arcs.push_back(arc_of(link, durations));
   return engine_of(plan, std::move(arcs));
@@ -72,13 +72,13 @@ std::vector<Ticks> latest_of(const StnEngine& engine) {
 }
 
 // Lower bounds alone, with the executive's waits for instants.
-std::vector<Arc> lower_bounds(const PlanNetwork& plan, const NodeDates* allowed) {
+std::vector<Arc> lower_bounds(const RebuiltNetwork& plan, const NodeDates* allowed) {
   std::vector<Arc> arcs;
   for (std::size_t i = 0; i < plan.stnu.arcs.size(); ++i) {
     const Arc& arc = plan.stnu.arcs[i];
     if (arc.min != kMinusInfinite) arcs.push_back({arc.from, arc.to, arc.min, kInfinite});
-    const Cause& cause = plan.arcs[i];
-    const bool held = cause.kind == BoundKind::kStartAfter || cause.kind == BoundKind::kEndAfter;
+    const Rule& cause = plan.arcs[i];
+    const bool held = cause.kind == RuleKind::kStartAfter || cause.kind == RuleKind::kEndAfter;
     if (!held || allowed == nullptr) continue;
     const NodeIndex start = plan.nodes.at(cause.task).start;
     arcs.push_back({0, start, allowed->earliest[start], kInfinite});
@@ -86,7 +86,7 @@ std::vector<Arc> lower_bounds(const PlanNetwork& plan, const NodeDates* allowed)
   return arcs;
 }
 
-std::optional<StnEngine> course(const PlanNetwork& plan, std::vector<Arc> arcs,
+std::optional<StnEngine> course(const RebuiltNetwork& plan, std::vector<Arc> arcs,
                                 Durations durations) {
   for (const auto& link : plan.stnu.contingent) {
     Arc arc = arc_of(link, durations);
@@ -97,7 +97,7 @@ std::optional<StnEngine> course(const PlanNetwork& plan, std::vector<Arc> arcs,
 }
 
 // What follows an end that nothing bounds is not bounded either.
-void spread_endless(const PlanNetwork& plan, const std::vector<Arc>& arcs,
+void spread_endless(const RebuiltNetwork& plan, const std::vector<Arc>& arcs,
                     std::vector<Ticks>& latest) {
   std::vector<std::vector<NodeIndex>> after(latest.size());
   for (const Arc& arc : arcs) after[arc.from].push_back(arc.to);
@@ -115,20 +115,20 @@ void spread_endless(const PlanNetwork& plan, const std::vector<Arc>& arcs,
 
 }  // namespace
 
-std::optional<NodeDates> dates_by_choice(const PlanNetwork& plan) {
+std::optional<NodeDates> dates_by_choice(const RebuiltNetwork& plan) {
   const auto engine = engine_of(plan, Durations::kFree);
   if (!engine) return std::nullopt;
   return NodeDates{earliest_of(*engine), latest_of(*engine)};
 }
 
-std::optional<NodeDates> dates_in_every_course(const PlanNetwork& plan) {
+std::optional<NodeDates> dates_in_every_course(const RebuiltNetwork& plan) {
   const auto fast = engine_of(plan, Durations::kLeast);
   const auto slow = engine_of(plan, Durations::kGreatest);
   if (!fast || !slow) return std::nullopt;
   return NodeDates{earliest_of(*fast), latest_of(*slow)};
 }
 
-std::optional<NodeDates> foresee(const PlanNetwork& plan, const NodeDates* allowed) {
+std::optional<NodeDates> foresee(const RebuiltNetwork& plan, const NodeDates* allowed) {
   const std::vector<Arc> arcs = lower_bounds(plan, allowed);
   const auto fast = course(plan, arcs, Durations::kLeast);
   const auto slow = course(plan, arcs, Durations::kGreatest);

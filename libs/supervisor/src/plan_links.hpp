@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a task asks of the network of its plan: links, each with what it is about.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "skein/supervisor/schedule.hpp"
+#include "skein/temporal/live_network.hpp"
+
+namespace skein::supervisor {
+
+enum class BoundKind : std::uint8_t {
+  kNow,         ///< the present: neither started before, nor over
+  kFact,        ///< a date that was seen
+  kDuration,    ///< how long the task may take
+  kOrder,       ///< it does not end before it starts
+  kAfterEnd,    ///< it waits for the end of `other`
+  kAfterStart,  ///< it waits for the start of `other`
+  kWithin,      ///< it starts before the end of `other`
+  kBeforeStop,  ///< it starts before what stops it, of `other`
+  kStop,        ///< it ends with what stops it, of `other`
+  kStartAfter,  ///< time constraints
+  kStartBefore,
+  kEndAfter,
+  kEndBefore,
+};
+
+/// What a link is about.
+struct Cause {
+  executive::TaskId task;
+  BoundKind kind = BoundKind::kNow;
+  executive::TaskId other;
+  MissionTime instant;     ///< of kFact and time constraints
+  std::uint32_t part = 0;  ///< tells links apart that are about the same
+  bool operator==(const Cause&) const = default;
+};
+temporal::LinkName name_of(const Cause& cause);
+
+struct PlanLink {
+  Cause cause;
+  temporal::LiveLink link;
+};
+
+inline temporal::NodeName start_of(executive::TaskId task) { return {0, 2 * task.value()}; }
+inline temporal::NodeName end_of(executive::TaskId task) { return {0, 2 * task.value() + 1}; }
+/// The present: a node at a fixed date, which nothing that has not come may precede.
+inline constexpr temporal::NodeName kPresent{0xFFFFFFFF, 1};
+
+/// An instant as the network has it: beyond the horizon of 13 days counts as the horizon.
+temporal::Ticks ticks_of(MissionTime instant);
+
+/// What was seen of a task of the network; null: it is not there.
+using SeenOf = std::function<const Observation*(executive::TaskId)>;
+
+/// Those of one task, by the rules of schedule.hpp.
+std::vector<PlanLink> links_of(const mission::ElementaryTask& task, MissionTime now,
+                               const SeenOf& seen);
+
+/// No figure bounds its end from above: it is open-ended, or under way for longer than foreseen.
+bool is_endless(const mission::ElementaryTask& task, const Observation& seen, MissionTime now);
+
+}  // namespace skein::supervisor
