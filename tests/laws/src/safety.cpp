@@ -90,6 +90,7 @@ std::vector<Violation> in_closed_air(const History& history) {
                                         ", " + figure(allowed) + " s would do"
                                   : "flies " + figure(stay.deepest) + " m into " + where +
                                         ", for " + figure(stay.until - stay.from) + " s")});
+        break;  // on waiting circles it would come again and again
       }
     }
   }

@@ -22,8 +22,8 @@ Story look(double seconds, Vector3 from = kAt) {
   Story story;
   story.flies("marvin", 0, 30, kOver, from).flies("marvin", 31, 200, from, from);
   story.goal("marvin", 701, "perceive P1 60", "received", 1);
-  story.does("marvin", 100, "goto", 701, 5, 29);
-  story.does("marvin", 101, "takeshot", 701, 30, 30 + seconds, "ended", "visible", {150, 60, 0});
+  story.does("marvin", {100, "goto", 701, 5, 29});
+  story.does("marvin", {101, "takeshot", 701, 30, 30 + seconds, "ended", "visible", {150, 60, 0}});
   story.goal("marvin", 701, "perceive P1 60", "achieved", 30 + seconds);
   return story;
 }
@@ -44,21 +44,21 @@ TEST(Perceived, ALookFromBeyondTheRangeIsNotDone) {
 
 TEST(Perceived, WhatWasSeenWhileItMovedAwayDoesNotCount) {
   Story story = look(60);
-  story.does("marvin", 102, "goto", 702, 40, 90);
+  story.does("marvin", {102, "goto", 702, 40, 90});
 
   EXPECT_THAT(story.broken("perceived"), ElementsAre(HasSubstr("for 10.0 of 60.0 s")));
 }
 
 TEST(Perceived, TimeBeforeAnInterruptionCounts) {
   Story story = look(20);
-  story.does("marvin", 103, "takeshot", 701, 100, 140, "ended", "visible", {150, 60, 0});
+  story.does("marvin", {103, "takeshot", 701, 100, 140, "ended", "visible", {150, 60, 0}});
 
   EXPECT_THAT(story.broken("perceived"), IsEmpty());
 }
 
 TEST(Perceived, TheLookOfAnotherGoalDoesNotCount) {
   Story story = look(20);
-  story.does("marvin", 103, "takeshot", 702, 100, 140, "ended", "visible", {150, 60, 0});
+  story.does("marvin", {103, "takeshot", 702, 100, 140, "ended", "visible", {150, 60, 0}});
 
   EXPECT_THAT(story.broken("perceived"), SizeIs(1));
 }
@@ -68,7 +68,7 @@ TEST(Perceived, APlaceInTheAirIsPerceivedFromThere) {
     Story story;
     story.flies("marvin", 0, 100, where, where);
     story.goal("marvin", 701, "general-combined-goto-and-takeshot A1 30", "received", 1);
-    story.does("marvin", 101, "takeshot", 701, 30, 60, "aborted", "visible");
+    story.does("marvin", {101, "takeshot", 701, 30, 60, "aborted", "visible"});
     story.goal("marvin", 701, "general-combined-goto-and-takeshot A1 30", "achieved", 60);
     return story.broken("perceived");
   };
@@ -117,7 +117,7 @@ TEST(Waited, AWaitIsWaited) {
     Story story;
     story.stands("marvin", 0, 100);
     story.goal("marvin", 701, "general-wait 60", "received", 1);
-    story.does("marvin", 100, "wait", 701, 2, 2 + seconds);
+    story.does("marvin", {100, "wait", 701, 2, 2 + seconds});
     story.goal("marvin", 701, "general-wait 60", "achieved", 70);
     return story.broken("waited");
   };
@@ -133,7 +133,7 @@ TEST(Detected, OnlyLooksAtTheZoneCount) {
     Story story;
     story.flies("marvin", 0, 400, at, at);
     story.goal("marvin", 701, "perform-detection Z P1 100", "received", 1);
-    story.does("marvin", 100, "takeshot", 701, 10, 10 + seconds, "aborted", "fire-sensor");
+    story.does("marvin", {100, "takeshot", 701, 10, 10 + seconds, "aborted", "fire-sensor"});
     story.goal("marvin", 701, "perform-detection Z P1 100", "achieved", 10 + seconds);
     return story.broken("detected");
   };
@@ -149,7 +149,7 @@ TEST(Mapped, TheZoneWasInTheSensorsView) {
     story.flies("karma", 0, 40, {100, 35, 95}, {last_x, 35, 95})
         .flies("karma", 41, 80, {last_x, 85, 95}, {100, 85, 95});
     story.goal("karma", 701, "perform-mapping Z", "received", 1);
-    story.does("karma", 100, "takeshot", 701, 0, 80, "aborted", "mapping");
+    story.does("karma", {100, "takeshot", 701, 0, 80, "aborted", "mapping"});
     story.goal("karma", 701, "perform-mapping Z", "achieved", 80);
     return story.broken("mapped");
   };
@@ -164,8 +164,8 @@ Story meeting(double other_from, double other_until, const std::string& other_en
   const std::string statement = "wait-until-synchro 500 (heliv marvin) (heliv marvin)";
   Story story;
   story.goal("marvin", 701, statement, "received", 1).goal("heliv", 701, statement, "received", 1);
-  story.does("marvin", 100, "synchronise", 701, 300, 310);
-  story.does("heliv", 200, "synchronise", 701, other_from, other_until, other_end);
+  story.does("marvin", {100, "synchronise", 701, 300, 310});
+  story.does("heliv", {200, "synchronise", 701, other_from, other_until, other_end});
   story.goal("marvin", 701, statement, "achieved", 310);
   return story;
 }
@@ -191,7 +191,7 @@ TEST(PartnersApart, PartnersAreNotSentToOnePoint) {
 
 TEST(OneMotion, TwoMotionsOverlap) {
   Story story;
-  story.does("marvin", 100, "goto", 701, 5, 60).does("marvin", 101, "wait", 702, 30, 90);
+  story.does("marvin", {100, "goto", 701, 5, 60}).does("marvin", {101, "wait", 702, 30, 90});
 
   EXPECT_THAT(story.broken("one-motion"),
               ElementsAre(HasSubstr("wait 101 of goal 702 begins while goto 100")));
@@ -199,15 +199,15 @@ TEST(OneMotion, TwoMotionsOverlap) {
 
 TEST(OneMotion, OneAfterTheOtherIsFine) {
   Story story;
-  story.does("marvin", 100, "goto", 701, 5, 60).does("marvin", 101, "wait", 702, 60, 90);
+  story.does("marvin", {100, "goto", 701, 5, 60}).does("marvin", {101, "wait", 702, 60, 90});
 
   EXPECT_THAT(story.broken("one-motion"), IsEmpty());
 }
 
 TEST(Held, NoMotionBeginsUnderAPerceptionOfAnotherGoal) {
   Story story;
-  story.does("marvin", 100, "takeshot", 701, 5, 125, "ended", "visible")
-      .does("marvin", 101, "goto", 702, 60, 90);
+  story.does("marvin", {100, "takeshot", 701, 5, 125, "ended", "visible"})
+      .does("marvin", {101, "goto", 702, 60, 90});
 
   EXPECT_THAT(story.broken("held"),
               ElementsAre(HasSubstr("goto 101 of goal 702 begins while takeshot 100 of goal 701")));
@@ -215,8 +215,8 @@ TEST(Held, NoMotionBeginsUnderAPerceptionOfAnotherGoal) {
 
 TEST(Held, TheOwnMotionAndWhatIsStoppedThenAreFine) {
   Story story;
-  story.does("marvin", 100, "takeshot", 701, 5, 60.5, "aborted", "visible");
-  story.does("marvin", 101, "goto", 701, 20, 55).does("marvin", 102, "goto", 702, 60, 90);
+  story.does("marvin", {100, "takeshot", 701, 5, 60.5, "aborted", "visible"});
+  story.does("marvin", {101, "goto", 701, 20, 55}).does("marvin", {102, "goto", 702, 60, 90});
 
   EXPECT_THAT(story.broken("held"), IsEmpty());
 }
@@ -227,7 +227,7 @@ TEST(Times, AchievedTooLateIsSaid) {
   const auto ends_at = [](double end, const std::string& word) {
     Story story;
     const std::string statement = "general-gotoxyz A1 [end-before 100]";
-    story.goal("marvin", 701, statement, "received", 1).does("marvin", 100, "goto", 701, 5, end);
+    story.goal("marvin", 701, statement, "received", 1).does("marvin", {100, "goto", 701, 5, end});
     if (!word.empty()) story.says("marvin", end, word);
     story.goal("marvin", 701, statement, "achieved", end);
     return story.broken("times");
@@ -244,9 +244,9 @@ TEST(Ends, AGoalForWhichNothingIsDoneAnyMoreShouldHaveEnded) {
   story.stands("marvin", 0, 300);
   story.goal("marvin", 701, "perceive P1 60", "received", 1)
       .goal("marvin", 701, "perceive P1 60", "under-way", 2);
-  story.does("marvin", 100, "goto", 701, 5, 60);
+  story.does("marvin", {100, "goto", 701, 5, 60});
   Story working = story;
-  working.does("marvin", 101, "takeshot", 701, 61, 400, "ended", "visible");
+  working.does("marvin", {101, "takeshot", 701, 61, 400, "ended", "visible"});
 
   EXPECT_THAT(story.broken("ends"), ElementsAre(HasSubstr("is under-way at the end")));
   EXPECT_THAT(working.broken("ends"), IsEmpty());
@@ -257,7 +257,7 @@ TEST(Idle, WhoWaitsInTheAirWithOpenGoalsNamesOne) {
     Story story;
     story.flies("marvin", 0, 100, kOver, kOver);
     story.goal("marvin", 701, "perceive P1 60", "received", 1);
-    story.does("marvin", 900, "wait", 0, 2, 100);
+    story.does("marvin", {900, "wait", 0, 2, 100});
     if (!word.empty()) story.says("marvin", 3, word);
     return story.broken("idle");
   };

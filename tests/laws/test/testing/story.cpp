@@ -71,30 +71,28 @@ Story& Story::stands(const std::string& uav, double from, double until, world::V
   return flies(uav, from, until, at, at);
 }
 
-Story& Story::does(const std::string& uav, int task, const std::string& type, int goal, double from,
-                   double until, const std::string& end, const std::string& device,
-                   std::vector<double> target) {
-  if (goal != 0) add(from, uav, "planned").with("uav", uav).with("task", task).with("goal", goal);
-  const auto truth = [&](double at, const std::string& state) {
-    auto& line = add(at, "sim", "functional")
-                     .with("uav", uav)
-                     .with("task", task)
-                     .with("type", type)
-                     .with("state", state);
-    if (!device.empty()) line.with("device", device);
-    if (!target.empty()) line.with("target", target);
-  };
-  const auto told = [&](double at, const std::string& state) {
-    add(at, uav, "task")
+Story& Story::does(const std::string& uav, const Doing& what) {
+  if (what.goal != 0) {
+    add(what.from, uav, "planned").with("uav", uav).with("task", what.task).with("goal", what.goal);
+  }
+  const auto line = [&](double at, const std::string& node, const std::string& kind,
+                        const std::string& state) -> journal::Record& {
+    return add(at, node, kind)
         .with("uav", uav)
-        .with("task", task)
-        .with("type", type)
+        .with("task", what.task)
+        .with("type", what.type)
         .with("state", state);
   };
-  told(from, "started");
-  if (type != "synchronise") truth(from, "running");
-  if (type != "synchronise") truth(until, end);
-  told(until, end);
+  const auto truth = [&](double at, const std::string& state) {
+    if (what.type == "synchronise") return;
+    journal::Record& one = line(at, "sim", "functional", state);
+    if (!what.device.empty()) one.with("device", what.device);
+    if (!what.target.empty()) one.with("target", what.target);
+  };
+  line(what.from, uav, "task", "started");
+  truth(what.from, "running");
+  truth(what.until, what.end);
+  line(what.until, uav, "task", what.end);
   return *this;
 }
 

@@ -9,6 +9,17 @@
 
 namespace skein::laws::testing {
 
+/// A task of a goal (0: of none), from begin to end.
+struct Doing {
+  int task;
+  std::string type;
+  int goal;
+  double from, until;
+  std::string end = "ended";
+  std::string device = "";
+  std::vector<double> target = {};
+};
+
 /// What happened to Marvin and Heliv (and Karma), written down line by line in any order. Level
 /// ground; places: P1 at (150, 60, 0), A1 at (150, 60, 50); zone Z of 100 m by 100 m about P1;
 /// everyone starts at (0, 0).
@@ -23,9 +34,7 @@ class Story {
                world::Vector3 b, double energy = 0.9);
   Story& stands(const std::string& uav, double from, double until, world::Vector3 at = {0, 0, 0});
   /// A task of a goal, in the executive and on the vehicle.
-  Story& does(const std::string& uav, int task, const std::string& type, int goal, double from,
-              double until, const std::string& end = "ended", const std::string& device = "",
-              std::vector<double> target = {});
+  Story& does(const std::string& uav, const Doing& what);
   Story& goal(const std::string& uav, int id, const std::string& statement,
               const std::string& state, double at, const std::string& why = "");
   Story& says(const std::string& uav, double at, const std::string& text);
