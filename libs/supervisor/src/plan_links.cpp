@@ -60,7 +60,7 @@ class Links {
     if (own_.started) {
       fact(start_, *own_.started, 0);
     } else {
-      add(BoundKind::kNow, kPresent, start_, 0, kInfinite);
+      add(BoundKind::kNow, kPresent, start_, {0, kInfinite});
       for (const mission::Dependence& one : task_.dependences) depend(one);
       start_constraints();
     }
@@ -74,33 +74,37 @@ class Links {
   }
 
  private:
-  void add(BoundKind kind, NodeName from, NodeName to, Ticks least, Ticks most,
-           executive::TaskId other = {}, std::uint32_t part = 0) {
+  struct Between {
+    Ticks least, most;
+  };
+  void add(BoundKind kind, NodeName from, NodeName to, Between bounds, executive::TaskId other = {},
+           std::uint32_t part = 0) {
     if (from == to) return;  // only of a task that names itself: it waits for nothing
-    links_.push_back({{task_.id, kind, other, {}, part}, {from, to, least, most, false}});
+    links_.push_back(
+        {{task_.id, kind, other, {}, part}, {from, to, bounds.least, bounds.most, false}});
   }
   void fact(NodeName node, MissionTime date, std::uint32_t part) {
-    add(BoundKind::kFact, LiveNetwork::kOrigin, node, ticks_of(date), ticks_of(date), {}, part);
+    add(BoundKind::kFact, LiveNetwork::kOrigin, node, {ticks_of(date), ticks_of(date)}, {}, part);
     links_.back().cause.instant = date;
   }
   void not_before(NodeName node, const std::optional<MissionTime>& date, BoundKind kind) {
     if (!date) return;
-    add(kind, LiveNetwork::kOrigin, node, ticks_of(*date), kInfinite);
+    add(kind, LiveNetwork::kOrigin, node, {ticks_of(*date), kInfinite});
     links_.back().cause.instant = *date;
   }
   void not_after(NodeName node, const std::optional<MissionTime>& date, BoundKind kind) {
     if (!date || date->count() > kHorizon) return;
-    add(kind, LiveNetwork::kOrigin, node, kMinusInfinite, ticks_of(*date));
+    add(kind, LiveNetwork::kOrigin, node, {kMinusInfinite, ticks_of(*date)});
     links_.back().cause.instant = *date;
   }
 
   void depend(const mission::Dependence& one) {
     if (seen_(one.task) == nullptr) return;
     if (one.kind != DependenceKind::kRunning) {
-      return add(BoundKind::kAfterEnd, end_of(one.task), start_, 0, kInfinite, one.task);
+      return add(BoundKind::kAfterEnd, end_of(one.task), start_, {0, kInfinite}, one.task);
     }
-    add(BoundKind::kAfterStart, start_of(one.task), start_, 0, kInfinite, one.task);
-    add(BoundKind::kWithin, end_of(one.task), start_, kMinusInfinite, -kStartMargin.count(),
+    add(BoundKind::kAfterStart, start_of(one.task), start_, {0, kInfinite}, one.task);
+    add(BoundKind::kWithin, end_of(one.task), start_, {kMinusInfinite, -kStartMargin.count()},
         one.task);
   }
 
@@ -108,19 +112,19 @@ class Links {
   void last() {
     const Span span = span_of(task_);
     if (is_endless(task_, own_, now_)) {
-      add(BoundKind::kDuration, start_, end_, span.least, kInfinite);
-      if (own_.started) add(BoundKind::kNow, kPresent, end_, 0, kInfinite);
+      add(BoundKind::kDuration, start_, end_, {span.least, kInfinite});
+      if (own_.started) add(BoundKind::kNow, kPresent, end_, {0, kInfinite});
       return;
     }
     const bool fixed = span.fixed();
     const Ticks least = fixed ? span.least : std::max(span.least, gone_of(own_, now_));
-    add(BoundKind::kDuration, start_, end_, least, span.most);
+    add(BoundKind::kDuration, start_, end_, {least, span.most});
     links_.back().link.contingent = !fixed;
   }
 
   void stop() {
-    add(BoundKind::kOrder, start_, end_, 0, kInfinite);
-    if (own_.started) add(BoundKind::kNow, kPresent, end_, 0, kInfinite);
+    add(BoundKind::kOrder, start_, end_, {0, kInfinite});
+    if (own_.started) add(BoundKind::kNow, kPresent, end_, {0, kInfinite});
     for (const mission::Dependence& one : task_.stop) stop(one);
   }
 
@@ -133,10 +137,10 @@ class Links {
     const bool to_come = at_start ? !theirs->started && !theirs->over : !theirs->over;
     const bool only = task_.stop.size() == 1;
     const bool at_once = only && to_come && !task_.time.end_after;
-    add(BoundKind::kStop, event, end_, 0, at_once ? kStopReaction.count() : kInfinite, one.task,
+    add(BoundKind::kStop, event, end_, {0, at_once ? kStopReaction.count() : kInfinite}, one.task,
         part);
     if (only && !own_.started) {
-      add(BoundKind::kBeforeStop, event, start_, kMinusInfinite, 0, one.task, part);
+      add(BoundKind::kBeforeStop, event, start_, {kMinusInfinite, 0}, one.task, part);
     }
   }
 
