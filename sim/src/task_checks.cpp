@@ -2,14 +2,15 @@
 #include "task_checks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numbers>
 
 #include "guidance.hpp"
 #include "parameter_reader.hpp"
 #include "skein/foundation/nearest.hpp"
+#include "skein/functional/task_types.hpp"
 
 namespace skein::sim {
 namespace {
@@ -20,11 +21,6 @@ constexpr double kSteepestLanding = 0.2;  // [rad]
 constexpr double kTurningShare = 1.2;     // how much longer the way of one that cannot hover may be
 constexpr double kMostShots = 1e6;
 constexpr double kLongest = 1e6;  // [s]
-
-const std::vector<std::string>& task_types() {
-  static const std::vector<std::string> types = {"takeoff", "land", "goto", "wait", "takeshot"};
-  return types;
-}
 
 /// What may still be used in flight [J]; negative below the reserve.
 double spare_energy(const Situation& s) {
@@ -53,7 +49,6 @@ std::optional<Duration> read_duration(ParameterReader& read) {
 }
 
 ElementaryTask read_takeoff(const Situation& s, ParameterReader& read) {
-  read.names({"altitude"});
   const double altitude = read.number("altitude").value_or(s.model.ceiling / 2);
   if (!read.has("altitude")) read.refuse("altitude is missing");
   if (altitude < kLeastHeight || altitude > s.model.ceiling)
@@ -68,7 +63,6 @@ ElementaryTask read_takeoff(const Situation& s, ParameterReader& read) {
 }
 
 ElementaryTask read_land(const Situation& s, ParameterReader& read) {
-  read.names({});
   if (!s.state.airborne) read.refuse("already on the ground");
   const Vector3& at = s.state.position;
   if (!s.terrain.contains(at.x(), at.y())) read.refuse("no landing outside the terrain");
@@ -124,7 +118,6 @@ void check_legs(const Situation& s, const std::vector<Vector3>& way, ParameterRe
 }
 
 ElementaryTask read_goto(const Situation& s, ParameterReader& read) {
-  read.names({"waypoints", "speed"});
   GotoTask task{read.points("waypoints"), read.number("speed").value_or(s.model.cruise_speed)};
   if (!read.has("waypoints")) read.refuse("waypoints is missing");
   const bool speed_known = task.speed > 0 && task.speed >= s.model.min_speed;
@@ -140,13 +133,17 @@ ElementaryTask read_goto(const Situation& s, ParameterReader& read) {
   return task;
 }
 
-ElementaryTask read_wait(const Situation& s, ParameterReader& read) {
-  read.names({"duration"});
-  const WaitTask task{read_duration(read)};
+void check_stay(const Situation& s, const std::optional<Duration>& duration, const char* what,
+                ParameterReader& read) {
   if (!s.engine_works) read.refuse("engine failure");
-  if (task.duration && s.state.airborne)
-    need_energy(s, task.duration->to_seconds() * world::flight_power(s.model, s.model.min_speed, 0),
-                "the wait", read);
+  if (duration && s.state.airborne)
+    need_energy(s, duration->to_seconds() * world::flight_power(s.model, s.model.min_speed, 0),
+                what, read);
+}
+
+ElementaryTask read_wait(const Situation& s, ParameterReader& read) {
+  const WaitTask task{read_duration(read)};
+  check_stay(s, task.duration, "the wait", read);
   return task;
 }
 
@@ -159,8 +156,7 @@ void check_device(const Situation& s, const std::string& device, ParameterReader
               (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
 }
 
-ElementaryTask read_takeshot(const Situation& s, ParameterReader& read) {
-  read.names({"device", "target", "duration", "shots"});
+TakeshotTask read_shot(const Situation& s, ParameterReader& read) {
   TakeshotTask task;
   if (const auto device = read.text("device")) {
     check_device(s, *device, read);
@@ -183,23 +179,50 @@ ElementaryTask read_takeshot(const Situation& s, ParameterReader& read) {
   return task;
 }
 
+ElementaryTask read_takeshot(const Situation& s, ParameterReader& read) {
+  return read_shot(s, read);
+}
+
+ElementaryTask read_monitor(const Situation& s, ParameterReader& read) {
+  PerceiveTask task{read_shot(s, read)};
+  check_stay(s, task.shot.duration, "the perception", read);
+  return task;
+}
+
+ElementaryTask read_perceive(const Situation& s, ParameterReader& read) {
+  if (!read.has("duration")) read.refuse("duration is missing");
+  return read_monitor(s, read);
+}
+
+using Read = ElementaryTask (*)(const Situation&, ParameterReader&);
+
+const std::map<std::string, Read>& behaviours() {
+  static const std::map<std::string, Read> all = {
+      {"takeoff", read_takeoff},   {"land", read_land},         {"goto", read_goto},
+      {"wait", read_wait},         {"takeshot", read_takeshot}, {"perceive", read_perceive},
+      {"monitor", read_monitor}};
+  return all;
+}
+
+std::string unknown(const std::string& type) {
+  std::vector<std::string> known;
+  for (const auto& [name, behaviour] : behaviours()) known.push_back(name);
+  const std::string nearest = nearest_name(type, known);
+  return "unknown task type '" + type + "'" +
+         (nearest.empty() ? "" : ", did you mean '" + nearest + "'?");
+}
+
 }  // namespace
 
 Result<ElementaryTask, Failure> checked_task(const std::string& type,
                                              const world::Parameters& parameters,
                                              const Situation& situation) {
-  using Read = ElementaryTask (*)(const Situation&, ParameterReader&);
-  constexpr std::array<Read, 5> readers = {read_takeoff, read_land, read_goto, read_wait,
-                                           read_takeshot};
-  const auto found = std::find(task_types().begin(), task_types().end(), type);
-  if (found == task_types().end()) {
-    const std::string nearest = nearest_name(type, task_types());
-    return failure("unknown task type '" + type + "'" +
-                   (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
-  }
+  const auto behaviour = behaviours().find(type);
+  if (behaviour == behaviours().end()) return failure(unknown(type));
   ParameterReader read(parameters);
-  ElementaryTask task =
-      readers[static_cast<std::size_t>(found - task_types().begin())](situation, read);
+  const auto& declared = functional::TaskTypes::shipped().of(type).parameters;
+  if (declared) read.names(*declared);
+  ElementaryTask task = behaviour->second(situation, read);
   if (read.refused()) return failure(read.reasons());
   return task;
 }

@@ -29,6 +29,7 @@ class Supervisor::Core {
     mission::MissionId id;
     mission::Placement placement = mission::Placement::kBest;
     bool interrupt = false;
+    bool any = false;
     std::string cause;
     MissionTime since;
     int attempts = 0;
@@ -156,7 +157,10 @@ class Supervisor::Core {
   // supervisor_results.cpp
   void finish(const Job& job, const InsertionOutcome& outcome);
   void finish(const Job& job, const RepairOutcome& outcome);
-  void refuse(const Job& job, const std::vector<std::string>& reasons);
+  void refuse(const Job& job, const std::vector<std::string>& reasons,
+              const std::vector<Dropped>& culprits = {});
+  void leave_out(const std::vector<Dropped>& dropped);
+  std::string in_words(const std::string& text) const;
   void fail_safely(const Job& job, const std::vector<std::string>& reasons);
   std::string fault_of(const Premises& premises, const mission::ElementaryPlan& plan) const;
   bool fits_now(const Premises& premises, const mission::ElementaryPlan& plan);
@@ -169,6 +173,12 @@ class Supervisor::Core {
   PlanningRequest base_request(const Standing& standing, const std::set<TaskId>& withdrawn) const;
   Situation situation(const Standing& standing, const std::set<TaskId>& withdrawn) const;
   void place_after(const Standing& standing, Situation& result) const;
+  void place_on_timelines(const Standing& standing, const std::set<TaskId>& withdrawn,
+                          Situation& result) const;
+  void place_loose(const std::set<TaskId>& withdrawn, Situation& result) const;
+  void foresee_true_goals();
+  void settle_true_goals();
+  bool is_there(const Whereabouts& expected) const;
   Timeline timeline_after(const mission::ElementaryTask& task) const;
   double energy_after(const Standing& standing) const;
 
@@ -180,7 +190,7 @@ class Supervisor::Core {
   std::optional<MissionTime> due(GoalId goal) const;
   void give(GoalId goal);
   mission::ElementaryTask as_given(const mission::ElementaryTask& task) const;
-  bool begins_motion(const mission::ElementaryTask& task) const;
+  std::set<TaskId> loose_before(const mission::ElementaryTask& task) const;
   void end_waits();
   void load(const Entry& entry);
   void report_joint(TaskId id, const std::string& why);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "placement_places.hpp"
+#include "wording.hpp"
 
 namespace skein::supervisor {
 namespace {
@@ -93,8 +94,14 @@ void Judge::check_dates(Verdict& verdict) const {
   all.insert(all.end(), verdict.plan->tasks.begin(), verdict.plan->tasks.end());
   verdict.schedule = schedule(all, standing_.seen, base_.situation.origin);
   if (verdict.schedule.controllable) return;
+  const auto name = [&](std::uint64_t number) {
+    const auto task = std::find_if(all.begin(), all.end(),
+                                   [&](const auto& one) { return one.id.value() == number; });
+    return task == all.end() ? std::string() : in_words(*task);
+  };
   for (const Conflict& conflict : verdict.schedule.conflicts) {
-    verdict.reasons.push_back("task " + std::to_string(conflict.task.value()) + " " + conflict.why);
+    verdict.reasons.push_back(
+        with_names("task " + to_text(conflict.task) + " " + conflict.why, "task", name));
     const auto task = std::find_if(
         verdict.plan->tasks.begin(), verdict.plan->tasks.end(),
         [&](const mission::ElementaryTask& candidate) { return candidate.id == conflict.task; });
@@ -118,9 +125,9 @@ std::optional<mission::ElementaryPlan> Judge::sketch(const Goals& order) const {
 }
 
 std::optional<mission::ElementaryPlan> Judge::sketch_in_the_air(
-    const mission::HighLevelTask& goal) const {
+    const mission::HighLevelTask& goal, const world::Vector3& aside) const {
   PlanningRequest request = with_tasks(base_, without_bounds({goal}));
-  request.situation.position = in_the_air(base_);
+  request.situation.position = in_the_air(base_) + aside;
   request.situation.airborne = true;
   request.situation.broken.clear();
   auto plan = planner_(request);

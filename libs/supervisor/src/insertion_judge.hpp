@@ -45,9 +45,10 @@ class Judge {
   const Verdict& of(const Goals& order);
   /// A plan for estimates only, without time constraints and with all the energy there could be.
   std::optional<mission::ElementaryPlan> sketch(const Goals& order) const;
-  /// As sketch, of one task from the air, whatever is broken.
+  /// As sketch, of one task from the air, whatever is broken; `aside` of where it is [m].
   std::optional<mission::ElementaryPlan> sketch_in_the_air(
-      const mission::HighLevelTask& goal) const;
+      const mission::HighLevelTask& goal,
+      const world::Vector3& aside = world::Vector3::Zero()) const;
 
   const PlanningRequest& base() const { return base_; }
   const Standing& standing() const { return standing_; }

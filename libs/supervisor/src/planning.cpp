@@ -8,6 +8,7 @@
 #include "skein/supervisor/plan_reader.hpp"
 #include "skein/supervisor/planner_host.hpp"
 #include "terms.hpp"
+#include "wording.hpp"
 
 namespace skein::supervisor {
 
@@ -86,8 +87,7 @@ std::optional<PlanningFailure> energy_problem(const mission::ElementaryPlan& pla
       return PlanningFailure{
           task.origin,
           {"the plan needs " + percent(plan.energy) + " of the energy held when full, " +
-           percent(left) + " are left above the reserve: it would last up to " + task.name + " " +
-           std::to_string(task.id.value())}};
+           percent(left) + " are left above the reserve: it would last up to " + in_words(task)}};
   }
   return std::nullopt;
 }

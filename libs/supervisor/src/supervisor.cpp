@@ -33,6 +33,7 @@ Effects Supervisor::Core::handle(const Input& input, MissionTime now) {
   std::visit([this](const auto& one) { on(one); }, input);
   if (engaged_) {
     watch();
+    settle_true_goals();
     start_job();
     commit();
     keep_safe();

@@ -78,16 +78,19 @@ void Supervisor::Core::cancel_goal(GoalId id, const std::string& cause) {
 // ---- devices and energy ----
 
 void Supervisor::Core::check_devices(const std::set<std::string>& newly) {
-  const auto needs = [&](const Entry* entry) {
-    const executive::Parameter* device = entry->task.parameters.find("device");
-    return book_.counts(*entry) && device != nullptr && newly.count(device->text) != 0;
+  const auto failed = [&](const Entry* entry) {
+    if (!book_.counts(*entry)) return std::string();
+    const auto devices = devices_of(entry->task);
+    const auto hit = std::find_if(devices.begin(), devices.end(),
+                                  [&](const auto& one) { return newly.count(one) != 0; });
+    return hit == devices.end() ? std::string() : *hit;
   };
   for (const GoalId id : std::vector<GoalId>(book_.order)) {
     const auto tasks = book_.of(id);
-    const auto hit = std::find_if(tasks.begin(), tasks.end(), needs);
+    const auto hit = std::find_if(tasks.begin(), tasks.end(),
+                                  [&](const Entry* entry) { return !failed(entry).empty(); });
     if (hit == tasks.end()) continue;
-    const std::string device = (*hit)->task.parameters.find("device")->text;
-    fail_goal(id, "device " + device + " of task " + to_text((*hit)->task.id) + " failed");
+    fail_goal(id, "device " + failed(*hit) + " of task " + to_text((*hit)->task.id) + " failed");
   }
 }
 

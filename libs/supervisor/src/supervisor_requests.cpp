@@ -46,7 +46,7 @@ void Supervisor::Core::enter(const mission::UnitMission& mission) {
     book_.order.push_back(task.id);
     set_state(entered, GoalState::kReceived);
   }
-  pending_.push_back({mission.id, mission.placement, mission.interrupt,
+  pending_.push_back({mission.id, mission.placement, mission.interrupt, mission.any,
                       "mission " + to_text(mission.id) + " of " + mission.asked_by, now_});
 }
 
@@ -136,7 +136,7 @@ std::vector<GoalId> Supervisor::Core::left_to_plan(const std::vector<GoalId>& go
     behind = behind || (is_gone(id) && !book_.goals.at(id).queued);
     if (is_gone(id) || std::find(free.begin(), free.end(), id) == free.end()) continue;
     left.push_back(id);
-    touched = touched || behind || !book_.is_planned(id);
+    touched = touched || behind || (!book_.is_planned(id) && !book_.goals.at(id).true_at);
   }
   return touched ? left : std::vector<GoalId>();
 }

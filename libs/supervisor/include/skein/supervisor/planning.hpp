@@ -55,6 +55,8 @@ struct Situation {
   bool airborne = false;
   double energy = 1;  ///< what will be left, [0, 1]
   Timeline motion;
+  /// What runs along with that motion, or still runs after it: the next motion waits for it too.
+  std::vector<Timeline> riders;
   std::map<std::string, Timeline> devices;  ///< those that are not here are free at once
   std::set<std::string> broken;             ///< devices that do not work
   executive::TaskId next_id{1};             ///< elementary tasks are numbered from here

@@ -33,11 +33,6 @@ struct RepairRequest {
   std::size_t failed_at = 0;                      ///< position of `failed` among them
 };
 
-struct Dropped {
-  mission::GoalId goal;
-  std::string why;
-};
-
 struct RepairOutcome {
   RepairStep served = RepairStep::kFail;
   std::optional<mission::ElementaryPlan> plan;  ///< absent: kFail
