@@ -20,12 +20,6 @@ using executive::TaskState;
 using mission::GoalId;
 using mission::GoalState;
 
-/// Where the vehicle is at some moment of a plan.
-struct Whereabouts {
-  world::Vector3 position = world::Vector3::Zero();  ///< [m] ENU
-  bool airborne = false;
-};
-
 /// A high-level task.
 struct Goal {
   mission::HighLevelTask task;
