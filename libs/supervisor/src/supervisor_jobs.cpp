@@ -121,7 +121,9 @@ void Supervisor::Core::start_insertion(const Pending& pending) {
   run(std::move(job), std::move(request));
 }
 
+// What keeps it safe meanwhile is numbered before the plan that is to be made.
 void Supervisor::Core::start_repair() {
+  keep_safe();
   Need need = std::move(*need_);
   need_.reset();
   reschedule();

@@ -191,7 +191,7 @@ TEST(Repair, APlanThatEndsInTheAirLeavesTheWayHome) {
 
 TEST(Repair, AShorterOrderIsPreferredToLeavingOut) {
   Lab lab = eastern();
-  lab.energy(0.185);
+  lab.energy(0.185 + kSpareEnergy);
 
   const auto outcome = repair(lab, request_of(lab, {Lab::visit(1, "D"), Lab::visit(2, "A"),
                                                     Lab::visit(3, "C"), Lab::simple(4, "land")}));
