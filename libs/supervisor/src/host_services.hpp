@@ -53,6 +53,9 @@ class PlannerHost::Services {
   Value rest(htn::TermStore& store, Arguments arguments);
   Value not_reached(htn::TermStore& store, Arguments arguments);
   Value within_reach(htn::TermStore& store, Arguments arguments);
+  Value landing_place(htn::TermStore& store, Arguments arguments);
+  Value way_out(htn::TermStore& store, Arguments arguments);
+  Value is_free(htn::TermStore& store, Arguments arguments);
   Value stay(htn::TermStore& store, Arguments arguments);
   Value viewpoint(htn::TermStore& store, Arguments arguments);
   Value angles(htn::TermStore& store, Arguments arguments);
