@@ -61,7 +61,6 @@ journal::Record planned_line(const translation::Writer& writer, const wire::Miss
   line.with("after", text_of(task.dependences));
   if (!task.stop.empty()) line.with("stop", text_of(task.stop));
   line.with("methods", task.methods).with("committed", task.committed);
-  if (!task.device.empty()) line.with("device", task.device);
   if (!task.way.empty()) line.with("way", journal::rounded(task.way));
   return line;
 }
@@ -75,7 +74,6 @@ journal::Record goal_line(const translation::Writer& writer, const mission::Goal
       .with("state", to_text(goal.state));
   if (!goal.why.empty()) line.with("why", goal.why);
   line.with("asked_by", goal.asked_by);
-  if (!goal.done.empty()) line.with("done", goal.done);
   return line;
 }
 

@@ -197,7 +197,7 @@ void GroundNode::carry_out(const gs::SendSync& effect) {
   send(effect.to, std::move(message));
 }
 
-void GroundNode::carry_out(const gs::TellAlarm& effect) {
+void GroundNode::carry_out(const gs::AlarmEvent& effect) {
   const gs::Alarm& alarm = effect.alarm;
   wire::Alarm sample;
   sample.id = alarm.id.value();
@@ -206,14 +206,8 @@ void GroundNode::carry_out(const gs::TellAlarm& effect) {
   sample.radius = alarm.radius;
   sample.belief = alarm.belief;
   for (const node::Member& member : roster_.members()) {
-    const bool meant = effect.uav.empty() || member.name == effect.uav;
-    if (member.role == wire::Role::kDdn && meant) send(member.name, sample);
+    if (member.role == wire::Role::kDdn) send(member.name, sample);
   }
-}
-
-void GroundNode::carry_out(const gs::AlarmEvent& effect) {
-  const gs::Alarm& alarm = effect.alarm;
-  carry_out(gs::TellAlarm{alarm, {}});
   log(record("alarm")
           .with("alarm", alarm.id.value())
           .with("state", to_text(alarm.state))

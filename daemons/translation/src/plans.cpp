@@ -19,7 +19,6 @@ static_assert(static_cast<int>(wire::DependenceKind::kCount) ==
 
 constexpr std::size_t kMostWayPoints = wire::kMaximumSequence / 3;
 constexpr const char* kMethodSeparator = " > ";
-constexpr const char* kDevice = "device";
 
 tl::unexpected<wire::Violation> wrong(const std::string& list, std::size_t index,
                                       const std::string& field, std::string why) {
@@ -98,8 +97,6 @@ wire::PlanEntry to_wire(const mission::PlannedTask& planned) {
   entry.committed = planned.committed;
   entry.way = flat(planned.task.way);
   entry.methods = joined(planned.task.methods);
-  const executive::Parameter* device = planned.task.parameters.find(kDevice);
-  if (device != nullptr) entry.device = device->text;
   return entry;
 }
 
@@ -112,7 +109,6 @@ mission::PlannedTask from_wire(const wire::PlanEntry& entry) {
   planned.task.stop = from_wire(entry.stop);
   planned.task.way = points_of(entry.way);
   planned.task.methods = methods_of(entry.methods);
-  if (!entry.device.empty()) planned.task.parameters.add({kDevice, entry.device, {}});
   planned.dates = {
       MissionTime::nanoseconds(entry.earliest_start), MissionTime::nanoseconds(entry.latest_start),
       MissionTime::nanoseconds(entry.earliest_end), MissionTime::nanoseconds(entry.latest_end)};
@@ -137,8 +133,7 @@ mission::HeldTask from_wire(const wire::HeldTask& held) {
 wire::GoalEntry to_wire(const mission::GoalStatus& goal) {
   return {goal.id.value(), goal.mission.value(),
           goal.statement,  static_cast<wire::GoalState>(goal.state),
-          goal.why,        goal.asked_by,
-          goal.done};
+          goal.why,        goal.asked_by};
 }
 
 mission::GoalStatus from_wire(const wire::GoalEntry& goal) {
@@ -147,8 +142,7 @@ mission::GoalStatus from_wire(const wire::GoalEntry& goal) {
           goal.statement,
           static_cast<mission::GoalState>(goal.state),
           goal.why,
-          goal.asked_by,
-          goal.done};
+          goal.asked_by};
 }
 
 wire::MissionOutcome to_wire(const std::string& uav, const mission::MissionOutcome& outcome) {

@@ -29,7 +29,6 @@ struct Goal {
   std::string why;
   int refined = 0;      ///< times that it was refined again after a failure
   bool queued = false;  ///< its mission waits for its insertion
-  std::string done;     ///< of it, in words: by tasks that are over
   /// Planned to need no tasks: it is true when its turn comes, if the vehicle is there.
   std::optional<Whereabouts> true_at;
   MissionTime settled;  ///< when, of one that is

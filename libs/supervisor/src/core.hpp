@@ -87,9 +87,7 @@ class Supervisor::Core {
   void drop_cancelled_missions();
   void set_volume(const mission::ChangeWorld& change);
 
-  // supervisor_world.cpp: places and ground
-  void learn(const mission::ChangeWorld& change);
-  void look_elsewhere(const std::string& place, bool far, const std::string& cause);
+  // supervisor_world.cpp
   void feel_wind();
   // supervisor_air.cpp
   void check_air(const std::string& cause);
@@ -119,7 +117,6 @@ class Supervisor::Core {
   void on(const VehicleSeen& input);
   void on(const Tick&) {}
   void follow_ways(const world::Vector3& position);
-  void tell_progress(GoalId id);
   void see_flight(const executive::TaskEvent& event);
   void see_loose(const executive::TaskEvent& event);
   void see(Entry& entry, const executive::TaskEvent& event);

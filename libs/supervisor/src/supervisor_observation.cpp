@@ -104,7 +104,6 @@ void Supervisor::Core::see_started(Entry& entry) {
 void Supervisor::Core::see_ended(Entry& entry) {
   entry.seen.over = now_;
   entry.done = true;
-  tell_progress(entry.task.origin);
   if (!entry.live()) return;
   settle_done(entry);
   if (!engaged_ || ends_by_order(entry.task)) return;
@@ -155,7 +154,6 @@ bool Supervisor::Core::follows_lost_task(const Entry& entry) const {
 void Supervisor::Core::see_aborted(Entry& entry) {
   entry.seen.over = now_;
   entry.seen.aborted = true;
-  tell_progress(entry.task.origin);
   if (!entry.live()) return;
   const bool asked = entry.why == "abort requested" && !entry.stopping;
   const bool stopped = was_stopped_in_time(entry) && !asked;
@@ -204,10 +202,6 @@ void Supervisor::Core::follow_ways(const world::Vector3& position) {
     if (along == nullptr || along->over() || !along->running) continue;
     entry.passed = passed_after(along->task.way, entry.passed, vehicle_.position, position, reach);
   }
-}
-
-void Supervisor::Core::tell_progress(GoalId id) {
-  book_.goals.at(id).done = mission::to_text(progress_of(book_, id, std::nullopt));
 }
 
 void Supervisor::Core::on(const VehicleSeen& input) {

@@ -106,11 +106,10 @@ struct PlanEntry {
   bool committed = false;   ///< the executive has it
   std::vector<double> way;  ///< x, y, z of each point; empty: it does not fly
   std::string methods;      ///< from the high-level task down, separated by " > "
-  std::string device;       ///< that it perceives with; empty: none
   bool operator==(const PlanEntry&) const = default;
 };
 SKEIN_WIRE_FIELDS(PlanEntry, id, type, origin, dependences, stop, earliest_start, latest_start,
-                  earliest_end, latest_end, committed, way, methods, device)
+                  earliest_end, latest_end, committed, way, methods)
 
 /// The elementary plan of a UAV at degree 4 with its high-level tasks. Source: spec 6.1.
 struct MissionPlan {
