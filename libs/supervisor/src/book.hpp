@@ -42,10 +42,6 @@ struct Entry {
   mission::TaskDates promised;  ///< foreseen when the plan was made or last shifted
   TaskState state = TaskState::kScheduled;
   Observation seen;
-  std::optional<MissionTime> running;               ///< since when
-  world::Vector3 seen_at = world::Vector3::Zero();  ///< where the vehicle was then
-  std::size_t passed = 0;   ///< way-points behind the first, of the motion it perceives along
-  bool lost = false;        ///< to somebody else: nobody saw what became of it
   std::string why;          ///< of its interruption
   std::vector<Hold> holds;  ///< as the executive was told
   bool given = false;       ///< the executive has it
@@ -94,8 +90,7 @@ class Book {
   bool has_in_hand(GoalId goal) const;
   bool is_given(GoalId goal) const;  ///< some live task of it is, or was, with the executive
   bool is_planned(GoalId goal) const;
-  bool was_begun(GoalId goal) const;  ///< some task of it, withdrawn or not, has started
-  bool has_lost(GoalId goal) const;   ///< some live task of it was aborted
+  bool has_lost(GoalId goal) const;  ///< some live task of it was aborted
 
   /// What the executive has of ours and keeps.
   std::vector<TaskId> in_hand() const;

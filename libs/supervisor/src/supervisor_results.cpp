@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core.hpp"
-#include "progress.hpp"
 
 namespace skein::supervisor {
 
@@ -93,13 +92,8 @@ void Supervisor::Core::adopt(const Premises& premises, const mission::Elementary
 void Supervisor::Core::tell_refined(const Job& job, const mission::ElementaryPlan& plan) {
   std::vector<GoalId> goals = job.premises.goals;
   goals.insert(goals.end(), job.premises.added.begin(), job.premises.added.end());
-  std::string begun;
-  for (const GoalId id : goals) {
-    const std::string done = mission::to_text(progress_of(book_, id, now_));
-    if (!done.empty()) begun += "; goal " + to_text(id) + " goes on: " + done;
-  }
   decide({"3 refine", job.mission ? "mission " + to_text(*job.mission) : job.need.cause,
-          list_of("goals", goals), std::to_string(plan.tasks.size()) + " tasks" + begun, now_});
+          list_of("goals", goals), std::to_string(plan.tasks.size()) + " tasks", now_});
 }
 
 // ---- operator 1 ----

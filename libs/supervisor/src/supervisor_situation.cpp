@@ -5,7 +5,6 @@
 
 #include "core.hpp"
 #include "flight_times.hpp"
-#include "progress.hpp"
 
 namespace skein::supervisor {
 
@@ -82,11 +81,6 @@ Situation Supervisor::Core::situation(const Standing& standing,
   result.energy = energy_after(standing);
   result.broken = broken_;
   result.next_id = book_.next_id;
-  for (const auto& [id, goal] : book_.goals) {
-    if (is_settled(goal.state) || !book_.was_begun(id)) continue;
-    mission::Progress done = progress_of(book_, id, now_);
-    if (!done.none()) result.done.emplace(id, std::move(done));
-  }
   place_on_timelines(standing, withdrawn, result);
   return result;
 }
@@ -124,8 +118,7 @@ void Supervisor::Core::place_on_timelines(const Standing& standing,
     } else {
       result.riders.push_back(timeline_after(task));
     }
-    for (const std::string& device : devices_of(task))
-      result.devices[device] = timeline_after(task);
+    for (const std::string& device : devices_of(task)) result.devices[device] = timeline_after(task);
   }
 }
 
@@ -146,8 +139,8 @@ void Supervisor::Core::foresee_true_goals() {
 
 bool Supervisor::Core::is_there(const Whereabouts& expected) const {
   const world::VehicleModel& vehicle = config_.knowledge->vehicle;
-  const double wavers =
-      2 + arrival_distance(vehicle, world_->wind) + (vehicle.hovers ? 0 : vehicle.orbit_radius);
+  const double wavers = 2 + arrival_distance(vehicle, world_->wind) +
+                        (vehicle.hovers ? 0 : vehicle.orbit_radius);
   return vehicle_.airborne == expected.airborne &&
          (vehicle_.position - expected.position).norm() <= std::max(kThere, wavers);
 }
