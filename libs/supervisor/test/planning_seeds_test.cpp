@@ -45,7 +45,7 @@ class SeedHost {
     answer("compute-takeoff", 1, 0, {4, 6});
     answer("compute-land", 2, 1, {4, 6});
     answer("compute-patrol", 4, 0, {300, 300});
-    functions_.add("compute-gotoxyz", 2, 2,
+    functions_.add("compute-gotoxyz", 3, 3,
                    [this](TermStore& store, std::span<const Term> arguments) {
                      return Result<Term, Failure>(motion_to(store, arguments[1], next(arguments)));
                    });
