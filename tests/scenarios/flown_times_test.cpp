@@ -6,73 +6,18 @@
 
 #include "refinery.hpp"
 #include "skein/foundation/random.hpp"
-#include "skein/sim/simulator.hpp"
 #include "testing/planning_lab.hpp"
+#include "testing/range.hpp"
 
 namespace skein::supervisor {
 namespace {
 
+using testing::Flown;
+using testing::Range;
 using testing::vehicle_of;
+using testing::waypoints;
 using testing::world_of;
 using world::Vector3;
-
-struct Flown {
-  double seconds = -1;  ///< -1: not ended
-  std::string why;
-};
-
-/// One vehicle of the simulator, that is given one task after another.
-class Range {
- public:
-  Range(const world::World& world, const world::VehicleModel& model, std::uint64_t seed)
-      : simulator_(config(world, model, seed)) {}
-
-  Flown fly(const std::string& type, world::Parameters parameters, double patience) {
-    const std::uint64_t id = ++last_;
-    const MissionTime began = now_;
-    const sim::FunctionalRequest request{"uav", sim::RequestVerb::kDispatch, id, type,
-                                         std::move(parameters)};
-    auto effects = simulator_.handle(request, now_);
-    while ((now_ - began).to_seconds() < patience) {
-      for (const sim::Effect& one : effects) {
-        const auto* status = std::get_if<sim::FunctionalStatus>(&one);
-        if (status == nullptr || status->task != id) continue;
-        if (status->state == sim::FunctionalState::kAborted) return {-1, status->reason};
-        if (status->state == sim::FunctionalState::kEnded)
-          return {(status->at - began).to_seconds(), ""};
-      }
-      now_ = now_ + Duration::milliseconds(100);
-      effects = simulator_.handle(sim::Tick{}, now_);
-    }
-    return {-1, "not ended in " + std::to_string(patience) + " s"};
-  }
-
-  Vector3 position() const { return simulator_.find_vehicle("uav")->position; }
-
- private:
-  static sim::SimulatorConfig config(const world::World& world, const world::VehicleModel& model,
-                                     std::uint64_t seed) {
-    sim::SimulatorConfig config{world.terrain};
-    config.wind = world.wind;
-    config.radio = world.radio;
-    config.vehicles = {{"uav", model, world::Vector2::Zero(), 0, 1}};
-    config.seed = seed;
-    return config;
-  }
-
-  sim::Simulator simulator_;
-  MissionTime now_;
-  std::uint64_t last_ = 0;
-};
-
-world::Parameters waypoints(const refiners::Way& way) {
-  std::vector<double> numbers;
-  for (std::size_t i = way.size() > 1 ? 1 : 0; i < way.size(); ++i)
-    numbers.insert(numbers.end(), {way[i].x(), way[i].y(), way[i].z()});
-  world::Parameters parameters;
-  parameters.add("waypoints", std::move(numbers));
-  return parameters;
-}
 
 world::World windy(double speed, double gusts) {
   world::World world = world_of("scenarios/domains/seeds.yaml");

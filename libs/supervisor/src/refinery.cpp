@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "autopilot.hpp"
+#include "closed_air.hpp"
 #include "skein/refiners/flyable.hpp"
-#include "skein/refiners/patrol.hpp"
 #include "skein/refiners/tour.hpp"
 #include "skein/refiners/viewpoint.hpp"
 
@@ -24,8 +25,11 @@ constexpr double kCostOfWay = 1e-4;                   // of utility, per metre
 constexpr double kNearShare = 0.5;                    // of its range, for a sensor to see well
 constexpr double kSteep = 1.25;      // distances over heights that it must reach at least
 constexpr double kClimbShare = 0.8;  // of its rates, in ways of a vehicle that cannot hover
+constexpr double kApart = 75;        // [m] between partners: circles of a blimp and what they waver
+constexpr std::size_t kAroundOne = 6;  // places around one, that far from it and from each other
+constexpr double kTurningRoom = 3;     // turn radii to the side, where a turn has no room
+constexpr double kJoining = 1.3;       // of its circle: it is joined from inside and outside
 constexpr double kOutStep = 10, kFarthestOut = 300;  // [m] out of closed air
-constexpr double kEnough = 1e-6;                     // [s]
 
 tl::unexpected<std::string> no(std::string why) {
   return tl::unexpected<std::string>(std::move(why));
@@ -43,13 +47,6 @@ Way thinned(const Way& way, const world::Airspace& air, double spacing) {
   return kept;
 }
 
-double heading_to(const Vector3& from, const world::Polygon& polygon) {
-  world::Vector2 middle = world::Vector2::Zero();
-  for (const world::Vector2& corner : polygon) middle += corner;
-  middle /= static_cast<double>(polygon.size());
-  return std::atan2(middle.y() - from.y(), middle.x() - from.x());
-}
-
 }  // namespace
 
 Refinery::Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed)
@@ -63,6 +60,8 @@ Refinery::Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed)
 refiners::Setting Refinery::setting(const refiners::PathPlanner* paths) const {
   return {world(), {}, seed_, paths};
 }
+
+double Refinery::stray() const { return arrival_distance(vehicle(), world().wind); }
 
 double Refinery::clearance() const {
   return std::max(kLeastClearance, 4 * world::tracking_spread(vehicle()));
@@ -115,25 +114,102 @@ Answer<const world::Airspace*> Refinery::airspace() {
     auto made = refiners::airspace_of(query(home, home), setting());
     if (!made) return no(made.error().why);
     airspace_.emplace(std::move(*made));
+    for (const world::Volume& volume : closed()) airspace_->block(volume, stray());
   }
   return &*airspace_;
+}
+
+std::vector<world::Volume> Refinery::closed() const {
+  std::vector<world::Volume> all;
+  for (const world::Volume& volume : world().volumes)
+    if (volume.polygon.size() > 2 && volume.when.until > origin_) all.push_back(volume);
+  return all;
+}
+
+bool Refinery::has_room(const Vector3& at) const {
+  const double around = vehicle().hovers ? stray() : kJoining * vehicle().orbit_radius + stray();
+  return std::none_of(world().volumes.begin(), world().volumes.end(), [&](const auto& volume) {
+    return volume.when.until > origin_ && is_near(volume, at, around);
+  });
+}
+
+/// Some flight along the way, whichever way it comes to where that begins, or its circles at the
+/// end are nearer to closed air than the vehicle strays.
+bool Refinery::met(const Way& way) const {
+  const std::vector<world::Volume> volumes = closed();
+  if (vehicle().hovers || volumes.empty() || way.size() < 2) return false;
+  const auto is_met = [&](const Vector3& at) {
+    return std::any_of(volumes.begin(), volumes.end(),
+                       [&](const auto& volume) { return is_near(volume, at, stray()); });
+  };
+  const auto any_met = [&](const std::vector<Vector3>& track) {
+    return std::any_of(track.begin(), track.end(), is_met);
+  };
+  const Way rest(way.begin() + 1, way.end());
+  const double round = 2 * std::numbers::pi * vehicle().orbit_radius / vehicle().cruise_speed;
+  for (const Pose& pose : poses_at(way.front(), vehicle())) {
+    if (is_met(pose.at)) continue;
+    const FlownWay flown = fly_way(pose, rest, vehicle(), world().wind);
+    if (any_met(flown.track) ||
+        any_met(circle_over(flown.end, way.back(), vehicle(), world().wind, 2 * round)))
+      return true;
+  }
+  return false;
 }
 
 Answer<Motion> Refinery::path(const Vector3& from, const Vector3& to) {
   const auto air = airspace();
   if (!air) return no(air.error());
   if (!(*air)->is_free(from)) return way_out(**air, from, to);
-  const bool uniform = (*air)->least_cost() == (*air)->greatest_cost();
   if (from == to) return flown({from});
-  if (uniform && (*air)->is_free(from, to) &&
+  const bool returns = (to - gazetteer_.knowledge().home).head<2>().norm() < vehicle().orbit_radius;
+  if (!returns && !has_room(to))
+    return no(vehicle().hovers ? "closed air is nearer to its end than the vehicle strays"
+                               : "closed air is too near for the circles that it waits on there");
+  auto way = way_through(**air, from, to);
+  if (!way) return no(way.error());
+  if (met(*way)) {
+    auto other = way_with_room(**air, from, to);
+    if (!other && !returns) return no("closed air is too near for its turns");
+    if (other) way = std::move(*other);
+  }
+  return flown(std::move(*way));
+}
+
+/// One whose turns and circles stay out of closed air: further away from that, or over a place
+/// beside where it begins, from where there is room to turn.
+std::optional<Way> Refinery::way_with_room(const world::Airspace& air, const Vector3& from,
+                                           const Vector3& to) const {
+  world::Airspace roomy = air;
+  const double radius = vehicle().min_turn_radius;
+  for (const world::Volume& volume : closed()) roomy.block(volume, stray() + 2 * radius);
+  if (auto way = way_through(roomy, from, to); way && !met(*way)) return *way;
+  constexpr int kDirections = 8;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kDirections;
+    const Vector3 over =
+        from + kTurningRoom * radius * Vector3(std::cos(angle), std::sin(angle), 0);
+    if (!air.is_free(from, over)) continue;
+    auto on = way_through(air, over, to);
+    if (!on) continue;
+    on->insert(on->begin(), from);
+    if (!met(*on)) return *on;
+  }
+  return std::nullopt;
+}
+
+Answer<Way> Refinery::way_through(const world::Airspace& air, const Vector3& from,
+                                  const Vector3& to) const {
+  const bool uniform = air.least_cost() == air.greatest_cost();
+  if (uniform && air.is_free(from, to) &&
       refiners::is_flyable({from, to}, cautious(), 0, kTurnTolerance))
-    return flown({from, to});
-  const refiners::VoxelPathPlanner planner(**air);
+    return Way{from, to};
+  const refiners::VoxelPathPlanner planner(air);
   auto refined = refine(query(from, to), setting(&planner));
   if (!refined) return no(refined.error().why);
   Way way = std::move(refined->task.way);
-  if (!vehicle().hovers) way = thinned(way, **air, vehicle().orbit_radius);
-  return flown(std::move(way));
+  if (!vehicle().hovers) way = thinned(way, air, vehicle().orbit_radius);
+  return way;
 }
 
 Answer<Motion> Refinery::way_out(const world::Airspace& air, const Vector3& from,
@@ -153,74 +229,14 @@ Answer<Motion> Refinery::way_out(const world::Airspace& air, const Vector3& from
   return no("it begins in closed air, and no free air is near");
 }
 
-Answer<double> Refinery::footprint(const world::SensorModel& device, double height) const {
-  if (height <= 0 || height >= device.range)
-    return no(device.device + " reaches " + std::to_string(std::lround(device.range)) +
-              " m, and would look from " + std::to_string(std::lround(height)) +
-              " m over the ground");
-  const double reach = std::sqrt(device.range * device.range - height * height);
-  return std::min(reach, height * std::tan(device.aperture));
-}
-
-Answer<Motion> Refinery::patrol(const Vector3& from, const world::Zone& zone,
-                                const world::SensorModel& device, double seconds) const {
-  refiners::PatrolQuery query;
-  query.vehicle = cautious();
-  query.zone = zone.polygon;
-  query.start = from;
-  query.heading = heading_to(from, zone.polygon);
-  query.altitude = from.z() - gazetteer_.ground(from);
-  const auto width = footprint(device, query.altitude);
-  if (!width) return no(width.error());
-  query.footprint = *width;
-  query.duration = Duration::seconds(seconds);
-  query.depart = origin_;
-  auto refined = refine(query, setting());
-  if (!refined) return no(refined.error().why);
-  Way way = std::move(refined->task.way);
-  // The refiner counts neither turns nor braking: what would come too late is not flown.
-  const std::vector<double> passages = expected_passages(way, vehicle(), world().wind);
-  std::size_t kept = way.size();
-  while (kept > 2 && passages[kept - 1] > seconds + kEnough) --kept;
-  if (kept < way.size() && vehicle().hovers) {
-    const double leg = passages[kept] - passages[kept - 1];
-    const double part = std::clamp((seconds - passages[kept - 1]) / leg, 0.0, 1.0);
-    way[kept] = way[kept - 1] + part * (way[kept] - way[kept - 1]);
-    ++kept;
-  }
-  way.resize(kept);
-  return flown(std::move(way));
-}
-
-Answer<Motion> Refinery::sweep(const Vector3& from, const world::Zone& zone,
-                               const world::SensorModel& device) const {
-  refiners::CoverageQuery query;
-  query.vehicle = cautious();
-  query.area = zone.polygon;
-  query.altitude = std::min(gazetteer_.knowledge().altitude, vehicle().ceiling);
-  const auto width = footprint(device, query.altitude);
-  if (!width) return no(width.error());
-  // What the vehicle wavers must not leave gaps between lanes.
-  query.swath = 2 * std::max(*width / 2, *width - world::tracking_spread(vehicle()));
-  query.start = gazetteer_.flown_to(from);
-  query.depart = origin_;
-  auto refined = refine(query, setting());
-  if (!refined) return no(refined.error().why);
-  const Way& way = refined->task.way;
-  const world::Vector2 first = refined->task.lanes.front().from;
-  const auto entry = std::min_element(way.begin(), way.end(), [&](const auto& a, const auto& b) {
-    return (a.template head<2>() - first).norm() < (b.template head<2>() - first).norm();
-  });
-  return flown(Way(entry, way.end()));
-}
-
 Answer<std::vector<Vector3>> Refinery::views(const Vector3& place, const world::SensorModel& device,
                                              std::size_t count) {
   const auto air = airspace();
   if (!air) return no(air.error());
   refiners::ViewpointQuery query;
-  query.constraints.push_back(
-      {"free air", [free = *air](const Vector3& at) { return free->is_free(at); }});
+  query.constraints.push_back({"free air", [this, free = *air](const Vector3& at) {
+                                 return free->is_free(at) && (vehicle().hovers || has_room(at));
+                               }});
   query.vehicle = cautious();
   query.device = device.device;
   query.target = place;
@@ -247,6 +263,27 @@ Answer<std::vector<Vector3>> Refinery::views(const Vector3& place, const world::
   std::vector<Vector3> points;
   for (const refiners::ViewPoint& point : refined->task.points) points.push_back(point.position);
   return points;
+}
+
+Answer<std::vector<Vector3>> Refinery::places_around(const Vector3& at, std::size_t count) {
+  const auto air = airspace();
+  if (!air) return no(air.error());
+  std::vector<Vector3> places = {at};
+  for (std::size_t rank = 1; rank < count; ++rank) {
+    const double distance = kApart * static_cast<double>(1 + (rank - 1) / kAroundOne);
+    const double angle = 2 * std::numbers::pi * static_cast<double>((rank - 1) % kAroundOne) /
+                         static_cast<double>(kAroundOne);
+    // Turned by less than half of what is between two.
+    std::optional<Vector3> found;
+    for (const double turned : {0.0, 0.25, -0.25, 0.4, -0.4}) {
+      const double to = angle + turned * 2 * std::numbers::pi / static_cast<double>(kAroundOne);
+      const Vector3 beside = at + distance * Vector3(std::cos(to), std::sin(to), 0);
+      if (!found && (*air)->is_free(beside) && has_room(beside)) found = beside;
+    }
+    if (!found) return no("no free air beside it for " + std::to_string(count) + " partners");
+    places.push_back(*found);
+  }
+  return places;
 }
 
 Answer<std::vector<Vector3>> Refinery::tour(const Vector3& from,
