@@ -92,7 +92,7 @@ std::string read_uav(const Reader& reader, const TaskContext& context) {
 }
 
 Action read_mission(const Reader& reader, TaskContext& context) {
-  reader.keys({"uav", "id", "tasks", "placement", "interrupt"});
+  reader.keys({"uav", "id", "tasks", "placement", "interrupt", "achieve"});
   if (!context.scenario.planning) reader.error(kNoPlanning, kPlanningWanted);
   ground_station::SendMission send;
   send.uav = read_uav(reader, context);
@@ -109,6 +109,7 @@ Action read_mission(const Reader& reader, TaskContext& context) {
   }
   send.mission.placement = static_cast<mission::Placement>(
       reader.optional("placement").choice({"best", "last", "in-time", "tour", "first"}));
+  send.mission.any = reader.optional("achieve").choice({"all", "any"}) == 1;
   send.mission.interrupt = interrupt.boolean(false);
   if (send.mission.interrupt && send.mission.placement != mission::Placement::kFirst) {
     interrupt.error("only what comes first interrupts what is under way", "placement: first");

@@ -7,6 +7,8 @@
 
 #include "autopilot.hpp"
 #include "closed_air.hpp"
+#include "crossing.hpp"
+#include "landing_place.hpp"
 #include "skein/refiners/flyable.hpp"
 #include "skein/refiners/tour.hpp"
 #include "skein/refiners/viewpoint.hpp"
@@ -29,7 +31,8 @@ constexpr double kApart = 75;        // [m] between partners: circles of a blimp
 constexpr std::size_t kAroundOne = 6;  // places around one, that far from it and from each other
 constexpr double kTurningRoom = 3;     // turn radii to the side, where a turn has no room
 constexpr double kJoining = 1.3;       // of its circle: it is joined from inside and outside
-constexpr double kOutStep = 10, kFarthestOut = 300;  // [m] out of closed air
+constexpr double kOutStep = 10, kFarthestOut = 600;  // [m] out of closed air
+constexpr int kDirections = 24, kAround = 8;
 
 tl::unexpected<std::string> no(std::string why) {
   return tl::unexpected<std::string>(std::move(why));
@@ -93,11 +96,24 @@ double Refinery::energy_of_stay(double seconds) const {
 
 Answer<Motion> Refinery::takeoff(const Vector3& from) const {
   const Vector3 to = gazetteer_.above(from);
+  for (const world::Volume& volume : world().volumes)
+    if (origin_ < volume.when.until && crosses(volume, vehicle().body_radius, from, to))
+      return no("the air over it is closed (volume '" + volume.name + "')");
   Motion motion{{from, to}, {}, 0};
   motion.times = takeoff_times(to.z() - gazetteer_.ground(from), vehicle(), world().wind);
   motion.energy = motion.times.expected * world::flight_power(vehicle(), 0, vehicle().climb_rate) /
                   vehicle().energy.capacity;
   return motion;
+}
+
+Answer<Refinery::Landing> Refinery::landing_place(const Vector3& from,
+                                                  const Vector3& wanted) const {
+  const Knowledge& knowledge = gazetteer_.knowledge();
+  const auto problem = landing_problem(knowledge, world(), origin_, wanted);
+  if (!problem) return Landing{wanted, {}};
+  const auto at = supervisor::landing_place(knowledge, world(), origin_, from, wanted);
+  if (!at) return no(*problem + ", and no ground near it serves");
+  return Landing{*at, *problem};
 }
 
 Answer<Motion> Refinery::landing(const Vector3& from, const Vector3& to) const {
@@ -160,7 +176,7 @@ bool Refinery::met(const Way& way) const {
 Answer<Motion> Refinery::path(const Vector3& from, const Vector3& to) {
   const auto air = airspace();
   if (!air) return no(air.error());
-  if (!(*air)->is_free(from)) return way_out(**air, from, to);
+  if (!(*air)->is_free(from)) return out_and_on(from, to);
   if (from == to) return flown({from});
   const bool returns = (to - gazetteer_.knowledge().home).head<2>().norm() < vehicle().orbit_radius;
   if (!returns && !has_room(to))
@@ -184,9 +200,8 @@ std::optional<Way> Refinery::way_with_room(const world::Airspace& air, const Vec
   const double radius = vehicle().min_turn_radius;
   for (const world::Volume& volume : closed()) roomy.block(volume, stray() + 2 * radius);
   if (auto way = way_through(roomy, from, to); way && !met(*way)) return *way;
-  constexpr int kDirections = 8;
-  for (int i = 0; i < kDirections; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kDirections;
+  for (int i = 0; i < kAround; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kAround;
     const Vector3 over =
         from + kTurningRoom * radius * Vector3(std::cos(angle), std::sin(angle), 0);
     if (!air.is_free(from, over)) continue;
@@ -212,21 +227,46 @@ Answer<Way> Refinery::way_through(const world::Airspace& air, const Vector3& fro
   return way;
 }
 
-Answer<Motion> Refinery::way_out(const world::Airspace& air, const Vector3& from,
-                                 const Vector3& to) {
-  constexpr int kDirections = 24;
-  for (double out = kOutStep; out <= kFarthestOut; out += kOutStep) {
+bool Refinery::may_stay(const Vector3& at) {
+  const auto air = airspace();
+  if (!air || !(*air)->is_free(at)) return false;
+  const double radius = stay_radius(vehicle());
+  for (int i = 0; i < kAround; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kAround;
+    if (!(*air)->is_free(at + radius * Vector3(std::cos(angle), std::sin(angle), 0))) return false;
+  }
+  return true;
+}
+
+Answer<Motion> Refinery::way_out(const Vector3& from) {
+  if (const auto air = airspace(); !air) return no(air.error());
+  std::optional<Vector3> out;
+  double soonest = kFarthestOut / vehicle().cruise_speed;
+  const auto consider = [&](const Vector3& to, double seconds) {
+    if (seconds >= soonest || !world().terrain.line_of_sight(from, to) || !may_stay(to)) return;
+    soonest = seconds;
+    out = to;
+  };
+  for (double far = kOutStep; far <= kFarthestOut; far += kOutStep) {
+    consider(from + Vector3(0, 0, far), far / vehicle().climb_rate);
+    consider(from - Vector3(0, 0, far), far / vehicle().descent_rate);
     for (int i = 0; i < kDirections; ++i) {
       const double angle = 2 * std::numbers::pi * i / kDirections;
-      const Vector3 free = from + out * Vector3(std::cos(angle), std::sin(angle), 0);
-      if (!air.is_free(free) || !world().terrain.line_of_sight(from, free)) continue;
-      auto on = path(free, to);
-      if (!on) return on;
-      on->way.insert(on->way.begin(), from);
-      return flown(std::move(on->way));
+      consider(from + far * Vector3(std::cos(angle), std::sin(angle), 0),
+               far / vehicle().cruise_speed);
     }
   }
-  return no("it begins in closed air, and no free air is near");
+  if (!out) return no("it begins in closed air, and no free air is near");
+  return flown({from, *out});
+}
+
+Answer<Motion> Refinery::out_and_on(const Vector3& from, const Vector3& to) {
+  const auto out = way_out(from);
+  if (!out) return out;
+  auto on = path(out->way.back(), to);
+  if (!on) return on;
+  on->way.insert(on->way.begin(), from);
+  return flown(std::move(on->way));
 }
 
 Answer<std::vector<Vector3>> Refinery::views(const Vector3& place, const world::SensorModel& device,
