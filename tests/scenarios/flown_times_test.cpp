@@ -2,77 +2,24 @@
 // The durations of plans against the functional simulator: does it really fly within them?
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "refinery.hpp"
 #include "skein/foundation/random.hpp"
-#include "skein/sim/simulator.hpp"
 #include "testing/planning_lab.hpp"
+#include "testing/range.hpp"
 
 namespace skein::supervisor {
 namespace {
 
+using testing::Flown;
+using testing::Range;
 using testing::vehicle_of;
+using testing::waypoints;
 using testing::world_of;
 using world::Vector3;
-
-struct Flown {
-  double seconds = -1;  ///< -1: not ended
-  std::string why;
-};
-
-/// One vehicle of the simulator, that is given one task after another.
-class Range {
- public:
-  Range(const world::World& world, const world::VehicleModel& model, std::uint64_t seed)
-      : simulator_(config(world, model, seed)) {}
-
-  Flown fly(const std::string& type, world::Parameters parameters, double patience) {
-    const std::uint64_t id = ++last_;
-    const MissionTime began = now_;
-    const sim::FunctionalRequest request{"uav", sim::RequestVerb::kDispatch, id, type,
-                                         std::move(parameters)};
-    auto effects = simulator_.handle(request, now_);
-    while ((now_ - began).to_seconds() < patience) {
-      for (const sim::Effect& one : effects) {
-        const auto* status = std::get_if<sim::FunctionalStatus>(&one);
-        if (status == nullptr || status->task != id) continue;
-        if (status->state == sim::FunctionalState::kAborted) return {-1, status->reason};
-        if (status->state == sim::FunctionalState::kEnded)
-          return {(status->at - began).to_seconds(), ""};
-      }
-      now_ = now_ + Duration::milliseconds(100);
-      effects = simulator_.handle(sim::Tick{}, now_);
-    }
-    return {-1, "not ended in " + std::to_string(patience) + " s"};
-  }
-
-  Vector3 position() const { return simulator_.find_vehicle("uav")->position; }
-
- private:
-  static sim::SimulatorConfig config(const world::World& world, const world::VehicleModel& model,
-                                     std::uint64_t seed) {
-    sim::SimulatorConfig config{world.terrain};
-    config.wind = world.wind;
-    config.radio = world.radio;
-    config.vehicles = {{"uav", model, world::Vector2::Zero(), 0, 1}};
-    config.seed = seed;
-    return config;
-  }
-
-  sim::Simulator simulator_;
-  MissionTime now_;
-  std::uint64_t last_ = 0;
-};
-
-world::Parameters waypoints(const refiners::Way& way) {
-  std::vector<double> numbers;
-  for (std::size_t i = way.size() > 1 ? 1 : 0; i < way.size(); ++i)
-    numbers.insert(numbers.end(), {way[i].x(), way[i].y(), way[i].z()});
-  world::Parameters parameters;
-  parameters.add("waypoints", std::move(numbers));
-  return parameters;
-}
 
 world::World windy(double speed, double gusts) {
   world::World world = world_of("scenarios/domains/seeds.yaml");
@@ -169,6 +116,62 @@ TEST(FlownTimes, PatternsAreFlownWithinThem) {
                   swept.why.c_str());
     EXPECT_GE(swept.seconds, sweep->times.least) << name << ' ' << swept.why;
     EXPECT_LE(swept.seconds, sweep->times.most) << name;
+  }
+}
+
+/// From the last point of a way, in the field, between 30 and 100 m up.
+Vector3 next_point(Random& random, const Vector3& from) {
+  const double reach = random.chance(0.3) ? 60 : 350;
+  const double rise = random.chance(0.5) ? 0 : random.uniform(-30, 30);
+  const Vector3 to =
+      from + Vector3(random.uniform(-reach, reach), random.uniform(-reach, reach), rise);
+  return to.cwiseMax(Vector3(-300, -300, 30)).cwiseMin(Vector3(300, 300, 100));
+}
+
+struct Statistics {
+  std::size_t flights = 0, outside = 0;
+  std::vector<double> share;  ///< of the greatest duration by the flown one, over 100 m and more
+};
+
+/// Random ways one after the other, at times with a wait between, in a random wind.
+void fly_random_ways(const world::VehicleModel& model, std::uint64_t seed, Statistics& all) {
+  Random random(seed, "ways");
+  world::World world = windy(random.uniform(0, 4), random.uniform(0, 1));
+  world.wind.toward = random.uniform(-3, 3);
+  if (random.chance(0.2)) world.wind.speed = world.wind.gusts = 0;
+  Range range(world, model, seed);
+  Vector3 at(0, 0, random.uniform(30, 100));
+  world::Parameters altitude;
+  altitude.add("altitude", at.z());
+  ASSERT_GT(range.fly("takeoff", altitude, 300).seconds, 0);
+  for (int leg = 0; leg < 6; ++leg) {
+    world::Parameters seconds;
+    seconds.add("duration", random.uniform(1, 60));
+    if (random.chance(0.4)) range.fly("wait", seconds, 100);
+    refiners::Way way = {at};
+    const double points = random.chance(0.6) ? 1 : random.uniform(1, 9);
+    while (static_cast<double>(way.size()) <= points) way.push_back(next_point(random, way.back()));
+    const Times times = flight_times(way, model, world.wind);
+    const Flown flown = range.fly("goto", waypoints(way), 4000);
+    ASSERT_GT(flown.seconds, 0) << model.name << " seed " << seed << ' ' << flown.why;
+    ++all.flights;
+    if (flown.seconds < times.least || flown.seconds > times.most) ++all.outside;
+    if (refiners::length_of(way) > 100) all.share.push_back(times.most / flown.seconds);
+    at = way.back();
+  }
+}
+
+TEST(FlownTimes, HoldRandomWaysInRandomWindsAndAreNarrow) {
+  for (const auto& [name, narrow] : {std::pair{"marvin", 1.2}, {"heliv", 1.5}, {"karma", 1.9}}) {
+    const auto model = vehicle_of(std::string("scenarios/comets/models/") + name + ".yaml");
+    Statistics all;
+    for (std::uint64_t seed = 1; seed <= (std::getenv("SKEIN_LONG") ? 400U : 15U); ++seed)
+      fly_random_ways(model, seed, all);
+
+    EXPECT_LE(all.outside, 1 + all.flights / 1000) << name;
+    const auto median = all.share.begin() + std::ssize(all.share) / 2;
+    std::nth_element(all.share.begin(), median, all.share.end());
+    EXPECT_LE(*median, narrow) << name;
   }
 }
 

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include "autopilot.hpp"
 
 namespace skein::supervisor {
 
@@ -14,16 +17,18 @@ using world::Vector3;
 using world::VehicleModel;
 using world::Wind;
 
-// Of the vehicle's time to gather its speed, v / a (docs/comets-domain.md has the derivation):
-constexpr double kGathering = 0.5;  // starting from rest
-constexpr double kBraking = 0.75;   // braking to rest with half the acceleration, and settling
-constexpr double kCorner = 1.5;     // stopping and starting again where the way turns back
-constexpr double kSettling = 4;     // of a climb, at its end
-constexpr double kFlare = 6;        // of a descent, near the ground
+// Of the vehicle's time to gather its speed, v / a (docs/comets-domain.md has what they come from):
+constexpr double kBraking = 0.6;         // once more, at the end
+constexpr double kCornerBraking = 0.25;  // at each corner;
+constexpr double kEvenOut = 0.75;        // power of their number by which that grows
+constexpr std::size_t kFlights = 6;      // in thought
+constexpr double kShare = 0.02;          // of any flight, either way
+constexpr double kGustTime = 10;         // [s] over which gusts are as one
+constexpr double kSettling = 4;          // of a climb, at its end
+constexpr double kFlare = 6;             // of a descent, near the ground
 constexpr double kSlowVertical = 1.5;
-constexpr double kCorrections = 6;  // of a pilot, before it is content
-constexpr double kCircles = 5;      // of a vehicle that cannot hover, at most; half of one expected
-constexpr double kMargin = 3;       // most that is lost, in units of what is expected
+constexpr double kCorrections = 6;        // of a pilot, before it is content
+constexpr double kCorrectionsOnAWay = 4;  // of which it does the others in passing
 // How far back along a way the shortest way through its tolerances is looked for.
 constexpr std::size_t kWindow = 48;
 
@@ -59,18 +64,6 @@ double least_length(const Way& way, double distance) {
   return length.empty() ? 0 : length.back();
 }
 
-/// Share of its speed that a vehicle loses at a corner: 0 straight on, 1 turning back.
-double sharpness(const Way& way, std::size_t at) {
-  const Vector3 in = way[at] - way[at - 1], out = way[at + 1] - way[at];
-  const double lengths = in.norm() * out.norm();
-  return lengths > 0 ? (1 - in.dot(out) / lengths) / 2 : 0;
-}
-
-double leg_seconds(const Vector3& from, const Vector3& to, const VehicleModel& vehicle,
-                   const Wind& wind) {
-  return refiners::estimate_flight({from, to}, vehicle, wind).duration.expected.to_seconds();
-}
-
 double gathering_seconds(const VehicleModel& vehicle) {
   return vehicle.cruise_speed / vehicle.acceleration;
 }
@@ -85,13 +78,39 @@ double circle_seconds(const VehicleModel& vehicle) {
   return 2 * std::numbers::pi * vehicle.min_turn_radius / vehicle.cruise_speed;
 }
 
-/// Gathering speed, braking, turning: what the estimate of the refiners leaves out. A vehicle that
-/// cannot hover does none of it: it goes on flying, and turns round where it must.
-double lost_seconds(const Way& way, const VehicleModel& vehicle) {
-  if (!vehicle.hovers) return circle_seconds(vehicle) / 2;
-  double share = way.size() < 2 ? kBraking : kGathering + kBraking;
-  for (std::size_t i = 1; i + 1 < way.size(); ++i) share += kCorner * sharpness(way, i);
-  return share * gathering_seconds(vehicle);
+/// Of all poses a way may begin in.
+struct Span {
+  double least = 0, expected = 0, most = 0;
+  bool arrives = false;
+};
+
+/// Flown in thought from each pose, with errors and gusts.
+Span flown(const Way& way, const VehicleModel& vehicle, const Wind& wind) {
+  const Way points(way.size() > 1 ? way.begin() + 1 : way.begin(), way.end());
+  const std::vector<Pose> poses = poses_at(way.front(), vehicle);
+  const std::size_t flights = std::max(kFlights, poses.size());
+  Span span{std::numeric_limits<double>::infinity(), 0, 0, true};
+  for (std::size_t i = 0; i < flights; ++i) {
+    const FlownWay one = fly_way(poses[i % poses.size()], points, vehicle, wind, i + 1);
+    span.arrives = span.arrives && one.arrived;
+    span.least = std::min(span.least, one.seconds);
+    span.most = std::max(span.most, one.seconds);
+    span.expected += one.seconds / static_cast<double>(flights);
+  }
+  return span;
+}
+
+/// Part of a flight that gusts may add to it or take from it: the longer it is, the more they even
+/// out.
+double gust_share(double seconds, const VehicleModel& vehicle, const Wind& wind) {
+  const double whole = 3 * vehicle.wind_drift * wind.gusts / vehicle.cruise_speed;
+  return kShare + whole * std::min(1.0, std::sqrt(kGustTime / std::max(1.0, seconds)));
+}
+
+/// Braking again where it was blown or flown off its way; or passing where it was blown on.
+double corner_seconds(std::size_t corners, const VehicleModel& vehicle) {
+  return kCornerBraking * std::pow(static_cast<double>(corners), kEvenOut) *
+         gathering_seconds(vehicle);
 }
 
 }  // namespace
@@ -110,32 +129,39 @@ double longest_reaction(const VehicleModel& vehicle) {
          2 * vehicle.pilot->reaction_spread.to_seconds();
 }
 
-Times flight_times(const Way& way, const VehicleModel& vehicle, const Wind& wind) {
-  const refiners::Flight flight = refiners::estimate_flight(way, vehicle, wind);
-  const double near = arrival_distance(vehicle, wind);
-  const double fastest = vehicle.cruise_speed + greatest_drift(vehicle, wind);
-  const double rise = way.empty() ? 0 : way.back().z() - way.front().z();
-  const double vertical =
-      (std::abs(rise) - near) / (rise > 0 ? vehicle.climb_rate : vehicle.descent_rate);
-  const double least = std::max(least_length(way, near) / fastest, vertical);
-  const double lost = lost_seconds(way, vehicle);
-  const double reaction = vehicle.pilot ? vehicle.pilot->reaction.to_seconds() : 0;
-  const double expected = flight.duration.expected.to_seconds() + lost + reaction;
-  const double most = flight.duration.most.to_seconds() + pilot_seconds(vehicle) +
-                      (vehicle.hovers ? kMargin * lost : kCircles * circle_seconds(vehicle));
-  return rounded(least, expected, most);
+double stray_distance(const VehicleModel& vehicle, const Wind& wind) {
+  return 2 * std::numbers::sqrt2 * world::tracking_spread(vehicle) +
+         2 * greatest_drift(vehicle, wind);
 }
 
-std::vector<double> expected_passages(const Way& way, const VehicleModel& vehicle,
-                                      const Wind& wind) {
-  std::vector<double> at(way.size(), 0);
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    double turn = i > 1 ? kCorner * sharpness(way, i - 1) : kGathering;
-    if (!vehicle.hovers) turn = 0;
-    at[i] = at[i - 1] + leg_seconds(way[i - 1], way[i], vehicle, wind) +
-            turn * gathering_seconds(vehicle);
+Times flight_times(const Way& way, const VehicleModel& vehicle, const Wind& wind) {
+  if (way.empty()) return {};
+  const Span span = flown(way, vehicle, wind);
+  // Neither wavers nor is blown about, and needs no time to gather its speed: exactly so long.
+  const bool is_exact = vehicle.hovers && gathering_seconds(vehicle) <= kTrackStep &&
+                        stray_distance(vehicle, wind) <= 0 && !vehicle.pilot;
+  if (is_exact) return rounded(span.least, span.expected, span.most);
+  const double share = gust_share(span.expected, vehicle, wind);
+  const double speed = vehicle.cruise_speed, near = stray_distance(vehicle, wind) / speed;
+  const double reached = reaching_distance(vehicle, wind) / speed;
+  const double corners = vehicle.hovers ? corner_seconds(way.size() - 1, vehicle) : 0;
+  const double slowest = (1 + share) * span.most, quickest = (1 - share) * span.least;
+  // A way that the autopilot does not come to the end of takes for ever.
+  if (!span.arrives) return rounded(quickest / 2, span.expected, slowest);
+  if (!vehicle.hovers) {
+    const double fastest = speed + greatest_drift(vehicle, wind);
+    const double straight =
+        (least_length(way, arrival_distance(vehicle, wind)) - vehicle.orbit_radius) / fastest;
+    return rounded(std::max(straight - reached, quickest - circle_seconds(vehicle) - near),
+                   span.expected, slowest + circle_seconds(vehicle) + near);
   }
-  return at;
+  const double reaction = vehicle.pilot ? vehicle.pilot->reaction.to_seconds() : 0;
+  const double pilot = vehicle.pilot
+                           ? longest_reaction(vehicle) +
+                                 kCorrectionsOnAWay * vehicle.pilot->attention_period.to_seconds()
+                           : 0;
+  return rounded(quickest - corners - near - reached, span.expected + reaction + corners / 2,
+                 slowest + kBraking * gathering_seconds(vehicle) + corners + pilot);
 }
 
 Times takeoff_times(double height, const VehicleModel& vehicle, const Wind& wind) {

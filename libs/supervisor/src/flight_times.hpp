@@ -3,9 +3,6 @@
 // nor turns, nor who flies.
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include "skein/mission/elementary_plan.hpp"
 #include "skein/refiners/flight.hpp"
 
@@ -26,20 +23,19 @@ double stay_radius(const world::VehicleModel& vehicle);
 /// Longest time from an order to its effect [s]; 0 without a pilot.
 double longest_reaction(const world::VehicleModel& vehicle);
 
-/// A way flown at cruise speed, from rest to rest.
-///
-/// `least`: the shortest way that touches every way-point within arrival_distance, at cruise speed
-/// with the strongest wind (three deviations of its gusts) behind. `expected`: the refiners'
-/// estimate, and gathering speed, braking, and turning at every corner in proportion to how sharp
-/// it is; of a vehicle that cannot hover, half a circle instead. `most`: the refiners' estimate
-/// against the wind, and three times as much; with a pilot, the longest reaction and six
-/// corrections; of a vehicle that cannot hover, five full circles, for headings and heights that do
-/// not fit. Checked against the functional simulator (test/flown_times_test.cpp). Cost: O(points).
+/// How far a vehicle may be beside where its autopilot means it to be: two deviations of its
+/// tracking along each axis, and what the strongest wind displaces it [m].
+double stray_distance(const world::VehicleModel& vehicle, const world::Wind& wind);
+
+/// A way flown at cruise speed, from where it waits to where it waits: `expected` as the autopilot
+/// flies it (autopilot.hpp), on average over the poses in which it may begin. `least` and `most`
+/// are the quickest and the slowest of them and what gusts, tracking and the pilot may add or take:
+/// of one that hovers, braking once more at some corners; else a full circle, for a point that is
+/// missed or for once met. docs/comets-domain.md has the figures;
+/// tests/scenarios/flown_times_test.cpp flies them. Cost: that of one flight by the autopilot and
+/// of eight of the first two legs.
 Times flight_times(const refiners::Way& way, const world::VehicleModel& vehicle,
                    const world::Wind& wind);
-/// Expected seconds at each way-point since the first one, as flight_times counts them.
-std::vector<double> expected_passages(const refiners::Way& way, const world::VehicleModel& vehicle,
-                                      const world::Wind& wind);
 
 /// Straight up, or straight down to the ground, over `height` metres.
 Times takeoff_times(double height, const world::VehicleModel& vehicle, const world::Wind& wind);

@@ -260,7 +260,8 @@ Value PlannerHost::Services::stay(TermStore& store, Arguments arguments) {
   return store.list(all);
 }
 
-/// Of the devices the first that sees the place from so many sides; a place in the air is flown to.
+/// Of the devices the first that sees the place from so many sides; a place in the air is flown to,
+/// by all but the first partner beside it.
 std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermStore& store,
                                                                          Term where, Term devices,
                                                                          std::size_t count) {
@@ -273,9 +274,14 @@ std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermSto
       why.push_back("no device '" + text_of(store, device) + "' on board");
       continue;
     }
-    if (!gazetteer_.on_ground(*at)) return Views{device, {*at}, true};
+    if (!gazetteer_.on_ground(*at)) {
+      auto beside = refinery_.places_around(*at, count);
+      if (beside) return Views{device, std::move(*beside)};
+      refuse("no room at " + Gazetteer::words(store, where) + ": " + beside.error());
+      return std::nullopt;
+    }
     auto found = refinery_.views(*at, *sensor, count);
-    if (found) return Views{device, std::move(*found), false};
+    if (found) return Views{device, std::move(*found)};
     why.push_back("nowhere to see " + Gazetteer::words(store, where) + " with " + sensor->device +
                   ": " + found.error());
   }
@@ -290,7 +296,7 @@ Value PlannerHost::Services::viewpoint(TermStore& store, Arguments arguments) {
     return failure("rank and count must be 0 and more, and 1 to 16");
   const auto seen = views(store, arguments[0], arguments[1], static_cast<std::size_t>(*count));
   if (!seen) return kNil;
-  const auto wanted = seen->in_the_air ? 0 : static_cast<std::size_t>(*rank);
+  const auto wanted = static_cast<std::size_t>(*rank);
   if (wanted >= seen->points.size())
     return refuse("only " + std::to_string(seen->points.size()) + " of " +
                   std::to_string(static_cast<int>(*count)) + " sides to see " +
@@ -305,7 +311,11 @@ Value PlannerHost::Services::angles(TermStore& store, Arguments arguments) {
   const auto count = number_of(store, arguments[2]);
   if (!count || *count < 1 || *count > kMostSides)
     return wrong(store, arguments[2], "number from 1 to 16");
-  const auto seen = views(store, arguments[0], arguments[1], static_cast<std::size_t>(*count));
+  // What is in the air is one place, not something to look at from its sides.
+  const auto at = place(store, arguments[0]);
+  const bool in_the_air = at && !gazetteer_.on_ground(*at);
+  const auto seen =
+      views(store, arguments[0], arguments[1], in_the_air ? 1 : static_cast<std::size_t>(*count));
   if (!seen) return kNil;
   std::vector<Term> all = {seen->device};
   for (const Vector3& point : seen->points) all.push_back(location_term(store, point));

@@ -79,7 +79,6 @@ class PlannerHost::Services {
   struct Views {
     htn::Term device;
     std::vector<world::Vector3> points;
-    bool in_the_air = false;  ///< the place itself
   };
   std::optional<Views> views(htn::TermStore& store, htn::Term place, htn::Term devices,
                              std::size_t count);

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "autopilot.hpp"
+#include "closed_air.hpp"
 #include "crossing.hpp"
 #include "landing_place.hpp"
 #include "skein/refiners/flyable.hpp"
-#include "skein/refiners/patrol.hpp"
 #include "skein/refiners/tour.hpp"
 #include "skein/refiners/viewpoint.hpp"
 
@@ -26,9 +27,12 @@ constexpr double kCostOfWay = 1e-4;                   // of utility, per metre
 constexpr double kNearShare = 0.5;                    // of its range, for a sensor to see well
 constexpr double kSteep = 1.25;      // distances over heights that it must reach at least
 constexpr double kClimbShare = 0.8;  // of its rates, in ways of a vehicle that cannot hover
+constexpr double kApart = 75;        // [m] between partners: circles of a blimp and what they waver
+constexpr std::size_t kAroundOne = 6;  // places around one, that far from it and from each other
+constexpr double kTurningRoom = 3;     // turn radii to the side, where a turn has no room
+constexpr double kJoining = 1.3;       // of its circle: it is joined from inside and outside
 constexpr double kOutStep = 10, kFarthestOut = 600;  // [m] out of closed air
 constexpr int kDirections = 24, kAround = 8;
-constexpr double kEnough = 1e-6;  // [s]
 // Waiting circles' radii, straight before a lane that is taken up again.
 constexpr double kRunIn = 2;
 
@@ -48,13 +52,6 @@ Way thinned(const Way& way, const world::Airspace& air, double spacing) {
   return kept;
 }
 
-double heading_to(const Vector3& from, const world::Polygon& polygon) {
-  world::Vector2 middle = world::Vector2::Zero();
-  for (const world::Vector2& corner : polygon) middle += corner;
-  middle /= static_cast<double>(polygon.size());
-  return std::atan2(middle.y() - from.y(), middle.x() - from.x());
-}
-
 }  // namespace
 
 Refinery::Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed)
@@ -72,6 +69,8 @@ Refinery::Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed)
 refiners::Setting Refinery::setting(const refiners::PathPlanner* paths) const {
   return {world(), {}, seed_, paths};
 }
+
+double Refinery::stray() const { return arrival_distance(vehicle(), world().wind); }
 
 double Refinery::clearance() const {
   return std::max(kLeastClearance, 4 * world::tracking_spread(vehicle()));
@@ -131,19 +130,19 @@ Answer<Motion> Refinery::landing(const Vector3& from, const Vector3& to) const {
   return motion;
 }
 
-Refinery::Counted Refinery::met(const Departure& when, double seconds) const {
+Refinery::Counted Refinery::counted(const Departure& when, double seconds) const {
   const auto at = [&](double s) {
     return std::isinf(s) ? MissionTime::max() : origin_ + Duration::seconds(s);
   };
   const world::TimeWindow flight{at(when.least), at(when.most + seconds)};
-  Counted counted;
+  Counted all;
   for (const world::Volume& volume : world().volumes) {
-    counted.push_back(volume.when.overlaps(flight) || volume.when.from == flight.from);
+    all.push_back(volume.when.overlaps(flight) || volume.when.from == flight.from);
   }
   return counted;
 }
 
-Answer<const world::Airspace*> Refinery::airspace() { return airspace(met({}, 0)); }
+Answer<const world::Airspace*> Refinery::airspace() { return airspace(counted({}, 0)); }
 
 Answer<const world::Airspace*> Refinery::airspace(const Counted& counted) {
   const auto known = airspaces_.find(counted);
@@ -155,30 +154,27 @@ Answer<const world::Airspace*> Refinery::airspace(const Counted& counted) {
   const Vector3 home = gazetteer_.above(gazetteer_.knowledge().home);
   auto made = refiners::airspace_of(query(home, home), {then, {}, seed_, nullptr});
   if (!made) return no(made.error().why);
+  for (const world::Volume& volume : closed(counted)) made->block(volume, stray());
   return &airspaces_.emplace(counted, std::move(*made)).first->second;
 }
 
 // The longer a way may take, the more volumes it may meet.
 Answer<Motion> Refinery::path(const Vector3& from, const Vector3& to, const Departure& when) {
-  Counted counted = met(when, has_windows_ ? flown({from, to}).times.most : 0);
+  Counted met = counted(when, has_windows_ ? flown({from, to}).times.most : 0);
   while (true) {
-    const auto air = airspace(counted);
+    const auto air = airspace(met);
     if (!air) return no(air.error());
-    auto motion = path_in(**air, from, to);
+    auto motion = path_in(**air, closed(met), from, to);
     if (!motion || !has_windows_) return motion;
-    Counted all = met(when, motion->times.most);
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] || counted[i];
-    if (all == counted) return motion;
-    counted = std::move(all);
+    Counted all = counted(when, motion->times.most);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] || met[i];
+    if (all == met) return motion;
+    met = std::move(all);
   }
 }
 
 bool Refinery::stays_free(const Vector3& at, const Departure& when, double seconds) const {
-  const Counted closed = met(when, seconds);
-  const double margin = clearance() + vehicle().body_radius + vehicle().orbit_radius;
-  for (std::size_t i = 0; i < closed.size(); ++i)
-    if (closed[i] && crosses(world().volumes[i], margin, at, at)) return false;
-  return true;
+  return has_room(at, closed(counted(when, seconds)));
 }
 
 std::optional<double> Refinery::worth_waiting(const Vector3& from, const Vector3& to,
@@ -200,20 +196,97 @@ std::optional<double> Refinery::worth_waiting(const Vector3& from, const Vector3
   return wait;
 }
 
-Answer<Motion> Refinery::path_in(const world::Airspace& air, const Vector3& from,
-                                 const Vector3& to) {
+Refinery::Volumes Refinery::closed() const { return closed(counted({}, 0)); }
+
+Refinery::Volumes Refinery::closed(const Counted& counted) const {
+  Volumes all;
+  for (std::size_t i = 0; i < counted.size(); ++i)
+    if (counted[i] && world().volumes[i].polygon.size() > 2) all.push_back(world().volumes[i]);
+  return all;
+}
+
+bool Refinery::has_room(const Vector3& at) const { return has_room(at, closed()); }
+
+bool Refinery::has_room(const Vector3& at, const Volumes& volumes) const {
+  const double around = vehicle().hovers ? stray() : kJoining * vehicle().orbit_radius + stray();
+  return std::none_of(volumes.begin(), volumes.end(),
+                      [&](const auto& volume) { return is_near(volume, at, around); });
+}
+
+/// Some flight along the way, whichever way it comes to where that begins, or its circles at the
+/// end are nearer to closed air than the vehicle strays.
+bool Refinery::met(const Way& way, const Volumes& volumes) const {
+  if (vehicle().hovers || volumes.empty() || way.size() < 2) return false;
+  const auto is_met = [&](const Vector3& at) {
+    return std::any_of(volumes.begin(), volumes.end(),
+                       [&](const auto& volume) { return is_near(volume, at, stray()); });
+  };
+  const auto any_met = [&](const std::vector<Vector3>& track) {
+    return std::any_of(track.begin(), track.end(), is_met);
+  };
+  const Way rest(way.begin() + 1, way.end());
+  const double round = 2 * std::numbers::pi * vehicle().orbit_radius / vehicle().cruise_speed;
+  for (const Pose& pose : poses_at(way.front(), vehicle())) {
+    if (is_met(pose.at)) continue;
+    const FlownWay flown = fly_way(pose, rest, vehicle(), world().wind);
+    if (any_met(flown.track) ||
+        any_met(circle_over(flown.end, way.back(), vehicle(), world().wind, 2 * round)))
+      return true;
+  }
+  return false;
+}
+
+Answer<Motion> Refinery::path_in(const world::Airspace& air, const Volumes& volumes,
+                                 const Vector3& from, const Vector3& to) {
   if (!air.is_free(from)) return out_and_on(from, to);
-  const bool uniform = air.least_cost() == air.greatest_cost();
   if (from == to) return flown({from});
+  const bool returns = (to - gazetteer_.knowledge().home).head<2>().norm() < vehicle().orbit_radius;
+  if (!returns && !has_room(to, volumes))
+    return no(vehicle().hovers ? "closed air is nearer to its end than the vehicle strays"
+                               : "closed air is too near for the circles that it waits on there");
+  auto way = way_through(air, from, to);
+  if (!way) return no(way.error());
+  if (met(*way, volumes)) {
+    auto other = way_with_room(air, volumes, from, to);
+    if (!other && !returns) return no("closed air is too near for its turns");
+    if (other) way = std::move(*other);
+  }
+  return flown(std::move(*way));
+}
+
+/// One whose turns and circles stay out of closed air: further away from that, or over a place
+/// beside where it begins, from where there is room to turn.
+std::optional<Way> Refinery::way_with_room(const world::Airspace& air, const Vector3& from,
+                                           const Vector3& to) const {
+  world::Airspace roomy = air;
+  const double radius = vehicle().min_turn_radius;
+  for (const world::Volume& volume : volumes) roomy.block(volume, stray() + 2 * radius);
+  if (auto way = way_through(roomy, from, to); way && !met(*way, volumes)) return *way;
+  for (int i = 0; i < kAround; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kAround;
+    const Vector3 over =
+        from + kTurningRoom * radius * Vector3(std::cos(angle), std::sin(angle), 0);
+    if (!air.is_free(from, over)) continue;
+    auto on = way_through(air, over, to);
+    if (!on) continue;
+    on->insert(on->begin(), from);
+    if (!met(*on, volumes)) return *on;
+  }
+  return std::nullopt;
+}
+
+Answer<Way> Refinery::way_through(const world::Airspace& air, const Vector3& from,
+                                  const Vector3& to) const {
+  const bool uniform = air.least_cost() == air.greatest_cost();
   if (uniform && air.is_free(from, to) &&
       refiners::is_flyable({from, to}, cautious(), 0, kTurnTolerance))
-    return flown({from, to});
+    return Way{from, to};
   const refiners::VoxelPathPlanner planner(air);
   auto refined = refine(query(from, to), setting(&planner));
   if (!refined) return no(refined.error().why);
   Way way = std::move(refined->task.way);
   if (!vehicle().hovers) way = thinned(way, air, vehicle().orbit_radius);
-  return flown(std::move(way));
+  return way;
 }
 
 bool Refinery::may_stay(const Vector3& at) {
@@ -258,67 +331,6 @@ Answer<Motion> Refinery::out_and_on(const Vector3& from, const Vector3& to) {
   return flown(std::move(on->way));
 }
 
-Answer<double> Refinery::footprint(const world::SensorModel& device, double height) const {
-  if (height <= 0 || height >= device.range)
-    return no(device.device + " reaches " + std::to_string(std::lround(device.range)) +
-              " m, and would look from " + std::to_string(std::lround(height)) +
-              " m over the ground");
-  const double reach = std::sqrt(device.range * device.range - height * height);
-  return std::min(reach, height * std::tan(device.aperture));
-}
-
-Answer<Motion> Refinery::patrol(const Vector3& from, const world::Zone& zone,
-                                const world::SensorModel& device, double seconds) const {
-  refiners::PatrolQuery query;
-  query.vehicle = cautious();
-  query.zone = zone.polygon;
-  query.start = from;
-  query.heading = heading_to(from, zone.polygon);
-  query.altitude = from.z() - gazetteer_.ground(from);
-  const auto width = footprint(device, query.altitude);
-  if (!width) return no(width.error());
-  query.footprint = *width;
-  query.duration = Duration::seconds(seconds);
-  query.depart = origin_;
-  auto refined = refine(query, setting());
-  if (!refined) return no(refined.error().why);
-  Way way = std::move(refined->task.way);
-  // The refiner counts neither turns nor braking: what would come too late is not flown.
-  const std::vector<double> passages = expected_passages(way, vehicle(), world().wind);
-  std::size_t kept = way.size();
-  while (kept > 2 && passages[kept - 1] > seconds + kEnough) --kept;
-  if (kept < way.size() && vehicle().hovers) {
-    const double leg = passages[kept] - passages[kept - 1];
-    const double part = std::clamp((seconds - passages[kept - 1]) / leg, 0.0, 1.0);
-    way[kept] = way[kept - 1] + part * (way[kept] - way[kept - 1]);
-    ++kept;
-  }
-  way.resize(kept);
-  return flown(std::move(way));
-}
-
-Answer<Motion> Refinery::sweep(const Vector3& from, const world::Zone& zone,
-                               const world::SensorModel& device) const {
-  refiners::CoverageQuery query;
-  query.vehicle = cautious();
-  query.area = zone.polygon;
-  query.altitude = std::min(gazetteer_.knowledge().altitude, vehicle().ceiling);
-  const auto width = footprint(device, query.altitude);
-  if (!width) return no(width.error());
-  // What the vehicle wavers must not leave gaps between lanes.
-  query.swath = 2 * std::max(*width / 2, *width - world::tracking_spread(vehicle()));
-  query.start = gazetteer_.flown_to(from);
-  query.depart = origin_;
-  auto refined = refine(query, setting());
-  if (!refined) return no(refined.error().why);
-  const Way& way = refined->task.way;
-  const world::Vector2 first = refined->task.lanes.front().from;
-  const auto entry = std::min_element(way.begin(), way.end(), [&](const auto& a, const auto& b) {
-    return (a.template head<2>() - first).norm() < (b.template head<2>() - first).norm();
-  });
-  return flown(Way(entry, way.end()));
-}
-
 Answer<Motion> Refinery::rest(const Way& way, const world::SensorModel& device,
                               const world::SensorModel& before) {
   const auto air = airspace();
@@ -343,8 +355,9 @@ Answer<std::vector<Vector3>> Refinery::views(const Vector3& place, const world::
   const auto air = airspace();
   if (!air) return no(air.error());
   refiners::ViewpointQuery query;
-  query.constraints.push_back(
-      {"free air", [free = *air](const Vector3& at) { return free->is_free(at); }});
+  query.constraints.push_back({"free air", [this, free = *air](const Vector3& at) {
+                                 return free->is_free(at) && (vehicle().hovers || has_room(at));
+                               }});
   query.vehicle = cautious();
   query.device = device.device;
   query.target = place;
@@ -371,6 +384,27 @@ Answer<std::vector<Vector3>> Refinery::views(const Vector3& place, const world::
   std::vector<Vector3> points;
   for (const refiners::ViewPoint& point : refined->task.points) points.push_back(point.position);
   return points;
+}
+
+Answer<std::vector<Vector3>> Refinery::places_around(const Vector3& at, std::size_t count) {
+  const auto air = airspace();
+  if (!air) return no(air.error());
+  std::vector<Vector3> places = {at};
+  for (std::size_t rank = 1; rank < count; ++rank) {
+    const double distance = kApart * static_cast<double>(1 + (rank - 1) / kAroundOne);
+    const double angle = 2 * std::numbers::pi * static_cast<double>((rank - 1) % kAroundOne) /
+                         static_cast<double>(kAroundOne);
+    // Turned by less than half of what is between two.
+    std::optional<Vector3> found;
+    for (const double turned : {0.0, 0.25, -0.25, 0.4, -0.4}) {
+      const double to = angle + turned * 2 * std::numbers::pi / static_cast<double>(kAroundOne);
+      const Vector3 beside = at + distance * Vector3(std::cos(to), std::sin(to), 0);
+      if (!found && (*air)->is_free(beside) && has_room(beside)) found = beside;
+    }
+    if (!found) return no("no free air beside it for " + std::to_string(count) + " partners");
+    places.push_back(*found);
+  }
+  return places;
 }
 
 Answer<std::vector<Vector3>> Refinery::tour(const Vector3& from,

@@ -56,10 +56,12 @@ class Refinery {
   Answer<Motion> way_out(const world::Vector3& from);
   /// Free air, all around where it wavers or circles.
   bool may_stay(const world::Vector3& at);
-  /// Some seconds of it, from where it is and at that height.
+  /// As long as it takes to come there from where it is and, after that, to have the zone in sight
+  /// for so many seconds; at that height.
   Answer<Motion> patrol(const world::Vector3& from, const world::Zone& zone,
                         const world::SensorModel& device, double seconds) const;
-  /// From its first lane on; the way there is not part of it.
+  /// From its first lane on, and where it turns into that; the way there is not part of it. As it
+  /// will be flown all of the zone is seen.
   Answer<Motion> sweep(const world::Vector3& from, const world::Zone& zone,
                        const world::SensorModel& device) const;
   /// What is left of such a way: `device` sees at least as much from it as `before` did.
@@ -68,8 +70,14 @@ class Refinery {
   /// Where that sensor sees the place best, from so many sides.
   Answer<std::vector<world::Vector3>> views(const world::Vector3& place,
                                             const world::SensorModel& device, std::size_t count);
+  /// A place in the air and, for partners, others around it, a safe distance apart whatever flies
+  /// there; the same whoever asks, as far as closed air allows.
+  Answer<std::vector<world::Vector3>> places_around(const world::Vector3& at, std::size_t count);
   Answer<std::vector<world::Vector3>> tour(const world::Vector3& from,
                                            const std::vector<world::Vector3>& places);
+  /// Whether it may wait there: closed air is further away than it strays from its place, or from
+  /// its circles.
+  bool has_room(const world::Vector3& at) const;
   /// Expected energy of so many seconds at one place.
   double energy_of_stay(double seconds) const;
 
@@ -84,6 +92,42 @@ class Refinery {
   refiners::Setting setting(const refiners::PathPlanner* paths = nullptr) const;
   refiners::PathQuery query(const world::Vector3& from, const world::Vector3& to) const;
   double clearance() const;
+  double stray() const;
+  /// One, of each world.volumes: whether it counts.
+  using Counted = std::vector<bool>;
+  /// Those that are closed at some time while a flight of so many seconds may be under way.
+  Counted counted(const Departure& when, double seconds) const;
+  using Volumes = std::vector<world::Volume>;
+  Volumes closed(const Counted& counted) const;
+  Volumes closed() const;  ///< at any time from the origin on
+  bool has_room(const world::Vector3& at, const Volumes& volumes) const;
+  bool met(const refiners::Way& way, const Volumes& volumes) const;
+  bool met(const refiners::Way& way) const { return met(way, closed()); }
+  std::optional<refiners::Way> way_with_room(const world::Airspace& air, const Volumes& volumes,
+                                             const world::Vector3& from,
+                                             const world::Vector3& to) const;
+  Answer<refiners::Way> way_through(const world::Airspace& air, const world::Vector3& from,
+                                    const world::Vector3& to) const;
+  /// The world with a ground as fine as the footprint over the zone, and the closed air grown by
+  /// what the vehicle strays, unless it is in that.
+  world::World world_of(const world::Zone& zone, const world::Vector3& from,
+                        double footprint) const;
+  Answer<refiners::Way> planned_patrol(const world::World& world, const world::Vector3& from,
+                                       const world::Zone& zone, double footprint,
+                                       double seconds) const;
+  /// Circles over the middle of a zone too small for lanes.
+  Answer<refiners::Way> rounds(const world::Vector3& from, const world::Zone& zone,
+                               double footprint, double seconds) const;
+  std::optional<refiners::Way> filled(const refiners::Way& way, const world::Zone& zone,
+                                      double footprint, double seconds, double& longer) const;
+  struct Lanes {
+    refiners::Way way;
+    double seen = 0;  ///< least part of the zone, of all poses it may begin in
+  };
+  refiners::Way lanes_flown(const refiners::Coverage& task, const world::World& world) const;
+  Answer<Lanes> planned_sweep(const world::World& world, const world::Vector3& from,
+                              const world::Zone& zone, const world::SensorModel& device,
+                              double overlap) const;
   /// From air that is closed, as when it was closed around the vehicle: out, and on from there.
   Answer<Motion> out_and_on(const world::Vector3& from, const world::Vector3& to);
   Answer<double> footprint(const world::SensorModel& device, double height) const;
@@ -91,13 +135,9 @@ class Refinery {
   /// Null, with a sentence, when the world makes no airspace for the vehicle. Volumes with a window
   /// that is still to come, or to end, count.
   Answer<const world::Airspace*> airspace();
-  /// One, of each world.volumes: whether it counts.
-  using Counted = std::vector<bool>;
   Answer<const world::Airspace*> airspace(const Counted& counted);
-  /// Those that are closed at some time while a flight of so many seconds may be under way.
-  Counted met(const Departure& when, double seconds) const;
-  Answer<Motion> path_in(const world::Airspace& air, const world::Vector3& from,
-                         const world::Vector3& to);
+  Answer<Motion> path_in(const world::Airspace& air, const Volumes& volumes,
+                         const world::Vector3& from, const world::Vector3& to);
   bool stays_free(const world::Vector3& at, const Departure& when, double seconds) const;
 
   Gazetteer gazetteer_;

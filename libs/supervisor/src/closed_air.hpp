@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Closed air and how near to it one is: volumes grown by what a vehicle strays.
+#pragma once
+
+#include <vector>
+
+#include "skein/world/volume.hpp"
+
+namespace skein::supervisor {
+
+/// Least distance to a polygon [m]; 0 inside it.
+double distance_to(const world::Polygon& polygon, const world::Vector2& at);
+
+/// Nearer to the volume than `margin`, horizontally and vertically.
+bool is_near(const world::Volume& volume, const world::Vector3& at, double margin);
+
+/// The volume and all that is nearer to it than `margin` [m], and the hull of that: a corner
+/// reaches at most 4 % further. Cost: O(corners log corners).
+world::Volume grown(const world::Volume& volume, double margin);
+
+}  // namespace skein::supervisor

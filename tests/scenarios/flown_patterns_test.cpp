@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// Patrols, sweeps and waits beside closed air, flown by the simulator: is that what was meant?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "closed_air.hpp"
+#include "refinery.hpp"
+#include "skein/foundation/random.hpp"
+#include "testing/planning_lab.hpp"
+#include "testing/range.hpp"
+
+namespace skein::supervisor {
+namespace {
+
+using testing::Range;
+using testing::vehicle_of;
+using testing::waypoints;
+using testing::world_of;
+using world::Vector2;
+using world::Vector3;
+
+constexpr double kTrackStep = 0.1;  // [s] of the range
+
+bool is_long() { return std::getenv("SKEIN_LONG") != nullptr; }
+
+world::World windy(Random& random) {
+  world::World world = world_of("scenarios/domains/seeds.yaml");
+  world.wind = {random.uniform(-3, 3), random.uniform(0, 3), random.uniform(0, 0.7)};
+  return world;
+}
+
+/// A quadrilateral, at times far longer than wide.
+world::Zone a_zone(Random& random, double least, double most) {
+  const Vector2 centre(random.uniform(-120, 120), random.uniform(-120, 120));
+  const double width = random.uniform(least, most), height = random.uniform(least, most);
+  const double turned = random.uniform(0, 3);
+  world::Zone zone;
+  zone.name = "zone";
+  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+    const double u = x * width / 2 * random.uniform(0.8, 1), v = y * height / 2;
+    zone.polygon.emplace_back(centre.x() + u * std::cos(turned) - v * std::sin(turned),
+                              centre.y() + u * std::sin(turned) + v * std::cos(turned));
+  }
+  return zone;
+}
+
+Refinery refinery_of(const world::World& world, const world::VehicleModel& model, double altitude) {
+  Knowledge knowledge;
+  knowledge.vehicle = model;
+  knowledge.altitude = altitude;
+  return Refinery(Gazetteer(std::make_shared<const Knowledge>(knowledge),
+                            std::make_shared<const world::World>(world)),
+                  {}, 1);
+}
+
+world::Parameters altitude_of(double metres) {
+  world::Parameters parameters;
+  parameters.add("altitude", metres);
+  return parameters;
+}
+
+world::Parameters seconds_of(double seconds) {
+  world::Parameters parameters;
+  parameters.add("duration", seconds);
+  return parameters;
+}
+
+double reach_of(const world::SensorModel& device, double height) {
+  return std::min(std::sqrt(device.range * device.range - height * height),
+                  height * std::tan(device.aperture));
+}
+
+/// Part of the zone within reach of some look, on a lattice.
+double seen_part(const world::Zone& zone, const std::vector<Vector3>& track, double reach,
+                 double period) {
+  const auto stride = static_cast<std::size_t>(std::max(1.0, period / kTrackStep));
+  Vector2 low = zone.polygon.front(), high = low;
+  for (const Vector2& corner : zone.polygon) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  double all = 0, seen = 0;
+  for (double x = low.x(); x <= high.x(); x += (high.x() - low.x()) / 60)
+    for (double y = low.y(); y <= high.y(); y += (high.y() - low.y()) / 60) {
+      if (!world::contains(zone.polygon, {x, y})) continue;
+      ++all;
+      for (std::size_t t = 0; t < track.size(); t += stride)
+        if ((track[t].head<2>() - Vector2(x, y)).norm() <= reach) {
+          ++seen;
+          break;
+        }
+    }
+  return all == 0 ? 1 : seen / all;
+}
+
+TEST(FlownSweeps, SeeTheWholeZone) {
+  const auto karma = vehicle_of("scenarios/comets/models/karma.yaml");
+  int swept = 0;
+  for (std::uint64_t seed = 1; seed <= (is_long() ? 300U : 12U); ++seed) {
+    Random random(seed, "sweeps");
+    const world::World world = windy(random);
+    const world::Zone zone = a_zone(random, 60, 260);
+    const double altitude = random.uniform(60, 120);
+    Refinery refinery = refinery_of(world, karma, altitude);
+    Range range(world, karma, seed);
+    ASSERT_GT(range.fly("takeoff", altitude_of(altitude), 400).seconds, 0);
+    const Vector3 from(random.uniform(-200, 200), random.uniform(-200, 200), altitude);
+    const auto way = refinery.path({0, 0, altitude}, from);
+    ASSERT_TRUE(way) << way.error();
+    ASSERT_GT(range.fly("goto", waypoints(way->way), 2000).seconds, 0) << seed;
+
+    const auto sweep = refinery.sweep(from, zone, karma.sensors.front());
+
+    ASSERT_TRUE(sweep) << "seed " << seed << ": " << sweep.error();
+    const auto there = refinery.path(from, sweep->way.front());
+    ASSERT_TRUE(there) << there.error();
+    ASSERT_GT(range.fly("goto", waypoints(there->way), 2000).seconds, 0) << seed;
+    if (random.chance(0.3)) range.fly("wait", seconds_of(random.uniform(1, 40)), 100);
+    const auto flown = range.fly("goto", waypoints(sweep->way), 4000);
+    ASSERT_GT(flown.seconds, 0) << "seed " << seed << ' ' << flown.why;
+    const double reach = reach_of(karma.sensors.front(), altitude);
+    EXPECT_GE(seen_part(zone, range.track(), reach, karma.sensors.front().period.to_seconds()),
+              0.99)
+        << "seed " << seed;
+    EXPECT_LE(flown.seconds, sweep->times.most) << "seed " << seed;
+    EXPECT_GE(flown.seconds, sweep->times.least) << "seed " << seed;
+    ++swept;
+  }
+  EXPECT_GE(swept, 12);
+}
+
+TEST(FlownPatrols, HaveTheZoneInSightForTheirTime) {
+  for (const char* name : {"marvin", "heliv", "karma"}) {
+    const auto model = vehicle_of(std::string("scenarios/comets/models/") + name + ".yaml");
+    for (std::uint64_t seed = 1; seed <= (is_long() ? 150U : 8U); ++seed) {
+      const std::string which = std::string(name) + " seed " + std::to_string(seed);
+      Random random(seed, "patrols");
+      const world::World world = windy(random);
+      const world::Zone zone = a_zone(random, 8, 250);
+      const double altitude = random.uniform(35, 110), seconds = random.uniform(20, 300);
+      const Refinery refinery = refinery_of(world, model, altitude);
+      const world::SensorModel& device = model.sensors.back();
+      if (altitude >= device.range) continue;
+      const Vector3 from(0, 0, altitude);
+      Range range(world, model, seed);
+      ASSERT_GT(range.fly("takeoff", altitude_of(altitude), 400).seconds, 0);
+
+      const auto patrol = refinery.patrol(from, zone, device, seconds);
+
+      ASSERT_TRUE(patrol) << which << ": " << patrol.error();
+      const auto flown = range.fly("goto", waypoints(patrol->way), 4000);
+      ASSERT_GT(flown.seconds, 0) << which << ' ' << flown.why;
+      const double reach = reach_of(device, altitude);
+      const auto in_sight = std::count_if(
+          range.track().begin(), range.track().end(),
+          [&](const Vector3& at) { return distance_to(zone.polygon, at.head<2>()) <= reach; });
+      // One that cannot hover turns beyond the edge.
+      const double share = model.hovers ? 1 : 0.75;
+      EXPECT_GE(static_cast<double>(in_sight) * kTrackStep, share * seconds) << which;
+      EXPECT_LE(flown.seconds, patrol->times.most) << which;
+      EXPECT_GE(flown.seconds, patrol->times.least) << which;
+      if (std::getenv("SKEIN_SHOW") != nullptr)
+        std::printf(
+            "%s asked %.0f in sight %.0f flown %.0f [%.0f %.0f %.0f] points %zu seen %.2f\n",
+            which.c_str(), seconds, static_cast<double>(in_sight) * kTrackStep, flown.seconds,
+            patrol->times.least, patrol->times.expected, patrol->times.most, patrol->way.size(),
+            seen_part(zone, range.track(), reach, 0.1));
+    }
+  }
+}
+
+/// Of what was flown outside closed air before: how deep it went into it [m].
+double depth_in(const world::World& world, const std::vector<Vector3>& track) {
+  double deepest = 0;
+  for (const Vector3& at : track)
+    for (const world::Volume& volume : world.volumes) {
+      if (!is_near(volume, at, 1e-6)) continue;
+      double edge = 1e9;
+      for (std::size_t i = 0; i < volume.polygon.size(); ++i)
+        edge = std::min(
+            edge, distance_to({volume.polygon[i], volume.polygon[(i + 1) % volume.polygon.size()]},
+                              at.head<2>()));
+      deepest = std::max(deepest, edge);
+    }
+  return deepest;
+}
+
+TEST(FlownWaits, BesideClosedAirStayOutsideIt) {
+  int flown = 0;
+  for (const char* name : {"karma", "heliv"}) {
+    const auto model = vehicle_of(std::string("scenarios/comets/models/") + name + ".yaml");
+    for (std::uint64_t seed = 1; seed <= (is_long() ? 200U : 10U); ++seed) {
+      const std::string which = std::string(name) + " seed " + std::to_string(seed);
+      Random random(seed, "waits");
+      world::World world = windy(random);
+      for (int i = 0; i < 3; ++i) {
+        world::Volume volume;
+        volume.name = "tower";
+        volume.polygon = a_zone(random, 20, 120).polygon;
+        for (Vector2& corner : volume.polygon) corner *= 1.6;
+        volume.floor = 0;
+        volume.ceiling = 200;
+        world.volumes.push_back(std::move(volume));
+      }
+      Refinery refinery = refinery_of(world, model, 80);
+      Vector3 at(0, 0, 80);
+      if (!refinery.has_room(at)) continue;
+      Range range(world, model, seed);
+      ASSERT_GT(range.fly("takeoff", altitude_of(80), 400).seconds, 0);
+      for (int leg = 0; leg < 4; ++leg) {
+        const Vector3 to(random.uniform(-250, 250), random.uniform(-250, 250), 80);
+        const auto way = refinery.path(at, to);
+        if (!way) continue;
+        const auto there = range.fly("goto", waypoints(way->way), 4000);
+        ASSERT_GT(there.seconds, 0) << which << ' ' << there.why;
+        EXPECT_LE(depth_in(world, range.track()), 0) << which << " leg " << leg;
+        if (random.chance(0.5)) range.fly("wait", seconds_of(random.uniform(5, 60)), 100);
+        EXPECT_LE(depth_in(world, range.track()), 0) << which << " wait " << leg;
+        at = to;
+        ++flown;
+      }
+    }
+  }
+  EXPECT_GE(flown, 20);
+}
+
+}  // namespace
+}  // namespace skein::supervisor
