@@ -167,8 +167,13 @@ Input status(const Node& node) {
 }
 
 Input sync(const Node& node) {
-  node.expect_keys({"id", "from"});
-  return SyncReceived{node.at("id").id(), node.at("from").text()};
+  node.expect_keys({"id", "from", "word", "said"});
+  SyncReceived message{node.at("id").id(), node.at("from").text()};
+  if (node.has("word")) {
+    message.word = static_cast<SyncWord>(node.at("word").one_of({"there", "done", "withdrawn"}));
+  }
+  if (node.has("said")) message.said = node.at("said").instant();
+  return message;
 }
 
 Input input(const Node& node) {
