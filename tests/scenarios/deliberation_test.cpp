@@ -52,7 +52,8 @@ INSTANTIATE_TEST_SUITE_P(
     Contingencies, Deliberation,
     ::testing::Values("contingencies/slow-goto", "contingencies/takeshot-aborted",
                       "contingencies/sensor-dead", "contingencies/no-fly-appears",
-                      "contingencies/energy-short", "contingencies/urgent-mission"),
+                      "contingencies/energy-short", "contingencies/urgent-mission",
+                      "contingencies/partner-gives-up", "handover/synchronised"),
     name_of);
 
 }  // namespace
