@@ -26,6 +26,7 @@ using executive::Start;
 using executive::Suppress;
 using executive::Synchronisation;
 using executive::SyncReceived;
+using executive::SyncWord;
 using executive::Task;
 using executive::TaskId;
 using executive::TaskInState;

@@ -17,7 +17,7 @@ using scenario::Scenario;
 using scenario::UavSpec;
 
 /// How long a partner is taken to wait at a rendezvous; it says so again at half of this.
-constexpr Duration kSyncValidity = Duration::seconds(30);
+constexpr Duration kSyncValidity = Duration::milliseconds(30'000);
 constexpr double kHomeAltitude = 40;  ///< [m] above the ground at the start, on the way home
 
 sim::SimulatorConfig simulator_config(const Scenario& scenario) {
