@@ -24,6 +24,7 @@ TEST_P(Deliberation, MeetsEveryExpectationAndKeepsTheLawsWhateverTheSeed) {
     EXPECT_EQ(mission.end, End::kFinished) << "seed " << seed;
     EXPECT_EQ(mission.failures(), "") << "seed " << seed;
     EXPECT_EQ(to_text(broken_laws(mission.records)), "") << "seed " << seed;
+    EXPECT_EQ(mission.untrue, "") << "seed " << seed;
     EXPECT_EQ(to_text(broken_deliberation_laws(mission.records)), "") << "seed " << seed;
   }
 }

@@ -252,6 +252,18 @@ TEST(Ends, AGoalForWhichNothingIsDoneAnyMoreShouldHaveEnded) {
   EXPECT_THAT(working.broken("ends"), IsEmpty());
 }
 
+TEST(Ends, WhatWasHandedOverIsTheGroundsUntilItIsGivenBack) {
+  Story story;
+  story.stands("marvin", 0, 300);
+  story.goal("marvin", 701, "perceive P1 60", "received", 1);
+  story.goal("marvin", 701, "perceive P1 60", "handed-over", 20);
+  Story back = story;
+  back.degree("marvin", 100, 4);
+
+  EXPECT_THAT(story.broken("ends"), IsEmpty());
+  EXPECT_THAT(back.broken("ends"), ElementsAre(HasSubstr("is handed-over at the end")));
+}
+
 TEST(Idle, WhoWaitsInTheAirWithOpenGoalsNamesOne) {
   const auto idles = [](const std::string& word) {
     Story story;
