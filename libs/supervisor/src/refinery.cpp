@@ -139,7 +139,7 @@ Refinery::Counted Refinery::counted(const Departure& when, double seconds) const
   for (const world::Volume& volume : world().volumes) {
     all.push_back(volume.when.overlaps(flight) || volume.when.from == flight.from);
   }
-  return counted;
+  return all;
 }
 
 Answer<const world::Airspace*> Refinery::airspace() { return airspace(counted({}, 0)); }
@@ -256,8 +256,8 @@ Answer<Motion> Refinery::path_in(const world::Airspace& air, const Volumes& volu
 
 /// One whose turns and circles stay out of closed air: further away from that, or over a place
 /// beside where it begins, from where there is room to turn.
-std::optional<Way> Refinery::way_with_room(const world::Airspace& air, const Vector3& from,
-                                           const Vector3& to) const {
+std::optional<Way> Refinery::way_with_room(const world::Airspace& air, const Volumes& volumes,
+                                           const Vector3& from, const Vector3& to) const {
   world::Airspace roomy = air;
   const double radius = vehicle().min_turn_radius;
   for (const world::Volume& volume : volumes) roomy.block(volume, stray() + 2 * radius);
