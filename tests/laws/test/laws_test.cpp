@@ -101,6 +101,17 @@ TEST(Reached, ALandingIsAchievedOnTheGround) {
   EXPECT_THAT(story.broken("reached"), ElementsAre(HasSubstr("it is in the air")));
 }
 
+TEST(Reached, ALandingBeforeAnotherTakeoffIsOneThoughNoSampleShowsIt) {
+  Story story;
+  story.flies("marvin", 0, 100, kOver, kOver);
+  story.goal("marvin", 702, "general-land", "received", 1);
+  story.does("marvin", {100, "land", 702, 20, 50});
+  story.does("marvin", {101, "takeoff", 703, 50, 60});
+  story.goal("marvin", 702, "general-land", "achieved", 50);
+
+  EXPECT_THAT(story.broken("reached"), IsEmpty());
+}
+
 TEST(Reached, ATourHasBeenAtAllItsPlaces) {
   Story story;
   story.flies("marvin", 0, 30, kOver, kA1).flies("marvin", 31, 100, kA1, kOver);
