@@ -56,11 +56,13 @@ INSTANTIATE_TEST_SUITE_P(
                       "contingencies/energy-short", "contingencies/urgent-mission",
                       "contingencies/later-during-perception",
                       "contingencies/mission-while-waiting-on-ground",
-                      "contingencies/true-when-its-turn-comes",
-                      "contingencies/partner-never-comes", "contingencies/orders-never-come",
-                      "contingencies/air-closes-around", "contingencies/air-closes-later",
-                      "contingencies/air-closes-on-perception",
-                      "contingencies/air-closes-on-circle", "contingencies/steep-home"),
+                      "contingencies/true-when-its-turn-comes", "contingencies/partner-never-comes",
+                      "contingencies/orders-never-come", "contingencies/air-closes-around",
+                      "contingencies/air-closes-later", "contingencies/air-closes-on-perception",
+                      "contingencies/air-closes-on-circle", "contingencies/steep-home",
+                      "contingencies/closed-for-a-time", "contingencies/rung-re-refine",
+                      "contingencies/rung-drop", "contingencies/rung-shift",
+                      "contingencies/rung-replan"),
     name_of);
 
 }  // namespace

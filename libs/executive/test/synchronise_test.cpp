@@ -37,8 +37,9 @@ TEST(Synchronise, RunsAtOnceThenSendsThenWaits) {
 TEST(Synchronise, ARendezvousIsCarriedOutLikewise) {
   Mission mission;
 
-  EXPECT_THAT(mission.start(TaskOf(1, "rendezvous").among({"marvin", "heliv"}, {"heliv", "marvin"})),
-              ElementsAre("1 scheduled", "1 started", "1 running", "sync 551 to heliv"));
+  EXPECT_THAT(
+      mission.start(TaskOf(1, "rendezvous").among({"marvin", "heliv"}, {"heliv", "marvin"})),
+      ElementsAre("1 scheduled", "1 started", "1 running", "sync 551 to heliv"));
   EXPECT_THAT(mission.sync_from("heliv"), ElementsAre("1 ended"));
 }
 

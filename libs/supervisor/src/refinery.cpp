@@ -29,6 +29,8 @@ constexpr double kClimbShare = 0.8;  // of its rates, in ways of a vehicle that 
 constexpr double kOutStep = 10, kFarthestOut = 600;  // [m] out of closed air
 constexpr int kDirections = 24, kAround = 8;
 constexpr double kEnough = 1e-6;  // [s]
+// Waiting circles' radii, straight before a lane that is taken up again.
+constexpr double kRunIn = 2;
 
 tl::unexpected<std::string> no(std::string why) {
   return tl::unexpected<std::string>(std::move(why));
@@ -57,6 +59,10 @@ double heading_to(const Vector3& from, const world::Polygon& polygon) {
 
 Refinery::Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed)
     : gazetteer_(std::move(gazetteer)), cautious_(vehicle()), origin_(origin), seed_(seed) {
+  const auto& volumes = world().volumes;
+  has_windows_ = std::any_of(volumes.begin(), volumes.end(), [&](const world::Volume& volume) {
+    return volume.when.from > origin || volume.when.until != MissionTime::max();
+  });
   if (cautious_.hovers) return;
   cautious_.min_turn_radius = cautious_.orbit_radius;
   cautious_.climb_rate *= kClimbShare;
@@ -125,30 +131,88 @@ Answer<Motion> Refinery::landing(const Vector3& from, const Vector3& to) const {
   return motion;
 }
 
-Answer<const world::Airspace*> Refinery::airspace() {
-  if (!airspace_) {
-    const Vector3 home = gazetteer_.above(gazetteer_.knowledge().home);
-    auto made = refiners::airspace_of(query(home, home), setting());
-    if (!made) return no(made.error().why);
-    airspace_.emplace(std::move(*made));
+Refinery::Counted Refinery::met(const Departure& when, double seconds) const {
+  const auto at = [&](double s) {
+    return std::isinf(s) ? MissionTime::max() : origin_ + Duration::seconds(s);
+  };
+  const world::TimeWindow flight{at(when.least), at(when.most + seconds)};
+  Counted counted;
+  for (const world::Volume& volume : world().volumes) {
+    counted.push_back(volume.when.overlaps(flight) || volume.when.from == flight.from);
   }
-  return &*airspace_;
+  return counted;
 }
 
-Answer<Motion> Refinery::path(const Vector3& from, const Vector3& to) {
-  const auto air = airspace();
-  if (!air) return no(air.error());
-  if (!(*air)->is_free(from)) return out_and_on(from, to);
-  const bool uniform = (*air)->least_cost() == (*air)->greatest_cost();
+Answer<const world::Airspace*> Refinery::airspace() { return airspace(met({}, 0)); }
+
+Answer<const world::Airspace*> Refinery::airspace(const Counted& counted) {
+  const auto known = airspaces_.find(counted);
+  if (known != airspaces_.end()) return &known->second;
+  world::World then = world();
+  std::size_t i = 0;
+  std::erase_if(then.volumes, [&](const world::Volume&) { return !counted[i++]; });
+  for (world::Volume& volume : then.volumes) volume.when = {};
+  const Vector3 home = gazetteer_.above(gazetteer_.knowledge().home);
+  auto made = refiners::airspace_of(query(home, home), {then, {}, seed_, nullptr});
+  if (!made) return no(made.error().why);
+  return &airspaces_.emplace(counted, std::move(*made)).first->second;
+}
+
+// The longer a way may take, the more volumes it may meet.
+Answer<Motion> Refinery::path(const Vector3& from, const Vector3& to, const Departure& when) {
+  Counted counted = met(when, has_windows_ ? flown({from, to}).times.most : 0);
+  while (true) {
+    const auto air = airspace(counted);
+    if (!air) return no(air.error());
+    auto motion = path_in(**air, from, to);
+    if (!motion || !has_windows_) return motion;
+    Counted all = met(when, motion->times.most);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] || counted[i];
+    if (all == counted) return motion;
+    counted = std::move(all);
+  }
+}
+
+bool Refinery::stays_free(const Vector3& at, const Departure& when, double seconds) const {
+  const Counted closed = met(when, seconds);
+  const double margin = clearance() + vehicle().body_radius + vehicle().orbit_radius;
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (closed[i] && crosses(world().volumes[i], margin, at, at)) return false;
+  return true;
+}
+
+std::optional<double> Refinery::worth_waiting(const Vector3& from, const Vector3& to,
+                                              const Departure& when) {
+  if (!has_windows_ || std::isinf(when.most)) return std::nullopt;
+  const auto now = path(from, to, when);
+  double best = now ? now->times.expected : std::numeric_limits<double>::infinity();
+  std::optional<double> wait;
+  for (const world::Volume& volume : world().volumes) {
+    if (volume.when.until == MissionTime::max()) continue;
+    const double longest = (volume.when.until - origin_).to_seconds() - when.least;
+    if (longest <= 0 || longest >= best) continue;
+    if (!stays_free(from, when, longest)) continue;
+    const auto later = path(from, to, {when.least + longest, when.most + longest});
+    if (!later || longest + later->times.expected >= best) continue;
+    best = longest + later->times.expected;
+    wait = longest;
+  }
+  return wait;
+}
+
+Answer<Motion> Refinery::path_in(const world::Airspace& air, const Vector3& from,
+                                 const Vector3& to) {
+  if (!air.is_free(from)) return out_and_on(from, to);
+  const bool uniform = air.least_cost() == air.greatest_cost();
   if (from == to) return flown({from});
-  if (uniform && (*air)->is_free(from, to) &&
+  if (uniform && air.is_free(from, to) &&
       refiners::is_flyable({from, to}, cautious(), 0, kTurnTolerance))
     return flown({from, to});
-  const refiners::VoxelPathPlanner planner(**air);
+  const refiners::VoxelPathPlanner planner(air);
   auto refined = refine(query(from, to), setting(&planner));
   if (!refined) return no(refined.error().why);
   Way way = std::move(refined->task.way);
-  if (!vehicle().hovers) way = thinned(way, **air, vehicle().orbit_radius);
+  if (!vehicle().hovers) way = thinned(way, air, vehicle().orbit_radius);
   return flown(std::move(way));
 }
 
@@ -253,6 +317,25 @@ Answer<Motion> Refinery::sweep(const Vector3& from, const world::Zone& zone,
     return (a.template head<2>() - first).norm() < (b.template head<2>() - first).norm();
   });
   return flown(Way(entry, way.end()));
+}
+
+Answer<Motion> Refinery::rest(const Way& way, const world::SensorModel& device,
+                              const world::SensorModel& before) {
+  const auto air = airspace();
+  if (!air) return no(air.error());
+  const double height = way.front().z() - gazetteer_.ground(way.front());
+  const auto width = footprint(device, height), needed = footprint(before, height);
+  if (!width) return no(width.error());
+  if (needed && *width < *needed) return no(device.device + " sees less than " + before.device);
+  for (std::size_t i = 1; i < way.size(); ++i)
+    if (!(*air)->is_free(way[i - 1], way[i])) return no("air on what is left of it is closed");
+  if (vehicle().hovers) return flown(way);
+  // It comes to the first lane in its direction.
+  const Vector3 along = (way[1] - way[0]).normalized();
+  const Vector3 before_it = way[0] - kRunIn * vehicle().orbit_radius * along;
+  Way with_run_in = {before_it};
+  with_run_in.insert(with_run_in.end(), way.begin(), way.end());
+  return flown((*air)->is_free(before_it, way[0]) ? std::move(with_run_in) : way);
 }
 
 Answer<std::vector<Vector3>> Refinery::views(const Vector3& place, const world::SensorModel& device,

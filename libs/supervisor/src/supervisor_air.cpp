@@ -12,6 +12,9 @@ namespace {
 
 /// Time that it is given to leave air before that closes, and to plan anew.
 constexpr Duration kWarning = Duration::milliseconds(60'000);
+/// What closes within this is met: a little more, so that what is looked at when the warning is due
+/// counts.
+constexpr Duration kAhead = Duration::milliseconds(65'000);
 /// A descent that is over sooner goes on [s].
 constexpr double kNearlyDown = 15;
 
@@ -89,7 +92,7 @@ bool Supervisor::Core::stays_in(const Entry& entry, const world::Volume& volume)
   if (!stand) return false;
   const MissionTime from = entry.seen.started ? now_ : std::max(now_, entry.dates.earliest_start);
   const bool ends = entry.dates.latest_end != MissionTime::max();
-  const MissionTime until = ends ? entry.dates.latest_end : std::max(from, now_) + kWarning;
+  const MissionTime until = ends ? entry.dates.latest_end : std::max(from, now_) + kAhead;
   if (!volume.when.overlaps({from, until})) return false;
   const world::VehicleModel& vehicle = config_.knowledge->vehicle;
   return crosses(volume, vehicle.body_radius + stay_radius(vehicle), *stand, *stand);
@@ -113,7 +116,7 @@ const world::Volume* Supervisor::Core::closed_around() const {
   const double margin = vehicle.body_radius + 3 * world::tracking_spread(vehicle);
   const auto found =
       std::find_if(world_->volumes.begin(), world_->volumes.end(), [&](const auto& volume) {
-        return volume.when.overlaps({now_, now_ + kWarning}) &&
+        return volume.when.overlaps({now_, now_ + kAhead}) &&
                crosses(volume, margin, vehicle_.position, vehicle_.position);
       });
   return found == world_->volumes.end() ? nullptr : &*found;

@@ -11,7 +11,7 @@ namespace {
 
 /// Beyond what people number their tasks with.
 constexpr std::uint64_t kFirstOwn = 900'000'000;
-constexpr double kElsewhere = 60;  // [m] from home
+constexpr double kElsewhere = 5;  // [m] from home
 
 std::string at_text(const world::Vector3& at) {
   return "(" + std::to_string(std::lround(at.x())) + ", " + std::to_string(std::lround(at.y())) +

@@ -140,7 +140,7 @@ std::vector<Mutation> mutations() {
        {"energy"}},
       {"LooksAreShorterThanAsked",
        three_at_work,
-       in_the_domain("((go ?to ?tc ?origin) (!!lcompute-stay ?seconds) (!!aim",
+       in_the_domain("((go ?to ?tc ?origin) (!!lcompute-stay ?left) (!!aim",
                      "((go ?to ?tc ?origin) (!!lcompute-stay 5) (!!aim"),
        {"perceived"}},
       {"PartOfTheZoneIsLeftOut",

@@ -144,9 +144,7 @@ class Builder {
       const NodeIndex event = at_start ? other->second.start : other->second.end;
       const Observation theirs = seen_of(one.task);
       const bool to_come = at_start ? !theirs.started && !theirs.over : !theirs.over;
-      const bool alone = task.stop.size() == 1 && !task.time.end_after;
-      const bool at_once = alone && to_come;
-      if (alone && !to_come && seen.started) not_after(own_.end, now_ + kStopReaction, BoundKind::kStop);
+      const bool at_once = task.stop.size() == 1 && to_come && !task.time.end_after;
       link(event, own_.end, 0, at_once ? kStopReaction.count() : kInfinite,
            {task_, RuleKind::kStop, one.task, {}});
       if (task.stop.size() == 1 && !seen.started) {

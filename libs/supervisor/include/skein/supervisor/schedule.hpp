@@ -73,8 +73,8 @@ struct Schedule {
 ///   ENDED j, OVER j            start >= end of j
 ///   RUNNING j                  start of j <= start <= end of j - kStartMargin
 ///   stop                       end >= every event waited for; the duration does not count. With
-///                              one event, start <= event and end <= event + kStopReaction; once
-///                              that has come, end <= now + kStopReaction
+///   one
+///                              event, start <= event and end <= event + kStopReaction
 ///   time constraints           start, end against mission time zero; end_after with a stop: the
 ///                              stop waits for it too
 ///   not started                start >= now
