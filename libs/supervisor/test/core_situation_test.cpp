@@ -299,7 +299,8 @@ TEST(Reasons, NameGoalsNotTasks) {
 
   desk.finish(without);
 
-  EXPECT_EQ(desk.why_of(701), "lost the goto of goal 701 (go 1)");
+  EXPECT_EQ(desk.why_of(701),
+            "the goto of goal 701 (go 1) aborted: engine trouble; lost the goto of goal 701");
 }
 
 }  // namespace
