@@ -26,10 +26,12 @@ void refused_at_once(const Uav& uav, std::vector<Violation>& result) {
   }
 }
 
-// In one executive: the ground's may not know yet what a UAV out of contact does by itself.
+// In the executive on board: the ground's, at degree 1, may not know yet what a UAV out of contact
+// does by itself, and the vehicle refuses a second motion anyway.
 void overlapping(const Uav& uav, std::vector<Violation>& result) {
   constexpr double kMoment = 0.5;  // [s] executives of ground and UAV at a hand-over
   const Execution* last = nullptr;
+  const auto on_board = [&](const Execution* one) { return one->node == uav.name(); };
   std::vector<const Execution*> motions;
   for (const auto& [task, execution] : uav.executions) {
     if (execution.is_motion() && execution.started != kNever) motions.push_back(&execution);
@@ -37,7 +39,7 @@ void overlapping(const Uav& uav, std::vector<Violation>& result) {
   std::stable_sort(motions.begin(), motions.end(),
                    [](const auto* a, const auto* b) { return a->started < b->started; });
   for (const Execution* one : motions) {
-    if (last != nullptr && one->node == last->node && one->started + kMoment < last->over) {
+    if (last != nullptr && on_board(one) && on_board(last) && one->started + kMoment < last->over) {
       result.push_back({"", one->started, uav.name(), uav.goal_of_task(one->task),
                         named(uav, one->task, one->type) + " begins while " +
                             named(uav, last->task, last->type) + " is under way"});

@@ -68,9 +68,13 @@ std::vector<Violation> times_not_kept(const History& history) {
 
 namespace {
 
+// A takeshot rides along with something else: by itself it is no work.
+bool rides_along(const Execution& task) { return task.type == "takeshot"; }
+
 bool works_at(const Uav& uav, double at) {
   return std::any_of(uav.executions.begin(), uav.executions.end(), [&](const auto& one) {
-    return one.second.under_way(at) && uav.goal_of_task(one.first) != 0;
+    const Execution& task = one.second;
+    return task.under_way(at) && !rides_along(task) && uav.goal_of_task(one.first) != 0;
   });
 }
 
@@ -78,7 +82,7 @@ bool works_at(const Uav& uav, double at) {
 double last_work(const Uav& uav, double end) {
   double last = 0;
   for (const auto& [task, one] : uav.executions) {
-    if (uav.goal_of_task(task) != 0 && one.started != kNever)
+    if (uav.goal_of_task(task) != 0 && one.started != kNever && !rides_along(one))
       last = std::max(last, std::min(one.over, end));
   }
   for (const auto& [id, goal] : uav.goals) last = std::max(last, goal.received());
@@ -135,7 +139,7 @@ bool occupied(const Uav& uav, double at) {
   return std::any_of(uav.executions.begin(), uav.executions.end(), [&](const auto& one) {
     const Execution& task = one.second;
     const bool safe_wait = task.type == "wait" && uav.goal_of_task(one.first) == 0;
-    return task.under_way(at) && !safe_wait;
+    return task.under_way(at) && !safe_wait && !rides_along(task);
   });
 }
 
