@@ -232,8 +232,7 @@ void GroundNode::carry_out(const gs::LocalRequestAnswered& effect) {
 void GroundNode::carry_out(const gs::LocalTaskEvent& effect) {
   log(translation::task_line(writer(), effect.uav, effect.event, effect.parameters));
   // The UAV does not hear of these from its functional layer.
-  const bool unseen = effect.event.type == executive::kSynchroniseType;
-  if (unseen || is_terminal(effect.event.state)) {
+  if (!effect.functional || is_terminal(effect.event.state)) {
     send(effect.uav, to_wire(effect.uav, effect.event, now_));
   }
 }

@@ -396,7 +396,7 @@ TEST(GroundControl, APartnerWhoseMleIsHereWithdrawsFromHere) {
   GroundControl ground = control({{"marvin", 1, config}, {"heliv", 3, {}}});
   executive::Task meeting;
   meeting.id = executive::TaskId(7);
-  meeting.type = executive::kSynchroniseType;
+  meeting.type = "synchronise";
   meeting.synchronisation =
       executive::Synchronisation{551, {"marvin", "heliv"}, {"marvin", "heliv"}, {}};
   ground.handle(command(executive::Start{meeting, executive::InsertionMode::kSeq}), at(1));
