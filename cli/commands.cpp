@@ -34,11 +34,15 @@ struct MleArguments {
   std::string file;
   std::optional<double> until;
   std::optional<double> timeout;
+  std::optional<double> sync_validity;
 };
 
 int run_mle(MleArguments arguments) {
   if (arguments.until) arguments.options.until = MissionTime::seconds(*arguments.until);
   if (arguments.timeout) arguments.options.timeout = Duration::seconds(*arguments.timeout);
+  if (arguments.sync_validity) {
+    arguments.options.sync_validity = Duration::seconds(*arguments.sync_validity);
+  }
   if (arguments.file.empty() || arguments.file == "-") {
     return mle_tool::run_mle(arguments.options, std::cin, std::cout, std::cerr);
   }
@@ -61,6 +65,9 @@ void add_mle(CLI::App& app, Action& action) {
   mle->add_option("--types", arguments->options.types_file, "Task types and their resources (JSON)")
       ->check(CLI::ExistingFile);
   mle->add_option("--timeout", arguments->timeout, "Of the functional layer [s] (default: off)")
+      ->check(positive_problem);
+  mle->add_option("--sync-validity", arguments->sync_validity,
+                  "How long a synchronisation message counts [s] (default: for ever)")
       ->check(positive_problem);
   mle->add_option("--background", arguments->options.background,
                   "Task type of the background routine (default: off)");

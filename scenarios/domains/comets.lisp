@@ -50,11 +50,33 @@
   (append (remove-if-not (lambda (one) (member one all)) order)
           (remove-if (lambda (one) (member one order)) all)))
 
+; --- what was done of a high-level task before: ((looked DEVICE LOC S) (reached LOC) (waited S) (synchronised ID)
+; --- (rest DEVICE LOC...))
+
+(defun total (kind done)
+  (let ((all 0))
+    (dolist (one done) (when (eq (first one) kind) (setq all (+ all (first (last one))))))
+    all))
+; What is less than half a second is done.
+(defun left-of (wanted before) (if (< (- wanted before) 0.5d0) 0 (- wanted before)))
+(defun left-to-look (wanted done) (left-of wanted (total 'looked done)))
+(defun left-to-wait (wanted done) (if (numberp wanted) (left-of wanted (total 'waited done)) wanted))
+(defun is-near (a b)
+  (let ((x (- (second a) (second b))) (y (- (third a) (third b)))) (< (+ (* x x) (* y y)) 400)))
+(defun left-to-look-from (at wanted done)
+  (left-of wanted (total 'looked (remove-if-not (lambda (one) (and (eq (first one) 'looked) (is-near (third one) at)))
+                                                done))))
+(defun reached-before (done)
+  (mapcar (lambda (one) (second one)) (remove-if-not (lambda (one) (eq (first one) 'reached)) done)))
+(defun has-met (sync done) (member (list 'synchronised sync) done :test 'equal))
+(defun at-most (count all) (if (and all (> count 0)) (cons (first all) (at-most (- count 1) (rest all))) nil))
+
 ; --- answers of refiners: ((destination LOC) (duration LEAST MOST) (energy E) (cost C) (params (NAME VALUE...)...))
 
 (defun get-destination (data) (second (assoc 'destination data)))
 (defun get-duration (data)
   (interval (second (assoc 'duration data)) (third (assoc 'duration data))))
+(defun get-entry (data) (second (assoc 'way (rest (assoc 'params data)))))
 (defun get-cost (data) (second (assoc 'cost data)))
 (defun get-params (type data)
   (cons (list 'type type) (cons (assoc 'energy data) (rest (assoc 'params data)))))
@@ -102,11 +124,37 @@
   (:- (best-first detection (fire-sensor ir visible singlecam mapping)) ())
   (:- (best-first mapping (mapping singlecam)) ())
 
-  ; Those on board that work, the best first; at least one.
+  ; Those on board that work, the best first; at least one. What is done with a device takes the first of them that its
+  ; refiners agree to: (devices-for USE ?devices) (assign* ?device ?devices) at the head of a `:first`.
   (:- (devices-for ?use ?devices)
     ((setof ?d (working-device ?use ?d) ?all) (best-first ?use ?order) (assign ?devices (in-order ?all ?order))))
   (:- (working-device ?use ?device)
     ((perception-device free '?device) (device-serves ?device ?use)))
+
+  ; ================ what was done of a task before it was interrupted
+
+  (:- (done-before ?origin ?done)
+    some ((progress ?origin ?done))
+    none ((assign ?done nil)))
+
+  ; ================ where to look from: the best side that there is a way to
+
+  (:- (view-for ?from ?place ?device ?when ?to)
+    best ((assign ?view (compute-viewpoint ?place (list ?device) 0 1)) (call consp ?view)
+          (assign ?there (within-reach ?from (rest ?view) ?when)) (call consp ?there) (assign ?to (first ?there)))
+    another-side ((sides-for ?from ?place ?device ?when 6 ?sides) (assign ?to (first ?sides))))
+  (:- (sides-for ?from ?place ?device ?when ?count ?there)
+    ((assign ?views (compute-angles ?place (list ?device) ?count)) (call consp ?views)
+     (assign ?there (within-reach ?from (rest ?views) ?when)) (call consp ?there)))
+  ; That side of several which falls to this vehicle.
+  (:- (side-for ?from ?place ?device ?rank ?count ?when ?to)
+    ((assign ?view (compute-viewpoint ?place (list ?device) ?rank ?count)) (call consp ?view)
+     (assign ?there (within-reach ?from (rest ?view) ?when)) (call consp ?there) (assign ?to (first ?there))))
+  ; Up to three sides; others when there is no way to some of the best.
+  (:- (three-sides-for ?from ?place ?device ?when ?points)
+    best ((assign ?views (compute-angles ?place (list ?device) 3)) (call consp ?views)
+          (assign ?points (within-reach ?from (rest ?views) ?when)) (call = (length ?points) (length (rest ?views))))
+    others ((sides-for ?from ?place ?device ?when 6 ?sides) (assign ?points (at-most 3 ?sides))))
 
   ; ================ timelines: when a task may start, and what it depends on
 
@@ -119,6 +167,9 @@
   (:- (uavloc-reads ?reads)
     some ((setof (?i ?e ?t) (my-read-time uavloc ?i ?e ?t) ?reads))
     none ((assign ?reads nil)))
+  ; In which interval the next motion may begin.
+  (:- (may-begin ?tc ?when)
+    ((move-after ?earliest ?_dependences) (assign ?when (not-before ?earliest (interval 0 0) ?tc))))
   ; Who relies on what the vehicle is doing runs with it, and counts as done when that is.
   (:- (rely-on-motion ?earliest ?dependences)
     ((my-write-time uavloc ?earliest ?_event ?task)
@@ -148,14 +199,17 @@
   (:operator (!!lcompute-way-out ?from)
     ((assign ?data (compute-way-out ?from)) (call consp ?data))
     () ((eval-ok gotoxyz ?data)) 0)
-  (:operator (!!lcompute-gotoxyz ?from ?to)
-    ((assign ?data (compute-gotoxyz ?from ?to)) (call consp ?data))
+  (:operator (!!lcompute-gotoxyz ?from ?to ?when)
+    ((assign ?data (compute-gotoxyz ?from ?to ?when)) (call consp ?data))
     () ((eval-ok gotoxyz ?data)) 0)
   (:operator (!!lcompute-patrol ?from ?zone ?device ?seconds)
     ((assign ?data (compute-patrol ?from ?zone ?device ?seconds)) (call consp ?data))
     () ((eval-ok gotoxyz ?data)) 0)
   (:operator (!!lcompute-sweep ?from ?zone ?device)
     ((assign ?data (compute-sweep ?from ?zone ?device)) (call consp ?data))
+    () ((eval-ok gotoxyz ?data)) 0)
+  (:operator (!!lcompute-rest ?from ?zone ?device ?before ?way)
+    ((assign ?data (compute-rest ?from ?zone ?device ?before ?way)) (call consp ?data))
     () ((eval-ok gotoxyz ?data)) 0)
   (:operator (!!lcompute-stay ?seconds)
     ((assign ?data (compute-stay ?seconds)) (call consp ?data))
@@ -383,8 +437,12 @@
 
   (:method (go ?to ?tc ?origin)
     take-off-first ((uavloc grounded ?_place)) ((take-off ?tc ?origin) (go ?to ?tc ?origin))
-    fly ((uavloc flying ?from))
-      ((!!lcompute-gotoxyz ?from ?to) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+    ; air that is closed for a time is waited for when that leads there earlier than a way around it
+    wait-for-open-air
+    ((uavloc flying ?from) (may-begin ?tc ?when) (assign ?wait (compute-wait ?from ?to ?when)) (call numberp ?wait))
+      ((!!lcompute-stay ?wait) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (go ?to ?tc ?origin))
+    fly ((uavloc flying ?from) (may-begin ?tc ?when))
+      ((!!lcompute-gotoxyz ?from ?to ?when) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
   (:method (go-unless-there ?to ?tc ?origin)
     already-there ((uavloc flying ?from) (call is-at ?from ?to)) ()
@@ -419,7 +477,9 @@
     general-gotoxyz () ((go-unless-there ?place ?tc ?origin)))
 
   (:method (perform-tour ?places ?tc ?origin)
-    tour ((uavloc ?_how ?from) (assign ?order (compute-tour ?from ?places)) (call consp ?order))
+    all-reached ((done-before ?origin ?done) (call null (not-reached ?places (reached-before ?done)))) ()
+    tour ((done-before ?origin ?done) (assign ?left (not-reached ?places (reached-before ?done)))
+          (uavloc ?_how ?from) (assign ?order (compute-tour ?from ?left)) (call consp ?order))
       ((go-through ?order ?tc ?origin)))
 
   ; ================ methods: perception
@@ -429,40 +489,63 @@
       ((!!aim ?device ?target) (!task-takeshot ?shot ?_d ?_p ?_s ?_u ?tc ?origin)
        (!stop-takeshot ?shot ?_e ?_q ?_t ?_v ?tc ?origin)))
 
+  ; What was interrupted goes on: only the seconds still to come are planned. The device is the first that can do it.
+  (:- (all-looked ?seconds ?origin)
+    ((done-before ?origin ?done) (call = (left-to-look ?seconds ?done) 0)))
+  (:- (still-to-look ?seconds ?origin ?left)
+    ((done-before ?origin ?done) (assign ?left (left-to-look ?seconds ?done))))
   (:method (stay-and-shoot ?device ?place ?seconds ?tc ?origin)
     wait-and-takeshot ((assign ?target (target-of ?place)))
       ((!!lcompute-stay ?seconds) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (shoot-along ?device ?target ?tc ?origin)))
 
   (:method (general-combined-goto-and-takeshot ?place ?seconds ?tc ?origin)
+    all-looked ((all-looked ?seconds ?origin)) ()
     goto-and-takeshot
-    ((devices-for perception ?devices) (assign ?view (compute-viewpoint ?place ?devices 0 1)) (call consp ?view)
-      (assign ?device (first ?view)) (assign ?to (second ?view)))
-      ((go ?to ?tc ?origin) (stay-and-shoot ?device ?place ?seconds ?tc ?origin)))
+    (:first (still-to-look ?seconds ?origin ?left) (uavloc ?_how ?from)
+      (devices-for perception ?devices) (assign* ?device ?devices)
+      (may-begin ?tc ?when) (view-for ?from ?place ?device ?when ?to))
+      ((go ?to ?tc ?origin) (stay-and-shoot ?device ?place ?left ?tc ?origin)))
 
   (:method (perceive ?place ?seconds ?tc ?origin)
+    all-looked ((all-looked ?seconds ?origin)) ()
     goto-and-perceive
-    ((devices-for perception ?devices) (assign ?view (compute-viewpoint ?place ?devices 0 1)) (call consp ?view)
-      (assign ?device (first ?view)) (assign ?to (second ?view)) (assign ?target (target-of ?place)))
-      ((go ?to ?tc ?origin) (!!lcompute-stay ?seconds) (!!aim ?device ?target)
+    (:first (still-to-look ?seconds ?origin ?left) (uavloc ?_how ?from)
+      (devices-for perception ?devices) (assign* ?device ?devices)
+      (may-begin ?tc ?when) (view-for ?from ?place ?device ?when ?to) (assign ?target (target-of ?place)))
+      ((go ?to ?tc ?origin) (!!lcompute-stay ?left) (!!aim ?device ?target)
        (!task-perception ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
   (:method (takeshot-while-waiting ?seconds ?tc ?origin)
+    all-looked ((all-looked ?seconds ?origin)) ()
     takeshot-while-waiting
-    ((devices-for perception ?devices) (assign ?device (first ?devices)))
-      ((!!lcompute-stay ?seconds) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (shoot-along ?device () ?tc ?origin)))
+    (:first (still-to-look ?seconds ?origin ?left) (devices-for perception ?devices) (assign* ?device ?devices))
+      ((!!lcompute-stay ?left) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (shoot-along ?device () ?tc ?origin)))
 
   (:method (perform-detection ?zone ?place ?seconds ?tc ?origin)
+    all-looked ((all-looked ?seconds ?origin)) ()
     detection
-    ((devices-for detection ?devices) (assign ?device (first ?devices)))
-      ((go ?place ?tc ?origin) (detect ?zone ?device ?seconds ?tc ?origin)))
+    (:first (still-to-look ?seconds ?origin ?left) (assign ?at (compute-entry ?place))
+      (devices-for detection ?devices) (assign* ?device ?devices)
+      (assign ?pattern (compute-patrol ?at ?zone ?device ?left)) (call consp ?pattern))
+      ((go ?place ?tc ?origin) (detect ?zone ?device ?left ?tc ?origin)))
   (:method (detect ?zone ?device ?seconds ?tc ?origin)
     pattern ((uavloc flying ?from))
       ((!!lcompute-patrol ?from ?zone ?device ?seconds) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
        (shoot-along ?device () ?tc ?origin)))
 
+  ; What is left of the lanes when they can be flown with a device that sees as much; else all of them.
+  (:- (lanes-left ?origin ?before ?way)
+    ((done-before ?origin ?done) (assign ?rest (assoc 'rest ?done)) (call consp ?rest)
+     (assign ?before (second ?rest)) (assign ?way (rest (rest ?rest)))))
   (:method (perform-mapping ?zone ?tc ?origin)
+    all-flown ((lanes-left ?origin ?_before ?way) (call null ?way)) ()
+    lanes-left
+    (:first (lanes-left ?origin ?before ?way) (uavloc ?_how ?from) (devices-for mapping ?devices) (assign* ?device ?devices)
+      (assign ?data (compute-rest ?from ?zone ?device ?before ?way)) (call consp ?data) (assign ?entry (get-entry ?data)))
+      ((go ?entry ?tc ?origin) (!!lcompute-rest ?from ?zone ?device ?before ?way)
+       (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (shoot-along ?device () ?tc ?origin))
     mapping
-    ((uavloc ?_how ?from) (devices-for mapping ?devices) (assign ?device (first ?devices))
+    (:first (uavloc ?_how ?from) (devices-for mapping ?devices) (assign* ?device ?devices)
       (assign ?entry (compute-sweep-entry ?from ?zone ?device)) (call consp ?entry))
       ((go ?entry ?tc ?origin) (!!lcompute-sweep ?from ?zone ?device) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
        (shoot-along ?device () ?tc ?origin)))
@@ -470,49 +553,68 @@
   ; From several angles in turn.
   (:method (perform-monitoring ?place ?seconds ?tc ?origin)
     monitoring
-    ((devices-for perception ?devices) (assign ?views (compute-angles ?place ?devices 3)) (call consp ?views)
-      (assign ?device (first ?views)) (assign ?points (rest ?views)) (assign ?each (/ (* 1.0d0 ?seconds) (length ?points))))
+    (:first (uavloc ?_how ?from)
+      (devices-for perception ?devices) (assign* ?device ?devices) (may-begin ?tc ?when)
+      (three-sides-for ?from ?place ?device ?when ?points)
+      (assign ?each (/ (* 1.0d0 ?seconds) (length ?points))))
       ((monitor-from ?points ?place ?device ?each ?tc ?origin)))
   (:method (monitor-from ?points ?place ?device ?seconds ?tc ?origin)
     all-angles ((call null ?points)) ()
-    next-angle ((assign ?to (first ?points)) (assign ?others (rest ?points)))
-      ((go ?to ?tc ?origin) (stay-and-shoot ?device ?place ?seconds ?tc ?origin)
+    seen-before
+    ((assign ?to (first ?points)) (assign ?others (rest ?points)) (done-before ?origin ?done)
+      (call = (left-to-look-from ?to ?seconds ?done) 0))
+      ((monitor-from ?others ?place ?device ?seconds ?tc ?origin))
+    next-angle
+    ((assign ?to (first ?points)) (assign ?others (rest ?points)) (done-before ?origin ?done)
+      (assign ?left (left-to-look-from ?to ?seconds ?done)))
+      ((go ?to ?tc ?origin) (stay-and-shoot ?device ?place ?left ?tc ?origin)
        (monitor-from ?others ?place ?device ?seconds ?tc ?origin)))
 
   ; ================ methods: synchronisation
 
+  ; Partners that have met do not wait for each other again.
+  (:- (has-met ?sync ?origin)
+    ((done-before ?origin ?done) (call has-met ?sync ?done)))
   (:method (wait-for-partners ?sync ?senders ?receivers ?tc ?origin)
+    have-met ((has-met ?sync ?origin)) ()
     wait-until-synchro ()
       ((!!lcompute-stay stopped) (!task-wait ?wait ?_d ?_p ?_s ?_u ?tc ?origin)
        (!!agree ?sync ?senders ?receivers ((num 0) (num 30))) (!task-synchro ?_i ?_e ?_q ?_t ?_v ?tc ?origin)
        (!stop-wait ?wait ?_f ?_r ?_x ?_w ?tc ?origin)))
 
   (:method (general-combined-goto-and-synchro-and-takeshot ?sync ?senders ?receivers ?place ?seconds ?tc ?origin)
+    all-looked ((has-met ?sync ?origin) (all-looked ?seconds ?origin)) ()
     goto-and-synchro-and-takeshot
-    ((assign ?rank (rank-in ?senders ?receivers)) (assign ?count (count-of ?senders ?receivers))
-      (devices-for perception ?devices) (assign ?view (compute-viewpoint ?place ?devices ?rank ?count))
-      (call consp ?view) (assign ?device (first ?view)) (assign ?to (second ?view)))
+    (:first (assign ?rank (rank-in ?senders ?receivers)) (assign ?count (count-of ?senders ?receivers))
+      (still-to-look ?seconds ?origin ?left) (uavloc ?_how ?from)
+      (devices-for perception ?devices) (assign* ?device ?devices)
+      (may-begin ?tc ?when)
+      (side-for ?from ?place ?device ?rank ?count ?when ?to))
       ((go ?to ?tc ?origin) (wait-for-partners ?sync ?senders ?receivers ?tc ?origin)
-       (stay-and-shoot ?device ?place ?seconds ?tc ?origin)))
+       (stay-and-shoot ?device ?place ?left ?tc ?origin)))
+
+  (:method (meet ?sync ?senders ?receivers ?tc ?origin)
+    have-met ((has-met ?sync ?origin)) ()
+    rendezvous ()
+      ((!!agree ?sync ?senders ?receivers ((num 0) (num 30))) (!task-rendezvous ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
   (:method (monitor-until ?place ?sync ?partners ?signal ?from ?tc ?origin)
     monitor-until
-    ((assign ?team (with-me ?partners)) (assign ?rank (rank-in ?team ?team)) (assign ?count (length ?team))
-      (devices-for perception ?devices) (assign ?view (compute-viewpoint ?place ?devices ?rank ?count))
-      (call consp ?view) (assign ?device (first ?view)) (assign ?to (second ?view)) (assign ?target (target-of ?place)))
-      ((go-unless-there ?to ?tc ?origin)
-       (!!agree ?sync ?team ?team ((num 0) (num 30))) (!task-rendezvous ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
+    (:first (assign ?team (with-me ?partners)) (assign ?rank (rank-in ?team ?team)) (assign ?count (length ?team))
+      (uavloc ?_how ?here)
+      (devices-for perception ?devices) (assign* ?device ?devices) (may-begin ?tc ?when)
+      (side-for ?here ?place ?device ?rank ?count ?when ?to)
+      (assign ?target (target-of ?place)))
+      ((go-unless-there ?to ?tc ?origin) (meet ?sync ?team ?team ?tc ?origin)
        (!!aim ?device ?target) (!task-monitoring ?shot ?_e ?_q ?_t ?_v ?tc ?origin)
        (!!agree ?signal (?from) ?team ((num 0) (num unlimited))) (!task-synchro ?_j ?_f ?_r ?_x ?_w ?tc ?origin)
        (!stop-monitoring ?shot ?_g ?_k ?_y ?_z ?tc ?origin)))
 
   (:method (send-signal ?sync ?receivers ?tc ?origin)
-    send-signal ((assign ?me (with-me ())))
-      ((!!agree ?sync ?me ?receivers ((num 0) (num 30))) (!task-rendezvous ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+    send-signal ((assign ?me (with-me ()))) ((meet ?sync ?me ?receivers ?tc ?origin)))
 
   (:method (synchro ?sync ?senders ?receivers ?tc ?origin)
-    synchro ()
-      ((!!agree ?sync ?senders ?receivers ((num 0) (num 30))) (!task-rendezvous ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+    synchro () ((meet ?sync ?senders ?receivers ?tc ?origin)))
 
   (:method (wait-until-synchro ?sync ?senders ?receivers ?tc ?origin)
     wait-until-synchro () ((wait-for-partners ?sync ?senders ?receivers ?tc ?origin)))
@@ -521,7 +623,9 @@
 
   ; Seconds, or the word `unlimited`.
   (:method (general-wait ?seconds ?tc ?origin)
-    general-wait () ((!!lcompute-stay ?seconds) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+    all-waited ((done-before ?origin ?done) (call eq (left-to-wait ?seconds ?done) 0)) ()
+    general-wait ((done-before ?origin ?done) (assign ?left (left-to-wait ?seconds ?done)))
+      ((!!lcompute-stay ?left) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
   (:method (wait-for-orders ?tc ?origin)
     wait-for-orders () ((!!lcompute-stay unlimited) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))

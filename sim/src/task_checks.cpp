@@ -109,9 +109,9 @@ ElementaryTask read_goto(const Situation& s, ParameterReader& read) {
     check_waypoint(s, task.waypoints[i], "way-point " + std::to_string(i + 1), read);
   need_flight(s, "goto", read);
   if (!read.refused()) check_legs(s, task.waypoints, read);
-  if (speed_known) need_energy(
-        s, world::energy_asked_for(s.model, s.state.position, task.waypoints, task.speed),
-        "the way", read);
+  if (speed_known)
+    need_energy(s, world::energy_asked_for(s.model, s.state.position, task.waypoints, task.speed),
+                "the way", read);
   return task;
 }
 
@@ -180,8 +180,8 @@ using Read = ElementaryTask (*)(const Situation&, ParameterReader&);
 
 const std::map<std::string, Read>& behaviours() {
   static const std::map<std::string, Read> all = {
-      {"takeoff", read_takeoff},   {"land", read_land},         {"goto", read_goto},
-      {"wait", read_wait},         {"takeshot", read_takeshot}, {"perceive", read_perceive},
+      {"takeoff", read_takeoff}, {"land", read_land},         {"goto", read_goto},
+      {"wait", read_wait},       {"takeshot", read_takeshot}, {"perceive", read_perceive},
       {"monitor", read_monitor}};
   return all;
 }

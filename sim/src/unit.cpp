@@ -153,9 +153,7 @@ void Unit::finish(FunctionalState state, std::string reason, MissionTime now,
   motion_.reset();
 }
 
-bool Unit::looks() const {
-  return motion_ && std::holds_alternative<PerceiveTask>(motion_->task);
-}
+bool Unit::looks() const { return motion_ && std::holds_alternative<PerceiveTask>(motion_->task); }
 
 /// What it looked at has been seen, or its device failed.
 void Unit::release_perception() {
@@ -259,9 +257,9 @@ void Unit::step(MissionTime now, double dt, std::vector<Effect>& effects) {
 std::string Unit::activity() const {
   if (vehicle_.crashed()) return "crashed";
   if (!vehicle_.engine_works()) return "engine failure";
-  const bool stays = motion_ && motion_->phase == MotionTask::Phase::kActive &&
-                     functional::TaskTypes::shipped().of(motion_->type).motion ==
-                         functional::Motion::kKeeps;
+  const bool stays =
+      motion_ && motion_->phase == MotionTask::Phase::kActive &&
+      functional::TaskTypes::shipped().of(motion_->type).motion == functional::Motion::kKeeps;
   return stays ? motion_->type + ", " + guidance_.activity() : guidance_.activity();
 }
 

@@ -17,7 +17,8 @@
 
 namespace skein::sim {
 
-/// At most one task that holds the vehicle (takeoff, land, goto, wait, perceive, monitor) at a time:
+/// At most one task that holds the vehicle (takeoff, land, goto, wait, perceive, monitor) at a
+/// time:
 ///
 /// | from     | when                                    | to       | told              |
 /// | –        | request accepted                         | pending  | –                 |

@@ -9,12 +9,12 @@
 namespace skein::sim {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::Not;
 using testing::altitude;
 using testing::at;
 using testing::device;
+using ::testing::HasSubstr;
 using testing::model_of;
+using ::testing::Not;
 using testing::way;
 using testing::with_hill;
 

@@ -44,6 +44,7 @@ TEST_P(Comets, MeetsEveryExpectationAndKeepsTheLaws) {
   EXPECT_EQ(mission.end, End::kFinished);
   EXPECT_EQ(mission.failures(), "");
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -24,6 +24,7 @@ TEST_P(Deliberation, MeetsEveryExpectationAndKeepsTheLawsWhateverTheSeed) {
     EXPECT_EQ(mission.end, End::kFinished) << "seed " << seed;
     EXPECT_EQ(mission.failures(), "") << "seed " << seed;
     EXPECT_EQ(to_text(broken_laws(mission.records)), "") << "seed " << seed;
+    EXPECT_EQ(mission.untrue, "") << "seed " << seed;
     EXPECT_EQ(to_text(broken_deliberation_laws(mission.records)), "") << "seed " << seed;
   }
 }
@@ -55,11 +56,14 @@ INSTANTIATE_TEST_SUITE_P(
                       "contingencies/energy-short", "contingencies/urgent-mission",
                       "contingencies/later-during-perception",
                       "contingencies/mission-while-waiting-on-ground",
-                      "contingencies/true-when-its-turn-comes",
-                      "contingencies/partner-never-comes", "contingencies/orders-never-come",
-                      "contingencies/air-closes-around", "contingencies/air-closes-later",
-                      "contingencies/air-closes-on-perception",
-                      "contingencies/air-closes-on-circle", "contingencies/steep-home"),
+                      "contingencies/true-when-its-turn-comes", "contingencies/partner-never-comes",
+                      "contingencies/orders-never-come", "contingencies/air-closes-around",
+                      "contingencies/air-closes-later", "contingencies/air-closes-on-perception",
+                      "contingencies/air-closes-on-circle", "contingencies/steep-home",
+                      "contingencies/closed-for-a-time", "contingencies/rung-re-refine",
+                      "contingencies/rung-drop", "contingencies/rung-shift",
+                      "contingencies/rung-replan",
+                      "contingencies/partner-gives-up", "handover/synchronised"),
     name_of);
 
 }  // namespace

@@ -51,6 +51,7 @@ TEST_P(AtDegree, ACutShorterThanACommandsLifeDelaysTheMissionAndNoMore) {
   EXPECT_EQ(mission.end, End::kFinished);
   EXPECT_EQ(mission.failures(), "");
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
   const auto takeoff = mission.first(
       {{"kind", "task"}, {"uav", "heliv"}, {"type", "takeoff"}, {"state", "running"}});
   ASSERT_TRUE(takeoff.has_value());
@@ -69,6 +70,7 @@ TEST_P(WithAnMle, ACutLongerThanACommandsLifeLetsItExpireAndTheLogSaysSo) {
   const Mission mission = play(scenario);
 
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
   EXPECT_EQ(mission.count(command("heliv", "expired")), 4U);
   EXPECT_EQ(mission.count(command("heliv", "acknowledged")), 0U);
   EXPECT_FALSE(mission.find(command("heliv", "expired"))[0].text("why").empty());
@@ -88,6 +90,7 @@ TEST_P(WithAnMle, ARendezvousWaitsForTheLinkItNeeds) {
 
   EXPECT_EQ(mission.end, End::kFinished);
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
   const auto met = mission.first({{"kind", "task"}, {"type", "synchronise"}, {"state", "ended"}});
   ASSERT_TRUE(met.has_value());
   if (GetParam() == "3") {
@@ -112,6 +115,7 @@ TEST_P(AtDegree, OutOfContactForLongKarmaReturnsAndLands) {
   const Mission mission = play(scenario);
 
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
   EXPECT_EQ(mission.count({{"kind", "contact"}, {"uav", "karma"}, {"policy", "return"}}), 1U);
   const auto last = mission.find({{"kind", "telemetry"}, {"uav", "karma"}}).back();
   EXPECT_FALSE(last.truth("airborne"));
@@ -127,6 +131,7 @@ TEST_P(AtDegree, OutOfContactForLongMarvinHoldsInTheAir) {
   const Mission mission = play(scenario);
 
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
   EXPECT_EQ(mission.count({{"kind", "contact"}, {"uav", "marvin"}, {"policy", "hold"}}), 1U);
   const auto telemetry = mission.find({{"kind", "telemetry"}, {"uav", "marvin"}});
   std::vector<double> here;
@@ -145,6 +150,7 @@ TEST_P(AtDegree, ACutShorterThanThePolicysDelayCallsForNoPolicy) {
   const Mission mission = play(scenario);
 
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
   EXPECT_EQ(mission.count({{"kind", "contact"}}), 0U);
 }
 
@@ -163,6 +169,7 @@ TEST_P(WithLoss, OfThirtyPercentOfStreamsTheMissionStillMeetsItsExpectations) {
   EXPECT_EQ(mission.end, End::kFinished);
   EXPECT_EQ(mission.failures(), "");
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -181,6 +188,7 @@ TEST_P(AtDegree, ADecisionNodeRestartedBeforeItsTurnMakesNoDifferenceToTheMissio
   EXPECT_EQ(mission.end, End::kFinished);
   EXPECT_EQ(mission.failures(), "");
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
   EXPECT_EQ(mission.count({{"kind", "fault"}, {"what", "restart"}, {"target", "karma"}}), 1U);
 }
 
@@ -191,6 +199,7 @@ TEST_P(WithAnMle, ADecisionNodeRestartedInMidPlanHasLostItAndTheGroundKnows) {
   const Mission mission = play(scenario);
 
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
   const auto notices = mission.find({{"kind", "notice"}, {"node", "ground"}, {"uav", "marvin"}});
   ASSERT_FALSE(notices.empty());
   EXPECT_THAT(std::string(notices[0].text("text")), HasSubstr("restarted"));
@@ -205,6 +214,7 @@ TEST(RestartAtDegree1, OfADecisionNodeInMidPlanLeavesTheGroundToGoOnWithThePlan)
   const Mission mission = play(scenario);
 
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
   EXPECT_EQ(
       mission.count({{"kind", "task"}, {"uav", "marvin"}, {"task", "3"}, {"state", "aborted"}}),
       1U);
@@ -221,6 +231,7 @@ TEST_P(AtDegree, ADecisionNodeThatNeverComesBackDoesNotHangTheRun) {
 
   EXPECT_EQ(mission.end, End::kTimeLimit);
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
 }
 
 // ---- drawn faults ----
@@ -240,6 +251,7 @@ TEST_P(DrawnFaults, LetTheRunEndAndBreakNoLaw) {
 
   EXPECT_THAT(mission.end, AnyOf(Eq(End::kFinished), Eq(End::kTimeLimit)));
   EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, DrawnFaults,

@@ -133,7 +133,12 @@ int run_mle(const MleOptions& options, std::istream& in, std::ostream& out, std:
     err << "--timeout: " << to_text(*options.timeout) << " s is not positive\n";
     return 2;
   }
+  if (options.sync_validity && *options.sync_validity <= Duration()) {
+    err << "--sync-validity: " << to_text(*options.sync_validity) << " s is not positive\n";
+    return 2;
+  }
   executive::Config config;
+  config.sync_validity = options.sync_validity;
   config.name = options.uav;
   config.types = *types;
   config.background_type = options.background;

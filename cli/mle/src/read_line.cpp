@@ -25,6 +25,7 @@ using executive::Start;
 using executive::Suppress;
 using executive::Synchronisation;
 using executive::SyncReceived;
+using executive::SyncWord;
 using executive::Task;
 using executive::TaskId;
 using executive::TaskInState;
@@ -166,8 +167,13 @@ Input status(const Node& node) {
 }
 
 Input sync(const Node& node) {
-  node.expect_keys({"id", "from"});
-  return SyncReceived{node.at("id").id(), node.at("from").text()};
+  node.expect_keys({"id", "from", "word", "said"});
+  SyncReceived message{node.at("id").id(), node.at("from").text()};
+  if (node.has("word")) {
+    message.word = static_cast<SyncWord>(node.at("word").one_of({"there", "done", "withdrawn"}));
+  }
+  if (node.has("said")) message.said = node.at("said").instant();
+  return message;
 }
 
 Input input(const Node& node) {

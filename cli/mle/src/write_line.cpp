@@ -33,7 +33,11 @@ struct LineOf {
   }
   Line operator()(const executive::SendSync& e) const {
     return opening(at) + ",\"sync\":{\"id\":" + std::to_string(e.id) +
-           ",\"to\":" + json_text(e.to) + "}}";
+           ",\"to\":" + json_text(e.to) +
+           (e.word == executive::SyncWord::kThere
+                ? ""
+                : ",\"word\":" + json_text(executive::to_text(e.word))) +
+           "}}";
   }
   Line operator()(const executive::Reply& e) const {
     if (e.accepted) return std::nullopt;

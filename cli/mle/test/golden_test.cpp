@@ -48,6 +48,8 @@ MleOptions options_of(const fs::path& folder) {
       options.until = MissionTime::seconds(std::stod(value));
     } else if (option == "--timeout") {
       options.timeout = Duration::seconds(std::stod(value));
+    } else if (option == "--sync-validity") {
+      options.sync_validity = Duration::seconds(std::stod(value));
     } else if (option == "--background") {
       options.background = value;
     } else {

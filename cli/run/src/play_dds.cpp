@@ -2,8 +2,12 @@
 #include "play_dds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <set>
+#include <thread>
 
 #include "fleet.hpp"
 #include "skein/assembly/assembly.hpp"
@@ -24,6 +28,16 @@ constexpr Duration kStartLimit =
 constexpr Duration kClockLimit =
     Duration::milliseconds(15'000);                             ///< of silence of the mission clock
 constexpr Duration kEndLimit = Duration::milliseconds(15'000);  ///< for the daemons to exit
+
+// ", the machine's load being 9.2 on 2 processors"; why a daemon may have had no turn.
+std::string load_of_machine() {
+  std::array<double, 1> load{};
+  if (getloadavg(load.data(), 1) != 1) return "";
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), ", the machine's load being %.1f on %u processors",
+                load[0], std::thread::hardware_concurrency());
+  return text.data();
+}
 
 class DdsRun {
  public:
@@ -168,7 +182,8 @@ class DdsRun {
       return true;
     }
     if (steady - heard_clock_ < kClockLimit) return false;
-    fail("the mission clock was not heard for " + to_text(kClockLimit) + " s", true);
+    fail("the mission clock was not heard for " + to_text(kClockLimit) + " s" + load_of_machine(),
+         true);
     return true;
   }
 

@@ -37,9 +37,17 @@ void append_verdicts(const std::vector<Verdict>& verdicts, std::vector<journal::
   }
 }
 
+// A run that did not come to its mission's end says nothing for the mission, unless an expectation
+// does.
+bool ended_unjudged(const Played& played, const std::vector<Verdict>& verdicts) {
+  return verdicts.empty() &&
+         (played.end == Played::End::kTimeLimit || played.end == Played::End::kIdle);
+}
+
 int exit_code(const Played& played, const std::vector<Verdict>& verdicts) {
   if (played.end == Played::End::kInterrupted) return kExitInterrupted;
   if (played.end == Played::End::kFailed) return played.timed_out ? kExitTimeout : kExitSystem;
+  if (ended_unjudged(played, verdicts)) return kExitNegative;
   for (const Verdict& verdict : verdicts) {
     if (!verdict.passed) return kExitNegative;
   }
@@ -74,6 +82,8 @@ void print_summary(const std::vector<Verdict>& verdicts, const Played& played,
     out << "the time limit came before the mission's end\n";
   if (played.end == Played::End::kIdle)
     out << "nothing was left to happen before the mission's end\n";
+  if (ended_unjudged(played, verdicts))
+    out << "FAILED  the mission did not end, and the scenario expects nothing else\n";
   out << passed << " of " << verdicts.size() << " expectations met; report: " << folder
       << "/report.html\n";
 }

@@ -106,6 +106,23 @@ TEST(Run, AMissionThatDoesNotEndInTimeSaysSo) {
   EXPECT_THAT(read_text(folder / "out/events.jsonl"), HasSubstr("\"state\":\"time-limit\""));
 }
 
+TEST(Run, AMissionThatDoesNotEndAndExpectsNothingHasNotPassed) {
+  const Folder folder;
+  std::string text = testing::comets_text("confirmed");
+  text = text.substr(0, text.find("\nexpect:") + 1);
+  write_text(folder / "ends.yaml", text);
+  write_text(folder / "cut.yaml",
+             testing::replaced(text, "duration_limit: 2100", "duration_limit: 100"));
+  std::ostringstream out;
+  std::ostringstream err;
+
+  EXPECT_EQ(run(virtual_run(folder / "ends.yaml", (folder / "a").string()), out, err), kExitOk);
+  EXPECT_EQ(run(virtual_run(folder / "cut.yaml", (folder / "b").string()), out, err),
+            kExitNegative);
+
+  EXPECT_THAT(out.str(), HasSubstr("the mission did not end, and the scenario expects nothing"));
+}
+
 TEST(Run, AWrongScenarioGivesTwoWithEveryErrorAndStartsNothing) {
   const Folder folder;
   std::string text = testing::comets_text("confirmed");

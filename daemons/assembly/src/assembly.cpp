@@ -16,6 +16,8 @@ namespace {
 using scenario::Scenario;
 using scenario::UavSpec;
 
+/// How long a partner is taken to wait at a rendezvous; it says so again at half of this.
+constexpr Duration kSyncValidity = Duration::milliseconds(30'000);
 constexpr double kHomeAltitude = 40;  ///< [m] above the ground at the start, on the way home
 
 sim::SimulatorConfig simulator_config(const Scenario& scenario) {
@@ -78,6 +80,7 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
     ground_station::GroundUav one{uav.name, uav.degree, {}};
     one.executive.name = uav.name;
     one.executive.functional_timeout = defaults.functional_timeout;
+    one.executive.sync_validity = kSyncValidity;
     config.uavs.push_back(std::move(one));
   }
   config.script = scenario.ground.script;
@@ -93,6 +96,7 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
   config.degree = uav.degree;
   config.contact_policy = static_cast<ddn::ContactPolicy>(uav.contact_loss.policy);
   config.contact_after = uav.contact_loss.after;
+  config.sync_validity = kSyncValidity;
   const world::Terrain terrain(scenario.world.terrain);
   config.home = {uav.start.x(), uav.start.y(),
                  terrain.elevation(uav.start.x(), uav.start.y()) + kHomeAltitude};

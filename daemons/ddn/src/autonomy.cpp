@@ -107,12 +107,10 @@ void DdnNode::let_go(executive::TaskId below, const std::vector<mission::HeldTas
     passed_through_.emplace(one.task.id.value(), one.task.type);
   }
   run(executive::Relinquish{below});
-  for (const auto& [id, from] : syncs_) {
-    wire::SyncMessage message;
-    message.id = id;
-    message.from = from;
-    message.to = config_.uav;
-    send_to_ground(message);
+  for (const auto& [key, message] : syncs_) {
+    wire::SyncMessage again = message;
+    again.header = {};
+    send_to_ground(again);
   }
 }
 

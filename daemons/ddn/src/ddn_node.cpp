@@ -13,6 +13,7 @@ executive::Config executive_config(const DdnConfig& config) {
   executive::Config result;
   result.name = config.uav;
   result.functional_timeout = config.functional_timeout;
+  result.sync_validity = config.sync_validity;
   result.background_type = config.background_type;
   return result;
 }
@@ -92,6 +93,8 @@ std::string DdnNode::why_not(const node::Received& received) const {
     case wire::Slot::kDegreeCommand:
     case wire::Slot::kWorldChange:
       return received.from == roster_.ground() ? "" : "only the ground station makes requests";
+    case wire::Slot::kTaskEvent:
+      return received.from == roster_.ground() ? "" : "only the ground station has tasks of others";
     case wire::Slot::kFunctionalStatus:
     case wire::Slot::kTelemetry:
     case wire::Slot::kPerceptionReport:

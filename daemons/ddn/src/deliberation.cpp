@@ -54,10 +54,11 @@ void DdnNode::carry_out(const supervisor::PlanChanged& effect) {
   const wire::MissionPlan plan = to_wire(config_.uav, report);
   log(plan_line(writer(), report));
   std::map<std::uint64_t, wire::PlanEntry> logged;
-  for (const wire::PlanEntry& task : plan.tasks) {
+  for (std::size_t i = 0; i < plan.tasks.size(); ++i) {  // in the order of the report
+    const wire::PlanEntry& task = plan.tasks[i];
     const auto before = logged_plan_.find(task.id);
     if (before == logged_plan_.end() || before->second != task) {
-      log(planned_line(writer(), plan, task));
+      log(planned_line(writer(), plan.revision, task, report.tasks[i].task.parameters));
     }
     logged.emplace(task.id, task);
   }

@@ -46,15 +46,16 @@ journal::Record plan_line(const translation::Writer& writer, const mission::Plan
   return line;
 }
 
-journal::Record planned_line(const translation::Writer& writer, const wire::MissionPlan& plan,
-                             const wire::PlanEntry& task) {
+journal::Record planned_line(const translation::Writer& writer, std::uint64_t revision,
+                             const wire::PlanEntry& task, const executive::Parameters& parameters) {
   journal::Record line(writer.at, writer.node, "planned");
   line.with("uav", writer.node)
-      .with("revision", plan.revision)
+      .with("revision", revision)
       .with("task", task.id)
       .with("type", task.type)
       .with("goal", task.origin)
       .with("earliest_start", seconds(task.earliest_start));
+  translation::with_device_and_target(line, parameters);
   with_bound(line, "latest_start", task.latest_start);
   line.with("earliest_end", seconds(task.earliest_end));
   with_bound(line, "latest_end", task.latest_end);

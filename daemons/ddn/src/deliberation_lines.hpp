@@ -13,9 +13,9 @@ namespace skein::ddn {
 // The writer is the UAV that the line is about.
 
 journal::Record plan_line(const translation::Writer& writer, const mission::PlanReport& report);
-/// One task of the plan.
-journal::Record planned_line(const translation::Writer& writer, const wire::MissionPlan& plan,
-                             const wire::PlanEntry& task);
+/// One task of the plan of that revision, as it is sent and as it is planned.
+journal::Record planned_line(const translation::Writer& writer, std::uint64_t revision,
+                             const wire::PlanEntry& task, const executive::Parameters& parameters);
 journal::Record goal_line(const translation::Writer& writer, const mission::GoalStatus& goal);
 journal::Record decision_line(const translation::Writer& writer, const mission::Decision& decision);
 

@@ -19,7 +19,9 @@ bool holds_vehicle(const std::string& type) {
 }  // namespace
 
 void DdnNode::carry_out(const executive::TaskEvent& event) {
-  log(translation::task_line(writer(), config_.uav, event));
+  const auto task = executive_.find(event.id);
+  log(translation::task_line(writer(), config_.uav, event,
+                             task ? task->parameters : executive::Parameters()));
   send_to_ground(to_wire(config_.uav, event, now_));
   if (own_task(event.id.value()) && event.id < executive::kFirstBackgroundId) {
     if (is_terminal(event.state)) {
@@ -59,13 +61,12 @@ void DdnNode::carry_out(const executive::SendSync& sync) {
     log(record("notice").with("text", "no UAV '" + sync.to + "' to synchronise with"));
     return;
   }
-  wire::SyncMessage message;
-  message.id = sync.id;
-  message.from = config_.uav;
-  message.to = sync.to;
-  log(translation::sync_line(writer(), {sync.id, config_.uav, sync.to, true}));
+  log(translation::sync_line(writer(), {sync.id, config_.uav, sync.to, true, sync.word}));
   const node::NodeNumber next = degree_ >= 3 ? to->number : roster_.ground();
-  out_.push_back(node::Send{next, message, MissionTime::max()});
+  // One that would count no more when it comes need not come: it is said again.
+  const bool passes = config_.sync_validity && sync.word == executive::SyncWord::kThere;
+  const MissionTime expires = passes ? now_ + *config_.sync_validity : MissionTime::max();
+  out_.push_back(node::Send{next, to_wire(sync, config_.uav, now_), expires});
 }
 
 void DdnNode::carry_out(const executive::Reply& reply) {

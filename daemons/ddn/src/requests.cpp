@@ -139,11 +139,18 @@ void DdnNode::see_passed_through(const wire::FunctionalStatus& status) {
 }
 
 void DdnNode::take(const wire::SyncMessage& message) {
-  syncs_.emplace(message.id, message.from);
+  wire::SyncMessage& last = syncs_[{message.id, message.from}];
+  if (last.said <= message.said) last = message;
   if (degree_ == mission::kLeastDegree) return send_to_ground(message);
-  log(translation::sync_line(writer(), {message.id, message.from, message.to, false}));
-  run(executive::SyncReceived{message.id, message.from});
+  const executive::SyncReceived received = from_wire(message);
+  log(translation::sync_line(writer(),
+                             {message.id, message.from, message.to, false, received.word}));
+  run(received);
 }
+
+// At degree 1 the ground's executive has the tasks; what does not go through the functional layer
+// is known there only.
+void DdnNode::take(const wire::TaskEvent& event) { tell(supervisor::TaskSeen{from_wire(event)}); }
 
 void DdnNode::take(const wire::Telemetry& telemetry) {
   if (telemetry.airborne != airborne_) {

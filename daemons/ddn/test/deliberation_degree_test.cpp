@@ -62,6 +62,26 @@ TEST(DownFrom4, ToDegree1TheGoalIsStillSeenAchieved) {
   EXPECT_EQ(state_of_goal(bench), "achieved");
 }
 
+// A synchronisation ends in the ground's executive, and no functional status says so.
+TEST(DownFrom4, ToDegree1AGoalIsSeenAchievedWhoseLastTaskOnlyTheGroundSees) {
+  Bench bench(deliberating(4));
+  plan(bench);
+  take_off(bench);
+  bench.from_ground(degree(9, 1));
+  bench.from_sim(status(101, TaskState::kEnded));
+  wire::TaskEvent event;
+  event.uav = "marvin";
+  event.id = 102;
+  event.type = "land";
+  event.state = TaskState::kEnded;
+
+  bench.from_heliv(event);
+  EXPECT_NE(state_of_goal(bench), "achieved") << "nobody but the ground has tasks of this UAV";
+  bench.from_ground(event);
+
+  EXPECT_EQ(state_of_goal(bench), "achieved");
+}
+
 TEST(DownFrom4, WhatIsNotPlannedYetIsPlannedWhenGivenBack) {
   Bench bench(deliberating(4));
   bench.give(node::Started{1});

@@ -113,7 +113,8 @@ std::optional<GroundNode::Input> GroundNode::input_from(const node::Received& re
         uav, {executive::TaskId(status->id), from_wire(status->state), status->reason}};
   }
   if (const auto* sync = std::get_if<wire::SyncMessage>(&sample)) {
-    return gs::SyncReceived{sync->id, sync->from, sync->to};
+    const executive::SyncReceived message = from_wire(*sync);
+    return gs::SyncReceived{message.id, message.from, sync->to, message.word, message.said};
   }
   if (const auto* board = std::get_if<wire::PlanBoard>(&sample)) {
     gs::PlanBoardReceived result = std::get<gs::PlanBoardReceived>(input_of(*board));
@@ -190,11 +191,8 @@ void GroundNode::carry_out(const gs::SendFunctional& effect) {
 }
 
 void GroundNode::carry_out(const gs::SendSync& effect) {
-  wire::SyncMessage message;
-  message.id = effect.id;
-  message.from = effect.from;
-  message.to = effect.to;
-  send(effect.to, std::move(message));
+  send(effect.to,
+       to_wire(executive::SendSync{effect.id, effect.to, effect.word}, effect.from, effect.said));
 }
 
 void GroundNode::carry_out(const gs::AlarmEvent& effect) {
@@ -232,12 +230,17 @@ void GroundNode::carry_out(const gs::LocalRequestAnswered& effect) {
 }
 
 void GroundNode::carry_out(const gs::LocalTaskEvent& effect) {
-  log(translation::task_line(writer(), effect.uav, effect.event));
+  log(translation::task_line(writer(), effect.uav, effect.event, effect.parameters));
+  // The UAV does not hear of these from its functional layer.
+  const bool unseen = effect.event.type == executive::kSynchroniseType;
+  if (unseen || is_terminal(effect.event.state)) {
+    send(effect.uav, to_wire(effect.uav, effect.event, now_));
+  }
 }
 
 void GroundNode::carry_out(const gs::LocalSync& effect) {
   const bool sent = effect.direction == gs::SyncDirection::kSent;
-  log(translation::sync_line(writer(), {effect.id, effect.from, effect.to, sent}));
+  log(translation::sync_line(writer(), {effect.id, effect.from, effect.to, sent, effect.word}));
 }
 
 void GroundNode::carry_out(const gs::HeldPlanChanged& effect) {

@@ -254,6 +254,20 @@ TEST(GroundNode, RelaysASynchronisationMessageToTheOneItIsFor) {
   EXPECT_EQ(relayed[0].second.from, "marvin");
 }
 
+TEST(GroundNode, RelaysTheWordAndTheInstantAsTheyWereSaid) {
+  Station station({}, 2);
+  wire::SyncMessage withdrawal = sync("marvin", "heliv");
+  withdrawal.word = wire::SyncWord::kWithdrawn;
+  withdrawal.said = 42;
+
+  station.from("marvin", withdrawal, 1);
+
+  const auto relayed = station.sent<wire::SyncMessage>();
+  ASSERT_EQ(relayed.size(), 1U);
+  EXPECT_EQ(relayed[0].second.word, wire::SyncWord::kWithdrawn);
+  EXPECT_EQ(relayed[0].second.said, 42);
+}
+
 struct Stray {
   std::string name, from, to;
 };
@@ -329,6 +343,14 @@ TEST(GroundNode, LogsTheSynchronisationsOfThePlansItRuns) {
   ASSERT_GE(station.records("sync").size(), 1U);
   EXPECT_EQ(station.records("sync")[0].text("from"), "marvin");
   EXPECT_EQ(station.records("sync")[0].text("direction"), "sent");
+
+  station.from("heliv", sync("heliv", "marvin"), 2);
+
+  const auto events = station.sent<wire::TaskEvent>();
+  ASSERT_FALSE(events.empty()) << "the UAV is told of what it cannot see";
+  EXPECT_EQ(events.back().first, "marvin");
+  EXPECT_EQ(events.back().second.id, 3U);
+  EXPECT_EQ(events.back().second.state, TaskState::kEnded);
 }
 
 // ---- strangers ----

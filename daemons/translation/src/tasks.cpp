@@ -14,6 +14,8 @@ static_assert(static_cast<int>(wire::RequestKind::kSuppress) ==
               static_cast<int>(executive::RequestKind::kSuppress));
 static_assert(static_cast<int>(wire::InsertionMode::kNut) ==
               static_cast<int>(executive::InsertionMode::kNut));
+static_assert(static_cast<int>(wire::SyncWord::kWithdrawn) ==
+              static_cast<int>(executive::SyncWord::kWithdrawn));
 
 wire::Literal to_wire(const executive::Literal& literal) {
   wire::Literal result;
@@ -193,6 +195,26 @@ wire::TaskEvent to_wire(const std::string& uav, const executive::TaskEvent& even
   result.reason = event.reason;
   result.at = at.count();
   return result;
+}
+
+executive::TaskEvent from_wire(const wire::TaskEvent& event) {
+  return {executive::TaskId(event.id), event.type, from_wire(event.state), event.reason};
+}
+
+wire::SyncMessage to_wire(const executive::SendSync& message, const std::string& from,
+                          MissionTime said) {
+  wire::SyncMessage result;
+  result.id = message.id;
+  result.from = from;
+  result.to = message.to;
+  result.word = static_cast<wire::SyncWord>(message.word);
+  result.said = said.count();
+  return result;
+}
+
+executive::SyncReceived from_wire(const wire::SyncMessage& message) {
+  return {message.id, message.from, static_cast<executive::SyncWord>(message.word),
+          MissionTime::nanoseconds(message.said)};
 }
 
 }  // namespace skein::translation

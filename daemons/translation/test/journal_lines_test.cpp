@@ -10,15 +10,26 @@ const Writer kWriter{MissionTime::seconds(2), "karma"};
 
 TEST(JournalLines, ATaskHasItsReasonOnlyWhenThereIsOne) {
   executive::TaskEvent event{executive::TaskId(7), "goto", executive::TaskState::kRunning, ""};
-  const std::string running = journal::to_json(task_line(kWriter, "heliv", event));
+  const std::string running = journal::to_json(task_line(kWriter, "heliv", event, {}));
   event.state = executive::TaskState::kAborted;
   event.reason = "no way";
-  const std::string aborted = journal::to_json(task_line(kWriter, "heliv", event));
+  const std::string aborted = journal::to_json(task_line(kWriter, "heliv", event, {}));
 
   EXPECT_EQ(running, R"({"at":2,"node":"karma","kind":"task","uav":"heliv","task":7,"type":"goto",)"
                      R"("state":"running"})");
   EXPECT_EQ(aborted, R"({"at":2,"node":"karma","kind":"task","uav":"heliv","task":7,"type":"goto",)"
                      R"("state":"aborted","reason":"no way"})");
+}
+
+TEST(JournalLines, ATaskSaysItsDeviceAndItsTarget) {
+  const executive::TaskEvent event{executive::TaskId(8), "takeshot", executive::TaskState::kEnded,
+                                   ""};
+  const executive::Parameters parameters{
+      {"device", "camera", {}}, {"target", "", {1, 2.5, 3}}, {"duration", "", {60}}};
+
+  EXPECT_EQ(journal::to_json(task_line(kWriter, "heliv", event, parameters)),
+            R"({"at":2,"node":"karma","kind":"task","uav":"heliv","task":8,"type":"takeshot",)"
+            R"("state":"ended","device":"camera","target":[1,2.5,3]})");
 }
 
 TEST(JournalLines, ARequestHasAModeOnlyIfItIsAStartAndAReasonOnlyIfRefused) {
@@ -36,8 +47,11 @@ TEST(JournalLines, ARequestHasAModeOnlyIfItIsAStartAndAReasonOnlyIfRefused) {
 }
 
 TEST(JournalLines, ASynchronisationHasItsDirection) {
-  EXPECT_EQ(sync_line(kWriter, {551, "karma", "heliv", true}).text("direction"), "sent");
-  EXPECT_EQ(sync_line(kWriter, {551, "heliv", "karma", false}).text("direction"), "received");
+  EXPECT_EQ(sync_line(kWriter, {551, "karma", "heliv", true, {}}).text("direction"), "sent");
+  EXPECT_EQ(sync_line(kWriter, {551, "heliv", "karma", false, {}}).text("direction"), "received");
+  EXPECT_EQ(sync_line(kWriter, {551, "heliv", "karma", false, {}}).find("word"), nullptr);
+  const SyncTraffic withdrawal{551, "karma", "heliv", true, executive::SyncWord::kWithdrawn};
+  EXPECT_EQ(sync_line(kWriter, withdrawal).text("word"), "withdrawn");
 }
 
 }  // namespace

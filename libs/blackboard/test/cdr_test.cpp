@@ -83,7 +83,10 @@ TEST(Cdr, ReadsTheOtherByteOrder) {
       0, 0, 0, 0,                  // padding
       0, 0, 0, 0, 0,   0,   0, 5,  // id
       0, 0, 0, 3, 'a', 'b', 0, 0,  // from, padding
-      0, 0, 0, 1, 0                // to
+      0, 0, 0, 1, 0,   0,   0, 0,  // to, padding
+      0, 0, 0, 2,                  // word
+      0, 0, 0, 0,                  // padding
+      0, 0, 0, 0, 0,   0,   1, 1   // said
   };
 
   const auto decoded = decode(wire::Slot::kSyncMessage, bytes);
@@ -95,6 +98,8 @@ TEST(Cdr, ReadsTheOtherByteOrder) {
   EXPECT_EQ(message.id, 5U);
   EXPECT_EQ(message.from, "ab");
   EXPECT_EQ(message.to, "");
+  EXPECT_EQ(message.word, wire::SyncWord::kWithdrawn);
+  EXPECT_EQ(message.said, 257);
 }
 
 TEST(Cdr, SaysWhichFieldIsWrongAndWhoseItIs) {

@@ -160,8 +160,11 @@ TEST(ToText, IsOneLineWithWhoAndWhat) {
   message.id = 551;
   message.from = "marvin";
   message.to = "heliv";
+  message.word = SyncWord::kWithdrawn;
+  message.said = 5;
 
-  EXPECT_EQ(to_text(message), R"(SyncMessage 3>1 #17 id=551 from="marvin" to="heliv")");
+  EXPECT_EQ(to_text(message),
+            R"(SyncMessage 3>1 #17 id=551 from="marvin" to="heliv" word=withdrawn said=5)");
 }
 
 }  // namespace

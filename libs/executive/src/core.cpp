@@ -11,10 +11,11 @@ namespace skein::executive {
 Executive::Core::Core(Config config)
     : config_(std::move(config)),
       conditions_(plan_),
-      synchroniser_(config_.name),
+      synchroniser_(config_.name, config_.sync_validity),
       motion_(resources_.number_of(std::string(kMotion))) {
   SKEIN_EXPECTS(config_.urgent_wait > Duration());
   SKEIN_EXPECTS(config_.background_retry > Duration());
+  SKEIN_EXPECTS(!config_.sync_validity || *config_.sync_validity > Duration());
   SKEIN_EXPECTS(!config_.functional_timeout || *config_.functional_timeout > Duration());
 }
 
@@ -58,6 +59,7 @@ bool Executive::Core::counts(const Timer& timer) const {
   if (!slot || plan_[*slot].due != timer.at) return false;
   const TaskRecord& record = plan_[*slot];
   if (timer.kind == Timer::Kind::kUrgentWait) return record.urgent;
+  if (timer.kind == Timer::Kind::kSyncAgain) return record.state == TaskState::kRunning;
   return record.state == TaskState::kStarted || record.state == TaskState::kAborting;
 }
 
@@ -76,6 +78,9 @@ void Executive::Core::pass_timer(const Timer& timer) {
            " incompatible task(s) are not terminal");
     record.blockers = 0;
     urgent_ready_.push(timer.id, slot);
+  } else if (timer.kind == Timer::Kind::kSyncAgain) {
+    say(*record.synchronisation, SyncWord::kThere);
+    say_again_later(slot);
   } else {
     set_state(slot, TaskState::kAborted, "no answer within the time-out");
   }
@@ -145,14 +150,16 @@ void Executive::Core::on(const FunctionalStatus& status) {
 }
 
 void Executive::Core::on(const SyncReceived& message) {
-  for (const TaskId id : synchroniser_.received(message.id, message.from)) {
-    set_state(*plan_.find(id), TaskState::kEnded);
+  for (const TaskId id : synchroniser_.received(message, now_)) {
+    const Slot slot = *plan_.find(id);
+    if (config_.sync_validity) say(*plan_[slot].synchronisation, SyncWord::kDone);
+    set_state(slot, TaskState::kEnded);
   }
 }
 
 void Executive::Core::on(const PeerReachable& peer) {
-  for (const std::uint64_t id : synchroniser_.missed_by(peer.name)) {
-    effects_.push_back(SendSync{id, peer.name});
+  for (const auto& [id, word] : synchroniser_.missed_by(peer.name)) {
+    effects_.push_back(SendSync{id, peer.name, word});
   }
 }
 

@@ -62,6 +62,9 @@ class Executive::Core {
   void note_flight(functional::Leaves leaves);
   void dispatch(Slot slot);
   void run_synchronisation(Slot slot);
+  void say(const Synchronisation& synchronisation, SyncWord word);
+  void say_again_later(Slot slot);
+  void retire_synchronisation(const TaskRecord& record);
   void interrupt_or_cancel(Slot slot, const std::string& reason);
   void interrupt(Slot slot, const std::string& reason);
   void retire(Slot slot, bool was_aborting);

@@ -23,44 +23,73 @@ std::vector<std::string> Synchroniser::targets(const Synchronisation& synchronis
   return names;
 }
 
-bool Synchroniser::begin(TaskId task, const Synchronisation& synchronisation) {
+bool Synchroniser::counts(const Heard& heard, MissionTime now) const {
+  if (heard.word == SyncWord::kWithdrawn) return false;
+  return heard.word == SyncWord::kDone || !validity_ || now - heard.said <= *validity_;
+}
+
+bool Synchroniser::all_there(std::uint64_t id, const std::set<std::string>& senders,
+                             MissionTime now) const {
+  const auto heard = heard_.find(id);
+  return std::all_of(senders.begin(), senders.end(), [&](const std::string& name) {
+    if (heard == heard_.end()) return false;
+    const auto one = heard->second.find(name);
+    return one != heard->second.end() && counts(one->second, now);
+  });
+}
+
+bool Synchroniser::begin(TaskId task, const Synchronisation& synchronisation, MissionTime now) {
   for (const std::string& name : targets(synchronisation)) {
-    sent_[name].emplace(task, synchronisation.id);
+    sent_[name].emplace(task, Sent{synchronisation.id, false});
+    withdrawn_[name].erase(synchronisation.id);
   }
   if (!contains(synchronisation.receivers, own_)) return true;
-  std::set<std::string> missing(synchronisation.senders.begin(), synchronisation.senders.end());
-  missing.erase(own_);
-  if (const auto kept = received_.find(synchronisation.id); kept != received_.end()) {
-    for (const std::string& name : kept->second) missing.erase(name);
-  }
-  if (missing.empty()) return true;
-  waiting_[synchronisation.id].emplace(task, std::move(missing));
+  std::set<std::string> senders(synchronisation.senders.begin(), synchronisation.senders.end());
+  senders.erase(own_);
+  if (all_there(synchronisation.id, senders, now)) return true;
+  waiting_[synchronisation.id].emplace(task, std::move(senders));
   return false;
 }
 
-std::vector<TaskId> Synchroniser::received(std::uint64_t id, const std::string& from) {
+// A late message is older than what is known; of one instant the later arrival counts.
+std::vector<TaskId> Synchroniser::received(const SyncReceived& message, MissionTime now) {
   std::vector<TaskId> complete;
-  if (!received_[id].insert(from).second) return complete;
-  const auto waiting = waiting_.find(id);
+  const Heard heard{message.word, message.said.value_or(now)};
+  const auto [known, is_new] = heard_[message.id].try_emplace(message.from, heard);
+  if (!is_new && heard.said < known->second.said) return complete;
+  known->second = heard;
+  const auto waiting = waiting_.find(message.id);
   if (waiting == waiting_.end()) return complete;
-  for (auto& [task, missing] : waiting->second) {
-    if (missing.erase(from) > 0 && missing.empty()) complete.push_back(task);
+  for (const auto& [task, senders] : waiting->second) {
+    if (all_there(message.id, senders, now)) complete.push_back(task);
   }
   return complete;
 }
 
-std::vector<std::uint64_t> Synchroniser::missed_by(const std::string& name) const {
-  std::vector<std::uint64_t> ids;
-  const auto sent = sent_.find(name);
-  if (sent == sent_.end()) return ids;
-  std::set<std::uint64_t> met;
-  for (const auto& [task, id] : sent->second) {
-    if (met.insert(id).second) ids.push_back(id);
+std::vector<std::pair<std::uint64_t, SyncWord>> Synchroniser::missed_by(
+    const std::string& name) const {
+  std::vector<std::pair<std::uint64_t, SyncWord>> words;
+  std::map<std::uint64_t, std::size_t> place;
+  if (const auto sent = sent_.find(name); sent != sent_.end()) {
+    for (const auto& [task, one] : sent->second) {
+      const auto [at, is_new] = place.emplace(one.id, words.size());
+      if (is_new) words.emplace_back(one.id, SyncWord::kThere);
+      if (validity_ && one.done) words[at->second].second = SyncWord::kDone;
+    }
   }
-  return ids;
+  if (const auto withdrawn = withdrawn_.find(name); withdrawn != withdrawn_.end()) {
+    for (const std::uint64_t id : withdrawn->second) words.emplace_back(id, SyncWord::kWithdrawn);
+  }
+  return words;
 }
 
 void Synchroniser::finish(TaskId task, const Synchronisation& synchronisation) {
+  for (const std::string& name : targets(synchronisation)) {
+    const auto sent = sent_.find(name);
+    if (sent == sent_.end()) continue;
+    if (const auto one = sent->second.find(task); one != sent->second.end())
+      one->second.done = true;
+  }
   const auto waiting = waiting_.find(synchronisation.id);
   if (waiting == waiting_.end()) return;
   waiting->second.erase(task);
@@ -75,6 +104,26 @@ void Synchroniser::forget(TaskId task, const Synchronisation& synchronisation) {
     sent->second.erase(task);
     if (sent->second.empty()) sent_.erase(sent);
   }
+}
+
+bool Synchroniser::tells(const std::string& name, std::uint64_t id) const {
+  const auto sent = sent_.find(name);
+  return sent != sent_.end() && std::any_of(sent->second.begin(), sent->second.end(),
+                                            [id](const auto& one) { return one.second.id == id; });
+}
+
+std::vector<std::string> Synchroniser::withdraw(TaskId task,
+                                                const Synchronisation& synchronisation) {
+  std::vector<std::string> told;
+  for (const std::string& name : targets(synchronisation)) {
+    const auto sent = sent_.find(name);
+    if (sent != sent_.end() && sent->second.contains(task)) told.push_back(name);
+  }
+  forget(task, synchronisation);
+  if (!validity_) return {};
+  std::erase_if(told, [&](const auto& name) { return tells(name, synchronisation.id); });
+  for (const std::string& name : told) withdrawn_[name].insert(synchronisation.id);
+  return told;
 }
 
 }  // namespace skein::executive

@@ -31,6 +31,9 @@ constexpr Words<RequestKind, 5> kRequests{{{RequestKind::kStart, "START"},
                                            {RequestKind::kUpdateConditions, "UPDATE-COND"},
                                            {RequestKind::kSuppress, "SUPPRESS"}}};
 
+constexpr Words<SyncWord, 3> kSyncWords{
+    {{SyncWord::kThere, "there"}, {SyncWord::kDone, "done"}, {SyncWord::kWithdrawn, "withdrawn"}}};
+
 template <class E, std::size_t N>
 std::string_view word_of(const Words<E, N>& words, E value) {
   for (const auto& [one, word] : words) {
@@ -56,6 +59,9 @@ std::string_view to_text(InsertionMode mode) { return word_of(kModes, mode); }
 std::optional<InsertionMode> insertion_mode_from(std::string_view text) {
   return value_of(kModes, text);
 }
+
+std::string_view to_text(SyncWord word) { return word_of(kSyncWords, word); }
+std::optional<SyncWord> sync_word_from(std::string_view text) { return value_of(kSyncWords, text); }
 
 std::string_view to_text(RequestKind kind) { return word_of(kRequests, kind); }
 std::optional<RequestKind> request_kind_from(std::string_view text) {

@@ -16,7 +16,7 @@ namespace skein::executive {
 
 /// At one instant they go off in the order of their kinds, then of their ids.
 struct Timer {
-  enum class Kind : std::uint8_t { kUrgentWait, kTimeout, kBackgroundRetry };
+  enum class Kind : std::uint8_t { kUrgentWait, kTimeout, kBackgroundRetry, kSyncAgain };
   MissionTime at;
   Kind kind = Kind::kTimeout;
   TaskId id;

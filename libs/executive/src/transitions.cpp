@@ -45,15 +45,20 @@ void Executive::Core::retire(Slot slot, bool was_aborting) {
   conditions_.detach(slot, Role::kExit);
   if (record.urgent) urgent_motion_.erase(id);
   record.urgent = false;
-  if (record.synchronisation) {
-    const bool ended = record.state == TaskState::kEnded;
-    ended ? synchroniser_.finish(id, *record.synchronisation)
-          : synchroniser_.forget(id, *record.synchronisation);
-  }
+  if (record.synchronisation) retire_synchronisation(record);
   free_urgents(id);
   if (record.background) {
     retire_background(was_aborting);
     plan_.remove(slot);
+  }
+}
+
+// What partners were told stays true of one that ended, and is taken back otherwise.
+void Executive::Core::retire_synchronisation(const TaskRecord& record) {
+  const Synchronisation& synchronisation = *record.synchronisation;
+  if (record.state == TaskState::kEnded) return synchroniser_.finish(record.id, synchronisation);
+  for (const std::string& name : synchroniser_.withdraw(record.id, synchronisation)) {
+    effects_.push_back(SendSync{synchronisation.id, name, SyncWord::kWithdrawn});
   }
 }
 
@@ -66,6 +71,8 @@ void Executive::Core::let_go(Slot slot) {
     for (auto& [blocker, waiting] : waiting_for_) std::erase(waiting, id);
   }
   record.due.reset();
+  // The partners are not told: who has the task now is there for them.
+  if (record.synchronisation) synchroniser_.forget(id, *record.synchronisation);
   plan_.set_state(slot, TaskState::kAborted);
   conditions_.task_changed(slot);
   retire(slot, false);
@@ -114,10 +121,28 @@ void Executive::Core::run_synchronisation(Slot slot) {
   const TaskRecord& record = plan_[slot];
   const Synchronisation& synchronisation = *record.synchronisation;
   set_state(slot, TaskState::kRunning);
-  for (const std::string& name : synchroniser_.targets(synchronisation)) {
-    effects_.push_back(SendSync{synchronisation.id, name});
+  const bool done = synchroniser_.begin(record.id, synchronisation, now_);
+  say(synchronisation, done && config_.sync_validity ? SyncWord::kDone : SyncWord::kThere);
+  if (done) {
+    set_state(slot, TaskState::kEnded);
+  } else if (config_.sync_validity) {
+    say_again_later(slot);
   }
-  if (synchroniser_.begin(record.id, synchronisation)) set_state(slot, TaskState::kEnded);
+}
+
+void Executive::Core::say(const Synchronisation& synchronisation, SyncWord word) {
+  for (const std::string& name : synchroniser_.targets(synchronisation)) {
+    effects_.push_back(SendSync{synchronisation.id, name, word});
+  }
+}
+
+// Half of the validity, so that one lost message does not make a partner disappear. Who tells
+// nobody needs no reminder.
+void Executive::Core::say_again_later(Slot slot) {
+  TaskRecord& record = plan_[slot];
+  if (synchroniser_.targets(*record.synchronisation).empty()) return;
+  record.due = now_ + Duration::nanoseconds(config_.sync_validity->count() / 2);
+  timers_.set(Timer{*record.due, Timer::Kind::kSyncAgain, record.id});
 }
 
 std::string Executive::Core::reason_of_exit(const TaskRecord& record) const {

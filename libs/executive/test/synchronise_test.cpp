@@ -37,8 +37,9 @@ TEST(Synchronise, RunsAtOnceThenSendsThenWaits) {
 TEST(Synchronise, ARendezvousIsCarriedOutLikewise) {
   Mission mission;
 
-  EXPECT_THAT(mission.start(TaskOf(1, "rendezvous").among({"marvin", "heliv"}, {"heliv", "marvin"})),
-              ElementsAre("1 scheduled", "1 started", "1 running", "sync 551 to heliv"));
+  EXPECT_THAT(
+      mission.start(TaskOf(1, "rendezvous").among({"marvin", "heliv"}, {"heliv", "marvin"})),
+      ElementsAre("1 scheduled", "1 started", "1 running", "sync 551 to heliv"));
   EXPECT_THAT(mission.sync_from("heliv"), ElementsAre("1 ended"));
 }
 
@@ -245,6 +246,115 @@ TEST(Synchronise, ARendezvousIsDoneOnBothSides) {
   EXPECT_THAT(heliv.start(rendezvous(41)), ElementsAre("41 scheduled", "41 started", "41 running",
                                                        "sync 551 to marvin", "41 ended"));
   EXPECT_THAT(marvin.sync_from("heliv"), ElementsAre("1 ended"));
+}
+
+// ---- with a validity ----
+
+Mission with_validity() {
+  Config config = testing::named("marvin");
+  config.sync_validity = Duration::seconds(20);
+  return Mission(config);
+}
+
+TEST(SyncValidity, WhoGivesUpWithdrawsAndWhoHasMetSaysSo) {
+  Mission mission = with_validity();
+
+  mission.start(rendezvous(1));
+  EXPECT_THAT(mission.at(5).abort(1),
+              ElementsAre("1 aborting", "1 aborted", "sync 551 to heliv withdrawn"));
+  EXPECT_THAT(mission.at(6).start(rendezvous(2)),
+              ElementsAre("2 scheduled", "2 started", "2 running", "sync 551 to heliv"));
+  EXPECT_THAT(mission.at(7).sync_from("heliv"), ElementsAre("sync 551 to heliv done", "2 ended"));
+}
+
+TEST(SyncValidity, APartnerWhoWithdrewIsNotThere) {
+  Mission mission = with_validity();
+  mission.at(1).sync_from("heliv");
+  mission.at(2).give(SyncReceived{551, "heliv", SyncWord::kWithdrawn});
+
+  EXPECT_THAT(mission.at(3).start(rendezvous(1)),
+              ElementsAre("1 scheduled", "1 started", "1 running", "sync 551 to heliv"));
+  EXPECT_THAT(mission.at(4).sync_from("heliv"), ElementsAre("sync 551 to heliv done", "1 ended"));
+}
+
+TEST(SyncValidity, OneOfTwoPartnersMayWithdrawBeforeTheOtherComes) {
+  Mission mission = with_validity();
+  mission.start(meeting(1, {"marvin", "heliv", "karma"}, {"marvin"}));
+  mission.at(1).sync_from("heliv");
+  mission.at(2).give(SyncReceived{551, "heliv", SyncWord::kWithdrawn});
+
+  EXPECT_THAT(mission.at(3).sync_from("karma"), IsEmpty());
+  EXPECT_THAT(mission.at(4).sync_from("heliv"), ElementsAre("1 ended"));
+}
+
+TEST(SyncValidity, WhatWasSaidTooLongAgoDoesNotCountUnlessItIsDone) {
+  for (const SyncWord word : {SyncWord::kThere, SyncWord::kDone}) {
+    Mission mission = with_validity();
+    mission.at(1).give(SyncReceived{551, "heliv", word});
+
+    mission.at(22).start(rendezvous(1));
+
+    EXPECT_EQ(mission.state_of(1), word == SyncWord::kDone ? kEnded : kRunning);
+  }
+}
+
+TEST(SyncValidity, AMessageThatWasLongOnItsWayIsAsOldAsItIs) {
+  Mission mission = with_validity();
+  mission.start(rendezvous(1));
+
+  mission.at(25).give(SyncReceived{551, "heliv", SyncWord::kThere, MissionTime::seconds(1)});
+
+  EXPECT_EQ(mission.state_of(1), kRunning);
+}
+
+TEST(SyncValidity, WhatWasSaidBeforeAnotherChangesNothing) {
+  Mission mission = with_validity();
+  mission.at(8).give(SyncReceived{551, "heliv", SyncWord::kWithdrawn, MissionTime::seconds(7)});
+  mission.at(9).give(SyncReceived{551, "heliv", SyncWord::kThere, MissionTime::seconds(2)});
+
+  mission.at(10).start(rendezvous(1));
+
+  EXPECT_EQ(mission.state_of(1), kRunning);
+}
+
+TEST(SyncValidity, WhoWaitsSaysSoAgainAtHalfOfIt) {
+  Mission mission = with_validity();
+  mission.start(rendezvous(1));
+
+  ASSERT_EQ(mission.executive.next_wakeup(), MissionTime::seconds(10));
+  EXPECT_THAT(mission.at(10).tick(), ElementsAre("sync 551 to heliv"));
+  EXPECT_THAT(mission.at(20).tick(), ElementsAre("sync 551 to heliv"));
+  mission.abort(1);
+  EXPECT_EQ(mission.executive.next_wakeup(), std::nullopt);
+}
+
+TEST(SyncValidity, ASignalIsDoneWhenItIsGivenAndIsNotTakenBack) {
+  Mission mission = with_validity();
+
+  EXPECT_THAT(
+      mission.start(meeting(1, {"marvin"}, {"heliv"})),
+      ElementsAre("1 scheduled", "1 started", "1 running", "sync 551 to heliv done", "1 ended"));
+  EXPECT_THAT(mission.suppress(1), IsEmpty());
+}
+
+TEST(SyncValidity, WhoComesBackInReachHearsTheLastWord) {
+  Mission mission = with_validity();
+  mission.start(rendezvous(1));
+  EXPECT_THAT(mission.reachable("heliv"), ElementsAre("sync 551 to heliv"));
+  mission.sync_from("heliv");
+  EXPECT_THAT(mission.reachable("heliv"), ElementsAre("sync 551 to heliv done"));
+
+  Mission other = with_validity();
+  other.start(rendezvous(1));
+  other.abort(1);
+  EXPECT_THAT(other.reachable("heliv"), ElementsAre("sync 551 to heliv withdrawn"));
+}
+
+TEST(SyncValidity, AnotherExecutiveThatTakesTheTaskOverIsThereInItsPlace) {
+  Mission mission = with_validity();
+  mission.start(rendezvous(1));
+
+  EXPECT_THAT(mission.give(Relinquish{}), IsEmpty());
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ std::vector<Ending> read_endings(const Reader& reader) {
   for (const Reader& item : reader.items()) {
     ends.push_back(static_cast<Ending>(item.choice({"by-itself", "by-order", "by-stop"})));
   }
-  if (reader.is_sequence() && ends.empty()) reader.error("it never ends", "at least one way to end");
+  if (reader.is_sequence() && ends.empty())
+    reader.error("it never ends", "at least one way to end");
   return ends;
 }
 
@@ -55,8 +56,8 @@ TaskType read_type(const std::string& name, const Reader& reader) {
   type.devices = read_names(reader.optional("devices"));
   check_devices(reader.optional("devices"), type);
   type.radio = reader.optional("radio").boolean();
-  type.by = static_cast<CarriedOutBy>(reader.optional("carried-out-by")
-                                          .choice({"functional-layer", "executive", "interaction"}));
+  type.by = static_cast<CarriedOutBy>(
+      reader.optional("carried-out-by").choice({"functional-layer", "executive", "interaction"}));
   type.ends = read_endings(reader.required("ends"));
   return type;
 }

@@ -61,8 +61,8 @@ void GroundControl::take_over(const HandedOver& hand_over, MissionTime now, Effe
     out.emplace_back(HeldPlanChanged{uav, count, HeldState::kHeld});
   }
   if (!runs_at_ground(hand_over.hand_over.degree)) return;
-  for (const auto& [id, from] : syncs_[uav]) {
-    do_errand(LocalInput{uav, executive::SyncReceived{id, from}, std::nullopt}, now, out);
+  for (const auto& [key, last] : syncs_[uav]) {
+    do_errand(LocalInput{uav, last, std::nullopt}, now, out);
   }
   for (const Request& request : requests_for(uav, std::move(executed))) {
     do_errand(LocalInput{uav, *to_executive(request), std::nullopt}, now, out);
@@ -92,7 +92,7 @@ void GroundControl::send_up(const std::string& uav, MissionTime now, Effects& ou
     tasks.push_back(std::move(held));
   }
   local_.erase(mle);
-  for (const auto& [id, from] : syncs_[uav]) out.emplace_back(SendSync{id, from, uav});
+  send_kept_syncs(uav, out);
   for (Request& request : requests_for(uav, std::move(tasks))) {
     errands_.emplace_back(Monitoring::Input(
         IssueCommand{uav, std::move(request), now + transfer_lifetime_, "hand-over", true}));

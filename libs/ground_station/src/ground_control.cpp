@@ -95,7 +95,7 @@ void GroundControl::accept(const Input& input, MissionTime now, Effects& out) {
                    errands_.emplace_back(Monitoring::Input(it));
                  },
                  [&](const FunctionalStatusReceived& it) { accept_status(it, out); },
-                 [&](const SyncReceived& it) { deliver_sync(it, out); },
+                 [&](const SyncReceived& it) { deliver_sync(it, now, out); },
                  [&](const PeerReachable& it) { accept_reachability(it, out); },
                  [&](const OperatorActs& it) { errands_.emplace_back(MissionPlanning::Input(it)); },
                  [&](const OperatorCommand& it) {
@@ -125,7 +125,7 @@ void GroundControl::accept_reachability(const PeerReachable& input, Effects& out
   }
   if (input.restarted && local_.contains(input.uav)) ask_again(input.uav, out);
   if (runs_here(input.uav)) return;
-  for (const auto& [id, from] : syncs_[input.uav]) out.emplace_back(SendSync{id, from, input.uav});
+  send_kept_syncs(input.uav, out);
 }
 
 // What the transparent node may have taken with it: requests on their way, or their statuses.
@@ -158,7 +158,7 @@ void GroundControl::do_errand(const MissionPlanning::Input& input, MissionTime n
 void GroundControl::do_errand(const LocalInput& input, MissionTime now, Effects& out) {
   if (!runs_here(input.uav) && !local_.contains(input.uav)) return;
   for (const auto& effect : local(input.uav).executive.handle(input.input, now)) {
-    route_local(input, effect, out);
+    route_local(input, effect, now, out);
   }
 }
 
@@ -237,13 +237,15 @@ void GroundControl::route(const PerceptionProcessing::Effect& effect, Effects& o
 }
 
 void GroundControl::route_local(const LocalInput& cause, const executive::Effect& effect,
-                                Effects& out) {
+                                MissionTime now, Effects& out) {
   const std::string& uav = cause.uav;
   std::visit(
       Overloaded{
           [&](const executive::TaskEvent& it) {
             if (!monitoring_.has_told(uav, it.id, it.state)) {
-              out.emplace_back(LocalTaskEvent{uav, it});
+              const auto task = local(uav).executive.find(it.id);
+              out.emplace_back(
+                  LocalTaskEvent{uav, it, task ? task->parameters : executive::Parameters()});
             }
             errands_.emplace_back(Monitoring::Input(
                 TaskEventReceived{uav, it.id, it.type, it.state, it.reason, true}));
@@ -253,8 +255,8 @@ void GroundControl::route_local(const LocalInput& cause, const executive::Effect
             if (!it.joint) send_functional(uav, FunctionalVerb::kInterrupt, it.id, out);
           },
           [&](const executive::SendSync& it) {
-            out.emplace_back(LocalSync{it.id, uav, it.to, SyncDirection::kSent});
-            deliver_sync({it.id, uav, it.to}, out);
+            out.emplace_back(LocalSync{it.id, uav, it.to, SyncDirection::kSent, it.word});
+            deliver_sync({it.id, uav, it.to, it.word, now}, now, out);
           },
           [&](const executive::Reply& it) {
             if (!cause.command) {
@@ -296,19 +298,27 @@ void GroundControl::send_functional(const std::string& uav, FunctionalVerb verb,
   out.emplace_back(SendFunctional{uav, verb, std::move(task)});
 }
 
-void GroundControl::deliver_sync(const SyncReceived& sync, Effects& out) {
+void GroundControl::deliver_sync(const SyncReceived& sync, MissionTime now, Effects& out) {
   if (!monitoring_.knows(sync.to) || !monitoring_.knows(sync.from)) {
     out.emplace_back(Anomaly{"synchronisation message from '" + sync.from + "' to '" + sync.to +
                              "': one of them is unknown"});
     return;
   }
-  syncs_[sync.to].emplace(sync.id, sync.from);
+  const MissionTime said = sync.said.value_or(now);
+  const executive::SyncReceived message{sync.id, sync.from, sync.word, said};
+  const auto [last, is_new] = syncs_[sync.to].try_emplace({sync.id, sync.from}, message);
+  if (!is_new && *last->second.said <= said) last->second = message;
   if (runs_here(sync.to)) {
-    out.emplace_back(LocalSync{sync.id, sync.from, sync.to, SyncDirection::kReceived});
-    errands_.emplace_back(
-        LocalInput{sync.to, executive::SyncReceived{sync.id, sync.from}, std::nullopt});
+    out.emplace_back(LocalSync{sync.id, sync.from, sync.to, SyncDirection::kReceived, sync.word});
+    errands_.emplace_back(LocalInput{sync.to, message, std::nullopt});
   } else {
-    out.emplace_back(SendSync{sync.id, sync.from, sync.to});
+    out.emplace_back(SendSync{sync.id, sync.from, sync.to, sync.word, said});
+  }
+}
+
+void GroundControl::send_kept_syncs(const std::string& to, Effects& out) {
+  for (const auto& [key, last] : syncs_[to]) {
+    out.emplace_back(SendSync{last.id, last.from, to, last.word, *last.said});
   }
 }
 

@@ -51,8 +51,8 @@ TEST(DependenceKind, IsReadBackFromItsWord) {
 }
 
 TEST(ElementaryTask, MovesOrHoldsTheVehicleWhenItsTypeDoes) {
-  for (const char* type : {"takeoff", "goto", "land", "wait", "perceive", "monitor", "rendezvous",
-                           "joint:relay"})
+  for (const char* type :
+       {"takeoff", "goto", "land", "wait", "perceive", "monitor", "rendezvous", "joint:relay"})
     EXPECT_TRUE(holds_vehicle(a_task(1, type, ""))) << type;
   for (const char* type : {"takeshot", "synchronise", ""})
     EXPECT_FALSE(holds_vehicle(a_task(1, type, ""))) << type;

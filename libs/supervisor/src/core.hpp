@@ -178,6 +178,8 @@ class Supervisor::Core {
   void on(const JobFinished& input);
   void start_job();
   void start_insertion(const Pending& pending);
+  void give_way();
+  void abandon_job();
   void start_repair();
   void run(Job job, DeliberationRequest request);
   Premises premises_of_insertion(const Pending& pending) const;
@@ -248,6 +250,7 @@ class Supervisor::Core {
   bool told_idle_ = false;  ///< that it flies and has nothing to do
   std::set<mission::MissionId> missions_;
   std::deque<Pending> pending_;
+  std::set<std::uint64_t> abandoned_;  ///< jobs whose results are still to come
   std::optional<Need> need_;
   std::optional<Job> job_;
   std::uint64_t last_job_ = 0;

@@ -23,12 +23,6 @@ constexpr double kNear = 2;
 /// Constraints and intervals agree but for rounding [s].
 constexpr double kRounding = 1e-6;
 
-double vicinity(const Gazetteer& gazetteer) {
-  const world::VehicleModel& vehicle = gazetteer.knowledge().vehicle;
-  return kNear + arrival_distance(vehicle, gazetteer.world().wind) +
-         (vehicle.hovers ? 0 : vehicle.orbit_radius);
-}
-
 /// Bounds in the order of the language: start before, start after, end before, end after.
 std::optional<double> bound(const TermStore& store, Term constraints, std::size_t at) {
   if (constraints == kNil || !store.is_list(constraints)) return std::nullopt;
@@ -37,6 +31,12 @@ std::optional<double> bound(const TermStore& store, Term constraints, std::size_
 }
 
 }  // namespace
+
+double vicinity(const Gazetteer& gazetteer) {
+  const world::VehicleModel& vehicle = gazetteer.knowledge().vehicle;
+  return kNear + arrival_distance(vehicle, gazetteer.world().wind) +
+         (vehicle.hovers ? 0 : vehicle.orbit_radius);
+}
 
 Value PlannerHost::Services::is_at(TermStore& store, Arguments arguments) {
   const auto from = place(store, arguments[0]), to = place(store, arguments[1]);

@@ -25,6 +25,7 @@ tl::unexpected<Failure> wrong(const TermStore& store, Term term, const std::stri
 
 /// Views of one place, of one vehicle or of a team.
 constexpr double kMostSides = 16;
+constexpr double kRounding = 1e-6;  // [0.1 s]
 
 Term locations_term(TermStore& store, const std::vector<Vector3>& points) {
   std::vector<Term> terms;
@@ -49,13 +50,17 @@ Term way_term(TermStore& store, const refiners::Way& way) {
 }  // namespace
 
 std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
-  static constexpr std::array<Entry, 21> entries = {
+  static constexpr std::array<Entry, 25> entries = {
       {{"compute-takeoff", 1, &Services::takeoff, true},
        {"compute-land", 2, &Services::land, true},
-       {"compute-gotoxyz", 2, &Services::gotoxyz, true},
+       {"compute-gotoxyz", 3, &Services::gotoxyz, false},
+       {"compute-wait", 3, &Services::wait, false},
        {"compute-patrol", 4, &Services::patrol, true},
        {"compute-sweep", 3, &Services::sweep, true},
        {"compute-sweep-entry", 3, &Services::sweep_entry, false},
+       {"compute-rest", 5, &Services::rest, true},
+       {"not-reached", 2, &Services::not_reached, false},
+       {"within-reach", 3, &Services::within_reach, false},
        {"compute-stay", 1, &Services::stay, false},
        {"compute-landing-place", 2, &Services::landing_place, true},
        {"compute-way-out", 1, &Services::way_out, true},
@@ -168,12 +173,34 @@ Value PlannerHost::Services::is_free(TermStore& store, Arguments arguments) {
   return TermStore::boolean(at && refinery_.may_stay(*at));
 }
 
+/// (compute-gotoxyz FROM TO WHEN): WHEN is the interval in which the motion may begin; nil: at any
+/// time. Refined once for each FROM and TO and, where air is closed for a time, WHEN.
 Value PlannerHost::Services::gotoxyz(TermStore& store, Arguments arguments) {
   const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
   if (!from || !to) return kNil;
-  return flight(store, refinery_.path(*from, gazetteer_.flown_to(*to)),
-                "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
-                    Gazetteer::words(store, arguments[1]));
+  const std::string key = "way " + store.to_text(arguments[0]) + ' ' + store.to_text(arguments[1]) +
+                          (refinery_.has_windows() ? store.to_text(arguments[2]) : "");
+  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  ++refinements_;
+  return known_[key] = flight(
+             store, refinery_.path(*from, gazetteer_.flown_to(*to), departure(store, arguments[2])),
+             "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
+                 Gazetteer::words(store, arguments[1]));
+}
+
+/// (compute-wait FROM TO WHEN): seconds to wait in place until air that is closed for a time is
+/// open again, when that is possible and leads there earlier than any way around; else nil.
+Value PlannerHost::Services::wait(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
+  if (!from || !to) return kNil;
+  const auto seconds =
+      refinery_.worth_waiting(*from, gazetteer_.flown_to(*to), departure(store, arguments[2]));
+  return seconds ? number_term(store, std::ceil(*seconds * 10 - kRounding) / 10) : kNil;
+}
+
+Departure PlannerHost::Services::departure(const TermStore& store, Term when) {
+  const auto interval = seconds_of(store, when);
+  return interval ? Departure{interval->least, interval->most} : Departure{};
 }
 
 Value PlannerHost::Services::patrol(TermStore& store, Arguments arguments) {

@@ -14,6 +14,10 @@
 
 namespace skein::supervisor {
 
+/// Within which a vehicle counts as being at a place [m]: what it wavers and, when it cannot hover,
+/// its circle.
+double vicinity(const Gazetteer& gazetteer);
+
 /// Every answer of a refiner is
 ///   ((destination LOC) (duration LEAST MOST) (energy E) (cost C) (params (NAME VALUE…)…)),
 /// a refusal is nil and a sentence in refusals(). A wrong argument is a failure: an error of the
@@ -42,9 +46,13 @@ class PlannerHost::Services {
   Value takeoff(htn::TermStore& store, Arguments arguments);
   Value land(htn::TermStore& store, Arguments arguments);
   Value gotoxyz(htn::TermStore& store, Arguments arguments);
+  Value wait(htn::TermStore& store, Arguments arguments);
   Value patrol(htn::TermStore& store, Arguments arguments);
   Value sweep(htn::TermStore& store, Arguments arguments);
   Value sweep_entry(htn::TermStore& store, Arguments arguments);
+  Value rest(htn::TermStore& store, Arguments arguments);
+  Value not_reached(htn::TermStore& store, Arguments arguments);
+  Value within_reach(htn::TermStore& store, Arguments arguments);
   Value landing_place(htn::TermStore& store, Arguments arguments);
   Value way_out(htn::TermStore& store, Arguments arguments);
   Value is_free(htn::TermStore& store, Arguments arguments);
@@ -65,6 +73,7 @@ class PlannerHost::Services {
   htn::Term refuse(const std::string& why);
   htn::Term answer(htn::TermStore& store, const Motion& motion, std::vector<htn::Term> params);
   htn::Term flight(htn::TermStore& store, const Answer<Motion>& motion, const std::string& what);
+  static Departure departure(const htn::TermStore& store, htn::Term when);
   std::optional<world::Vector3> place(const htn::TermStore& store, htn::Term term);
   std::vector<std::string> team(const htn::TermStore& store, Arguments lists) const;
   struct Views {

@@ -82,9 +82,8 @@ class Insertion {
   std::vector<Dropped> culprits() {
     std::vector<Dropped> result;
     for (const Trial& trial : trials_.all()) {
-      const bool known = std::any_of(result.begin(), result.end(), [&](const Dropped& one) {
-        return one.goal == trial.culprit;
-      });
+      const bool known = std::any_of(result.begin(), result.end(),
+                                     [&](const Dropped& one) { return one.goal == trial.culprit; });
       if (trial.culprit && !known) result.push_back({*trial.culprit, in_one_line(trial.reasons)});
     }
     return result;

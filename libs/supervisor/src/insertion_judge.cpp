@@ -124,9 +124,10 @@ void Judge::check_energy(Verdict& verdict) const {
   const double missing = needed + kSpareEnergy - usable_energy();
   if (missing <= kEnergyRounding) return;
   verdict.missing_energy = missing;
-  const std::string back = home > 0 ? ", " + percent(home) + " to come home from its end and land" : "";
-  verdict.reasons.push_back("needs " + percent(verdict.plan->energy) + " of the energy" + back + ", " +
-                            percent(kSpareEnergy) + " to spare, and " +
+  const std::string back =
+      home > 0 ? ", " + percent(home) + " to come home from its end and land" : "";
+  verdict.reasons.push_back("needs " + percent(verdict.plan->energy) + " of the energy" + back +
+                            ", " + percent(kSpareEnergy) + " to spare, and " +
                             percent(std::max(usable_energy(), 0.0)) + " is left above the reserve");
 }
 
@@ -136,8 +137,8 @@ std::optional<mission::ElementaryPlan> Judge::sketch(const Goals& order) const {
   return plan ? std::optional(*std::move(plan)) : std::nullopt;
 }
 
-std::optional<mission::ElementaryPlan> Judge::sketch_in_the_air(
-    const mission::HighLevelTask& goal, const world::Vector3& aside) const {
+std::optional<mission::ElementaryPlan> Judge::sketch_in_the_air(const mission::HighLevelTask& goal,
+                                                                const world::Vector3& aside) const {
   PlanningRequest request = with_tasks(base_, without_bounds({goal}));
   request.situation.position = in_the_air(base_) + aside;
   request.situation.airborne = true;

@@ -35,6 +35,8 @@ constexpr double kTurningRoom = 3;  // turn radii to the side, where a turn has 
 constexpr double kJoining = 1.3;    // of its circle: it is joined from inside and outside
 constexpr double kOutStep = 10, kFarthestOut = 600;  // [m] out of closed air
 constexpr int kDirections = 24, kAround = 8;
+// Waiting circles' radii, straight before a lane that is taken up again.
+constexpr double kRunIn = 2;
 
 tl::unexpected<std::string> no(std::string why) {
   return tl::unexpected<std::string>(std::move(why));
@@ -56,6 +58,10 @@ Way thinned(const Way& way, const world::Airspace& air, double spacing) {
 
 Refinery::Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed)
     : gazetteer_(std::move(gazetteer)), cautious_(vehicle()), origin_(origin), seed_(seed) {
+  const auto& volumes = world().volumes;
+  has_windows_ = std::any_of(volumes.begin(), volumes.end(), [&](const world::Volume& volume) {
+    return volume.when.from > origin || volume.when.until != MissionTime::max();
+  });
   if (cautious_.hovers) return;
   cautious_.min_turn_radius = cautious_.orbit_radius;
   cautious_.climb_rate *= kClimbShare;
@@ -126,35 +132,92 @@ Answer<Motion> Refinery::landing(const Vector3& from, const Vector3& to) const {
   return motion;
 }
 
-Answer<const world::Airspace*> Refinery::airspace() {
-  if (!airspace_) {
-    const Vector3 home = gazetteer_.above(gazetteer_.knowledge().home);
-    auto made = refiners::airspace_of(query(home, home), setting());
-    if (!made) return no(made.error().why);
-    airspace_.emplace(std::move(*made));
-    for (const world::Volume& volume : closed()) airspace_->block(volume, stray());
+Refinery::Counted Refinery::counted(const Departure& when, double seconds) const {
+  const auto at = [&](double s) {
+    return std::isinf(s) ? MissionTime::max() : origin_ + Duration::seconds(s);
+  };
+  const world::TimeWindow flight{at(when.least), at(when.most + seconds)};
+  Counted all;
+  for (const world::Volume& volume : world().volumes) {
+    all.push_back(volume.when.overlaps(flight) || volume.when.from == flight.from);
   }
-  return &*airspace_;
-}
-
-std::vector<world::Volume> Refinery::closed() const {
-  std::vector<world::Volume> all;
-  for (const world::Volume& volume : world().volumes)
-    if (volume.polygon.size() > 2 && volume.when.until > origin_) all.push_back(volume);
   return all;
 }
 
-bool Refinery::has_room(const Vector3& at) const {
+Answer<const world::Airspace*> Refinery::airspace() { return airspace(counted({}, 0)); }
+
+Answer<const world::Airspace*> Refinery::airspace(const Counted& counted) {
+  const auto known = airspaces_.find(counted);
+  if (known != airspaces_.end()) return &known->second;
+  world::World then = world();
+  std::size_t i = 0;
+  std::erase_if(then.volumes, [&](const world::Volume&) { return !counted[i++]; });
+  for (world::Volume& volume : then.volumes) volume.when = {};
+  const Vector3 home = gazetteer_.above(gazetteer_.knowledge().home);
+  auto made = refiners::airspace_of(query(home, home), {then, {}, seed_, nullptr});
+  if (!made) return no(made.error().why);
+  for (const world::Volume& volume : closed(counted)) made->block(volume, stray());
+  return &airspaces_.emplace(counted, std::move(*made)).first->second;
+}
+
+// The longer a way may take, the more volumes it may meet.
+Answer<Motion> Refinery::path(const Vector3& from, const Vector3& to, const Departure& when) {
+  Counted met = counted(when, has_windows_ ? flown({from, to}).times.most : 0);
+  while (true) {
+    const auto air = airspace(met);
+    if (!air) return no(air.error());
+    auto motion = path_in(**air, closed(met), from, to);
+    if (!motion || !has_windows_) return motion;
+    Counted all = counted(when, motion->times.most);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] || met[i];
+    if (all == met) return motion;
+    met = std::move(all);
+  }
+}
+
+bool Refinery::stays_free(const Vector3& at, const Departure& when, double seconds) const {
+  return has_room(at, closed(counted(when, seconds)));
+}
+
+std::optional<double> Refinery::worth_waiting(const Vector3& from, const Vector3& to,
+                                              const Departure& when) {
+  if (!has_windows_ || std::isinf(when.most)) return std::nullopt;
+  const auto now = path(from, to, when);
+  double best = now ? now->times.expected : std::numeric_limits<double>::infinity();
+  std::optional<double> wait;
+  for (const world::Volume& volume : world().volumes) {
+    if (volume.when.until == MissionTime::max()) continue;
+    const double longest = (volume.when.until - origin_).to_seconds() - when.least;
+    if (longest <= 0 || longest >= best) continue;
+    if (!stays_free(from, when, longest)) continue;
+    const auto later = path(from, to, {when.least + longest, when.most + longest});
+    if (!later || longest + later->times.expected >= best) continue;
+    best = longest + later->times.expected;
+    wait = longest;
+  }
+  return wait;
+}
+
+Refinery::Volumes Refinery::closed() const { return closed(counted({}, 0)); }
+
+Refinery::Volumes Refinery::closed(const Counted& counted) const {
+  Volumes all;
+  for (std::size_t i = 0; i < counted.size(); ++i)
+    if (counted[i] && world().volumes[i].polygon.size() > 2) all.push_back(world().volumes[i]);
+  return all;
+}
+
+bool Refinery::has_room(const Vector3& at) const { return has_room(at, closed()); }
+
+bool Refinery::has_room(const Vector3& at, const Volumes& volumes) const {
   const double around = vehicle().hovers ? stray() : kJoining * vehicle().orbit_radius + stray();
-  return std::none_of(world().volumes.begin(), world().volumes.end(), [&](const auto& volume) {
-    return volume.when.until > origin_ && is_near(volume, at, around);
-  });
+  return std::none_of(volumes.begin(), volumes.end(),
+                      [&](const auto& volume) { return is_near(volume, at, around); });
 }
 
 /// Some flight along the way, whichever way it comes to where that begins, or its circles at the
 /// end are nearer to closed air than the vehicle strays.
-bool Refinery::met(const Way& way) const {
-  const std::vector<world::Volume> volumes = closed();
+bool Refinery::met(const Way& way, const Volumes& volumes) const {
   if (vehicle().hovers || volumes.empty() || way.size() < 2) return false;
   const auto is_met = [&](const Vector3& at) {
     return std::any_of(volumes.begin(), volumes.end(),
@@ -175,19 +238,18 @@ bool Refinery::met(const Way& way) const {
   return false;
 }
 
-Answer<Motion> Refinery::path(const Vector3& from, const Vector3& to) {
-  const auto air = airspace();
-  if (!air) return no(air.error());
-  if (!(*air)->is_free(from)) return out_and_on(from, to);
+Answer<Motion> Refinery::path_in(const world::Airspace& air, const Volumes& volumes,
+                                 const Vector3& from, const Vector3& to) {
+  if (!air.is_free(from)) return out_and_on(from, to);
   if (from == to) return flown({from});
   const bool returns = (to - gazetteer_.knowledge().home).head<2>().norm() < vehicle().orbit_radius;
-  if (!returns && !has_room(to))
+  if (!returns && !has_room(to, volumes))
     return no(vehicle().hovers ? "closed air is nearer to its end than the vehicle strays"
                                : "closed air is too near for the circles that it waits on there");
-  auto way = way_through(**air, from, to);
+  auto way = way_through(air, from, to);
   if (!way) return no(way.error());
-  if (met(*way)) {
-    auto other = way_with_room(**air, from, to);
+  if (met(*way, volumes)) {
+    auto other = way_with_room(air, volumes, from, to);
     if (!other && !returns) return no("closed air is too near for its turns");
     if (other) way = std::move(*other);
   }
@@ -196,12 +258,12 @@ Answer<Motion> Refinery::path(const Vector3& from, const Vector3& to) {
 
 /// One whose turns and circles stay out of closed air: further away from that, or over a place
 /// beside where it begins, from where there is room to turn.
-std::optional<Way> Refinery::way_with_room(const world::Airspace& air, const Vector3& from,
-                                           const Vector3& to) const {
+std::optional<Way> Refinery::way_with_room(const world::Airspace& air, const Volumes& volumes,
+                                           const Vector3& from, const Vector3& to) const {
   world::Airspace roomy = air;
   const double radius = vehicle().min_turn_radius;
-  for (const world::Volume& volume : closed()) roomy.block(volume, stray() + 2 * radius);
-  if (auto way = way_through(roomy, from, to); way && !met(*way)) return *way;
+  for (const world::Volume& volume : volumes) roomy.block(volume, stray() + 2 * radius);
+  if (auto way = way_through(roomy, from, to); way && !met(*way, volumes)) return *way;
   for (int i = 0; i < kAround; ++i) {
     const double angle = 2 * std::numbers::pi * i / kAround;
     const Vector3 over =
@@ -210,7 +272,7 @@ std::optional<Way> Refinery::way_with_room(const world::Airspace& air, const Vec
     auto on = way_through(air, over, to);
     if (!on) continue;
     on->insert(on->begin(), from);
-    if (!met(*on)) return *on;
+    if (!met(*on, volumes)) return *on;
   }
   return std::nullopt;
 }
@@ -269,6 +331,25 @@ Answer<Motion> Refinery::out_and_on(const Vector3& from, const Vector3& to) {
   if (!on) return on;
   on->way.insert(on->way.begin(), from);
   return flown(std::move(on->way));
+}
+
+Answer<Motion> Refinery::rest(const Way& way, const world::SensorModel& device,
+                              const world::SensorModel& before) {
+  const auto air = airspace();
+  if (!air) return no(air.error());
+  const double height = way.front().z() - gazetteer_.ground(way.front());
+  const auto width = footprint(device, height), needed = footprint(before, height);
+  if (!width) return no(width.error());
+  if (needed && *width < *needed) return no(device.device + " sees less than " + before.device);
+  for (std::size_t i = 1; i < way.size(); ++i)
+    if (!(*air)->is_free(way[i - 1], way[i])) return no("air on what is left of it is closed");
+  if (vehicle().hovers) return flown(way);
+  // It comes to the first lane in its direction.
+  const Vector3 along = (way[1] - way[0]).normalized();
+  const Vector3 before_it = way[0] - kRunIn * vehicle().orbit_radius * along;
+  Way with_run_in = {before_it};
+  with_run_in.insert(with_run_in.end(), way.begin(), way.end());
+  return flown((*air)->is_free(before_it, way[0]) ? std::move(with_run_in) : way);
 }
 
 Answer<std::vector<Vector3>> Refinery::views(const Vector3& place, const world::SensorModel& device,

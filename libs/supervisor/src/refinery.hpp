@@ -2,6 +2,8 @@
 // The refiners as planning uses them: one airspace for all ways, durations as they are flown.
 #pragma once
 
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +22,11 @@ struct Motion {
   double energy = 0;  ///< expected, as a fraction of what is held when full
 };
 
+/// When a motion may begin, after the plan's origin [s]; `most` may be infinite.
+struct Departure {
+  double least = 0, most = std::numeric_limits<double>::infinity();
+};
+
 /// Sentences say why not.
 template <class Value>
 using Answer = Result<Value, std::string>;
@@ -30,7 +37,15 @@ class Refinery {
 
   Answer<Motion> takeoff(const world::Vector3& from) const;
   Answer<Motion> landing(const world::Vector3& from, const world::Vector3& to) const;
-  Answer<Motion> path(const world::Vector3& from, const world::Vector3& to);
+  /// Clear of every volume that it can meet, whenever it departs then and however long it takes.
+  Answer<Motion> path(const world::Vector3& from, const world::Vector3& to,
+                      const Departure& when = {});
+  /// How long to wait in place before setting out, so that air which is closed for a time is open
+  /// again [s]; nothing when setting out at once is possible and there earlier, or waiting is not.
+  std::optional<double> worth_waiting(const world::Vector3& from, const world::Vector3& to,
+                                      const Departure& when);
+  /// Some volume is closed for a part of the time from the origin on.
+  bool has_windows() const { return has_windows_; }
   /// Where it lands that comes from there, and why not where it would.
   struct Landing {
     world::Vector3 at;
@@ -49,6 +64,9 @@ class Refinery {
   /// will be flown all of the zone is seen.
   Answer<Motion> sweep(const world::Vector3& from, const world::Zone& zone,
                        const world::SensorModel& device) const;
+  /// What is left of such a way: `device` sees at least as much from it as `before` did.
+  Answer<Motion> rest(const refiners::Way& way, const world::SensorModel& device,
+                      const world::SensorModel& before);
   /// Where that sensor sees the place best, from so many sides.
   Answer<std::vector<world::Vector3>> views(const world::Vector3& place,
                                             const world::SensorModel& device, std::size_t count);
@@ -75,9 +93,18 @@ class Refinery {
   refiners::PathQuery query(const world::Vector3& from, const world::Vector3& to) const;
   double clearance() const;
   double stray() const;
-  std::vector<world::Volume> closed() const;
-  bool met(const refiners::Way& way) const;
-  std::optional<refiners::Way> way_with_room(const world::Airspace& air, const world::Vector3& from,
+  /// One, of each world.volumes: whether it counts.
+  using Counted = std::vector<bool>;
+  /// Those that are closed at some time while a flight of so many seconds may be under way.
+  Counted counted(const Departure& when, double seconds) const;
+  using Volumes = std::vector<world::Volume>;
+  Volumes closed(const Counted& counted) const;
+  Volumes closed() const;  ///< at any time from the origin on
+  bool has_room(const world::Vector3& at, const Volumes& volumes) const;
+  bool met(const refiners::Way& way, const Volumes& volumes) const;
+  bool met(const refiners::Way& way) const { return met(way, closed()); }
+  std::optional<refiners::Way> way_with_room(const world::Airspace& air, const Volumes& volumes,
+                                             const world::Vector3& from,
                                              const world::Vector3& to) const;
   Answer<refiners::Way> way_through(const world::Airspace& air, const world::Vector3& from,
                                     const world::Vector3& to) const;
@@ -112,14 +139,20 @@ class Refinery {
   Answer<Motion> out_and_on(const world::Vector3& from, const world::Vector3& to);
   Answer<double> footprint(const world::SensorModel& device, double height) const;
   Motion flown(refiners::Way way) const;
-  /// Null, with a sentence, when the world makes no airspace for the vehicle.
+  /// Null, with a sentence, when the world makes no airspace for the vehicle. Volumes with a window
+  /// that is still to come, or to end, count.
   Answer<const world::Airspace*> airspace();
+  Answer<const world::Airspace*> airspace(const Counted& counted);
+  Answer<Motion> path_in(const world::Airspace& air, const Volumes& volumes,
+                         const world::Vector3& from, const world::Vector3& to);
+  bool stays_free(const world::Vector3& at, const Departure& when, double seconds) const;
 
   Gazetteer gazetteer_;
   world::VehicleModel cautious_;
   MissionTime origin_;
   std::uint64_t seed_;
-  std::optional<world::Airspace> airspace_;
+  bool has_windows_ = false;
+  std::map<Counted, world::Airspace> airspaces_;
 };
 
 }  // namespace skein::supervisor

@@ -51,12 +51,12 @@ void Supervisor::Core::commit() {
 // Tasks beside the plan that have what this one is the first of its goal to need.
 std::set<TaskId> Supervisor::Core::loose_before(const mission::ElementaryTask& task) const {
   const auto is_first = [&](auto&& uses) {
-    return std::none_of(
-        task.dependences.begin(), task.dependences.end(), [&](const Dependence& one) {
-          const Entry* other = book_.find(one.task);
-          return other != nullptr && other->live() && other->task.origin == task.origin &&
-                 uses(other->task);
-        });
+    return std::none_of(task.dependences.begin(), task.dependences.end(),
+                        [&](const Dependence& one) {
+                          const Entry* other = book_.find(one.task);
+                          return other != nullptr && other->live() &&
+                                 other->task.origin == task.origin && uses(other->task);
+                        });
   };
   std::set<TaskId> result;
   if (holds_vehicle(task) && is_first(mission::holds_vehicle)) result = book_.loose_motion();

@@ -24,7 +24,7 @@ void Supervisor::Core::hand_over_goal(GoalId id) {
 
 void Supervisor::Core::on(const Disengage& input) {
   engaged_ = false;
-  job_.reset();
+  if (job_) abandon_job();
   need_.reset();
   pending_.clear();
   wait_again_.reset();

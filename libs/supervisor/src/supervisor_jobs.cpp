@@ -94,9 +94,21 @@ bool Supervisor::Core::hold(const Premises& then, const Premises& now) const {
 // ---- jobs ----
 
 void Supervisor::Core::start_job() {
+  give_way();
   if (job_) return;
   if (need_) start_repair();
   if (!job_ && !need_ && !pending_.empty()) start_insertion(pending_.front());
+}
+
+// A repair is not kept waiting by an insertion, which is begun again afterwards.
+void Supervisor::Core::give_way() {
+  if (job_ && job_->mission && need_) abandon_job();
+}
+
+// What it says when it comes back counts for nothing.
+void Supervisor::Core::abandon_job() {
+  abandoned_.insert(job_->id);
+  job_.reset();
 }
 
 void Supervisor::Core::run(Job job, DeliberationRequest request) {
@@ -178,6 +190,7 @@ bool Supervisor::Core::again(const Job& job, const std::string& why) {
 }
 
 void Supervisor::Core::on(const JobFinished& input) {
+  if (abandoned_.erase(input.job) != 0) return;
   if (!job_ || job_->id != input.job) {
     return notice("result of job " + std::to_string(input.job) + ", which nobody waits for");
   }

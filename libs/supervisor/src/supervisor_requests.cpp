@@ -147,6 +147,7 @@ void Supervisor::Core::drop_cancelled_missions() {
       return one.second.queued && one.second.mission == it->id;
     });
     if (!waits) out_.push_back(MissionDecided{{it->id, false, {"cancelled"}}});
+    if (!waits && job_ && job_->mission == it->id) abandon_job();
     it = waits ? it + 1 : pending_.erase(it);
   }
 }

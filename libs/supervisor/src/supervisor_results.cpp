@@ -1,10 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // Results of jobs are applied: a plan is adopted, or it is said that there is none.
 #include <algorithm>
+#include <cmath>
 
 #include "core.hpp"
 
 namespace skein::supervisor {
+
+namespace {
+
+// "; weighed: last 512.3 s, tour 480 s, in-time not possible (…)": when there was a choice.
+std::string weighed(const InsertionOutcome& outcome) {
+  if (outcome.trials.size() < 2) return {};
+  std::string text;
+  for (const Trial& trial : outcome.trials) {
+    text += (text.empty() ? "; weighed: " : ", ") + std::string(mission::to_text(trial.placement));
+    if (trial.feasible) {
+      text += " " + to_text(Duration::seconds(std::round(10 * trial.cost) / 10)) + " s";
+    } else {
+      text += " not possible (" + joined(trial.reasons) + ")";
+    }
+  }
+  return text;
+}
+
+}  // namespace
 
 // What no plan may have: tasks of goals that were not asked for, ids that were used.
 std::string Supervisor::Core::fault_of(const Premises& premises,
@@ -136,8 +156,8 @@ void Supervisor::Core::finish(const Job& job, const InsertionOutcome& outcome) {
   }
   out_.push_back(MissionDecided{{mission.id, true, {}}});
   decide({"1 insert: " + std::string(to_text(outcome.chosen)), mission.cause,
-          list_of("goals", job.premises.added), plan_text() + ", " + extent() + without,
-          mission.since});
+          list_of("goals", job.premises.added),
+          plan_text() + ", " + extent() + without + weighed(outcome), mission.since});
 }
 
 // ---- operator 6 ----

@@ -118,7 +118,8 @@ void Supervisor::Core::place_on_timelines(const Standing& standing,
     } else {
       result.riders.push_back(timeline_after(task));
     }
-    for (const std::string& device : devices_of(task)) result.devices[device] = timeline_after(task);
+    for (const std::string& device : devices_of(task))
+      result.devices[device] = timeline_after(task);
   }
 }
 
@@ -139,8 +140,8 @@ void Supervisor::Core::foresee_true_goals() {
 
 bool Supervisor::Core::is_there(const Whereabouts& expected) const {
   const world::VehicleModel& vehicle = config_.knowledge->vehicle;
-  const double wavers = 2 + arrival_distance(vehicle, world_->wind) +
-                        (vehicle.hovers ? 0 : vehicle.orbit_radius);
+  const double wavers =
+      2 + arrival_distance(vehicle, world_->wind) + (vehicle.hovers ? 0 : vehicle.orbit_radius);
   return vehicle_.airborne == expected.airborne &&
          (vehicle_.position - expected.position).norm() <= std::max(kThere, wavers);
 }

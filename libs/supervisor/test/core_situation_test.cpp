@@ -6,12 +6,12 @@ namespace skein::supervisor {
 namespace {
 
 using namespace testing;  // NOLINT: builders read as words
+using mission::Dependence;
+using mission::DependenceKind;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
-using mission::Dependence;
-using mission::DependenceKind;
 
 const world::Vector3 kThere{100, 0, 40}, kFar{500, 0, 40};
 
@@ -175,10 +175,9 @@ Desk with_one_without_tasks() {
   Desk desk = Desk::engaged();
   desk.flies({0, 0, 40});
   desk.add(a_mission(1, {701, 702, 703}));
-  desk.finish(
-      inserted({701, 702, 703},
-               {TaskOf(100, "goto", 701).takes(100, 120).way({{0, 0, 40}, kThere}),
-                TaskOf(101, "goto", 703).after(100).takes(50, 60).way({kThere, kFar})}));
+  desk.finish(inserted({701, 702, 703},
+                       {TaskOf(100, "goto", 701).takes(100, 120).way({{0, 0, 40}, kThere}),
+                        TaskOf(101, "goto", 703).after(100).takes(50, 60).way({kThere, kFar})}));
   desk.runs(100);
   return desk;
 }
@@ -300,7 +299,8 @@ TEST(Reasons, NameGoalsNotTasks) {
 
   desk.finish(without);
 
-  EXPECT_EQ(desk.why_of(701), "lost the goto of goal 701 (go 1)");
+  EXPECT_EQ(desk.why_of(701),
+            "the goto of goal 701 (go 1) aborted: engine trouble; lost the goto of goal 701");
 }
 
 }  // namespace

@@ -108,7 +108,8 @@ TEST(Insertion, WithoutAPlanTheTaskBecauseOfWhichIsNamed) {
   Lab lab = eastern();
   lab.straight.blocked = {"B"};
 
-  const auto outcome = insert(lab, {}, {Lab::visit(1, "A"), Lab::visit(2, "B"), Lab::visit(3, "C")});
+  const auto outcome =
+      insert(lab, {}, {Lab::visit(1, "A"), Lab::visit(2, "B"), Lab::visit(3, "C")});
 
   EXPECT_FALSE(outcome.plan);
   ASSERT_THAT(outcome.dropped, SizeIs(1));
@@ -136,8 +137,8 @@ TEST(Insertion, WithNothingLeftToFlyForTheUavStaysOnTheGround) {
   lab.situation = {};
   lab.straight.blocked = {"B"};
 
-  const auto outcome = insert_any(
-      lab, {}, {Lab::simple(1, "take-off"), Lab::visit(2, "B"), Lab::simple(3, "land")});
+  const auto outcome =
+      insert_any(lab, {}, {Lab::simple(1, "take-off"), Lab::visit(2, "B"), Lab::simple(3, "land")});
 
   EXPECT_FALSE(outcome.plan);
   EXPECT_THAT(outcome.dropped, SizeIs(3));
@@ -145,8 +146,8 @@ TEST(Insertion, WithNothingLeftToFlyForTheUavStaysOnTheGround) {
 
 TEST(Insertion, WhatIsPlannedAlreadyIsNeverLeftOutForWhatIsNew) {
   Lab lab = eastern();
-  const auto outcome = insert_any(lab, {Lab::visit(1, "A", ends_before(60))},
-                                  {Lab::visit(2, "B", ends_before(1))});
+  const auto outcome =
+      insert_any(lab, {Lab::visit(1, "A", ends_before(60))}, {Lab::visit(2, "B", ends_before(1))});
 
   EXPECT_FALSE(outcome.plan);  // nothing of the mission is left: what is planned stays as it is
   ASSERT_THAT(outcome.dropped, SizeIs(1));

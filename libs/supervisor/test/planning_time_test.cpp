@@ -145,9 +145,10 @@ TEST(PlanningTime, APlanThatMightStartTooLateIsRefusedWithFigures) {
 
   ASSERT_FALSE(plan);
   EXPECT_EQ(plan.error().culprit, mission::GoalId(2));
-  EXPECT_THAT(plan.error().reasons,
-              ElementsAre("gotoxyz of goal 2 starts between 1004 s and 1006 s, but must start before "
-                          "1005 s"));
+  EXPECT_THAT(
+      plan.error().reasons,
+      ElementsAre("gotoxyz of goal 2 starts between 1004 s and 1006 s, but must start before "
+                  "1005 s"));
 }
 
 TEST(PlanningTime, APlanThatMightEndTooLateIsRefusedWithFigures) {

@@ -19,8 +19,8 @@ TEST(WithNames, ReplacesEveryTaskThatHasAName) {
 }
 
 TEST(WithNames, ReplacesNothingElse) {
-  for (const char* text : {"", "task", "task ", "tasks 104", "multitask 104", "task 1045", "task 104th",
-                           "goal 104", "task 99999999999999999999999"})
+  for (const char* text : {"", "task", "task ", "tasks 104", "multitask 104", "task 1045",
+                           "task 104th", "goal 104", "task 99999999999999999999999"})
     EXPECT_EQ(named(text), text);
 }
 

@@ -114,9 +114,19 @@ void DdsRun::start(const std::vector<std::string>& options) {
   process_.emplace(std::move(*process));
 }
 
+// A machine that stands still breaks every expectation of a run in real time: that is said first.
+void DdsRun::expect_no_stall() const {
+  const std::string text = output();
+  const std::size_t at = text.find("the mission clock was not heard");
+  if (at == std::string::npos) return;
+  ADD_FAILURE() << "the machine stalled, the mission is not to blame: "
+                << text.substr(at, text.find('\n', at) - at);
+}
+
 std::optional<run_tool::Process::Status> DdsRun::wait(double seconds) {
   const bool ended = holds_within(seconds, [&] { return process_->poll().has_value(); });
   EXPECT_TRUE(ended) << "the run goes on after " << seconds << " s";
+  expect_no_stall();
   return process_->poll();
 }
 
@@ -128,6 +138,7 @@ void DdsRun::wait_until(const std::string& what, const std::function<bool()>& co
     return ended || condition();
   });
   ASSERT_TRUE(held) << "no " << what << " after " << seconds << " s";
+  if (ended && !condition()) expect_no_stall();
   ASSERT_TRUE(!ended || condition()) << "the run ended before " << what;
 }
 

@@ -68,6 +68,7 @@ class DdsRun {
     pid_t pid = -1;
     std::string name;
   };
+  void expect_no_stall() const;
   std::vector<Daemon> pids() const;
   static std::set<std::string> names_of(const std::vector<Daemon>& daemons);
 

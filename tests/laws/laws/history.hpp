@@ -49,6 +49,7 @@ struct Execution {
   std::string type;
   double started = kNever, over = kNever;
   std::string state, reason;
+  std::string node;  ///< whose executive had it last: the UAV's, or the ground's at degree 1
 
   bool is_motion() const;
   bool under_way(double at) const { return started <= at && at < over; }

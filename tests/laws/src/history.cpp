@@ -202,6 +202,7 @@ class Teller {
     task.type = text(record, "type");
     task.state = text(record, "state");
     task.reason = text(record, "reason");
+    task.node = record.node();
     const double at = record.at().to_seconds();
     if (task.state == "started") task.started = std::min(task.started, at);
     if (task.state == "ended" || task.state == "aborted") task.over = at;

@@ -26,6 +26,7 @@ void refused_at_once(const Uav& uav, std::vector<Violation>& result) {
   }
 }
 
+// In one executive: the ground's may not know yet what a UAV out of contact does by itself.
 void overlapping(const Uav& uav, std::vector<Violation>& result) {
   constexpr double kMoment = 0.5;  // [s] executives of ground and UAV at a hand-over
   const Execution* last = nullptr;
@@ -36,7 +37,7 @@ void overlapping(const Uav& uav, std::vector<Violation>& result) {
   std::stable_sort(motions.begin(), motions.end(),
                    [](const auto* a, const auto* b) { return a->started < b->started; });
   for (const Execution* one : motions) {
-    if (last != nullptr && one->started + kMoment < last->over) {
+    if (last != nullptr && one->node == last->node && one->started + kMoment < last->over) {
       result.push_back({"", one->started, uav.name(), uav.goal_of_task(one->task),
                         named(uav, one->task, one->type) + " begins while " +
                             named(uav, last->task, last->type) + " is under way"});

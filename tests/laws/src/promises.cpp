@@ -99,6 +99,14 @@ double not_before(const Uav& uav) {
   return first;
 }
 
+// What the ground was given, and has not given back, is the ground's to end.
+bool is_the_grounds(const Uav& uav, const Goal& goal) {
+  if (goal.state() != "handed-over") return false;
+  return std::none_of(uav.degrees.begin(), uav.degrees.end(), [&](const auto& change) {
+    return change.first > goal.changes.back().at && change.second == 4;
+  });
+}
+
 }  // namespace
 
 std::vector<Violation> goals_without_end(const History& history) {
@@ -110,7 +118,7 @@ std::vector<Violation> goals_without_end(const History& history) {
     const double idle_since = std::max(last_work(uav, history.end), not_before(uav));
     if (history.end - idle_since < kPatience) continue;
     for (const auto& [id, goal] : uav.goals) {
-      if (goal.settled()) continue;
+      if (goal.settled() || is_the_grounds(uav, goal)) continue;
       result.push_back({"", history.end, name, id,
                         mission::to_text(goal.task) + " is " + goal.state() +
                             " at the end, and nothing was done for any goal since " +

@@ -46,9 +46,9 @@ struct Stay {
   double from = 0, until = 0, deepest = 0;
 };
 
-// Times in a volume, at degree 4, of which at least `kDeep` metres deep.
+// Times in a volume, at degree 4. Who waits beside one may be blown in by as much as it wavers.
 std::vector<Stay> stays_in(const Uav& uav, const Closing& closing) {
-  constexpr double kDeep = 1;  // [m]
+  const double deep = 1 + world::tracking_spread(uav.spec->model);  // [m]
   std::vector<Stay> stays;
   bool inside = false;
   for (const Sample& sample : uav.samples) {
@@ -58,7 +58,7 @@ std::vector<Stay> stays_in(const Uav& uav, const Closing& closing) {
         closed && sample.airborne && uav.degree(sample.at) == 4 && !crashed(uav, sample.at)
             ? depth_in(closing.volume, sample.position)
             : 0;
-    if (depth < kDeep) {
+    if (depth < deep) {
       inside = false;
       continue;
     }

@@ -101,6 +101,20 @@ TEST(Reached, ALandingIsAchievedOnTheGround) {
   EXPECT_THAT(story.broken("reached"), ElementsAre(HasSubstr("it is in the air")));
 }
 
+TEST(Reached, ALandingFromWhichItFliesOnAtOnceWasOneAllTheSame) {
+  const auto landed_at = [](double end) {
+    Story story;
+    story.flies("marvin", 0, 100, kOver, kOver);
+    story.goal("marvin", 702, "general-land", "received", 1);
+    story.does("marvin", {100, "land", 702, 30, end});
+    story.goal("marvin", 702, "general-land", "achieved", 50);
+    return story.broken("reached");
+  };
+
+  EXPECT_THAT(landed_at(50), IsEmpty());
+  EXPECT_THAT(landed_at(40), ElementsAre(HasSubstr("it is in the air")));
+}
+
 TEST(Reached, ATourHasBeenAtAllItsPlaces) {
   Story story;
   story.flies("marvin", 0, 30, kOver, kA1).flies("marvin", 31, 100, kA1, kOver);
@@ -250,6 +264,18 @@ TEST(Ends, AGoalForWhichNothingIsDoneAnyMoreShouldHaveEnded) {
 
   EXPECT_THAT(story.broken("ends"), ElementsAre(HasSubstr("is under-way at the end")));
   EXPECT_THAT(working.broken("ends"), IsEmpty());
+}
+
+TEST(Ends, WhatWasHandedOverIsTheGroundsUntilItIsGivenBack) {
+  Story story;
+  story.stands("marvin", 0, 300);
+  story.goal("marvin", 701, "perceive P1 60", "received", 1);
+  story.goal("marvin", 701, "perceive P1 60", "handed-over", 20);
+  Story back = story;
+  back.degree("marvin", 100, 4);
+
+  EXPECT_THAT(story.broken("ends"), IsEmpty());
+  EXPECT_THAT(back.broken("ends"), ElementsAre(HasSubstr("is handed-over at the end")));
 }
 
 TEST(Idle, WhoWaitsInTheAirWithOpenGoalsNamesOne) {

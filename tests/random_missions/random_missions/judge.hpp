@@ -31,7 +31,8 @@ struct Verdict {
 struct JudgeOptions {
   std::vector<std::string> only = {};  ///< laws; all if empty
   int jobs = 1;
-  int patience = 60;  ///< [s] of wall-clock time for one
+  int patience = 60;     ///< [s] of wall-clock time for one
+  std::string log = {};  ///< folder in which each event log is kept as NAME.jsonl; none if empty
 };
 
 /// A verdict by `tell` for each case, in the order in which they are done. A process that dies or

@@ -162,6 +162,7 @@ void declare(CLI::App& app, Options& options) {
           CLI::IsMember({"faults", "air", "deadlines", "changes", "degrees", "radio", "energy"}));
   app.add_option("--save", options.save, "keep missions that break a law in this folder");
   app.add_flag("--minimise", options.minimise, "with --save: leave out what can be left out");
+  app.add_option("--log", options.judge.log, "keep the event log of each mission in this folder");
   app.add_option("--jobs", options.judge.jobs, "how many at once")->check(CLI::Range(1, 64));
   app.add_option("--patience", options.judge.patience, "seconds of wall-clock time for one")
       ->check(CLI::Range(1, 3600));

@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "laws/laws.hpp"
@@ -53,16 +55,24 @@ void count_goals(const laws::History& history, std::ostream& out) {
       << (near ? near->distance : -1) << '\n';
 }
 
+void keep_log(const std::vector<Record>& records, const Case& one, const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  std::ofstream out(std::filesystem::path(folder) /
+                    (std::filesystem::path(one.name).stem().string() + ".jsonl"));
+  for (const Record& record : records) out << journal::to_json(record) << '\n';
+}
+
 // The child's report, a line a fact.
-std::string report_of(const Case& one, const std::vector<std::string>& only) {
+std::string report_of(const Case& one, const JudgeOptions& options) {
   std::ostringstream out;
   auto scenario = scenario::read_scenario_text(one.yaml, one.file);
   Diagnostics problems = scenario ? assembly::apply({}, *scenario) : scenario.error();
   if (problems.empty()) problems = assembly::check_assembly(*scenario);
   if (!problems.empty()) return "invalid\t" + one_line(to_text(problems)) + "\n";
   const std::vector<Record> records = play(*scenario);
+  if (!options.log.empty()) keep_log(records, one, options.log);
   count_goals(laws::history_of(*scenario, records), out);
-  for (const laws::Violation& broken : laws::broken_laws(*scenario, records, only)) {
+  for (const laws::Violation& broken : laws::broken_laws(*scenario, records, options.only)) {
     out << "broken\t" << broken.law << '\t' << broken.at << '\t' << broken.uav << '\t'
         << broken.goal << '\t' << one_line(broken.sentence) << '\n';
   }
@@ -122,7 +132,7 @@ Child start(Case what, const JudgeOptions& options) {
   if (pid == 0) {
     ::close(ends[0]);
     ::alarm(static_cast<unsigned>(options.patience));
-    write_all(ends[1], report_of(what, options.only));
+    write_all(ends[1], report_of(what, options));
     ::_exit(0);
   }
   ::close(ends[1]);

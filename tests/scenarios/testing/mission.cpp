@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "laws/laws.hpp"
 #include "skein/assembly/assembly.hpp"
 
 namespace skein::testing {
@@ -93,6 +94,7 @@ Mission play(const scenario::Scenario& scenario) {
   std::stable_sort(mission.records.begin(), mission.records.end(),
                    [](const auto& a, const auto& b) { return a.at() < b.at(); });
   mission.verdicts = scenario::check(scenario.expectations, mission.records);
+  mission.untrue = laws::to_text(laws::broken_laws(scenario, mission.records));
   return mission;
 }
 

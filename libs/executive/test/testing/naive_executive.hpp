@@ -38,7 +38,8 @@ class NaiveExecutive {
     TaskState state = TaskState::kScheduled;
     bool urgent = false, suppressed = false, relinquished = false;
     std::set<TaskId> blockers;
-    std::optional<MissionTime> urgent_until, answer_until;
+    std::optional<MissionTime> urgent_until, answer_until, again_at;
+    bool told = false;  ///< its partners were told, and count on it
     std::set<std::string> resources;
     bool sync() const { return task.synchronisation.has_value(); }
     bool joint() const { return is_joint(task.type); }
@@ -158,6 +159,7 @@ class NaiveExecutive {
         }
         if (e.urgent_until) timers.emplace(*e.urgent_until, 0, id);
         if (e.answer_until) timers.emplace(*e.answer_until, 1, id);
+        if (e.again_at) timers.emplace(*e.again_at, 3, id);
       }
       const auto instant = instants.upper_bound(clock_);
       const bool condition = instant != instants.end() && *instant <= now_;
@@ -171,6 +173,9 @@ class NaiveExecutive {
         if (kind == 0) {
           e.urgent_until.reset();
           e.blockers.clear();
+        } else if (kind == 3) {
+          say(e, SyncWord::kThere);
+          e.again_at = now_ + half_of_validity();
         } else {
           go(e, TaskState::kAborted);
         }
@@ -203,6 +208,7 @@ class NaiveExecutive {
   void go(Entry& e, TaskState state) {
     e.state = state;
     e.answer_until.reset();
+    e.again_at.reset();
     if (is_terminal(state)) {
       e.urgent_until.reset();
       for (auto& [id, other] : tasks_) {
@@ -238,14 +244,45 @@ class NaiveExecutive {
     }
     go(e, TaskState::kRunning);
     for (const std::string& name : receivers_of(e)) {
-      out_.push_back(SendSync{e.task.synchronisation->id, name});
+      withdrawn_.erase({name, e.task.synchronisation->id});
     }
-    if (heard_all(e)) go(e, TaskState::kEnded);
+    e.told = true;
+    const bool done = heard_all(e);
+    say(e, done && config_.sync_validity ? SyncWord::kDone : SyncWord::kThere);
+    if (done) return go(e, TaskState::kEnded);
+    if (config_.sync_validity && !receivers_of(e).empty()) e.again_at = now_ + half_of_validity();
+  }
+  Duration half_of_validity() const {
+    return Duration::nanoseconds(config_.sync_validity->count() / 2);
+  }
+  void say(const Entry& e, SyncWord word) {
+    for (const std::string& name : receivers_of(e)) {
+      out_.push_back(SendSync{e.task.synchronisation->id, name, word});
+    }
+  }
+  bool another_tells(const Entry& e, const std::string& name) const {
+    return std::any_of(tasks_.begin(), tasks_.end(), [&](const auto& one) {
+      const Entry& o = one.second;
+      return &o != &e && o.told && o.task.synchronisation->id == e.task.synchronisation->id &&
+             is_in(receivers_of(o), name);
+    });
+  }
+  void withdraw(Entry& e) {
+    const bool told = std::exchange(e.told, false);
+    if (!told || !config_.sync_validity) return;
+    for (const std::string& name : receivers_of(e)) {
+      if (another_tells(e, name)) continue;
+      withdrawn_.insert({name, e.task.synchronisation->id});
+      out_.push_back(SendSync{e.task.synchronisation->id, name, SyncWord::kWithdrawn});
+    }
   }
   void stop(Entry& e) {
     if (e.waits()) return go(e, TaskState::kAborted);
     go(e, TaskState::kAborting);
-    if (e.sync()) return go(e, TaskState::kAborted);
+    if (e.sync()) {
+      go(e, TaskState::kAborted);
+      return withdraw(e);
+    }
     out_.push_back(Interrupt{e.task.id, e.joint()});
     expect_answer(e);
   }
@@ -265,8 +302,16 @@ class NaiveExecutive {
     const Synchronisation& s = *e.task.synchronisation;
     if (!is_in(s.receivers, config_.name)) return true;
     return std::all_of(s.senders.begin(), s.senders.end(), [&](const std::string& name) {
-      return name == config_.name || heard_.count({s.id, name}) > 0;
+      if (name == config_.name) return true;
+      const auto heard = heard_.find({s.id, name});
+      return heard != heard_.end() && counts(heard->second);
     });
+  }
+
+  bool counts(const SyncReceived& m) const {
+    if (m.word == SyncWord::kThere)
+      return !config_.sync_validity || now_ - *m.said <= *config_.sync_validity;
+    return m.word == SyncWord::kDone;
   }
 
   // --- inputs ---
@@ -350,6 +395,7 @@ class NaiveExecutive {
     const bool fine = e != nullptr && is_terminal(e->state);
     reply(RequestKind::kSuppress, s.id, fine);
     if (fine) e->suppressed = true;
+    if (fine) e->told = false;
   }
   void on(const FunctionalStatus& s) {
     Entry* e = in_plan(s.id);
@@ -361,20 +407,33 @@ class NaiveExecutive {
     }
   }
   void on(const SyncReceived& m) {
-    heard_.insert({m.id, m.from});
+    SyncReceived heard = m;
+    if (!heard.said) heard.said = now_;
+    const auto before = heard_.find({m.id, m.from});
+    if (before != heard_.end() && *before->second.said > *heard.said) return;
+    heard_[{m.id, m.from}] = heard;
     for (auto& [id, e] : tasks_) {
-      if (e.sync() && e.state == TaskState::kRunning && heard_all(e)) go(e, TaskState::kEnded);
+      if (!e.sync() || e.state != TaskState::kRunning || !heard_all(e)) continue;
+      if (config_.sync_validity) say(e, SyncWord::kDone);
+      go(e, TaskState::kEnded);
     }
   }
   void on(const PeerReachable& p) {
-    std::set<std::uint64_t> done;
+    std::set<std::uint64_t> met;
     for (const auto& [id, e] : tasks_) {
-      const bool sent = e.sync() && !e.suppressed &&
-                        (e.state == TaskState::kRunning || e.state == TaskState::kEnded);
-      if (sent && is_in(receivers_of(e), p.name) &&
-          done.insert(e.task.synchronisation->id).second) {
-        out_.push_back(SendSync{e.task.synchronisation->id, p.name});
-      }
+      if (!e.told || !is_in(receivers_of(e), p.name)) continue;
+      const std::uint64_t sync = e.task.synchronisation->id;
+      if (!met.insert(sync).second) continue;
+      const bool done =
+          config_.sync_validity && std::any_of(tasks_.begin(), tasks_.end(), [&](const auto& one) {
+            const Entry& o = one.second;
+            return o.told && o.state == TaskState::kEnded && o.task.synchronisation->id == sync &&
+                   is_in(receivers_of(o), p.name);
+          });
+      out_.push_back(SendSync{sync, p.name, done ? SyncWord::kDone : SyncWord::kThere});
+    }
+    for (const auto& [name, sync] : withdrawn_) {
+      if (name == p.name) out_.push_back(SendSync{sync, name, SyncWord::kWithdrawn});
     }
   }
   void on(const Relinquish& r) {
@@ -396,7 +455,8 @@ class NaiveExecutive {
   Effects out_;
   std::map<TaskId, Entry> tasks_;
   std::set<std::string> messages_;
-  std::set<std::pair<std::uint64_t, std::string>> heard_;
+  std::map<std::pair<std::uint64_t, std::string>, SyncReceived> heard_;
+  std::set<std::pair<std::string, std::uint64_t>> withdrawn_;
 };
 
 }  // namespace skein::executive::testing

@@ -112,10 +112,20 @@ class RandomTrace {
       return u;
     }
     if (kind < 0.89) return Suppress{id()};
-    if (kind < 0.95) return SyncReceived{1 + random_.below(3), uav()};
+    if (kind < 0.95) return heard(at);
     if (kind < 0.975) return PeerReachable{uav()};
     if (kind < 0.985) return Relinquish{};
     return Tick{};
+  }
+
+  // As said now, some time ago, or just said to have been.
+  SyncReceived heard(double at) {
+    SyncReceived message{1 + random_.below(3), uav()};
+    if (random_.chance(0.3)) message.word = static_cast<SyncWord>(random_.below(3));
+    if (random_.chance(0.3)) {
+      message.said = MissionTime::seconds(at - static_cast<double>(random_.below(8)));
+    }
+    return message;
   }
 
   Random random_;

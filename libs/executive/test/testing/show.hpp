@@ -21,7 +21,9 @@ struct Word {
     return (e.joint ? "interrupt joint " : "interrupt ") + to_text(e.id);
   }
   std::string operator()(const SendSync& e) const {
-    return "sync " + std::to_string(e.id) + " to " + e.to;
+    const bool there = e.word == SyncWord::kThere;
+    return "sync " + std::to_string(e.id) + " to " + e.to +
+           (there ? "" : " " + std::string(to_text(e.word)));
   }
   std::string operator()(const Reply& e) const {
     return (e.accepted ? "accepted " : "refused ") + std::string(to_text(e.request));

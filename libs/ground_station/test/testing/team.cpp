@@ -123,7 +123,8 @@ void Team::take(const SendFunctional& request) {
 
 void Team::take(const SendSync& message) {
   by_radio(message.to, [this, message] {
-    to_mle(message.to, executive::SyncReceived{message.id, message.from});
+    to_mle(message.to,
+           executive::SyncReceived{message.id, message.from, message.word, message.said});
   });
 }
 

@@ -16,6 +16,7 @@ struct MleOptions {
   std::optional<MissionTime> until;  ///< --until S: run time on to S after the last line
   std::string types_file;            ///< --types FILE: types declared over the elementary ones
   std::optional<Duration> timeout;  ///< --timeout S: of the functional layer, positive; absent: off
+  std::optional<Duration> sync_validity;  ///< --sync-validity S, positive; absent: off
   std::optional<std::string> background;  ///< --background TYPE; absent: off
   std::string input_name;                 ///< for messages; empty: standard input
 };

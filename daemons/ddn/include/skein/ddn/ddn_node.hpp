@@ -30,6 +30,7 @@ struct DdnConfig {
   /// Where `kReturn` goes before it lands: x, y, z [m] ENU.
   std::vector<double> home = {0, 0, 50};
   std::optional<Duration> functional_timeout = Duration::seconds(120);
+  std::optional<Duration> sync_validity = std::nullopt;  ///< see executive::Config
   std::optional<std::string> background_type;
   /// Null: the scenario has no planning domain, and degree 4 is refused.
   std::shared_ptr<const supervisor::Knowledge> knowledge;
@@ -118,6 +119,7 @@ class DdnNode final : public node::Node {
   void take(const wire::FunctionalRequest& request);
   void take(const wire::FunctionalStatus& status);
   void take(const wire::SyncMessage& message);
+  void take(const wire::TaskEvent& event);
   void take(const wire::Telemetry& telemetry);
   void take(const wire::PerceptionReport& report);
   template <class Other>
@@ -189,7 +191,8 @@ class DdnNode final : public node::Node {
   std::vector<wire::FunctionalRequest> waiting_;     ///< for own tasks to be over
   std::optional<ContactPolicy> safe_tasks_pending_;  ///< until nothing of the ground's is under way
   std::uint64_t next_own_task_ = kFirstOwnTask;
-  std::set<std::pair<std::uint64_t, std::string>> syncs_;  ///< received: id, sender
+  /// Received: the last of each synchronisation and sender.
+  std::map<std::pair<std::uint64_t, std::string>, wire::SyncMessage> syncs_;
 
   /// Of the supervisor's tasks that the executive was given.
   std::map<executive::TaskId, mission::GoalId> origins_;

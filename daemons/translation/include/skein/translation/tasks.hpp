@@ -34,6 +34,12 @@ Request from_wire(const wire::TaskRequest& request);
 /// The request as the executive's input.
 executive::Input to_input(const Request& request);
 
+executive::TaskEvent from_wire(const wire::TaskEvent& event);
+
+wire::SyncMessage to_wire(const executive::SendSync& message, const std::string& from,
+                          MissionTime said);
+executive::SyncReceived from_wire(const wire::SyncMessage& message);
+
 wire::TaskEvent to_wire(const std::string& uav, const executive::TaskEvent& event, MissionTime at);
 
 }  // namespace skein::translation

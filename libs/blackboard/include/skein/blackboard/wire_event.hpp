@@ -100,15 +100,22 @@ struct FunctionalStatus {
 };
 SKEIN_WIRE_FIELDS(FunctionalStatus, header, uav, id, state, reason)
 
+enum class SyncWord : std::uint32_t { kThere, kDone, kWithdrawn, kCount };
+constexpr auto names_of(SyncWord) {
+  return std::to_array<std::string_view>({"there", "done", "withdrawn"});
+}
+
 /// Source: spec 2.6.
 struct SyncMessage {
   SampleHeader header;
   std::uint64_t id = 0;  ///< of the synchronisation
   std::string from;
   std::string to;  ///< the UAV it is for, also when the ground relays it
+  SyncWord word = SyncWord::kThere;
+  std::int64_t said = 0;  ///< when `from` said so [ns], also when the ground relays it
   bool operator==(const SyncMessage&) const = default;
 };
-SKEIN_WIRE_FIELDS(SyncMessage, header, id, from, to)
+SKEIN_WIRE_FIELDS(SyncMessage, header, id, from, to, word, said)
 
 enum class AlarmState : std::uint32_t { kRaised, kConfirmed, kInfirmed, kCount };
 constexpr auto names_of(AlarmState) {

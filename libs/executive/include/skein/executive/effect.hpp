@@ -40,6 +40,7 @@ struct Interrupt {
 struct SendSync {
   std::uint64_t id = 0;
   std::string to;
+  SyncWord word = SyncWord::kThere;
   bool operator==(const SendSync&) const = default;
 };
 

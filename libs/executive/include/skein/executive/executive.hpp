@@ -17,9 +17,13 @@ namespace skein::executive {
 struct Config {
   std::string name;  ///< of this UAV, as in senders and receivers
   TypeTable types = TypeTable::elementary();
-  std::optional<std::string> background_type;        ///< absent: no background routine
-  std::optional<Duration> functional_timeout;        ///< absent: wait for ever
-  Duration urgent_wait = Duration::seconds(10);      ///< longest wait of a VUT task
+  std::optional<std::string> background_type;    ///< absent: no background routine
+  std::optional<Duration> functional_timeout;    ///< absent: wait for ever
+  Duration urgent_wait = Duration::seconds(10);  ///< longest wait of a VUT task
+  /// How long it counts that a partner said it was there; who waits says it again at half of that,
+  /// says when it has synchronised, and withdraws when it gives up. Absent: it counts for ever and
+  /// is never taken back (T III.2.3).
+  std::optional<Duration> sync_validity = {};
   Duration background_retry = Duration::seconds(5);  ///< before a refused routine is tried again
 };
 

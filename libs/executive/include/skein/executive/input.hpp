@@ -56,10 +56,24 @@ struct FunctionalStatus {
   std::string reason;
 };
 
-/// A synchronisation message; `id` is the synchronisation's.
+/// What a synchronisation message says of its sender.
+enum class SyncWord : std::uint8_t {
+  kThere,      ///< it is there and waits; counts for Config::sync_validity
+  kDone,       ///< it has synchronised, or only had to say so; counts for ever
+  kWithdrawn,  ///< it has given up: what it said before counts no more
+};
+
+/// "there", "done", "withdrawn".
+std::string_view to_text(SyncWord word);
+std::optional<SyncWord> sync_word_from(std::string_view text);
+
+/// A synchronisation message; `id` is the synchronisation's. One that was said before another of
+/// the same sender changes nothing. Source: spec 2.6.
 struct SyncReceived {
   std::uint64_t id = 0;
   std::string from;
+  SyncWord word = SyncWord::kThere;
+  std::optional<MissionTime> said = {};  ///< when it was sent; absent: now
 };
 
 /// This UAV can be reached again: it is sent again what it may have missed.

@@ -38,9 +38,9 @@ class Parameters {
   std::vector<Parameter> all_;
 };
 
-/// What a task of a type that synchronises does (`synchronise`, `rendezvous`). A UAV among the senders sends one message to each other
-/// receiver, in the order of `receivers`; a UAV among the receivers waits for the message of each
-/// other sender. Source: T III.2.3, spec 2.6.
+/// What a task of a type that synchronises does (`synchronise`, `rendezvous`). A UAV among the
+/// senders sends one message to each other receiver, in the order of `receivers`; a UAV among the
+/// receivers waits for the message of each other sender. Source: T III.2.3, spec 2.6.
 struct Synchronisation {
   std::uint64_t id = 0;  ///< common to all the UAVs concerned
   std::vector<std::string> senders;

@@ -130,12 +130,14 @@ class GroundControl {
   void route(const SendRequest& request, Effects& out);
   void route(const MissionPlanning::Effect& effect, Effects& out);
   void route(const PerceptionProcessing::Effect& effect, Effects& out);
-  void route_local(const LocalInput& cause, const executive::Effect& effect, Effects& out);
+  void route_local(const LocalInput& cause, const executive::Effect& effect, MissionTime now,
+                   Effects& out);
   void dispatch(const std::string& uav, const executive::Dispatch& dispatch, Effects& out);
   void send_functional(const std::string& uav, FunctionalVerb verb, executive::TaskId id,
                        Effects& out);
   void ask_again(const std::string& uav, Effects& out);
-  void deliver_sync(const SyncReceived& sync, Effects& out);
+  void deliver_sync(const SyncReceived& sync, MissionTime now, Effects& out);
+  void send_kept_syncs(const std::string& to, Effects& out);
   bool is_held_here(const SendRequest& request) const;
 
   // execution_transfer.cpp
@@ -159,8 +161,9 @@ class GroundControl {
   std::map<std::string, LocalMle> local_;
   std::deque<Errand> errands_;
   HeldPlans held_;
-  /// Synchronisation messages that came by here, by receiver: id, sender.
-  std::map<std::string, std::set<std::pair<std::uint64_t, std::string>>> syncs_;
+  /// Synchronisation messages that came by here, by receiver: the last of each id and sender.
+  std::map<std::string, std::map<std::pair<std::uint64_t, std::string>, executive::SyncReceived>>
+      syncs_;
   Duration transfer_lifetime_;
 };
 

@@ -121,6 +121,8 @@ struct SyncReceived {
   std::uint64_t id = 0;
   std::string from;
   std::string to;
+  executive::SyncWord word = executive::SyncWord::kThere;
+  std::optional<MissionTime> said = std::nullopt;  ///< when it was sent; absent: now
 };
 /// An operator acts by name: what the script's OnOperator waits for.
 struct OperatorActs {
@@ -278,6 +280,8 @@ struct SendSync {
   std::uint64_t id = 0;
   std::string from;
   std::string to;
+  executive::SyncWord word = executive::SyncWord::kThere;
+  MissionTime said;  ///< when `from` said so
 };
 enum class SyncDirection { kSent, kReceived };
 /// An MLE at the ground sent or received a synchronisation message; for the journal.
@@ -286,11 +290,13 @@ struct LocalSync {
   std::string from;
   std::string to;
   SyncDirection direction = SyncDirection::kSent;
+  executive::SyncWord word = executive::SyncWord::kThere;
 };
 /// A task of an MLE at the ground entered a state; for the journal.
 struct LocalTaskEvent {
   std::string uav;
   executive::TaskEvent event;
+  executive::Parameters parameters;  ///< of the task
 };
 /// An MLE at the ground answered a request; for the journal.
 struct LocalRequestAnswered {

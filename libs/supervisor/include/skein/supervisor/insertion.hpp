@@ -37,8 +37,8 @@ struct Trial {
   mission::Placement placement = mission::Placement::kLast;
   std::vector<mission::GoalId> order;
   bool feasible = false;
-  double cost = 0;                   ///< of the plan, where there is one
-  std::vector<std::string> reasons;  ///< why it is not feasible
+  double cost = 0;                         ///< of the plan, where there is one
+  std::vector<std::string> reasons;        ///< why it is not feasible
   std::optional<mission::GoalId> culprit;  ///< the task that this is because of, where it is one
 };
 
