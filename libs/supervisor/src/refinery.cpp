@@ -2,6 +2,7 @@
 #include "refinery.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -29,8 +30,9 @@ constexpr double kSteep = 1.25;      // distances over heights that it must reac
 constexpr double kClimbShare = 0.8;  // of its rates, in ways of a vehicle that cannot hover
 constexpr double kApart = 75;        // [m] between partners: circles of a blimp and what they waver
 constexpr std::size_t kAroundOne = 6;  // places around one, that far from it and from each other
-constexpr double kTurningRoom = 3;     // turn radii to the side, where a turn has no room
-constexpr double kJoining = 1.3;       // of its circle: it is joined from inside and outside
+constexpr std::array<double, kAroundOne> kSlots = {1, -1, 2, -2, 3, 0};  // by rank
+constexpr double kTurningRoom = 3;  // turn radii to the side, where a turn has no room
+constexpr double kJoining = 1.3;    // of its circle: it is joined from inside and outside
 constexpr double kOutStep = 10, kFarthestOut = 600;  // [m] out of closed air
 constexpr int kDirections = 24, kAround = 8;
 // Waiting circles' radii, straight before a lane that is taken up again.
@@ -390,14 +392,16 @@ Answer<std::vector<Vector3>> Refinery::places_around(const Vector3& at, std::siz
   const auto air = airspace();
   if (!air) return no(air.error());
   std::vector<Vector3> places = {at};
+  // On the side that it comes from, lest it flies through the first: homes are near each other.
+  const Vector3 back = gazetteer_.knowledge().home - at;
+  const double step = 2 * std::numbers::pi / static_cast<double>(kAroundOne);
   for (std::size_t rank = 1; rank < count; ++rank) {
     const double distance = kApart * static_cast<double>(1 + (rank - 1) / kAroundOne);
-    const double angle = 2 * std::numbers::pi * static_cast<double>((rank - 1) % kAroundOne) /
-                         static_cast<double>(kAroundOne);
+    const double angle = std::atan2(back.y(), back.x()) + kSlots[(rank - 1) % kAroundOne] * step;
     // Turned by less than half of what is between two.
     std::optional<Vector3> found;
     for (const double turned : {0.0, 0.25, -0.25, 0.4, -0.4}) {
-      const double to = angle + turned * 2 * std::numbers::pi / static_cast<double>(kAroundOne);
+      const double to = angle + turned * step;
       const Vector3 beside = at + distance * Vector3(std::cos(to), std::sin(to), 0);
       if (!found && (*air)->is_free(beside) && has_room(beside)) found = beside;
     }

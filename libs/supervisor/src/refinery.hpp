@@ -118,8 +118,15 @@ class Refinery {
   /// Circles over the middle of a zone too small for lanes.
   Answer<refiners::Way> rounds(const world::Vector3& from, const world::Zone& zone,
                                double footprint, double seconds) const;
+  /// Where a device looks from a height: a disc on the ground, some metres ahead [m].
+  struct Look {
+    double ahead = 0, reach = 0;
+  };
+  static Look look_of(const world::SensorModel& device, double height, double footprint);
+  Answer<Motion> patrolled(const world::Vector3& from, const world::Zone& zone, const Look& look,
+                           double width, double seconds) const;
   std::optional<refiners::Way> filled(const refiners::Way& way, const world::Zone& zone,
-                                      double footprint, double seconds, double& longer) const;
+                                      const Look& look, double seconds, double& longer) const;
   struct Lanes {
     refiners::Way way;
     double seen = 0;  ///< least part of the zone, of all poses it may begin in

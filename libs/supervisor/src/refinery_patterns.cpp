@@ -18,6 +18,8 @@ using world::Vector3;
 
 namespace {
 
+constexpr double kMoves = 0.02;        // [m] in a step of a track: it heads there
+constexpr double kSteepLook = 0.1;     // [rad] from straight down
 constexpr double kInSight = 0.8;       // of its footprint, from the zone at most
 constexpr double kTurningShare = 0.8;  // of its time a patrol has the zone in sight, at least
 constexpr int kLongerPatrols = 6;      // tried, until the zone is in sight for long enough
@@ -93,9 +95,13 @@ world::GroundState ground_over(const Polygon& polygon, const world::GroundState&
 /// How long the zone was in sight during a flight.
 class Sight {
  public:
-  Sight(const FlownWay& flown, const Polygon& zone, double reach) {
-    for (const Vector3& at : flown.track) {
-      const bool in_sight = distance_to(zone, at.head<2>()) <= reach;
+  Sight(const FlownWay& flown, const Polygon& zone, double ahead, double reach) {
+    Vector2 course = Vector2::Zero();
+    for (std::size_t i = 0; i < flown.track.size(); ++i) {
+      const Vector2 at = flown.track[i].head<2>();
+      const Vector2 step = i > 0 ? Vector2(at - flown.track[i - 1].head<2>()) : course;
+      if (step.norm() > kMoves) course = step.normalized();
+      const bool in_sight = distance_to(zone, at + ahead * course) <= reach;
       if (in_sight && !is_seen_) first_ = static_cast<double>(out_.size()) * kTrackStep;
       is_seen_ = is_seen_ || in_sight;
       out_.push_back((out_.empty() ? 0 : out_.back()) + (in_sight ? 0 : kTrackStep));
@@ -154,6 +160,17 @@ Answer<double> Refinery::footprint(const world::SensorModel& device, double heig
   return std::min(reach, height * std::tan(device.aperture));
 }
 
+/// A device that looks down sees what is below; one that is tilted sees the ground ahead, as far as
+/// its range lets it.
+Refinery::Look Refinery::look_of(const world::SensorModel& device, double height,
+                                 double footprint) {
+  const double down = std::max(kSteepLook, -device.boresight_pitch);
+  if (down > std::numbers::pi / 2 - kSteepLook) return {0, footprint};
+  const double slant = std::min(height / std::sin(down), device.range);
+  const double ahead = std::sqrt(std::max(0.0, slant * slant - height * height));
+  return {ahead, std::max(footprint, slant * std::tan(device.aperture))};
+}
+
 world::World Refinery::world_of(const world::Zone& zone, const Vector3& from,
                                 double footprint) const {
   world::World local = world();
@@ -188,7 +205,7 @@ Answer<Way> Refinery::planned_patrol(const world::World& world, const Vector3& f
 
 /// The part of a way after which the zone was in sight for so long, as the autopilot flies it and
 /// as quick as that may be; nothing, and how many times as long it would have to be.
-std::optional<Way> Refinery::filled(const Way& way, const world::Zone& zone, double footprint,
+std::optional<Way> Refinery::filled(const Way& way, const world::Zone& zone, const Look& look,
                                     double seconds, double& longer) const {
   if (way.size() < 2) return std::nullopt;
   const Times times = flight_times(way, vehicle(), world().wind);
@@ -197,7 +214,7 @@ std::optional<Way> Refinery::filled(const Way& way, const world::Zone& zone, dou
   start.heading = heading_to(way.front(), zone.polygon);
   const Way rest(way.begin() + 1, way.end());
   const FlownWay flown = fly_way(start, rest, vehicle(), world().wind);
-  const Sight sight(flown, zone.polygon, kInSight * footprint);
+  const Sight sight(flown, zone.polygon, look.ahead, kInSight * look.reach);
   // Turns beyond the zone are part of a patrol of one that cannot hover, within reason.
   const double share = vehicle().hovers ? 1 : kTurningShare;
   const auto done = [&](double at) {
@@ -248,17 +265,26 @@ Answer<Motion> Refinery::patrol(const Vector3& from, const world::Zone& zone,
                                 const world::SensorModel& device, double seconds) const {
   const auto width = footprint(device, from.z() - gazetteer_.ground(from));
   if (!width) return no(width.error());
-  const world::World local = world_of(zone, from, *width);
+  const Look look = look_of(device, from.z() - gazetteer_.ground(from), *width);
+  auto motion = patrolled(from, zone, look, *width, seconds);
+  // Ahead of it there may be nothing but what lies beyond a small zone: then over that.
+  if (motion || look.ahead <= 0) return motion;
+  return patrolled(from, zone, {0, *width}, *width, seconds);
+}
+
+Answer<Motion> Refinery::patrolled(const Vector3& from, const world::Zone& zone, const Look& look,
+                                   double width, double seconds) const {
+  const world::World local = world_of(zone, from, width);
   const double approach = distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
   double duration = seconds + approach, longer = 1;
   std::string why = "its time cannot be filled";
   for (int i = 0; i < kLongerPatrols; ++i) {
-    const auto way = planned_patrol(local, from, zone, *width, duration);
+    const auto way = planned_patrol(local, from, zone, width, duration);
     if (!way) {
       why = way.error();
       break;
     }
-    if (auto part = filled(*way, zone, *width, seconds, longer)) {
+    if (auto part = filled(*way, zone, look, seconds, longer)) {
       if (!met(*part)) return flown(std::move(*part));
       why = "closed air is too near for its turns";
       break;
@@ -268,9 +294,9 @@ Answer<Motion> Refinery::patrol(const Vector3& from, const world::Zone& zone,
   // Over a zone that is smaller than what it strays: circles.
   duration = seconds + approach;
   for (int i = 0; i < kLongerPatrols; ++i, duration *= std::clamp(1.05 * longer, 1.1, kLongest)) {
-    const auto way = rounds(from, zone, *width, duration);
+    const auto way = rounds(from, zone, width, duration);
     if (!way) return no(why);
-    auto part = filled(*way, zone, *width, seconds, longer);
+    auto part = filled(*way, zone, look, seconds, longer);
     if (part && !met(*part)) return flown(std::move(*part));
   }
   return no(why);

@@ -14,20 +14,22 @@ namespace {
 constexpr double kStep = 0.5;      ///< [s] how finely truth is looked at
 constexpr double kNearby = 3;      ///< [m] a device aimed so near a place is aimed at it
 constexpr double kSightAbove = 1;  ///< [m] over the ground: what lies there is seen
+constexpr double kApart = 100;     ///< [m] partners may be as far from their place in the air
 constexpr double kMoment = 3;      ///< [s] between what is done and its report
 
 /// What a perception was to look at, for how long.
 struct Look {
   std::optional<world::Vector3> place;  ///< none: whatever is there
   double seconds = 0;
+  double apart = 0;  ///< [m] beside a place in the air, so that partners do not meet there
 };
 
 bool circles(const Uav& uav) { return !uav.spec->model.hovers; }
 
 // In place for a place in the air.
 bool is_there(const History& history, const Uav& uav, const Sample& sample,
-              const world::Vector3& place) {
-  const double near = wander(history, uav);
+              const world::Vector3& place, double apart) {
+  const double near = wander(history, uav) + apart;
   const world::Vector3 off = sample.position - place;
   return off.head<2>().norm() <= near && std::abs(off.z()) <= near;
 }
@@ -67,7 +69,7 @@ double seconds_looked(const History& history, const Uav& uav, const Goal& goal,
       if (!sample || moves_at(uav, t)) continue;
       const bool right = !wanted.place ? true
                          : history.in_the_air(*wanted.place)
-                             ? is_there(history, uav, *sample, *wanted.place)
+                             ? is_there(history, uav, *sample, *wanted.place, wanted.apart)
                              : is_seen(history, uav, *look, *sample, *wanted.place);
       if (right) seconds += std::min(kStep, look->until - t);
     }
@@ -82,15 +84,19 @@ std::optional<Look> look_of(const History& history, const mission::HighLevelTask
     const auto where = history.place(task.arguments[place]);
     const auto long_for = number_of(task.arguments[seconds]);
     if (!where || !long_for) return std::nullopt;
-    return Look{*where, *long_for};
+    return Look{*where, *long_for, 0};
   };
   if (task.name == "perceive" || task.name == "general-combined-goto-and-takeshot" ||
       task.name == "perform-monitoring") {
     return look(0, 1);
   }
-  if (task.name == "general-combined-goto-and-synchro-and-takeshot") return look(3, 4);
+  if (task.name == "general-combined-goto-and-synchro-and-takeshot") {
+    auto together = look(3, 4);
+    if (together) together->apart = kApart;
+    return together;
+  }
   if (task.name == "takeshot-while-waiting" && !task.arguments.empty()) {
-    return Look{std::nullopt, number_of(task.arguments[0]).value_or(0)};
+    return Look{std::nullopt, number_of(task.arguments[0]).value_or(0), 0};
   }
   return std::nullopt;
 }
