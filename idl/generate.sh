@@ -10,6 +10,7 @@ ulimit -v 16000000 2>/dev/null || true
 mkdir -p "$output"
 log=$output/$tool.log
 status=0
+: >"$log"
 case $tool in
   fastddsgen)
     (cd "$source" && timeout 120 fastddsgen -cs -replace -I . -d "$output" "$@") >"$log" 2>&1 || status=$?

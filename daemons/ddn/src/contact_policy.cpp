@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "skein/ddn/ddn_node.hpp"
+#include "skein/supervisor/way_home.hpp"
+#include "skein/translation/sensing.hpp"
 
 namespace skein::ddn {
 
@@ -40,12 +42,28 @@ void DdnNode::start_safe_tasks() {
   if (!safe_tasks_pending_ || !passed_through_.empty()) return;
   const ContactPolicy how = *safe_tasks_pending_;
   safe_tasks_pending_.reset();
-  if (how == ContactPolicy::kHold) {
+  holds_ = how == ContactPolicy::kHold;
+  if (holds_) {
     start_own("wait", {}, executive::InsertionMode::kVut);
     return;
   }
   start_own("goto", {{"waypoints", "", config_.home}}, executive::InsertionMode::kVut);
   start_own("land", {}, executive::InsertionMode::kNut);
+}
+
+// A hold of its own ends before the vehicle cannot come home any more; the ground may be silent, or
+// have forgotten it.
+void DdnNode::come_home_in_time(const wire::Telemetry& telemetry) {
+  if (!holds_ || !airborne_ || !config_.knowledge) return;
+  const double needed = supervisor::least_to_come_home(*config_.knowledge, *config_.world, now_,
+                                                       translation::from_wire(telemetry).position);
+  if (telemetry.energy > needed) return;
+  log(record("contact")
+          .with("uav", config_.uav)
+          .with("policy", "return")
+          .with("why", "held until the energy lasts no longer than to come home"));
+  holds_ = false;
+  keep_safe(ContactPolicy::kReturn);
 }
 
 void DdnNode::start_own(const std::string& type, executive::Parameters parameters,

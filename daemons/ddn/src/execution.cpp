@@ -26,6 +26,7 @@ void DdnNode::carry_out(const executive::TaskEvent& event) {
   if (own_task(event.id.value()) && event.id < executive::kFirstBackgroundId) {
     if (is_terminal(event.state)) {
       own_open_.erase(event.id.value());
+      holds_ = holds_ && !own_open_.empty();
     } else {
       own_open_.insert(event.id.value());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a decision node does by itself once it has lost the ground (spec 1.2).
 #include "testing/bench.hpp"
+#include "testing/deliberating.hpp"
 
 namespace skein::ddn {
 namespace {
@@ -11,6 +12,7 @@ using testing::Bench;
 using ::testing::Contains;
 using testing::dispatch;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using testing::start;
@@ -25,7 +27,7 @@ std::string own(double seconds, int offset = 0) {
 }
 std::uint64_t own_id(double seconds, int offset = 0) { return std::stoull(own(seconds, offset)); }
 
-void take_off(Bench& bench) {
+void in_the_air(Bench& bench) {
   bench.hear_ground(true);
   bench.from_sim(telemetry(true));
 }
@@ -37,7 +39,7 @@ void lose_ground_at(Bench& bench, double seconds) {
 
 TEST(ContactPolicy, ContinueChangesNothing) {
   Bench bench(Bench::with_policy(3, ContactPolicy::kContinue));
-  take_off(bench);
+  in_the_air(bench);
   bench.from_ground(start(1, a_task(2, "goto")));
 
   lose_ground_at(bench, 10);
@@ -47,7 +49,7 @@ TEST(ContactPolicy, ContinueChangesNothing) {
 
 TEST(ContactPolicy, HoldWaitsInsteadOfWhatFliesOnceTheDelayIsOver) {
   Bench bench(Bench::with_policy(3, ContactPolicy::kHold));
-  take_off(bench);
+  in_the_air(bench);
   bench.from_ground(start(1, a_task(2, "goto")));
   bench.from_sim(status(2, TaskState::kRunning));
   lose_ground_at(bench, 10);
@@ -61,7 +63,7 @@ TEST(ContactPolicy, HoldWaitsInsteadOfWhatFliesOnceTheDelayIsOver) {
 
 TEST(ContactPolicy, GivesUpWhatIsPlanned) {
   Bench bench(Bench::with_policy(3, ContactPolicy::kHold));
-  take_off(bench);
+  in_the_air(bench);
   bench.from_ground(start(1, a_task(2, "goto"), InsertionMode::kVut));
   bench.from_ground(start(2, a_task(3, "goto"), InsertionMode::kDep));
   bench.from_ground(start(3, a_task(4, "land"), InsertionMode::kNut));
@@ -76,7 +78,7 @@ TEST(ContactPolicy, GivesUpWhatIsPlanned) {
 
 TEST(ContactPolicy, ReturnFliesHomeAndLands) {
   Bench bench(Bench::with_policy(3, ContactPolicy::kReturn));
-  take_off(bench);
+  in_the_air(bench);
   lose_ground_at(bench, 10);
 
   EXPECT_THAT(bench.wake_at(40), Contains("sim: dispatch " + own(40) + " goto"));
@@ -90,7 +92,7 @@ TEST(ContactPolicy, ReturnFliesHomeAndLands) {
 // The way home is barred, but it must still come down.
 TEST(ContactPolicy, ReturnLandsWhereItIsWhenTheWayHomeFails) {
   Bench bench(Bench::with_policy(3, ContactPolicy::kReturn));
-  take_off(bench);
+  in_the_air(bench);
   lose_ground_at(bench, 10);
   bench.wake_at(40);
 
@@ -100,7 +102,7 @@ TEST(ContactPolicy, ReturnLandsWhereItIsWhenTheWayHomeFails) {
 
 TEST(ContactPolicy, IsNotCarriedOutWhenTheGroundIsBackBeforeTheDelay) {
   Bench bench(Bench::with_policy(3, ContactPolicy::kHold));
-  take_off(bench);
+  in_the_air(bench);
   bench.from_ground(start(1, a_task(2, "goto")));
   lose_ground_at(bench, 10);
   bench.set_time(39);
@@ -112,7 +114,7 @@ TEST(ContactPolicy, IsNotCarriedOutWhenTheGroundIsBackBeforeTheDelay) {
 
 TEST(ContactPolicy, LeavesWhatWasBegunWhenTheGroundIsBackAfterIt) {
   Bench bench(Bench::with_policy(3, ContactPolicy::kReturn));
-  take_off(bench);
+  in_the_air(bench);
   lose_ground_at(bench, 10);
   bench.wake_at(40);
   bench.set_time(50);
@@ -122,7 +124,7 @@ TEST(ContactPolicy, LeavesWhatWasBegunWhenTheGroundIsBackAfterIt) {
 
 TEST(ContactPolicy, LosingAnotherUavIsNotLosingTheGround) {
   Bench bench(Bench::with_policy(3, ContactPolicy::kHold));
-  take_off(bench);
+  in_the_air(bench);
   bench.set_time(10);
   bench.hear(bench.heliv(), false);
 
@@ -140,7 +142,7 @@ TEST(ContactPolicy, OnTheGroundIsLoggedAndNeedsNothing) {
 
 TEST(ContactPolicy, UsesNewIdsAtTheNextLoss) {
   Bench bench(Bench::with_policy(3, ContactPolicy::kHold));
-  take_off(bench);
+  in_the_air(bench);
   lose_ground_at(bench, 10);
   bench.wake_at(40);
   bench.from_sim(status(own_id(40), TaskState::kRunning));
@@ -152,17 +154,38 @@ TEST(ContactPolicy, UsesNewIdsAtTheNextLoss) {
               Contains("sim: dispatch " + own(90) + " wait"));
 }
 
+TEST(ContactPolicy, AHoldEndsWhenTheEnergyLastsNoLongerThanToComeHome) {
+  const DdnConfig config = testing::deliberating(3, ContactPolicy::kHold);
+  Bench bench(config);
+  const double reserve = config.knowledge->vehicle.energy.reserve;
+  const auto flying_with = [](double energy) {
+    wire::Telemetry sample = telemetry(true);
+    sample.energy = energy;
+    return sample;
+  };
+  bench.hear_ground(true);
+  bench.from_sim(flying_with(1));
+  lose_ground_at(bench, 10);
+  bench.wake_at(40);
+  bench.set_time(500);
+
+  EXPECT_THAT(bench.from_sim(flying_with(reserve + 0.05)), Not(Contains(HasSubstr("dispatch"))));
+  EXPECT_THAT(bench.from_sim(flying_with(reserve + 0.015)), Contains("sim: interrupt " + own(40)));
+  EXPECT_THAT(bench.from_sim(status(own_id(40), TaskState::kAborted)),
+              Contains("sim: dispatch " + own(500) + " goto"));
+}
+
 // The functional layer remembers ids for the whole mission, a restarted node does not.
 TEST(ContactPolicy, UsesNewIdsAfterARestart) {
   const DdnConfig config = Bench::with_policy(3, ContactPolicy::kHold);
   Bench before(config);
-  take_off(before);
+  in_the_air(before);
   lose_ground_at(before, 10);
   const auto first = before.wake_at(40);
 
   Bench after(config);
   after.give(node::Started{2});
-  take_off(after);
+  in_the_air(after);
   lose_ground_at(after, 110);
   const auto second = after.wake_at(140);
 
@@ -174,7 +197,7 @@ TEST(ContactPolicy, UsesNewIdsAfterARestart) {
 
 TEST(ContactPolicyAtDegree1, InterruptsTheGroundsTasksAndBeginsOnceTheyAreOver) {
   Bench bench(Bench::with_policy(1, ContactPolicy::kHold));
-  take_off(bench);
+  in_the_air(bench);
   bench.from_ground(dispatch(4, "goto"));
   bench.from_ground(dispatch(5, "takeshot"));
   bench.from_sim(status(4, TaskState::kRunning));
@@ -191,7 +214,7 @@ TEST(ContactPolicyAtDegree1, InterruptsTheGroundsTasksAndBeginsOnceTheyAreOver) 
 
 TEST(ContactPolicyAtDegree1, BeginsAtOnceWhenNothingIsUnderWay) {
   Bench bench(Bench::with_policy(1, ContactPolicy::kReturn));
-  take_off(bench);
+  in_the_air(bench);
   bench.from_ground(dispatch(4, "goto"));
   bench.from_sim(status(4, TaskState::kEnded));
   lose_ground_at(bench, 10);
@@ -201,7 +224,7 @@ TEST(ContactPolicyAtDegree1, BeginsAtOnceWhenNothingIsUnderWay) {
 
 TEST(ContactPolicyAtDegree1, KeepsItsOwnStatusesFromTheGroundsPlan) {
   Bench bench(Bench::with_policy(1, ContactPolicy::kHold));
-  take_off(bench);
+  in_the_air(bench);
   lose_ground_at(bench, 10);
   bench.wake_at(40);
 
@@ -212,7 +235,7 @@ TEST(ContactPolicyAtDegree1, KeepsItsOwnStatusesFromTheGroundsPlan) {
 
 TEST(ContactPolicyAtDegree1, AContactRegainedBeforeTheDelayLeavesTheGroundsTasksAlone) {
   Bench bench(Bench::with_policy(1, ContactPolicy::kHold));
-  take_off(bench);
+  in_the_air(bench);
   bench.from_ground(dispatch(4, "goto"));
   lose_ground_at(bench, 10);
   bench.set_time(20);
@@ -226,7 +249,7 @@ TEST(ContactPolicyAtDegree1, AContactRegainedBeforeTheDelayLeavesTheGroundsTasks
 // is told of everything.
 TEST(ContactPolicyAtDegree1, AContactRegainedAmidTheInterruptionIsToldOfTheEnd) {
   Bench bench(Bench::with_policy(1, ContactPolicy::kHold));
-  take_off(bench);
+  in_the_air(bench);
   bench.from_ground(dispatch(4, "goto"));
   bench.from_sim(status(4, TaskState::kRunning));
   lose_ground_at(bench, 10);

@@ -116,7 +116,7 @@ Read<mission::UnitMission> mission_of(const wire::MissionRequest& request) {
   result.id = mission::MissionId(request.unit_mission);
   result.placement = static_cast<mission::Placement>(request.placement);
   result.interrupt = request.interrupt;
-  result.any = request.any;
+  result.any = request.achieve_any;
   result.asked_by = request.asked_by;
   for (std::size_t i = 0; i < request.tasks.size(); ++i) {
     auto task = task_of(request.tasks[i], at("tasks", i));
@@ -149,7 +149,7 @@ wire::MissionRequest to_wire(const mission::UnitMission& mission) {
   result.unit_mission = mission.id.value();
   result.placement = static_cast<wire::MissionPlacement>(mission.placement);
   result.interrupt = mission.interrupt;
-  result.any = mission.any;
+  result.achieve_any = mission.any;
   result.asked_by = mission.asked_by;
   for (const mission::HighLevelTask& task : mission.tasks) result.tasks.push_back(to_wire(task));
   return result;

@@ -244,9 +244,9 @@ void GroundControl::route_local(const LocalInput& cause, const executive::Effect
           [&](const executive::TaskEvent& it) {
             if (!monitoring_.has_told(uav, it.id, it.state)) {
               const auto task = local(uav).executive.find(it.id);
-              out.emplace_back(
-                  LocalTaskEvent{uav, it, task ? task->parameters : executive::Parameters(),
-                                 is_functional(it.type)});
+              out.emplace_back(LocalTaskEvent{uav, it,
+                                              task ? task->parameters : executive::Parameters(),
+                                              is_functional(it.type)});
             }
             errands_.emplace_back(Monitoring::Input(
                 TaskEventReceived{uav, it.id, it.type, it.state, it.reason, true}));

@@ -80,7 +80,7 @@ TEST(Monitoring, EveryRequestHasItsWords) {
       {executive::ProcessMessage{"go"}, "PROCESS-MSG go"},
       {executive::UpdateConditions{id(4), {}, {}}, "UPDATE-COND 4"},
       {executive::Suppress{id(5)}, "SUPPRESS 5"},
-      {mission::UnitMission{mission::MissionId(2), {{}, {}, {}}, {}, false, ""},
+      {mission::UnitMission{mission::MissionId(2), {{}, {}, {}}, {}, false, false, ""},
        "MISSION 2 (3 tasks)"},
       {mission::CancelGoals{{mission::GoalId(701), mission::GoalId(702)}, {}, true},
        "CANCEL 701 702"},

@@ -8,6 +8,7 @@
 #include "crossing.hpp"
 #include "flight_times.hpp"
 #include "landing_place.hpp"
+#include "skein/supervisor/way_home.hpp"
 #include "skein/world/way_energy.hpp"
 
 namespace skein::supervisor {
@@ -101,6 +102,13 @@ double Retreat::energy(const Vector3& from, const Vector3& to) const {
 std::optional<Vector3> Retreat::instead_of_home(const Vector3& from, double left) const {
   if (home(from) <= left) return std::nullopt;
   return landing_place(knowledge_, world_, now_, from, from);
+}
+
+double least_to_come_home(const Knowledge& knowledge, const world::World& world, MissionTime now,
+                          const Vector3& from) {
+  if (knowledge.vehicle.energy.capacity <= 0) return 0;
+  return Retreat(knowledge, world, now).home(from) + kSpareEnergy +
+         knowledge.vehicle.energy.reserve;
 }
 
 std::string percent(double fraction) {

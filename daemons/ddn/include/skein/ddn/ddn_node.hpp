@@ -173,6 +173,7 @@ class DdnNode final : public node::Node {
   // contact_policy.cpp: what it does by itself
   void carry_out_contact_policy();
   void keep_safe(ContactPolicy how);
+  void come_home_in_time(const wire::Telemetry& telemetry);
   void start_safe_tasks();
   void start_own(const std::string& type, executive::Parameters parameters,
                  executive::InsertionMode mode);
@@ -190,6 +191,7 @@ class DdnNode final : public node::Node {
   std::set<std::uint64_t> own_open_;                 ///< own tasks that are not terminal
   std::vector<wire::FunctionalRequest> waiting_;     ///< for own tasks to be over
   std::optional<ContactPolicy> safe_tasks_pending_;  ///< until nothing of the ground's is under way
+  bool holds_ = false;  ///< by itself, as long as the energy lasts to come home after it
   std::uint64_t next_own_task_ = kFirstOwnTask;
   /// Received: the last of each synchronisation and sender.
   std::map<std::pair<std::uint64_t, std::string>, wire::SyncMessage> syncs_;

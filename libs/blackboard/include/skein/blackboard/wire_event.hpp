@@ -147,14 +147,15 @@ struct MissionRequest {
   std::uint64_t unit_mission = 0;  ///< cancel: 0: not by mission
   MissionPlacement placement = MissionPlacement::kBest;
   bool interrupt = false;  ///< what is under way is interrupted
-  bool any = false;        ///< what of it cannot be planned is left out; else it is all or nothing
+  bool achieve_any =
+      false;  ///< what of it cannot be planned is left out; else it is all or nothing
   std::string asked_by;
   std::vector<MissionTask> tasks;    ///< in the order wanted; cancel: none
   std::vector<std::uint64_t> goals;  ///< cancel only; none, and no mission: all
   bool operator==(const MissionRequest&) const = default;
 };
-SKEIN_WIRE_FIELDS(MissionRequest, header, command, cancel, unit_mission, placement, interrupt, any,
-                  asked_by, tasks, goals)
+SKEIN_WIRE_FIELDS(MissionRequest, header, command, cancel, unit_mission, placement, interrupt,
+                  achieve_any, asked_by, tasks, goals)
 
 /// The degree of autonomy that a UAV is to have from now on. Source: spec 1.2.
 struct DegreeCommand {

@@ -297,7 +297,7 @@ struct LocalTaskEvent {
   std::string uav;
   executive::TaskEvent event;
   executive::Parameters parameters;  ///< of the task
-  bool functional = true;            ///< its functional layer carries it out, so that the UAV sees it
+  bool functional = true;  ///< its functional layer carries it out, so that the UAV sees it
 };
 /// An MLE at the ground answered a request; for the journal.
 struct LocalRequestAnswered {
