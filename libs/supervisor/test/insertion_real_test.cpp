@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "retreat.hpp"
 #include "skein/foundation/random.hpp"
 #include "skein/supervisor/repair.hpp"
-#include "retreat.hpp"
 #include "testing/planning_lab.hpp"
 
 namespace skein::supervisor::testing {
@@ -119,8 +119,7 @@ TEST(RepairOnRealGround, ShortOfEnergyTheFarthestIsLeftOutAndItStillLands) {
   all.tasks = goals;
   const auto plan = plan_tasks(all);
   ASSERT_TRUE(plan);
-  lab.situation.energy =
-      lab.knowledge.vehicle.energy.reserve + kSpareEnergy + 0.9 * plan->energy;
+  lab.situation.energy = lab.knowledge.vehicle.energy.reserve + kSpareEnergy + 0.9 * plan->energy;
   RepairRequest request;
   request.base = lab.request();
   request.remaining = goals;
