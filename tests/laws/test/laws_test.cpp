@@ -260,7 +260,7 @@ TEST(Ends, AGoalForWhichNothingIsDoneAnyMoreShouldHaveEnded) {
       .goal("marvin", 701, "perceive P1 60", "under-way", 2);
   story.does("marvin", {100, "goto", 701, 5, 60});
   Story working = story;
-  working.does("marvin", {101, "takeshot", 701, 61, 400, "ended", "visible"});
+  working.does("marvin", {101, "perceive", 701, 61, 400, "ended", "visible"});
 
   EXPECT_THAT(story.broken("ends"), ElementsAre(HasSubstr("is under-way at the end")));
   EXPECT_THAT(working.broken("ends"), IsEmpty());
