@@ -159,6 +159,7 @@ void DdnNode::take(const wire::Telemetry& telemetry) {
   }
   send_to_ground(telemetry);
   tell(supervisor::VehicleSeen{from_wire(telemetry), telemetry.failed});
+  come_home_in_time(telemetry);
 }
 
 void DdnNode::take(const wire::PerceptionReport& report) { send_to_ground(report); }

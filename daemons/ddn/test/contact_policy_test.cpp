@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a decision node does by itself once it has lost the ground (spec 1.2).
+#include "skein/supervisor/way_home.hpp"
 #include "testing/bench.hpp"
 #include "testing/deliberating.hpp"
 
@@ -157,7 +158,8 @@ TEST(ContactPolicy, UsesNewIdsAtTheNextLoss) {
 TEST(ContactPolicy, AHoldEndsWhenTheEnergyLastsNoLongerThanToComeHome) {
   const DdnConfig config = testing::deliberating(3, ContactPolicy::kHold);
   Bench bench(config);
-  const double reserve = config.knowledge->vehicle.energy.reserve;
+  const double needed =
+      supervisor::least_to_come_home(*config.knowledge, *config.world, testing::at(500), {0, 0, 0});
   const auto flying_with = [](double energy) {
     wire::Telemetry sample = telemetry(true);
     sample.energy = energy;
@@ -169,8 +171,8 @@ TEST(ContactPolicy, AHoldEndsWhenTheEnergyLastsNoLongerThanToComeHome) {
   bench.wake_at(40);
   bench.set_time(500);
 
-  EXPECT_THAT(bench.from_sim(flying_with(reserve + 0.05)), Not(Contains(HasSubstr("dispatch"))));
-  EXPECT_THAT(bench.from_sim(flying_with(reserve + 0.015)), Contains("sim: interrupt " + own(40)));
+  EXPECT_THAT(bench.from_sim(flying_with(needed + 0.01)), Not(Contains(HasSubstr("dispatch"))));
+  EXPECT_THAT(bench.from_sim(flying_with(needed - 0.01)), Contains("sim: interrupt " + own(40)));
   EXPECT_THAT(bench.from_sim(status(own_id(40), TaskState::kAborted)),
               Contains("sim: dispatch " + own(500) + " goto"));
 }

@@ -164,7 +164,7 @@ TEST(ToText, IsOneLineWithWhoAndWhat) {
   message.said = 5;
 
   EXPECT_EQ(to_text(message),
-            R"(SyncMessage 3>1 #17 id=551 from="marvin" to="heliv" word=withdrawn said=5)");
+            R"(SyncMessage 3>1 #17 id=551 from="marvin" to="heliv" word="withdrawn" said=5)");
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(MastnClaims, SavingIsJudgedAtFourExternalArcs) {
   std::vector<ExperimentRow> rows = good_rows();
 
-  rows[5].full_checks = 5000 * 39;
+  rows[5].full_checks = 5000 * 35;
 
   EXPECT_EQ(rows[5].shape.external, 4U);
   EXPECT_FALSE(holds(rows, "40 and 80 times fewer"));
