@@ -57,7 +57,7 @@ void DdnNode::come_home_in_time(const wire::Telemetry& telemetry) {
   if (!holds_ || !airborne_ || !config_.knowledge) return;
   const double needed = supervisor::least_to_come_home(*config_.knowledge, *config_.world, now_,
                                                        translation::from_wire(telemetry).position);
-  if (telemetry.energy > needed) return;
+  if (!(telemetry.energy <= needed)) return;  // of a vehicle without figures nothing is known
   log(record("contact")
           .with("uav", config_.uav)
           .with("policy", "return")
