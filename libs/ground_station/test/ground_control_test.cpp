@@ -7,6 +7,7 @@
 
 #include "skein/foundation/random.hpp"
 #include "testing/builders.hpp"
+#include "testing/one_ground.hpp"
 #include "testing/team.hpp"
 
 namespace skein::ground_station {
@@ -18,10 +19,11 @@ using testing::a_step;
 using testing::a_task;
 using testing::abort_of;
 using testing::at;
+using testing::command;
 using ::testing::Contains;
+using testing::control;
 using ::testing::ElementsAre;
 using testing::first;
-using testing::flat_terrain;
 using ::testing::HasSubstr;
 using testing::id;
 using testing::in_state;
@@ -201,17 +203,6 @@ TEST(GroundControl, TheSameRunTwiceIsTheSame) {
 }
 
 // ---- each rule by itself ----
-
-GroundControl control(std::vector<GroundUav> uavs, Script script = {}) {
-  GroundConfig config;
-  config.uavs = std::move(uavs);
-  config.script = std::move(script);
-  return {config, flat_terrain()};
-}
-
-OperatorCommand command(Request request, const std::string& uav = "marvin") {
-  return {uav, std::move(request), Duration::seconds(60)};
-}
 
 FunctionalStatusReceived status(std::uint64_t task, TaskState state) {
   return {"marvin", {id(task), state, ""}};

@@ -3,29 +3,20 @@
 #include "skein/ground_station/ground_control.hpp"
 
 #include "testing/builders.hpp"
+#include "testing/one_ground.hpp"
 
 namespace skein::ground_station {
 namespace {
 
 using testing::abort_of;
 using testing::at;
+using testing::command;
+using testing::control;
 using testing::first;
-using testing::flat_terrain;
 using ::testing::IsEmpty;
 using testing::only;
 using ::testing::SizeIs;
 using Effects = std::vector<GroundControl::Effect>;
-
-GroundControl control(std::vector<GroundUav> uavs, Script script = {}) {
-  GroundConfig config;
-  config.uavs = std::move(uavs);
-  config.script = std::move(script);
-  return {config, flat_terrain()};
-}
-
-OperatorCommand command(Request request, const std::string& uav = "marvin") {
-  return {uav, std::move(request), Duration::seconds(60)};
-}
 
 TEST(GroundSynchronisation, SynchronisationMessagesGoWhereTheReceiversMleIs) {
   GroundControl ground = control({{"karma", 1, {}}, {"heliv", 2, {}}, {"marvin", 3, {}}});
