@@ -11,7 +11,7 @@ class App;
 namespace skein::run_tool {
 struct RunOptions;
 struct ReportOptions;
-}
+}  // namespace skein::run_tool
 namespace skein::refine_tool {
 struct RefineOptions;
 }

@@ -10,6 +10,7 @@
 #include "closed_air.hpp"
 #include "refinery.hpp"
 #include "skein/foundation/random.hpp"
+#include "test_cases.hpp"
 #include "testing/planning_lab.hpp"
 #include "testing/range.hpp"
 
@@ -24,8 +25,6 @@ using world::Vector2;
 using world::Vector3;
 
 constexpr double kTrackStep = 0.1;  // [s] of the range
-
-bool is_long() { return std::getenv("SKEIN_LONG") != nullptr; }
 
 world::World windy(Random& random) {
   world::World world = world_of("scenarios/domains/seeds.yaml");
@@ -100,7 +99,7 @@ double seen_part(const world::Zone& zone, const std::vector<Vector3>& track, dou
 TEST(FlownSweeps, SeeTheWholeZone) {
   const auto karma = vehicle_of("scenarios/comets/models/karma.yaml");
   int swept = 0;
-  for (std::uint64_t seed = 1; seed <= (is_long() ? 300U : 12U); ++seed) {
+  for (std::uint64_t seed = 1; seed <= skein::testing::cases(12U, 300U); ++seed) {
     Random random(seed, "sweeps");
     const world::World world = windy(random);
     const world::Zone zone = a_zone(random, 60, 260);
@@ -136,7 +135,7 @@ TEST(FlownSweeps, SeeTheWholeZone) {
 TEST(FlownPatrols, HaveTheZoneInSightForTheirTime) {
   for (const char* name : {"marvin", "heliv", "karma"}) {
     const auto model = vehicle_of(std::string("scenarios/comets/models/") + name + ".yaml");
-    for (std::uint64_t seed = 1; seed <= (is_long() ? 150U : 8U); ++seed) {
+    for (std::uint64_t seed = 1; seed <= skein::testing::cases(8U, 150U); ++seed) {
       const std::string which = std::string(name) + " seed " + std::to_string(seed);
       Random random(seed, "patrols");
       const world::World world = windy(random);
@@ -193,7 +192,7 @@ TEST(FlownWaits, BesideClosedAirStayOutsideIt) {
   int flown = 0;
   for (const char* name : {"karma", "heliv"}) {
     const auto model = vehicle_of(std::string("scenarios/comets/models/") + name + ".yaml");
-    for (std::uint64_t seed = 1; seed <= (is_long() ? 200U : 10U); ++seed) {
+    for (std::uint64_t seed = 1; seed <= skein::testing::cases(10U, 200U); ++seed) {
       const std::string which = std::string(name) + " seed " + std::to_string(seed);
       Random random(seed, "waits");
       world::World world = windy(random);

@@ -8,6 +8,7 @@
 
 #include "refinery.hpp"
 #include "skein/foundation/random.hpp"
+#include "test_cases.hpp"
 #include "testing/planning_lab.hpp"
 #include "testing/range.hpp"
 
@@ -61,13 +62,13 @@ void expect_within(const world::World& world, const world::VehicleModel& model, 
 
 TEST(FlownTimes, HelicoptersFlyWithinThemInWind) {
   for (const char* name : {"marvin", "heliv"})
-    for (std::uint64_t seed = 1; seed <= (std::getenv("SKEIN_LONG") ? 300U : 3U); ++seed)
+    for (std::uint64_t seed = 1; seed <= skein::testing::cases(3U, 300U); ++seed)
       expect_within(windy(2, 0.5),
                     vehicle_of(std::string("scenarios/comets/models/") + name + ".yaml"), seed, 8);
 }
 
 TEST(FlownTimes, TheBlimpFliesWithinThemInWind) {
-  for (std::uint64_t seed = 1; seed <= (std::getenv("SKEIN_LONG") ? 300U : 6U); ++seed)
+  for (std::uint64_t seed = 1; seed <= skein::testing::cases(6U, 300U); ++seed)
     expect_within(windy(2, 0.5), vehicle_of("scenarios/comets/models/karma.yaml"), seed, 8);
 }
 
@@ -165,7 +166,7 @@ TEST(FlownTimes, HoldRandomWaysInRandomWindsAndAreNarrow) {
   for (const auto& [name, narrow] : {std::pair{"marvin", 1.2}, {"heliv", 1.5}, {"karma", 1.9}}) {
     const auto model = vehicle_of(std::string("scenarios/comets/models/") + name + ".yaml");
     Statistics all;
-    for (std::uint64_t seed = 1; seed <= (std::getenv("SKEIN_LONG") ? 400U : 15U); ++seed)
+    for (std::uint64_t seed = 1; seed <= skein::testing::cases(15U, 400U); ++seed)
       fly_random_ways(model, seed, all);
 
     EXPECT_LE(all.outside, 1 + all.flights / 1000) << name;

@@ -149,8 +149,8 @@ struct CompiledDomain {
   Lisp lisp;
   std::deque<Goal> goals;  // grows during a search, by goals met as values
   std::deque<Condition> conditions;
-  std::vector<Term> fluents;         // functions with numbers as values: facts (= (name …) value)
-  std::deque<Document> made_texts;   // of terms that stand for others: see fluents.cpp
+  std::vector<Term> fluents;        // functions with numbers as values: facts (= (name …) value)
+  std::deque<Document> made_texts;  // of terms that stand for others: see fluents.cpp
   std::unordered_map<Term, Operator> operators;
   std::unordered_map<Term, std::vector<Method>> methods;
   std::unordered_map<Term, std::vector<Axiom>> axioms;
@@ -161,7 +161,8 @@ struct CompiledDomain {
 /// Axioms of the goal's predicate; for goals made after the domain was compiled too.
 inline void link_axioms(CompiledDomain& domain, Goal& goal) {
   const auto axioms = domain.axioms.find(goal.predicate);
-  if (goal.kind == GoalKind::kAtom && !goal.facts_only && axioms != domain.axioms.end()) goal.axioms = &axioms->second;
+  if (goal.kind == GoalKind::kAtom && !goal.facts_only && axioms != domain.axioms.end())
+    goal.axioms = &axioms->second;
 }
 
 /// Primitive tasks: names that begin with `!`; internal ones with `!!`.

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 
 #include "skein/foundation/random.hpp"
 #include "skein/refiners/flyable.hpp"
 #include "skein/refiners/patrol.hpp"
+#include "test_cases.hpp"
 #include "testing/builders.hpp"
 
 namespace skein::refiners {
@@ -70,7 +70,7 @@ void expect_outside(const Way& way, const std::vector<world::Volume>& volumes,
 
 TEST(PatrolBesideClosedAir, IsFlownOutsideItAllItsTimeOrRefused) {
   int answered = 0, turning = 0;
-  const std::uint64_t cases = std::getenv("SKEIN_LONG") != nullptr ? 400 : 60;
+  const std::uint64_t cases = skein::testing::cases(60U, 400U);
   for (std::uint64_t seed = 1; seed <= cases; ++seed) {
     const Case one = a_case(seed);
     const std::string which = "seed " + std::to_string(seed);

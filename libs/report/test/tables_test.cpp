@@ -185,7 +185,8 @@ TEST(PageData, TracksAreInMapPixelsAndThinned) {
   const Statistics figures = measure(story, j);
   const MapFrame frame = frame_map(info, story);
 
-  const auto data = nlohmann::json::parse(page_data({info, j, story, figures, tell_deliberation(j)}, frame));
+  const auto data =
+      nlohmann::json::parse(page_data({info, j, story, figures, tell_deliberation(j)}, frame));
 
   const auto& track = data.at("uavs").at(0);
   EXPECT_LE(track.at("t").size(), 30'001U);
@@ -203,8 +204,8 @@ TEST(PageData, TasksThatNeverBeganAreLeftOut) {
   const Chronology story = tell(info, j);
   const Statistics figures = measure(story, j);
 
-  const auto data =
-      nlohmann::json::parse(page_data({info, j, story, figures, tell_deliberation(j)}, frame_map(info, story)));
+  const auto data = nlohmann::json::parse(
+      page_data({info, j, story, figures, tell_deliberation(j)}, frame_map(info, story)));
 
   EXPECT_EQ(data.at("tasks"), nlohmann::json::parse(R"([[0, 3.0, 8.0, "2 goto"]])"));
 }

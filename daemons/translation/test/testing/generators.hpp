@@ -168,7 +168,8 @@ inline mission::HighLevelTask any_high_level_task() {
 }
 
 inline mission::UnitMission any_unit_mission() {
-  return {mission::MissionId(any_positive()), some(any_high_level_task),
+  return {mission::MissionId(any_positive()),
+          some(any_high_level_task),
           static_cast<mission::Placement>(*rc::gen::inRange(0, 5)),
           any_truth(),
           any_truth(),

@@ -6,9 +6,9 @@
 
 namespace skein::supervisor {
 
-/// To fly home from a place in the air against the wind as believed, and land there, with what every
-/// plan leaves for the unforeseen and with the reserve. Fraction of what is held when full; 0 for a
-/// vehicle whose model has no capacity. Cost: O(terrain cells on the way + volumes).
+/// To fly home from a place in the air against the wind as believed, and land there, with what
+/// every plan leaves for the unforeseen and with the reserve. Fraction of what is held when full; 0
+/// for a vehicle whose model has no capacity. Cost: O(terrain cells on the way + volumes).
 double least_to_come_home(const Knowledge& knowledge, const world::World& world, MissionTime now,
                           const world::Vector3& from);
 
