@@ -41,8 +41,9 @@ bool Book::has_in_hand(GoalId goal) const {
 }
 
 bool Book::is_given(GoalId goal) const {
-  const auto all = of(goal);
-  return std::any_of(all.begin(), all.end(), [](const Entry* one) { return one->given; });
+  return std::any_of(tasks.begin(), tasks.end(), [goal](const auto& one) {
+    return one.second.task.origin == goal && one.second.live() && one.second.given;
+  });
 }
 
 bool Book::has_lost(GoalId goal) const {
@@ -51,7 +52,15 @@ bool Book::has_lost(GoalId goal) const {
                      [](const Entry* one) { return one->over() && !one->done; });
 }
 
-bool Book::is_planned(GoalId goal) const { return !of(goal).empty() && !is_given(goal); }
+bool Book::is_planned(GoalId goal) const {
+  bool any = false;
+  for (const auto& [id, entry] : tasks) {
+    if (entry.task.origin != goal || !entry.live()) continue;
+    if (entry.given) return false;
+    any = true;
+  }
+  return any;
+}
 
 std::vector<TaskId> Book::in_hand() const {
   std::vector<TaskId> result;

@@ -157,6 +157,8 @@ class Supervisor::Core {
   Retreat retreat() const { return {*config_.knowledge, *world_, now_}; }
   Whereabouts end_of(const std::vector<mission::ElementaryTask>& tasks) const;
   double energy_to_come(const Entry& entry) const;
+  double energy_to_come(const Entry& entry, const Retreat& retreat) const;
+  double energy_wanted(const Retreat& retreat) const;
   double energy_in_hand() const;
   double energy_above_reserve() const;
   void check_energy();

@@ -19,6 +19,8 @@ namespace {
 using world::Vector3;
 
 constexpr double kUnforeseen = 1.1;
+constexpr double kGathering = 60;  // [s]
+constexpr double kCircles = 3;
 constexpr double kLeastClearance = 5;  // [m] over hills on the way
 constexpr double kClimbShare = 0.8;    // of its rates, as ways are made with
 
@@ -51,9 +53,17 @@ double Retreat::flight(const std::vector<Vector3>& way) const {
   if (vehicle.energy.capacity <= 0 || vehicle.cruise_speed <= 0) return 0;
   const refiners::Flight flight = refiners::estimate_flight(way, vehicle, world_.wind);
   if (flight.duration.expected == Duration::max()) return std::numeric_limits<double>::infinity();
+  const double estimate = flight.duration.expected.to_seconds();
+  if (at_most_) return flight.energy + of_stay(lost_at_most(estimate));
   const double expected = flight_times(way, vehicle, world_.wind).expected;
-  const double lost = std::max(0.0, expected - flight.duration.expected.to_seconds());
-  return flight.energy + of_stay(lost);
+  return flight.energy + of_stay(std::max(0.0, expected - estimate));
+}
+
+/// Beyond what a flight is estimated at: as much again, a minute, and circles.
+double Retreat::lost_at_most(double seconds) const {
+  const world::VehicleModel& vehicle = knowledge_.vehicle;
+  const double circle = 2 * std::numbers::pi * vehicle.orbit_radius / vehicle.cruise_speed;
+  return seconds + kGathering + (vehicle.hovers ? 0 : kCircles * circle);
 }
 
 double Retreat::descent(const Vector3& from) const {

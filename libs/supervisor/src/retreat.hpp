@@ -27,6 +27,13 @@ class Retreat {
  public:
   Retreat(const Knowledge& knowledge, const world::World& world, MissionTime now)
       : knowledge_(knowledge), world_(world), now_(now) {}
+  /// One whose sums are no less than these and cost next to nothing, since nothing is flown in
+  /// thought: for who asks often, and mostly has plenty.
+  Retreat at_most() const {
+    Retreat result = *this;
+    result.at_most_ = true;
+    return result;
+  }
 
   /// From a place in the air, to fly to a place on the ground and land there.
   double energy(const world::Vector3& from, const world::Vector3& to) const;
@@ -44,6 +51,7 @@ class Retreat {
 
  private:
   double of_stay(double seconds) const;
+  double lost_at_most(double seconds) const;
   double detour(const world::Vector3& from, const world::Vector3& to) const;
   double climb(const world::Vector3& from, const world::Vector3& to) const;
   double circling(const world::Vector3& from, const world::Vector3& to) const;
@@ -51,6 +59,7 @@ class Retreat {
   const Knowledge& knowledge_;
   const world::World& world_;
   MissionTime now_;
+  bool at_most_ = false;
 };
 
 /// "12.3 %".

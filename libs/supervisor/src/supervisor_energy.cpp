@@ -24,10 +24,14 @@ double Supervisor::Core::energy_above_reserve() const {
 
 // Of a flight that takes longer than it should, at least what is left of its way.
 double Supervisor::Core::energy_to_come(const Entry& entry) const {
+  return energy_to_come(entry, retreat());
+}
+
+double Supervisor::Core::energy_to_come(const Entry& entry, const Retreat& retreat) const {
   const double expected = entry.task.energy * energy_share(entry, now_);
   const bool flies = entry.task.type == "goto" && !entry.task.way.empty();
   if (!flies || !entry.under_way()) return expected;
-  return std::max(expected, retreat().flight({vehicle_.position, entry.task.way.back()}));
+  return std::max(expected, retreat.flight({vehicle_.position, entry.task.way.back()}));
 }
 
 double Supervisor::Core::energy_in_hand() const {
@@ -38,16 +42,26 @@ double Supervisor::Core::energy_in_hand() const {
   return taken + retreat().after(end_of(book_.standing().tasks));
 }
 
-// Told once; again only after what remains fitted with some room.
+// Of all that is planned, and of the way home after it.
+double Supervisor::Core::energy_wanted(const Retreat& retreat) const {
+  double wanted = 0;
+  for (const auto& [id, entry] : book_.tasks) {
+    if (book_.counts(entry)) wanted += energy_to_come(entry, retreat);
+  }
+  return wanted + retreat.after(end_of(book_.open_tasks()));
+}
+
+// Told once; again only after what remains fitted with some room. It is asked with every state of
+// the vehicle: flights are flown in thought only where a rough sum does not fit already.
 void Supervisor::Core::check_energy() {
   if (repairing()) return;
   come_down_at_once();
-  double wanted = 0;
-  for (const auto& [id, entry] : book_.tasks) {
-    if (book_.counts(entry)) wanted += energy_to_come(entry);
-  }
-  wanted += retreat().after(end_of(book_.open_tasks()));
   const double left = energy_above_reserve() - kSpareEnergy / 2;
+  if (energy_wanted(retreat().at_most()) <= left - kRoom) {
+    energy_told_ = false;
+    return;
+  }
+  const double wanted = energy_wanted(retreat());
   if (wanted <= left - kRoom) energy_told_ = false;
   if (wanted <= std::max(left, 0.0) || energy_told_) return;
   energy_told_ = true;

@@ -134,6 +134,21 @@ TEST(Retreat, CountsTheCirclesInWhichABlimpComesDownOnAShortWay) {
   is_no_less_than_the_landing_planned(lab, {-200, -49, 69});
 }
 
+RC_GTEST_PROP(Retreat, AtMostIsNoLess, ()) {
+  PlanningLab lab = lab_of(*rc::gen::element<std::string>("marvin", "karma", "heliv"));
+  lab.world.wind.toward = 0.1 * *rc::gen::inRange(0, 63);
+  lab.world.wind.speed = 0.1 * *rc::gen::inRange(0, 40);
+  lab.world.wind.gusts = 0.1 * *rc::gen::inRange(0, 9);
+  const auto part = [] { return 1.0 * *rc::gen::inRange(-330, 330); };
+  const Vector3 from(part(), part(), 30.0 + *rc::gen::inRange(0, 60));
+  const Vector3 to(part(), part(), 30.0 + *rc::gen::inRange(0, 60));
+  const Retreat retreat(lab.knowledge, lab.world, {});
+
+  RC_ASSERT(retreat.at_most().home(from) >= retreat.home(from));
+  RC_ASSERT(retreat.at_most().flight({from, to}) >= retreat.flight({from, to}));
+  RC_ASSERT(retreat.at_most().home(from) <= 3 * retreat.home(from) + 0.1);
+}
+
 // ---- where to land ----
 
 TEST(LandingPlace, IsWhereItIsWantedIfThatServes) {
