@@ -20,6 +20,8 @@ std::vector<Violation> mappings_not_done(const History& history);
 // synchronisation.cpp
 std::vector<Violation> synchronisations_apart(const History& history);
 std::vector<Violation> partners_too_near(const History& history);
+/// A partner failed to come to the meeting of a goal: its own goal for it failed.
+bool partner_failed(const History& history, const Uav& uav, const Goal& goal);
 // motion.cpp
 std::vector<Violation> motions_at_once(const History& history);
 std::vector<Violation> motions_under_tasks(const History& history);

@@ -96,15 +96,26 @@ bool equipped(const Uav& uav, const Goal& goal) {
   return !model.sensors.empty() && goal.task.name != "monitoring-with-relay";
 }
 
-// Orders that never come: the wait ends, as it must, when what it may take is spent.
-bool waited_as_long_as_it_may(const Goal& goal) {
-  return goal.task.name == "wait-for-orders" && says(goal.changes.back().why, "waits no longer");
+// Orders, or a partner, that never come: the wait ends, as it must, when what it may take is spent.
+// Whose fault that is, the partner's own goal tells.
+bool waited_as_long_as_it_may(const History& history, const Uav& uav, const Goal& goal) {
+  if (goal.state() != "failed" || !says(goal.changes.back().why, "waits no longer")) return false;
+  return goal.task.name == "wait-for-orders" || partner_failed(history, uav, goal);
+}
+
+// From when on its energy is what such a wait has left.
+double spent_from(const History& history, const Uav& uav) {
+  double from = kNever;
+  for (const auto& [id, goal] : uav.goals) {
+    if (waited_as_long_as_it_may(history, uav, goal)) from = std::min(from, goal.changes.back().at);
+  }
+  return from;
 }
 
 }  // namespace
 
-// In a run in which nothing goes wrong nothing fails, but what has a deadline or no device, and
-// waits for orders that never come.
+// In a run in which nothing goes wrong nothing fails, but what has a deadline or no device, waits
+// for who never comes, and what has no energy left after those.
 std::vector<Violation> feasible_but_failed(const History& history) {
   std::vector<Violation> result;
   if (!is_clean(*history.scenario)) return result;
@@ -116,7 +127,9 @@ std::vector<Violation> feasible_but_failed(const History& history) {
                     [&uav = uav](const auto& one) { return equipped(uav, one.second); });
     if (bounded || !able) continue;
     for (const auto& [id, goal] : uav.goals) {
-      if (goal.state() != "failed" || waited_as_long_as_it_may(goal)) continue;
+      const Change& last = goal.changes.back();
+      const bool spent = last.at >= spent_from(history, uav) && says(last.why, "energy");
+      if (goal.state() != "failed" || spent) continue;
       result.push_back({"", goal.changes.back().at, name, id,
                         mission::to_text(goal.task) + " failed though nothing went wrong: \"" +
                             goal.changes.back().why + "\""});

@@ -72,6 +72,20 @@ bool together(const Uav& uav, const Goal& goal, const Uav& other, double id) {
 
 }  // namespace
 
+bool partner_failed(const History& history, const Uav& uav, const Goal& goal) {
+  const auto meeting = meeting_of(uav, goal.task);
+  if (!meeting) return false;
+  for (const std::string& name : meeting->partners) {
+    const auto partner = history.uavs.find(name);
+    if (name == uav.name() || partner == history.uavs.end()) continue;
+    for (const auto& [id, theirs] : partner->second.goals) {
+      const auto other = meeting_of(partner->second, theirs.task);
+      if (other && other->id == meeting->id && theirs.state() == "failed") return true;
+    }
+  }
+  return false;
+}
+
 std::vector<Violation> synchronisations_apart(const History& history) {
   std::vector<Violation> result;
   for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
@@ -92,13 +106,20 @@ std::vector<Violation> synchronisations_apart(const History& history) {
 
 namespace {
 
-// Goals of one synchronisation that are under way at both.
+// Where it takes place is said by some tasks only: who waits for partners wherever it is, is sent
+// nowhere.
+bool has_place(const mission::HighLevelTask& task) {
+  return task.name == "monitor-until" ||
+         task.name == "general-combined-goto-and-synchro-and-takeshot";
+}
+
+// Goals of one synchronisation, at one place, that are under way at both.
 bool meet_at(const Uav& a, const Uav& b, double at) {
   const auto meetings = [at](const Uav& uav) {
     std::set<double> ids;
     for (const auto& [id, goal] : uav.goals) {
       const auto meeting = meeting_of(uav, goal.task);
-      if (!meeting) continue;
+      if (!meeting || !has_place(goal.task)) continue;
       std::string state;
       for (const Change& change : goal.changes) {
         if (change.at <= at) state = change.state;

@@ -231,11 +231,21 @@ TEST(Synchronised, AMeetingThatWasInterruptedWasOneAllTheSame) {
 }
 
 TEST(PartnersApart, PartnersAreNotSentToOnePoint) {
-  Story story = meeting(290, 309, "ended");
-  story.goal("marvin", 701, "", "under-way", 5).goal("heliv", 701, "", "under-way", 5);
-  story.flies("marvin", 0, 300, kA1, kA1).flies("heliv", 0, 300, {152, 60, 51}, {152, 60, 51});
+  const auto together = [](const std::string& statement) {
+    Story story;
+    for (const char* uav : {"marvin", "heliv"}) {
+      story.goal(uav, 701, statement, "received", 1);
+      story.goal(uav, 701, statement, "under-way", 5);
+    }
+    story.flies("marvin", 0, 300, kA1, kA1).flies("heliv", 0, 300, {152, 60, 51}, {152, 60, 51});
+    return story.broken("partners-apart");
+  };
 
-  EXPECT_THAT(story.broken("partners-apart"), ElementsAre(HasSubstr("within 2.2 m")));
+  EXPECT_THAT(together("general-combined-goto-and-synchro-and-takeshot 500 (heliv marvin) "
+                       "(heliv marvin) A1 60"),
+              ElementsAre(HasSubstr("within 2.2 m")));
+  EXPECT_THAT(together("wait-until-synchro 500 (heliv marvin) (heliv marvin)"), IsEmpty())
+      << "it sends nobody anywhere";
 }
 
 // ---- motion ----
@@ -365,6 +375,23 @@ TEST(Feasible, OrdersThatNeverComeAreNotWaitedForUntilItFalls) {
   EXPECT_THAT(fails("wait-for-orders", "energy short; goal 701 waits no longer"), IsEmpty());
   EXPECT_THAT(fails("wait-for-orders", "no"), SizeIs(1));
   EXPECT_THAT(fails("general-wait 60", "energy short; goal 701 waits no longer"), SizeIs(1));
+}
+
+TEST(Feasible, APartnerWhoseOwnGoalFailedIsNotWaitedForUntilItFalls) {
+  const auto broken = [](const std::string& partner) {
+    const std::string statement = "synchro 500 (heliv marvin) (heliv marvin)";
+    Story story;
+    story.goal("marvin", 701, statement, "received", 1)
+        .goal("marvin", 702, "perceive P1 60", "received", 1);
+    story.goal("heliv", 701, statement + " [end-before 20]", "received", 1);
+    story.goal("heliv", 701, statement + " [end-before 20]", partner, 2, "it must end before 20");
+    story.goal("marvin", 701, statement, "failed", 3000, "energy short; goal 701 waits no longer");
+    story.goal("marvin", 702, "perceive P1 60", "failed", 3000, "needs 9 % of the energy");
+    return story.broken("feasible");
+  };
+
+  EXPECT_THAT(broken("failed"), IsEmpty());
+  EXPECT_THAT(broken("achieved"), SizeIs(2));
 }
 
 // ---- safety ----
