@@ -61,7 +61,8 @@ INSTANTIATE_TEST_SUITE_P(
         "contingencies/air-closes-on-perception", "contingencies/air-closes-on-circle",
         "contingencies/steep-home", "contingencies/closed-for-a-time",
         "contingencies/rung-re-refine", "contingencies/rung-drop", "contingencies/rung-shift",
-        "contingencies/rung-replan", "contingencies/partner-gives-up", "handover/synchronised"),
+        "contingencies/rung-replan", "contingencies/progress-kept", "contingencies/mapping-goes-on",
+        "contingencies/partner-gives-up", "handover/synchronised"),
     name_of);
 
 }  // namespace

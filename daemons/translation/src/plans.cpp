@@ -133,7 +133,8 @@ mission::HeldTask from_wire(const wire::HeldTask& held) {
 wire::GoalEntry to_wire(const mission::GoalStatus& goal) {
   return {goal.id.value(), goal.mission.value(),
           goal.statement,  static_cast<wire::GoalState>(goal.state),
-          goal.why,        goal.asked_by};
+          goal.why,        goal.asked_by,
+          goal.done};
 }
 
 mission::GoalStatus from_wire(const wire::GoalEntry& goal) {
@@ -142,7 +143,8 @@ mission::GoalStatus from_wire(const wire::GoalEntry& goal) {
           goal.statement,
           static_cast<mission::GoalState>(goal.state),
           goal.why,
-          goal.asked_by};
+          goal.asked_by,
+          goal.done};
 }
 
 wire::MissionOutcome to_wire(const std::string& uav, const mission::MissionOutcome& outcome) {

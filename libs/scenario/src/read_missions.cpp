@@ -197,6 +197,38 @@ Action read_open_air(const Reader& reader, TaskContext& context) {
       read_uavs_of(reader.optional("uavs"), context)};
 }
 
+std::optional<world::CellState> read_cells(const Reader& reader) {
+  if (!reader.present()) return std::nullopt;
+  return static_cast<world::CellState>(reader.choice({"quiet", "alarm", "fire"}));
+}
+
+Action read_know_place(const Reader& reader, TaskContext& context) {
+  reader.keys({"name", "at", "radius", "cells", "uavs"});
+  ground_station::TellWorld tell;
+  const Reader radius = reader.optional("radius");
+  tell.change.place = {reader.required("name").text(), world::read_point(reader.required("at")),
+                       radius.present() ? radius.number() : 0,
+                       read_cells(reader.optional("cells"))};
+  for (const std::string& why : mission::problems_of(tell.change)) reader.error(why, "a place");
+  tell.uavs = read_uavs_of(reader.optional("uavs"), context);
+  return tell;
+}
+
+Action read_know_ground(const Reader& reader, TaskContext& context) {
+  reader.keys({"name", "polygon", "risk", "mapped", "cells", "uavs"});
+  ground_station::TellWorld tell;
+  mission::KnownGround ground;
+  ground.name = reader.required("name").text();
+  ground.area = world::read_polygon(reader.required("polygon"));
+  if (const Reader risk = reader.optional("risk"); risk.present()) ground.risk = risk.number();
+  ground.mapped = reader.optional("mapped").boolean(false);
+  ground.cells = read_cells(reader.optional("cells"));
+  tell.change.ground = std::move(ground);
+  for (const std::string& why : mission::problems_of(tell.change)) reader.error(why, "risk, …");
+  tell.uavs = read_uavs_of(reader.optional("uavs"), context);
+  return tell;
+}
+
 template <class AnId>
 AnId referred(const Reader& reader, const std::string& uav, bool is_goal, TaskContext& context) {
   const auto id = read_id<AnId>(reader);
@@ -233,11 +265,12 @@ void check_references(const TaskContext& context) {
 
 const std::vector<MissionAction>& mission_actions() {
   static const std::vector<MissionAction> kActions{
-      {"mission", read_mission},     {"cancel", read_cancel},
-      {"degree", read_degree},       {"take_in_hand", read_take_in_hand},
-      {"give_back", read_give_back}, {"resume_plan", read_resume_plan},
-      {"drop_plan", read_drop_plan}, {"close_air", read_close_air},
-      {"open_air", read_open_air}};
+      {"mission", read_mission},        {"cancel", read_cancel},
+      {"degree", read_degree},          {"take_in_hand", read_take_in_hand},
+      {"give_back", read_give_back},    {"resume_plan", read_resume_plan},
+      {"drop_plan", read_drop_plan},    {"close_air", read_close_air},
+      {"open_air", read_open_air},      {"know_place", read_know_place},
+      {"know_ground", read_know_ground}};
   return kActions;
 }
 

@@ -178,6 +178,10 @@ SKEIN_WRONG_PLANNING(
            "close_air: {name: n, polygon: [[0, 0], [9, 0], [9, 9]], uavs: [krma]}",
            "22:76: ground.script[1].do[0].close_air.uavs[0]: unknown name 'krma'; expected a UAV; "
            "did you mean 'karma'?\n"),
+    action("GroundOfWhichNothingIsSaid",
+           "know_ground: {name: A, polygon: [[0, 0], [9, 0], [9, 9]]}",
+           "22:24: ground.script[1].do[0].know_ground: nothing is said of the ground: risk, mapped "
+           "or cells; expected risk, …\n"),
     action("OpenedThoughNeverClosed", "open_air: {name: towr}",
            "22:30: ground.script[1].do[0].open_air.name: unknown name 'towr'; expected a volume of "
            "closed air; did you mean 'tower'?\n"),

@@ -234,6 +234,21 @@ TEST(PlanningActions, AirIsClosedAndOpened) {
   EXPECT_THAT(open.uavs, IsEmpty());
 }
 
+TEST(PlanningActions, PlacesAndGroundAreTold) {
+  const auto place = action_of<gs::TellWorld>(
+      "know_place: {name: well, at: [1, 2, 3], radius: 4, cells: fire, uavs: [karma]}");
+  const auto ground = action_of<gs::TellWorld>(
+      "know_ground: {name: A, polygon: [[0, 0], [9, 0], [9, 9]], risk: 0.8, mapped: true}");
+
+  EXPECT_EQ(*place.change.place,
+            (mission::KnownPlace{"well", {1, 2, 3}, 4, world::CellState::kFire}));
+  EXPECT_THAT(place.uavs, ElementsAre("karma"));
+  EXPECT_EQ(ground.change.ground->risk, 0.8);
+  EXPECT_TRUE(ground.change.ground->mapped);
+  EXPECT_EQ(ground.change.ground->area.size(), 3U);
+  EXPECT_FALSE(ground.change.ground->cells);
+}
+
 TEST(PlanningTriggers, AreRead) {
   const auto mission =
       std::get<gs::OnMission>(trigger_of("{mission: {uav: karma, id: 1, state: failed}}").what);

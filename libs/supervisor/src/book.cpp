@@ -45,6 +45,12 @@ bool Book::is_given(GoalId goal) const {
   return std::any_of(all.begin(), all.end(), [](const Entry* one) { return one->given; });
 }
 
+bool Book::was_begun(GoalId goal) const {
+  return std::any_of(tasks.begin(), tasks.end(), [&](const auto& one) {
+    return one.second.task.origin == goal && one.second.seen.started.has_value();
+  });
+}
+
 bool Book::has_lost(GoalId goal) const {
   const auto all = of(goal);
   return std::any_of(all.begin(), all.end(),

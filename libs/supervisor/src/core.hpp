@@ -13,6 +13,7 @@
 #include "plan_network.hpp"
 #include "retreat.hpp"
 #include "skein/supervisor/supervisor.hpp"
+#include "wind_estimator.hpp"
 
 namespace skein::supervisor {
 
@@ -86,6 +87,10 @@ class Supervisor::Core {
   void drop_cancelled_missions();
   void set_volume(const mission::ChangeWorld& change);
 
+  // supervisor_world.cpp: places and ground
+  void learn(const mission::ChangeWorld& change);
+  void look_elsewhere(const std::string& place, bool far, const std::string& cause);
+  void feel_wind();
   // supervisor_air.cpp
   void check_air(const std::string& cause);
   void watch_air();
@@ -113,6 +118,8 @@ class Supervisor::Core {
   void on(const RequestAnswered& input);
   void on(const VehicleSeen& input);
   void on(const Tick&) {}
+  void follow_ways(const world::Vector3& position);
+  void tell_progress(GoalId id);
   void see_flight(const executive::TaskEvent& event);
   void see_loose(const executive::TaskEvent& event);
   void see(Entry& entry, const executive::TaskEvent& event);
@@ -259,6 +266,7 @@ class Supervisor::Core {
   std::vector<TaskId> end_waits_;  ///< by what is being given
 
   world::VehicleState vehicle_;
+  WindEstimator wind_;
   std::set<std::string> broken_;
   MissionTime grounded_until_;  ///< a state that says otherwise is older than the landing
   std::optional<MissionTime> wait_again_;  ///< no safe wait before

@@ -80,6 +80,7 @@ void Supervisor::Core::forget_but(const std::set<TaskId>& kept) {
     if (!entry.given || entry.over() || kept.count(id) != 0) continue;
     entry.seen.over = now_;
     entry.seen.aborted = true;
+    entry.lost = true;
   }
   for (auto it = book_.loose.begin(); it != book_.loose.end();) {
     const bool there = kept.count(it->first) != 0;

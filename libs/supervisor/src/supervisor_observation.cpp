@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "flight_times.hpp"
+#include "progress.hpp"
 
 namespace skein::supervisor {
 
@@ -11,6 +13,8 @@ namespace {
 // A state of the vehicle that was on its way while it landed is not believed that it flies.
 constexpr Duration kLandingSettles = Duration::milliseconds(3000);
 constexpr Duration kWaitRetry = Duration::milliseconds(5000);
+constexpr double kReachedMargin =
+    2;  // [m] beyond what a vehicle arrives within, between two states
 
 }  // namespace
 
@@ -61,6 +65,10 @@ void Supervisor::Core::see(Entry& entry, const executive::TaskEvent& event) {
   entry.by_others = entry.by_others || !entry.given;
   entry.given = true;
   entry.state = event.state;
+  if (event.state == TaskState::kRunning && !entry.running) {
+    entry.running = now_;
+    entry.seen_at = vehicle_.position;
+  }
   switch (event.state) {
     case TaskState::kScheduled:
       return;
@@ -96,6 +104,7 @@ void Supervisor::Core::see_started(Entry& entry) {
 void Supervisor::Core::see_ended(Entry& entry) {
   entry.seen.over = now_;
   entry.done = true;
+  tell_progress(entry.task.origin);
   if (!entry.live()) return;
   settle_done(entry);
   if (!engaged_ || ends_by_order(entry.task)) return;
@@ -146,6 +155,7 @@ bool Supervisor::Core::follows_lost_task(const Entry& entry) const {
 void Supervisor::Core::see_aborted(Entry& entry) {
   entry.seen.over = now_;
   entry.seen.aborted = true;
+  tell_progress(entry.task.origin);
   if (!entry.live()) return;
   const bool asked = entry.why == "abort requested" && !entry.stopping;
   const bool stopped = was_stopped_in_time(entry) && !asked;
@@ -186,10 +196,27 @@ void Supervisor::Core::on(const RequestAnswered& input) {
 
 // ---- the vehicle ----
 
+void Supervisor::Core::follow_ways(const world::Vector3& position) {
+  const double reach = arrival_distance(config_.knowledge->vehicle, world_->wind) + kReachedMargin;
+  for (auto& [id, entry] : book_.tasks) {
+    if (!entry.given || entry.over() || !entry.running) continue;
+    const Entry* along = flown_along(book_, entry);
+    if (along == nullptr || along->over() || !along->running) continue;
+    entry.passed = passed_after(along->task.way, entry.passed, vehicle_.position, position, reach);
+  }
+}
+
+void Supervisor::Core::tell_progress(GoalId id) {
+  book_.goals.at(id).done = mission::to_text(progress_of(book_, id, std::nullopt));
+}
+
 void Supervisor::Core::on(const VehicleSeen& input) {
   const bool airborne = input.state.airborne && now_ >= grounded_until_;
+  follow_ways(input.state.position);
   vehicle_ = input.state;
   vehicle_.airborne = airborne;
+  wind_.see(vehicle_, now_);
+  feel_wind();
   std::set<std::string> newly;
   std::set<std::string> broken(input.failed.begin(), input.failed.end());
   std::set_difference(broken.begin(), broken.end(), broken_.begin(), broken_.end(),

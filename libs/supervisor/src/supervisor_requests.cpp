@@ -167,6 +167,7 @@ void Supervisor::Core::set_volume(const mission::ChangeWorld& change) {
 
 void Supervisor::Core::on(const WorldChanged& input) {
   const mission::ChangeWorld& change = input.change;
+  if (change.place || change.ground) return learn(change);
   const auto& volumes = world_->volumes;
   std::vector<std::string> problems;
   if (!change.remove) {

@@ -188,6 +188,7 @@ inline mission::GoalStatus any_goal() {
           static_cast<mission::GoalState>(
               *rc::gen::inRange(0, static_cast<int>(mission::GoalState::kCount))),
           any_text(),
+          any_text(),
           any_text()};
 }
 

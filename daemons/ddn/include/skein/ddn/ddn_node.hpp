@@ -116,6 +116,7 @@ class DdnNode final : public node::Node {
   void take(const wire::TaskRequest& request);
   void take(const wire::MissionRequest& request);
   void take(const wire::WorldChange& change);
+  void take(const wire::Alarm& alarm);
   void take(const wire::FunctionalRequest& request);
   void take(const wire::FunctionalStatus& status);
   void take(const wire::SyncMessage& message);

@@ -162,9 +162,22 @@ struct GoalEntry {
   GoalState state = GoalState::kReceived;
   std::string why;  ///< of failed and cancelled
   std::string asked_by;
+  std::string done;  ///< of it, in words
   bool operator==(const GoalEntry&) const = default;
 };
-SKEIN_WIRE_FIELDS(GoalEntry, id, mission, statement, state, why, asked_by)
+SKEIN_WIRE_FIELDS(GoalEntry, id, mission, statement, state, why, asked_by, done)
+
+/// What a change of the world is about.
+enum class WorldPart : std::uint32_t { kAir, kPlace, kGround, kCount };
+constexpr auto names_of(WorldPart) {
+  return std::to_array<std::string_view>({"air", "place", "ground"});
+}
+
+/// What is known of cells of the ground from now on.
+enum class CellChange : std::uint32_t { kAsBefore, kQuiet, kAlarm, kFire, kCount };
+constexpr auto names_of(CellChange) {
+  return std::to_array<std::string_view>({"as-before", "quiet", "alarm", "fire"});
+}
 
 enum class DependenceKind : std::uint32_t { kEnded, kRunning, kOver, kCount };
 constexpr auto names_of(DependenceKind) {

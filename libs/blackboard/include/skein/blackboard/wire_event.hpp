@@ -169,7 +169,8 @@ struct DegreeCommand {
 };
 SKEIN_WIRE_FIELDS(DegreeCommand, header, command, degree, interrupt, resume, asked_by)
 
-/// A volume of air that is closed or opened again.
+/// The world is not as it was thought to be: a volume of air is closed or opened again, a place is
+/// known, cells of the ground are. What is not of its part does not count.
 struct WorldChange {
   SampleHeader header;
   std::uint64_t command = 0;
@@ -180,9 +181,16 @@ struct WorldChange {
   double ceiling = 0;           ///< [m]; at or above 1e9: none
   std::int64_t from = 0;        ///< [ns]
   std::int64_t until = kNever;  ///< [ns]
+  WorldPart part = WorldPart::kAir;
+  Vector3 at;         ///< [m] of a place
+  double radius = 0;  ///< [m] of what is at the place
+  double risk = -1;   ///< of the ground; below 0: as before
+  bool mapped = false;
+  CellChange cells = CellChange::kAsBefore;  ///< within the corners, or around the place
   bool operator==(const WorldChange&) const = default;
 };
-SKEIN_WIRE_FIELDS(WorldChange, header, command, remove, name, corners, floor, ceiling, from, until)
+SKEIN_WIRE_FIELDS(WorldChange, header, command, remove, name, corners, floor, ceiling, from, until,
+                  part, at, radius, risk, mapped, cells)
 
 /// What became of a mission that was accepted for planning.
 struct MissionOutcome {

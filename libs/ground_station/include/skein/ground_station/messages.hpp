@@ -14,6 +14,7 @@
 #include "skein/executive/task.hpp"
 #include "skein/foundation/id.hpp"
 #include "skein/foundation/time.hpp"
+#include "skein/ground_station/alarm.hpp"
 #include "skein/ground_station/degree.hpp"
 #include "skein/mission/autonomy.hpp"
 #include "skein/mission/elementary_plan.hpp"
@@ -247,6 +248,11 @@ struct HeldPlanChanged {
   std::string uav;
   std::size_t tasks = 0;  ///< of which it happened
   HeldState state = HeldState::kHeld;
+};
+/// What is known of an alarm is to be told to one UAV again, or to all.
+struct TellAlarm {
+  Alarm alarm;
+  std::string uav;  ///< empty: all
 };
 /// Something that should not come, and was disregarded; for the log.
 struct Anomaly {

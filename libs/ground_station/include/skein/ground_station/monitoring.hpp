@@ -104,6 +104,9 @@ class Monitoring {
   std::vector<Effect> handle(const Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
 
+  /// Missions may name the place from now on.
+  void know_place(const std::string& name) { checks_.know_place(name); }
+
   Board board(MissionTime now) const;
   /// 3 for an unknown UAV.
   Degree degree_of(const std::string& uav) const;

@@ -96,6 +96,7 @@ struct GoalStatus {
   GoalState state = GoalState::kReceived;
   std::string why;  ///< of failed and cancelled
   std::string asked_by;
+  std::string done = {};  ///< to_text of its Progress, by tasks that are over
   bool operator==(const GoalStatus&) const = default;
 };
 

@@ -14,6 +14,7 @@
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
 #include "skein/mission/elementary_plan.hpp"
+#include "skein/mission/progress.hpp"
 #include "skein/mission/vocabulary.hpp"
 #include "skein/world/world.hpp"
 
@@ -67,6 +68,8 @@ struct Situation {
   std::map<std::string, Timeline> devices;  ///< those that are not here are free at once
   std::set<std::string> broken;             ///< devices that do not work
   executive::TaskId next_id{1};             ///< elementary tasks are numbered from here
+  /// Of high-level tasks that were interrupted: what need not be done again.
+  std::map<mission::GoalId, mission::Progress> done;
 };
 
 struct PlanningRequest {
