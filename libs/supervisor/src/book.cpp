@@ -74,6 +74,7 @@ Standing Book::standing(const std::set<TaskId>& but) const {
     result.tasks.push_back(entry.task);
     result.seen[id] = entry.seen;
   }
+  result.bounds = bounds();
   return result;
 }
 
@@ -105,6 +106,20 @@ std::vector<GoalId> Book::free_goals() const {
     const Goal& goal = goals.at(id);
     const bool open = !is_settled(goal.state) && goal.state != GoalState::kHandedOver;
     if (open && !goal.queued && !is_given(id)) result.push_back(id);
+  }
+  return result;
+}
+
+GoalBounds Book::bounds() const {
+  GoalBounds result;
+  for (const auto& [id, goal] : goals) {
+    if (goal.task.after.empty() || is_settled(goal.state)) continue;
+    result.of[id] = goal.task.after;
+    for (const mission::GoalBound& one : goal.task.after) {
+      const auto other = goals.find(one.goal);
+      if (other != goals.end() && other->second.achieved)
+        result.over[one.goal] = *other->second.achieved;
+    }
   }
   return result;
 }

@@ -26,8 +26,9 @@ struct Goal {
   std::string asked_by;
   GoalState state = GoalState::kReceived;
   std::string why;
-  int refined = 0;      ///< times that it was refined again after a failure
-  bool queued = false;  ///< its mission waits for its insertion
+  int refined = 0;                      ///< times that it was refined again after a failure
+  bool queued = false;                  ///< its mission waits for its insertion
+  std::optional<MissionTime> achieved;  ///< when it was
 };
 
 /// An elementary task of a goal.
@@ -101,6 +102,8 @@ class Book {
   /// Goals that are to be done, are not queued and not with the executive: those that a job may
   /// plan anew; in order.
   std::vector<GoalId> free_goals() const;
+  /// Bounds after goals, of all that are not settled.
+  GoalBounds bounds() const;
   std::vector<mission::HighLevelTask> tasks_of(const std::vector<GoalId>& ids) const;
 
   /// Tasks that the executive never counts as ended.

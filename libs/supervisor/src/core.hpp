@@ -2,6 +2,7 @@
 // The supervisor's inside: one class, its functions in files by theme (supervisor_*.cpp).
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <map>
 #include <optional>
@@ -33,6 +34,12 @@ class Supervisor::Core {
     MissionTime since;
     int attempts = 0;
   };
+  /// A mission that is only to be evaluated.
+  struct Evaluation {
+    mission::UnitMission mission;
+    std::string cause;
+    MissionTime since;
+  };
   /// Something happened to the plan that needs planning.
   struct Need {
     std::optional<GoalId> failed;
@@ -55,6 +62,8 @@ class Supervisor::Core {
   struct Job {
     std::uint64_t id = 0;
     std::optional<mission::MissionId> mission;  ///< an insertion; else a repair
+    bool evaluation = false;                    ///< of a mission, that is not adopted
+    std::shared_ptr<std::atomic<bool>> stop;    ///< set when its result is no longer wanted
     Need need;
     Premises premises;
   };
@@ -142,6 +151,9 @@ class Supervisor::Core {
   void on(const JobFinished& input);
   void start_job();
   void start_insertion(const Pending& pending);
+  void start_evaluation(const Evaluation& evaluation);
+  void give_way();
+  void abandon_job();
   void start_repair();
   void run(Job job, DeliberationRequest request);
   Premises premises_of_insertion(const Pending& pending) const;
@@ -157,6 +169,9 @@ class Supervisor::Core {
   void finish(const Job& job, const InsertionOutcome& outcome);
   void finish(const Job& job, const RepairOutcome& outcome);
   void refuse(const Job& job, const std::vector<std::string>& reasons);
+  mission::MissionEstimate estimate(const Evaluation& evaluation,
+                                    const InsertionOutcome& outcome) const;
+  void answer_evaluation(const InsertionOutcome& outcome);
   void fail_safely(const Job& job, const std::vector<std::string>& reasons);
   std::string fault_of(const Premises& premises, const mission::ElementaryPlan& plan) const;
   bool fits_now(const Premises& premises, const mission::ElementaryPlan& plan);
@@ -203,6 +218,8 @@ class Supervisor::Core {
   bool told_idle_ = false;  ///< that it flies and has nothing to do
   std::set<mission::MissionId> missions_;
   std::deque<Pending> pending_;
+  std::deque<Evaluation> evaluations_;
+  std::set<std::uint64_t> abandoned_;  ///< jobs whose results are still to come
   std::optional<Need> need_;
   std::optional<Job> job_;
   std::uint64_t last_job_ = 0;

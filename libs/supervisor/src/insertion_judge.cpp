@@ -24,6 +24,7 @@ PlanningRequest with_tasks(const PlanningRequest& base, Goals goals) {
   request.situation = base.situation;
   request.situation.energy = kPlenty;
   request.seed = base.seed;
+  request.budget = base.budget;
   request.tasks = std::move(goals);
   return request;
 }
@@ -91,14 +92,19 @@ Verdict Judge::consider(const Goals& order) const {
 void Judge::check_dates(Verdict& verdict) const {
   std::vector<mission::ElementaryTask> all = standing_.tasks;
   all.insert(all.end(), verdict.plan->tasks.begin(), verdict.plan->tasks.end());
-  verdict.schedule = schedule(all, standing_.seen, base_.situation.origin);
+  verdict.schedule = schedule(all, standing_.seen, base_.situation.origin, standing_.bounds);
   if (verdict.schedule.controllable) return;
   for (const Conflict& conflict : verdict.schedule.conflicts) {
-    verdict.reasons.push_back("task " + std::to_string(conflict.task.value()) + " " + conflict.why);
-    const auto task = std::find_if(
-        verdict.plan->tasks.begin(), verdict.plan->tasks.end(),
-        [&](const mission::ElementaryTask& candidate) { return candidate.id == conflict.task; });
-    if (task != verdict.plan->tasks.end() && !verdict.culprit) verdict.culprit = task->origin;
+    const auto task = std::find_if(all.begin(), all.end(),
+                                   [&](const auto& one) { return one.id == conflict.task; });
+    if (task == all.end()) {
+      verdict.reasons.push_back(conflict.why);
+      continue;
+    }
+    verdict.reasons.push_back("goal " + to_text(task->origin) + " (" + task->type + ", task " +
+                              to_text(task->id) + ") " + conflict.why);
+    const auto standing = static_cast<std::ptrdiff_t>(standing_.tasks.size());
+    if (task - all.begin() >= standing && !verdict.culprit) verdict.culprit = task->origin;
   }
   if (verdict.reasons.empty()) verdict.reasons.emplace_back("its dates cannot be kept to");
 }

@@ -24,9 +24,13 @@ void Supervisor::Core::hand_over_goal(GoalId id) {
 
 void Supervisor::Core::on(const Disengage& input) {
   engaged_ = false;
-  job_.reset();
+  if (job_) abandon_job();
   need_.reset();
   pending_.clear();
+  for (const Evaluation& one : evaluations_) {
+    out_.push_back(MissionDecided{{one.mission.id, false, {input.cause}, true}});
+  }
+  evaluations_.clear();
   wait_again_.reset();
   HandedOver held;
   const std::set<TaskId> by_order = book_.ending_by_order();

@@ -33,6 +33,7 @@ void Supervisor::Core::set_state(Goal& goal, GoalState state, const std::string&
   if (same || is_settled(goal.state)) return;
   goal.state = state;
   goal.why = why;
+  if (state == GoalState::kAchieved) goal.achieved = now_;
   out_.push_back(GoalChanged{status_of(goal)});
 }
 

@@ -38,11 +38,7 @@ class IncrementalDc::State {
       return decided.error();
     }
     result_ = std::move(*decided);
-    if (result_.controllable) {
-      updater_.emplace(*engine_);
-    } else {
-      engine_.reset();
-    }
+    if (!result_.controllable) engine_.reset();
     return std::nullopt;
   }
 
@@ -54,16 +50,16 @@ class IncrementalDc::State {
       result_.counters = {};
       return result_;
     }
-    const auto error = updater_ ? settle() : start_over();
+    const auto error = engine_ ? settle() : start_over();
     if (!error) return result_;
     network_.arcs[index] = former;
-    if (updater_) note(index);
+    if (engine_) note(index);
     return tl::unexpected(*error);
   }
 
   NodeIndex add_node(std::string name) {
     network_.nodes.push_back(std::move(name));
-    if (updater_) updater_->add_node();
+    if (engine_) updater().add_node();
     return static_cast<NodeIndex>(network_.nodes.size() - 1);
   }
 
@@ -72,13 +68,13 @@ class IncrementalDc::State {
     const Arc open{from, to, kMinusInfinite, kInfinite};
     if (free_arcs_.empty()) {
       network_.arcs.push_back(open);
-      if (updater_) engine_->graph().add_arc(from, to);
+      if (engine_) graph_to_change().add_arc(from, to);
       return static_cast<std::uint32_t>(network_.arcs.size() - 1);
     }
     const std::uint32_t arc = free_arcs_.back();
     free_arcs_.pop_back();
     network_.arcs[arc] = open;
-    if (updater_) engine_->graph().move_arc(arc, from, to);
+    if (engine_) graph_to_change().move_arc(arc, from, to);
     return arc;
   }
 
@@ -93,10 +89,10 @@ class IncrementalDc::State {
   /// Of an open arc; what is kept of it goes too.
   void free_arc(std::uint32_t arc) {
     free_arcs_.push_back(arc);
-    if (!updater_) return;
+    if (!engine_) return;
     for (const LinkBound bound : kBounds) {
       const std::uint32_t edge = engine_->graph().edge_of(arc, bound);
-      if (engine_->graph().edge(edge).weight != kInfinite) updater_->loosen(edge, kInfinite);
+      if (engine_->graph().edge(edge).weight != kInfinite) updater().loosen(edge, kInfinite);
       unsettled_.erase(edge);
     }
   }
@@ -115,7 +111,7 @@ class IncrementalDc::State {
   Result<DcResult, StnuError> change_contingent(std::uint32_t index, const ContingentLink& link) {
     const ContingentLink former = network_.contingent[index];
     const bool local = can_take(former) && can_take(link);
-    if (local) updater_->remove_link(engine_->graph().link_of(index));
+    if (local) updater().remove_link(engine_->graph().link_of(index));
     network_.contingent[index] = link;
     const auto error = local && takes_up(link, index) ? settle() : start_over();
     if (!error) return result_;
@@ -127,7 +123,7 @@ class IncrementalDc::State {
   Result<DcResult, StnuError> remove_contingent(std::uint32_t index) {
     const ContingentLink gone = network_.contingent[index];
     const bool local = can_take(gone);
-    if (local) updater_->remove_link(engine_->graph().link_of(index));
+    if (local) updater().remove_link(engine_->graph().link_of(index));
     network_.contingent[index] = network_.contingent.back();
     network_.contingent.pop_back();
     const auto error = local ? settle() : start_over();
@@ -135,15 +131,15 @@ class IncrementalDc::State {
     return result_;
   }
 
-  std::vector<WaitEdge> waits() const {
+  std::vector<WaitEdge> waits() {
     std::vector<WaitEdge> result;
-    if (!updater_ || !result_.controllable) return result;
+    if (!engine_ || !result_.controllable || !derives_any()) return result;
     const LoGraph& graph = engine_->graph();
     for (std::uint32_t given = 0; given < network_.contingent.size(); ++given) {
       const std::uint32_t link = graph.link_of(given);
       if (link == kNone) continue;
       for (const LoGraph::Edge& edge : graph.derived(link)) {
-        const Ticks delay = network_.contingent[given].max - updater_->distance(link, edge.from);
+        const Ticks delay = network_.contingent[given].max - updater().distance(link, edge.from);
         if (delay > 0) result.push_back({edge.from, given, delay});
       }
     }
@@ -154,22 +150,42 @@ class IncrementalDc::State {
   const DcResult& result() const { return result_; }
 
  private:
+  /// Made when it is first needed: who asks only once does not pay for it.
+  DcUpdater& updater() {
+    if (!updater_) updater_.emplace(*engine_);
+    return *updater_;
+  }
+
+  /// The updater looks at the graph as it was decided, so it comes first.
+  LoGraph& graph_to_change() {
+    updater();
+    return engine_->graph();
+  }
+
+  bool derives_any() const {
+    const LoGraph& graph = engine_->graph();
+    for (std::uint32_t link = 0; link < graph.link_count(); ++link) {
+      if (!graph.derived(link).empty()) return true;
+    }
+    return false;
+  }
+
   /// Links with min = max are no links for the engine, which numbers those it has.
   bool can_take(const ContingentLink& link) const {
     const auto fixed = [](const ContingentLink& one) { return one.min == one.max; };
-    return updater_ && !fixed(link) &&
+    return engine_ && !fixed(link) &&
            std::none_of(network_.contingent.begin(), network_.contingent.end(), fixed);
   }
 
   bool takes_up(const ContingentLink& link, std::uint32_t position) {
-    LoGraph& graph = engine_->graph();
+    LoGraph& graph = graph_to_change();
     const std::uint32_t added = graph.add_link(link);
     graph.exchange(graph.link(added).given, position);
-    return updater_->add_link(added) == DcUpdater::Outcome::kDone;
+    return updater().add_link(added) == DcUpdater::Outcome::kDone;
   }
 
   void note(std::uint32_t arc) {
-    if (!updater_) return;
+    if (!engine_) return;
     for (const LinkBound bound : kBounds) {
       const std::uint32_t edge = engine_->graph().edge_of(arc, bound);
       if (engine_->graph().edge(edge).weight == edge_weight(network_.arcs[arc], bound)) {
@@ -205,12 +221,12 @@ class IncrementalDc::State {
     for (const std::uint32_t edge :
          std::vector<std::uint32_t>(unsettled_.begin(), unsettled_.end())) {
       if (asked_weight(edge) <= engine_->graph().edge(edge).weight) continue;
-      updater_->loosen(edge, asked_weight(edge));
+      updater().loosen(edge, asked_weight(edge));
       unsettled_.erase(edge);
     }
     while (!unsettled_.empty()) {
       const std::uint32_t edge = *unsettled_.begin();
-      switch (updater_->tighten(edge, asked_weight(edge))) {
+      switch (updater().tighten(edge, asked_weight(edge))) {
         case DcUpdater::Outcome::kDone:
           unsettled_.erase(edge);
           break;
@@ -221,7 +237,7 @@ class IncrementalDc::State {
           return start_over();
       }
     }
-    result_ = {true, true, {}, updater_->take_counters()};
+    result_ = {true, true, {}, updater().take_counters()};
     return std::nullopt;
   }
 
@@ -236,8 +252,8 @@ class IncrementalDc::State {
     for (const auto& [edge, weight] : kept) graph.set_weight(edge, weight);
     if (!inconsistency) return inconsistency.error();
     const bool consistent = !inconsistency->has_value();
-    result_ = {consistent, false, consistent ? updater_->conflict() : std::move(**inconsistency),
-               updater_->take_counters()};
+    result_ = {consistent, false, consistent ? updater().conflict() : std::move(**inconsistency),
+               updater().take_counters()};
     return std::nullopt;
   }
 
