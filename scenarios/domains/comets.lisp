@@ -65,6 +65,7 @@
 
   (:- (high-level-task general-takeoff () ()) ())
   (:- (high-level-task general-land () ()) ())
+  (:- (high-level-task leave-closed-air () ()) ())
   (:- (high-level-task general-gotoxyz (place) ()) ())
   (:- (high-level-task general-combined-goto-and-takeshot (place duration) (perception)) ())
   (:- (high-level-task general-combined-goto-and-synchro-and-takeshot (sync-id uavs uavs place duration) (perception)) ())
@@ -132,6 +133,10 @@
     some ((setof (?i ?e ?t) (my-read-time perception-device '?device ?i ?e ?t) ?reads))
     none ((assign ?reads nil)))
 
+  ; Where it is to land; the nearest ground that serves where that place does not.
+  (:- (landing-place ?from ?place)
+    ((landloc ?wanted) (assign ?place (compute-landing-place ?from ?wanted)) (not (call null ?place))))
+
   ; ================ convenience operators: refiners are asked, their answer is kept until a task uses it
 
   (:operator (!!lcompute-takeoff ?place)
@@ -140,6 +145,9 @@
   (:operator (!!lcompute-land ?from ?place)
     ((assign ?data (compute-land ?from ?place)) (call consp ?data))
     () ((eval-ok land ?data)) 0)
+  (:operator (!!lcompute-way-out ?from)
+    ((assign ?data (compute-way-out ?from)) (call consp ?data))
+    () ((eval-ok gotoxyz ?data)) 0)
   (:operator (!!lcompute-gotoxyz ?from ?to)
     ((assign ?data (compute-gotoxyz ?from ?to)) (call consp ?data))
     () ((eval-ok gotoxyz ?data)) 0)
@@ -268,7 +276,7 @@
      (move-after ?moved ?moves)
      (use-after ?device ?used ?uses)
      (assign ?dependences (joined ?moves ?uses))
-     (assign ?params (append (list (list 'type 'takeshot) (list 'device ?device)) ?target (list (assoc 'energy ?data))
+     (assign ?params (append (list (list 'type 'perceive) (list 'device ?device)) ?target (list (assoc 'energy ?data))
                              (rest (assoc 'params ?data))))
      (assign ?duration (get-duration ?data))
      (assign ?start (not-before (latest ?moved ?used) ?duration ?tc))
@@ -291,7 +299,7 @@
      (move-after ?moved ?moves)
      (use-after ?device ?used ?uses)
      (assign ?dependences (joined ?moves ?uses))
-     (assign ?params (append (list (list 'type 'takeshot) (list 'device ?device)) ?target))
+     (assign ?params (append (list (list 'type 'monitor) (list 'device ?device)) ?target))
      (assign ?duration (interval 0 0))
      (assign ?start (not-before (latest ?moved ?used) ?duration ?tc))
      (call in-time 'monitoring ?origin ?start ?duration ?tc)
@@ -337,7 +345,7 @@
   (:operator (!task-rendezvous ?id ?dependences ?params ?start ?duration ?tc ?origin)
     ((task-id ?id) (agreed ?sync ?senders ?receivers ?duration)
      (move-after ?earliest ?dependences)
-     (assign ?params (list (list 'type 'synchronise) (list 'sync ?sync ?senders ?receivers)))
+     (assign ?params (list (list 'type 'rendezvous) (list 'sync ?sync ?senders ?receivers)))
      (assign ?start (not-before ?earliest ?duration ?tc))
      (call in-time 'rendezvous ?origin ?start ?duration ?tc)
      (assign ?end (after ?start ?duration))
@@ -387,8 +395,8 @@
     next-one ((assign ?to (first ?places)) (assign ?others (rest ?places)))
       ((go-unless-there ?to ?tc ?origin) (go-through ?others ?tc ?origin)))
 
-  (:method (touch-down ?tc ?origin)
-    touch-down ((uavloc flying ?from) (landloc ?place))
+  (:method (touch-down ?place ?tc ?origin)
+    touch-down ((uavloc flying ?from))
       ((!!lcompute-land ?from ?place) (!task-land ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
   (:method (general-takeoff ?tc ?origin)
@@ -396,8 +404,16 @@
 
   (:method (general-land ?tc ?origin)
     on-the-ground ((uavloc grounded ?_place)) ()
-    land-here ((uavloc flying ?from) (landloc ?place) (call is-over ?from ?place)) ((touch-down ?tc ?origin))
-    come-back-and-land ((landloc ?place)) ((go ?place ?tc ?origin) (touch-down ?tc ?origin)))
+    land-here
+      ((uavloc flying ?from) (landing-place ?from ?place) (call is-over ?from ?place)) ((touch-down ?place ?tc ?origin))
+    come-back-and-land
+      ((uavloc flying ?from) (landing-place ?from ?place)) ((go ?place ?tc ?origin) (touch-down ?place ?tc ?origin)))
+
+  ; Out of air that was closed around it; nothing to do where it may stay.
+  (:method (leave-closed-air ?tc ?origin)
+    on-the-ground ((uavloc grounded ?_place)) ()
+    in-free-air ((uavloc flying ?from) (call is-free ?from)) ()
+    leave ((uavloc flying ?from)) ((!!lcompute-way-out ?from) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
   (:method (general-gotoxyz ?place ?tc ?origin)
     general-gotoxyz () ((go-unless-there ?place ?tc ?origin)))

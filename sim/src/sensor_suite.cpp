@@ -34,11 +34,16 @@ void SensorSuite::start(std::uint64_t id, TakeshotTask task, MissionTime now, St
 
 bool SensorSuite::interrupt(std::uint64_t id, MissionTime now, StatusBoard& board,
                             std::vector<Effect>& effects) {
+  return abort(id, "interrupted", now, board, effects);
+}
+
+bool SensorSuite::abort(std::uint64_t id, const std::string& reason, MissionTime now,
+                        StatusBoard& board, std::vector<Effect>& effects) {
   const auto found =
       std::find_if(shots_.begin(), shots_.end(), [&](const Shot& s) { return s.id == id; });
   if (found == shots_.end()) return false;
   shots_.erase(found);
-  board.tell(id, FunctionalState::kAborted, "interrupted", now, effects);
+  board.tell(id, FunctionalState::kAborted, reason, now, effects);
   return true;
 }
 
@@ -49,12 +54,14 @@ void SensorSuite::abort_all(const std::string& reason, MissionTime now, StatusBo
   shots_.clear();
 }
 
-bool SensorSuite::abort_one(const std::string& reason, MissionTime now, StatusBoard& board,
-                            std::vector<Effect>& effects) {
-  if (shots_.empty()) return false;
-  board.tell(shots_.front().id, FunctionalState::kAborted, reason, now, effects);
-  shots_.erase(shots_.begin());
-  return true;
+std::optional<std::uint64_t> SensorSuite::oldest(std::optional<std::uint64_t> but) const {
+  for (const Shot& shot : shots_)
+    if (but != shot.id) return shot.id;
+  return std::nullopt;
+}
+
+bool SensorSuite::runs(std::uint64_t id) const {
+  return std::any_of(shots_.begin(), shots_.end(), [&](const Shot& s) { return s.id == id; });
 }
 
 void SensorSuite::break_device(const std::string& device, MissionTime now, StatusBoard& board,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The takeshot tasks of one vehicle.
+// The perceptions of one vehicle.
 #pragma once
 
 #include <cstdint>
@@ -28,9 +28,12 @@ class SensorSuite {
                  std::vector<Effect>& effects);
   void abort_all(const std::string& reason, MissionTime now, StatusBoard& board,
                  std::vector<Effect>& effects);
-  /// Aborts the task that has run longest; false when none runs.
-  bool abort_one(const std::string& reason, MissionTime now, StatusBoard& board,
-                 std::vector<Effect>& effects);
+  /// False when no such task runs here.
+  bool abort(std::uint64_t id, const std::string& reason, MissionTime now, StatusBoard& board,
+             std::vector<Effect>& effects);
+  /// The task other than `but` that has run longest.
+  std::optional<std::uint64_t> oldest(std::optional<std::uint64_t> but) const;
+  bool runs(std::uint64_t id) const;
   void break_device(const std::string& device, MissionTime now, StatusBoard& board,
                     std::vector<Effect>& effects);
   /// Takes the looks that are due.

@@ -2,29 +2,24 @@
 #include "task_checks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
+#include <map>
 
 #include "guidance.hpp"
 #include "parameter_reader.hpp"
 #include "skein/foundation/nearest.hpp"
+#include "skein/functional/task_types.hpp"
+#include "skein/world/landing_ground.hpp"
+#include "skein/world/way_energy.hpp"
 
 namespace skein::sim {
 namespace {
 
 using world::Vector3;
 
-constexpr double kSteepestLanding = 0.2;  // [rad]
-constexpr double kTurningShare = 1.2;     // how much longer the way of one that cannot hover may be
 constexpr double kMostShots = 1e6;
 constexpr double kLongest = 1e6;  // [s]
-
-const std::vector<std::string>& task_types() {
-  static const std::vector<std::string> types = {"takeoff", "land", "goto", "wait", "takeshot"};
-  return types;
-}
 
 /// What may still be used in flight [J]; negative below the reserve.
 double spare_energy(const Situation& s) {
@@ -53,7 +48,6 @@ std::optional<Duration> read_duration(ParameterReader& read) {
 }
 
 ElementaryTask read_takeoff(const Situation& s, ParameterReader& read) {
-  read.names({"altitude"});
   const double altitude = read.number("altitude").value_or(s.model.ceiling / 2);
   if (!read.has("altitude")) read.refuse("altitude is missing");
   if (altitude < kLeastHeight || altitude > s.model.ceiling)
@@ -68,13 +62,9 @@ ElementaryTask read_takeoff(const Situation& s, ParameterReader& read) {
 }
 
 ElementaryTask read_land(const Situation& s, ParameterReader& read) {
-  read.names({});
   if (!s.state.airborne) read.refuse("already on the ground");
   const Vector3& at = s.state.position;
-  if (!s.terrain.contains(at.x(), at.y())) read.refuse("no landing outside the terrain");
-  if (const double slope = s.terrain.slope(at.x(), at.y()); slope > kSteepestLanding)
-    read.refuse("the ground slopes by " + figure(slope * 180 / std::numbers::pi) +
-                " degrees here, too steep to land");
+  if (const auto problem = world::landing_problem(s.terrain, at.head<2>())) read.refuse(*problem);
   return LandTask{};
 }
 
@@ -95,22 +85,6 @@ void check_waypoint(const Situation& s, const Vector3& point, const std::string&
                 figure(s.model.ceiling) + " m");
 }
 
-/// Energy of a way at a speed, straight from point to point [J].
-double way_energy(const Situation& s, const std::vector<Vector3>& way, double speed) {
-  double energy = 0;
-  Vector3 from = s.state.position;
-  for (const Vector3& to : way) {
-    const double rise = to.z() - from.z();
-    const double level_time = (to - from).head<2>().norm() / speed;
-    const double climb_time = rise > 0 ? rise / s.model.climb_rate : -rise / s.model.descent_rate;
-    energy += level_time * world::flight_power(s.model, speed, 0);
-    energy += std::max(0.0, climb_time - level_time) * world::flight_power(s.model, 0, 0);
-    if (rise > 0) energy += climb_time * s.model.energy.climb_power;
-    from = to;
-  }
-  return s.model.hovers ? energy : energy * kTurningShare;
-}
-
 void check_legs(const Situation& s, const std::vector<Vector3>& way, ParameterReader& read) {
   Vector3 from = s.state.position;
   for (std::size_t i = 0; i < way.size(); ++i) {
@@ -124,7 +98,6 @@ void check_legs(const Situation& s, const std::vector<Vector3>& way, ParameterRe
 }
 
 ElementaryTask read_goto(const Situation& s, ParameterReader& read) {
-  read.names({"waypoints", "speed"});
   GotoTask task{read.points("waypoints"), read.number("speed").value_or(s.model.cruise_speed)};
   if (!read.has("waypoints")) read.refuse("waypoints is missing");
   const bool speed_known = task.speed > 0 && task.speed >= s.model.min_speed;
@@ -136,17 +109,23 @@ ElementaryTask read_goto(const Situation& s, ParameterReader& read) {
     check_waypoint(s, task.waypoints[i], "way-point " + std::to_string(i + 1), read);
   need_flight(s, "goto", read);
   if (!read.refused()) check_legs(s, task.waypoints, read);
-  if (speed_known) need_energy(s, way_energy(s, task.waypoints, task.speed), "the way", read);
+  if (speed_known) need_energy(
+        s, world::energy_asked_for(s.model, s.state.position, task.waypoints, task.speed),
+        "the way", read);
   return task;
 }
 
-ElementaryTask read_wait(const Situation& s, ParameterReader& read) {
-  read.names({"duration"});
-  const WaitTask task{read_duration(read)};
+void check_stay(const Situation& s, const std::optional<Duration>& duration, const char* what,
+                ParameterReader& read) {
   if (!s.engine_works) read.refuse("engine failure");
-  if (task.duration && s.state.airborne)
-    need_energy(s, task.duration->to_seconds() * world::flight_power(s.model, s.model.min_speed, 0),
-                "the wait", read);
+  if (duration && s.state.airborne)
+    need_energy(s, duration->to_seconds() * world::flight_power(s.model, s.model.min_speed, 0),
+                what, read);
+}
+
+ElementaryTask read_wait(const Situation& s, ParameterReader& read) {
+  const WaitTask task{read_duration(read)};
+  check_stay(s, task.duration, "the wait", read);
   return task;
 }
 
@@ -159,8 +138,7 @@ void check_device(const Situation& s, const std::string& device, ParameterReader
               (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
 }
 
-ElementaryTask read_takeshot(const Situation& s, ParameterReader& read) {
-  read.names({"device", "target", "duration", "shots"});
+TakeshotTask read_shot(const Situation& s, ParameterReader& read) {
   TakeshotTask task;
   if (const auto device = read.text("device")) {
     check_device(s, *device, read);
@@ -183,23 +161,50 @@ ElementaryTask read_takeshot(const Situation& s, ParameterReader& read) {
   return task;
 }
 
+ElementaryTask read_takeshot(const Situation& s, ParameterReader& read) {
+  return read_shot(s, read);
+}
+
+ElementaryTask read_monitor(const Situation& s, ParameterReader& read) {
+  PerceiveTask task{read_shot(s, read)};
+  check_stay(s, task.shot.duration, "the perception", read);
+  return task;
+}
+
+ElementaryTask read_perceive(const Situation& s, ParameterReader& read) {
+  if (!read.has("duration")) read.refuse("duration is missing");
+  return read_monitor(s, read);
+}
+
+using Read = ElementaryTask (*)(const Situation&, ParameterReader&);
+
+const std::map<std::string, Read>& behaviours() {
+  static const std::map<std::string, Read> all = {
+      {"takeoff", read_takeoff},   {"land", read_land},         {"goto", read_goto},
+      {"wait", read_wait},         {"takeshot", read_takeshot}, {"perceive", read_perceive},
+      {"monitor", read_monitor}};
+  return all;
+}
+
+std::string unknown(const std::string& type) {
+  std::vector<std::string> known;
+  for (const auto& [name, behaviour] : behaviours()) known.push_back(name);
+  const std::string nearest = nearest_name(type, known);
+  return "unknown task type '" + type + "'" +
+         (nearest.empty() ? "" : ", did you mean '" + nearest + "'?");
+}
+
 }  // namespace
 
 Result<ElementaryTask, Failure> checked_task(const std::string& type,
                                              const world::Parameters& parameters,
                                              const Situation& situation) {
-  using Read = ElementaryTask (*)(const Situation&, ParameterReader&);
-  constexpr std::array<Read, 5> readers = {read_takeoff, read_land, read_goto, read_wait,
-                                           read_takeshot};
-  const auto found = std::find(task_types().begin(), task_types().end(), type);
-  if (found == task_types().end()) {
-    const std::string nearest = nearest_name(type, task_types());
-    return failure("unknown task type '" + type + "'" +
-                   (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
-  }
+  const auto behaviour = behaviours().find(type);
+  if (behaviour == behaviours().end()) return failure(unknown(type));
   ParameterReader read(parameters);
-  ElementaryTask task =
-      readers[static_cast<std::size_t>(found - task_types().begin())](situation, read);
+  const auto& declared = functional::TaskTypes::shipped().of(type).parameters;
+  if (declared) read.names(*declared);
+  ElementaryTask task = behaviour->second(situation, read);
   if (read.refused()) return failure(read.reasons());
   return task;
 }

@@ -31,7 +31,12 @@ struct TakeshotTask {
   std::optional<Duration> duration;
   std::optional<std::uint64_t> shots;
 };
-using ElementaryTask = std::variant<TakeoffTask, LandTask, GotoTask, WaitTask, TakeshotTask>;
+/// Looks from where the vehicle is, which stays there.
+struct PerceiveTask {
+  TakeshotTask shot;
+};
+using ElementaryTask =
+    std::variant<TakeoffTask, LandTask, GotoTask, WaitTask, TakeshotTask, PerceiveTask>;
 
 /// What a request is checked against.
 struct Situation {

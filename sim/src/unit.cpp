@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "skein/functional/task_types.hpp"
+
 namespace skein::sim {
 namespace {
 
@@ -71,6 +73,9 @@ void Unit::dispatch(const FunctionalRequest& request, MissionTime now,
     return sensors_.start(request.task, std::move(*shot), now, board_, effects);
   }
   if (motion_) return refuse("motion task " + std::to_string(motion_->id) + " is still active");
+  if (const auto* stay = std::get_if<PerceiveTask>(&*task)) {
+    if (const auto why = sensors_.refusal(stay->shot.device)) return refuse(*why);
+  }
   if (takes_abort(request.type)) return refuse(kAbortedByFault);
   board_.note(request.task);
   motion_ = MotionTask{request.task, request.type, std::move(*task)};
@@ -82,7 +87,7 @@ void Unit::interrupt(std::uint64_t task, MissionTime now, std::vector<Effect>& e
   if (motion_ && motion_->id == task) {
     if (motion_->stops) return;
     motion_->stops = now + pilot_.reaction();
-    if (*motion_->stops <= now) stop();
+    if (*motion_->stops <= now) stop(now, effects);
     return;
   }
   if (sensors_.interrupt(task, now, board_, effects)) return;
@@ -95,10 +100,16 @@ void Unit::begin(MissionTime now, std::vector<Effect>& effects) {
   guidance_.set(goal_of(motion_->task, vehicle_.state(), guidance_.goal()));
   if (const auto* wait = std::get_if<WaitTask>(&motion_->task); wait != nullptr && wait->duration)
     motion_->ends = now + *wait->duration;
+  if (const auto* stay = std::get_if<PerceiveTask>(&motion_->task)) {
+    if (const auto why = sensors_.refusal(stay->shot.device))
+      return finish(FunctionalState::kAborted, *why, now, effects);
+    return sensors_.start(motion_->id, stay->shot, now, board_, effects);
+  }
   board_.tell(motion_->id, FunctionalState::kRunning, "", now, effects);
 }
 
-void Unit::stop() {
+void Unit::stop(MissionTime now, std::vector<Effect>& effects) {
+  if (looks()) return finish(FunctionalState::kAborted, "interrupted", now, effects);
   const bool landing = std::holds_alternative<Descend>(guidance_.goal());
   motion_->phase = MotionTask::Phase::kStopping;
   come_to_rest();
@@ -121,13 +132,14 @@ void Unit::come_to_rest() {
 void Unit::advance_task(MissionTime now, std::vector<Effect>& effects) {
   if (!motion_) return;
   if (motion_->stops && *motion_->stops <= now && motion_->phase != MotionTask::Phase::kStopping)
-    stop();
+    stop(now, effects);
+  if (!motion_) return;
   if (motion_->phase == MotionTask::Phase::kStopping) {
     if (guidance_.done()) finish(FunctionalState::kAborted, motion_->stopped_because, now, effects);
     return;
   }
   if (motion_->phase == MotionTask::Phase::kPending && motion_->begins <= now) begin(now, effects);
-  if (motion_->phase != MotionTask::Phase::kActive) return;
+  if (!motion_ || motion_->phase != MotionTask::Phase::kActive || looks()) return;
   const bool waits = std::holds_alternative<WaitTask>(motion_->task);
   if (waits ? now >= motion_->ends : guidance_.done())
     finish(FunctionalState::kEnded, "", now, effects);
@@ -135,8 +147,20 @@ void Unit::advance_task(MissionTime now, std::vector<Effect>& effects) {
 
 void Unit::finish(FunctionalState state, std::string reason, MissionTime now,
                   std::vector<Effect>& effects) {
-  board_.tell(motion_->id, state, std::move(reason), now, effects);
+  // A perception under way is told of by the sensors.
+  const bool told = looks() && sensors_.abort(motion_->id, reason, now, board_, effects);
+  if (!told) board_.tell(motion_->id, state, std::move(reason), now, effects);
   motion_.reset();
+}
+
+bool Unit::looks() const {
+  return motion_ && std::holds_alternative<PerceiveTask>(motion_->task);
+}
+
+/// What it looked at has been seen, or its device failed.
+void Unit::release_perception() {
+  if (!looks() || motion_->phase != MotionTask::Phase::kActive) return;
+  if (!sensors_.runs(motion_->id)) motion_.reset();
 }
 
 void Unit::abort_everything(const std::string& reason, MissionTime now,
@@ -148,7 +172,8 @@ void Unit::abort_everything(const std::string& reason, MissionTime now,
 void Unit::handle(const Fault& fault, MissionTime now, std::vector<Effect>& effects) {
   switch (fault.kind) {
     case FaultKind::kSensor:
-      return sensors_.break_device(fault.device, now, board_, effects);
+      sensors_.break_device(fault.device, now, board_, effects);
+      return release_perception();
     case FaultKind::kAbort:
       return abort_one(fault.type, now, effects);
     case FaultKind::kSlow:
@@ -170,7 +195,11 @@ void Unit::abort_one(const std::string& type, MissionTime now, std::vector<Effec
     finish(FunctionalState::kAborted, kAbortedByFault, now, effects);
     return come_to_rest();
   }
-  if (type == kTakeshot && sensors_.abort_one(kAbortedByFault, now, board_, effects)) return;
+  const auto along = sensors_.oldest(looks() ? std::optional(motion_->id) : std::nullopt);
+  if (type == kTakeshot && along) {
+    sensors_.abort(*along, kAbortedByFault, now, board_, effects);
+    return;
+  }
   aborts_.insert(type);
 }
 
@@ -223,15 +252,17 @@ void Unit::step(MissionTime now, double dt, std::vector<Effect>& effects) {
   watch_breakdowns(now, effects);
   advance_task(now, effects);
   sensors_.step(vehicle_.state(), pilot_.heading_error(), scene_, now, board_, effects);
+  release_perception();
   vehicle_.state().activity = activity();
 }
 
 std::string Unit::activity() const {
   if (vehicle_.crashed()) return "crashed";
   if (!vehicle_.engine_works()) return "engine failure";
-  const bool waits = motion_ && motion_->phase == MotionTask::Phase::kActive &&
-                     std::holds_alternative<WaitTask>(motion_->task);
-  return waits ? "wait, " + guidance_.activity() : guidance_.activity();
+  const bool stays = motion_ && motion_->phase == MotionTask::Phase::kActive &&
+                     functional::TaskTypes::shipped().of(motion_->type).motion ==
+                         functional::Motion::kKeeps;
+  return stays ? motion_->type + ", " + guidance_.activity() : guidance_.activity();
 }
 
 double Unit::height() const {

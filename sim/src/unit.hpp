@@ -17,15 +17,16 @@
 
 namespace skein::sim {
 
-/// At most one motion task (takeoff, land, goto, wait) at a time:
+/// At most one task that holds the vehicle (takeoff, land, goto, wait, perceive, monitor) at a time:
 ///
 /// | from     | when                                    | to       | told              |
 /// | –        | request accepted                         | pending  | –                 |
 /// | –        | request impossible, or a motion task runs | –        | aborted + reason  |
 /// | pending  | pilot has reacted (autopilot: at once)   | active   | running           |
 /// | active   | guidance done, or duration over          | –        | ended             |
+/// | active   | it looks, and its device failed          | –        | aborted + reason  |
 /// | pending, active | interrupt, pilot has reacted      | stopping | –                 |
-/// | stopping | at rest (a landing too low: on the ground) | –      | aborted           |
+/// | stopping | at rest (a landing too low: on the ground; one that looks: at once) | – | aborted |
 /// | any      | engine failure, energy out, contact lost | –        | aborted + reason  |
 /// | pending, active | fault of the functional layer     | –        | aborted + reason  |
 ///
@@ -61,7 +62,7 @@ class Unit {
   void dispatch(const FunctionalRequest& request, MissionTime now, std::vector<Effect>& effects);
   void interrupt(std::uint64_t task, MissionTime now, std::vector<Effect>& effects);
   void begin(MissionTime now, std::vector<Effect>& effects);
-  void stop();
+  void stop(MissionTime now, std::vector<Effect>& effects);
   void advance_task(MissionTime now, std::vector<Effect>& effects);
   void finish(FunctionalState state, std::string reason, MissionTime now,
               std::vector<Effect>& effects);
@@ -71,6 +72,9 @@ class Unit {
   bool takes_abort(const std::string& type);
   double pace_at(MissionTime now) const;
   void watch_breakdowns(MissionTime now, std::vector<Effect>& effects);
+  /// The task that holds the vehicle looks at something meanwhile.
+  bool looks() const;
+  void release_perception();
   std::string activity() const;
   double height() const;
 

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "task_checks.hpp"
 
+#include <gmock/gmock.h>
+
+#include "skein/functional/task_types.hpp"
 #include "testing.hpp"
 
 namespace skein::sim {
 namespace {
 
+using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::altitude;
 using testing::at;
 using testing::device;
@@ -147,6 +152,23 @@ TEST(TaskChecks, GivesAllReasonsNotTheFirst) {
             "unknown parameter 'colour'; speed -1 m/s is not within what it can fly, more than 0 "
             "to 14 m/s; way-point 1 is outside the terrain; way-point 2 is 1 m under the ground; "
             "goto before takeoff: the vehicle is on the ground");
+}
+
+TEST(TaskChecks, APerceptionHasATimeAndMonitoringHasNone) {
+  const Asked asked;
+  EXPECT_EQ(asked("perceive", device("visible").add("duration", 60)), "accepted");
+  EXPECT_EQ(asked("perceive", device("visible")), "duration is missing");
+  EXPECT_EQ(asked("monitor", device("visible").add("target", {500, 0, 80})), "accepted");
+  EXPECT_EQ(asked("monitor", device("visible").add("duration", 60)),
+            "unknown parameter 'duration'");
+  EXPECT_EQ(asked("perceive", device("visibel").add("duration", 60)),
+            "no device 'visibel' on board, did you mean 'visible'?");
+}
+
+TEST(TaskChecks, EveryTypeOfTheFunctionalLayerHasABehaviour) {
+  using functional::CarriedOutBy;
+  for (const auto& type : functional::TaskTypes::shipped().names(CarriedOutBy::kFunctionalLayer))
+    EXPECT_THAT(Asked()(type), Not(HasSubstr("unknown task type"))) << type;
 }
 
 TEST(TaskChecks, TakeshotParametersAreChecked) {

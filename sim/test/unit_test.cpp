@@ -53,6 +53,78 @@ TEST(Unit, AWholeSortieOfEachVehicle) {
   }
 }
 
+world::Parameters looking_for(double seconds) { return device("visible").add("duration", seconds); }
+
+TEST(Unit, APerceptionHoldsTheVehicleForItsTimeAndLooks) {
+  for (const std::string name : {"marvin", "heliv"}) {
+    Flight flight(a_config({name}));
+    flight.take_off(name, 1, 40);
+    const Vector3 before = flight.state(name).position;
+
+    flight.dispatch(name, 2, "perceive", looking_for(20));
+    flight.run_for(10);
+    flight.dispatch(name, 3, "goto", way({{500, 0, 40}}));
+    EXPECT_EQ(flight.history(3), "aborted");
+    EXPECT_EQ(flight.reason(3), "motion task 2 is still active");
+    EXPECT_EQ(flight.state(name).activity, "perceive, hold");
+    ASSERT_TRUE(flight.run_to_end_of(2));
+
+    EXPECT_EQ(flight.history(2), "running ended");
+    const auto statuses = flight.statuses(2);
+    EXPECT_NEAR((statuses[1].at - statuses[0].at).to_seconds(), 20, 0.2);
+    EXPECT_LE((flight.state(name).position - before).norm(), 5);
+    EXPECT_GE(flight.all<PerceptionOut>().size(), 10U);
+    flight.dispatch(name, 4, "goto", way({{100, 0, 40}}));
+    EXPECT_TRUE(flight.run_to_end_of(4));
+    EXPECT_EQ(flight.history(4), "running ended");
+  }
+}
+
+TEST(Unit, MonitoringLastsUntilItIsInterruptedAndIsAbortedOnce) {
+  Flight flight(a_config());
+  flight.take_off("marvin", 1, 40);
+
+  flight.dispatch("marvin", 2, "monitor", device("visible"));
+  flight.run_for(120);
+  EXPECT_EQ(flight.history(2), "running");
+  flight.interrupt("marvin", 2);
+  flight.run_for(5);
+
+  EXPECT_EQ(flight.history(2), "running aborted");
+  EXPECT_EQ(flight.reason(2), "interrupted");
+  flight.dispatch("marvin", 3, "takeshot", device("visible"));
+  EXPECT_EQ(flight.history(3), "running");
+}
+
+TEST(Unit, APerceptionAndAPictureAlongTheWayDoNotShareADevice) {
+  Flight flight(a_config());
+  flight.take_off("marvin", 1, 40);
+
+  flight.dispatch("marvin", 2, "takeshot", device("visible"));
+  flight.dispatch("marvin", 3, "perceive", looking_for(20));
+
+  EXPECT_EQ(flight.reason(3), "device 'visible' is in use by task 2");
+  flight.interrupt("marvin", 2);
+  flight.dispatch("marvin", 4, "perceive", looking_for(20));
+  flight.run_for(1);
+  EXPECT_EQ(flight.history(4), "running");
+}
+
+TEST(Unit, APerceptionWhoseDeviceFailsIsAbortedAndLetsTheVehicleGo) {
+  Flight flight(a_config());
+  flight.take_off("marvin", 1, 40);
+  flight.dispatch("marvin", 2, "perceive", looking_for(60));
+  flight.run_for(5);
+
+  flight.give(Fault{"marvin", FaultKind::kSensor, "visible"});
+
+  EXPECT_EQ(flight.history(2), "running aborted");
+  EXPECT_EQ(flight.reason(2), "device 'visible' has failed");
+  flight.dispatch("marvin", 3, "land");
+  EXPECT_TRUE(flight.run_to_end_of(3));
+  EXPECT_EQ(flight.history(3), "running ended");
+}
+
 RC_GTEST_PROP(Unit, ArrivesWithinToleranceInAnyWindWithAllItsErrors, ()) {
   const std::string name = *rc::gen::element<std::string>("marvin", "heliv", "karma");
   SimulatorConfig config = a_config({name});

@@ -52,7 +52,14 @@ INSTANTIATE_TEST_SUITE_P(
     Contingencies, Deliberation,
     ::testing::Values("contingencies/slow-goto", "contingencies/takeshot-aborted",
                       "contingencies/sensor-dead", "contingencies/no-fly-appears",
-                      "contingencies/energy-short", "contingencies/urgent-mission"),
+                      "contingencies/energy-short", "contingencies/urgent-mission",
+                      "contingencies/later-during-perception",
+                      "contingencies/mission-while-waiting-on-ground",
+                      "contingencies/true-when-its-turn-comes",
+                      "contingencies/partner-never-comes", "contingencies/orders-never-come",
+                      "contingencies/air-closes-around", "contingencies/air-closes-later",
+                      "contingencies/air-closes-on-perception",
+                      "contingencies/air-closes-on-circle", "contingencies/steep-home"),
     name_of);
 
 }  // namespace

@@ -13,7 +13,6 @@ using executive::Formula;
 using executive::FunctionalStatus;
 using executive::Input;
 using executive::InsertionMode;
-using executive::kSynchroniseType;
 using executive::Literal;
 using executive::MessageReceived;
 using executive::Modality;
@@ -122,7 +121,7 @@ Task task(const Node& node) {
   result.id = task_id(node.at("id"));
   result.type = node.at("type").text();
   if (result.type.empty()) node.at("type").wrong("expected a name");
-  if (result.type == kSynchroniseType) {
+  if (functional::TaskTypes::shipped().of(result.type).synchronises()) {
     result.synchronisation = synchronisation(node.at("params"));
   } else if (node.has("params")) {
     result.parameters = parameters(node.at("params"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "skein/ddn/ddn_node.hpp"
+#include "skein/functional/task_types.hpp"
 #include "skein/translation/tasks.hpp"
 
 namespace skein::ddn {
@@ -11,10 +12,8 @@ namespace {
 
 using translation::to_wire;
 
-bool moves_the_vehicle(const std::string& type) {
-  static const executive::TypeTable types = executive::TypeTable::elementary();
-  const auto resources = types.resources_of(type, {});
-  return std::find(resources.begin(), resources.end(), executive::kMotion) != resources.end();
+bool holds_vehicle(const std::string& type) {
+  return functional::TaskTypes::shipped().of(type).holds_vehicle();
 }
 
 }  // namespace
@@ -86,7 +85,7 @@ void DdnNode::carry_out(const executive::Notice& notice) {
 
 // Own tasks give way; the functional layer moves for one task at a time.
 void DdnNode::dispatch_functional(wire::FunctionalRequest request) {
-  if (own_task(request.id) || own_open_.empty() || !moves_the_vehicle(request.type)) {
+  if (own_task(request.id) || own_open_.empty() || !holds_vehicle(request.type)) {
     out_.push_back(node::Send{roster_.sim(), std::move(request), MissionTime::max()});
     return;
   }

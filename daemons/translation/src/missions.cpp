@@ -125,6 +125,7 @@ Read<mission::UnitMission> mission_of(const wire::MissionRequest& request) {
   result.id = mission::MissionId(request.unit_mission);
   result.placement = static_cast<mission::Placement>(request.placement);
   result.interrupt = request.interrupt;
+  result.any = request.any;
   result.asked_by = request.asked_by;
   result.evaluate = request.evaluate;
   for (std::size_t i = 0; i < request.tasks.size(); ++i) {
@@ -158,6 +159,7 @@ wire::MissionRequest to_wire(const mission::UnitMission& mission) {
   result.unit_mission = mission.id.value();
   result.placement = static_cast<wire::MissionPlacement>(mission.placement);
   result.interrupt = mission.interrupt;
+  result.any = mission.any;
   result.asked_by = mission.asked_by;
   result.evaluate = mission.evaluate;
   for (const mission::HighLevelTask& task : mission.tasks) result.tasks.push_back(to_wire(task));

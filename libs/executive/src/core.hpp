@@ -59,6 +59,7 @@ class Executive::Core {
   // transitions.cpp
   void set_state(Slot slot, TaskState state, const std::string& reason = {});
   void announce(const TaskRecord& record);
+  void note_flight(functional::Leaves leaves);
   void dispatch(Slot slot);
   void run_synchronisation(Slot slot);
   void interrupt_or_cancel(Slot slot, const std::string& reason);

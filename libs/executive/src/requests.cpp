@@ -27,8 +27,8 @@ std::optional<std::string> Executive::Core::refusal_of(const Start& request) con
     return "ids from " + to_text(kFirstBackgroundId) + " on are those of the background routine";
   }
   if (!plan_.may_insert(task.id)) return "id " + to_text(task.id) + " is known already";
-  if ((task.type == kSynchroniseType) != task.synchronisation.has_value()) {
-    return "a task has a synchronisation exactly when its type is 'synchronise'";
+  if (config_.types.of(task.type).synchronises() != task.synchronisation.has_value()) {
+    return "a task has a synchronisation exactly when its type synchronises";
   }
   return std::nullopt;
 }

@@ -5,36 +5,34 @@
 
 namespace skein::executive {
 
-TypeTable TypeTable::elementary() {
-  TypeTable table;
-  for (const char* type : {"takeoff", "land", "goto", "wait"}) {
-    table.declare(type, {std::string(kMotion)});
-  }
-  table.declare("takeshot", {"$device"});
-  table.declare(std::string(kSynchroniseType), {});
-  return table;
+namespace {
+
+std::string text_of(const Parameters& parameters, std::string_view name) {
+  const Parameter* parameter = parameters.find(name);
+  return parameter == nullptr ? "" : parameter->text;
 }
 
+}  // namespace
+
 void TypeTable::declare(std::string type, std::vector<std::string> resources) {
-  types_[std::move(type)] = std::move(resources);
+  declared_[std::move(type)] = std::move(resources);
 }
 
 bool TypeTable::is_declared(std::string_view type) const {
-  return is_joint(type) || types_.find(type) != types_.end();
+  return declared_.find(type) != declared_.end() || types_.find(type) != nullptr;
 }
 
 std::vector<std::string> TypeTable::resources_of(const std::string& type,
                                                  const Parameters& parameters) const {
-  const auto found = types_.find(type);
-  if (found == types_.end()) return {};
   std::vector<std::string> resources;
-  for (const std::string& resource : found->second) {
-    if (resource.empty() || resource.front() != '$') {
-      resources.push_back(resource);
-    } else {
-      const Parameter* parameter = parameters.find(std::string_view(resource).substr(1));
-      resources.push_back(parameter == nullptr ? "" : parameter->text);
+  if (const auto found = declared_.find(type); found != declared_.end()) {
+    for (const std::string& one : found->second) {
+      const bool named = !one.empty() && one.front() == '$';
+      resources.push_back(named ? text_of(parameters, std::string_view(one).substr(1)) : one);
     }
+  } else if (const functional::TaskType& known = types_.of(type); !known.is_joint()) {
+    if (known.holds_vehicle()) resources.emplace_back(kMotion);
+    for (const std::string& one : known.devices) resources.push_back(text_of(parameters, one));
   }
   std::sort(resources.begin(), resources.end());
   resources.erase(std::unique(resources.begin(), resources.end()), resources.end());

@@ -27,9 +27,13 @@ void Executive::Core::set_state(Slot slot, TaskState state, const std::string& r
   }
   announce(record);
   conditions_.task_changed(slot);
-  if (state == TaskState::kEnded && record.type == "takeoff") airborne_ = true;
-  if (state == TaskState::kEnded && record.type == "land") airborne_ = false;
+  if (state == TaskState::kEnded) note_flight(config_.types.of(record.type).leaves);
   if (is_terminal(state)) retire(slot, was_aborting);
+}
+
+void Executive::Core::note_flight(functional::Leaves leaves) {
+  if (leaves == functional::Leaves::kInTheAir) airborne_ = true;
+  if (leaves == functional::Leaves::kOnTheGround) airborne_ = false;
 }
 
 // What a terminal task held is given back.

@@ -145,6 +145,18 @@ TEST(BackgroundRoutine, IsDisplacedByAnyMotionTaskAndComesBackAfterIt) {
                                            "dispatch " + kSecond));
 }
 
+TEST(BackgroundRoutine, GivesWayToARendezvousWhichNeedsTheVehicleWhereItIs) {
+  Mission mission(with_routine());
+  mission.flies();
+
+  EXPECT_THAT(mission.start(TaskOf(1, "rendezvous").among({"marvin", "heliv"}, {"marvin"})),
+              ElementsAre("1 scheduled", kFirst + " aborting", "interrupt " + kFirst, "1 started",
+                          "1 running"));
+  EXPECT_THAT(mission.aborted(kFirstBackgroundId.value()), ElementsAre(kFirst + " aborted"));
+  EXPECT_THAT(mission.sync_from("heliv"), ElementsAre("1 ended", kSecond + " scheduled",
+                                                      kSecond + " started", "dispatch " + kSecond));
+}
+
 TEST(BackgroundRoutine, LetsATaskThatDoesNotMoveTheVehicleBe) {
   Mission mission(with_routine());
   mission.flies();

@@ -270,10 +270,34 @@ TEST(TypeTable, ResolvesAResourceNamedByAParameter) {
   EXPECT_THAT(table.resources_of("never heard of", Parameters{}), IsEmpty());
 }
 
+TEST(TypeTable, WhatKeepsTheVehicleUsesMotionAsWhatMovesItDoes) {
+  const TypeTable table = TypeTable::elementary();
+
+  EXPECT_THAT(table.resources_of("goto", Parameters{}), ElementsAre("motion"));
+  EXPECT_THAT(table.resources_of("rendezvous", Parameters{}), ElementsAre("motion"));
+  for (const char* type : {"perceive", "monitor"})
+    EXPECT_THAT(table.resources_of(type, Parameters{{"device", "ir", {}}}),
+                ElementsAre("ir", "motion"))
+        << type;
+  EXPECT_THAT(table.resources_of("synchronise", Parameters{}), IsEmpty());
+}
+
+TEST(TypeTable, AJointTaskUsesWhatItsPartsUse) {
+  EXPECT_THAT(TypeTable::elementary().resources_of("joint:track", Parameters{}), IsEmpty());
+}
+
+TEST(TypeTable, WhatIsDeclaredHereReplacesWhatTheRegistrySays) {
+  TypeTable table = TypeTable::elementary();
+  table.declare("goto", {});
+
+  EXPECT_THAT(table.resources_of("goto", Parameters{}), IsEmpty());
+}
+
 TEST(TypeTable, KnowsTheElementaryAndTheJointTypes) {
   const TypeTable table = TypeTable::elementary();
 
-  for (const char* type : {"takeoff", "land", "goto", "wait", "takeshot", "synchronise"}) {
+  for (const char* type : {"takeoff", "land", "goto", "wait", "takeshot", "perceive", "monitor",
+                           "synchronise", "rendezvous"}) {
     EXPECT_TRUE(table.is_declared(type)) << type;
   }
   EXPECT_TRUE(table.is_declared("joint:track"));

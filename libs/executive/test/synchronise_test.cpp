@@ -34,6 +34,23 @@ TEST(Synchronise, RunsAtOnceThenSendsThenWaits) {
   EXPECT_THAT(mission.sync_from("heliv"), ElementsAre("1 ended"));
 }
 
+TEST(Synchronise, ARendezvousIsCarriedOutLikewise) {
+  Mission mission;
+
+  EXPECT_THAT(mission.start(TaskOf(1, "rendezvous").among({"marvin", "heliv"}, {"heliv", "marvin"})),
+              ElementsAre("1 scheduled", "1 started", "1 running", "sync 551 to heliv"));
+  EXPECT_THAT(mission.sync_from("heliv"), ElementsAre("1 ended"));
+}
+
+TEST(Synchronise, AnUrgentMotionInterruptsARendezvousButNotASynchronisationAlongAMotion) {
+  Mission mission;
+  mission.start(meeting(1, {"heliv"}, {"marvin"}));
+  mission.start(TaskOf(2, "rendezvous").among({"heliv"}, {"marvin"}));
+
+  EXPECT_THAT(mission.start(TaskOf(3, "goto"), InsertionMode::kVut),
+              ElementsAre("3 scheduled", "2 aborting", "2 aborted", "3 started", "dispatch 3"));
+}
+
 TEST(Synchronise, SendsInTheOrderOfTheReceiversOnceToEachAndNotToItself) {
   Mission mission;
 

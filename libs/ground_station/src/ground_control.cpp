@@ -6,6 +6,7 @@
 
 #include "request_facts.hpp"
 #include "skein/foundation/overloaded.hpp"
+#include "skein/functional/task_types.hpp"
 
 namespace skein::ground_station {
 namespace {
@@ -26,7 +27,7 @@ std::vector<std::string> names_of(const std::vector<GroundUav>& uavs) {
 
 // Carried out by the functional layer, not by the executive or a supervisor.
 bool is_functional(const std::string& type) {
-  return type != executive::kSynchroniseType && !executive::is_joint(type);
+  return functional::TaskTypes::shipped().of(type).by == functional::CarriedOutBy::kFunctionalLayer;
 }
 
 bool is_due(std::optional<MissionTime> wakeup, MissionTime now) { return wakeup && *wakeup <= now; }

@@ -3,9 +3,9 @@
 #include "skein/ground_station/monitoring.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "skein/foundation/contract.hpp"
+#include "skein/functional/task_types.hpp"
 
 namespace skein::ground_station {
 namespace {
@@ -31,9 +31,8 @@ int progress(TaskState state) {
   return 4;
 }
 
-bool moves_the_vehicle(const std::string& type) {
-  constexpr std::array<std::string_view, 4> kTypes = {"takeoff", "goto", "land", "wait"};
-  return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+bool holds_vehicle(const std::string& type) {
+  return functional::TaskTypes::shipped().of(type).holds_vehicle();
 }
 
 }  // namespace
@@ -45,7 +44,7 @@ const TaskOnBoard* current_task(const UavOnBoard& uav) {
   for (const auto& [id, task] : uav.tasks) {
     const bool at_work = task.state == TaskState::kStarted || task.state == TaskState::kRunning;
     if (task.lost || !at_work) continue;
-    if (moves_the_vehicle(task.type)) return &task;
+    if (holds_vehicle(task.type)) return &task;
     if (first == nullptr) first = &task;
   }
   return first;

@@ -20,9 +20,18 @@ std::optional<DependenceKind> dependence_kind_from(std::string_view text) {
   return value_of(kKinds, text);
 }
 
-bool uses_motion(const ElementaryTask& task) {
-  return task.type == "takeoff" || task.type == "goto" || task.type == "land" ||
-         task.type == "wait";
+const functional::TaskType& type_of(const ElementaryTask& task) {
+  return functional::TaskTypes::shipped().of(task.type);
+}
+
+bool holds_vehicle(const ElementaryTask& task) { return type_of(task).holds_vehicle(); }
+
+std::vector<std::string> devices_of(const ElementaryTask& task) {
+  std::vector<std::string> devices;
+  for (const std::string& name : type_of(task).devices) {
+    if (const auto* parameter = task.parameters.find(name)) devices.push_back(parameter->text);
+  }
+  return devices;
 }
 
 }  // namespace skein::mission

@@ -51,10 +51,20 @@ TEST(DependenceKind, IsReadBackFromItsWord) {
 }
 
 TEST(ElementaryTask, MovesOrHoldsTheVehicleWhenItsTypeDoes) {
-  for (const char* type : {"takeoff", "goto", "land", "wait"})
-    EXPECT_TRUE(uses_motion(a_task(1, type, ""))) << type;
-  for (const char* type : {"takeshot", "synchronise", "joint:relay", ""})
-    EXPECT_FALSE(uses_motion(a_task(1, type, ""))) << type;
+  for (const char* type : {"takeoff", "goto", "land", "wait", "perceive", "monitor", "rendezvous",
+                           "joint:relay"})
+    EXPECT_TRUE(holds_vehicle(a_task(1, type, ""))) << type;
+  for (const char* type : {"takeshot", "synchronise", ""})
+    EXPECT_FALSE(holds_vehicle(a_task(1, type, ""))) << type;
+}
+
+TEST(ElementaryTask, HasTheDevicesThatItsParametersName) {
+  ElementaryTask look = a_task(1, "perceive", "");
+  EXPECT_TRUE(devices_of(look).empty());
+  look.parameters.add({"device", "visible", {}});
+  EXPECT_EQ(devices_of(look), std::vector<std::string>{"visible"});
+  look.type = "goto";
+  EXPECT_TRUE(devices_of(look).empty());
 }
 
 // Source: spec 3.4 (the seeds' example, with fewer way-points).

@@ -116,7 +116,7 @@ std::string read_uav(const Reader& reader, const TaskContext& context) {
 }
 
 Action read_mission(const Reader& reader, TaskContext& context) {
-  reader.keys({"uav", "id", "tasks", "placement", "interrupt", "evaluate"});
+  reader.keys({"uav", "id", "tasks", "placement", "interrupt", "achieve", "evaluate"});
   if (!context.scenario.planning) reader.error(kNoPlanning, kPlanningWanted);
   ground_station::SendMission send;
   send.uav = read_uav(reader, context);
@@ -133,6 +133,7 @@ Action read_mission(const Reader& reader, TaskContext& context) {
   }
   send.mission.placement = static_cast<mission::Placement>(
       reader.optional("placement").choice({"best", "last", "in-time", "tour", "first"}));
+  send.mission.any = reader.optional("achieve").choice({"all", "any"}) == 1;
   send.mission.interrupt = interrupt.boolean(false);
   send.mission.evaluate = reader.optional("evaluate").boolean(false);
   if (send.mission.interrupt && send.mission.placement != mission::Placement::kFirst) {

@@ -3,6 +3,8 @@
 
 #include <numbers>
 
+#include "skein/functional/task_types.hpp"
+
 namespace skein::scenario {
 
 namespace {
@@ -156,12 +158,11 @@ void read_synchronisation(const Reader& params, const TaskContext& context, exec
 }
 
 void check_type(const Reader& type, const std::string& name) {
-  static const std::vector<std::string> kTypes{"takeoff",  "land", "goto",
-                                               "takeshot", "wait", "synchronise"};
-  if (executive::is_joint(name)) {
+  const functional::TaskTypes& types = functional::TaskTypes::shipped();
+  if (types.of(name).is_joint()) {
     type.error("joint tasks need a deliberative layer, degree 4 or 5");
   } else {
-    (void)type.name_among(kTypes, "a task type");
+    (void)type.name_among(types.names(), "a task type");
   }
 }
 
@@ -218,7 +219,7 @@ ground_station::PlannedTask read_task(const Reader& reader, const std::string& u
   task.preconditions = read_formula(reader.optional("pre"));
   task.exit = read_formula(reader.optional("exit"));
   const Reader params = reader.optional("params");
-  if (task.type == executive::kSynchroniseType) {
+  if (functional::TaskTypes::shipped().of(task.type).synchronises()) {
     read_synchronisation(reader.required("params"), context, task);
   } else if (params.present()) {
     planned.targets = read_targets(params, context);

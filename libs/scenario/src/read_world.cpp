@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "reading.hpp"
+#include "skein/functional/task_types.hpp"
 #include "skein/mission/autonomy.hpp"
 #include "skein/world/radio_reader.hpp"
 #include "skein/world/vehicle_model_reader.hpp"
@@ -179,9 +180,10 @@ void read_fault(const Reader& fault, const Names& names, FaultSpec& faults) {
                             read_seconds(slow.required("for"))});
   } else if (const Reader abort = fault.optional("abort"); abort.present()) {
     abort.keys({"uav", "type"});
-    static const std::vector<std::string> kTypes{"takeoff", "land", "goto", "wait", "takeshot"};
+    const auto types =
+        functional::TaskTypes::shipped().names(functional::CarriedOutBy::kFunctionalLayer);
     faults.aborts.push_back({at, uav(abort.required("uav")),
-                             abort.required("type").name_among(kTypes, "a type of tasks")});
+                             abort.required("type").name_among(types, "a type of tasks")});
   } else if (const Reader energy = fault.optional("energy"); energy.present()) {
     energy.keys({"uav", "left"});
     faults.energies.push_back(

@@ -102,11 +102,16 @@ Observations Book::observations() const {
 
 std::vector<GoalId> Book::free_goals() const {
   std::vector<GoalId> result;
-  for (const GoalId id : order) {
-    const Goal& goal = goals.at(id);
-    const bool open = !is_settled(goal.state) && goal.state != GoalState::kHandedOver;
-    if (open && !goal.queued && !is_given(id)) result.push_back(id);
+  bool given_behind = false;
+  for (auto id = order.rbegin(); id != order.rend(); ++id) {
+    const Goal& goal = goals.at(*id);
+    if (is_settled(goal.state) || goal.state == GoalState::kHandedOver) continue;
+    const bool given = is_given(*id);
+    const bool passed = goal.true_at && given_behind;
+    given_behind = given_behind || given;
+    if (!goal.queued && !given && !passed) result.push_back(*id);
   }
+  std::reverse(result.begin(), result.end());
   return result;
 }
 
@@ -117,8 +122,8 @@ GoalBounds Book::bounds() const {
     result.of[id] = goal.task.after;
     for (const mission::GoalBound& one : goal.task.after) {
       const auto other = goals.find(one.goal);
-      if (other != goals.end() && other->second.achieved)
-        result.over[one.goal] = *other->second.achieved;
+      if (other != goals.end() && other->second.state == GoalState::kAchieved)
+        result.over[one.goal] = other->second.settled;
     }
   }
   return result;
@@ -160,11 +165,21 @@ std::set<GoalId> Book::falling_with(std::set<GoalId> falling) const {
 std::set<TaskId> Book::loose_motion() const {
   std::set<TaskId> result;
   for (const auto& [id, one] : loose) {
-    if (one.moves) result.insert(id);
+    if (one.holds_vehicle) result.insert(id);
   }
   for (const auto& [id, entry] : tasks) {
-    if (!entry.given || entry.over() || !uses_motion(entry.task)) continue;
+    if (!entry.given || entry.over() || !holds_vehicle(entry.task)) continue;
     if (entry.withdrawn || entry.by_others || entry.task.open_ended) result.insert(id);
+  }
+  return result;
+}
+
+std::set<TaskId> Book::loose_users_of(const std::string& device) const {
+  std::set<TaskId> result;
+  for (const auto& [id, entry] : tasks) {
+    if (!entry.given || entry.over() || !(entry.withdrawn || entry.by_others)) continue;
+    const auto devices = devices_of(entry.task);
+    if (std::find(devices.begin(), devices.end(), device) != devices.end()) result.insert(id);
   }
   return result;
 }
@@ -177,7 +192,8 @@ std::vector<const Entry*> Book::waits_for_orders() const {
   return result;
 }
 
-// The executive starts it in the step that it is now telling of.
+// The executive starts it in the step that it is now telling of. What was stopped never counts as
+// ended there, so it is enough that it is over.
 bool Book::is_due(const Entry& entry) const {
   const auto& waits = entry.task.dependences;
   return std::all_of(waits.begin(), waits.end(), [&](const mission::Dependence& wait) {
@@ -185,7 +201,8 @@ bool Book::is_due(const Entry& entry) const {
     if (other == nullptr) return true;
     const bool over = other->over();
     if (wait.kind == mission::DependenceKind::kRunning) return other->under_way();
-    return over && (wait.kind == mission::DependenceKind::kOver || !other->seen.aborted);
+    const bool any_end = wait.kind == mission::DependenceKind::kOver || ends_by_order(other->task);
+    return over && (any_end || !other->seen.aborted);
   });
 }
 
@@ -194,10 +211,10 @@ bool Book::has_occupation() const {
     const Entry& entry = one.second;
     const bool goes_on = entry.given && !entry.over() && !entry.stopping;
     if (!goes_on) return false;
-    return uses_motion(entry.task) || entry.seen.started.has_value() || is_due(entry);
+    return holds_vehicle(entry.task) || entry.seen.started.has_value() || is_due(entry);
   });
   return occupied || std::any_of(loose.begin(), loose.end(), [](const auto& one) {
-           return one.second.moves && !one.second.stopping;
+           return one.second.holds_vehicle && !one.second.stopping;
          });
 }
 
@@ -208,7 +225,8 @@ void Book::reorder(const std::vector<GoalId>& wanted) {
   std::vector<GoalId> first, last;
   for (const GoalId id : order) {
     if (is_wanted(id)) continue;
-    const bool before = is_settled(goals.at(id).state) || is_given(id);
+    const Goal& goal = goals.at(id);
+    const bool before = is_settled(goal.state) || is_given(id) || goal.true_at;
     (before ? first : last).push_back(id);
   }
   std::stable_partition(first.begin(), first.end(),

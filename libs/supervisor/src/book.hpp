@@ -11,6 +11,7 @@
 #include "skein/mission/autonomy.hpp"
 #include "skein/mission/elementary_plan.hpp"
 #include "skein/supervisor/insertion.hpp"
+#include "whereabouts.hpp"
 
 namespace skein::supervisor {
 
@@ -26,9 +27,11 @@ struct Goal {
   std::string asked_by;
   GoalState state = GoalState::kReceived;
   std::string why;
-  int refined = 0;                      ///< times that it was refined again after a failure
-  bool queued = false;                  ///< its mission waits for its insertion
-  std::optional<MissionTime> achieved;  ///< when it was
+  int refined = 0;      ///< times that it was refined again after a failure
+  bool queued = false;  ///< its mission waits for its insertion
+  /// Planned to need no tasks: it is true when its turn comes, if the vehicle is there.
+  std::optional<Whereabouts> true_at;
+  MissionTime settled;  ///< when, of one that is
 };
 
 /// An elementary task of a goal.
@@ -60,7 +63,7 @@ struct Entry {
 struct Loose {
   std::string type;
   bool ours = false;
-  bool moves = false;
+  bool holds_vehicle = false;
   bool stopping = false;  ///< told to by us
 };
 
@@ -100,7 +103,7 @@ class Book {
   Observations observations() const;
 
   /// Goals that are to be done, are not queued and not with the executive: those that a job may
-  /// plan anew; in order.
+  /// plan anew; in order. A goal without tasks counts as given when one behind it is.
   std::vector<GoalId> free_goals() const;
   /// Bounds after goals, of all that are not settled.
   GoalBounds bounds() const;
@@ -110,9 +113,11 @@ class Book {
   std::set<TaskId> ending_by_order() const;
   /// The goals that lose what they wait for when these do.
   std::set<GoalId> falling_with(std::set<GoalId> goals) const;
-  /// Tasks of the executive that move the vehicle or hold it, are not over, and that the plan does
-  /// not order: withdrawn ones, waits, what others gave.
+  /// Tasks of the executive that hold the vehicle, are not over, and that the plan does not order:
+  /// withdrawn ones, waits, what others gave.
   std::set<TaskId> loose_motion() const;
+  /// Likewise, those that use the device.
+  std::set<TaskId> loose_users_of(const std::string& device) const;
   /// Open-ended tasks that wait for orders and are not over.
   std::vector<const Entry*> waits_for_orders() const;
   /// Something that is to go on moves or holds the vehicle, or is under way where it is: it hovers,

@@ -12,6 +12,7 @@
 
 #include "book.hpp"
 #include "plan_network.hpp"
+#include "retreat.hpp"
 #include "skein/supervisor/supervisor.hpp"
 
 namespace skein::supervisor {
@@ -30,6 +31,7 @@ class Supervisor::Core {
     mission::MissionId id;
     mission::Placement placement = mission::Placement::kBest;
     bool interrupt = false;
+    bool any = false;
     std::string cause;
     MissionTime since;
     int attempts = 0;
@@ -47,6 +49,7 @@ class Supervisor::Core {
     std::string cause;
     MissionTime since;
     int attempts = 0;
+    bool home = false;  ///< even with nothing to plan: it must come down
   };
   /// What a job supposes.
   struct Premises {
@@ -66,6 +69,7 @@ class Supervisor::Core {
     std::shared_ptr<std::atomic<bool>> stop;    ///< set when its result is no longer wanted
     Need need;
     Premises premises;
+    std::optional<mission::HighLevelTask> retreat;  ///< a goal of its own, if nothing else serves
   };
   /// A joint task between LoadJointTask and its answer, or due before it.
   struct Joint {
@@ -89,9 +93,21 @@ class Supervisor::Core {
   void cancel(const std::vector<GoalId>& goals, bool interrupt, const std::string& cause);
   std::vector<GoalId> left_to_plan(const std::vector<GoalId>& gone) const;
   void drop_cancelled_missions();
-  void check_air(const std::string& cause);
-  bool goes_through(const Entry& entry, const world::Volume& volume) const;
   void set_volume(const mission::ChangeWorld& change);
+
+  // supervisor_air.cpp
+  void check_air(const std::string& cause);
+  void watch_air();
+  std::optional<MissionTime> next_closing() const;
+  bool is_met(const Entry& entry, const world::Volume& volume) const;
+  bool goes_through(const Entry& entry, const world::Volume& volume) const;
+  bool stays_in(const Entry& entry, const world::Volume& volume) const;
+  const world::Volume* met_by(const Entry& entry) const;
+  std::optional<world::Vector3> stand_of(const Entry& entry) const;
+  const world::Volume* closed_around() const;
+  bool is_leaving() const;
+  bool is_nearly_down() const;
+  std::vector<GoalId> goals_met(std::string& what) const;
 
   // supervisor_hand_over.cpp
   void on(const Disengage& input);
@@ -141,11 +157,31 @@ class Supervisor::Core {
   bool repairing() const { return need_ || (job_ && !job_->mission); }
   void need(std::optional<GoalId> failed, bool refine, const std::string& cause);
   void check_devices(const std::set<std::string>& newly);
-  void check_energy();
-  void fail_for_energy(double left);
   void keep_safe();
+  std::string why_idle() const;
   void wait_safely();
   void stop_safe_waits();
+
+  // supervisor_energy.cpp
+  Retreat retreat() const { return {*config_.knowledge, *world_, now_}; }
+  Whereabouts end_of(const std::vector<mission::ElementaryTask>& tasks) const;
+  double energy_to_come(const Entry& entry) const;
+  double energy_in_hand() const;
+  double energy_above_reserve() const;
+  void check_energy();
+  void run_short(double wanted);
+  void give_up(const std::set<GoalId>& in_hand, const std::string& cause);
+  void divert(const std::string& cause);
+  std::optional<GoalId> waiting_in(const std::set<GoalId>& goals) const;
+  bool comes_down() const;
+  void come_down_at_once();
+
+  // supervisor_own_goals.cpp
+  bool can_plan(std::string_view task) const;
+  std::optional<mission::HighLevelTask> own_task(std::string_view name) const;
+  GoalId enter_own(const mission::HighLevelTask& task);
+  void tell_landing(const mission::ElementaryPlan& plan);
+  std::string named(GoalId goal) const;
 
   // supervisor_jobs.cpp
   void on(const JobFinished& input);
@@ -168,7 +204,10 @@ class Supervisor::Core {
   // supervisor_results.cpp
   void finish(const Job& job, const InsertionOutcome& outcome);
   void finish(const Job& job, const RepairOutcome& outcome);
-  void refuse(const Job& job, const std::vector<std::string>& reasons);
+  void refuse(const Job& job, const std::vector<std::string>& reasons,
+              const std::vector<Dropped>& culprits = {});
+  void leave_out(const std::vector<Dropped>& dropped);
+  std::string in_words(const std::string& text) const;
   mission::MissionEstimate estimate(const Evaluation& evaluation,
                                     const InsertionOutcome& outcome) const;
   void answer_evaluation(const InsertionOutcome& outcome);
@@ -184,6 +223,12 @@ class Supervisor::Core {
   PlanningRequest base_request(const Standing& standing, const std::set<TaskId>& withdrawn) const;
   Situation situation(const Standing& standing, const std::set<TaskId>& withdrawn) const;
   void place_after(const Standing& standing, Situation& result) const;
+  void place_on_timelines(const Standing& standing, const std::set<TaskId>& withdrawn,
+                          Situation& result) const;
+  void place_loose(const std::set<TaskId>& withdrawn, Situation& result) const;
+  void foresee_true_goals();
+  void settle_true_goals();
+  bool is_there(const Whereabouts& expected) const;
   Timeline timeline_after(const mission::ElementaryTask& task) const;
   double energy_after(const Standing& standing) const;
 
@@ -195,7 +240,7 @@ class Supervisor::Core {
   std::optional<MissionTime> due(GoalId goal) const;
   void give(GoalId goal);
   mission::ElementaryTask as_given(const mission::ElementaryTask& task) const;
-  bool begins_motion(const mission::ElementaryTask& task) const;
+  std::set<TaskId> loose_before(const mission::ElementaryTask& task) const;
   void end_waits();
   void load(const Entry& entry);
   void report_joint(TaskId id, const std::string& why);
@@ -232,6 +277,8 @@ class Supervisor::Core {
   MissionTime grounded_until_;  ///< a state that says otherwise is older than the landing
   std::optional<MissionTime> wait_again_;  ///< no safe wait before
   bool energy_told_ = false;
+  MissionTime air_watched_;      ///< closings before this have been dealt with
+  std::uint64_t own_goals_ = 0;  ///< given so far
 
   PlanNetwork network_;
   std::uint64_t decisions_ = 0;

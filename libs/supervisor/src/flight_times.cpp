@@ -100,6 +100,10 @@ double arrival_distance(const VehicleModel& vehicle, const Wind& wind) {
   return 4 * world::tracking_spread(vehicle) + 2 * greatest_drift(vehicle, wind);
 }
 
+double stay_radius(const VehicleModel& vehicle) {
+  return 3 * world::tracking_spread(vehicle) + (vehicle.hovers ? 0 : vehicle.orbit_radius);
+}
+
 double longest_reaction(const VehicleModel& vehicle) {
   if (!vehicle.pilot) return 0;
   return (vehicle.pilot->reaction + vehicle.pilot->reaction_spread).to_seconds() +

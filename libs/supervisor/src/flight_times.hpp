@@ -20,6 +20,9 @@ struct Times {
 /// How far from where it is meant to be a vehicle may be taken to have arrived [m].
 double arrival_distance(const world::VehicleModel& vehicle, const world::Wind& wind);
 
+/// How far it gets from where it stays: what it wavers, and its waiting circle [m].
+double stay_radius(const world::VehicleModel& vehicle);
+
 /// Longest time from an order to its effect [s]; 0 without a pilot.
 double longest_reaction(const world::VehicleModel& vehicle);
 

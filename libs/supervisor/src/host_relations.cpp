@@ -110,7 +110,7 @@ Value PlannerHost::Services::in_time(TermStore& store, Arguments arguments) {
     const auto before = bound(store, arguments[4], which);
     if (!before || most <= *before + kRounding) return;
     fits = false;
-    refuse(text_of(store, arguments[0]) + " of " + text_of(store, arguments[1]) + " " + verb +
+    refuse(text_of(store, arguments[0]) + " of goal " + text_of(store, arguments[1]) + " " + verb +
            "s between " + at(least) + " and " + at(most) + ", but must " + verb + " before " +
            at(*before));
   };

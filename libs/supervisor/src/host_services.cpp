@@ -49,7 +49,7 @@ Term way_term(TermStore& store, const refiners::Way& way) {
 }  // namespace
 
 std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
-  static constexpr std::array<Entry, 18> entries = {
+  static constexpr std::array<Entry, 21> entries = {
       {{"compute-takeoff", 1, &Services::takeoff, true},
        {"compute-land", 2, &Services::land, true},
        {"compute-gotoxyz", 2, &Services::gotoxyz, true},
@@ -57,6 +57,9 @@ std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
        {"compute-sweep", 3, &Services::sweep, true},
        {"compute-sweep-entry", 3, &Services::sweep_entry, false},
        {"compute-stay", 1, &Services::stay, false},
+       {"compute-landing-place", 2, &Services::landing_place, true},
+       {"compute-way-out", 1, &Services::way_out, true},
+       {"is-free", 1, &Services::is_free, false},
        {"compute-viewpoint", 4, &Services::viewpoint, true},
        {"compute-angles", 3, &Services::angles, true},
        {"compute-entry", 1, &Services::entry, false},
@@ -143,6 +146,26 @@ Value PlannerHost::Services::land(TermStore& store, Arguments arguments) {
   const auto motion = refinery_.landing(*from, *to);
   if (!motion) return refuse("landing: " + motion.error());
   return answer(store, *motion, {});
+}
+
+/// (compute-landing-place FROM PLACE): PLACE as it is given, or the nearest ground that serves.
+Value PlannerHost::Services::landing_place(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
+  if (!from || !to) return kNil;
+  const auto at = refinery_.landing_place(*from, *to);
+  if (!at) return refuse("landing at " + Gazetteer::words(store, arguments[1]) + ": " + at.error());
+  return at->instead.empty() ? arguments[1] : location_term(store, at->at);
+}
+
+Value PlannerHost::Services::way_out(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]);
+  if (!from) return kNil;
+  return flight(store, refinery_.way_out(*from), "no way out");
+}
+
+Value PlannerHost::Services::is_free(TermStore& store, Arguments arguments) {
+  const auto at = place(store, arguments[0]);
+  return TermStore::boolean(at && refinery_.may_stay(*at));
 }
 
 Value PlannerHost::Services::gotoxyz(TermStore& store, Arguments arguments) {

@@ -45,6 +45,9 @@ class PlannerHost::Services {
   Value patrol(htn::TermStore& store, Arguments arguments);
   Value sweep(htn::TermStore& store, Arguments arguments);
   Value sweep_entry(htn::TermStore& store, Arguments arguments);
+  Value landing_place(htn::TermStore& store, Arguments arguments);
+  Value way_out(htn::TermStore& store, Arguments arguments);
+  Value is_free(htn::TermStore& store, Arguments arguments);
   Value stay(htn::TermStore& store, Arguments arguments);
   Value viewpoint(htn::TermStore& store, Arguments arguments);
   Value angles(htn::TermStore& store, Arguments arguments);

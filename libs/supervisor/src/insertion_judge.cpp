@@ -3,9 +3,10 @@
 #include "insertion_judge.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "placement_places.hpp"
+#include "retreat.hpp"
+#include "wording.hpp"
 
 namespace skein::supervisor {
 namespace {
@@ -29,16 +30,17 @@ PlanningRequest with_tasks(const PlanningRequest& base, Goals goals) {
   return request;
 }
 
+/// Nothing but a landing, and the way to it.
+bool comes_down(const std::vector<mission::ElementaryTask>& tasks) {
+  const bool lands = !tasks.empty() && tasks.back().type == "land";
+  return lands && std::all_of(tasks.begin(), tasks.end(), [&](const mission::ElementaryTask& task) {
+           return task.origin == tasks.back().origin;
+         });
+}
+
 Goals without_bounds(Goals goals) {
   for (mission::HighLevelTask& goal : goals) goal.time = {};
   return goals;
-}
-
-std::string percent(double fraction) {
-  const double tenths = std::round(fraction * 1000) / 10;
-  std::string text = std::to_string(tenths);
-  text.erase(text.find('.') + 2);
-  return text + " %";
 }
 
 }  // namespace
@@ -94,26 +96,38 @@ void Judge::check_dates(Verdict& verdict) const {
   all.insert(all.end(), verdict.plan->tasks.begin(), verdict.plan->tasks.end());
   verdict.schedule = schedule(all, standing_.seen, base_.situation.origin, standing_.bounds);
   if (verdict.schedule.controllable) return;
-  for (const Conflict& conflict : verdict.schedule.conflicts) {
+  const auto name = [&](std::uint64_t number) {
     const auto task = std::find_if(all.begin(), all.end(),
-                                   [&](const auto& one) { return one.id == conflict.task; });
-    if (task == all.end()) {
-      verdict.reasons.push_back(conflict.why);
-      continue;
-    }
-    verdict.reasons.push_back("goal " + to_text(task->origin) + " (" + task->type + ", task " +
-                              to_text(task->id) + ") " + conflict.why);
-    const auto standing = static_cast<std::ptrdiff_t>(standing_.tasks.size());
-    if (task - all.begin() >= standing && !verdict.culprit) verdict.culprit = task->origin;
+                                   [&](const auto& one) { return one.id.value() == number; });
+    return task == all.end() ? std::string() : in_words(*task);
+  };
+  for (const Conflict& conflict : verdict.schedule.conflicts) {
+    verdict.reasons.push_back(
+        with_names("task " + to_text(conflict.task) + " " + conflict.why, "task", name));
+    const auto task = std::find_if(
+        verdict.plan->tasks.begin(), verdict.plan->tasks.end(),
+        [&](const mission::ElementaryTask& candidate) { return candidate.id == conflict.task; });
+    if (task != verdict.plan->tasks.end() && !verdict.culprit) verdict.culprit = task->origin;
   }
   if (verdict.reasons.empty()) verdict.reasons.emplace_back("its dates cannot be kept to");
 }
 
+// What is left of a flight at its end is least there: from each point before, the plan itself is a
+// way on to it. A UAV that only comes down does so whatever is left.
 void Judge::check_energy(Verdict& verdict) const {
-  const double missing = verdict.plan->energy - usable_energy();
-  if (verdict.plan->energy <= 0 || missing <= kEnergyRounding) return;
+  const Situation& from = base_.situation;
+  const auto& tasks = verdict.plan->tasks;
+  const Retreat retreat(knowledge(), *base_.world, from.origin);
+  const Whereabouts end = after({from.position, from.airborne}, tasks);
+  const double home = retreat.after(end);
+  const double needed = verdict.plan->energy + home;
+  if (needed <= 0 || (from.airborne && comes_down(tasks))) return;
+  const double missing = needed + kSpareEnergy - usable_energy();
+  if (missing <= kEnergyRounding) return;
   verdict.missing_energy = missing;
-  verdict.reasons.push_back("needs " + percent(verdict.plan->energy) + " of the energy, and " +
+  const std::string back = home > 0 ? ", " + percent(home) + " to come home from its end and land" : "";
+  verdict.reasons.push_back("needs " + percent(verdict.plan->energy) + " of the energy" + back + ", " +
+                            percent(kSpareEnergy) + " to spare, and " +
                             percent(std::max(usable_energy(), 0.0)) + " is left above the reserve");
 }
 
@@ -124,9 +138,9 @@ std::optional<mission::ElementaryPlan> Judge::sketch(const Goals& order) const {
 }
 
 std::optional<mission::ElementaryPlan> Judge::sketch_in_the_air(
-    const mission::HighLevelTask& goal) const {
+    const mission::HighLevelTask& goal, const world::Vector3& aside) const {
   PlanningRequest request = with_tasks(base_, without_bounds({goal}));
-  request.situation.position = in_the_air(base_);
+  request.situation.position = in_the_air(base_) + aside;
   request.situation.airborne = true;
   request.situation.broken.clear();
   auto plan = planner_(request);

@@ -34,7 +34,8 @@ struct Verdict {
 };
 
 /// A plan serves when it can be made, is dynamically controllable together with what stands, and
-/// needs no more energy than is left above the vehicle's reserve. No order is planned twice.
+/// needs no more energy, the way home from its end and something to spare with it (retreat.hpp),
+/// than is left above the vehicle's reserve. No order is planned twice.
 class Judge {
  public:
   /// Lifetime: `base` and `standing` must outlive it.
@@ -45,9 +46,10 @@ class Judge {
   const Verdict& of(const Goals& order);
   /// A plan for estimates only, without time constraints and with all the energy there could be.
   std::optional<mission::ElementaryPlan> sketch(const Goals& order) const;
-  /// As sketch, of one task from the air, whatever is broken.
+  /// As sketch, of one task from the air, whatever is broken; `aside` of where it is [m].
   std::optional<mission::ElementaryPlan> sketch_in_the_air(
-      const mission::HighLevelTask& goal) const;
+      const mission::HighLevelTask& goal,
+      const world::Vector3& aside = world::Vector3::Zero()) const;
 
   const PlanningRequest& base() const { return base_; }
   const Standing& standing() const { return standing_; }

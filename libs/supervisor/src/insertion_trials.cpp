@@ -8,7 +8,7 @@ namespace skein::supervisor {
 
 const Verdict& Trials::run(mission::Placement placement, const Goals& order) {
   const Verdict& verdict = judge_.of(order);
-  Trial trial{placement, ids_of(order), verdict.serves, 0, verdict.reasons};
+  Trial trial{placement, ids_of(order), verdict.serves, 0, verdict.reasons, verdict.culprit};
   if (verdict.plan) trial.cost = verdict.plan->cost;
   trials_.push_back(std::move(trial));
   if (verdict.serves && (!best_ || verdict.plan->cost < best_->verdict->plan->cost))

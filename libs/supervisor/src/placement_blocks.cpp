@@ -9,16 +9,23 @@
 namespace skein::supervisor {
 namespace {
 
+using functional::Leaves;
+using functional::Motion;
+
 /// A task of that name that cannot be planned says nothing; after so many its name counts as free.
 constexpr int kMostFailures = 3;
+/// Far from any place that the vehicle might waver about [m].
+const world::Vector3 kElsewhere(200, 0, 0);
 
 Role role_in(const mission::ElementaryPlan& plan) {
   Role role = plan.tasks.empty() ? Role::kTakesOff : Role::kFree;
   for (const mission::ElementaryTask& task : plan.tasks) {
-    if (task.type == "takeoff" && role == Role::kFree) role = Role::kTakesOff;
-    if (task.type == "goto" && role == Role::kTakesOff) role = Role::kFree;
+    const functional::TaskType& type = mission::type_of(task);
+    const bool flies = type.motion == Motion::kMoves && type.leaves == Leaves::kAsItWas;
+    if (type.leaves == Leaves::kInTheAir && role == Role::kFree) role = Role::kTakesOff;
+    if (flies && role == Role::kTakesOff) role = Role::kFree;
     if (task.open_ended) role = Role::kWaits;
-    if (task.type == "land") return Role::kLands;
+    if (type.leaves == Leaves::kOnTheGround) return Role::kLands;
   }
   return role;
 }
@@ -53,9 +60,13 @@ class Cutter {
 }  // namespace
 
 Role Roles::of(const mission::HighLevelTask& goal) {
+  if (goal.name == kLeaveClosedAir) return Role::kTakesOff;
   Known& known = by_name_[goal.name];
   if (known.sure || known.failures == kMostFailures) return known.role;
-  if (const auto plan = judge_.sketch_in_the_air(goal)) {
+  auto plan = judge_.sketch_in_the_air(goal);
+  // What is nothing to do here because the vehicle is there already is something elsewhere.
+  if (plan && plan->tasks.empty()) plan = judge_.sketch_in_the_air(goal, kElsewhere);
+  if (plan) {
     known.role = role_in(*plan);
     known.sure = true;
   } else {

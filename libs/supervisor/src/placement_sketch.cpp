@@ -16,6 +16,13 @@ using world::Vector3;
 /// A date that nothing bounds counts as this far away [s].
 constexpr double kFarAway = 1e6;
 
+/// From one place to another, up or down too slowly to count.
+bool flies(const ElementaryTask& task) {
+  const functional::TaskType& type = mission::type_of(task);
+  return type.motion == functional::Motion::kMoves && type.leaves == functional::Leaves::kAsItWas &&
+         task.way.size() > 1;
+}
+
 double bounded(Duration duration) { return std::min(duration.to_seconds(), kFarAway); }
 
 /// Dates of one high-level task in the plan, relative to its origin [s].
@@ -46,7 +53,7 @@ class Extent {
     stay_.exit = task.way.back();
     if (stay_.moves) return;
     stay_.moves = true;
-    const bool leads_there = task.type == "goto" && task.way.size() > 1;
+    const bool leads_there = flies(task);
     stay_.entry = leads_there ? task.way.back() : task.way.front();
     if (!leads_there) return;
     stay_.approach = bounded(task.duration.most);
@@ -65,7 +72,7 @@ Sketch::Sketch(const mission::ElementaryPlan& plan, double cruise_speed) {
   double length = 0, seconds = 0, energy = 0;
   for (const ElementaryTask& task : plan.tasks) {
     extents[task.origin].add(task);
-    if (task.type != "goto" || task.way.size() < 2) continue;
+    if (!flies(task)) continue;
     length += refiners::length_of(task.way);
     seconds += bounded(task.duration.most);
     energy += task.energy;

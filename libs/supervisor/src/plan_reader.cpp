@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/foundation/nearest.hpp"
+#include "skein/functional/task_types.hpp"
 #include "terms.hpp"
 
 namespace skein::supervisor {
@@ -72,6 +74,8 @@ class Reader {
     });
     if (!dependences || dependences->empty()) return "expected dependences, ((ended 102) …)";
     if (stopped == plan.tasks.rend()) return "expected the id of a task before it";
+    if (!mission::type_of(*stopped).can_end(functional::Ending::kByStop))
+      return "a task of type '" + stopped->type + "' cannot be stopped";
     stopped->stop = *dependences;
     return {};
   }
@@ -120,9 +124,25 @@ class Reader {
       if (!read_own(key, values, task)) task.parameters.add(parameter(key, values));
     }
     if (task.type.empty()) return "expected (type TYPE) among the parameters";
-    const bool synchronises = task.type == executive::kSynchroniseType;
-    if (synchronises && !task.synchronisation)
+    return misfit(task);
+  }
+
+  /// What its type does not allow.
+  static std::string misfit(const ElementaryTask& task) {
+    const auto& types = functional::TaskTypes::shipped();
+    const functional::TaskType* type = types.find(task.type);
+    if (type == nullptr) {
+      const std::string nearest = nearest_name(task.type, types.names());
+      return "unknown type '" + task.type + "'" +
+             (nearest.empty() ? "" : ", did you mean '" + nearest + "'?");
+    }
+    if (type->synchronises() && !task.synchronisation)
       return "expected (sync ID SENDERS RECEIVERS) among the parameters";
+    if (task.open_ended && !type->can_end(functional::Ending::kByOrder))
+      return "a task of type '" + task.type + "' does not end by order";
+    for (const executive::Parameter& one : task.parameters.all())
+      if (!type->takes(one.name))
+        return "a task of type '" + task.type + "' takes no parameter '" + one.name + "'";
     return {};
   }
 

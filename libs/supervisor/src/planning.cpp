@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "domain_book.hpp"
+#include "retreat.hpp"
 #include "skein/htn/planner.hpp"
 #include "skein/supervisor/plan_reader.hpp"
 #include "skein/supervisor/planner_host.hpp"
 #include "terms.hpp"
+#include "wording.hpp"
 
 namespace skein::supervisor {
 
@@ -70,24 +72,25 @@ PlanningFailure explain(const PlanningRequest& request, const htn::TermStore& st
   return failure;
 }
 
-/// The task with which the energy comes to an end.
+/// The task with which the energy comes to an end; a plan that ends in the air leaves the way home.
 std::optional<PlanningFailure> energy_problem(const mission::ElementaryPlan& plan,
                                               const PlanningRequest& request) {
-  const double reserve = request.knowledge->vehicle.energy.reserve;
-  const double left = request.situation.energy - reserve;
-  if (plan.energy <= left) return std::nullopt;
-  double used = 0;
-  const auto percent = [](double part) {
-    return std::to_string(static_cast<int>(100 * std::max(0.0, part) + 0.5)) + " %";
-  };
+  const Situation& situation = request.situation;
+  const Retreat retreat(*request.knowledge, *request.world, situation.origin);
+  const Whereabouts end = after({situation.position, situation.airborne}, plan.tasks);
+  const double home = retreat.after(end);
+  const double left = situation.energy - request.knowledge->vehicle.energy.reserve;
+  if (plan.tasks.empty() || plan.energy + home <= left) return std::nullopt;
+  double used = home;
   for (const mission::ElementaryTask& task : plan.tasks) {
     used += task.energy;
-    if (used > left)
-      return PlanningFailure{
-          task.origin,
-          {"the plan needs " + percent(plan.energy) + " of the energy held when full, " +
-           percent(left) + " are left above the reserve: it would last up to " + task.name + " " +
-           std::to_string(task.id.value())}};
+    if (used <= left) continue;
+    const std::string back = home > 0 ? " and " + percent(home) + " to come home and land" : "";
+    return PlanningFailure{
+        task.origin,
+        {"the plan needs " + percent(plan.energy) + " of the energy held when full" + back + ", " +
+         percent(std::max(left, 0.0)) + " are left above the reserve: it would last up to " +
+         in_words(task)}};
   }
   return std::nullopt;
 }

@@ -76,8 +76,9 @@ std::string write_time(const std::string& resource, const Timeline& line) {
          seconds(line.free.most) + ")) " + event(line.after) + ")\n";
 }
 
-std::string read_time(const std::string& resource) {
-  return "   (my-read-time " + resource + " ((num 0) (num 0)) end none)\n";
+std::string read_time(const std::string& resource, const Timeline& line = {}) {
+  return "   (my-read-time " + resource + " ((num " + seconds(line.free.least) + ") (num " +
+         seconds(line.free.most) + ")) " + event(line.after) + ")\n";
 }
 
 std::string device_facts(const std::string& device, const Situation& situation) {
@@ -120,8 +121,11 @@ std::string goal(const mission::HighLevelTask& task, MissionTime origin) {
 std::string problem_text(const PlanningRequest& request, const std::string& name) {
   const Situation& situation = request.situation;
   std::string text = "(defproblem " + symbol(name) + "\n  ((current-plan main)\n" +
-                     "   (takeoffloc home)\n   (landloc home)\n   " + whereabouts(request) + "\n" +
+                     "   (takeoffloc home)\n   (landloc " +
+                     (situation.land_at ? location(*situation.land_at) : std::string("home")) +
+                     ")\n   " + whereabouts(request) + "\n" +
                      write_time("uavloc", situation.motion) + read_time("uavloc");
+  for (const Timeline& rider : situation.riders) text += read_time("uavloc", rider);
   for (const world::SensorModel& sensor : request.knowledge->vehicle.sensors)
     text += device_facts(sensor.device, situation);
   text += "   (task-id " + std::to_string(situation.next_id.value()) + "))\n  (\n";

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "crossing.hpp"
+#include "landing_place.hpp"
 #include "skein/refiners/flyable.hpp"
 #include "skein/refiners/patrol.hpp"
 #include "skein/refiners/tour.hpp"
@@ -24,8 +26,9 @@ constexpr double kCostOfWay = 1e-4;                   // of utility, per metre
 constexpr double kNearShare = 0.5;                    // of its range, for a sensor to see well
 constexpr double kSteep = 1.25;      // distances over heights that it must reach at least
 constexpr double kClimbShare = 0.8;  // of its rates, in ways of a vehicle that cannot hover
-constexpr double kOutStep = 10, kFarthestOut = 300;  // [m] out of closed air
-constexpr double kEnough = 1e-6;                     // [s]
+constexpr double kOutStep = 10, kFarthestOut = 600;  // [m] out of closed air
+constexpr int kDirections = 24, kAround = 8;
+constexpr double kEnough = 1e-6;  // [s]
 
 tl::unexpected<std::string> no(std::string why) {
   return tl::unexpected<std::string>(std::move(why));
@@ -94,11 +97,24 @@ double Refinery::energy_of_stay(double seconds) const {
 
 Answer<Motion> Refinery::takeoff(const Vector3& from) const {
   const Vector3 to = gazetteer_.above(from);
+  for (const world::Volume& volume : world().volumes)
+    if (origin_ < volume.when.until && crosses(volume, vehicle().body_radius, from, to))
+      return no("the air over it is closed (volume '" + volume.name + "')");
   Motion motion{{from, to}, {}, 0};
   motion.times = takeoff_times(to.z() - gazetteer_.ground(from), vehicle(), world().wind);
   motion.energy = motion.times.expected * world::flight_power(vehicle(), 0, vehicle().climb_rate) /
                   vehicle().energy.capacity;
   return motion;
+}
+
+Answer<Refinery::Landing> Refinery::landing_place(const Vector3& from,
+                                                  const Vector3& wanted) const {
+  const Knowledge& knowledge = gazetteer_.knowledge();
+  const auto problem = landing_problem(knowledge, world(), origin_, wanted);
+  if (!problem) return Landing{wanted, {}};
+  const auto at = supervisor::landing_place(knowledge, world(), origin_, from, wanted);
+  if (!at) return no(*problem + ", and no ground near it serves");
+  return Landing{*at, *problem};
 }
 
 Answer<Motion> Refinery::landing(const Vector3& from, const Vector3& to) const {
@@ -122,7 +138,7 @@ Answer<const world::Airspace*> Refinery::airspace() {
 Answer<Motion> Refinery::path(const Vector3& from, const Vector3& to) {
   const auto air = airspace();
   if (!air) return no(air.error());
-  if (!(*air)->is_free(from)) return way_out(**air, from, to);
+  if (!(*air)->is_free(from)) return out_and_on(from, to);
   const bool uniform = (*air)->least_cost() == (*air)->greatest_cost();
   if (from == to) return flown({from});
   if (uniform && (*air)->is_free(from, to) &&
@@ -136,21 +152,46 @@ Answer<Motion> Refinery::path(const Vector3& from, const Vector3& to) {
   return flown(std::move(way));
 }
 
-Answer<Motion> Refinery::way_out(const world::Airspace& air, const Vector3& from,
-                                 const Vector3& to) {
-  constexpr int kDirections = 24;
-  for (double out = kOutStep; out <= kFarthestOut; out += kOutStep) {
+bool Refinery::may_stay(const Vector3& at) {
+  const auto air = airspace();
+  if (!air || !(*air)->is_free(at)) return false;
+  const double radius = stay_radius(vehicle());
+  for (int i = 0; i < kAround; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kAround;
+    if (!(*air)->is_free(at + radius * Vector3(std::cos(angle), std::sin(angle), 0))) return false;
+  }
+  return true;
+}
+
+Answer<Motion> Refinery::way_out(const Vector3& from) {
+  if (const auto air = airspace(); !air) return no(air.error());
+  std::optional<Vector3> out;
+  double soonest = kFarthestOut / vehicle().cruise_speed;
+  const auto consider = [&](const Vector3& to, double seconds) {
+    if (seconds >= soonest || !world().terrain.line_of_sight(from, to) || !may_stay(to)) return;
+    soonest = seconds;
+    out = to;
+  };
+  for (double far = kOutStep; far <= kFarthestOut; far += kOutStep) {
+    consider(from + Vector3(0, 0, far), far / vehicle().climb_rate);
+    consider(from - Vector3(0, 0, far), far / vehicle().descent_rate);
     for (int i = 0; i < kDirections; ++i) {
       const double angle = 2 * std::numbers::pi * i / kDirections;
-      const Vector3 free = from + out * Vector3(std::cos(angle), std::sin(angle), 0);
-      if (!air.is_free(free) || !world().terrain.line_of_sight(from, free)) continue;
-      auto on = path(free, to);
-      if (!on) return on;
-      on->way.insert(on->way.begin(), from);
-      return flown(std::move(on->way));
+      consider(from + far * Vector3(std::cos(angle), std::sin(angle), 0),
+               far / vehicle().cruise_speed);
     }
   }
-  return no("it begins in closed air, and no free air is near");
+  if (!out) return no("it begins in closed air, and no free air is near");
+  return flown({from, *out});
+}
+
+Answer<Motion> Refinery::out_and_on(const Vector3& from, const Vector3& to) {
+  const auto out = way_out(from);
+  if (!out) return out;
+  auto on = path(out->way.back(), to);
+  if (!on) return on;
+  on->way.insert(on->way.begin(), from);
+  return flown(std::move(on->way));
 }
 
 Answer<double> Refinery::footprint(const world::SensorModel& device, double height) const {

@@ -31,6 +31,16 @@ class Refinery {
   Answer<Motion> takeoff(const world::Vector3& from) const;
   Answer<Motion> landing(const world::Vector3& from, const world::Vector3& to) const;
   Answer<Motion> path(const world::Vector3& from, const world::Vector3& to);
+  /// Where it lands that comes from there, and why not where it would.
+  struct Landing {
+    world::Vector3 at;
+    std::string instead;  ///< empty: as wanted
+  };
+  Answer<Landing> landing_place(const world::Vector3& from, const world::Vector3& wanted) const;
+  /// Out of closed air by the shortest straight way, level, up or down, to where it may stay.
+  Answer<Motion> way_out(const world::Vector3& from);
+  /// Free air, all around where it wavers or circles.
+  bool may_stay(const world::Vector3& at);
   /// Some seconds of it, from where it is and at that height.
   Answer<Motion> patrol(const world::Vector3& from, const world::Zone& zone,
                         const world::SensorModel& device, double seconds) const;
@@ -56,10 +66,8 @@ class Refinery {
   refiners::Setting setting(const refiners::PathPlanner* paths = nullptr) const;
   refiners::PathQuery query(const world::Vector3& from, const world::Vector3& to) const;
   double clearance() const;
-  /// From air that is closed, as when it was closed around the vehicle: level and straight to the
-  /// nearest that is free, and on from there.
-  Answer<Motion> way_out(const world::Airspace& air, const world::Vector3& from,
-                         const world::Vector3& to);
+  /// From air that is closed, as when it was closed around the vehicle: out, and on from there.
+  Answer<Motion> out_and_on(const world::Vector3& from, const world::Vector3& to);
   Answer<double> footprint(const world::SensorModel& device, double height) const;
   Motion flown(refiners::Way way) const;
   /// Null, with a sentence, when the world makes no airspace for the vehicle.

@@ -6,25 +6,41 @@
 #include <array>
 
 #include "insertion_with.hpp"
+#include "landing_place.hpp"
 #include "placement_places.hpp"
 #include "repair_replan.hpp"
+#include "retreat.hpp"
 
 namespace skein::supervisor {
 namespace {
 
-constexpr std::array<std::string_view, 6> kSteps{"absorb", "shift",  "re-refine",
-                                                 "drop",   "replan", "fail"};
+constexpr std::array<std::string_view, 7> kSteps{"absorb", "shift",           "re-refine", "drop",
+                                                 "replan", "return and land", "fail"};
+
+/// Landings end where the energy lasts to.
+PlanningRequest with_landing_in_reach(PlanningRequest base) {
+  const Situation& from = base.situation;
+  if (!from.airborne) return base;
+  const double left = from.energy - base.knowledge->vehicle.energy.reserve;
+  const Retreat retreat(*base.knowledge, *base.world, from.origin);
+  base.situation.land_at = retreat.instead_of_home(from.position, left);
+  return base;
+}
 
 class Repair {
  public:
   Repair(const RepairRequest& request, const Planner& planner)
-      : request_(request), judge_(request.base, request.standing, planner), roles_(judge_) {}
+      : request_(request),
+        base_(with_landing_in_reach(request.base)),
+        planner_(planner),
+        judge_(base_, request.standing, planner),
+        roles_(judge_) {}
 
   RepairOutcome run() {
     if (request_.failed) {
       if (refine() || drop()) return std::move(outcome_);
     }
-    if (!replan()) fail();
+    if (!replan() && !go_home()) fail();
     return std::move(outcome_);
   }
 
@@ -76,6 +92,34 @@ class Repair {
     return false;
   }
 
+  bool go_home() {
+    if (!request_.retreat || !base_.situation.airborne) return false;
+    const Goals order = {*request_.retreat};
+    outcome_.dropped.clear();
+    if (!try_order(RepairStep::kReturn, order) && !land_near(order)) return false;
+    for (const mission::HighLevelTask& goal : everything())
+      outcome_.dropped.push_back(
+          {goal.id, "the UAV returns and lands: " + in_one_line(outcome_.before)});
+    return true;
+  }
+
+  /// Where it cannot come home for other reasons than energy.
+  bool land_near(const Goals& order) {
+    const world::Vector3& from = base_.situation.position;
+    PlanningRequest base = base_;
+    base.situation.land_at =
+        landing_place(*base.knowledge, *base.world, base.situation.origin, from, from);
+    if (!base.situation.land_at) return false;
+    Judge judge(base, request_.standing, planner_);
+    const Verdict& verdict = judge.of(order);
+    if (!verdict.serves) {
+      add_before(RepairStep::kReturn, verdict.reasons);
+      return false;
+    }
+    serve(RepairStep::kReturn, order, verdict);
+    return true;
+  }
+
   void fail() {
     outcome_.served = RepairStep::kFail;
     outcome_.plan.reset();
@@ -125,16 +169,16 @@ class Repair {
   std::size_t end_of_dependents(std::size_t from) {
     const Goals& goals = request_.remaining;
     if (roles_.of(*request_.failed) == Role::kTakesOff) return end_without_takeoff(from);
-    if (gates_of(*request_.failed, request_.base).empty()) return from;
+    if (gates_of(*request_.failed, base_).empty()) return from;
     std::size_t end = from;
     while (end < goals.size() && roles_.of(goals[end]) == Role::kFree &&
-           gates_of(goals[end], request_.base).empty())
+           gates_of(goals[end], base_).empty())
       ++end;
     return end;
   }
 
   std::size_t end_without_takeoff(std::size_t from) {
-    if (request_.base.situation.airborne) return from;
+    if (base_.situation.airborne) return from;
     std::size_t end = from;
     while (end < request_.remaining.size() && roles_.of(request_.remaining[end]) != Role::kTakesOff)
       ++end;
@@ -143,7 +187,7 @@ class Repair {
 
   /// Nothing more than what the executive has is enough as long as it has something to do.
   bool can_stand_alone(const Goals& order) {
-    if (!order.empty()) return !is_futile(order, roles_, request_.base) || was_futile();
+    if (!order.empty()) return !is_futile(order, roles_, base_) || was_futile();
     if (everything().empty()) return true;
     return std::any_of(request_.standing.tasks.begin(), request_.standing.tasks.end(),
                        [&](const mission::ElementaryTask& task) {
@@ -153,9 +197,11 @@ class Repair {
   }
 
   Goals everything() const { return request_.failed ? with_failed() : request_.remaining; }
-  bool was_futile() { return is_futile(everything(), roles_, request_.base); }
+  bool was_futile() { return is_futile(everything(), roles_, base_); }
 
   const RepairRequest& request_;
+  PlanningRequest base_;
+  const Planner& planner_;
   Judge judge_;
   Roles roles_;
   RepairOutcome outcome_;

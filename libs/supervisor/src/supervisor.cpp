@@ -33,6 +33,8 @@ Effects Supervisor::Core::handle(const Input& input, MissionTime now) {
   std::visit([this](const auto& one) { on(one); }, input);
   if (engaged_) {
     watch();
+    settle_true_goals();
+    watch_air();
     start_job();
     commit();
     keep_safe();
@@ -49,6 +51,7 @@ std::optional<MissionTime> Supervisor::Core::next_wakeup() const {
     if (at && *at > now_ && *at != MissionTime::max()) next = earliest(next, at);
   };
   count(wait_again_);
+  count(next_closing());
   for (const auto& [id, entry] : book_.tasks) {
     if (!book_.counts(entry)) continue;
     if (entry.seen.started && !entry.overdue && !ends_by_order(entry.task)) {

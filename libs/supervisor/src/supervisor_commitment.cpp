@@ -48,14 +48,26 @@ void Supervisor::Core::commit() {
 
 // ---- what ----
 
-// No other task of its goal moves the vehicle before it.
-bool Supervisor::Core::begins_motion(const mission::ElementaryTask& task) const {
-  if (!uses_motion(task)) return false;
-  return std::none_of(task.dependences.begin(), task.dependences.end(), [&](const Dependence& one) {
-    const Entry* other = book_.find(one.task);
-    return other != nullptr && other->live() && uses_motion(other->task) &&
-           other->task.origin == task.origin;
-  });
+// Tasks beside the plan that have what this one is the first of its goal to need.
+std::set<TaskId> Supervisor::Core::loose_before(const mission::ElementaryTask& task) const {
+  const auto is_first = [&](auto&& uses) {
+    return std::none_of(
+        task.dependences.begin(), task.dependences.end(), [&](const Dependence& one) {
+          const Entry* other = book_.find(one.task);
+          return other != nullptr && other->live() && other->task.origin == task.origin &&
+                 uses(other->task);
+        });
+  };
+  std::set<TaskId> result;
+  if (holds_vehicle(task) && is_first(mission::holds_vehicle)) result = book_.loose_motion();
+  for (const std::string& device : devices_of(task)) {
+    const auto uses = [&](const mission::ElementaryTask& other) {
+      const auto devices = devices_of(other);
+      return std::find(devices.begin(), devices.end(), device) != devices.end();
+    };
+    if (is_first(uses)) result.merge(book_.loose_users_of(device));
+  }
+  return result;
 }
 
 mission::ElementaryTask Supervisor::Core::as_given(const mission::ElementaryTask& task) const {
@@ -67,8 +79,7 @@ mission::ElementaryTask Supervisor::Core::as_given(const mission::ElementaryTask
            forgotten_.count(one.task) == 0;
   };
   on.erase(std::remove_if(on.begin(), on.end(), unknown), on.end());
-  if (!begins_motion(result)) return result;
-  for (const TaskId id : book_.loose_motion()) {
+  for (const TaskId id : loose_before(result)) {
     const bool named =
         std::any_of(on.begin(), on.end(), [&](const auto& d) { return d.task == id; });
     if (id != task.id && !named) on.push_back({DependenceKind::kOver, id});

@@ -30,7 +30,7 @@ void Supervisor::Core::retire(const std::set<GoalId>& goals) { stop(withdraw(goa
 
 void Supervisor::Core::need(std::optional<GoalId> failed, bool refine, const std::string& cause) {
   if (!need_) {
-    need_ = Need{failed, refine, cause, now_, 0};
+    need_ = Need{failed, refine, cause, now_, 0, false};
     return;
   }
   need_->cause += "; " + cause;
@@ -75,59 +75,23 @@ void Supervisor::Core::cancel_goal(GoalId id, const std::string& cause) {
   if (!left.empty()) need(std::nullopt, false, cause);
 }
 
-// ---- devices and energy ----
+// ---- devices ----
 
 void Supervisor::Core::check_devices(const std::set<std::string>& newly) {
-  const auto needs = [&](const Entry* entry) {
-    const executive::Parameter* device = entry->task.parameters.find("device");
-    return book_.counts(*entry) && device != nullptr && newly.count(device->text) != 0;
+  const auto failed = [&](const Entry* entry) {
+    if (!book_.counts(*entry)) return std::string();
+    const auto devices = devices_of(entry->task);
+    const auto hit = std::find_if(devices.begin(), devices.end(),
+                                  [&](const auto& one) { return newly.count(one) != 0; });
+    return hit == devices.end() ? std::string() : *hit;
   };
   for (const GoalId id : std::vector<GoalId>(book_.order)) {
     const auto tasks = book_.of(id);
-    const auto hit = std::find_if(tasks.begin(), tasks.end(), needs);
+    const auto hit = std::find_if(tasks.begin(), tasks.end(),
+                                  [&](const Entry* entry) { return !failed(entry).empty(); });
     if (hit == tasks.end()) continue;
-    const std::string device = (*hit)->task.parameters.find("device")->text;
-    fail_goal(id, "device " + device + " of task " + to_text((*hit)->task.id) + " failed");
+    fail_goal(id, "device " + failed(*hit) + " of task " + to_text((*hit)->task.id) + " failed");
   }
-}
-
-// Told once; again only after what remains fitted with some room.
-void Supervisor::Core::check_energy() {
-  if (repairing()) return;
-  constexpr double kRoom = 0.02;
-  double wanted = 0;
-  for (const auto& [id, entry] : book_.tasks) {
-    if (book_.counts(entry)) wanted += entry.task.energy * energy_share(entry, now_);
-  }
-  const double left = vehicle_.energy - config_.knowledge->vehicle.energy.reserve;
-  if (wanted <= left - kRoom) energy_told_ = false;
-  if (wanted <= left || energy_told_) return;
-  energy_told_ = true;
-  fail_for_energy(left);
-}
-
-// When not even the end of the plan fits behind what is under way, that is given up.
-void Supervisor::Core::fail_for_energy(double left) {
-  double in_hand = 0;
-  std::set<GoalId> under_way;
-  for (const auto& [id, entry] : book_.tasks) {
-    if (!entry.in_hand()) continue;
-    in_hand += entry.task.energy * energy_share(entry, now_);
-    under_way.insert(entry.task.origin);
-  }
-  const std::vector<GoalId> free = book_.free_goals();
-  double last = 0;
-  if (!free.empty()) {
-    for (const Entry* entry : book_.of(free.back())) last += entry->task.energy;
-  }
-  const std::string cause = "energy short: what remains takes more than the " +
-                            std::to_string(static_cast<int>(100 * std::max(0.0, left))) +
-                            " % above the reserve";
-  if (in_hand + last <= left && !free.empty()) return need(std::nullopt, false, cause);
-  if (under_way.empty() || free.empty()) return notice(cause);
-  const GoalId given_up = *under_way.begin();
-  retire(book_.falling_with(under_way));
-  need(given_up, false, cause);
 }
 
 // ---- safety ----
@@ -140,16 +104,35 @@ void Supervisor::Core::keep_safe() {
     return;
   }
   if (!ever_gave_) {
-    if (!told_idle_) notice("in the air without a task");
+    if (!told_idle_) notice("in the air without a task: " + why_idle());
     told_idle_ = true;
     return;
   }
   if (wait_again_ && now_ < *wait_again_) {
-    if (!told_idle_) notice("in the air without a task: its safe wait was refused or aborted");
+    if (!told_idle_)
+      notice("in the air without a task: its safe wait was refused or aborted; " + why_idle());
     told_idle_ = true;
     return;
   }
   wait_safely();
+}
+
+// What is being decided on, else what became of its last goal.
+std::string Supervisor::Core::why_idle() const {
+  if (need_) return "its plan is to be repaired: " + need_->cause;
+  if (job_ && !job_->mission) return "its plan is being repaired: " + job_->need.cause;
+  if (job_) return "mission " + to_text(*job_->mission) + " is being planned";
+  if (!pending_.empty()) return "mission " + to_text(pending_.front().id) + " is to be planned";
+  const Goal* last = nullptr;
+  for (const GoalId id : book_.order) {
+    const Goal& goal = book_.goals.at(id);
+    if (!is_settled(goal.state) && goal.state != GoalState::kHandedOver)
+      return named(id) + " waits: nothing of it may begin yet";
+    if (last == nullptr || goal.settled >= last->settled) last = &goal;
+  }
+  if (last == nullptr) return "no mission was given to it";
+  const std::string why = last->why.empty() ? "" : " (" + last->why + ")";
+  return "nothing follows " + named(last->task.id) + ", " + std::string(to_text(last->state)) + why;
 }
 
 void Supervisor::Core::wait_safely() {
@@ -161,7 +144,8 @@ void Supervisor::Core::wait_safely() {
   task.type = "wait";
   book_.loose[id] = {"wait", true, true, false};
   send(executive::Start{std::move(task), executive::InsertionMode::kVut});
-  notice("in the air with nothing to do: waits in safe mode, task " + to_text(id));
+  notice("in the air with nothing to do: waits in safe mode, task " + to_text(id) + "; " +
+         why_idle());
 }
 
 void Supervisor::Core::stop_safe_waits() {

@@ -28,7 +28,7 @@ Supervisor::Core::Premises Supervisor::Core::premises(const std::set<TaskId>& wi
   for (const TaskId id : book_.in_hand()) {
     if (withdrawn.count(id) != 0) continue;
     result.standing.push_back(id);
-    moves = moves || uses_motion(book_.tasks.at(id).task);
+    moves = moves || holds_vehicle(book_.tasks.at(id).task);
   }
   for (const GoalId id : book_.order) {
     if (goals_of(withdrawn).count(id) != 0) result.goals.push_back(id);
@@ -58,7 +58,7 @@ std::set<TaskId> Supervisor::Core::to_interrupt(const Pending& pending) const {
   if (pending.placement != mission::Placement::kFirst || !pending.interrupt) return {};
   std::set<GoalId> kept;
   for (const auto& [id, entry] : book_.tasks) {
-    const bool critical = entry.task.type == "takeoff" || entry.task.type == "land";
+    const bool critical = type_of(entry.task).leaves != functional::Leaves::kAsItWas;
     const GoalId goal = entry.task.origin;
     const bool theirs = book_.goals.at(goal).state == GoalState::kHandedOver;
     if (theirs || (critical && entry.under_way())) kept.insert(goal);
@@ -135,6 +135,7 @@ void Supervisor::Core::start_insertion(const Pending& pending) {
   request.planned = book_.tasks_of(job.premises.goals);
   request.added = book_.tasks_of(job.premises.added);
   request.placement = pending.placement;
+  request.any = pending.any;
   run(std::move(job), std::move(request));
 }
 
@@ -158,14 +159,16 @@ void Supervisor::Core::start_evaluation(const Evaluation& evaluation) {
   run(std::move(job), std::move(request));
 }
 
+// What keeps it safe meanwhile is numbered before the plan that is to be made.
 void Supervisor::Core::start_repair() {
+  keep_safe();
   Need need = std::move(*need_);
   need_.reset();
   reschedule();
   Job job;
   job.premises = premises_of_repair();
   const std::vector<GoalId>& goals = job.premises.goals;
-  if (goals.empty()) {
+  if (goals.empty() && !(need.home && vehicle_.airborne)) {
     return decide({"6 repair", need.cause, "no goals", "nothing is left to plan", need.since});
   }
   RepairRequest request;
@@ -181,6 +184,8 @@ void Supervisor::Core::start_repair() {
     remaining.erase(failed);
   }
   request.remaining = book_.tasks_of(remaining);
+  if (request.base.situation.airborne) request.retreat = own_task(kComeDown);
+  job.retreat = request.retreat;
   job.need = std::move(need);
   run(std::move(job), std::move(request));
 }
@@ -198,6 +203,7 @@ bool Supervisor::Core::again(const Job& job, const std::string& why) {
       merged.cause += "; " + need_->cause;
       if (!merged.failed) merged.refine = need_->refine;
       if (!merged.failed) merged.failed = need_->failed;
+      merged.home = merged.home || need_->home;
     }
     attempts = ++merged.attempts;
     need_ = std::move(merged);

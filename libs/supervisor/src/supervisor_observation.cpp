@@ -26,10 +26,11 @@ void Supervisor::Core::on(const TaskSeen& input) {
 
 void Supervisor::Core::see_flight(const executive::TaskEvent& event) {
   if (event.state != TaskState::kEnded) return;
-  if (event.type == "takeoff") {
+  const functional::Leaves leaves = functional::TaskTypes::shipped().of(event.type).leaves;
+  if (leaves == functional::Leaves::kInTheAir) {
     vehicle_.airborne = true;
     grounded_until_ = MissionTime();
-  } else if (event.type == "land") {
+  } else if (leaves == functional::Leaves::kOnTheGround) {
     vehicle_.airborne = false;
     grounded_until_ = now_ + kLandingSettles;
   }
@@ -45,9 +46,8 @@ void Supervisor::Core::see_loose(const executive::TaskEvent& event) {
   const auto known = book_.loose.find(event.id);
   if (!is_terminal(event.state)) {
     if (known != book_.loose.end()) return;
-    mission::ElementaryTask task;
-    task.type = event.type;
-    book_.loose[event.id] = {event.type, false, uses_motion(task), false};
+    const bool holds = functional::TaskTypes::shipped().of(event.type).holds_vehicle();
+    book_.loose[event.id] = {event.type, false, holds, false};
     return;
   }
   if (known == book_.loose.end()) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "wording.hpp"
 
 namespace skein::supervisor {
 
@@ -27,13 +28,28 @@ mission::TaskDates dates_of(const Entry& entry) {
 
 }  // namespace
 
+// Tasks by what they are of, goals by what they are; each goal once.
+std::string Supervisor::Core::in_words(const std::string& text) const {
+  const std::string tasks = with_names(text, "task", [this](std::uint64_t number) {
+    const Entry* entry = book_.find(TaskId(number));
+    return entry == nullptr ? std::string() : supervisor::in_words(entry->task);
+  });
+  std::set<std::uint64_t> told;
+  return with_names(tasks, "goal", [&](std::uint64_t number) {
+    const auto goal = book_.goals.find(GoalId(number));
+    if (goal == book_.goals.end() || !told.insert(number).second) return std::string();
+    return "goal " + std::to_string(number) + " (" + mission::to_text(goal->second.task) + ")";
+  });
+}
+
 // A goal that is settled stays so; the same state is not told twice.
-void Supervisor::Core::set_state(Goal& goal, GoalState state, const std::string& why) {
+void Supervisor::Core::set_state(Goal& goal, GoalState state, const std::string& reason) {
+  const std::string why = reason.empty() ? reason : in_words(reason);
   const bool same = goal.state == state && goal.why == why && state != GoalState::kReceived;
   if (same || is_settled(goal.state)) return;
   goal.state = state;
+  goal.settled = now_;
   goal.why = why;
-  if (state == GoalState::kAchieved) goal.achieved = now_;
   out_.push_back(GoalChanged{status_of(goal)});
 }
 

@@ -53,7 +53,7 @@ void Supervisor::Core::enter(const mission::UnitMission& mission) {
     book_.order.push_back(task.id);
     set_state(entered, GoalState::kReceived);
   }
-  pending_.push_back({mission.id, mission.placement, mission.interrupt,
+  pending_.push_back({mission.id, mission.placement, mission.interrupt, mission.any,
                       "mission " + to_text(mission.id) + " of " + mission.asked_by, now_});
 }
 
@@ -145,7 +145,7 @@ std::vector<GoalId> Supervisor::Core::left_to_plan(const std::vector<GoalId>& go
     behind = behind || (is_gone(id) && !book_.goals.at(id).queued);
     if (is_gone(id) || std::find(free.begin(), free.end(), id) == free.end()) continue;
     left.push_back(id);
-    touched = touched || behind || !book_.is_planned(id);
+    touched = touched || behind || (!book_.is_planned(id) && !book_.goals.at(id).true_at);
   }
   return touched ? left : std::vector<GoalId>();
 }
@@ -192,38 +192,6 @@ void Supervisor::Core::on(const WorldChanged& input) {
   if (!problems.empty()) return;
   set_volume(change);
   if (engaged_ && !change.remove) check_air(cause);
-}
-
-bool Supervisor::Core::goes_through(const Entry& entry, const world::Volume& volume) const {
-  if (entry.task.way.empty()) return false;
-  const MissionTime from = entry.seen.started ? now_ : entry.dates.earliest_start;
-  if (!volume.when.overlaps({from, entry.dates.latest_end})) return false;
-  const double margin = config_.knowledge->vehicle.body_radius;
-  if (entry.under_way()) {
-    return crosses(volume, margin, rest_of(entry.task.way, vehicle_.position));
-  }
-  return crosses(volume, margin, entry.task.way);
-}
-
-// Every goal that would fly through closed air is stopped; the first of them counts as failed.
-void Supervisor::Core::check_air(const std::string& cause) {
-  std::optional<GoalId> first;
-  std::set<GoalId> stopped;
-  for (const GoalId id : book_.order) {
-    for (const Entry* entry : book_.of(id)) {
-      const auto& volumes = world_->volumes;
-      if (!book_.counts(*entry) ||
-          std::none_of(volumes.begin(), volumes.end(),
-                       [&](const auto& one) { return goes_through(*entry, one); })) {
-        continue;
-      }
-      if (!first) first = id;
-      if (book_.is_given(id)) stopped.insert(id);
-    }
-  }
-  if (!first) return;
-  retire(book_.falling_with(stopped));
-  need(first, true, cause + ", which the way of goal " + to_text(*first) + " crosses");
 }
 
 }  // namespace skein::supervisor

@@ -72,9 +72,10 @@ void Supervisor::Core::adopt(const Premises& premises, const mission::Elementary
     Goal& goal = book_.goals.at(task.id);
     goal.queued = false;
     if (goal.state == GoalState::kReceived) set_state(goal, GoalState::kPlanned);
-    if (book_.of(task.id).empty()) set_state(goal, GoalState::kAchieved);
   }
+  tell_landing(plan);
   book_.reorder(wanted);
+  foresee_true_goals();
   reschedule();
   promise();
   commit();
@@ -133,22 +134,44 @@ void Supervisor::Core::answer_evaluation(const InsertionOutcome& outcome) {
 }
 
 void Supervisor::Core::refuse(const Job& job, const std::vector<std::string>& reasons) {
+// Of goals that were asked for: they are not part of the plan.
+void Supervisor::Core::leave_out(const std::vector<Dropped>& dropped) {
+  for (const Dropped& one : dropped) {
+    const auto goal = book_.goals.find(one.goal);
+    if (goal == book_.goals.end() || !goal->second.queued) continue;
+    goal->second.queued = false;
+    set_state(goal->second, GoalState::kFailed, one.why);
+  }
+}
+
+// The goals because of which there is no plan are told why, the others which those are.
+void Supervisor::Core::refuse(const Job& job, const std::vector<std::string>& reasons,
+                              const std::vector<Dropped>& culprits) {
   const auto pending = std::find_if(pending_.begin(), pending_.end(),
                                     [&](const Pending& one) { return one.id == *job.mission; });
   const std::string why = reasons.empty() ? "no order is feasible" : joined(reasons);
+  leave_out(culprits);
+  std::string others;
+  for (const Dropped& one : culprits) {
+    others += (others.empty() ? "" : "; ") + ("goal " + to_text(one.goal)) + ": " + one.why;
+  }
   for (const GoalId id : job.premises.added) {
     book_.goals.at(id).queued = false;
-    set_state(book_.goals.at(id), GoalState::kFailed, why);
+    set_state(book_.goals.at(id), GoalState::kFailed,
+              others.empty() ? why : "all or nothing of the mission is planned; " + others);
   }
-  out_.push_back(MissionDecided{{*job.mission, false, {why}}});
-  if (!reasons.empty()) std::get<MissionDecided>(out_.back()).outcome.reasons = reasons;
+  MissionDecided decided{{*job.mission, false, {why}}};
+  if (!reasons.empty()) decided.outcome.reasons = reasons;
+  if (!others.empty()) decided.outcome.reasons = {others};
+  for (std::string& reason : decided.outcome.reasons) reason = in_words(reason);
+  out_.push_back(std::move(decided));
   decide({"1 insert", pending->cause, list_of("goals", job.premises.added), "refused: " + why,
           pending->since});
   pending_.erase(pending);
 }
 
 void Supervisor::Core::finish(const Job& job, const InsertionOutcome& outcome) {
-  if (!outcome.plan) return refuse(job, outcome.reasons);
+  if (!outcome.plan) return refuse(job, outcome.reasons, outcome.dropped);
   if (const std::string fault = fault_of(job.premises, *outcome.plan); !fault.empty()) {
     return refuse(job, {fault});
   }
@@ -162,9 +185,15 @@ void Supervisor::Core::finish(const Job& job, const InsertionOutcome& outcome) {
   pending_.erase(pending);
   tell_refined(job, *outcome.plan);
   adopt(job.premises, *outcome.plan, outcome.order);
+  leave_out(outcome.dropped);
+  std::string without;
+  for (const Dropped& one : outcome.dropped) {
+    without += "; left out goal " + to_text(one.goal) + ": " + one.why;
+  }
   out_.push_back(MissionDecided{{mission.id, true, {}}});
   decide({"1 insert: " + std::string(to_text(outcome.chosen)), mission.cause,
-          list_of("goals", job.premises.added), plan_text() + ", " + extent(), mission.since});
+          list_of("goals", job.premises.added), plan_text() + ", " + extent() + without,
+          mission.since});
 }
 
 // ---- operator 6 ----
@@ -183,7 +212,11 @@ void Supervisor::Core::fail_safely(const Job& job, const std::vector<std::string
 
 void Supervisor::Core::finish(const Job& job, const RepairOutcome& outcome) {
   if (!outcome.plan) return fail_safely(job, outcome.before);
-  if (const std::string fault = fault_of(job.premises, *outcome.plan); !fault.empty()) {
+  Premises premises = job.premises;
+  if (outcome.served == RepairStep::kReturn && job.retreat) {
+    premises.added.push_back(enter_own(*job.retreat));
+  }
+  if (const std::string fault = fault_of(premises, *outcome.plan); !fault.empty()) {
     return fail_safely(job, {fault});
   }
   if (!fits_now(job.premises, *outcome.plan)) {
@@ -194,12 +227,13 @@ void Supervisor::Core::finish(const Job& job, const RepairOutcome& outcome) {
   std::set<GoalId> left(job.premises.goals.begin(), job.premises.goals.end());
   for (const auto& task : outcome.order) left.erase(task.id);
   tell_refined(job, *outcome.plan);
-  adopt(job.premises, *outcome.plan, outcome.order);
+  adopt(premises, *outcome.plan, outcome.order);
   for (const GoalId id : left) {
     const auto dropped = std::find_if(outcome.dropped.begin(), outcome.dropped.end(),
                                       [&](const Dropped& one) { return one.goal == id; });
-    const bool told = dropped != outcome.dropped.end();
-    set_state(book_.goals.at(id), GoalState::kFailed, told ? dropped->why : "no plan has room");
+    std::string why = dropped != outcome.dropped.end() ? dropped->why : "no plan has room";
+    if (job.need.failed == id) why = job.need.cause + (job.need.refine ? "; " + why : "");
+    set_state(book_.goals.at(id), GoalState::kFailed, why);
   }
   const std::string without = left.empty() ? "" : list_of("; dropped", left);
   const std::string before = outcome.before.empty() ? "" : "; before: " + joined(outcome.before);

@@ -136,7 +136,7 @@ TEST(SupervisorRepair, DroppedGoalsFailWithTheReason) {
   desk.finish(outcome);
 
   EXPECT_EQ(desk.state_of(701), "failed");
-  EXPECT_EQ(desk.why_of(701), "no way");
+  EXPECT_EQ(desk.why_of(701), "task 100 aborted: engine trouble; no way");
   EXPECT_THAT(desk.requests(), ElementsAre("START 102"));
   EXPECT_THAT(desk.decisions(), Contains("6 repair: drop"));
 }

@@ -96,6 +96,63 @@ TEST(Insertion, OfEqualOnesTheFirstTriedIsKeptAndNoOrderIsPlannedTwice) {
             1);
 }
 
+// ---- missions of which some cannot be planned ----
+
+InsertionOutcome insert_any(Lab& lab, Goals planned, Goals added) {
+  InsertionRequest request = lab.insertion(std::move(planned), std::move(added));
+  request.any = true;
+  return insert_tasks(request, lab.straight.planner());
+}
+
+TEST(Insertion, WithoutAPlanTheTaskBecauseOfWhichIsNamed) {
+  Lab lab = eastern();
+  lab.straight.blocked = {"B"};
+
+  const auto outcome = insert(lab, {}, {Lab::visit(1, "A"), Lab::visit(2, "B"), Lab::visit(3, "C")});
+
+  EXPECT_FALSE(outcome.plan);
+  ASSERT_THAT(outcome.dropped, SizeIs(1));
+  EXPECT_EQ(outcome.dropped[0].goal, mission::GoalId{2});
+  EXPECT_FALSE(outcome.dropped[0].why.empty());
+}
+
+TEST(Insertion, WhatCannotBePlannedIsLeftOutWhenTheMissionAllowsIt) {
+  Lab lab = eastern();
+  lab.straight.blocked = {"B", "D"};
+
+  const auto outcome =
+      insert_any(lab, {Lab::visit(9, "A")},
+                 {Lab::visit(1, "A"), Lab::visit(2, "B"), Lab::visit(3, "C"), Lab::visit(4, "D")});
+
+  ASSERT_TRUE(outcome.plan);
+  EXPECT_THAT(ids(outcome.order), ::testing::UnorderedElementsAre(9, 1, 3));
+  ASSERT_THAT(outcome.dropped, SizeIs(2));
+  EXPECT_EQ(outcome.dropped[0].goal, mission::GoalId{2});
+  EXPECT_EQ(outcome.dropped[1].goal, mission::GoalId{4});
+}
+
+TEST(Insertion, WithNothingLeftToFlyForTheUavStaysOnTheGround) {
+  Lab lab = eastern();
+  lab.situation = {};
+  lab.straight.blocked = {"B"};
+
+  const auto outcome = insert_any(
+      lab, {}, {Lab::simple(1, "take-off"), Lab::visit(2, "B"), Lab::simple(3, "land")});
+
+  EXPECT_FALSE(outcome.plan);
+  EXPECT_THAT(outcome.dropped, SizeIs(3));
+}
+
+TEST(Insertion, WhatIsPlannedAlreadyIsNeverLeftOutForWhatIsNew) {
+  Lab lab = eastern();
+  const auto outcome = insert_any(lab, {Lab::visit(1, "A", ends_before(60))},
+                                  {Lab::visit(2, "B", ends_before(1))});
+
+  EXPECT_FALSE(outcome.plan);  // nothing of the mission is left: what is planned stays as it is
+  ASSERT_THAT(outcome.dropped, SizeIs(1));
+  EXPECT_EQ(outcome.dropped[0].goal, mission::GoalId{2});
+}
+
 TEST(Insertion, TakeoffsComeFirstWaitsForOrdersThenLandingsLast) {
   for (const Placement placement : {Placement::kBest, Placement::kLast, Placement::kInTime,
                                     Placement::kTour, Placement::kFirst}) {

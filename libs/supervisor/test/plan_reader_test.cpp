@@ -94,7 +94,7 @@ TEST_F(PlanReaderTest, InternalStepsCostButAreNoTasks) {
   EXPECT_DOUBLE_EQ(plan->cost, 2);
 }
 
-TEST_F(PlanReaderTest, TypesAreNotItsBusiness) {
+TEST_F(PlanReaderTest, AJointTaskTakesAnyParameter) {
   const auto plan = read(
       "(!task-dance 1 () ((type \"joint:dance\") (steps 1 2) (with (A b)) (how 'slowly))"
       " ((num 0) (num 0)) ((num 0) (num 0)) nil 1)");
@@ -105,6 +105,20 @@ TEST_F(PlanReaderTest, TypesAreNotItsBusiness) {
   EXPECT_THAT(task.parameters.find("steps")->numbers, ElementsAre(1, 2));
   EXPECT_EQ(task.parameters.find("with")->text, "a b");
   EXPECT_EQ(task.parameters.find("how")->text, "slowly");
+}
+
+TEST_F(PlanReaderTest, WhatATypeDoesNotAllowIsTold) {
+  const std::string reasons =
+      why("(!task-hover 1 () ((type wiat)) ((num 0) (num 0)) ((num 0) (num 0)) nil 1)"
+          "(!task-wait 2 () ((type wait) (altitude 3)) ((num 0) (num 0)) ((num 0) (num 0)) nil 1)"
+          "(!task-land 3 () ((type land) (open-ended)) ((num 0) (num 0)) ((num 0) (num 0)) nil 1)"
+          "(!task-goto 4 () ((type goto)) ((num 0) (num 0)) ((num 0) (num 0)) nil 1)"
+          "(!stop-goto 4 ((ended 1)) () ((num 0) (num 0)) ((num 0) (num 0)) nil 1)");
+
+  EXPECT_THAT(reasons, HasSubstr("unknown type 'wiat', did you mean 'wait'?"));
+  EXPECT_THAT(reasons, HasSubstr("a task of type 'wait' takes no parameter 'altitude'"));
+  EXPECT_THAT(reasons, HasSubstr("a task of type 'land' does not end by order"));
+  EXPECT_THAT(reasons, HasSubstr("a task of type 'goto' cannot be stopped"));
 }
 
 TEST_F(PlanReaderTest, EveryStepOfAnotherShapeIsTold) {

@@ -139,14 +139,15 @@ TEST(PlanningMethods, APlaceInTheAirIsFlownToAndHasNoTarget) {
   EXPECT_EQ(plan.tasks[2].parameters.find("target"), nullptr);
 }
 
-TEST(PlanningMethods, PerceivingIsOneTakeshotOfThatTime) {
+TEST(PlanningMethods, PerceivingIsOneTaskOfThatTimeThatHoldsTheVehicle) {
   PlanningLab lab = flying();
   lab.task(1, "perceive", {"P1"s, 60.0}).task(2, "wait-for-orders");
 
   const auto plan = planned(lab);
 
   ASSERT_THAT(names_of(plan), ElementsAre("gotoxyz", "perception", "wait"));
-  EXPECT_EQ(plan.tasks[1].type, "takeshot");
+  EXPECT_EQ(plan.tasks[1].type, "perceive");
+  EXPECT_TRUE(holds_vehicle(plan.tasks[1]));
   EXPECT_EQ(plan.tasks[1].duration.least, Duration::seconds(60));
   EXPECT_THAT(plan.tasks[1].stop, IsEmpty());
   EXPECT_THAT(plan.tasks[2].dependences, ElementsAre(ended(2)));
@@ -211,7 +212,7 @@ TEST(PlanningMethods, AWaitUntilSynchroEndsWithIt) {
   EXPECT_THAT(plan.tasks[1].dependences, ElementsAre(running(1)));
   ASSERT_TRUE(plan.tasks[1].synchronisation);
   EXPECT_EQ(plan.tasks[1].synchronisation->id, 7U);
-  EXPECT_EQ(plan.tasks[1].type, executive::kSynchroniseType);
+  EXPECT_EQ(plan.tasks[1].type, "synchronise");
 }
 
 TEST(PlanningMethods, NamesOfUavsComeBackInTheirLetters) {
@@ -234,6 +235,7 @@ TEST(PlanningMethods, ASignalIsSentByThisUavAfterWhatItDid) {
   const auto plan = planned(lab);
 
   const ElementaryTask& signal = plan.tasks.back();
+  EXPECT_EQ(signal.type, "rendezvous");
   EXPECT_THAT(signal.synchronisation->senders, ElementsAre("karma"));
   EXPECT_THAT(signal.synchronisation->receivers, ElementsAre("heliv", "marvin"));
   EXPECT_THAT(signal.dependences, ElementsAre(ended(2), ended(1)));

@@ -146,7 +146,7 @@ TEST(PlanningTime, APlanThatMightStartTooLateIsRefusedWithFigures) {
   ASSERT_FALSE(plan);
   EXPECT_EQ(plan.error().culprit, mission::GoalId(2));
   EXPECT_THAT(plan.error().reasons,
-              ElementsAre("gotoxyz of 2 starts between 1004 s and 1006 s, but must start before "
+              ElementsAre("gotoxyz of goal 2 starts between 1004 s and 1006 s, but must start before "
                           "1005 s"));
 }
 
@@ -154,7 +154,7 @@ TEST(PlanningTime, APlanThatMightEndTooLateIsRefusedWithFigures) {
   PlanningLab lab = flying();
   lab.task(2, "general-wait", {50.0}, {std::nullopt, std::nullopt, at(49), std::nullopt});
 
-  EXPECT_EQ(lab.reasons(), "wait of 2 ends between 50 s and 50 s, but must end before 49 s\n");
+  EXPECT_EQ(lab.reasons(), "wait of goal 2 ends between 50 s and 50 s, but must end before 49 s\n");
 }
 
 TEST(PlanningTime, BoundsThatAreJustKeptAreKept) {

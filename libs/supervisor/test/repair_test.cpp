@@ -9,6 +9,7 @@
 #include <set>
 
 #include "insertion_with.hpp"
+#include "retreat.hpp"
 #include "testing/straight_planner.hpp"
 
 namespace skein::supervisor::testing {
@@ -50,6 +51,7 @@ std::vector<std::uint64_t> dropped_of(const RepairOutcome& outcome) {
 TEST(Repair, StepsHaveNames) {
   EXPECT_EQ(to_text(RepairStep::kAbsorb), "absorb");
   EXPECT_EQ(to_text(RepairStep::kRefine), "re-refine");
+  EXPECT_EQ(to_text(RepairStep::kReturn), "return and land");
   EXPECT_EQ(to_text(RepairStep::kFail), "fail");
 }
 
@@ -134,9 +136,62 @@ TEST(Repair, ShortOfEnergyTheFarthestIsLeftOutAndTheLandingIsKept) {
   EXPECT_THAT(outcome.dropped[0].why, HasSubstr("to save energy"));
 }
 
+/// With a landing of its own to come down with.
+RepairRequest with_retreat(RepairRequest request) {
+  request.retreat = Lab::simple(99, "land");
+  return request;
+}
+
+TEST(Repair, WhenNothingElseServesItReturnsAndLands) {
+  Lab lab = eastern();
+  lab.straight.blocked = {"A", "B"};
+
+  const auto outcome =
+      repair(lab, with_retreat(request_of(lab, {Lab::visit(1, "A")}, Lab::visit(2, "B"), 1)));
+
+  EXPECT_EQ(outcome.served, RepairStep::kReturn);
+  EXPECT_THAT(ids(outcome.order), ElementsAre(99));
+  ASSERT_TRUE(outcome.plan.has_value());
+  EXPECT_EQ(outcome.plan->tasks.back().type, "land");
+  EXPECT_THAT(dropped_of(outcome), ::testing::UnorderedElementsAre(1, 2));
+  EXPECT_THAT(outcome.dropped[0].why, HasSubstr("closed")) << "what stood in the way is the reason";
+}
+
+TEST(Repair, AUavInTheAirThatMayNotStayThereComesDownWithNothingToPlan) {
+  Lab lab;
+  lab.flying().energy(0.1);
+
+  const auto outcome = repair(lab, with_retreat(request_of(lab, {})));
+
+  EXPECT_EQ(outcome.served, RepairStep::kReturn);
+}
+
+TEST(Repair, OnTheGroundThereIsNothingToReturnFrom) {
+  Lab lab = Lab().place("A", 100, 0);
+  lab.straight.blocked = {"A"};
+
+  const auto outcome =
+      repair(lab, with_retreat(request_of(lab, {Lab::simple(1, "take-off"), Lab::visit(2, "A")})));
+
+  EXPECT_EQ(outcome.served, RepairStep::kFail);
+}
+
+TEST(Repair, APlanThatEndsInTheAirLeavesTheWayHome) {
+  Lab lab;
+  lab.flying().place("far", 1500, 0);
+  const Retreat retreat(lab.knowledge, lab.world, {});
+  const double home = retreat.home({1500, 0, 40});
+  const double there = 0.15;  // as the planner of straight flights has it
+  lab.energy(lab.knowledge.vehicle.energy.reserve + there + kSpareEnergy + home / 2);
+
+  const auto outcome = repair(lab, with_retreat(request_of(lab, {Lab::visit(1, "far")})));
+
+  EXPECT_THAT(ids(outcome.order), ::testing::Not(::testing::Contains(1)));
+}
+
 TEST(Repair, AShorterOrderIsPreferredToLeavingOut) {
   Lab lab = eastern();
-  lab.energy(0.185);
+  lab.energy(0.185 + kSpareEnergy);
 
   const auto outcome = repair(lab, request_of(lab, {Lab::visit(1, "D"), Lab::visit(2, "A"),
                                                     Lab::visit(3, "C"), Lab::simple(4, "land")}));
@@ -287,7 +342,13 @@ RC_GTEST_PROP(Repair, APlanAlwaysServesAndEveryTaskIsInItOrDropped, ()) {
   RC_ASSERT(outcome.plan.has_value() == (outcome.served != RepairStep::kFail));
   if (!outcome.plan) return;
   RC_ASSERT(schedule(outcome.plan->tasks, {}, {}).controllable);
-  RC_ASSERT(outcome.plan->energy <= std::max(lab.situation.energy - 0.1, 0.0) + 1e-9);
+  const bool comes_down = outcome.order.size() == 1 && outcome.order[0].name == "land";
+  const double left = std::max(lab.situation.energy - lab.knowledge.vehicle.energy.reserve, 0.0);
+  RC_ASSERT(comes_down || outcome.plan->energy <= left + 1e-9);
+  const Whereabouts end =
+      after({lab.situation.position, lab.situation.airborne}, outcome.plan->tasks);
+  const Retreat retreat(lab.knowledge, lab.world, {});
+  RC_ASSERT(comes_down || outcome.plan->energy + retreat.after(end) <= left + 1e-9);
   RC_ASSERT(outcome.schedule.controllable);
 }
 

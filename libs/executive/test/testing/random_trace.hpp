@@ -83,7 +83,7 @@ class RandomTrace {
     t.id = new_id();
     t.type = one_of<std::string>(
         {"takeoff", "goto", "takeshot", "wait", "land", "synchronise", "joint:track"});
-    if (t.type == kSynchroniseType) {
+    if (t.type == "synchronise") {
       t.synchronisation = Synchronisation{1 + random_.below(3), uavs(), uavs(), {}};
       if (random_.chance(0.4)) {
         t.synchronisation->deadline =

@@ -24,7 +24,7 @@ class TaskBuilder {
     task_.type = type;
     task_.name = "task-" + type;
     if (type == "takeshot") task_.parameters.add({"device", "camera", {}});
-    if (type == executive::kSynchroniseType) {
+    if (functional::TaskTypes::shipped().of(type).synchronises()) {
       task_.synchronisation =
           executive::Synchronisation{509 + number, {"karma", "heliv"}, {"karma", "heliv"}, {}};
     }

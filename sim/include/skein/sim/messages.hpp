@@ -24,7 +24,7 @@ struct FunctionalRequest {
   std::string uav;
   RequestVerb verb = RequestVerb::kDispatch;
   std::uint64_t task = 0;             ///< unique within the UAV for the whole mission
-  std::string type = {};              ///< of a dispatch: takeoff, land, goto, wait, takeshot
+  std::string type = {};              ///< of a dispatch: one that the registry of task types has
   world::Parameters parameters = {};  ///< of a dispatch
 };
 

@@ -141,13 +141,14 @@ struct MissionRequest {
   MissionPlacement placement = MissionPlacement::kBest;
   bool interrupt = false;  ///< what is under way is interrupted
   bool evaluate = false;   ///< nothing is adopted: what it would cost is answered
+  bool any = false;        ///< what of it cannot be planned is left out; else it is all or nothing
   std::string asked_by;
   std::vector<MissionTask> tasks;    ///< in the order wanted; cancel: none
   std::vector<std::uint64_t> goals;  ///< cancel only; none, and no mission: all
   bool operator==(const MissionRequest&) const = default;
 };
 SKEIN_WIRE_FIELDS(MissionRequest, header, command, cancel, unit_mission, placement, interrupt,
-                  evaluate, asked_by, tasks, goals)
+                  evaluate, any, asked_by, tasks, goals)
 
 /// The degree of autonomy that a UAV is to have from now on. Source: spec 1.2.
 struct DegreeCommand {

@@ -38,7 +38,7 @@ class Parameters {
   std::vector<Parameter> all_;
 };
 
-/// What a task of type `synchronise` does. A UAV among the senders sends one message to each other
+/// What a task of a type that synchronises does (`synchronise`, `rendezvous`). A UAV among the senders sends one message to each other
 /// receiver, in the order of `receivers`; a UAV among the receivers waits for the message of each
 /// other sender. Source: T III.2.3, spec 2.6.
 struct Synchronisation {
@@ -56,12 +56,9 @@ struct Task {
   Parameters parameters;
   Formula preconditions;                           ///< Π
   Formula exit;                                    ///< Ξ
-  std::optional<Synchronisation> synchronisation;  ///< present exactly for `synchronise`
+  std::optional<Synchronisation> synchronisation;  ///< present exactly for those types
   bool operator==(const Task&) const = default;
 };
-
-/// The type that the executive carries out by itself. Source: spec 2.6.
-inline constexpr std::string_view kSynchroniseType = "synchronise";
 
 /// Joint tasks are the types that begin with this; the supervisor carries them out.
 inline constexpr std::string_view kJointPrefix = "joint:";

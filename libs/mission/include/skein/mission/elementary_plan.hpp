@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "skein/executive/task.hpp"
+#include "skein/functional/task_types.hpp"
 #include "skein/mission/high_level_task.hpp"
 
 namespace skein::mission {
@@ -39,7 +40,7 @@ struct Interval {
 /// Source: T def. IV.2, spec 3.4.
 struct ElementaryTask {
   executive::TaskId id;
-  /// As the executive has it: takeoff, goto, land, wait, takeshot, synchronise, joint:NAME.
+  /// As the registry of task types has it: takeoff, goto, perceive, joint:NAME, …
   std::string type;
   std::string name;                  ///< as the domain and the seeds have it: "task-gotoxyz"
   executive::Parameters parameters;  ///< as the functional layer takes them
@@ -60,8 +61,12 @@ struct ElementaryTask {
   bool operator==(const ElementaryTask&) const = default;
 };
 
-/// True for what moves the vehicle or keeps it where it is: takeoff, goto, land, wait.
-bool uses_motion(const ElementaryTask& task);
+/// What the registry says of it.
+const functional::TaskType& type_of(const ElementaryTask& task);
+/// True for what moves the vehicle or needs it where it is.
+bool holds_vehicle(const ElementaryTask& task);
+/// The devices that are its own while it is active.
+std::vector<std::string> devices_of(const ElementaryTask& task);
 
 /// Individual and joint tasks of one UAV in the order of planning. Source: T def. IV.1.
 struct ElementaryPlan {

@@ -73,7 +73,9 @@ struct UnitMission {
   std::vector<HighLevelTask> tasks;  ///< in the order wanted
   Placement placement = Placement::kBest;
   bool interrupt = false;  ///< with kFirst: what is under way is interrupted and taken up after it
-  std::string asked_by;    ///< who asked, for people: "step detection", "operator end"
+  /// What of it cannot be planned is left out, and the rest done; else it is all or nothing.
+  bool any = false;
+  std::string asked_by;  ///< who asked, for people: "step detection", "operator end"
   /// What it would cost is answered, and nothing else happens.
   bool evaluate = false;
   bool operator==(const UnitMission&) const = default;

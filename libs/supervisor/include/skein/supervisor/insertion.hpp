@@ -18,12 +18,19 @@ struct Standing {
   GoalBounds bounds = {};  ///< of all high-level tasks, those to be planned too
 };
 
+/// A high-level task that is not part of a plan.
+struct Dropped {
+  mission::GoalId goal;
+  std::string why;
+};
+
 struct InsertionRequest {
   PlanningRequest base;  ///< its tasks do not count; the situation is that after `standing`
   Standing standing;
   std::vector<mission::HighLevelTask> planned;  ///< free to move, in the order of the plan
   std::vector<mission::HighLevelTask> added;    ///< in the order wanted
   mission::Placement placement = mission::Placement::kBest;
+  bool any = false;  ///< what of `added` cannot be planned is left out
 };
 
 /// One order that was tried.
@@ -33,6 +40,7 @@ struct Trial {
   bool feasible = false;
   double cost = 0;                   ///< of the plan, where there is one
   std::vector<std::string> reasons;  ///< why it is not feasible
+  std::optional<mission::GoalId> culprit;  ///< the task that this is because of, where it is one
 };
 
 struct InsertionOutcome {
@@ -41,6 +49,8 @@ struct InsertionOutcome {
   std::vector<mission::HighLevelTask> order;
   mission::Placement chosen = mission::Placement::kLast;
   Schedule schedule;  ///< of `standing` and the plan together
+  /// Of `added`, what the plan has not; without a plan, the tasks because of which there is none.
+  std::vector<Dropped> dropped;
   std::vector<Trial> trials;
   std::vector<std::string> reasons;  ///< why there is no plan: of every trial, each once
 };

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "skein/foundation/diagnostics.hpp"
@@ -19,6 +20,11 @@
 #include "skein/world/world.hpp"
 
 namespace skein::supervisor {
+
+/// Tasks that a supervisor gives itself, where the domain declares them: to come down, and to leave
+/// air that was closed around the UAV. The second comes first in every order.
+inline constexpr std::string_view kComeDown = "general-land";
+inline constexpr std::string_view kLeaveClosedAir = "leave-closed-air";
 
 /// A planning domain as text (docs/comets-domain.md).
 struct DomainText {
@@ -55,8 +61,11 @@ struct Situation {
   world::Vector3 position = world::Vector3::Zero();  ///< [m] ENU
   double heading = 0;                                ///< [rad]
   bool airborne = false;
-  double energy = 1;  ///< what will be left, [0, 1]
+  double energy = 1;                      ///< what will be left, [0, 1]
+  std::optional<world::Vector3> land_at;  ///< on the ground [m] ENU; absent: at home
   Timeline motion;
+  /// What runs along with that motion, or still runs after it: the next motion waits for it too.
+  std::vector<Timeline> riders;
   std::map<std::string, Timeline> devices;  ///< those that are not here are free at once
   std::set<std::string> broken;             ///< devices that do not work
   executive::TaskId next_id{1};             ///< elementary tasks are numbered from here

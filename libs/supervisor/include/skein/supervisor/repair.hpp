@@ -19,9 +19,11 @@ enum class RepairStep : std::uint8_t {
   kRefine,  ///< the failed high-level task is refined again from here; the others stay
   kDrop,    ///< it fails, and what depends on it
   kReplan,  ///< all that remains is planned anew, in the best order, without what cannot be
+  kReturn,  ///< all of it fails; the UAV flies to the nearest place to land, home if it can, and
+            ///< lands
   kFail     ///< nothing can be planned: the mission has failed, safe mode
 };
-/// "absorb", "shift", "re-refine", "drop", "replan", "fail".
+/// "absorb", "shift", "re-refine", "drop", "replan", "return and land", "fail".
 std::string_view to_text(RepairStep step);
 
 struct RepairRequest {
@@ -31,11 +33,9 @@ struct RepairRequest {
   bool refine_failed = true;                      ///< false: it was refined often enough
   std::vector<mission::HighLevelTask> remaining;  ///< in the order of the plan, without `failed`
   std::size_t failed_at = 0;                      ///< position of `failed` among them
-};
-
-struct Dropped {
-  mission::GoalId goal;
-  std::string why;
+  /// A landing, for when nothing else serves. Absent: there is no such task, or it is on the
+  /// ground.
+  std::optional<mission::HighLevelTask> retreat;
 };
 
 struct RepairOutcome {
@@ -47,10 +47,11 @@ struct RepairOutcome {
   std::vector<std::string> before;  ///< of each milder step that was tried: why it did not serve
 };
 
-/// The steps that need planning, in order: kRefine, kDrop, kReplan, kFail. A plan serves when it is
-/// dynamically controllable and needs no more energy than is left above the reserve. In kReplan the
-/// tasks that stand in the way are left out one by one, those that end a flight last. A job.
-/// Source: T IV.4.2 (SCD-6).
+/// The steps that need planning, in order: kRefine, kDrop, kReplan, kReturn, kFail. A plan serves
+/// when it is dynamically controllable and needs no more energy, the way home from its end with it,
+/// than is left above the reserve; a landing alone serves always, at home when the energy lasts so
+/// far, else where ground that serves is nearest. In kReplan the tasks that stand in the way are
+/// left out one by one, those that end a flight last. A job. Source: T IV.4.2 (SCD-6).
 RepairOutcome repair_plan(const RepairRequest& request);
 
 }  // namespace skein::supervisor

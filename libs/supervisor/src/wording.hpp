@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reasons for people name goals, not the numbers that tasks have inside.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "skein/mission/elementary_plan.hpp"
+
+namespace skein::supervisor {
+
+/// "the takeshot of goal 702".
+std::string in_words(const mission::ElementaryTask& task);
+
+/// The text with each "WORD NUMBER" replaced by what `name` says of the number; as it is where that
+/// is empty. Cost: linear in the text, and the calls.
+std::string with_names(const std::string& text, const std::string& word,
+                       const std::function<std::string(std::uint64_t)>& name);
+
+}  // namespace skein::supervisor

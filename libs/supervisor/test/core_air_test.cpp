@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// Air that is closed across ways, over waits and around the UAV. Source: spec 6.2 (6).
+#include "testing/core_harness.hpp"
+
+namespace skein::supervisor {
+namespace {
+
+using namespace testing;  // NOLINT: builders read as words
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+WorldChanged closed(std::string name, world::Polygon polygon, world::TimeWindow when = {}) {
+  return {{{std::move(name), std::move(polygon), 0, 100, when}, false}};
+}
+const world::Polygon kAhead{{200, -50}, {300, -50}, {300, 50}, {200, 50}};
+const world::Polygon kBehind{{-300, -50}, {-200, -50}, {-200, 50}, {-300, 50}};
+const world::Polygon kHere{{-50, -50}, {50, -50}, {50, 50}, {-50, 50}};
+const world::Polygon kOnPlanned{{400, 200}, {600, 200}, {600, 300}, {400, 300}};
+
+/// Knows how to leave closed air.
+Config that_leaves() {
+  Config config = config_for_tests();
+  Knowledge knowledge = *config.knowledge;
+  knowledge.vocabulary.tasks["leave-closed-air"] = {"leave-closed-air", {}, {}};
+  config.knowledge = std::make_shared<Knowledge>(knowledge);
+  return config;
+}
+
+/// Waits at (0, 0, 40) for orders, goal 701.
+Desk waiting(Config config = that_leaves()) {
+  Desk desk = Desk::engaged(std::move(config));
+  desk.add(a_mission(1, {701}));
+  desk.finish(inserted({701}, {TaskOf(100, "wait", 701).until_orders()}));
+  desk.flies();
+  desk.runs(100);
+  return desk;
+}
+
+TEST(SupervisorWorld, ClosedAheadStopsWhatFliesThere) {
+  Desk desk = flying();
+
+  desk.at(30).give(closed("fire", kAhead));
+
+  EXPECT_TRUE(desk.of<Answer>()[0].accepted);
+  EXPECT_THAT(desk.requests(), ElementsAre("ABORT 101", "START 103"));
+  EXPECT_EQ(desk.repair().failed->id, GoalId{701});
+  EXPECT_EQ(desk.repair().base.world->volumes.size(), 1U);
+}
+
+TEST(SupervisorWorld, ClosedWhereItHasBeenOrBeforeItComesStopsNothing) {
+  Desk desk = flying();
+  desk.flies({350, 0, 40});
+
+  desk.at(60).give(closed("passed", kAhead));
+  EXPECT_FALSE(desk.job_started());
+  desk.give(closed("elsewhere", kBehind));
+  EXPECT_FALSE(desk.job_started());
+  desk.give(closed("short", kOnPlanned, {at(60), at(90)}));
+  EXPECT_FALSE(desk.job_started());
+}
+
+TEST(SupervisorWorld, ClosedOnAPlannedWayMakesThatPlannedAnewOnly) {
+  Desk desk = flying();
+
+  desk.at(30).give(closed("fire", kOnPlanned));
+
+  EXPECT_THAT(desk.requests(), IsEmpty());
+  EXPECT_EQ(desk.repair().failed->id, GoalId{702});
+  EXPECT_EQ(desk.repair().standing.tasks.size(), 1U);
+}
+
+TEST(SupervisorWorld, MadeOfNonsenseIsRefused) {
+  Desk desk = flying();
+
+  desk.give(closed("", {{0, 0}}));
+  EXPECT_EQ(desk.of<Answer>()[0].reasons.size(), 2U);
+  desk.give(WorldChanged{{{"never closed", {}, 0, 1, {}}, true}});
+  EXPECT_FALSE(desk.of<Answer>()[0].accepted);
+}
+
+TEST(SupervisorWorld, ClosedAroundAUavThatWaitsIsLeftFirst) {
+  Desk desk = waiting();
+
+  desk.at(30).give(closed("fire", kHere));
+
+  EXPECT_THAT(desk.notices(), Contains(HasSubstr("closed (volume 'fire'): it leaves at once")));
+  EXPECT_THAT(desk.requests(), Contains("ABORT 100"));
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().failed->id, GoalId{701});
+  ASSERT_EQ(desk.repair().remaining.size(), 1U);
+  EXPECT_EQ(desk.repair().remaining[0].name, "leave-closed-air");
+  EXPECT_EQ(desk.repair().failed_at, 1U);
+}
+
+TEST(SupervisorWorld, ClosedOverAWaitElsewhereConcernsThatGoalOnly) {
+  Desk desk = Desk::engaged(that_leaves());
+  desk.add(a_mission(1, {701, 702}));
+  desk.finish(
+      inserted({701, 702}, {TaskOf(100, "goto", 701).takes(100, 110).way({{0, 0, 40}, {0, 20, 40}}),
+                            TaskOf(101, "wait", 702).after(100).takes(50, 50)}));
+  desk.flies({500, 0, 40});
+  desk.runs(100);
+  desk.flies({500, 0, 40});
+
+  desk.at(30).give(closed("fire", {{-20, 19}, {20, 19}, {20, 60}, {-20, 60}}));
+
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().failed->id, GoalId{701}) << "it flies there";
+  EXPECT_THAT(desk.notices(), ::testing::Each(::testing::Not(HasSubstr("leaves at once"))));
+}
+
+TEST(SupervisorWorld, ClosedForATimeThatIsOverWhenItWouldBeMetStopsNothing) {
+  Desk desk = waiting();
+  desk.at(30).give(closed("past", kHere, {at(5), at(29)}));
+  EXPECT_FALSE(desk.job_started());
+}
+
+TEST(SupervisorWorld, ThatIsToCloseIsLeftAMinuteBefore) {
+  Desk desk = waiting();
+  desk.at(30).give(closed("later", kHere, {at(300), at(400)}));
+  EXPECT_FALSE(desk.job_started());
+  EXPECT_EQ(desk.supervisor.next_wakeup(), at(240));
+
+  desk.at(240).give(Tick{});
+
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().remaining[0].name, "leave-closed-air");
+}
+
+TEST(SupervisorWorld, TheWayOutDoesNotCountAsAWayIn) {
+  Desk desk = waiting();
+  desk.at(30).give(closed("fire", kHere));
+  const std::uint64_t own = desk.repair().remaining[0].id.value();
+  RepairOutcome outcome =
+      repaired(RepairStep::kDrop, {own}, {TaskOf(110, "goto", own).way({{0, 0, 40}, {70, 0, 40}})});
+  desk.finish(outcome);
+  desk.runs(110);
+
+  desk.at(31).give(closed("elsewhere", kBehind));
+  EXPECT_FALSE(desk.job_started());
+  desk.at(32).give(closed("on the way out", {{60, -50}, {150, -50}, {150, 50}, {60, 50}}));
+  EXPECT_TRUE(desk.job_started());
+}
+
+TEST(SupervisorWorld, AroundAUavOnTheGroundIsNotLeft) {
+  Desk desk = Desk::engaged(that_leaves());
+  desk.add(a_mission(1, {701}));
+  desk.finish(inserted({701}, {TaskOf(100, "wait", 701).takes(600, 600)}));
+  desk.runs(100);
+
+  desk.at(30).give(closed("fire", kHere));
+
+  EXPECT_FALSE(desk.job_started());
+}
+
+}  // namespace
+}  // namespace skein::supervisor
