@@ -188,6 +188,7 @@ inline mission::UnitMission any_unit_mission() {
           some(any_high_level_task),
           static_cast<mission::Placement>(*rc::gen::inRange(0, 5)),
           any_truth(),
+          any_truth(),
           any_text(),
           any_truth()};
 }
