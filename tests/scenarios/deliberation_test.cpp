@@ -47,7 +47,7 @@ std::string name_of(const ::testing::TestParamInfo<std::string>& one) {
 INSTANTIATE_TEST_SUITE_P(Virtual, Deliberation,
                          ::testing::Values("karma/detection", "heliv-marvin/monitoring",
                                            "iros2005/fire", "handover/radio", "handover/cut",
-                                           "comets/mixed"),
+                                           "comets/mixed", "deadlines/after-a-goal"),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(
     Contingencies, Deliberation,

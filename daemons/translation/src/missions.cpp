@@ -92,6 +92,9 @@ wire::MissionTask to_wire(const mission::HighLevelTask& task) {
   result.start_after = to_wire(task.time.start_after);
   result.end_before = to_wire(task.time.end_before);
   result.end_after = to_wire(task.time.end_after);
+  for (const mission::GoalBound& one : task.after) {
+    result.after.push_back({one.goal.value(), one.on_end, one.least.count(), one.most.count()});
+  }
   return result;
 }
 
@@ -107,6 +110,12 @@ Read<mission::HighLevelTask> task_of(const wire::MissionTask& task, const std::s
   }
   result.time = {instant_of(task.start_before), instant_of(task.start_after),
                  instant_of(task.end_before), instant_of(task.end_after)};
+  for (std::size_t i = 0; i < task.after.size(); ++i) {
+    const wire::GoalBound& one = task.after[i];
+    if (one.goal == 0) return wrong(at(path + ".after", i) + ".goal", "0 is not an id");
+    result.after.push_back({mission::GoalId(one.goal), one.on_end, Duration::nanoseconds(one.least),
+                            Duration::nanoseconds(one.most)});
+  }
   return result;
 }
 
@@ -119,6 +128,7 @@ Read<mission::UnitMission> mission_of(const wire::MissionRequest& request) {
   result.interrupt = request.interrupt;
   result.any = request.achieve_any;
   result.asked_by = request.asked_by;
+  result.evaluate = request.evaluate;
   for (std::size_t i = 0; i < request.tasks.size(); ++i) {
     auto task = task_of(request.tasks[i], at("tasks", i));
     if (!task) return tl::unexpected(task.error());
@@ -152,6 +162,7 @@ wire::MissionRequest to_wire(const mission::UnitMission& mission) {
   result.interrupt = mission.interrupt;
   result.achieve_any = mission.any;
   result.asked_by = mission.asked_by;
+  result.evaluate = mission.evaluate;
   for (const mission::HighLevelTask& task : mission.tasks) result.tasks.push_back(to_wire(task));
   return result;
 }

@@ -38,7 +38,7 @@ ground_station::OnMission read_on_mission(const Reader& reader, TaskContext& con
   ground_station::OnMission on{read_uav(reader, context), {}, {}};
   on.mission = read_mission_id(reader.required("id"), on.uav, context);
   on.state = static_cast<ground_station::MissionStage>(
-      reader.required("state").choice({"planned", "refused", "achieved", "failed"}));
+      reader.required("state").choice({"planned", "refused", "achieved", "failed", "evaluated"}));
   return on;
 }
 

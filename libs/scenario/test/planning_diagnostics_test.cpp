@@ -108,8 +108,12 @@ SKEIN_WRONG_PLANNING(
          "ARGUMENT...]\n"),
     goal("UnknownKeyOfAGoal", "{id: 701, task: [general-land], start_befor: 3}",
          "19:129: ground.script[0].do[0].mission.tasks[1].start_befor: unknown key 'start_befor'; "
-         "expected one of id, task, start_before, start_after, end_before, end_after; did you mean "
-         "'start_before'?\n"),
+         "expected one of id, task, start_before, start_after, end_before, end_after, "
+         "start_after_goal, end_after_goal; did you mean 'start_before'?\n"),
+    goal(
+        "ABoundWithoutFigures", "{id: 701, task: [general-land], end_after_goal: {goal: 700}}",
+        "19:145: ground.script[0].do[0].mission.tasks[1].end_after_goal: no bound; expected least: "
+        "seconds, most: seconds, or both\n"),
     goal("NumbersAmongNames", "{id: 701, task: [synchro, 551, [karma, 3], [heliv]]}",
          "19:123: ground.script[0].do[0].mission.tasks[1].task[2][1]: a number among names; "
          "expected names, or [x, y, z]\n"),

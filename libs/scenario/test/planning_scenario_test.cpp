@@ -163,6 +163,19 @@ TEST(Missions, TimeConstraintsAreInstantsOfTheMission) {
   EXPECT_EQ(others, (mission::TimeConstraints{at(20), {}, {}, at(40)}));
 }
 
+TEST(Missions, BoundsAfterGoalsAreSecondsAfterTheirEnd) {
+  const auto start =
+      mission_with_task("task: [any], start_after_goal: {goal: 700, least: 10, most: 60}");
+  const auto end = mission_with_task("task: [any], end_after_goal: {goal: 700, most: 60.5}");
+
+  ASSERT_EQ(start.mission.tasks[1].after.size(), 1U);
+  EXPECT_EQ(start.mission.tasks[1].after[0],
+            (mission::GoalBound{mission::GoalId(700), false, Duration::seconds(10),
+                                Duration::seconds(60)}));
+  EXPECT_EQ(end.mission.tasks[1].after[0],
+            (mission::GoalBound{mission::GoalId(700), true, {}, Duration::seconds(60.5)}));
+}
+
 TEST(Missions, EveryPlacementIsRead) {
   for (const char* word : {"best", "last", "in-time", "tour", "first"}) {
     const auto send =

@@ -80,6 +80,7 @@ Standing Book::standing(const std::set<TaskId>& but) const {
     result.tasks.push_back(entry.task);
     result.seen[id] = entry.seen;
   }
+  result.bounds = bounds();
   return result;
 }
 
@@ -117,6 +118,20 @@ std::vector<GoalId> Book::free_goals() const {
     if (!goal.queued && !given && !passed) result.push_back(*id);
   }
   std::reverse(result.begin(), result.end());
+  return result;
+}
+
+GoalBounds Book::bounds() const {
+  GoalBounds result;
+  for (const auto& [id, goal] : goals) {
+    if (goal.task.after.empty() || is_settled(goal.state)) continue;
+    result.of[id] = goal.task.after;
+    for (const mission::GoalBound& one : goal.task.after) {
+      const auto other = goals.find(one.goal);
+      if (other != goals.end() && other->second.state == GoalState::kAchieved)
+        result.over[one.goal] = other->second.settled;
+    }
+  }
   return result;
 }
 

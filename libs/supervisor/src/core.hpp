@@ -2,6 +2,7 @@
 // The supervisor's inside: one class, its functions in files by theme (supervisor_*.cpp).
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <map>
 #include <optional>
@@ -36,6 +37,12 @@ class Supervisor::Core {
     MissionTime since;
     int attempts = 0;
   };
+  /// A mission that is only to be evaluated.
+  struct Evaluation {
+    mission::UnitMission mission;
+    std::string cause;
+    MissionTime since;
+  };
   /// Something happened to the plan that needs planning.
   struct Need {
     std::optional<GoalId> failed;
@@ -59,6 +66,8 @@ class Supervisor::Core {
   struct Job {
     std::uint64_t id = 0;
     std::optional<mission::MissionId> mission;  ///< an insertion; else a repair
+    bool evaluation = false;                    ///< of a mission, that is not adopted
+    std::shared_ptr<std::atomic<bool>> stop;    ///< set when its result is no longer wanted
     Need need;
     Premises premises;
     std::optional<mission::HighLevelTask> retreat;  ///< a goal of its own, if nothing else serves
@@ -185,6 +194,7 @@ class Supervisor::Core {
   void on(const JobFinished& input);
   void start_job();
   void start_insertion(const Pending& pending);
+  void start_evaluation(const Evaluation& evaluation);
   void give_way();
   void abandon_job();
   void start_repair();
@@ -205,6 +215,9 @@ class Supervisor::Core {
               const std::vector<Dropped>& culprits = {});
   void leave_out(const std::vector<Dropped>& dropped);
   std::string in_words(const std::string& text) const;
+  mission::MissionEstimate estimate(const Evaluation& evaluation,
+                                    const InsertionOutcome& outcome) const;
+  void answer_evaluation(const InsertionOutcome& outcome);
   void fail_safely(const Job& job, const std::vector<std::string>& reasons);
   std::string fault_of(const Premises& premises, const mission::ElementaryPlan& plan) const;
   bool fits_now(const Premises& premises, const mission::ElementaryPlan& plan);
@@ -257,6 +270,7 @@ class Supervisor::Core {
   bool told_idle_ = false;  ///< that it flies and has nothing to do
   std::set<mission::MissionId> missions_;
   std::deque<Pending> pending_;
+  std::deque<Evaluation> evaluations_;
   std::set<std::uint64_t> abandoned_;  ///< jobs whose results are still to come
   std::optional<Need> need_;
   std::optional<Job> job_;

@@ -33,7 +33,7 @@ std::optional<MissionTime> Supervisor::Core::due(GoalId goal) const {
   }
   if (!waits.empty()) return first;
   if (book_.nothing_in_hand()) return now_;
-  return job_ ? first : first - config_.horizon;
+  return job_ && !job_->evaluation ? first : first - config_.horizon;
 }
 
 void Supervisor::Core::commit() {

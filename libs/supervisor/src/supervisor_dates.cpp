@@ -29,6 +29,7 @@ std::vector<TaskView> Supervisor::Core::open_views() const {
   for (const auto& [id, entry] : book_.tasks) {
     if (book_.counts(entry)) views.push_back({&entry.task, entry.seen});
   }
+  relate(views, book_.bounds());
   return views;
 }
 
@@ -38,7 +39,8 @@ std::vector<Hold> Supervisor::Core::holds_of(TaskId task) const {
   if (found == schedule().holds.end()) return result;
   for (const Hold& hold : found->second) {
     const Entry* on = book_.find(hold.on);
-    if (hold.on == TaskId() || (on != nullptr && on->given)) result.push_back(hold);
+    const bool nameable = hold.on == TaskId() || (on != nullptr && on->given);
+    result.push_back(nameable ? hold : Hold{TaskId(), MissionTime::max()});
   }
   return result;
 }

@@ -147,6 +147,7 @@ struct MissionRequest {
   std::uint64_t unit_mission = 0;  ///< cancel: 0: not by mission
   MissionPlacement placement = MissionPlacement::kBest;
   bool interrupt = false;  ///< what is under way is interrupted
+  bool evaluate = false;   ///< nothing is adopted: what it would cost is answered
   bool achieve_any =
       false;  ///< what of it cannot be planned is left out; else it is all or nothing
   std::string asked_by;
@@ -155,7 +156,7 @@ struct MissionRequest {
   bool operator==(const MissionRequest&) const = default;
 };
 SKEIN_WIRE_FIELDS(MissionRequest, header, command, cancel, unit_mission, placement, interrupt,
-                  achieve_any, asked_by, tasks, goals)
+                  evaluate, achieve_any, asked_by, tasks, goals)
 
 /// The degree of autonomy that a UAV is to have from now on. Source: spec 1.2.
 struct DegreeCommand {
@@ -199,9 +200,14 @@ struct MissionOutcome {
   std::uint64_t unit_mission = 0;
   bool planned = false;
   std::vector<std::string> reasons;  ///< why not
+  bool evaluated = false;            ///< nothing was adopted; with `planned` the rest counts
+  MissionPlacement placement = MissionPlacement::kBest;
+  double cost = 0, energy = 0;                                  ///< that it would add
+  std::int64_t earliest_end = 0, latest_end = 0, plan_end = 0;  ///< [ns]
   bool operator==(const MissionOutcome&) const = default;
 };
-SKEIN_WIRE_FIELDS(MissionOutcome, header, uav, unit_mission, planned, reasons)
+SKEIN_WIRE_FIELDS(MissionOutcome, header, uav, unit_mission, planned, reasons, evaluated, placement,
+                  cost, energy, earliest_end, latest_end, plan_end)
 
 /// A task with its conditions and where it stands.
 struct HeldTask {

@@ -34,7 +34,8 @@ enum class MissionStage {
   kPlanned,   ///< the UAV has a plan for it
   kRefused,   ///< it was refused: by the ground, by the UAV, or because no plan has room for it
   kAchieved,  ///< none of its high-level tasks is open, none failed, one was achieved
-  kFailed     ///< none of them is open, and one failed
+  kFailed,    ///< none of them is open, and one failed
+  kEvaluated  ///< asked for evaluation only: it could be planned (else refused)
 };
 
 /// Numbered from 1 in the order issued.

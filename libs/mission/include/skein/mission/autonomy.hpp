@@ -102,11 +102,24 @@ struct Decision {
   bool operator==(const Decision&) const = default;
 };
 
-/// What became of a mission that was accepted for planning, later than its acceptance.
+/// What a mission would cost if it were taken now, beside what is planned already.
+struct MissionEstimate {
+  Placement placement = Placement::kLast;  ///< where it would go
+  double cost = 0;                         ///< that it adds, as the domain counts
+  double energy = 0;                       ///< that it adds [fraction of what is held when full]
+  MissionTime earliest_end, latest_end;    ///< of its tasks; latest may be MissionTime::max()
+  MissionTime plan_end;                    ///< latest end of all; likewise
+  bool operator==(const MissionEstimate&) const = default;
+};
+
+/// What became of a mission that was accepted for planning, or for evaluation, later than its
+/// acceptance.
 struct MissionOutcome {
   MissionId mission;
-  bool planned = false;
-  std::vector<std::string> reasons;  ///< why not, all at once
+  bool planned = false;                          ///< of an evaluation: it could be
+  std::vector<std::string> reasons;              ///< why not, all at once
+  bool evaluated = false;                        ///< nothing was adopted
+  std::optional<MissionEstimate> estimate = {};  ///< of an evaluation that found a plan
   bool operator==(const MissionOutcome&) const = default;
 };
 

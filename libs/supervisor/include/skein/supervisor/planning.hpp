@@ -2,7 +2,9 @@
 // Operator 3: planner and refiners together make elementary tasks of high-level ones.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -72,12 +74,27 @@ struct Situation {
   std::map<mission::GoalId, mission::Progress> done;
 };
 
+/// How much may be spent on one plan, and whether anybody still wants it. Counts give the same
+/// answer everywhere; the rest is filled by who runs the job. A value type.
+struct PlanningBudget {
+  std::uint64_t expansions = 200'000;
+  std::uint64_t inferences = 20'000'000;
+  std::uint64_t memory_bytes = std::uint64_t{1} << 30U;  ///< of the search's own structures
+  /// Set when the result is no longer wanted. May be null. Any thread may set it.
+  std::shared_ptr<const std::atomic<bool>> stop;
+  /// True once the time is up. May be empty: never.
+  std::function<bool()> time_is_up;
+
+  bool over() const { return (stop && stop->load()) || (time_is_up && time_is_up()); }
+};
+
 struct PlanningRequest {
   std::shared_ptr<const Knowledge> knowledge;
   std::shared_ptr<const world::World> world;
   Situation situation;
   std::vector<mission::HighLevelTask> tasks;  ///< in order
   std::uint64_t seed = 1;
+  PlanningBudget budget = {};
 };
 
 struct PlanningFailure {
