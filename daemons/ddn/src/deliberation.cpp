@@ -50,10 +50,10 @@ void DdnNode::carry_out(const supervisor::ToExecutive& effect) {
 }
 
 void DdnNode::carry_out(const supervisor::StartDeliberation& effect) {
-  const auto work = [request = effect.request]() -> std::any {
-    return supervisor::deliberate(*request);
+  const auto work = [request = effect.request](const node::TimeIsUp& time_is_up) -> std::any {
+    return supervisor::deliberate(*request, time_is_up);
   };
-  out_.push_back(node::StartJob{effect.job, work});
+  out_.push_back(node::StartJob{effect.job, work, config_.deliberation});
 }
 
 // Of the tasks of a revision, those are logged that were not so in the one before.

@@ -1,7 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "job_runner.hpp"
 
+#include "skein/node/waker.hpp"
+
 namespace skein::node {
+
+namespace {
+
+TimeIsUp clock_for(const StartJob& job) {
+  if (job.at_most == Duration::max()) return {};
+  return [from = Waker::steady_now(), job_time = job.at_most] {
+    return Waker::steady_now() - from >= job_time;
+  };
+}
+
+}  // namespace
 
 JobRunner::JobRunner(std::function<void()> notify)
     : notify_(std::move(notify)), thread_([this] { work(); }) {}
@@ -36,7 +49,7 @@ void JobRunner::work() {
     const StartJob job = std::move(waiting_.front());
     waiting_.pop_front();
     lock.unlock();
-    JobDone done{job.id, job.work()};
+    JobDone done{job.id, job.work(clock_for(job))};
     lock.lock();
     done_.push_back(std::move(done));
     lock.unlock();

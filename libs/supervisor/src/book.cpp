@@ -121,17 +121,21 @@ std::vector<GoalId> Book::free_goals() const {
   return result;
 }
 
-GoalBounds Book::bounds() const {
+GoalBounds Book::bounds(const std::vector<mission::HighLevelTask>& more) const {
   GoalBounds result;
-  for (const auto& [id, goal] : goals) {
-    if (goal.task.after.empty() || is_settled(goal.state)) continue;
-    result.of[id] = goal.task.after;
-    for (const mission::GoalBound& one : goal.task.after) {
+  const auto add = [&](const mission::HighLevelTask& task) {
+    if (task.after.empty()) return;
+    result.of[task.id] = task.after;
+    for (const mission::GoalBound& one : task.after) {
       const auto other = goals.find(one.goal);
       if (other != goals.end() && other->second.state == GoalState::kAchieved)
         result.over[one.goal] = other->second.settled;
     }
+  };
+  for (const auto& [id, goal] : goals) {
+    if (!is_settled(goal.state)) add(goal.task);
   }
+  for (const mission::HighLevelTask& task : more) add(task);
   return result;
 }
 

@@ -111,8 +111,8 @@ class Book {
   /// Goals that are to be done, are not queued and not with the executive: those that a job may
   /// plan anew; in order. A goal without tasks counts as given when one behind it is.
   std::vector<GoalId> free_goals() const;
-  /// Bounds after goals, of all that are not settled.
-  GoalBounds bounds() const;
+  /// Bounds after goals, of all that are not settled and of `more`, that are not in the book.
+  GoalBounds bounds(const std::vector<mission::HighLevelTask>& more = {}) const;
   std::vector<mission::HighLevelTask> tasks_of(const std::vector<GoalId>& ids) const;
 
   /// Tasks that the executive never counts as ended.

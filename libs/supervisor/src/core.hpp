@@ -133,6 +133,7 @@ class Supervisor::Core {
   void see_loose(const executive::TaskEvent& event);
   void see(Entry& entry, const executive::TaskEvent& event);
   void see_started(Entry& entry);
+  void tell_beside_its_times(const Entry& entry, bool ends);
   void see_ended(Entry& entry);
   void see_aborted(Entry& entry);
   void settle_done(Entry& entry);

@@ -146,17 +146,16 @@ void Supervisor::Core::start_evaluation(const Evaluation& evaluation) {
   Job job;
   job.mission = mission.id;
   job.evaluation = true;
-  const Pending as_if{mission.id, mission.placement, mission.interrupt, {}, now_};
+  const Pending as_if{mission.id, mission.placement, mission.interrupt, mission.any, {}, now_};
   job.premises = premises_of_insertion(as_if);
   InsertionRequest request;
   request.standing = book_.standing(job.premises.withdrawn);
-  for (const mission::HighLevelTask& task : mission.tasks) {
-    if (!task.after.empty()) request.standing.bounds.of[task.id] = task.after;
-  }
+  request.standing.bounds = book_.bounds(mission.tasks);
   request.base = base_request(request.standing, job.premises.withdrawn);
   request.planned = book_.tasks_of(job.premises.goals);
   request.added = mission.tasks;
   request.placement = mission.placement;
+  request.any = mission.any;
   run(std::move(job), std::move(request));
 }
 

@@ -13,8 +13,43 @@ namespace {
 // A state of the vehicle that was on its way while it landed is not believed that it flies.
 constexpr Duration kLandingSettles = Duration::milliseconds(3000);
 constexpr Duration kWaitRetry = Duration::milliseconds(5000);
+// A time that was asked is kept when it is missed by no more.
+constexpr Duration kKept = Duration::milliseconds(500);
 constexpr double kReachedMargin =
     2;  // [m] beyond what a vehicle arrives within, between two states
+
+// "ended early by 12 s: it was to end after 100 s"; empty when it is in its time.
+std::string beside(MissionTime at, std::optional<MissionTime> after,
+                   std::optional<MissionTime> before, bool ends) {
+  const std::string did = ends ? "ended " : "began ", asked = ends ? "end " : "start ";
+  const auto say = [&](const char* how, Duration by, const char* side, MissionTime bound) {
+    return did + how + to_text(by) + " s: it was to " + asked + side + to_text(bound) + " s";
+  };
+  if (after && at + kKept < *after) return say("early by ", *after - at, "after ", *after);
+  if (before && at > *before + kKept) return say("late by ", at - *before, "before ", *before);
+  return "";
+}
+
+// What begins, or ends, now beside the times that were asked, for the one told of it.
+std::vector<std::string> beside_its_times(const mission::ElementaryTask& task,
+                                          const GoalBounds& bounds, MissionTime now, bool ends) {
+  const mission::TimeConstraints& time = task.time;
+  std::vector<std::string> all{beside(now, ends ? time.end_after : time.start_after,
+                                      ends ? time.end_before : time.start_before, ends)};
+  const auto own = bounds.of.find(task.origin);
+  if (own != bounds.of.end()) {
+    for (const mission::GoalBound& one : own->second) {
+      const auto over = bounds.over.find(one.goal);
+      if (one.on_end != ends || over == bounds.over.end()) continue;
+      const auto most =
+          one.most == Duration::max() ? std::nullopt : std::optional(over->second + one.most);
+      all.push_back(beside(now, over->second + one.least, most, ends));
+      if (!all.back().empty()) all.back() += ", counted from goal " + to_text(one.goal);
+    }
+  }
+  all.erase(std::remove(all.begin(), all.end(), std::string()), all.end());
+  return all;
+}
 
 }  // namespace
 
@@ -93,6 +128,7 @@ void Supervisor::Core::see(Entry& entry, const executive::TaskEvent& event) {
 
 // A goal that was handed over is the ground's, but when all of it is with the executive.
 void Supervisor::Core::see_started(Entry& entry) {
+  if (!entry.seen.started) tell_beside_its_times(entry, false);
   if (!entry.seen.started) entry.seen.started = now_;
   const GoalId id = entry.task.origin;
   Goal& goal = book_.goals.at(id);
@@ -101,7 +137,16 @@ void Supervisor::Core::see_started(Entry& entry) {
     set_state(goal, GoalState::kUnderWay);
 }
 
+void Supervisor::Core::tell_beside_its_times(const Entry& entry, bool ends) {
+  if (!engaged_ || !entry.live()) return;
+  for (const std::string& how : beside_its_times(entry.task, book_.bounds(), now_, ends)) {
+    notice("goal " + to_text(entry.task.origin) + ": " + entry.task.type + " " +
+           to_text(entry.task.id) + " " + how);
+  }
+}
+
 void Supervisor::Core::see_ended(Entry& entry) {
+  tell_beside_its_times(entry, true);
   entry.seen.over = now_;
   entry.done = true;
   tell_progress(entry.task.origin);

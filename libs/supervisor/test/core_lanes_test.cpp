@@ -173,6 +173,26 @@ TEST(SupervisorGoalBounds, CountFromTheInstantAtWhichTheGoalWasAchieved) {
   EXPECT_EQ(bounds.over.at(GoalId{701}), testing::at(110));
 }
 
+TEST(SupervisorGoalBounds, AnEndThatComesBeforeItWasAskedIsSaid) {
+  Desk desk = flying();
+  mission::UnitMission mission = a_mission(2, {801});
+  mission.tasks[0].after.push_back({GoalId{701}, true, secs(60), Duration::max()});
+  desk.add(mission);
+  desk.finish(inserted({702, 801},
+                       {TaskOf(200, "goto", 702).after(101), TaskOf(201, "goto", 801).after(200)}));
+  ASSERT_EQ(desk.state_of(801), "planned");
+
+  desk.at(110).ends(101);
+  desk.runs(200);
+  desk.at(120).ends(200);
+  desk.runs(201);
+  desk.at(130).ends(201);
+
+  EXPECT_THAT(desk.notices(),
+              ::testing::Contains(HasSubstr("goal 801: goto 201 ended early by 40 s: it was to end "
+                                            "after 170 s, counted from goal 701")));
+}
+
 TEST(SupervisorGoalBounds, OneThatIsBrokenInFlightIsRepairedWithItsFigures) {
   Desk desk = flying();
   desk.add(with_bound(2, 801, 701, 30));

@@ -34,9 +34,10 @@ struct DdnConfig {
   std::optional<std::string> background_type;
   /// Null: the scenario has no planning domain, and degree 4 is refused.
   std::shared_ptr<const supervisor::Knowledge> knowledge;
-  std::shared_ptr<const world::World> world;  ///< as at the start; null only without knowledge
-  Duration horizon = Duration::seconds(15);   ///< commitment, see supervisor::Config
-  executive::TaskId first_task{1};            ///< of the supervisor's; below kFirstOwnTask
+  std::shared_ptr<const world::World> world;      ///< as at the start; null only without knowledge
+  Duration horizon = Duration::seconds(15);       ///< commitment, see supervisor::Config
+  Duration deliberation = Duration::seconds(10);  ///< for one plan, where there is a clock
+  executive::TaskId first_task{1};                ///< of the supervisor's; below kFirstOwnTask
 };
 
 /// A DDN (T II): between the ground station and the functional layer of one UAV.

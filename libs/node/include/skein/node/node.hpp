@@ -63,11 +63,15 @@ struct Publish {
 struct Log {
   journal::Record record;
 };
+/// The clock of a job: whether it has had its time. May be empty: it has all the time it needs.
+using TimeIsUp = std::function<bool()>;
 /// A long computation. `work` owns its inputs, touches nothing shared and may run in any thread;
-/// its result comes back as JobDone. Source: spec 1.5.
+/// its result comes back as JobDone. Who runs it may fill the clock: a daemon does, virtual time
+/// stands still meanwhile and so never ends a job. Source: spec 1.5.
 struct StartJob {
   std::uint64_t id = 0;
-  std::function<std::any()> work;
+  std::function<std::any(const TimeIsUp&)> work;
+  Duration at_most = Duration::max();  ///< from when it begins to run
 };
 /// The mission is over; a runtime may stop everything soon after.
 struct Finish {};
