@@ -1,0 +1,111 @@
+# What `cmake --install` puts where, and how others find it.
+#
+#   find_package(Skein 0.1 REQUIRED COMPONENTS executive temporal)   # targets skein::executive, skein::temporal
+#   pkg-config --cflags --libs skein-executive
+#
+# Every library under libs/ is a component: its archive, its public headers, a file of targets of its
+# own and a pkg-config file. A component brings the components it declares and looks up the packages
+# these need, and no others: who uses the executive needs neither DDS nor GDAL. Two groups can be
+# installed apart: `--component runtime` (programs, scenarios) and `--component development`.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(SKEIN_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Skein)
+set_property(GLOBAL PROPERTY SKEIN_COMPONENTS "")
+
+# The Debian packages behind the targets that our libraries link: target, name for find_package, name for
+# pkg-config, options of the linker where there is no pkg-config file; "-" where none is needed.
+set(SKEIN_PACKAGES
+  "tl::expected|tl-expected|-|-" "nlohmann_json::nlohmann_json|nlohmann_json|nlohmann_json|-"
+  "Eigen3::Eigen|Eigen3|eigen3|-" "EXPAT::EXPAT|EXPAT|expat|-" "tsl::robin_map|tsl-robin-map|-|-"
+  "fmt::fmt|fmt|fmt|-" "PNG::PNG|PNG|libpng|-" "Threads::Threads|Threads|-|-pthread"
+  "fastrtps|fastrtps|-|-lfastrtps" "fastcdr|fastcdr|-|-lfastcdr" "GDAL::GDAL|GDAL|gdal|-"
+  "yaml-cpp|yaml-cpp|yaml-cpp|-" "skein_ompl|-|ompl|-" "fcl|fcl|fcl|-")
+
+# skein_find_packages(OUT COLUMN dependencies…): what a column of the table says of them, without
+# repeats. A library given by its path is an option of the linker.
+function(skein_find_packages out column)
+  set(found "")
+  foreach(dependency IN LISTS ARGN)
+    set(row ${SKEIN_PACKAGES})
+    list(FILTER row INCLUDE REGEX "^${dependency}\\|")
+    if(row)
+      string(REPLACE "|" ";" row "${row}")
+      list(GET row ${column} name)
+    elseif(IS_ABSOLUTE "${dependency}")
+      set(name -)
+      if(column EQUAL 3)
+        set(name ${dependency})
+      endif()
+    else()
+      message(FATAL_ERROR "SKEIN_PACKAGES (cmake/SkeinInstall.cmake) does not say where ${dependency} comes from")
+    endif()
+    if(NOT name STREQUAL "-")
+      list(APPEND found ${name})
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES found)
+  set(${out} "${found}" PARENT_SCOPE)
+endfunction()
+
+# skein_install_library(NAME DEPENDS … PACKAGES …): called by skein_add_library for what lies in libs/.
+function(skein_install_library name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;PACKAGES" ${ARGN})
+  set(target skein_${name})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS ${target} EXPORT Skein_${name}
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+          FILES_MATCHING PATTERN "*.hpp")
+  install(EXPORT Skein_${name} NAMESPACE skein:: FILE Skein-${name}.cmake
+          DESTINATION ${SKEIN_PACKAGE_DIR} COMPONENT development)
+  skein_find_packages(packages 1 ${ARG_PACKAGES})
+  set_property(GLOBAL APPEND PROPERTY SKEIN_COMPONENTS ${name})
+  set_property(GLOBAL PROPERTY SKEIN_PACKAGES_${name} "${packages}")
+  skein_write_pkg_config(${name} "${ARG_DEPENDS}" "${ARG_PACKAGES}")
+endfunction()
+
+# Archives only: whoever links one needs all that it needs, so nothing is private here.
+function(skein_write_pkg_config name depends packages)
+  set(SKEIN_PC_NAME ${name})
+  skein_find_packages(requires 2 ${packages})
+  skein_find_packages(options 3 ${packages})
+  list(TRANSFORM depends PREPEND skein-)
+  list(JOIN depends " " SKEIN_PC_DEPENDS)
+  list(JOIN requires " " SKEIN_PC_PACKAGES)
+  list(JOIN options " " SKEIN_PC_LIBS)
+  file(RELATIVE_PATH SKEIN_PC_UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  configure_file(${SKEIN_CMAKE_DIR}/skein.pc.in ${CMAKE_BINARY_DIR}/package/skein-${name}.pc @ONLY)
+  install(FILES ${CMAKE_BINARY_DIR}/package/skein-${name}.pc
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+endfunction()
+
+# Once every library has been declared.
+function(skein_install_package)
+  get_property(components GLOBAL PROPERTY SKEIN_COMPONENTS)
+  set(SKEIN_COMPONENT_TABLE "set(Skein_ALL_COMPONENTS ${components})\n")
+  foreach(name IN LISTS components)
+    get_property(depends GLOBAL PROPERTY SKEIN_DEPENDS_${name})
+    get_property(packages GLOBAL PROPERTY SKEIN_PACKAGES_${name})
+    string(APPEND SKEIN_COMPONENT_TABLE "set(Skein_DEPENDS_${name} ${depends})\n"
+                                        "set(Skein_PACKAGES_${name} ${packages})\n")
+  endforeach()
+  configure_package_config_file(${SKEIN_CMAKE_DIR}/SkeinConfig.cmake.in
+    ${CMAKE_BINARY_DIR}/package/SkeinConfig.cmake INSTALL_DESTINATION ${SKEIN_PACKAGE_DIR})
+  write_basic_package_version_file(${CMAKE_BINARY_DIR}/package/SkeinConfigVersion.cmake
+    VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
+  install(FILES ${CMAKE_BINARY_DIR}/package/SkeinConfig.cmake
+                ${CMAKE_BINARY_DIR}/package/SkeinConfigVersion.cmake
+          DESTINATION ${SKEIN_PACKAGE_DIR} COMPONENT development)
+endfunction()
+
+# The programs find each other beside themselves; scenarios and wire types are data.
+function(skein_install_programs)
+  foreach(program skein skein-live skein-refine skein-ground skein-ddn skein-sim)
+    if(TARGET ${program})
+      install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
+    endif()
+  endforeach()
+  install(DIRECTORY scenarios idl DESTINATION ${CMAKE_INSTALL_DATADIR}/skein COMPONENT runtime
+          PATTERN "*.cmake" EXCLUDE)
+  install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+endfunction()
