@@ -178,8 +178,8 @@ TEST(SupervisorGoalBounds, AnEndThatComesBeforeItWasAskedIsSaid) {
   mission::UnitMission mission = a_mission(2, {801});
   mission.tasks[0].after.push_back({GoalId{701}, true, secs(60), Duration::max()});
   desk.add(mission);
-  desk.finish(inserted({702, 801},
-                       {TaskOf(200, "goto", 702).after(101), TaskOf(201, "goto", 801).after(200)}));
+  desk.finish(inserted({702, 801}, {TaskOf(200, "goto", 702).after(101),
+                                    TaskOf(201, "goto", 801).after(200).takes(50, 60)}));
   ASSERT_EQ(desk.state_of(801), "planned");
 
   desk.at(110).ends(101);

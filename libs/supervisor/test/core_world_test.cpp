@@ -45,7 +45,7 @@ Desk visiting() {
   Desk desk = Desk::engaged(config_with_places());
   desk.give(place_at("alarm:1", {100, 0, 0}));
   mission::UnitMission mission = visit(1, 701, "alarm:1");
-  mission.tasks.push_back({GoalId{702}, "visit", {std::string("ALARM:1")}, {}});
+  mission.tasks.push_back({GoalId{702}, "visit", {std::string("alarm:1")}, {}});
   desk.add(mission);
   desk.finish(inserted({701, 702}, {TaskOf(100, "goto", 701).takes(100, 110),
                                     TaskOf(101, "goto", 702).after(100).takes(100, 110)}));
