@@ -16,6 +16,11 @@ int draw_stn(const StnDrawOptions& options, std::istream& in, std::ostream& out,
   const std::optional<temporal::ReadNetwork> read = load_network(options.common, in, err);
   if (!read) return kExitBadInput;
   const temporal::Stnu& network = read->network;
+  const std::optional<Failure> too_large = temporal::too_large_to_draw(network);
+  if (!options.dot && too_large) {
+    err << input_name(options.common) << ": " << too_large->why << '\n';
+    return kExitBadInput;
+  }
   temporal::DrawingOptions drawing;
   drawing.title = options.title;
   // A network whose dates overflow is drawn all the same.

@@ -74,6 +74,16 @@ TEST(StnCheck, LeavesControllabilityOpenUnlessItFollows) {
             false);
 }
 
+TEST(StnDraw, RefusesMoreThanAThousandNodes) {
+  std::string input = R"({"nodes":["v0")";
+  for (int i = 0; i < 1000; ++i) input += R"(,"n)" + std::to_string(i) + "\"";
+
+  const Outcome outcome = run(draw_stn, StnDrawOptions{}, input + R"(],"arcs":[]})");
+
+  EXPECT_EQ(outcome.code, kExitBadInput);
+  EXPECT_THAT(outcome.err, HasSubstr("1001 nodes are too many for a picture"));
+}
+
 TEST(StnDc, TellsControllableFromNot) {
   EXPECT_EQ(run(check_stn_controllability, StnOptions{}, kGood).code, kExitOk);
 

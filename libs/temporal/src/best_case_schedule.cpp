@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bellman-Ford with alternating sweeps (Yen) for the whole graph, Dijkstra on reduced weights for
-// new edges.
+// Bellman-Ford with alternating sweeps (Yen), in an order in which they are few, for the whole
+// graph, Dijkstra on reduced weights for new edges.
 #include "best_case_schedule.hpp"
 
 #include <algorithm>
+
+#include "sweep_order.hpp"
 
 namespace skein::temporal {
 
 namespace {
 
 constexpr Ticks kLatestDate = 2 * kLargest;
+
+// Y - X <= w with w <= 0: X comes no earlier than Y.
+std::vector<NodeIndex> order_of(const LoGraph& graph) {
+  std::vector<Precedence> precedences;
+  for (NodeIndex node = 0; node < graph.node_count(); ++node) {
+    for_each_edge_into(graph, node, kNone, [&](NodeIndex from, Ticks weight, EdgeRef) {
+      if (weight <= 0 && from != node) precedences.push_back({node, from});
+    });
+  }
+  return sweep_order(graph.node_count(), precedences);
+}
 
 }  // namespace
 
@@ -27,8 +40,11 @@ BestCaseSchedule::Outcome BestCaseSchedule::solve(const LoGraph& graph, bool slo
   parents_.assign(dates_.size(), {});
   std::fill(active_.begin(), active_.end(), std::uint8_t{1});
   moves_since_check_ = 0;
-  for (bool forward = false;; forward = !forward) {
-    switch (sweep(graph, slowest, forward)) {
+  const std::vector<NodeIndex> order = order_of(graph);
+  sweeps_ = 0;
+  for (bool forward = true;; forward = !forward) {
+    ++sweeps_;
+    switch (sweep(graph, slowest, order, forward)) {
       case SweepResult::kQuiet:
         return Outcome::kDone;
       case SweepResult::kMoved:
@@ -42,11 +58,12 @@ BestCaseSchedule::Outcome BestCaseSchedule::solve(const LoGraph& graph, bool slo
 }
 
 BestCaseSchedule::SweepResult BestCaseSchedule::sweep(const LoGraph& graph, bool slowest,
+                                                      const std::vector<NodeIndex>& order,
                                                       bool forward) {
   bool moved = false;
   const std::size_t nodes = dates_.size();
   for (std::size_t i = 0; i < nodes; ++i) {
-    const auto node = static_cast<NodeIndex>(forward ? i : nodes - 1 - i);
+    const NodeIndex node = order[forward ? i : nodes - 1 - i];
     if (active_[node] == 0) continue;
     active_[node] = 0;
     const SweepResult result = pull(graph, node, slowest);

@@ -31,7 +31,8 @@ class BestCaseSchedule {
   void restore(std::vector<Ticks> dates) { dates_ = std::move(dates); }
 
   /// Makes the dates right for the graph, starting from the present ones. `slowest` reads
-  /// lower-case edges with max instead of min: consistency as if nature obeyed. O(n m). After
+  /// lower-case edges with max instead of min: consistency as if nature obeyed. Sweeps are in an
+  /// order that does not depend on that of the file: plans need few; O(n m) at worst. After
   /// kCycle or kOverflow the dates are worthless.
   Outcome solve(const LoGraph& graph, bool slowest);
 
@@ -39,6 +40,9 @@ class BestCaseSchedule {
   /// already. After kCycle or kOverflow the dates are as before. O(m + n log n), of what has to
   /// move.
   Outcome add_edges(const LoGraph& graph, NodeIndex target, const std::vector<Seed>& seeds);
+
+  /// Of the last `solve`: how often it went over all nodes.
+  std::size_t sweeps() const { return sweeps_; }
 
   /// After kCycle: the edges of the negative cycle, in order.
   const std::vector<PathStep>& cycle() const { return cycle_; }
@@ -50,7 +54,8 @@ class BestCaseSchedule {
   };
   enum class SweepResult : std::uint8_t { kQuiet, kMoved, kCycle, kOverflow };
 
-  SweepResult sweep(const LoGraph& graph, bool slowest, bool forward);
+  SweepResult sweep(const LoGraph& graph, bool slowest, const std::vector<NodeIndex>& order,
+                    bool forward);
   SweepResult pull(const LoGraph& graph, NodeIndex node, bool slowest);
   bool find_parent_cycle();
   void read_cycle(NodeIndex on_cycle);
@@ -65,6 +70,7 @@ class BestCaseSchedule {
   std::vector<std::uint8_t> settled_;
   IndexedHeap<Ticks> queue_;
   std::size_t moves_since_check_ = 0;
+  std::size_t sweeps_ = 0;
 };
 
 }  // namespace skein::temporal

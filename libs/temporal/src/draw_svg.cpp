@@ -226,12 +226,15 @@ class SvgPicture {
 
 }  // namespace
 
+std::optional<Failure> too_large_to_draw(const Stnu& network) {
+  if (network.nodes.size() <= kMostDrawnNodes) return std::nullopt;
+  return Failure{std::to_string(network.nodes.size()) + " nodes are too many for a picture (" +
+                 std::to_string(kMostDrawnNodes) + " at most); try --dot and Graphviz"};
+}
+
 Result<std::string, Failure> draw_svg(const Stnu& network, const DrawingOptions& options) {
   SKEIN_EXPECTS(options.windows.empty() || options.windows.size() == network.nodes.size());
-  if (network.nodes.size() > kMostDrawnNodes) {
-    return failure(std::to_string(network.nodes.size()) + " nodes are too many for a picture (" +
-                   std::to_string(kMostDrawnNodes) + " at most); try --dot and Graphviz");
-  }
+  if (std::optional<Failure> why = too_large_to_draw(network)) return tl::unexpected(*why);
   return SvgPicture(network, options).draw();
 }
 

@@ -105,6 +105,9 @@ Propagation::Item Propagation::Queue::pop() {
   if (empty()) {
     items_.clear();
     head_ = 0;
+  } else if (head_ >= kLeastDropped && 2 * head_ >= items_.size()) {
+    items_.erase(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(head_));
+    head_ = 0;
   }
   return item;
 }

@@ -148,6 +148,10 @@ class Propagation {
     void shrink() { items_.shrink_to_fit(); }
 
    private:
+    /// What was taken is dropped once it is this many and half of all, so that memory follows what
+    /// waits and not what was ever put in.
+    static constexpr std::size_t kLeastDropped = 1024;
+
     std::vector<Item> items_;
     std::size_t head_ = 0;
   };

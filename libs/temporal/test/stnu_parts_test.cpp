@@ -13,6 +13,7 @@
 #include "skein/temporal/stnu_execution.hpp"
 #include "skein/temporal/stnu_generator.hpp"
 #include "stnu_builder.hpp"
+#include "wide_network.hpp"
 
 namespace skein::temporal {
 namespace {
@@ -113,6 +114,19 @@ TEST(BestCaseSchedule, SatisfiesEveryEdgeOrShowsANegativeCycle) {
   }
   EXPECT_GT(solved, 300);
   EXPECT_LT(solved, 1'900);
+}
+
+TEST(BestCaseSchedule, NeedsFewSweepsOfAWidePlanInWhateverOrderItComes) {
+  for (const bool shuffled : {false, true}) {
+    Random random(2);
+    const Stn wide = testing::wide_network({2000, shuffled, false}, random);
+    const LoGraph graph({wide.nodes, wide.origin, wide.arcs, {}}, LoGraph::OpenBounds::kDrop);
+    BestCaseSchedule schedule(graph.node_count());
+
+    EXPECT_EQ(schedule.solve(graph, false), BestCaseSchedule::Outcome::kDone);
+
+    EXPECT_LE(schedule.sweeps(), 6U) << shuffled;
+  }
 }
 
 TEST(BestCaseSchedule, ANewEdgeMovesItOrClosesACycleAsIfSolvedAnew) {

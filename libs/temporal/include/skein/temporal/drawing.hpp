@@ -2,21 +2,16 @@
 // Pictures of a network: bounds as labels, contingent links dashed, the conflict in red.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "skein/foundation/result.hpp"
+#include "skein/temporal/date_window.hpp"
 #include "skein/temporal/network.hpp"
 #include "skein/temporal/stnu_fault.hpp"
 
 namespace skein::temporal {
-
-/// Earliest and latest date of a node [ns].
-struct DateWindow {
-  Ticks earliest = kMinusInfinite;
-  Ticks latest = kInfinite;
-  bool operator==(const DateWindow&) const = default;
-};
 
 struct DrawingOptions {
   std::string title;
@@ -27,6 +22,9 @@ struct DrawingOptions {
 /// A picture with more nodes than this needs a viewer that zooms.
 inline constexpr std::size_t kLegibleNodes = 60;
 inline constexpr std::size_t kMostDrawnNodes = 1000;
+
+/// Why draw_svg() would fail, told from the size alone; absent when only the layout can tell. O(1).
+std::optional<Failure> too_large_to_draw(const Stnu& network);
 
 /// Text for Graphviz, of any size. Preconditions: the indices are positions; there are as many
 /// windows as nodes, or none.
