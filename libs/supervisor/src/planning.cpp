@@ -101,6 +101,8 @@ std::vector<std::string> sentences(const Diagnostics& errors) {
   return all;
 }
 
+constexpr std::uint64_t kRefinerSteps = 50'000'000;  // of one call; far beyond what any takes
+
 /// The counts are far beyond what any plan takes, so that a domain that never ends does.
 htn::Options search_options(const PlanningBudget& budget) {
   htn::Options options;
@@ -118,7 +120,8 @@ htn::Options search_options(const PlanningBudget& budget) {
 Result<mission::ElementaryPlan, PlanningFailure> plan_tasks(const PlanningRequest& request,
                                                             PlanningEffort* effort) {
   const Knowledge& knowledge = *request.knowledge;
-  const PlannerHost host(request.knowledge, request.world, request.situation.origin, request.seed);
+  const PlannerHost host(request.knowledge, request.world, request.situation.origin, request.seed,
+                         {[budget = request.budget] { return budget.over(); }, kRefinerSteps});
   htn::Functions functions;
   host.offer(functions);
   DomainBook book(knowledge.domain, functions);
