@@ -260,21 +260,24 @@ void PlanNetwork::hold_for_instants(const LiveStn* windows) {
   }
 }
 
-// What comes so long after a goal waits for the end of its last tasks; when the goal is over, for
-// its window.
+// What comes so long after a goal waits for the end of its last tasks, when that is enough; else
+// until the goal is over, and then for its date.
 void PlanNetwork::hold_after_goals(const LiveStn& windows) {
   for (const auto& [id, known] : tasks_) {
     if (known.bounds.empty() || known.seen.started || known.seen.over) continue;
     const Ticks from = windows.earliest(known.start);
     set_hold(kHeldUntil | known.start, {0, known.start, from, kInfinite}, from);
-    bool dated = false;
+    std::optional<MissionTime> date;
     for (const TaskBound& one : known.bounds) {
-      const bool outlasts = one.bound.on_end && one.bound.least <= known.task.duration.least;
-      dated = dated || one.other == TaskId();
-      if (one.other != TaskId() && tasks_.count(one.other) != 0 && !outlasts)
-        schedule_.holds[id].push_back({one.other, MissionTime::max()});
+      const Duration lasts = one.bound.on_end ? known.task.duration.least : Duration();
+      const bool soon = one.bound.least <= lasts;
+      if (one.other == TaskId()) {
+        if (!soon) date = std::max(date.value_or(one.over), one.over + one.bound.least - lasts);
+      } else if (tasks_.count(one.other) != 0 && !(soon && one.bound.on_end)) {
+        schedule_.holds[id].push_back({soon ? one.other : TaskId(), MissionTime::max()});
+      }
     }
-    if (dated) schedule_.holds[id].push_back({TaskId(), MissionTime::nanoseconds(from)});
+    if (date) schedule_.holds[id].push_back({TaskId(), *date});
   }
 }
 

@@ -80,9 +80,10 @@ class Sentences {
     const bool over = cause.other == executive::TaskId(), starts = link.to == start_of(cause.task);
     const Ticks origin = over ? ticks_of(cause.instant) : 0;
     const std::string verb = starts ? "start" : "end";
-    std::string text =
-        "must " + verb + " between " + to_text(Duration::nanoseconds(link.min - origin));
-    text += link.max == temporal::kInfinite ? " s or more" : " and " + seconds(link.max - origin);
+    const bool open = link.max == temporal::kInfinite;
+    std::string text = "must " + verb + (open ? " " : " between ") +
+                       to_text(Duration::nanoseconds(link.min - origin));
+    text += open ? " s or more" : " and " + seconds(link.max - origin);
     text += " after the end of goal " + to_text(cause.goal);
     if (over) text += ", which was at " + seconds(cause.instant);
     const auto dates = foreseen_(link.to);
