@@ -2,10 +2,12 @@
 #include "skein/refiners/coverage.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "coverage_checks.hpp"
+#include "evaluate_heights.hpp"
 #include "shared_checks.hpp"
 #include "sweep_track.hpp"
 
@@ -15,6 +17,9 @@ namespace {
 using world::Vector2;
 using world::Vector3;
 constexpr double kLeastTolerance = 1;  // of heights [m]
+constexpr double kRounding = 1e-6;     // of heights [m]
+/// Than at speed: where the way is too high over steep ground, one that hovers flies slower.
+constexpr std::array<double, 4> kSteeper = {1, 2, 4, 1e6};
 /// Tried where turns are in the way, and as many edges.
 constexpr std::size_t kOtherDirections = 12;
 
@@ -87,8 +92,15 @@ class CoverageRefiner {
                         "; cut it out of the area, with half a swath around it");
     Refined<Coverage> refined;
     refined.effort = {countdown.steps(), countdown.cut_short()};
-    if (auto problem = fly(*sweep, task.ends, refined)) return tl::unexpected<Refusal>(*problem);
-    return refined;
+    std::optional<Refusal> problem;
+    for (const double steeper : kSteeper) {
+      refined.task = {};
+      problem = fly(*sweep, task.ends, steeper, refined);
+      if (!problem) return refined;
+      // One that hovers can follow the ground more closely, slower.
+      if (!model_.hovers() || problem->kind != RefusalKind::kBeyondVehicle) break;
+    }
+    return tl::unexpected<Refusal>(*problem);
   }
 
   /// The quickest lanes have turns in a volume: the quickest of those in some other directions that
@@ -136,7 +148,7 @@ class CoverageRefiner {
   }
 
   /// Fills in what the sweep gives; or says why it cannot be flown.
-  std::optional<Refusal> fly(const Sweep& sweep, const SweepEnds& ends,
+  std::optional<Refusal> fly(const Sweep& sweep, const SweepEnds& ends, double steeper,
                              Refined<Coverage>& refined) const {
     Obstacles obstacles;
     obstacles.is_free = [&](const Vector2& from, const Vector2& to) {
@@ -148,8 +160,8 @@ class CoverageRefiner {
       return place ? std::optional(place->z()) : std::nullopt;
     };
     Coverage& task = refined.task;
-    const Profile profile{query_.altitude, tolerance(), z_of(query_.start), z_of(query_.end),
-                          model_.speed()};
+    const Profile profile{query_.altitude,  tolerance(),    z_of(query_.start),
+                          z_of(query_.end), model_.speed(), steeper};
     task.way = raised(track, profile, query_.vehicle, setting_.world.terrain);
     task.direction = sweep.direction;
     task.parts = sweep.blocks;
@@ -184,8 +196,8 @@ class CoverageRefiner {
 
   std::optional<Refusal> check_flown(const Refined<Coverage>& refined) const {
     const Way& way = refined.task.way;
-    for (const Vector3& point : way) {
-      const double height = point.z() - setting_.world.terrain.elevation(point.x(), point.y());
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      const double height = heights_over(setting_.world.terrain, way[i - 1], way[i]).greatest;
       if (height > query_.vehicle.ceiling + kLeastTolerance)
         return Refusal{RefusalKind::kBeyondVehicle, "altitude",
                        "over ground this steep the way is " + rounded(height) +
@@ -197,12 +209,30 @@ class CoverageRefiner {
         return Refusal{RefusalKind::kBlocked, "area",
                        "the way enters the volume " + volume->name + " near (" +
                            rounded(way[i].x()) + ", " + rounded(way[i].y()) + ")"};
+    if (auto problem = check_ground(way)) return problem;
     const double most = 1 - query_.vehicle.energy.reserve;
     if (!(refined.task.energy <= most))
       return Refusal{RefusalKind::kBeyondVehicle, "area",
                      "sweeping it takes " + rounded(100 * refined.task.energy) +
                          " % of the energy held when full; " + rounded(100 * most) +
                          " % may be used"};
+    return std::nullopt;
+  }
+
+  /// Lanes are above it; the way up to them, or down to the end, may not be.
+  std::optional<Refusal> check_ground(const Way& way) const {
+    const world::Terrain& terrain = setting_.world.terrain;
+    const auto over = [&](const Vector3& at) { return at.z() - terrain.elevation(at.x(), at.y()); };
+    const double clearance = std::min({0.0, over(way.front()), over(way.back())}) - kRounding;
+    for (std::size_t i = 1; i < way.size(); ++i)
+      if (const auto hit = terrain.first_hit(way[i - 1], way[i], clearance)) {
+        const Vector3 at = way[i - 1] + *hit * (way[i] - way[i - 1]);
+        const bool first = 2 * i < way.size();
+        return Refusal{RefusalKind::kBlocked, first ? "start" : "end",
+                       std::string(first ? "the way up from it" : "the way to it") +
+                           " runs into the ground near (" + rounded(at.x()) + ", " +
+                           rounded(at.y()) + ")"};
+      }
     return std::nullopt;
   }
 

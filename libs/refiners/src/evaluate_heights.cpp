@@ -5,34 +5,12 @@
 #include <cmath>
 #include <vector>
 
+#include "ground_profile.hpp"
+
 namespace skein::refiners {
-namespace {
-
-/// Fractions of a leg at which it crosses the grid lines of one axis, which begin at `low`, or the
-/// border at `high`.
-void add_crossings(double from, double to, double low, double high, double cell,
-                   std::vector<double>& fractions) {
-  if (from == to) return;
-  const auto add = [&](double line) {
-    const double fraction = (line - from) / (to - from);
-    if (fraction > 0 && fraction < 1) fractions.push_back(fraction);
-  };
-  const double first = std::max(0.0, std::floor((std::min(from, to) - low) / cell));
-  const double last =
-      std::min(std::ceil((high - low) / cell), std::ceil((std::max(from, to) - low) / cell));
-  for (double line = first; line <= last; ++line) add(low + line * cell);
-  add(high);
-}
-
-}  // namespace
-
 HeightRange heights_over(const world::Terrain& terrain, const world::Vector3& from,
                          const world::Vector3& to) {
-  const world::TerrainSpec& spec = terrain.spec();
-  std::vector<double> fractions = {0, 1};
-  add_crossings(from.x(), to.x(), spec.west, spec.east, spec.cell, fractions);
-  add_crossings(from.y(), to.y(), spec.south, spec.north, spec.cell, fractions);
-  std::sort(fractions.begin(), fractions.end());
+  const std::vector<double> fractions = grid_crossings(terrain, from.head<2>(), to.head<2>());
 
   const auto height = [&](double fraction) {
     const world::Vector3 at = from + fraction * (to - from);

@@ -2,9 +2,11 @@
 #include "skein/refiners/patrol.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "evaluate_heights.hpp"
 #include "patrol_plan.hpp"
 #include "patrol_ring.hpp"
 #include "patrol_setup.hpp"
@@ -18,6 +20,8 @@ using world::Vector3;
 
 /// The clock is asked every as many visits: one takes some microseconds.
 constexpr std::uint32_t kStride = 16;
+/// Than at speed: where the way is too high over steep ground, one that hovers flies slower.
+constexpr std::array<double, 4> kSteeper = {1, 2, 4, 1e6};
 
 PlanePatrol plan(const PatrolQuery& query, const PatrolGround& ground, Countdown& countdown) {
   const PatrolTask task{query.start.head<2>(), query.heading, patrol_speed(query),
@@ -50,10 +54,34 @@ void join_start(Way& way, const PatrolQuery& query) {
   }
 }
 
-/// The way as long as the patrol lasts: a start on the spot takes its time too.
-Way flown(const PatrolQuery& query, const world::World& world, const PlanePatrol& plane) {
+double leg_time(const Vector3& from, const Vector3& to, const PatrolQuery& query) {
+  const double rise = to.z() - from.z();
+  const double vertical =
+      rise > 0 ? rise / query.vehicle.climb_rate : -rise / query.vehicle.descent_rate;
+  return std::max((to - from).head<2>().norm() / patrol_speed(query), vertical);
+}
+
+/// Where the ground is steeper than the vehicle climbs at speed its legs take longer.
+void cut_at(Way& way, double seconds, const PatrolQuery& query) {
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double leg = leg_time(way[i - 1], way[i], query);
+    if (leg > seconds) {
+      way[i] = way[i - 1] + seconds / leg * (way[i] - way[i - 1]);
+      way.resize(i + 1);
+      return;
+    }
+    seconds -= leg;
+  }
+}
+
+/// The way as long as the patrol lasts: a start on the spot takes its time too. `steeper`: than the
+/// vehicle climbs and descends at speed.
+Way flown(const PatrolQuery& query, const world::World& world, const PlanePatrol& plane,
+          double steeper) {
   const double speed = patrol_speed(query);
-  const HeightRule rule = height_rule(query);
+  HeightRule rule = height_rule(query);
+  rule.climb *= steeper;
+  rule.descent *= steeper;
   const double wanted = world.terrain.elevation(query.start.x(), query.start.y()) + query.altitude;
   const double rise = wanted - query.start.z();
   const double on_the_spot = query.vehicle.hovers ? std::max(rise / query.vehicle.climb_rate,
@@ -68,14 +96,17 @@ Way flown(const PatrolQuery& query, const world::World& world, const PlanePatrol
   if (cuts_arc) part.pop_back();
   Way way = over_ground(part, world.terrain, rule);
   join_start(way, query);
+  if (query.vehicle.hovers) cut_at(way, query.duration.to_seconds(), query);
   return way;
 }
 
 std::optional<Refusal> check_heights(const Way& way, const PatrolQuery& query,
                                      const world::Terrain& terrain) {
   for (std::size_t i = 1; i < way.size(); ++i) {
-    const double over = way[i].z() - terrain.elevation(way[i].x(), way[i].y());
-    if (over > query.vehicle.ceiling + 1e-6 && over > query.altitude * (1 + kHeightTolerance))
+    const double over = heights_over(terrain, way[i - 1], way[i]).greatest;
+    const bool leads = i == 1 && query.start.z() > way[i].z();
+    if (!leads && over > query.vehicle.ceiling + 1e-6 &&
+        over > query.altitude * (1 + kHeightTolerance))
       return Refusal{RefusalKind::kBeyondVehicle, "altitude",
                      "the ground is too steep to follow at that speed: it would be " +
                          std::to_string(static_cast<int>(over)) + " m below; the ceiling is " +
@@ -97,13 +128,6 @@ std::optional<Refusal> check_energy(const Flight& flight, const world::VehicleMo
                      std::to_string(static_cast<int>(100 * usable)) +
                      " % may be used: enough for about " +
                      std::to_string(static_cast<long>(seconds * usable / flight.energy)) + " s"};
-}
-
-double leg_time(const Vector3& from, const Vector3& to, const PatrolQuery& query) {
-  const double rise = to.z() - from.z();
-  const double vertical =
-      rise > 0 ? rise / query.vehicle.climb_rate : -rise / query.vehicle.descent_rate;
-  return std::max((to - from).head<2>().norm() / patrol_speed(query), vertical);
 }
 
 PatrolFigures predicted(const Way& way, const PatrolQuery& query, const PatrolGround& ground) {
@@ -158,12 +182,18 @@ Outcome<Patrol> refine(const PatrolQuery& query, const Setting& setting) {
                : refuse(RefusalKind::kUnreachable, "start", "no way leads to the zone");
   Refined<Patrol> refined;
   Patrol& patrol = refined.task;
-  patrol.way = flown(query, setting.world, plane);
-  if (auto problem = check_heights(patrol.way, query, setting.world.terrain))
-    return tl::unexpected(*problem);
+  std::optional<Refusal> problem;
+  for (const double steeper : kSteeper) {
+    patrol.way = flown(query, setting.world, plane, steeper);
+    problem = check_heights(patrol.way, query, setting.world.terrain);
+    // One that hovers can follow the ground more closely, slower.
+    if (!problem || !query.vehicle.hovers) break;
+  }
+  if (problem) return tl::unexpected(*problem);
   const Flight flight =
       estimate_flight(patrol.way, query.vehicle, setting.world.wind, patrol_speed(query));
-  if (auto problem = check_energy(flight, query.vehicle)) return tl::unexpected(*problem);
+  problem = check_energy(flight, query.vehicle);
+  if (problem) return tl::unexpected(*problem);
   patrol.energy = flight.energy;
   patrol.predicted = predicted(patrol.way, query, **ground);
   patrol.potential = potentials(patrol.way, query, **ground);

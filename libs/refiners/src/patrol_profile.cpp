@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ground_profile.hpp"
+
 namespace skein::refiners {
 namespace {
 
@@ -18,26 +20,25 @@ struct Samples {
 };
 
 Samples sampled(const std::vector<Vector2>& way, const world::Terrain& terrain, double altitude) {
-  const bool level = terrain.spec().hills.empty() && terrain.spec().elevations.empty();
   Samples samples;
   double along = 0;
-  const auto add = [&](const Vector2& at) {
-    samples.points.emplace_back(at.x(), at.y(), terrain.elevation(at.x(), at.y()) + altitude);
+  const auto add = [&](const Vector2& at, double ground) {
+    samples.points.emplace_back(at.x(), at.y(), ground + altitude);
     samples.along.push_back(along);
   };
   for (std::size_t i = 0; i < way.size(); ++i) {
     if (i > 0) {
       const Vector2 step = way[i] - way[i - 1];
       const double length = step.norm(), before = along;
-      const int parts = level ? 1 : 1 + static_cast<int>(2 * length / terrain.spec().cell);
-      for (int k = 1; k < parts; ++k) {
-        along = before + length * k / parts;
-        add(way[i - 1] + static_cast<double>(k) / parts * step);
+      for (const GroundPoint& point : ground_along(terrain, way[i - 1], way[i])) {
+        if (point.part <= 0 || point.part >= 1) continue;
+        along = before + length * point.part;
+        add(way[i - 1] + point.part * step, point.ground);
       }
       along = before + length;
     }
     samples.corners.push_back(samples.points.size());
-    add(way[i]);
+    add(way[i], terrain.elevation(way[i].x(), way[i].y()));
   }
   return samples;
 }

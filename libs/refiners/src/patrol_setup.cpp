@@ -106,9 +106,7 @@ Band heights_over(const world::Polygon& polygon, const PatrolQuery& query,
     }
   // A slope within a cell may be steeper than at the points looked at, the ground lower.
   const double slack = kHeightTolerance * query.altitude + (steepest > 0 ? 2 * step * steepest : 0);
-  const bool level = spec.hills.empty() && spec.elevations.empty();
-  const double highest = level ? lowest : terrain.highest();
-  return {lowest + query.altitude - slack, highest + query.altitude + slack};
+  return {lowest + query.altitude - slack, terrain.highest() + query.altitude + slack};
 }
 
 /// Blocks of the part of the network that is reached from the start and holds most cells. Within it

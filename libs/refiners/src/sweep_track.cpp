@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ground_profile.hpp"
 #include "skein/refiners/flyable.hpp"
 
 namespace skein::refiners {
@@ -106,19 +107,14 @@ struct Slopes {
   double up, down;  ///< metres per metre
 };
 
-/// The corners of the track, and stations in between close enough to see the ground.
+/// The corners of the track, and stations in between so that no ground stands out.
 class Stations {
  public:
-  Stations(const Track& track, const world::Terrain& terrain) : terrain_(terrain) {
-    double length = 0;
-    for (std::size_t i = 1; i < track.points.size(); ++i)
-      length += (track.points[i] - track.points[i - 1]).norm();
-    const world::TerrainSpec& spec = terrain.spec();
-    const bool level = spec.hills.empty() && spec.elevations.empty();
-    const double step = level ? length + 1 : std::max(spec.cell / 2, length / kMost);
+  Stations(const Track& track, const world::Terrain& terrain) {
     for (std::size_t i = 0; i < track.points.size(); ++i) {
-      if (i > 0) add_between(track.points[i - 1], track.points[i], step);
-      add(track.points[i], true);
+      const Vector2& at = track.points[i];
+      if (i > 0) add_between(track.points[i - 1], at, terrain);
+      add(at, terrain.elevation(at.x(), at.y()), true);
       if (i == track.first) first = all.size() - 1;
       if (i == track.last) last = all.size() - 1;
     }
@@ -128,22 +124,19 @@ class Stations {
   std::size_t first = 0, last = 0;
 
  private:
-  static constexpr double kMost = 200'000;
-
-  void add(const Vector2& at, bool corner) {
+  void add(const Vector2& at, double ground, bool corner) {
     Station station;
     station.at = at;
     station.along = all.empty() ? 0 : all.back().along + (at - all.back().at).norm();
-    station.ground = terrain_.elevation(at.x(), at.y());
+    station.ground = ground;
     station.corner = corner;
     all.push_back(station);
   }
-  void add_between(const Vector2& from, const Vector2& to, double step) {
-    const double pieces = std::ceil((to - from).norm() / step);
-    for (double i = 1; i < pieces; ++i) add(from + (to - from) * (i / pieces), false);
+  void add_between(const Vector2& from, const Vector2& to, const world::Terrain& terrain) {
+    for (const GroundPoint& point : ground_along(terrain, from, to))
+      if (point.part > 0 && point.part < 1)
+        add(from + (to - from) * point.part, point.ground, false);
   }
-
-  const world::Terrain& terrain_;
 };
 
 /// Raises what is too low for the slopes from its neighbours to be flown.
@@ -175,8 +168,16 @@ void lead(std::vector<Station>& stations, std::size_t far, std::size_t near, dou
   }
 }
 
+/// By how much a straight line at that height is wrong at a station: what it misses it by, or as if
+/// by more than `tolerance` where it leaves less than half of its height over the ground.
+double miss(const Station& station, double z, double tolerance) {
+  const double off = std::abs(station.z - z);
+  const double low = (station.z + station.ground) / 2 - z;
+  return low > 1e-9 ? std::max(off, tolerance + low) : off;
+}
+
 /// Keeps of the stations between two corners those that a straight line would miss by more than
-/// `tolerance`. Source: Douglas and Peucker 1973.
+/// `tolerance`, or pass too low. Source: Douglas and Peucker 1973.
 void keep_bends(std::vector<Station>& stations, double tolerance) {
   std::vector<std::pair<std::size_t, std::size_t>> spans;
   std::size_t before = 0;
@@ -194,7 +195,7 @@ void keep_bends(std::vector<Station>& stations, double tolerance) {
     for (std::size_t i = a + 1; i < b; ++i) {
       const double part = (stations[i].along - stations[a].along) / run;
       const double off =
-          std::abs(stations[i].z - stations[a].z - part * (stations[b].z - stations[a].z));
+          miss(stations[i], stations[a].z + part * (stations[b].z - stations[a].z), tolerance);
       if (off <= worst) continue;
       worst = off;
       bend = i;
@@ -289,7 +290,8 @@ Track track_of(const Sweep& sweep, const SweepEnds& ends, const TurnModel& model
 
 Way raised(const Track& track, const Profile& profile, const world::VehicleModel& vehicle,
            const world::Terrain& terrain) {
-  const Slopes slopes{vehicle.climb_rate / profile.speed, vehicle.descent_rate / profile.speed};
+  const Slopes slopes{profile.steeper * vehicle.climb_rate / profile.speed,
+                      profile.steeper * vehicle.descent_rate / profile.speed};
   Stations stations(track, terrain);
   std::vector<Station>& all = stations.all;
   for (Station& station : all) station.z = station.ground + profile.altitude;

@@ -34,12 +34,13 @@ struct Profile {
   double tolerance = 0;              ///< by which the way may leave it between its points [m]
   std::optional<double> start, end;  ///< ENU z of where it comes from and goes to [m]
   double speed = 0;                  ///< [m/s]
+  double steeper = 1;  ///< than it climbs and descends at that speed: one that hovers flies slower
 };
 
-/// The track at the altitude over the ground, within the tolerance between the points; higher
-/// only where the vehicle could not climb or descend as steeply as the ground does. A start or an
-/// end that is too high or low to be reached on the way is left or reached on the spot: upright by
-/// a vehicle that hovers, else in circles.
+/// The track at the altitude over the ground, within the tolerance between the points (and never
+/// less than half as high as it should be); higher only where the vehicle could not climb or
+/// descend as steeply as the ground does. A start or an end that is too high or low to be reached
+/// on the way is left or reached on the spot: upright by a vehicle that hovers, else in circles.
 Way raised(const Track& track, const Profile& profile, const world::VehicleModel& vehicle,
            const world::Terrain& terrain);
 

@@ -119,10 +119,23 @@ TEST(CoverageAir, RefusesWhatIsAboveTheCeiling) {
 
   EXPECT_EQ(refusal_of(query, testing::level_world()).kind, RefusalKind::kBeyondVehicle);
 
+  query.vehicle = testing::fixed_wing();
   query.altitude = 60;
   query.vehicle.ceiling = 70;
   EXPECT_EQ(refusal_of(query, hilly_world(300, 200)).kind, RefusalKind::kBeyondVehicle)
       << "it cannot sink as fast as the hill does";
+}
+
+TEST(CoverageAir, OneThatHoversFliesSlowerWhereItCouldNotSinkAsFastAsTheHillDoes) {
+  CoverageQuery query = plain_query();
+  query.altitude = 60;
+  const double at_speed = refine(query, {.world = hilly_world(300, 200), .budget = {}})->cost;
+  query.vehicle.ceiling = 70;
+
+  const auto refined = refine(query, {.world = hilly_world(300, 200), .budget = {}});
+
+  ASSERT_TRUE(refined) << refined.error().why;
+  EXPECT_GT(refined->cost, at_speed);
 }
 
 TEST(CoverageAir, RefusesWhatTakesMoreEnergyThanItHolds) {

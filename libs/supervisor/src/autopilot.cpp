@@ -18,7 +18,6 @@ using world::VehicleModel;
 constexpr double kPi = std::numbers::pi;
 constexpr double kGain = 0.5;        // [1/s] speed asked per metre of error
 constexpr double kArrivalSpeed = 1;  // [m/s] at the last way-point, of one that hovers
-constexpr double kRoomMargin = 1.5;  // room is made until a turn this much wider leads there
 constexpr double kOrbitGain = 1.5;   // how sharply a circle is joined
 constexpr double kNear = 0.05;       // [m]
 constexpr int kHeadings = 4;

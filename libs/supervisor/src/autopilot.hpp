@@ -26,6 +26,8 @@ struct FlownWay {
 };
 
 inline constexpr double kTrackStep = 0.1;  ///< [s]
+/// Room is made until a turn this much wider than the tightest leads to a point.
+inline constexpr double kRoomMargin = 1.5;
 
 /// How near a way-point counts as reached, horizontally and vertically each [m]: three deviations
 /// of its tracking, what the wind displaces one that hovers, and a metre.

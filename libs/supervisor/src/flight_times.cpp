@@ -18,14 +18,16 @@ using world::VehicleModel;
 using world::Wind;
 
 // Of the vehicle's time to gather its speed, v / a (docs/comets-domain.md has what they come from):
-constexpr double kBraking = 0.6;         // once more, at the end
-constexpr double kCornerBraking = 0.25;  // at each corner;
-constexpr double kEvenOut = 0.75;        // power of their number by which that grows
-constexpr std::size_t kFlights = 6;      // in thought
-constexpr double kShare = 0.02;          // of any flight, either way
-constexpr double kGustTime = 10;         // [s] over which gusts are as one
-constexpr double kSettling = 4;          // of a climb, at its end
-constexpr double kFlare = 6;             // of a descent, near the ground
+constexpr double kBraking = 0.6;           // once more, at the end
+constexpr double kCornerBraking = 0.25;    // at each corner;
+constexpr double kEvenOut = 0.75;          // power of their number by which that grows
+constexpr std::size_t kFlights = 6;        // in thought,
+constexpr std::size_t kTightFlights = 24;  // where points may be missed, which is rare
+constexpr double kLongFlight = 300;        // [s] beyond which what they differ by evens out
+constexpr double kShare = 0.02;            // of any flight, either way
+constexpr double kGustTime = 10;           // [s] over which gusts are as one
+constexpr double kSettling = 4;            // of a climb, at its end
+constexpr double kFlare = 6;               // of a descent, near the ground
 constexpr double kSlowVertical = 1.5;
 constexpr double kCorrections = 6;        // of a pilot, before it is content
 constexpr double kCorrectionsOnAWay = 4;  // of which it does the others in passing
@@ -84,18 +86,42 @@ struct Span {
   bool arrives = false;
 };
 
+/// Some leg is shorter than the circle that one that cannot hover makes room for: what is missed
+/// there takes more than a turn.
+bool is_tight(const Way& way, const VehicleModel& vehicle) {
+  if (vehicle.hovers) return false;
+  for (std::size_t i = 1; i < way.size(); ++i)
+    if ((way[i] - way[i - 1]).head<2>().norm() < 2 * kRoomMargin * vehicle.min_turn_radius)
+      return true;
+  return false;
+}
+
+/// What a point that is missed takes, of a flight of so many seconds: one circle where the next leg
+/// leaves room for it, else straight on first and then around, held against the wind. Every flight
+/// in thought of a long way misses some already.
+double missed_seconds(const Way& way, double flight, const VehicleModel& vehicle,
+                      const Wind& wind) {
+  if (flight >= kLongFlight || !is_tight(way, vehicle)) return circle_seconds(vehicle);
+  const double slowest = vehicle.cruise_speed - vehicle.wind_drift * (wind.speed + wind.gusts);
+  const double round = 2 * std::numbers::pi * kRoomMargin * vehicle.min_turn_radius +
+                       2 * reaching_distance(vehicle, wind);
+  return round / std::max(slowest, vehicle.cruise_speed / 2);
+}
+
 /// Flown in thought from each pose, with errors and gusts.
 Span flown(const Way& way, const VehicleModel& vehicle, const Wind& wind) {
   const Way points(way.size() > 1 ? way.begin() + 1 : way.begin(), way.end());
   const std::vector<Pose> poses = poses_at(way.front(), vehicle);
-  const std::size_t flights = std::max(kFlights, poses.size());
+  const std::size_t least = std::max(kFlights, poses.size());
+  const std::size_t most = is_tight(way, vehicle) ? std::max(kTightFlights, least) : least;
   Span span{std::numeric_limits<double>::infinity(), 0, 0, true};
-  for (std::size_t i = 0; i < flights; ++i) {
+  for (std::size_t i = 0; i < most && (i < least || span.most < kLongFlight); ++i) {
     const FlownWay one = fly_way(poses[i % poses.size()], points, vehicle, wind, i + 1);
     span.arrives = span.arrives && one.arrived;
     span.least = std::min(span.least, one.seconds);
     span.most = std::max(span.most, one.seconds);
-    span.expected += one.seconds / static_cast<double>(flights);
+    // What is rare is not expected.
+    if (i < least) span.expected += one.seconds / static_cast<double>(least);
   }
   return span;
 }
@@ -153,7 +179,7 @@ Times flight_times(const Way& way, const VehicleModel& vehicle, const Wind& wind
     const double straight =
         (least_length(way, arrival_distance(vehicle, wind)) - vehicle.orbit_radius) / fastest;
     return rounded(std::max(straight - reached, quickest - circle_seconds(vehicle) - near),
-                   span.expected, slowest + circle_seconds(vehicle) + near);
+                   span.expected, slowest + missed_seconds(way, span.most, vehicle, wind) + near);
   }
   const double reaction = vehicle.pilot ? vehicle.pilot->reaction.to_seconds() : 0;
   const double pilot = vehicle.pilot

@@ -31,9 +31,9 @@ double stray_distance(const world::VehicleModel& vehicle, const world::Wind& win
 /// flies it (autopilot.hpp), on average over the poses in which it may begin. `least` and `most`
 /// are the quickest and the slowest of them and what gusts, tracking and the pilot may add or take:
 /// of one that hovers, braking once more at some corners; else a full circle, for a point that is
-/// missed or for once met. docs/comets-domain.md has the figures;
-/// tests/scenarios/flown_times_test.cpp flies them. Cost: that of one flight by the autopilot and
-/// of eight of the first two legs.
+/// missed or for once met (a wider one where the way has legs too short to turn in).
+/// docs/comets-domain.md has the figures; tests/scenarios/flown_times_test.cpp flies them. Cost:
+/// six to eight flights by the autopilot, up to 24 of ways with such legs.
 Times flight_times(const refiners::Way& way, const world::VehicleModel& vehicle,
                    const world::Wind& wind);
 

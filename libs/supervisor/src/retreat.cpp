@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "crossing.hpp"
 #include "flight_times.hpp"
@@ -19,6 +20,7 @@ using world::Vector3;
 
 constexpr double kUnforeseen = 1.1;
 constexpr double kLeastClearance = 5;  // [m] over hills on the way
+constexpr double kClimbShare = 0.8;    // of its rates, as ways are made with
 
 double border(const world::Polygon& corners) {
   double length = 0;
@@ -61,13 +63,17 @@ double Retreat::descent(const Vector3& from) const {
   return of_stay(landing_times(std::max(0.0, height), vehicle).expected);
 }
 
-/// Half the way round what is closed now or later and crosses the straight way [m].
+/// Half the way round what is closed now or later and crosses the straight way, or leaves one that
+/// cannot hover no room for its turns there [m].
 double Retreat::detour(const Vector3& from, const Vector3& to) const {
+  const world::VehicleModel& vehicle = knowledge_.vehicle;
+  const double room = vehicle.hovers ? 0 : vehicle.orbit_radius + vehicle.min_turn_radius;
+  const double circle = 2 * std::numbers::pi * room;
   double length = 0;
   for (const world::Volume& volume : world_.volumes) {
     const bool counts = now_ < volume.when.until;
-    if (counts && crosses(volume, knowledge_.vehicle.body_radius, from, to))
-      length += border(volume.polygon) / 2;
+    if (counts && crosses(volume, vehicle.body_radius + room, from, to))
+      length += std::max(circle, border(volume.polygon) / 2);
   }
   return length;
 }
@@ -84,6 +90,19 @@ double Retreat::climb(const Vector3& from, const Vector3& to) const {
   return std::max(0.0, highest + kLeastClearance - std::max(from.z(), to.z()));
 }
 
+/// Of one that cannot hover: until it is up or down there, in full circles where the way is too
+/// short for that [s].
+double Retreat::circling(const Vector3& from, const Vector3& to) const {
+  const world::VehicleModel& vehicle = knowledge_.vehicle;
+  if (vehicle.hovers) return 0;
+  const double length = (to - from).head<2>().norm(), rise = to.z() - from.z();
+  const double rate = kClimbShare * (rise > 0 ? vehicle.climb_rate : vehicle.descent_rate);
+  const double needed = std::abs(rise) / std::max(rate, 1e-3) * vehicle.cruise_speed;
+  const double circle = 2 * std::numbers::pi * vehicle.orbit_radius;
+  const double circles = circle > 0 ? std::ceil(std::max(0.0, needed - length) / circle) : 0;
+  return circles > 0 ? (length + circles * circle) / vehicle.cruise_speed : 0;
+}
+
 double Retreat::energy(const Vector3& from, const Vector3& to) const {
   const world::VehicleModel& vehicle = knowledge_.vehicle;
   if (vehicle.energy.capacity <= 0 || vehicle.cruise_speed <= 0) return 0;
@@ -95,7 +114,8 @@ double Retreat::energy(const Vector3& from, const Vector3& to) const {
                         around * world::flight_power(vehicle, vehicle.cruise_speed, 0);
   const double asked = world::energy_asked_for(vehicle, from, {over}, vehicle.cruise_speed);
   const double level =
-      std::max(kUnforeseen * flight({from, over}), asked / vehicle.energy.capacity);
+      std::max(kUnforeseen * std::max(flight({from, over}), of_stay(circling(from, over))),
+               asked / vehicle.energy.capacity);
   return level + kUnforeseen * (joules / vehicle.energy.capacity + descent(over));
 }
 

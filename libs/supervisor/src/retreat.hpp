@@ -46,6 +46,7 @@ class Retreat {
   double of_stay(double seconds) const;
   double detour(const world::Vector3& from, const world::Vector3& to) const;
   double climb(const world::Vector3& from, const world::Vector3& to) const;
+  double circling(const world::Vector3& from, const world::Vector3& to) const;
 
   const Knowledge& knowledge_;
   const world::World& world_;

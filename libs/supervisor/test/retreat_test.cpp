@@ -128,6 +128,12 @@ RC_GTEST_PROP(Retreat, IsNoLessThanALandingThatIsPlannedAndThanTheVehicleAsksFor
   is_no_less_than_the_landing_planned(lab, {part(), part(), 30.0 + *rc::gen::inRange(0, 60)});
 }
 
+TEST(Retreat, CountsTheCirclesInWhichABlimpComesDownOnAShortWay) {
+  PlanningLab lab = lab_of("karma");
+  lab.world.wind = {};
+  is_no_less_than_the_landing_planned(lab, {-200, -49, 69});
+}
+
 // ---- where to land ----
 
 TEST(LandingPlace, IsWhereItIsWantedIfThatServes) {
