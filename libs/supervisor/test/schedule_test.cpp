@@ -329,6 +329,14 @@ TEST(ScheduleGoalBounds, AGoalIsPutOffUntilSoLongAfterAnother) {
   EXPECT_TRUE(result.controllable);
   EXPECT_EQ(result.foreseen.at(id(3)).earliest_start, at(85));
   EXPECT_EQ(result.foreseen.at(id(3)).latest_start, at(109));
+  EXPECT_THAT(result.holds.at(id(3)), Contains(Hold{executive::TaskId(), MissionTime::max()}))
+      << "its date is known when the other is over, not before";
+}
+
+TEST(ScheduleGoalBounds, AGoalThatMayFollowAtOnceWaitsForTheLastTaskOfTheOther) {
+  const Schedule result = schedule(two_goals(), {}, at(0), after_701(0, 90));
+
+  EXPECT_TRUE(result.controllable);
   EXPECT_THAT(result.holds.at(id(3)), Contains(Hold{id(2), MissionTime::max()}));
 }
 
