@@ -3,9 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <map>
 #include <memory>
 
+#include "choice_option.hpp"
 #include "skein/temporal_tool/mastn.hpp"
 
 namespace skein::cli {
@@ -36,13 +36,10 @@ void add_generate(CLI::App& mastn, Action& action) {
   generate->add_option("--external", shape.external, "Arcs of each agent to others (E)")
       ->check(CLI::Range(0, 100'000))
       ->capture_default_str();
-  const std::map<std::string, temporal::ScenarioMode> modes = {
-      {"kept", temporal::ScenarioMode::kKept}, {"free", temporal::ScenarioMode::kFree}};
-  generate
-      ->add_option("--mode", options->scenario.mode,
-                   "Relaxations stay inside what the others allow when they can (kept, the "
-                   "default), or not (free)")
-      ->transform(CLI::CheckedTransformer(modes));
+  add_choice(*generate, "--mode", options->scenario.mode,
+             {{"kept", temporal::ScenarioMode::kKept}, {"free", temporal::ScenarioMode::kFree}},
+             "Relaxations stay inside what the others allow when they can (kept, the default), or "
+             "not (free)");
   generate->add_option("--relaxations", options->scenario.relaxations, "Their share of the steps")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <memory>
 
+#include "choice_option.hpp"
 #include "skein/temporal_tool/stn.hpp"
 
 namespace skein::cli {
@@ -25,6 +26,10 @@ Examples:
   skein stn draw plan.json -o plan.svg          dates, contingent links dashed, the conflict in red
   skein stn draw plan.json --dot | dot -Tpdf -o plan.pdf
   skein stn convert network.stnu --to json
+  skein stn generate --nodes 200 --contingent 20 --seed 3 > plan.json
+  skein stn dispatchable plan.json -o form.json
+  skein stn dc plan.json --changes changes.json  one verdict for each change, by the incremental check
+  skein stn dc --batch networks/                 every file of a folder, with statistics
 Formats, told from the content: docs/temporal.md. Without a file, or with -, standard input is read.
 Exit codes: 0 consistent or controllable, 1 not, 2 wrong input, 3 the output cannot be written.)";
 
@@ -45,6 +50,9 @@ CLI::App* add_stn_command(CLI::App* stn, const std::string& name, const std::str
   CLI::App* command = stn->add_subcommand(name, help);
   command->add_option("file", common.file,
                       "Network, in any of the formats (default: standard input)");
+  command->add_flag("--z-first", common.z_first,
+                    "No node comes before the origin, whatever the file says: as the CSTNU Tool "
+                    "takes every network");
   common.now = steady_seconds;
   return command;
 }
@@ -63,36 +71,124 @@ void act(CLI::App* command, const std::shared_ptr<Options>& options, Function fu
   });
 }
 
-void add_stn_checks(CLI::App* stn, Action& action) {
+// Without a file: the question about every file of a folder.
+std::shared_ptr<temporal_tool::StnBatchOptions> add_batch(CLI::App* command) {
+  auto batch = std::make_shared<temporal_tool::StnBatchOptions>();
+  command
+      ->add_option(
+          "--batch", batch->folder,
+          "Every file of this folder, with statistics; exit code 0 if the answer is yes for "
+          "all, 1 if not, 2 if some cannot be used")
+      ->type_name("FOLDER")
+      ->excludes(command->get_option("file"));
+  return batch;
+}
+
+int ask_batch(temporal_tool::StnBatchOptions batch, const temporal_tool::StnOptions& common,
+              temporal_tool::StnQuestion question) {
+  batch.common = common;
+  batch.question = question;
+  return temporal_tool::check_stn_batch(batch, std::cout, std::cerr);
+}
+
+void add_stn_check(CLI::App* stn, Action& action) {
   auto check = std::make_shared<temporal_tool::StnCheckOptions>();
-  CLI::App* check_command = add_stn_command(
+  CLI::App* command = add_stn_command(
       stn, "check", "Is it consistent, as if durations could be chosen?", check->common);
-  add_json(check_command, check->common);
-  check_command->add_flag("--dates", check->dates,
-                          "Also the earliest and latest date of each node");
-  act(check_command, check, temporal_tool::check_stn, action);
+  add_json(command, check->common);
+  command->add_flag("--dates", check->dates, "Also the earliest and latest date of each node");
+  const auto batch = add_batch(command);
+  command->callback([check, batch, &action] {
+    action = [check, batch] {
+      if (!batch->folder.empty()) {
+        return ask_batch(*batch, check->common, temporal_tool::StnQuestion::kConsistent);
+      }
+      return temporal_tool::check_stn(*check, std::cin, std::cout, std::cerr);
+    };
+  });
+}
 
-  auto control = std::make_shared<temporal_tool::StnOptions>();
-  CLI::App* control_command =
-      add_stn_command(stn, "dc", "Is it dynamically controllable?", *control);
-  add_json(control_command, *control);
-  act(control_command, control, temporal_tool::check_stn_controllability, action);
+void add_stn_dc(CLI::App* stn, Action& action) {
+  auto changes = std::make_shared<temporal_tool::StnChangesOptions>();
+  temporal_tool::StnOptions& common = changes->common;
+  CLI::App* command = add_stn_command(stn, "dc", "Is it dynamically controllable?", common);
+  add_json(command, common);
+  const auto batch = add_batch(command);
+  CLI::Option* file =
+      command
+          ->add_option(
+              "--changes", changes->changes,
+              R"(New bounds one after the other, [{"from","to","min","max"}, …]: a verdict )"
+              "after each, by the incremental check")
+          ->type_name("FILE")
+          ->excludes(command->get_option("--batch"));
+  command->add_flag("--compare", changes->compare, "Also check from scratch after each change")
+      ->needs(file);
+  command->callback([changes, batch, &action] {
+    action = [changes, batch] {
+      if (!batch->folder.empty()) {
+        return ask_batch(*batch, changes->common, temporal_tool::StnQuestion::kControllable);
+      }
+      const auto run = [&](auto function, const auto& options) {
+        return function(options, std::cin, std::cout, std::cerr);
+      };
+      return changes->changes.empty()
+                 ? run(temporal_tool::check_stn_controllability, changes->common)
+                 : run(temporal_tool::follow_stn_changes, *changes);
+    };
+  });
+}
 
+void add_stn_dispatch(CLI::App* stn, Action& action) {
   auto dispatch = std::make_shared<temporal_tool::StnDispatchOptions>();
   CLI::App* dispatch_command =
       add_stn_command(stn, "dispatch", "Play an execution with random durations", dispatch->common);
   add_json(dispatch_command, dispatch->common);
-  dispatch_command->add_option("--seed", dispatch->seed, "Seed of the durations and starts");
-  const std::map<std::string, temporal_tool::StnStarts> starts{
-      {"earliest", temporal_tool::StnStarts::kEarliest},
-      {"latest", temporal_tool::StnStarts::kLatest},
-      {"random", temporal_tool::StnStarts::kRandom}};
-  dispatch_command->add_option("--starts", dispatch->starts, "earliest, latest or random")
-      ->transform(CLI::CheckedTransformer(starts));
+  dispatch_command->add_option("--seed", dispatch->seed, "Seed of the durations and starts")
+      ->capture_default_str();
+  add_choice(*dispatch_command, "--starts", dispatch->starts,
+             {{"earliest", temporal_tool::StnStarts::kEarliest},
+              {"latest", temporal_tool::StnStarts::kLatest},
+              {"random", temporal_tool::StnStarts::kRandom}},
+             "When to execute what may be executed: earliest (default), latest or random");
   act(dispatch_command, dispatch, temporal_tool::dispatch_stn, action);
 }
 
+void add_stn_generate(CLI::App* stn, Action& action) {
+  auto options = std::make_shared<temporal_tool::StnGenerateOptions>();
+  temporal::StnuGeneratorOptions& shape = options->shape;
+  CLI::App* command = stn->add_subcommand("generate", "Write a random plan in parallel lanes");
+  command->add_option("--nodes", shape.nodes, "Nodes, the origin included")
+      ->check(CLI::Range(7, 100'000))
+      ->capture_default_str();
+  command->add_option("--contingent", shape.contingent, "Contingent links")
+      ->check(CLI::Range(0, 30'000))
+      ->capture_default_str();
+  command->add_option("--lanes", shape.lanes, "Parallel lanes")
+      ->check(CLI::Range(2, 10'000))
+      ->capture_default_str();
+  command->add_option("--extra", shape.extra_arcs_percent, "Arcs beside the lanes [% of the nodes]")
+      ->check(CLI::Range(0, 10'000))
+      ->capture_default_str();
+  command->add_flag("--broken", shape.break_it, "Not dynamically controllable (else it is)");
+  command->add_option("--seed", options->seed, "Of everything random")->capture_default_str();
+  command->add_option("--to", options->to, "json, heatlab, graphml or plain")
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "File (default: standard output)");
+  command->callback([options, &action] {
+    action = [options] { return temporal_tool::generate_stn(*options, std::cout, std::cerr); };
+  });
+}
+
 void add_stn_writers(CLI::App* stn, Action& action) {
+  auto form = std::make_shared<temporal_tool::StnDispatchableOptions>();
+  CLI::App* form_command =
+      add_stn_command(stn, "dispatchable",
+                      "Write its dispatchable form: edges and waits for an executor", form->common);
+  form_command->add_option("--to", form->to, "json or graphml")->capture_default_str();
+  form_command->add_option("-o,--output", form->output, "File (default: standard output)");
+  act(form_command, form, temporal_tool::write_stn_dispatchable, action);
+
   auto draw = std::make_shared<temporal_tool::StnDrawOptions>();
   CLI::App* draw_command = add_stn_command(stn, "draw", "Draw it", draw->common);
   CLI::Option* dot = draw_command->add_flag("--dot", draw->dot, "Text for Graphviz");
@@ -112,10 +208,14 @@ void add_stn_writers(CLI::App* stn, Action& action) {
 }  // namespace
 
 void add_stn(CLI::App& app, std::function<int()>& action) {
-  CLI::App* stn = app.add_subcommand("stn", "Check, play, draw and convert a temporal network");
+  CLI::App* stn =
+      app.add_subcommand("stn", "Check, play, draw, convert and generate temporal networks");
   stn->require_subcommand(1);
   stn->footer(kStnExamples);
-  add_stn_checks(stn, action);
+  add_stn_check(stn, action);
+  add_stn_dc(stn, action);
+  add_stn_dispatch(stn, action);
+  add_stn_generate(stn, action);
   add_stn_writers(stn, action);
 }
 

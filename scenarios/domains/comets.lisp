@@ -77,6 +77,7 @@
 (defun get-duration (data)
   (interval (second (assoc 'duration data)) (third (assoc 'duration data))))
 (defun get-entry (data) (second (assoc 'way (rest (assoc 'params data)))))
+(defun get-aim (data) (second (assoc 'aim data)))
 (defun get-cost (data) (second (assoc 'cost data)))
 (defun get-params (type data)
   (cons (list 'type type) (cons (assoc 'energy data) (rest (assoc 'params data)))))
@@ -530,9 +531,9 @@
       (assign ?pattern (compute-patrol ?at ?zone ?device ?left)) (call consp ?pattern))
       ((go ?place ?tc ?origin) (detect ?zone ?device ?left ?tc ?origin)))
   (:method (detect ?zone ?device ?seconds ?tc ?origin)
-    pattern ((uavloc flying ?from))
+    pattern ((uavloc flying ?from) (assign ?target (get-aim (compute-patrol ?from ?zone ?device ?seconds))))
       ((!!lcompute-patrol ?from ?zone ?device ?seconds) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
-       (shoot-along ?device () ?tc ?origin)))
+       (shoot-along ?device ?target ?tc ?origin)))
 
   ; What is left of the lanes when they can be flown with a device that sees as much; else all of them.
   (:- (lanes-left ?origin ?before ?way)

@@ -3,7 +3,6 @@
 #include <ostream>
 
 #include "skein/foundation/exit_code.hpp"
-#include "skein/foundation/nearest.hpp"
 #include "skein/temporal/drawing.hpp"
 #include "skein/temporal_tool/stn.hpp"
 #include "stn_analysis.hpp"
@@ -41,15 +40,41 @@ int draw_stn(const StnDrawOptions& options, std::istream& in, std::ostream& out,
   return save_text(options.output, *svg, out, err);
 }
 
+namespace {
+
+// How many bounds are not whole numbers of seconds.
+std::size_t fractions_in(const temporal::Stnu& network) {
+  std::size_t count = 0;
+  const auto look = [&](temporal::Ticks bound) {
+    const bool finite = bound != temporal::kInfinite && bound != temporal::kMinusInfinite;
+    count += finite && bound % temporal::kTicksPerSecond != 0 ? 1U : 0U;
+  };
+  for (const temporal::Arc& arc : network.arcs) {
+    look(arc.min);
+    look(arc.max);
+  }
+  for (const temporal::ContingentLink& link : network.contingent) {
+    look(link.min);
+    look(link.max);
+  }
+  return count;
+}
+
+void note_fractions(const temporal::Stnu& network, temporal::Format format, std::ostream& err) {
+  if (format != temporal::Format::kGraphml && format != temporal::Format::kPlain) return;
+  const std::size_t fractions = fractions_in(network);
+  if (fractions == 0) return;
+  err << "note: " << fractions
+      << (fractions == 1 ? " bound is not a whole number" : " bounds are not whole numbers")
+      << " of seconds; the CSTNU Tool reads whole numbers only\n";
+}
+
+}  // namespace
+
 int convert_stn(const StnConvertOptions& options, std::istream& in, std::ostream& out,
                 std::ostream& err) {
-  const std::optional<temporal::Format> format = temporal::format_named(options.to);
-  if (!format) {
-    const std::string nearest = nearest_name(options.to, temporal::format_names());
-    err << "--to: unknown format '" << options.to << "'"
-        << (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") << '\n';
-    return kExitBadInput;
-  }
+  const std::optional<temporal::Format> format = format_option(options.to, err);
+  if (!format) return kExitBadInput;
   const std::optional<temporal::ReadNetwork> read = load_network(options.common, in, err);
   if (!read) return kExitBadInput;
   const Result<std::string, Failure> text = temporal::write_network(read->network, *format);
@@ -58,6 +83,7 @@ int convert_stn(const StnConvertOptions& options, std::istream& in, std::ostream
         << text.error().why << '\n';
     return kExitBadInput;
   }
+  note_fractions(read->network, *format, err);
   return save_text(options.output, *text, out, err);
 }
 

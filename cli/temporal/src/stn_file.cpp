@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "skein/foundation/exit_code.hpp"
+#include "skein/foundation/nearest.hpp"
 #include "write_file.hpp"
 
 namespace skein::temporal_tool {
@@ -34,12 +35,24 @@ std::optional<std::string> all_of(std::istream& in) {
 }
 
 std::optional<std::string> text_of(const StnOptions& options, std::istream& in) {
-  if (from_standard_input(options)) return all_of(in);
-  std::ifstream file(options.file, std::ios::binary);
-  return file ? all_of(file) : std::nullopt;
+  return from_standard_input(options) ? all_of(in) : text_of_file(options.file);
 }
 
 }  // namespace
+
+std::optional<std::string> text_of_file(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return in ? all_of(in) : std::nullopt;
+}
+
+std::optional<temporal::Format> format_option(const std::string& name, std::ostream& err) {
+  const std::optional<temporal::Format> format = temporal::format_named(name);
+  if (format) return format;
+  const std::string nearest = nearest_name(name, temporal::format_names());
+  err << "--to: unknown format '" << name << "'"
+      << (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") << '\n';
+  return std::nullopt;
+}
 
 std::string input_name(const StnOptions& options) {
   return from_standard_input(options) ? "standard input" : options.file;
@@ -58,6 +71,8 @@ std::optional<temporal::ReadNetwork> load_network(const StnOptions& options, std
     err << to_text(read.error());
     return std::nullopt;
   }
+  err << to_text(read->warnings);
+  if (options.z_first) temporal::put_origin_first(read->network);
   return std::move(*read);
 }
 

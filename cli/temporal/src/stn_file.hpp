@@ -18,6 +18,12 @@ std::string input_name(const StnOptions& options);
 std::optional<temporal::ReadNetwork> load_network(const StnOptions& options, std::istream& in,
                                                   std::ostream& err);
 
+/// Nothing when it cannot be read.
+std::optional<std::string> text_of_file(const std::string& file);
+
+/// The format of that name; nothing, and a message about `--to` on `err`, when there is none.
+std::optional<temporal::Format> format_option(const std::string& name, std::ostream& err);
+
 /// To the file, or to `out` without one. An exit code.
 int save_text(const std::string& file, const std::string& text, std::ostream& out,
               std::ostream& err);

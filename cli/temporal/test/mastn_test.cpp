@@ -81,6 +81,15 @@ TEST(MastnRun, PrintsBoundsOfAllNodesMessagesAndChecks) {
   EXPECT_GT(json["checks"]["total"], 0);
 }
 
+TEST(MastnRun, OfNobodyIsConsistentWithEveryAlgorithm) {
+  for (const char* algorithm : {"cip", "dip-g", "dip-l", "dip-m"}) {
+    const Outcome outcome = run(R"({"agents":[],"nodes":[],"arcs":[]})", algorithm);
+
+    EXPECT_EQ(outcome.code, kExitOk) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out).at("consistent"), true) << algorithm;
+  }
+}
+
 TEST(MastnRun, WithoutStepsGivesTheNetworkAsItIs) {
   EXPECT_THAT(run(two_agents("")).out, HasSubstr(R"("b1":[3.5,10])"));
 }

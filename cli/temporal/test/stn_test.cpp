@@ -84,6 +84,64 @@ TEST(StnDraw, RefusesMoreThanAThousandNodes) {
   EXPECT_THAT(outcome.err, HasSubstr("1001 nodes are too many for a picture"));
 }
 
+// a comes 1 before Z: a network of its own, and none for the CSTNU Tool.
+constexpr const char* kBeforeZ =
+    "# Time-Point Names\nZ a C\n# Ordinary Edges\nZ -1 a\n# Contingent Links\na 1 3 C\n";
+
+TEST(StnZFirst, LetsNoNodeComeBeforeTheOriginAndIsMentionedWhereItDecides) {
+  StnOptions first;
+  first.z_first = true;
+
+  EXPECT_EQ(run(check_stn_controllability, first, kBeforeZ).code, kExitNegative);
+  EXPECT_EQ(run(check_stn, StnCheckOptions{first, false}, kBeforeZ).code, kExitNegative);
+  for (const Outcome& outcome : {run(check_stn_controllability, StnOptions{}, kBeforeZ),
+                                 run(check_stn, StnCheckOptions{}, kBeforeZ)}) {
+    EXPECT_EQ(outcome.code, kExitOk);
+    EXPECT_THAT(outcome.err, HasSubstr("note: a node must come before 'Z'; the CSTNU Tool"));
+  }
+}
+
+TEST(StnZFirst, IsNotMentionedWhereItDecidesNothing) {
+  const std::string free = "# Time-Point Names\nZ a C\n# Contingent Links\na 1 3 C\n";
+
+  EXPECT_THAT(run(check_stn_controllability, StnOptions{}, free).err, IsEmpty());
+  EXPECT_THAT(run(check_stn, StnCheckOptions{}, free).err, IsEmpty());
+  EXPECT_THAT(run(check_stn_controllability, StnOptions{}, kGood).err, IsEmpty());
+}
+
+TEST(StnZFirst, IsWrittenByConvert) {
+  StnConvertOptions options;
+  options.to = "json";
+  options.common.z_first = true;
+
+  const Outcome outcome = run(convert_stn, options, kBeforeZ);
+
+  EXPECT_EQ(run(check_stn_controllability, StnOptions{}, outcome.out).code, kExitNegative);
+}
+
+TEST(StnWarnings, AreSaidAndChangeNoExitCode) {
+  const Outcome outcome = run(check_stn_controllability, StnOptions{},
+                              "# Time-Point Names\nZ a C\n# Contingent Links\na 0 3 C\n");
+
+  EXPECT_EQ(outcome.code, kExitOk);
+  EXPECT_THAT(outcome.err, StartsWith("standard input:4:1: warning: the contingent min 0 is not"));
+}
+
+TEST(StnConvert, SaysWhatTheCstnuToolCannotRead) {
+  const auto notes = [](const std::string& min, const std::string& to) {
+    StnConvertOptions options;
+    options.to = to;
+    return run(convert_stn, options,
+               R"({"nodes":["v0","a"],"arcs":[{"from":"v0","to":"a","min":)" + min +
+                   R"(,"max":null}]})")
+        .err;
+  };
+
+  EXPECT_THAT(notes("1.5", "graphml"), HasSubstr("note: 1 bound is not a whole number"));
+  EXPECT_THAT(notes("1", "graphml"), IsEmpty());
+  EXPECT_THAT(notes("1.5", "heatlab"), IsEmpty());
+}
+
 TEST(StnDc, TellsControllableFromNot) {
   EXPECT_EQ(run(check_stn_controllability, StnOptions{}, kGood).code, kExitOk);
 

@@ -41,6 +41,11 @@ Term waypoints_term(TermStore& store, const refiners::Way& way) {
   return headed(store, "waypoints", std::move(terms));
 }
 
+Term target_term(TermStore& store, const Vector3& at) {
+  const std::vector<Term> one = {headed(store, "target", {location_term(store, at)})};
+  return store.list(one);
+}
+
 Term way_term(TermStore& store, const refiners::Way& way) {
   std::vector<Term> terms;
   for (const Vector3& point : way) terms.push_back(location_term(store, point));
@@ -113,10 +118,11 @@ Term PlannerHost::Services::answer(TermStore& store, const Motion& motion,
       headed(store, "duration",
              {number_term(store, motion.times.least), number_term(store, motion.times.most)});
   params.push_back(way_term(store, motion.way));
-  const std::vector<Term> all = {destination, duration,
-                                 headed(store, "energy", {number_term(store, motion.energy)}),
-                                 headed(store, "cost", {number_term(store, motion.times.expected)}),
-                                 headed(store, "params", std::move(params))};
+  std::vector<Term> all = {destination, duration,
+                           headed(store, "energy", {number_term(store, motion.energy)}),
+                           headed(store, "cost", {number_term(store, motion.times.expected)})};
+  if (motion.aim) all.push_back(headed(store, "aim", {target_term(store, *motion.aim)}));
+  all.push_back(headed(store, "params", std::move(params)));
   return store.list(all);
 }
 
@@ -352,8 +358,7 @@ Value PlannerHost::Services::tour(TermStore& store, Arguments arguments) {
 Value PlannerHost::Services::target_of(TermStore& store, Arguments arguments) {
   const auto at = place(store, arguments[0]);
   if (!at || !gazetteer_.on_ground(*at)) return kNil;
-  const std::vector<Term> one = {headed(store, "target", {location_term(store, *at)})};
-  return store.list(one);
+  return target_term(store, *at);
 }
 
 }  // namespace skein::supervisor

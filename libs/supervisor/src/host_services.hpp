@@ -20,7 +20,8 @@ double vicinity(const Gazetteer& gazetteer);
 
 /// Every answer of a refiner is
 ///   ((destination LOC) (duration LEAST MOST) (energy E) (cost C) (params (NAME VALUE…)…)),
-/// a refusal is nil and a sentence in refusals(). A wrong argument is a failure: an error of the
+/// with (aim ((target LOC))) before the params where a device is to be aimed at something; a
+/// refusal is nil and a sentence in refusals(). A wrong argument is a failure: an error of the
 /// domain. Thread rule: one thread at a time, with one store of terms.
 class PlannerHost::Services {
  public:

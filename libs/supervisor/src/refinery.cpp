@@ -95,7 +95,7 @@ refiners::PathQuery Refinery::query(const Vector3& from, const Vector3& to) cons
 
 Motion Refinery::flown(Way way) const {
   const refiners::Flight flight = refiners::estimate_flight(way, vehicle(), world().wind);
-  Motion motion{std::move(way), {}, 0};
+  Motion motion{std::move(way), {}, 0, {}};
   motion.times = flight_times(motion.way, vehicle(), world().wind);
   const double estimate = flight.duration.expected.to_seconds();
   motion.energy = flight.energy + energy_of_stay(std::max(0.0, motion.times.expected - estimate));
@@ -112,7 +112,7 @@ Answer<Motion> Refinery::takeoff(const Vector3& from) const {
   for (const world::Volume& volume : world().volumes)
     if (origin_ < volume.when.until && crosses(volume, vehicle().body_radius, from, to))
       return no("the air over it is closed (volume '" + volume.name + "')");
-  Motion motion{{from, to}, {}, 0};
+  Motion motion{{from, to}, {}, 0, {}};
   motion.times = takeoff_times(to.z() - gazetteer_.ground(from), vehicle(), world().wind);
   motion.energy = motion.times.expected * world::flight_power(vehicle(), 0, vehicle().climb_rate) /
                   vehicle().energy.capacity;
@@ -131,7 +131,7 @@ Answer<Refinery::Landing> Refinery::landing_place(const Vector3& from,
 
 Answer<Motion> Refinery::landing(const Vector3& from, const Vector3& to) const {
   const Vector3 down(to.x(), to.y(), gazetteer_.ground(to));
-  Motion motion{{from, down}, {}, 0};
+  Motion motion{{from, down}, {}, 0, {}};
   motion.times = landing_times(std::max(0.0, from.z() - down.z()), vehicle());
   motion.energy = energy_of_stay(motion.times.expected);
   return motion;
@@ -220,13 +220,34 @@ bool Refinery::has_room(const Vector3& at, const Volumes& volumes) const {
                       [&](const auto& volume) { return is_near(volume, at, around); });
 }
 
+// One that hovers brakes for corners, and is carried beyond them all the same.
+double Refinery::swing() const {
+  if (!vehicle().hovers) return 2 * vehicle().min_turn_radius;
+  return vehicle().cruise_speed * vehicle().cruise_speed / (2 * vehicle().acceleration);
+}
+
+/// As near as corners, and a wind across its longest leg, may carry one that hovers.
+bool Refinery::comes_near(const Way& way, const Volumes& volumes) const {
+  double longest = 0;
+  for (std::size_t i = 1; i < way.size(); ++i)
+    longest = std::max(longest, (way[i] - way[i - 1]).head<2>().norm());
+  const double drift = vehicle().wind_drift * world().wind.speed / vehicle().cruise_speed;
+  const double margin = stray() + swing() + drift * longest;
+  return std::any_of(volumes.begin(), volumes.end(),
+                     [&](const auto& volume) { return crosses(volume, margin, way); });
+}
+
 /// Some flight along the way, whichever way it comes to where that begins, or its circles at the
-/// end are nearer to closed air than the vehicle strays.
+/// end are nearer to closed air than the vehicle strays; one that hovers, and whose ways keep that
+/// distance, than half of that.
 bool Refinery::met(const Way& way, const Volumes& volumes) const {
-  if (vehicle().hovers || volumes.empty() || way.size() < 2) return false;
+  if (volumes.empty() || way.size() < 2) return false;
+  const bool hovers = vehicle().hovers;
+  if (hovers && !comes_near(way, volumes)) return false;
+  const double margin = hovers ? stray() / 2 : stray();
   const auto is_met = [&](const Vector3& at) {
     return std::any_of(volumes.begin(), volumes.end(),
-                       [&](const auto& volume) { return is_near(volume, at, stray()); });
+                       [&](const auto& volume) { return is_near(volume, at, margin); });
   };
   const auto any_met = [&](const std::vector<Vector3>& track) {
     return std::any_of(track.begin(), track.end(), is_met);
@@ -236,8 +257,9 @@ bool Refinery::met(const Way& way, const Volumes& volumes) const {
   for (const Pose& pose : poses_at(way.front(), vehicle())) {
     if (is_met(pose.at)) continue;
     const FlownWay flown = fly_way(pose, rest, vehicle(), world().wind);
-    if (any_met(flown.track) ||
-        any_met(circle_over(flown.end, way.back(), vehicle(), world().wind, 2 * round)))
+    if (any_met(flown.track)) return true;
+    if (hovers) continue;
+    if (any_met(circle_over(flown.end, way.back(), vehicle(), world().wind, 2 * round)))
       return true;
   }
   return false;
@@ -266,9 +288,10 @@ Answer<Motion> Refinery::path_in(const world::Airspace& air, const Volumes& volu
 std::optional<Way> Refinery::way_with_room(const world::Airspace& air, const Volumes& volumes,
                                            const Vector3& from, const Vector3& to) const {
   world::Airspace roomy = air;
-  const double radius = vehicle().min_turn_radius;
-  for (const world::Volume& volume : volumes) roomy.block(volume, stray() + 2 * radius);
+  for (const world::Volume& volume : volumes) roomy.block(volume, stray() + swing());
   if (auto way = way_through(roomy, from, to); way && !met(*way, volumes)) return *way;
+  if (vehicle().hovers) return std::nullopt;
+  const double radius = vehicle().min_turn_radius;
   for (int i = 0; i < kAround; ++i) {
     const double angle = 2 * std::numbers::pi * i / kAround;
     const Vector3 over =

@@ -19,7 +19,8 @@ namespace skein::supervisor {
 struct Motion {
   refiners::Way way;  ///< where it begins and all that is flown to
   Times times;
-  double energy = 0;  ///< expected, as a fraction of what is held when full
+  double energy = 0;                  ///< expected, as a fraction of what is held when full
+  std::optional<world::Vector3> aim;  ///< what its device is to be aimed at meanwhile
 };
 
 /// When a motion may begin, after the plan's origin [s]; `most` may be infinite.
@@ -58,9 +59,10 @@ class Refinery {
   /// Free air, all around where it wavers or circles.
   bool may_stay(const world::Vector3& at);
   /// As long as it takes to come there from where it is and, after that, to have the zone in sight
-  /// for so many seconds; at that height.
+  /// for so many seconds; at that height. A head that can be aimed is aimed at the middle of a zone
+  /// that is too small to be seen ahead.
   Answer<Motion> patrol(const world::Vector3& from, const world::Zone& zone,
-                        const world::SensorModel& device, double seconds) const;
+                        const world::SensorModel& device, double seconds);
   /// From its first lane on, and where it turns into that; the way there is not part of it. As it
   /// will be flown all of the zone is seen.
   Answer<Motion> sweep(const world::Vector3& from, const world::Zone& zone,
@@ -104,28 +106,41 @@ class Refinery {
   bool has_room(const world::Vector3& at, const Volumes& volumes) const;
   bool met(const refiners::Way& way, const Volumes& volumes) const;
   bool met(const refiners::Way& way) const { return met(way, closed()); }
+  bool comes_near(const refiners::Way& way, const Volumes& volumes) const;
+  /// What corners and turns may take it off its way [m].
+  double swing() const;
   std::optional<refiners::Way> way_with_room(const world::Airspace& air, const Volumes& volumes,
                                              const world::Vector3& from,
                                              const world::Vector3& to) const;
   Answer<refiners::Way> way_through(const world::Airspace& air, const world::Vector3& from,
                                     const world::Vector3& to) const;
   /// The world with a ground as fine as the footprint over the zone, and the closed air grown by
-  /// what the vehicle strays, unless it is in that.
-  world::World world_of(const world::Zone& zone, const world::Vector3& from,
-                        double footprint) const;
+  /// that margin, unless the vehicle is in what it strays into.
+  world::World world_of(const world::Zone& zone, const world::Vector3& from, double footprint,
+                        double margin) const;
   Answer<refiners::Way> planned_patrol(const world::World& world, const world::Vector3& from,
                                        const world::Zone& zone, double footprint,
                                        double seconds) const;
-  /// Circles over the middle of a zone too small for lanes.
-  Answer<refiners::Way> rounds(const world::Vector3& from, const world::Zone& zone,
-                               double footprint, double seconds) const;
-  /// Where a device looks from a height: a disc on the ground, some metres ahead [m].
+  /// What is flown again and again over the middle of a zone too small for lanes: a circle, or for
+  /// one that hovers, where a circle has no room, to and fro.
+  std::vector<refiners::Way> rounds(const world::Vector3& from, const world::Zone& zone,
+                                    double footprint) const;
+  std::optional<refiners::Way> again_and_again(const world::Vector3& from,
+                                               const refiners::Way& round, double seconds);
+  /// Where a device looks from a height: a disc on the ground, some metres ahead [m]; or what it is
+  /// aimed at, from within `reach`.
   struct Look {
     double ahead = 0, reach = 0;
+    std::optional<world::Vector2> aim;
   };
+  class Sight;
   static Look look_of(const world::SensorModel& device, double height, double footprint);
   Answer<Motion> patrolled(const world::Vector3& from, const world::Zone& zone, const Look& look,
-                           double width, double seconds) const;
+                           double width, double seconds);
+  Answer<Motion> in_lanes(const world::Vector3& from, const world::Zone& zone, const Look& look,
+                          double width, double seconds, double margin) const;
+  Answer<Motion> in_rounds(const world::Vector3& from, const world::Zone& zone, const Look& look,
+                           double width, double seconds);
   std::optional<refiners::Way> filled(const refiners::Way& way, const world::Zone& zone,
                                       const Look& look, double seconds, double& longer) const;
   struct Lanes {
@@ -136,6 +151,8 @@ class Refinery {
   Answer<Lanes> planned_sweep(const world::World& world, const world::Vector3& from,
                               const world::Zone& zone, const world::SensorModel& device,
                               double overlap) const;
+  Answer<Lanes> best_sweep(const world::Vector3& from, const world::Zone& zone,
+                           const world::SensorModel& device, double margin) const;
   /// From air that is closed, as when it was closed around the vehicle: out, and on from there.
   Answer<Motion> out_and_on(const world::Vector3& from, const world::Vector3& to);
   Answer<double> footprint(const world::SensorModel& device, double height) const;

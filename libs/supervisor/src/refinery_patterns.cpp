@@ -22,6 +22,8 @@ constexpr double kMoves = 0.02;        // [m] in a step of a track: it heads the
 constexpr double kSteepLook = 0.1;     // [rad] from straight down
 constexpr double kInSight = 0.8;       // of its footprint, from the zone at most
 constexpr double kTurningShare = 0.8;  // of its time a patrol has the zone in sight, at least
+constexpr double kOutOfSight = 1.25;   // times as long as it would take with the zone in sight
+constexpr double kLongestPatrol = 6;   // times as long as it would take with the zone in sight
 constexpr int kLongerPatrols = 6;      // tried, until the zone is in sight for long enough
 constexpr std::size_t kMostCells = 100'000;
 constexpr double kCellsAcross = 6;  // of a zone, at least
@@ -30,6 +32,7 @@ constexpr double kTightest = 1.15;  // turn radii of circles over a small zone
 constexpr double kSpacing = 2;      // turn radii between points of arcs: none is circled then
 constexpr int kFinerGrounds = 8;    // tried, until some cell has its middle in a sliver
 constexpr int kSides = 8;           // of a circle
+constexpr int kWays = 4;            // to and fro
 constexpr std::size_t kMostPoints = 4000;
 constexpr double kSamples = 24;       // across a zone, to see what is seen of it
 constexpr double kRunIn = 3;          // turn radii before the first lane
@@ -92,35 +95,6 @@ world::GroundState ground_over(const Polygon& polygon, const world::GroundState&
   return ground;
 }
 
-/// How long the zone was in sight during a flight.
-class Sight {
- public:
-  Sight(const FlownWay& flown, const Polygon& zone, double ahead, double reach) {
-    Vector2 course = Vector2::Zero();
-    for (std::size_t i = 0; i < flown.track.size(); ++i) {
-      const Vector2 at = flown.track[i].head<2>();
-      const Vector2 step = i > 0 ? Vector2(at - flown.track[i - 1].head<2>()) : course;
-      if (step.norm() > kMoves) course = step.normalized();
-      const bool in_sight = distance_to(zone, at + ahead * course) <= reach;
-      if (in_sight && !is_seen_) first_ = static_cast<double>(out_.size()) * kTrackStep;
-      is_seen_ = is_seen_ || in_sight;
-      out_.push_back((out_.empty() ? 0 : out_.back()) + (in_sight ? 0 : kTrackStep));
-    }
-  }
-  /// Since it was first, after so many seconds.
-  double since_first(double seconds) const { return is_seen_ ? seconds - first_ : 0; }
-  /// Of the first so many seconds.
-  double until(double seconds) const {
-    const auto sample = static_cast<std::size_t>(seconds / kTrackStep);
-    return std::max(0.0, seconds - out_[std::min(sample, out_.size() - 1)]);
-  }
-
- private:
-  std::vector<double> out_;  ///< until each sample, out of sight [s]
-  double first_ = 0;         ///< [s]
-  bool is_seen_ = false;
-};
-
 /// Without the points nearer to the last one kept than `spacing`.
 Way spaced(const Way& way, double spacing) {
   Way kept;
@@ -151,6 +125,37 @@ double seen_part(const Polygon& zone, const std::vector<Vector3>& track, std::si
 
 }  // namespace
 
+/// How long the zone was in sight during a flight.
+class Refinery::Sight {
+ public:
+  Sight(const FlownWay& flown, const Polygon& zone, const Look& look) {
+    Vector2 course = Vector2::Zero();
+    for (std::size_t i = 0; i < flown.track.size(); ++i) {
+      const Vector2 at = flown.track[i].head<2>();
+      const Vector2 step = i > 0 ? Vector2(at - flown.track[i - 1].head<2>()) : course;
+      if (step.norm() > kMoves) course = step.normalized();
+      const double off =
+          look.aim ? (*look.aim - at).norm() : distance_to(zone, at + look.ahead * course);
+      const bool in_sight = off <= kInSight * look.reach;
+      if (in_sight && !is_seen_) first_ = static_cast<double>(out_.size()) * kTrackStep;
+      is_seen_ = is_seen_ || in_sight;
+      out_.push_back((out_.empty() ? 0 : out_.back()) + (in_sight ? 0 : kTrackStep));
+    }
+  }
+  /// Since it was first, after so many seconds.
+  double since_first(double seconds) const { return is_seen_ ? seconds - first_ : 0; }
+  /// Of the first so many seconds.
+  double until(double seconds) const {
+    const auto sample = static_cast<std::size_t>(seconds / kTrackStep);
+    return std::max(0.0, seconds - out_[std::min(sample, out_.size() - 1)]);
+  }
+
+ private:
+  std::vector<double> out_;  ///< until each sample, out of sight [s]
+  double first_ = 0;         ///< [s]
+  bool is_seen_ = false;
+};
+
 Answer<double> Refinery::footprint(const world::SensorModel& device, double height) const {
   if (height <= 0 || height >= device.range)
     return no(device.device + " reaches " + std::to_string(std::lround(device.range)) +
@@ -165,14 +170,14 @@ Answer<double> Refinery::footprint(const world::SensorModel& device, double heig
 Refinery::Look Refinery::look_of(const world::SensorModel& device, double height,
                                  double footprint) {
   const double down = std::max(kSteepLook, -device.boresight_pitch);
-  if (down > std::numbers::pi / 2 - kSteepLook) return {0, footprint};
+  if (down > std::numbers::pi / 2 - kSteepLook) return {0, footprint, {}};
   const double slant = std::min(height / std::sin(down), device.range);
   const double ahead = std::sqrt(std::max(0.0, slant * slant - height * height));
-  return {ahead, std::max(footprint, slant * std::tan(device.aperture))};
+  return {ahead, std::max(footprint, slant * std::tan(device.aperture)), {}};
 }
 
-world::World Refinery::world_of(const world::Zone& zone, const Vector3& from,
-                                double footprint) const {
+world::World Refinery::world_of(const world::Zone& zone, const Vector3& from, double footprint,
+                                double margin) const {
   world::World local = world();
   local.ground = ground_over(zone.polygon, world().ground, footprint);
   local.volumes = closed();
@@ -181,7 +186,7 @@ world::World Refinery::world_of(const world::Zone& zone, const Vector3& from,
         return distance_to(grown(volume, stray()).polygon, from.head<2>()) <= 0;
       });
   if (!inside)
-    for (world::Volume& volume : local.volumes) volume = grown(volume, stray());
+    for (world::Volume& volume : local.volumes) volume = grown(volume, margin);
   return local;
 }
 
@@ -214,7 +219,7 @@ std::optional<Way> Refinery::filled(const Way& way, const world::Zone& zone, con
   start.heading = heading_to(way.front(), zone.polygon);
   const Way rest(way.begin() + 1, way.end());
   const FlownWay flown = fly_way(start, rest, vehicle(), world().wind);
-  const Sight sight(flown, zone.polygon, look.ahead, kInSight * look.reach);
+  const Sight sight(flown, zone.polygon, look);
   // Turns beyond the zone are part of a patrol of one that cannot hover, within reason.
   const double share = vehicle().hovers ? 1 : kTurningShare;
   const auto done = [&](double at) {
@@ -233,8 +238,8 @@ std::optional<Way> Refinery::filled(const Way& way, const world::Zone& zone, con
   return std::nullopt;
 }
 
-Answer<Way> Refinery::rounds(const Vector3& from, const world::Zone& zone, double footprint,
-                             double seconds) const {
+std::vector<Way> Refinery::rounds(const Vector3& from, const world::Zone& zone,
+                                  double footprint) const {
   const double radius =
       vehicle().hovers ? 2 * reaching_distance(vehicle(), world().wind)
                        : std::clamp(kInSight * footprint, kTightest * vehicle().min_turn_radius,
@@ -242,64 +247,119 @@ Answer<Way> Refinery::rounds(const Vector3& from, const world::Zone& zone, doubl
   const Vector2 middle = middle_of(zone.polygon);
   const double height = from.z() - gazetteer_.ground(from);
   const double towards = std::atan2(from.y() - middle.y(), from.x() - middle.x());
-  Way round;
-  for (int i = 0; i < kSides; ++i) {
-    const double angle = towards + 2 * std::numbers::pi * i / kSides;
-    const Vector2 at = middle + radius * Vector2(std::cos(angle), std::sin(angle));
-    if (!world().terrain.contains(at.x(), at.y()))
-      return no("there is no room for circles over it");
-    round.emplace_back(at.x(), at.y(), world().terrain.elevation(at.x(), at.y()) + height);
-    for (const world::Volume& volume : closed())
-      if (is_near(volume, round.back(), stray()))
-        return no("closed air leaves no room for circles over it");
-  }
+  const Volumes volumes = closed();
+  const auto is_open = [&](const Vector3& at) {
+    return world().terrain.contains(at.x(), at.y()) &&
+           std::none_of(volumes.begin(), volumes.end(),
+                        [&](const auto& volume) { return is_near(volume, at, stray()); });
+  };
+  const auto round = [&](int corners, double turned) {
+    Way way;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = towards + turned + 2 * std::numbers::pi * i / corners;
+      const Vector2 at = middle + radius * Vector2(std::cos(angle), std::sin(angle));
+      way.emplace_back(at.x(), at.y(), world().terrain.elevation(at.x(), at.y()) + height);
+    }
+    return way;
+  };
+  std::vector<Way> rounds = {round(kSides, 0)};
+  for (int i = 0; vehicle().hovers && i < kWays; ++i)
+    rounds.push_back(round(2, std::numbers::pi * i / kWays));
+  std::erase_if(rounds,
+                [&](const Way& way) { return !std::all_of(way.begin(), way.end(), is_open); });
+  return rounds;
+}
+
+/// Nothing where there is no way to it.
+std::optional<Way> Refinery::again_and_again(const Vector3& from, const Way& round,
+                                             double seconds) {
   Way way = {from};
+  if (!closed().empty()) {
+    const auto air = airspace();
+    if (!air) return std::nullopt;
+    if ((*air)->is_free(from)) {
+      auto there = way_through(**air, from, round.front());
+      if (!there) return std::nullopt;
+      there->pop_back();
+      way = std::move(*there);
+    }
+  }
+  double about = 0;
+  for (std::size_t i = 0; i < round.size(); ++i)
+    about += (round[i] - round[(i + 1) % round.size()]).norm();
   const double length = seconds * vehicle().cruise_speed;
-  for (double flown = 0; flown < length && way.size() < kMostPoints;
-       flown += 2 * std::numbers::pi * radius)
+  for (double flown = 0; flown < length && way.size() < kMostPoints; flown += about)
     way.insert(way.end(), round.begin(), round.end());
   return way;
 }
 
 Answer<Motion> Refinery::patrol(const Vector3& from, const world::Zone& zone,
-                                const world::SensorModel& device, double seconds) const {
-  const auto width = footprint(device, from.z() - gazetteer_.ground(from));
+                                const world::SensorModel& device, double seconds) {
+  const double height = from.z() - gazetteer_.ground(from);
+  const auto width = footprint(device, height);
   if (!width) return no(width.error());
-  const Look look = look_of(device, from.z() - gazetteer_.ground(from), *width);
+  const Look look = look_of(device, height, *width);
   auto motion = patrolled(from, zone, look, *width, seconds);
-  // Ahead of it there may be nothing but what lies beyond a small zone: then over that.
-  if (motion || look.ahead <= 0) return motion;
-  return patrolled(from, zone, {0, *width}, *width, seconds);
+  const double approach = distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
+  const bool serves = motion && motion->times.expected <= kOutOfSight * (seconds + approach);
+  if (serves || look.ahead <= 0 || !device.gimballed) return motion;
+  // Ahead of it there is little but what lies beyond a small zone: its middle can be aimed at.
+  const Vector2 middle = middle_of(zone.polygon);
+  const double reach = std::sqrt(device.range * device.range - height * height);
+  auto aimed = patrolled(from, zone, {0, reach, middle}, *width, seconds);
+  if (!aimed || (motion && motion->times.expected <= aimed->times.expected)) return motion;
+  const Vector3 at(middle.x(), middle.y(), 0);
+  aimed->aim = Vector3(middle.x(), middle.y(), gazetteer_.ground(at));
+  return aimed;
 }
 
+/// Lanes; with more room where closed air has too little for its turns. Over a zone that is smaller
+/// than what it strays, and where lanes have no room: rounds.
 Answer<Motion> Refinery::patrolled(const Vector3& from, const world::Zone& zone, const Look& look,
-                                   double width, double seconds) const {
-  const world::World local = world_of(zone, from, width);
-  const double approach = distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
-  double duration = seconds + approach, longer = 1;
-  std::string why = "its time cannot be filled";
-  for (int i = 0; i < kLongerPatrols; ++i) {
+                                   double width, double seconds) {
+  auto lanes = in_lanes(from, zone, look, width, seconds, stray());
+  if (!lanes && !closed().empty()) {
+    auto roomy = in_lanes(from, zone, look, width, seconds, stray() + swing());
+    if (roomy) return roomy;
+  }
+  if (lanes) return lanes;
+  auto motion = in_rounds(from, zone, look, width, seconds);
+  return motion ? std::move(motion) : std::move(lanes);
+}
+
+Answer<Motion> Refinery::in_lanes(const Vector3& from, const world::Zone& zone, const Look& look,
+                                  double width, double seconds, double margin) const {
+  const world::World local = world_of(zone, from, width, margin);
+  const double in_sight =
+      seconds + distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
+  double duration = in_sight, longer = 1;
+  for (int i = 0; i < kLongerPatrols && duration <= kLongestPatrol * in_sight; ++i) {
     const auto way = planned_patrol(local, from, zone, width, duration);
-    if (!way) {
-      why = way.error();
-      break;
-    }
+    if (!way) return no(way.error());
     if (auto part = filled(*way, zone, look, seconds, longer)) {
-      if (!met(*part)) return flown(std::move(*part));
-      why = "closed air is too near for its turns";
-      break;
+      if (met(*part)) return no("closed air is too near for its turns");
+      return flown(std::move(*part));
     }
     duration *= std::clamp(1.05 * longer, 1.1, kLongest);
   }
-  // Over a zone that is smaller than what it strays: circles.
-  duration = seconds + approach;
-  for (int i = 0; i < kLongerPatrols; ++i, duration *= std::clamp(1.05 * longer, 1.1, kLongest)) {
-    const auto way = rounds(from, zone, width, duration);
-    if (!way) return no(why);
-    auto part = filled(*way, zone, look, seconds, longer);
-    if (part && !met(*part)) return flown(std::move(*part));
+  return no("its time cannot be filled");
+}
+
+Answer<Motion> Refinery::in_rounds(const Vector3& from, const world::Zone& zone, const Look& look,
+                                   double width, double seconds) {
+  const double approach = distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
+  for (const Way& round : rounds(from, zone, width)) {
+    double duration = seconds + approach, longer = 1;
+    for (int i = 0; i < kLongerPatrols; ++i, duration *= std::clamp(1.05 * longer, 1.1, kLongest)) {
+      const auto way = again_and_again(from, round, duration);
+      if (!way) break;
+      auto part = filled(*way, zone, look, seconds, longer);
+      if (!part) continue;
+      if (met(*part)) break;
+      return flown(std::move(*part));
+    }
   }
-  return no(why);
+  return no("there is no room for rounds over it");
 }
 
 /// Lanes as they are flown: by a vehicle that cannot hover from a place behind the first, which it
@@ -381,9 +441,10 @@ Way Refinery::lanes_flown(const refiners::Coverage& task, const world::World& wo
   return way;
 }
 
-Answer<Motion> Refinery::sweep(const Vector3& from, const world::Zone& zone,
-                               const world::SensorModel& device) const {
-  const world::World local = world_of(zone, from, 1e9);
+Answer<Refinery::Lanes> Refinery::best_sweep(const Vector3& from, const world::Zone& zone,
+                                             const world::SensorModel& device,
+                                             double margin) const {
+  const world::World local = world_of(zone, from, 1e9, margin);
   Lanes best;
   std::string why = "nothing of it would be seen";
   for (const double overlap : {1.0, 2.0, 3.0, 4.0}) {
@@ -396,8 +457,17 @@ Answer<Motion> Refinery::sweep(const Vector3& from, const world::Zone& zone,
     if (best.seen >= kSeenEnough) break;
   }
   if (best.way.empty()) return no(why);
-  if (met(best.way)) return no("closed air is too near for its turns");
-  return flown(std::move(best.way));
+  return best;
+}
+
+Answer<Motion> Refinery::sweep(const Vector3& from, const world::Zone& zone,
+                               const world::SensorModel& device) const {
+  auto lanes = best_sweep(from, zone, device, stray());
+  if (!lanes) return no(lanes.error());
+  if (!met(lanes->way)) return flown(std::move(lanes->way));
+  lanes = best_sweep(from, zone, device, stray() + swing());
+  if (lanes && lanes->seen >= kSeenEnough && !met(lanes->way)) return flown(std::move(lanes->way));
+  return no("closed air is too near for its turns");
 }
 
 }  // namespace skein::supervisor

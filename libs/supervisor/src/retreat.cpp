@@ -63,16 +63,18 @@ double Retreat::descent(const Vector3& from) const {
   return of_stay(landing_times(std::max(0.0, height), vehicle).expected);
 }
 
-/// Half the way round what is closed now or later and crosses the straight way, or leaves one that
-/// cannot hover no room for its turns there [m].
+/// Half the way round what is closed now or later and is nearer to the straight way than ways keep
+/// away from it, or leaves one that cannot hover no room for its turns there [m].
 double Retreat::detour(const Vector3& from, const Vector3& to) const {
   const world::VehicleModel& vehicle = knowledge_.vehicle;
   const double room = vehicle.hovers ? 0 : vehicle.orbit_radius + vehicle.min_turn_radius;
   const double circle = 2 * std::numbers::pi * room;
+  const double margin =
+      std::max(room + vehicle.body_radius, arrival_distance(vehicle, world_.wind));
   double length = 0;
   for (const world::Volume& volume : world_.volumes) {
     const bool counts = now_ < volume.when.until;
-    if (counts && crosses(volume, vehicle.body_radius + room, from, to))
+    if (counts && crosses(volume, margin, from, to))
       length += std::max(circle, border(volume.polygon) / 2);
   }
   return length;

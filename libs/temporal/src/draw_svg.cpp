@@ -53,7 +53,12 @@ class SvgPicture {
       : network_(network),
         options_(options),
         links_(drawn_links(network, options.conflict)),
-        nodes_(drawn_nodes(network, links_)) {}
+        nodes_(drawn_nodes(network, links_)) {
+    for (const DrawnLink& link : links_) {
+      if (link.from == link.to) loops_ += loop_text(link);
+    }
+    std::erase_if(links_, [](const DrawnLink& link) { return link.from == link.to; });
+  }
 
   Result<std::string, Failure> draw() {
     const std::optional<Layout> layout = lay_out(boxes(), edges(), kMostBends);
@@ -73,6 +78,12 @@ class SvgPicture {
   }
 
  private:
+  // A link from a node to itself has no place in layers: it is said below the picture.
+  std::string loop_text(const DrawnLink& link) const {
+    return "; not drawn: " + network_.nodes[link.from] + " to itself, " +
+           bounds_text(link.min, link.max);
+  }
+
   // The layout begins with its node 0: the origin and the first node change places.
   NodeIndex place_of(NodeIndex node) const {
     if (node == network_.origin) return 0;
@@ -211,7 +222,7 @@ class SvgPicture {
       sample(kContingentInk, " stroke-dasharray=\"7 4\"", "contingent");
     }
     if (!options_.conflict.empty()) sample(kConflictInk, "", "conflict");
-    text(x, y, options_.windows.empty() ? "seconds" : "seconds; earliest … latest date",
+    text(x, y, (options_.windows.empty() ? "seconds" : "seconds; earliest … latest date") + loops_,
          {kLabelSize, kQuietInk, "start", ""});
   }
 
@@ -219,6 +230,7 @@ class SvgPicture {
   const DrawingOptions& options_;
   std::vector<DrawnLink> links_;
   std::vector<DrawnNode> nodes_;
+  std::string loops_;  ///< links from a node to itself
   std::string svg_;
   double top_ = 0;
   double left_ = 0;

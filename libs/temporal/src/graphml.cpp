@@ -39,7 +39,9 @@ struct HalfLink {
 class GraphmlReader {
  public:
   explicit GraphmlReader(Problems& problems)
-      : problems_(problems), nodes_("node", problems), links_(nodes_, problems) {}
+      : problems_(problems),
+        nodes_("node", problems),
+        links_(nodes_, problems, LinkRules::kOthers) {}
 
   Stnu read(const XmlElement& root) {
     if (root.name != "graphml") {
@@ -78,16 +80,27 @@ class GraphmlReader {
   }
 
   // What a key means is its attr.name, or its id where there is none, as the CSTNU Tool writes it.
+  // A key is one of graphs, of nodes, of edges or of all of these: each may have the same id.
   void read_key(const XmlElement& key) {
     const std::string* id = required(key, "id");
     if (id == nullptr) return;
     const std::string* name = key.attribute("attr.name");
-    if (!meaning_of_.emplace(*id, name == nullptr ? *id : *name).second) {
-      problems_.add(key.place(), "key " + in_quotes(*id) + " is there twice");
+    const std::string* domain = key.attribute("for");
+    const KeyId key_id{domain == nullptr ? kAllDomains : *domain, *id};
+    if (!meaning_of_.emplace(key_id, name == nullptr ? *id : *name).second) {
+      problems_.add(key.place(), "key " + in_quotes(*id) + " is there twice for the same elements");
     }
     for (const XmlElement& child : key.children) {
       if (child.name != "default") unknown(child, {"default"});
     }
+  }
+
+  const std::string& meaning_of(const std::string& domain, const std::string& id) const {
+    for (const std::string& one : {domain, std::string(kAllDomains)}) {
+      const auto found = meaning_of_.find({one, id});
+      if (found != meaning_of_.end()) return found->second;
+    }
+    return id;
   }
 
   Data data_of(const XmlElement& element) {
@@ -96,8 +109,7 @@ class GraphmlReader {
       if (child.name != "data") continue;
       const std::string* key = required(child, "key");
       if (key == nullptr) continue;
-      const auto meaning = meaning_of_.find(*key);
-      const std::string& name = meaning == meaning_of_.end() ? *key : meaning->second;
+      const std::string& name = meaning_of(element.name, *key);
       if (!data.emplace(name, trimmed(child.text)).second) {
         problems_.add(child.place(), "data " + in_quotes(name) + " is there twice");
       }
@@ -282,7 +294,10 @@ class GraphmlReader {
                                                              "derived", "internal"};
 
   Problems& problems_;
-  std::map<std::string, std::string, std::less<>> meaning_of_;
+  using KeyId = std::pair<std::string, std::string>;  ///< what it is for, id
+  static constexpr const char* kAllDomains = "all";
+
+  std::map<KeyId, std::string> meaning_of_;
   NameTable nodes_;
   LinkTable links_;
   std::vector<Edge> edges_;
@@ -291,8 +306,8 @@ class GraphmlReader {
 
 }  // namespace
 
-Stnu read_graphml(std::string_view text, Problems& problems) {
-  const std::optional<XmlElement> root = parse_xml(text, problems);
+Stnu read_graphml(std::string_view text, Problems& problems, XmlEncoding encoding) {
+  const std::optional<XmlElement> root = parse_xml(text, problems, encoding);
   return root ? GraphmlReader(problems).read(*root) : Stnu{};
 }
 

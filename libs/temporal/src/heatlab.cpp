@@ -114,7 +114,7 @@ std::string constraint_text(const Arc& arc, const char* type,
 
 Stnu read_heatlab(const JsonNode& root, Problems& problems) {
   NameTable nodes("node", problems);
-  LinkTable links(nodes, problems);
+  LinkTable links(nodes, problems, LinkRules::kOthers);
   std::vector<std::pair<JsonNode, std::string>> declared;
   if (const std::optional<JsonNode> list = root.find("nodes")) {
     for (const JsonNode& one : list->items()) {

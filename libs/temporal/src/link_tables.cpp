@@ -5,6 +5,7 @@
 #include <map>
 
 #include "seconds_text.hpp"
+#include "skein/temporal/network_text.hpp"
 
 namespace skein::temporal {
 
@@ -59,7 +60,17 @@ bool LinkTable::joins_two_nodes(NodeIndex from, NodeIndex to, const Place& place
   return from != to;
 }
 
+// min <= 0 <= max holds always.
+void LinkTable::add_loop(const Arc& arc, const Place& place) {
+  if (arc.min <= 0 && arc.max >= 0) {
+    return problems_.warn(
+        place, "a link from " + in_quotes(nodes_.names()[arc.from]) + " to itself says nothing");
+  }
+  arcs_.push_back(arc);
+}
+
 void LinkTable::add(const Arc& arc, const Place& place) {
+  if (arc.from == arc.to && rules_ == LinkRules::kOthers) return add_loop(arc, place);
   if (!joins_two_nodes(arc.from, arc.to, place)) return;
   if (arc.min > arc.max) {
     problems_.add(place,
@@ -73,6 +84,19 @@ void LinkTable::add(const Arc& arc, const Place& place) {
 
 void LinkTable::add(const ContingentLink& link, const Place& place) {
   if (!joins_two_nodes(link.activation, link.contingent, place)) return;
+  ContingentLink taken = link;
+  const bool fixed = link.min == link.max;
+  if (rules_ == LinkRules::kOthers && link.min <= 0 && (fixed || link.max > 0)) {
+    problems_.warn(place, "the contingent min " + bound_text(link.min) + " is not positive; " +
+                              (fixed ? "the link is a requirement"
+                                     : "it is read as one nanosecond: the end may come at once"));
+    if (fixed) return add_fixed(link, place);
+    taken.min = 1;
+  }
+  add_contingent(taken, place);
+}
+
+void LinkTable::add_contingent(const ContingentLink& link, const Place& place) {
   if (link.min <= 0) {
     problems_.add(place, "the contingent min " + bound_text(link.min) + " is not positive");
   }
@@ -107,8 +131,9 @@ std::vector<Arc> arcs_from(const std::vector<Edge>& edges, const NameTable& node
   std::unordered_set<std::uint64_t> seen;
   for (const Edge& edge : edges) {
     const auto name = [&](NodeIndex node) { return in_quotes(nodes.names()[node]); };
-    if (edge.source == edge.target) {
-      problems.add(edge.place, "an edge from " + name(edge.source) + " to itself");
+    if (edge.source == edge.target && edge.weight >= 0) {
+      problems.warn(edge.place,
+                    "an edge from " + name(edge.source) + " to itself that says nothing");
       continue;
     }
     if (!seen.insert(pair_key(edge.source, edge.target)).second) {
@@ -177,6 +202,35 @@ void choose_origin(Stnu& network, const std::string& name) {
   network.nodes.push_back(name);
   for (NodeIndex node = 0; node < network.origin; ++node) {
     if (!follows[node]) network.arcs.push_back({network.origin, node, 0, kInfinite});
+  }
+}
+
+void put_origin_first(Stnu& network) {
+  const NodeIndex origin = network.origin;
+  std::unordered_map<NodeIndex, std::size_t> from_origin;
+  std::unordered_map<NodeIndex, std::size_t> to_origin;
+  for (std::size_t i = 0; i < network.arcs.size(); ++i) {
+    const Arc& arc = network.arcs[i];
+    if (arc.from == origin) from_origin.emplace(arc.to, i);
+    if (arc.to == origin) to_origin.emplace(arc.from, i);
+  }
+  for (NodeIndex node = 0; node < network.nodes.size(); ++node) {
+    if (node == origin) continue;
+    const auto out = from_origin.find(node);
+    const auto in = to_origin.find(node);
+    const bool is_out = out != from_origin.end();
+    const bool is_in = in != to_origin.end();
+    if (is_out && network.arcs[out->second].max >= 0) {
+      Ticks& min = network.arcs[out->second].min;
+      min = std::max<Ticks>(min, 0);
+    } else if (is_in && network.arcs[in->second].min <= 0) {
+      Ticks& max = network.arcs[in->second].max;
+      max = std::min<Ticks>(max, 0);
+    } else if (is_out) {
+      network.arcs.push_back({node, origin, kMinusInfinite, 0});
+    } else {
+      network.arcs.push_back({origin, node, 0, kInfinite});
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 // What every reader checks of nodes, arcs and contingent links, whatever the format.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,11 +38,22 @@ class NameTable {
   std::unordered_map<std::string, std::uint32_t> positions_;
 };
 
+/// Ours are strict. In those of others a link from a node to itself is a constraint like any other,
+/// and a contingent min may be 0 or less.
+enum class LinkRules : std::uint8_t { kOurs, kOthers };
+
 /// Arcs and contingent links that are right: known nodes, min <= max, none from a node to itself,
 /// none twice; durations with 0 < min < max < ∞ (min = max makes an arc), at most one into a node.
+///
+/// Of files of others: a link from a node to itself that holds says nothing and is left out with a
+/// warning, one that does not hold is kept; a contingent min that is not positive means that the
+/// end may come at once: it becomes the least duration there is, one nanosecond, with a warning.
+/// (Bounds in steps coarser than the number of such links, in nanoseconds, give the same verdicts
+/// as 0.)
 class LinkTable {
  public:
-  LinkTable(const NameTable& nodes, Problems& problems) : nodes_(nodes), problems_(problems) {}
+  LinkTable(const NameTable& nodes, Problems& problems, LinkRules rules = LinkRules::kOurs)
+      : nodes_(nodes), problems_(problems), rules_(rules) {}
 
   void add(const Arc& arc, const Place& place);
   void add(const ContingentLink& link, const Place& place);
@@ -54,10 +66,13 @@ class LinkTable {
  private:
   void add_fixed(const ContingentLink& link, const Place& place);
   bool joins_two_nodes(NodeIndex from, NodeIndex to, const Place& place);
+  void add_loop(const Arc& arc, const Place& place);
+  void add_contingent(const ContingentLink& link, const Place& place);
   std::string between(NodeIndex from, NodeIndex to) const;
 
   const NameTable& nodes_;
   Problems& problems_;
+  LinkRules rules_;
   std::optional<NodeIndex> origin_;
   std::vector<Arc> arcs_;
   std::vector<ContingentLink> contingent_;
@@ -75,7 +90,8 @@ struct Edge {
 
 /// Edges as arcs, an edge and its opposite as one, in the order in which they first come; a pair
 /// whose interval would be empty stays two arcs: the network is read, and is inconsistent. Edges
-/// from a node to itself and edges given twice are problems.
+/// given twice are problems. An edge from a node to itself of negative weight is kept as an arc
+/// that nothing keeps; any other says nothing and is left out with a warning.
 std::vector<Arc> arcs_from(const std::vector<Edge>& edges, const NameTable& nodes,
                            Problems& problems);
 

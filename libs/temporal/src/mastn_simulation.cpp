@@ -226,6 +226,7 @@ Ticks MastnSimulation::latest(NodeIndex node) const {
 }
 
 std::optional<bool> MastnSimulation::consistent() const {
+  if (agents_.empty()) return true;  // v0 alone
   std::optional<bool> common;
   for (const std::unique_ptr<Agent>& agent : agents_) {
     const std::optional<bool> own = agent->verdict().consistent;

@@ -38,7 +38,7 @@ NodeIndex origin_from(const JsonNode& root, const NameTable& nodes, Problems& pr
 
 Stnu read_own_json(const JsonNode& root, Problems& problems) {
   Stnu network;
-  root.is_object_of({"origin", "nodes", "arcs", "contingent"});
+  root.is_object_of({"origin", "nodes", "arcs", "contingent", "agents"});
   NameTable nodes = names_from(root, problems);
   network.origin = origin_from(root, nodes, problems);
   LinkTable links(nodes, problems);

@@ -41,7 +41,9 @@ std::string header_of(std::string_view line) {
 class PlainReader {
  public:
   explicit PlainReader(Problems& problems)
-      : problems_(problems), nodes_("node", problems), links_(nodes_, problems) {}
+      : problems_(problems),
+        nodes_("node", problems),
+        links_(nodes_, problems, LinkRules::kOthers) {}
 
   Stnu read(std::string_view text) {
     while (!text.empty() && !problems_.full()) {

@@ -62,6 +62,13 @@ void Problems::add(const Place& place, std::string message, std::string expected
               std::move(nearest)});
 }
 
+void Problems::warn(const Place& place, std::string message) {
+  if (warnings_.size() > kMost) return;
+  if (warnings_.size() == kMost) message = "more warnings, not shown";
+  warnings_.add(
+      {file_, place.line, place.column, place.path, "warning: " + std::move(message), "", ""});
+}
+
 void Problems::add_unknown(const Place& place, std::string_view kind, std::string_view name,
                            const std::vector<std::string>& candidates) {
   std::string nearest;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The errors of one reading as they are found: bounded in number, printable whatever the input.
+// The errors and warnings of one reading as they are found: bounded in number, printable whatever
+// the input.
 #pragma once
 
 #include <string>
@@ -31,14 +32,19 @@ class Problems {
   void add_unknown(const Place& place, std::string_view kind, std::string_view name,
                    const std::vector<std::string>& candidates);
 
+  /// What is read all the same, but otherwise than it may be meant. As many as errors.
+  void warn(const Place& place, std::string message);
+
   bool none() const { return found_.empty(); }
   /// There is no use in reading on.
   bool full() const { return full_; }
   Diagnostics take() { return std::move(found_); }
+  Diagnostics take_warnings() { return std::move(warnings_); }
 
  private:
   std::string file_;
   Diagnostics found_;
+  Diagnostics warnings_;
   std::size_t searches_ = 0;
   bool full_ = false;
 };

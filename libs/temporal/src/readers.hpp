@@ -8,19 +8,22 @@
 #include "json_document.hpp"
 #include "problems.hpp"
 #include "skein/foundation/result.hpp"
+#include "skein/temporal/dispatchable_network.hpp"
 #include "skein/temporal/network.hpp"
+#include "xml_document.hpp"
 
 namespace skein::temporal {
 
 Stnu read_own_json(const JsonNode& root, Problems& problems);
 Stnu read_heatlab(const JsonNode& root, Problems& problems);
 Mastn read_mastn_json(const JsonNode& root, Problems& problems);
-Stnu read_graphml(std::string_view text, Problems& problems);
+Stnu read_graphml(std::string_view text, Problems& problems, XmlEncoding encoding);
 Stnu read_plain(std::string_view text, Problems& problems);
 
 std::string write_own_json(const Stnu& network);
 Result<std::string, Failure> write_heatlab(const Stnu& network);
 Result<std::string, Failure> write_graphml(const Stnu& network);
+Result<std::string, Failure> write_graphml(const DispatchableNetwork& network);
 Result<std::string, Failure> write_plain(const Stnu& network);
 
 /// Text for an XML attribute or element.

@@ -88,9 +88,10 @@ const std::string* XmlElement::attribute(std::string_view attribute_name) const 
   return found == attributes.end() ? nullptr : &found->second;
 }
 
-std::optional<XmlElement> parse_xml(std::string_view text, Problems& problems) {
+std::optional<XmlElement> parse_xml(std::string_view text, Problems& problems,
+                                    XmlEncoding encoding) {
   const std::unique_ptr<std::remove_pointer_t<XML_Parser>, decltype(&XML_ParserFree)> parser(
-      XML_ParserCreate(nullptr), &XML_ParserFree);
+      XML_ParserCreate(encoding == XmlEncoding::kUtf8 ? "UTF-8" : nullptr), &XML_ParserFree);
   if (!parser) {
     problems.add({}, "no memory for reading XML");
     return std::nullopt;

@@ -25,8 +25,12 @@ struct XmlElement {
   Place place() const { return {line, column, ""}; }
 };
 
+/// Whether the text is in the encoding that it declares, or in UTF-8 whatever it declares.
+enum class XmlEncoding { kDeclared, kUtf8 };
+
 /// The root; nothing, and problems, when the text is not well formed, has a document type, nests
 /// more than 16 deep or has more than a million elements.
-std::optional<XmlElement> parse_xml(std::string_view text, Problems& problems);
+std::optional<XmlElement> parse_xml(std::string_view text, Problems& problems,
+                                    XmlEncoding encoding = XmlEncoding::kDeclared);
 
 }  // namespace skein::temporal

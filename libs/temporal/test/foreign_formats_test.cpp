@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "diagnostics_text.hpp"
+#include "skein/temporal/drawing.hpp"
+#include "skein/temporal/incremental_controllability.hpp"
 #include "skein/temporal/network_text.hpp"
+#include "skein/temporal/stn_solution.hpp"
+#include "skein/temporal/stnu_controllability.hpp"
 
 namespace skein::temporal {
 namespace {
@@ -127,7 +131,6 @@ TEST(Graphml, NamesEachErrorOfAContingentLink) {
 
   EXPECT_EQ(pair("3", "-1"), "");
   EXPECT_THAT(pair("1", "-3"), HasSubstr("min 3 is greater than max 1"));
-  EXPECT_THAT(pair("3", "0"), HasSubstr("min 0 is not positive"));
   EXPECT_THAT(pair("3", "1"), HasSubstr("without a positive shortest and longest"));
   EXPECT_THAT(pair("-3", "-1"), HasSubstr("without a positive shortest and longest"));
   EXPECT_THAT(errors(graphml(edge("A", "C", "contingent", "Value", "3"))),
@@ -151,7 +154,6 @@ TEST(Graphml, NamesEachErrorOfAnEdge) {
   EXPECT_THAT(errors(graphml(edge("A", "C", "normal", "Value", "1e10"))), HasSubstr("overflows"));
   EXPECT_THAT(errors(graphml(edge("A", "C", "normal", "Vlue", "3"))),
               HasSubstr("an edge without a value"));
-  EXPECT_THAT(errors(graphml(edge("A", "A", "normal", "Value", "3"))), HasSubstr("to itself"));
   EXPECT_THAT(errors(graphml(edge("A", "C", "normal", "Value", "3") +
                              edge("A", "C", "normal", "Value", "4"))),
               HasSubstr("7:1: the edge from 'A' to 'C' is there twice"));
@@ -189,6 +191,138 @@ TEST(Graphml, BoundsItsNesting) {
   for (int i = 0; i < 20; ++i) deep += "<graphml>";
 
   EXPECT_THAT(errors(deep), HasSubstr("nested more than 16 deep"));
+}
+
+TEST(Graphml, AKeyMayBeDeclaredOnceForEachKindOfElement) {
+  const auto with = [](const char* second) {
+    return "<graphml><key id='d0' for='node' attr.name='colour'/><key id='d0' for='" +
+           std::string(second) +
+           "' attr.name='Value'/><graph><node id='Z'><data key='d0'>red</data></node><node id='A'/>"
+           "<edge source='Z' target='A'><data key='d0'>7</data></edge></graph></graphml>";
+  };
+
+  EXPECT_THAT(read(with("edge")).arcs, ElementsAre(Arc{0, 1, kMinusInfinite, 7 * kSecond}));
+  EXPECT_THAT(read(with("all")).arcs, ElementsAre(Arc{0, 1, kMinusInfinite, 7 * kSecond}));
+  EXPECT_THAT(errors(with("node")), HasSubstr("key 'd0' is there twice for the same elements"));
+}
+
+// What the reader of the CSTNU Tool asks of a file: it takes the functions of the declared keys
+// without looking whether they are there, and each node's x and y as numbers.
+TEST(Graphml, WritesTheKeysThatTheCstnuToolReads) {
+  const Stnu network{{"Z", "a", "b"}, 0, {{0, 1, 0, 9}}, {{1, 2, 5, 7}}};
+
+  const std::string text = write_network(network, Format::kGraphml).value();
+
+  for (const char* key : {"x", "y", "Obs", "Label"}) {
+    EXPECT_THAT(text, HasSubstr("<key id=\"" + std::string(key) + "\" for=\"node\"><default>"));
+  }
+  for (const char* key : {"Type", "Value"}) {
+    EXPECT_THAT(text, HasSubstr("<key id=\"" + std::string(key) + "\" for=\"edge\"><default>"));
+  }
+  EXPECT_THAT(text, HasSubstr(R"(<node id="b"><data key="x">270</data><data key="y">90</data>)"));
+}
+
+// --- what files of others may say and ours may not
+// ------------------------------------------------
+
+std::string plain(const std::string& rest) { return "# Time-Point Names\nZ A C\n" + rest; }
+
+std::string warnings(const std::string& text) {
+  const Result<ReadNetwork, Diagnostics> result = read_network(text, "f");
+  EXPECT_EQ(errors_of(result), "");
+  return result ? to_text(result->warnings) : "";
+}
+
+std::vector<std::string> with_loop(const std::string& weight, const std::string& stc) {
+  return {graphml(edge("A", "A", "normal", "Value", weight)),
+          plain("# Ordinary Edges\nA " + weight + " A\n"),
+          R"({"constraints":[{"first_node":1,"second_node":1,"type":"stc",)" + stc + "}]}"};
+}
+
+TEST(FilesOfOthers, ALinkFromANodeToItselfThatHoldsIsLeftOutWithAWarning) {
+  for (const std::string& text : with_loop("3", R"("min_duration":-1,"max_duration":3)")) {
+    const std::vector<Arc> arcs = read(text).arcs;
+    EXPECT_TRUE(
+        std::none_of(arcs.begin(), arcs.end(), [](const Arc& arc) { return arc.from == arc.to; }));
+    EXPECT_THAT(warnings(text), HasSubstr("warning: a")) << text;
+    EXPECT_THAT(warnings(text), HasSubstr("to itself")) << text;
+  }
+}
+
+TEST(FilesOfOthers, ALinkFromANodeToItselfThatDoesNotHoldMakesTheNetworkInconsistent) {
+  for (const std::string& text : with_loop("-3", R"("min_duration":"-inf","max_duration":-3)")) {
+    const Stnu network = read(text);
+
+    EXPECT_FALSE(solve_stn(without_uncertainty(network))->consistent);
+    const auto verdict = check_dynamic_controllability(network);
+    EXPECT_FALSE(verdict->consistent);
+    EXPECT_EQ(verdict->conflict.size(), 1U);
+    EXPECT_EQ(make_dispatchable(network).error().fault, StnuFault::kNotControllable);
+    EXPECT_FALSE(IncrementalDc::create(network)->result().controllable);
+    EXPECT_THAT(draw_svg(network, {}).value(), HasSubstr("to itself, ≤ -3"));
+    for (const Format format : {Format::kGraphml, Format::kPlain, Format::kHeatlab}) {
+      EXPECT_FALSE(
+          solve_stn(without_uncertainty(read(*write_network(network, format))))->consistent);
+    }
+    EXPECT_THAT(write_network(network, Format::kJson).error().why, HasSubstr("to itself"));
+  }
+}
+
+TEST(FilesOfOthers, AContingentMinThatIsNotPositiveIsTheLeastDurationThereIs) {
+  for (const std::string& text :
+       {graphml(edge("A", "C", "contingent", "Value", "3") +
+                edge("C", "A", "contingent", "Value", "0")),
+        graphml(edge("A", "C", "contingent", "LabeledValue", "LC(C):-2") +
+                edge("C", "A", "contingent", "LabeledValue", "UC(C):-3")),
+        plain("# Contingent Links\nA 0 3 C\n"),
+        std::string(R"({"constraints":[{"first_node":1,"second_node":2,"type":"stcu",
+                        "min_duration":0,"max_duration":3}]})")}) {
+    const Stnu network = read(text);
+
+    ASSERT_EQ(network.contingent.size(), 1U) << text;
+    EXPECT_EQ(network.contingent[0].min, 1);
+    EXPECT_EQ(network.contingent[0].max, 3 * kSecond);
+    EXPECT_THAT(warnings(text), HasSubstr("is not positive; it is read as one nanosecond"));
+  }
+}
+
+// The end may come at once: what must not come before it may not come before its activation
+// either, and what must come before it has no time at all.
+TEST(FilesOfOthers, AnEndThatMayComeAtOnceGivesTheVerdictsOfZero) {
+  const auto controllable = [](const std::string& edges) {
+    return check_dynamic_controllability(
+               read(plain("# Ordinary Edges\n" + edges + "# Contingent Links\nA 0 3 C\n")))
+        ->controllable;
+  };
+
+  EXPECT_TRUE(controllable("C 0 Z\nZ 3 C\n")) << "if A is at Z";
+  EXPECT_TRUE(controllable("Z 0 A\nA 0 Z\nZ 3 C\n")) << "from 0 to 3 after Z";
+  EXPECT_FALSE(controllable("Z 0 A\nA 0 Z\nC -1 Z\n")) << "1 after Z at the earliest";
+}
+
+TEST(FilesOfOthers, AFixedDurationThatIsNotPositiveIsARequirement) {
+  const Stnu network = read(plain("# Contingent Links\nA 0 0 C\n"));
+
+  EXPECT_TRUE(network.contingent.empty());
+  EXPECT_THAT(network.arcs, testing::Contains(Arc{1, 2, 0, 0}));
+}
+
+TEST(PutOriginFirst, LetsNoNodeComeBeforeTheOrigin) {
+  Stnu network{{"a", "Z", "b", "c", "d", "e"},
+               1,
+               {{1, 0, -5, 7}, {2, 1, -3, 4}, {1, 3, -9, -2}, {0, 4, 1, 2}},
+               {{4, 5, 1, 3}}};
+
+  put_origin_first(network);
+
+  const auto solution = solve_stn(without_uncertainty(network));
+  EXPECT_FALSE(solution->consistent) << "c is 2 before Z";
+  network.arcs[2].min = network.arcs[2].max = 3;
+  const StnSolution mended = solve_stn(without_uncertainty(network)).value();
+  ASSERT_TRUE(mended.consistent);
+  for (const DateWindow& window : mended.windows) EXPECT_GE(window.earliest, 0);
+  EXPECT_EQ(network.arcs[0], (Arc{1, 0, 0, 7}));
+  EXPECT_EQ(network.arcs[1], (Arc{2, 1, -3, 0}));
 }
 
 // --- plain text ----------------------------------------------------------------------------------
@@ -238,7 +372,7 @@ TEST(PlainText, NamesEachErrorWithItsPlace) {
               HasSubstr("a quote that does not end"));
   EXPECT_THAT(errors(nodes + "# Ordinry Edges\n'Z' 1 'A'\n"),
               HasSubstr("unknown section 'ordinry edges'; did you mean 'ordinary edges'?"));
-  EXPECT_THAT(errors(nodes + "# Contingent Links\n'A' 0 1 'C'\n"), HasSubstr("not positive"));
+  EXPECT_THAT(errors(nodes + "# Contingent Links\n'A' -2 -1 'C'\n"), HasSubstr("not positive"));
   EXPECT_THAT(errors(nodes + "# Contingent Links\n'A' 1 2 'Z'\n"), HasSubstr("ends in the origin"));
   EXPECT_THAT(errors("# Num Time-Points\n2\n" + nodes),
               HasSubstr("2 time-points announced, 3 found"));
@@ -292,7 +426,7 @@ TEST(Heatlab, NamesEachError) {
   EXPECT_THAT(errors(heatlab(constraint("pstc", "0", "1"))),
               HasSubstr("unknown type 'pstc'; expected \"stc\" or \"stcu\""));
   EXPECT_THAT(errors(heatlab(constraint("stc", "2", "1"))), HasSubstr("greater than max"));
-  EXPECT_THAT(errors(heatlab(constraint("stcu", "0", "1"))), HasSubstr("not positive"));
+  EXPECT_THAT(errors(heatlab(constraint("stcu", "-2", "-1"))), HasSubstr("not positive"));
   EXPECT_THAT(errors(heatlab(constraint("stcu", "1", R"("inf")"))), HasSubstr("max is infinite"));
   EXPECT_THAT(errors(heatlab(constraint("stc", R"("inf")", R"("inf")"))),
               HasSubstr("no duration satisfies this bound"));

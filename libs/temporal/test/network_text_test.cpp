@@ -38,6 +38,18 @@ std::string link(const std::string& from, const std::string& to, const std::stri
          "}";
 }
 
+TEST(ReadNetwork, TakesAnEmptyListOfAgentsForANetworkOfNobody) {
+  const auto own = read_network(
+      R"({"agents":[],"nodes":["v0","a"],"arcs":[{"from":"v0","to":"a","min":1,"max":2}]})");
+  const auto mastn = read_network(R"({"agents":[],"nodes":[],"arcs":[]})");
+
+  ASSERT_EQ(errors_of(own), "");
+  EXPECT_EQ(own->format, Format::kJson);
+  EXPECT_EQ(own->network.arcs.size(), 1U);
+  ASSERT_EQ(errors_of(mastn), "");
+  EXPECT_EQ(mastn->format, Format::kMastn);
+}
+
 TEST(ReadNetwork, ReadsOurOwnFormat) {
   const Result<ReadNetwork, Diagnostics> read = read_network(kSmall);
 

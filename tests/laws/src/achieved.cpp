@@ -219,10 +219,11 @@ std::optional<std::string> not_as_said(const History& history, const Uav& uav, c
     const auto sample = uav.at(std::min(t, history.end));
     if (!sample || sample->airborne == takeoff) return std::nullopt;
   }
-  // It may fly on at once, before the next sample: the simulator's word for the task counts.
-  for (const Activity* one : uav.activities_of(goal.id)) {
-    const bool did = one->type == (takeoff ? "takeoff" : "land") && one->end == "ended";
-    if (did && std::abs(one->until - at) <= kMoment) return std::nullopt;
+  // It may fly on at once, before the next sample: the simulator's word for the task counts, of
+  // whichever goal it was (a second landing has no task of its own).
+  for (const Activity& one : uav.activities) {
+    const bool did = one.type == (takeoff ? "takeoff" : "land") && one.end == "ended";
+    if (did && std::abs(one.until - at) <= kMoment) return std::nullopt;
   }
   return takeoff ? "it stands on the ground" : "it is in the air";
 }

@@ -37,9 +37,10 @@ std::optional<world::View> view_at(const Uav& uav, const Activity& look, double 
   const world::SensorModel* sensor = world::find_sensor(uav.spec->model, look.device);
   const auto sample = uav.at(t);
   if (sensor == nullptr || !sample || !sample->airborne) return std::nullopt;
-  return world::View{sample->position,
-                     world::direction_of(sample->heading, sensor->boresight_pitch), sensor->range,
-                     sensor->aperture};
+  const world::Vector3 axis = sensor->gimballed && look.target
+                                  ? world::Vector3((*look.target - sample->position).normalized())
+                                  : world::direction_of(sample->heading, sensor->boresight_pitch);
+  return world::View{sample->position, axis, sensor->range, sensor->aperture};
 }
 
 template <class See>

@@ -52,7 +52,8 @@ std::vector<const Execution*> synchronisations(const Uav& uav, std::int64_t goal
   return result;
 }
 
-// The first of its synchronisations that ended, or else any time it was in one.
+// At some time: one that was interrupted after the partner was there counts, since what the partner
+// then says, that it has synchronised, counts for ever.
 bool together(const Uav& uav, const Goal& goal, const Uav& other, double id) {
   constexpr double kMoment = 2;  // [s] radio and telling
   for (const auto& [theirs, their_goal] : other.goals) {
@@ -60,8 +61,7 @@ bool together(const Uav& uav, const Goal& goal, const Uav& other, double id) {
     if (!meeting || meeting->id != id) continue;
     for (const Execution* a : synchronisations(uav, goal.id)) {
       for (const Execution* b : synchronisations(other, theirs)) {
-        if (a->state == "ended" && a->started <= b->over + kMoment &&
-            b->started <= a->over + kMoment) {
+        if (a->started <= b->over + kMoment && b->started <= a->over + kMoment) {
           return true;
         }
       }

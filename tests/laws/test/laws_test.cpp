@@ -147,6 +147,16 @@ TEST(Reached, ALandingFromWhichItFliesOnAtOnceWasOneAllTheSame) {
   EXPECT_THAT(landed_at(40), ElementsAre(HasSubstr("it is in the air")));
 }
 
+TEST(Reached, ASecondLandingIsTrueByTheFirstWhateverComesNext) {
+  Story story;
+  story.flies("marvin", 0, 100, kOver, kOver);
+  story.goal("marvin", 703, "general-land", "received", 1);
+  story.does("marvin", {100, "land", 702, 30, 50});
+  story.goal("marvin", 703, "general-land", "achieved", 50);
+
+  EXPECT_THAT(story.broken("reached"), IsEmpty());
+}
+
 TEST(Reached, ATourHasBeenAtAllItsPlaces) {
   Story story;
   story.flies("marvin", 0, 30, kOver, kA1).flies("marvin", 31, 100, kA1, kOver);
@@ -189,6 +199,20 @@ TEST(Detected, OnlyLooksAtTheZoneCount) {
   EXPECT_THAT(detection(kFar, 100), ElementsAre(HasSubstr("for 0.0 of 100.0 s")));
 }
 
+TEST(Detected, AHeadIsAimedAtWhatItIsTold) {
+  const auto detection = [](const std::vector<double>& target) {
+    Story story;
+    story.flies("marvin", 0, 400, {300, 60, 40}, {301, 60, 40});
+    story.goal("marvin", 701, "perform-detection Z P1 100", "received", 1);
+    story.does("marvin", {100, "takeshot", 701, 10, 110, "aborted", "visible", target});
+    story.goal("marvin", 701, "perform-detection Z P1 100", "achieved", 110);
+    return story.broken("detected");
+  };
+
+  EXPECT_THAT(detection({150, 60, 0}), IsEmpty());
+  EXPECT_THAT(detection({}), ElementsAre(HasSubstr("for 0.0 of 100.0 s")));
+}
+
 TEST(Mapped, TheZoneWasInTheSensorsView) {
   const auto mapping = [](double last_x) {
     Story story;
@@ -223,6 +247,19 @@ TEST(Synchronised, BothWereInItAtOneTime) {
 TEST(Synchronised, NotWithAPartnerWhoGaveUpBefore) {
   EXPECT_THAT(meeting(10, 60, "aborted").broken("synchronised"),
               ElementsAre(HasSubstr("heliv was never")));
+}
+
+TEST(Synchronised, AMeetingThatWasInterruptedWasOneAllTheSame) {
+  const auto heard_later = [](double other_from) {
+    Story story = meeting(other_from, 400, "ended");
+    story.goal("marvin", 701, "wait-until-synchro 500 (heliv marvin) (heliv marvin)", "received",
+               1);
+    story.does("marvin", {101, "synchronise", 701, 100, 110, "aborted"});
+    return story.broken("synchronised");
+  };
+
+  EXPECT_THAT(heard_later(105), IsEmpty());
+  EXPECT_THAT(heard_later(390), SizeIs(1));
 }
 
 TEST(PartnersApart, PartnersAreNotSentToOnePoint) {
@@ -383,6 +420,19 @@ TEST(Feasible, WhereNothingGoesWrongNothingFails) {
       .goal("marvin", 701, "perceive P1 60", "failed", 2, "no");
 
   EXPECT_THAT(story.broken("feasible"), SizeIs(1));
+}
+
+TEST(Feasible, OrdersThatNeverComeAreNotWaitedForUntilItFalls) {
+  const auto fails = [](const std::string& statement, const std::string& why) {
+    Story story;
+    story.goal("marvin", 701, statement, "received", 1)
+        .goal("marvin", 701, statement, "failed", 3000, why);
+    return story.broken("feasible");
+  };
+
+  EXPECT_THAT(fails("wait-for-orders", "energy short; goal 701 waits no longer"), IsEmpty());
+  EXPECT_THAT(fails("wait-for-orders", "no"), SizeIs(1));
+  EXPECT_THAT(fails("general-wait 60", "energy short; goal 701 waits no longer"), SizeIs(1));
 }
 
 // ---- safety ----

@@ -25,6 +25,7 @@ class Range {
   Flown fly(const std::string& type, world::Parameters parameters, double patience) {
     const std::uint64_t id = ++last_;
     track_ = {position()};
+    headings_ = {heading()};
     const MissionTime began = now_;
     const sim::FunctionalRequest request{"uav", sim::RequestVerb::kDispatch, id, type,
                                          std::move(parameters)};
@@ -40,13 +41,16 @@ class Range {
       now_ = now_ + Duration::milliseconds(100);
       effects = simulator_.handle(sim::Tick{}, now_);
       track_.push_back(position());
+      headings_.push_back(heading());
     }
     return {-1, "not ended in " + std::to_string(patience) + " s"};
   }
 
   /// Where it was every tenth of a second of the last task.
   const std::vector<world::Vector3>& track() const { return track_; }
+  const std::vector<double>& headings() const { return headings_; }
   world::Vector3 position() const { return simulator_.find_vehicle("uav")->position; }
+  double heading() const { return simulator_.find_vehicle("uav")->heading; }
 
  private:
   static sim::SimulatorConfig config(const world::World& world, const world::VehicleModel& model,
@@ -62,6 +66,7 @@ class Range {
   sim::Simulator simulator_;
   MissionTime now_;
   std::vector<world::Vector3> track_;
+  std::vector<double> headings_;
   std::uint64_t last_ = 0;
 };
 

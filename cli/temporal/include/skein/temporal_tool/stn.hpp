@@ -7,6 +7,8 @@
 #include <iosfwd>
 #include <string>
 
+#include "skein/temporal/stnu_generator.hpp"
+
 namespace skein::temporal_tool {
 
 /// What all sub-commands have in common. Source: spec 5.5.
@@ -14,6 +16,7 @@ struct StnOptions {
   std::string file;             ///< empty or "-": standard input
   bool json = false;            ///< one JSON object instead of text for people
   bool colour = false;          ///< in the text for people
+  bool z_first = false;         ///< no node comes before the origin, as the CSTNU Tool takes it
   std::function<double()> now;  ///< [s], for how long a check takes; absent: 0
 };
 
@@ -43,6 +46,36 @@ struct StnConvertOptions {
   std::string output;  ///< file; empty: standard output
 };
 
+/// A random plan. Source: the family of STNUBenchmark2020.
+struct StnGenerateOptions {
+  temporal::StnuGeneratorOptions shape;
+  std::uint64_t seed = 1;
+  std::string to = "json";  ///< name of a format
+  std::string output;       ///< file; empty: standard output
+};
+
+struct StnDispatchableOptions {
+  StnOptions common;
+  std::string to = "json";  ///< json or graphml
+  std::string output;       ///< file; empty: standard output
+};
+
+enum class StnQuestion : std::uint8_t { kConsistent, kControllable };
+
+/// One question about every file of a folder.
+struct StnBatchOptions {
+  StnOptions common;  ///< `file` is not used
+  std::string folder;
+  StnQuestion question = StnQuestion::kConsistent;
+};
+
+/// Changes of bounds, one after the other, of a network that is kept checked.
+struct StnChangesOptions {
+  StnOptions common;
+  std::string changes;   ///< file
+  bool compare = false;  ///< also check each network from scratch, and compare
+};
+
 // The formats are told from the content (docs/temporal.md). All return 0: done, and consistent,
 // controllable or all requirements kept, where that is asked; 1: it is not; 2: the input or an
 // option is wrong, said on `err`; 3: the output file cannot be written.
@@ -58,6 +91,16 @@ int dispatch_stn(const StnDispatchOptions& options, std::istream& in, std::ostre
                  std::ostream& err);
 /// Draws it, with its dates if it is consistent and the conflict if it is not controllable.
 int draw_stn(const StnDrawOptions& options, std::istream& in, std::ostream& out, std::ostream& err);
+/// Writes a network whose options and seed are the same on every machine.
+int generate_stn(const StnGenerateOptions& options, std::ostream& out, std::ostream& err);
+/// Writes its dispatchable form: what an executor needs that looks at neighbours only.
+int write_stn_dispatchable(const StnDispatchableOptions& options, std::istream& in,
+                           std::ostream& out, std::ostream& err);
+/// 0: yes for every file; 1: no for some; 2: some could not be read, or there is no file.
+int check_stn_batch(const StnBatchOptions& options, std::ostream& out, std::ostream& err);
+/// The verdict after each change. 0: controllable at the end.
+int follow_stn_changes(const StnChangesOptions& options, std::istream& in, std::ostream& out,
+                       std::ostream& err);
 /// Writes it in another format.
 int convert_stn(const StnConvertOptions& options, std::istream& in, std::ostream& out,
                 std::ostream& err);

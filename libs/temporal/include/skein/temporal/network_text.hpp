@@ -32,7 +32,13 @@ const std::vector<std::string>& format_names();
 struct ReadNetwork {
   Stnu network;  ///< without contingent links: an STN
   Format format = Format::kJson;
-  bool operator==(const ReadNetwork&) const = default;
+  /// What was read otherwise than it is written, each with its place: contingent minima that are
+  /// not positive, edges from a node to itself that say nothing.
+  Diagnostics warnings{};
+  bool operator==(const ReadNetwork& other) const {
+    return network == other.network && format == other.format &&
+           warnings.all() == other.warnings.all();
+  }
 };
 
 /// Longest text that is read [bytes].
@@ -41,7 +47,8 @@ inline constexpr std::size_t kLongestText = std::size_t{64} << 20U;
 /// Reads a network in whichever format the text is in. Of a multi-agent network the agents and
 /// steps are left out. All errors are collected (at most a hundred); `file` is only named in them.
 /// Numbers are seconds, exact; a number below the nanosecond is an error in our formats and rounded
-/// in the others. Any bytes are safe. Cost: O(n log n) in the length of the text.
+/// in the others. The text is UTF-8, or UTF-16 with or without its mark. Any bytes are safe. Cost:
+/// O(n log n) in the length of the text.
 Result<ReadNetwork, Diagnostics> read_network(std::string_view text, const std::string& file = "");
 
 /// Writes a network that read_network() gives back: equal in our own format; in the others the same
@@ -49,6 +56,10 @@ Result<ReadNetwork, Diagnostics> read_network(std::string_view text, const std::
 /// has for it ("Z", "0") and that arcs without bounds are left out. Fails when the format cannot
 /// hold the network, and says why; kMastn never can. Precondition: the indices are positions.
 Result<std::string, Failure> write_network(const Stnu& network, Format format);
+
+/// No node comes before the origin, as the CSTNU Tool takes every network. Arcs between the same
+/// two nodes are made tighter where there are some.
+void put_origin_first(Stnu& network);
 
 /// Reads the multi-agent format of spec 5.5; steps are put in the order of `at`, those of one
 /// instant stay as they are.
