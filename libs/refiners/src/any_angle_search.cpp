@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "blocked_words.hpp"
@@ -132,12 +133,54 @@ class AnyAngleSearch {
 
   /// [voxels × cost]; nothing when it is not free.
   std::optional<double> leg(const Voxel& a, const Voxel& b) const {
-    const world::Vector3 from = airspace_.centre(a), to = airspace_.centre(b);
-    if (!even_) {
-      const auto cost = airspace_.cost(from, to);
-      return cost ? std::optional(*cost / airspace_.grid().voxel) : std::nullopt;
+    if (even_) return sees(a, b) ? std::optional(rate_ * distance(a, b)) : std::nullopt;
+    const auto cost = airspace_.cost(airspace_.centre(a), airspace_.centre(b));
+    return cost ? std::optional(*cost / airspace_.grid().voxel) : std::nullopt;
+  }
+
+  /// Airspace::is_free from centre to centre, in whole numbers: along an axis with n voxels to go
+  /// the k-th face is crossed at the fraction (2 k + 1) / 2 n, here times twice all n.
+  bool sees(const Voxel& a, const Voxel& b) const {
+    constexpr auto kNever = std::numeric_limits<std::int64_t>::max();
+    const world::AirspaceGrid& grid = airspace_.grid();
+    const std::uint8_t* voxels = airspace_.voxels().data();
+    const std::array<std::int64_t, 3> strides = {1, grid.size[0],
+                                                 std::int64_t{grid.size[0]} * grid.size[1]};
+    std::array<std::int64_t, 3> many{}, steps{}, next{}, faces{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      many[i] = std::abs(b[i] - a[i]);
+      steps[i] = b[i] > a[i] ? strides[i] : -strides[i];
     }
-    return airspace_.is_free(from, to) ? std::optional(rate_ * distance(a, b)) : std::nullopt;
+    const auto others = [&](std::size_t i) { return std::max<std::int64_t>(many[i], 1); };
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int64_t first = others((i + 1) % 3) * others((i + 2) % 3);
+      next[i] = many[i] > 0 ? first : kNever;
+      faces[i] = 2 * first;
+    }
+    auto at = static_cast<std::int64_t>(index_of(a));
+    for (const auto last = static_cast<std::int64_t>(index_of(b)); at != last;) {
+      const std::int64_t now = std::min({next[0], next[1], next[2]});
+      unsigned crossed = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        if (next[i] == now) {
+          crossed |= 1U << i;
+          next[i] += faces[i];
+        }
+      if (!are_free(voxels + at, steps, crossed)) return false;
+      for (std::size_t i = 0; i < 3; ++i) at += (crossed >> i & 1U) != 0 ? steps[i] : 0;
+    }
+    return true;
+  }
+
+  /// Those entered together: more than one where an edge or a corner is crossed.
+  static bool are_free(const std::uint8_t* at, const std::array<std::int64_t, 3>& steps,
+                       unsigned crossed) {
+    for (unsigned some = crossed; some != 0; some = (some - 1) & crossed) {
+      std::int64_t beside = 0;
+      for (std::size_t i = 0; i < 3; ++i) beside += (some >> i & 1U) != 0 ? steps[i] : 0;
+      if (at[beside] == Airspace::kBlocked) return false;
+    }
+    return true;
   }
 
   void reach(const Voxel& voxel, std::uint32_t parent, double cost) {

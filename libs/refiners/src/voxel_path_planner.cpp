@@ -25,8 +25,8 @@ Refusal out_of_budget(const std::string& when) {
 class Route {
  public:
   Route(const PathQuery& query, const Setting& setting, const PathSpace& space,
-        const Airspace& airspace)
-      : query_(query), setting_(setting), space_(space), airspace_(airspace) {}
+        const Airspace& airspace, WaySearch search)
+      : query_(query), setting_(setting), space_(space), airspace_(airspace), search_(search) {}
 
   /// A way that can be flown.
   Result<Way, Refusal> find() {
@@ -61,7 +61,8 @@ class Route {
   }
 
   VoxelWay search(const Airspace& airspace) {
-    VoxelWay found = find_way(airspace, from_->way.back(), to_->way.back(), rest_of_budget());
+    VoxelWay found =
+        find_way(airspace, from_->way.back(), to_->way.back(), rest_of_budget(), search_);
     effort_.steps += found.effort.steps;
     effort_.cut_short = effort_.cut_short || found.effort.cut_short;
     return found;
@@ -161,6 +162,7 @@ class Route {
   const Setting& setting_;
   const PathSpace& space_;
   const Airspace& airspace_;
+  WaySearch search_;
   std::optional<Approach> from_, to_;
   double graph_cost_ = 0;
   Effort effort_;
@@ -181,10 +183,10 @@ Outcome<Path> answer(const PathQuery& query, const Route& route, const Way& way,
 }
 
 /// Through an airspace that is there already.
-Outcome<Path> plan_within(const Airspace& airspace, const PathQuery& query,
+Outcome<Path> plan_within(const Airspace& airspace, WaySearch search, const PathQuery& query,
                           const Setting& setting) {
   const PathSpace space(query, setting.world, Duration::max());
-  Route route(query, setting, space, airspace);
+  Route route(query, setting, space, airspace, search);
   const auto way = route.find();
   if (!way) return tl::unexpected(way.error());
   const Flight flight = estimate_flight(*way, query.vehicle, setting.world.wind, query.speed);
@@ -195,7 +197,7 @@ Outcome<Path> plan_within(const Airspace& airspace, const PathQuery& query,
 
 Outcome<Path> VoxelPathPlanner::plan(const PathQuery& query, const Setting& setting) const {
   if (auto problem = check(query, setting.world)) return tl::unexpected(*problem);
-  if (airspace_ != nullptr) return plan_within(*airspace_, query, setting);
+  if (airspace_ != nullptr) return plan_within(*airspace_, search_, query, setting);
   const auto estimate = [&](const Way& way) {
     return estimate_flight(way, query.vehicle, setting.world.wind, query.speed);
   };
@@ -206,7 +208,7 @@ Outcome<Path> VoxelPathPlanner::plan(const PathQuery& query, const Setting& sett
     Setting rest{setting.world, setting.budget, setting.seed, nullptr};
     rest.budget.steps -= std::min(rest.budget.steps, effort.steps);
     const Airspace airspace = space.airspace(setting.world.airspace);
-    Route route(query, rest, space, airspace);
+    Route route(query, rest, space, airspace, search_);
     const auto way = route.find();
     if (!way) return tl::unexpected(way.error());
     effort.steps += route.effort().steps;

@@ -19,7 +19,7 @@ Budget less(Budget budget, std::uint64_t steps) {
 }  // namespace
 
 VoxelWay find_way(const world::Airspace& airspace, const world::Vector3& from,
-                  const world::Vector3& to, const Budget& budget) {
+                  const world::Vector3& to, const Budget& budget, WaySearch search) {
   const auto first = airspace.free_voxel_at(from), last = airspace.free_voxel_at(to);
   SKEIN_EXPECTS(first && last);
   const auto with_ends = [&](Way way) {
@@ -31,6 +31,18 @@ VoxelWay find_way(const world::Airspace& airspace, const world::Vector3& from,
     return way;
   };
   const StringPuller puller(airspace, budget);
+  if (search == WaySearch::kQuick) {
+    constexpr double kNoBound = 1e15;
+    AnyAngleWay any = search_any_angle(airspace, *first, *last, kNoBound, budget);
+    VoxelWay found;
+    found.found = !any.way.empty();
+    found.effort = {any.expanded, any.cut_short || budget.expired()};
+    found.out_of_budget = !found.found && (any.cut_short || any.expanded > budget.steps);
+    if (!found.found) return found;
+    found.way = found.graph_way = puller.pulled(with_ends(std::move(any.way)));
+    found.cost = puller.cost(found.way);
+    return found;
+  }
   GraphWay graph = search_graph(airspace, *first, *last, budget);
   VoxelWay found;
   found.found = graph.found;

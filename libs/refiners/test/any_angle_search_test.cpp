@@ -79,5 +79,51 @@ TEST(SearchAnyAngle, FindsFreeWaysAtVariousCosts) {
   for (std::uint64_t seed = 500; seed < 560; ++seed) expect_free_way(seed, 0.7);
 }
 
+/// What the search takes for free the airspace does too, and mostly the other way round: a straight
+/// way through a gap that no step leads through is not tried.
+TEST(SearchAnyAngle, SeesAlongALegWhatTheAirspaceSays) {
+  int straight = 0, missed = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    Random random(seed);
+    Mixture mixture;
+    mixture.blocked = random.uniform(0.02, 0.2);
+    const Airspace airspace = random_world(random, testing::cube(12), mixture);
+    const Voxel from = free_voxel(airspace, random), to = free_voxel(airspace, random);
+    if (from == to) continue;
+
+    const Way way = search_any_angle(airspace, from, to, kNoBound, Budget()).way;
+
+    for (std::size_t i = 1; i < way.size(); ++i)
+      EXPECT_TRUE(airspace.is_free(way[i - 1], way[i])) << seed;
+    if (!airspace.is_free(airspace.centre(from), airspace.centre(to))) continue;
+    ++straight;
+    missed += way.size() != 2 ? 1 : 0;
+  }
+  EXPECT_GT(straight, 80);
+  EXPECT_LT(4 * missed, straight);
+}
+
+TEST(FindWay, QuicklyIsHardlyLonger) {
+  double sum = 0, worst = 0, count = 0;
+  for (std::uint64_t seed = 0; seed < 80; ++seed) {
+    Random random(seed);
+    Mixture mixture;
+    mixture.blocked = random.uniform(0.05, 0.5);
+    const Airspace airspace = random_world(random, testing::cube(20), mixture);
+    const auto from = airspace.centre(free_voxel(airspace, random));
+    const auto to = airspace.centre(free_voxel(airspace, random));
+    const VoxelWay thorough = find_way(airspace, from, to, Budget());
+    const VoxelWay quick = find_way(airspace, from, to, Budget(), WaySearch::kQuick);
+    ASSERT_EQ(thorough.found, quick.found) << seed;
+    if (!quick.found || thorough.cost == 0) continue;
+    EXPECT_TRUE(samples_are_free(airspace, quick.way)) << seed;
+    sum += quick.cost / thorough.cost;
+    worst = std::max(worst, quick.cost / thorough.cost);
+    count += 1;
+  }
+  EXPECT_LT(sum / count, 1.02) << "among voxels closed one by one, the hardest kind";
+  EXPECT_LT(worst, 1.12);
+}
+
 }  // namespace
 }  // namespace skein::refiners

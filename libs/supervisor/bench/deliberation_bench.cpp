@@ -108,6 +108,47 @@ void measure(const testing::PlanningLab& lab, std::size_t count) {
   for (const double part : {0.9, 0.3}) measure_replanning(lab, request.tasks, part * plan->energy);
 }
 
+/// A wall across the field: most straight ways are closed.
+testing::PlanningLab lab_with_wall() {
+  testing::PlanningLab lab = lab_with_village();
+  world::Volume wall;
+  wall.name = "wall";
+  wall.polygon = {{60, -300}, {90, -300}, {90, 300}, {60, 300}};
+  wall.ceiling = 150;
+  lab.world.volumes = {wall};
+  return lab;
+}
+
+/// Places on both sides of the wall, none next to it.
+Goals beside_the_wall(std::size_t count) {
+  Goals goals = mission_of(count);
+  for (std::size_t i = 1; i + 1 < goals.size(); ++i) {
+    world::Vector3& at = std::get<world::Vector3>(goals[i].arguments[0]);
+    if (at.x() > 30 && at.x() < 120) at.x() += 100;
+  }
+  return goals;
+}
+
+/// Perceptions of so many places on the ground, each from a viewpoint of its own.
+Goals perceptions_of(std::size_t count) {
+  Goals goals = mission_of(count);
+  for (std::size_t i = 1; i + 1 < goals.size(); ++i)
+    std::get<world::Vector3>(goals[i].arguments[0]).z() = 0;
+  return goals;
+}
+
+void measure_hard(const char* what, const testing::PlanningLab& lab, Goals goals) {
+  PlanningRequest request = lab.request();
+  request.tasks = std::move(goals);
+  const auto plan = plan_tasks(request);
+  if (!plan) {
+    std::printf("%s: no plan: %s\n", what, plan.error().reasons.front().c_str());
+    return;
+  }
+  const double planning = milliseconds([&] { (void)plan_tasks(request); });
+  std::printf("%s: %zu elementary; planning %.1f ms\n", what, plan->tasks.size(), planning);
+}
+
 }  // namespace
 }  // namespace skein::supervisor
 
@@ -117,4 +158,8 @@ int main() {
       [&] { (void)skein::supervisor::vocabulary_of(lab.knowledge.domain); });
   std::printf("domain: %.2f ms\n", domain);
   for (const std::size_t count : {3UL, 10UL, 30UL}) skein::supervisor::measure(lab, count);
+  skein::supervisor::measure_hard("30 tasks, a wall across", skein::supervisor::lab_with_wall(),
+                                  skein::supervisor::beside_the_wall(30));
+  skein::supervisor::measure_hard("28 places on the ground", lab,
+                                  skein::supervisor::perceptions_of(30));
 }

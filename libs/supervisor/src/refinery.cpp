@@ -311,7 +311,9 @@ Answer<Way> Refinery::way_through(const world::Airspace& air, const Vector3& fro
   if (uniform && air.is_free(from, to) &&
       refiners::is_flyable({from, to}, cautious(), 0, kTurnTolerance))
     return Way{from, to};
-  const refiners::VoxelPathPlanner planner(air);
+  // One that cannot hover may need the other search's way to make room for its turns.
+  const refiners::VoxelPathPlanner planner(
+      air, vehicle().hovers ? refiners::WaySearch::kQuick : refiners::WaySearch::kThorough);
   auto refined = refine(query(from, to), setting(&planner));
   if (!refined) return no(refined.error().why);
   Way way = std::move(refined->task.way);

@@ -46,10 +46,16 @@ struct VoxelWay {
   Effort effort;               ///< nodes expanded by both searches
   bool out_of_budget = false;  ///< not found, and there may be a way
 };
+/// How much is searched for a way.
+enum class WaySearch : std::uint8_t {
+  kThorough,  ///< the graph of the thesis, and ways of any direction
+  kQuick,     ///< the latter alone, half as long: no `graph_cost`, and `graph_way` is `way`
+};
 /// Precondition: both places are free. Steps of the budget: nodes expanded. Memory: the greater of
 /// what the two searches take, 8 bytes for each voxel reached.
 VoxelWay find_way(const world::Airspace& airspace, const world::Vector3& from,
-                  const world::Vector3& to, const Budget& budget);
+                  const world::Vector3& to, const Budget& budget,
+                  WaySearch search = WaySearch::kThorough);
 
 /// The airspace as this query may use it: ground with clearance, the vehicle's body and ceiling,
 /// volumes and reserved ones, radio contact (a voxel is closed unless one and the same of the
@@ -78,13 +84,16 @@ class VoxelPathPlanner final : public PathPlanner {
   /// searches): for services that ask for many ways. It comes from airspace_of, for a query with
   /// the same vehicle, clearance, reserved volumes and contact in the same world, and must outlive
   /// the planner. The volumes it has count whenever a query departs.
-  explicit VoxelPathPlanner(const world::Airspace& airspace) : airspace_(&airspace) {}
-  explicit VoxelPathPlanner(world::Airspace&&) = delete;
+  explicit VoxelPathPlanner(const world::Airspace& airspace,
+                            WaySearch search = WaySearch::kThorough)
+      : airspace_(&airspace), search_(search) {}
+  explicit VoxelPathPlanner(world::Airspace&&, WaySearch = WaySearch::kThorough) = delete;
 
   Outcome<Path> plan(const PathQuery& query, const Setting& setting) const override;
 
  private:
   const world::Airspace* airspace_ = nullptr;
+  WaySearch search_ = WaySearch::kThorough;
 };
 
 }  // namespace skein::refiners
