@@ -56,6 +56,10 @@ void DdnNode::carry_out(const supervisor::StartDeliberation& effect) {
   out_.push_back(node::StartJob{effect.job, work, config_.deliberation});
 }
 
+void DdnNode::carry_out(const supervisor::StopDeliberation& effect) {
+  out_.push_back(node::StopJob{effect.job});
+}
+
 // Of the tasks of a revision, those are logged that were not so in the one before.
 void DdnNode::carry_out(const supervisor::PlanChanged& effect) {
   const mission::PlanReport& report = effect.report;

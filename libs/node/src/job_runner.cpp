@@ -7,10 +7,9 @@ namespace skein::node {
 
 namespace {
 
-TimeIsUp clock_for(const StartJob& job) {
-  if (job.at_most == Duration::max()) return {};
-  return [from = Waker::steady_now(), job_time = job.at_most] {
-    return Waker::steady_now() - from >= job_time;
+TimeIsUp clock_for(const StartJob& job, std::shared_ptr<const std::atomic<bool>> stopped) {
+  return [from = Waker::steady_now(), at_most = job.at_most, stopped = std::move(stopped)] {
+    return stopped->load() || Waker::steady_now() - from >= at_most;
   };
 }
 
@@ -31,9 +30,16 @@ JobRunner::~JobRunner() {
 void JobRunner::submit(StartJob job) {
   {
     const std::lock_guard lock(mutex_);
+    stopped_[job.id] = std::make_shared<std::atomic<bool>>(false);
     waiting_.push_back(std::move(job));
   }
   changed_.notify_one();
+}
+
+void JobRunner::stop(std::uint64_t id) {
+  const std::lock_guard lock(mutex_);
+  const auto job = stopped_.find(id);
+  if (job != stopped_.end()) job->second->store(true);
 }
 
 std::vector<JobDone> JobRunner::take_done() {
@@ -48,9 +54,11 @@ void JobRunner::work() {
     if (stopping_) return;
     const StartJob job = std::move(waiting_.front());
     waiting_.pop_front();
+    const auto stopped = stopped_.at(job.id);
     lock.unlock();
-    JobDone done{job.id, job.work(clock_for(job))};
+    JobDone done{job.id, job.work(clock_for(job, stopped))};
     lock.lock();
+    stopped_.erase(job.id);
     done_.push_back(std::move(done));
     lock.unlock();
     notify_();

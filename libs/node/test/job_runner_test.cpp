@@ -137,11 +137,32 @@ TEST(JobRunner, TellsAJobWhenItHasHadItsTime) {
   };
 
   runner.submit({1, until_told, Duration::milliseconds(20)});
-  runner.submit({2, [](const TimeIsUp& time_is_up) { return std::any(bool(time_is_up)); }});
+  runner.submit({2, [](const TimeIsUp& time_is_up) { return std::any(time_is_up()); }});
   const auto done = collector.take(runner, 2);
 
   EXPECT_GT(std::any_cast<std::uint64_t>(done[0].result), 0U);
-  EXPECT_FALSE(std::any_cast<bool>(done[1].result)) << "who has no limit is given no clock";
+  EXPECT_FALSE(std::any_cast<bool>(done[1].result)) << "who has no limit has all the time it needs";
+}
+
+TEST(JobRunner, TellsAJobWhenNobodyWantsItsResultAnyMore) {
+  Collector collector;
+  JobRunner runner(collector.notify());
+  std::latch running(1);
+
+  runner.submit({1, [&](const TimeIsUp& time_is_up) {
+                   running.count_down();
+                   while (!time_is_up()) std::this_thread::yield();
+                   return std::any();
+                 }});
+  runner.submit({2, [](const TimeIsUp& time_is_up) { return std::any(time_is_up()); }});
+  runner.submit({3, [](const TimeIsUp& time_is_up) { return std::any(time_is_up()); }});
+  running.wait();
+  runner.stop(2);
+  runner.stop(1);
+  const auto done = collector.take(runner, 3);
+
+  EXPECT_TRUE(std::any_cast<bool>(done[1].result)) << "also when it waited";
+  EXPECT_FALSE(std::any_cast<bool>(done[2].result));
 }
 
 TEST(JobRunner, EndsWithNothingToDo) {

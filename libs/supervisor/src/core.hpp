@@ -2,7 +2,6 @@
 // The supervisor's inside: one class, its functions in files by theme (supervisor_*.cpp).
 #pragma once
 
-#include <atomic>
 #include <deque>
 #include <map>
 #include <optional>
@@ -67,7 +66,6 @@ class Supervisor::Core {
     std::uint64_t id = 0;
     std::optional<mission::MissionId> mission;  ///< an insertion; else a repair
     bool evaluation = false;                    ///< of a mission, that is not adopted
-    std::shared_ptr<std::atomic<bool>> stop;    ///< set when its result is no longer wanted
     Need need;
     Premises premises;
     std::optional<mission::HighLevelTask> retreat;  ///< a goal of its own, if nothing else serves

@@ -111,15 +111,13 @@ void Supervisor::Core::give_way() {
 
 // What it says when it comes back counts for nothing.
 void Supervisor::Core::abandon_job() {
-  job_->stop->store(true);
+  out_.push_back(StopDeliberation{job_->id});
   abandoned_.insert(job_->id);
   job_.reset();
 }
 
 void Supervisor::Core::run(Job job, DeliberationRequest request) {
   job.id = ++last_job_;
-  job.stop = std::make_shared<std::atomic<bool>>(false);
-  std::visit([&](auto& one) { one.base.budget.stop = job.stop; }, request);
   auto shared = std::make_shared<const DeliberationRequest>(std::move(request));
   out_.push_back(StartDeliberation{job.id, std::move(shared)});
   job_ = std::move(job);

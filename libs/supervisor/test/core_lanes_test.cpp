@@ -19,8 +19,10 @@ mission::UnitMission asked(std::uint64_t id, const std::vector<std::uint64_t>& g
   return mission;
 }
 
-bool is_wanted(const std::shared_ptr<const DeliberationRequest>& request) {
-  return std::visit([](const auto& one) { return !one.base.budget.over(); }, *request);
+std::vector<std::uint64_t> stopped(const Desk& desk) {
+  std::vector<std::uint64_t> jobs;
+  for (const auto& one : desk.of<StopDeliberation>()) jobs.push_back(one.job);
+  return jobs;
 }
 
 // ---- evaluation ----
@@ -81,14 +83,13 @@ TEST(SupervisorEvaluation, TheSameMissionCanBeSentAfterwards) {
 TEST(SupervisorLanes, AnInsertionGivesWayToARepairAndIsBegunAgain) {
   Desk desk = flying();
   desk.add(a_mission(2, {801}));
-  const auto insertion = desk.request;
   const std::uint64_t insertion_job = desk.job_id;
 
   desk.at(30).aborted(101);
 
   ASSERT_TRUE(desk.job_started()) << "the repair does not wait";
   EXPECT_TRUE(std::holds_alternative<RepairRequest>(*desk.request));
-  EXPECT_FALSE(is_wanted(insertion)) << "its job may stop";
+  EXPECT_THAT(stopped(desk), ElementsAre(insertion_job));
   const std::uint64_t repair_job = desk.job_id;
   desk.give(JobFinished{insertion_job, refused("stopped")});
   EXPECT_THAT(desk.notices(), IsEmpty());
@@ -105,23 +106,23 @@ TEST(SupervisorLanes, AnInsertionGivesWayToARepairAndIsBegunAgain) {
 TEST(SupervisorLanes, AnEvaluationGivesWayToAMission) {
   Desk desk = flying();
   desk.add(asked(2, {801}));
-  const auto evaluation = desk.request;
+  const std::uint64_t evaluation = desk.job_id;
 
   desk.add(a_mission(3, {901}));
 
   ASSERT_TRUE(desk.job_started());
-  EXPECT_FALSE(is_wanted(evaluation));
+  EXPECT_THAT(stopped(desk), ElementsAre(evaluation));
   EXPECT_EQ(desk.insertion().added.front().id, GoalId{901});
 }
 
 TEST(SupervisorLanes, AMissionThatIsCancelledIsNoLongerThoughtAbout) {
   Desk desk = flying();
   desk.add(a_mission(2, {801}));
-  const auto insertion = desk.request;
+  const std::uint64_t insertion = desk.job_id;
 
   desk.give(CancelMission{{{GoalId{801}}, mission::MissionId{}, true}, "test"});
 
-  EXPECT_FALSE(is_wanted(insertion));
+  EXPECT_THAT(stopped(desk), ElementsAre(insertion));
   EXPECT_EQ(desk.state_of(801), "cancelled");
 }
 
@@ -171,6 +172,23 @@ TEST(SupervisorGoalBounds, CountFromTheInstantAtWhichTheGoalWasAchieved) {
   desk.at(120).add(a_mission(3, {901}));
   const auto& bounds = desk.insertion().standing.bounds;
   EXPECT_EQ(bounds.over.at(GoalId{701}), testing::at(110));
+}
+
+TEST(SupervisorGoalBounds, AGoalThatComesSomeTimeAfterAnotherIsGivenWhenThatIsOver) {
+  Desk desk = flying();
+  mission::UnitMission mission = a_mission(2, {801});
+  mission.tasks[0].after.push_back({GoalId{702}, false, secs(60), Duration::max()});
+  desk.add(mission);
+  desk.finish(inserted({702, 801},
+                       {TaskOf(200, "goto", 702).after(101), TaskOf(201, "goto", 801).after(200)}));
+
+  desk.at(110).ends(101);
+  desk.runs(200);
+  desk.at(119).give(Tick{});
+  EXPECT_THAT(desk.requests(), IsEmpty());
+  desk.at(120).ends(200);
+
+  EXPECT_THAT(desk.requests(), ElementsAre("START 201"));
 }
 
 TEST(SupervisorGoalBounds, AnEndThatComesBeforeItWasAskedIsSaid) {

@@ -165,6 +165,7 @@ class DdnNode final : public node::Node {
   void carry_out(const supervisor::MissionDecided& decided);
   void carry_out(const supervisor::ToExecutive& request);
   void carry_out(const supervisor::StartDeliberation& start);
+  void carry_out(const supervisor::StopDeliberation& stop);
   void carry_out(const supervisor::PlanChanged& changed);
   void carry_out(const supervisor::GoalChanged& changed);
   void carry_out(const supervisor::Decided& decided);

@@ -73,10 +73,15 @@ struct StartJob {
   std::function<std::any(const TimeIsUp&)> work;
   Duration at_most = Duration::max();  ///< from when it begins to run
 };
+/// Nobody wants the result of this job any more: its clock says at once that it has had its time.
+/// Its result comes back all the same.
+struct StopJob {
+  std::uint64_t id = 0;
+};
 /// The mission is over; a runtime may stop everything soon after.
 struct Finish {};
 
-using Effect = std::variant<Send, Publish, Log, StartJob, Finish>;
+using Effect = std::variant<Send, Publish, Log, StartJob, StopJob, Finish>;
 using Effects = std::vector<Effect>;
 
 /// A node of the system, without input or output of its own. `now` never decreases from call to

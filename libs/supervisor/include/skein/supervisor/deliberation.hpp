@@ -16,7 +16,7 @@ using DeliberationResult = std::variant<InsertionOutcome, RepairOutcome>;
 
 /// Any thread; touches nothing shared but what the request points to, which nobody changes.
 /// `time_is_up`, if given, is asked now and then; once it says so, the best that was found is the
-/// answer, or that there is none. A request whose stop is set comes back soon, with nothing of use.
+/// answer, or that there is none.
 DeliberationResult deliberate(const DeliberationRequest& request,
                               std::function<bool()> time_is_up = {});
 

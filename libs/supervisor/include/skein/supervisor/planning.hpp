@@ -2,7 +2,6 @@
 // Operator 3: planner and refiners together make elementary tasks of high-level ones.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -74,18 +73,16 @@ struct Situation {
   std::map<mission::GoalId, mission::Progress> done;
 };
 
-/// How much may be spent on one plan, and whether anybody still wants it. Counts give the same
-/// answer everywhere; the rest is filled by who runs the job. A value type.
+/// How much may be spent on one plan. Counts give the same answer everywhere; the clock is filled
+/// by who runs the job. A value type.
 struct PlanningBudget {
   std::uint64_t expansions = 200'000;
   std::uint64_t inferences = 20'000'000;
   std::uint64_t memory_bytes = std::uint64_t{1} << 30U;  ///< of the search's own structures
-  /// Set when the result is no longer wanted. May be null. Any thread may set it.
-  std::shared_ptr<const std::atomic<bool>> stop;
-  /// True once the time is up. May be empty: never.
+  /// True once the time is up, or nobody wants the plan any more. May be empty: never.
   std::function<bool()> time_is_up;
 
-  bool over() const { return (stop && stop->load()) || (time_is_up && time_is_up()); }
+  bool over() const { return time_is_up && time_is_up(); }
 };
 
 struct PlanningRequest {
