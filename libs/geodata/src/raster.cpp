@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 
+#include "ascii_grid.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::geodata {
@@ -89,6 +90,8 @@ Result<Raster, RasterProblem> Raster::open(const std::string& path, const std::s
   if (!raster.dataset_)
     return problem("it cannot be read as a raster" + session.complaint(),
                    "a GeoTIFF, an ESRI ASCII grid or an SRTM tile");
+  if (std::strcmp(raster.dataset_->GetDriverName(), "AAIGrid") == 0)
+    if (auto wrong = problem_in_ascii_grid(path)) return tl::make_unexpected(*wrong);
   if (raster.dataset_->GetRasterCount() < 1) return problem("it has no band");
   raster.columns_ = raster.dataset_->GetRasterXSize();
   raster.rows_ = raster.dataset_->GetRasterYSize();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "raised_ground.hpp"
 #include "raster.hpp"
 #include "raster_sampler.hpp"
 #include "skein/geodata/geodetic_frame.hpp"
@@ -178,9 +179,11 @@ Result<Elevation, RasterProblem> elevation_of(const std::string& path,
   if (!options.origin && std::isfinite(sampler->lowest())) origin.altitude = sampler->lowest();
   terrain->elevations = elevations(*raster, *sampler, GeodeticFrame(origin), *terrain);
   if (const auto absent = sampler->absences()) return tl::make_unexpected(*absent);
+  Raised raised;
+  if (options.above_posts) raised = raise_above(*terrain, *sampler, *raster, GeodeticFrame(origin));
   const auto problems = world::problems_of(*terrain);
   if (!problems.empty()) return tl::make_unexpected(RasterProblem{problems.front(), ""});
-  return Elevation{std::move(*terrain), origin};
+  return Elevation{std::move(*terrain), origin, raised.most, raised.mean};
 }
 
 Result<std::vector<double>, RasterProblem> risk_of(const std::string& path, const world::Grid& grid,

@@ -19,6 +19,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLowest = -500, kHighest = 9000;
 /// No ground, not even under water, is lower or higher [m].
 constexpr float kDeepest = -12'000, kSummit = 10'000;
+/// What most files write where there are no data, declared or not.
+constexpr float kUndeclared = -9999;
 
 /// Points along the border of a rectangle, as they are on Earth at some altitude.
 std::vector<GeodeticPoint> border(const GeodeticFrame& frame, const Extent& extent,
@@ -128,8 +130,9 @@ std::string RasterSampler::place_of(std::size_t index) const {
 }
 
 std::optional<RasterProblem> RasterSampler::impossible() const {
-  const auto wrong = std::find_if(cells_.begin(), cells_.end(),
-                                  [](float z) { return z < kDeepest || z > kSummit; });
+  const auto wrong = std::find_if(cells_.begin(), cells_.end(), [](float z) {
+    return z < kDeepest || z > kSummit || z == kUndeclared;
+  });
   if (wrong == cells_.end()) return std::nullopt;
   char value[32];
   std::snprintf(value, sizeof value, "%g", static_cast<double>(*wrong));

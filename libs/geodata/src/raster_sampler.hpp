@@ -24,6 +24,14 @@ class RasterSampler {
   /// Bilinear at (column, row) of the raster; NaN where a cell without data has a part in it, which
   /// is noted. Up to a cell beyond the border: as at the border.
   double at(const world::Vector2& place);
+  /// What is held.
+  const PixelWindow& window() const { return window_; }
+  /// The value of one cell, by its place in the raster; NaN without data. Precondition: held.
+  double post(int column, int row) const {
+    return static_cast<double>(cells_[static_cast<std::size_t>(row - window_.row) *
+                                          static_cast<std::size_t>(window_.columns) +
+                                      static_cast<std::size_t>(column - window_.column)]);
+  }
   /// Of the cells held; NaN when there are none with data.
   double lowest() const;
   /// What is to be said when at() met cells without data.

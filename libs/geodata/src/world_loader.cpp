@@ -35,9 +35,9 @@ Diagnostics at(const Diagnostics& problems, const WorldFile& file, const world::
 Result<void, Diagnostics> resolve_terrain(WorldFile& file, const std::string& folder) {
   const auto* raster = std::get_if<world::RasterTerrain>(&file.terrain);
   if (raster == nullptr) return {};
-  auto elevation = read_elevation(
-      in_folder(folder, raster->raster.file),
-      {file.origin, raster->cell, raster->extent, raster->raster.no_data, raster->raster.crs});
+  auto elevation = read_elevation(in_folder(folder, raster->raster.file),
+                                  {file.origin, raster->cell, raster->extent,
+                                   raster->raster.no_data, raster->raster.crs, true});
   if (!elevation) return tl::make_unexpected(at(elevation.error(), file, raster->raster.mark));
   file.origin = elevation->origin;
   file.terrain = std::move(elevation->terrain);

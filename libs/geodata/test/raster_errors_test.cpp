@@ -81,7 +81,7 @@ TEST(RasterErrors, ATruncatedAsciiGridIsDamaged) {
 
   EXPECT_EQ(report(folder.write("a.asc", kAscii), in_degrees()), "");
   EXPECT_THAT(report(folder.write("b.asc", kAscii.substr(0, kAscii.find("9 10"))), in_degrees()),
-              HasSubstr("damaged at row 3"));
+              HasSubstr("8 values for ncols × nrows = 16 cells"));
   for (std::size_t size = 0; size + 3 < kAscii.size(); ++size)
     report(folder.write("cut.asc", kAscii.substr(0, size)), in_degrees());
 }
@@ -184,8 +184,24 @@ TEST(RasterErrors, FiguresThatAreNoElevations) {
   spec.value = [](int column, int) { return column == 3 ? -32768 : 100; };
   EXPECT_THAT(report(write_tiff(folder, "undeclared.tif", spec)),
               HasSubstr("what stands for no data must be declared"));
+  spec.value = [](int column, int) { return column == 3 ? -9999 : 100; };
+  EXPECT_THAT(report(write_tiff(folder, "minus_9999.tif", spec)),
+              HasSubstr("an elevation of -9999 m in column 4, row 1"));
   EXPECT_THAT(report(write_tiff(folder, "fathoms.tif", fathoms)),
               HasSubstr("its elevations are in 'fathom'"));
+}
+
+TEST(RasterErrors, WordsAndMissingValuesInAnAsciiGrid) {
+  const TempFolder folder;
+  const auto with = [&](const std::string& value) {
+    std::string grid = kAscii;
+    grid.replace(grid.find("10 11"), 2, value);
+    return report(folder.write("a.asc", grid), in_degrees());
+  };
+  EXPECT_THAT(with("rocks"), HasSubstr("line 9: 'rocks' is no number"));
+  EXPECT_THAT(with("10x"), HasSubstr("line 9: '10x' is no number"));
+  EXPECT_THAT(with("10 10"), HasSubstr("17 values for ncols × nrows = 16 cells"));
+  for (const char* right : {"10", "+10.5", "1.05e1", "-3"}) EXPECT_EQ(with(right), "") << right;
 }
 
 TEST(RasterErrors, GroundBeyondTheRaster) {

@@ -24,11 +24,16 @@ struct ElevationOptions {
   /// For a raster that does not say in which coordinates it is ("EPSG:4326"); empty: refused.
   /// One that says another than this is refused too.
   std::string crs;
+  /// Corners are raised until no post of the raster stands out of the ground between them: what is
+  /// planned over it stays above the raster at any size of cell.
+  bool above_posts = false;
 };
 
 struct Elevation {
   world::TerrainSpec terrain;  ///< usable: problems_of() is empty
   world::GeodeticOrigin origin;
+  /// By how much corners are above what the raster says there, because of `above_posts` [m].
+  double raised_most = 0, raised_mean = 0;
 };
 
 /// Reads a GeoTIFF, an ESRI ASCII grid or an SRTM tile (.hgt), in WGS 84 or any geographic or
