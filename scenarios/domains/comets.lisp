@@ -134,7 +134,7 @@
 
   ; ================ what was done of a task before it was interrupted
 
-  ; Told by the problem, as facts; of most tasks nothing is.
+  ; Told by the problem, as facts; of most tasks nothing is, which is no warning.
   (:- (progress ?_origin ?_done) ((call null t)))
   (:- (done-before ?origin ?done)
     some ((progress ?origin ?done))

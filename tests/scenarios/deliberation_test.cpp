@@ -47,7 +47,7 @@ std::string name_of(const ::testing::TestParamInfo<std::string>& one) {
 INSTANTIATE_TEST_SUITE_P(Virtual, Deliberation,
                          ::testing::Values("karma/detection", "heliv-marvin/monitoring",
                                            "iros2005/fire", "handover/radio", "handover/cut",
-                                           "comets/mixed"),
+                                           "comets/mixed", "deadlines/after-a-goal"),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(
     Contingencies, Deliberation,
@@ -62,6 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
         "contingencies/steep-home", "contingencies/closed-for-a-time",
         "contingencies/rung-re-refine", "contingencies/rung-drop", "contingencies/rung-shift",
         "contingencies/rung-replan", "contingencies/rung-absorb", "contingencies/rung-fail",
+        "contingencies/progress-kept", "contingencies/mapping-goes-on",
         "contingencies/partner-gives-up", "handover/synchronised"),
     name_of);
 

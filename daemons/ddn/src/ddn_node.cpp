@@ -92,6 +92,7 @@ std::string DdnNode::why_not(const node::Received& received) const {
     case wire::Slot::kMissionRequest:
     case wire::Slot::kDegreeCommand:
     case wire::Slot::kWorldChange:
+    case wire::Slot::kAlarm:
       return received.from == roster_.ground() ? "" : "only the ground station makes requests";
     case wire::Slot::kTaskEvent:
       return received.from == roster_.ground() ? "" : "only the ground station has tasks of others";

@@ -17,6 +17,15 @@ std::string joined(const std::vector<std::string>& reasons) {
   return text;
 }
 
+void tell_estimate(journal::Record& line, const mission::MissionEstimate& estimate) {
+  line.with("placement", std::string(mission::to_text(estimate.placement)))
+      .with("cost", estimate.cost)
+      .with("energy", estimate.energy)
+      .with("earliest_end", estimate.earliest_end.to_seconds());
+  if (estimate.latest_end == MissionTime::max()) return;
+  line.with("latest_end", estimate.latest_end.to_seconds());
+}
+
 }  // namespace
 
 void DdnNode::carry_out(const supervisor::Answer& effect) {
@@ -30,6 +39,8 @@ void DdnNode::carry_out(const supervisor::MissionDecided& effect) {
       .with("mission", effect.outcome.mission.value())
       .with("planned", effect.outcome.planned);
   if (!effect.outcome.reasons.empty()) line.with("why", joined(effect.outcome.reasons));
+  if (effect.outcome.evaluated) line.with("evaluated", true);
+  if (effect.outcome.estimate) tell_estimate(line, *effect.outcome.estimate);
   log(line);
   send_to_ground(to_wire(config_.uav, effect.outcome));
 }
@@ -39,10 +50,14 @@ void DdnNode::carry_out(const supervisor::ToExecutive& effect) {
 }
 
 void DdnNode::carry_out(const supervisor::StartDeliberation& effect) {
-  const auto work = [request = effect.request]() -> std::any {
-    return supervisor::deliberate(*request);
+  const auto work = [request = effect.request](const node::TimeIsUp& time_is_up) -> std::any {
+    return supervisor::deliberate(*request, time_is_up);
   };
-  out_.push_back(node::StartJob{effect.job, work});
+  out_.push_back(node::StartJob{effect.job, work, config_.deliberation});
+}
+
+void DdnNode::carry_out(const supervisor::StopDeliberation& effect) {
+  out_.push_back(node::StopJob{effect.job});
 }
 
 // Of the tasks of a revision, those are logged that were not so in the one before.

@@ -75,6 +75,7 @@ journal::Record goal_line(const translation::Writer& writer, const mission::Goal
       .with("state", to_text(goal.state));
   if (!goal.why.empty()) line.with("why", goal.why);
   line.with("asked_by", goal.asked_by);
+  if (!goal.done.empty()) line.with("done", goal.done);
   return line;
 }
 

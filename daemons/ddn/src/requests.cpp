@@ -96,6 +96,12 @@ void DdnNode::take(const wire::WorldChange& change) {
   tell(supervisor::WorldChanged{*read}, command);
 }
 
+// An alarm is a place that missions may name.
+void DdnNode::take(const wire::Alarm& alarm) {
+  if (!supervisor_ || alarm.id == 0) return;
+  tell(supervisor::WorldChanged{translation::change_of(alarm)});
+}
+
 // ---- elementary requests at degree 1, and statuses ----
 
 void DdnNode::take(const wire::FunctionalRequest& request) {

@@ -179,7 +179,7 @@ TEST(Deliberation, AJobGivesTheResultThatTheNodeTakes) {
     jobs = bench.jobs();
   }
 
-  const std::any result = jobs.at(0).work();
+  const std::any result = jobs.at(0).work({});
 
   EXPECT_NE(std::any_cast<supervisor::DeliberationResult>(&result), nullptr);
 }

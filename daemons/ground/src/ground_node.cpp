@@ -195,7 +195,7 @@ void GroundNode::carry_out(const gs::SendSync& effect) {
        to_wire(executive::SendSync{effect.id, effect.to, effect.word}, effect.from, effect.said));
 }
 
-void GroundNode::carry_out(const gs::AlarmEvent& effect) {
+void GroundNode::carry_out(const gs::TellAlarm& effect) {
   const gs::Alarm& alarm = effect.alarm;
   wire::Alarm sample;
   sample.id = alarm.id.value();
@@ -204,8 +204,14 @@ void GroundNode::carry_out(const gs::AlarmEvent& effect) {
   sample.radius = alarm.radius;
   sample.belief = alarm.belief;
   for (const node::Member& member : roster_.members()) {
-    if (member.role == wire::Role::kDdn) send(member.name, sample);
+    const bool meant = effect.uav.empty() || member.name == effect.uav;
+    if (member.role == wire::Role::kDdn && meant) send(member.name, sample);
   }
+}
+
+void GroundNode::carry_out(const gs::AlarmEvent& effect) {
+  const gs::Alarm& alarm = effect.alarm;
+  carry_out(gs::TellAlarm{alarm, {}});
   log(record("alarm")
           .with("alarm", alarm.id.value())
           .with("state", to_text(alarm.state))

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "skein/foundation/overloaded.hpp"
+#include "skein/translation/sensing.hpp"
 #include "skein/world/polygon_check.hpp"
 
 namespace skein::translation {
@@ -91,6 +92,9 @@ wire::MissionTask to_wire(const mission::HighLevelTask& task) {
   result.start_after = to_wire(task.time.start_after);
   result.end_before = to_wire(task.time.end_before);
   result.end_after = to_wire(task.time.end_after);
+  for (const mission::GoalBound& one : task.after) {
+    result.after.push_back({one.goal.value(), one.on_end, one.least.count(), one.most.count()});
+  }
   return result;
 }
 
@@ -106,6 +110,12 @@ Read<mission::HighLevelTask> task_of(const wire::MissionTask& task, const std::s
   }
   result.time = {instant_of(task.start_before), instant_of(task.start_after),
                  instant_of(task.end_before), instant_of(task.end_after)};
+  for (std::size_t i = 0; i < task.after.size(); ++i) {
+    const wire::GoalBound& one = task.after[i];
+    if (one.goal == 0) return wrong(at(path + ".after", i) + ".goal", "0 is not an id");
+    result.after.push_back({mission::GoalId(one.goal), one.on_end, Duration::nanoseconds(one.least),
+                            Duration::nanoseconds(one.most)});
+  }
   return result;
 }
 
@@ -118,6 +128,7 @@ Read<mission::UnitMission> mission_of(const wire::MissionRequest& request) {
   result.interrupt = request.interrupt;
   result.any = request.achieve_any;
   result.asked_by = request.asked_by;
+  result.evaluate = request.evaluate;
   for (std::size_t i = 0; i < request.tasks.size(); ++i) {
     auto task = task_of(request.tasks[i], at("tasks", i));
     if (!task) return tl::unexpected(task.error());
@@ -151,6 +162,7 @@ wire::MissionRequest to_wire(const mission::UnitMission& mission) {
   result.interrupt = mission.interrupt;
   result.achieve_any = mission.any;
   result.asked_by = mission.asked_by;
+  result.evaluate = mission.evaluate;
   for (const mission::HighLevelTask& task : mission.tasks) result.tasks.push_back(to_wire(task));
   return result;
 }
@@ -190,45 +202,124 @@ Read<mission::ChangeDegree> from_wire(const wire::DegreeCommand& command) {
   return mission::ChangeDegree{degree, command.interrupt, command.resume};
 }
 
-// ---- closed air ----
+// ---- the world ----
 
-wire::WorldChange to_wire(const mission::ChangeWorld& change) {
-  wire::WorldChange result;
-  result.remove = change.remove;
-  result.name = change.volume.name;
-  if (change.remove) return result;
-  for (const world::Vector2& corner : change.volume.polygon) {
-    result.corners.push_back(corner.x());
-    result.corners.push_back(corner.y());
+namespace {
+
+std::vector<double> corners_of(const world::Polygon& polygon) {
+  std::vector<double> corners;
+  for (const world::Vector2& corner : polygon) {
+    corners.push_back(corner.x());
+    corners.push_back(corner.y());
   }
-  result.floor = std::max(change.volume.floor, -kNoLevel);
-  result.ceiling = std::min(change.volume.ceiling, kNoLevel);
-  result.from = change.volume.when.from.count();
-  result.until = change.volume.when.until.count();
-  return result;
+  return corners;
 }
 
-Read<mission::ChangeWorld> from_wire(const wire::WorldChange& change) {
-  if (change.name.empty()) return wrong("name", "a volume has a name");
-  mission::ChangeWorld result;
-  result.remove = change.remove;
-  result.volume.name = change.name;
-  if (change.remove) return result;
+Read<world::Polygon> polygon_of(const wire::WorldChange& change) {
   if (change.corners.size() % 2 != 0) return wrong("corners", "not pairs of numbers");
   world::Polygon polygon;
   for (std::size_t i = 0; i < change.corners.size(); i += 2) {
     polygon.emplace_back(change.corners[i], change.corners[i + 1]);
   }
   if (const auto why = world::problem_of(polygon)) return wrong("corners", *why);
+  return polygon;
+}
+
+wire::CellChange cells_to_wire(const std::optional<world::CellState>& cells) {
+  return cells ? static_cast<wire::CellChange>(static_cast<int>(*cells) + 1)
+               : wire::CellChange::kAsBefore;
+}
+
+std::optional<world::CellState> cells_from_wire(wire::CellChange cells) {
+  if (cells == wire::CellChange::kAsBefore) return std::nullopt;
+  return static_cast<world::CellState>(static_cast<int>(cells) - 1);
+}
+static_assert(static_cast<int>(wire::CellChange::kFire) ==
+              static_cast<int>(world::CellState::kFire) + 1);
+
+void put(const world::Volume& volume, wire::WorldChange& result) {
+  result.name = volume.name;
+  result.corners = corners_of(volume.polygon);
+  result.floor = std::max(volume.floor, -kNoLevel);
+  result.ceiling = std::min(volume.ceiling, kNoLevel);
+  result.from = volume.when.from.count();
+  result.until = volume.when.until.count();
+}
+
+Read<mission::ChangeWorld> volume_from(const wire::WorldChange& change) {
+  mission::ChangeWorld result;
+  result.remove = change.remove;
+  result.volume.name = change.name;
+  if (change.remove) return result;
+  auto polygon = polygon_of(change);
+  if (!polygon) return tl::unexpected(polygon.error());
   if (change.floor >= change.ceiling) return wrong("ceiling", "not above the floor");
   if (change.from >= change.until) return wrong("until", "not later than from");
-  result.volume.polygon = std::move(polygon);
+  result.volume.polygon = std::move(*polygon);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   result.volume.floor = change.floor <= -kNoLevel ? -kInfinity : change.floor;
   result.volume.ceiling = change.ceiling >= kNoLevel ? kInfinity : change.ceiling;
   result.volume.when = {MissionTime::nanoseconds(change.from),
                         MissionTime::nanoseconds(change.until)};
   return result;
+}
+
+Read<mission::ChangeWorld> ground_from(const wire::WorldChange& change) {
+  auto polygon = polygon_of(change);
+  if (!polygon) return tl::unexpected(polygon.error());
+  if (change.risk > 1) return wrong("risk", "above 1");
+  mission::ChangeWorld result;
+  result.ground = {change.name, std::move(*polygon),
+                   change.risk < 0 ? std::nullopt : std::optional(change.risk), change.mapped,
+                   cells_from_wire(change.cells)};
+  return result;
+}
+
+}  // namespace
+
+wire::WorldChange to_wire(const mission::ChangeWorld& change) {
+  wire::WorldChange result;
+  if (change.place) {
+    result.part = wire::WorldPart::kPlace;
+    result.name = change.place->name;
+    result.at = to_wire(change.place->at);
+    result.radius = change.place->radius;
+    result.cells = cells_to_wire(change.place->cells);
+  } else if (change.ground) {
+    result.part = wire::WorldPart::kGround;
+    result.name = change.ground->name;
+    result.corners = corners_of(change.ground->area);
+    result.risk = change.ground->risk.value_or(-1);
+    result.mapped = change.ground->mapped;
+    result.cells = cells_to_wire(change.ground->cells);
+  } else {
+    result.remove = change.remove;
+    if (change.remove) result.name = change.volume.name;
+    if (!change.remove) put(change.volume, result);
+  }
+  return result;
+}
+
+mission::ChangeWorld change_of(const wire::Alarm& alarm) {
+  mission::ChangeWorld result;
+  auto cells = world::CellState::kAlarm;
+  if (alarm.state == wire::AlarmState::kConfirmed) cells = world::CellState::kFire;
+  if (alarm.state == wire::AlarmState::kInfirmed) cells = world::CellState::kQuiet;
+  result.place = {mission::name_of_alarm(alarm.id), from_wire(alarm.position), alarm.radius, cells};
+  return result;
+}
+
+Read<mission::ChangeWorld> from_wire(const wire::WorldChange& change) {
+  if (change.part == wire::WorldPart::kPlace) {
+    if (change.name.empty()) return wrong("name", "a place has a name");
+    mission::ChangeWorld result;
+    result.place = {change.name, from_wire(change.at), change.radius,
+                    cells_from_wire(change.cells)};
+    return result;
+  }
+  if (change.part == wire::WorldPart::kGround) return ground_from(change);
+  if (change.name.empty()) return wrong("name", "a volume has a name");
+  return volume_from(change);
 }
 
 }  // namespace skein::translation

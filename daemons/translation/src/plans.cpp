@@ -133,7 +133,8 @@ mission::HeldTask from_wire(const wire::HeldTask& held) {
 wire::GoalEntry to_wire(const mission::GoalStatus& goal) {
   return {goal.id.value(), goal.mission.value(),
           goal.statement,  static_cast<wire::GoalState>(goal.state),
-          goal.why,        goal.asked_by};
+          goal.why,        goal.asked_by,
+          goal.done};
 }
 
 mission::GoalStatus from_wire(const wire::GoalEntry& goal) {
@@ -142,15 +143,35 @@ mission::GoalStatus from_wire(const wire::GoalEntry& goal) {
           goal.statement,
           static_cast<mission::GoalState>(goal.state),
           goal.why,
-          goal.asked_by};
+          goal.asked_by,
+          goal.done};
 }
 
 wire::MissionOutcome to_wire(const std::string& uav, const mission::MissionOutcome& outcome) {
-  return {{}, uav, outcome.mission.value(), outcome.planned, outcome.reasons};
+  wire::MissionOutcome result{{}, uav, outcome.mission.value(), outcome.planned, outcome.reasons};
+  result.evaluated = outcome.evaluated;
+  if (!outcome.estimate) return result;
+  const mission::MissionEstimate& estimate = *outcome.estimate;
+  result.placement = static_cast<wire::MissionPlacement>(estimate.placement);
+  result.cost = estimate.cost;
+  result.energy = estimate.energy;
+  result.earliest_end = estimate.earliest_end.count();
+  result.latest_end = estimate.latest_end.count();
+  result.plan_end = estimate.plan_end.count();
+  return result;
 }
 
 mission::MissionOutcome from_wire(const wire::MissionOutcome& outcome) {
-  return {mission::MissionId(outcome.unit_mission), outcome.planned, outcome.reasons};
+  mission::MissionOutcome result{mission::MissionId(outcome.unit_mission), outcome.planned,
+                                 outcome.reasons, outcome.evaluated, std::nullopt};
+  if (!outcome.evaluated || !outcome.planned) return result;
+  result.estimate = {static_cast<mission::Placement>(outcome.placement),
+                     outcome.cost,
+                     outcome.energy,
+                     MissionTime::nanoseconds(outcome.earliest_end),
+                     MissionTime::nanoseconds(outcome.latest_end),
+                     MissionTime::nanoseconds(outcome.plan_end)};
+  return result;
 }
 
 wire::Decision to_wire(const std::string& uav, const mission::Decision& decision) {

@@ -111,6 +111,49 @@ TEST(Missions, TheEndOfAVolumeNeedsItsNameOnly) {
   EXPECT_EQ(from_wire(to_wire(change)), change);
 }
 
+TEST(Missions, APlaceComesBackWithWhatIsKnownOfTheGroundThere) {
+  mission::ChangeWorld change;
+  change.place = {"alarm:2", {1, 2, 3}, 12.5, world::CellState::kFire};
+
+  EXPECT_EQ(from_wire(to_wire(change)), change);
+  change.place->cells.reset();
+  EXPECT_EQ(from_wire(to_wire(change)), change);
+}
+
+TEST(Missions, GroundComesBackWithWhatIsKnownOfIt) {
+  mission::ChangeWorld change;
+  change.ground = {"A", {{0, 0}, {9, 0}, {9, 9}}, 0.25, true, std::nullopt};
+
+  EXPECT_EQ(from_wire(to_wire(change)), change);
+  change.ground->risk.reset();
+  change.ground->cells = world::CellState::kQuiet;
+  EXPECT_EQ(from_wire(to_wire(change)), change);
+}
+
+TEST(Missions, GroundWithoutCornersOrOfRiskAboveOneIsRefused) {
+  mission::ChangeWorld change;
+  change.ground = {"A", {{0, 0}, {9, 0}, {9, 9}}, 0.25, true, std::nullopt};
+  wire::WorldChange risky = to_wire(change), shapeless = to_wire(change);
+  risky.risk = 2;
+  shapeless.corners.clear();
+
+  EXPECT_EQ(from_wire(risky).error().field, "risk");
+  EXPECT_EQ(from_wire(shapeless).error().field, "corners");
+}
+
+TEST(Missions, AnAlarmIsAPlaceOfItsNumber) {
+  wire::Alarm alarm;
+  alarm.id = 7;
+  alarm.state = wire::AlarmState::kConfirmed;
+  alarm.position = {1, 2, 3};
+  alarm.radius = 4;
+
+  const mission::ChangeWorld change = change_of(alarm);
+
+  ASSERT_TRUE(change.place);
+  EXPECT_EQ(*change.place, (mission::KnownPlace{"alarm:7", {1, 2, 3}, 4, world::CellState::kFire}));
+}
+
 // ---- rubbish ----
 
 struct BadMission {

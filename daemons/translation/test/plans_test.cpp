@@ -39,8 +39,10 @@ TEST(Plans, EveryKindOfDependenceKeepsItsNameOnTheWire) {
 // ---- round trips ----
 
 RC_GTEST_PROP(Plans, AnOutcomeComesBackAsItWas, ()) {
-  const mission::MissionOutcome outcome{mission::MissionId(testing::any_id()), testing::any_truth(),
-                                        testing::some(testing::any_text)};
+  mission::MissionOutcome outcome{mission::MissionId(testing::any_id()), testing::any_truth(),
+                                  testing::some(testing::any_text)};
+  outcome.evaluated = testing::any_truth();
+  if (outcome.evaluated && outcome.planned) outcome.estimate = testing::any_estimate();
 
   RC_ASSERT(to_wire("karma", outcome).uav == "karma");
   RC_ASSERT(from_wire(to_wire("karma", outcome)) == outcome);

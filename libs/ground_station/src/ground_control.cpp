@@ -119,6 +119,9 @@ void GroundControl::accept_status(const FunctionalStatusReceived& input, Effects
 void GroundControl::accept_reachability(const PeerReachable& input, Effects& out) {
   errands_.emplace_back(Monitoring::Input(input));
   if (!input.reachable) return;
+  if (input.restarted) {
+    for (const Alarm& alarm : perception_.alarms()) out.emplace_back(TellAlarm{alarm, input.uav});
+  }
   for (const auto& [uav, mle] : local_) {
     if (uav == input.uav) continue;
     errands_.emplace_back(LocalInput{uav, executive::PeerReachable{input.uav}, std::nullopt});
@@ -228,8 +231,13 @@ void GroundControl::route(const MissionPlanning::Effect& effect, Effects& out) {
 void GroundControl::route(const PerceptionProcessing::Effect& effect, Effects& out) {
   std::visit(Overloaded{
                  [&](const PerceptionLogged& it) { out.emplace_back(it); },
-                 [&](const auto& it) {
+                 [&](const AlarmEvent& it) {
+                   monitoring_.know_place(mission::name_of_alarm(it.alarm.id.value()));
                    out.emplace_back(it);
+                   errands_.emplace_back(MissionPlanning::Input(it));
+                 },
+                 [&](const AlarmRefined& it) {
+                   out.emplace_back(TellAlarm{it.alarm, {}});
                    errands_.emplace_back(MissionPlanning::Input(it));
                  },
              },

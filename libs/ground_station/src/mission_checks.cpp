@@ -3,7 +3,6 @@
 #include "skein/ground_station/mission_checks.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace skein::ground_station {
 namespace {
@@ -19,24 +18,6 @@ Problems problems(const mission::ChangeDegree& change) {
           std::to_string(mission::kGreatestDegree)};
 }
 
-Problems problems(const mission::ChangeWorld& change) {
-  const world::Volume& volume = change.volume;
-  Problems out;
-  if (volume.name.empty()) out.emplace_back("the volume has no name");
-  if (change.remove) return out;
-  const bool finite = std::all_of(volume.polygon.begin(), volume.polygon.end(),
-                                  [](const world::Vector2& corner) { return corner.allFinite(); });
-  if (!finite) out.emplace_back("a corner of the volume is not finite");
-  if (volume.polygon.size() < 3) out.emplace_back("the volume has fewer than three corners");
-  if (!(volume.floor < volume.ceiling)) {
-    out.emplace_back("the volume's floor is not below its ceiling");
-  }
-  if (volume.when.until <= volume.when.from) {
-    out.emplace_back("the volume is open again before it is closed");
-  }
-  return out;
-}
-
 }  // namespace
 
 Problems MissionChecks::problems_of(const Request& request, const Addressee& to,
@@ -48,7 +29,7 @@ Problems MissionChecks::problems_of(const Request& request, const Addressee& to,
     return ground_station::problems(*change);
   }
   if (const auto* change = std::get_if<mission::ChangeWorld>(&request)) {
-    return ground_station::problems(*change);
+    return mission::problems_of(*change);
   }
   return {};
 }

@@ -160,7 +160,8 @@ void MissionPlanning::note_alarm(const Alarm& alarm, MissionTime now) {
   for (Waiting& waiting : waiting_) {
     for (Leaf& leaf : waiting.leaves) {
       const auto* on = as<OnAlarm>(*leaf.trigger);
-      if (!waiting.armed || on == nullptr || leaf.at || on->state != alarm.state || !ours) continue;
+      if (!waiting.armed || on == nullptr || leaf.at || on->state != alarm.state) continue;
+      if (on->id == AlarmId() ? !ours : on->id != alarm.id) continue;
       leaf.at = now;
       leaf.alarm = alarm.id;
     }

@@ -104,8 +104,10 @@ void Monitoring::on(const DecisionReceived& input, MissionTime, Effects& effects
 void Monitoring::on(const MissionOutcomeReceived& input, MissionTime, Effects& effects) {
   Record* record = find(input.uav, "outcome of a mission", effects);
   if (record == nullptr) return;
-  const MissionStage stage =
-      input.outcome.planned ? MissionStage::kPlanned : MissionStage::kRefused;
+  const MissionStage feasible =
+      input.outcome.evaluated ? MissionStage::kEvaluated : MissionStage::kPlanned;
+  const MissionStage stage = input.outcome.planned ? feasible : MissionStage::kRefused;
+  if (input.outcome.evaluated) record->board.evaluations[input.outcome.mission] = input.outcome;
   tell_stage(*record, input.outcome.mission, stage, effects);
 }
 

@@ -71,6 +71,8 @@ void Monitoring::send(CommandNumber number, MissionTime now, Effects& effects) {
   if (const auto problems = checks_.problems_of(pending.request, to, now); !problems.empty()) {
     return close(number, CommandState::kRefused, joined(problems), effects);
   }
+  const auto* world = std::get_if<mission::ChangeWorld>(&pending.request);
+  if (world != nullptr && world->place) know_place(world->place->name);
   if (const auto* change = std::get_if<mission::ChangeDegree>(&pending.request)) {
     record.change = Change{number, *change, pending.expires + grace_, std::nullopt};
   }

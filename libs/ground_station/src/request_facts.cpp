@@ -39,6 +39,8 @@ std::string describe(const mission::ChangeDegree& change) {
   return "DEGREE " + std::to_string(change.degree);
 }
 std::string describe(const mission::ChangeWorld& change) {
+  if (change.place) return "PLACE " + change.place->name;
+  if (change.ground) return "GROUND " + change.ground->name;
   return (change.remove ? "OPEN " : "CLOSE ") + change.volume.name;
 }
 

@@ -104,22 +104,27 @@ void MissionPlanning::perform(const DropPlan& action, const Deed& deed) {
   deed.effects.emplace_back(DropHeld{action.uav});
 }
 
+void MissionPlanning::Deed::tell(const mission::ChangeWorld& change,
+                                 const std::vector<std::string>& uavs) const {
+  for (const std::string& uav : uavs) issue(uav, change);
+  if (uavs.empty()) effects.emplace_back(IssueToAll{change, expires, asked_by});
+}
+
 void MissionPlanning::perform(const CloseAir& action, const Deed& deed) {
-  const mission::ChangeWorld change{action.volume, false};
-  for (const std::string& uav : action.uavs) deed.issue(uav, change);
-  if (action.uavs.empty()) {
-    deed.effects.emplace_back(IssueToAll{change, deed.expires, deed.asked_by});
-  }
+  mission::ChangeWorld change;
+  change.volume = action.volume;
+  deed.tell(change, action.uavs);
 }
 
 void MissionPlanning::perform(const OpenAir& action, const Deed& deed) {
   mission::ChangeWorld change;
   change.volume.name = action.name;
   change.remove = true;
-  for (const std::string& uav : action.uavs) deed.issue(uav, change);
-  if (action.uavs.empty()) {
-    deed.effects.emplace_back(IssueToAll{change, deed.expires, deed.asked_by});
-  }
+  deed.tell(change, action.uavs);
+}
+
+void MissionPlanning::perform(const TellWorld& action, const Deed& deed) {
+  deed.tell(action.change, action.uavs);
 }
 
 void MissionPlanning::perform(const Finish&, const Deed& deed) {

@@ -379,6 +379,31 @@ TEST(GroundControl, AnAlarmSetsTheScriptInMotion) {
   EXPECT_THAT(ground.alarms(), SizeIs(1));
 }
 
+TEST(GroundControl, AUavThatRestartedIsToldOfTheAlarmsAgain) {
+  GroundControl ground = control({{"heliv", 4, {}}});
+  world::Perception look;
+  look.uav = "marvin";
+  look.device = "fire-sensor";
+  look.viewpoint = {100, 50, 60};
+  look.direction = -world::Vector3::UnitZ();
+  look.range = 100;
+  look.aperture = 0.8;
+  look.detections.push_back({"fire", {100, 50, 0}, 5, 0.9});
+  for (int i = 1; i < 10; ++i) {
+    look.at = at(2 * i);
+    ground.handle(PerceptionReceived{look}, at(2 * i));
+  }
+  ASSERT_THAT(ground.alarms(), SizeIs(1));
+
+  EXPECT_THAT(only<TellAlarm>(ground.handle(PeerReachable{"heliv", true, false}, at(30))),
+              IsEmpty());
+  const auto told = only<TellAlarm>(ground.handle(PeerReachable{"heliv", true, true}, at(31)));
+
+  ASSERT_THAT(told, SizeIs(1));
+  EXPECT_EQ(told[0].uav, "heliv");
+  EXPECT_EQ(told[0].alarm.id, AlarmId(1));
+}
+
 // One input of a random kind, about a random UAV and task.
 GroundControl::Input any_input(Random& random, const std::vector<std::string>& names, double now) {
   const std::string uav = names[random.below(names.size())];

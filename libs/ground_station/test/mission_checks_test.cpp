@@ -51,6 +51,18 @@ TEST(MissionChecks, EveryReasonIsGivenAtOnce) {
   EXPECT_THAT(reasons[1] + reasons[2], HasSubstr("P9"));
 }
 
+TEST(MissionChecks, APlaceMayBeNamedOnceItIsKnown) {
+  MissionChecks checking = checks();
+  const std::vector<mission::GoalStatus> none;
+  const Addressee marvin{"marvin", 4, none};
+  EXPECT_THAT(checking.problems_of(watch("alarm:1", 20), marvin, at(10)), SizeIs(1));
+
+  checking.know_place("alarm:1");
+
+  EXPECT_THAT(checking.problems_of(watch("alarm:1", 20), marvin, at(10)), IsEmpty());
+  EXPECT_THAT(checking.problems_of(watch("alarm:2", 20), marvin, at(10)), SizeIs(1));
+}
+
 TEST(MissionChecks, AHighLevelTaskIsAskedForOnce) {
   const std::vector<mission::GoalStatus> goals = {{mission::GoalId(701), mission::MissionId(1),
                                                    "watch P2 10", mission::GoalState::kAchieved, "",

@@ -72,6 +72,10 @@ TEST(MissionPlanning, EachKindOfEventFiresItsTrigger) {
   const std::vector<Case> table = {
       {when(OnAlarm{AlarmState::kConfirmed}), alarm(1, AlarmState::kRaised),
        alarm(1, AlarmState::kConfirmed)},
+      {when(OnAlarm{AlarmState::kRaised, AlarmId(2)}), alarm(1, AlarmState::kRaised),
+       alarm(2, AlarmState::kRaised)},
+      {when(OnAlarm{AlarmState::kInfirmed, AlarmId(2)}), alarm(1, AlarmState::kInfirmed),
+       alarm(2, AlarmState::kInfirmed)},
       {task_is(2, TaskState::kRunning), changed(2, TaskState::kEnded),
        changed(2, TaskState::kRunning)},
       {task_is(2, TaskState::kRunning), TaskChanged{"heliv", id(2), TaskState::kRunning},
@@ -243,6 +247,21 @@ TEST(MissionPlanning, ActionsOnAutonomyBecomeRequests) {
   EXPECT_EQ(std::get<mission::ChangeWorld>(issued[2].request).volume, tower());
   EXPECT_TRUE(std::get<mission::ChangeWorld>(issued[3].request).remove);
   EXPECT_EQ(issued[3].asked_by, "step all");
+}
+
+TEST(MissionPlanning, WhatIsKnownOfTheWorldIsToldToThoseMeant) {
+  mission::ChangeWorld place;
+  place.place = {"well", {1, 2, 3}, 0, std::nullopt};
+  MissionPlanning mps = playing(
+      {a_step("all", when(AtTime{at(1)}), {TellWorld{place, {"marvin"}}, TellWorld{place}})});
+
+  const Effects effects = mps.handle(Tick{}, at(1));
+
+  const auto issued = only<IssueCommand>(effects);
+  ASSERT_THAT(issued, SizeIs(1));
+  EXPECT_EQ(issued[0].uav, "marvin");
+  EXPECT_EQ(std::get<mission::ChangeWorld>(issued[0].request), place);
+  EXPECT_THAT(only<IssueToAll>(effects), SizeIs(1));
 }
 
 TEST(MissionPlanning, ActionsOnHandsAndAirGoToTheOthers) {

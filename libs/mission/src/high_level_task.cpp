@@ -43,7 +43,15 @@ std::string text_of(const Argument& argument) {
                     argument);
 }
 
-std::string text_of(const TimeConstraints& time) {
+// "start-after-goal 701 0 to 60".
+std::string text_of(const GoalBound& bound) {
+  const std::string most =
+      bound.most == Duration::max() ? " or more" : " to " + to_text(bound.most);
+  return std::string(bound.on_end ? "end" : "start") + "-after-goal " + to_text(bound.goal) + " " +
+         to_text(bound.least) + most;
+}
+
+std::string text_of(const TimeConstraints& time, const std::vector<GoalBound>& after) {
   std::string text;
   const auto add = [&](std::string_view what, const std::optional<MissionTime>& bound) {
     if (!bound) return;
@@ -54,6 +62,7 @@ std::string text_of(const TimeConstraints& time) {
   add("start-before", time.start_before);
   add("end-after", time.end_after);
   add("end-before", time.end_before);
+  for (const GoalBound& bound : after) text += (text.empty() ? " [" : ", ") + text_of(bound);
   return text.empty() ? text : text + "]";
 }
 
@@ -68,7 +77,7 @@ std::string number_text(double number) {
 std::string to_text(const HighLevelTask& task) {
   std::string text = task.name;
   for (const Argument& argument : task.arguments) text += " " + text_of(argument);
-  return text + text_of(task.time);
+  return text + text_of(task.time, task.after);
 }
 
 std::string_view to_text(Placement placement) { return word_of(kPlacements, placement); }

@@ -109,6 +109,7 @@ class Check {
   void task(const HighLevelTask& task) {
     where_ = "task " + to_text(task.id);
     times(task.time);
+    for (const GoalBound& bound : task.after) after(task, bound);
     const auto found = vocabulary_.tasks.find(task.name);
     if (found == vocabulary_.tasks.end()) {
       say(unknown("task", task.name, task_names_));
@@ -233,6 +234,18 @@ class Check {
     later(time.start_after, "start after", time.end_before, "end before");
     passed(time.start_before, "start before");
     passed(time.end_before, "end before");
+  }
+
+  void after(const HighLevelTask& task, const GoalBound& bound) {
+    const std::string what =
+        std::string(bound.on_end ? "end" : "start") + " after goal " + to_text(bound.goal);
+    if (bound.goal == GoalId()) say("a bound after a goal needs its number");
+    if (bound.goal == task.id) say("cannot " + what + ": that is itself");
+    if (bound.least < Duration()) say("cannot " + what + " by less than 0 s");
+    if (bound.least > bound.most) {
+      say("cannot " + what + " by " + to_text(bound.least) + " s at least and " +
+          to_text(bound.most) + " s at most");
+    }
   }
 
   void later(const std::optional<MissionTime>& least, std::string_view least_name,

@@ -70,6 +70,17 @@ TEST(HighLevelTask, WritesItsTimeConstraintsInSeconds) {
   EXPECT_EQ(to_text(task), "general-land [start-after 120, end-before 600.5]");
 }
 
+TEST(HighLevelTask, WritesItsBoundsAfterGoals) {
+  HighLevelTask task{GoalId(1), "general-land", {}, {}};
+  task.time.start_after = MissionTime::seconds(120);
+  task.after = {{GoalId(701), false, Duration::seconds(10), Duration::seconds(60)},
+                {GoalId(702), true, Duration::seconds(5), Duration::max()}};
+
+  EXPECT_EQ(to_text(task),
+            "general-land [start-after 120, start-after-goal 701 10 to 60, end-after-goal 702 5 or "
+            "more]");
+}
+
 TEST(HighLevelTask, OddNumbersHaveATextToo) {
   HighLevelTask task{GoalId(1), "x", {}, {}};
   task.arguments = {std::numeric_limits<double>::infinity(), -0.0, 1e300};

@@ -183,6 +183,20 @@ TEST_F(MissionCheck, RefusesConstraintsThatContradictEachOther) {
                           "task 701: cannot start after 300 s and end before 250 s"));
 }
 
+TEST_F(MissionCheck, RefusesBoundsAfterGoalsThatMakeNoSense) {
+  UnitMission mission;
+  mission.id = MissionId(1);
+  mission.tasks = {{GoalId(701), "general-takeoff", {}, {}}};
+  mission.tasks[0].after = {{GoalId(701), false, Duration::seconds(60), Duration::seconds(10)},
+                            {GoalId(), true, Duration::seconds(-1), Duration::max()}};
+
+  EXPECT_THAT(problems(mission),
+              ElementsAre("task 701: cannot start after goal 701: that is itself",
+                          "task 701: cannot start after goal 701 by 60 s at least and 10 s at most",
+                          "task 701: a bound after a goal needs its number",
+                          "task 701: cannot end after goal 0 by less than 0 s"));
+}
+
 TEST_F(MissionCheck, RefusesConstraintsThatHavePassed) {
   TimeConstraints time;
   time.start_before = MissionTime::seconds(49);

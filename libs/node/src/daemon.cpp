@@ -106,6 +106,7 @@ class Daemon {
     HostPorts ports;
     ports.journal = [this](const journal::Record& record) { unsent_records_.push_back(record); };
     ports.start_job = [this](StartJob job) { jobs_.submit(std::move(job)); };
+    ports.stop_job = [this](StopJob job) { jobs_.stop(job.id); };
     ports.finish = [] {};  // the leader sees the mission state that the node publishes
     ports.world = [this](const wire::Sample& sample) { take_world(sample); };
     return ports;

@@ -101,6 +101,9 @@ void Host::carry_out(Effects effects, Now now) {
                           [&](Publish& one) { publish(std::move(one.sample), now); },
                           [&](Log& one) { ports_.journal(one.record); },
                           [&](StartJob& one) { ports_.start_job(std::move(one)); },
+                          [&](StopJob& one) {
+                            if (ports_.stop_job) ports_.stop_job(one);
+                          },
                           [&](Finish&) { ports_.finish(); }},
                effect);
   }

@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "job_runner.hpp"
 
+#include "skein/node/waker.hpp"
+
 namespace skein::node {
+
+namespace {
+
+TimeIsUp clock_for(const StartJob& job, std::shared_ptr<const std::atomic<bool>> stopped) {
+  return [from = Waker::steady_now(), at_most = job.at_most, stopped = std::move(stopped)] {
+    return stopped->load() || Waker::steady_now() - from >= at_most;
+  };
+}
+
+}  // namespace
 
 JobRunner::JobRunner(std::function<void()> notify)
     : notify_(std::move(notify)), thread_([this] { work(); }) {}
@@ -18,9 +30,16 @@ JobRunner::~JobRunner() {
 void JobRunner::submit(StartJob job) {
   {
     const std::lock_guard lock(mutex_);
+    stopped_[job.id] = std::make_shared<std::atomic<bool>>(false);
     waiting_.push_back(std::move(job));
   }
   changed_.notify_one();
+}
+
+void JobRunner::stop(std::uint64_t id) {
+  const std::lock_guard lock(mutex_);
+  const auto job = stopped_.find(id);
+  if (job != stopped_.end()) job->second->store(true);
 }
 
 std::vector<JobDone> JobRunner::take_done() {
@@ -35,9 +54,11 @@ void JobRunner::work() {
     if (stopping_) return;
     const StartJob job = std::move(waiting_.front());
     waiting_.pop_front();
+    const auto stopped = stopped_.at(job.id);
     lock.unlock();
-    JobDone done{job.id, job.work()};
+    JobDone done{job.id, job.work(clock_for(job, stopped))};
     lock.lock();
+    stopped_.erase(job.id);
     done_.push_back(std::move(done));
     lock.unlock();
     notify_();

@@ -2,9 +2,12 @@
 // Runs a node's jobs in a thread of their own.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -24,16 +27,20 @@ class JobRunner {
   ~JobRunner();
 
   void submit(StartJob job);
+  /// Tells the job, whether it runs or waits, that it has had its time. Unknown ones: nothing.
+  void stop(std::uint64_t id);
   std::vector<JobDone> take_done();
 
  private:
   void work();
 
   std::function<void()> notify_;
-  std::mutex mutex_;  ///< guards the four below
+  std::mutex mutex_;  ///< guards the five below
   std::condition_variable changed_;
   std::deque<StartJob> waiting_;
   std::vector<JobDone> done_;
+  std::map<std::uint64_t, std::shared_ptr<std::atomic<bool>>>
+      stopped_;  ///< of jobs that are not done
   bool stopping_ = false;
   std::thread thread_;
 };

@@ -114,7 +114,7 @@ class VirtualRun {
     ports.journal = journal_;
     ports.finish = [this] { finish(); };
     ports.start_job = [this, name = seat.member->name, life = seat.incarnation](StartJob job) {
-      jobs_.emplace(now_ + config_.job_latency, Job{name, life, {job.id, job.work()}});
+      jobs_.emplace(now_ + config_.job_latency, Job{name, life, {job.id, job.work({})}});
     };
     return ports;
   }

@@ -410,7 +410,8 @@ TEST_F(Hosts, AWakeupComesWhenMissionTimeIsThereAndOnlyThen) {
 }
 
 TEST_F(Hosts, EffectsAreCarriedOutInTheirOrder) {
-  act("marvin", {Log{Record(at(0), "marvin", "first")}, StartJob{5, [] { return std::any(1); }},
+  act("marvin", {Log{Record(at(0), "marvin", "first")},
+                 StartJob{5, [](const TimeIsUp&) { return std::any(1); }},
                  Log{Record(at(0), "marvin", "second")}, Finish{}});
 
   const Station& marvin = (*this)["marvin"];

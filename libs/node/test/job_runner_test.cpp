@@ -34,7 +34,7 @@ TEST(JobRunner, GivesBackTheResultWithTheJobsId) {
   Collector collector;
   JobRunner runner(collector.notify());
 
-  runner.submit({7, [] { return std::any(std::string("route")); }});
+  runner.submit({7, [](const TimeIsUp&) { return std::any(std::string("route")); }});
   const auto done = collector.take(runner, 1);
 
   ASSERT_EQ(done.size(), 1U);
@@ -46,7 +46,7 @@ TEST(JobRunner, WorksInAnotherThread) {
   Collector collector;
   JobRunner runner(collector.notify());
 
-  runner.submit({1, [] { return std::any(std::this_thread::get_id()); }});
+  runner.submit({1, [](const TimeIsUp&) { return std::any(std::this_thread::get_id()); }});
   const auto done = collector.take(runner, 1);
 
   EXPECT_NE(std::any_cast<std::thread::id>(done[0].result), std::this_thread::get_id());
@@ -57,13 +57,13 @@ TEST(JobRunner, SubmittingDoesNotWaitForTheJobThatRuns) {
   std::latch running(1), go_on(1);
   JobRunner runner(collector.notify());
 
-  runner.submit({1, [&] {
+  runner.submit({1, [&](const TimeIsUp&) {
                    running.count_down();
                    go_on.wait();
                    return std::any();
                  }});
   running.wait();
-  runner.submit({2, [] { return std::any(); }});
+  runner.submit({2, [](const TimeIsUp&) { return std::any(); }});
   const bool nothing_yet = runner.take_done().empty();
   go_on.count_down();
 
@@ -76,7 +76,7 @@ TEST(JobRunner, JobsRunInTheOrderOfTheirArrival) {
   JobRunner runner(collector.notify());
 
   for (std::uint64_t id = 1; id <= 100; ++id) {
-    runner.submit({id, [id] { return std::any(id * id); }});
+    runner.submit({id, [id](const TimeIsUp&) { return std::any(id * id); }});
   }
   const auto done = collector.take(runner, 100);
 
@@ -89,7 +89,7 @@ TEST(JobRunner, JobsRunInTheOrderOfTheirArrival) {
 TEST(JobRunner, ResultsAreTakenOnce) {
   Collector collector;
   JobRunner runner(collector.notify());
-  runner.submit({1, [] { return std::any(); }});
+  runner.submit({1, [](const TimeIsUp&) { return std::any(); }});
 
   const auto first = collector.take(runner, 1);
 
@@ -103,14 +103,14 @@ TEST(JobRunner, ItsEndWaitsForTheJobThatRunsAndDropsThoseThatWait) {
   std::thread helper;
   {
     JobRunner runner([] {});
-    runner.submit({1, [&] {
+    runner.submit({1, [&](const TimeIsUp&) {
                      running.count_down();
                      go_on.wait();
                      finished = true;
                      return std::any();
                    }});
     running.wait();
-    runner.submit({2, [&] {
+    runner.submit({2, [&](const TimeIsUp&) {
                      second_ran = true;
                      return std::any();
                    }});
@@ -125,6 +125,44 @@ TEST(JobRunner, ItsEndWaitsForTheJobThatRunsAndDropsThoseThatWait) {
 
   EXPECT_TRUE(finished);
   (void)second_ran;  // whether it was still dropped depends on who was quicker
+}
+
+TEST(JobRunner, TellsAJobWhenItHasHadItsTime) {
+  Collector collector;
+  JobRunner runner(collector.notify());
+  const auto until_told = [](const TimeIsUp& time_is_up) {
+    std::uint64_t asked = 0;
+    for (; !time_is_up(); ++asked) std::this_thread::yield();
+    return std::any(asked);
+  };
+
+  runner.submit({1, until_told, Duration::milliseconds(20)});
+  runner.submit({2, [](const TimeIsUp& time_is_up) { return std::any(time_is_up()); }});
+  const auto done = collector.take(runner, 2);
+
+  EXPECT_GT(std::any_cast<std::uint64_t>(done[0].result), 0U);
+  EXPECT_FALSE(std::any_cast<bool>(done[1].result)) << "who has no limit has all the time it needs";
+}
+
+TEST(JobRunner, TellsAJobWhenNobodyWantsItsResultAnyMore) {
+  Collector collector;
+  JobRunner runner(collector.notify());
+  std::latch running(1);
+
+  runner.submit({1, [&](const TimeIsUp& time_is_up) {
+                   running.count_down();
+                   while (!time_is_up()) std::this_thread::yield();
+                   return std::any();
+                 }});
+  runner.submit({2, [](const TimeIsUp& time_is_up) { return std::any(time_is_up()); }});
+  runner.submit({3, [](const TimeIsUp& time_is_up) { return std::any(time_is_up()); }});
+  running.wait();
+  runner.stop(2);
+  runner.stop(1);
+  const auto done = collector.take(runner, 3);
+
+  EXPECT_TRUE(std::any_cast<bool>(done[1].result)) << "also when it waited";
+  EXPECT_FALSE(std::any_cast<bool>(done[2].result));
 }
 
 TEST(JobRunner, EndsWithNothingToDo) {

@@ -159,7 +159,7 @@ TEST_F(Virtual, AJobsResultComesBackAfterItsLatency) {
   of["a"].wakeup = at(2);
   of["a"].answer = [](const Input& input, MissionTime) -> Effects {
     if (!std::holds_alternative<Wakeup>(input)) return {};
-    return {StartJob{9, [] { return std::any(42); }}};
+    return {StartJob{9, [](const TimeIsUp&) { return std::any(42); }}};
   };
 
   run();
@@ -182,7 +182,7 @@ TEST_F(Virtual, AJobThatStartsAnotherWithoutLatencyComesBackAtTheSameInstant) {
     const auto* done = std::get_if<JobDone>(&input);
     const std::uint64_t next = done == nullptr ? 1 : done->id + 1;
     if ((done == nullptr && !std::holds_alternative<Wakeup>(input)) || next > 3) return {};
-    return {StartJob{next, [] { return std::any(); }}};
+    return {StartJob{next, [](const TimeIsUp&) { return std::any(); }}};
   };
 
   run();
@@ -196,7 +196,7 @@ TEST_F(Virtual, AJobsResultDoesNotReachTheNextIncarnation) {
   of["a"].wakeup = at(2);
   of["a"].answer = [](const Input& input, MissionTime) -> Effects {
     if (!std::holds_alternative<Wakeup>(input)) return {};
-    return {StartJob{9, [] { return std::any(); }}};
+    return {StartJob{9, [](const TimeIsUp&) { return std::any(); }}};
   };
 
   run();

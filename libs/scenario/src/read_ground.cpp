@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ground station's part of a scenario file: its script and its perception processing.
+#include <limits>
+
 #include "read_missions.hpp"
 
 namespace skein::scenario {
@@ -36,7 +38,7 @@ ground_station::OnMission read_on_mission(const Reader& reader, TaskContext& con
   ground_station::OnMission on{read_uav(reader, context), {}, {}};
   on.mission = read_mission_id(reader.required("id"), on.uav, context);
   on.state = static_cast<ground_station::MissionStage>(
-      reader.required("state").choice({"planned", "refused", "achieved", "failed"}));
+      reader.required("state").choice({"planned", "refused", "achieved", "failed", "evaluated"}));
   return on;
 }
 
@@ -68,6 +70,22 @@ std::optional<Trigger> read_uav_trigger(const Reader& reader, TaskContext& conte
   return std::nullopt;
 }
 
+// A state, or {state: …, id: …} of one in particular.
+ground_station::OnAlarm read_on_alarm(const Reader& reader) {
+  ground_station::OnAlarm on;
+  if (reader.is_map()) reader.keys({"state", "id"});
+  const Reader state = reader.is_map() ? reader.required("state") : reader;
+  on.state =
+      static_cast<ground_station::AlarmState>(state.choice({"raised", "confirmed", "infirmed"}));
+  if (!reader.is_map()) return on;
+  const Reader id = reader.optional("id");
+  if (!id.present()) return on;
+  const std::int64_t number = id.integer(1, 0, std::numeric_limits<std::int32_t>::max());
+  if (number == 0) id.error("0 is no id", "a whole number from 1");
+  on.id = ground_station::AlarmId(static_cast<std::uint32_t>(number));
+  return on;
+}
+
 Trigger read_trigger(const Reader& reader, TaskContext& context) {
   if (!reader.keys({"time", "alarm", "task", "mission", "goal", "degree", "operator", "step",
                     "restart", "all", "any"})) {
@@ -79,8 +97,7 @@ Trigger read_trigger(const Reader& reader, TaskContext& context) {
   const auto given = [&](const char* key) { return reader.optional(key).present(); };
   if (given("time")) return {ground_station::AtTime{read_instant(reader.optional("time"))}};
   if (given("alarm")) {
-    return {ground_station::OnAlarm{static_cast<ground_station::AlarmState>(
-        reader.optional("alarm").choice({"raised", "confirmed", "infirmed"}))}};
+    return {read_on_alarm(reader.optional("alarm"))};
   }
   if (given("operator")) return {ground_station::OnOperator{reader.optional("operator").text()}};
   if (given("step")) {
@@ -149,16 +166,18 @@ std::vector<Action> read_actions(const Reader& reader, TaskContext& context) {
   std::vector<Action> actions;
   for (const Reader& item : items_of(reader)) {
     item.keys({"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
-               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "finish"});
-    at_most_one_of(
-        item, {"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
-               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "finish"});
+               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "know_place",
+               "know_ground", "finish"});
+    at_most_one_of(item, {"plan", "abort", "message", "update", "mission", "cancel", "degree",
+                          "take_in_hand", "give_back", "resume_plan", "drop_plan", "close_air",
+                          "open_air", "know_place", "know_ground", "finish"});
     if (auto action = read_action(item, context)) {
       actions.push_back(std::move(*action));
     } else {
       item.error("an action of no kind",
                  "one of plan, abort, message, update, mission, cancel, degree, take_in_hand, "
-                 "give_back, resume_plan, drop_plan, close_air, open_air, finish: true");
+                 "give_back, resume_plan, drop_plan, close_air, open_air, know_place, know_ground, "
+                 "finish: true");
     }
   }
   return actions;

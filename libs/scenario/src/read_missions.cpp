@@ -68,10 +68,32 @@ std::optional<MissionTime> read_bound(const Reader& reader) {
   return reader.present() ? std::optional(read_instant(reader)) : std::nullopt;
 }
 
+constexpr double kLongest = 1e6;  // [s]
+
+// {goal: ID, least: s, most: s}
+void read_after(const Reader& reader, bool on_end, const std::string& uav,
+                mission::HighLevelTask& task, TaskContext& context) {
+  if (!reader.present()) return;
+  reader.keys({"goal", "least", "most"});
+  mission::GoalBound bound;
+  bound.goal = read_goal_id(reader.required("goal"), uav, context);
+  bound.on_end = on_end;
+  const Reader least = reader.optional("least"), most = reader.optional("most");
+  if (least.present()) bound.least = Duration::seconds(least.number(0, {0, kLongest}));
+  if (most.present()) bound.most = Duration::seconds(most.number(0, {0, kLongest}));
+  if (!least.present() && !most.present()) {
+    reader.error("no bound", "least: seconds, most: seconds, or both");
+  }
+  if (bound.least > bound.most) most.error("less than least", "a number from least on");
+  if (bound.goal == task.id) reader.error("a goal after itself", "another goal");
+  task.after.push_back(bound);
+}
+
 mission::HighLevelTask read_goal(const Reader& reader, const std::string& uav, std::size_t number,
                                  std::vector<ArgumentTarget>& targets, TaskContext& context) {
   mission::HighLevelTask task;
-  if (!reader.keys({"id", "task", "start_before", "start_after", "end_before", "end_after"})) {
+  if (!reader.keys({"id", "task", "start_before", "start_after", "end_before", "end_after",
+                    "start_after_goal", "end_after_goal"})) {
     return task;
   }
   const Reader id = reader.required("id");
@@ -84,6 +106,8 @@ mission::HighLevelTask read_goal(const Reader& reader, const std::string& uav, s
   task.time = {read_bound(reader.optional("start_before")),
                read_bound(reader.optional("start_after")),
                read_bound(reader.optional("end_before")), read_bound(reader.optional("end_after"))};
+  read_after(reader.optional("start_after_goal"), false, uav, task, context);
+  read_after(reader.optional("end_after_goal"), true, uav, task, context);
   return task;
 }
 
@@ -92,7 +116,7 @@ std::string read_uav(const Reader& reader, const TaskContext& context) {
 }
 
 Action read_mission(const Reader& reader, TaskContext& context) {
-  reader.keys({"uav", "id", "tasks", "placement", "interrupt", "achieve"});
+  reader.keys({"uav", "id", "tasks", "placement", "interrupt", "achieve", "evaluate"});
   if (!context.scenario.planning) reader.error(kNoPlanning, kPlanningWanted);
   ground_station::SendMission send;
   send.uav = read_uav(reader, context);
@@ -111,6 +135,7 @@ Action read_mission(const Reader& reader, TaskContext& context) {
       reader.optional("placement").choice({"best", "last", "in-time", "tour", "first"}));
   send.mission.any = reader.optional("achieve").choice({"all", "any"}) == 1;
   send.mission.interrupt = interrupt.boolean(false);
+  send.mission.evaluate = reader.optional("evaluate").boolean(false);
   if (send.mission.interrupt && send.mission.placement != mission::Placement::kFirst) {
     interrupt.error("only what comes first interrupts what is under way", "placement: first");
   }
@@ -197,6 +222,38 @@ Action read_open_air(const Reader& reader, TaskContext& context) {
       read_uavs_of(reader.optional("uavs"), context)};
 }
 
+std::optional<world::CellState> read_cells(const Reader& reader) {
+  if (!reader.present()) return std::nullopt;
+  return static_cast<world::CellState>(reader.choice({"quiet", "alarm", "fire"}));
+}
+
+Action read_know_place(const Reader& reader, TaskContext& context) {
+  reader.keys({"name", "at", "radius", "cells", "uavs"});
+  ground_station::TellWorld tell;
+  const Reader radius = reader.optional("radius");
+  tell.change.place = {reader.required("name").text(), world::read_point(reader.required("at")),
+                       radius.present() ? radius.number() : 0,
+                       read_cells(reader.optional("cells"))};
+  for (const std::string& why : mission::problems_of(tell.change)) reader.error(why, "a place");
+  tell.uavs = read_uavs_of(reader.optional("uavs"), context);
+  return tell;
+}
+
+Action read_know_ground(const Reader& reader, TaskContext& context) {
+  reader.keys({"name", "polygon", "risk", "mapped", "cells", "uavs"});
+  ground_station::TellWorld tell;
+  mission::KnownGround ground;
+  ground.name = reader.required("name").text();
+  ground.area = world::read_polygon(reader.required("polygon"));
+  if (const Reader risk = reader.optional("risk"); risk.present()) ground.risk = risk.number();
+  ground.mapped = reader.optional("mapped").boolean(false);
+  ground.cells = read_cells(reader.optional("cells"));
+  tell.change.ground = std::move(ground);
+  for (const std::string& why : mission::problems_of(tell.change)) reader.error(why, "risk, …");
+  tell.uavs = read_uavs_of(reader.optional("uavs"), context);
+  return tell;
+}
+
 template <class AnId>
 AnId referred(const Reader& reader, const std::string& uav, bool is_goal, TaskContext& context) {
   const auto id = read_id<AnId>(reader);
@@ -233,11 +290,12 @@ void check_references(const TaskContext& context) {
 
 const std::vector<MissionAction>& mission_actions() {
   static const std::vector<MissionAction> kActions{
-      {"mission", read_mission},     {"cancel", read_cancel},
-      {"degree", read_degree},       {"take_in_hand", read_take_in_hand},
-      {"give_back", read_give_back}, {"resume_plan", read_resume_plan},
-      {"drop_plan", read_drop_plan}, {"close_air", read_close_air},
-      {"open_air", read_open_air}};
+      {"mission", read_mission},        {"cancel", read_cancel},
+      {"degree", read_degree},          {"take_in_hand", read_take_in_hand},
+      {"give_back", read_give_back},    {"resume_plan", read_resume_plan},
+      {"drop_plan", read_drop_plan},    {"close_air", read_close_air},
+      {"open_air", read_open_air},      {"know_place", read_know_place},
+      {"know_ground", read_know_ground}};
   return kActions;
 }
 

@@ -230,7 +230,8 @@ SKEIN_WRONG_FILES(Script,
                   Wrong{"ActionOfNoKind", "do: [{finish: true}]", "do: [{finish: false}]",
                         "30:12: ground.script[1].do[0]: an action of no kind; expected one of "
                         "plan, abort, message, update, mission, cancel, degree, take_in_hand, "
-                        "give_back, resume_plan, drop_plan, close_air, open_air, finish: true\n"},
+                        "give_back, resume_plan, drop_plan, close_air, open_air, know_place, "
+                        "know_ground, finish: true\n"},
                   Wrong{"ActionOfTwoKinds", "do: [{finish: true}]",
                         "do: [{finish: true, message: {uav: heliv, text: go}}]",
                         "30:21: ground.script[1].do[0].finish: 'finish' beside 'message'; expected "

@@ -108,8 +108,12 @@ SKEIN_WRONG_PLANNING(
          "ARGUMENT...]\n"),
     goal("UnknownKeyOfAGoal", "{id: 701, task: [general-land], start_befor: 3}",
          "19:129: ground.script[0].do[0].mission.tasks[1].start_befor: unknown key 'start_befor'; "
-         "expected one of id, task, start_before, start_after, end_before, end_after; did you mean "
-         "'start_before'?\n"),
+         "expected one of id, task, start_before, start_after, end_before, end_after, "
+         "start_after_goal, end_after_goal; did you mean 'start_before'?\n"),
+    goal(
+        "ABoundWithoutFigures", "{id: 701, task: [general-land], end_after_goal: {goal: 700}}",
+        "19:132: ground.script[0].do[0].mission.tasks[1].end_after_goal: no bound; expected least: "
+        "seconds, most: seconds, or both\n"),
     goal("NumbersAmongNames", "{id: 701, task: [synchro, 551, [karma, 3], [heliv]]}",
          "19:123: ground.script[0].do[0].mission.tasks[1].task[2][1]: a number among names; "
          "expected names, or [x, y, z]\n"),
@@ -178,6 +182,10 @@ SKEIN_WRONG_PLANNING(
            "close_air: {name: n, polygon: [[0, 0], [9, 0], [9, 9]], uavs: [krma]}",
            "22:76: ground.script[1].do[0].close_air.uavs[0]: unknown name 'krma'; expected a UAV; "
            "did you mean 'karma'?\n"),
+    action("GroundOfWhichNothingIsSaid",
+           "know_ground: {name: A, polygon: [[0, 0], [9, 0], [9, 9]]}",
+           "22:26: ground.script[1].do[0].know_ground: nothing is said of the ground: risk, mapped "
+           "or cells; expected risk, …\n"),
     action("OpenedThoughNeverClosed", "open_air: {name: towr}",
            "22:30: ground.script[1].do[0].open_air.name: unknown name 'towr'; expected a volume of "
            "closed air; did you mean 'tower'?\n"),
@@ -193,7 +201,7 @@ SKEIN_WRONG_PLANNING(
         "under-way, achieved, failed, cancelled, handed-over; did you mean 'achieved'?\n"),
     trigger("MissionStateOfAGoal", "mission: {uav: karma, id: 1, state: received}",
             "21:50: ground.script[1].when.mission.state: 'received'; expected one of planned, "
-            "refused, achieved, failed; did you mean 'refused'?\n"),
+            "refused, achieved, failed, evaluated; did you mean 'refused'?\n"),
     trigger("MissionNeverSent", "mission: {uav: karma, id: 7, state: failed}",
             "21:40: ground.script[1].when.mission.id: mission 7 is never sent to karma; expected "
             "one that the script sends\n"),

@@ -163,6 +163,19 @@ TEST(Missions, TimeConstraintsAreInstantsOfTheMission) {
   EXPECT_EQ(others, (mission::TimeConstraints{at(20), {}, {}, at(40)}));
 }
 
+TEST(Missions, BoundsAfterGoalsAreSecondsAfterTheirEnd) {
+  const auto start =
+      mission_with_task("task: [any], start_after_goal: {goal: 700, least: 10, most: 60}");
+  const auto end = mission_with_task("task: [any], end_after_goal: {goal: 700, most: 60.5}");
+
+  ASSERT_EQ(start.mission.tasks[1].after.size(), 1U);
+  EXPECT_EQ(start.mission.tasks[1].after[0],
+            (mission::GoalBound{mission::GoalId(700), false, Duration::seconds(10),
+                                Duration::seconds(60)}));
+  EXPECT_EQ(end.mission.tasks[1].after[0],
+            (mission::GoalBound{mission::GoalId(700), true, {}, Duration::seconds(60.5)}));
+}
+
 TEST(Missions, EveryPlacementIsRead) {
   for (const char* word : {"best", "last", "in-time", "tour", "first"}) {
     const auto send =
@@ -232,6 +245,21 @@ TEST(PlanningActions, AirIsClosedAndOpened) {
   EXPECT_THAT(close.uavs, ElementsAre("karma"));
   EXPECT_EQ(open.name, "tower");
   EXPECT_THAT(open.uavs, IsEmpty());
+}
+
+TEST(PlanningActions, PlacesAndGroundAreTold) {
+  const auto place = action_of<gs::TellWorld>(
+      "know_place: {name: well, at: [1, 2, 3], radius: 4, cells: fire, uavs: [karma]}");
+  const auto ground = action_of<gs::TellWorld>(
+      "know_ground: {name: A, polygon: [[0, 0], [9, 0], [9, 9]], risk: 0.8, mapped: true}");
+
+  EXPECT_EQ(*place.change.place,
+            (mission::KnownPlace{"well", {1, 2, 3}, 4, world::CellState::kFire}));
+  EXPECT_THAT(place.uavs, ElementsAre("karma"));
+  EXPECT_EQ(ground.change.ground->risk, 0.8);
+  EXPECT_TRUE(ground.change.ground->mapped);
+  EXPECT_EQ(ground.change.ground->area.size(), 3U);
+  EXPECT_FALSE(ground.change.ground->cells);
 }
 
 TEST(PlanningTriggers, AreRead) {

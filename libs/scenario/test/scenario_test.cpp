@@ -237,6 +237,9 @@ TEST(ScenarioTriggers, EveryKindIsRead) {
   EXPECT_EQ(std::get<gs::AtTime>(trigger_of("{time: 12}").what).at, MissionTime::seconds(12));
   EXPECT_EQ(std::get<gs::OnAlarm>(trigger_of("{alarm: infirmed}").what).state,
             gs::AlarmState::kInfirmed);
+  const auto second = std::get<gs::OnAlarm>(trigger_of("{alarm: {state: raised, id: 2}}").what);
+  EXPECT_EQ(second.state, gs::AlarmState::kRaised);
+  EXPECT_EQ(second.id, gs::AlarmId(2));
   EXPECT_EQ(std::get<gs::OnOperator>(trigger_of("{operator: stop}").what).does, "stop");
   EXPECT_EQ(std::get<gs::OnStep>(trigger_of("{step: end}").what).step, "end");
   EXPECT_EQ(std::get<gs::OnRestart>(trigger_of("{restart: heliv}").what).uav, "heliv");

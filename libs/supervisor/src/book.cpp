@@ -46,6 +46,12 @@ bool Book::is_given(GoalId goal) const {
   });
 }
 
+bool Book::was_begun(GoalId goal) const {
+  return std::any_of(tasks.begin(), tasks.end(), [&](const auto& one) {
+    return one.second.task.origin == goal && one.second.seen.started.has_value();
+  });
+}
+
 bool Book::has_lost(GoalId goal) const {
   const auto all = of(goal);
   return std::any_of(all.begin(), all.end(),
@@ -83,6 +89,7 @@ Standing Book::standing(const std::set<TaskId>& but) const {
     result.tasks.push_back(entry.task);
     result.seen[id] = entry.seen;
   }
+  result.bounds = bounds();
   return result;
 }
 
@@ -120,6 +127,24 @@ std::vector<GoalId> Book::free_goals() const {
     if (!goal.queued && !given && !passed) result.push_back(*id);
   }
   std::reverse(result.begin(), result.end());
+  return result;
+}
+
+GoalBounds Book::bounds(const std::vector<mission::HighLevelTask>& more) const {
+  GoalBounds result;
+  const auto add = [&](const mission::HighLevelTask& task) {
+    if (task.after.empty()) return;
+    result.of[task.id] = task.after;
+    for (const mission::GoalBound& one : task.after) {
+      const auto other = goals.find(one.goal);
+      if (other != goals.end() && other->second.state == GoalState::kAchieved)
+        result.over[one.goal] = other->second.settled;
+    }
+  };
+  for (const auto& [id, goal] : goals) {
+    if (!is_settled(goal.state)) add(goal.task);
+  }
+  for (const mission::HighLevelTask& task : more) add(task);
   return result;
 }
 

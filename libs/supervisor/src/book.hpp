@@ -29,6 +29,7 @@ struct Goal {
   std::string why;
   int refined = 0;      ///< times that it was refined again after a failure
   bool queued = false;  ///< its mission waits for its insertion
+  std::string done;     ///< of it, in words: by tasks that are over
   /// Planned to need no tasks: it is true when its turn comes, if the vehicle is there.
   std::optional<Whereabouts> true_at;
   MissionTime settled;  ///< when, of one that is
@@ -42,6 +43,10 @@ struct Entry {
   mission::TaskDates promised;  ///< foreseen when the plan was made or last shifted
   TaskState state = TaskState::kScheduled;
   Observation seen;
+  std::optional<MissionTime> running;               ///< since when
+  world::Vector3 seen_at = world::Vector3::Zero();  ///< where the vehicle was then
+  std::size_t passed = 0;   ///< way-points behind the first, of the motion it perceives along
+  bool lost = false;        ///< to somebody else: nobody saw what became of it
   std::string why;          ///< of its interruption
   std::vector<Hold> holds;  ///< as the executive was told
   bool given = false;       ///< the executive has it
@@ -90,7 +95,8 @@ class Book {
   bool has_in_hand(GoalId goal) const;
   bool is_given(GoalId goal) const;  ///< some live task of it is, or was, with the executive
   bool is_planned(GoalId goal) const;
-  bool has_lost(GoalId goal) const;  ///< some live task of it was aborted
+  bool was_begun(GoalId goal) const;  ///< some task of it, withdrawn or not, has started
+  bool has_lost(GoalId goal) const;   ///< some live task of it was aborted
 
   /// What the executive has of ours and keeps.
   std::vector<TaskId> in_hand() const;
@@ -105,6 +111,8 @@ class Book {
   /// Goals that are to be done, are not queued and not with the executive: those that a job may
   /// plan anew; in order. A goal without tasks counts as given when one behind it is.
   std::vector<GoalId> free_goals() const;
+  /// Bounds after goals, of all that are not settled and of `more`, that are not in the book.
+  GoalBounds bounds(const std::vector<mission::HighLevelTask>& more = {}) const;
   std::vector<mission::HighLevelTask> tasks_of(const std::vector<GoalId>& ids) const;
 
   /// Tasks that the executive never counts as ended.

@@ -43,6 +43,7 @@ executive::Clause held(const Hold& hold) {
   executive::Clause clause;
   if (hold.on != TaskId()) clause = {is(hold.on, TaskState::kEnded, Modality::kOptional)};
   if (hold.until != MissionTime::max()) clause.push_back(Literal{TimeIs{hold.until, true}});
+  if (clause.empty()) clause.push_back(Literal{TimeIs{kNever, true}});
   return clause;
 }
 

@@ -13,6 +13,7 @@
 #include "plan_network.hpp"
 #include "retreat.hpp"
 #include "skein/supervisor/supervisor.hpp"
+#include "wind_estimator.hpp"
 
 namespace skein::supervisor {
 
@@ -34,6 +35,12 @@ class Supervisor::Core {
     std::string cause;
     MissionTime since;
     int attempts = 0;
+  };
+  /// A mission that is only to be evaluated.
+  struct Evaluation {
+    mission::UnitMission mission;
+    std::string cause;
+    MissionTime since;
   };
   /// Something happened to the plan that needs planning.
   struct Need {
@@ -58,6 +65,7 @@ class Supervisor::Core {
   struct Job {
     std::uint64_t id = 0;
     std::optional<mission::MissionId> mission;  ///< an insertion; else a repair
+    bool evaluation = false;                    ///< of a mission, that is not adopted
     Need need;
     Premises premises;
     std::optional<mission::HighLevelTask> retreat;  ///< a goal of its own, if nothing else serves
@@ -86,6 +94,10 @@ class Supervisor::Core {
   void drop_cancelled_missions();
   void set_volume(const mission::ChangeWorld& change);
 
+  // supervisor_world.cpp: places and ground
+  void learn(const mission::ChangeWorld& change);
+  void look_elsewhere(const std::string& place, bool far, const std::string& cause);
+  void feel_wind();
   // supervisor_air.cpp
   void check_air(const std::string& cause);
   void watch_air();
@@ -113,10 +125,13 @@ class Supervisor::Core {
   void on(const RequestAnswered& input);
   void on(const VehicleSeen& input);
   void on(const Tick&) {}
+  void follow_ways(const world::Vector3& position);
+  void tell_progress(GoalId id);
   void see_flight(const executive::TaskEvent& event);
   void see_loose(const executive::TaskEvent& event);
   void see(Entry& entry, const executive::TaskEvent& event);
   void see_started(Entry& entry);
+  void tell_beside_its_times(const Entry& entry, bool ends);
   void see_ended(Entry& entry);
   void see_aborted(Entry& entry);
   void settle_done(Entry& entry);
@@ -180,6 +195,7 @@ class Supervisor::Core {
   void on(const JobFinished& input);
   void start_job();
   void start_insertion(const Pending& pending);
+  void start_evaluation(const Evaluation& evaluation);
   void give_way();
   void abandon_job();
   void start_repair();
@@ -200,6 +216,9 @@ class Supervisor::Core {
               const std::vector<Dropped>& culprits = {});
   void leave_out(const std::vector<Dropped>& dropped);
   std::string in_words(const std::string& text) const;
+  mission::MissionEstimate estimate(const Evaluation& evaluation,
+                                    const InsertionOutcome& outcome) const;
+  void answer_evaluation(const InsertionOutcome& outcome);
   void fail_safely(const Job& job, const std::vector<std::string>& reasons);
   std::string fault_of(const Premises& premises, const mission::ElementaryPlan& plan) const;
   bool fits_now(const Premises& premises, const mission::ElementaryPlan& plan);
@@ -252,6 +271,7 @@ class Supervisor::Core {
   bool told_idle_ = false;  ///< that it flies and has nothing to do
   std::set<mission::MissionId> missions_;
   std::deque<Pending> pending_;
+  std::deque<Evaluation> evaluations_;
   std::set<std::uint64_t> abandoned_;  ///< jobs whose results are still to come
   std::optional<Need> need_;
   std::optional<Job> job_;
@@ -261,6 +281,7 @@ class Supervisor::Core {
   std::vector<TaskId> end_waits_;  ///< by what is being given
 
   world::VehicleState vehicle_;
+  WindEstimator wind_;
   std::set<std::string> broken_;
   MissionTime grounded_until_;  ///< a state that says otherwise is older than the landing
   std::optional<MissionTime> wait_again_;  ///< no safe wait before

@@ -84,8 +84,11 @@ std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
   return entries;
 }
 
-PlannerHost::Services::Services(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed)
-    : gazetteer_(gazetteer), refinery_(std::move(gazetteer), origin, seed), origin_(origin) {}
+PlannerHost::Services::Services(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
+                                refiners::Budget budget)
+    : gazetteer_(gazetteer),
+      refinery_(std::move(gazetteer), origin, seed, std::move(budget)),
+      origin_(origin) {}
 
 Value PlannerHost::Services::call(const Entry& entry, TermStore& store, Arguments arguments) {
   Value value = kNil;

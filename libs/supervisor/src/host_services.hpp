@@ -36,7 +36,7 @@ class PlannerHost::Services {
   };
   static std::span<const Entry> table();
 
-  Services(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed);
+  Services(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed, refiners::Budget budget);
 
   Value call(const Entry& entry, htn::TermStore& store, Arguments arguments);
 

@@ -102,11 +102,16 @@ class Insertion {
     };
     const Goals last = order_of(movable_, all_blocks(movable_));
     if (wanted(Placement::kLast)) trials_.run(Placement::kLast, last);
+    if (enough()) return;
     if (wanted(Placement::kInTime) && (!best || bounded_in_time(last))) in_time(last);
+    if (enough()) return;
     if (wanted(Placement::kTour))
       trials_.run(Placement::kTour, order_of(movable_, tour_over(movable_, request_.base)));
     if (wanted(Placement::kFirst)) first();
   }
+
+  // An answer at any time: what was found when the budget is spent.
+  bool enough() const { return trials_.best() && request_.base.budget.over(); }
 
   void in_time(const Goals& last) {
     const Sketch sketch = sketch_of(judge_, last);

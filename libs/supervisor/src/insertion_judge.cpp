@@ -25,6 +25,7 @@ PlanningRequest with_tasks(const PlanningRequest& base, Goals goals) {
   request.situation = base.situation;
   request.situation.energy = kPlenty;
   request.seed = base.seed;
+  request.budget = base.budget;
   request.tasks = std::move(goals);
   return request;
 }
@@ -93,7 +94,7 @@ Verdict Judge::consider(const Goals& order) const {
 void Judge::check_dates(Verdict& verdict) const {
   std::vector<mission::ElementaryTask> all = standing_.tasks;
   all.insert(all.end(), verdict.plan->tasks.begin(), verdict.plan->tasks.end());
-  verdict.schedule = schedule(all, standing_.seen, base_.situation.origin);
+  verdict.schedule = schedule(all, standing_.seen, base_.situation.origin, standing_.bounds);
   if (verdict.schedule.controllable) return;
   const auto name = [&](std::uint64_t number) {
     const auto task = std::find_if(all.begin(), all.end(),

@@ -43,8 +43,10 @@ Ticks gone_of(const Observation& seen, MissionTime now) {
 
 class Links {
  public:
-  Links(const ElementaryTask& task, MissionTime now, const SeenOf& seen)
+  Links(const ElementaryTask& task, const std::vector<TaskBound>& bounds, MissionTime now,
+        const SeenOf& seen)
       : task_(task),
+        bounds_(bounds),
         now_(now),
         seen_(seen),
         own_(*seen(task.id)),
@@ -70,6 +72,7 @@ class Links {
       stop();
     }
     end_constraints();
+    for (std::uint32_t i = 0; i < bounds_.size(); ++i) after(bounds_[i], i);
     return std::move(links_);
   }
 
@@ -144,6 +147,20 @@ class Links {
     }
   }
 
+  // What has started keeps its start: facts break nothing.
+  void after(const TaskBound& one, std::uint32_t number) {
+    const bool over = one.other == executive::TaskId();
+    if ((own_.started && !one.bound.on_end) || (!over && seen_(one.other) == nullptr)) return;
+    const Ticks from = over ? ticks_of(one.over) : 0;
+    const Ticks most =
+        one.bound.most.count() > kHorizon ? kInfinite : from + one.bound.most.count();
+    const Ticks least = from + std::clamp<Ticks>(one.bound.least.count(), 0, kHorizon);
+    add(BoundKind::kAfterGoal, over ? LiveNetwork::kOrigin : end_of(one.other),
+        one.bound.on_end ? end_ : start_, {least, most}, one.other, number % 8);
+    links_.back().cause.goal = one.bound.goal;
+    links_.back().cause.instant = one.over;
+  }
+
   void start_constraints() {
     not_before(start_, task_.time.start_after, BoundKind::kStartAfter);
     not_after(start_, task_.time.start_before, BoundKind::kStartBefore);
@@ -154,6 +171,7 @@ class Links {
   }
 
   const ElementaryTask& task_;
+  const std::vector<TaskBound>& bounds_;
   MissionTime now_;
   const SeenOf& seen_;
   const Observation& own_;
@@ -172,8 +190,48 @@ temporal::LinkName name_of(const Cause& cause) {
   return {0, cause.task.value(), kind, cause.other.value()};
 }
 
-std::vector<PlanLink> links_of(const ElementaryTask& task, MissionTime now, const SeenOf& seen) {
-  return Links(task, now, seen).all();
+std::vector<PlanLink> links_of(const ElementaryTask& task, const std::vector<TaskBound>& bounds,
+                               MissionTime now, const SeenOf& seen) {
+  return Links(task, bounds, now, seen).all();
+}
+
+namespace {
+
+// No other task of its goal follows it.
+bool is_last(const ElementaryTask& task, const std::vector<TaskView>& tasks) {
+  return std::none_of(tasks.begin(), tasks.end(), [&](const TaskView& other) {
+    const auto names = [&](const mission::Dependence& one) { return one.task == task.id; };
+    const ElementaryTask& its = *other.task;
+    return its.origin == task.origin &&
+           (std::any_of(its.dependences.begin(), its.dependences.end(), names) ||
+            std::any_of(its.stop.begin(), its.stop.end(), names));
+  });
+}
+
+std::vector<TaskBound> bounds_after(const mission::GoalBound& bound,
+                                    const std::vector<TaskView>& tasks, const GoalBounds& bounds) {
+  const auto over = bounds.over.find(bound.goal);
+  if (over != bounds.over.end()) return {{bound, executive::TaskId(), over->second}};
+  std::vector<TaskBound> result;
+  for (const TaskView& other : tasks) {
+    if (other.task->origin == bound.goal && is_last(*other.task, tasks))
+      result.push_back({bound, other.task->id, {}});
+  }
+  return result;
+}
+
+}  // namespace
+
+void relate(std::vector<TaskView>& tasks, const GoalBounds& bounds) {
+  for (const auto& [goal, all] : bounds.of) {
+    for (const mission::GoalBound& one : all) {
+      const std::vector<TaskBound> after = bounds_after(one, tasks, bounds);
+      for (TaskView& view : tasks) {
+        if (view.task->origin == goal)
+          view.bounds.insert(view.bounds.end(), after.begin(), after.end());
+      }
+    }
+  }
 }
 
 bool is_endless(const ElementaryTask& task, const Observation& seen, MissionTime now) {

@@ -25,15 +25,36 @@ enum class BoundKind : std::uint8_t {
   kStartBefore,
   kEndAfter,
   kEndBefore,
+  kAfterGoal,  ///< it starts, or ends, so long after the end of `other`, or of a goal that is over
 };
+
+/// A bound after a goal, as the network has it.
+struct TaskBound {
+  mission::GoalBound bound;
+  executive::TaskId other;  ///< TaskId(): the goal was achieved at `over`
+  MissionTime over;
+  bool operator==(const TaskBound&) const = default;
+};
+
+/// A task and what was seen of it, as somebody else keeps them.
+struct TaskView {
+  const mission::ElementaryTask* task = nullptr;
+  Observation seen;
+  std::vector<TaskBound> bounds = {};
+};
+
+/// Gives the tasks their bounds after goals. A goal that has no tasks here and was not achieved
+/// bounds nothing.
+void relate(std::vector<TaskView>& tasks, const GoalBounds& bounds);
 
 /// What a link is about.
 struct Cause {
   executive::TaskId task;
   BoundKind kind = BoundKind::kNow;
   executive::TaskId other;
-  MissionTime instant;     ///< of kFact and time constraints
-  std::uint32_t part = 0;  ///< tells links apart that are about the same
+  MissionTime instant;        ///< of kFact and time constraints
+  std::uint32_t part = 0;     ///< tells links apart that are about the same
+  mission::GoalId goal = {};  ///< of kAfterGoal
   bool operator==(const Cause&) const = default;
 };
 temporal::LinkName name_of(const Cause& cause);
@@ -55,7 +76,8 @@ temporal::Ticks ticks_of(MissionTime instant);
 using SeenOf = std::function<const Observation*(executive::TaskId)>;
 
 /// Those of one task, by the rules of schedule.hpp.
-std::vector<PlanLink> links_of(const mission::ElementaryTask& task, MissionTime now,
+std::vector<PlanLink> links_of(const mission::ElementaryTask& task,
+                               const std::vector<TaskBound>& bounds, MissionTime now,
                                const SeenOf& seen);
 
 /// No figure bounds its end from above: it is open-ended, or under way for longer than foreseen.

@@ -78,10 +78,11 @@ std::set<TaskId> PlanNetwork::take_over(const std::vector<TaskView>& tasks) {
       continue;
     }
     Known& one = known->second;
-    const bool same = same_in_time(one.task, *view.task);
+    const bool same = same_in_time(one.task, *view.task) && one.bounds == view.bounds;
     if (!same) {
       name_others(one, false);
       one.task = in_time(*view.task);
+      one.bounds = view.bounds;
       name_others(one, true);
     }
     if (!(one.seen == view.seen)) dirty_namers(view.task->id, dirty);
@@ -95,7 +96,7 @@ std::set<TaskId> PlanNetwork::take_over(const std::vector<TaskView>& tasks) {
 
 void PlanNetwork::enter(const TaskView& view, std::set<TaskId>& dirty) {
   const TaskId id = view.task->id;
-  Known known{in_time(*view.task), view.seen, {}, 0, 0, false};
+  Known known{in_time(*view.task), view.seen, view.bounds, {}, 0, 0, false};
   known.start = live_.add_node(start_of(id));
   known.end = live_.add_node(end_of(id));
   const bool is_new = tasks_.emplace(id, std::move(known)).second;
@@ -136,17 +137,18 @@ void PlanNetwork::unlink_from(Known& known, TaskId other) {
 }
 
 void PlanNetwork::name_others(const Known& known, bool names) {
-  const auto note = [&](const mission::Dependence& one) {
-    auto& by = named_by_[one.task];
+  const auto note = [&](TaskId other) {
+    auto& by = named_by_[other];
     if (names) {
       by.insert(known.task.id);
       return;
     }
     by.erase(by.find(known.task.id));
-    if (by.empty()) named_by_.erase(one.task);
+    if (by.empty()) named_by_.erase(other);
   };
-  for (const mission::Dependence& one : known.task.dependences) note(one);
-  for (const mission::Dependence& one : known.task.stop) note(one);
+  for (const mission::Dependence& one : known.task.dependences) note(one.task);
+  for (const mission::Dependence& one : known.task.stop) note(one.task);
+  for (const TaskBound& one : known.bounds) note(one.other);
 }
 
 void PlanNetwork::dirty_namers(TaskId task, std::set<TaskId>& dirty) const {
@@ -172,7 +174,7 @@ void PlanNetwork::relink(Known& known) {
   };
   known.endless = is_endless(known.task, known.seen, now_);
   std::map<temporal::LinkName, PlanLink> wanted;
-  for (PlanLink& link : links_of(known.task, now_, seen)) {
+  for (PlanLink& link : links_of(known.task, known.bounds, now_, seen)) {
     wanted.emplace(name_of(link.cause), std::move(link));
   }
   for (const auto& [name, link] : known.links) {
@@ -239,6 +241,7 @@ void PlanNetwork::hold_back(bool controllable) {
   held_.clear();
   schedule_.holds.clear();
   hold_for_instants(controllable ? &fast_ : any_course());
+  if (controllable) hold_after_goals(fast_);
   for (const temporal::NamedWait& wait : live_.waits()) hold_behind(wait);
   soonest_.settle();
   if (controllable) hold_until_windows_open();
@@ -254,6 +257,27 @@ void PlanNetwork::hold_for_instants(const LiveStn* windows) {
     if (!held || known.seen.over) continue;
     const Ticks from = windows->earliest(known.start);
     set_hold(kHeldUntil | known.start, {0, known.start, from, kInfinite}, from);
+  }
+}
+
+// What comes so long after a goal waits for the end of its last tasks, when that is enough; else
+// until the goal is over, and then for its date.
+void PlanNetwork::hold_after_goals(const LiveStn& windows) {
+  for (const auto& [id, known] : tasks_) {
+    if (known.bounds.empty() || known.seen.started || known.seen.over) continue;
+    const Ticks from = windows.earliest(known.start);
+    set_hold(kHeldUntil | known.start, {0, known.start, from, kInfinite}, from);
+    std::optional<MissionTime> date;
+    for (const TaskBound& one : known.bounds) {
+      const Duration lasts = one.bound.on_end ? known.task.duration.least : Duration();
+      const bool soon = one.bound.least <= lasts;
+      if (one.other == TaskId()) {
+        if (!soon) date = std::max(date.value_or(one.over), one.over + one.bound.least - lasts);
+      } else if (tasks_.count(one.other) != 0 && !(soon && one.bound.on_end)) {
+        schedule_.holds[id].push_back({soon ? one.other : TaskId(), MissionTime::max()});
+      }
+    }
+    if (date) schedule_.holds[id].push_back({TaskId(), *date});
   }
 }
 

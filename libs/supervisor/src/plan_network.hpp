@@ -14,12 +14,6 @@
 
 namespace skein::supervisor {
 
-/// A task and what was seen of it, as somebody else keeps them.
-struct TaskView {
-  const mission::ElementaryTask* task = nullptr;
-  Observation seen;
-};
-
 /// Verdict, explanation and dates of a plan whose tasks come, start, end and go while time passes.
 /// Nodes and links are keyed by what they stand for (task, bound, dependence); what differs from
 /// before is changed in place, and only what depends on it is worked out again.
@@ -43,6 +37,7 @@ class PlanNetwork {
   struct Known {
     mission::ElementaryTask task;  ///< without what the network does not look at
     Observation seen;
+    std::vector<TaskBound> bounds;
     std::map<temporal::LinkName, PlanLink> links;
     temporal::NodeIndex start = 0, end = 0;
     bool endless = false;
@@ -62,6 +57,7 @@ class PlanNetwork {
   void settle();
   void hold_back(bool controllable);
   void hold_for_instants(const temporal::LiveStn* windows);
+  void hold_after_goals(const temporal::LiveStn& windows);
   void hold_behind(const temporal::NamedWait& wait);
   void hold_until_windows_open();
   void set_hold(temporal::LiveStn::LinkId link, const temporal::Arc& in_soonest,

@@ -7,9 +7,9 @@ namespace skein::supervisor {
 
 PlannerHost::PlannerHost(std::shared_ptr<const Knowledge> knowledge,
                          std::shared_ptr<const world::World> world, MissionTime origin,
-                         std::uint64_t seed)
+                         std::uint64_t seed, refiners::Budget budget)
     : services_(std::make_shared<Services>(Gazetteer(std::move(knowledge), std::move(world)),
-                                           origin, seed)) {}
+                                           origin, seed, std::move(budget))) {}
 
 PlannerHost::~PlannerHost() = default;
 

@@ -101,13 +101,16 @@ std::vector<std::string> sentences(const Diagnostics& errors) {
   return all;
 }
 
-/// Far beyond what any plan takes, so that a domain that never ends does.
-htn::Options search_options() {
+constexpr std::uint64_t kRefinerSteps = 50'000'000;  // of one call; far beyond what any takes
+
+/// The counts are far beyond what any plan takes, so that a domain that never ends does.
+htn::Options search_options(const PlanningBudget& budget) {
   htn::Options options;
   options.trees = true;
   options.explain_failure = true;
-  options.limits.expansions = 200'000;
-  options.limits.inferences = 20'000'000;
+  options.limits.expansions = budget.expansions;
+  options.limits.inferences = budget.inferences;
+  options.limits.memory_bytes = budget.memory_bytes;
   options.limits.depth = 20'000;
   return options;
 }
@@ -117,14 +120,18 @@ htn::Options search_options() {
 Result<mission::ElementaryPlan, PlanningFailure> plan_tasks(const PlanningRequest& request,
                                                             PlanningEffort* effort) {
   const Knowledge& knowledge = *request.knowledge;
-  const PlannerHost host(request.knowledge, request.world, request.situation.origin, request.seed);
+  const PlannerHost host(request.knowledge, request.world, request.situation.origin, request.seed,
+                         {[budget = request.budget] { return budget.over(); }, kRefinerSteps});
   htn::Functions functions;
   host.offer(functions);
   DomainBook book(knowledge.domain, functions);
   if (book.compiled() == nullptr) return fail(sentences(book.errors()));
   const auto problem = book.problem(problem_text(request, "request"));
   if (!problem) return fail(sentences(book.errors()));
-  const htn::Outcome outcome = htn::plan(*book.compiled(), *problem, search_options());
+  htn::Host search_host;
+  search_host.cancelled = [&budget = request.budget] { return budget.over(); };
+  const htn::Outcome outcome =
+      htn::plan(*book.compiled(), *problem, search_options(request.budget), search_host);
   if (effort != nullptr)
     *effort = {outcome.statistics.expansions, outcome.statistics.inferences, host.refinements()};
   if (outcome.plans.empty())

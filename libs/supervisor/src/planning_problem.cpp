@@ -116,6 +116,36 @@ std::string goal(const mission::HighLevelTask& task, MissionTime origin) {
          ")\n";
 }
 
+std::string locations(const std::vector<world::Vector3>& points) {
+  std::string text;
+  for (const world::Vector3& point : points) text += " " + location(point);
+  return text;
+}
+
+/// (progress 702 ((looked visible (loc …) 290) (reached (loc …)) …))
+std::string progress(mission::GoalId goal, const mission::Progress& done) {
+  std::string text;
+  for (const mission::Progress::Look& look : done.looks)
+    text += " (looked " + symbol(look.device) + " " + location(look.at) + " " +
+            seconds(look.lasted) + ")";
+  for (const world::Vector3& at : done.reached) text += " (reached " + location(at) + ")";
+  if (done.waited > Duration()) text += " (waited " + seconds(done.waited) + ")";
+  for (const std::uint64_t id : done.synchronised)
+    text += " (synchronised " + std::to_string(id) + ")";
+  if (done.rest) text += " (rest " + symbol(done.rest->device) + locations(done.rest->way) + ")";
+  return "   (progress " + std::to_string(goal.value()) + " (" + text.substr(text.empty() ? 0 : 1) +
+         "))\n";
+}
+
+std::string progress_facts(const PlanningRequest& request) {
+  std::string text;
+  for (const mission::HighLevelTask& task : request.tasks) {
+    const auto done = request.situation.done.find(task.id);
+    if (done != request.situation.done.end()) text += progress(task.id, done->second);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string problem_text(const PlanningRequest& request, const std::string& name) {
@@ -128,6 +158,7 @@ std::string problem_text(const PlanningRequest& request, const std::string& name
   for (const Timeline& rider : situation.riders) text += read_time("uavloc", rider);
   for (const world::SensorModel& sensor : request.knowledge->vehicle.sensors)
     text += device_facts(sensor.device, situation);
+  text += progress_facts(request);
   text += "   (task-id " + std::to_string(situation.next_id.value()) + "))\n  (\n";
   for (const mission::HighLevelTask& task : request.tasks) text += goal(task, situation.origin);
   return text + "  ))\n";

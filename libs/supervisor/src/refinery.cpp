@@ -56,8 +56,13 @@ Way thinned(const Way& way, const world::Airspace& air, double spacing) {
 
 }  // namespace
 
-Refinery::Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed)
-    : gazetteer_(std::move(gazetteer)), cautious_(vehicle()), origin_(origin), seed_(seed) {
+Refinery::Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
+                   refiners::Budget budget)
+    : gazetteer_(std::move(gazetteer)),
+      cautious_(vehicle()),
+      origin_(origin),
+      seed_(seed),
+      budget_(std::move(budget)) {
   const auto& volumes = world().volumes;
   has_windows_ = std::any_of(volumes.begin(), volumes.end(), [&](const world::Volume& volume) {
     return volume.when.from > origin || volume.when.until != MissionTime::max();
@@ -69,7 +74,7 @@ Refinery::Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed)
 }
 
 refiners::Setting Refinery::setting(const refiners::PathPlanner* paths) const {
-  return {world(), {}, seed_, paths};
+  return {world(), budget_, seed_, paths};
 }
 
 double Refinery::stray() const { return arrival_distance(vehicle(), world().wind); }

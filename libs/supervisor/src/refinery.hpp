@@ -34,7 +34,8 @@ using Answer = Result<Value, std::string>;
 
 class Refinery {
  public:
-  Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed);
+  Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
+           refiners::Budget budget = {});
 
   Answer<Motion> takeoff(const world::Vector3& from) const;
   Answer<Motion> landing(const world::Vector3& from, const world::Vector3& to) const;
@@ -168,6 +169,7 @@ class Refinery {
   world::VehicleModel cautious_;
   MissionTime origin_;
   std::uint64_t seed_;
+  refiners::Budget budget_;
   bool has_windows_ = false;
   std::map<Counted, world::Airspace> airspaces_;
 };

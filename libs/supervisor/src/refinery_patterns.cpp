@@ -202,7 +202,7 @@ Answer<Way> Refinery::planned_patrol(const world::World& world, const Vector3& f
   query.footprint = footprint;
   query.duration = Duration::seconds(seconds);
   query.depart = origin_;
-  auto refined = refine(query, refiners::Setting{world, {}, seed_, nullptr});
+  auto refined = refine(query, refiners::Setting{world, budget_, seed_, nullptr});
   if (!refined) return no(refined.error().why);
   if (vehicle().hovers) return std::move(refined->task.way);
   return spaced(refined->task.way, kSpacing * vehicle().min_turn_radius);
@@ -378,7 +378,7 @@ Answer<Refinery::Lanes> Refinery::planned_sweep(const world::World& world, const
   query.swath = 2 * std::max(*width / 2, *width - overlap * world::tracking_spread(vehicle()));
   query.start = gazetteer_.flown_to(from);
   query.depart = origin_;
-  auto refined = refine(query, refiners::Setting{world, {}, seed_, nullptr});
+  auto refined = refine(query, refiners::Setting{world, budget_, seed_, nullptr});
   if (!refined) return no(refined.error().why);
   Lanes lanes{lanes_flown(refined->task, world), 1};
   const auto stride =

@@ -9,7 +9,7 @@
 namespace skein::supervisor {
 
 Schedule schedule(const std::vector<mission::ElementaryTask>& tasks, const Observations& seen,
-                  MissionTime now) {
+                  MissionTime now, const GoalBounds& bounds) {
   std::vector<TaskView> views;
   views.reserve(tasks.size());
   for (const mission::ElementaryTask& task : tasks) {
@@ -18,6 +18,7 @@ Schedule schedule(const std::vector<mission::ElementaryTask>& tasks, const Obser
   }
   std::sort(views.begin(), views.end(),
             [](const TaskView& a, const TaskView& b) { return a.task->id < b.task->id; });
+  relate(views, bounds);
   PlanNetwork network;
   network.update(views, now);
   return network.schedule();

@@ -14,7 +14,8 @@ std::string seconds(Ticks ticks) { return to_text(Duration::nanoseconds(ticks)) 
 std::string seconds(MissionTime instant) { return to_text(instant) + " s"; }
 
 bool is_upper_constraint(BoundKind kind) {
-  return kind == BoundKind::kStartBefore || kind == BoundKind::kEndBefore;
+  return kind == BoundKind::kStartBefore || kind == BoundKind::kEndBefore ||
+         kind == BoundKind::kAfterGoal;
 }
 bool is_constraint(BoundKind kind) {
   return is_upper_constraint(kind) || kind == BoundKind::kStartAfter ||
@@ -56,6 +57,8 @@ class Sentences {
         return upper(cause, "start", start_of(cause.task));
       case BoundKind::kEndBefore:
         return upper(cause, "end", end_of(cause.task));
+      case BoundKind::kAfterGoal:
+        return after_goal(broken);
     }
     return "";
   }
@@ -67,6 +70,25 @@ class Sentences {
     return (link.contingent ? "may take " : "takes ") +
            std::string(least ? "as little as " : "as long as ") +
            seconds(least ? link.min : link.max);
+  }
+
+  // "starts no earlier than 240 s, must start between 0 and 60 s after goal 701, which ended at 120
+  // s"
+  std::string after_goal(const BrokenBound& broken) const {
+    const Cause& cause = broken.link->cause;
+    const temporal::LiveLink& link = broken.link->link;
+    const bool over = cause.other == executive::TaskId(), starts = link.to == start_of(cause.task);
+    const Ticks origin = over ? ticks_of(cause.instant) : 0;
+    const std::string verb = starts ? "start" : "end";
+    const bool open = link.max == temporal::kInfinite;
+    std::string text = "must " + verb + (open ? " " : " between ") +
+                       to_text(Duration::nanoseconds(link.min - origin));
+    text += open ? " s or more" : " and " + seconds(link.max - origin);
+    text += " after the end of goal " + to_text(cause.goal);
+    if (over) text += ", which was at " + seconds(cause.instant);
+    const auto dates = foreseen_(link.to);
+    if (!dates) return text;
+    return verb + "s no earlier than " + to_text(dates->least) + " s, " + text;
   }
 
   // "ends no earlier than 431 s, must end before 400 s"

@@ -20,9 +20,20 @@ std::optional<MissionTime> Supervisor::next_wakeup() const { return core_->next_
 bool Supervisor::engaged() const { return core_->engaged(); }
 const mission::PlanReport& Supervisor::report() const { return core_->report(); }
 
-Supervisor::Core::Core(Config config) : config_(std::move(config)), world_(config_.world) {
-  SKEIN_EXPECTS(config_.knowledge != nullptr);
-  SKEIN_EXPECTS(config_.world != nullptr);
+namespace {
+
+Config checked(Config config) {
+  SKEIN_EXPECTS(config.knowledge != nullptr);
+  SKEIN_EXPECTS(config.world != nullptr);
+  return config;
+}
+
+}  // namespace
+
+Supervisor::Core::Core(Config config)
+    : config_(checked(std::move(config))),
+      world_(config_.world),
+      wind_(config_.knowledge->vehicle, config_.world->wind) {
   book_.next_id = config_.first_id;
   vehicle_.position = config_.knowledge->home;
 }

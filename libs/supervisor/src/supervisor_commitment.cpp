@@ -24,6 +24,7 @@ std::optional<GoalId> Supervisor::Core::next_to_give() const {
 
 // What comes behind a wait for orders comes when it may start at once, since it ends the wait;
 // never before the wait is under way. While a job runs, what it plans is not taken from it early.
+// What is to begin some time after another goal has no date until that is over.
 std::optional<MissionTime> Supervisor::Core::due(GoalId goal) const {
   MissionTime first = MissionTime::max();
   for (const Entry* entry : book_.of(goal)) first = std::min(first, entry->dates.earliest_start);
@@ -32,8 +33,15 @@ std::optional<MissionTime> Supervisor::Core::due(GoalId goal) const {
     if (!wait->seen.started) return std::nullopt;
   }
   if (!waits.empty()) return first;
+  const auto& after = book_.goals.at(goal).task.after;
+  const bool undated = std::any_of(after.begin(), after.end(), [&](const auto& bound) {
+    const auto other = book_.goals.find(bound.goal);
+    return !bound.on_end && bound.least > Duration() && other != book_.goals.end() &&
+           !is_settled(other->second.state);
+  });
+  if (undated) return std::nullopt;
   if (book_.nothing_in_hand()) return now_;
-  return job_ ? first : first - config_.horizon;
+  return job_ && !job_->evaluation ? first : first - config_.horizon;
 }
 
 void Supervisor::Core::commit() {

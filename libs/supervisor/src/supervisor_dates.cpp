@@ -29,6 +29,7 @@ std::vector<TaskView> Supervisor::Core::open_views() const {
   for (const auto& [id, entry] : book_.tasks) {
     if (book_.counts(entry)) views.push_back({&entry.task, entry.seen});
   }
+  relate(views, book_.bounds());
   return views;
 }
 
@@ -38,19 +39,30 @@ std::vector<Hold> Supervisor::Core::holds_of(TaskId task) const {
   if (found == schedule().holds.end()) return result;
   for (const Hold& hold : found->second) {
     const Entry* on = book_.find(hold.on);
-    if (hold.on == TaskId() || (on != nullptr && on->given)) result.push_back(hold);
+    const bool nameable = hold.on == TaskId() || (on != nullptr && on->given);
+    result.push_back(nameable ? hold : Hold{TaskId(), MissionTime::max()});
   }
   return result;
 }
 
-// What the executive has and has not started is held back as the network says now.
+// What the executive has and has not started is held back as the network says now. It is not told
+// of what holds nothing back any more: it may be starting the task at this very instant.
 void Supervisor::Core::tell_holds() {
   if (!schedule().controllable) return;
+  const auto unmet = [&](std::vector<Hold> holds) {
+    const auto met = [&](const Hold& hold) {
+      const Entry* on = book_.find(hold.on);
+      return hold.until <= now_ || (on != nullptr && on->over());
+    };
+    holds.erase(std::remove_if(holds.begin(), holds.end(), met), holds.end());
+    return holds;
+  };
   for (auto& [id, entry] : book_.tasks) {
     if (!entry.in_hand() || entry.seen.started || entry.by_others) continue;
     std::vector<Hold> holds = holds_of(id);
-    if (holds == entry.holds) continue;
+    const bool same = unmet(holds) == unmet(entry.holds);
     entry.holds = std::move(holds);
+    if (same) continue;
     send_preconditions(entry);
   }
 }

@@ -27,6 +27,10 @@ void Supervisor::Core::on(const Disengage& input) {
   if (job_) abandon_job();
   need_.reset();
   pending_.clear();
+  for (const Evaluation& one : evaluations_) {
+    out_.push_back(MissionDecided{{one.mission.id, false, {input.cause}, true}});
+  }
+  evaluations_.clear();
   wait_again_.reset();
   HandedOver held;
   const std::set<TaskId> by_order = book_.ending_by_order();
@@ -80,6 +84,7 @@ void Supervisor::Core::forget_but(const std::set<TaskId>& kept) {
     if (!entry.given || entry.over() || kept.count(id) != 0) continue;
     entry.seen.over = now_;
     entry.seen.aborted = true;
+    entry.lost = true;
   }
   for (auto it = book_.loose.begin(); it != book_.loose.end();) {
     const bool there = kept.count(it->first) != 0;

@@ -97,16 +97,21 @@ void Supervisor::Core::start_job() {
   give_way();
   if (job_) return;
   if (need_) start_repair();
-  if (!job_ && !need_ && !pending_.empty()) start_insertion(pending_.front());
+  if (job_ || need_) return;
+  if (!pending_.empty()) return start_insertion(pending_.front());
+  if (!evaluations_.empty()) start_evaluation(evaluations_.front());
 }
 
-// A repair is not kept waiting by an insertion, which is begun again afterwards.
+// A repair is not kept waiting by an insertion, nor either of them by an evaluation: these are
+// begun again afterwards.
 void Supervisor::Core::give_way() {
-  if (job_ && job_->mission && need_) abandon_job();
+  if (!job_ || !job_->mission) return;
+  if (need_ || (job_->evaluation && !pending_.empty())) abandon_job();
 }
 
 // What it says when it comes back counts for nothing.
 void Supervisor::Core::abandon_job() {
+  out_.push_back(StopDeliberation{job_->id});
   abandoned_.insert(job_->id);
   job_.reset();
 }
@@ -130,6 +135,25 @@ void Supervisor::Core::start_insertion(const Pending& pending) {
   request.added = book_.tasks_of(job.premises.added);
   request.placement = pending.placement;
   request.any = pending.any;
+  run(std::move(job), std::move(request));
+}
+
+void Supervisor::Core::start_evaluation(const Evaluation& evaluation) {
+  reschedule();
+  const mission::UnitMission& mission = evaluation.mission;
+  Job job;
+  job.mission = mission.id;
+  job.evaluation = true;
+  const Pending as_if{mission.id, mission.placement, mission.interrupt, mission.any, {}, now_};
+  job.premises = premises_of_insertion(as_if);
+  InsertionRequest request;
+  request.standing = book_.standing(job.premises.withdrawn);
+  request.standing.bounds = book_.bounds(mission.tasks);
+  request.base = base_request(request.standing, job.premises.withdrawn);
+  request.planned = book_.tasks_of(job.premises.goals);
+  request.added = mission.tasks;
+  request.placement = mission.placement;
+  request.any = mission.any;
   run(std::move(job), std::move(request));
 }
 
@@ -196,6 +220,8 @@ void Supervisor::Core::on(const JobFinished& input) {
   }
   const Job job = std::move(*job_);
   job_.reset();
+  const auto* insertion = std::get_if<InsertionOutcome>(&input.result);
+  if (job.evaluation && insertion != nullptr) return answer_evaluation(*insertion);
   const auto pending = std::find_if(pending_.begin(), pending_.end(),
                                     [&](const Pending& one) { return one.id == job.mission; });
   if (job.mission && pending == pending_.end()) return;

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "flight_times.hpp"
+#include "progress.hpp"
 
 namespace skein::supervisor {
 
@@ -11,6 +13,43 @@ namespace {
 // A state of the vehicle that was on its way while it landed is not believed that it flies.
 constexpr Duration kLandingSettles = Duration::milliseconds(3000);
 constexpr Duration kWaitRetry = Duration::milliseconds(5000);
+// A time that was asked is kept when it is missed by no more.
+constexpr Duration kKept = Duration::milliseconds(500);
+constexpr double kReachedMargin =
+    2;  // [m] beyond what a vehicle arrives within, between two states
+
+// "ended early by 12 s: it was to end after 100 s"; empty when it is in its time.
+std::string beside(MissionTime at, std::optional<MissionTime> after,
+                   std::optional<MissionTime> before, bool ends) {
+  const std::string did = ends ? "ended " : "began ", asked = ends ? "end " : "start ";
+  const auto say = [&](const char* how, Duration by, const char* side, MissionTime bound) {
+    return did + how + to_text(by) + " s: it was to " + asked + side + to_text(bound) + " s";
+  };
+  if (after && at + kKept < *after) return say("early by ", *after - at, "after ", *after);
+  if (before && at > *before + kKept) return say("late by ", at - *before, "before ", *before);
+  return "";
+}
+
+// What begins, or ends, now beside the times that were asked, for the one told of it.
+std::vector<std::string> beside_its_times(const mission::ElementaryTask& task,
+                                          const GoalBounds& bounds, MissionTime now, bool ends) {
+  const mission::TimeConstraints& time = task.time;
+  std::vector<std::string> all{beside(now, ends ? time.end_after : time.start_after,
+                                      ends ? time.end_before : time.start_before, ends)};
+  const auto own = bounds.of.find(task.origin);
+  if (own != bounds.of.end()) {
+    for (const mission::GoalBound& one : own->second) {
+      const auto over = bounds.over.find(one.goal);
+      if (one.on_end != ends || over == bounds.over.end()) continue;
+      const auto most =
+          one.most == Duration::max() ? std::nullopt : std::optional(over->second + one.most);
+      all.push_back(beside(now, over->second + one.least, most, ends));
+      if (!all.back().empty()) all.back() += ", counted from goal " + to_text(one.goal);
+    }
+  }
+  all.erase(std::remove(all.begin(), all.end(), std::string()), all.end());
+  return all;
+}
 
 }  // namespace
 
@@ -61,6 +100,10 @@ void Supervisor::Core::see(Entry& entry, const executive::TaskEvent& event) {
   entry.by_others = entry.by_others || !entry.given;
   entry.given = true;
   entry.state = event.state;
+  if (event.state == TaskState::kRunning && !entry.running) {
+    entry.running = now_;
+    entry.seen_at = vehicle_.position;
+  }
   switch (event.state) {
     case TaskState::kScheduled:
       return;
@@ -85,6 +128,7 @@ void Supervisor::Core::see(Entry& entry, const executive::TaskEvent& event) {
 
 // A goal that was handed over is the ground's, but when all of it is with the executive.
 void Supervisor::Core::see_started(Entry& entry) {
+  if (!entry.seen.started) tell_beside_its_times(entry, false);
   if (!entry.seen.started) entry.seen.started = now_;
   const GoalId id = entry.task.origin;
   Goal& goal = book_.goals.at(id);
@@ -93,9 +137,19 @@ void Supervisor::Core::see_started(Entry& entry) {
     set_state(goal, GoalState::kUnderWay);
 }
 
+void Supervisor::Core::tell_beside_its_times(const Entry& entry, bool ends) {
+  if (!engaged_ || !entry.live()) return;
+  for (const std::string& how : beside_its_times(entry.task, book_.bounds(), now_, ends)) {
+    notice("goal " + to_text(entry.task.origin) + ": " + entry.task.type + " " +
+           to_text(entry.task.id) + " " + how);
+  }
+}
+
 void Supervisor::Core::see_ended(Entry& entry) {
+  tell_beside_its_times(entry, true);
   entry.seen.over = now_;
   entry.done = true;
+  tell_progress(entry.task.origin);
   if (!entry.live()) return;
   settle_done(entry);
   if (!engaged_ || ends_by_order(entry.task)) return;
@@ -146,6 +200,7 @@ bool Supervisor::Core::follows_lost_task(const Entry& entry) const {
 void Supervisor::Core::see_aborted(Entry& entry) {
   entry.seen.over = now_;
   entry.seen.aborted = true;
+  tell_progress(entry.task.origin);
   if (!entry.live()) return;
   const bool asked = entry.why == "abort requested" && !entry.stopping;
   const bool stopped = was_stopped_in_time(entry) && !asked;
@@ -186,10 +241,27 @@ void Supervisor::Core::on(const RequestAnswered& input) {
 
 // ---- the vehicle ----
 
+void Supervisor::Core::follow_ways(const world::Vector3& position) {
+  const double reach = arrival_distance(config_.knowledge->vehicle, world_->wind) + kReachedMargin;
+  for (auto& [id, entry] : book_.tasks) {
+    if (!entry.given || entry.over() || !entry.running) continue;
+    const Entry* along = flown_along(book_, entry);
+    if (along == nullptr || along->over() || !along->running) continue;
+    entry.passed = passed_after(along->task.way, entry.passed, vehicle_.position, position, reach);
+  }
+}
+
+void Supervisor::Core::tell_progress(GoalId id) {
+  book_.goals.at(id).done = mission::to_text(progress_of(book_, id, std::nullopt));
+}
+
 void Supervisor::Core::on(const VehicleSeen& input) {
   const bool airborne = input.state.airborne && now_ >= grounded_until_;
+  follow_ways(input.state.position);
   vehicle_ = input.state;
   vehicle_.airborne = airborne;
+  wind_.see(vehicle_, now_);
+  feel_wind();
   std::set<std::string> newly;
   std::set<std::string> broken(input.failed.begin(), input.failed.end());
   std::set_difference(broken.begin(), broken.end(), broken_.begin(), broken_.end(),

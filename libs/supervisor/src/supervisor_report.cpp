@@ -16,8 +16,8 @@ std::string joined(const std::vector<std::string>& texts) {
 namespace {
 
 mission::GoalStatus status_of(const Goal& goal) {
-  return {goal.task.id, goal.mission, mission::to_text(goal.task),
-          goal.state,   goal.why,     goal.asked_by};
+  return {goal.task.id,  goal.mission, mission::to_text(goal.task), goal.state, goal.why,
+          goal.asked_by, goal.done};
 }
 
 mission::TaskDates dates_of(const Entry& entry) {

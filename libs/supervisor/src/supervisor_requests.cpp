@@ -30,6 +30,13 @@ std::vector<std::string> Supervisor::Core::problems_of_mission(
     if (book_.goals.count(task.id) != 0) {
       problems.push_back("high-level task " + to_text(task.id) + " is known already");
     }
+    for (const mission::GoalBound& bound : task.after) {
+      const bool here = std::any_of(mission.tasks.begin(), mission.tasks.end(),
+                                    [&](const auto& one) { return one.id == bound.goal; });
+      if (here || book_.goals.count(bound.goal) != 0) continue;
+      problems.push_back("high-level task " + to_text(bound.goal) + ", after which " +
+                         to_text(task.id) + " is to come, is not known");
+    }
   }
   return problems;
 }
@@ -59,7 +66,9 @@ void Supervisor::Core::on(const AddMission& input) {
   const std::string cause = "mission " + to_text(mission.id) + " of " + mission.asked_by;
   decide({"0 user request", cause, list_of("goals", ids),
           problems.empty() ? "accepted" : "refused: " + joined(problems), now_});
-  if (problems.empty()) enter(mission);
+  if (!problems.empty()) return;
+  if (!mission.evaluate) return enter(mission);
+  evaluations_.push_back({mission, cause, now_});
 }
 
 // ---- cancellations ----
@@ -147,7 +156,7 @@ void Supervisor::Core::drop_cancelled_missions() {
       return one.second.queued && one.second.mission == it->id;
     });
     if (!waits) out_.push_back(MissionDecided{{it->id, false, {"cancelled"}}});
-    if (!waits && job_ && job_->mission == it->id) abandon_job();
+    if (!waits && job_ && job_->mission == it->id && !job_->evaluation) abandon_job();
     it = waits ? it + 1 : pending_.erase(it);
   }
 }
@@ -167,6 +176,7 @@ void Supervisor::Core::set_volume(const mission::ChangeWorld& change) {
 
 void Supervisor::Core::on(const WorldChanged& input) {
   const mission::ChangeWorld& change = input.change;
+  if (change.place || change.ground) return learn(change);
   const auto& volumes = world_->volumes;
   std::vector<std::string> problems;
   if (!change.remove) {

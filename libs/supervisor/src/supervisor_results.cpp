@@ -2,6 +2,7 @@
 // Results of jobs are applied: a plan is adopted, or it is said that there is none.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "core.hpp"
 
@@ -22,6 +23,12 @@ std::string weighed(const InsertionOutcome& outcome) {
     }
   }
   return text;
+}
+
+std::string tenths(double number) {
+  const long all = std::lround(10 * number);
+  const long part = std::abs(all % 10);
+  return std::to_string(all / 10) + (part == 0 ? "" : "." + std::to_string(part));
 }
 
 }  // namespace
@@ -51,6 +58,7 @@ bool Supervisor::Core::fits_now(const Premises& premises, const mission::Element
   for (const mission::ElementaryTask& task : plan.tasks) views.push_back({&task, {}});
   std::sort(views.begin(), views.end(),
             [](const TaskView& a, const TaskView& b) { return a.task->id < b.task->id; });
+  relate(views, book_.bounds());
   network_.update(views, now_);
   const bool fits = schedule().controllable;
   if (!fits) reschedule();
@@ -97,6 +105,48 @@ void Supervisor::Core::tell_refined(const Job& job, const mission::ElementaryPla
 }
 
 // ---- operator 1 ----
+
+// What the plan would be is compared with what it is; nothing of it is kept.
+mission::MissionEstimate Supervisor::Core::estimate(const Evaluation& evaluation,
+                                                    const InsertionOutcome& outcome) const {
+  mission::MissionEstimate result;
+  result.placement = outcome.chosen;
+  result.cost = outcome.plan->cost;
+  result.energy = outcome.plan->energy;
+  for (const auto& [id, entry] : book_.tasks) {
+    if (!book_.counts(entry) || entry.given) continue;
+    result.cost -= entry.task.cost;
+    result.energy -= entry.task.energy;
+  }
+  std::set<GoalId> asked;
+  for (const mission::HighLevelTask& task : evaluation.mission.tasks) asked.insert(task.id);
+  for (const mission::ElementaryTask& task : outcome.plan->tasks) {
+    const auto dates = outcome.schedule.foreseen.find(task.id);
+    if (asked.count(task.origin) == 0 || dates == outcome.schedule.foreseen.end()) continue;
+    result.earliest_end = std::max(result.earliest_end, dates->second.earliest_end);
+    result.latest_end = std::max(result.latest_end, dates->second.latest_end);
+  }
+  result.plan_end = outcome.schedule.latest_end;
+  return result;
+}
+
+void Supervisor::Core::answer_evaluation(const InsertionOutcome& outcome) {
+  const Evaluation evaluation = std::move(evaluations_.front());
+  evaluations_.pop_front();
+  mission::MissionOutcome answer{evaluation.mission.id, outcome.plan.has_value(), outcome.reasons,
+                                 true, std::nullopt};
+  if (outcome.plan) answer.estimate = estimate(evaluation, outcome);
+  std::vector<GoalId> goals;
+  for (const mission::HighLevelTask& task : evaluation.mission.tasks) goals.push_back(task.id);
+  std::string text = "cannot be taken: " + joined(outcome.reasons);
+  if (answer.estimate) {
+    text = "could be taken, " + std::string(to_text(outcome.chosen)) + ": cost " +
+           tenths(answer.estimate->cost) + ", energy " + tenths(100 * answer.estimate->energy) +
+           " %, ends from " + to_text(answer.estimate->earliest_end) + " s on";
+  }
+  out_.push_back(MissionDecided{std::move(answer)});
+  decide({"1 evaluate", evaluation.cause, list_of("goals", goals), text, evaluation.since});
+}
 
 // Of goals that were asked for: they are not part of the plan.
 void Supervisor::Core::leave_out(const std::vector<Dropped>& dropped) {

@@ -5,6 +5,7 @@
 
 #include "core.hpp"
 #include "flight_times.hpp"
+#include "progress.hpp"
 
 namespace skein::supervisor {
 
@@ -81,6 +82,11 @@ Situation Supervisor::Core::situation(const Standing& standing,
   result.energy = energy_after(standing);
   result.broken = broken_;
   result.next_id = book_.next_id;
+  for (const auto& [id, goal] : book_.goals) {
+    if (is_settled(goal.state) || !book_.was_begun(id)) continue;
+    mission::Progress done = progress_of(book_, id, now_);
+    if (!done.none()) result.done.emplace(id, std::move(done));
+  }
   place_on_timelines(standing, withdrawn, result);
   return result;
 }

@@ -161,6 +161,18 @@ TEST(PlanningFailures, TheSameRequestGivesTheSameAnswer) {
   EXPECT_EQ(*first, *second);
 }
 
+TEST(PlanningFailures, ABudgetThatIsSpentIsTheReason) {
+  PlanningLab lab = flying();
+  lab.task(1, "perceive", {"P1"s, 30.0});
+  PlanningRequest request = lab.request();
+  request.budget.expansions = 2;
+
+  const auto plan = plan_tasks(request);
+
+  ASSERT_FALSE(plan.has_value());
+  EXPECT_THAT(plan.error().reasons, ::testing::Contains(HasSubstr("planning ended early")));
+}
+
 TEST(PlanningFailures, NothingIsRefinedTwice) {
   PlanningLab lab = flying();
   for (std::uint64_t i = 1; i <= 10; ++i)

@@ -303,6 +303,78 @@ TEST(Schedule, HoldsATaskBackWhoseCompanionMayComeLate) {
   EXPECT_EQ(before.foreseen.at(id(2)).latest_start, at(80.001));
 }
 
+// ---- bounds after goals ----
+
+mission::ElementaryTask of_goal(mission::ElementaryTask task, std::uint64_t goal) {
+  task.origin = mission::GoalId(goal);
+  return task;
+}
+
+Tasks two_goals() {
+  return {of_goal(a_task(1, "goto").lasts(20, 40), 701),
+          of_goal(a_task(2, "takeshot").ended(1).lasts(5, 9), 701),
+          of_goal(a_task(3, "goto").ended(2).lasts(30, 50), 702)};
+}
+
+GoalBounds after_701(double least, double most) {
+  GoalBounds bounds;
+  bounds.of[mission::GoalId(702)] = {
+      {mission::GoalId(701), false, Duration::seconds(least), Duration::seconds(most)}};
+  return bounds;
+}
+
+TEST(ScheduleGoalBounds, AGoalIsPutOffUntilSoLongAfterAnother) {
+  const Schedule result = schedule(two_goals(), {}, at(0), after_701(60, 90));
+
+  EXPECT_TRUE(result.controllable);
+  EXPECT_EQ(result.foreseen.at(id(3)).earliest_start, at(85));
+  EXPECT_EQ(result.foreseen.at(id(3)).latest_start, at(109));
+  EXPECT_THAT(result.holds.at(id(3)), Contains(Hold{executive::TaskId(), MissionTime::max()}))
+      << "its date is known when the other is over, not before";
+}
+
+TEST(ScheduleGoalBounds, AGoalThatMayFollowAtOnceWaitsForTheLastTaskOfTheOther) {
+  const Schedule result = schedule(two_goals(), {}, at(0), after_701(0, 90));
+
+  EXPECT_TRUE(result.controllable);
+  EXPECT_THAT(result.holds.at(id(3)), Contains(Hold{id(2), MissionTime::max()}));
+}
+
+TEST(ScheduleGoalBounds, WhatCannotFollowInTimeIsSaidWithItsFigures) {
+  Tasks tasks = two_goals();
+  tasks.push_back(of_goal(a_task(4, "goto").ended(3).lasts(5, 9), 703));
+  GoalBounds bounds;
+  bounds.of[mission::GoalId(703)] = {
+      {mission::GoalId(701), false, Duration(), Duration::seconds(25)}};
+
+  const Schedule result = schedule(tasks, {}, at(0), bounds);
+
+  EXPECT_FALSE(result.consistent);
+  EXPECT_THAT(result.conflicts,
+              ElementsAre(Conflict{id(4),
+                                   "starts no earlier than 55 s, must start between 0 and 25 s "
+                                   "after the end of goal 701"}));
+}
+
+TEST(ScheduleGoalBounds, OfAGoalThatIsOverTheInstantCounts) {
+  GoalBounds bounds = after_701(0, 25);
+  bounds.over[mission::GoalId(701)] = at(100);
+  const Tasks rest{of_goal(a_task(3, "goto").lasts(30, 50), 702)};
+
+  EXPECT_TRUE(schedule(rest, {}, at(110), bounds).controllable);
+  const Schedule late = schedule(rest, {}, at(130), bounds);
+
+  EXPECT_FALSE(late.consistent);
+  ASSERT_EQ(late.conflicts.size(), 1U);
+  EXPECT_THAT(late.conflicts[0].why, HasSubstr("after the end of goal 701, which was at 100 s"));
+}
+
+TEST(ScheduleGoalBounds, OfAGoalThatIsGoneNothingIsBounded) {
+  const Tasks rest{of_goal(a_task(3, "goto").lasts(30, 50), 702)};
+
+  EXPECT_TRUE(schedule(rest, {}, at(500), after_701(0, 1)).controllable);
+}
+
 TEST(Schedule, RefusesACompanionThatNoStartBringsInTime) {
   const Schedule result =
       planned({a_task(1, "joint:relay").lasts(10, 100), a_task(2, "wait").lasts(20).start_before(5),

@@ -14,6 +14,7 @@ namespace skein::laws {
 std::vector<Violation> perceptions_not_done(const History& history);
 std::vector<Violation> places_not_reached(const History& history);
 std::vector<Violation> waits_not_done(const History& history);
+std::vector<Violation> done_twice(const History& history);
 // coverage.cpp
 std::vector<Violation> detections_not_done(const History& history);
 std::vector<Violation> mappings_not_done(const History& history);

@@ -115,16 +115,18 @@ struct History {
   const scenario::Scenario* scenario = nullptr;
   world::Terrain terrain;
   std::map<std::string, Uav> uavs;
-  std::vector<std::string> killed;  ///< nodes that died
+  std::vector<std::string> killed;               ///< nodes that died
+  std::map<std::string, world::Vector3> alarms;  ///< "alarm:1", where it was last said to be
   double end = 0;
   bool finished = false;  ///< by the ground's script
 
-  /// A place of the scenario, or the point itself; nothing for what is neither.
+  /// A place of the scenario, an alarm's, or the point itself; nothing for what is none.
   std::optional<world::Vector3> place(const mission::Argument& argument) const;
   /// Whether it is flown to (else it lies on the ground and is looked at).
   bool in_the_air(const world::Vector3& place) const;
   const world::Zone* zone(const mission::Argument& argument) const;
   bool was_killed(const std::string& node) const;
+  bool is_alarm(const mission::Argument& argument) const;
 };
 
 /// Reads a log in the order of time.

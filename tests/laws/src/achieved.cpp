@@ -11,17 +11,19 @@ namespace skein::laws {
 
 namespace {
 
-constexpr double kStep = 0.5;      ///< [s] how finely truth is looked at
-constexpr double kNearby = 3;      ///< [m] a device aimed so near a place is aimed at it
-constexpr double kSightAbove = 1;  ///< [m] over the ground: what lies there is seen
-constexpr double kApart = 100;     ///< [m] partners may be as far from their place in the air
-constexpr double kMoment = 3;      ///< [s] between what is done and its report
+constexpr double kStep = 0.5;       ///< [s] how finely truth is looked at
+constexpr double kNearby = 3;       ///< [m] a device aimed so near a place is aimed at it
+constexpr double kAlarmMoves = 20;  ///< [m] where an alarm is becomes clearer while it is looked at
+constexpr double kSightAbove = 1;   ///< [m] over the ground: what lies there is seen
+constexpr double kApart = 100;      ///< [m] partners may be as far from their place in the air
+constexpr double kMoment = 3;       ///< [s] between what is done and its report
 
 /// What a perception was to look at, for how long.
 struct Look {
   std::optional<world::Vector3> place;  ///< none: whatever is there
   double seconds = 0;
   double apart = 0;  ///< [m] beside a place in the air, so that partners do not meet there
+  double moves = 0;  ///< [m] the place itself may have been thought to be so far off
 };
 
 bool circles(const Uav& uav) { return !uav.spec->model.hovers; }
@@ -36,20 +38,20 @@ bool is_there(const History& history, const Uav& uav, const Sample& sample,
 
 // For a place on the ground: within range, in the field of the device, nothing between.
 bool is_seen(const History& history, const Uav& uav, const Activity& look, const Sample& sample,
-             const world::Vector3& place) {
+             const world::Vector3& place, double moves) {
   const world::SensorModel* sensor = world::find_sensor(uav.spec->model, look.device);
   if (sensor == nullptr) return false;
   const double ground = history.terrain.elevation(place.x(), place.y());
   const world::Vector3 seen(place.x(), place.y(), std::max(place.z(), ground) + kSightAbove);
   const world::Vector3 line = seen - sample.position;
-  if (line.norm() > sensor->range + wander(history, uav)) return false;
+  if (line.norm() > sensor->range + wander(history, uav) + moves) return false;
   if (!history.terrain.line_of_sight(sample.position, seen, -kSightAbove)) return false;
   if (sensor->gimballed && look.target) {
-    return (look.target->head<2>() - place.head<2>()).norm() <= kNearby;
+    return (look.target->head<2>() - place.head<2>()).norm() <= kNearby + moves;
   }
   const world::Vector3 axis = world::direction_of(sample.heading, sensor->boresight_pitch);
   const double angle = std::acos(std::clamp(axis.dot(line.normalized()), -1.0, 1.0));
-  const double lost = std::asin(std::min(1.0, wander(history, uav) / line.norm()));
+  const double lost = std::asin(std::min(1.0, (wander(history, uav) + moves) / line.norm()));
   return angle <= sensor->aperture + lost;
 }
 
@@ -70,7 +72,7 @@ double seconds_looked(const History& history, const Uav& uav, const Goal& goal,
       const bool right = !wanted.place ? true
                          : history.in_the_air(*wanted.place)
                              ? is_there(history, uav, *sample, *wanted.place, wanted.apart)
-                             : is_seen(history, uav, *look, *sample, *wanted.place);
+                             : is_seen(history, uav, *look, *sample, *wanted.place, wanted.moves);
       if (right) seconds += std::min(kStep, look->until - t);
     }
   }
@@ -84,7 +86,7 @@ std::optional<Look> look_of(const History& history, const mission::HighLevelTask
     const auto where = history.place(task.arguments[place]);
     const auto long_for = number_of(task.arguments[seconds]);
     if (!where || !long_for) return std::nullopt;
-    return Look{*where, *long_for, 0};
+    return Look{*where, *long_for, 0, history.is_alarm(task.arguments[place]) ? kAlarmMoves : 0};
   };
   if (task.name == "perceive" || task.name == "general-combined-goto-and-takeshot" ||
       task.name == "perform-monitoring") {
@@ -96,7 +98,7 @@ std::optional<Look> look_of(const History& history, const mission::HighLevelTask
     return together;
   }
   if (task.name == "takeshot-while-waiting" && !task.arguments.empty()) {
-    return Look{std::nullopt, number_of(task.arguments[0]).value_or(0), 0};
+    return Look{std::nullopt, number_of(task.arguments[0]).value_or(0), 0, 0};
   }
   return std::nullopt;
 }
@@ -139,6 +141,42 @@ std::vector<Violation> perceptions_not_done(const History& history) {
                       mission::to_text(goal.task) +
                           " is achieved: it looked from the right place for " + figure(seconds) +
                           " of " + figure(wanted->seconds) + " s"});
+  });
+  return result;
+}
+
+namespace {
+
+// How long it was asked to look, of what counts seconds; nothing of other tasks.
+std::optional<double> seconds_asked(const mission::HighLevelTask& task) {
+  const std::size_t at = task.name == "perform-detection" ? 2 : 1;
+  const bool counts = task.name == "perceive" || task.name == "perform-detection" ||
+                      task.name == "general-combined-goto-and-takeshot";
+  if (!counts || task.arguments.size() <= at) return std::nullopt;
+  return number_of(task.arguments[at]);
+}
+
+}  // namespace
+
+std::vector<Violation> done_twice(const History& history) {
+  constexpr double kPart = 1.25;
+  constexpr double kOfAPiece = 30;  // [s] a pattern is not cut to the second
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    const auto asked = seconds_asked(goal.task);
+    if (!asked || !uav.deliberates(goal.received(), at)) return;
+    double seconds = 0;
+    int pieces = 0;
+    for (const Activity* look : uav.activities_of(goal.id)) {
+      if (!look->looks() || look->until <= look->from) continue;
+      seconds += std::min(look->until, at) - look->from;
+      ++pieces;
+    }
+    if (pieces < 2 || seconds <= kPart * *asked + pieces * kOfAPiece) return;
+    result.push_back({"", at, uav.name(), goal.id,
+                      mission::to_text(goal.task) + " is achieved: it looked for " +
+                          figure(seconds) + " of " + figure(*asked) + " s in " +
+                          std::to_string(pieces) + " pieces: what was done was done again"});
   });
   return result;
 }

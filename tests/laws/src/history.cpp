@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "laws/statement.hpp"
+#include "skein/mission/autonomy.hpp"
 
 namespace skein::laws {
 
@@ -80,9 +82,16 @@ std::optional<world::Vector3> History::place(const mission::Argument& argument) 
   if (const auto* point = std::get_if<world::Vector3>(&argument)) return *point;
   const auto* name = std::get_if<std::string>(&argument);
   if (name == nullptr) return std::nullopt;
+  const auto alarm = alarms.find(*name);
+  if (alarm != alarms.end()) return alarm->second;
   const auto found = scenario->world.places.find(*name);
   if (found == scenario->world.places.end()) return std::nullopt;
   return found->second;
+}
+
+bool History::is_alarm(const mission::Argument& argument) const {
+  const auto* name = std::get_if<std::string>(&argument);
+  return name != nullptr && alarms.count(*name) != 0;
 }
 
 bool History::in_the_air(const world::Vector3& at) const {
@@ -121,7 +130,7 @@ std::optional<world::Vector3> point(const Record& record, const char* key) {
 class Teller {
  public:
   explicit Teller(const scenario::Scenario& scenario)
-      : history_{&scenario, world::Terrain(scenario.world.terrain), {}, {}, 0, false} {
+      : history_{&scenario, world::Terrain(scenario.world.terrain), {}, {}, {}, 0, false} {
     for (const scenario::UavSpec& spec : scenario.uavs) {
       Uav& uav = history_.uavs[spec.name];
       uav.spec = &spec;
@@ -149,6 +158,7 @@ class Teller {
     if (kind == "fault") see_fault(record);
     if (kind == "message") see_message(record);
     if (kind == "sync") see_sync(record);
+    if (kind == "alarm") see_alarm(record);
     const auto found = history_.uavs.find(text(record, "uav"));
     if (found != history_.uavs.end()) see(found->second, record);
   }
@@ -215,6 +225,12 @@ class Teller {
     goal.changes.push_back({record.at().to_seconds(), text(record, "state"), text(record, "why")});
   }
 
+  void see_alarm(const Record& record) {
+    const auto at = point(record, "position");
+    const auto id = static_cast<std::uint64_t>(whole(record, "alarm"));
+    if (at) history_.alarms[mission::name_of_alarm(id)] = *at;
+  }
+
   void see_fault(const Record& record) {
     const std::string target = text(record, "target");
     if (record.text("what") == "kill") history_.killed.push_back(target);
@@ -239,11 +255,16 @@ class Teller {
     for (const ground_station::Action& action : *found->second) {
       if (const auto* close = std::get_if<ground_station::CloseAir>(&action)) {
         tell(close->uavs, [&](Uav& uav) {
+          told_[uav.name()].push_back(uav.closings.size());
           uav.closings.push_back({close->volume, kNever, kNever});
         });
       }
+      if (const auto* world = std::get_if<ground_station::TellWorld>(&action)) {
+        tell(world->uavs, [&](Uav& uav) { told_[uav.name()].push_back(std::nullopt); });
+      }
       if (const auto* open = std::get_if<ground_station::OpenAir>(&action)) {
         tell(open->uavs, [&](Uav& uav) {
+          told_[uav.name()].push_back(std::nullopt);
           for (Closing& one : uav.closings) {
             if (one.volume.name == open->name) one.opened = record.at().to_seconds();
           }
@@ -264,16 +285,18 @@ class Teller {
   void see_message(const Record& record) {
     if (record.text("slot") != "WorldChange" || record.text("direction") != "received") return;
     const auto found = history_.uavs.find(text(record, "to"));
-    if (found == history_.uavs.end()) return;
-    for (Closing& one : found->second.closings) {
-      if (one.known == kNever) {
-        one.known = std::max(record.at().to_seconds(), one.volume.when.from.to_seconds());
-        break;
-      }
-    }
+    std::deque<std::optional<std::size_t>>& told = told_[text(record, "to")];
+    if (found == history_.uavs.end() || told.empty()) return;
+    const std::optional<std::size_t> closing = told.front();
+    told.pop_front();
+    if (!closing) return;
+    Closing& one = found->second.closings[*closing];
+    one.known = std::max(record.at().to_seconds(), one.volume.when.from.to_seconds());
   }
 
   History history_;
+  /// Changes of the world on their way to each UAV, in order: a closing, or something else.
+  std::map<std::string, std::deque<std::optional<std::size_t>>> told_;
   std::map<std::string, const std::vector<ground_station::Action>*> actions_;
 };
 

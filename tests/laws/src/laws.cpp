@@ -13,6 +13,7 @@ const std::vector<Law>& all_laws() {
        perceptions_not_done},
       {"reached", "places, takeoffs and landings achieved came true then", places_not_reached},
       {"waited", "a wait achieved was waited", waits_not_done},
+      {"progress", "what was perceived before an interruption is not perceived again", done_twice},
       {"detected", "a detection achieved looked at its zone for its time", detections_not_done},
       {"mapped", "a mapping achieved saw its zone", mappings_not_done},
       {"synchronised", "partners of a synchronisation achieved were in it at one time",

@@ -35,11 +35,36 @@ std::optional<std::string> broken_bound(const mission::TimeConstraints& time,
   return std::nullopt;
 }
 
-// Whether somebody was told that this goal is late.
+// A bound counted from another goal holds from when that was achieved; else it is void.
+std::optional<std::string> broken_bound(const mission::GoalBound& bound, const Uav& uav,
+                                        const Execution& task) {
+  const auto other = uav.goals.find(static_cast<std::int64_t>(bound.goal.value()));
+  const auto origin = other == uav.goals.end() ? std::nullopt : other->second.when("achieved");
+  const double at = bound.on_end ? task.over : task.started;
+  if (!origin || at == kNever || (bound.on_end && task.state != "ended")) return std::nullopt;
+  const double least = bound.least.to_seconds();
+  const double most = bound.most == Duration::max() ? kNever : bound.most.to_seconds();
+  const double after = at - *origin;
+  if (after >= least - 2 * kMoment && after <= most + 2 * kMoment) return std::nullopt;
+  return task.type + " " + std::to_string(task.task) + (bound.on_end ? " ended " : " began ") +
+         figure(after) + " s after goal " + std::to_string(bound.goal.value()) + ", not " +
+         figure(least) + (most == kNever ? " s or more" : " to " + figure(most) + " s");
+}
+
+std::optional<std::string> broken_bound(const Uav& uav, const Goal& goal, const Execution& task) {
+  if (const auto broken = broken_bound(goal.task.time, task)) return broken;
+  for (const mission::GoalBound& bound : goal.task.after) {
+    if (const auto broken = broken_bound(bound, uav, task)) return broken;
+  }
+  return std::nullopt;
+}
+
+// Whether somebody was told that this goal is late, or early.
 bool reported(const Uav& uav, const Goal& goal) {
   const std::string id = std::to_string(goal.id);
   return std::any_of(uav.words.begin(), uav.words.end(), [&](const Word& word) {
     const bool late = word.text.find("late") != std::string::npos ||
+                      word.text.find("early") != std::string::npos ||
                       word.text.find("deadline") != std::string::npos ||
                       word.text.find("before") != std::string::npos;
     return late && word.text.find(id) != std::string::npos;
@@ -51,11 +76,12 @@ bool reported(const Uav& uav, const Goal& goal) {
 std::vector<Violation> times_not_kept(const History& history) {
   std::vector<Violation> result;
   for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
-    if (!goal.task.time.any() || !uav.deliberates(goal.received(), at)) return;
+    const bool bounded = goal.task.time.any() || !goal.task.after.empty();
+    if (!bounded || !uav.deliberates(goal.received(), at)) return;
     for (const auto& [id, task] : uav.executions) {
       if (uav.goal_of_task(id) != goal.id || task.started == kNever) continue;
       if (task.type == "takeshot") continue;  // rides along with a task whose times are judged
-      const auto broken = broken_bound(goal.task.time, task);
+      const auto broken = broken_bound(uav, goal, task);
       if (!broken || reported(uav, goal)) continue;
       result.push_back(
           {"", at, uav.name(), goal.id,
@@ -98,6 +124,11 @@ double not_before(const Uav& uav) {
     double from = 0;
     if (goal.task.time.start_after) from = goal.task.time.start_after->to_seconds();
     if (goal.task.time.end_after) from = std::max(from, goal.task.time.end_after->to_seconds());
+    for (const mission::GoalBound& bound : goal.task.after) {
+      const auto other = uav.goals.find(static_cast<std::int64_t>(bound.goal.value()));
+      if (other == uav.goals.end() || !other->second.when("achieved")) continue;
+      from = std::max(from, *other->second.when("achieved") + bound.least.to_seconds());
+    }
     first = std::min(first, from);
   }
   return first;

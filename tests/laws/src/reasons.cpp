@@ -10,6 +10,8 @@ namespace skein::laws {
 
 namespace {
 
+bool is_bounded(const Goal& goal) { return goal.task.time.any() || !goal.task.after.empty(); }
+
 bool says(const std::string& text, const char* words) {
   return text.find(words) != std::string::npos;
 }
@@ -21,9 +23,10 @@ std::optional<std::string> contradiction(const Uav& uav, const Goal& goal, const
   // A plan of one UAV that contradicts itself is the planner's, not the mission's.
   if (says(why, "must start while")) return "tasks of its own plan contradict each other";
   if (says(why, "half a cell")) return "nobody can set that cell";
-  const bool of_time = says(why, "must end before") || says(why, "must start before");
+  const bool of_time = says(why, "must end before") || says(why, "must start before") ||
+                       says(why, "after the end of goal");
   const bool bounded = std::any_of(uav.goals.begin(), uav.goals.end(), [&](const auto& one) {
-    return one.second.received() <= at && one.second.task.time.any();
+    return one.second.received() <= at && is_bounded(one.second);
   });
   if (of_time && !bounded && !says(why, "runs")) return "nothing asked of it has a time";
   const bool any_closed = std::any_of(uav.closings.begin(), uav.closings.end(),
@@ -121,7 +124,7 @@ std::vector<Violation> feasible_but_failed(const History& history) {
   if (!is_clean(*history.scenario)) return result;
   for (const auto& [name, uav] : history.uavs) {
     const bool bounded = std::any_of(uav.goals.begin(), uav.goals.end(),
-                                     [](const auto& one) { return one.second.task.time.any(); });
+                                     [](const auto& one) { return is_bounded(one.second); });
     const bool able =
         std::all_of(uav.goals.begin(), uav.goals.end(),
                     [&uav = uav](const auto& one) { return equipped(uav, one.second); });

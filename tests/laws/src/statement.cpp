@@ -34,19 +34,35 @@ mission::Argument list_from(std::string_view text) {
   return words;
 }
 
-void read_bounds(std::string_view text, mission::TimeConstraints& time) {
-  std::string plain(text);
-  for (char& c : plain) c = c == ',' ? ' ' : c;
-  const std::vector<std::string> words = words_of(plain);
-  for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
-    const auto number = as_number(words[i + 1]);
-    if (!number) continue;
-    const MissionTime at = MissionTime::seconds(*number);
-    if (words[i] == "start-after") time.start_after = at;
-    if (words[i] == "start-before") time.start_before = at;
-    if (words[i] == "end-after") time.end_after = at;
-    if (words[i] == "end-before") time.end_before = at;
+// "start-after-goal 701 0 to 60", "end-after-goal 701 10 or more".
+void read_goal_bound(const std::vector<std::string>& words, mission::HighLevelTask& task) {
+  if (words.size() < 5) return;
+  const auto goal = as_number(words[1]), least = as_number(words[2]), most = as_number(words[4]);
+  if (!goal || !least) return;
+  mission::GoalBound bound{mission::GoalId(static_cast<std::uint64_t>(*goal)),
+                           words[0] == "end-after-goal", Duration::seconds(*least)};
+  if (most) bound.most = Duration::seconds(*most);
+  task.after.push_back(bound);
+}
+
+void read_bound(const std::string& text, mission::HighLevelTask& task) {
+  const std::vector<std::string> words = words_of(text);
+  if (words.size() < 2) return;
+  if (words[0] == "start-after-goal" || words[0] == "end-after-goal") {
+    return read_goal_bound(words, task);
   }
+  const auto number = as_number(words[1]);
+  if (!number) return;
+  const MissionTime at = MissionTime::seconds(*number);
+  if (words[0] == "start-after") task.time.start_after = at;
+  if (words[0] == "start-before") task.time.start_before = at;
+  if (words[0] == "end-after") task.time.end_after = at;
+  if (words[0] == "end-before") task.time.end_before = at;
+}
+
+void read_bounds(std::string_view text, mission::HighLevelTask& task) {
+  std::istringstream in{std::string(text)};
+  for (std::string one; std::getline(in, one, ',');) read_bound(one, task);
 }
 
 }  // namespace
@@ -55,7 +71,7 @@ mission::HighLevelTask task_from(std::string_view statement) {
   mission::HighLevelTask task;
   const std::size_t bounds = statement.find(" [");
   if (bounds != std::string_view::npos) {
-    read_bounds(statement.substr(bounds + 2, statement.size() - bounds - 3), task.time);
+    read_bounds(statement.substr(bounds + 2, statement.size() - bounds - 3), task);
     statement = statement.substr(0, bounds);
   }
   while (!statement.empty()) {

@@ -63,6 +63,38 @@ TEST(Perceived, TheLookOfAnotherGoalDoesNotCount) {
   EXPECT_THAT(story.broken("perceived"), SizeIs(1));
 }
 
+TEST(Perceived, AnAlarmIsPerceivedWhereItWasSaidToBe) {
+  const auto looked_at = [](Vector3 alarm) {
+    Story story;
+    story.alarm(10, 1, {140, 60, 0}).alarm(70, 1, alarm);
+    story.flies("marvin", 0, 200, kAt, kAt);
+    story.goal("marvin", 701, "perceive alarm:1 60", "received", 12);
+    story.does("marvin", {101, "takeshot", 701, 30, 90, "ended", "visible", {140, 60, 0}});
+    story.goal("marvin", 701, "perceive alarm:1 60", "achieved", 90);
+    return story.broken("perceived");
+  };
+
+  EXPECT_THAT(looked_at({150, 60, 0}), IsEmpty());
+  EXPECT_THAT(looked_at({400, 60, 0}), ElementsAre(HasSubstr("for 0.0 of 60.0 s")));
+}
+
+// ---- progress ----
+
+TEST(Progress, WhatWasPerceivedIsNotPerceivedAgain) {
+  const auto again_for = [](double seconds) {
+    Story story = look(40);
+    story.does("marvin",
+               {103, "takeshot", 701, 100, 100 + seconds, "ended", "visible", {150, 60, 0}});
+    story.goal("marvin", 701, "perceive P1 60", "achieved", 100 + seconds);
+    return story.broken("progress");
+  };
+
+  EXPECT_THAT(again_for(20), IsEmpty());
+  EXPECT_THAT(again_for(100), ElementsAre(HasSubstr("it looked for 140.0 of 60.0 s in 2 pieces")));
+}
+
+TEST(Progress, OneLongLookIsNoRepetition) { EXPECT_THAT(look(160).broken("progress"), IsEmpty()); }
+
 TEST(Perceived, APlaceInTheAirIsPerceivedFromThere) {
   const auto at = [](Vector3 where) {
     Story story;
@@ -298,6 +330,42 @@ TEST(Times, AchievedTooLateIsSaid) {
   EXPECT_THAT(ends_at(120, ""),
               ElementsAre(HasSubstr("goto 100 ended at 120.0 s, not before 100.0")));
   EXPECT_THAT(ends_at(120, "goal 701 ended late"), IsEmpty());
+}
+
+TEST(Times, BoundsAfterAGoalCountFromWhenThatWasAchieved) {
+  const auto begins_at = [](double begin, const std::string& other, const std::string& word) {
+    Story story;
+    const std::string statement = "general-gotoxyz A1 [start-after-goal 700 40 to 60]";
+    story.goal("marvin", 700, "general-gotoxyz A2", "received", 1)
+        .goal("marvin", 700, "general-gotoxyz A2", other, 50);
+    story.goal("marvin", 701, statement, "received", 1)
+        .does("marvin", {100, "goto", 701, begin, begin + 20});
+    if (!word.empty()) story.says("marvin", begin, word);
+    story.goal("marvin", 701, statement, "achieved", begin + 20);
+    return story.broken("times");
+  };
+
+  EXPECT_THAT(begins_at(90, "achieved", ""), IsEmpty());
+  EXPECT_THAT(begins_at(80, "achieved", ""),
+              ElementsAre(HasSubstr("goto 100 began 30.0 s after goal 700, not 40.0 to 60.0 s")));
+  EXPECT_THAT(begins_at(120, "achieved", ""), SizeIs(1));
+  EXPECT_THAT(begins_at(120, "achieved", "goal 701: task 100 began late"), IsEmpty());
+  EXPECT_THAT(begins_at(120, "cancelled", ""), IsEmpty()) << "then it is void";
+}
+
+TEST(Times, AnEndBoundedAfterAGoalIsJudgedByTheEnd) {
+  const auto ends_at = [](double end) {
+    Story story;
+    const std::string statement = "general-gotoxyz A1 [end-after-goal 700 30 or more]";
+    story.goal("marvin", 700, "general-gotoxyz A2", "received", 1)
+        .goal("marvin", 700, "general-gotoxyz A2", "achieved", 50);
+    story.goal("marvin", 701, statement, "received", 1).does("marvin", {100, "goto", 701, 51, end});
+    story.goal("marvin", 701, statement, "achieved", end);
+    return story.broken("times");
+  };
+
+  EXPECT_THAT(ends_at(900), IsEmpty());
+  EXPECT_THAT(ends_at(70), ElementsAre(HasSubstr("ended 20.0 s after goal 700, not 30.0 s or")));
 }
 
 TEST(Ends, AGoalForWhichNothingIsDoneAnyMoreShouldHaveEnded) {

@@ -17,9 +17,10 @@ struct Kinds {
   bool degrees = true;    ///< autonomy degrees change and come back
   bool radio = true;      ///< cuts
   bool energy = true;     ///< starts with little of it
+  bool alarms = true;     ///< something burns, and missions name the alarm
 };
 /// Nothing goes wrong, and what is asked is possible.
-inline constexpr Kinds kClean{false, false, false, false, false, false, false};
+inline constexpr Kinds kClean{false, false, false, false, false, false, false, true};
 
 /// One seed and the same kinds give one mission.
 Mission generate(std::uint64_t seed, const Kinds& kinds);

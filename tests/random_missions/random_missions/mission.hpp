@@ -39,6 +39,7 @@ struct Mission {
   double limit = 2000;  ///< [s]
   std::string hills, wind;
   std::vector<std::string> zones, places, volumes;  ///< "Z1: [[…]]"
+  std::vector<std::string> objects;                 ///< "hot: {kind: fire, …}"
   std::vector<Member> team;
   std::vector<std::string> cuts;  ///< "{between: [...], from: 300, until: 330}"
   std::vector<Step> steps;

@@ -49,6 +49,7 @@ Kinds kinds_of(const Options& options) {
     if (name == "degrees") kinds.degrees = false;
     if (name == "radio") kinds.radio = false;
     if (name == "energy") kinds.energy = false;
+    if (name == "alarms") kinds.alarms = false;
   }
   return kinds;
 }

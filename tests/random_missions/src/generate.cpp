@@ -21,7 +21,10 @@ std::string point(double x, double y) { return "[" + whole(x) + ", " + whole(y) 
 /// Draws one mission, part by part, always in the same order.
 class Drawing {
  public:
-  Drawing(std::uint64_t seed, const Kinds& kinds) : random_(seed, "random mission"), kinds_(kinds) {
+  Drawing(std::uint64_t seed, const Kinds& kinds)
+      : random_(seed, "random mission"),
+        more_(seed, "random mission: alarms, bounds"),
+        kinds_(kinds) {
     mission_.seed = seed;
   }
 
@@ -41,6 +44,8 @@ class Drawing {
     const bool stays = random_.chance(0.15);
     mission_.finish_after = stays ? -1 : random_.uniform(5, 60);
     mission_.limit = stays ? 5000 : 2400;
+    if (kinds_.deadlines && more_.chance(0.25)) draw_goal_bound();
+    if (kinds_.alarms && more_.chance(0.12)) draw_alarm();
     return std::move(mission_);
   }
 
@@ -297,6 +302,50 @@ class Drawing {
     }
   }
 
+  // ---- drawn by themselves, so that all the rest of a seed's mission is as it is without ----
+
+  // A task of a mission is bounded by one before it in the same mission.
+  void draw_goal_bound() {
+    Step& step = mission_.steps[more_.below(mission_.steps.size())];
+    if (step.tasks.size() < 2) return;
+    const std::size_t later = 1 + more_.below(step.tasks.size() - 1);
+    const Task& earlier = step.tasks[more_.below(later)];
+    const double least = more_.uniform(0, 120);
+    std::string figures = ", least: " + whole(least);
+    if (more_.chance(0.6)) figures += ", most: " + whole(least + more_.uniform(30, 600));
+    std::string& times = step.tasks[later].times;
+    times += std::string(times.empty() ? "" : ", ") +
+             (more_.chance(0.5) ? "start_after_goal" : "end_after_goal") +
+             ": {goal: " + std::to_string(earlier.id) + figures + "}";
+  }
+
+  // Something burns in a zone that somebody looks over; somebody is to look at the alarm.
+  void draw_alarm() {
+    double x = 0, y = 0;
+    const std::size_t zone = more_.below(mission_.zones.size());
+    const std::string& corners = mission_.zones[zone];
+    for (std::size_t at = corners.find("[[") + 1; at != std::string::npos;
+         at = corners.find('[', at + 1)) {
+      x += std::stod(corners.substr(at + 1)) / 4;
+      y += std::stod(corners.substr(corners.find(',', at) + 1)) / 4;
+    }
+    mission_.objects.push_back("hot: {kind: fire, position: " + point(x, y) + ", radius: 5}");
+    const std::size_t looks = more_.below(mission_.team.size());
+    auto& first = mission_.steps[looks].tasks;
+    const bool takes_off = first.front().words == "[general-takeoff]";
+    first.insert(first.begin() + (takes_off ? 1 : 0),
+                 {next_goal_[looks]++,
+                  "[perform-detection, Z" + std::to_string(zone + 1) + ", P1, " +
+                      whole(more_.uniform(100, 300)) + "]",
+                  ""});
+    const std::size_t goes = more_.below(mission_.team.size());
+    const char* placement = more_.chance(0.3) ? "first" : "best";
+    begin_mission("alarm-1", mission_.team[goes], "{alarm: {state: raised, id: 1}}", 1);
+    mission_.steps.back().placement = placement;
+    mission_.steps.back().tasks.push_back(
+        {next_goal_[goes]++, "[perceive, alarm:1, " + whole(more_.uniform(10, 90)) + "]", ""});
+  }
+
   // ---- what goes wrong ----
 
   Step plain_step(const std::string& name, const std::string& when, const std::string& action) {
@@ -410,7 +459,7 @@ class Drawing {
                             ", until: " + whole(from + random_.uniform(5, 150)) + "}");
   }
 
-  Random random_;
+  Random random_, more_;
   Kinds kinds_;
   Mission mission_;
   std::size_t who_ = 0;

@@ -24,6 +24,7 @@ void world(std::ostream& out, const Mission& m) {
   list(out, "zones", m.zones, "  ", "");
   list(out, "places", m.places, "  ", "");
   list(out, "volumes", m.volumes, "  ", "");
+  list(out, "objects", m.objects, "  ", "");
 }
 
 void team(std::ostream& out, const Mission& m, const std::string& scenarios) {
@@ -118,6 +119,7 @@ std::vector<Mission> smaller(const Mission& whole) {
   without_each(whole, &Mission::faults, result);
   without_each(whole, &Mission::cuts, result);
   without_each(whole, &Mission::volumes, result);
+  without_each(whole, &Mission::objects, result);
   for (std::size_t s = 0; s < whole.steps.size(); ++s) {
     for (std::size_t t = 0; whole.steps[s].tasks.size() > 1 && t < whole.steps[s].tasks.size();
          ++t) {

@@ -76,7 +76,8 @@ INSTANTIATE_TEST_SUITE_P(Happenings, Drawn,
                                            "open_air: {", "volumes:", "start_after:",
                                            "start_before:", "end_after:", "end_before:", "slow: {",
                                            "abort: {", "sensor: {", "energy: {", "degree: {uav",
-                                           "cuts:", "hills:"));
+                                           "cuts:", "hills:", "start_after_goal:",
+                                           "end_after_goal:", "objects:", "perceive, alarm:1"));
 
 TEST(Smaller, EachIsThereWithOnePartLess) {
   const Mission whole = generate(3, {});

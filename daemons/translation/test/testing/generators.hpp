@@ -163,8 +163,24 @@ inline mission::Argument any_argument() {
   }
 }
 
+inline mission::GoalBound any_goal_bound() {
+  const auto least = Duration::nanoseconds(*rc::gen::inRange<std::int64_t>(0, 1'000'000'000));
+  return {mission::GoalId(any_positive()), any_truth(), least,
+          any_truth() ? Duration::max() : least + Duration::seconds(5)};
+}
+
 inline mission::HighLevelTask any_high_level_task() {
-  return {mission::GoalId(any_positive()), any_text(), some(any_argument), any_time_constraints()};
+  return {mission::GoalId(any_positive()), any_text(), some(any_argument), any_time_constraints(),
+          some(any_goal_bound)};
+}
+
+inline mission::MissionEstimate any_estimate() {
+  return {static_cast<mission::Placement>(*rc::gen::inRange(0, 5)),
+          any_number(),
+          any_number(),
+          any_instant(),
+          any_instant(),
+          any_instant()};
 }
 
 inline mission::UnitMission any_unit_mission() {
@@ -173,7 +189,8 @@ inline mission::UnitMission any_unit_mission() {
           static_cast<mission::Placement>(*rc::gen::inRange(0, 5)),
           any_truth(),
           any_truth(),
-          any_text()};
+          any_text(),
+          any_truth()};
 }
 
 inline mission::CancelGoals any_cancellation() {
@@ -187,6 +204,7 @@ inline mission::GoalStatus any_goal() {
           any_text(),
           static_cast<mission::GoalState>(
               *rc::gen::inRange(0, static_cast<int>(mission::GoalState::kCount))),
+          any_text(),
           any_text(),
           any_text()};
 }

@@ -35,7 +35,7 @@ class Talker final : public Node {
                       !std::exchange(wrote_last_, true);
     for (int i = 0; i < (last ? kLastBurst : kBurst); ++i)
       effects.push_back(note("tick", ++count_, now));
-    effects.push_back(StartJob{count_, [] { return std::any(); }});
+    effects.push_back(StartJob{count_, [](const TimeIsUp&) { return std::any(); }});
     if (name_ == "ground" && finish_ > MissionTime() && now >= finish_) {
       skein::wire::MissionState state;
       state.finished = true;

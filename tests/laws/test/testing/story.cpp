@@ -127,6 +127,14 @@ Story& Story::step(double at, const std::string& name, const std::string& told) 
   return *this;
 }
 
+Story& Story::alarm(double at, int id, world::Vector3 where) {
+  add(at, "ground", "alarm")
+      .with("alarm", id)
+      .with("state", "raised")
+      .with("position", std::vector<double>{where.x(), where.y(), where.z()});
+  return *this;
+}
+
 Story& Story::fault(double at, const std::string& what, const std::string& uav) {
   add(at, "sim", "fault").with("what", what).with("target", uav);
   return *this;

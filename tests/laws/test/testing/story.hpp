@@ -40,6 +40,8 @@ class Story {
   Story& says(const std::string& uav, double at, const std::string& text);
   Story& degree(const std::string& uav, double at, int degree);
   Story& step(double at, const std::string& name, const std::string& told);
+  /// Where perceptions put an alarm.
+  Story& alarm(double at, int id, world::Vector3 where);
   Story& fault(double at, const std::string& what, const std::string& uav);
 
   /// Sentences of what one law has to say.

@@ -34,9 +34,10 @@ struct DdnConfig {
   std::optional<std::string> background_type;
   /// Null: the scenario has no planning domain, and degree 4 is refused.
   std::shared_ptr<const supervisor::Knowledge> knowledge;
-  std::shared_ptr<const world::World> world;  ///< as at the start; null only without knowledge
-  Duration horizon = Duration::seconds(15);   ///< commitment, see supervisor::Config
-  executive::TaskId first_task{1};            ///< of the supervisor's; below kFirstOwnTask
+  std::shared_ptr<const world::World> world;      ///< as at the start; null only without knowledge
+  Duration horizon = Duration::seconds(15);       ///< commitment, see supervisor::Config
+  Duration deliberation = Duration::seconds(10);  ///< for one plan, where there is a clock
+  executive::TaskId first_task{1};                ///< of the supervisor's; below kFirstOwnTask
 };
 
 /// A DDN (T II): between the ground station and the functional layer of one UAV.
@@ -116,6 +117,7 @@ class DdnNode final : public node::Node {
   void take(const wire::TaskRequest& request);
   void take(const wire::MissionRequest& request);
   void take(const wire::WorldChange& change);
+  void take(const wire::Alarm& alarm);
   void take(const wire::FunctionalRequest& request);
   void take(const wire::FunctionalStatus& status);
   void take(const wire::SyncMessage& message);
@@ -163,6 +165,7 @@ class DdnNode final : public node::Node {
   void carry_out(const supervisor::MissionDecided& decided);
   void carry_out(const supervisor::ToExecutive& request);
   void carry_out(const supervisor::StartDeliberation& start);
+  void carry_out(const supervisor::StopDeliberation& stop);
   void carry_out(const supervisor::PlanChanged& changed);
   void carry_out(const supervisor::GoalChanged& changed);
   void carry_out(const supervisor::Decided& decided);

@@ -42,7 +42,7 @@ class GroundNode final : public node::Node {
   void carry_out(const ground_station::SendFunctional& effect);
   void carry_out(const ground_station::SendSync& effect);
   void carry_out(const ground_station::AlarmEvent& effect);
-  void carry_out(const ground_station::AlarmRefined&) {}
+  void carry_out(const ground_station::TellAlarm& effect);
   void carry_out(const ground_station::CommandChanged& effect);
   void carry_out(const ground_station::LocalRequestAnswered& effect);
   void carry_out(const ground_station::LocalTaskEvent& effect);

@@ -37,6 +37,8 @@ Read<mission::ChangeDegree> from_wire(const wire::DegreeCommand& command);
 wire::WorldChange to_wire(const mission::ChangeWorld& change);
 /// Refuses a volume without name, area, height or time, and one that crosses itself.
 Read<mission::ChangeWorld> from_wire(const wire::WorldChange& change);
+/// An alarm as a place that missions may name, with what is known of the ground there.
+mission::ChangeWorld change_of(const wire::Alarm& alarm);
 
 // ---- what a UAV tells ----
 

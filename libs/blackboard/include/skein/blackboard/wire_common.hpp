@@ -124,6 +124,16 @@ struct TaskSpec {
 SKEIN_WIRE_FIELDS(TaskSpec, id, type, parameters, preconditions, exit_conditions,
                   has_synchronisation, synchronisation, senders, receivers, has_deadline, deadline)
 
+/// Between `least` and `most` after the end of another high-level task [ns].
+struct GoalBound {
+  std::uint64_t goal = 0;
+  bool on_end = false;
+  std::int64_t least = 0;
+  std::int64_t most = std::numeric_limits<std::int64_t>::max();  ///< no bound
+  bool operator==(const GoalBound&) const = default;
+};
+SKEIN_WIRE_FIELDS(GoalBound, goal, on_end, least, most)
+
 /// A high-level task as it is asked for. The name of each argument is its kind: "name" (text),
 /// "number" (one number), "location" (x, y, z) or "names" (text, separated by spaces).
 struct MissionTask {
@@ -134,10 +144,11 @@ struct MissionTask {
   std::int64_t start_after = kNoInstant;
   std::int64_t end_before = kNoInstant;
   std::int64_t end_after = kNoInstant;
+  std::vector<GoalBound> after;
   bool operator==(const MissionTask&) const = default;
 };
 SKEIN_WIRE_FIELDS(MissionTask, id, name, arguments, start_before, start_after, end_before,
-                  end_after)
+                  end_after, after)
 
 enum class GoalState : std::uint32_t {
   kReceived,
@@ -162,9 +173,22 @@ struct GoalEntry {
   GoalState state = GoalState::kReceived;
   std::string why;  ///< of failed and cancelled
   std::string asked_by;
+  std::string done;  ///< of it, in words
   bool operator==(const GoalEntry&) const = default;
 };
-SKEIN_WIRE_FIELDS(GoalEntry, id, mission, statement, state, why, asked_by)
+SKEIN_WIRE_FIELDS(GoalEntry, id, mission, statement, state, why, asked_by, done)
+
+/// What a change of the world is about.
+enum class WorldPart : std::uint32_t { kAir, kPlace, kGround, kCount };
+constexpr auto names_of(WorldPart) {
+  return std::to_array<std::string_view>({"air", "place", "ground"});
+}
+
+/// What is known of cells of the ground from now on.
+enum class CellChange : std::uint32_t { kAsBefore, kQuiet, kAlarm, kFire, kCount };
+constexpr auto names_of(CellChange) {
+  return std::to_array<std::string_view>({"as-before", "quiet", "alarm", "fire"});
+}
 
 enum class DependenceKind : std::uint32_t { kEnded, kRunning, kOver, kCount };
 constexpr auto names_of(DependenceKind) {

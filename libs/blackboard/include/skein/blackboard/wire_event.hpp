@@ -147,6 +147,7 @@ struct MissionRequest {
   std::uint64_t unit_mission = 0;  ///< cancel: 0: not by mission
   MissionPlacement placement = MissionPlacement::kBest;
   bool interrupt = false;  ///< what is under way is interrupted
+  bool evaluate = false;   ///< nothing is adopted: what it would cost is answered
   bool achieve_any =
       false;  ///< what of it cannot be planned is left out; else it is all or nothing
   std::string asked_by;
@@ -155,7 +156,7 @@ struct MissionRequest {
   bool operator==(const MissionRequest&) const = default;
 };
 SKEIN_WIRE_FIELDS(MissionRequest, header, command, cancel, unit_mission, placement, interrupt,
-                  achieve_any, asked_by, tasks, goals)
+                  evaluate, achieve_any, asked_by, tasks, goals)
 
 /// The degree of autonomy that a UAV is to have from now on. Source: spec 1.2.
 struct DegreeCommand {
@@ -169,7 +170,8 @@ struct DegreeCommand {
 };
 SKEIN_WIRE_FIELDS(DegreeCommand, header, command, degree, interrupt, resume, asked_by)
 
-/// A volume of air that is closed or opened again.
+/// The world is not as it was thought to be: a volume of air is closed or opened again, a place is
+/// known, cells of the ground are. What is not of its part does not count.
 struct WorldChange {
   SampleHeader header;
   std::uint64_t command = 0;
@@ -180,9 +182,16 @@ struct WorldChange {
   double ceiling = 0;           ///< [m]; at or above 1e9: none
   std::int64_t from = 0;        ///< [ns]
   std::int64_t until = kNever;  ///< [ns]
+  WorldPart part = WorldPart::kAir;
+  Vector3 at;         ///< [m] of a place
+  double radius = 0;  ///< [m] of what is at the place
+  double risk = -1;   ///< of the ground; below 0: as before
+  bool mapped = false;
+  CellChange cells = CellChange::kAsBefore;  ///< within the corners, or around the place
   bool operator==(const WorldChange&) const = default;
 };
-SKEIN_WIRE_FIELDS(WorldChange, header, command, remove, name, corners, floor, ceiling, from, until)
+SKEIN_WIRE_FIELDS(WorldChange, header, command, remove, name, corners, floor, ceiling, from, until,
+                  part, at, radius, risk, mapped, cells)
 
 /// What became of a mission that was accepted for planning.
 struct MissionOutcome {
@@ -191,9 +200,14 @@ struct MissionOutcome {
   std::uint64_t unit_mission = 0;
   bool planned = false;
   std::vector<std::string> reasons;  ///< why not
+  bool evaluated = false;            ///< nothing was adopted; with `planned` the rest counts
+  MissionPlacement placement = MissionPlacement::kBest;
+  double cost = 0, energy = 0;                                  ///< that it would add
+  std::int64_t earliest_end = 0, latest_end = 0, plan_end = 0;  ///< [ns]
   bool operator==(const MissionOutcome&) const = default;
 };
-SKEIN_WIRE_FIELDS(MissionOutcome, header, uav, unit_mission, planned, reasons)
+SKEIN_WIRE_FIELDS(MissionOutcome, header, uav, unit_mission, planned, reasons, evaluated, placement,
+                  cost, energy, earliest_end, latest_end, plan_end)
 
 /// A task with its conditions and where it stands.
 struct HeldTask {

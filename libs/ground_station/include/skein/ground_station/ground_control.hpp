@@ -83,7 +83,7 @@ class GroundControl {
                              DecisionReceived, MissionOutcomeReceived>;
   using Effect = std::variant<
       // to be sent
-      SendRequest, SendFunctional, SendSync, AlarmEvent, AlarmRefined,
+      SendRequest, SendFunctional, SendSync, AlarmEvent, TellAlarm,
       // for the journal
       CommandChanged, LocalRequestAnswered, LocalTaskEvent, LocalSync, PerceptionLogged,
       PhaseEntered, StepDone, OperatorDid, DegreeChanged, UavRestarted, HeldPlanChanged,

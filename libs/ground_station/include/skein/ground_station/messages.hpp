@@ -14,6 +14,7 @@
 #include "skein/executive/task.hpp"
 #include "skein/foundation/id.hpp"
 #include "skein/foundation/time.hpp"
+#include "skein/ground_station/alarm.hpp"
 #include "skein/ground_station/degree.hpp"
 #include "skein/mission/autonomy.hpp"
 #include "skein/mission/elementary_plan.hpp"
@@ -33,7 +34,8 @@ enum class MissionStage {
   kPlanned,   ///< the UAV has a plan for it
   kRefused,   ///< it was refused: by the ground, by the UAV, or because no plan has room for it
   kAchieved,  ///< none of its high-level tasks is open, none failed, one was achieved
-  kFailed     ///< none of them is open, and one failed
+  kFailed,    ///< none of them is open, and one failed
+  kEvaluated  ///< asked for evaluation only: it could be planned (else refused)
 };
 
 /// Numbered from 1 in the order issued.
@@ -247,6 +249,11 @@ struct HeldPlanChanged {
   std::string uav;
   std::size_t tasks = 0;  ///< of which it happened
   HeldState state = HeldState::kHeld;
+};
+/// What is known of an alarm is to be told to one UAV again, or to all.
+struct TellAlarm {
+  Alarm alarm;
+  std::string uav;  ///< empty: all
 };
 /// Something that should not come, and was disregarded; for the log.
 struct Anomaly {

@@ -2,6 +2,7 @@
 // What the ground can know to be wrong with a request before it is sent.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -36,6 +37,11 @@ class MissionChecks {
   MissionChecks() = default;
   MissionChecks(MissionKnowledge knowledge, std::vector<std::string> team)
       : knowledge_(std::move(knowledge)), team_(std::move(team)) {}
+
+  void know_place(const std::string& name) {
+    auto& places = knowledge_.places;
+    if (std::find(places.begin(), places.end(), name) == places.end()) places.push_back(name);
+  }
 
   /// Every reason why the request makes no sense, in sentences; empty when it may be sent. Requests
   /// to an MLE are its own business. Source: spec 1.2, 6.2.

@@ -82,6 +82,7 @@ class MissionPlanning {
     MissionTime expires;
     Effects& effects;
     void issue(const std::string& uav, Request request) const;
+    void tell(const mission::ChangeWorld& change, const std::vector<std::string>& uavs) const;
   };
   void perform(const SendPlan& action, const Deed& deed);
   void perform(const AbortTasks& action, const Deed& deed);
@@ -96,6 +97,7 @@ class MissionPlanning {
   void perform(const DropPlan& action, const Deed& deed);
   void perform(const CloseAir& action, const Deed& deed);
   void perform(const OpenAir& action, const Deed& deed);
+  void perform(const TellWorld& action, const Deed& deed);
   void perform(const Finish& action, const Deed& deed);
   const Alarm* subject() const;
 

@@ -42,6 +42,8 @@ struct UavOnBoard {
   mission::PlanReport plan;  ///< the last; revision 0: none
   /// What the UAV's supervisor did last, oldest first; not more than kDecisionsKept.
   std::deque<mission::Decision> decisions;
+  /// What missions would cost that it was asked to evaluate: the last answer to each.
+  std::map<mission::MissionId, mission::MissionOutcome> evaluations;
   /// What it handed over and nobody carries out until it is resumed, in the order of ids.
   std::vector<mission::HeldTask> held;
 
@@ -103,6 +105,9 @@ class Monitoring {
 
   std::vector<Effect> handle(const Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
+
+  /// Missions may name the place from now on.
+  void know_place(const std::string& name) { checks_.know_place(name); }
 
   Board board(MissionTime now) const;
   /// 3 for an unknown UAV.

@@ -33,6 +33,7 @@ struct AtTime {
 /// if it has one (see MissionPlanning).
 struct OnAlarm {
   AlarmState state = AlarmState::kRaised;
+  AlarmId id = {};  ///< 0: not one in particular
 };
 /// The task entered the state, on board or, at degree 1, at the ground.
 struct OnTask {
@@ -197,12 +198,17 @@ struct OpenAir {
   std::string name;
   std::vector<std::string> uavs = {};  ///< none: all
 };
+/// Tells UAVs what is known of a place or of the ground. Source: spec 4.1, 6.2 (6).
+struct TellWorld {
+  mission::ChangeWorld change;
+  std::vector<std::string> uavs = {};  ///< none: all
+};
 /// The mission is over.
 struct Finish {};
 
-using Action =
-    std::variant<SendPlan, AbortTasks, SendMessage, UpdateConditions, SendMission, CancelMission,
-                 SetDegree, TakeInHand, GiveBack, ResumePlan, DropPlan, CloseAir, OpenAir, Finish>;
+using Action = std::variant<SendPlan, AbortTasks, SendMessage, UpdateConditions, SendMission,
+                            CancelMission, SetDegree, TakeInHand, GiveBack, ResumePlan, DropPlan,
+                            CloseAir, OpenAir, TellWorld, Finish>;
 
 struct Step {
   std::string name;   ///< unique in the script

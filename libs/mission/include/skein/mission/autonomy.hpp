@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "skein/executive/task.hpp"
 #include "skein/mission/high_level_task.hpp"
+#include "skein/world/ground_state.hpp"
 #include "skein/world/volume.hpp"
 
 namespace skein::mission {
@@ -42,12 +44,42 @@ struct HandOver {
   bool operator==(const HandOver&) const = default;
 };
 
-/// A volume of air is closed, or opened again. Source: spec 6.2 (6): the world changed.
+/// A place is known from now on, or lies elsewhere than was thought.
+struct KnownPlace {
+  std::string name;                            ///< an alarm's is "alarm:1" (name_of_alarm)
+  world::Vector3 at = world::Vector3::Zero();  ///< [m] ENU
+  double radius = 0;                           ///< of what is there [m]
+  std::optional<world::CellState> cells = {};  ///< what is known of the ground within the radius
+  bool operator==(const KnownPlace&) const = default;
+};
+
+/// How missions name an alarm of the ground station's.
+inline std::string name_of_alarm(std::uint64_t id) { return "alarm:" + std::to_string(id); }
+
+/// Cells of the ground are not as they were thought to be. What is absent stays.
+struct KnownGround {
+  std::string name;                 ///< for people
+  world::Polygon area;              ///< [m] ENU; cells with their middle inside
+  std::optional<double> risk = {};  ///< [0, 1]
+  bool mapped = false;
+  std::optional<world::CellState> cells = {};  ///< what burns or has burnt gives no risk any more
+  bool operator==(const KnownGround&) const = default;
+};
+
+/// The world is not as it was thought to be: one of air, place, ground. Source: spec 6.2 (6).
 struct ChangeWorld {
-  world::Volume volume;
-  bool remove = false;  ///< the volume of that name is no longer there; the rest does not count
+  world::Volume volume;  ///< of air, closed from now on, when neither of the others is there
+  bool remove = false;   ///< the volume of that name is no longer there; the rest does not count
+  std::optional<KnownPlace> place = {};
+  std::optional<KnownGround> ground = {};
   bool operator==(const ChangeWorld&) const = default;
 };
+
+/// "volume 'tower' closed", "place 'alarm:1' known", "ground of 'A' known": for people.
+std::string to_text(const ChangeWorld& change);
+
+/// Every reason why it makes no sense, in sentences.
+std::vector<std::string> problems_of(const ChangeWorld& change);
 
 /// Cancels high-level tasks, those of a mission, or all. Source: spec 6.2 (2).
 struct CancelGoals {
@@ -70,11 +102,24 @@ struct Decision {
   bool operator==(const Decision&) const = default;
 };
 
-/// What became of a mission that was accepted for planning, later than its acceptance.
+/// What a mission would cost if it were taken now, beside what is planned already.
+struct MissionEstimate {
+  Placement placement = Placement::kLast;  ///< where it would go
+  double cost = 0;                         ///< that it adds, as the domain counts
+  double energy = 0;                       ///< that it adds [fraction of what is held when full]
+  MissionTime earliest_end, latest_end;    ///< of its tasks; latest may be MissionTime::max()
+  MissionTime plan_end;                    ///< latest end of all; likewise
+  bool operator==(const MissionEstimate&) const = default;
+};
+
+/// What became of a mission that was accepted for planning, or for evaluation, later than its
+/// acceptance.
 struct MissionOutcome {
   MissionId mission;
-  bool planned = false;
-  std::vector<std::string> reasons;  ///< why not, all at once
+  bool planned = false;                          ///< of an evaluation: it could be
+  std::vector<std::string> reasons;              ///< why not, all at once
+  bool evaluated = false;                        ///< nothing was adopted
+  std::optional<MissionEstimate> estimate = {};  ///< of an evaluation that found a plan
   bool operator==(const MissionOutcome&) const = default;
 };
 

@@ -28,6 +28,16 @@ struct TimeConstraints {
   bool any() const { return start_before || start_after || end_before || end_after; }
 };
 
+/// A bound counted from another high-level task of the same UAV: every elementary task starts (or
+/// ends) between `least` and `most` after that one ends. Void when that one fails or is cancelled.
+struct GoalBound {
+  GoalId goal;          ///< the other one
+  bool on_end = false;  ///< of ends; else of starts
+  Duration least;       ///< from 0
+  Duration most = Duration::max();
+  bool operator==(const GoalBound&) const = default;
+};
+
 /// An argument: a name (place, zone, UAV, device, word), a number in the unit of its parameter, a
 /// location [m] ENU, or several names.
 using Argument = std::variant<std::string, double, world::Vector3, std::vector<std::string>>;
@@ -38,6 +48,7 @@ struct HighLevelTask {
   std::string name;  ///< of a task of the planning domain: "perform-detection"
   std::vector<Argument> arguments;
   TimeConstraints time;
+  std::vector<GoalBound> after = {};
   bool operator==(const HighLevelTask&) const = default;
 };
 
@@ -65,6 +76,8 @@ struct UnitMission {
   /// What of it cannot be planned is left out, and the rest done; else it is all or nothing.
   bool any = false;
   std::string asked_by;  ///< who asked, for people: "step detection", "operator end"
+  /// What it would cost is answered, and nothing else happens.
+  bool evaluate = false;
   bool operator==(const UnitMission&) const = default;
 };
 
@@ -96,6 +109,7 @@ struct GoalStatus {
   GoalState state = GoalState::kReceived;
   std::string why;  ///< of failed and cancelled
   std::string asked_by;
+  std::string done = {};  ///< to_text of its Progress, by tasks that are over
   bool operator==(const GoalStatus&) const = default;
 };
 

@@ -24,6 +24,7 @@ struct HostConfig {
 struct HostPorts {
   std::function<void(const journal::Record&)> journal;
   std::function<void(StartJob)> start_job;
+  std::function<void(StopJob)> stop_job;  ///< may be empty
   std::function<void()> finish;
   /// What comes over the world channel (clock, directory, mission state, link states): for the
   /// runtime, not for the node; may be empty.

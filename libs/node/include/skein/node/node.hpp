@@ -63,16 +63,25 @@ struct Publish {
 struct Log {
   journal::Record record;
 };
+/// The clock of a job: whether it has had its time. May be empty: it has all the time it needs.
+using TimeIsUp = std::function<bool()>;
 /// A long computation. `work` owns its inputs, touches nothing shared and may run in any thread;
-/// its result comes back as JobDone. Source: spec 1.5.
+/// its result comes back as JobDone. Who runs it may fill the clock: a daemon does, virtual time
+/// stands still meanwhile and so never ends a job. Source: spec 1.5.
 struct StartJob {
   std::uint64_t id = 0;
-  std::function<std::any()> work;
+  std::function<std::any(const TimeIsUp&)> work;
+  Duration at_most = Duration::max();  ///< from when it begins to run
+};
+/// Nobody wants the result of this job any more: its clock says at once that it has had its time.
+/// Its result comes back all the same.
+struct StopJob {
+  std::uint64_t id = 0;
 };
 /// The mission is over; a runtime may stop everything soon after.
 struct Finish {};
 
-using Effect = std::variant<Send, Publish, Log, StartJob, Finish>;
+using Effect = std::variant<Send, Publish, Log, StartJob, StopJob, Finish>;
 using Effects = std::vector<Effect>;
 
 /// A node of the system, without input or output of its own. `now` never decreases from call to

@@ -15,6 +15,7 @@ namespace skein::supervisor {
 struct Standing {
   std::vector<mission::ElementaryTask> tasks;
   Observations seen;
+  GoalBounds bounds = {};  ///< of all high-level tasks, those to be planned too
 };
 
 /// A high-level task that is not part of a plan.

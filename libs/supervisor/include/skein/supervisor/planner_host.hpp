@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "skein/htn/functions.hpp"
+#include "skein/refiners/budget.hpp"
 #include "skein/supervisor/planning.hpp"
 
 namespace skein::supervisor {
@@ -15,11 +16,11 @@ namespace skein::supervisor {
 /// The functions that docs/comets-domain.md lists (compute-gotoxyz, in-time, …), for one planning:
 /// what was refined once is not refined again, and every refusal is kept in words. The airspace is
 /// built at the first way that is asked for; volumes that are closed for a time only count all
-/// along. Thread rule: one thread at a time.
+/// along. `budget` is that of each call of a refiner. Thread rule: one thread at a time.
 class PlannerHost {
  public:
   PlannerHost(std::shared_ptr<const Knowledge> knowledge, std::shared_ptr<const world::World> world,
-              MissionTime origin, std::uint64_t seed);
+              MissionTime origin, std::uint64_t seed, refiners::Budget budget = {});
   ~PlannerHost();
   PlannerHost(const PlannerHost&) = delete;
   PlannerHost& operator=(const PlannerHost&) = delete;

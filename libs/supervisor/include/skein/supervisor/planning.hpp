@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
 #include "skein/mission/elementary_plan.hpp"
+#include "skein/mission/progress.hpp"
 #include "skein/mission/vocabulary.hpp"
 #include "skein/world/world.hpp"
 
@@ -67,6 +69,20 @@ struct Situation {
   std::map<std::string, Timeline> devices;  ///< those that are not here are free at once
   std::set<std::string> broken;             ///< devices that do not work
   executive::TaskId next_id{1};             ///< elementary tasks are numbered from here
+  /// Of high-level tasks that were interrupted: what need not be done again.
+  std::map<mission::GoalId, mission::Progress> done;
+};
+
+/// How much may be spent on one plan. Counts give the same answer everywhere; the clock is filled
+/// by who runs the job. A value type.
+struct PlanningBudget {
+  std::uint64_t expansions = 200'000;
+  std::uint64_t inferences = 20'000'000;
+  std::uint64_t memory_bytes = std::uint64_t{1} << 30U;  ///< of the search's own structures
+  /// True once the time is up, or nobody wants the plan any more. May be empty: never.
+  std::function<bool()> time_is_up;
+
+  bool over() const { return time_is_up && time_is_up(); }
 };
 
 struct PlanningRequest {
@@ -75,6 +91,7 @@ struct PlanningRequest {
   Situation situation;
   std::vector<mission::HighLevelTask> tasks;  ///< in order
   std::uint64_t seed = 1;
+  PlanningBudget budget = {};
 };
 
 struct PlanningFailure {

@@ -38,10 +38,17 @@ inline constexpr Duration kStartMargin = Duration::milliseconds(1);
 /// it runs might come too late. It starts when `on` is over, or when `until` is past.
 struct Hold {
   executive::TaskId on;  ///< TaskId(): on time alone
-  MissionTime until;     ///< MissionTime::max() until `on` has started
+  MissionTime until;     ///< MissionTime::max(): no date is known yet, only the end of `on` counts
   bool operator==(const Hold&) const = default;
 };
 using Holds = std::map<executive::TaskId, std::vector<Hold>>;
+
+/// What is known of bounds between high-level tasks when their elementary tasks are dated.
+struct GoalBounds {
+  std::map<mission::GoalId, std::vector<mission::GoalBound>> of;  ///< by the one that is bounded
+  std::map<mission::GoalId, MissionTime> over;  ///< high-level tasks that were achieved, and when
+  bool operator==(const GoalBounds&) const = default;
+};
 
 struct Schedule {
   bool consistent = false;
@@ -77,6 +84,8 @@ struct Schedule {
 ///                              event, start <= event and end <= event + kStopReaction
 ///   time constraints           start, end against mission time zero; end_after with a stop: the
 ///                              stop waits for it too
+///   bound after a goal         start, or end, of each task of the one against the last ends of the
+///                              other, or against the instant when that was achieved
 ///   not started                start >= now
 ///   under way                  start at its date; what is left of the duration, at least until
 ///   now;
@@ -89,6 +98,6 @@ struct Schedule {
 /// network is kept instead (plan_network.hpp). Precondition: ids differ. A dependence on a task
 /// that is not among `tasks` counts as met.
 Schedule schedule(const std::vector<mission::ElementaryTask>& tasks, const Observations& seen,
-                  MissionTime now);
+                  MissionTime now, const GoalBounds& bounds = {});
 
 }  // namespace skein::supervisor

@@ -102,6 +102,11 @@ struct StartDeliberation {
   std::uint64_t job = 0;
   std::shared_ptr<const DeliberationRequest> request;
 };
+/// Nobody wants the result of this job any more: it may end as soon as it likes, with any result,
+/// which comes back all the same.
+struct StopDeliberation {
+  std::uint64_t job = 0;
+};
 /// The plan, its dates or the state of a high-level task changed. At most one in a call.
 struct PlanChanged {
   mission::PlanReport report;
@@ -128,8 +133,9 @@ struct Notice {
   std::string text;
 };
 
-using Effect = std::variant<Answer, MissionDecided, ToExecutive, StartDeliberation, PlanChanged,
-                            GoalChanged, Decided, HandedOver, LoadJointTask, Notice>;
+using Effect =
+    std::variant<Answer, MissionDecided, ToExecutive, StartDeliberation, StopDeliberation,
+                 PlanChanged, GoalChanged, Decided, HandedOver, LoadJointTask, Notice>;
 using Effects = std::vector<Effect>;
 
 struct Config {
