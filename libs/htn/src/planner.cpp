@@ -134,11 +134,11 @@ class Planning {
     if (outcome.verdict != Verdict::kNoPlan && !cut) return;
     if (cut) outcome.standing = std::move(standing_);
     const bool again = !cut || (outcome.why != "cancelled" && outcome.why != "memory");
-    if (again && deepest_failure_.expansion > 0) outcome.failure = explain();
+    if (again && deepest_failure_.expansion > 0) outcome.failure = explain(cut);
   }
 
   // The same search again up to the point where it had come furthest.
-  std::optional<FailurePoint> explain() {
+  std::optional<FailurePoint> explain(bool cut) {
     Options again = options_;
     if (deepens(again.which)) again.which = Which::kFirst;
     again.limits = {};
@@ -147,6 +147,7 @@ class Planning {
     again.limits.memory_bytes = options_.limits.memory_bytes;
     Host silent;
     silent.cpu_seconds = host_.cpu_seconds;
+    if (cut) silent.cancelled = host_.cancelled;  // what is over stays over
     Budget budget(again.limits, silent, [] { return std::size_t{0}; });
     Search search(domain_, problem_, again, silent);
     search.explain_at(deepest_failure_);
