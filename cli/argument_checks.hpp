@@ -17,14 +17,31 @@ inline std::string finite_problem(const std::string& text) {
 
 inline std::string positive_problem(const std::string& text) {
   const std::string problem = finite_problem(text);
-  return problem.empty() && std::stod(text) <= 0 ? "'" + text + "' is not positive" : problem;
+  double value = 0;
+  const bool positive = CLI::detail::lexical_cast(text, value) && value > 0;
+  return problem.empty() && !positive ? "'" + text + "' is not positive" : problem;
 }
 
-/// A count: digits only, so that "-1" and "1e3" are refused.
-inline std::string count_problem(const std::string& text) {
+/// A whole number from 0: digits only, so that "-1" and "1e3" are refused.
+inline std::string whole_problem(const std::string& text) {
   const bool digits = !text.empty() && text.size() <= 18 &&
                       text.find_first_not_of("0123456789") == std::string::npos;
-  return digits && std::stoull(text) > 0 ? "" : "'" + text + "' is not a positive whole number";
+  return digits ? "" : "'" + text + "' is not a whole number";
+}
+
+/// A count: a whole number from 1.
+inline std::string count_problem(const std::string& text) {
+  const bool positive = whole_problem(text).empty() && std::stoull(text) > 0;
+  return positive ? "" : "'" + text + "' is not a positive whole number";
+}
+
+/// Megabytes: no machine has more than a million million.
+inline std::string megabytes_problem(const std::string& text) {
+  const std::string problem = positive_problem(text);
+  if (!problem.empty()) return problem;
+  double value = 0;
+  const bool fits = CLI::detail::lexical_cast(text, value) && value <= 1e12;
+  return fits ? "" : "'" + text + "' is more than 1e12 MB";
 }
 
 }  // namespace skein::cli

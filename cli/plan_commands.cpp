@@ -100,16 +100,22 @@ struct Arguments {
   std::optional<double> memory_mb;
 };
 
-// A search without end is to be cut before the machine swaps: three quarters of its memory.
+// A search without end is to be cut before the machine swaps: three quarters of its memory, or of
+// what the process may have (ulimit -v).
 std::uint64_t default_memory_limit() {
   const auto pages = static_cast<std::uint64_t>(std::max(sysconf(_SC_PHYS_PAGES), 1L));
-  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / 4 * 3;
+  std::uint64_t bytes = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  rlimit allowed{};
+  if (getrlimit(RLIMIT_AS, &allowed) == 0 && allowed.rlim_cur != RLIM_INFINITY) {
+    bytes = std::min<std::uint64_t>(bytes, allowed.rlim_cur);
+  }
+  return bytes / 4 * 3;
 }
 
 int run(Arguments arguments) {
   htn::Options& search = arguments.options.search;
   if (arguments.cost_limit && !arguments.cost_limit->empty()) {
-    search.cost_limit = std::stod(*arguments.cost_limit);
+    search.cost_limit = std::strtod(arguments.cost_limit->c_str(), nullptr);
   } else if (arguments.cost_limit) {
     search.optimize_cost = true;
   }
@@ -135,7 +141,7 @@ void add_limits(CLI::App& plan, Arguments& arguments) {
   count("--plans", limits.plans, "Plans found");
   plan.add_option("--memory", arguments.memory_mb,
                   "Memory of the search [MB] (default: 3/4 of the machine's)")
-      ->check(positive_problem)
+      ->check(megabytes_problem)
       ->group(kGroup);
 }
 
@@ -162,7 +168,10 @@ void add_outputs(CLI::App& plan, plan_tool::PlanOptions& options) {
       ->expected(0, CLI::detail::expected_max_vector_size)
       ->type_name("TASK")
       ->group(kGroup);
-  plan.add_flag("--why-not", options.why_not, "Without a plan: where the search came furthest")
+  plan.add_flag("--why-not", options.why_not,
+                "Without a plan: where the search came furthest, or was cut")
+      ->group(kGroup);
+  plan.add_flag("--states", options.states, "What each step makes false (-) and true (+)")
       ->group(kGroup);
   plan.add_flag("--quiet", options.quiet, "No warnings, no progress")->group(kGroup);
 }
@@ -219,7 +228,7 @@ void add_repair(CLI::App& plan, plan_tool::PlanOptions& options) {
           ->excludes("--validate")
           ->group(kGroup);
   plan.add_option("--executed", options.executed, "How many of its steps were executed")
-      ->check(count_problem)
+      ->check(whole_problem)
       ->needs(repair)
       ->group(kGroup);
   plan.add_option("--diverge", options.diverge,
@@ -248,6 +257,7 @@ void add_plan(CLI::App& app, std::function<int()>& action) {
   plan->add_option("--optimize-cost", arguments->cost_limit,
                    "Keep the cheapest plan; with N, take only plans up to that cost")
       ->expected(0, 1)
+      ->check([](const std::string& text) { return text.empty() ? "" : finite_problem(text); })
       ->type_name("N");
   plan->add_option("--validate", options.validate, "Check the plans of this file, plan nothing")
       ->type_name("PLAN");

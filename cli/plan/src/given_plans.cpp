@@ -11,6 +11,12 @@ using htn::GivenPlan;
 
 namespace {
 
+// An object may say that the plan has no steps; a text without steps says nothing.
+bool is_json(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  return begin != std::string::npos && text[begin] == '{';
+}
+
 /// Why there is no problem to check a plan with.
 Diagnostic no_problem(const std::string& file, const GivenPlan& plan) {
   Diagnostic out;
@@ -38,6 +44,7 @@ std::vector<GivenPlan> plans_of(const std::string& file, Library& library,
   const Result<std::string, Failure> text = text_of_file(file, in);
   std::vector<GivenPlan> plans;
   if (text) plans = htn::read_plans(file, *text, library.store(), errors);
+  if (text && !is_json(*text) && plans.size() == 1 && plans[0].steps.empty()) plans.clear();
   for (const GivenPlan& plan : plans) {
     if (problem_of(plan, problems) == nullptr) errors.add(no_problem(file, plan));
   }

@@ -20,13 +20,6 @@ Diagnostic about(std::string file, std::string message) {
   return out;
 }
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-  });
-  return text;
-}
-
 // Beside the file that includes it; an absolute path stays.
 Result<std::string, Failure> included(const std::string& name, const std::string& from,
                                       std::istream& in) {
@@ -41,6 +34,18 @@ std::vector<std::string> names_of(const std::vector<Definition>& definitions) {
   return names;
 }
 
+// "a, b or c"; of many the first few.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 10;
+  std::string out;
+  const std::size_t shown = std::min(names.size(), kMost);
+  for (std::size_t at = 0; at < shown; ++at) {
+    out += (at == 0 ? "" : at + 1 == names.size() ? " or " : ", ") + names[at];
+  }
+  if (shown < names.size()) out += " or one of " + std::to_string(names.size() - shown) + " more";
+  return out;
+}
+
 }  // namespace
 
 void Library::read(const std::vector<std::string>& files, std::istream& in) {
@@ -50,27 +55,34 @@ void Library::read(const std::vector<std::string>& files, std::istream& in) {
 void Library::read_file(const std::string& file, std::istream& in) {
   Result<std::string, Failure> text = text_of_file(file, in);
   if (!text) return errors_.add(about(file, text.error().why));
-  const std::size_t before = definitions_.domains.size() + definitions_.problems.size() +
-                             definitions_.functions.size() + errors_.size();
+  const auto found = [this] {
+    return definitions_.domains.size() + definitions_.problems.size() +
+           definitions_.functions.size() + definitions_.foreign.size() + errors_.size();
+  };
+  const std::size_t before = found();
   read_definitions(
       {file, std::move(*text)}, store_,
       [&in](const std::string& name, const std::string& from) { return included(name, from, in); },
       definitions_, errors_, warnings_);
-  const std::size_t after = definitions_.domains.size() + definitions_.problems.size() +
-                            definitions_.functions.size() + errors_.size();
-  if (before == after) {
+  if (before == found()) {
     warnings_.add(about(file, "defines neither a domain nor a problem"));
   }
 }
 
+// Case does not count, as in the files.
+std::string Library::folded(const std::string& name) {
+  return std::string(store_.name(store_.symbol(name)));
+}
+
 const htn::DomainDefinition* Library::domain_of(const htn::ProblemDefinition& problem) {
-  const std::string wanted = lower(problem.domain);
+  const std::string wanted = folded(problem.domain);
   const auto& domains = definitions_.domains;
-  const auto found = std::find_if(domains.rbegin(), domains.rend(),
-                                  [&](const auto& domain) { return lower(domain.name) == wanted; });
+  const auto found = std::find_if(domains.rbegin(), domains.rend(), [&](const auto& domain) {
+    return folded(domain.name) == wanted;
+  });
   if (found != domains.rend()) return &*found;
   const auto another = [&](const auto& domain) {
-    return lower(domain.name) != lower(domains.front().name);
+    return folded(domain.name) != folded(domains.front().name);
   };
   if (!domains.empty() && std::none_of(domains.begin(), domains.end(), another)) {
     return &domains.back();
@@ -95,7 +107,7 @@ std::vector<ChosenProblem> Library::choose(const std::vector<std::string>& names
   for (const htn::ProblemDefinition& problem : definitions_.problems) {
     const bool wanted =
         names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-          return lower(name) == lower(problem.name);
+          return folded(name) == folded(problem.name);
         });
     if (!wanted) continue;
     const htn::DomainDefinition* domain = domain_of(problem);
@@ -105,18 +117,35 @@ std::vector<ChosenProblem> Library::choose(const std::vector<std::string>& names
   return chosen;
 }
 
+// Where nothing else can be planned, a definition in another language is why.
+void Library::report_foreign() {
+  for (const htn::ForeignDefinition& one : definitions_.foreign) {
+    const htn::Document& document = *one.form.document;
+    const htn::Place place = htn::place_of(document, (*one.form).begin);
+    Diagnostic diagnostic = about(document.file, "this is " + one.language + ", which is not read");
+    diagnostic.line = place.line;
+    diagnostic.column = place.column;
+    diagnostic.expected =
+        "SHOP2's (defdomain …) and (defproblem …)" +
+        std::string(one.language == "HDDL" ? ", as a translator (pandaPIparser) writes them" : "");
+    (definitions_.problems.empty() ? errors_ : warnings_).add(std::move(diagnostic));
+  }
+}
+
 void Library::report_unknown(const std::vector<std::string>& names) {
   const std::vector<std::string> known = names_of(definitions_.problems);
+  report_foreign();
   if (known.empty() && errors_.empty()) {
     errors_.add(
         about("", "no problem in these files; expected (defproblem …) or (make-problem …)"));
   }
   for (const std::string& name : names) {
     const bool found = std::any_of(known.begin(), known.end(), [&](const std::string& one) {
-      return lower(one) == lower(name);
+      return folded(one) == folded(name);
     });
     if (found || known.empty()) continue;
     Diagnostic diagnostic = about("", "no problem is called '" + name + "'");
+    diagnostic.expected = listed(known);
     diagnostic.nearest = nearest_name(name, known);
     errors_.add(diagnostic);
   }
@@ -127,6 +156,31 @@ void Library::compile(const std::vector<ChosenProblem>& problems) {
   for (const ChosenProblem& problem : problems) compiled(*problem.domain);
   if (sound) return;
   for (const htn::DomainDefinition& domain : definitions_.domains) compiled(domain);
+}
+
+void Library::check_tasks(const std::vector<std::string>& names) {
+  std::vector<std::string> known;
+  const auto add = [&](htn::Expression head) {
+    if (!head) return;
+    const htn::Node& node = *head;
+    const htn::Document& document = *head.document;
+    const htn::Term name = node.list ? document[node.first_child].atom : node.atom;
+    if (name.is(htn::TermKind::kSymbol)) known.emplace_back(store_.name(name));
+  };
+  for (const htn::DomainDefinition& domain : definitions_.domains) {
+    for (const htn::MethodDefinition& made : domain.methods) add(made.head);
+    for (const htn::OperatorDefinition& made : domain.operators) {
+      add(made.head);
+      if (made.action && !known.back().starts_with('!')) known.back().insert(0, "!");
+    }
+  }
+  for (const std::string& name : names) {
+    const std::string wanted(store_.name(store_.symbol(name)));
+    if (std::find(known.begin(), known.end(), wanted) != known.end()) continue;
+    Diagnostic diagnostic = about("--trace", "no task is called '" + name + "'");
+    diagnostic.nearest = nearest_name(wanted, known);
+    warnings_.add(std::move(diagnostic));
+  }
 }
 
 const htn::Domain* Library::compiled(const htn::DomainDefinition& domain) {

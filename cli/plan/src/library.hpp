@@ -31,12 +31,15 @@ class Library {
   /// The domains of these problems; if there are errors already, all domains, so that everything
   /// wrong is told at once.
   void compile(const std::vector<ChosenProblem>& problems);
+  /// Names (of --trace) that no domain has a method or an operator for go to `warnings`.
+  void check_tasks(const std::vector<std::string>& names);
   /// Null, with the reasons in `errors`, if it cannot be compiled.
   const htn::Domain* compiled(const htn::DomainDefinition& domain);
 
   const Diagnostics& errors() const { return errors_; }
   const Diagnostics& warnings() const { return warnings_; }
   const htn::Definitions& definitions() const { return definitions_; }
+  htn::Definitions& definitions() { return definitions_; }
   const htn::Functions& functions() const { return functions_; }
   /// To fill before anything is compiled.
   htn::Functions& functions() { return functions_; }
@@ -46,7 +49,9 @@ class Library {
 
  private:
   void read_file(const std::string& file, std::istream& in);
+  std::string folded(const std::string& name);
   const htn::DomainDefinition* domain_of(const htn::ProblemDefinition& problem);
+  void report_foreign();
   void report_unknown(const std::vector<std::string>& names);
 
   htn::TermStore store_;

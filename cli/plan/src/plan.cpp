@@ -2,7 +2,9 @@
 #include "skein/plan_tool/plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <new>
 #include <ostream>
 
 #include "library.hpp"
@@ -62,6 +64,20 @@ Mission mission_of(const PlanOptions& options, Library& library, std::istream& i
   return mission;
 }
 
+// How much the limit that cut a search allows.
+std::string bound_text(const std::string& limit, const htn::Limits& limits) {
+  const auto number = [](double value) { return htn::to_text(htn::real(value)); };
+  if (limit == "time" && limits.seconds) return " of " + number(*limits.seconds) + " s";
+  if (limit == "memory" && limits.memory_bytes) {
+    return " of " + number(std::round(static_cast<double>(*limits.memory_bytes) * 1e-6)) + " MB";
+  }
+  const auto count = limit == "expansions"   ? limits.expansions
+                     : limit == "inferences" ? limits.inferences
+                     : limit == "depth"      ? limits.depth
+                                             : std::nullopt;
+  return count ? " of " + std::to_string(*count) : "";
+}
+
 /// Plans problem by problem and reports each as soon as it is done.
 class Session {
  public:
@@ -95,6 +111,9 @@ class Session {
 
   bool interrupted() const { return surroundings_.interrupted && surroundings_.interrupted(); }
 
+  /// Nothing more can be planned.
+  bool out_of_memory() const { return out_of_memory_; }
+
   /// Whether all graphs could be written.
   bool write_graphs() {
     if (options_.dot.empty()) return true;
@@ -121,6 +140,7 @@ class Session {
     htn::Options search = options_.search;
     search.trees = options_.tree || !options_.dot.empty();
     search.explain_failure = options_.why_not;
+    search.states = options_.states;
     return search;
   }
 
@@ -143,6 +163,7 @@ class Session {
   }
 
   void note(const Outcome& outcome) {
+    out_of_memory_ |= outcome.out_of_memory;
     any_error_ |= outcome.verdict == Verdict::kError;
     any_limit_ |= outcome.verdict == Verdict::kLimit;
     any_without_plan_ |= outcome.verdict == Verdict::kNoPlan;
@@ -152,14 +173,15 @@ class Session {
     if (!options_.dot.empty()) draw(report, outcome);
     if (options_.dot == "-") return;
     if (options_.json) {
-      const htn::PlanJsonOptions shown{!options_.no_internal, options_.tree};
+      const htn::PlanJsonOptions shown{!options_.no_internal, options_.tree, options_.states};
       out_ << htn::to_json(report, outcome, library_.store(), shown) << '\n' << std::flush;
       return;
     }
     if (options_.mission.taskreq && mission_.knowledge && !outcome.plans.empty())
       return show_tasks(outcome);
-    const ReportOptions shown{!options_.no_internal, options_.tree,
-                              style_of(surroundings_.colour_out)};
+    const ReportOptions shown{!options_.no_internal, options_.tree, options_.states,
+                              style_of(surroundings_.colour_out),
+                              bound_text(outcome.why, options_.search.limits)};
     out_ << report_text(report, outcome, library_.store(), shown) << std::flush;
     if (outcome.plans.empty()) show_refusals();
   }
@@ -198,6 +220,7 @@ class Session {
   Progress progress_;
   double reading_seconds_;
   std::string graphs_;
+  bool out_of_memory_ = false;
   bool any_error_ = false;
   bool any_limit_ = false;
   bool any_without_plan_ = false;
@@ -206,7 +229,7 @@ class Session {
 int plan_all(Session& session, const std::vector<ChosenProblem>& problems) {
   for (const ChosenProblem& problem : problems) {
     session.plan(problem);
-    if (session.interrupted()) break;
+    if (session.interrupted() || session.out_of_memory()) break;
   }
   const bool written = session.write_graphs();
   return session.exit_code(written);
@@ -215,18 +238,22 @@ int plan_all(Session& session, const std::vector<ChosenProblem>& problems) {
 }  // namespace
 
 int run_plan(const PlanOptions& options, const Surroundings& surroundings, std::istream& in,
-             std::ostream& out, std::ostream& err) {
+             std::ostream& out, std::ostream& err) try {
   Library library;
   library.read(options.files, in);
   const Mission mission = mission_of(options, library, in);
   const std::vector<ChosenProblem> problems = library.choose(options.problems);
   if (options.validate.empty()) library.compile(problems);
+  library.check_tasks(options.search.traced_tasks);
   const htn::TextStyle& style = style_of(surroundings.colour_err);
   if (!options.quiet) {
     show(library.warnings(), Severity::kWarning, library.definitions(), style, err);
   }
   show(library.errors(), Severity::kError, library.definitions(), style, err);
-  if (!library.errors().empty()) return kExitBadInput;
+  if (!library.errors().empty()) {
+    if (options.json) out << to_json_line(library.errors());
+    return kExitBadInput;
+  }
   if (!options.validate.empty()) {
     return validate_plans(library, problems, options, surroundings, {in, out, err});
   }
@@ -235,6 +262,12 @@ int run_plan(const PlanOptions& options, const Surroundings& surroundings, std::
   }
   Session session(library, mission, options, surroundings, out, err);
   return plan_all(session, problems);
+} catch (const std::bad_alloc&) {
+  Diagnostics errors;
+  errors.add({"", 0, 0, "", "out of memory: the system gives no more", "", ""});
+  show(errors, Severity::kError, {}, style_of(surroundings.colour_err), err);
+  if (options.json) out << to_json_line(errors);
+  return kExitTimeout;
 }
 
 }  // namespace skein::plan_tool

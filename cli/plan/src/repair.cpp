@@ -4,105 +4,18 @@
 #include <algorithm>
 #include <ostream>
 
+#include "divergences.hpp"
 #include "given_plans.hpp"
 #include "show_diagnostics.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/htn/repair_text.hpp"
-#include "skein/htn/syntax.hpp"
 
 namespace skein::plan_tool {
 
 namespace {
 
-using htn::Change;
-using htn::Divergence;
-using htn::Document;
-using htn::NodeIndex;
 using htn::Repair;
 using htn::RepairVerdict;
-using htn::Term;
-
-constexpr const char* kForms = "(:add fact…), (:delete fact…) or (:after N (:add fact…)…)";
-
-/// Reads what --diverge says.
-class DivergenceReader {
- public:
-  DivergenceReader(htn::TermStore& store, Diagnostics& errors) : store_(store), errors_(errors) {}
-
-  std::vector<Divergence> read(const std::vector<std::string>& forms, htn::StepIndex executed) {
-    for (const std::string& form : forms) {
-      const Document document = htn::read_document("--diverge", form, store_, errors_);
-      for (const NodeIndex top : document.top) read_form(document, top, executed, true);
-    }
-    std::stable_sort(out_.begin(), out_.end(), [](const Divergence& left, const Divergence& right) {
-      return left.after < right.after;
-    });
-    return std::move(out_);
-  }
-
- private:
-  void wrong(const Document& document, NodeIndex at) {
-    const htn::Place place = htn::place_of(document, document[at].begin);
-    Diagnostic diagnostic;
-    diagnostic.file = document.file;
-    diagnostic.line = place.line;
-    diagnostic.column = place.column;
-    diagnostic.message = "this is no divergence";
-    diagnostic.expected = kForms;
-    errors_.add(diagnostic);
-  }
-
-  void read_form(const Document& document, NodeIndex at, htn::StepIndex after, bool outermost) {
-    const std::vector<NodeIndex> parts = htn::children(document, at);
-    const std::string_view word =
-        parts.empty() || document[parts[0]].list || !is_symbol(document[parts[0]].atom)
-            ? std::string_view{}
-            : store_.name(document[parts[0]].atom);
-    if (word == ":add" || word == ":delete") {
-      for (std::size_t part = 1; part < parts.size(); ++part) {
-        at_step(after).changes.push_back({word == ":add", term(document, parts[part])});
-      }
-    } else if (word == ":after" && outermost && parts.size() > 1) {
-      const std::optional<htn::StepIndex> step = number(document[parts[1]]);
-      if (!step) return wrong(document, parts[1]);
-      for (std::size_t part = 2; part < parts.size(); ++part) {
-        read_form(document, parts[part], *step, false);
-      }
-    } else {
-      wrong(document, at);
-    }
-  }
-
-  static bool is_symbol(Term term) { return term.is(htn::TermKind::kSymbol); }
-
-  std::optional<htn::StepIndex> number(const htn::Node& node) const {
-    if (node.list || !node.atom.is(htn::TermKind::kNumber)) return {};
-    const double value = htn::to_double(store_.value(node.atom));
-    if (value < 0 || value > 1e9) return {};
-    return static_cast<htn::StepIndex>(value);
-  }
-
-  Divergence& at_step(htn::StepIndex after) {
-    const auto known = std::find_if(out_.begin(), out_.end(),
-                                    [after](const Divergence& one) { return one.after == after; });
-    if (known != out_.end()) return *known;
-    return out_.emplace_back(Divergence{after, {}});
-  }
-
-  // Facts are flat or nearly so; what is nested deeper than this is no fact.
-  Term term(const Document& document, NodeIndex at, int depth = 0) {
-    if (!document[at].list || depth > 100) return document[at].atom;
-    std::vector<Term> items;
-    for (const NodeIndex child : htn::children(document, at)) {
-      items.push_back(term(document, child, depth + 1));
-    }
-    return store_.list(items);
-  }
-
-  htn::TermStore& store_;
-  Diagnostics& errors_;
-  std::vector<Divergence> out_;
-};
 
 int exit_code(RepairVerdict verdict, bool interrupted) {
   if (interrupted) return kExitInterrupted;
@@ -168,7 +81,7 @@ int repair_plan(Library& library, const std::vector<ChosenProblem>& problems,
   htn::RepairRequest& request = work.request;
   request.executed = options.executed;
   request.divergences =
-      DivergenceReader(library.store(), errors).read(options.diverge, request.executed);
+      read_divergences(options.diverge, request.executed, library.store(), errors);
   if (errors.empty() && plans.size() != 1) {
     errors.add(
         about(options.repair, "there are " + std::to_string(plans.size()) + " plans in it", "one"));
@@ -177,10 +90,22 @@ int repair_plan(Library& library, const std::vector<ChosenProblem>& problems,
     errors.add(about(options.repair, "the plan was written without its internal steps",
                      "what --json --tree writes without --no-internal"));
   }
+  Diagnostics warnings;
+  if (errors.empty()) {
+    check_divergences(request.divergences, library, *problem_of(plans[0], problems), plans[0],
+                      errors, warnings);
+  }
   const bool colour = surroundings.colour_err;
+  if (!options.quiet) {
+    show(warnings, Severity::kWarning, library.definitions(),
+         colour ? htn::kTerminalText : htn::kPlainText, streams.err);
+  }
   show(errors, Severity::kError, library.definitions(),
        colour ? htn::kTerminalText : htn::kPlainText, streams.err);
-  if (!errors.empty()) return kExitBadInput;
+  if (!errors.empty()) {
+    if (options.json) streams.out << to_json_line(errors);
+    return kExitBadInput;
+  }
 
   const ChosenProblem& chosen = *problem_of(plans[0], problems);
   const htn::Problem problem = htn::make_problem(*chosen.problem, library.store());

@@ -55,9 +55,10 @@ std::string verdict_text(const Outcome& outcome, const ReportOptions& options) {
     case Verdict::kPlan:
       return style.mark(style.good, found);
     case Verdict::kNoPlan:
-      return style.mark(style.bad, "there is no plan");
+      return style.mark(style.bad,
+                        "there is no plan" + (outcome.why.empty() ? "" : ": " + outcome.why));
     case Verdict::kLimit:
-      return style.mark(style.accent, "cut: " + outcome.why + "; so far: " + found);
+      return style.mark(style.accent, "cut: " + outcome.why + options.bound + "; so far: " + found);
     default:
       return style.mark(style.bad, "error: " + outcome.why);
   }
@@ -79,7 +80,7 @@ std::string report_text(const htn::PlanningReport& report, const Outcome& outcom
   std::string out = style.mark(style.bold, report.problem);
   if (!report.domain.empty()) out += " (" + report.domain + ')';
   out += ": " + verdict_text(outcome, options) + '\n';
-  const htn::PlanTextOptions shown{options.internal, style};
+  const htn::PlanTextOptions shown{options.internal, style, options.states};
   std::size_t number = 0;
   for (const Plan& plan : outcome.plans) {
     if (outcome.plans.size() > 1) {
@@ -88,6 +89,12 @@ std::string report_text(const htn::PlanningReport& report, const Outcome& outcom
     }
     out += options.tree ? tree_text(plan, store, shown) : steps_text(plan, store, shown);
   }
+  if (outcome.plans.size() > 1 && outcome.repeats_left_out > 0) {
+    out += "  Of equal tasks that may be done in any order one is tried first, " +
+           counted(outcome.repeats_left_out, "time") +
+           ": plans that only repeat these by other choices are left out.\n";
+  }
+  if (outcome.standing) out += standing_text(*outcome.standing, store, style);
   if (outcome.failure) out += to_text(*outcome.failure, store, style);
   return out + style.mark(style.dim, statistics_text(report, outcome)) + '\n';
 }

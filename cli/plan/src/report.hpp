@@ -13,7 +13,9 @@ namespace skein::plan_tool {
 struct ReportOptions {
   bool internal = true;
   bool tree = false;
+  bool states = false;
   htn::TextStyle style = htn::kPlainText;
+  std::string bound{};  ///< how much the limit that cut the search allows: " of 5 s"
 };
 
 /// Heading, plans, statistics, and why there is no plan if the outcome says so.

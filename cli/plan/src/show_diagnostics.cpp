@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "show_diagnostics.hpp"
 
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 namespace skein::plan_tool {
@@ -29,6 +30,23 @@ void show(const Diagnostics& diagnostics, Severity severity, const htn::Definiti
     text += "  " + excerpt.line + "\n  " + style.mark(colour, excerpt.marks) + '\n';
   }
   err << text;
+}
+
+std::string to_json_line(const Diagnostics& errors) {
+  nlohmann::ordered_json out;
+  out["result"] = "error";
+  out["why"] = errors.empty() ? "" : to_text(errors.all().front());
+  out["errors"] = nlohmann::ordered_json::array();
+  for (const Diagnostic& one : errors.all()) {
+    nlohmann::ordered_json& made = out["errors"].emplace_back();
+    if (!one.file.empty()) made["file"] = one.file;
+    if (one.line > 0) made["line"] = one.line;
+    if (one.column > 0) made["column"] = one.column;
+    made["message"] = one.message;
+    if (!one.expected.empty()) made["expected"] = one.expected;
+    if (!one.nearest.empty()) made["nearest"] = one.nearest;
+  }
+  return out.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace skein::plan_tool

@@ -17,4 +17,9 @@ enum class Severity { kError, kWarning };
 void show(const Diagnostics& diagnostics, Severity severity, const htn::Definitions& definitions,
           const htn::TextStyle& style, std::ostream& err);
 
+/// What is wrong, for programs: {"result":"error","why":…,"errors":[{"file":…,"line":…,"column":…,
+/// "message":…,"expected":…,"nearest":…},…]}, absent parts left out. `why` is the first of them as
+/// people read it. With the end of its line.
+std::string to_json_line(const Diagnostics& errors);
+
 }  // namespace skein::plan_tool

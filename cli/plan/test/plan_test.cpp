@@ -135,7 +135,8 @@ TEST(PlanErrors, SuggestTheNearestProblem) {
   const Done done = plan(options_for("counter.lisp", "tan"));
 
   EXPECT_EQ(done.code, 2);
-  EXPECT_EQ(done.err, "error: no problem is called 'tan'; did you mean 'ten'?\n");
+  EXPECT_EQ(done.err,
+            "error: no problem is called 'tan'; expected ten or thousand; did you mean 'ten'?\n");
 }
 
 TEST(PlanErrors, SayWhenThereIsNoProblemOrNoDomain) {

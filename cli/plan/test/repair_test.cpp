@@ -51,7 +51,7 @@ class RepairCommand : public testing::Test {
 };
 
 TEST_F(RepairCommand, SaysThatThePlanStands) {
-  const Done done = repair(plans_, 1, {"(:add (rain))"});
+  const Done done = repair(plans_, 1, {"(:add (road a e))"});
 
   EXPECT_EQ(done.code, 0) << done.err;
   EXPECT_THAT(done.out, HasSubstr("p: the plan stands"));
@@ -111,10 +111,28 @@ TEST_F(RepairCommand, RefusesWhatIsNoDivergence) {
 }
 
 TEST_F(RepairCommand, RefusesAPlanWithoutTree) {
-  const Done done = repair("(!go a b) (!drop b)", 1, {"(:add (rain))"});
+  const Done done = repair("(!go a b) (!drop b)", 1, {"(:add (road a e))"});
 
   EXPECT_EQ(done.code, 2);
   EXPECT_THAT(done.out, HasSubstr("no decomposition tree"));
+}
+
+TEST_F(RepairCommand, RefusesFactsThatTheDomainDoesNotKnow) {
+  const Done name = repair(plans_, 1, {"(:delete (raod b c))"});
+  const Done arity = repair(plans_, 1, {"(:add (road b))"});
+
+  EXPECT_EQ(name.code, 2);
+  EXPECT_THAT(name.err, HasSubstr("(raod b c): the domain knows no predicate 'raod'; did you mean "
+                                  "'road'?"));
+  EXPECT_EQ(arity.code, 2);
+  EXPECT_THAT(arity.err, HasSubstr("(road b) has 1 arguments; expected 2"));
+}
+
+TEST_F(RepairCommand, WarnsOfObjectsThatAreNamedNowhereElse) {
+  const Done done = repair(plans_, 1, {"(:add (road b zz))"});
+
+  EXPECT_EQ(done.code, 0);
+  EXPECT_THAT(done.err, HasSubstr("warning: (road b zz): 'zz' is named nowhere else"));
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ int draw_stn(const StnDrawOptions& options, std::istream& in, std::ostream& out,
   }
   if (network.nodes.size() > temporal::kLegibleNodes) {
     err << "note: " << network.nodes.size()
-        << " nodes; the picture is larger than a page, look at it in a viewer that zooms\n";
+        << " nodes; the picture is larger than a page; a wide one is folded into strips that are "
+           "read from top to bottom\n";
   }
   return save_text(options.output, *svg, out, err);
 }

@@ -183,7 +183,7 @@ NodeId Agenda::next_distinct(NodeId task) const {
     return at != candidate;
   };
   NodeId at = next(task);
-  while (at != kNoNodeId && repeats(at)) at = next(at);
+  for (; at != kNoNodeId && repeats(at); at = next(at)) ++repeats_;
   return at;
 }
 

@@ -46,6 +46,8 @@ class Agenda {
   NodeId next(NodeId task) const { return holder(nodes_[nodes_[task].entry].next); }
   /// The task behind this one that no task before it equals: trying an equal again would be the
   /// same.
+  /// How often next_distinct has left a task out.
+  std::uint64_t repeats() const { return repeats_; }
   NodeId next_distinct(NodeId task) const;
   /// The task to work on when `task` comes up: of those that equal it the first in the network; it
   /// changes places with the first of them on the agenda, which is the place that gets free.
@@ -117,6 +119,7 @@ class Agenda {
   NodeId last_ = kNoNodeId;
   NodeId first_immediate_ = kNoNodeId;
   NodeId last_immediate_ = kNoNodeId;
+  mutable std::uint64_t repeats_ = 0;
 };
 
 }  // namespace skein::htn

@@ -27,6 +27,8 @@ class Budget {
     if (limits_.expansions && expansions_ > *limits_.expansions) return stop("expansions");
     return expansions_ % kExpansionsPerCheck != 0 || check();
   }
+  /// Inferences that were not the search's.
+  void take_back(std::uint64_t inferences) { inferences_ -= inferences; }
   void fail(std::string error) {
     if (why_.empty()) {
       why_ = std::move(error);

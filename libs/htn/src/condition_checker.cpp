@@ -43,13 +43,26 @@ void ConditionChecker::check_one(Expression condition) {
   }
   const Expression begin = first(condition);
   if (context_.is_list(begin)) {
-    if ((*condition).dotted) context_.error(condition, "a list of conditions with a dot");
+    if ((*condition).dotted) {
+      context_.error(condition, "a list of conditions with a dot");
+    } else {
+      enclose_tail(condition);
+    }
     return push_from(parts(condition), 0, kAnyNumber);
   }
   if (!context_.is_symbol(begin) || context_.is_nil(begin)) {
     return context_.error(begin, "a condition that begins with " + text_of(begin), "a predicate");
   }
   if (!context_.is_variable(begin)) check_list(condition, (*begin).atom);
+}
+
+// ((p ?x) q ?x): SHOP takes the rest as one more condition.
+void ConditionChecker::enclose_tail(Expression conditions) const {
+  for (Expression at = next(first(conditions)); at; at = next(at)) {
+    if (!context_.is_name(at)) continue;
+    context_.warn(at, "a condition without its parentheses", "(" + text_of(at) + " …)");
+    return context_.enclose(conditions, at);
+  }
 }
 
 void ConditionChecker::check_list(Expression condition, Term word) {

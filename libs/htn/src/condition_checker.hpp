@@ -23,6 +23,7 @@ class ConditionChecker {
 
  private:
   void check_one(Expression condition);
+  void enclose_tail(Expression conditions) const;
   void check_list(Expression condition, Term word);
   bool check_word(Expression condition, Term word);
   void check_sort(Expression condition);

@@ -112,7 +112,7 @@ void ConditionCompiler::error(Expression where, std::string message, std::string
   }
   diagnostic.message = std::move(message);
   diagnostic.expected = std::move(expected);
-  errors_.add(std::move(diagnostic));
+  errors_.add(clipped(std::move(diagnostic)));
 }
 
 Term ConditionCompiler::pattern(Expression expression, ClauseScope& scope) {

@@ -22,6 +22,24 @@ std::vector<std::uint32_t> line_begins_of(std::string_view text) {
   return begins;
 }
 
+constexpr std::size_t kBlock = std::size_t{1} << 16U;  // bytes
+
+std::vector<std::uint32_t> characters_before_blocks(std::string_view text) {
+  std::vector<std::uint32_t> before = {0};
+  for (; text.size() > kBlock; text.remove_prefix(kBlock)) {
+    const std::size_t here = count_characters(text.substr(0, kBlock));
+    before.push_back(before.back() + static_cast<std::uint32_t>(here));
+  }
+  return before;
+}
+
+std::size_t characters_before(const Document& document, std::uint32_t offset) {
+  const std::size_t block = std::min(offset / kBlock, document.characters.size() - 1);
+  const std::string_view rest =
+      std::string_view(document.text).substr(block * kBlock, offset - block * kBlock);
+  return document.characters[block] + count_characters(rest);
+}
+
 }  // namespace
 
 Place place_of(const Document& document, std::uint32_t offset) {
@@ -29,9 +47,9 @@ Place place_of(const Document& document, std::uint32_t offset) {
   if (begins.empty()) return {};
   const auto behind = std::upper_bound(begins.begin(), begins.end(), offset);
   const std::uint32_t begin = *(behind - 1);
-  const std::string_view before = std::string_view(document.text).substr(begin, offset - begin);
-  return {static_cast<int>(behind - begins.begin()),
-          static_cast<int>(count_characters(before)) + 1};
+  const std::size_t column =
+      characters_before(document, offset) - characters_before(document, begin);
+  return {static_cast<int>(behind - begins.begin()), static_cast<int>(column) + 1};
 }
 
 Document read_document(std::string file, std::string text, TermStore& store,
@@ -44,6 +62,7 @@ Document read_document(std::string file, std::string text, TermStore& store,
   }
   document.text = std::move(text);
   document.line_begins = line_begins_of(document.text);
+  document.characters = characters_before_blocks(document.text);
   document.nodes.reserve(document.text.size() / kBytesPerNode);
   Diagnostics found;
   if (!Scanner(document, store, found, false).scan()) {

@@ -163,7 +163,10 @@ class DomainCompiler {
       return {effect};
     }
     if (!head_of(list).empty() && !head_of(list).starts_with('?')) return {effect_of(list, scope)};
-    for (const Expression part : parts(list)) out.push_back(effect_of(part, scope));
+    for (const Expression part : parts(list)) {
+      const bool nothing = (*part).list ? !first(part) : (*part).atom == kNil;
+      if (!nothing) out.push_back(effect_of(part, scope));
+    }
     return out;
   }
 
@@ -202,9 +205,10 @@ class DomainCompiler {
     const std::string_view name = head_of(expression);
     const std::vector<Expression> all = parts(expression);
     if (std::optional<Effect> change = conditions_.fluent_effect(expression, scope)) return *change;
-    if (name == "and" || all.empty()) {
+    const bool list = !all.empty() && (*all.front()).list;  // ((p) (not (q))): without the `and`
+    if (name == "and" || list || all.empty()) {
       effect.kind = EffectKind::kGroup;
-      for (std::size_t at = 1; at < all.size(); ++at) {
+      for (std::size_t at = list ? 0 : 1; at < all.size(); ++at) {
         effect.parts.push_back(action_effect(all[at], scope));
       }
     } else if (name == "not" && all.size() == 2) {

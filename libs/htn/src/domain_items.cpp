@@ -115,6 +115,9 @@ void DomainReader::take_operator(Expression item, const OperatorDefinition& made
   EffectChecker(context_).check_list(made.deletions);
   EffectChecker(context_).check_list(made.additions);
   if (context_.errors.size() != before) return;
+  if (made.cost && !(*made.cost).list && (*made.cost).atom.is(TermKind::kString)) {
+    context_.warn(made.cost, "a string for a cost; it counts as 1", "a number or an expression");
+  }
   warn_operator_singletons(item, made);
   domain_.operators.push_back(made);
 }

@@ -39,17 +39,32 @@ Expression pddl_domain_name(const ReadContext& context, Expression form) {
   return domain ? next(first(head)) : Expression{};
 }
 
-// A file name as written, or inside a form that would make a path of it when Lisp read it.
-Expression first_string(Expression expression) {
+// A file name as written, or inside a form that would make a path of it when Lisp read it. The
+// first argument of (system-relative-pathname system path) is no part of the path.
+Expression file_name(const ReadContext& context, Expression expression) {
   std::vector<Expression> open{expression};
   while (!open.empty()) {
     const Expression at = open.back();
     open.pop_back();
     if (!(*at).list && (*at).atom.is(TermKind::kString)) return at;
-    const std::vector<Expression> inner = parts(at);
+    std::vector<Expression> inner = parts(at);
+    const Term head = context.head(at);
+    const bool system = head != kNil && context.name(head) == "system-relative-pathname";
+    if (system && inner.size() > 2) inner.erase(inner.begin(), inner.begin() + 2);
     open.insert(open.end(), inner.rbegin(), inner.rend());
   }
   return {};
+}
+
+// The path with ever fewer folders before it: where the files of a Lisp system lie elsewhere, what
+// they include still lies beside them.
+std::vector<std::string> places_of(const std::string& path) {
+  std::vector<std::string> out{path};
+  for (std::size_t slash = path.find('/'); slash != std::string::npos && slash > 0;
+       slash = path.find('/', slash + 1)) {
+    if (slash + 1 < path.size()) out.push_back(path.substr(slash + 1));
+  }
+  return out;
 }
 
 }  // namespace
@@ -96,7 +111,14 @@ void DomainReader::read_items(Expression items) {
   if (!context_.is_list(items) && !context_.is_nil(items)) {
     return context_.error(items, text_of(items) + " where the items go", "a list of items");
   }
-  for (Expression at = first(items); at; at = next(at)) read_item(at);
+  for (Expression at = first(items); at; at = next(at)) {
+    if (context_.is_symbol(at)) {
+      context_.warn(at, "a stray '" + text_of(at) + "' is left out",
+                    "(:operator …), (:method …) …");
+    } else {
+      read_item(at);
+    }
+  }
 }
 
 void DomainReader::read_item(Expression item) {
@@ -152,31 +174,43 @@ void DomainReader::read_include(Expression item) {
   const Expression name = next(first(item));
   const Expression file = name ? next(name) : Expression{};
   const bool named = name && context_.is_name(name);
-  const Expression path_text = file ? first_string(file) : Expression{};
+  const Expression path_text = file ? file_name(context_, file) : Expression{};
   const bool filed = !file || path_text;
   if (!named || !filed || (file && next(file))) {
     return context_.error(item, "malformed inclusion", "(:include name [\"file\"])");
   }
   const std::string wanted = context_.name(name);
-  const std::string given = file ? context_.store.text((*path_text).atom) : wanted + ".lisp";
+  std::string given = file ? context_.store.text((*path_text).atom) : wanted + ".lisp";
   if (++includes_ > kMostIncludes) {
     if (includes_ == kMostIncludes + 1) context_.error(item, "more than 1000 inclusions");
     return;
   }
   if (including_.empty()) including_.push_back(item.document->file);
+  const Result<std::string, Failure> text = included_text(given, file && context_.is_list(file));
   const std::string path = beside(given, including_.back());
   if (std::find(including_.begin(), including_.end(), path) != including_.end()) {
     return context_.error(item, "'" + given + "' includes itself");
   }
-  const Result<std::string, Failure> text =
-      context_.include ? context_.include(given, including_.back())
-                       : Result<std::string, Failure>(failure("files are not included here"));
   if (!text) return context_.error(item, "cannot include '" + given + "': " + text.error().why);
   including_.push_back(path);
   context_.definitions.documents.push_back(
       std::make_unique<Document>(read_document(path, *text, context_.store, context_.errors)));
   read_included(item, wanted, given);
   including_.pop_back();
+}
+
+// A name that Lisp computes is looked for beside the file too; `name` becomes that which was found.
+Result<std::string, Failure> DomainReader::included_text(std::string& name, bool computed) const {
+  if (!context_.include) return failure("files are not included here");
+  Result<std::string, Failure> first = context_.include(name, including_.back());
+  if (first || !computed) return first;
+  for (const std::string& other : places_of(name)) {
+    Result<std::string, Failure> text = context_.include(other, including_.back());
+    if (!text) continue;
+    name = other;
+    return text;
+  }
+  return first;
 }
 
 void DomainReader::read_included(Expression item, const std::string& name,

@@ -25,6 +25,7 @@ class DomainReader {
   bool read_declaration(Expression item, Term word);
   void read_static(Expression item);
   void read_include(Expression item);
+  Result<std::string, Failure> included_text(std::string& name, bool computed) const;
   void read_included(Expression item, const std::string& name, const std::string& file);
 
   // domain_items.cpp

@@ -26,6 +26,7 @@ void EffectChecker::check_list(Expression list) {
 }
 
 void EffectChecker::check_element(Expression element) {
+  if (context_.is_nil(element)) return;
   if (context_.is_variable(element)) {
     anything_ = true;
     return;
@@ -83,7 +84,9 @@ void EffectChecker::check_one_effect(Expression effect) {
   const Words& words = context_.words;
   const Term word = context_.head(effect);
   const std::vector<Expression> all = parts(effect);
-  if (word == words.conjunction) {
+  if (!all.empty() && context_.is_list(all.front())) {
+    open_.insert(open_.end(), all.rbegin(), all.rend());
+  } else if (word == words.conjunction) {
     open_.insert(open_.end(), all.rbegin(), all.rend() - 1);
   } else if (word == words.negation) {
     if (all.size() != 2 || context_.head(all[1]) == kNil) {

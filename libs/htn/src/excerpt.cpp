@@ -21,11 +21,27 @@ std::string_view line_of(std::string_view text, int line) {
   return out;
 }
 
-std::size_t byte_of_column(std::string_view line, int column) {
+constexpr std::size_t kChunk = 4096;                  // bytes
+constexpr std::size_t kBefore = kLongestExcerpt / 4;  // characters shown before the place
+
+// The first byte of the character of this number, counted from 0; the size of the text if it has
+// fewer.
+std::size_t byte_of_character(std::string_view text, std::size_t number) {
   std::size_t at = 0;
-  for (int seen = 0; at < line.size(); ++at) {
-    if (!continues_character(line[at]) && ++seen == column) break;
+  while (text.size() - at > kChunk) {
+    const std::size_t here = count_characters(text.substr(at, kChunk));
+    if (here > number) break;
+    number -= here;
+    at += kChunk;
   }
+  for (; at < text.size(); ++at) {
+    if (!continues_character(text[at]) && number-- == 0) break;
+  }
+  return at;
+}
+
+std::size_t before_by(std::string_view text, std::size_t at, std::size_t characters) {
+  while (at > 0 && characters > 0) characters -= continues_character(text[--at]) ? 0 : 1;
   return at;
 }
 
@@ -64,11 +80,22 @@ std::size_t expression_end(std::string_view line, std::size_t at) {
 
 Excerpt excerpt(const Diagnostic& diagnostic, std::string_view text) {
   if (diagnostic.line < 1 || diagnostic.column < 1) return {};
-  const std::string_view line = line_of(text, diagnostic.line);
-  const std::size_t begin = byte_of_column(line, diagnostic.column);
+  std::string_view line = line_of(text, diagnostic.line);
   if (line.empty()) return {};
+  std::size_t begin = byte_of_character(line, static_cast<std::size_t>(diagnostic.column) - 1);
+  const bool long_line = byte_of_character(line, kLongestExcerpt) < line.size();
+  const std::size_t from = long_line ? before_by(line, begin, kBefore) : 0;
+  line.remove_prefix(from);
+  begin -= from;
+  // Two characters less, for what is left out.
+  const std::size_t shown = byte_of_character(line, kLongestExcerpt - 2);
+  const bool cut = long_line && shown < line.size();
+  if (cut) line = line.substr(0, shown);
   const std::size_t end = std::max(expression_end(line, begin), std::min(begin + 1, line.size()));
-  Excerpt out{std::string(line), ""};
+  Excerpt out;
+  if (from > 0) out = {"…", " "};
+  out.line += line;
+  if (cut) out.line += "…";
   for (const char byte : line.substr(0, begin)) {
     if (!continues_character(byte)) out.marks += byte == '\t' ? '\t' : ' ';
   }
@@ -76,6 +103,13 @@ Excerpt excerpt(const Diagnostic& diagnostic, std::string_view text) {
   out.marks += '^';
   if (width > 1) out.marks += std::string(width - 1, '~');
   return out;
+}
+
+Diagnostic clipped(Diagnostic diagnostic) {
+  for (std::string* part : {&diagnostic.message, &diagnostic.expected, &diagnostic.nearest}) {
+    *part = clipped(std::move(*part), kLongestExcerpt);
+  }
+  return diagnostic;
 }
 
 std::string underlined(const Diagnostic& diagnostic, std::string_view text) {

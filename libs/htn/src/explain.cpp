@@ -26,19 +26,31 @@ void Search::dead_end(NodeId node, Term task) {
   if (further) deepest_failure_ = {expansion, steps_.size(), depth_};
 }
 
-void Search::explain(NodeId node, Term task) {
-  failure_.emplace();
-  const Term nothing = store_.pair(store_.symbol("!!inop"), kNil);
+FailurePoint Search::point_at(NodeId node) {
+  FailurePoint point;
   for (const StepRecord& step : steps_) {
-    if (step.action == nothing) continue;
-    failure_->steps.push_back({step.action, step.cost, internal(store_, store_.car(step.action))});
+    const Term name = store_.car(step.action);
+    if (store_.name(name) == "!!inop") continue;
+    point.steps.push_back({step.action, step.cost, internal(store_, name)});
   }
   for (NodeId at = node; at != kNoNodeId; at = agenda_[at].parent) {
     if (agenda_[at].kind == NetworkKind::kTask) {
-      failure_->open_tasks.push_back(bindings_.instance(agenda_[at].task, 0));
+      point.open_tasks.push_back(bindings_.instance(agenda_[at].task, 0));
     }
   }
-  std::reverse(failure_->open_tasks.begin(), failure_->open_tasks.end());
+  std::reverse(point.open_tasks.begin(), point.open_tasks.end());
+  return point;
+}
+
+std::optional<FailurePoint> Search::standing() {
+  if (cut_) return cut_;
+  if (agenda_.empty()) return {};
+  const NodeId immediate = agenda_.first_immediate();
+  return point_at(immediate != kNoNodeId ? immediate : agenda_.first());
+}
+
+void Search::explain(NodeId node, Term task) {
+  failure_ = point_at(node);
   explain_task(task);
 }
 
@@ -79,16 +91,20 @@ void Search::explain_task(Term task) {
   }
 }
 
-// The first conjunct that fails whatever satisfies those before it, under the first such satisfier.
 void Search::explain_condition(ConditionIndex condition, const Activation& activation,
                                Attempt attempt) {
+  if (first_unmet(condition, activation, attempt)) failure_->attempts.push_back(std::move(attempt));
+}
+
+// The first conjunct that fails whatever satisfies those before it, under the first such satisfier.
+bool Search::first_unmet(ConditionIndex condition, const Activation& activation, Attempt& attempt) {
   const Base base = activation.base;
-  if (condition == kAbsent) return;
+  if (condition == kAbsent) return false;
   const std::vector<GoalIndex> goals = domain_.conditions[condition].goals;
   Answers before;
   for (std::size_t count = 1; count <= goals.size(); ++count) {
     Answers answers;
-    if (!prover_->solve_part(condition, count, base, answers)) return;
+    if (!prover_->solve_part(condition, count, base, answers)) return false;
     if (answers.count() > 0) {
       std::swap(before, answers);
       continue;
@@ -104,9 +120,49 @@ void Search::explain_condition(ConditionIndex condition, const Activation& activ
       attempt.condition = goal.where.document->text.substr(node.begin, node.end - node.begin);
     }
     bindings_.undo(mark);
-    failure_->attempts.push_back(std::move(attempt));
-    return;
+    return true;
   }
+  return false;
+}
+
+// For traces, which count no inferences of their own.
+std::string Search::unmet_text(ConditionIndex condition, const Activation& activation) {
+  const std::uint64_t inferences = budget_->inferences();
+  Attempt attempt;
+  const bool known = first_unmet(condition, activation, attempt);
+  budget_->take_back(budget_->inferences() - inferences);
+  return known && !attempt.condition.empty() ? "needs " + attempt.condition : std::string();
+}
+
+std::string Search::step_unmet_text(const Operator& operation, Term task) {
+  const Bindings::Mark mark = bindings_.mark();
+  const Base base = bindings_.open(operation.slots);
+  std::string text;
+  if (bindings_.unify(store_.cdr(operation.head), base, store_.cdr(task), 0)) {
+    text = unmet_text(operation.precondition, {operation, base});
+  }
+  bindings_.undo(mark);
+  return text.empty() ? text : ": it " + text;
+}
+
+// "?x = a, ?y = b; ?x = c, ?y = d; …": what the first satisfiers give the variables of the text.
+std::string Search::values_text(const Clause& clause, Base base, const Answers& answers) {
+  std::string out;
+  for (std::size_t row = 0; row < std::min(answers.count(), kMostNearest); ++row) {
+    const Bindings::Mark mark = bindings_.mark();
+    answers.apply(row, bindings_);
+    std::string values;
+    for (std::uint32_t slot = 0; slot < clause.slots; ++slot) {
+      if (store_.name(clause.names[slot]).starts_with("?_")) continue;
+      const Term value = bindings_.instance(Term(TermKind::kSlot, slot), base);
+      if (value.is(TermKind::kVariable)) continue;
+      values += (values.empty() ? "" : ", ") + std::string(store_.name(clause.names[slot])) +
+                " = " + store_.to_text(value);
+    }
+    bindings_.undo(mark);
+    out += (out.empty() ? "" : "; ") + values;
+  }
+  return answers.count() > kMostNearest ? out + "; …" : out;
 }
 
 // An instance whose unbound variables have the names of the text.

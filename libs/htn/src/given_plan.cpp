@@ -16,6 +16,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kDeepest = 2000;
+constexpr std::size_t kMostErrors = 100;
 constexpr std::uint64_t kLargestInteger = std::numeric_limits<std::int64_t>::max();
 
 /// Makes terms of what a plan file holds; variables that were left unbound become kLocal terms.
@@ -132,7 +133,13 @@ class JsonReader {
       : file_(file), line_(line), store_(store), errors_(errors) {}
 
   void read(const std::string& text, std::vector<GivenPlan>& out) {
-    const json object = json::parse(text, nullptr, false);
+    bool deep = false;
+    const auto shallow = [&deep](int depth, json::parse_event_t, json&) {
+      deep = deep || depth > kDeepest;
+      return depth <= kDeepest;
+    };
+    const json object = json::parse(text, shallow, false);
+    if (deep) return wrong("nested more than " + std::to_string(kDeepest) + " deep", "");
     if (!object.is_object()) return wrong("not a JSON object", "one object a line");
     const json& plans = member(object, "plans");
     if (!plans.is_array()) return wrong("no plans", "\"plans\": […]");
@@ -229,6 +236,7 @@ GivenPlan read_text(const std::string& file, const std::string& text, TermStore&
   TermMaker maker(store);
   const Document document = read_document(file, text, store, errors);
   for (const NodeIndex index : document.top) {
+    if (errors.size() > kMostErrors) break;
     const int line = place_of(document, document[index].begin).line;
     const std::optional<Term> term = maker.from_text(document, index);
     if (term && term->is(TermKind::kPair)) {

@@ -56,6 +56,8 @@ CodeIndex Lisp::compile_function(Expression function, const SlotOf& slot_of, Dia
   return implementation_->compile(&lisp::Compiler::function, function, slot_of, errors);
 }
 
+void Lisp::begin() { implementation_->machine.begin(); }
+
 void Lisp::limit_steps(std::uint64_t steps) { implementation_->machine.limit_steps(steps); }
 
 tl::expected<Term, LispError> Lisp::evaluate(CodeIndex code, const SlotValue& slots) {

@@ -57,7 +57,7 @@ Result<std::vector<Term>, Failure> items_at(Machine& machine, Arguments argument
 
 std::vector<std::span<const Builtin>> all_builtins() {
   return {arithmetic_builtins(), comparison_builtins(), division_builtins(), list_builtins(),
-          sequence_builtins(),   mapping_builtins(),    text_builtins()};
+          sequence_builtins(),   mapping_builtins(),    text_builtins(),     table_builtins()};
 }
 
 }  // namespace skein::htn::lisp

@@ -17,7 +17,11 @@ std::span<const Builtin> list_builtins();
 std::span<const Builtin> sequence_builtins();
 std::span<const Builtin> mapping_builtins();
 std::span<const Builtin> text_builtins();
+std::span<const Builtin> table_builtins();
 std::vector<std::span<const Builtin>> all_builtins();
+/// What (setf (gethash key table) value) and (setf (aref array index…) value) call.
+const Builtin& hash_setter();
+const Builtin& array_setter();
 
 /// "argument 2 is (a b), expected a number".
 tl::unexpected<Failure> wrong_argument(Machine& machine, Arguments arguments, std::size_t at,

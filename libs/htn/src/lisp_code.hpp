@@ -43,6 +43,8 @@ enum class Op : std::uint8_t {
   kSetBoxed,        ///< box in local `operand` = top, which stays
   kBox,             ///< local `operand` = a new box that holds the popped top
   kBoxLocal,        ///< local `operand` = a new box that holds what it held
+  kGlobal,          ///< push global variable `operand`; if it has no value, the symbol `term`
+  kSetGlobal,       ///< global variable `operand` = top, which stays
   kPop,             ///< drop the top
   kSlide,           ///< drop what lies between height `operand` of the frame and the top
   kJump,            ///< to `operand`

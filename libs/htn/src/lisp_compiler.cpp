@@ -19,6 +19,7 @@ int growth(Op op, std::uint32_t count) {
     case Op::kSlot:
     case Op::kLocal:
     case Op::kBoxed:
+    case Op::kGlobal:
     case Op::kClosure:
       return 1;
     case Op::kBox:
@@ -116,13 +117,13 @@ bool Compiler::is_form(NodeIndex index, std::string_view head) const {
 
 void Compiler::error(NodeIndex at, std::string message, std::string expected, std::string nearest) {
   const Place place = place_of(document_, node(at).begin);
-  errors_.add({document_.file,
-               place.line,
-               place.column,
-               {},
-               std::move(message),
-               std::move(expected),
-               std::move(nearest)});
+  errors_.add(clipped({document_.file,
+                       place.line,
+                       place.column,
+                       {},
+                       std::move(message),
+                       std::move(expected),
+                       std::move(nearest)}));
 }
 
 void Compiler::value(NodeIndex at) {
@@ -148,6 +149,11 @@ void Compiler::atom(NodeIndex at) {
   }
   if (const auto variable = find(term)) {
     read(*variable);
+    return;
+  }
+  if (const auto global = term == kNil ? std::nullopt : program_.global(term)) {
+    emit(Op::kGlobal, *global);
+    unit_.code.back().term = term;
     return;
   }
   const auto constant = named_constant(symbol(at));

@@ -69,6 +69,7 @@ class Compiler {
   Term datum(NodeIndex index);
   Term datum_atom(NodeIndex index);
   void note_assignments(NodeIndex root);
+  void note_steps(NodeIndex bindings);
   void error(NodeIndex at, std::string message, std::string expected = {},
              std::string nearest = {});
 
@@ -116,6 +117,7 @@ class Compiler {
   void cond_form(NodeIndex form, Parts parts);
   void declare_form(NodeIndex form, Parts parts);
   void destructuring_form(NodeIndex form, Parts parts);
+  void do_form(NodeIndex form, Parts parts);
   void dolist_form(NodeIndex form, Parts parts);
   void dotimes_form(NodeIndex form, Parts parts);
   void eval_form(NodeIndex form, Parts parts);
@@ -148,6 +150,8 @@ class Compiler {
   NodeIndex let_name(NodeIndex binding) const;
   bool is_variable_name(NodeIndex at) const;
   void set_hidden(std::uint32_t local);
+  void do_steps(Parts bindings, bool at_once);
+  void set_element(NodeIndex element, NodeIndex what);
   void loop_result(Parts header, std::optional<std::uint32_t> index);
 
   static constexpr int kNestingLimit = 400;

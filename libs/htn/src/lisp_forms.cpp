@@ -20,6 +20,8 @@ const Compiler::Form* Compiler::find_form(std::string_view name) {
       {"declare", {&C::declare_form, 0, kAnyCount}},
       {"decf", {&C::increment_form, 1, 2}},
       {"destructuring-bind", {&C::destructuring_form, 2, kAnyCount}},
+      {"do", {&C::do_form, 2, kAnyCount}},
+      {"do*", {&C::do_form, 2, kAnyCount}},
       {"dolist", {&C::dolist_form, 1, kAnyCount}},
       {"dotimes", {&C::dotimes_form, 1, kAnyCount}},
       {"ecase", {&C::case_form, 1, kAnyCount}},
@@ -51,12 +53,13 @@ const Compiler::Form* Compiler::find_form(std::string_view name) {
 }
 
 std::vector<std::string> Compiler::form_names() {
-  return {"and",    "case",        "cond",    "destructuring-bind",
-          "dolist", "dotimes",     "eval",    "if",
-          "incf",   "lambda",      "let",     "let*",
-          "or",     "prog1",       "progn",   "push",
-          "quote",  "return-from", "return",  "setq",
-          "unless", "when",        "funcall", "decf"};
+  return {"and",    "case",    "cond",        "destructuring-bind",
+          "dolist", "dotimes", "eval",        "if",
+          "incf",   "lambda",  "let",         "let*",
+          "or",     "prog1",   "progn",       "push",
+          "do",     "quote",   "return-from", "return",
+          "setq",   "unless",  "when",        "funcall",
+          "decf"};
 }
 
 // The values one after the other until one ends it by `jump`, which keeps it; the last stays too.
@@ -356,6 +359,64 @@ void Compiler::dotimes_form(NodeIndex form, Parts parts) {
   loop_result(header, index);
   variables_.resize(scope);
   end_block();
+}
+
+// (do ((variable first [step])…) (end result…) body…): all steps are worked out before any variable
+// changes; with do* one after the other.
+void Compiler::do_form(NodeIndex form, Parts parts) {
+  const std::vector<NodeIndex> bindings = children(document_, parts[1]);
+  const std::vector<NodeIndex> end = children(document_, parts[2]);
+  if (end.empty()) {
+    error(form, "malformed do", "(do ((variable first step)…) (end result…) body…)");
+    emit_constant(kNil);
+    return;
+  }
+  const bool at_once = symbol(parts[0]) == "do";
+  const std::size_t scope = variables_.size();
+  begin_block(kNil);
+  for (const NodeIndex binding : bindings) {
+    const std::vector<NodeIndex> of = children(document_, binding);
+    if (of.size() > 1) {
+      value(of[1]);
+    } else {
+      emit_constant(kNil);
+    }
+    if (!at_once) bind(of.empty() ? binding : of[0]);
+  }
+  for (auto at = bindings.rbegin(); at_once && at != bindings.rend(); ++at) {
+    const NodeIndex name = let_name(*at);
+    bind(name == kNoNode ? *at : name);
+  }
+  const std::uint32_t start = here();
+  value(end[0]);
+  const std::size_t done = emit(Op::kJumpIfTrueKeep);
+  body(parts.subspan(3));
+  emit(Op::kPop);
+  do_steps(bindings, at_once);
+  emit(Op::kJump, start);
+  patch(done);
+  raise(1);
+  emit(Op::kPop);
+  body(Parts(end).subspan(1));
+  variables_.resize(scope);
+  end_block();
+}
+
+void Compiler::do_steps(Parts bindings, bool at_once) {
+  std::vector<NodeIndex> waiting;
+  for (const NodeIndex binding : bindings) {
+    const std::vector<NodeIndex> of = children(document_, binding);
+    if (of.size() < 3) continue;
+    value(of[2]);
+    waiting.push_back(of[0]);
+    if (at_once) continue;
+    assign(of[0]);
+    emit(Op::kPop);
+  }
+  for (auto at = waiting.rbegin(); at_once && at != waiting.rend(); ++at) {
+    assign(*at);
+    emit(Op::kPop);
+  }
 }
 
 }  // namespace skein::htn::lisp

@@ -134,6 +134,11 @@ bool Machine::execute_variable(const Instruction& instruction) {
     case Op::kBoxed:
       push(boxes_[local(instruction.operand).index()]);
       break;
+    case Op::kGlobal:
+      return push_global(instruction);
+    case Op::kSetGlobal:
+      global_at(instruction.operand).value = stack_.back();
+      break;
     case Op::kSetLocal:
       local(instruction.operand) = stack_.back();
       break;
@@ -168,6 +173,33 @@ bool Machine::execute_variable(const Instruction& instruction) {
       SKEIN_ENSURES(false);
   }
   return true;
+}
+
+Machine::Global& Machine::global_at(std::uint32_t index) {
+  if (globals_.size() <= index) globals_.resize(program_.globals().size());
+  return globals_[index];
+}
+
+// Its first value is worked out when it is first asked for; one without a value is a symbol like
+// any other.
+bool Machine::push_global(const Instruction& instruction) {
+  const std::uint32_t index = instruction.operand;
+  const Term name = instruction.term;
+  const auto& first = program_.globals()[index].first_value;
+  if (!global_at(index).value && !global_at(index).begun && first) {
+    global_at(index).begun = true;
+    const Outcome value = call_unit(program_.unit(*first), {}, kNil);
+    if (!value) return fail(value.error().why);
+    if (!global_at(index).value) global_at(index).value = *value;
+  }
+  push(global_at(index).value.value_or(name));
+  return true;
+}
+
+void Machine::begin() {
+  globals_.clear();
+  tables_.clear();
+  arrays_.clear();
 }
 
 bool Machine::call_named(std::uint32_t index, std::uint32_t count) {

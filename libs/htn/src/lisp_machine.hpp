@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "lisp_program.hpp"
@@ -20,6 +22,8 @@ class Machine {
   /// Evaluates `function` to a function value and calls that.
   tl::expected<Term, LispError> apply(const Unit& function, Arguments arguments,
                                       const SlotValue& slots);
+  /// Global variables as the files define them, no table, no array.
+  void begin();
   void limit_steps(std::uint64_t steps) { step_limit_ = steps; }
 
   // For the built-in functions:
@@ -30,6 +34,20 @@ class Machine {
   /// with kTooLong.
   bool charge(std::size_t steps);
   bool is_function(Term term);
+  /// What can be changed in place: hash tables and arrays, from `make-…` on until begin().
+  struct Table {
+    bool loose = false;  ///< keys that are `equalp` are one
+    std::unordered_map<Term, Term> values;
+  };
+  struct Array {
+    std::vector<std::size_t> sizes;
+    std::vector<Term> items;
+  };
+  Term add_table(Table table);
+  Term add_array(Array array);
+  /// Null for anything else.
+  Table* table(Term term);
+  Array* array(Term term);
 
   static constexpr const char* kTooLong = "the evaluation takes too many steps";
 
@@ -62,6 +80,12 @@ class Machine {
     Term captured;
   };
   Result<Target, Failure> target(Term function);
+  struct Global {
+    std::optional<Term> value;
+    bool begun = false;  ///< its first value is known, or in the making
+  };
+  Global& global_at(std::uint32_t index);
+  bool push_global(const Instruction& instruction);
   void leave();
   void place_arguments(const Unit& unit, std::uint32_t count);
   Term instance(Term pattern);
@@ -84,6 +108,9 @@ class Machine {
   std::vector<Term> stack_;  ///< never grows beyond what is reserved: arguments stay where they are
   std::vector<Frame> frames_;
   std::vector<Term> boxes_;
+  std::vector<Global> globals_;
+  std::deque<Table> tables_;
+  std::deque<Array> arrays_;
   const SlotValue* slots_ = nullptr;
   std::string failure_;
   std::optional<Expression> where_;  ///< innermost place of the failure

@@ -58,6 +58,10 @@ Program::Program(TermStore& terms, const Functions& host,
   // The last definition of a name counts, as when Lisp loads the file.
   for (auto at = defined.rbegin(); at != defined.rend(); ++at) {
     definitions_.push_back(*at);
+    if (at->variable) {
+      variables_.emplace(store_.symbol(at->name), &definitions_.back());
+      continue;
+    }
     Callable callable;
     callable.name = at->name;
     callable.definition = &definitions_.back();
@@ -77,6 +81,29 @@ std::optional<std::uint32_t> Program::find(Term name) const {
   return at->second;
 }
 
+std::optional<std::uint32_t> Program::global(Term name) {
+  const auto known = global_by_name_.find(name);
+  if (known != global_by_name_.end()) return known->second;
+  const std::string_view text = store_.name(name);
+  const auto defined = variables_.find(name);
+  const bool starred = text.size() > 2 && text.front() == '*' && text.back() == '*';
+  if (!starred && defined == variables_.end()) return std::nullopt;
+  const auto made = static_cast<std::uint32_t>(globals_.size());
+  globals_.push_back({name, defined == variables_.end() ? nullptr : defined->second, {}});
+  global_by_name_.emplace(name, made);
+  pending_globals_.push_back(made);
+  return made;
+}
+
+void Program::compile_first_value(Global& global, Diagnostics& errors) {
+  static const SlotOf kNoSlots;
+  if (global.definition == nullptr || global.definition->body.empty()) return;
+  const Expression& value = global.definition->body.front();
+  Compiler compiler(*this, *value.document, kNoSlots, errors);
+  compiler.expression(value.node);
+  global.first_value = add_unit(compiler.finish(global.definition->name));
+}
+
 std::vector<std::string> Program::function_names() const {
   std::vector<std::string> names;
   for (const Callable& callable : callables_) names.push_back(callable.name);
@@ -90,7 +117,13 @@ void Program::want(std::uint32_t callable) {
 
 void Program::compile_pending(Diagnostics& errors) {
   static const SlotOf kNoSlots;
-  while (!pending_.empty()) {
+  while (!pending_.empty() || !pending_globals_.empty()) {
+    if (!pending_globals_.empty()) {
+      const std::uint32_t global = pending_globals_.back();
+      pending_globals_.pop_back();
+      compile_first_value(globals_[global], errors);
+      continue;
+    }
     Callable& callable = callables_[pending_.back()];
     pending_.pop_back();
     if (callable.unit != nullptr) continue;

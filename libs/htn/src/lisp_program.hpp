@@ -35,6 +35,16 @@ class Program {
   Unit& unit(std::uint32_t index) { return units_[index]; }
   const Unit& unit(std::uint32_t index) const { return units_[index]; }
   std::size_t unit_count() const { return units_.size(); }
+  /// Global variables: those that the files define, and every name written *so*. The number of one;
+  /// none for other names.
+  std::optional<std::uint32_t> global(Term name);
+  struct Global {
+    Term name;
+    const FunctionDefinition* definition = nullptr;  ///< null: none, it has no first value
+    std::optional<std::uint32_t> first_value;        ///< unit, once it is compiled
+  };
+  const std::deque<Global>& globals() const { return globals_; }
+
   /// Function values: an opaque object for a unit, and back.
   Term function_object(std::uint32_t unit);
   std::optional<std::uint32_t> unit_of(Term object) const;
@@ -45,6 +55,7 @@ class Program {
     std::uint32_t unit = 0;
   };
   void add_callable(Callable callable, Term name);
+  void compile_first_value(Global& global, Diagnostics& errors);
 
   TermStore& store_;
   const Functions& host_;
@@ -54,6 +65,10 @@ class Program {
   std::unordered_map<std::uint32_t, Term> objects_;
   std::deque<FunctionDefinition> definitions_;
   std::vector<std::uint32_t> pending_;
+  std::deque<Global> globals_;
+  std::unordered_map<Term, std::uint32_t> global_by_name_;
+  std::unordered_map<Term, const FunctionDefinition*> variables_;  ///< the last definition of each
+  std::vector<std::uint32_t> pending_globals_;
 };
 
 }  // namespace skein::htn::lisp

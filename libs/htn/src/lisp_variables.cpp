@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Local variables of Lisp terms: parameters, patterns, assignment, sharing with lambdas.
+#include <algorithm>
+
+#include "lisp_builtins.hpp"
 #include "lisp_compiler.hpp"
+#include "skein/foundation/contract.hpp"
 
 namespace skein::htn::lisp {
 
@@ -16,6 +20,7 @@ void Compiler::note_assignments(NodeIndex root) {
     const bool every_second = head == "setq" || head == "setf";
     const bool second = head == "push" || head == "pushnew";
     const bool first = head == "pop" || head == "incf" || head == "decf";
+    if (head == "do" || head == "do*") note_steps(node(node(at).first_child).next);
     if (head == "lambda") assignments_.lambda = true;
     std::size_t position = 0;
     for (NodeIndex child = node(at).first_child; child != kNoNode; child = node(child).next) {
@@ -25,6 +30,15 @@ void Compiler::note_assignments(NodeIndex root) {
       if (node(child).list) open.push_back(child);
       ++position;
     }
+  }
+}
+
+// The variables of do that its steps assign.
+void Compiler::note_steps(NodeIndex bindings) {
+  if (bindings == kNoNode || !node(bindings).list) return;
+  for (const NodeIndex binding : children(document_, bindings)) {
+    const std::vector<NodeIndex> parts = children(document_, binding);
+    if (parts.size() == 3 && is_symbol(parts[0])) assignments_.names.insert(node(parts[0]).atom);
   }
 }
 
@@ -85,8 +99,15 @@ void Compiler::read(const Variable& variable) {
 // The value on the stack stays there.
 void Compiler::assign(NodeIndex name) {
   const auto variable = is_symbol(name) ? find(node(name).atom) : std::nullopt;
+  const auto global =
+      !variable && is_variable_name(name) ? program_.global(node(name).atom) : std::nullopt;
+  if (global) {
+    emit(Op::kSetGlobal, *global);
+    return;
+  }
   if (!variable) {
-    error(name, "only a local variable can be assigned", "a variable of let, lambda or defun");
+    error(name, "only a variable of the code can be assigned",
+          "a variable of let, lambda or defun, one of defvar or defparameter, or a *name*");
     return;
   }
   emit(variable->boxed ? Op::kSetBoxed : Op::kSetLocal, variable->local);
@@ -231,9 +252,27 @@ void Compiler::set_form(NodeIndex form, Parts parts) {
   if (parts.size() < 3) emit_constant(kNil);
   for (std::size_t at = 1; at + 1 < parts.size(); at += 2) {
     if (at > 1) emit(Op::kPop);
-    value(parts[at + 1]);
-    assign(parts[at]);
+    if (is_form(parts[at], "gethash") || is_form(parts[at], "aref")) {
+      set_element(parts[at], parts[at + 1]);
+    } else {
+      value(parts[at + 1]);
+      assign(parts[at]);
+    }
   }
+}
+
+// (setf (aref array index…) value): the arguments, then the value.
+void Compiler::set_element(NodeIndex element, NodeIndex what) {
+  const std::vector<NodeIndex> parts = children(document_, element);
+  const bool table = symbol(parts[0]) == "gethash";
+  check_count(element, symbol(parts[0]), parts.size() - 1, table ? 2 : 1, table ? 3 : kAnyCount);
+  const std::size_t given = table ? std::min<std::size_t>(parts.size(), 3) : parts.size();
+  for (std::size_t at = 1; at < given; ++at) value(parts[at]);
+  value(what);
+  const Builtin& setter = table ? hash_setter() : array_setter();
+  const auto index = program_.find(program_.store().symbol(setter.name));
+  SKEIN_ENSURES(index.has_value());
+  emit(Op::kCall, *index, static_cast<std::uint32_t>(given));
 }
 
 void Compiler::increment_form(NodeIndex /*form*/, Parts parts) {

@@ -103,6 +103,16 @@ std::string_view kind_name(TreeNodeKind kind) {
   }
 }
 
+void append_terms(const std::vector<Term>& terms, const TermStore& store, std::string& out) {
+  out += '[';
+  Commas commas(out);
+  for (const Term term : terms) {
+    commas.item();
+    append_json(term, store, out);
+  }
+  out += ']';
+}
+
 class PlanWriter {
  public:
   PlanWriter(const Plan& plan, const TermStore& store, const PlanJsonOptions& options,
@@ -123,6 +133,21 @@ class PlanWriter {
       if (numbers_[at] == kNoStep) continue;
       cost_commas.item();
       append_number(plan_.steps[at].cost, out_);
+    }
+    out_ += ']';
+  }
+
+  void changes() {
+    out_ += ",\"changes\":[";
+    Commas commas(out_);
+    for (StepIndex at = 0; at < plan_.changes.size(); ++at) {
+      if (numbers_[at] == kNoStep) continue;
+      commas.item();
+      out_ += "{\"deleted\":";
+      append_terms(plan_.changes[at].deleted, store_, out_);
+      out_ += ",\"added\":";
+      append_terms(plan_.changes[at].added, store_, out_);
+      out_ += '}';
     }
     out_ += ']';
   }
@@ -221,16 +246,6 @@ std::string_view verdict_name(Verdict verdict) {
   }
 }
 
-void append_terms(const std::vector<Term>& terms, const TermStore& store, std::string& out) {
-  out += '[';
-  Commas commas(out);
-  for (const Term term : terms) {
-    commas.item();
-    append_json(term, store, out);
-  }
-  out += ']';
-}
-
 void append_failure(const FailurePoint& failure, const TermStore& store, std::string& out) {
   out += "{\"steps\":";
   std::vector<Term> actions;
@@ -301,6 +316,7 @@ void append_json(const Plan& plan, const TermStore& store, const PlanJsonOptions
   if (!options.internal) out += "\"internal\":false,";
   PlanWriter writer(plan, store, options, out);
   writer.steps();
+  if (options.states) writer.changes();
   if (options.tree) writer.tree();
   out += '}';
 }
@@ -333,6 +349,14 @@ std::string to_json(const PlanningReport& report, const Outcome& outcome, const 
   real("seconds", report.seconds);
   real("reading_seconds", report.reading_seconds);
   real("memory_mb", report.memory_mb);
+  if (outcome.standing) {
+    commas.key("standing");
+    append_failure(*outcome.standing, store, out);
+  }
+  if (outcome.repeats_left_out > 0 && outcome.plans.size() > 1) {
+    commas.key("repeats_left_out");
+    out += std::to_string(outcome.repeats_left_out);
+  }
   if (outcome.failure) {
     commas.key("failure");
     append_failure(*outcome.failure, store, out);

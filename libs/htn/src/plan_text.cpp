@@ -112,16 +112,30 @@ class TreePrinter {
   std::string out_;
 };
 
+// What a step made false, and what it made true.
+void append_change(const std::vector<StateChange>& changes, StepIndex step, const TermStore& store,
+                   std::size_t indent, std::string& out) {
+  if (step >= changes.size()) return;
+  for (const Term fact : changes[step].deleted) {
+    out += std::string(indent, ' ') + "- " + store.to_text(fact) + '\n';
+  }
+  for (const Term fact : changes[step].added) {
+    out += std::string(indent, ' ') + "+ " + store.to_text(fact) + '\n';
+  }
+}
+
 }  // namespace
 
 std::string steps_text(const Plan& plan, const TermStore& store, const PlanTextOptions& options) {
   const StepNumbers numbers(plan, options.internal);
+  std::vector<StepIndex> places;
   std::vector<std::string> actions;
   std::vector<std::string> costs;
   std::size_t action_width = 0;
   std::size_t cost_width = 0;
   for (StepIndex at = 0; at < plan.steps.size(); ++at) {
     if (numbers[at] == kNoStep) continue;
+    places.push_back(at);
     actions.push_back(store.to_text(plan.steps[at].action));
     costs.push_back(to_text(plan.steps[at].cost));
     action_width = std::max(action_width, count_characters(actions.back()));
@@ -137,6 +151,7 @@ std::string steps_text(const Plan& plan, const TermStore& store, const PlanTextO
     if (width < action_width) out.append(action_width - width, ' ');
     out += "  " + options.style.mark(options.style.dim, right_aligned(costs[at], cost_width));
     out += '\n';
+    if (options.states) append_change(plan.changes, places[at], store, number_width + 4, out);
   }
   return out;
 }

@@ -2,6 +2,7 @@
 #include "skein/htn/planner.hpp"
 
 #include <algorithm>
+#include <new>
 
 #include "search.hpp"
 
@@ -22,16 +23,23 @@ class Planning {
         budget_(options.limits, host, [this] { return search_ ? search_->memory_bytes() : 0; }) {}
 
   Outcome run() {
-    deepens(options_.which) ? run_deepening() : run_once(options_);
     Outcome outcome;
+    try {
+      deepens(options_.which) ? run_deepening() : run_once(options_);
+    } catch (const std::bad_alloc&) {
+      outcome.out_of_memory = true;
+      keep_what_was_found();
+    }
     outcome.plans = std::move(plans_);
     outcome.statistics = {budget_.expansions(), budget_.inferences(), deepest_,
                           std::max<std::uint64_t>(budget_.greatest_memory(), memory_)};
     outcome.why = budget_.why();
     outcome.verdict = verdict(outcome);
-    if (outcome.verdict == Verdict::kNoPlan && options_.explain_failure) {
-      outcome.failure = explain();
+    outcome.repeats_left_out = repeats_;
+    if (outcome.verdict == Verdict::kNoPlan && too_costly_ && options_.cost_limit) {
+      outcome.why = "none costs " + to_text(real(*options_.cost_limit)) + " or less";
     }
+    if (options_.explain_failure && outcome.plans.empty()) explain_outcome(outcome);
     return outcome;
   }
 
@@ -89,6 +97,19 @@ class Planning {
     cut_by_depth_ = search_->cut_by_depth();
     memory_ = std::max<std::uint64_t>(memory_, search_->memory_bytes());
     deepest_failure_ = search_->deepest_failure();
+    too_costly_ = too_costly_ || search_->too_costly();
+    repeats_ += search_->repeats();
+    if (options_.explain_failure && plans_.empty()) standing_ = search_->standing();
+  }
+
+  // The search gives its memory back before anything else is done.
+  void keep_what_was_found() {
+    budget_.stop("memory");
+    std::vector<Plan> last = search_ ? std::move(search_->plans) : std::vector<Plan>{};
+    deepest_ = search_ ? std::max(deepest_, search_->deepest()) : deepest_;
+    search_.reset();
+    plans_.insert(plans_.end(), std::make_move_iterator(last.begin()),
+                  std::make_move_iterator(last.end()));
   }
 
   void keep_cheapest() {
@@ -107,12 +128,26 @@ class Planning {
     return Verdict::kLimit;
   }
 
+  // A search that the host has ended, or that has no memory left, is not begun again.
+  void explain_outcome(Outcome& outcome) {
+    const bool cut = outcome.verdict == Verdict::kLimit;
+    if (outcome.verdict != Verdict::kNoPlan && !cut) return;
+    if (cut) outcome.standing = std::move(standing_);
+    const bool again = !cut || (outcome.why != "cancelled" && outcome.why != "memory");
+    if (again && deepest_failure_.expansion > 0) outcome.failure = explain(cut);
+  }
+
   // The same search again up to the point where it had come furthest.
-  std::optional<FailurePoint> explain() {
+  std::optional<FailurePoint> explain(bool cut) {
     Options again = options_;
     if (deepens(again.which)) again.which = Which::kFirst;
     again.limits = {};
+    again.limits.depth = options_.limits.depth;
+    again.limits.seconds = options_.limits.seconds;
+    again.limits.memory_bytes = options_.limits.memory_bytes;
     Host silent;
+    silent.cpu_seconds = host_.cpu_seconds;
+    if (cut) silent.cancelled = host_.cancelled;  // what is over stays over
     Budget budget(again.limits, silent, [] { return std::size_t{0}; });
     Search search(domain_, problem_, again, silent);
     search.explain_at(deepest_failure_);
@@ -131,6 +166,9 @@ class Planning {
   std::uint64_t memory_ = 0;
   bool cut_by_depth_ = false;
   DeepestPoint deepest_failure_;
+  bool too_costly_ = false;
+  std::uint64_t repeats_ = 0;
+  std::optional<FailurePoint> standing_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "condition_compiler.hpp"
 #include "expression_term.hpp"
+#include "problem_reader.hpp"
 #include "skein/htn/domain.hpp"
 
 namespace skein::htn {
@@ -71,6 +72,7 @@ Problem make_problem(const ProblemDefinition& definition, TermStore& store) {
   TermScratch scratch;
   const auto leaf = [](Term atom) { return atom; };
   for (const Expression fact : parts(definition.facts)) {
+    if (!is_fact(fact)) continue;
     problem.facts.push_back(term_of(fact, store, leaf, scratch));
   }
   problem.tasks = NetworkReader(store).read(definition.tasks);

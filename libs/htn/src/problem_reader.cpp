@@ -21,6 +21,11 @@ Expression variable_in(const ReadContext& context, Expression list) {
 }
 
 void check_fact(const ReadContext& context, Expression fact) {
+  const bool nothing = context.is_nil(fact) || (count(fact) == 1 && context.is_nil(first(fact)));
+  if (nothing || context.is_symbol(fact)) {
+    return context.warn(fact, "a stray " + text_of(fact) + " is left out",
+                        "(predicate arguments…)");
+  }
   const Expression name = first(fact);
   if (!name) return context.error(fact, text_of(fact) + " is no fact", "(predicate arguments…)");
   if (!context.is_name(name)) {
@@ -85,6 +90,11 @@ bool holds_commas(const ReadContext& context, Expression list) {
 }
 
 }  // namespace
+
+bool is_fact(Expression expression) {
+  const Expression name = first(expression);
+  return name && !(*name).list && (*name).atom.is(TermKind::kSymbol) && (*name).atom != kNil;
+}
 
 void read_problem(const ReadContext& context, Expression form) {
   std::vector<Expression> all = parts(form);

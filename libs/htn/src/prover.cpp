@@ -34,11 +34,15 @@ bool Prover::solve(ConditionIndex condition, Base base, bool just_one, Answers& 
 }
 
 bool Prover::solve_part(ConditionIndex condition, std::size_t goals, Base base, Answers& out) {
-  Condition part = domain_.conditions[condition];
-  part.goals.resize(goals);
-  part.sorted = false;
-  domain_.conditions.push_back(std::move(part));
-  return solve(static_cast<ConditionIndex>(domain_.conditions.size() - 1), base, false, out);
+  const auto [known, fresh] = parts_.try_emplace({condition, goals}, kAbsent);
+  if (fresh) {
+    Condition part = domain_.conditions[condition];
+    part.goals.resize(goals);
+    part.sorted = false;
+    domain_.conditions.push_back(std::move(part));
+    known->second = static_cast<ConditionIndex>(domain_.conditions.size() - 1);
+  }
+  return solve(known->second, base, false, out);
 }
 
 bool Prover::holds(Term atom) {

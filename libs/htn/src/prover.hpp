@@ -3,7 +3,9 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "answers.hpp"
@@ -154,6 +156,7 @@ class Prover {
   int value_nesting_ = 0;
   bool recording_ = false;
   std::vector<CausalLink> support_;
+  std::map<std::pair<ConditionIndex, std::size_t>, ConditionIndex> parts_;  ///< of solve_part
 };
 
 /// "file:line:column" of an expression.

@@ -11,9 +11,18 @@ namespace skein::htn {
 
 Prover::Move Prover::atom(GoalIndex index, Base base, std::uint32_t after) {
   const Goal& goal = domain_.goals[index];
+  const std::vector<Axiom>* axioms = goal.axioms;
+  // What only axioms tell of needs no search among the facts.
+  const bool no_fact =
+      goal.predicate.is(TermKind::kSymbol) && facts_.all(goal.predicate).fact == kNoFact;
+  if (no_fact && axioms == nullptr) return Move::kBack;
+  if (no_fact) {
+    Frame& frame = push_frame(FrameKind::kAtom, index, base, after);
+    frame.answers_first = static_cast<std::uint32_t>(set(queries_.back().set).count());
+    return retry_atom();
+  }
   Term whole;
   const Bindings::Known known = bindings_.look_up(goal.pattern, base, whole);
-  const std::vector<Axiom>* axioms = goal.axioms;
   if (known == Bindings::Known::kTerm) {
     const FactIndex fact = facts_.find(whole);
     if (axioms == nullptr) {

@@ -9,23 +9,41 @@ namespace skein::htn {
 
 namespace {
 constexpr std::size_t kLongestText = 40;
-}
+constexpr std::size_t kMostCollected = 10'000;  // of each kind: a text may have one at every byte
+}  // namespace
 
 Diagnostic diagnostic_at(Expression where, std::string message, std::string expected,
                          std::string nearest) {
   const Place place = place_of(*where.document, (*where).begin);
-  return {where.document->file, place.line,          place.column,      "",
-          std::move(message),   std::move(expected), std::move(nearest)};
+  return clipped({where.document->file, place.line, place.column, "", std::move(message),
+                  std::move(expected), std::move(nearest)});
 }
 
 void ReadContext::error(Expression where, std::string message, std::string expected,
                         std::string nearest) const {
+  if (errors.size() >= kMostCollected) return;
   errors.add(diagnostic_at(where, std::move(message), std::move(expected), std::move(nearest)));
 }
 
 void ReadContext::warn(Expression where, std::string message, std::string expected,
                        std::string nearest) const {
+  if (warnings.size() >= kMostCollected) return;
   warnings.add(diagnostic_at(where, std::move(message), std::move(expected), std::move(nearest)));
+}
+
+void ReadContext::enclose(Expression list, Expression from) const {
+  for (const std::unique_ptr<Document>& document : definitions.documents) {
+    if (document.get() != list.document) continue;
+    Node made;
+    made.list = true;
+    made.first_child = from.node;
+    made.begin = (*from).begin;
+    made.end = (*list).end - 1;
+    NodeIndex* link = &document->nodes[list.node].first_child;
+    while (*link != from.node) link = &document->nodes[*link].next;
+    *link = static_cast<NodeIndex>(document->nodes.size());
+    document->nodes.push_back(made);
+  }
 }
 
 bool ReadContext::is_nil(Expression expression) const {

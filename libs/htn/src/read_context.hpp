@@ -28,6 +28,10 @@ struct ReadContext {
   void warn(Expression where, std::string message, std::string expected = "",
             std::string nearest = "") const;
 
+  /// What a list has from `from` on becomes a list of its own, its last part: for parentheses that
+  /// were left out. The new list stands behind all other nodes of its document.
+  void enclose(Expression list, Expression from) const;
+
   /// nil and () alike.
   bool is_nil(Expression expression) const;
   bool is_symbol(Expression expression) const;

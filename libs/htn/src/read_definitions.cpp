@@ -24,6 +24,27 @@ void read_function(const ReadContext& context, Expression form) {
   context.definitions.functions.push_back(std::move(made));
 }
 
+// (defvar name value), (defparameter …), and at the top of the text (setf *name* value …).
+void read_globals(const ReadContext& context, Expression form, bool at_top) {
+  const Term word = context.head(form);
+  if (word == kNil) return;
+  const std::string name = context.name(word);
+  const bool defined = name == "defvar" || name == "defparameter" || name == "defconstant";
+  const bool set = at_top && (name == "setf" || name == "setq");
+  if (!defined && !set) return;
+  for (Expression at = next(first(form)); at; at = next(at)) {
+    const Expression value = next(at);
+    if (!context.is_name(at)) return;
+    FunctionDefinition made;
+    made.variable = true;
+    made.name = context.name(at);
+    if (value) made.body.push_back(value);
+    context.definitions.functions.push_back(std::move(made));
+    if (defined || !value) return;
+    at = value;
+  }
+}
+
 // (let ((*ignore-singleton-variables* t) …) …): until where it says so; 0 when it does not.
 std::uint32_t quiet_until(const ReadContext& context, Expression form) {
   const Words& words = context.words;
@@ -53,6 +74,62 @@ bool too_deep(const ReadContext& context, Expression form) {
   return false;
 }
 
+// Of two definitions with one name the later counts, as in Lisp.
+template <class Definition>
+void warn_second(const ReadContext& context, Expression form, const char* kind,
+                 const std::vector<Definition>& all, std::size_t before) {
+  if (all.size() <= before) return;
+  const std::string& name = all.back().name;
+  const auto same = [&name](const Definition& one) { return one.name == name; };
+  if (std::none_of(all.begin(), all.end() - 1, same)) return;
+  context.warn(form, "a second " + std::string(kind) + " '" + name + "'", "another name");
+}
+
+// One letter more, less or another, or two neighbours swapped.
+bool nearly(std::string_view one, std::string_view other) {
+  while (!one.empty() && !other.empty() && one.front() == other.front()) {
+    one.remove_prefix(1);
+    other.remove_prefix(1);
+  }
+  while (!one.empty() && !other.empty() && one.back() == other.back()) {
+    one.remove_suffix(1);
+    other.remove_suffix(1);
+  }
+  const bool swapped =
+      one.size() == 2 && other.size() == 2 && one[0] == other[1] && one[1] == other[0];
+  return swapped || (one.size() <= 1 && other.size() <= 1);
+}
+
+// (defdomian …): left out although it was meant to be read.
+void warn_misspelt(const ReadContext& context, Expression form) {
+  const Term word = context.head(form);
+  if (word == kNil) return;
+  const Words& words = context.words;
+  for (const Term known : {words.defdomain, words.defproblem, words.make_problem}) {
+    const std::string name = context.name(known);
+    if (!nearly(context.name(word), name)) continue;
+    context.warn(form, "'" + context.name(word) + "' defines nothing", "a definition", name);
+  }
+}
+
+// (define (domain …) …): hierarchical where it has tasks or methods.
+bool read_foreign(const ReadContext& context, Expression form) {
+  static const std::vector<std::string> hierarchical = {":htn", ":task", ":tasks", ":method"};
+  const Expression kind = next(first(form));
+  if (context.head(form) != context.words.define || !kind || context.head(kind) == kNil) {
+    return false;
+  }
+  const std::string what = context.name(context.head(kind));
+  if (what != "domain" && what != "problem") return false;
+  bool hddl = false;
+  for (Expression part = next(kind); part; part = next(part)) {
+    const std::string word = context.name(context.head(part));
+    hddl = hddl || std::count(hierarchical.begin(), hierarchical.end(), word) > 0;
+  }
+  context.definitions.foreign.push_back({hddl ? "HDDL" : "PDDL", form});
+  return true;
+}
+
 // True: the form was a definition, and nothing is looked for inside.
 bool read_form(const ReadContext& context, Expression form) {
   const Term word = context.head(form);
@@ -61,14 +138,21 @@ bool read_form(const ReadContext& context, Expression form) {
   const bool problem = word == words.defproblem || word == words.make_problem;
   if (domain || problem) {
     if (too_deep(context, form)) return true;
+    const Definitions& all = context.definitions;
+    const std::size_t domains = all.domains.size();
+    const std::size_t problems = all.problems.size();
     if (domain) {
       DomainReader(context, form).read();
+      warn_second(context, form, "domain", all.domains, domains);
     } else {
       read_problem(context, form);
+      warn_second(context, form, "problem", all.problems, problems);
     }
     return true;
   }
   if (word == words.defun) read_function(context, form);
+  if (read_foreign(context, form)) return true;
+  warn_misspelt(context, form);
   return word == words.def_problem_set;
 }
 
@@ -85,6 +169,7 @@ void find_forms(ReadContext& context, const Document& document) {
       if (!context.is_list(form) || context.is_nil(form)) continue;
       quiet = std::max(quiet, quiet_until(context, form));
       context.singletons = document[at].begin >= quiet;
+      read_globals(context, form, at == top);
       if (!read_form(context, form)) open.push_back(document[at].first_child);
     }
   }

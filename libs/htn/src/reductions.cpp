@@ -15,7 +15,7 @@ void Reducer::reduce(const Method& method, Term task, const Tell& tell) {
     Answers answers;
     for (const Branch& branch : method.branches) {
       if (!prover_.solve(branch.precondition, base, false, answers)) break;
-      if (tell) tell(branch, answers.count());
+      if (tell) tell(method, branch, base, answers);
       if (answers.count() == 0) continue;
       add(branch, mark, base, answers);
       break;

@@ -62,8 +62,8 @@ class Reducer {
         budget_(budget),
         pool_(pool) {}
 
-  /// Which branch was taken or refused, for traces.
-  using Tell = std::function<void(const Branch&, std::size_t satisfiers)>;
+  /// Which branch was taken or refused, and its satisfiers; for traces.
+  using Tell = std::function<void(const Method&, const Branch&, Base, const Answers&)>;
 
   /// Appends the reductions of `task` by the method to the pool. Bindings are as before.
   void reduce(const Method& method, Term task, const Tell& tell);

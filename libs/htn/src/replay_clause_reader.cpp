@@ -235,6 +235,7 @@ std::vector<Effect> ClauseReader::effects(Expression list, EffectKind kind, int 
   if (!is_list(items[0]) && !is_variable(items[0])) items = {list};
   for (const Expression& item : items) {
     const std::vector<Expression> of_item = parts(item);
+    if (is_nil(item)) continue;
     if (!of_item.empty() && is_symbol(of_item[0], "forall") && of_item.size() == 4) {
       Effect each{EffectKind::kForall, {}, sequence(of_item[2]), {}};
       each.parts = effects(of_item[3], kind, depth + 1);
@@ -251,8 +252,9 @@ Effect ClauseReader::pddl_effect(Expression expression, int depth) {
   out.kind = EffectKind::kForall;  // with an empty condition: all parts
   if (is_nil(expression) || too_deep(expression, depth)) return out;
   const std::vector<Expression> items = parts(expression);
-  if (is_symbol(items[0], "and")) {
-    for (std::size_t at = 1; at < items.size(); ++at) {
+  const bool list = (*items[0]).list;
+  if (list || is_symbol(items[0], "and")) {
+    for (std::size_t at = list ? 0 : 1; at < items.size(); ++at) {
       out.parts.push_back(pddl_effect(items[at], depth + 1));
     }
   } else if (is_symbol(items[0], "not") && items.size() > 1) {

@@ -103,7 +103,17 @@ class Review {
   void collect_provided(const std::vector<const ProblemDefinition*>& problems);
   void provide_inside(Expression tasks);
   void provide_by(const OperatorDefinition& made, bool& anything);
-  void provide(Term predicate) { provided_.emplace(predicate.bits(), predicate); }
+  void provide(Term predicate) {
+    provided_.emplace(predicate.bits(), predicate);
+    any_arity_.insert(predicate.bits());
+  }
+  void provide(Expression atom) {
+    const Term predicate = context_.head(atom);
+    provided_.emplace(predicate.bits(), predicate);
+    if ((*atom).dotted) any_arity_.insert(predicate.bits());
+    arities_.emplace(predicate.bits(), count(atom) - 1);
+  }
+  bool check_arity(Expression atom);
 
   const ReadContext& context_;
   Diagnostics ignored_;
@@ -112,6 +122,8 @@ class Review {
   TaskTable tasks_;
   std::set<std::pair<std::uint32_t, std::size_t>> reported_;
   std::map<std::uint32_t, Term> provided_;  // by the bits of the predicate
+  std::set<std::uint32_t> any_arity_;
+  std::set<std::pair<std::uint32_t, std::size_t>> arities_;  // of what is provided
 };
 
 void Review::check_tasks(Expression tasks) {
@@ -192,7 +204,7 @@ void Review::provide_by(const OperatorDefinition& made, bool& anything) {
   EffectChecker changes(muted_);
   changes.check_list(made.additions);
   changes.check_effect(made.effect);
-  for (const Expression atom : changes.atoms()) provide(context_.head(atom));
+  for (const Expression atom : changes.atoms()) provide(atom);
   anything = anything || changes.anything();
 }
 
@@ -208,7 +220,7 @@ void Review::provide_inside(Expression tasks) {
 void Review::collect_provided(const std::vector<const ProblemDefinition*>& problems) {
   bool anything = false;
   for (const OperatorDefinition& made : domain_.operators) provide_by(made, anything);
-  for (const AxiomDefinition& made : domain_.axioms) provide((*first(made.head)).atom);
+  for (const AxiomDefinition& made : domain_.axioms) provide(made.head);
   for (const TypeDefinition& type : domain_.types) {
     provide(type.name);
     provide(type.super);
@@ -225,10 +237,27 @@ void Review::collect_provided(const std::vector<const ProblemDefinition*>& probl
   }
   for (const ProblemDefinition* problem : problems) {
     for (Expression fact = first(problem->facts); fact; fact = next(fact)) {
-      provide(context_.head(fact));
+      provide(fact);
     }
     if (anything) provide_inside(problem->tasks);
   }
+}
+
+// Types may follow the arguments of declared heads: PDDL declares its arities elsewhere.
+bool Review::check_arity(Expression atom) {
+  const std::uint32_t bits = context_.head(atom).bits();
+  const std::size_t given = count(atom) - 1;
+  if (domain_.pddl || (*atom).dotted || any_arity_.contains(bits)) return true;
+  if (arities_.contains({bits, given}) || !reported_.insert({bits, given}).second) return true;
+  std::string known;
+  for (auto at = arities_.lower_bound({bits, 0}); at != arities_.end() && at->first == bits; ++at) {
+    known += (known.empty() ? "" : " or ") + std::to_string(at->second);
+  }
+  context_.warn(atom,
+                "(" + context_.name(context_.head(atom)) + " …) with " +
+                    counted(given, "argument") + " is never provided",
+                known);
+  return false;
 }
 
 void Review::check_predicates(const std::vector<const ProblemDefinition*>& problems) {
@@ -238,6 +267,7 @@ void Review::check_predicates(const std::vector<const ProblemDefinition*>& probl
   std::set<std::uint32_t> reported;
   for (const Expression atom : used_atoms()) {
     const Term predicate = context_.head(atom);
+    if (provided_.contains(predicate.bits()) && !check_arity(atom)) continue;
     if (provided_.contains(predicate.bits()) || !reported.insert(predicate.bits()).second) continue;
     const std::string name = context_.name(predicate);
     context_.warn(atom, "nothing provides (" + name + " …)",

@@ -46,9 +46,21 @@ bool Scanner::scan() {
   if (text_.substr(at_).starts_with("#!")) skip_line();
   while (true) {
     while (!at_end() && (traits_of(text_[at_]) & kSpaceByte) != 0) ++at_;
-    if (at_end()) return finish();
+    if (at_end() || !bounded()) return finish();
     next();
   }
+}
+
+// False, and nothing is left to read: one step more would be beyond what is read of any text.
+bool Scanner::bounded() {
+  if (frames_.size() < kDeepestText && document_.nodes.size() < kMostExpressions) return true;
+  const bool deep = frames_.size() >= kDeepestText;
+  error(offset(), (deep ? "nested more than " + std::to_string(kDeepestText) + " deep"
+                        : "more than " + std::to_string(kMostExpressions) + " expressions") +
+                      "; what follows is not read");
+  cut_ = true;
+  at_ = text_.size();
+  return false;
 }
 
 void Scanner::next() {
@@ -84,8 +96,8 @@ void Scanner::error(std::uint32_t where, std::string message, std::string expect
     expected.clear();
   }
   const Place place = place_of(document_, where);
-  problems_.add(
-      {document_.file, place.line, place.column, "", std::move(message), std::move(expected), ""});
+  problems_.add(clipped(
+      {document_.file, place.line, place.column, "", std::move(message), std::move(expected), ""}));
 }
 
 // Lists

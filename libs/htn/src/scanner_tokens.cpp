@@ -155,7 +155,7 @@ void Scanner::read_character() {
     ++at_;
   } while (!at_end() && (traits_of(peek()) & kTokenByte) != 0 && peek() != '\\');
   check_utf8(begin, offset());
-  add_atom(store_.symbol(text_.substr(begin, at_ - begin)), begin);
+  add_atom(store_.symbol(bounded_name(text_.substr(begin, at_ - begin), begin)), begin);
 }
 
 // Symbols and numbers
@@ -173,10 +173,19 @@ void Scanner::read_token() {
   const auto start = static_cast<std::uint32_t>(begin);
   if ((seen & kEscapeByte) != 0) return read_escaped(start);
   at_ = end;
-  const std::string_view token = text_.substr(begin, end - begin);
+  const std::string_view token = bounded_name(text_.substr(begin, end - begin), start);
   if ((seen & kHighByte) != 0) check_utf8(start, offset());
   if ((seen & kColonByte) != 0) return add_atom(symbol_of(token, start), start);
   take_plain(token, start);
+}
+
+std::string_view Scanner::bounded_name(std::string_view name, std::uint32_t begin) {
+  if (name.size() <= kLongestName) return name;
+  error(begin, "a name of " + std::to_string(name.size()) + " bytes",
+        std::to_string(kLongestName) + " at most");
+  std::size_t length = kLongestName;
+  while (continues_character(name[length])) --length;
+  return name.substr(0, length);
 }
 
 void Scanner::take_plain(std::string_view token, std::uint32_t begin) {
@@ -251,7 +260,7 @@ void Scanner::read_escaped(std::uint32_t begin) {
   }
   check_utf8(begin, offset());
   name.erase(0, package);
-  add_atom(store_.symbol(name), begin);
+  add_atom(store_.symbol(bounded_name(name, begin)), begin);
 }
 
 }  // namespace skein::htn

@@ -42,6 +42,7 @@ Search::Search(const Domain& domain, const Problem& problem, const Options& opti
       traced_(by_bits),
       preferences_(options.preferences, store_) {
   for (const std::string& name : options.traced_tasks) traced_.insert(store_.symbol(name));
+  domain_.lisp.begin();
   if (options.trees) facts_.record_deleters();
   for (const Term fact : problem.facts) facts_.add(fact, kInitialState);
   std::uint32_t opened = 0;
@@ -70,6 +71,7 @@ std::size_t Search::relive(Budget& budget) {
   prover_->record_support(options_.trees);
   reducer_.emplace(domain_, bindings_, *prover_, budget, pool_);
   steps_made_.emplace(domain_, bindings_, facts_, protections_, *prover_, budget);
+  steps_made_->record_changes(options_.states);
   std::size_t relived = 0;
   bool outside = false;
   for (; relived < problem_.past.size() && !budget.stopped(); ++relived) {
@@ -90,6 +92,7 @@ Search::Move Search::expand() {
   const bool too_deep = cutoff_ && depth_ >= *cutoff_;
   if (too_deep || (options_.limits.depth && depth_ >= *options_.limits.depth)) {
     cut_by_depth_ = true;
+    if (options_.explain_failure && !cut_ && !explain_at_) cut_ = standing();
     return Move::kBack;
   }
   const NodeId immediate = agenda_.first_immediate();
@@ -154,7 +157,11 @@ Search::Move Search::attempt_step(NodeId node, Term task) {
     if (budget_->stopped()) return Move::kStop;
     if (host_.trace && traced(task)) {
       const bool known = operation != domain_.operators.end();
-      tell(TraceKind::kStepFails, task, "", 0, known ? steps_made_->why() : "no such operator");
+      std::string why = known ? steps_made_->why() : "no such operator";
+      if (known && steps_made_->precondition_failed()) {
+        why += step_unmet_text(operation->second, task);
+      }
+      tell(TraceKind::kStepFails, task, "", 0, std::move(why));
     }
     dead_end(node, task);
     return Move::kBack;
@@ -166,10 +173,10 @@ Search::Move Search::attempt_step(NodeId node, Term task) {
   }
   cost_ = *cost;
   negative_cost_ = negative_cost_ || less_value(made.cost, integer(0));
-  if (!affordable(cost_)) return Move::kBack;
+  if (!affordable(cost_) || !follows(made.action)) return Move::kBack;
   if (host_.trace && traced(task)) tell(TraceKind::kStep, made.action, "", 0, to_text(made.cost));
   agenda_.finish(node, position);
-  steps_.push_back({made.action, made.cost, std::move(made.support)});
+  steps_.push_back({made.action, made.cost, std::move(made.support), std::move(made.change)});
   if (!preferences_.empty()) preferences_.use(made.action);
   ++depth_;
   if (choices_.empty()) forget();
@@ -183,8 +190,10 @@ Search::Move Search::attempt_methods(NodeId node, Term task, std::uint32_t from,
   static const std::vector<Method> kNone;
   const std::vector<Method>& methods = found == domain_.methods.end() ? kNone : found->second;
   const ReductionPool::Mark before = pool_.mark();
-  const Reducer::Tell teller_of_task = host_.trace && traced(task) ? teller(task) : Reducer::Tell{};
+  const bool told = host_.trace && traced(task);
   for (std::uint32_t position = from; position < methods.size(); ++position) {
+    const Reducer::Tell teller_of_task =
+        told ? teller(task, position + 1, methods.size() == 1) : Reducer::Tell{};
     reducer_->reduce(method_at(methods, position, preferred), task, teller_of_task);
     if (budget_->stopped()) return Move::kStop;
     const auto end = static_cast<std::uint32_t>(pool_.reductions.size());
@@ -224,7 +233,11 @@ Search::Move Search::take_reduction(NodeId node, std::uint32_t index) {
   agenda_.reduce(node, *reduction.branch, reduction.branch->forcings[reduction.forcing], tasks,
                  note);
   if (host_.trace && traced(task)) {
-    tell(TraceKind::kReduction, task, reduction.branch->label, 0, "");
+    std::string subtasks;
+    for (std::size_t leaf = 0; leaf < reduction.branch->leaves.size(); ++leaf) {
+      subtasks += (leaf == 0 ? "" : " ") + store_.to_text(bindings_.instance(tasks[leaf], 0));
+    }
+    tell(TraceKind::kReduction, task, reduction.branch->label, 0, std::move(subtasks));
   }
   ++depth_;
   if (choices_.empty()) forget();
@@ -252,6 +265,7 @@ Search::Choice& Search::push_choice(ChoiceKind kind, NodeId node) {
   choice.pool_end = choice.pool;
   choice.preferences = preferences_.mark();
   choice.steps = static_cast<std::uint32_t>(steps_.size());
+  choice.followed = followed_;
   choice.notes = static_cast<std::uint32_t>(notes_.size());
   return choice;
 }
@@ -265,6 +279,7 @@ void Search::restore(const Choice& choice) {
   preferences_.undo(choice.preferences);
   steps_.resize(choice.steps);
   notes_.resize(choice.notes);
+  followed_ = choice.followed;
   depth_ = choice.depth;
   cost_ = choice.cost;
 }

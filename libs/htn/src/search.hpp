@@ -29,6 +29,7 @@ struct StepRecord {
   Term action;
   Number cost;
   std::vector<CausalLink> support;
+  StateChange change;
 };
 
 /// Where a failed search came furthest: most steps, then deepest.
@@ -64,6 +65,12 @@ class Search {
   /// Stop at the first dead end of this expansion and explain it.
   void explain_at(const DeepestPoint& point) { explain_at_ = point; }
   const std::optional<FailurePoint>& failure() const { return failure_; }
+  /// What is done and what is to be done next: of a search that was cut, for people. Where depth
+  /// was what cut it, that of the first time.
+  std::optional<FailurePoint> standing();
+  /// Some partial plan was given up for what it costs.
+  bool too_costly() const { return too_costly_; }
+  std::uint64_t repeats() const { return agenda_.repeats(); }
   std::size_t memory_bytes() const;
 
  private:
@@ -82,6 +89,7 @@ class Search {
     ReductionPool::Mark pool_end;  // behind them
     std::uint32_t steps = 0;
     std::uint32_t notes = 0;
+    std::uint32_t followed = 0;
     std::uint32_t method = 0;     // kMethod: the next to try
     std::uint32_t methods = 0;    // kMethod: how many there are
     std::uint32_t reduction = 0;  // kMethod: the next to try
@@ -99,12 +107,14 @@ class Search {
   Move take_reduction(NodeId node, std::uint32_t index);
   const Method& method_at(const std::vector<Method>& methods, std::uint32_t position,
                           std::uint32_t preferred) const;
-  Reducer::Tell teller(Term task);
+  Reducer::Tell teller(Term task, std::uint32_t method, bool only);
+  FailurePoint point_at(NodeId node);
   Move found();
   bool keep(std::uint64_t depth);
   bool enough() const;
   bool acceptable(const Number& cost) const;
-  bool affordable(const Number& cost) const;
+  bool affordable(const Number& cost);
+  bool follows(Term action);
   Plan make_plan();
   std::vector<TreeNode> make_tree(const std::vector<StepIndex>& renumbered);
   Choice& push_choice(ChoiceKind kind, NodeId node);
@@ -129,6 +139,10 @@ class Search {
     Base base;
   };
   void explain_condition(ConditionIndex condition, const Activation& activation, Attempt attempt);
+  bool first_unmet(ConditionIndex condition, const Activation& activation, Attempt& attempt);
+  std::string unmet_text(ConditionIndex condition, const Activation& activation);
+  std::string step_unmet_text(const Operator& operation, Term task);
+  std::string values_text(const Clause& clause, Base base, const Answers& answers);
   Term readable(Term pattern, const Activation& activation);
   std::vector<Term> nearest_facts(const Goal& goal, Base base);
 
@@ -155,10 +169,13 @@ class Search {
   Number cost_;
   std::optional<Number> best_;
   std::optional<std::uint64_t> cutoff_;
+  std::uint32_t followed_ = 0;  ///< steps so far that Options::following knows of
   std::uint64_t depth_ = 0;
   std::uint64_t deepest_ = 0;
   bool cut_by_depth_ = false;
   bool negative_cost_ = false;
+  bool too_costly_ = false;
+  std::optional<FailurePoint> cut_;  ///< where depth cut it first
   DeepestPoint deepest_failure_;
   std::optional<DeepestPoint> explain_at_;
   std::optional<FailurePoint> failure_;

@@ -10,6 +10,7 @@ namespace skein::htn {
 
 // A sequence of steps that leaves nothing to do.
 Search::Move Search::found() {
+  if (options_.following && followed_ != options_.following->steps) return Move::kBack;
   const bool again = options_.which == Which::kFirst && options_.optimize_cost && best_ &&
                      equal_value(*best_, cost_);
   const bool wanted = !again && acceptable(cost_) && keep(depth_);
@@ -63,10 +64,20 @@ bool Search::acceptable(const Number& cost) const {
 }
 
 // Branch and bound: whether a partial plan of this cost may still become a wanted one.
-bool Search::affordable(const Number& cost) const {
+bool Search::affordable(const Number& cost) {
   const bool prunes = options_.cost_limit || options_.optimize_cost ||
                       (options_.which == Which::kBest && !negative_cost_);
-  return !prunes || acceptable(cost);
+  const bool allowed = !prunes || acceptable(cost);
+  too_costly_ = too_costly_ || !allowed;
+  return allowed;
+}
+
+bool Search::follows(Term action) {
+  if (!options_.following) return true;
+  static constexpr std::string_view kNothing = "!!inop";
+  if (store_.name(store_.car(action)) == kNothing) return true;
+  const Following& given = *options_.following;
+  return followed_ < given.steps && given.agrees(followed_++, action);
 }
 
 Plan Search::make_plan() {
@@ -78,6 +89,9 @@ Plan Search::make_plan() {
     renumbered[at] = static_cast<StepIndex>(plan.steps.size());
     const Term name = store_.car(steps_[at].action);
     plan.steps.push_back({steps_[at].action, steps_[at].cost, internal(store_, name)});
+  }
+  for (std::size_t at = 0; options_.states && at < steps_.size(); ++at) {
+    if (renumbered[at] != kNoStep) plan.changes.push_back(steps_[at].change);
   }
   plan.cost = cost_;
   if (options_.trees) plan.tree = make_tree(renumbered);
@@ -134,10 +148,21 @@ void Search::tell(TraceKind kind, Term task, std::string label, std::uint64_t co
   host_.trace({kind, depth_, task, std::move(label), count, std::move(detail)});
 }
 
-Reducer::Tell Search::teller(Term task) {
-  return [this, task](const Branch& branch, std::size_t satisfiers) {
-    const TraceKind kind = satisfiers == 0 ? TraceKind::kBranchFails : TraceKind::kBranchHolds;
-    tell(kind, task, branch.label, satisfiers, "");
+// A label that the reader made is no name: where the branch stands says more.
+Reducer::Tell Search::teller(Term task, std::uint32_t method, bool only) {
+  return [this, task, method, only](const Method& of, const Branch& branch, Base base,
+                                    const Answers& answers) {
+    const std::size_t number = static_cast<std::size_t>(&branch - of.branches.data()) + 1;
+    const std::string name(store_.name(store_.car(of.head)));
+    std::string label = branch.label;
+    if (label == name + '-' + std::to_string(number)) {
+      label = (only ? "" : "method " + std::to_string(method) + ", ") + "branch " +
+              std::to_string(number);
+    }
+    const bool holds = answers.count() > 0;
+    tell(holds ? TraceKind::kBranchHolds : TraceKind::kBranchFails, task, std::move(label),
+         answers.count(),
+         holds ? values_text(of, base, answers) : unmet_text(branch.precondition, {of, base}));
   };
 }
 
@@ -211,7 +236,7 @@ bool Search::relive(const Event& event) {
   const Result<Number, Failure> cost = add(cost_, made.cost);
   if (!cost) return false;
   cost_ = *cost;
-  steps_.push_back({made.action, made.cost, std::move(made.support)});
+  steps_.push_back({made.action, made.cost, std::move(made.support), std::move(made.change)});
   return true;
 }
 

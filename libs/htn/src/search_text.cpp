@@ -2,6 +2,7 @@
 #include "skein/htn/search_text.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace skein::htn {
 
@@ -11,6 +12,8 @@ constexpr std::size_t kDeepestIndent = 30;
 constexpr std::size_t kDepthWidth = 5;
 constexpr std::size_t kLastSteps = 10;
 constexpr std::size_t kMostNearest = 5;
+constexpr std::size_t kMostOpenTasks = 20;
+constexpr std::size_t kFewestRecursions = 10;
 
 std::string counted(std::uint64_t count, const std::string& one) {
   return std::to_string(count) + ' ' + one + (count == 1 ? "" : "s");
@@ -54,6 +57,35 @@ void append_steps(const FailurePoint& failure, const TermStore& store, const Tex
   }
 }
 
+void append_open_tasks(const FailurePoint& point, const TermStore& store, const TextStyle& style,
+                       std::string& out) {
+  const std::size_t count = point.open_tasks.size();
+  const std::size_t left_out = count > kMostOpenTasks ? count - kMostOpenTasks : 0;
+  if (count > 0) out += "  Open there, from the top:\n";
+  for (std::size_t level = 0; level < count; ++level) {
+    const std::size_t shown = level < kMostOpenTasks / 2 ? level : level - left_out;
+    if (left_out > 0 && level == kMostOpenTasks / 2) {
+      out += "    " + style.mark(style.dim, "… " + counted(left_out, "task") + " more") + '\n';
+      level += left_out;
+    }
+    out += std::string(4 + 2 * std::min(shown, kDeepestIndent), ' ') +
+           store.to_text(point.open_tasks[level]) + '\n';
+  }
+}
+
+// Tasks of one name inside one another: where domains recur for ever.
+void append_recursion(const FailurePoint& point, const TermStore& store, std::string& out) {
+  std::map<std::string, std::size_t> counts;
+  for (const Term task : point.open_tasks) {
+    if (task.is(TermKind::kPair)) ++counts[store.to_text(store.car(task))];
+  }
+  for (const auto& [name, count] : counts) {
+    if (count < kFewestRecursions) continue;
+    out += "  (" + name + " …) is open " + std::to_string(count) +
+           " times inside itself: the domain may recur for ever there.\n";
+  }
+}
+
 void append_attempt(const Attempt& attempt, const TermStore& store, const TextStyle& style,
                     std::string& out) {
   out += "    " + style.mark(style.bad, "✗ ") + store.to_text(attempt.task);
@@ -86,14 +118,20 @@ std::string to_text(const FailurePoint& failure, const TermStore& store, const T
   std::string out = "  The search came furthest after " + counted(failure.steps.size(), "step") +
                     (failure.steps.empty() ? ".\n" : ":\n");
   append_steps(failure, store, style, out);
-  if (!failure.open_tasks.empty()) out += "  Open there, from the top:\n";
-  std::size_t level = 0;
-  for (const Term task : failure.open_tasks) {
-    out += std::string(4 + 2 * std::min(level++, kDeepestIndent), ' ') + store.to_text(task) + '\n';
-  }
+  append_open_tasks(failure, store, style, out);
   out += failure.attempts.empty() ? "  No operator and no method was there to try.\n"
                                   : "  Tried there, and why not:\n";
   for (const Attempt& attempt : failure.attempts) append_attempt(attempt, store, style, out);
+  return out;
+}
+
+std::string standing_text(const FailurePoint& point, const TermStore& store,
+                          const TextStyle& style) {
+  std::string out = "  The search was cut after " + counted(point.steps.size(), "step") +
+                    (point.steps.empty() ? ".\n" : ":\n");
+  append_steps(point, store, style, out);
+  append_open_tasks(point, store, style, out);
+  append_recursion(point, store, out);
   return out;
 }
 

@@ -37,7 +37,9 @@ bool StepMaker::apply(const Operator& operation, Term task, StepIndex step, Made
   precondition_failed_ = false;
   where_ = operation.where;
   const Base base = bindings_.open(operation.slots);
-  if (prepare(operation, task, base, made) && work_out(operation, base) && change_state(step)) {
+  const bool worked_out = prepare(operation, task, base, made) && work_out(operation, base);
+  if (worked_out && recording_) note_change(made.change);
+  if (worked_out && change_state(step)) {
     made.action = bindings_.instance(operation.head, base);
     bindings_.close(bindings);
     return true;
@@ -54,7 +56,8 @@ bool StepMaker::prepare(const Operator& operation, Term task, Base base, MadeSte
     return refuse("the task does not match its head");
   }
   Answers answers;
-  if (!prover_.solve(operation.precondition, base, true, answers)) return refuse("");
+  // Of an action SHOP3 takes the first object of the text that does, of an operator the last.
+  if (!prover_.solve(operation.precondition, base, !operation.action, answers)) return refuse("");
   if (answers.count() == 0) {
     precondition_failed_ = true;
     return refuse("its precondition does not hold");
@@ -155,6 +158,21 @@ bool StepMaker::collect_under(const Effect& effect, Base base, bool negated, boo
     if (!done) return false;
   }
   return true;
+}
+
+// What will not be as it was: deletions come first, and what is added again stays.
+void StepMaker::note_change(StateChange& change) const {
+  const auto among = [](const std::vector<Term>& atoms, Term atom) {
+    return std::find(atoms.begin(), atoms.end(), atom) != atoms.end();
+  };
+  for (const Term atom : deleted_) {
+    const bool lost = is_atom(atom) && facts_.holds(atom) && !among(added_, atom);
+    if (lost && !among(change.deleted, atom)) change.deleted.push_back(atom);
+  }
+  for (const Term atom : added_) {
+    const bool won = is_atom(atom) && !facts_.holds(atom);
+    if (won && !among(change.added, atom)) change.added.push_back(atom);
+  }
 }
 
 bool StepMaker::change_state(StepIndex step) {

@@ -15,6 +15,7 @@ struct MadeStep {
   Term action;
   Number cost;
   std::vector<CausalLink> support;
+  StateChange change;  ///< only when changes are recorded
 };
 
 /// Applies one operator: first satisfier of its precondition, cost, deletions, additions,
@@ -37,6 +38,7 @@ class StepMaker {
   /// changed. `step` is the position in the plan.
   bool apply(const Operator& operation, Term task, StepIndex step, MadeStep& made);
   const char* why() const { return why_; }
+  void record_changes(bool on) { recording_ = on; }
   /// The precondition had no satisfier in the last refusal.
   bool precondition_failed() const { return precondition_failed_; }
 
@@ -50,6 +52,7 @@ class StepMaker {
   void collect_atom(Term atom, bool negated);
   bool is_atom(Term term) const;
   bool change_state(StepIndex step);
+  void note_change(StateChange& change) const;
   bool protections_hold() const;
   bool refuse(const char* why);
   bool fail(const std::string& why);
@@ -68,6 +71,7 @@ class StepMaker {
   std::vector<Term> protected_;
   const char* why_ = "";
   bool precondition_failed_ = false;
+  bool recording_ = false;
 };
 
 }  // namespace skein::htn

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "skein/foundation/contract.hpp"
+#include "utf8.hpp"
 
 namespace skein::htn {
 
@@ -32,10 +33,6 @@ std::size_t number_hash(const Number& value) {
                                          static_cast<std::uint64_t>(value.denominator)
                                    : std::bit_cast<std::uint64_t>(value.real);
   return mix(bits ^ (kind << 61U));
-}
-
-char lower(char letter) {
-  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
 }
 
 // Eight letters at once: sets bit 5 of each byte from 'A' to 'Z'.
@@ -71,10 +68,10 @@ bool is_lowered(std::string_view name, std::string_view lowered) {
   return true;
 }
 
-std::string lowered(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(), lower);
-  return out;
+bool plain(std::string_view text) {
+  std::uint64_t seen = 0;
+  for (std::size_t at = 0; at < text.size(); at += 8) seen |= eight_at(text, at);
+  return (seen & 0x8080808080808080ULL) == 0;
 }
 
 std::uint32_t checked_index(std::size_t size) {
@@ -90,7 +87,9 @@ TermStore::TermStore()
   symbol("t");
 }
 
-Term TermStore::symbol(std::string_view name) {
+Term TermStore::symbol(std::string_view given) {
+  const std::string folded = plain(given) ? std::string() : lowered(given);
+  const std::string_view name = folded.empty() ? given : std::string_view(folded);
   const std::uint32_t hash = name_hash(name);
   const std::size_t mask = symbol_table_.size() - 1;
   std::size_t at = hash & mask;

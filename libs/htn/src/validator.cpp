@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "problem_reader.hpp"
 #include "replay_tree.hpp"
 
 namespace skein::htn {
@@ -203,6 +204,7 @@ class Validator::Implementation {
     World world(store_);
     if (!problem.facts) return world;
     for (const NodeIndex fact : children(*problem.facts.document, problem.facts.node)) {
+      if (!is_fact({problem.facts.document, fact})) continue;
       world.add(replay::term_of({problem.facts.document, fact}, store_));
     }
     return world;
@@ -210,6 +212,7 @@ class Validator::Implementation {
 
   Validation validate_once(const ProblemDefinition& problem, const GivenPlan& plan,
                            const Limits& limits) {
+    lisp_.begin();
     World world = initial_world(problem);
     replay::Bindings bindings(store_);
     replay::ProofContext context{store_, clauses_, world, lisp_, bindings, limits.inferences, {}};
@@ -312,7 +315,9 @@ std::string to_text(const Validation& validation) {
            to_text(validation.cost) + (validation.tree_checked ? ", tree checked" : "");
   }
   const Fault& fault = *validation.fault;
-  if (fault.kind == FaultKind::kInternalLeftOut) return fault.why;
+  if (fault.kind == FaultKind::kInternalLeftOut || fault.kind == FaultKind::kTasks) {
+    return fault.why;
+  }
   const char* what = fault.kind == FaultKind::kTree ? "tree node " : "step ";
   const std::size_t number = fault.kind == FaultKind::kTree ? fault.step : fault.step + 1;
   std::string out = what + std::to_string(number);

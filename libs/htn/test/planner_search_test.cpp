@@ -353,5 +353,116 @@ TEST(Search, CountsTasksTakenAndPlansFound) {
   EXPECT_GT(outcome.statistics.memory_bytes, 0U);
 }
 
+// ---- what is told of a search that found nothing
+// --------------------------------------------------
+
+TEST(SearchCut, TellsWhereItStood) {
+  Case made(
+      does("(go)", "((!a) (turn 1))") + does("(turn ?x)", "((turn (s ?x)))") + adds("(!a)", ""), "",
+      "((go))");
+  made.options.explain_failure = true;
+  for (const bool by_depth : {false, true}) {
+    made.options.limits = {};
+    (by_depth ? made.options.limits.depth : made.options.limits.expansions) = 100;
+
+    const Outcome outcome = made.run();
+
+    EXPECT_EQ(outcome.verdict, Verdict::kLimit);
+    EXPECT_FALSE(outcome.failure) << "nothing was ever given up";
+    ASSERT_TRUE(outcome.standing);
+    EXPECT_EQ(outcome.standing->steps.size(), 1U);
+    EXPECT_GE(outcome.standing->open_tasks.size(), 98U);
+    EXPECT_EQ(made.store.to_text(outcome.standing->open_tasks.front()), "(go)");
+  }
+}
+
+TEST(SearchCut, TellsTheFurthestDeadEndToo) {
+  Case made(does("(go)", "((!a) (!never))") + does("(go)", "((turn))") +
+                does("(turn)", "((turn))") + adds("(!a)", "") +
+                "(:operator (!never) ((wanted)) () ())",
+            "", "((go))");
+  made.options.explain_failure = true;
+  made.options.limits.expansions = 100;
+
+  const Outcome outcome = made.run();
+
+  ASSERT_TRUE(outcome.failure);
+  EXPECT_EQ(outcome.failure->attempts.at(0).condition, "(wanted)");
+  EXPECT_EQ(outcome.standing->steps.size(), 0U);
+}
+
+TEST(SearchBound, IsNamedWhereItLeftNoPlan) {
+  Case made(adds("(!a)", "", "7"), "", "((!a))");
+  made.options.cost_limit = 5;
+  const Outcome bounded = made.run();
+  EXPECT_EQ(bounded.verdict, Verdict::kNoPlan);
+  EXPECT_EQ(bounded.why, "none costs 5.0 or less");
+
+  Case other("(:operator (!a) ((never)) () ())", "", "((!a))");
+  other.options.cost_limit = 5;
+  EXPECT_EQ(other.run().why, "") << "the bound is not why";
+}
+
+TEST(SearchAll, CountsTheRepeatsItLeavesOut) {
+  Case made(adds("(!a)", ""), "", "((:unordered (!a) (!a)))");
+  made.options.which = Which::kAll;
+
+  const Outcome outcome = made.run();
+
+  EXPECT_EQ(outcome.plans.size(), 1U);
+  EXPECT_EQ(outcome.repeats_left_out, 1U);
+}
+
+// ---- states
+// ---------------------------------------------------------------------------------------
+
+TEST(SearchStates, AreWhatEachStepChanges) {
+  Case made(
+      "(:operator (!go ?a ?b) ((at ?a)) ((at ?a) (gone)) ((at ?b) (here))) (:operator (!stay ?a) "
+      "((at ?a)) ((at ?a)) ((at ?a)))",
+      "(at a) (here)", "((!go a b) (!stay b))");
+  made.options.states = true;
+
+  const Outcome outcome = made.run();
+
+  ASSERT_EQ(outcome.plans.size(), 1U);
+  const std::vector<StateChange>& changes = outcome.plans[0].changes;
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_EQ(changes[0].deleted, std::vector<Term>{made.term("(at a)")});
+  EXPECT_EQ(changes[0].added, std::vector<Term>{made.term("(at b)")});
+  EXPECT_TRUE(changes[1].deleted.empty());
+  EXPECT_TRUE(changes[1].added.empty());
+}
+
+// ---- traces
+// ---------------------------------------------------------------------------------------
+
+TEST(SearchTrace, SaysWhatWasBoundAndWhatFailed) {
+  Case made(
+      "(:method (go ?x) ((way ?x ?y) (open ?y)) ((!a ?x ?y)) ((way ?x ?y)) ((!a ?x ?y))) "
+      "(:method (go ?x) named () ()) (:operator (!a ?x ?y) ((free ?y)) () ())",
+      "(way a b) (way a c)", "((go a))");
+  std::vector<std::string> told;
+  made.host.trace = [&](const TraceEvent& event) {
+    told.push_back(event.label + " | " + event.detail);
+  };
+  const Outcome traced = made.run();
+
+  const std::vector<std::string> expected = {" | ",
+                                             "method 1, branch 1 | needs (open b)",
+                                             "method 1, branch 2 | ?x = a, ?y = b; ?x = a, ?y = c",
+                                             "go-2 | (!a a b)",
+                                             " | ",
+                                             " | its precondition does not hold: it needs (free b)",
+                                             "go-2 | (!a a c)",
+                                             " | ",
+                                             " | its precondition does not hold: it needs (free c)",
+                                             "named | ?x = a",
+                                             "named | (!!inop)"};
+  EXPECT_EQ(std::vector<std::string>(told.begin(), told.begin() + 11), expected);
+  made.host.trace = nullptr;
+  EXPECT_EQ(made.run().statistics.inferences, traced.statistics.inferences);
+}
+
 }  // namespace
 }  // namespace skein::htn

@@ -277,5 +277,27 @@ TEST(Steps, AreUndoneOnBacktrackingWithDeletedFactsAtTheFront) {
   EXPECT_EQ(made.first(), "(!first a)");
 }
 
+TEST(Actions, TakeTheFirstObjectForAParameterThatIsFree) {
+  const std::string facts = "(place a) (place b) (place c)";
+  Case action(
+      "(:types place) (:action go :parameters (?x - place) :effect ((at ?x) (not (on ?x))))",
+      facts + " (on a)", "((!go ?y))");
+  Case operation("(:operator (!go ?x) ((place ?x)) () ())", facts, "((!go ?y))");
+  action.options.states = true;
+
+  const Outcome outcome = action.run();
+
+  ASSERT_EQ(outcome.plans.size(), 1U);
+  EXPECT_EQ(action.steps(outcome.plans[0]), "(!go a)");
+  EXPECT_EQ(outcome.plans[0].changes[0].deleted, std::vector<Term>{action.term("(on a)")});
+  EXPECT_EQ(operation.first(), "(!go c)");
+}
+
+TEST(Operators, MayHaveNothingInTheirLists) {
+  Case made("(:operator (!a) () (()) (() (done)))", "", "((!a))");
+  EXPECT_EQ(made.errors(), "");
+  EXPECT_EQ(made.first(), "(!a)");
+}
+
 }  // namespace
 }  // namespace skein::htn

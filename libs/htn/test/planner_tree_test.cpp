@@ -172,10 +172,12 @@ const char* const kTraced =
 TEST(SearchTrace, TellsWhyMethodsWereTriedFailedAndChosen) {
   Case made(kTraced, "(way a) (way b) (dry b)", "((go))");
 
-  EXPECT_EQ(trace(made), (std::vector<std::string>{
-                             "task (go)", "fails (go) fly", "holds (go) walk 2", "try (go) walk",
-                             "task (!walk a)", "stuck (!walk a): its precondition does not hold",
-                             "try (go) walk", "task (!walk b)", "step (!walk b): 2"}));
+  EXPECT_EQ(trace(made),
+            (std::vector<std::string>{
+                "task (go)", "fails (go) fly: needs (fuel)", "holds (go) walk 2: ?w = a; ?w = b",
+                "try (go) walk: (!walk a)", "task (!walk a)",
+                "stuck (!walk a): its precondition does not hold: it needs (dry a)",
+                "try (go) walk: (!walk b)", "task (!walk b)", "step (!walk b): 2"}));
 }
 
 TEST(SearchTrace, TellsOfTheTasksAskedForOnly) {
@@ -183,15 +185,17 @@ TEST(SearchTrace, TellsOfTheTasksAskedForOnly) {
   made.options.traced_tasks = {"!WALK"};
 
   EXPECT_EQ(trace(made), (std::vector<std::string>{
-                             "task (!walk a)", "stuck (!walk a): its precondition does not hold"}));
+                             "task (!walk a)",
+                             "stuck (!walk a): its precondition does not hold: it needs (dry a)"}));
 }
 
 TEST(SearchTrace, TellsWhenAllWaysOfATaskAreExhausted) {
   Case made(kTraced, "", "((go) (!none))");
   Case unknown("", "", "((!none))");
 
-  EXPECT_EQ(trace(made), (std::vector<std::string>{"task (go)", "fails (go) fly", "fails (go) walk",
-                                                   "backtrack (go)"}));
+  EXPECT_EQ(trace(made),
+            (std::vector<std::string>{"task (go)", "fails (go) fly: needs (fuel)",
+                                      "fails (go) walk: needs (way ?w)", "backtrack (go)"}));
   EXPECT_EQ(trace(unknown),
             (std::vector<std::string>{"task (!none)", "stuck (!none): no such operator"}));
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "reader_fixture.hpp"
+#include "skein/htn/domain.hpp"
 
 namespace skein::htn {
 namespace {
@@ -308,7 +309,7 @@ TEST(ReadDefinitions, RefusesDefinitionsNestedTooDeepForWhatWorksOnThem) {
     return text + std::string(static_cast<std::size_t>(depth), ')') + ") ())";
   };
 
-  reader.read(nested(900) + nested(1'000'000) + "(defproblem q d () ())");
+  reader.read(nested(900) + nested(900'000) + "(defproblem q d () ())");
 
   EXPECT_EQ(reader.error_text(), "test.lisp:1:" + std::to_string(nested(900).size() + 1) +
                                      ": a definition nested more than 1000 deep\n");
@@ -386,6 +387,58 @@ TEST(ReadDefinitions, ReportsTwoHundredErrorsAtMost) {
 
   EXPECT_EQ(reader.errors.size(), 201U);
   EXPECT_THAT(reader.error_text(), HasSubstr("300 more"));
+}
+
+// What SHOP3 takes although it was not meant so.
+
+TEST(ReadLenient, TakesTheTailOfAListForOneMoreCondition) {
+  ReaderFixture reader;
+  reader.read_items("(:method (a ?x ?y) ((different ?x ?y) hoist ?h ?x) ((b ?h)))");
+
+  EXPECT_EQ(reader.error_text(), "");
+  EXPECT_THAT(reader.warning_text(), ::testing::HasSubstr("a condition without its parentheses"));
+  const Expression condition = reader.domain().methods.at(0).branches.at(0).precondition;
+  const auto parts = children(*condition.document, condition.node);
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(testing::printed(*condition.document, parts[1], reader.store), "(hoist ?h ?x)");
+}
+
+TEST(ReadLenient, LeavesStrayWordsOut) {
+  ReaderFixture reader;
+  reader.read(
+      "(defdomain d (^ (:operator (!a) () (()) (())))) (defproblem p d ((NIL) (b) ^ ()) ())");
+
+  EXPECT_EQ(reader.error_text(), "");
+  EXPECT_THAT(reader.warning_text(), ::testing::HasSubstr("a stray '^' is left out"));
+  EXPECT_EQ(make_problem(reader.definitions.problems.at(0), reader.store).facts.size(), 1U);
+}
+
+TEST(ReadLenient, FindsIncludedFilesWhereverTheirSystemLies) {
+  ReaderFixture reader;
+  reader.with_file("basic.lisp", "(defdomain basic ((:operator (!a) () () ())))")
+      .read_items(
+          "(:include basic #.(asdf:system-relative-pathname \"shop3\" "
+          "\"examples/folder/basic.lisp\"))");
+
+  EXPECT_EQ(reader.error_text(), "");
+  EXPECT_EQ(reader.domain().operators.size(), 1U);
+}
+
+TEST(ReadLenient, FoldsTheCaseOfLettersBeyondAscii) {
+  TermStore store;
+  for (const auto& [capital, small] :
+       std::vector<std::pair<std::string, std::string>>{{"ÉCOLE", "école"},
+                                                        {"Łódź", "łódź"},
+                                                        {"ΑΘΉΝΑ", "αθήνα"},
+                                                        {"МОСКВА", "москва"},
+                                                        {"Ž", "ž"},
+                                                        {"Ÿ", "ÿ"},
+                                                        {"×", "×"},
+                                                        {"İ", "İ"},
+                                                        {"日本", "日本"}}) {
+    EXPECT_EQ(store.symbol(capital), store.symbol(small)) << capital;
+    EXPECT_EQ(store.name(store.symbol(capital)), small);
+  }
 }
 
 }  // namespace

@@ -141,8 +141,6 @@ TEST(ReaderErrors, OfConditionsNameTheWord) {
        "3:2: imply with 3 arguments; expected (imply condition condition)"},
       {condition("(not)"), "3:2: not with 0 arguments; expected (not condition)"},
       {condition("(or (a) . ?x)"), "3:2: or with a dot; expected (and condition…)"},
-      {condition("((a) . (b))"),
-       "3:10: b is no condition; expected (predicate arguments…) or a list of conditions"},
       {condition("(exists (?x - ) (a ?x))"),
        "3:14: no type behind '-'; expected a type or (either type…)"},
       {condition("(forall (- t) (a) (b))"), "3:11: nothing before '-' to have a type"},

@@ -93,5 +93,20 @@ TEST(FailureText, SaysWhenNothingWasThereToTry) {
             "  No operator and no method was there to try.\n");
 }
 
+TEST(StandingText, ShortensTheTasksAndNamesTheRecursion) {
+  TermStore store;
+  FailurePoint point;
+  point.open_tasks.assign(1, term("(go)", store));
+  point.open_tasks.insert(point.open_tasks.end(), 499, term("(turn left)", store));
+
+  const std::string text = standing_text(point, store, kPlainText);
+
+  EXPECT_THAT(text, HasSubstr("  The search was cut after 0 steps.\n  Open there, from the top:\n"
+                              "    (go)\n      (turn left)\n"));
+  EXPECT_THAT(text, HasSubstr("    … 480 tasks more\n"));
+  EXPECT_THAT(text, HasSubstr("  (turn …) is open 499 times inside itself"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 24);
+}
+
 }  // namespace
 }  // namespace skein::htn

@@ -64,7 +64,7 @@ class CoverageRefiner {
         volumes_(volumes_from(setting.world, query.depart)) {}
 
   Outcome<Coverage> refine() {
-    Countdown countdown(setting_.budget, 8);
+    Countdown countdown(setting_.budget, 1);
     SweepTask task = sweep_task();
     if (!(task.wind.norm() < model_.speed()))
       return refuse(RefusalKind::kBeyondVehicle, "speed",
@@ -130,6 +130,7 @@ class CoverageRefiner {
     task.region = {query_.area, query_.holes};
     task.swath = query_.swath;
     task.mode = query_.mode;
+    task.time_is_up = setting_.budget.time_is_up;
     task.direction = query_.direction;
     task.ends = {level(query_.start), level(query_.end)};
     task.wind = query_.vehicle.wind_drift * world::mean_velocity(setting_.world.wind).head<2>();

@@ -15,8 +15,9 @@ using world::Vector2;
 constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kMostEdges = 90;   ///< edges whose direction is tried, the longest
-constexpr std::size_t kMostTried = 80;   ///< candidates looked at closely, if not convex
+constexpr std::size_t kMostEdges = 90;  ///< edges whose direction is tried, the longest
+constexpr std::size_t kMostTried = 80;  ///< candidates looked at closely, if not convex
+constexpr std::size_t kManyCorners = 300;
 constexpr double kLanesInAll = 400'000;  ///< of all directions of the grid together
 
 /// How the lanes of a direction are made.
@@ -185,6 +186,8 @@ class SweepPlanner {
       best_ = {planner.best_.direction, Cut::kHull, planner.best_.seconds};
   }
 
+  bool is_late() const { return countdown_.over() || (task_.time_is_up && task_.time_is_up()); }
+
   std::vector<double> directions() const;
   void search();
   void search_near(double direction, double step);
@@ -229,13 +232,17 @@ std::vector<double> SweepPlanner::directions() const {
 /// In the order of the estimate, so that most directions need not be looked at closely.
 void SweepPlanner::search() {
   constexpr double kNearly = 0.97;
+  // Even the estimates may take all of the time: an answer first.
+  if (task_.time_is_up && task_.region.outer.size() > kManyCorners)
+    for (const Cut cut : cuts_)
+      if (best_.seconds == kInfinity || !is_late()) consider({directions().front(), cut, 0});
   std::vector<Candidate> candidates;
   for (const double direction : directions())
     for (const Cut cut : cuts_) {
+      if (!candidates.empty() && is_late()) break;
       Candidate candidate{direction, cut, 0};
       candidate.seconds = estimate(candidate);
       candidates.push_back(candidate);
-      if (countdown_.over()) break;
     }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.seconds < b.seconds; });
@@ -257,7 +264,7 @@ void SweepPlanner::search() {
       near.push_back(candidate.direction);
   }
   for (const double direction : near) search_near(direction, kDegree / 2);
-  if (!convex_) try_hull();
+  if (!convex_ && !is_late()) try_hull();
 }
 
 void SweepPlanner::search_near(double direction, double step) {
@@ -266,6 +273,7 @@ void SweepPlanner::search_near(double direction, double step) {
     for (const double side : {-step, step}) {
       if (!countdown_.step()) return;
       for (const Cut cut : cuts_) {
+        if (is_late()) return;
         Candidate candidate{half_turn(direction + side), cut, 0};
         candidate.seconds = seconds_of(candidate);
         if (candidate.seconds < best_.seconds) best_ = candidate;

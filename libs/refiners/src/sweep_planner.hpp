@@ -22,6 +22,9 @@ struct SweepTask {
   world::Vector2 wind = world::Vector2::Zero();
   /// True when a lane may be flown there; empty: everywhere.
   std::function<bool(const world::Vector2&, const world::Vector2&)> is_free;
+  /// Asked before each set of lanes, of which one over many corners takes milliseconds; empty:
+  /// never.
+  std::function<bool()> time_is_up;
 };
 
 struct Sweep {

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "skein/foundation/random.hpp"
+#include "skein/world/geometry.hpp"
 #include "test_cases.hpp"
 #include "tour_search.hpp"
 
@@ -373,6 +374,33 @@ TEST(TourSearch, FindsOpenOrdersAmongClosedWays) {
     const TourOrder order = solve_tour(random_problem(shape, random), {}, 1);
 
     EXPECT_LT(order.cost, kNoWay);
+  }
+}
+
+TEST(SolveTour, IsWithinATenthOfTheBestEvenWhenTheTimeWasUpBeforeItBegan) {
+  for (const std::size_t places : {150UL, 400UL}) {
+    Random random(places, "places");
+    std::vector<world::Vector2> at(places);
+    for (world::Vector2& place : at) place = {random.uniform(0, 1000), random.uniform(0, 1000)};
+    const auto far = [&](std::size_t a, std::size_t b) {
+      return static_cast<TourCost>(std::llround(1e6 * (at[a] - at[b]).norm()));
+    };
+    TourProblem problem;
+    for (std::size_t i = 1; i < places; ++i) {
+      problem.stop_of.push_back(i - 1);
+      problem.inside.push_back(0);
+      problem.from_start.push_back(far(0, i));
+      problem.to_end.push_back(far(i, 0));
+      for (std::size_t j = 1; j < places; ++j) problem.between.push_back(far(i, j));
+    }
+    Budget none;
+    none.time_is_up = [] { return true; };
+
+    const TourOrder late = solve_tour(problem, none, 1);
+
+    EXPECT_TRUE(late.effort.cut_short);
+    EXPECT_LT(static_cast<double>(late.cost),
+              1.1 * static_cast<double>(solve_tour(problem, {}, 1).cost));
   }
 }
 

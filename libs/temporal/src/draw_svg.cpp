@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <utility>
 
 #include "drawn_links.hpp"
 #include "layered_layout.hpp"
+#include "picture_strips.hpp"
 #include "readers.hpp"
 #include "skein/foundation/contract.hpp"
 
@@ -24,6 +26,9 @@ constexpr double kDateSize = 10.5;
 constexpr double kLabelSize = 11.5;
 constexpr double kCharacter = 0.57;  // mean width of a character by its size
 constexpr double kArrow = 8;
+constexpr double kWidestStrip = 1600;  // of a picture that is folded
+constexpr double kStripGap = 46;       // with the number of the strip
+constexpr double kStripMargin = 4;     // above and below, for the thickness of lines
 
 double text_width(std::string_view text, double size) {
   const auto characters = std::count_if(text.begin(), text.end(), [](char c) {
@@ -63,21 +68,65 @@ class SvgPicture {
   Result<std::string, Failure> draw() {
     const std::optional<Layout> layout = lay_out(boxes(), edges(), kMostBends);
     if (!layout) return failure("too many long links to be told apart; try --dot and Graphviz");
+    const std::vector<Strip> strips = strips_of(*layout, kWidestStrip);
+    if (strips.size() > 1) return draw_folded(*layout, strips);
     const double width =
         std::max({layout->width, text_width(options_.title, kTitleSize), kNarrowest});
     top_ = kMargin + (options_.title.empty() ? 0 : kTitleHeight);
     left_ = kMargin + (width - layout->width) / 2;
     const double height = top_ + layout->height + kLegendHeight + kMargin;
     start(width + 2 * kMargin, height);
-    text(kMargin, kMargin + kTitleSize, options_.title,
-         {kTitleSize, kInk, "start", " font-weight=\"600\""});
-    draw_links(*layout);
-    for (NodeIndex i = 0; i < nodes_.size(); ++i) draw_node(i, layout->nodes[place_of(i)]);
+    title();
+    draw_content(*layout);
     legend(height - kMargin);
     return svg_ + "</svg>\n";
   }
 
  private:
+  // The whole once, shown strip by strip below each other.
+  std::string draw_folded(const Layout& layout, const std::vector<Strip>& strips) {
+    draw_content(layout);
+    const std::string plan = std::exchange(svg_, "");
+    double width = std::max(text_width(options_.title, kTitleSize), kNarrowest);
+    for (const Strip& strip : strips) width = std::max(width, strip.width());
+    const double row = layout.height + 2 * kStripMargin + kStripGap;
+    double y = kMargin + (options_.title.empty() ? 0 : kTitleHeight);
+    const double height = y + row * static_cast<double>(strips.size()) + kLegendHeight;
+    start(width + 2 * kMargin, height);
+    title();
+    svg_ += "<defs><g id=\"plan\">\n" + plan + "</g></defs>\n";
+    for (std::size_t i = 0; i < strips.size(); ++i, y += row) {
+      text(kMargin, y + kLabelSize,
+           std::to_string(i + 1) + " of " + std::to_string(strips.size()) +
+               (i + 1 < strips.size() ? ", continued below" : ""),
+           {kLabelSize, kQuietInk, "start", ""});
+      show_strip(strips[i], y + 2 * kLabelSize, layout.height + 2 * kStripMargin);
+    }
+    legend(height - kMargin);
+    return svg_ + "</svg>\n";
+  }
+
+  void show_strip(const Strip& strip, double y, double height) {
+    const std::string size = " width=\"" + px(strip.width()) + "\" height=\"" + px(height) + "\"";
+    svg_ += "<svg x=\"" + px(kMargin) + "\" y=\"" + px(y) + "\"" + size + " viewBox=\"" +
+            px(strip.begin) + " " + px(-kStripMargin) + " " + px(strip.width()) + " " + px(height) +
+            "\"><use xlink:href=\"#plan\"/></svg>\n";
+    for (const double x : {kMargin, kMargin + strip.width()}) {
+      svg_ += "<path d=\"M" + at(x, y) + " v" + px(height) + "\" stroke=\"" + kQuietInk +
+              "\" stroke-width=\"0.6\" stroke-dasharray=\"2 4\"/>\n";
+    }
+  }
+
+  void title() {
+    text(kMargin, kMargin + kTitleSize, options_.title,
+         {kTitleSize, kInk, "start", " font-weight=\"600\""});
+  }
+
+  void draw_content(const Layout& layout) {
+    draw_links(layout);
+    for (NodeIndex i = 0; i < nodes_.size(); ++i) draw_node(i, layout.nodes[place_of(i)]);
+  }
+
   // A link from a node to itself has no place in layers: it is said below the picture.
   std::string loop_text(const DrawnLink& link) const {
     return "; not drawn: " + network_.nodes[link.from] + " to itself, " +
@@ -116,10 +165,13 @@ class SvgPicture {
   }
 
   void start(double width, double height) {
-    svg_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + px(width) + "\" height=\"" +
-           px(height) + "\" viewBox=\"0 0 " + px(width) + " " + px(height) +
-           "\" font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">\n"
-           "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
+    svg_ =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+        "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"" +
+        px(width) + "\" height=\"" + px(height) + "\" viewBox=\"0 0 " + px(width) + " " +
+        px(height) +
+        "\" font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">\n"
+        "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n";
   }
 
   void text(double x, double y, std::string_view words, const TextStyle& style) {

@@ -23,6 +23,16 @@ Spread per_perturbation(const Rows& rows,
   return spread_of(values);
 }
 
+// Of a count over perturbations between consistent states, over the networks that have some.
+Spread per_calm(const Rows& rows, const std::function<std::uint64_t(const ExperimentRow&)>& count) {
+  std::vector<double> values;
+  for (const ExperimentRow* row : rows) {
+    if (row->calm == 0) continue;
+    values.push_back(static_cast<double>(count(*row)) / static_cast<double>(row->calm));
+  }
+  return spread_of(values);
+}
+
 // Of a number of checks against those of a single agent, over networks.
 Spread against_single(const Rows& rows,
                       const std::function<std::uint64_t(const ExperimentRow&)>& checks) {
@@ -40,6 +50,7 @@ CellFigures figures_of(const Rows& rows, Algorithm algorithm) {
   };
   CellFigures figures;
   figures.data = per_perturbation(rows, [&](const auto& row) { return traffic(row).data(); });
+  figures.calm = per_calm(rows, [&](const auto& row) { return row.of(algorithm).calm_data; });
   figures.consistency =
       per_perturbation(rows, [&](const auto& row) { return traffic(row).consistency; });
   figures.packs =

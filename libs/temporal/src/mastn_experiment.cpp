@@ -56,6 +56,11 @@ Reference play_single(const Mastn& mastn, const std::vector<Step>& steps) {
   return reference;
 }
 
+// Whether the network is consistent before and after a step; at first it is.
+bool is_calm(const Reference& reference, std::size_t step) {
+  return reference.points[step].consistent && (step == 0 || reference.points[step - 1].consistent);
+}
+
 bool is_right(const MastnSimulation& simulation, const Reference::Point& point) {
   if (simulation.consistent() != point.consistent) return false;
   for (NodeIndex node = 1; point.consistent && node < point.earliest.size(); ++node) {
@@ -98,6 +103,7 @@ AlgorithmFigures play(Algorithm algorithm, const Mastn& mastn, const std::vector
     SKEIN_ENSURES(simulation.settle(kMostMessages));
     const Traffic sent = simulation.traffic() - before;
     figures.most_data = std::max(figures.most_data, sent.data());
+    figures.calm_data += is_calm(reference, step) ? sent.data() : 0U;
     figures.wrong += is_right(simulation, reference.points[step]) ? 0U : 1U;
     const std::uint64_t bound = boundary.ordered_pairs(change.arc);
     figures.excess += is_within_bound(algorithm, sent, bound) ? 0U : 1U;
@@ -124,7 +130,7 @@ std::string csv_line(const ExperimentRow& row, Algorithm algorithm) {
        {row.perturbations, row.inconsistent, sent.data(), sent.disturbances, sent.node_updates,
         sent.updates, sent.relaxations, sent.macro_packs, sent.macro_arcs, sent.macro_bounds,
         sent.consistency, figures.most_data, figures.checks, figures.eliminations,
-        row.single_checks, row.full_checks, figures.wrong}) {
+        row.single_checks, row.full_checks, figures.wrong, row.calm, figures.calm_data}) {
     line += "," + std::to_string(value);
   }
   return line + "\n";
@@ -132,10 +138,12 @@ std::string csv_line(const ExperimentRow& row, Algorithm algorithm) {
 
 }  // namespace
 
-ExperimentRow measure(const MastnShape& shape, ScenarioMode mode, std::uint64_t seed) {
+ExperimentRow measure(const MastnShape& shape, ScenarioMode mode, std::uint64_t seed,
+                      double relaxations) {
   const Mastn mastn = generate_mastn(shape, seed);
   ScenarioOptions options;
   options.mode = mode;
+  options.relaxations = relaxations;
   const std::vector<Step> steps = make_scenario(mastn, chain_arcs(shape), options, seed);
   const Reference reference = play_single(mastn, steps);
   ExperimentRow row;
@@ -146,6 +154,9 @@ ExperimentRow measure(const MastnShape& shape, ScenarioMode mode, std::uint64_t 
   row.perturbations = steps.size();
   for (const Reference::Point& point : reference.points)
     row.inconsistent += point.consistent ? 0U : 1U;
+  for (std::size_t step = 0; step < steps.size(); ++step) {
+    row.calm += is_calm(reference, step) ? 1U : 0U;
+  }
   row.single_checks = reference.checks;
   row.full_checks = reference.full_checks;
   row.greatest_boundary = MacroBoundary(mastn).greatest();
@@ -165,7 +176,7 @@ std::vector<ExperimentRow> run_experiment(
       for (const std::uint32_t external : plan.external) {
         for (std::uint32_t network = 0; network < plan.networks; ++network) {
           const MastnShape shape{agents, plan.nodes, plan.local, external};
-          rows.push_back(measure(shape, mode, plan.seed + network));
+          rows.push_back(measure(shape, mode, plan.seed + network, plan.relaxations));
           progress(rows.size(), total);
         }
       }
@@ -180,7 +191,8 @@ std::string to_csv(const std::vector<ExperimentRow>& rows) {
   std::string text =
       "mode,agents,nodes,local,external,seed,frontier,algorithm,perturbations,inconsistent,data,"
       "disturbances,node_updates,updates,relaxations,macro_packs,macro_arcs,macro_bounds,"
-      "consistency,most_data,checks,eliminations,single_checks,full_checks,wrong\n";
+      "consistency,most_data,checks,eliminations,single_checks,full_checks,wrong,"
+      "calm,calm_data\n";
   for (const ExperimentRow& row : rows) {
     for (const Algorithm algorithm : kAllAlgorithms) text += csv_line(row, algorithm);
   }

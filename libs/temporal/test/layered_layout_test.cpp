@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "layered_layout.hpp"
 
+#include "picture_strips.hpp"
+
 #include <gtest/gtest.h>
 
 #include <rapidcheck/gtest.h>
@@ -45,6 +47,32 @@ bool overlap(const Rectangle& a, const Rectangle& b) {
   constexpr double kSlack = 1e-6;
   return a.left < b.right - kSlack && b.left < a.right - kSlack && a.top < b.bottom - kSlack &&
          b.top < a.bottom - kSlack;
+}
+
+RC_GTEST_PROP(PictureStrips, AreTheWholePictureAndCutNeitherNodesNorLabels, ()) {
+  const Graph graph = any_graph(true);
+  const Layout layout = lay_out(graph.nodes, graph.edges, 100'000).value();
+  const double widest = *rc::gen::inRange(60, 900);
+
+  const std::vector<Strip> strips = strips_of(layout, widest);
+
+  RC_ASSERT(strips.front().begin == 0);
+  RC_ASSERT(strips.back().end == layout.width);
+  for (std::size_t i = 1; i < strips.size(); ++i) RC_ASSERT(strips[i].begin == strips[i - 1].end);
+  std::vector<Rectangle> all;
+  for (const Station& node : layout.nodes) all.push_back(around(node, 30));
+  for (const RoutedEdge& edge : layout.edges) all.push_back(around(edge.stations[edge.label], 26));
+  for (const Strip& strip : strips) {
+    double widest_inside = 0;
+    for (const Rectangle& one : all) {
+      RC_ASSERT(one.right <= strip.begin || one.left >= strip.begin);
+      const bool inside = one.left >= strip.begin && one.right <= strip.end;
+      if (inside) widest_inside = std::max(widest_inside, one.right - one.left);
+    }
+    // Wider than asked for only for one column: there is no more than its gaps beside it.
+    RC_ASSERT(strip.width() <= widest || strip.width() < widest_inside + 161);
+  }
+  if (layout.width <= widest) RC_ASSERT(strips.size() == 1U);
 }
 
 RC_GTEST_PROP(LayeredLayout, NoTwoNodesOrLabelsOverlapAndAllAreInThePicture, ()) {

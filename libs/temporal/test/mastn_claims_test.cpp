@@ -73,7 +73,7 @@ TEST(MastnClaims, AllGatesHoldOnFiguresLikeThoseOfTheNotes) {
     EXPECT_TRUE(claim.holds) << claim.statement << ": " << claim.evidence;
   }
   EXPECT_TRUE(all_gates_hold(claims));
-  EXPECT_EQ(claims.size(), 6U + 9U + 4U);
+  EXPECT_EQ(claims.size(), 6U + 9U + 7U);
 }
 
 struct Spoiling {
@@ -105,11 +105,11 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiling{"DIP-L computes what", [](auto& row) { of(row, Algorithm::kDipL).checks = 6100; }},
         Spoiling{"CIP computes no more", [](auto& row) { of(row, Algorithm::kCip).checks = 5500; }},
         Spoiling{"with every step of ρ",
-                 [](auto& row) { of(row, Algorithm::kDipL).traffic.updates = 480; }},
+                 [](auto& row) { of(row, Algorithm::kDipL).traffic.updates = 200; }},
         Spoiling{"only mildly with N",
                  [](auto& row) { of(row, Algorithm::kDipL).traffic.updates = 2500; }},
         Spoiling{"messages saturate",
-                 [](auto& row) { of(row, Algorithm::kDipM).traffic.macro_bounds = 700; }},
+                 [](auto& row) { of(row, Algorithm::kDipM).traffic.macro_bounds = 1000; }},
         Spoiling{"no algorithm sends fewer",
                  [](auto& row) { of(row, Algorithm::kDipM).traffic.macro_bounds = 90; }},
         Spoiling{"never sends more than DIP-G",
@@ -120,16 +120,41 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(MastnClaims, SavingIsJudgedAtFourExternalArcs) {
   std::vector<ExperimentRow> rows = good_rows();
 
-  rows[5].full_checks = 5000 * 35;
+  rows[5].full_checks = 5000 * 20;
 
   EXPECT_EQ(rows[5].shape.external, 4U);
   EXPECT_FALSE(holds(rows, "40 and 80 times fewer"));
 }
 
+// The law of a gate: what it asks of few networks is less than what it asks of many, for a mean of
+// few varies more; what is half of the goal fails however few there are.
+TEST(MastnClaims, FewNetworksMayVaryMoreThanMany) {
+  const auto gates = [](std::size_t networks, double saving) {
+    std::vector<ExperimentRow> rows;
+    for (std::size_t i = 0; i < networks; ++i) {
+      for (ExperimentRow row : good_rows()) {
+        row.seed = i;
+        if (row.shape.external == 4 && row.shape.agents == 8) {
+          row.full_checks = static_cast<std::uint64_t>(5000 * 40 * saving);
+        }
+        rows.push_back(row);
+      }
+    }
+    return all_gates_hold(check_claims(rows));
+  };
+
+  for (const std::size_t networks : {1U, 3U, 10U}) {
+    EXPECT_TRUE(gates(networks, 1));
+    EXPECT_FALSE(gates(networks, 0.5));
+  }
+  EXPECT_TRUE(gates(3, 0.8));
+  EXPECT_FALSE(gates(10, 0.8));
+}
+
 TEST(MastnClaims, ReportedClaimsNeverGate) {
   const std::vector<Claim> claims = check_claims(good_rows());
 
-  EXPECT_FALSE(holds(good_rows(), "CIP's messages grow")) << "they are flat here";
+  EXPECT_FALSE(holds(good_rows(), "over all perturbations")) << "they are flat here";
   EXPECT_TRUE(all_gates_hold(claims));
 }
 
@@ -193,7 +218,7 @@ TEST(ExperimentReport, TablesHaveALineForEachAlgorithmParameterSetAndClaim) {
 
   EXPECT_THAT(figure_4(cells), HasSubstr("| CIP | O(V) | 12.0 to 12.0 |"));
   EXPECT_EQ(lines(results_table(cells, ScenarioMode::kKept)), 2 + 12);
-  EXPECT_EQ(lines(claims_table(check_claims(good_rows()))), 2 + 19);
+  EXPECT_EQ(lines(claims_table(check_claims(good_rows()))), 2 + 22);
 }
 
 TEST(ExperimentReport, CsvHasALineForEachRowAndAlgorithm) {

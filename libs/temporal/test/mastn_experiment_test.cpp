@@ -60,6 +60,15 @@ TEST_P(Measured, OnlyDipMEliminates) {
   EXPECT_LT(row.of(Algorithm::kDipM).eliminations, row.of(Algorithm::kDipM).checks);
 }
 
+TEST_P(Measured, CountsPerturbationsBetweenConsistentStatesApart) {
+  EXPECT_LE(row.calm, row.perturbations - row.inconsistent);
+  if (GetParam() == ScenarioMode::kKept) {
+    EXPECT_GT(row.calm, 0U);
+  }
+  EXPECT_EQ(row.of(Algorithm::kDipG).calm_data, row.calm) << "one message for each";
+  EXPECT_LE(row.of(Algorithm::kCip).calm_data, row.of(Algorithm::kCip).traffic.data());
+}
+
 TEST_P(Measured, StartingAfreshCostsMore) { EXPECT_GT(row.full_checks, 4 * row.single_checks); }
 
 INSTANTIATE_TEST_SUITE_P(Modes, Measured,

@@ -33,6 +33,7 @@ struct PlanOptions {
   bool no_internal = false;     ///< --no-internal: steps `!!name` are left out of what is shown
   bool trace = false;           ///< --trace [TASK…]; the tasks are search.traced_tasks
   bool why_not = false;         ///< --why-not
+  bool states = false;          ///< --states: what each step changes
   std::string validate;         ///< --validate PLAN: no planning
   std::string repair;           ///< --repair PLAN: no planning from the start
   htn::StepIndex executed = 0;  ///< --executed N: steps of that plan, internal ones too

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "skein/temporal/mastn_generator.hpp"
 
@@ -30,8 +32,16 @@ struct MastnRunOptions {
 /// Source: spec 5.4.
 struct MastnBenchOptions {
   std::string out = "out/mastn";  ///< folder, made if need be
-  bool quick = false;      ///< fewer and smaller networks; the same claims with the same margins
-  std::uint64_t seed = 1;  ///< of the first network
+  bool quick = false;             ///< fewer and smaller networks; the same claims
+  std::uint64_t seed = 1;         ///< of the first network
+  // What is not given is as in the paper's experiment (or its quick form). Claims about means gate
+  // only with the paper's V, L and share of relaxations, for which their margins are measured.
+  std::optional<std::vector<std::uint32_t>> agents{};    ///< N
+  std::optional<std::vector<std::uint32_t>> external{};  ///< E
+  std::optional<std::uint32_t> nodes{};                  ///< V
+  std::optional<std::uint32_t> local{};                  ///< L
+  std::optional<std::uint32_t> networks{};               ///< of each parameter set
+  std::optional<double> relaxations{};                   ///< share of the steps
 };
 
 /// Writes a network with its scenario as JSON. 0; 3: the file cannot be written.

@@ -58,8 +58,10 @@ struct AxiomDefinition {
   bool derived = false;                 ///< the head's arguments are a typed list
 };
 
-/// (defun name (args) body…), for call, eval, assign and :sort-by.
+/// (defun name (args) body…), for call, eval, assign and :sort-by; or a global variable,
+/// (defvar name value) and its like, whose body gives its first value.
 struct FunctionDefinition {
+  bool variable = false;
   std::string name;
   Expression parameters;
   std::vector<Expression> body;
@@ -89,12 +91,19 @@ struct ProblemDefinition {
   Expression tasks;    ///< a task, a list of tasks, or (:unordered …), (:ordered …)
 };
 
+/// A definition in a language that is not read here: PDDL or HDDL.
+struct ForeignDefinition {
+  std::string language;  ///< "PDDL", "HDDL"
+  Expression form;       ///< (define (domain …) …) or (define (problem …) …)
+};
+
 /// What one or several files define. Documents outlive the expressions in them.
 struct Definitions {
   std::vector<std::unique_ptr<Document>> documents;
   std::vector<DomainDefinition> domains;
   std::vector<ProblemDefinition> problems;
   std::vector<FunctionDefinition> functions;
+  std::vector<ForeignDefinition> foreign;
 };
 
 /// Gives the text of an included file, named as in the (:include name "file") item or, without a

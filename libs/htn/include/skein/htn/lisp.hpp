@@ -57,6 +57,10 @@ class Lisp {
   tl::expected<Term, LispError> apply(CodeIndex function, std::span<const Term> arguments,
                                       const SlotValue& slots);
 
+  /// Global variables get their first values again, as when Lisp loads the files: to call before
+  /// each search, which nothing that an earlier one assigned may change.
+  void begin();
+
   /// Most steps (instructions and items of lists visited) of one evaluation; 5 million at first.
   void limit_steps(std::uint64_t steps);
 

@@ -51,11 +51,18 @@ struct TreeNode {
   std::vector<CausalLink> support;  ///< what the precondition of the branch or operator needed
 };
 
+/// What one step made of the state, in the order of its effects: only what was not so before.
+struct StateChange {
+  std::vector<Term> deleted;
+  std::vector<Term> added;
+};
+
 /// A solution. The order of `steps` is the order of execution.
 struct Plan {
   std::vector<Step> steps;
-  Number cost;                 ///< the sum over all steps
-  std::vector<TreeNode> tree;  ///< node 0 is the root; empty unless trees were asked for
+  Number cost;                       ///< the sum over all steps
+  std::vector<TreeNode> tree;        ///< node 0 is the root; empty unless trees were asked for
+  std::vector<StateChange> changes;  ///< of each step; empty unless states were asked for
 };
 
 }  // namespace skein::htn

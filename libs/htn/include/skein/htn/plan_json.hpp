@@ -12,6 +12,7 @@ namespace skein::htn {
 struct PlanJsonOptions {
   bool internal = true;  ///< write steps `!!name`; without them the object says "internal":false
   bool tree = false;     ///< write the decomposition
+  bool states = false;  ///< write what each step changes: "changes":[{"deleted":[…],"added":[…]},…]
 };
 
 /// A term: symbols as strings, numbers as numbers, proper lists as arrays; a Lisp string as a
@@ -40,8 +41,9 @@ struct PlanningReport {
 
 /// One line (without its end), spec 3.2: {"problem":…,"domain":…,"result":"plan"|"no-plan"|"limit"|
 /// "error","why":…,"plans":[…],"expansions":…,"inferences":…,"deepest":…,"seconds":…,
-/// "reading_seconds":…,"memory_mb":…,"failure":{…}}. `why` and `failure` are left out when there
-/// are none.
+/// "reading_seconds":…,"memory_mb":…,"standing":{…},"repeats_left_out":…,"failure":{…}}. `why`,
+/// `failure` and `standing` are left out when there are none, `repeats_left_out` unless several
+/// plans were found.
 std::string to_json(const PlanningReport& report, const Outcome& outcome, const TermStore& store,
                     const PlanJsonOptions& options);
 

@@ -13,6 +13,7 @@ namespace skein::htn {
 struct PlanTextOptions {
   bool internal = true;  ///< show steps `!!name`; without them the others are numbered anew
   TextStyle style = kPlainText;
+  bool states = false;  ///< below each step what it changed
 };
 
 /// One step a line, numbered from 1, its cost at the right. Cost: linear.

@@ -71,6 +71,13 @@ struct Preference {
   std::uint32_t order = 0;     ///< of several tasks that may be next the one with the least is
 };
 
+/// Only plans of so many steps, each of them agreed to; the step that empty tasks become
+/// (`!!inop`) is none of them.
+struct Following {
+  std::size_t steps = 0;
+  std::function<bool(std::size_t step, Term action)> agrees;
+};
+
 struct Options {
   Which which = Which::kFirst;
   bool optimize_cost = false;        ///< keep the plan of least cost (:optimize-cost t)
@@ -79,20 +86,23 @@ struct Options {
   bool trees = false;                     ///< record decomposition and causal links
   std::vector<std::string> traced_tasks;  ///< names; empty: all, if the host listens
   std::vector<Preference> preferences;
-  bool explain_failure = false;  ///< fill Outcome::failure when there is no plan
+  std::optional<Following> following;
+  bool explain_failure = false;  ///< fill Outcome::failure and standing when there is no plan
+  bool states = false;           ///< record what each step changes
 };
 
-/// The deepest point a failed search reached.
+/// A way that was tried where a search came furthest.
 struct Attempt {
   Term task;                  ///< that could not be accomplished there
   std::string label;          ///< branch or operator
   std::string condition;      ///< the first conjunct that has no satisfier after those before it
   std::vector<Term> nearest;  ///< facts that differ least from that conjunct
 };
+/// A point a search reached: the furthest at which nothing was left to try, or where it was cut.
 struct FailurePoint {
   std::vector<Step> steps;       ///< the partial plan
-  std::vector<Term> open_tasks;  ///< from the top-level task down to the one that failed
-  std::vector<Attempt> attempts;
+  std::vector<Term> open_tasks;  ///< from the top-level task down to the one that was to be done
+  std::vector<Attempt> attempts{};
 };
 
 enum class Verdict : std::uint8_t {
@@ -111,10 +121,15 @@ struct Statistics {
 
 struct Outcome {
   Verdict verdict = Verdict::kNoPlan;
-  std::string why;  ///< which limit, or the error with its place
+  std::string why;  ///< which limit, the error with its place, or the bound that left no plan
   std::vector<Plan> plans;
   Statistics statistics;
-  std::optional<FailurePoint> failure;
+  std::optional<FailurePoint> failure;   ///< the furthest dead end, if there was one
+  std::optional<FailurePoint> standing;  ///< where a limit cut the search
+  /// Of tasks that may be done in any order and are equal only one is tried: so often another was
+  /// left out, with plans that would only repeat those found.
+  std::uint64_t repeats_left_out = 0;
+  bool out_of_memory = false;  ///< the limit was that the system gives no more memory
 };
 
 /// Deterministic: the same input gives the same outcome, limits of time and cancelling apart.

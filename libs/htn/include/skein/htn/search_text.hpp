@@ -16,4 +16,9 @@ std::string to_text(const TraceEvent& event, const TermStore& store, const TextS
 /// top, and for each attempt the condition that nothing satisfied with the facts nearest to it.
 std::string to_text(const FailurePoint& failure, const TermStore& store, const TextStyle& style);
 
+/// Where a limit cut a search: its last steps, the tasks open there, and which of them are inside
+/// themselves.
+std::string standing_text(const FailurePoint& point, const TermStore& store,
+                          const TextStyle& style);
+
 }  // namespace skein::htn

@@ -38,6 +38,7 @@ struct Document {
   std::vector<Node> nodes;
   std::vector<NodeIndex> top;              ///< top-level expressions in order
   std::vector<std::uint32_t> line_begins;  ///< offset of the first byte of each line
+  std::vector<std::uint32_t> characters;   ///< before each block of the text, for columns
   std::uint32_t depth = 0;                 ///< of the deepest list: 0 for atoms only
 
   const Node& operator[](NodeIndex index) const { return nodes[index]; }
@@ -48,27 +49,41 @@ struct Place {
   int line = 1;
   int column = 1;
 };
-/// Cost: logarithmic in the number of lines, linear in the length of the line.
+/// Cost: logarithmic in the number of lines, whatever their length.
 Place place_of(const Document& document, std::uint32_t offset);
+
+/// Bounds of what is read [lists open at once; bytes; expressions].
+inline constexpr std::uint32_t kDeepestText = 1'000'000;
+inline constexpr std::size_t kLongestName = 10'000;
+inline constexpr std::size_t kMostExpressions = std::size_t{1} << 25U;
 
 /// Reads all expressions of a text. Cost: linear, without recursion, 50 MB/s and more. Errors
 /// (parentheses, strings and comments without end, dots and characters out of place, bad numbers)
 /// are reported together, up to a hundred; what could be read is in the document. Where a
 /// parenthesis is missing, the definition or item that lacks it is found by what follows. Texts are
-/// limited to 1 GiB.
+/// limited to 1 GiB, lists to kDeepestText open ones, names to kLongestName bytes, and all of it to
+/// kMostExpressions: reading ends there with an error, so that no text takes more than some
+/// gigabytes.
 Document read_document(std::string file, std::string text, TermStore& store, Diagnostics& problems);
 
 /// The children of a list, in order.
 std::vector<NodeIndex> children(const Document& document, NodeIndex list);
 
+/// [characters]
+inline constexpr std::size_t kLongestExcerpt = 200;
+
 /// The line that a diagnostic is about, and below it the marks ("   ^~~~") that underline the
-/// offending expression, as far as it lies on that line.
+/// offending expression, as far as it lies on that line. Of a line longer than kLongestExcerpt
+/// characters the part around the place is shown, between "…".
 struct Excerpt {
   std::string line;
   std::string marks;
 };
 /// Empty strings when the text has no such line.
 Excerpt excerpt(const Diagnostic& diagnostic, std::string_view text);
+
+/// The diagnostic with no part of it longer than an excerpt, whatever names it quotes.
+Diagnostic clipped(Diagnostic diagnostic);
 
 /// "file:line:column: message; expected …" with the excerpt on the two lines below; for people.
 std::string underlined(const Diagnostic& diagnostic, std::string_view text);

@@ -23,6 +23,7 @@ enum class FaultKind : std::uint8_t {
   kEffect,           ///< protection violated, or an effect that is not ground
   kCost,             ///< the file gives another cost
   kEvaluation,       ///< a term cannot be evaluated, or a proof is too long
+  kTasks,            ///< the steps apply, but do not accomplish the tasks of the problem
   kInternalLeftOut,  ///< the plan lacks its internal steps: nothing can be said
   kTree              ///< the tree is no decomposition that yields the steps
 };

@@ -19,7 +19,7 @@ struct DrawingOptions {
   std::vector<LinkRef> conflict;    ///< in red, with the nodes they join
 };
 
-/// A picture with more nodes than this needs a viewer that zooms.
+/// A picture with more nodes than this is larger than a page.
 inline constexpr std::size_t kLegibleNodes = 60;
 inline constexpr std::size_t kMostDrawnNodes = 1000;
 
@@ -31,6 +31,8 @@ std::optional<Failure> too_large_to_draw(const Stnu& network);
 std::string draw_dot(const Stnu& network, const DrawingOptions& options);
 
 /// A self-contained picture: time goes from left to right, each node right of what it must follow.
+/// One that is wider than 1,600 pixels is folded: cut into strips that stand below each other, no
+/// node and no label being cut.
 /// Fails above kMostDrawnNodes nodes, or when there are too many long links to be told apart.
 /// Preconditions as draw_dot(). Cost: about O(links × layers).
 Result<std::string, Failure> draw_svg(const Stnu& network, const DrawingOptions& options);

@@ -19,12 +19,13 @@ Spread spread_of(const std::vector<double>& values);
 
 /// Per perturbation, messages as the paper counts them; computation against a single agent.
 struct CellFigures {
-  Spread data;           ///< M_X: data messages
-  Spread consistency;    ///< CONSISTENCY messages
-  Spread packs;          ///< DIP-M: sends, all that a perturbation changes in one; else as `data`
-  Spread macro_arcs;     ///< DIP-M: macro-arcs sent; else 0
-  Spread computation;    ///< C_X = checks of all agents / checks of a single agent
-  Spread eliminations;   ///< the part of C_X that eliminations make
+  Spread data;          ///< M_X: data messages
+  Spread calm;          ///< data messages per perturbation that leads from consistent to consistent
+  Spread consistency;   ///< CONSISTENCY messages
+  Spread packs;         ///< DIP-M: sends, all that a perturbation changes in one; else as `data`
+  Spread macro_arcs;    ///< DIP-M: macro-arcs sent; else 0
+  Spread computation;   ///< C_X = checks of all agents / checks of a single agent
+  Spread eliminations;  ///< the part of C_X that eliminations make
   double most_data = 0;  ///< greatest number of data messages of one perturbation
 };
 
