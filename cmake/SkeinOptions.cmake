@@ -39,9 +39,10 @@ endif()
 
 find_program(SKEIN_CCACHE ccache)
 if(SKEIN_CCACHE)
-  # The sloppiness is what ccache asks for to keep what was compiled over a precompiled header.
+  # The sloppiness is what ccache asks for to keep what was compiled over a precompiled header. None about
+  # the times of headers: one that is edited while it is compiled would be kept as it was before.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
-      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${SKEIN_CCACHE})
+      CCACHE_SLOPPINESS=pch_defines,time_macros ${SKEIN_CCACHE})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options(-fpch-preprocess)
   endif()

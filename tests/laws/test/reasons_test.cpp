@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Goals that fail: their reasons, and failures that nothing explains.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/story.hpp"
+
+namespace skein::laws::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+TEST(Reasons, AReasonIsThereAndTrue) {
+  const auto fails = [](const std::string& why) {
+    Story story;
+    story.goal("marvin", 701, "perceive P1 60", "received", 1)
+        .goal("marvin", 701, "perceive P1 60", "failed", 2, why);
+    return story.broken("reasons");
+  };
+
+  EXPECT_THAT(fails(""), ElementsAre(HasSubstr("gives no reason")));
+  EXPECT_THAT(fails("task 104 must start while 103 runs, but waits for 102"), SizeIs(1));
+  EXPECT_THAT(fails("it begins in closed air, and no free air is near"),
+              ElementsAre(HasSubstr("no air is closed")));
+  EXPECT_THAT(fails("needs 140 % of the energy, and 90 % is left above the reserve"), IsEmpty());
+}
+
+TEST(Feasible, WhereNothingGoesWrongNothingFails) {
+  Story story;
+  story.goal("marvin", 701, "perceive P1 60", "received", 1)
+      .goal("marvin", 701, "perceive P1 60", "failed", 2, "no");
+
+  EXPECT_THAT(story.broken("feasible"), SizeIs(1));
+}
+
+TEST(Feasible, OrdersThatNeverComeAreNotWaitedForUntilItFalls) {
+  const auto fails = [](const std::string& statement, const std::string& why) {
+    Story story;
+    story.goal("marvin", 701, statement, "received", 1)
+        .goal("marvin", 701, statement, "failed", 3000, why);
+    return story.broken("feasible");
+  };
+
+  EXPECT_THAT(fails("wait-for-orders", "energy short; goal 701 waits no longer"), IsEmpty());
+  EXPECT_THAT(fails("wait-for-orders", "no"), SizeIs(1));
+  EXPECT_THAT(fails("general-wait 60", "energy short; goal 701 waits no longer"), SizeIs(1));
+}
+
+TEST(Feasible, APartnerWhoseOwnGoalFailedIsNotWaitedForUntilItFalls) {
+  const auto broken = [](const std::string& partner) {
+    const std::string statement = "synchro 500 (heliv marvin) (heliv marvin)";
+    Story story;
+    story.goal("marvin", 701, statement, "received", 1)
+        .goal("marvin", 702, "perceive P1 60", "received", 1);
+    story.goal("heliv", 701, statement + " [end-before 20]", "received", 1);
+    story.goal("heliv", 701, statement + " [end-before 20]", partner, 2, "it must end before 20");
+    story.goal("marvin", 701, statement, "failed", 3000, "energy short; goal 701 waits no longer");
+    story.goal("marvin", 702, "perceive P1 60", "failed", 3000, "needs 9 % of the energy");
+    return story.broken("feasible");
+  };
+
+  EXPECT_THAT(broken("failed"), IsEmpty());
+  EXPECT_THAT(broken("achieved"), SizeIs(2));
+}
+
+}  // namespace
+}  // namespace skein::laws::testing

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Closed air and energy.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/story.hpp"
+
+namespace skein::laws::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using world::Vector3;
+
+const Vector3 kOver{0, 0, 40}, kFar{400, 300, 40};
+
+constexpr const char* kTower =
+    "  volumes: {tower: {polygon: [[100, 0], [200, 0], [200, 100], [100, 100]]}}\n";
+constexpr const char* kClosing =
+    "    - {step: close, when: {time: 50}, do: [{close_air: {name: smoke, polygon: [[100, 0], "
+    "[200, 0], [200, 100], [100, 100]]}}]}\n";
+
+TEST(ClosedAir, NobodyFliesIntoIt) {
+  Story story(kTower);
+  story.flies("marvin", 0, 100, kOver, {300, 60, 40});
+
+  EXPECT_THAT(story.broken("closed-air"), ElementsAre(HasSubstr("into 'tower'")));
+}
+
+TEST(ClosedAir, WhoIsCaughtInsideLeavesWithoutDelay) {
+  const auto leaves_after = [](double seconds) {
+    Story story("", kClosing);
+    story.flies("marvin", 0, 50 + seconds, {150, 50, 40}, {150, 50, 40});
+    story.flies("marvin", 51 + seconds, 65 + seconds, {150, 50, 40}, {150, 150, 40});
+    story.step(50, "close", "marvin");
+    return story.broken("closed-air");
+  };
+
+  EXPECT_THAT(leaves_after(5), IsEmpty());
+  EXPECT_THAT(leaves_after(100), ElementsAre(HasSubstr("stays")));
+}
+
+TEST(Energy, NeverBelowTheReserveInTheAir) {
+  Story kept, drained;
+  kept.flies("marvin", 0, 50, kOver, kOver, 0.2);
+  for (int i = 0; i < 20; ++i) drained.flies("marvin", i, i, kOver, kOver, 0.165 - 0.005 * i);
+
+  EXPECT_THAT(kept.broken("energy"), IsEmpty());
+  EXPECT_THAT(drained.broken("energy"), ElementsAre(HasSubstr("reserve 8.0 %")));
+}
+
+TEST(Energy, WhatNobodyCouldHaveKeptIsNoBreach) {
+  Story lost;
+  lost.flies("marvin", 0, 50, kFar, kFar, 0.5).flies("marvin", 51, 60, kFar, kFar, 0.03);
+
+  EXPECT_THAT(lost.broken("energy"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace skein::laws::testing
