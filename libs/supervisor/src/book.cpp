@@ -181,14 +181,16 @@ std::set<GoalId> Book::falling_with(std::set<GoalId> falling) const {
   return falling;
 }
 
-std::set<TaskId> Book::loose_motion() const {
+// A wait for orders is no wait of what comes before it: each would wait for the other for ever.
+std::set<TaskId> Book::loose_motion(TaskId next) const {
   std::set<TaskId> result;
   for (const auto& [id, one] : loose) {
     if (one.holds_vehicle) result.insert(id);
   }
   for (const auto& [id, entry] : tasks) {
     if (!entry.given || entry.over() || !holds_vehicle(entry.task)) continue;
-    if (entry.withdrawn || entry.by_others || entry.task.open_ended) result.insert(id);
+    const bool waits = entry.task.open_ended && id < next;
+    if (entry.withdrawn || entry.by_others || waits) result.insert(id);
   }
   return result;
 }

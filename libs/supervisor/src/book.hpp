@@ -120,8 +120,8 @@ class Book {
   /// The goals that lose what they wait for when these do.
   std::set<GoalId> falling_with(std::set<GoalId> goals) const;
   /// Tasks of the executive that hold the vehicle, are not over, and that the plan does not order:
-  /// withdrawn ones, waits, what others gave.
-  std::set<TaskId> loose_motion() const;
+  /// withdrawn ones, what others gave, and waits for orders that come before the task `next`.
+  std::set<TaskId> loose_motion(TaskId next) const;
   /// Likewise, those that use the device.
   std::set<TaskId> loose_users_of(const std::string& device) const;
   /// Open-ended tasks that wait for orders and are not over.

@@ -67,7 +67,7 @@ std::set<TaskId> Supervisor::Core::loose_before(const mission::ElementaryTask& t
                         });
   };
   std::set<TaskId> result;
-  if (holds_vehicle(task) && is_first(mission::holds_vehicle)) result = book_.loose_motion();
+  if (holds_vehicle(task) && is_first(mission::holds_vehicle)) result = book_.loose_motion(task.id);
   for (const std::string& device : devices_of(task)) {
     const auto uses = [&](const mission::ElementaryTask& other) {
       const auto devices = devices_of(other);

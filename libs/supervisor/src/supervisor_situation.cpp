@@ -98,7 +98,7 @@ void Supervisor::Core::place_loose(const std::set<TaskId>& withdrawn, Situation&
     line.after = mission::Dependence{mission::DependenceKind::kOver, id};
     return line;
   };
-  std::set<TaskId> loose = book_.loose_motion();
+  std::set<TaskId> loose = book_.loose_motion(book_.next_id);
   for (const world::SensorModel& sensor : config_.knowledge->vehicle.sensors) {
     const std::set<TaskId> users = book_.loose_users_of(sensor.device);
     if (!users.empty()) result.devices[sensor.device] = behind(*users.rbegin());

@@ -212,5 +212,24 @@ TEST(SupervisorJoint, AgreedIntervalBecomesItsConditions) {
   EXPECT_EQ(desk.supervisor.report().tasks[0].dates.earliest_start, at(50));
 }
 
+// Each would wait for the other for ever.
+TEST(SupervisorJoint, ToldAgainItDoesNotWaitForTheWaitForOrdersBehindIt) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  desk.finish(inserted({701}, {TaskOf(100, "joint:track", 701),
+                               TaskOf(101, "wait", 701).after(100).until_orders()}));
+
+  desk.give(JointTaskAnswered{TaskId{100}, true, {secs(50), secs(60)}, ""});
+
+  const auto sent = desk.of<ToExecutive>();
+  ASSERT_EQ(sent.size(), 1U);
+  const auto& update = std::get<executive::UpdateConditions>(sent[0].input);
+  EXPECT_EQ(update.id, TaskId{100});
+  for (const executive::Clause& clause : update.preconditions.value()) {
+    for (const executive::Literal& literal : clause)
+      EXPECT_FALSE(std::holds_alternative<executive::TaskInState>(literal.condition));
+  }
+}
+
 }  // namespace
 }  // namespace skein::supervisor
