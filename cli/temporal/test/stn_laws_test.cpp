@@ -13,28 +13,16 @@
 #include "skein/temporal/network_text.hpp"
 #include "skein/temporal/stnu_generator.hpp"
 #include "skein/temporal_tool/stn.hpp"
+#include "stn_runs.hpp"
 
 namespace skein::temporal_tool {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::Outcome;
+using testing::run;
 using ::testing::StartsWith;
-
-struct Outcome {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-template <class Command, class Options>
-Outcome run(Command command, const Options& options, const std::string& input) {
-  std::istringstream in(input);
-  std::ostringstream out;
-  std::ostringstream err;
-  const int code = command(options, in, out, err);
-  return {code, out.str(), err.str()};
-}
 
 StnOptions as_json() {
   StnOptions options;

@@ -10,12 +10,15 @@
 #include <sstream>
 
 #include "skein/foundation/exit_code.hpp"
+#include "stn_runs.hpp"
 
 namespace skein::temporal_tool {
 namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::Outcome;
+using testing::run;
 using ::testing::StartsWith;
 
 constexpr const char* kGood = R"({"nodes":["v0","a","b"],
@@ -26,23 +29,8 @@ constexpr const char* kUncontrollable = R"({"nodes":["v0","a","b"],
   "arcs":[{"from":"v0","to":"a","min":0,"max":0},{"from":"v0","to":"b","min":null,"max":2.5}],
   "contingent":[{"from":"a","to":"b","min":2,"max":3}]})";
 
-struct Outcome {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-template <class Command, class Options>
-Outcome run(Command command, const Options& options, const std::string& input) {
-  std::istringstream in(input);
-  std::ostringstream out;
-  std::ostringstream err;
-  const int code = command(options, in, out, err);
-  return {code, out.str(), err.str()};
-}
-
 std::filesystem::path scratch(const std::string& name) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "skein-stn-test";
+  const auto folder = std::filesystem::path(::testing::TempDir()) / "skein-stn-test";
   std::filesystem::create_directories(folder);
   return folder / name;
 }
@@ -183,7 +171,7 @@ TEST(StnCommands, ReportBadInputOnStandardErrorOnly) {
 
 TEST(StnCommands, SayThatAFileCannotBeRead) {
   StnOptions options;
-  for (const std::string& file : {scratch("missing").string(), testing::TempDir()}) {
+  for (const std::string& file : {scratch("missing").string(), ::testing::TempDir()}) {
     options.file = file;
 
     const Outcome outcome = run(check_stn_controllability, options, "");

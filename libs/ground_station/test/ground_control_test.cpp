@@ -34,6 +34,19 @@ using testing::start_of;
 using testing::Team;
 using Effects = std::vector<GroundControl::Effect>;
 
+/// Marvin's fire sensor, straight down on a fire at (100, 50).
+world::Perception a_fire_seen() {
+  world::Perception look;
+  look.uav = "marvin";
+  look.device = "fire-sensor";
+  look.viewpoint = {100, 50, 60};
+  look.direction = -world::Vector3::UnitZ();
+  look.range = 100;
+  look.aperture = 0.8;
+  look.detections.push_back({"fire", {100, 50, 0}, 5, 0.9});
+  return look;
+}
+
 const std::vector<std::string> kNames = {"karma", "heliv", "marvin"};
 
 // ---- one mission, all mixtures of degrees ----
@@ -356,14 +369,7 @@ TEST(GroundControl, AnAlarmSetsTheScriptInMotion) {
   Script script;
   script.steps = {a_step("look", {OnAlarm{AlarmState::kRaised}}, {go})};
   GroundControl ground = control({{"heliv", 3, {}}}, script);
-  world::Perception look;
-  look.uav = "marvin";
-  look.device = "fire-sensor";
-  look.viewpoint = {100, 50, 60};
-  look.direction = -world::Vector3::UnitZ();
-  look.range = 100;
-  look.aperture = 0.8;
-  look.detections.push_back({"fire", {100, 50, 0}, 5, 0.9});
+  world::Perception look = a_fire_seen();
 
   Effects effects;
   for (int i = 1; i < 10 && only<AlarmEvent>(effects).empty(); ++i) {
@@ -381,14 +387,7 @@ TEST(GroundControl, AnAlarmSetsTheScriptInMotion) {
 
 TEST(GroundControl, AUavThatRestartedIsToldOfTheAlarmsAgain) {
   GroundControl ground = control({{"heliv", 4, {}}});
-  world::Perception look;
-  look.uav = "marvin";
-  look.device = "fire-sensor";
-  look.viewpoint = {100, 50, 60};
-  look.direction = -world::Vector3::UnitZ();
-  look.range = 100;
-  look.aperture = 0.8;
-  look.detections.push_back({"fire", {100, 50, 0}, 5, 0.9});
+  world::Perception look = a_fire_seen();
   for (int i = 1; i < 10; ++i) {
     look.at = at(2 * i);
     ground.handle(PerceptionReceived{look}, at(2 * i));
