@@ -18,7 +18,9 @@ namespace {
 
 using world::Vector3;
 
-constexpr double kUnforeseen = 1.1;
+/// Of a flight estimated; with 1.1 landings that are planned took up to 0.7 % more than the
+/// estimate.
+constexpr double kUnforeseen = 1.12;
 constexpr double kGathering = 60;  // [s]
 constexpr double kCircles = 3;
 constexpr double kLeastClearance = 5;  // [m] over hills on the way
