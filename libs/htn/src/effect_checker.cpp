@@ -119,4 +119,23 @@ void EffectChecker::check_quantified(Expression effect) {
   open_.push_back(all[2]);
 }
 
+void check_conditions_and_effects(const DomainDefinition& domain, ConditionChecker& conditions,
+                                  EffectChecker& effects) {
+  for (const OperatorDefinition& made : domain.operators) {
+    conditions.check_precondition(made.precondition);
+    effects.check_list(made.deletions);
+    effects.check_list(made.additions);
+    effects.check_effect(made.effect);
+  }
+  for (const MethodDefinition& made : domain.methods) {
+    for (const BranchDefinition& branch : made.branches) {
+      conditions.check_precondition(branch.precondition);
+    }
+  }
+  for (const AxiomDefinition& made : domain.axioms) {
+    for (const BranchDefinition& tail : made.tails)
+      conditions.check_precondition(tail.precondition);
+  }
+}
+
 }  // namespace skein::htn

@@ -39,4 +39,8 @@ class EffectChecker {
   bool anything_ = false;
 };
 
+/// All conditions of a domain's operators, methods and axioms, and all that its operators change.
+void check_conditions_and_effects(const DomainDefinition& domain, ConditionChecker& conditions,
+                                  EffectChecker& effects);
+
 }  // namespace skein::htn

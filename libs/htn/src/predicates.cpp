@@ -14,28 +14,14 @@ Predicates predicates_of(Definitions& definitions, const DomainDefinition& domai
   const ReadContext context{store, words, none, definitions, ignored, ignored};
   ConditionChecker conditions(context);
   EffectChecker effects(context);
-  for (const OperatorDefinition& made : domain.operators) {
-    conditions.check_precondition(made.precondition);
-    effects.check_list(made.deletions);
-    effects.check_list(made.additions);
-    effects.check_effect(made.effect);
-  }
-  for (const MethodDefinition& made : domain.methods) {
-    for (const BranchDefinition& branch : made.branches) {
-      conditions.check_precondition(branch.precondition);
-    }
-  }
+  check_conditions_and_effects(domain, conditions, effects);
   Predicates out;
   const auto take = [&](Expression atom) {
     if (context.head(atom) != kNil) {
       out.arities[context.name(context.head(atom))].insert(count(atom) - 1);
     }
   };
-  for (const AxiomDefinition& made : domain.axioms) {
-    take(made.head);
-    for (const BranchDefinition& tail : made.tails)
-      conditions.check_precondition(tail.precondition);
-  }
+  for (const AxiomDefinition& made : domain.axioms) take(made.head);
   for (const Expression atom : conditions.atoms()) take(atom);
   for (const Expression atom : effects.condition_atoms()) take(atom);
   for (const Expression atom : effects.atoms()) take(atom);

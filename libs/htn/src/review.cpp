@@ -180,21 +180,7 @@ void Review::check_statics() {
 std::vector<Expression> Review::used_atoms() const {
   ConditionChecker conditions(muted_);
   EffectChecker effects(muted_);
-  for (const OperatorDefinition& made : domain_.operators) {
-    conditions.check_precondition(made.precondition);
-    effects.check_list(made.deletions);
-    effects.check_list(made.additions);
-    effects.check_effect(made.effect);
-  }
-  for (const MethodDefinition& made : domain_.methods) {
-    for (const BranchDefinition& branch : made.branches) {
-      conditions.check_precondition(branch.precondition);
-    }
-  }
-  for (const AxiomDefinition& made : domain_.axioms) {
-    for (const BranchDefinition& tail : made.tails)
-      conditions.check_precondition(tail.precondition);
-  }
+  check_conditions_and_effects(domain_, conditions, effects);
   std::vector<Expression> out = conditions.atoms();
   out.insert(out.end(), effects.condition_atoms().begin(), effects.condition_atoms().end());
   return out;

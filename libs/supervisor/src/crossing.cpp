@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "segment_distance.hpp"
 
 namespace skein::supervisor {
 
@@ -10,13 +13,6 @@ namespace {
 
 using world::Vector2;
 using world::Vector3;
-
-double to_segment(const Vector2& point, const Vector2& a, const Vector2& b) {
-  const Vector2 along = b - a;
-  const double length = along.squaredNorm();
-  const double at = length > 0 ? std::clamp((point - a).dot(along) / length, 0.0, 1.0) : 0.0;
-  return (point - (a + at * along)).norm();
-}
 
 double side(const Vector2& a, const Vector2& b, const Vector2& p) {
   return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
@@ -68,11 +64,7 @@ std::vector<Vector3> rest_of(const std::vector<Vector3>& way, const Vector3& pos
   std::size_t next = 0;
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < way.size(); ++i) {
-    const Vector3 along = way[i] - way[i - 1];
-    const double length = along.squaredNorm();
-    const double at =
-        length > 0 ? std::clamp((position - way[i - 1]).dot(along) / length, 0.0, 1.0) : 1.0;
-    const double off = (position - (way[i - 1] + at * along)).norm();
+    const double off = to_segment(position, way[i - 1], way[i]);
     if (off < best) {
       best = off;
       next = i;
@@ -80,23 +72,6 @@ std::vector<Vector3> rest_of(const std::vector<Vector3>& way, const Vector3& pos
   }
   for (std::size_t i = next; i < way.size(); ++i) rest.push_back(way[i]);
   return rest;
-}
-
-std::vector<std::string> problems_of(const world::Volume& volume) {
-  std::vector<std::string> problems;
-  if (volume.name.empty()) problems.push_back("the volume has no name");
-  if (volume.polygon.size() < 3) problems.push_back("the volume has fewer than three corners");
-  const bool finite = std::all_of(
-      volume.polygon.begin(), volume.polygon.end(),
-      [](const auto& corner) { return std::isfinite(corner.x()) && std::isfinite(corner.y()); });
-  if (!finite) problems.push_back("a corner of the volume is not finite");
-  if (!(volume.floor < volume.ceiling)) {
-    problems.push_back("the floor of the volume is not below its ceiling");
-  }
-  if (!(volume.when.from < volume.when.until)) {
-    problems.push_back("the volume is closed until before it is closed");
-  }
-  return problems;
 }
 
 }  // namespace skein::supervisor

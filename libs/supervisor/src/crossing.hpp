@@ -22,8 +22,4 @@ bool crosses(const world::Volume& volume, double margin, const std::vector<world
 std::vector<world::Vector3> rest_of(const std::vector<world::Vector3>& way,
                                     const world::Vector3& position);
 
-/// Every reason why it cannot be a volume; empty when it can: a name, three finite corners or more,
-/// floor below ceiling.
-std::vector<std::string> problems_of(const world::Volume& volume);
-
 }  // namespace skein::supervisor

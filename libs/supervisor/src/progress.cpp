@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "segment_distance.hpp"
+
 namespace skein::supervisor {
 
 namespace {
@@ -31,13 +33,6 @@ const Entry* companion_of(const Book& book, const Entry& entry) {
     if (on.kind == mission::DependenceKind::kRunning) return book.find(on.task);
   }
   return nullptr;
-}
-
-double distance_to(const Vector3& point, const Vector3& from, const Vector3& to) {
-  const Vector3 along = to - from;
-  const double length = along.squaredNorm();
-  const double at = length > 0 ? std::clamp((point - from).dot(along) / length, 0.0, 1.0) : 0.0;
-  return (point - (from + at * along)).norm();
 }
 
 class Account {
@@ -100,7 +95,7 @@ const Entry* flown_along(const Book& book, const Entry& entry) {
 std::size_t passed_after(const std::vector<Vector3>& way, std::size_t passed, const Vector3& from,
                          const Vector3& to, double reach) {
   for (std::size_t next = passed + 1; next < way.size() && next <= passed + kLookAhead; ++next) {
-    if (distance_to(way[next], from, to) > reach) continue;
+    if (to_segment(way[next], from, to) > reach) continue;
     passed = next;
   }
   return passed;

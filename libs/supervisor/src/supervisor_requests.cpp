@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core.hpp"
-#include "crossing.hpp"
 
 namespace skein::supervisor {
 
@@ -180,14 +179,13 @@ void Supervisor::Core::on(const WorldChanged& input) {
   const auto& volumes = world_->volumes;
   std::vector<std::string> problems;
   if (!change.remove) {
-    problems = problems_of(change.volume);
+    problems = mission::problems_of(change);
   } else if (std::none_of(volumes.begin(), volumes.end(),
                           [&](const auto& one) { return one.name == change.volume.name; })) {
     problems.push_back("no volume '" + change.volume.name + "' is closed");
   }
   out_.push_back(Answer{problems.empty(), problems});
-  const std::string cause =
-      "volume '" + change.volume.name + (change.remove ? "' opened" : "' closed");
+  const std::string cause = to_text(change);
   decide({"0 user request", cause, change.volume.name,
           problems.empty() ? "accepted" : "refused: " + joined(problems), now_});
   if (!problems.empty()) return;

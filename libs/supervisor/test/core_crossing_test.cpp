@@ -56,10 +56,5 @@ RC_GTEST_PROP(Crossing, AgreesWithSamples, (std::uint64_t seed)) {
   if (!inside) RC_ASSERT(!crosses({"", {{2, 2}, {98, 2}, {98, 98}, {2, 98}}, 22, 58, {}}, 0, a, b));
 }
 
-TEST(Volume, HasEveryProblemNamed) {
-  EXPECT_TRUE(problems_of(kBox).empty());
-  EXPECT_EQ(problems_of({"", {{0, 0}}, 5, 5, {}}).size(), 3U);
-}
-
 }  // namespace
 }  // namespace skein::supervisor

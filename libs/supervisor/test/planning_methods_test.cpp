@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "testing/planned.hpp"
 #include "testing/planning_lab.hpp"
 
 namespace skein::supervisor {
@@ -15,34 +16,16 @@ using mission::Dependence;
 using mission::DependenceKind;
 using mission::ElementaryTask;
 using ::testing::ElementsAre;
+using testing::flying;
 using ::testing::IsEmpty;
+using testing::names_of;
+using testing::planned;
 using testing::PlanningLab;
 using world::Vector3;
 using Names = std::vector<std::string>;
 
-std::vector<std::string> names_of(const mission::ElementaryPlan& plan) {
-  std::vector<std::string> names;
-  for (const ElementaryTask& task : plan.tasks)
-    names.push_back(task.name.substr(std::string("task-").size()));
-  return names;
-}
-
 Dependence ended(std::uint64_t id) { return {DependenceKind::kEnded, executive::TaskId(id)}; }
 Dependence running(std::uint64_t id) { return {DependenceKind::kRunning, executive::TaskId(id)}; }
-
-mission::ElementaryPlan planned(const PlanningLab& lab) {
-  auto plan = lab.plan();
-  if (plan) return std::move(*plan);
-  ADD_FAILURE() << lab.reasons();
-  return {};
-}
-
-PlanningLab flying() {
-  PlanningLab lab;
-  lab.flying_at({0, 0, 40}).first_id(1);
-  lab.world.places["tree"] = Vector3(250, 0, 0);
-  return lab;
-}
 
 TEST(PlanningMethods, TakeoffInTheAirAndLandingOnTheGroundAreNothingToDo) {
   PlanningLab in_the_air = flying(), on_the_ground;

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "testing/planned.hpp"
 #include "testing/planning_lab.hpp"
 
 namespace skein::supervisor {
@@ -11,31 +12,13 @@ namespace {
 
 using namespace std::string_literals;
 using ::testing::ElementsAre;
+using testing::flying;
 using ::testing::IsEmpty;
+using testing::names_of;
+using testing::planned;
 using testing::PlanningLab;
 using world::Vector3;
 using Names = std::vector<std::string>;
-
-std::vector<std::string> names_of(const mission::ElementaryPlan& plan) {
-  std::vector<std::string> names;
-  for (const auto& task : plan.tasks)
-    names.push_back(task.name.substr(std::string("task-").size()));
-  return names;
-}
-
-mission::ElementaryPlan planned(const PlanningLab& lab) {
-  auto plan = lab.plan();
-  if (plan) return std::move(*plan);
-  ADD_FAILURE() << lab.reasons();
-  return {};
-}
-
-PlanningLab flying() {
-  PlanningLab lab;
-  lab.flying_at({0, 0, 40}).first_id(1);
-  lab.world.places["tree"] = Vector3(250, 0, 0);
-  return lab;
-}
 
 PlanningLab with_marvin() {
   PlanningLab lab = flying();

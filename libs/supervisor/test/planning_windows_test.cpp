@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "crossing.hpp"
+#include "testing/planned.hpp"
 #include "testing/planning_lab.hpp"
 
 namespace skein::supervisor {
@@ -14,24 +15,12 @@ namespace {
 
 using namespace std::string_literals;
 using ::testing::ElementsAre;
+using testing::names_of;
+using testing::planned;
 using testing::PlanningLab;
 using world::Vector3;
 
 constexpr double kFar = 390;
-
-std::vector<std::string> names_of(const mission::ElementaryPlan& plan) {
-  std::vector<std::string> names;
-  for (const auto& task : plan.tasks)
-    names.push_back(task.name.substr(std::string("task-").size()));
-  return names;
-}
-
-mission::ElementaryPlan planned(const PlanningLab& lab) {
-  auto plan = lab.plan();
-  if (plan) return std::move(*plan);
-  ADD_FAILURE() << lab.reasons();
-  return {};
-}
 
 /// A wall at x 100 to 130, from `south` to `north`, from the ground to above every ceiling, closed
 /// for a time; the vehicle is at (0, 0, 40), 10 m/s fast.

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include "skein/mission/autonomy.hpp"
+
+namespace skein::mission {
+namespace {
+
+ChangeWorld closing(world::Volume volume) {
+  ChangeWorld change;
+  change.volume = std::move(volume);
+  return change;
+}
+
+TEST(Volume, HasEveryProblemNamed) {
+  EXPECT_TRUE(
+      problems_of(closing({"box", {{0, 0}, {100, 0}, {100, 100}, {0, 100}}, 20, 60, {}})).empty());
+  EXPECT_EQ(problems_of(closing({"", {{0, 0}}, 5, 5, {}})).size(), 3U);
+}
+
+}  // namespace
+}  // namespace skein::mission
