@@ -3,8 +3,8 @@
 
     check_headers_alone.py ARCHITECTURE.json COMPILE_COMMANDS.json [LIBRARY…]
 
-The build compiles most of them so already: those that a source of the library includes before anything
-else. The others are given to the compiler here, with the options of the library.
+The build compiles over a precompiled header, which would hide what a header forgets to include: here each
+is compiled without it, with the options of its library, through ccache where the build uses that.
 """
 import concurrent.futures
 import json
@@ -15,7 +15,7 @@ import shlex
 import subprocess
 import sys
 
-from sources import Architecture, finish, first_include
+from sources import Architecture, finish
 
 ONCE = re.compile(r"^\s*#\s*pragma\s+once\b", re.M)
 
@@ -28,8 +28,9 @@ def first_errors(output):
 class Headers:
     """The public headers of one library and how they are compiled."""
 
-    def __init__(self, architecture, commands, name):
+    def __init__(self, architecture, commands, name, work):
         self.name = name
+        self.work = work
         self.directory = architecture.source / architecture.libraries[name].directory
         self.entries = [entry for entry in commands if f"/skein_{name}.dir/" in entry["command"]]
         include = self.directory / "include"
@@ -39,33 +40,37 @@ class Headers:
         if self.paths and not self.entries:
             yield f"{self.name}: no compile command"
             return
-        sources = [pathlib.Path(entry["file"]) for entry in self.entries]
-        compiled_first = {first_include(source.read_text()) for source in sources if source.is_file()}
         for relative, path in self.paths.items():
             if not ONCE.search(path.read_text()):
                 yield f"{self.name}: {relative} has no #pragma once"
-            if relative not in compiled_first:
-                yield from self.compile_problems(relative)
+            yield from self.compile_problems(relative)
 
     def compile_problems(self, relative):
-        done = subprocess.run([*self.compile_command(), "-fsyntax-only", "-x", "c++", "-"], text=True, check=False,
-                              cwd=self.entries[0]["directory"], input=f'#include "{relative}"\n',
+        source = self.work / self.name / f"{relative.replace('/', '_')}.cpp"
+        source.parent.mkdir(parents=True, exist_ok=True)
+        source.write_text(f'#include "{relative}"\n')
+        done = subprocess.run([*self.compile_command(), "-c", source, "-o", source.with_suffix(".o")], text=True,
+                              check=False, cwd=self.entries[0]["directory"],
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         if done.returncode != 0:
             yield f"{self.name}: {relative} does not compile alone:\n    {first_errors(done.stdout)}"
 
     def compile_command(self):
-        """That of the library's sources, without its private directory, output and optimisation."""
+        """That of the library's sources, without its private directory, precompiled header and optimisation."""
         words = shlex.split(self.entries[0]["command"])
         words = words[:words.index("-o")]
+        if "-include" in words:
+            at = words.index("-include")
+            del words[at:at + 2]
         private = f"-I{self.directory}/src"
-        return [word for word in words if word != private and not word.startswith("-O")]
+        return [word for word in words if word != private and not word.startswith(("-O", "-fpch", "-Winvalid-pch"))]
 
 
 def main():
     architecture = Architecture(sys.argv[1])
     commands = json.loads(pathlib.Path(sys.argv[2]).read_text())
-    libraries = [Headers(architecture, commands, name) for name in sys.argv[3:] or architecture.libraries]
+    work = pathlib.Path(sys.argv[2]).parent / "headers_alone"
+    libraries = [Headers(architecture, commands, name, work) for name in sys.argv[3:] or architecture.libraries]
     with concurrent.futures.ThreadPoolExecutor(max_workers=max(1, len(os.sched_getaffinity(0)))) as pool:
         results = pool.map(lambda one: list(one.problems()), libraries)
         problems = [problem for result in results for problem in result]

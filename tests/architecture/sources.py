@@ -85,12 +85,6 @@ def without_comments(text, keep_strings=False):
     return _TOKENS.sub(blank, text)
 
 
-def first_include(text):
-    """What a file includes before anything else, or None."""
-    match = re.search(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', without_comments(text, keep_strings=True), re.M)
-    return match.group(1) if match else None
-
-
 def finish(problems, passed):
     """Prints every problem and ends the program; `passed` is the line for when there is none."""
     for problem in problems:
