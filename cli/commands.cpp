@@ -5,6 +5,7 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <span>
 #include <string_view>
 
 #include "argument_checks.hpp"
@@ -75,10 +76,22 @@ void add_mle(CLI::App& app, Action& action) {
   mle->callback([arguments, &action] { action = [arguments] { return run_mle(*arguments); }; });
 }
 
-// Only the command that is meant, if it can be told: describing all of them to CLI11 costs more
-// than a small plan.
-void add_commands(CLI::App& app, Action& action, const LiveActions& live, std::string_view meant) {
-  if (meant == "plan") return add_plan(app, action);
+// `skein plan` with what its arguments name: describing all commands and options to CLI11 costs
+// more than a small plan. No action if something is wrong, or help is asked for.
+Action quick_plan(int argc, char** argv) {
+  Action action;
+  if (argc < 3 || std::string_view(argv[1]) != "plan") return action;
+  CLI::App app{"Skein", "skein"};
+  add_plan(app, action, std::span(argv, static_cast<std::size_t>(argc)).subspan(2));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError&) {
+    return {};
+  }
+  return action;
+}
+
+void add_commands(CLI::App& app, Action& action, const LiveActions& live) {
   add_live(app, action, live);
   add_mle(app, action);
   add_plan(app, action);
@@ -90,11 +103,12 @@ void add_commands(CLI::App& app, Action& action, const LiveActions& live, std::s
 }  // namespace
 
 int run_command_line(int argc, char** argv, const LiveActions& live) try {
+  if (const Action plan = quick_plan(argc, argv)) return plan();
   CLI::App app{"Skein: decisional autonomy for teams of UAVs", "skein"};
   app.set_version_flag("--version", std::string("skein ") + SKEIN_VERSION);
   app.require_subcommand(1);
   Action action;
-  add_commands(app, action, live, argc > 1 ? argv[1] : "");
+  add_commands(app, action, live);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plan_commands.hpp"
 
+#include <fcntl.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
+#include <cstring>
+#include <initializer_list>
 #include <iostream>
 #include <memory>
+#include <span>
+#include <string_view>
 
 #include "argument_checks.hpp"
 #include "skein/plan_tool/plan.hpp"
@@ -67,11 +73,12 @@ double cpu_seconds() {
 
 // getrusage would count what the process was before exec too, as the copy of a large parent.
 double memory_mb() {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    double kilobytes = 0;
-    if (word == "VmHWM:" && status >> kilobytes) return kilobytes * 1024e-6;
-  }
+  std::array<char, 4096> text{};
+  const int status = open("/proc/self/status", O_RDONLY | O_CLOEXEC);
+  const ssize_t length = status < 0 ? 0 : read(status, text.data(), text.size() - 1);
+  if (status >= 0) close(status);
+  const char* peak = length > 0 ? std::strstr(text.data(), "VmHWM:") : nullptr;
+  if (peak != nullptr) return std::strtod(peak + std::strlen("VmHWM:"), nullptr) * 1024e-6;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) * 1024e-6;
@@ -90,6 +97,7 @@ plan_tool::Surroundings surroundings() {
   out.colour_out = colour_on(STDOUT_FILENO);
   out.colour_err = colour_on(STDERR_FILENO);
   out.progress = isatty(STDERR_FILENO) != 0;
+  out.process_ends = true;
   return out;
 }
 
@@ -112,6 +120,16 @@ std::uint64_t default_memory_limit() {
   return bytes / 4 * 3;
 }
 
+// What grows leaves memory behind that is soon wanted again: given back to the system it would have
+// to be asked for, and cleared, each time.
+void keep_freed_memory() {
+  constexpr int kLarge = 8 << 20;
+  constexpr int kStep = 512 << 10;
+  mallopt(M_MMAP_THRESHOLD, kLarge);
+  mallopt(M_TRIM_THRESHOLD, kLarge);
+  mallopt(M_TOP_PAD, kStep);
+}
+
 int run(Arguments arguments) {
   htn::Options& search = arguments.options.search;
   if (arguments.cost_limit && !arguments.cost_limit->empty()) {
@@ -122,6 +140,7 @@ int run(Arguments arguments) {
   search.limits.memory_bytes = arguments.memory_mb
                                    ? static_cast<std::uint64_t>(*arguments.memory_mb * 1e6)
                                    : default_memory_limit();
+  keep_freed_memory();
   watch_interrupts();
   return plan_tool::run_plan(arguments.options, surroundings(), std::cin, std::cout, std::cerr);
 }
@@ -239,9 +258,18 @@ void add_repair(CLI::App& plan, plan_tool::PlanOptions& options) {
       ->group(kGroup);
 }
 
+// Whether an argument names one of these options.
+bool any_named(std::span<char* const> words, std::initializer_list<std::string_view> options) {
+  const auto is_one = [&](std::string_view word) {
+    word = word.substr(0, word.find('='));
+    return std::find(options.begin(), options.end(), word) != options.end();
+  };
+  return words.empty() || std::any_of(words.begin(), words.end(), is_one);
+}
+
 }  // namespace
 
-void add_plan(CLI::App& app, std::function<int()>& action) {
+void add_plan(CLI::App& app, std::function<int()>& action, std::span<char* const> words) {
   auto arguments = std::make_shared<Arguments>();
   plan_tool::PlanOptions& options = arguments->options;
   CLI::App* plan = app.add_subcommand("plan", "Plan the problems of files in SHOP2's language");
@@ -261,9 +289,14 @@ void add_plan(CLI::App& app, std::function<int()>& action) {
       ->type_name("N");
   plan->add_option("--validate", options.validate, "Check the plans of this file, plan nothing")
       ->type_name("PLAN");
-  add_repair(*plan, options);
-  add_mission(*plan, options.mission);
-  add_limits(*plan, *arguments);
+  if (any_named(words, {"--repair", "--executed", "--diverge"})) add_repair(*plan, options);
+  if (any_named(words, {"--world", "--vehicle", "--uav", "--home", "--altitude", "--taskreq"})) {
+    add_mission(*plan, options.mission);
+  }
+  if (any_named(words, {"--time-limit", "--expansions", "--inferences", "--depth", "--plans",
+                        "--memory"})) {
+    add_limits(*plan, *arguments);
+  }
   add_outputs(*plan, options);
   plan->footer(kExamples);
   plan->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 namespace CLI {
 class App;
@@ -10,7 +11,8 @@ class App;
 
 namespace skein::cli {
 
-/// Adds the sub-command; when it is given, `action` becomes what is to be done.
-void add_plan(CLI::App& app, std::function<int()>& action);
+/// Adds the sub-command; when it is given, `action` becomes what is to be done. Groups of options
+/// of which none is among `words` are left out; without words there are all.
+void add_plan(CLI::App& app, std::function<int()>& action, std::span<char* const> words = {});
 
 }  // namespace skein::cli

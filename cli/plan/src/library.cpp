@@ -60,10 +60,15 @@ void Library::read_file(const std::string& file, std::istream& in) {
            definitions_.functions.size() + definitions_.foreign.size() + errors_.size();
   };
   const std::size_t before = found();
-  read_definitions(
-      {file, std::move(*text)}, store_,
-      [&in](const std::string& name, const std::string& from) { return included(name, from, in); },
-      definitions_, errors_, warnings_);
+  const auto include = [&in](const std::string& name, const std::string& from) {
+    return included(name, from, in);
+  };
+  htn::SourceFile source{file, std::move(*text)};
+  if (wary_) {
+    read_definitions(std::move(source), store_, include, definitions_, errors_, warnings_);
+  } else {
+    read_definitions(std::move(source), store_, include, definitions_, errors_);
+  }
   if (before == found()) {
     warnings_.add(about(file, "defines neither a domain nor a problem"));
   }

@@ -23,6 +23,9 @@ struct ChosenProblem {
 /// Files are read once, in order; what comes later replaces domains of the same name, as in Lisp.
 class Library {
  public:
+  /// What is suspicious in the files is looked for only if `wary`.
+  explicit Library(bool wary) : wary_(wary) {}
+
   /// Everything wrong goes to `errors`, everything suspicious to `warnings`.
   void read(const std::vector<std::string>& files, std::istream& in);
   /// The problems named, or all, in the order of the text. A problem whose domain was not read
@@ -54,6 +57,7 @@ class Library {
   void report_foreign();
   void report_unknown(const std::vector<std::string>& names);
 
+  bool wary_;
   htn::TermStore store_;
   htn::Functions functions_;
   htn::Definitions definitions_;

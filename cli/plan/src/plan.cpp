@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <new>
 #include <ostream>
 
@@ -235,11 +236,20 @@ int plan_all(Session& session, const std::vector<ChosenProblem>& problems) {
   return session.exit_code(written);
 }
 
+// Taking apart what was read costs as much as a small plan; the system takes memory back at once.
+void leave_to_process(std::unique_ptr<Library> library) {
+  static Library* left = nullptr;
+  left = library.release();
+  (void)left;
+}
+
 }  // namespace
 
 int run_plan(const PlanOptions& options, const Surroundings& surroundings, std::istream& in,
              std::ostream& out, std::ostream& err) try {
-  Library library;
+  auto kept = std::make_unique<Library>(!options.quiet);
+  Library& library = *kept;
+  if (surroundings.process_ends) leave_to_process(std::move(kept));
   library.read(options.files, in);
   const Mission mission = mission_of(options, library, in);
   const std::vector<ChosenProblem> problems = library.choose(options.problems);

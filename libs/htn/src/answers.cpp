@@ -2,7 +2,7 @@
 #include "answers.hpp"
 
 #include <algorithm>
-#include <unordered_set>
+#include <span>
 
 #include "term_map.hpp"
 
@@ -27,7 +27,8 @@ void Answers::record(Bindings& bindings, std::uint32_t younger) {
   };
   for (const Term cell : cells) {
     const Term value = bindings.instance(cell, 0);
-    values.push_back(map_leaves(store, value, kHasVariable, rename));
+    values.push_back(bindings.plain(value) ? value
+                                           : map_leaves(store, value, kHasVariable, rename));
   }
   locals.push_back(static_cast<std::uint32_t>(renamed.size()));
 }
@@ -70,13 +71,6 @@ void Answers::reorder(const std::vector<std::size_t>& order) {
   *this = std::move(ordered);
 }
 
-bool Answers::same_row(std::size_t left, std::size_t right) const {
-  const auto row = [this](std::size_t index) {
-    return values.begin() + static_cast<std::ptrdiff_t>(index * cells.size());
-  };
-  return std::equal(row(left), row(left + 1), row(right));
-}
-
 void Answers::move_row(std::size_t from, std::size_t to) {
   if (from == to) return;
   const std::size_t width = cells.size();
@@ -85,7 +79,7 @@ void Answers::move_row(std::size_t from, std::size_t to) {
   if (!support.empty()) support[to] = std::move(support[from]);
 }
 
-void Answers::finish() {
+void Answers::finish(RowSet& seen) {
   const std::size_t width = cells.size();
   const std::size_t rows = count();
   if (rows < 2) return;
@@ -96,19 +90,14 @@ void Answers::finish() {
     std::swap(locals[low], locals[high]);
     if (!support.empty()) std::swap(support[low], support[high]);
   }
-  const auto hash = [this, width](std::size_t row) {
-    std::size_t mixed = 0;
-    for (std::size_t at = 0; at < width; ++at) {
-      mixed = (mixed ^ values[row * width + at].bits()) * 0x9E3779B97F4A7C15ULL;
-    }
-    return mixed ^ (mixed >> 32U);
+  const auto row_at = [this, width](std::size_t row) {
+    return std::span<const Term>(values).subspan(row * width, width);
   };
-  const auto same = [this](std::size_t left, std::size_t right) { return same_row(left, right); };
-  std::unordered_set<std::size_t, decltype(hash), decltype(same)> seen(rows * 2, hash, same);
+  seen.begin(rows);
   std::size_t kept = 0;
   for (std::size_t row = 0; row < rows; ++row) {
     move_row(row, kept);
-    if (seen.insert(kept).second) ++kept;
+    if (seen.add(kept, row_at)) ++kept;
   }
   values.resize(kept * width);
   locals.resize(kept);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bindings.hpp"
+#include "row_set.hpp"
 #include "skein/htn/plan.hpp"
 
 namespace skein::htn {
@@ -33,10 +34,9 @@ struct Answers {
   /// Row `order[i]` becomes row i.
   void reorder(const std::vector<std::size_t>& order);
   /// Reverses the rows and drops each that equals an earlier one.
-  void finish();
+  void finish(RowSet& seen);
 
  private:
-  bool same_row(std::size_t left, std::size_t right) const;
   void move_row(std::size_t from, std::size_t to);
 };
 

@@ -3,26 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
 
 namespace skein::htn {
-
-void Bindings::undo(Mark mark) {
-  while (trail_.size() > mark.trail) {
-    const std::uint32_t cell = trail_.back();
-    trail_.pop_back();
-    cells_[cell] = Term(TermKind::kVariable, cell);
-  }
-  cells_.resize(mark.cells);
-}
-
-Base Bindings::open(std::uint32_t count) {
-  const auto base = static_cast<Base>(cells_.size());
-  cells_.resize(base + count);
-  for (std::uint32_t cell = base; cell < base + count; ++cell) {
-    cells_[cell] = Term(TermKind::kVariable, cell);
-  }
-  return base;
-}
 
 void Bindings::close(Mark mark) {
   std::uint32_t keep = mark.cells;
@@ -42,12 +26,30 @@ void Bindings::close(Mark mark) {
   cells_.resize(keep);
 }
 
-Term Bindings::instance(Term term, Base base) {
-  if (plain(term)) return term;
-  term = resolve(term, base);
-  if (!term.is(TermKind::kPair) || plain(term)) return term;
+// Lists are made from their last item on; long and deep ones with a stack of their own.
+Term Bindings::made_list(Term list, Base base, int nesting) {
+  if (nesting == kMostKnownNesting) return made_deep_list(list, base);
+  std::array<Term, kMostItemsAtOnce> items;
+  std::size_t count = 0;
+  Term rest = list;
+  while (rest.is(TermKind::kPair) && !plain(rest)) {
+    if (count == kMostItemsAtOnce) {
+      rest = made_list(rest, base, nesting + 1);
+      break;
+    }
+    Term item = store_.car(rest);
+    if (!item.is(TermKind::kPair)) item = resolve(item, base);
+    if (item.is(TermKind::kPair) && !plain(item)) item = made_list(item, base, nesting + 1);
+    items[count++] = item;
+    rest = resolve(store_.cdr(rest), base);
+  }
+  while (count > 0) rest = store_.pair(items[--count], rest);
+  return rest;
+}
+
+Term Bindings::made_deep_list(Term list, Base base) {
   const std::size_t bottom = open_lists_.size();
-  open_lists_.push_back({term, base, items_.size()});
+  open_lists_.push_back({list, base, items_.size()});
   while (true) {
     if (step_list(open_lists_.back())) continue;
     const Open done = open_lists_.back();
@@ -75,14 +77,14 @@ bool Bindings::step_list(Open& list) {
 }
 
 Bindings::Known Bindings::look_up(Term term, Base base, Term& out, int nesting) {
-  out = plain(term) ? term : resolve(term, base);
+  out = term.is(TermKind::kPair) ? term : resolve(term, base);
   if (plain(out)) return Known::kTerm;
   if (!out.is(TermKind::kPair)) return Known::kOpen;
-  std::array<Term, kMostKnownItems> items;
+  std::array<Term, kMostItemsAtOnce> items;
   std::size_t count = 0;
   Term rest = out;
   while (rest.is(TermKind::kPair) && !plain(rest)) {
-    if (count == kMostKnownItems || nesting == kMostKnownNesting) {
+    if (count == kMostItemsAtOnce || nesting == kMostKnownNesting) {
       out = instance(term, base);
       return plain(out) ? Known::kTerm : Known::kOpen;
     }
@@ -115,41 +117,24 @@ void Bindings::collect_unbound(Term term, Base base, std::vector<Term>& out) con
   }
 }
 
-bool Bindings::unify(Term left, Base left_base, Term right, Base right_base) {
+bool Bindings::unify_lists(Pair pair) {
   work_.clear();
-  work_.push_back({left, left_base, right, right_base});
-  while (!work_.empty()) {
-    const Pair pair = work_.back();
+  while (true) {
+    while (two_lists(pair)) {
+      work_.push_back(
+          {store_.cdr(pair.left), pair.left_base, store_.cdr(pair.right), pair.right_base});
+      pair.left = store_.car(pair.left);
+      pair.right = store_.car(pair.right);
+      pair = resolved(pair);
+    }
+    if (!unify_leaves(pair)) return false;
+    if (work_.empty()) return true;
+    pair = resolved(work_.back());
     work_.pop_back();
-    if (!unify_step(pair)) return false;
   }
-  return true;
 }
 
-bool Bindings::unify_step(const Pair& pair) {
-  const Term left = resolve(pair.left, pair.left_base);
-  const Term right = resolve(pair.right, pair.right_base);
-  if (left.is(TermKind::kVariable)) {
-    const bool swap = right.is(TermKind::kVariable) && right.index() > left.index();
-    return swap ? bind_checked(right, left, pair.left_base)
-                : bind_checked(left, right, pair.right_base);
-  }
-  if (right.is(TermKind::kVariable)) return bind_checked(right, left, pair.left_base);
-  const bool both_plain = plain(left) && plain(right);
-  if (both_plain) return left == right;
-  if (!left.is(TermKind::kPair) || !right.is(TermKind::kPair)) return false;
-  work_.push_back({store_.cdr(left), pair.left_base, store_.cdr(right), pair.right_base});
-  work_.push_back({store_.car(left), pair.left_base, store_.car(right), pair.right_base});
-  return true;
-}
-
-// Younger variables are bound to older ones, so that closing the younger leaves nothing dangling.
-bool Bindings::bind_checked(Term variable, Term value, Base base) {
-  if (variable == value) return true;
-  if (!value.is(TermKind::kPair) || plain(value)) {
-    bind(variable, value);
-    return true;
-  }
+bool Bindings::bind_list(Term variable, Term value, Base base) {
   if (occurs(variable, value, base)) return false;
   bind(variable, instance(value, base));
   return true;

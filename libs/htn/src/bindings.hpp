@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "skein/htn/term_store.hpp"
@@ -28,11 +29,48 @@ class Bindings {
     return {static_cast<std::uint32_t>(cells_.size()), static_cast<std::uint32_t>(trail_.size())};
   }
   /// Unbinds what was bound and closes the cells opened since.
-  void undo(Mark mark);
+  void undo(Mark mark) {
+    while (trail_.size() > mark.trail) {
+      const std::uint32_t cell = trail_.back();
+      trail_.pop_back();
+      cells_[cell] = Term(TermKind::kVariable, cell);
+    }
+    cells_.erase(cells_.begin() + mark.cells, cells_.end());
+  }
   /// Forgets how to undo: what is bound stays bound for good.
   void forget_trail() { trail_.clear(); }
 
-  Base open(std::uint32_t count);
+  Base open(std::uint32_t count) {
+    const auto base = static_cast<Base>(cells_.size());
+    for (std::uint32_t cell = base; cell < base + count; ++cell) {
+      cells_.emplace_back(TermKind::kVariable, cell);
+    }
+    return base;
+  }
+  /// Opens the cells of a clause and unifies what it wants, a list, with what is given, which is
+  /// read under `given_base`. `items` are those of `wanted`, or nothing if it is no proper list:
+  /// slots among them that stand alone take their values as they are opened. False leaves cells
+  /// and bindings to be undone.
+  bool enter(std::uint32_t slots, Term wanted, std::span<const Term> items, Term given,
+             Base given_base, Base& base) {
+    base = open(slots);
+    if (items.empty()) return unify(given, given_base, wanted, base);
+    Term rest = given;
+    for (const Term item : items) {
+      if (!rest.is(TermKind::kPair)) return rest != kNil && unify(given, given_base, wanted, base);
+      const Term value = resolve(store_.car(rest), given_base);
+      const std::uint32_t cell = base + item.index();
+      const bool fresh =
+          item.is(TermKind::kSlot) && cells_[cell] == Term(TermKind::kVariable, cell);
+      if (fresh && plain(value)) {
+        cells_[cell] = value;  // nobody needs to undo it: the cell is closed
+      } else if (!unify(value, given_base, item, base)) {
+        return false;
+      }
+      rest = store_.cdr(rest);
+    }
+    return rest == kNil || unify(given, given_base, wanted, base);
+  }
   /// Closes the cells from `first` on although older variables were bound since `mark`: drops the
   /// closed cells from the trail and makes the values bound to older cells independent of them.
   /// Cells that such values still mention stay open.
@@ -50,7 +88,15 @@ class Bindings {
     return term;
   }
   /// The term with all slots and bound variables replaced. Cost: its size, nothing if ground.
-  Term instance(Term term, Base base);
+  Term instance(Term term, Base base) {
+    if (!term.is(TermKind::kPair)) term = resolve(term, base);
+    return !term.is(TermKind::kPair) || plain(term) ? term : made_list(term, base, 0);
+  }
+  /// Without slots and variables of the search.
+  bool plain(Term term) const {
+    if (term.is(TermKind::kPair)) return (store_.content(term) & (kHasSlot | kHasVariable)) == 0;
+    return !term.is(TermKind::kSlot) && !term.is(TermKind::kVariable);
+  }
   /// What is known of an instance without making it.
   enum class Known : std::uint8_t {
     kTerm,   ///< ground, and a term of the store
@@ -67,7 +113,10 @@ class Bindings {
   }
   /// Most general unifier with occurs check; false leaves bindings made on the way (the caller
   /// undoes to its own mark). Works without recursion.
-  bool unify(Term left, Base left_base, Term right, Base right_base);
+  bool unify(Term left, Base left_base, Term right, Base right_base) {
+    const Pair pair = resolved({left, left_base, right, right_base});
+    return two_lists(pair) ? unify_lists(pair) : unify_leaves(pair);
+  }
 
   /// Appends the unbound variables inside the term that `out` does not hold yet.
   void collect_unbound(Term term, Base base, std::vector<Term>& out) const;
@@ -98,10 +147,40 @@ class Bindings {
   };
   static constexpr std::size_t kMostKnownItems = 24;
   static constexpr int kMostKnownNesting = 8;
-  bool plain(Term term) const { return (store_.content(term) & (kHasSlot | kHasVariable)) == 0; }
+  static constexpr std::size_t kMostItemsAtOnce = 12;
+  Term made_list(Term list, Base base, int nesting);
+  Term made_deep_list(Term list, Base base);
   bool step_list(Open& list);
-  bool unify_step(const Pair& pair);
-  bool bind_checked(Term variable, Term value, Base base);
+  Pair resolved(Pair pair) const {
+    pair.left = resolve(pair.left, pair.left_base);
+    pair.right = resolve(pair.right, pair.right_base);
+    return pair;
+  }
+  // Lists to be compared item by item.
+  bool two_lists(const Pair& pair) const {
+    return pair.left.is(TermKind::kPair) && pair.right.is(TermKind::kPair) &&
+           !(plain(pair.left) && plain(pair.right));
+  }
+  bool unify_lists(Pair pair);
+  bool unify_leaves(const Pair& pair) {
+    if (pair.left.is(TermKind::kVariable)) {
+      const bool younger =
+          pair.right.is(TermKind::kVariable) && pair.right.index() > pair.left.index();
+      return younger ? bind_checked(pair.right, pair.left, pair.left_base)
+                     : bind_checked(pair.left, pair.right, pair.right_base);
+    }
+    if (pair.right.is(TermKind::kVariable)) {
+      return bind_checked(pair.right, pair.left, pair.left_base);
+    }
+    return pair.left == pair.right;
+  }
+  // Younger variables are bound to older ones, so that closing the younger leaves nothing dangling.
+  bool bind_checked(Term variable, Term value, Base base) {
+    if (value.is(TermKind::kPair) && !plain(value)) return bind_list(variable, value, base);
+    if (variable != value) bind(variable, value);
+    return true;
+  }
+  bool bind_list(Term variable, Term value, Base base);
   bool occurs(Term variable, Term term, Base base) const;
 
   TermStore& store_;

@@ -43,16 +43,29 @@ struct Goal {
   GoalKind kind = GoalKind::kAtom;
   Term pattern;
   Term term;
-  Term predicate;                              ///< kAtom
-  std::vector<Term> arguments;                 ///< kAtom
+  Term predicate;               ///< kAtom
+  std::vector<Term> arguments;  ///< kAtom
+  bool flat = false;            ///< kAtom: the name and a proper list of not too many arguments
   std::vector<IndexedPosition> positions;      ///< kAtom: where a value may be known
   const std::vector<Axiom>* axioms = nullptr;  ///< kAtom: of its predicate, if any
   bool facts_only = false;                     ///< kAtom: not by axioms
+  bool logical = false;                        ///< see Condition; kAtom: so are its axioms
   std::vector<ConditionIndex> conditions;
   CodeIndex code = kNoCode;
   std::string text;  ///< kEnforce: the message
   Expression where;
 };
+
+/// Most arguments of an atom that is Goal::flat.
+inline constexpr std::size_t kMostFlatArguments = 12;
+
+/// Whether an atom is a name with a proper list of not too many arguments; these are appended.
+inline bool flat_arguments(const TermStore& store, Term atom, std::vector<Term>& arguments) {
+  if (!atom.is(TermKind::kPair) || !store.car(atom).is(TermKind::kSymbol)) return false;
+  Term rest = store.cdr(atom);
+  for (; rest.is(TermKind::kPair); rest = store.cdr(rest)) arguments.push_back(store.car(rest));
+  return rest == kNil && arguments.size() <= kMostFlatArguments;
+}
 
 /// A conjunction with how its satisfiers are wanted.
 struct Condition {
@@ -61,6 +74,9 @@ struct Condition {
   std::vector<Term> variables;       ///< the same for a condition met as a value
   bool first = false;                ///< :first
   bool sorted = false;               ///< :sort-by
+  /// Nothing but facts, axioms that do not lead back to themselves, connectives and quantifiers:
+  /// whether it holds depends neither on the order of proof nor on how many proofs are found.
+  bool logical = false;
   CodeIndex sort_key = kNoCode;
   CodeIndex compare = kNoCode;  ///< kNoCode: <
   Expression where;
@@ -68,7 +84,8 @@ struct Condition {
 
 /// What clauses have in common: numbered variables.
 struct Clause {
-  Term head;  ///< pattern (name argument…)
+  Term head;                ///< pattern (name argument…)
+  std::vector<Term> items;  ///< the arguments, if the head is flat as Goal::flat
   std::uint32_t slots = 0;
   std::vector<Term> names;  ///< symbol of each slot
 };
@@ -87,6 +104,8 @@ enum class EffectKind : std::uint8_t {
 struct Effect {
   EffectKind kind = EffectKind::kAtom;
   Term pattern;                        ///< kAtom, kProtection: an atom; kList: a variable
+  bool flat = false;                   ///< kAtom, kProtection: as Goal::flat
+  std::vector<Term> arguments;         ///< of a flat one
   ConditionIndex condition = kAbsent;  ///< kForall, kWhen
   std::vector<Effect> parts;           ///< kForall, kWhen, kNegated, kGroup
 };
@@ -164,6 +183,9 @@ inline void link_axioms(CompiledDomain& domain, Goal& goal) {
   if (goal.kind == GoalKind::kAtom && !goal.facts_only && axioms != domain.axioms.end())
     goal.axioms = &axioms->second;
 }
+
+/// Sets Goal::logical and Condition::logical of all that the domain has, once axioms are linked.
+void mark_logical(CompiledDomain& domain);
 
 /// Primitive tasks: names that begin with `!`; internal ones with `!!`.
 inline bool primitive(const TermStore& store, Term name) {

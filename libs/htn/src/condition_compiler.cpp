@@ -81,6 +81,7 @@ SlotOf ClauseScope::slot_of() {
 void ClauseScope::finish(Clause& clause) const {
   clause.slots = static_cast<std::uint32_t>(names_.size());
   clause.names = names_;
+  if (!flat_arguments(store_, clause.head, clause.items)) clause.items.clear();
 }
 
 Goal atom_goal(const TermStore& store, Term pattern, Expression where) {
@@ -89,13 +90,12 @@ Goal atom_goal(const TermStore& store, Term pattern, Expression where) {
   goal.pattern = pattern;
   goal.predicate = store.car(pattern);
   goal.where = where;
-  for (Term rest = store.cdr(pattern); rest.is(TermKind::kPair); rest = store.cdr(rest)) {
-    const Term argument = store.car(rest);
-    const auto outer = static_cast<std::uint8_t>(std::min<std::size_t>(goal.arguments.size(), 255));
-    goal.arguments.push_back(argument);
-    if (outer == Path::kWhole) continue;
-    goal.positions.push_back({{outer, Path::kWhole}, argument});
-    add_inner_positions(store, argument, outer, goal.positions);
+  goal.flat = flat_arguments(store, pattern, goal.arguments);
+  if (!goal.predicate.is(TermKind::kSymbol)) goal.arguments = store.items(store.cdr(pattern));
+  for (std::size_t at = 0; at < std::min<std::size_t>(goal.arguments.size(), Path::kWhole); ++at) {
+    const auto outer = static_cast<std::uint8_t>(at);
+    goal.positions.push_back({{outer, Path::kWhole}, goal.arguments[at]});
+    add_inner_positions(store, goal.arguments[at], outer, goal.positions);
   }
   return goal;
 }

@@ -29,6 +29,7 @@ class DomainCompiler {
     for (const OperatorDefinition& operation : definition_.operators) add_operator(operation);
     for (const MethodDefinition& method : definition_.methods) add_method(method);
     for (Goal& goal : domain_.goals) link_axioms(domain_, goal);
+    mark_logical(domain_);
   }
 
  private:
@@ -45,6 +46,7 @@ class DomainCompiler {
     axiom.head = atom("=", {slot(0), slot(0)});
     axiom.slots = 1;
     axiom.names = {domain_.store.symbol("?x")};
+    flat_arguments(domain_.store, axiom.head, axiom.items);
     axiom.tails.emplace_back();
     domain_.axioms[domain_.store.symbol("=")].push_back(std::move(axiom));
   }
@@ -57,6 +59,7 @@ class DomainCompiler {
     axiom.head = domain_.store.list(head);
     axiom.slots = 1;
     axiom.names = {domain_.store.symbol("?x")};
+    flat_arguments(domain_.store, axiom.head, axiom.items);
     domain_.goals.push_back(atom_goal(domain_.store, domain_.store.list(body), {}));
     AxiomTail tail;
     tail.goals = {static_cast<GoalIndex>(domain_.goals.size() - 1)};
@@ -177,10 +180,12 @@ class DomainCompiler {
     if (name == ":protection" && all.size() == 2) {
       effect.kind = EffectKind::kProtection;
       effect.pattern = conditions_.pattern(all[1], scope);
+      effect.flat = flat_arguments(domain_.store, effect.pattern, effect.arguments);
     } else if ((name == "forall" || name == "shop-forall") && all.size() == 4) {
       return quantified_effect(all, scope);
     } else {
       effect.pattern = conditions_.pattern(expression, scope);
+      effect.flat = flat_arguments(domain_.store, effect.pattern, effect.arguments);
     }
     return effect;
   }

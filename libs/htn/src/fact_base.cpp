@@ -8,8 +8,20 @@
 namespace skein::htn {
 
 namespace {
-constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+constexpr std::uint32_t kNone = kNoFact;
+constexpr std::size_t kFirstTable = 256;
+
+std::size_t hash_of(Term predicate, std::span<const Term> arguments) {
+  std::uint64_t hash = predicate.bits();
+  for (const Term argument : arguments) {
+    hash = (hash ^ argument.bits()) * 0x9E3779B97F4A7C15ULL;
+    hash ^= hash >> 32U;
+  }
+  return static_cast<std::size_t>(hash);
 }
+
+}  // namespace
 
 FactBase::Predicate& FactBase::predicate_of(Term symbol) {
   if (symbol.index() >= predicate_of_symbol_.size()) {
@@ -23,18 +35,53 @@ FactBase::Predicate& FactBase::predicate_of(Term symbol) {
   return predicates_[index];
 }
 
-const FactBase::Predicate* FactBase::known_predicate(Term symbol) const {
-  if (symbol.index() >= predicate_of_symbol_.size()) return nullptr;
-  const std::uint32_t index = predicate_of_symbol_[symbol.index()];
-  return index == kNone ? nullptr : &predicates_[index];
-}
-
 FactIndex FactBase::find(Term atom) const {
   const Term loose = store_.loose(atom);
   if (!loose.is(TermKind::kPair) || loose.index() >= fact_of_pair_.size()) return kNoFact;
   const FactIndex fact = fact_of_pair_[loose.index()];
   const bool there = fact != kNoFact && facts_[fact].in_force && facts_[fact].atom == atom;
   return there ? fact : kNoFact;
+}
+
+FactIndex FactBase::find(Term predicate, std::span<const Term> arguments) const {
+  const FactIndex fact = record_of(predicate, arguments);
+  return fact != kNoFact && facts_[fact].in_force ? fact : kNoFact;
+}
+
+FactIndex FactBase::record_of(Term predicate, std::span<const Term> arguments) const {
+  if (table_.empty() || predicate.index() >= predicate_of_symbol_.size()) return kNoFact;
+  const std::uint32_t number = predicate_of_symbol_[predicate.index()];
+  const std::size_t mask = table_.size() - 1;
+  for (std::size_t at = hash_of(predicate, arguments) & mask; table_[at] != 0;
+       at = (at + 1) & mask) {
+    const FactIndex index = table_[at] - 1;
+    const Fact& fact = facts_[index];
+    if (fact.predicate != number || fact.argument_count != arguments.size()) continue;
+    if (!std::equal(arguments.begin(), arguments.end(), arguments_.data() + fact.arguments))
+      continue;
+    return index;
+  }
+  return kNoFact;
+}
+
+// Under the arguments it has now.
+void FactBase::enter(FactIndex index) {
+  if (entries_ * 2 >= table_.size()) grow_table();
+  const std::size_t mask = table_.size() - 1;
+  const std::span<const Term> values = arguments(index);
+  std::size_t at = hash_of(store_.car(facts_[index].atom), values) & mask;
+  for (; table_[at] != 0; at = (at + 1) & mask) {
+    if (table_[at] == index + 1) return;
+  }
+  table_[at] = index + 1;
+  ++entries_;
+}
+
+// What was entered under another spelling is dropped; it is entered again when it comes back.
+void FactBase::grow_table() {
+  table_.assign(std::max(kFirstTable, table_.size() * 2), 0);
+  entries_ = 0;
+  for (FactIndex index = 0; index < facts_.size(); ++index) enter(index);
 }
 
 // The record of the atom, in force or not, under the term that represents all its equals.
@@ -61,7 +108,11 @@ FactIndex FactBase::fact_of(Term atom) {
   facts_.push_back(fact);
   predicate.facts.push_back(index);
   predicate.links.emplace_back();
-  for (Index& made : predicate.indexes) made.links.emplace_back();
+  for (Index& made : predicate.indexes) {
+    made.links.emplace_back();
+    made.bucket_of.push_back(bucket_for(made, fact));
+  }
+  enter(index);
   return index;
 }
 
@@ -137,6 +188,11 @@ void FactBase::spell(FactIndex fact, Term atom) {
   for (Term rest = store_.cdr(atom); rest.is(TermKind::kPair); rest = store_.cdr(rest)) {
     arguments_[at++] = store_.car(rest);
   }
+  const Fact& record = facts_[fact];
+  for (Index& index : predicates_[record.predicate].indexes) {
+    index.bucket_of[record.local] = bucket_for(index, record);
+  }
+  enter(fact);
 }
 
 void FactBase::insert(FactIndex fact) {
@@ -145,8 +201,8 @@ void FactBase::insert(FactIndex fact) {
   record.in_force = true;
   link(predicate.all, predicate.links, record, fact);
   for (Index& index : predicate.indexes) {
-    const std::optional<Term> value = value_at(record, index.path);
-    if (value) link(index.buckets[value->bits()], index.links, record, fact);
+    const std::uint32_t bucket = index.bucket_of[record.local];
+    if (bucket != kNone) link(index.buckets[bucket], index.links, record, fact);
   }
 }
 
@@ -156,8 +212,8 @@ void FactBase::erase(FactIndex fact) {
   record.in_force = false;
   unlink(predicate.all, predicate.links, record);
   for (Index& index : predicate.indexes) {
-    const std::optional<Term> value = value_at(record, index.path);
-    if (value) unlink(index.buckets[value->bits()], index.links, record);
+    const std::uint32_t bucket = index.bucket_of[record.local];
+    if (bucket != kNone) unlink(index.buckets[bucket], index.links, record);
   }
 }
 
@@ -191,6 +247,15 @@ std::optional<Term> FactBase::value_at(const Fact& fact, Path path) const {
   return store_.car(value);
 }
 
+std::uint32_t FactBase::bucket_for(Index& index, const Fact& fact) const {
+  const std::optional<Term> value = value_at(fact, index.path);
+  if (!value) return kNone;
+  const auto made = static_cast<std::uint32_t>(index.buckets.size());
+  const auto [number, fresh] = index.numbers.try_emplace(value->bits(), made);
+  if (fresh) index.buckets.emplace_back();
+  return number->second;
+}
+
 FactBase::Index& FactBase::index_for(Predicate& predicate, Path path) {
   for (Index& index : predicate.indexes) {
     if (index.path == path) return index;
@@ -198,14 +263,17 @@ FactBase::Index& FactBase::index_for(Predicate& predicate, Path path) {
   Index& index = predicate.indexes.emplace_back();
   index.path = path;
   index.links.resize(predicate.facts.size());
+  for (const FactIndex fact : predicate.facts) {
+    index.bucket_of.push_back(bucket_for(index, facts_[fact]));
+  }
   std::vector<FactIndex> newest_first;
   for (FactIndex at = predicate.all.head; at != kNoFact;
        at = predicate.links[facts_[at].local].next) {
     newest_first.push_back(at);
   }
   for (auto fact = newest_first.rbegin(); fact != newest_first.rend(); ++fact) {
-    const std::optional<Term> value = value_at(facts_[*fact], path);
-    if (value) link(index.buckets[value->bits()], index.links, facts_[*fact], *fact);
+    const std::uint32_t bucket = index.bucket_of[facts_[*fact].local];
+    if (bucket != kNone) link(index.buckets[bucket], index.links, facts_[*fact], *fact);
   }
   return index;
 }
@@ -213,10 +281,6 @@ FactBase::Index& FactBase::index_for(Predicate& predicate, Path path) {
 FactBase::Cursor FactBase::all(Term predicate) const {
   const Predicate* facts = known_predicate(predicate);
   return facts == nullptr ? Cursor{} : Cursor{facts->all.head, &facts->links};
-}
-
-std::span<const Term> FactBase::arguments(FactIndex fact) const {
-  return std::span(arguments_).subspan(facts_[fact].arguments, facts_[fact].argument_count);
 }
 
 std::vector<Term> FactBase::atoms() const {
@@ -229,13 +293,14 @@ std::vector<Term> FactBase::atoms() const {
 
 std::size_t FactBase::memory_bytes() const {
   std::size_t bytes = facts_.capacity() * sizeof(Fact) + arguments_.capacity() * sizeof(Term) +
-                      fact_of_pair_.capacity() * sizeof(std::uint32_t) +
+                      (fact_of_pair_.capacity() + table_.capacity()) * sizeof(std::uint32_t) +
                       trail_.capacity() * sizeof(Undo) + deleter_.capacity() * sizeof(StepIndex);
   for (const Predicate& predicate : predicates_) {
     bytes += predicate.links.capacity() * sizeof(FactLink) +
              predicate.facts.capacity() * sizeof(FactIndex);
     for (const Index& index : predicate.indexes) {
-      bytes += index.links.capacity() * sizeof(FactLink) + index.buckets.size() * 32;
+      bytes += index.links.capacity() * sizeof(FactLink) + index.buckets.size() * 32 +
+               index.bucket_of.capacity() * sizeof(std::uint32_t);
     }
   }
   return bytes;

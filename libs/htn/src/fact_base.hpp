@@ -46,6 +46,15 @@ class FactBase {
   void remove(Term atom, StepIndex deleter);
   bool holds(Term atom) const { return find(atom) != kNoFact; }
   FactIndex find(Term atom) const;
+  /// The same for a predicate and its arguments, without a term for the atom.
+  FactIndex find(Term predicate, std::span<const Term> arguments) const;
+  /// A fact of these arguments that is in force or was once; kNoFact.
+  FactIndex record_of(Term predicate, std::span<const Term> arguments) const;
+  /// Any fact in force.
+  bool any(Term predicate) const {
+    const Predicate* facts = known_predicate(predicate);
+    return facts != nullptr && facts->all.count > 0;
+  }
 
   using Mark = std::uint32_t;
   Mark mark() const { return static_cast<Mark>(trail_.size()); }
@@ -58,13 +67,20 @@ class FactBase {
     const std::vector<struct FactLink>* links = nullptr;
   };
   Cursor all(Term predicate) const;
+  struct Candidates {
+    Cursor first;
+    std::uint32_t count = 0;
+  };
   /// The shortest list that holds every fact which may match: `known` gives the value of a
   /// position, if it has one.
   template <class Known>
-  Cursor candidates(Term predicate, std::span<const IndexedPosition> positions, Known known);
+  Candidates candidates(Term predicate, std::span<const IndexedPosition> positions, Known known);
   Cursor next(Cursor cursor) const;
 
-  std::span<const Term> arguments(FactIndex fact) const;
+  std::span<const Term> arguments(FactIndex fact) const {
+    const Fact& record = facts_[fact];
+    return {arguments_.data() + record.arguments, record.argument_count};
+  }
   Term atom(FactIndex fact) const { return facts_[fact].atom; }
   StepIndex producer(FactIndex fact) const { return facts_[fact].producer; }
   /// The step that deleted the atom last; kInitialState if none did. Known while recording.
@@ -90,8 +106,10 @@ class FactBase {
   };
   struct Index {
     Path path;
-    tsl::robin_map<std::uint32_t, Bucket> buckets;  // by the bits of the value
-    std::vector<struct FactLink> links;             // by Fact::local
+    tsl::robin_map<std::uint32_t, std::uint32_t> numbers;  // of buckets, by the bits of the value
+    std::vector<Bucket> buckets;
+    std::vector<std::uint32_t> bucket_of;  // by Fact::local; kNoFact: nothing stands there
+    std::vector<struct FactLink> links;    // by Fact::local
   };
   struct Predicate {
     Bucket all;
@@ -109,12 +127,19 @@ class FactBase {
 
   FactIndex fact_of(Term atom);
   Predicate& predicate_of(Term symbol);
-  const Predicate* known_predicate(Term symbol) const;
+  const Predicate* known_predicate(Term symbol) const {
+    if (symbol.index() >= predicate_of_symbol_.size()) return nullptr;
+    const std::uint32_t index = predicate_of_symbol_[symbol.index()];
+    return index == kNoFact ? nullptr : &predicates_[index];
+  }
+  void enter(FactIndex fact);
+  void grow_table();
   void insert(FactIndex fact);
   void erase(FactIndex fact);
   void link(Bucket& bucket, std::vector<struct FactLink>& links, const Fact& fact, FactIndex index);
   void unlink(Bucket& bucket, std::vector<struct FactLink>& links, const Fact& fact);
   std::optional<Term> value_at(const Fact& fact, Path path) const;
+  std::uint32_t bucket_for(Index& index, const Fact& fact) const;
   Index& index_for(Predicate& predicate, Path path);
   void set_producer(FactIndex fact, StepIndex producer);
   void spell(FactIndex fact, Term atom);
@@ -123,6 +148,9 @@ class FactBase {
   std::vector<Fact> facts_;
   std::vector<Term> arguments_;
   std::vector<std::uint32_t> fact_of_pair_;  // by the index of the loose atom; kNoFact
+  std::vector<std::uint32_t> table_;  // facts by their arguments: open addressing; 0: free, else
+                                      // index + 1. A fact stays under spellings it had before.
+  std::size_t entries_ = 0;
   std::vector<std::uint32_t> predicate_of_symbol_;
   std::vector<Predicate> predicates_;
   std::vector<Undo> trail_;
@@ -136,22 +164,22 @@ struct FactLink {
 };
 
 template <class Known>
-FactBase::Cursor FactBase::candidates(Term predicate, std::span<const IndexedPosition> positions,
-                                      Known known) {
+FactBase::Candidates FactBase::candidates(Term predicate,
+                                          std::span<const IndexedPosition> positions, Known known) {
   const Predicate* facts = known_predicate(predicate);
   if (facts == nullptr || facts->all.count == 0) return {};
-  Cursor best{facts->all.head, &facts->links};
-  std::uint32_t fewest = facts->all.count;
+  Candidates best{{facts->all.head, &facts->links}, facts->all.count};
   for (const IndexedPosition& position : positions) {
-    if (fewest <= kFewFacts) break;
-    const std::optional<Term> value = known(position.pattern);
+    if (best.count <= kFewFacts) break;
+    const std::optional<Term> value = known(position);
     if (!value) continue;
     Index& index = index_for(predicate_of(predicate), position.path);
-    const auto bucket = index.buckets.find(value->bits());
-    if (bucket == index.buckets.end() || bucket->second.count == 0) return {};
-    if (bucket->second.count >= fewest) continue;
-    fewest = bucket->second.count;
-    best = {bucket->second.head, &index.links};
+    const auto number = index.numbers.find(value->bits());
+    if (number == index.numbers.end()) return {};
+    const Bucket& bucket = index.buckets[number->second];
+    if (bucket.count == 0) return {};
+    if (bucket.count >= best.count) continue;
+    best = {{bucket.head, &index.links}, bucket.count};
   }
   return best;
 }

@@ -55,9 +55,18 @@ Result<std::vector<Term>, Failure> items_at(Machine& machine, Arguments argument
   return items;
 }
 
-std::vector<std::span<const Builtin>> all_builtins() {
+std::array<std::span<const Builtin>, 8> all_builtins() {
   return {arithmetic_builtins(), comparison_builtins(), division_builtins(), list_builtins(),
           sequence_builtins(),   mapping_builtins(),    text_builtins(),     table_builtins()};
+}
+
+const Builtin* builtin_of(std::string_view name) {
+  for (const std::span<const Builtin> table : all_builtins()) {
+    for (const Builtin& builtin : table) {
+      if (builtin.name == name) return &builtin;
+    }
+  }
+  return nullptr;
 }
 
 }  // namespace skein::htn::lisp

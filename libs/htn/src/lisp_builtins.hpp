@@ -2,8 +2,10 @@
 // The functions of the language, in tables by theme, and what they share.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lisp_machine.hpp"
@@ -18,7 +20,9 @@ std::span<const Builtin> sequence_builtins();
 std::span<const Builtin> mapping_builtins();
 std::span<const Builtin> text_builtins();
 std::span<const Builtin> table_builtins();
-std::vector<std::span<const Builtin>> all_builtins();
+std::array<std::span<const Builtin>, 8> all_builtins();
+/// Null for names that are not built in. Cost: a look at each.
+const Builtin* builtin_of(std::string_view name);
 /// What (setf (gethash key table) value) and (setf (aref array index…) value) call.
 const Builtin& hash_setter();
 const Builtin& array_setter();

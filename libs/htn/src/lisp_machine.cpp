@@ -18,9 +18,7 @@ constexpr const char* kTooDeep = "too many calls inside each other, or too many 
 
 }  // namespace
 
-Machine::Machine(Program& program) : program_(program), step_limit_(kDefaultStepLimit) {
-  stack_.reserve(kStackLimit);
-}
+Machine::Machine(Program& program) : program_(program), step_limit_(kDefaultStepLimit) {}
 
 tl::expected<Term, LispError> Machine::evaluate(const Unit& unit, const SlotValue& slots) {
   start(slots);
@@ -38,6 +36,7 @@ tl::expected<Term, LispError> Machine::apply(const Unit& function, Arguments arg
 
 void Machine::start(const SlotValue& slots) {
   SKEIN_EXPECTS(frames_.empty());
+  if (stack_.capacity() == 0) stack_.reserve(kStackLimit);  // many domains never evaluate anything
   slots_ = &slots;
   steps_ = 0;
   where_.reset();

@@ -41,14 +41,6 @@ ArgumentCount argument_count(const TermStore& store, const FunctionDefinition& d
 Program::Program(TermStore& terms, const Functions& host,
                  const std::vector<FunctionDefinition>& defined)
     : store_(terms), host_(host) {
-  for (const std::span<const Builtin> table : all_builtins()) {
-    for (const Builtin& builtin : table) {
-      Callable callable;
-      callable.name = builtin.name;
-      callable.builtin = &builtin;
-      add_callable(std::move(callable), store_.symbol(builtin.name));
-    }
-  }
   for (const std::string& name : host.names()) {
     Callable callable;
     callable.name = name;
@@ -69,16 +61,24 @@ Program::Program(TermStore& terms, const Functions& host,
   }
 }
 
-// The first function of a name counts.
+// The first function of a name counts; those that are built in come before all others, and are
+// added when they are asked for.
 void Program::add_callable(Callable callable, Term name) {
+  if (callable.builtin == nullptr && builtin_of(store_.name(name)) != nullptr) return;
   const auto index = static_cast<std::uint32_t>(callables_.size());
   if (by_name_.emplace(name, index).second) callables_.push_back(std::move(callable));
 }
 
-std::optional<std::uint32_t> Program::find(Term name) const {
+std::optional<std::uint32_t> Program::find(Term name) {
   const auto at = by_name_.find(name);
-  if (at == by_name_.end()) return std::nullopt;
-  return at->second;
+  if (at != by_name_.end()) return at->second;
+  const Builtin* builtin = builtin_of(store_.name(name));
+  if (builtin == nullptr) return std::nullopt;
+  Callable callable;
+  callable.name = builtin->name;
+  callable.builtin = builtin;
+  add_callable(std::move(callable), name);
+  return by_name_.at(name);
 }
 
 std::optional<std::uint32_t> Program::global(Term name) {
@@ -106,7 +106,12 @@ void Program::compile_first_value(Global& global, Diagnostics& errors) {
 
 std::vector<std::string> Program::function_names() const {
   std::vector<std::string> names;
-  for (const Callable& callable : callables_) names.push_back(callable.name);
+  for (const std::span<const Builtin> table : all_builtins()) {
+    for (const Builtin& builtin : table) names.emplace_back(builtin.name);
+  }
+  for (const Callable& callable : callables_) {
+    if (callable.builtin == nullptr) names.push_back(callable.name);
+  }
   return names;
 }
 

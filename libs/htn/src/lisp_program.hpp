@@ -23,7 +23,7 @@ class Program {
   TermStore& store() { return store_; }
 
   /// The function of that name: built in, the host's, or defined in the files.
-  std::optional<std::uint32_t> find(Term name) const;
+  std::optional<std::uint32_t> find(Term name);
   const Callable& callable(std::uint32_t index) const { return callables_[index]; }
   /// Notes that the function will be called: `compile_pending` must follow.
   void want(std::uint32_t callable);

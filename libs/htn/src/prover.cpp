@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace skein::htn {
@@ -95,10 +96,43 @@ Prover::Move Prover::forward() {
       break;
   }
   if (!budget_.infer()) return Move::kStop;
-  const GoalIndex goal = (*here.goals)[here.position];
+  const std::vector<GoalIndex>& goals = *here.goals;
   const Base base = here.base;
-  const std::uint32_t after = push_goals(*here.goals, here.position + 1, base, here.next);
+  const std::uint32_t ahead = queries_.back().any_order ? pick(here) : 0;
+  const GoalIndex goal = goals[here.position + ahead];
+  std::uint32_t after = 0;
+  if (ahead == 0) {
+    after = push_goals(goals, here.position + 1, base, here.next, here.done);
+  } else {
+    const std::uint32_t done = here.done | 1U << (ahead - 1);
+    continuations_.push_back(Continuation{here.kind, here.position, done, &goals, base, here.next});
+    after = static_cast<std::uint32_t>(continuations_.size() - 1);
+  }
   return execute(goal, base, after);
+}
+
+bool Prover::facts_alone(GoalIndex index) const {
+  const Goal& goal = domain_.goals[index];
+  return goal.kind == GoalKind::kAtom && goal.flat && goal.axioms == nullptr;
+}
+
+// Of atoms asked for one after the other that facts alone tell of, the one that fewest match comes
+// first: how far it stands ahead.
+std::uint32_t Prover::pick(const Continuation& here) {
+  const std::span<const GoalIndex> goals = std::span(*here.goals).subspan(here.position);
+  if (goals.size() < 2 || !facts_alone(goals[0]) || !facts_alone(goals[1])) return 0;
+  std::uint32_t best = 0;
+  std::uint32_t fewest = matching(domain_.goals[goals[0]], here.base);
+  const auto last = static_cast<std::uint32_t>(std::min<std::size_t>(goals.size(), kMostPicked));
+  for (std::uint32_t ahead = 1; ahead < last && fewest > kFewEnough; ++ahead) {
+    if (!facts_alone(goals[ahead])) break;
+    if ((here.done >> (ahead - 1) & 1U) != 0) continue;
+    const std::uint32_t count = matching(domain_.goals[goals[ahead]], here.base);
+    if (count >= fewest) continue;
+    best = ahead;
+    fewest = count;
+  }
+  return best;
 }
 
 Prover::Move Prover::back() {
@@ -106,7 +140,7 @@ Prover::Move Prover::back() {
   restore(top);
   switch (top.kind) {
     case FrameKind::kQuery:
-      return finish_query();
+      return queries_.back().test ? finish_test(false) : finish_query();
     case FrameKind::kAtom:
       return retry_atom();
     case FrameKind::kRows:
@@ -125,6 +159,11 @@ Prover::Move Prover::back() {
 // A proof of the innermost query is complete.
 Prover::Move Prover::emit() {
   const Query& query = queries_.back();
+  if (query.test) {
+    pop_frames(query.frame + 1);
+    restore(frames_.back());
+    return finish_test(true);
+  }
   const Frame& barrier = frames_[query.frame];
   Answers& answers = set(query.set);
   answers.record(bindings_, barrier.mark.cells);
@@ -150,21 +189,26 @@ Prover::Move Prover::emit() {
 
 Prover::Move Prover::execute(GoalIndex index, Base base, std::uint32_t after) {
   const Goal& goal = domain_.goals[index];
+  if (goal.kind == GoalKind::kAtom) return atom(index, base, after);
   Query query;
   query.after = after;
   query.goal = index;
   query.base = base;
   switch (goal.kind) {
     case GoalKind::kAtom:
-      return atom(index, base, after);
+      break;
     case GoalKind::kAnd:
     case GoalKind::kImply:
+      if (queries_.back().any_order) {
+        current_ = push_goals(domain_.conditions[goal.conditions[0]].goals, 0, base, after);
+        return Move::kForward;
+      }
       return begin(Purpose::kEach, goal.conditions[0], false, query);
     case GoalKind::kOr:
       push_frame(FrameKind::kOr, index, base, after);
       return next_alternative();
     case GoalKind::kNot:
-      return begin(Purpose::kNot, goal.conditions[0], true, query);
+      return negated(goal, query);
     case GoalKind::kForall:
       return begin(Purpose::kForallBounds, goal.conditions[0], false, query);
     case GoalKind::kExists:
@@ -194,11 +238,15 @@ Prover::Move Prover::begin(Purpose purpose, ConditionIndex condition, bool just_
   query.frame = static_cast<std::uint32_t>(frames_.size());
   query.set = open_set();
   push_frame(FrameKind::kQuery, query.goal, query.base, query.after);
-  const bool values_matter = purpose != Purpose::kNot && purpose != Purpose::kForallPart &&
-                             purpose != Purpose::kExistsPart;
-  if (values_matter) collect_cells(wanted, query.base, set(query.set));
+  const bool asked_alone = purpose == Purpose::kNot || purpose == Purpose::kForallPart ||
+                           purpose == Purpose::kExistsPart;
+  if (!asked_alone) collect_cells(wanted, query.base, set(query.set));
   // Where no variable gets a value, one proof tells all.
-  query.just_one = just_one || set(query.set).cells.empty();
+  const bool no_values = set(query.set).cells.empty();
+  query.just_one = just_one || no_values;
+  const bool rows = purpose == Purpose::kEach || purpose == Purpose::kAlternative;
+  query.test = !recording_ && (asked_alone || (rows && no_values));
+  query.any_order = query.test && wanted.logical;
   queries_.push_back(query);
   continuations_.push_back({});
   current_ = push_goals(wanted.goals, 0, query.base,
@@ -208,7 +256,8 @@ Prover::Move Prover::begin(Purpose purpose, ConditionIndex condition, bool just_
 
 void Prover::collect_cells(const Condition& condition, Base base, Answers& answers) {
   for (const std::uint32_t slot : condition.slots) {
-    bindings_.collect_unbound(Term(TermKind::kSlot, slot), base, answers.cells);
+    const Term value = bindings_.resolve(Term(TermKind::kSlot, slot), base);
+    if (!bindings_.plain(value)) bindings_.collect_unbound(value, base, answers.cells);
   }
   for (const Term variable : condition.variables) {
     bindings_.collect_unbound(variable, base, answers.cells);
@@ -223,7 +272,7 @@ Prover::Move Prover::finish_query() {
   Answers& answers = set(query.set);
   switch (query.purpose) {
     case Purpose::kTop:
-      answers.finish();
+      answers.finish(seen_);
       continuations_.clear();
       support_.clear();
       return Move::kDone;
@@ -251,13 +300,29 @@ Prover::Move Prover::finish_query() {
       return finish_quantifier_part(
           holds, holds && recording_ ? answers.support.front() : std::vector<CausalLink>{});
     }
+    case Purpose::kHolds:
+      break;
   }
   return Move::kStop;
 }
 
+// The innermost query, of which only this was asked, is answered.
+Prover::Move Prover::finish_test(bool holds) {
+  const Query query = queries_.back();
+  queries_.pop_back();
+  frames_.pop_back();
+  sets_open_ = query.set;
+  if (query.purpose == Purpose::kForallPart || query.purpose == Purpose::kExistsPart) {
+    return finish_quantifier_part(holds, {});
+  }
+  if (holds == (query.purpose == Purpose::kNot)) return Move::kBack;
+  current_ = query.after;
+  return Move::kForward;
+}
+
 Prover::Move Prover::finish_rows(const Query& query) {
   Answers& answers = set(query.set);
-  answers.finish();
+  answers.finish(seen_);
   if (answers.count() == 0) {
     sets_open_ = query.set;
     const Goal& goal = domain_.goals[query.goal];
@@ -294,6 +359,10 @@ Prover::Move Prover::next_alternative() {
     return Move::kBack;
   }
   const ConditionIndex alternative = goal.conditions[frame.at++];
+  if (queries_.back().any_order) {
+    current_ = push_goals(domain_.conditions[alternative].goals, 0, frame.base, frame.after);
+    return Move::kForward;
+  }
   Query query;
   query.after = frame.after;
   query.goal = frame.goal;
@@ -304,7 +373,7 @@ Prover::Move Prover::next_alternative() {
 Prover::Move Prover::finish_collection(const Query& query) {
   const Goal& goal = domain_.goals[query.goal];
   Answers& answers = set(query.set);
-  answers.finish();
+  answers.finish(seen_);
   std::vector<Term> collected;
   for (std::size_t row = 0; row < answers.count(); ++row) {
     const Bindings::Mark mark = bindings_.mark();
@@ -327,7 +396,7 @@ Prover::Move Prover::finish_collection(const Query& query) {
 // forall and exists: the bounds are known, now the condition under each of them.
 Prover::Move Prover::finish_quantifier_bounds(const Query& query) {
   Answers& answers = set(query.set);
-  answers.finish();
+  answers.finish(seen_);
   const bool all = query.purpose == Purpose::kForallBounds;
   Frame& frame = push_frame(all ? FrameKind::kForall : FrameKind::kExists, query.goal, query.base,
                             query.after);
@@ -371,25 +440,6 @@ void Prover::keep_support(Frame& frame, const std::vector<CausalLink>& support) 
 
 // ---- stacks ----------------------------------------------------------------------------------
 
-Prover::Frame& Prover::push_frame(FrameKind kind, GoalIndex goal, Base base, std::uint32_t after) {
-  Frame& frame = frames_.emplace_back();
-  frame.kind = kind;
-  frame.mark = bindings_.mark();
-  frame.continuations = static_cast<std::uint32_t>(continuations_.size());
-  frame.support = static_cast<std::uint32_t>(support_.size());
-  frame.after = after;
-  frame.goal = goal;
-  frame.base = base;
-  frame.set = sets_open_;
-  return frame;
-}
-
-void Prover::restore(const Frame& frame) {
-  bindings_.undo(frame.mark);
-  continuations_.resize(frame.continuations);
-  support_.resize(frame.support);
-}
-
 // Keeps the first `count` frames. Rows that nobody goes through any more are given back, those of
 // an innermost query apart.
 void Prover::pop_frames(std::size_t count) {
@@ -403,21 +453,10 @@ void Prover::pop_frames(std::size_t count) {
   }
 }
 
-std::uint32_t Prover::push_goals(const std::vector<GoalIndex>& goals, std::uint32_t position,
-                                 Base base, std::uint32_t next) {
-  if (position == goals.size()) return next;
-  continuations_.push_back({ContinuationKind::kGoals, position, &goals, base, next});
-  return static_cast<std::uint32_t>(continuations_.size() - 1);
-}
-
 std::uint32_t Prover::open_set() {
   if (sets_open_ == sets_.size()) sets_.emplace_back();
   sets_[sets_open_].clear();
   return sets_open_++;
-}
-
-void Prover::note_support(Term fact, StepIndex step) {
-  if (recording_) support_.push_back({fact, step});
 }
 
 // (not atom) rests on the step that deleted the atom.

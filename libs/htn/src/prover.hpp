@@ -2,8 +2,10 @@
 // Finds the satisfiers of conditions in a state, with axioms.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <map>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,12 +52,14 @@ class Prover {
     kForallPart,
     kExistsBounds,
     kExistsPart,
-    kCollect
+    kCollect,
+    kHolds  ///< a ground atom, by its axioms
   };
   enum class ContinuationKind : std::uint8_t { kGoals, kCut, kEmit };
   struct Continuation {
     ContinuationKind kind = ContinuationKind::kEmit;
     std::uint32_t position = 0;  // kGoals: next goal; kCut: the frame
+    std::uint32_t done = 0;      // kGoals: those behind it that were tried before their turn (bits)
     const std::vector<GoalIndex>* goals = nullptr;
     Base base = 0;
     std::uint32_t next = 0;
@@ -83,6 +87,8 @@ class Prover {
   struct Query {
     Purpose purpose = Purpose::kTop;
     bool just_one = false;
+    bool test = false;       // whether it holds is all that is asked: no answers are kept
+    bool any_order = false;  // a test of what is Condition::logical
     std::uint32_t frame = 0;
     std::uint32_t set = 0;
     std::uint32_t after = 0;
@@ -95,21 +101,35 @@ class Prover {
   Move forward();
   Move back();
   Move emit();
+  std::uint32_t pick(const Continuation& here);
+  bool facts_alone(GoalIndex goal) const;
+  std::uint32_t matching(const Goal& goal, Base base);
   Move execute(GoalIndex goal, Base base, std::uint32_t after);
 
   Move begin(Purpose purpose, ConditionIndex condition, bool just_one, Query query);
   void collect_cells(const Condition& condition, Base base, Answers& answers);
   Move finish_query();
+  Move finish_test(bool holds);
   Move finish_rows(const Query& query);
   Move finish_collection(const Query& query);
   Move finish_quantifier_bounds(const Query& query);
   Move finish_quantifier_part(bool holds, const std::vector<CausalLink>& support);
   void keep_support(Frame& frame, const std::vector<CausalLink>& support);
 
+  using Values = std::array<Term, kMostFlatArguments>;
   Move atom(GoalIndex goal, Base base, std::uint32_t after);
+  Move flat_atom(GoalIndex goal, Base base, std::uint32_t after);
+  Move first_fact(GoalIndex goal, const Values& values, Base base, std::uint32_t after);
+  Move test_axioms(GoalIndex goal, Base base, std::uint32_t after);
+  Move negated(const Goal& goal, Query query);
+  Bindings::Known values_of(const Goal& goal, Base base, Values& values);
+  FactBase::Candidates candidates(const Goal& goal, const Values& values, Base base);
+  bool some_fact(const Goal& goal, Base base);
+  Frame& push_atom(GoalIndex goal, Base base, std::uint32_t after);
   Move retry_atom();
   Move try_axioms();
-  bool match_fact(const Goal& goal, Base base, FactIndex fact);
+  bool match_fact(std::span<const Term> arguments, Base base, FactIndex fact);
+  std::uint32_t answers_so_far();
   Move enter_tail(const Axiom& axiom, Base axiom_base);
   Move leave_atom();
   Move next_row();
@@ -126,14 +146,36 @@ class Prover {
   std::optional<Term> value_of(CodeIndex code, Base base);
   bool bind_value(Term pattern, Base base, Term value);
 
-  Frame& push_frame(FrameKind kind, GoalIndex goal, Base base, std::uint32_t after);
-  void restore(const Frame& frame);
+  Frame& push_frame(FrameKind kind, GoalIndex goal, Base base, std::uint32_t after) {
+    Frame& frame = frames_.emplace_back();
+    frame.kind = kind;
+    frame.mark = bindings_.mark();
+    frame.continuations = static_cast<std::uint32_t>(continuations_.size());
+    frame.support = static_cast<std::uint32_t>(support_.size());
+    frame.after = after;
+    frame.goal = goal;
+    frame.base = base;
+    frame.set = sets_open_;
+    return frame;
+  }
+  void restore(const Frame& frame) {
+    bindings_.undo(frame.mark);
+    continuations_.erase(continuations_.begin() + frame.continuations, continuations_.end());
+    if (recording_) support_.resize(frame.support);
+  }
   void pop_frames(std::size_t count);
   std::uint32_t push_goals(const std::vector<GoalIndex>& goals, std::uint32_t position, Base base,
-                           std::uint32_t next);
+                           std::uint32_t next, std::uint32_t done = 0) {
+    for (; (done & 1U) != 0; done >>= 1U) ++position;
+    if (position == goals.size()) return next;
+    continuations_.push_back({ContinuationKind::kGoals, position, done >> 1U, &goals, base, next});
+    return static_cast<std::uint32_t>(continuations_.size() - 1);
+  }
   std::uint32_t open_set();
   Answers& set(std::uint32_t index) { return sets_[index]; }
-  void note_support(Term fact, StepIndex step);
+  void note_support(FactIndex fact) {
+    if (recording_) support_.push_back({facts_.atom(fact), facts_.producer(fact)});
+  }
   void note_absence(const Goal& goal, Base base);
   Move fail(const Goal& goal, const std::string& why);
   bool sort(const Condition& condition, Base base, Answers& answers);
@@ -153,9 +195,12 @@ class Prover {
   std::uint32_t current_ = 0;
   std::uint32_t once_frames_ = 0;
   static constexpr int kDeepestValue = 200;
+  static constexpr std::uint32_t kFewEnough = 2;   ///< matching facts: no better goal is looked for
+  static constexpr std::uint32_t kMostPicked = 8;  ///< goals among which one is picked
   int value_nesting_ = 0;
   bool recording_ = false;
   std::vector<CausalLink> support_;
+  RowSet seen_;
   std::map<std::pair<ConditionIndex, std::size_t>, ConditionIndex> parts_;  ///< of solve_part
 };
 

@@ -3,6 +3,8 @@
 // values.
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
 
 #include "condition_compiler.hpp"
 #include "prover.hpp"
@@ -11,45 +13,180 @@ namespace skein::htn {
 
 Prover::Move Prover::atom(GoalIndex index, Base base, std::uint32_t after) {
   const Goal& goal = domain_.goals[index];
-  const std::vector<Axiom>* axioms = goal.axioms;
-  // What only axioms tell of needs no search among the facts.
-  const bool no_fact =
-      goal.predicate.is(TermKind::kSymbol) && facts_.all(goal.predicate).fact == kNoFact;
-  if (no_fact && axioms == nullptr) return Move::kBack;
-  if (no_fact) {
-    Frame& frame = push_frame(FrameKind::kAtom, index, base, after);
-    frame.answers_first = static_cast<std::uint32_t>(set(queries_.back().set).count());
-    return retry_atom();
-  }
+  if (goal.flat) return flat_atom(index, base, after);
   Term whole;
   const Bindings::Known known = bindings_.look_up(goal.pattern, base, whole);
+  Frame& frame = push_atom(index, base, after);
+  const Term predicate = bindings_.resolve(goal.predicate, base);  // may be a variable's value
+  if (!predicate.is(TermKind::kSymbol)) return retry_atom();
   if (known == Bindings::Known::kTerm) {
     const FactIndex fact = facts_.find(whole);
-    if (axioms == nullptr) {
-      if (fact == kNoFact) return Move::kBack;
-      note_support(whole, facts_.producer(fact));
-      current_ = after;
-      return Move::kForward;
-    }
-    Frame& frame = push_frame(FrameKind::kAtom, index, base, after);
-    frame.answers_first = static_cast<std::uint32_t>(set(queries_.back().set).count());
     if (fact == kNoFact) return retry_atom();
-    note_support(whole, facts_.producer(fact));
+    note_support(fact);
     current_ = after;
     return Move::kForward;
   }
-  Frame& frame = push_frame(FrameKind::kAtom, index, base, after);
-  frame.answers_first = static_cast<std::uint32_t>(set(queries_.back().set).count());
-  const Term predicate = bindings_.resolve(goal.predicate, base);  // may be a variable's value
-  if (known == Bindings::Known::kOpen && predicate.is(TermKind::kSymbol)) {
-    frame.cursor = facts_.candidates(predicate, goal.positions,
-                                     [this, base](Term pattern) -> std::optional<Term> {
-                                       const Term value = bindings_.resolve(pattern, base);
-                                       if (!store_.ground(value)) return std::nullopt;
-                                       return value;
-                                     });
+  if (known == Bindings::Known::kOpen) {
+    const auto value_at = [this, base](const IndexedPosition& position) -> std::optional<Term> {
+      const Term value = bindings_.resolve(position.pattern, base);
+      return store_.ground(value) ? std::optional<Term>(value) : std::nullopt;
+    };
+    frame.cursor = facts_.candidates(predicate, goal.positions, value_at).first;
   }
   return retry_atom();
+}
+
+// What only facts tell of needs a frame only while another may match.
+Prover::Move Prover::flat_atom(GoalIndex index, Base base, std::uint32_t after) {
+  const Goal& goal = domain_.goals[index];
+  const bool facts = facts_.any(goal.predicate);
+  if (!facts && goal.axioms == nullptr) return Move::kBack;
+  Values values;
+  const Bindings::Known known = values_of(goal, base, values);
+  if (known == Bindings::Known::kOpen) {
+    if (goal.axioms == nullptr) return first_fact(index, values, base, after);
+    Frame& frame = push_atom(index, base, after);
+    frame.cursor = candidates(goal, values, base).first;
+    return retry_atom();
+  }
+  const bool known_values = known == Bindings::Known::kTerm;
+  const FactIndex fact =
+      known_values ? facts_.find(goal.predicate, std::span(values).first(goal.arguments.size()))
+                   : kNoFact;
+  const bool decided = goal.axioms == nullptr || (goal.logical && !recording_ && known_values);
+  if (!decided) push_atom(index, base, after);
+  if (fact != kNoFact) {
+    note_support(fact);
+    current_ = after;
+    return Move::kForward;
+  }
+  if (!decided) return retry_atom();
+  return goal.axioms == nullptr ? Move::kBack : test_axioms(index, base, after);
+}
+
+// The values of the arguments as far as they are known: any kOpen one may be followed by others
+// that are not looked at.
+Bindings::Known Prover::values_of(const Goal& goal, Base base, Values& values) {
+  Bindings::Known all = Bindings::Known::kTerm;
+  for (std::size_t at = 0; at < goal.arguments.size(); ++at) {
+    Term value = bindings_.resolve(goal.arguments[at], base);
+    if (!bindings_.plain(value)) {
+      const Bindings::Known known = value.is(TermKind::kPair)
+                                        ? bindings_.look_up(value, base, value)
+                                        : Bindings::Known::kOpen;
+      if (known == Bindings::Known::kNever) return known;
+      if (known == Bindings::Known::kOpen) all = known;
+    }
+    values[at] = value;
+  }
+  return all;
+}
+
+FactBase::Candidates Prover::candidates(const Goal& goal, const Values& values, Base base) {
+  return facts_.candidates(goal.predicate, goal.positions, [&](const IndexedPosition& position) {
+    const bool whole = position.path.inner == Path::kWhole;
+    const Term value =
+        whole ? values[position.path.outer] : bindings_.resolve(position.pattern, base);
+    return store_.ground(value) ? std::optional<Term>(value) : std::nullopt;
+  });
+}
+
+Prover::Move Prover::first_fact(GoalIndex index, const Values& values, Base base,
+                                std::uint32_t after) {
+  const Goal& goal = domain_.goals[index];
+  const std::span<const Term> arguments = std::span(values).first(goal.arguments.size());
+  const Bindings::Mark mark = bindings_.mark();
+  FactBase::Cursor cursor = candidates(goal, values, base).first;
+  while (cursor.fact != kNoFact) {
+    const FactIndex fact = cursor.fact;
+    cursor = facts_.next(cursor);
+    if (!match_fact(arguments, base, fact)) {
+      bindings_.undo(mark);
+      continue;
+    }
+    if (cursor.fact != kNoFact) {
+      Frame& frame = push_atom(index, base, after);
+      frame.mark = mark;
+      frame.cursor = cursor;
+    }
+    note_support(fact);
+    current_ = after;
+    return Move::kForward;
+  }
+  return Move::kBack;
+}
+
+// One that nobody asks for the values of its variables.
+bool Prover::some_fact(const Goal& goal, Base base) {
+  if (!facts_.any(goal.predicate)) return false;
+  Values values;
+  const Bindings::Known known = values_of(goal, base, values);
+  if (known == Bindings::Known::kNever) return false;
+  const std::span<const Term> arguments = std::span(values).first(goal.arguments.size());
+  if (known == Bindings::Known::kTerm) return facts_.find(goal.predicate, arguments) != kNoFact;
+  const Bindings::Mark mark = bindings_.mark();
+  for (FactBase::Cursor cursor = candidates(goal, values, base).first; cursor.fact != kNoFact;
+       cursor = facts_.next(cursor)) {
+    const bool matches = match_fact(arguments, base, cursor.fact);
+    bindings_.undo(mark);
+    if (matches) return true;
+  }
+  return false;
+}
+
+// How many facts may match, at most.
+std::uint32_t Prover::matching(const Goal& goal, Base base) {
+  if (!facts_.any(goal.predicate)) return 0;
+  Values values;
+  switch (values_of(goal, base, values)) {
+    case Bindings::Known::kNever:
+      return 0;
+    case Bindings::Known::kTerm:
+      return 1;
+    case Bindings::Known::kOpen:
+      break;
+  }
+  return candidates(goal, values, base).count;
+}
+
+// (not condition); of one fact without a query of its own.
+Prover::Move Prover::negated(const Goal& goal, Query query) {
+  const std::vector<GoalIndex>& inner = domain_.conditions[goal.conditions[0]].goals;
+  if (recording_ || inner.size() != 1 || !facts_alone(inner[0])) {
+    return begin(Purpose::kNot, goal.conditions[0], true, query);
+  }
+  if (!budget_.infer()) return Move::kStop;
+  if (some_fact(domain_.goals[inner[0]], query.base)) return Move::kBack;
+  current_ = query.after;
+  return Move::kForward;
+}
+
+// Whether a ground atom that is no fact follows by logical axioms: one proof is enough.
+Prover::Move Prover::test_axioms(GoalIndex index, Base base, std::uint32_t after) {
+  Query query;
+  query.purpose = Purpose::kHolds;
+  query.just_one = query.test = query.any_order = true;
+  query.frame = static_cast<std::uint32_t>(frames_.size());
+  query.set = sets_open_;
+  query.after = after;
+  query.goal = index;
+  query.base = base;
+  push_frame(FrameKind::kQuery, index, base, after);
+  queries_.push_back(query);
+  continuations_.push_back({});
+  push_atom(index, base, static_cast<std::uint32_t>(continuations_.size() - 1));
+  return try_axioms();
+}
+
+std::uint32_t Prover::answers_so_far() {
+  const Query& query = queries_.back();
+  return query.test ? 0 : static_cast<std::uint32_t>(set(query.set).count());
+}
+
+Prover::Frame& Prover::push_atom(GoalIndex index, Base base, std::uint32_t after) {
+  Frame& frame = push_frame(FrameKind::kAtom, index, base, after);
+  frame.answers_first = answers_so_far();
+  return frame;
 }
 
 Prover::Move Prover::retry_atom() {
@@ -58,11 +195,11 @@ Prover::Move Prover::retry_atom() {
   while (frame.cursor.fact != kNoFact) {
     const FactIndex fact = frame.cursor.fact;
     frame.cursor = facts_.next(frame.cursor);
-    if (!match_fact(goal, frame.base, fact)) {
+    if (!match_fact(goal.arguments, frame.base, fact)) {
       bindings_.undo(frame.mark);
       continue;
     }
-    note_support(facts_.atom(fact), facts_.producer(fact));
+    note_support(fact);
     current_ = frame.after;
     if (frame.cursor.fact == kNoFact && goal.axioms == nullptr) frames_.pop_back();
     return Move::kForward;
@@ -74,15 +211,16 @@ Prover::Move Prover::retry_atom() {
   return try_axioms();
 }
 
-bool Prover::match_fact(const Goal& goal, Base base, FactIndex fact) {
+bool Prover::match_fact(std::span<const Term> arguments, Base base, FactIndex fact) {
   const std::span<const Term> values = facts_.arguments(fact);
-  if (values.size() != goal.arguments.size()) return false;
+  if (values.size() != arguments.size()) return false;
   for (std::size_t at = 0; at < values.size(); ++at) {
-    const Term argument = bindings_.resolve(goal.arguments[at], base);
-    if (argument == values[at]) continue;
+    if (arguments[at] == values[at]) continue;
+    const Term argument = bindings_.resolve(arguments[at], base);
     if (argument.is(TermKind::kVariable)) {
       bindings_.bind(argument, values[at]);
-    } else if (store_.ground(argument) || !bindings_.unify(argument, base, values[at], 0)) {
+    } else if (argument != values[at] &&
+               (store_.ground(argument) || !bindings_.unify(argument, base, values[at], 0))) {
       return false;
     }
   }
@@ -94,14 +232,14 @@ Prover::Move Prover::try_axioms() {
   const Goal& goal = domain_.goals[frame.goal];
   if (!frame.axioms_begun) {
     frame.axioms_begun = true;
-    frame.answers_middle = static_cast<std::uint32_t>(set(queries_.back().set).count());
+    frame.answers_middle = answers_so_far();
   }
   for (; frame.at < goal.axioms->size(); ++frame.at) {
     const Axiom& axiom = (*goal.axioms)[frame.at];
     if (!frame.committed && frame.tail < axiom.tails.size()) {
-      const Base axiom_base = bindings_.open(axiom.slots);
-      if (bindings_.unify(store_.cdr(goal.pattern), frame.base, store_.cdr(axiom.head),
-                          axiom_base)) {
+      Base axiom_base = 0;
+      if (bindings_.enter(axiom.slots, store_.cdr(axiom.head), axiom.items,
+                          store_.cdr(goal.pattern), frame.base, axiom_base)) {
         return enter_tail(axiom, axiom_base);
       }
       bindings_.undo(frame.mark);
@@ -125,7 +263,7 @@ Prover::Move Prover::enter_tail(const Axiom& axiom, Base axiom_base) {
   const bool last_tail = frame.tail == axiom.tails.size();
   std::uint32_t after = frame.after;
   if (!last_tail) {
-    continuations_.push_back({ContinuationKind::kCut, self, nullptr, 0, after});
+    continuations_.push_back({ContinuationKind::kCut, self, 0, nullptr, 0, after});
     after = static_cast<std::uint32_t>(continuations_.size() - 1);
   }
   current_ = push_goals(tail.goals, 0, axiom_base, after);
@@ -142,9 +280,8 @@ Prover::Move Prover::enter_tail(const Axiom& axiom, Base axiom_base) {
 // Answers are reversed in the end; those from facts must then stand before those from axioms.
 Prover::Move Prover::leave_atom() {
   const Frame& frame = frames_.back();
-  Answers& answers = set(queries_.back().set);
-  if (frame.answers_middle > frame.answers_first && answers.count() > frame.answers_middle) {
-    answers.rotate(frame.answers_first, frame.answers_middle);
+  if (frame.answers_middle > frame.answers_first && answers_so_far() > frame.answers_middle) {
+    set(queries_.back().set).rotate(frame.answers_first, frame.answers_middle);
   }
   pop_frames(frames_.size() - 1);
   return Move::kBack;

@@ -21,6 +21,7 @@ struct ReadContext {
   Definitions& definitions;
   Diagnostics& errors;
   Diagnostics& warnings;
+  bool wary = true;        ///< what is merely suspicious is looked for
   bool singletons = true;  ///< false inside (let ((*ignore-singleton-variables* t)) …)
 
   void error(Expression where, std::string message, std::string expected = "",

@@ -168,7 +168,7 @@ void find_forms(ReadContext& context, const Document& document) {
       const Expression form{&document, at};
       if (!context.is_list(form) || context.is_nil(form)) continue;
       quiet = std::max(quiet, quiet_until(context, form));
-      context.singletons = document[at].begin >= quiet;
+      context.singletons = context.wary && document[at].begin >= quiet;
       read_globals(context, form, at == top);
       if (!read_form(context, form)) open.push_back(document[at].first_child);
     }
@@ -202,10 +202,9 @@ void append_in_order(const Diagnostics& found, Diagnostics& to) {
   to.add({files.front(), 0, 0, "", rest + " more", "", ""});
 }
 
-}  // namespace
-
-void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
-                      Definitions& definitions, Diagnostics& errors, Diagnostics& warnings) {
+// Warnings only if they are wanted.
+void read(SourceFile file, TermStore& store, const IncludeReader& include, Definitions& definitions,
+          Diagnostics& errors, Diagnostics* warnings) {
   Diagnostics found;
   Diagnostics suspicious;
   const std::size_t domains = definitions.domains.size();
@@ -215,10 +214,23 @@ void read_definitions(SourceFile file, TermStore& store, const IncludeReader& in
   const Document& document = *definitions.documents.back();
   const Words words(store);
   ReadContext context{store, words, include, definitions, found, suspicious};
+  context.wary = warnings != nullptr;
   find_forms(context, document);
-  review(context, domains, problems);
+  if (warnings != nullptr) review(context, domains, problems);
   append_in_order(found, errors);
-  append_in_order(suspicious, warnings);
+  if (warnings != nullptr) append_in_order(suspicious, *warnings);
+}
+
+}  // namespace
+
+void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
+                      Definitions& definitions, Diagnostics& errors, Diagnostics& warnings) {
+  read(std::move(file), store, include, definitions, errors, &warnings);
+}
+
+void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
+                      Definitions& definitions, Diagnostics& errors) {
+  read(std::move(file), store, include, definitions, errors, nullptr);
 }
 
 }  // namespace skein::htn

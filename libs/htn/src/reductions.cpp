@@ -2,7 +2,7 @@
 #include "reductions.hpp"
 
 #include <algorithm>
-#include <unordered_set>
+#include <span>
 
 #include "term_map.hpp"
 
@@ -10,14 +10,14 @@ namespace skein::htn {
 
 void Reducer::reduce(const Method& method, Term task, const Tell& tell) {
   const Bindings::Mark mark = bindings_.mark();
-  const Base base = bindings_.open(method.slots);
-  if (bindings_.unify(store_.cdr(method.head), base, store_.cdr(task), 0)) {
-    Answers answers;
+  Base base = 0;
+  if (bindings_.enter(method.slots, store_.cdr(method.head), method.items, store_.cdr(task), 0,
+                      base)) {
     for (const Branch& branch : method.branches) {
-      if (!prover_.solve(branch.precondition, base, false, answers)) break;
-      if (tell) tell(method, branch, base, answers);
-      if (answers.count() == 0) continue;
-      add(branch, mark, base, answers);
+      if (!prover_.solve(branch.precondition, base, false, answers_)) break;
+      if (tell) tell(method, branch, base, answers_);
+      if (answers_.count() == 0) continue;
+      add(branch, mark, base, answers_);
       break;
     }
   }
@@ -26,20 +26,10 @@ void Reducer::reduce(const Method& method, Term task, const Tell& tell) {
 
 void Reducer::add(const Branch& branch, Bindings::Mark mark, Base base, const Answers& answers) {
   const std::size_t width = branch.leaves.size();
-  const auto same = [this, width](std::size_t left, std::size_t right) {
-    return std::equal(pool_.tasks.begin() + static_cast<std::ptrdiff_t>(left),
-                      pool_.tasks.begin() + static_cast<std::ptrdiff_t>(left + width),
-                      pool_.tasks.begin() + static_cast<std::ptrdiff_t>(right));
+  const auto tasks_at = [this, width](std::size_t begin) {
+    return std::span<const Term>(pool_.tasks).subspan(begin, width);
   };
-  const auto hash = [this, width](std::size_t begin) {
-    std::size_t mixed = 0;
-    for (std::size_t at = begin; at < begin + width; ++at) {
-      mixed = (mixed ^ pool_.tasks[at].bits()) * 0x9E3779B97F4A7C15ULL;
-    }
-    return mixed ^ (mixed >> 32U);
-  };
-  std::unordered_set<std::size_t, decltype(hash), decltype(same)> seen(
-      answers.count() > 1 ? answers.count() * 2 : 1, hash, same);
+  made_.begin(answers.count());
   for (std::size_t row = 0; row < answers.count(); ++row) {
     const ReductionPool::Mark before = pool_.mark();
     const Bindings::Mark row_mark = bindings_.mark();
@@ -47,7 +37,7 @@ void Reducer::add(const Branch& branch, Bindings::Mark mark, Base base, const An
     const bool made = add_row(branch, mark, base);
     bindings_.undo(row_mark);
     if (!made) return;
-    if (answers.count() > 1 && !seen.insert(before.tasks).second) {
+    if (answers.count() > 1 && !made_.add(before.tasks, tasks_at)) {
       pool_.cut(before);
       continue;
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "prover.hpp"
+#include "row_set.hpp"
 
 namespace skein::htn {
 
@@ -82,6 +83,8 @@ class Reducer {
   Prover& prover_;
   Budget& budget_;
   ReductionPool& pool_;
+  Answers answers_;
+  RowSet made_;
   std::vector<Term> renamed_;
   std::vector<Term> ready_;
 };

@@ -2,6 +2,8 @@
 #include "step_maker.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <unordered_set>
 
 namespace skein::htn {
@@ -11,11 +13,22 @@ namespace {
 // The order in which SHOP3 carries out a list of changes: the last of the text first, of equal ones
 // the last.
 void last_first(std::vector<Term>& atoms) {
-  std::reverse(atoms.begin(), atoms.end());
   if (atoms.size() < 2) return;
-  std::unordered_set<Term> seen;
-  const auto again = [&seen](Term atom) { return !seen.insert(atom).second; };
-  atoms.erase(std::remove_if(atoms.begin(), atoms.end(), again), atoms.end());
+  std::reverse(atoms.begin(), atoms.end());
+  std::size_t kept = 0;
+  constexpr std::size_t kFew = 16;
+  if (atoms.size() <= kFew) {
+    for (const Term atom : atoms) {
+      const auto end = atoms.begin() + static_cast<std::ptrdiff_t>(kept);
+      if (std::find(atoms.begin(), end, atom) == end) atoms[kept++] = atom;
+    }
+  } else {
+    std::unordered_set<Term> seen;
+    for (const Term atom : atoms) {
+      if (seen.insert(atom).second) atoms[kept++] = atom;
+    }
+  }
+  atoms.resize(kept);
 }
 
 }  // namespace
@@ -36,7 +49,7 @@ bool StepMaker::apply(const Operator& operation, Term task, StepIndex step, Made
   const Protections::Mark protections = protections_.mark();
   precondition_failed_ = false;
   where_ = operation.where;
-  const Base base = bindings_.open(operation.slots);
+  Base base = 0;
   const bool worked_out = prepare(operation, task, base, made) && work_out(operation, base);
   if (worked_out && recording_) note_change(made.change);
   if (worked_out && change_state(step)) {
@@ -51,19 +64,19 @@ bool StepMaker::apply(const Operator& operation, Term task, StepIndex step, Made
 }
 
 // Binds the head and the first satisfier of the precondition; works out the cost.
-bool StepMaker::prepare(const Operator& operation, Term task, Base base, MadeStep& made) {
-  if (!bindings_.unify(store_.cdr(operation.head), base, store_.cdr(task), 0)) {
+bool StepMaker::prepare(const Operator& operation, Term task, Base& base, MadeStep& made) {
+  if (!bindings_.enter(operation.slots, store_.cdr(operation.head), operation.items,
+                       store_.cdr(task), 0, base)) {
     return refuse("the task does not match its head");
   }
-  Answers answers;
   // Of an action SHOP3 takes the first object of the text that does, of an operator the last.
-  if (!prover_.solve(operation.precondition, base, !operation.action, answers)) return refuse("");
-  if (answers.count() == 0) {
+  if (!prover_.solve(operation.precondition, base, !operation.action, answers_)) return refuse("");
+  if (answers_.count() == 0) {
     precondition_failed_ = true;
     return refuse("its precondition does not hold");
   }
-  answers.apply(0, bindings_);
-  made.support = answers.support.empty() ? std::vector<CausalLink>{} : answers.support.front();
+  answers_.apply(0, bindings_);
+  made.support = answers_.support.empty() ? std::vector<CausalLink>{} : answers_.support.front();
   made.cost = operation.fixed_cost;
   if (operation.cost == kNoCode) return true;
   const auto value = domain_.lisp.evaluate(operation.cost, [this, base](std::uint32_t slot) {
@@ -102,10 +115,10 @@ bool StepMaker::collect(const std::vector<Effect>& effects, Base base, bool nega
 bool StepMaker::collect(const Effect& effect, Base base, bool negated) {
   switch (effect.kind) {
     case EffectKind::kAtom:
-      collect_atom(bindings_.instance(effect.pattern, base), negated);
+      collect_atom(atom_of(effect, base), negated);
       return true;
     case EffectKind::kProtection:
-      (negated ? released_ : protected_).push_back(bindings_.instance(effect.pattern, base));
+      (negated ? released_ : protected_).push_back(atom_of(effect, base));
       return true;
     case EffectKind::kList:
       return collect_list(bindings_.instance(effect.pattern, base), negated);
@@ -121,6 +134,20 @@ bool StepMaker::collect(const Effect& effect, Base base, bool negated) {
   return false;
 }
 
+// The instance of an effect. One that was a fact before is known by its arguments, without making
+// it anew.
+Term StepMaker::atom_of(const Effect& effect, Base base) {
+  if (!effect.flat) return bindings_.instance(effect.pattern, base);
+  std::array<Term, kMostFlatArguments> values;
+  for (std::size_t at = 0; at < effect.arguments.size(); ++at) {
+    values[at] = bindings_.instance(effect.arguments[at], base);
+  }
+  const std::span<const Term> arguments = std::span(values).first(effect.arguments.size());
+  const Term predicate = store_.car(effect.pattern);
+  const FactIndex known = facts_.record_of(predicate, arguments);
+  return known != kNoFact ? facts_.atom(known) : store_.pair(predicate, store_.list(arguments));
+}
+
 bool StepMaker::is_atom(Term term) const {
   return term.is(TermKind::kPair) && store_.car(term).is(TermKind::kSymbol) && store_.is_list(term);
 }
@@ -131,12 +158,11 @@ void StepMaker::collect_atom(Term atom, bool negated) {
 
 // A list of atoms that came as a value; (:protection atom) may be among them.
 bool StepMaker::collect_list(Term list, bool negated) {
-  const Term mark = store_.symbol(":protection");
   for (const Term item : store_.items(list)) {
     if (!item.is(TermKind::kPair)) {
       return fail("a list of atoms to add or delete holds " + store_.to_text(item));
     }
-    if (store_.car(item) == mark && store_.cdr(item).is(TermKind::kPair)) {
+    if (store_.car(item) == protection_ && store_.cdr(item).is(TermKind::kPair)) {
       (negated ? released_ : protected_).push_back(store_.car(store_.cdr(item)));
     } else {
       collect_atom(item, negated);

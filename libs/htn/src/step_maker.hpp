@@ -32,7 +32,8 @@ class StepMaker {
         facts_(facts),
         protections_(protections),
         prover_(prover),
-        budget_(budget) {}
+        budget_(budget),
+        protection_(store_.symbol(":protection")) {}
 
   /// False when the operator does not apply (why() tells) or the budget stopped; then nothing
   /// changed. `step` is the position in the plan.
@@ -43,10 +44,11 @@ class StepMaker {
   bool precondition_failed() const { return precondition_failed_; }
 
  private:
-  bool prepare(const Operator& operation, Term task, Base base, MadeStep& made);
+  bool prepare(const Operator& operation, Term task, Base& base, MadeStep& made);
   bool work_out(const Operator& operation, Base base);
   bool collect(const std::vector<Effect>& effects, Base base, bool negated);
   bool collect(const Effect& effect, Base base, bool negated);
+  Term atom_of(const Effect& effect, Base base);
   bool collect_list(Term list, bool negated);
   bool collect_under(const Effect& effect, Base base, bool negated, bool first);
   void collect_atom(Term atom, bool negated);
@@ -64,7 +66,9 @@ class StepMaker {
   Protections& protections_;
   Prover& prover_;
   Budget& budget_;
+  Term protection_;   // the word
   Expression where_;  // the operator at work
+  Answers answers_;
   std::vector<Term> deleted_;
   std::vector<Term> added_;
   std::vector<Term> released_;

@@ -22,10 +22,6 @@ std::uint64_t mix(std::uint64_t value) {
   return value ^ (value >> 29U);
 }
 
-std::uint64_t pair_hash(Term car, Term cdr) {
-  return mix((std::uint64_t{car.bits()} << 32U) | cdr.bits());
-}
-
 std::size_t number_hash(const Number& value) {
   const auto kind = static_cast<std::uint64_t>(value.kind);
   const bool exact = value.kind == NumberKind::kInteger || value.kind == NumberKind::kRatio;
@@ -45,19 +41,44 @@ std::uint64_t lower_eight(std::uint64_t bytes) {
   return bytes | (((from_a ^ beyond_z) & ~bytes & kHigh) >> 2U);
 }
 
-std::uint64_t eight_at(std::string_view text, std::size_t at) {
-  std::uint64_t bytes = 0;
-  std::memcpy(&bytes, text.data() + at, std::min<std::size_t>(8, text.size() - at));
-  return bytes;
+template <class Word>
+std::uint64_t word_at(const char* text) {
+  Word word = 0;
+  std::memcpy(&word, text, sizeof(Word));
+  return word;
 }
 
-// Case does not count.
-std::uint32_t name_hash(std::string_view name) {
-  std::uint64_t hash = name.size();
-  for (std::size_t at = 0; at < name.size(); at += 8) {
-    hash = mix(hash ^ lower_eight(eight_at(name, at)));
+// Up to eight letters; fewer by two words that overlap, for short names are most.
+std::uint64_t eight_at(std::string_view text, std::size_t at) {
+  const char* begin = text.data() + at;
+  const std::size_t size = text.size() - at;
+  if (size >= 8) return word_at<std::uint64_t>(begin);
+  if (size >= 4) {
+    return word_at<std::uint32_t>(begin) | word_at<std::uint32_t>(begin + size - 4)
+                                               << (8 * (size - 4));
   }
-  return static_cast<std::uint32_t>(mix(hash));
+  if (size >= 2) {
+    return word_at<std::uint16_t>(begin) | word_at<std::uint16_t>(begin + size - 2)
+                                               << (8 * (size - 2));
+  }
+  return word_at<std::uint8_t>(begin);
+}
+
+struct NameHash {
+  std::uint32_t hash = 0;
+  bool plain = true;  ///< no letters beyond ASCII
+};
+
+// Case does not count.
+NameHash name_hash(std::string_view name) {
+  std::uint64_t hash = name.size();
+  std::uint64_t seen = 0;
+  for (std::size_t at = 0; at < name.size(); at += 8) {
+    const std::uint64_t letters = eight_at(name, at);
+    seen |= letters;
+    hash = mix(hash ^ lower_eight(letters));
+  }
+  return {static_cast<std::uint32_t>(mix(hash)), (seen & 0x8080808080808080ULL) == 0};
 }
 
 bool is_lowered(std::string_view name, std::string_view lowered) {
@@ -68,12 +89,6 @@ bool is_lowered(std::string_view name, std::string_view lowered) {
   return true;
 }
 
-bool plain(std::string_view text) {
-  std::uint64_t seen = 0;
-  for (std::size_t at = 0; at < text.size(); at += 8) seen |= eight_at(text, at);
-  return (seen & 0x8080808080808080ULL) == 0;
-}
-
 std::uint32_t checked_index(std::size_t size) {
   SKEIN_ENSURES(size <= kLargestIndex);
   return static_cast<std::uint32_t>(size);
@@ -82,15 +97,19 @@ std::uint32_t checked_index(std::size_t size) {
 }  // namespace
 
 TermStore::TermStore()
-    : symbol_table_(kFirstTable), number_table_(kFirstTable, 0), pair_table_(kFirstTable, 0) {
+    : symbol_table_(kFirstTable),
+      number_table_(kFirstTable, 0),
+      pair_table_(kFirstTable, 0),
+      pair_table_shift_(64 - std::bit_width(kFirstTable - 1)) {
   symbol("nil");
   symbol("t");
 }
 
 Term TermStore::symbol(std::string_view given) {
-  const std::string folded = plain(given) ? std::string() : lowered(given);
-  const std::string_view name = folded.empty() ? given : std::string_view(folded);
-  const std::uint32_t hash = name_hash(name);
+  const NameHash asked = name_hash(given);
+  const std::string folded = asked.plain ? std::string() : lowered(given);
+  const std::string_view name = asked.plain ? given : std::string_view(folded);
+  const std::uint32_t hash = asked.plain ? asked.hash : name_hash(name).hash;
   const std::size_t mask = symbol_table_.size() - 1;
   std::size_t at = hash & mask;
   for (; symbol_table_[at].index != 0; at = (at + 1) & mask) {
@@ -127,6 +146,7 @@ Term TermStore::number(const Number& value) {
   }
   const std::uint32_t index = checked_index(numbers_.size());
   numbers_.push_back(value);
+  number_content_.push_back(value.kind == NumberKind::kInteger ? 0 : kHasLooseEqual);
   number_table_[at] = index + 1;
   if (numbers_.size() * 2 > number_table_.size()) grow_number_table();
   return {TermKind::kNumber, index};
@@ -152,18 +172,11 @@ Term TermStore::string(std::string_view text) {
   return {TermKind::kString, index};
 }
 
-Term TermStore::pair(Term car, Term cdr) {
-  const std::size_t mask = pair_table_.size() - 1;
-  std::size_t at = pair_hash(car, cdr) & mask;
-  while (pair_table_[at] != 0) {
-    const std::uint32_t index = pair_table_[at] - 1;
-    if (pairs_[index].car == car && pairs_[index].cdr == cdr) return {TermKind::kPair, index};
-    at = (at + 1) & mask;
-  }
+Term TermStore::add_pair(Term car, Term cdr, std::size_t place) {
   const std::uint32_t index = checked_index(pairs_.size());
   pairs_.push_back({car, cdr});
   pair_content_.push_back(static_cast<std::uint8_t>(content(car) | content(cdr)));
-  pair_table_[at] = index + 1;
+  pair_table_[place] = index + 1;
   if (pairs_.size() * 2 > pair_table_.size()) grow_pair_table();
   const Term made{TermKind::kPair, index};
   if ((pair_content_.back() & kHasLooseEqual) != 0) {
@@ -173,26 +186,12 @@ Term TermStore::pair(Term car, Term cdr) {
   return made;
 }
 
-std::optional<Term> TermStore::find_pair(Term car, Term cdr) const {
-  const std::size_t mask = pair_table_.size() - 1;
-  std::size_t at = pair_hash(car, cdr) & mask;
-  while (pair_table_[at] != 0) {
-    const std::uint32_t index = pair_table_[at] - 1;
-    if (pairs_[index].car == car && pairs_[index].cdr == cdr) return Term(TermKind::kPair, index);
-    at = (at + 1) & mask;
-  }
-  return std::nullopt;
-}
-
 void TermStore::grow_pair_table() {
-  std::vector<std::uint32_t> table(pair_table_.size() * 2, 0);
-  const std::size_t mask = table.size() - 1;
+  pair_table_.assign(pair_table_.size() * 2, 0);
+  --pair_table_shift_;
   for (std::uint32_t index = 0; index < pairs_.size(); ++index) {
-    std::size_t at = pair_hash(pairs_[index].car, pairs_[index].cdr) & mask;
-    while (table[at] != 0) at = (at + 1) & mask;
-    table[at] = index + 1;
+    pair_table_[place_of_pair(pairs_[index].car, pairs_[index].cdr)] = index + 1;
   }
-  pair_table_ = std::move(table);
 }
 
 Term TermStore::list(std::span<const Term> items, Term tail) {
@@ -204,25 +203,6 @@ Term TermStore::object(std::shared_ptr<const std::any> value, std::string label)
   const std::uint32_t index = checked_index(objects_.size());
   objects_.push_back({std::move(value), std::move(label)});
   return {TermKind::kObject, index};
-}
-
-std::uint8_t TermStore::atom_content(Term term) const {
-  switch (term.kind()) {
-    case TermKind::kSlot:
-      return kHasSlot;
-    case TermKind::kVariable:
-      return kHasVariable;
-    case TermKind::kLocal:
-      return kHasLocal;
-    case TermKind::kString:
-      return kHasLooseEqual;
-    case TermKind::kNumber:
-      return numbers_[term.index()].kind == NumberKind::kInteger
-                 ? std::uint8_t{0}
-                 : static_cast<std::uint8_t>(kHasLooseEqual);
-    default:
-      return 0;
-  }
 }
 
 // Pairs know theirs from their making: no recursion into deep terms.

@@ -28,11 +28,11 @@ class World : public test::Lab {
   /// The list a goal takes whose slots are unknown.
   std::string candidates(const std::string& predicate,
                          const std::vector<IndexedPosition>& positions) {
-    return listed(facts.candidates(store.symbol(predicate), positions,
-                                   [](Term pattern) -> std::optional<Term> {
-                                     if (pattern.is(TermKind::kSlot)) return std::nullopt;
-                                     return pattern;
-                                   }));
+    const auto known = [](const IndexedPosition& position) -> std::optional<Term> {
+      if (position.pattern.is(TermKind::kSlot)) return std::nullopt;
+      return position.pattern;
+    };
+    return listed(facts.candidates(store.symbol(predicate), positions, known).first);
   }
 
  private:
@@ -348,9 +348,11 @@ std::vector<Term> scanned(const TermStore& store, const std::vector<Term>& facts
 }
 
 std::vector<Term> indexed(World& world, const std::vector<IndexedPosition>& positions) {
+  const auto known = [](const IndexedPosition& position) {
+    return std::optional<Term>(position.pattern);
+  };
   return drained(world.facts,
-                 world.facts.candidates(world.store.symbol("p"), positions,
-                                        [](Term pattern) { return std::optional<Term>(pattern); }));
+                 world.facts.candidates(world.store.symbol("p"), positions, known).first);
 }
 
 RC_GTEST_PROP(FactBaseProperty, AgreesWithAPlainListUnderAnyChangesAndUndoing,

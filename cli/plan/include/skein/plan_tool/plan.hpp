@@ -49,7 +49,8 @@ struct Surroundings {
   std::function<double()> memory_mb;    ///< greatest resident memory so far [10^6 bytes]
   bool colour_out = false;
   bool colour_err = false;
-  bool progress = false;  ///< `err` is a terminal: one line written over each second
+  bool progress = false;      ///< `err` is a terminal: one line written over each second
+  bool process_ends = false;  ///< with the command: what was read is left to the system
 };
 
 /// Reports on `out`; on `err` what is wrong or suspicious in the files, and progress. The trace

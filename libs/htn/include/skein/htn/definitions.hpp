@@ -126,5 +126,8 @@ struct SourceFile {
 /// works on them may recur. What each construct may look like: docs/planning-language.md.
 void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
                       Definitions& definitions, Diagnostics& errors, Diagnostics& warnings);
+/// The same, but nobody wants to know what is merely suspicious: it is not looked for.
+void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
+                      Definitions& definitions, Diagnostics& errors);
 
 }  // namespace skein::htn

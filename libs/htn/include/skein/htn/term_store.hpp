@@ -3,6 +3,7 @@
 #pragma once
 
 #include <any>
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -37,9 +38,17 @@ class TermStore {
   Term number(const Number& value);
   Term integer(std::int64_t value) { return number(htn::integer(value)); }
   Term string(std::string_view text);
-  Term pair(Term car, Term cdr);
+  Term pair(Term car, Term cdr) {
+    const std::size_t place = place_of_pair(car, cdr);
+    const std::uint32_t known = pair_table_[place];
+    return known != 0 ? Term(TermKind::kPair, known - 1) : add_pair(car, cdr, place);
+  }
   /// The pair if it was ever made.
-  std::optional<Term> find_pair(Term car, Term cdr) const;
+  std::optional<Term> find_pair(Term car, Term cdr) const {
+    const std::uint32_t known = pair_table_[place_of_pair(car, cdr)];
+    if (known == 0) return std::nullopt;
+    return Term(TermKind::kPair, known - 1);
+  }
   Term list(std::span<const Term> items, Term tail = kNil);
   Term object(std::shared_ptr<const std::any> value, std::string label);
   static Term boolean(bool value) { return value ? kTrue : kNil; }
@@ -53,7 +62,10 @@ class TermStore {
 
   std::uint8_t content(Term term) const {
     if (term.is(TermKind::kPair)) return pair_content_[term.index()];
-    return term.is(TermKind::kSymbol) ? std::uint8_t{0} : atom_content(term);
+    if (term.is(TermKind::kNumber)) return number_content_[term.index()];
+    constexpr std::array<std::uint8_t, 8> kOfKind{0, 0,        kHasLooseEqual, 0,
+                                                  0, kHasSlot, kHasVariable,   kHasLocal};
+    return kOfKind[static_cast<std::size_t>(term.kind())];
   }
   /// No variable of any kind inside.
   bool ground(Term term) const {
@@ -88,19 +100,34 @@ class TermStore {
   void grow_symbol_table();
   void grow_number_table();
   void grow_pair_table();
-  std::uint8_t atom_content(Term term) const;
+  Term add_pair(Term car, Term cdr, std::size_t place);
+  // Where the pair stands in the table, or would stand.
+  std::size_t place_of_pair(Term car, Term cdr) const {
+    const std::uint64_t key = (std::uint64_t{car.bits()} << 32U) | cdr.bits();
+    std::size_t at = static_cast<std::size_t>(((key ^ (key >> 32U)) * 0x9E3779B97F4A7C15ULL) >>
+                                              pair_table_shift_);
+    while (true) {
+      const std::uint32_t known = pair_table_[at];
+      if (known == 0) return at;
+      const Pair& pair = pairs_[known - 1];
+      if (pair.car == car && pair.cdr == cdr) return at;
+      at = (at + 1) & (pair_table_.size() - 1);
+    }
+  }
   void append_text(Term term, std::string& out) const;
   void append_atom(Term term, std::string& out) const;
 
   std::deque<std::string> symbols_;
   std::vector<SymbolSlot> symbol_table_;  // open addressing, never more than half full
   std::vector<Number> numbers_;
+  std::vector<std::uint8_t> number_content_;
   std::vector<std::uint32_t> number_table_;  // open addressing; 0: free, else index + 1
   std::deque<std::string> strings_;
   std::unordered_map<std::string_view, std::uint32_t> string_index_;
   std::vector<Pair> pairs_;
   std::vector<std::uint8_t> pair_content_;
   std::vector<std::uint32_t> pair_table_;  // open addressing; 0: free, else index + 1
+  std::uint32_t pair_table_shift_;         // of a hash of 64 bits, to as many as the table has
   std::vector<Object> objects_;
   std::unordered_map<Term, Term> loose_pairs_;
 };
