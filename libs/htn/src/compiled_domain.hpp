@@ -49,7 +49,8 @@ struct Goal {
   std::vector<IndexedPosition> positions;      ///< kAtom: where a value may be known
   const std::vector<Axiom>* axioms = nullptr;  ///< kAtom: of its predicate, if any
   bool facts_only = false;                     ///< kAtom: not by axioms
-  bool logical = false;                        ///< see Condition; kAtom: so are its axioms
+  bool logical = false;                        ///< as Condition::logical; kAtom: its axioms too
+  bool finite = false;                         ///< as Condition::finite
   std::vector<ConditionIndex> conditions;
   CodeIndex code = kNoCode;
   std::string text;  ///< kEnforce: the message
@@ -74,9 +75,11 @@ struct Condition {
   std::vector<Term> variables;       ///< the same for a condition met as a value
   bool first = false;                ///< :first
   bool sorted = false;               ///< :sort-by
-  /// Nothing but facts, axioms that do not lead back to themselves, connectives and quantifiers:
-  /// whether it holds depends neither on the order of proof nor on how many proofs are found.
+  /// Nothing but facts, axioms, connectives and quantifiers: how many proofs are found does not
+  /// matter where only one is wanted.
   bool logical = false;
+  /// Logical, and no axiom leads back to itself: a proof ends in whatever order goals are tried.
+  bool finite = false;
   CodeIndex sort_key = kNoCode;
   CodeIndex compare = kNoCode;  ///< kNoCode: <
   Expression where;
@@ -184,7 +187,7 @@ inline void link_axioms(CompiledDomain& domain, Goal& goal) {
     goal.axioms = &axioms->second;
 }
 
-/// Sets Goal::logical and Condition::logical of all that the domain has, once axioms are linked.
+/// Sets `logical` and `finite` of all goals and conditions, once axioms are linked.
 void mark_logical(CompiledDomain& domain);
 
 /// Primitive tasks: names that begin with `!`; internal ones with `!!`.

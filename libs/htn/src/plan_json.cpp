@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/htn/plan_json.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <string_view>
@@ -15,6 +16,14 @@ namespace {
 
 // Characters that JSON cannot hold as they are; bytes that are no UTF-8 become U+FFFD.
 void append_escaped(std::string_view text, std::string& out) {
+  const auto as_it_is = [](char byte) {
+    const auto code = static_cast<unsigned char>(byte);
+    return code >= 0x20 && code < 0x80 && byte != '"' && byte != '\\';
+  };
+  if (std::all_of(text.begin(), text.end(), as_it_is)) {
+    out += text;
+    return;
+  }
   const bool valid = valid_utf8(text);
   for (const char byte : text) {
     const auto code = static_cast<unsigned char>(byte);
@@ -43,7 +52,9 @@ void append_string(std::string_view text, std::string& out) {
 }
 
 void append_atom(Term term, const TermStore& store, std::string& out) {
-  if (term.is(TermKind::kString)) {
+  if (term.is(TermKind::kSymbol)) {
+    append_string(store.name(term), out);
+  } else if (term.is(TermKind::kString)) {
     out += "\"\\\"";
     append_escaped(store.text(term), out);
     out += "\\\"\"";

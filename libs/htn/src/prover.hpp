@@ -88,7 +88,7 @@ class Prover {
     Purpose purpose = Purpose::kTop;
     bool just_one = false;
     bool test = false;       // whether it holds is all that is asked: no answers are kept
-    bool any_order = false;  // a test of what is Condition::logical
+    bool any_order = false;  // a test of what is Condition::finite
     std::uint32_t frame = 0;
     std::uint32_t set = 0;
     std::uint32_t after = 0;
@@ -110,6 +110,11 @@ class Prover {
   void collect_cells(const Condition& condition, Base base, Answers& answers);
   Move finish_query();
   Move finish_test(bool holds);
+  // What follows when a test is over: nothing that could fail.
+  bool ends_test(std::uint32_t after) const {
+    return queries_.back().test && continuations_[after].kind == ContinuationKind::kEmit;
+  }
+  bool one_is_enough(const Goal& goal, std::uint32_t after) const;
   Move finish_rows(const Query& query);
   Move finish_collection(const Query& query);
   Move finish_quantifier_bounds(const Query& query);

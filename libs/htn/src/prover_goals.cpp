@@ -163,9 +163,14 @@ Prover::Move Prover::negated(const Goal& goal, Query query) {
 
 // Whether a ground atom that is no fact follows by logical axioms: one proof is enough.
 Prover::Move Prover::test_axioms(GoalIndex index, Base base, std::uint32_t after) {
+  if (ends_test(after)) {
+    push_atom(index, base, after);
+    return try_axioms();
+  }
   Query query;
   query.purpose = Purpose::kHolds;
-  query.just_one = query.test = query.any_order = true;
+  query.just_one = query.test = true;
+  query.any_order = domain_.goals[index].finite;
   query.frame = static_cast<std::uint32_t>(frames_.size());
   query.set = sets_open_;
   query.after = after;
@@ -262,7 +267,7 @@ Prover::Move Prover::enter_tail(const Axiom& axiom, Base axiom_base) {
   const AxiomTail& tail = axiom.tails[frame.tail++];
   const bool last_tail = frame.tail == axiom.tails.size();
   std::uint32_t after = frame.after;
-  if (!last_tail) {
+  if (!last_tail && !ends_test(after)) {
     continuations_.push_back({ContinuationKind::kCut, self, 0, nullptr, 0, after});
     after = static_cast<std::uint32_t>(continuations_.size() - 1);
   }

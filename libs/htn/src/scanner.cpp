@@ -52,8 +52,7 @@ bool Scanner::scan() {
 }
 
 // False, and nothing is left to read: one step more would be beyond what is read of any text.
-bool Scanner::bounded() {
-  if (frames_.size() < kDeepestText && document_.nodes.size() < kMostExpressions) return true;
+bool Scanner::stop_at_bound() {
   const bool deep = frames_.size() >= kDeepestText;
   error(offset(), (deep ? "nested more than " + std::to_string(kDeepestText) + " deep"
                         : "more than " + std::to_string(kMostExpressions) + " expressions") +

@@ -89,7 +89,11 @@ class Scanner {
     return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
   }
   std::uint32_t offset() const { return static_cast<std::uint32_t>(at_); }
-  bool bounded();
+  bool bounded() {
+    const bool within = frames_.size() < kDeepestText && document_.nodes.size() < kMostExpressions;
+    return within || stop_at_bound();
+  }
+  bool stop_at_bound();
   std::string_view bounded_name(std::string_view name, std::uint32_t begin);
   void error(std::uint32_t where, std::string message, std::string expected = "");
 

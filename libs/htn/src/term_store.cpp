@@ -32,7 +32,7 @@ std::size_t number_hash(const Number& value) {
 }
 
 // Eight letters at once: sets bit 5 of each byte from 'A' to 'Z'.
-std::uint64_t lower_eight(std::uint64_t bytes) {
+inline std::uint64_t lower_eight(std::uint64_t bytes) {
   constexpr std::uint64_t kOnes = 0x0101010101010101ULL;
   constexpr std::uint64_t kHigh = 0x80 * kOnes;
   const std::uint64_t low = bytes & ~kHigh;
@@ -49,7 +49,7 @@ std::uint64_t word_at(const char* text) {
 }
 
 // Up to eight letters; fewer by two words that overlap, for short names are most.
-std::uint64_t eight_at(std::string_view text, std::size_t at) {
+inline std::uint64_t eight_at(std::string_view text, std::size_t at) {
   const char* begin = text.data() + at;
   const std::size_t size = text.size() - at;
   if (size >= 8) return word_at<std::uint64_t>(begin);
@@ -70,7 +70,7 @@ struct NameHash {
 };
 
 // Case does not count.
-NameHash name_hash(std::string_view name) {
+inline NameHash name_hash(std::string_view name) {
   std::uint64_t hash = name.size();
   std::uint64_t seen = 0;
   for (std::size_t at = 0; at < name.size(); at += 8) {
@@ -78,10 +78,10 @@ NameHash name_hash(std::string_view name) {
     seen |= letters;
     hash = mix(hash ^ lower_eight(letters));
   }
-  return {static_cast<std::uint32_t>(mix(hash)), (seen & 0x8080808080808080ULL) == 0};
+  return {static_cast<std::uint32_t>(hash), (seen & 0x8080808080808080ULL) == 0};
 }
 
-bool is_lowered(std::string_view name, std::string_view lowered) {
+inline bool is_lowered(std::string_view name, std::string_view lowered) {
   if (name.size() != lowered.size()) return false;
   for (std::size_t at = 0; at < name.size(); at += 8) {
     if (lower_eight(eight_at(name, at)) != eight_at(lowered, at)) return false;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 
 namespace skein::htn {
 
@@ -76,8 +77,17 @@ bool valid_utf8(std::string_view bytes) {
 }
 
 std::size_t count_characters(std::string_view bytes) {
-  return static_cast<std::size_t>(
-      std::count_if(bytes.begin(), bytes.end(), [](char b) { return !continues_character(b); }));
+  constexpr std::uint64_t kOnes = 0x0101010101010101ULL;
+  std::size_t characters = 0;
+  for (; bytes.size() >= 8; bytes.remove_prefix(8)) {  // those that continue one are 10xxxxxx
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, bytes.data(), 8);
+    const std::uint64_t continuing = (eight >> 7U) & ~(eight >> 6U) & kOnes;
+    characters += 8 - ((continuing * kOnes) >> 56U);
+  }
+  return characters +
+         static_cast<std::size_t>(std::count_if(bytes.begin(), bytes.end(),
+                                                [](char b) { return !continues_character(b); }));
 }
 
 std::string lowered(std::string_view text) {

@@ -4,6 +4,8 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
 #include "fact_base.hpp"
 #include "planner_lab.hpp"
@@ -85,6 +87,33 @@ TEST(FactBase, BringsAnUndoneDeletionBackAtTheFront) {
   world.facts.undo(mark);
 
   EXPECT_EQ(world.all("p"), "(p a) (p c) (p b)");
+}
+
+TEST(FactBase, FindsAFactByItsArgumentsAsTheyAreSpeltNow) {
+  World world;
+  const auto found = [&](const std::string& atom) {
+    const std::vector<Term> items = world.store.items(world.term(atom));
+    const FactIndex fact = world.facts.find(items[0], std::span(items).subspan(1));
+    EXPECT_EQ(fact, world.facts.find(world.term(atom))) << atom;
+    return fact != kNoFact;
+  };
+  world.add("(fuel u 1.0)");
+  EXPECT_TRUE(found("(fuel u 1.0)"));
+  EXPECT_FALSE(found("(fuel u 1)"));
+  const FactBase::Mark mark = world.facts.mark();
+  world.remove("(fuel u 1.0)");
+  EXPECT_FALSE(found("(fuel u 1.0)"));
+  world.add("(fuel u 1)");
+
+  EXPECT_TRUE(found("(fuel u 1)"));
+  EXPECT_FALSE(found("(fuel u 1.0)"));
+  for (int at = 0; at < 1'000; ++at) world.add("(fuel v " + std::to_string(at) + ")");
+  world.facts.undo(mark);
+  EXPECT_TRUE(found("(fuel u 1.0)"));
+  EXPECT_FALSE(found("(fuel u 1)"));
+  EXPECT_FALSE(found("(fuel v 7)"));
+  EXPECT_FALSE(found("(fuel)"));
+  EXPECT_FALSE(found("(never u)"));
 }
 
 TEST(FactBase, ForgetsAnUndoneAddition) {

@@ -174,6 +174,63 @@ TEST(ProverErrors, OfTheHostAreErrorsOfTheSearch) {
   EXPECT_NE(found.find("no map"), std::string::npos) << found;
 }
 
+// ---- tests -----------------------------------------------------------------------------------
+
+/// Forty things, one of them rare, and towers of boxes.
+class ProverTests : public Test {
+ protected:
+  static std::string facts() {
+    std::string out = "(rare t7) (on b3 b2) (on b2 b1) (on b1 table)";
+    for (int at = 0; at < 40; ++at) out += "(thing t" + std::to_string(at) + ")";
+    return out;
+  }
+  Questions state{facts(),
+                  "(:- (odd ?x) ((thing ?x) (rare ?x)))"
+                  "(:- (some-rare) ((thing ?x) (rare ?x)))"
+                  "(:- (above ?x ?y) ((on ?x ?y)) ((on ?x ?z) (above ?z ?y)))"
+                  "(:- (loop ?x ?y) ((loop ?y ?x)))"};
+};
+
+TEST_F(ProverTests, BeginWithTheFactThatFewestMatch) {
+  EXPECT_FALSE(state.holds("((not (and (thing ?x) (rare ?x))))"));
+  EXPECT_LE(state.inferences, 5U);
+  EXPECT_TRUE(state.holds("((some-rare))"));
+  EXPECT_LE(state.inferences, 5U);
+}
+
+TEST_F(ProverTests, KeepTheOrderOfGoalsWhereTheirAnswersAreWanted) {
+  Questions order("(p a) (p b) (p c) (q b) (q a) (r x) (r y)", "");
+
+  EXPECT_EQ(order.ask("((p ?x) (q ?x) (r ?y))", "?x ?y"), "(a x) (a y) (b x) (b y)");
+  EXPECT_EQ(order.one("((p ?x) (q ?x))", "?x"), "(b)");
+}
+
+TEST_F(ProverTests, EndWithTheFirstProofOfAGroundAtom) {
+  Questions many(facts(), "(:- (rich) ((thing ?x) (thing ?y) (thing ?z)))");
+
+  EXPECT_TRUE(many.holds("((rich))"));
+  EXPECT_LE(many.inferences, 6U);
+}
+
+TEST_F(ProverTests, FollowAxiomsThatLeadBackToThemselves) {
+  EXPECT_TRUE(state.holds("((above b3 table))"));
+  EXPECT_TRUE(state.holds("((not (above table b3)))"));
+  EXPECT_FALSE(state.holds("((not (above b2 b1)))"));
+  EXPECT_EQ(state.ask("((above b3 ?x))", "?x"), "(b2)");
+}
+
+TEST_F(ProverTests, DoNotMoveFactsBeforeWhatDependsOnWhatIsBound) {
+  // While ?x is open some thing is rare; then no other can be found.
+  EXPECT_TRUE(state.holds("((not (and (not (rare ?x)) (thing ?x) (rare t7))))"));
+  EXPECT_FALSE(state.holds("((not (and (thing ?x) (not (rare ?x)) (rare t7))))"));
+}
+
+TEST_F(ProverTests, AreStoppedInsideAxiomsThatNeverEnd) {
+  state.limits.inferences = 1'000;
+
+  EXPECT_EQ(state.ask("((loop a b))"), "stopped: inferences");
+}
+
 // ---- limits ----------------------------------------------------------------------------------
 
 /// Proving takes 40^5 inferences: more than any test waits for.
