@@ -192,17 +192,18 @@ class Refinery {
   struct Look {
     double ahead = 0, reach = 0;
     std::optional<world::Vector2> aim;
+    double width = 0;  ///< of what is seen from that height at once
   };
   class Sight;
   static Look look_of(const world::SensorModel& device, double height, double footprint);
   Answer<Motion> patrol_in(const Counted& air, const world::Vector3& from, const world::Zone& zone,
                            const world::SensorModel& device, double seconds);
   Answer<Motion> patrolled(const Counted& air, const world::Vector3& from, const world::Zone& zone,
-                           const Look& look, double width, double seconds);
+                           const Look& look, double seconds);
   Answer<Motion> in_lanes(const Counted& air, const world::Vector3& from, const world::Zone& zone,
-                          const Look& look, double width, double seconds, double margin) const;
+                          const Look& look, double seconds, double margin) const;
   Answer<Motion> in_rounds(const Counted& air, const world::Vector3& from, const world::Zone& zone,
-                           const Look& look, double width, double seconds);
+                           const Look& look, double seconds);
   std::optional<refiners::Way> filled(const refiners::Way& way, const world::Zone& zone,
                                       const Look& look, double seconds, double& longer) const;
   struct Lanes {

@@ -170,10 +170,10 @@ Answer<double> Refinery::footprint(const world::SensorModel& device, double heig
 Refinery::Look Refinery::look_of(const world::SensorModel& device, double height,
                                  double footprint) {
   const double down = std::max(kSteepLook, -device.boresight_pitch);
-  if (down > std::numbers::pi / 2 - kSteepLook) return {0, footprint, {}};
+  if (down > std::numbers::pi / 2 - kSteepLook) return {0, footprint, {}, footprint};
   const double slant = std::min(height / std::sin(down), device.range);
   const double ahead = std::sqrt(std::max(0.0, slant * slant - height * height));
-  return {ahead, std::max(footprint, slant * std::tan(device.aperture)), {}};
+  return {ahead, std::max(footprint, slant * std::tan(device.aperture)), {}, footprint};
 }
 
 world::World Refinery::world_of(const world::Zone& zone, const Vector3& from, double footprint,
@@ -310,14 +310,14 @@ Answer<Motion> Refinery::patrol_in(const Counted& air, const Vector3& from, cons
   const auto width = footprint(device, height);
   if (!width) return no(width.error());
   const Look look = look_of(device, height, *width);
-  auto motion = patrolled(air, from, zone, look, *width, seconds);
+  auto motion = patrolled(air, from, zone, look, seconds);
   const double approach = distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
   const bool serves = motion && motion->times.expected <= kOutOfSight * (seconds + approach);
   if (serves || look.ahead <= 0 || !device.gimballed) return motion;
   // Ahead of it there is little but what lies beyond a small zone: its middle can be aimed at.
   const Vector2 middle = middle_of(zone.polygon);
   const double reach = std::sqrt(device.range * device.range - height * height);
-  auto aimed = patrolled(air, from, zone, {0, reach, middle}, *width, seconds);
+  auto aimed = patrolled(air, from, zone, {0, reach, middle, *width}, seconds);
   if (!aimed || (motion && motion->times.expected <= aimed->times.expected)) return motion;
   const Vector3 at(middle.x(), middle.y(), 0);
   aimed->aim = Vector3(middle.x(), middle.y(), gazetteer_.ground(at));
@@ -327,27 +327,26 @@ Answer<Motion> Refinery::patrol_in(const Counted& air, const Vector3& from, cons
 /// Lanes; with more room where closed air has too little for its turns. Over a zone that is smaller
 /// than what it strays, and where lanes have no room: rounds.
 Answer<Motion> Refinery::patrolled(const Counted& air, const Vector3& from, const world::Zone& zone,
-                                   const Look& look, double width, double seconds) {
-  auto lanes = in_lanes(air, from, zone, look, width, seconds, stray());
+                                   const Look& look, double seconds) {
+  auto lanes = in_lanes(air, from, zone, look, seconds, stray());
   if (!lanes && !closed(air).empty()) {
-    auto roomy = in_lanes(air, from, zone, look, width, seconds, stray() + swing());
+    auto roomy = in_lanes(air, from, zone, look, seconds, stray() + swing());
     if (roomy) return roomy;
   }
   if (lanes) return lanes;
-  auto motion = in_rounds(air, from, zone, look, width, seconds);
+  auto motion = in_rounds(air, from, zone, look, seconds);
   return motion ? std::move(motion) : std::move(lanes);
 }
 
 Answer<Motion> Refinery::in_lanes(const Counted& air, const Vector3& from, const world::Zone& zone,
-                                  const Look& look, double width, double seconds,
-                                  double margin) const {
-  const world::World local = world_of(zone, from, width, margin, air);
+                                  const Look& look, double seconds, double margin) const {
+  const world::World local = world_of(zone, from, look.width, margin, air);
   const Volumes volumes = closed(air);
   const double in_sight =
       seconds + distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
   double duration = in_sight, longer = 1;
   for (int i = 0; i < kLongerPatrols && duration <= kLongestPatrol * in_sight; ++i) {
-    const auto way = planned_patrol(local, from, zone, width, duration);
+    const auto way = planned_patrol(local, from, zone, look.width, duration);
     if (!way) return no(way.error());
     if (auto part = filled(*way, zone, look, seconds, longer)) {
       if (met(*part, volumes)) return no("closed air is too near for its turns");
@@ -359,9 +358,9 @@ Answer<Motion> Refinery::in_lanes(const Counted& air, const Vector3& from, const
 }
 
 Answer<Motion> Refinery::in_rounds(const Counted& air, const Vector3& from, const world::Zone& zone,
-                                   const Look& look, double width, double seconds) {
+                                   const Look& look, double seconds) {
   const double approach = distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
-  for (const Way& round : rounds(from, zone, width, air)) {
+  for (const Way& round : rounds(from, zone, look.width, air)) {
     double duration = seconds + approach, longer = 1;
     for (int i = 0; i < kLongerPatrols; ++i, duration *= std::clamp(1.05 * longer, 1.1, kLongest)) {
       const auto way = again_and_again(from, round, duration, air);
