@@ -65,6 +65,9 @@ std::string heat_bar(const HeatScale& heat, const Spot& at) {
   return out + text({at.x + kBarWidth + 48, at.y + 9}, heat.title, {});
 }
 
+/// Between the margins of the picture.
+double page_width(const Map::Drawing& drawing) { return std::max(drawing.scale.width(), 620.0); }
+
 std::string legend_of(const Map::Drawing& drawing, double top) {
   std::string out;
   double y = top;
@@ -75,7 +78,7 @@ std::string legend_of(const Map::Drawing& drawing, double top) {
   double x = 0;
   for (const LegendLine& line : drawing.legend) {
     const double wide = 34 + width_of(line.words, 11);
-    if (x > 0 && x + wide > kMapWidth) {
+    if (x > 0 && x + wide > page_width(drawing)) {
       x = 0;
       y += kLegendRow;
     }
@@ -93,7 +96,7 @@ double legend_height(const Map::Drawing& drawing) {
   for (const LegendLine& line : drawing.legend) {
     const double wide = 34 + width_of(line.words, 11);
     if (x == 0) rows += 1;
-    if (x > 0 && x + wide > kMapWidth) {
+    if (x > 0 && x + wide > page_width(drawing)) {
       x = 0;
       rows += 1;
     }
@@ -180,7 +183,7 @@ std::string Map::finish(const std::string& title, const std::vector<std::string>
   y += legend_height(d);
   body += text({kMargin, y + 16}, words_of_ground(d.relief) + "; x east, y north, z up [m]",
                {.size = 10, .colour = "#707070"});
-  const double width = std::max(d.scale.width(), 620.0) + 2 * kMargin, height = y + 16 + kMargin;
+  const double width = page_width(d) + 2 * kMargin, height = y + 16 + kMargin;
   return fmt::format(
              R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}" font-family="DejaVu Sans, Helvetica, Arial, sans-serif">)"
              "\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
