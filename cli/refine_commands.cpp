@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <memory>
 
 #include "argument_checks.hpp"
@@ -27,8 +27,11 @@ Examples:
 Queries and results by example: docs/refiners.md. Exit codes: 0 there is a solution, 1 there is none (and
 why), 2 wrong query or files, 3 the picture cannot be written, 4 the time budget ended first.)";
 
-double steady_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+/// Of the whole process: what others do on the machine does not count.
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 bool colour_on() {
@@ -49,14 +52,16 @@ void add_refine(CLI::App& app, std::function<int()>& action, const LiveActions& 
   example->excludes(query);
   refine->add_option("--svg", options->svg, "Picture to write");
   refine->add_flag("--json", options->json, "The answer as JSON");
-  refine->add_option("--seconds", options->seconds, "Time budget [s], before that of the query")
+  refine
+      ->add_option("--seconds", options->seconds,
+                   "Time budget [s of the processor], before that of the query")
       ->check(positive_problem);
   refine->add_option("--seed", options->seed, "Seed, before that of the query");
   refine->footer(kExamples);
   refine->callback([options, query, example, &action, &live] {
     if (query->count() + example->count() == 0)
       throw CLI::RequiredError("a query file, or --example SERVICE");
-    options->now = steady_seconds;
+    options->now = processor_seconds;
     options->colour = colour_on();
     action = [options, &live] { return live.refine(*options); };
   });

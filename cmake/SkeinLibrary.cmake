@@ -6,7 +6,7 @@
 #     PRIVATE_DEPENDS nlohmann_json::nlohmann_json   # other targets, used in its .cpp files only
 #     PUBLIC_DEPENDS tl::expected           # other targets its public headers include
 #     TESTS test/a_test.cpp                 # one GoogleTest program, skein_<name>_test
-#     TEST_DEPENDS rapidcheck)              # other targets of that program
+#     TEST_DEPENDS rapidcheck)              # other targets of that program, libraries as skein::NAME
 #
 # The declared skein dependencies are written to the global property SKEIN_DEPENDS_<name>; the
 # architecture test (tests/architecture) compares them with the include directives and with the
@@ -33,6 +33,11 @@ function(skein_add_library name)
 
   set_property(GLOBAL APPEND PROPERTY SKEIN_LIBRARIES ${name})
   set_property(GLOBAL PROPERTY SKEIN_DEPENDS_${name} "${ARG_DEPENDS}")
+  set(test_deps ${ARG_TEST_DEPENDS})
+  list(FILTER test_deps INCLUDE REGEX "^skein::")
+  list(REMOVE_ITEM test_deps skein::test_cases)
+  list(TRANSFORM test_deps REPLACE "^skein::" "")
+  set_property(GLOBAL PROPERTY SKEIN_TEST_DEPENDS_${name} "${test_deps}")
   set_property(GLOBAL PROPERTY SKEIN_SOURCE_DIR_${name} ${CMAKE_CURRENT_SOURCE_DIR})
 
   if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${CMAKE_SOURCE_DIR}/libs/")

@@ -78,6 +78,7 @@
   (interval (second (assoc 'duration data)) (third (assoc 'duration data))))
 (defun get-entry (data) (second (assoc 'way (rest (assoc 'params data)))))
 (defun get-aim (data) (second (assoc 'aim data)))
+(defun from-then-on (when) (list 'suited (interval (low when) 'unlimited)))
 (defun get-cost (data) (second (assoc 'cost data)))
 (defun get-params (type data)
   (cons (list 'type type) (cons (assoc 'energy data) (rest (assoc 'params data)))))
@@ -142,22 +143,36 @@
 
   ; ================ where to look from: the best side that there is a way to
 
-  (:- (view-for ?from ?place ?device ?when ?to)
-    best ((assign ?view (compute-viewpoint ?place (list ?device) 0 1)) (call consp ?view)
-          (assign ?there (within-reach ?from (rest ?view) ?when)) (call consp ?there) (assign ?to (first ?there)))
-    another-side ((sides-for ?from ?place ?device ?when 6 ?sides) (assign ?to (first ?sides))))
-  (:- (sides-for ?from ?place ?device ?when ?count ?there)
-    ((assign ?views (compute-angles ?place (list ?device) ?count)) (call consp ?views)
-     (assign ?there (within-reach ?from (rest ?views) ?when)) (call consp ?there)))
-  ; That side of several which falls to this vehicle.
+  ; In air that is open until it has looked; else where air is open at some other time, that is waited for.
+  (:- (view-for ?from ?place ?device ?when ?seconds ?to)
+    best ((view-of ?from ?place ?device 0 1 ?when ?when ?seconds ?to))
+    another-side ((sides-for ?from ?place ?device ?when ?seconds 6 ?sides) (assign ?to (first ?sides)))
+    after-a-wait ((assign ?open (from-then-on ?when)) (view-of ?from ?place ?device 0 1 ?open ?when ?seconds ?to)))
+  (:- (view-of ?from ?place ?device ?rank ?count ?open ?when ?seconds ?to)
+    ((assign ?view (compute-viewpoint ?place (list ?device) ?rank ?count ?open ?seconds)) (call consp ?view)
+     (assign ?there (within-reach ?from (rest ?view) ?when ?seconds)) (call consp ?there) (assign ?to (first ?there))))
+  (:- (sides-for ?from ?place ?device ?when ?seconds ?count ?there)
+    ((assign ?views (compute-angles ?place (list ?device) ?count ?when ?seconds)) (call consp ?views)
+     (assign ?there (within-reach ?from (rest ?views) ?when ?seconds)) (call consp ?there)))
+  ; That side of several which falls to this vehicle: partners ask alike, whenever they come.
   (:- (side-for ?from ?place ?device ?rank ?count ?when ?to)
-    ((assign ?view (compute-viewpoint ?place (list ?device) ?rank ?count)) (call consp ?view)
-     (assign ?there (within-reach ?from (rest ?view) ?when)) (call consp ?there) (assign ?to (first ?there))))
+    best ((view-of ?from ?place ?device ?rank ?count () ?when 0 ?to))
+    after-a-wait ((assign ?open (from-then-on '((num 0) (num 0)))) (view-of ?from ?place ?device ?rank ?count ?open ?when 0 ?to)))
   ; Up to three sides; others when there is no way to some of the best.
-  (:- (three-sides-for ?from ?place ?device ?when ?points)
-    best ((assign ?views (compute-angles ?place (list ?device) 3)) (call consp ?views)
-          (assign ?points (within-reach ?from (rest ?views) ?when)) (call = (length ?points) (length (rest ?views))))
-    others ((sides-for ?from ?place ?device ?when 6 ?sides) (assign ?points (at-most 3 ?sides))))
+  (:- (three-sides-for ?from ?place ?device ?when ?seconds ?points)
+    best ((assign ?views (compute-angles ?place (list ?device) 3 ?when ?seconds)) (call consp ?views)
+          (assign ?points (within-reach ?from (rest ?views) ?when 0)) (call = (length ?points) (length (rest ?views))))
+    others ((sides-for ?from ?place ?device ?when ?seconds 6 ?sides) (assign ?points (at-most 3 ?sides))))
+
+  ; ================ air that is closed for a time
+
+  ; Of a wait what can be spent before it takes off.
+  (:- (spent-waiting flying ?_place ?_when ?wait ?wait) ((call numberp ?wait)))
+  (:- (spent-waiting grounded ?place ?when ?wait ?spent)
+    may-take-off
+    ((call numberp ?wait) (assign ?data (compute-takeoff ?place ?when)) (call consp ?data)
+     (assign ?spent (- ?wait (second (assoc 'duration ?data)))) (call > ?spent 1))
+    closed-over-it ((call numberp ?wait) (assign ?data (compute-takeoff ?place ?when)) (call null ?data) (assign ?spent ?wait)))
 
   ; ================ timelines: when a task may start, and what it depends on
 
@@ -188,13 +203,14 @@
     none ((assign ?reads nil)))
 
   ; Where it is to land; the nearest ground that serves where that place does not.
-  (:- (landing-place ?from ?place)
-    ((landloc ?wanted) (assign ?place (compute-landing-place ?from ?wanted)) (not (call null ?place))))
+  (:- (landing-place ?from ?tc ?place)
+    ((landloc ?wanted) (may-begin ?tc ?when)
+     (assign ?place (compute-landing-place ?from ?wanted ?when)) (not (call null ?place))))
 
   ; ================ convenience operators: refiners are asked, their answer is kept until a task uses it
 
-  (:operator (!!lcompute-takeoff ?place)
-    ((assign ?data (compute-takeoff ?place)) (call consp ?data))
+  (:operator (!!lcompute-takeoff ?place ?when)
+    ((assign ?data (compute-takeoff ?place ?when)) (call consp ?data))
     () ((eval-ok takeoff ?data)) 0)
   (:operator (!!lcompute-land ?from ?place)
     ((assign ?data (compute-land ?from ?place)) (call consp ?data))
@@ -205,14 +221,16 @@
   (:operator (!!lcompute-gotoxyz ?from ?to ?when)
     ((assign ?data (compute-gotoxyz ?from ?to ?when)) (call consp ?data))
     () ((eval-ok gotoxyz ?data)) 0)
-  (:operator (!!lcompute-patrol ?from ?zone ?device ?seconds)
-    ((assign ?data (compute-patrol ?from ?zone ?device ?seconds)) (call consp ?data))
+  (:operator (!!lcompute-patrol ?from ?zone ?device ?seconds ?when)
+    ((assign ?data (compute-patrol ?from ?zone ?device ?seconds ?when)) (call consp ?data))
     () ((eval-ok gotoxyz ?data)) 0)
-  (:operator (!!lcompute-sweep ?from ?zone ?device)
-    ((assign ?data (compute-sweep ?from ?zone ?device)) (call consp ?data))
+  ; What was set out for WHEN, and meets no closed air now that it is there.
+  (:operator (!!lcompute-sweep ?from ?zone ?device ?when ?tc)
+    ((assign ?data (compute-sweep ?from ?zone ?device ?when)) (call consp ?data) (may-begin ?tc ?now) (call is-open ?data ?now))
     () ((eval-ok gotoxyz ?data)) 0)
-  (:operator (!!lcompute-rest ?from ?zone ?device ?before ?way)
-    ((assign ?data (compute-rest ?from ?zone ?device ?before ?way)) (call consp ?data))
+  (:operator (!!lcompute-rest ?from ?zone ?device ?before ?way ?when ?tc)
+    ((assign ?data (compute-rest ?from ?zone ?device ?before ?way ?when)) (call consp ?data)
+     (may-begin ?tc ?now) (call is-open ?data ?now))
     () ((eval-ok gotoxyz ?data)) 0)
   (:operator (!!lcompute-stay ?seconds)
     ((assign ?data (compute-stay ?seconds)) (call consp ?data))
@@ -281,6 +299,7 @@
      (assign ?params (get-params 'wait ?data))
      (assign ?duration (get-duration ?data))
      (assign ?start (not-before ?earliest ?duration ?tc))
+     (uavloc ?_how ?at) (call stays-open ?at ?start ?duration)
      (call in-time 'wait ?origin ?start ?duration ?tc)
      (assign ?end (after ?start ?duration))
      (assign ?next (+ ?id 1))
@@ -337,6 +356,7 @@
                              (rest (assoc 'params ?data))))
      (assign ?duration (get-duration ?data))
      (assign ?start (not-before (latest ?moved ?used) ?duration ?tc))
+     (uavloc ?_how ?at) (call stays-open ?at ?start ?duration)
      (call in-time 'perception ?origin ?start ?duration ?tc)
      (assign ?end (after ?start ?duration))
      (assign ?next (+ ?id 1))
@@ -435,21 +455,26 @@
 
   (:method (take-off ?tc ?origin)
     in-the-air ((uavloc flying ?_loc)) ()
-    take-off ((uavloc grounded ?place))
-      ((!!lcompute-takeoff ?place) (!task-takeoff ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+    wait-for-open-air
+    ((uavloc grounded ?place) (may-begin ?tc ?when) (assign ?wait (compute-wait ?place ?place ?when 0)) (call numberp ?wait))
+      ((!!lcompute-stay ?wait) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (take-off ?tc ?origin))
+    take-off ((uavloc grounded ?place) (may-begin ?tc ?when))
+      ((!!lcompute-takeoff ?place ?when) (!task-takeoff ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
-  (:method (go ?to ?tc ?origin)
-    take-off-first ((uavloc grounded ?_place)) ((take-off ?tc ?origin) (go ?to ?tc ?origin))
+  ; To stay there for so many seconds.
+  (:method (go ?to ?stay ?tc ?origin)
     ; air that is closed for a time is waited for when that leads there earlier than a way around it
     wait-for-open-air
-    ((uavloc flying ?from) (may-begin ?tc ?when) (assign ?wait (compute-wait ?from ?to ?when)) (call numberp ?wait))
-      ((!!lcompute-stay ?wait) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (go ?to ?tc ?origin))
+    ((uavloc ?how ?from) (may-begin ?tc ?when) (assign ?wait (compute-wait ?from ?to ?when ?stay))
+      (spent-waiting ?how ?from ?when ?wait ?spent))
+      ((!!lcompute-stay ?spent) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (go ?to ?stay ?tc ?origin))
+    take-off-first ((uavloc grounded ?_place)) ((take-off ?tc ?origin) (go ?to ?stay ?tc ?origin))
     fly ((uavloc flying ?from) (may-begin ?tc ?when))
       ((!!lcompute-gotoxyz ?from ?to ?when) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
   (:method (go-unless-there ?to ?tc ?origin)
     already-there ((uavloc flying ?from) (call is-at ?from ?to)) ()
-    elsewhere () ((go ?to ?tc ?origin)))
+    elsewhere () ((go ?to 0 ?tc ?origin)))
 
   (:method (go-through ?places ?tc ?origin)
     all-visited ((call null ?places)) ()
@@ -466,9 +491,9 @@
   (:method (general-land ?tc ?origin)
     on-the-ground ((uavloc grounded ?_place)) ()
     land-here
-      ((uavloc flying ?from) (landing-place ?from ?place) (call is-over ?from ?place)) ((touch-down ?place ?tc ?origin))
+      ((uavloc flying ?from) (landing-place ?from ?tc ?place) (call is-over ?from ?place)) ((touch-down ?place ?tc ?origin))
     come-back-and-land
-      ((uavloc flying ?from) (landing-place ?from ?place)) ((go ?place ?tc ?origin) (touch-down ?place ?tc ?origin)))
+      ((uavloc flying ?from) (landing-place ?from ?tc ?place)) ((go ?place 0 ?tc ?origin) (touch-down ?place ?tc ?origin)))
 
   ; Out of air that was closed around it; nothing to do where it may stay.
   (:method (leave-closed-air ?tc ?origin)
@@ -506,16 +531,16 @@
     goto-and-takeshot
     (:first (still-to-look ?seconds ?origin ?left) (uavloc ?_how ?from)
       (devices-for perception ?devices) (assign* ?device ?devices)
-      (may-begin ?tc ?when) (view-for ?from ?place ?device ?when ?to))
-      ((go ?to ?tc ?origin) (stay-and-shoot ?device ?place ?left ?tc ?origin)))
+      (may-begin ?tc ?when) (view-for ?from ?place ?device ?when ?left ?to))
+      ((go ?to ?left ?tc ?origin) (stay-and-shoot ?device ?place ?left ?tc ?origin)))
 
   (:method (perceive ?place ?seconds ?tc ?origin)
     all-looked ((all-looked ?seconds ?origin)) ()
     goto-and-perceive
     (:first (still-to-look ?seconds ?origin ?left) (uavloc ?_how ?from)
       (devices-for perception ?devices) (assign* ?device ?devices)
-      (may-begin ?tc ?when) (view-for ?from ?place ?device ?when ?to) (assign ?target (target-of ?place)))
-      ((go ?to ?tc ?origin) (!!lcompute-stay ?left) (!!aim ?device ?target)
+      (may-begin ?tc ?when) (view-for ?from ?place ?device ?when ?left ?to) (assign ?target (target-of ?place)))
+      ((go ?to ?left ?tc ?origin) (!!lcompute-stay ?left) (!!aim ?device ?target)
        (!task-perception ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
   (:method (takeshot-while-waiting ?seconds ?tc ?origin)
@@ -526,14 +551,25 @@
 
   (:method (perform-detection ?zone ?place ?seconds ?tc ?origin)
     all-looked ((all-looked ?seconds ?origin)) ()
+    ; where it is, rather than over the zone while the air there is still closed
+    wait-for-open-air
+    (:first (detection-with ?zone ?place ?seconds ?tc ?origin ?device ?left) (uavloc ?how ?from) (may-begin ?tc ?when)
+      (assign ?wait (compute-wait-for-patrol ?from ?place ?zone ?device ?left ?when))
+      (spent-waiting ?how ?from ?when ?wait ?spent))
+      ((!!lcompute-stay ?spent) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
+       (perform-detection ?zone ?place ?seconds ?tc ?origin))
     detection
-    (:first (still-to-look ?seconds ?origin ?left) (assign ?at (compute-entry ?place))
+    (:first (detection-with ?zone ?place ?seconds ?tc ?origin ?device ?left))
+      ((go ?place 0 ?tc ?origin) (detect ?zone ?device ?left ?tc ?origin)))
+  ; The first device that can have the zone in sight at some time from now on.
+  (:- (detection-with ?zone ?place ?seconds ?tc ?origin ?device ?left)
+    ((still-to-look ?seconds ?origin ?left) (assign ?at (compute-entry ?place)) (may-begin ?tc ?when)
       (devices-for detection ?devices) (assign* ?device ?devices)
-      (assign ?pattern (compute-patrol ?at ?zone ?device ?left)) (call consp ?pattern))
-      ((go ?place ?tc ?origin) (detect ?zone ?device ?left ?tc ?origin)))
+      (assign ?pattern (compute-patrol ?at ?zone ?device ?left (from-then-on ?when))) (call consp ?pattern)))
   (:method (detect ?zone ?device ?seconds ?tc ?origin)
-    pattern ((uavloc flying ?from) (assign ?target (get-aim (compute-patrol ?from ?zone ?device ?seconds))))
-      ((!!lcompute-patrol ?from ?zone ?device ?seconds) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
+    pattern ((uavloc flying ?from) (may-begin ?tc ?when)
+             (assign ?target (get-aim (compute-patrol ?from ?zone ?device ?seconds ?when))))
+      ((!!lcompute-patrol ?from ?zone ?device ?seconds ?when) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
        (shoot-along ?device ?target ?tc ?origin)))
 
   ; What is left of the lanes when they can be flown with a device that sees as much; else all of them.
@@ -542,15 +578,26 @@
      (assign ?before (second ?rest)) (assign ?way (rest (rest ?rest)))))
   (:method (perform-mapping ?zone ?tc ?origin)
     all-flown ((lanes-left ?origin ?_before ?way) (call null ?way)) ()
+    wait-for-open-air-over-what-is-left
+    (:first (lanes-left ?origin ?before ?way) (uavloc ?how ?from) (may-begin ?tc ?when)
+      (devices-for mapping ?devices) (assign* ?device ?devices)
+      (assign ?wait (compute-wait-for-rest ?from ?zone ?device ?before ?way ?when))
+      (spent-waiting ?how ?from ?when ?wait ?spent))
+      ((!!lcompute-stay ?spent) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (perform-mapping ?zone ?tc ?origin))
     lanes-left
-    (:first (lanes-left ?origin ?before ?way) (uavloc ?_how ?from) (devices-for mapping ?devices) (assign* ?device ?devices)
-      (assign ?data (compute-rest ?from ?zone ?device ?before ?way)) (call consp ?data) (assign ?entry (get-entry ?data)))
-      ((go ?entry ?tc ?origin) (!!lcompute-rest ?from ?zone ?device ?before ?way)
+    (:first (lanes-left ?origin ?before ?way) (uavloc ?_how ?from) (may-begin ?tc ?when)
+      (devices-for mapping ?devices) (assign* ?device ?devices)
+      (assign ?data (compute-rest ?from ?zone ?device ?before ?way ?when)) (call consp ?data) (assign ?entry (get-entry ?data)))
+      ((go ?entry 0 ?tc ?origin) (!!lcompute-rest ?from ?zone ?device ?before ?way ?when ?tc)
        (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (shoot-along ?device () ?tc ?origin))
+    wait-for-open-air
+    (:first (uavloc ?how ?from) (may-begin ?tc ?when) (devices-for mapping ?devices) (assign* ?device ?devices)
+      (assign ?wait (compute-wait-for-sweep ?from ?zone ?device ?when)) (spent-waiting ?how ?from ?when ?wait ?spent))
+      ((!!lcompute-stay ?spent) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (perform-mapping ?zone ?tc ?origin))
     mapping
-    (:first (uavloc ?_how ?from) (devices-for mapping ?devices) (assign* ?device ?devices)
-      (assign ?entry (compute-sweep-entry ?from ?zone ?device)) (call consp ?entry))
-      ((go ?entry ?tc ?origin) (!!lcompute-sweep ?from ?zone ?device) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
+    (:first (uavloc ?_how ?from) (may-begin ?tc ?when) (devices-for mapping ?devices) (assign* ?device ?devices)
+      (assign ?entry (compute-sweep-entry ?from ?zone ?device ?when)) (call consp ?entry))
+      ((go ?entry 0 ?tc ?origin) (!!lcompute-sweep ?from ?zone ?device ?when ?tc) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
        (shoot-along ?device () ?tc ?origin)))
 
   ; From several angles in turn.
@@ -558,7 +605,7 @@
     monitoring
     (:first (uavloc ?_how ?from)
       (devices-for perception ?devices) (assign* ?device ?devices) (may-begin ?tc ?when)
-      (three-sides-for ?from ?place ?device ?when ?points)
+      (three-sides-for ?from ?place ?device ?when ?seconds ?points)
       (assign ?each (/ (* 1.0d0 ?seconds) (length ?points))))
       ((monitor-from ?points ?place ?device ?each ?tc ?origin)))
   (:method (monitor-from ?points ?place ?device ?seconds ?tc ?origin)
@@ -570,7 +617,7 @@
     next-angle
     ((assign ?to (first ?points)) (assign ?others (rest ?points)) (done-before ?origin ?done)
       (assign ?left (left-to-look-from ?to ?seconds ?done)))
-      ((go ?to ?tc ?origin) (stay-and-shoot ?device ?place ?left ?tc ?origin)
+      ((go ?to ?left ?tc ?origin) (stay-and-shoot ?device ?place ?left ?tc ?origin)
        (monitor-from ?others ?place ?device ?seconds ?tc ?origin)))
 
   ; ================ methods: synchronisation
@@ -593,7 +640,7 @@
       (devices-for perception ?devices) (assign* ?device ?devices)
       (may-begin ?tc ?when)
       (side-for ?from ?place ?device ?rank ?count ?when ?to))
-      ((go ?to ?tc ?origin) (wait-for-partners ?sync ?senders ?receivers ?tc ?origin)
+      ((go ?to 0 ?tc ?origin) (wait-for-partners ?sync ?senders ?receivers ?tc ?origin)
        (stay-and-shoot ?device ?place ?left ?tc ?origin)))
 
   (:method (meet ?sync ?senders ?receivers ?tc ?origin)

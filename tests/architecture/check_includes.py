@@ -74,7 +74,7 @@ def include_problems(relative, text, library, architecture):
     if library and relative.endswith("/main.cpp"):
         allowed = {"daemon_main"}  # a program, not part of the library beside it
     if library and is_test(relative):
-        allowed = set(architecture.closure(library.name))
+        allowed = set(architecture.test_closure(library.name))
     for header in includes_of(text):
         if DDS_HEADER.search(header) and not DDS_ADAPTERS.search(relative):
             yield f"{relative}: {header}: DDS headers stay in libs/blackboard/adapters"

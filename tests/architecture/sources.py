@@ -16,6 +16,7 @@ class Library:
         self.name = entry["name"]
         self.directory = entry["directory"]
         self.depends = list(entry["depends"])
+        self.test_depends = list(entry.get("test_depends", []))  # what only its tests use beside them
 
 
 class Architecture:
@@ -40,7 +41,14 @@ class Architecture:
 
     def closure(self, name):
         """The library and everything it depends on, in the order of declaration."""
-        wanted, open_names = set(), [name]
+        return self._closure_of([name])
+
+    def test_closure(self, name):
+        """Likewise, with what its tests are declared to use."""
+        return self._closure_of([name, *self.libraries[name].test_depends])
+
+    def _closure_of(self, names):
+        wanted, open_names = set(), list(names)
         while open_names:
             one = open_names.pop()
             if one in wanted:

@@ -45,9 +45,9 @@ refiners::CoverageQuery read_sweep(const Reader& reader, const Terms& terms,
                                    world::VehicleModel vehicle) {
   refiners::CoverageQuery query;
   query.vehicle = std::move(vehicle);
-  query.area = terms.area(reader.required("area"));
+  query.area = terms.ground(reader.required("area"));
   if (const Reader holes = reader.optional("holes"); holes.present())
-    for (const Reader& hole : world::items_of(holes)) query.holes.push_back(terms.area(hole));
+    for (const Reader& hole : world::items_of(holes)) query.holes.push_back(terms.ground(hole));
   query.altitude = metres(reader.required("altitude"));
   query.swath = terms.swath(reader, query.vehicle, query.altitude);
   if (const Reader mode = reader.optional("mode"); mode.present())
@@ -78,7 +78,7 @@ Question read_coverage(const Reader& reader, const Terms& terms) {
 Question read_partition(const Reader& reader, const Terms& terms) {
   reader.keys({"service", "world", "seed", "budget", "area", "members", "mode", "depart"});
   refiners::PartitionQuery query;
-  query.area = terms.area(reader.required("area"));
+  query.area = terms.ground(reader.required("area"));
   for (const auto& [name, member] : world::entries_of(reader.required("members")))
     query.members.push_back(read_member(name, member, terms));
   if (const Reader mode = reader.optional("mode"); mode.present())
@@ -93,7 +93,7 @@ Question read_patrol(const Reader& reader, const Terms& terms) {
                "mode"});
   refiners::PatrolQuery query;
   query.vehicle = terms.vehicle(reader.required("vehicle"));
-  query.zone = terms.area(reader.required("zone"));
+  query.zone = terms.ground(reader.required("zone"));
   query.start = terms.place(reader.required("start"));
   query.heading = angle(reader.optional("heading"));
   query.altitude = metres(reader.required("altitude"));

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "skein/refiners/coverage.hpp"
 #include "skein/refiners/evaluate.hpp"
@@ -45,6 +46,8 @@ struct Query {
   std::uint64_t seed = 1;
   std::optional<double> seconds;
   std::optional<std::uint64_t> steps;
+  /// What was done to the query so that it could be asked, in sentences.
+  std::vector<std::string> notes = {};
 };
 
 }  // namespace skein::refine_tool

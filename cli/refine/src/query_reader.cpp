@@ -56,7 +56,7 @@ void read_parts(const Reader& reader, const References& references, Diagnostics&
   read_budget(reader.optional("budget"), *out);
   if (const Reader planner = reader.optional("planner"); planner.present())
     out->planner = static_cast<Planner>(planner.choice({"voxels", "sampling"}));
-  const Terms terms(out->world, references, diagnostics);
+  const Terms terms(out->world, references, diagnostics, out->notes);
   for (const ServiceReader& candidate : service_readers())
     if (service == candidate.name) out->question = candidate.read(reader, terms);
 }

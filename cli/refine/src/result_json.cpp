@@ -169,6 +169,7 @@ const char* cost_unit(const Solution& solution) {
 
 Json to_json(const Query& query, const Answer& answer) {
   Json out = {{"service", query.service}, {"feasible", answer.has_value()}};
+  if (!query.notes.empty()) out["notes"] = query.notes;
   if (!answer) {
     out["refusal"] = refusal_json(answer.error());
     return out;

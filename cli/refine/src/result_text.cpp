@@ -175,10 +175,12 @@ void write_text(std::ostream& out, const Query& query, const Answer& answer, boo
     const refiners::Refusal& refusal = answer.error();
     sheet.title(fmt::format("{}: no solution ({})", query.service, to_text(refusal.kind)), false);
     sheet.line(refusal.field.empty() ? "why" : refusal.field, refusal.why);
+    for (const std::string& note : query.notes) sheet.line("note", note);
     return;
   }
   const char* unit = cost_unit(*answer);
   std::visit([&](const auto& refined) { write_solution(sheet, refined, query, unit); }, *answer);
+  for (const std::string& note : query.notes) sheet.line("note", note);
 }
 
 }  // namespace skein::refine_tool

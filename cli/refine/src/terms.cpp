@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "terms.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "skein/foundation/nearest.hpp"
 #include "skein/world/environment_reader.hpp"
+#include "skein/world/polygon_rings.hpp"
 #include "skein/world/vehicle_model_reader.hpp"
 
 namespace skein::refine_tool {
@@ -13,9 +17,12 @@ namespace {
 
 using config::Range;
 using config::Reader;
+using world::Vector2;
 using world::Vector3;
 
 constexpr double kTurn = 2 * std::numbers::pi;
+/// More corners than that are no outline of a field.
+constexpr std::size_t kMostRingCorners = 1'000'000;
 constexpr Range kLength{0, world::kFarthest, "m"};
 
 std::vector<std::string> zone_names(const world::World& world) {
@@ -52,15 +59,34 @@ std::vector<std::string> Terms::place_names() const {
   return names;
 }
 
-Vector3 Terms::over_ground(const Reader& reader) const {
+Vector2 Terms::lonlat(const Reader& reader) const {
+  const std::vector<double> figures = reader.numbers(2, {-180, 180, "degrees"});
+  if (figures.size() != 2) return Vector2::Zero();
+  if (std::abs(figures[1]) > 90)
+    reader.error("a latitude of " + std::to_string(figures[1]) + " degrees",
+                 "[longitude, latitude]");
+  world::GeodeticPoint point;
+  point.longitude_degrees = figures[0];
+  point.latitude_degrees = std::clamp(figures[1], -90.0, 90.0);
+  point.altitude = world_.origin.altitude;
+  return frame_.to_local(point).head<2>();
+}
+
+/// Of a place over the ground.
+Vector2 Terms::point(const Reader& reader) const {
+  const Reader on_earth = reader.optional("lonlat");
+  if (on_earth.present()) {
+    reader.keys({"lonlat", "height"});
+    return lonlat(on_earth);
+  }
   reader.keys({"at", "height"});
   const Reader at = reader.required("at");
-  world::Vector2 point = world::Vector2::Zero();
-  if (at.is_sequence()) {
-    point = world::read_point_2d(at);
-  } else if (at.present()) {
-    point = place(at).head<2>();
-  }
+  if (at.is_sequence()) return world::read_point_2d(at);
+  return at.present() ? Vector2(place(at).head<2>()) : Vector2(Vector2::Zero());
+}
+
+Vector3 Terms::over_ground(const Reader& reader) const {
+  const Vector2 point = this->point(reader);
   const double height = reader.required("height").number(0, {-1000, 20'000, "m"});
   return {point.x(), point.y(), world_.terrain.elevation(point.x(), point.y()) + height};
 }
@@ -89,16 +115,55 @@ refiners::Way Terms::places(const Reader& reader) const {
 world::Polygon Terms::area(const Reader& reader) const {
   if (!reader.present()) return {};
   if (!reader.is_scalar()) {
-    world::Polygon polygon;
-    for (const Reader& corner : world::items_of(reader))
-      polygon.push_back(world::read_point_2d(corner));
-    return polygon;
+    const bool on_earth = reader.is_map();
+    if (on_earth) reader.keys({"lonlat"});
+    world::Polygon ring;
+    for (const Reader& corner : world::items_of(on_earth ? reader.required("lonlat") : reader))
+      ring.push_back(on_earth ? lonlat(corner) : world::read_point_2d(corner));
+    return world::without_closing_corner(std::move(ring));
   }
   const std::string name =
       reader.name_among(zone_names(world_), "[[x, y], …], or a zone of the world");
   for (const world::Zone& zone : world_.zones)
     if (zone.name == name) return zone.polygon;
   return {};
+}
+
+world::Polygon Terms::ground(const Reader& reader) const {
+  world::Polygon polygon = area(reader);
+  if (polygon.size() > kMostRingCorners) {
+    reader.error(std::to_string(polygon.size()) + " corners",
+                 "at most " + std::to_string(kMostRingCorners));
+    return {};
+  }
+  const std::size_t given = polygon.size();
+  auto simpler = world::simplified(polygon);
+  if (!simpler) {
+    reader.error(
+        "it crosses itself however its " + std::to_string(given) + " corners are simplified",
+        "a simple polygon");
+    return {};
+  }
+  if (simpler->polygon.size() < given)
+    notes_.push_back(fmt::format(
+        "{}: {} corners were simplified to {}: no point of the border moves by more than {:.2f} m",
+        reader.path(), given, simpler->polygon.size(), simpler->tolerance));
+  note_beyond(reader.path(), simpler->polygon);
+  return std::move(simpler->polygon);
+}
+
+/// What the terrain does not know is taken to be as high as at its border.
+void Terms::note_beyond(const std::string& path, const world::Polygon& polygon) const {
+  const world::TerrainSpec& known = world_.terrain.spec();
+  double beyond = 0;
+  for (const Vector2& corner : polygon)
+    beyond = std::max({beyond, known.west - corner.x(), corner.x() - known.east,
+                       known.south - corner.y(), corner.y() - known.north});
+  if (beyond > 0)
+    notes_.push_back(fmt::format(
+        "{}: it reaches {:.0f} m beyond the ground that is known, which is taken to go on there as "
+        "high as at its border",
+        path, beyond));
 }
 
 std::vector<world::Volume> Terms::volumes(const Reader& reader) const {

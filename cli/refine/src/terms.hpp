@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "query_reader.hpp"
+#include "skein/geodata/geodetic_frame.hpp"
 #include "skein/refiners/flight.hpp"
 
 namespace skein::refine_tool {
@@ -15,15 +16,26 @@ namespace skein::refine_tool {
 /// harmless is given in its place.
 class Terms {
  public:
-  Terms(const world::World& world, const References& references, Diagnostics& diagnostics)
-      : world_(world), references_(references), diagnostics_(diagnostics) {}
+  /// All must outlive it. `notes`: what is done to make an area of what is written.
+  Terms(const world::World& world, const References& references, Diagnostics& diagnostics,
+        std::vector<std::string>& notes)
+      : world_(world),
+        references_(references),
+        diagnostics_(diagnostics),
+        notes_(notes),
+        frame_(world.origin) {}
 
-  /// [x, y, z], the name of a place, or {at: [x, y] or a name, height: above the ground}.
+  /// [x, y, z], the name of a place, {at: [x, y] or a name, height: above the ground}, or {lonlat:
+  /// [longitude, latitude], height}.
   world::Vector3 place(const config::Reader& reader) const;
   std::optional<world::Vector3> optional_place(const config::Reader& reader) const;
   refiners::Way places(const config::Reader& reader) const;
-  /// [[x, y], …], or the name of a zone.
+  /// [[x, y], …], {lonlat: [[longitude, latitude], …]}, or the name of a zone; the last corner may
+  /// be the first again.
   world::Polygon area(const config::Reader& reader) const;
+  /// The same of what is to be swept or watched: more corners than can be worked with are
+  /// simplified, which is noted.
+  world::Polygon ground(const config::Reader& reader) const;
   /// {NAME: {polygon, floor, ceiling, from, until}}.
   std::vector<world::Volume> volumes(const config::Reader& reader) const;
   /// The name of a model file, or a model written inside.
@@ -36,11 +48,16 @@ class Terms {
 
  private:
   world::Vector3 over_ground(const config::Reader& reader) const;
+  void note_beyond(const std::string& path, const world::Polygon& polygon) const;
+  world::Vector2 point(const config::Reader& reader) const;
+  world::Vector2 lonlat(const config::Reader& reader) const;
   std::vector<std::string> place_names() const;
 
   const world::World& world_;
   const References& references_;
   Diagnostics& diagnostics_;
+  std::vector<std::string>& notes_;
+  geodata::GeodeticFrame frame_;
 };
 
 // Ranges of figures, all services alike. Zero and negative speeds are left to the refiners, which

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "examples.hpp"
 #include "skein/refine_tool/refine.hpp"
 #include "testing/queries.hpp"
@@ -53,6 +55,59 @@ TEST(QueryReader, ReadsAPathWithAllItsOptions) {
   EXPECT_EQ(path.reserved[0].ceiling, 80);
   EXPECT_EQ(path.reserved[0].when.until, MissionTime::seconds(200));
   EXPECT_EQ(path.contact->relays, (std::vector<Vector3>{{400, 400, 60}}));
+}
+
+TEST(QueryReader, AClosedRingIsTheRingWithoutItsLastCorner) {
+  const auto sweep = question_of<refiners::CoverageQuery>("coverage", R"(
+    "area": [[0, 0], [200, 0], [200, 100], [0, 100], [0, 0]],
+    "holes": [[[50, 20], [90, 20], [90, 60], [50, 20]]], "swath": 20, "altitude": 60)");
+
+  EXPECT_THAT(sweep.area, SizeIs(4));
+  ASSERT_THAT(sweep.holes, SizeIs(1));
+  EXPECT_THAT(sweep.holes[0], SizeIs(3));
+}
+
+TEST(QueryReader, AreasAndPlacesMayBeInLongitudeAndLatitude) {
+  const auto sweep = question_of<refiners::CoverageQuery>("coverage", R"(
+    "area": {"lonlat": [[-8, 40], [-7.998, 40], [-7.998, 40.001], [-8, 40.001], [-8, 40]]},
+    "start": {"lonlat": [-8.001, 39.999], "height": 30}, "swath": 20, "altitude": 60)");
+
+  ASSERT_THAT(sweep.area, SizeIs(4));
+  // A degree of latitude is 111,034 m there, one of longitude 85,394 m.
+  EXPECT_NEAR(sweep.area[2].x(), 2 * 85.394, 0.1);
+  EXPECT_NEAR(sweep.area[2].y(), 111.034, 0.1);
+  EXPECT_NEAR(sweep.start->x(), -85.394, 0.1);
+  EXPECT_NEAR(sweep.start->y(), -111.034, 0.1);
+
+  EXPECT_THAT(errors_of("coverage", R"("area": {"lonlat": [[40, -98], [41, -98], [41, -97]]},
+                                       "swath": 20, "altitude": 60)"),
+              AllOf(HasSubstr("a latitude of -98"), HasSubstr("[longitude, latitude]")));
+}
+
+TEST(QueryReader, MoreCornersThanCanBeWorkedWithAreSimplifiedAndThatIsSaid) {
+  std::string ring;
+  for (int i = 0; i < 3000; ++i) {
+    const double angle = i * 2 * 3.14159265358979 / 3000;
+    ring += (i > 0 ? ", [" : "[") + std::to_string(200 * std::cos(angle)) + ", " +
+            std::to_string(200 * std::sin(angle)) + "]";
+  }
+  const auto query = read("coverage", R"("area": [)" + ring + R"(], "swath": 20, "altitude": 60)");
+
+  ASSERT_TRUE(query) << to_text(query.error());
+  EXPECT_LE(std::get<refiners::CoverageQuery>(query->question).area.size(), 2000U);
+  ASSERT_THAT(query->notes, SizeIs(1));
+  EXPECT_THAT(query->notes[0], HasSubstr("area: 3000 corners were simplified to"));
+  EXPECT_THAT(query->notes[0], HasSubstr("moves by more than 0.00 m"));
+}
+
+TEST(QueryReader, AnAreaThatReachesBeyondTheGroundIsSaidToDoSo) {
+  const auto query =
+      read("coverage",
+           R"("area": [[0, 0], [800, 0], [800, 100], [0, 100]], "swath": 20, "altitude": 60)");
+
+  ASSERT_TRUE(query);
+  ASSERT_THAT(query->notes, SizeIs(1));
+  EXPECT_THAT(query->notes[0], HasSubstr("area: it reaches 300 m beyond the ground"));
 }
 
 TEST(QueryReader, PlacesMayStandAtAHeightOverTheGround) {

@@ -164,6 +164,17 @@ TEST(Refine, APolygonThatCrossesItselfIsRefusedByItsCorners) {
   EXPECT_THAT(done.out, AllOf(HasSubstr("area"), HasSubstr("cross")));
 }
 
+TEST(Refine, WhatWasDoneToAQueryIsSaidInTextAndJson) {
+  const std::string text = testing::query_text(
+      "coverage",
+      R"("area": [[0, 0], [800, 0], [800, 100], [0, 100]], "swath": 50, "altitude": 60)");
+  RefineOptions as_json;
+  as_json.json = true;
+
+  EXPECT_THAT(refine(text).out, HasSubstr("300 m beyond the ground"));
+  EXPECT_THAT(refine(text, as_json).out, AllOf(HasSubstr("\"notes\""), HasSubstr("300 m beyond")));
+}
+
 TEST(Refine, TextThatIsNoQueryIsWrongInput) {
   const Done done = refine("{\"service\": \"path\"");
 

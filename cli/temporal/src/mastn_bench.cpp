@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "skein/foundation/exit_code.hpp"
-#include "skein/temporal/experiment_report.hpp"
+#include "skein/mastn_experiment/experiment_report.hpp"
 #include "skein/temporal_tool/mastn.hpp"
 #include "write_file.hpp"
 

@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "skein/foundation/exit_code.hpp"
-#include "skein/temporal/network_text.hpp"
+#include "skein/temporal_files/network_text.hpp"
 #include "skein/temporal_tool/mastn.hpp"
 #include "write_file.hpp"
 

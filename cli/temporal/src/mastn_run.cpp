@@ -10,9 +10,9 @@
 
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/random.hpp"
-#include "skein/temporal/mastn_experiment.hpp"
-#include "skein/temporal/mastn_simulation.hpp"
-#include "skein/temporal/network_text.hpp"
+#include "skein/mastn_experiment/mastn_experiment.hpp"
+#include "skein/temporal_files/network_text.hpp"
+#include "skein/temporal_lab/mastn_simulation.hpp"
 #include "skein/temporal_tool/mastn.hpp"
 
 namespace skein::temporal_tool {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "skein/foundation/result.hpp"
-#include "skein/temporal/drawing.hpp"
 #include "skein/temporal/stnu_fault.hpp"
+#include "skein/temporal_files/drawing.hpp"
 
 namespace skein::temporal_tool {
 

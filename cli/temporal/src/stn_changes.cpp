@@ -4,9 +4,9 @@
 #include <ostream>
 
 #include "skein/foundation/exit_code.hpp"
-#include "skein/temporal/drawing.hpp"
 #include "skein/temporal/incremental_controllability.hpp"
-#include "skein/temporal/link_changes.hpp"
+#include "skein/temporal_files/drawing.hpp"
+#include "skein/temporal_files/link_changes.hpp"
 #include "skein/temporal_tool/stn.hpp"
 #include "stn_analysis.hpp"
 #include "stn_file.hpp"

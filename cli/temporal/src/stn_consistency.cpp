@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Consistency, in the words of this tool.
-#include "skein/temporal/network_text.hpp"
 #include "skein/temporal/stn_solution.hpp"
+#include "skein/temporal_files/network_text.hpp"
 #include "stn_analysis.hpp"
 
 namespace skein::temporal_tool {

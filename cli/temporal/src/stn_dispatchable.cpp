@@ -3,7 +3,7 @@
 #include <ostream>
 
 #include "skein/foundation/exit_code.hpp"
-#include "skein/temporal/dispatchable_text.hpp"
+#include "skein/temporal_files/dispatchable_text.hpp"
 #include "skein/temporal_tool/stn.hpp"
 #include "stn_analysis.hpp"
 #include "stn_file.hpp"

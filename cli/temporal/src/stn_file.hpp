@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "skein/temporal/network_text.hpp"
+#include "skein/temporal_files/network_text.hpp"
 #include "skein/temporal_tool/stn.hpp"
 
 namespace skein::temporal_tool {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "skein/foundation/time.hpp"
-#include "skein/temporal/drawing.hpp"
+#include "skein/temporal_files/drawing.hpp"
 
 namespace skein::temporal_tool {
 

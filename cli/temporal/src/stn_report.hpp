@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/temporal/network_text.hpp"
+#include "skein/temporal_files/network_text.hpp"
 #include "stn_analysis.hpp"
 
 namespace skein::temporal_tool {

@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "skein/foundation/exit_code.hpp"
-#include "skein/temporal/network_text.hpp"
-#include "skein/temporal/reference_solution.hpp"
+#include "skein/temporal_files/network_text.hpp"
+#include "skein/temporal_lab/reference_solution.hpp"
 
 namespace skein::temporal_tool {
 namespace {

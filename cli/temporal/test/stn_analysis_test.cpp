@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "skein/foundation/random.hpp"
-#include "skein/temporal/network_text.hpp"
-#include "skein/temporal/reference_solution.hpp"
+#include "skein/temporal_files/network_text.hpp"
+#include "skein/temporal_lab/reference_solution.hpp"
 
 namespace skein::temporal_tool {
 namespace {

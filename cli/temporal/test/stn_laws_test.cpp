@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "skein/foundation/exit_code.hpp"
-#include "skein/temporal/network_text.hpp"
-#include "skein/temporal/stnu_generator.hpp"
+#include "skein/temporal_files/network_text.hpp"
+#include "skein/temporal_lab/stnu_generator.hpp"
 #include "skein/temporal_tool/stn.hpp"
 #include "stn_runs.hpp"
 

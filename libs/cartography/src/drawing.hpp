@@ -39,6 +39,9 @@ class Map::Drawing {
 /// Of one profile on the picture, with its axis [px].
 inline constexpr double kProfileHeight = 150;
 
+/// 1, 2 or 5 times a power of ten: the least of which at most so many steps make up a span.
+double tick_step(double span, double ticks);
+
 /// Heights along a way, as a group of that height and as wide as the map.
 std::string profile_of(const Map::Drawing& drawing, const refiners::Way& way,
                        const std::string& colour);

@@ -65,6 +65,9 @@ std::string heat_bar(const HeatScale& heat, const Spot& at) {
   return out + text({at.x + kBarWidth + 48, at.y + 9}, heat.title, {});
 }
 
+/// Between the margins of the picture.
+double page_width(const Map::Drawing& drawing) { return std::max(drawing.scale.width(), 620.0); }
+
 std::string legend_of(const Map::Drawing& drawing, double top) {
   std::string out;
   double y = top;
@@ -75,7 +78,7 @@ std::string legend_of(const Map::Drawing& drawing, double top) {
   double x = 0;
   for (const LegendLine& line : drawing.legend) {
     const double wide = 34 + width_of(line.words, 11);
-    if (x > 0 && x + wide > kMapWidth) {
+    if (x > 0 && x + wide > page_width(drawing)) {
       x = 0;
       y += kLegendRow;
     }
@@ -93,13 +96,47 @@ double legend_height(const Map::Drawing& drawing) {
   for (const LegendLine& line : drawing.legend) {
     const double wide = 34 + width_of(line.words, 11);
     if (x == 0) rows += 1;
-    if (x > 0 && x + wide > kMapWidth) {
+    if (x > 0 && x + wide > page_width(drawing)) {
       x = 0;
       rows += 1;
     }
     x += wide;
   }
   return rows * kLegendRow;
+}
+
+/// Coordinates along the southern and the western border, those of the west inside the map.
+std::string coordinates(const Scale& scale) {
+  const Frame& frame = scale.frame();
+  const auto lines = [](double low, double high) {
+    std::vector<double> at;
+    const double step = tick_step(high - low, 8);
+    for (double k = std::ceil(low / step); k * step <= high; ++k) at.push_back(k * step + 0.0);
+    return at;
+  };
+  const auto mark = [](const Spot& from, const char* way) {
+    return fmt::format(R"(<path d="M{} {}{}" stroke="#606060" stroke-width="1"/>)"
+                       "\n",
+                       px(from.x), px(from.y), way);
+  };
+  std::string out;
+  for (const double x : lines(frame.west, frame.east)) {
+    const Spot at = scale(world::Vector2(x, frame.south));
+    out += mark(at, "v5") +
+           text({at.x, at.y + 14}, fmt::format("{:g}", x), {.size = 9, .anchor = "middle"});
+  }
+  for (const double y : lines(frame.south, frame.north)) {
+    const Spot at = scale(world::Vector2(frame.west, y));
+    if (at.y < 8 || at.y > scale.height() - 26) continue;  // beside the scale bar
+    out += mark(at, "h-5") + text({3, at.y + 3}, fmt::format("{:g}", y), {.size = 9, .halo = true});
+  }
+  return out;
+}
+
+std::string words_of_ground(const Relief& relief) {
+  if (is_level(relief)) return fmt::format("level ground at {:.0f} m", relief.low);
+  return fmt::format("contour lines every {:g} m, ground from {:.0f} to {:.0f} m",
+                     contour_interval(relief), relief.low, relief.high);
 }
 
 std::string group(double x, double y, const std::string& inside, const char* more = "") {
@@ -114,7 +151,8 @@ std::string map_part(const Map::Drawing& drawing) {
          fmt::format(
              R"(<rect width="{}" height="{}" fill="none" stroke="#606060" stroke-width="1"/>)"
              "\n",
-             px(scale.width()), px(scale.height()));
+             px(scale.width()), px(scale.height())) +
+         coordinates(scale);
 }
 
 std::string definitions(const Scale& scale) {
@@ -136,19 +174,16 @@ std::string Map::finish(const std::string& title, const std::vector<std::string>
   }
   y += 12;
   body += group(kMargin, y, map_part(d));
-  y += d.scale.height() + 12;
+  y += d.scale.height() + 26;
   for (const std::string& profile : d.profiles) {
     body += group(kMargin, y, profile);
     y += kProfileHeight + 12;
   }
   body += group(kMargin, y, legend_of(d, 4));
   y += legend_height(d);
-  body += text({kMargin, y + 16},
-               fmt::format("contour lines every {:g} m, ground from {:.0f} to {:.0f} m; x east, y "
-                           "north, z up",
-                           contour_interval(d.relief), d.relief.low, d.relief.high),
+  body += text({kMargin, y + 16}, words_of_ground(d.relief) + "; x east, y north, z up [m]",
                {.size = 10, .colour = "#707070"});
-  const double width = std::max(d.scale.width(), 620.0) + 2 * kMargin, height = y + 16 + kMargin;
+  const double width = page_width(d) + 2 * kMargin, height = y + 16 + kMargin;
   return fmt::format(
              R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="{1}" viewBox="0 0 {0} {1}" font-family="DejaVu Sans, Helvetica, Arial, sans-serif">)"
              "\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",

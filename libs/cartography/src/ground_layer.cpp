@@ -149,6 +149,7 @@ double contour_interval(const Relief& relief) {
 }
 
 std::string contours(const world::Terrain& terrain, const Scale& scale, const Relief& relief) {
+  if (is_level(relief)) return {};
   const Frame& frame = scale.frame();
   const double longer = std::max(frame.east - frame.west, frame.north - frame.south);
   const Lattice lattice(terrain, frame, longer / kContourCells);

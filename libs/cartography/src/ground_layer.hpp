@@ -38,10 +38,13 @@ Relief relief_of(const world::Terrain& terrain, const Frame& frame);
 /// Tinted by height and lit from the north-west.
 Pixels hill_shade(const world::Terrain& terrain, const Scale& scale, const Relief& relief);
 
+/// Ground that differs by less is level: there is nothing to draw contour lines of [m].
+inline constexpr double kLevelRelief = 2;
+inline bool is_level(const Relief& relief) { return relief.high - relief.low < kLevelRelief; }
 /// A round figure such that some ten contour lines fit between low and high [m].
 double contour_interval(const Relief& relief);
 
-/// Paths of the contour lines, every fifth of them stronger.
+/// Paths of the contour lines, every fifth of them stronger; none on level ground.
 std::string contours(const world::Terrain& terrain, const Scale& scale, const Relief& relief);
 
 }  // namespace skein::cartography

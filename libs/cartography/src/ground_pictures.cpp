@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of ground that is swept, shared out or watched: coverage, partition, patrol.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "captions.hpp"
 #include "palette.hpp"
@@ -10,6 +12,7 @@ namespace skein::cartography {
 namespace {
 
 using refiners::Outcome;
+using world::Vector2;
 using world::Vector3;
 
 const std::string kSweepColour = line_colour(0);
@@ -25,16 +28,86 @@ void mark_ends(Map& map, const std::optional<Vector3>& start, const std::optiona
   if (end && end->allFinite() && end != start) map.marker(end->head<2>(), kEndColour, "end");
 }
 
-/// What each cell is worth to a patrol.
-void draw_potential(Map& map, const world::World& world, const refiners::Patrol& patrol) {
-  if (patrol.potential.size() != world.ground.grid.size()) return;
-  double least = 1;
-  for (const double value : patrol.potential)
-    if (std::isfinite(value)) least = std::min(least, value);
-  map.heat(world.ground.grid, patrol.potential,
-           {.title = "potential P at the end: 1 just perceived, less the more in need",
-            .low = std::floor(least * 20) / 20 - 0.05,
-            .high = 1});
+double distance(const Vector2& a, const Vector2& b, const Vector2& point) {
+  const Vector2 leg = b - a;
+  const double length2 = leg.squaredNorm();
+  const double part = length2 > 0 ? std::clamp(leg.dot(point - a) / length2, 0.0, 1.0) : 0;
+  return (a + part * leg - point).norm();
+}
+
+/// How often the way comes near each cell of the grid: those next to each other count once.
+class Visits {
+ public:
+  Visits(const world::Grid& grid, double footprint)
+      : grid_(grid), footprint_(footprint), count_(grid.size(), 0), last_(grid.size(), kNever) {}
+
+  void fly(const refiners::Way& way) {
+    for (std::size_t leg = 1; leg < way.size(); ++leg)
+      fly(leg, way[leg - 1].head<2>(), way[leg].head<2>());
+  }
+  double of(std::size_t cell) const { return count_[cell]; }
+
+ private:
+  static constexpr std::size_t kNever = ~std::size_t{0} - 1;
+
+  void fly(std::size_t leg, const Vector2& from, const Vector2& to) {
+    const auto range = [&](double low, double high, double origin, std::size_t count) {
+      const auto cell = [&](double at) {
+        return std::clamp(std::floor((at - origin) / grid_.cell), 0.0, static_cast<double>(count));
+      };
+      return std::pair{static_cast<std::size_t>(cell(low - footprint_)),
+                       std::min(count, static_cast<std::size_t>(cell(high + footprint_)) + 1)};
+    };
+    const auto [south, north] =
+        range(std::min(from.y(), to.y()), std::max(from.y(), to.y()), grid_.south, grid_.rows);
+    const auto [west, east] =
+        range(std::min(from.x(), to.x()), std::max(from.x(), to.x()), grid_.west, grid_.columns);
+    for (std::size_t row = south; row < north; ++row)
+      for (std::size_t column = west; column < east; ++column) {
+        const std::size_t cell = grid_.index(column, row);
+        if (distance(from, to, grid_.centre(cell)) > footprint_) continue;
+        if (last_[cell] + 1 != leg) ++count_[cell];
+        last_[cell] = leg;
+      }
+  }
+
+  const world::Grid& grid_;
+  double footprint_;
+  std::vector<double> count_;
+  std::vector<std::size_t> last_;  // leg that came near
+};
+
+/// How often each cell is visited all along the patrol; the bar begins at the least.
+void draw_visits(Map& map, const world::World& world, const refiners::PatrolQuery& query,
+                 const refiners::Patrol& patrol) {
+  const world::Grid& grid = world.ground.grid;
+  const bool known = patrol.potential.size() == grid.size();
+  Visits visits(grid, query.footprint);
+  visits.fly(patrol.way);
+  std::vector<double> shown(grid.size(), std::numeric_limits<double>::quiet_NaN());
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+    const bool watched = known ? std::isfinite(patrol.potential[cell])
+                               : world::contains(query.zone, grid.centre(cell));
+    if (!watched) continue;
+    shown[cell] = visits.of(cell);
+    least = std::min(least, shown[cell]);
+    most = std::max(most, shown[cell]);
+  }
+  if (!(least <= most)) return;
+  map.heat(grid, shown,
+           {.title = "visits of each cell, all along the patrol", .low = least, .high = most});
+}
+
+/// The last part of the way, so long as it takes to pass over the zone once.
+refiners::Way last_lap(const refiners::PatrolQuery& query, const refiners::Way& way) {
+  double left = world::area(query.zone) / (2 * query.footprint);
+  std::size_t first = way.size() - 1;
+  while (first > 0 && left > 0) {
+    left -= (way[first] - way[first - 1]).norm();
+    --first;
+  }
+  return {way.begin() + static_cast<std::ptrdiff_t>(first), way.end()};
 }
 
 std::string idleness_words(const char* name, double value, double bound) {
@@ -58,6 +131,7 @@ std::string picture(const world::World& world, const refiners::CoverageQuery& qu
   std::vector<std::string> lines;
   if (outcome) {
     draw_sweep(map, outcome->task, query.swath, kSweepColour);
+    map.profile(outcome->task.way, kSweepColour);
     lines.push_back(fmt::format("{}: {} lanes of {:.0f} m, {} turns, {:.1f} km in {}",
                                 query.vehicle.name, outcome->task.lanes.size(), query.swath,
                                 outcome->task.turns, outcome->task.length / 1000,
@@ -109,12 +183,19 @@ std::string picture(const world::World& world, const refiners::PatrolQuery& quer
   if (outcome) points.add_all(outcome->task.way);
   Map map(world, points.frame(world.terrain));
   std::vector<std::string> lines;
-  if (outcome) draw_potential(map, world, outcome->task);
+  if (outcome) draw_visits(map, world, query, outcome->task);
   map.closed(world.volumes);
   map.area(query.zone, {.colour = "#303030"});
   if (outcome) {
     const refiners::PatrolFigures& p = outcome->task.predicted;
-    map.way(outcome->task.way, "#f7f7f7", 1.2);
+    const refiners::Way& way = outcome->task.way;
+    if (way.size() > 1) {
+      const refiners::Way lap = last_lap(query, way);
+      map.way(lap, "#d55e00", 1.6);
+      map.legend("#d55e00",
+                 fmt::format("the last {:.1f} km of {:.1f} km flown",
+                             refiners::length_of(lap) / 1000, refiners::length_of(way) / 1000));
+    }
     lines.push_back(fmt::format("{} for {}: {} cells, {} cannot be perceived, {} not seen",
                                 query.vehicle.name, seconds(query.duration), p.cells, p.hidden,
                                 p.unseen));

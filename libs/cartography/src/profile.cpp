@@ -8,6 +8,14 @@
 #include "drawing.hpp"
 
 namespace skein::cartography {
+
+double tick_step(double span, double ticks) {
+  const double power = std::pow(10, std::floor(std::log10(std::max(span, 1e-6) / ticks)));
+  for (const double factor : {1.0, 2.0, 5.0, 10.0})
+    if (span / (factor * power) <= ticks) return factor * power;
+  return 10 * power;
+}
+
 namespace {
 
 using world::Vector3;
@@ -88,13 +96,6 @@ std::string volume_bands(const std::vector<Sample>& samples, const Axes& axes,
     i = end + 1;
   }
   return out;
-}
-
-double tick_step(double span, double ticks) {
-  const double power = std::pow(10, std::floor(std::log10(std::max(span, 1e-6) / ticks)));
-  for (const double factor : {1.0, 2.0, 5.0, 10.0})
-    if (span / (factor * power) <= ticks) return factor * power;
-  return 10 * power;
 }
 
 std::string ticks(const Axes& axes) {

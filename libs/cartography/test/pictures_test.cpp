@@ -142,6 +142,58 @@ TEST(Pictures, ASweepShowsItsLanesAsWideAsTheSwath) {
 
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_THAT(svg, AllOf(HasSubstr("2 lanes of 100 m"), HasSubstr("left out")));
+  EXPECT_THAT(svg, HasSubstr("height [m] upwards")) << "how high it is flown over the ground";
+}
+
+TEST(Pictures, OfALongPatrolOnlyAsMuchOfTheWayIsShownAsPassesOverTheZoneOnce) {
+  refiners::PatrolQuery query;
+  query.zone = {{-400, -400}, {0, -400}, {0, 0}, {-400, 0}};
+  query.footprint = 100;
+  refiners::Patrol patrol;
+  patrol.potential.assign(16, 0.5);
+  for (int i = 0; i < 200; ++i) patrol.way.emplace_back(i % 2 == 0 ? -400 : 0, -200, 60);
+
+  const std::string svg = picture(small_world(), query, solved(patrol));
+
+  EXPECT_THAT(svg, HasSubstr("the last 0.8 km of 79.6 km flown"));
+}
+
+TEST(Pictures, TheBarOfAPatrolBeginsAtTheLeastVisits) {
+  refiners::PatrolQuery query;
+  query.zone = {{-400, -400}, {0, -400}, {0, 0}, {-400, 0}};
+  query.footprint = 60;
+  refiners::Patrol patrol;
+  patrol.potential.assign(16, std::numeric_limits<double>::quiet_NaN());
+  patrol.potential[0] = patrol.potential[3] = 0.5;
+  // Seven times over the south-western cell, three times over the south-eastern one.
+  for (int i = 0; i < 7; ++i) {
+    patrol.way.emplace_back(-350, -350, 60);
+    patrol.way.emplace_back(-350, -150, 60);
+    if (i < 3)
+      patrol.way.insert(patrol.way.end(), {{-50, -150, 60}, {-50, -350, 60}, {-50, -150, 60}});
+    patrol.way.emplace_back(-200, -150, 60);
+  }
+
+  const std::string svg = picture(small_world(), query, solved(patrol));
+
+  EXPECT_THAT(svg, AllOf(HasSubstr(">3</text>"), HasSubstr(">7</text>")));
+}
+
+TEST(Pictures, LevelGroundHasNoContourLinesAndBordersHaveCoordinates) {
+  world::World world = small_world();
+  world::TerrainSpec level = world.terrain.spec();
+  level.hills = {{{0, 0}, 0.4, 300}};
+  world.terrain = world::Terrain(level);
+  refiners::PathQuery query;
+  query.from = {-400, -400, 50};
+  query.to = {400, 400, 50};
+  refiners::Path path;
+  path.way = {query.from, query.to};
+
+  const std::string svg = picture(world, query, solved(path));
+
+  EXPECT_THAT(svg, AllOf(HasSubstr("level ground at 0 m"), Not(HasSubstr("contour lines"))));
+  EXPECT_THAT(svg, AllOf(HasSubstr(">-400</text>"), HasSubstr(">200</text>")));
 }
 
 TEST(Pictures, APartitionGivesEachUavItsColour) {
@@ -162,8 +214,9 @@ TEST(Pictures, APartitionGivesEachUavItsColour) {
   EXPECT_THAT(svg, AllOf(HasSubstr("marvin: 50.0 % of the area"), HasSubstr("karma: 50.0 %")));
 }
 
-TEST(Pictures, APatrolShowsThePotentialOfItsCells) {
+TEST(Pictures, APatrolShowsVisitsOfItsCellsAndItsLastLap) {
   refiners::PatrolQuery query;
+  query.footprint = 60;
   query.zone = {{-400, -400}, {0, -400}, {0, 0}, {-400, 0}};
   refiners::Patrol patrol;
   patrol.potential.assign(16, 0.5);
@@ -173,7 +226,7 @@ TEST(Pictures, APatrolShowsThePotentialOfItsCells) {
   const std::string svg = picture(small_world(), query, solved(patrol));
 
   EXPECT_TRUE(is_well_formed(svg));
-  EXPECT_THAT(svg, HasSubstr("P at the end"));
+  EXPECT_THAT(svg, AllOf(HasSubstr("visits of each cell"), HasSubstr("0.6 km flown")));
 }
 
 TEST(Pictures, ViewpointsShowTheirCones) {

@@ -50,6 +50,7 @@ Result<std::vector<Gate>, Refusal> gates_of(const CoverageQuery& query, const Se
     const Gate gate = gate_of(*sweep, from, setting);
     if (std::none_of(gates.begin(), gates.end(), [&](const Gate& g) { return same(g, gate); }))
       gates.push_back(gate);
+    if (setting.budget.expired()) break;
   }
   return gates;
 }

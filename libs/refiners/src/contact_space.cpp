@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "deadline.hpp"
 #include "skein/world/horizon.hpp"
 
 namespace skein::refiners {
@@ -16,6 +17,8 @@ using world::Vector2;
 using world::Vector3;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
+/// About what a horizon takes, and a corner of the ground that is looked at [ns].
+constexpr std::uint32_t kHorizon = 10'000, kCorner = 100;
 
 double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -33,9 +36,15 @@ std::vector<double> lines_of(double low, double high, double cell) {
 /// cell, so greatest on the triangle's sides or at corners of cells within it.
 class SightLevels {
  public:
-  SightLevels(const AirspaceGrid& grid, const world::Terrain& terrain, const Vector3& anchor,
-              double reach)
-      : grid_(grid), terrain_(terrain), anchor_(anchor), reach_(reach) {
+  /// Not whole once the deadline has passed. It must outlive the constructor only.
+  SightLevels(const AirspaceGrid& grid, const world::World& world, const Vector3& anchor,
+              Deadline& deadline)
+      : grid_(grid),
+        terrain_(world.terrain),
+        anchor_(anchor),
+        reach_(world.radio.reach()),
+        deadline_(&deadline) {
+    const world::Terrain& terrain = world.terrain;
     const world::TerrainSpec& spec = terrain.spec();
     xs_ = lines_of(spec.west, spec.east, spec.cell);
     ys_ = lines_of(spec.south, spec.north, spec.cell);
@@ -63,7 +72,7 @@ class SightLevels {
                      (static_cast<std::size_t>(grid_.size[1]) + 1));
     for (std::int32_t y = 0; y <= grid_.size[1]; ++y)
       for (std::int32_t x = 0; x <= grid_.size[0]; ++x)
-        corners_.push_back(level_over(corner(x, y)));
+        corners_.push_back(deadline_->passed_after(kHorizon) ? 0 : level_over(corner(x, y)));
   }
 
   /// From which height on one place sees the anchor.
@@ -81,7 +90,8 @@ class SightLevels {
     levels_.reserve(static_cast<std::size_t>(grid_.size[0]) *
                     static_cast<std::size_t>(grid_.size[1]));
     for (std::int32_t y = 0; y < grid_.size[1]; ++y)
-      for (std::int32_t x = 0; x < grid_.size[0]; ++x) levels_.push_back(level_of_column(x, y));
+      for (std::int32_t x = 0; x < grid_.size[0]; ++x)
+        levels_.push_back(deadline_->is_over() ? 0 : level_of_column(x, y));
   }
 
   double level_of_column(std::int32_t x, std::int32_t y) const {
@@ -108,6 +118,7 @@ class SightLevels {
       const auto [west, east] = across({eye, a, b}, *y);
       for (auto x = std::lower_bound(xs_.begin(), xs_.end(), west); x != xs_.end() && *x <= east;
            ++x) {
+        if (deadline_->passed_after(kCorner)) return level;
         const Vector2 offset = Vector2(*x, *y) - eye;
         // What part of the way from the anchor to the edge lies before it.
         const double part = cross(offset, b - a) / cross(a - eye, b - a);
@@ -137,6 +148,7 @@ class SightLevels {
   const world::Terrain& terrain_;
   Vector3 anchor_;
   double reach_;
+  Deadline* deadline_;
   std::vector<double> xs_, ys_, corners_, levels_;
 };
 
@@ -162,13 +174,15 @@ std::vector<Vector3> anchors_of(const Contact& contact, const world::World& worl
   return anchors;
 }
 
-void keep_contact(Airspace& airspace, const std::vector<Vector3>& anchors,
-                  const world::World& world) {
+bool keep_contact(Airspace& airspace, const std::vector<Vector3>& anchors,
+                  const world::World& world, const Budget& budget) {
+  Deadline deadline(budget);
   const double reach = world.radio.reach();
   std::vector<SightLevels> levels;
   if (world.radio.needs_line_of_sight)
     for (const Vector3& anchor : anchors)
-      levels.emplace_back(airspace.grid(), world.terrain, anchor, reach);
+      levels.emplace_back(airspace.grid(), world, anchor, deadline);
+  if (deadline.is_over()) return false;
   airspace.keep_where([&](const world::Voxel& voxel) {
     const double bottom = airspace.grid().origin.z() + voxel[2] * airspace.grid().voxel;
     for (std::size_t i = 0; i < anchors.size(); ++i)
@@ -177,6 +191,7 @@ void keep_contact(Airspace& airspace, const std::vector<Vector3>& anchors,
         return true;
     return false;
   });
+  return true;
 }
 
 }  // namespace skein::refiners

@@ -18,8 +18,9 @@ std::vector<world::Vector3> anchors_of(const Contact& contact, const world::Worl
 /// stands in the pyramid between the anchor and the voxel's bottom (what sees a point sees what is
 /// above it). So there is contact at each point of a way through the voxels left.
 /// Cost: a horizon for each corner of the voxels' columns in reach, and for each column the corners
-/// of the ground between it and the anchor.
-void keep_contact(world::Airspace& airspace, const std::vector<world::Vector3>& anchors,
-                  const world::World& world);
+/// of the ground between it and the anchor. False when the time is up before: then the voxels left
+/// are not these.
+bool keep_contact(world::Airspace& airspace, const std::vector<world::Vector3>& anchors,
+                  const world::World& world, const Budget& budget = {});
 
 }  // namespace skein::refiners

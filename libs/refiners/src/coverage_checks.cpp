@@ -16,6 +16,8 @@ using world::Vector2;
 using world::Vector3;
 
 constexpr double kTouch = 1e-6;  // [m]
+/// Less of an area than that is what rounding leaves.
+constexpr double kNothing = 1e-9;
 
 double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -95,7 +97,10 @@ std::optional<Refusal> check_holes(const CoverageQuery& query) {
           any_in(query.holes[j], query.holes[i]))
         return bad(field, "the hole meets hole " + std::to_string(j));
   }
-  return std::nullopt;
+  double left = world::area(query.area);
+  for (const Polygon& hole : query.holes) left -= world::area(hole);
+  if (left > kNothing * world::area(query.area)) return std::nullopt;
+  return bad("holes", "they leave nothing of the area to be swept");
 }
 
 std::optional<Refusal> check_speed(const CoverageQuery& query) {
@@ -154,6 +159,7 @@ std::optional<Refusal> check_coverage(const CoverageQuery& query, const world::W
   if (query.mode == SweepMode::kGiven && !std::isfinite(query.direction))
     return bad("direction", "the direction must be a finite number");
   if (auto problem = check_polygon(query.area, "area")) return problem;
+  if (auto problem = check_in_world(query.area, world, "area")) return problem;
   if (auto problem = check_holes(query)) return problem;
   if (auto problem = check_place(query.start, "start", query, world)) return problem;
   if (auto problem = check_place(query.end, "end", query, world)) return problem;

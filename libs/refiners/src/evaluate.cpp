@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "deadline.hpp"
 #include "evaluate_heights.hpp"
 #include "evaluate_volumes.hpp"
 #include "shared_checks.hpp"
@@ -16,20 +17,29 @@ namespace {
 
 /// Of the chords that a curve in a way was made of [m].
 constexpr double kChordTolerance = 0.5;
+/// About what a leg over the ground takes, and a volume beside it [ns].
+constexpr std::uint32_t kLeg = 5000, kVolume = 300;
 
 class WayEvaluator {
  public:
-  WayEvaluator(const EvaluateQuery& query, const world::World& world)
+  WayEvaluator(const EvaluateQuery& query, const Setting& setting)
       : query_(query),
-        world_(world),
+        world_(setting.world),
+        deadline_(setting.budget),
         speed_(query.speed > 0 ? query.speed : query.vehicle.cruise_speed) {}
 
-  Refined<Evaluation> run() {
+  Outcome<Evaluation> run() {
     const Flight flight = fly(query_.way);
     evaluation_.length = flight.length;
     evaluation_.energy = flight.energy;
     evaluation_.least_height = std::numeric_limits<double>::infinity();
-    for (std::size_t leg = 0; leg + 1 < query_.way.size(); ++leg) evaluate_leg(leg);
+    for (std::size_t leg = 0; leg + 1 < query_.way.size(); ++leg) {
+      if (deadline_.passed_after(kLeg))
+        return refuse(RefusalKind::kBudgetExhausted, "way",
+                      "the time was up at leg " + std::to_string(leg + 1) + " of " +
+                          std::to_string(query_.way.size() - 1));
+      evaluate_leg(leg);
+    }
     check_limits(flight);
     Refined<Evaluation> refined;
     refined.cost = flight.duration.expected == Duration::max()
@@ -60,7 +70,8 @@ class WayEvaluator {
     const LegTimes times{query_.depart + flown_.least, query_.depart + flown_.most, takes.least,
                          takes.most};
     for (const auto* volumes : {&world_.volumes, &query_.reserved})
-      for (const world::Volume& volume : *volumes) check_volume(leg, times, volume);
+      for (const world::Volume& volume : *volumes)
+        if (!deadline_.passed_after(kVolume)) check_volume(leg, times, volume);
     flown_ = {flown_.least + takes.least, {}, flown_.most + takes.most};
   }
 
@@ -108,6 +119,7 @@ class WayEvaluator {
 
   const EvaluateQuery& query_;
   const world::World& world_;
+  Deadline deadline_;
   double speed_;
   Evaluation evaluation_;
   DurationInterval flown_;  // before the present leg
@@ -118,7 +130,7 @@ class WayEvaluator {
 
 Outcome<Evaluation> refine(const EvaluateQuery& query, const Setting& setting) {
   if (auto problem = check(query)) return tl::unexpected(*problem);
-  return WayEvaluator(query, setting.world).run();
+  return WayEvaluator(query, setting).run();
 }
 
 }  // namespace skein::refiners

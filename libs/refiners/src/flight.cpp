@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "straight_flight.hpp"
+
 namespace skein::refiners {
 namespace {
 
@@ -81,6 +83,20 @@ Flight estimate_flight(const Way& way, const world::VehicleModel& vehicle, const
   flight.duration = {duration_of(least), duration_of(expected), duration_of(most)};
   flight.energy = vehicle.energy.capacity > 0 ? energy / vehicle.energy.capacity : kNever;
   return flight;
+}
+
+StraightFlight::StraightFlight(const world::VehicleModel& vehicle, const world::Wind& wind,
+                               double speed)
+    : vehicle_(&vehicle),
+      airspeed_(speed > 0 ? speed : vehicle.cruise_speed),
+      drift_(vehicle.wind_drift * world::mean_velocity(wind).head<2>()) {}
+
+double StraightFlight::seconds(const Vector3& from, const Vector3& to) const {
+  const Leg leg = leg_of(from, to, *vehicle_);
+  const double speed = drift_.isZero(0) ? airspeed_ : ground_speed(airspeed_, drift_, leg.track);
+  const double level = time_over(leg.level, speed);
+  const Duration whole = duration_of(std::max(level, leg.vertical));
+  return whole == Duration::max() ? kNever : whole.to_seconds();
 }
 
 double length_of(const Way& way) {

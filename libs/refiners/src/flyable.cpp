@@ -101,14 +101,15 @@ Result<Way, Refusal> make_flyable(const FlyableQuery& query, const world::Vehicl
   if (vehicle.hovers) return hovered(query);
   const FlightLimits limits = limits_of(vehicle, query.speed, query.tolerance);
 
-  FlyableLegs legs(limits, query.is_free, kMostAsked);
+  const Budget budget{query.time_is_up};
+  FlyableLegs legs(limits, query.is_free, kMostAsked, budget);
   const auto near = stations_of(query, limits.radius, false);
   const FoundWay plain = search_stations(near, legs, {});
   // Much longer than need be: it goes round in circles between corners that stand too close.
   const double enough = 1.25 * plain_length(query.corners, limits) + 4 * limits.radius;
   if (!plain.way.empty() && level_length(plain.way) <= enough) return plain.way;
 
-  FlyableLegs more_legs(limits, query.is_free, kMostAsked);
+  FlyableLegs more_legs(limits, query.is_free, kMostAsked, budget);
   const auto wide = stations_of(query, limits.radius, true);
   const FoundWay wider = search_stations(wide, more_legs, {.most_skipped = 4, .thorough = true});
   if (plain.way.empty() && wider.way.empty()) {

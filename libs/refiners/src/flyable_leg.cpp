@@ -15,6 +15,8 @@ using Plane = std::vector<Vector2>;
 
 /// More full circles than that climb nothing sensible.
 constexpr double kMostCircles = 500;
+/// About what it takes to find out whether a segment is free [ns].
+constexpr std::uint32_t kAsked = 5000;
 
 double length_of(const Plane& plane) {
   double length = 0;
@@ -109,6 +111,7 @@ double FlyableLegs::least_length(const Station& from, const Station& to) const {
 
 bool FlyableLegs::all_free(const Way& way) {
   for (std::size_t i = 1; i < way.size(); ++i) {
+    if (deadline_.passed_after(kAsked)) left_ = 0;
     if (left_ == 0) return false;
     --left_;
     if (is_free_ && !is_free_(way[i - 1], way[i])) return false;

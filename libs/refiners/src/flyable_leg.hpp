@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "deadline.hpp"
 #include "skein/refiners/dubins.hpp"
 #include "skein/refiners/flight.hpp"
 
@@ -29,10 +30,11 @@ class FlyableLegs {
  public:
   using IsFree = std::function<bool(const world::Vector3&, const world::Vector3&)>;
 
-  /// `is_free` is asked at most `most_asked` times over the life of this; nothing is free from then
-  /// on. It must outlive this.
-  FlyableLegs(const FlightLimits& limits, const IsFree& is_free, std::uint64_t most_asked)
-      : limits_(limits), is_free_(is_free), left_(most_asked) {}
+  /// `is_free` is asked at most `most_asked` times over the life of this, and not when the time is
+  /// up; nothing is free from then on. It must outlive this.
+  FlyableLegs(const FlightLimits& limits, const IsFree& is_free, std::uint64_t most_asked,
+              const Budget& budget = {})
+      : limits_(limits), is_free_(is_free), left_(most_asked), deadline_(budget) {}
 
   /// No leg between the two is shorter [m, level].
   double least_length(const Station& from, const Station& to) const;
@@ -41,6 +43,12 @@ class FlyableLegs {
   std::optional<Way> leg(const Station& from, const Station& to, bool thorough);
 
   bool exhausted() const { return left_ == 0; }
+  /// After about as many comparisons of two stations; true once it is exhausted.
+  bool exhausted_after(std::uint32_t comparisons) {
+    constexpr std::uint32_t kCompared = 1500;  // [ns]
+    if (deadline_.passed_after(comparisons * kCompared)) left_ = 0;
+    return exhausted();
+  }
 
  private:
   std::optional<Way> with_circles(const DubinsCurve& curve, const Station& from, const Station& to,
@@ -52,6 +60,7 @@ class FlyableLegs {
   FlightLimits limits_;
   const IsFree& is_free_;
   std::uint64_t left_;
+  Deadline deadline_;
 };
 
 /// The level part of its length [m].

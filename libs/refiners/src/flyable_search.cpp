@@ -9,6 +9,7 @@ namespace skein::refiners {
 namespace {
 
 constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
+constexpr std::uint32_t kFollowers = 30;  ///< of a node, about
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 class Search {
@@ -26,7 +27,7 @@ class Search {
     for (std::size_t i = 0; i < first_of_[1]; ++i)
       queue_.push({nodes_[i].remainder, 0, kNobody, i, true, {}});
     FoundWay found;
-    while (!queue_.empty() && !legs_.exhausted()) {
+    while (!queue_.empty() && !legs_.exhausted_after(1)) {
       Entry entry = queue_.top();
       queue_.pop();
       if (nodes_[entry.to].closed) continue;
@@ -73,7 +74,7 @@ class Search {
   }
 
   void find_remainders() {
-    for (std::size_t i = nodes_.size(); i-- > 0;) {
+    for (std::size_t i = nodes_.size(); i-- > 0 && !legs_.exhausted_after(kFollowers);) {
       Node& node = nodes_[i];
       if (node.layer + 1 == layers_.size()) node.remainder = 0;
       for_followers(i, [&](std::size_t next) {

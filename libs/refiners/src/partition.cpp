@@ -97,7 +97,8 @@ Refined<Partition> answer(const Planner& planner, Trial trial) {
 }  // namespace
 
 Outcome<Partition> refine(const PartitionQuery& query, const Setting& setting) {
-  if (auto problem = check_partition(query)) return tl::unexpected<Refusal>(*problem);
+  if (auto problem = check_partition(query, setting.world))
+    return tl::unexpected<Refusal>(*problem);
   Planner planner(query, setting);
   const bool given = query.members[0].share.has_value();
   auto trial = given                                ? as_asked(planner)

@@ -48,8 +48,9 @@ std::optional<Refusal> check_member(const Member& member, const std::string& fie
 
 }  // namespace
 
-std::optional<Refusal> check_partition(const PartitionQuery& query) {
+std::optional<Refusal> check_partition(const PartitionQuery& query, const world::World& world) {
   if (auto problem = check_polygon(query.area, "area")) return problem;
+  if (auto problem = check_in_world(query.area, world, "area")) return problem;
   if (const auto corner = reflex_corner(query.area))
     return bad("area", "it is not convex: corner " + std::to_string(*corner + 1) +
                            " points inwards; give its convex hull, or convex pieces of it");

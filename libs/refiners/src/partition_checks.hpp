@@ -12,6 +12,6 @@ namespace skein::refiners {
 inline constexpr std::size_t kMostMembers = 64;
 
 /// The first fault of the query, if any.
-std::optional<Refusal> check_partition(const PartitionQuery& query);
+std::optional<Refusal> check_partition(const PartitionQuery& query, const world::World& world);
 
 }  // namespace skein::refiners

@@ -46,9 +46,10 @@ std::vector<Voxel> free_around(const Airspace& airspace, const Voxel& middle, co
 }
 
 /// Through the fine voxels, round what is in between.
-std::optional<Way> wind_through(const Airspace& near, const Vector3& place, const Vector3& centre) {
+std::optional<Way> wind_through(const Airspace& near, const Vector3& place, const Vector3& centre,
+                                const Budget& budget) {
   if (!near.is_free(centre)) return std::nullopt;
-  VoxelWay found = find_way(near, place, centre, Budget());
+  VoxelWay found = find_way(near, place, centre, {budget.time_is_up});
   if (!found.found) return std::nullopt;
   return std::move(found.way);
 }
@@ -56,13 +57,14 @@ std::optional<Way> wind_through(const Airspace& near, const Vector3& place, cons
 }  // namespace
 
 std::optional<Approach> approach(const PathSpace& space, const Airspace& airspace,
-                                 const Vector3& place, const Vector3& toward) {
+                                 const Vector3& place, const Vector3& toward,
+                                 const Budget& budget) {
   if (const auto voxel = airspace.free_voxel_at(place)) return Approach{*voxel, {place}, {}};
   const auto middle = airspace.voxel_at(place);
   if (!middle) return std::nullopt;
   const world::AirspaceGrid grid = grid_around(place, airspace.grid().voxel / kFiner);
-  Approach found{{}, {}, space.airspace(grid)};
-  if (!found.near->is_free(place)) return std::nullopt;
+  Approach found{{}, {}, space.airspace(grid, budget)};
+  if (!found.near || !found.near->is_free(place)) return std::nullopt;
   const std::vector<Voxel> around = free_around(airspace, *middle, place, toward);
   for (const Voxel& voxel : around)
     if (found.near->is_free(place, airspace.centre(voxel))) {
@@ -72,7 +74,7 @@ std::optional<Approach> approach(const PathSpace& space, const Airspace& airspac
     }
   constexpr std::size_t kMostWound = 8;
   for (std::size_t i = 0; i < std::min(around.size(), kMostWound); ++i)
-    if (auto way = wind_through(*found.near, place, airspace.centre(around[i]))) {
+    if (auto way = wind_through(*found.near, place, airspace.centre(around[i]), budget)) {
       found.voxel = around[i];
       found.way = std::move(*way);
       return found;

@@ -18,8 +18,9 @@ struct Approach {
 };
 
 /// `toward`: the other end of the way; voxels on its side are preferred. Nothing when the place is
-/// closed.
+/// closed, or the time is up.
 std::optional<Approach> approach(const PathSpace& space, const world::Airspace& airspace,
-                                 const world::Vector3& place, const world::Vector3& toward);
+                                 const world::Vector3& place, const world::Vector3& toward,
+                                 const Budget& budget);
 
 }  // namespace skein::refiners

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "contact_space.hpp"
+#include "deadline.hpp"
 #include "path_checks.hpp"
 #include "shared_checks.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
@@ -16,6 +17,10 @@ namespace {
 using world::Vector2;
 using world::Vector3;
 using world::Volume;
+
+/// About what it takes to close a volume [ns]: a hundred of them are closed before a clock is
+/// asked.
+constexpr std::uint32_t kVolume = 1000;
 
 /// On the level; 0 inside [m].
 double distance(const world::Polygon& polygon, const Vector2& point) {
@@ -66,14 +71,19 @@ bool PathSpace::can_be_met(const Volume& volume, Duration flight) const {
   return volume.when.from <= last && first < volume.when.until;
 }
 
-world::Airspace PathSpace::airspace(const world::AirspaceGrid& grid) const {
+std::optional<world::Airspace> PathSpace::airspace(const world::AirspaceGrid& grid,
+                                                   const Budget& budget) const {
+  Deadline deadline(budget);
   world::AirspaceSpec spec;
   spec.grid = grid;
   spec.clearance = query_.clearance;
   spec.body_radius = margin();
   spec.ceiling = query_.vehicle.ceiling;
   world::Airspace airspace(spec, world_.terrain, {});
-  for (const Volume& volume : volumes_) airspace.block(volume, margin());
+  for (const Volume& volume : volumes_) {
+    if (deadline.passed_after(kVolume)) return std::nullopt;
+    airspace.block(volume, margin());
+  }
   const Vector3 low = world_.airspace.origin;
   const Vector3 high =
       low + world_.airspace.voxel *
@@ -84,7 +94,7 @@ world::Airspace PathSpace::airspace(const world::AirspaceGrid& grid) const {
       return ((centre - half).array() >= low.array()).all() &&
              ((centre + half).array() <= high.array()).all();
     });
-  if (!anchors_.empty()) keep_contact(airspace, anchors_, world_);
+  if (!anchors_.empty() && !keep_contact(airspace, anchors_, world_, budget)) return std::nullopt;
   return airspace;
 }
 
@@ -134,7 +144,12 @@ Refusal PathSpace::closed(const Vector3& place, const std::string& field) const 
 Result<world::Airspace, Refusal> airspace_of(const PathQuery& query, const Setting& setting,
                                              Duration flight) {
   if (auto problem = check(query, setting.world)) return tl::unexpected(*problem);
-  return PathSpace(query, setting.world, flight).airspace(setting.world.airspace);
+  auto airspace =
+      PathSpace(query, setting.world, flight).airspace(setting.world.airspace, setting.budget);
+  if (!airspace)
+    return refuse(RefusalKind::kBudgetExhausted, "",
+                  "the time was up before it was known which air is open");
+  return std::move(*airspace);
 }
 
 }  // namespace skein::refiners

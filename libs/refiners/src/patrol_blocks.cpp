@@ -16,6 +16,8 @@ using world::Vector2;
 /// Part of the footprint that lanes count on, so that neither rounding nor a slight deviation
 /// leaves a row unseen.
 constexpr double kCounted = 0.97;
+/// About what it takes to look at a cell from a track, and at a place of a lane [ns].
+constexpr std::uint32_t kCellSeen = 20, kPlace = 500;
 
 double length_of(const std::vector<Vector2>& track) {
   double length = 0;
@@ -78,6 +80,8 @@ class Layouter {
   }
 
  private:
+  bool is_late(std::uint32_t work) const { return sight_.deadline().passed_after(work); }
+
   Rows used_rows(const Axes& axes) const {
     Rows used{axes.across(), 0};
     for (std::size_t v = 0; v < axes.across(); ++v)
@@ -119,7 +123,7 @@ class Layouter {
     ++lane_;
     std::vector<Vector2> run;
     std::size_t first = 0;
-    for (std::size_t u = 0; u < axes_.along(); ++u) {
+    for (std::size_t u = 0; u < axes_.along() && !is_late(kPlace); ++u) {
       const auto at = has_cells(u, rows) ? position(u, rows) : std::nullopt;
       if (!run.empty() && (!at || !continues(run, *at))) {
         cut_up(run, first, rows);
@@ -174,7 +178,7 @@ class Layouter {
       sight_.for_each_near(from, to, part * sight_.footprint(),
                            [&](std::size_t cell, double enter, double leave) {
                              const std::uint32_t slot = field_.slot[cell];
-                             if (slot == PatrolField::kNone) return;
+                             if (slot == PatrolField::kNone || is_late(kCellSeen)) return;
                              const Vector2 nearest = from + (enter + leave) / 2 * (to - from);
                              if (sight_.is_unhidden(nearest, cell)) seen.push_back(slot);
                            });
@@ -193,7 +197,7 @@ class Layouter {
 
   void add_points() {
     for (std::uint32_t cell = 0; cell < owned_.size(); ++cell)
-      if (!owned_[cell]) blocks_.push_back(best_point_for(cell));
+      if (!owned_[cell] && !is_late(kCellSeen)) blocks_.push_back(best_point_for(cell));
   }
 
   /// A point that perceives the cell and as many others without an owner as any.
@@ -204,7 +208,7 @@ class Layouter {
     Vector2 best_at = centre;
     sight_.for_each_near(centre, centre, sight_.footprint(), [&](std::size_t from, double, double) {
       const Vector2 at = axes_.grid.centre(from);
-      if (!field_.open[from] || !sight_.is_unhidden(at, index)) return;
+      if (!field_.open[from] || is_late(kCellSeen) || !sight_.is_unhidden(at, index)) return;
       std::vector<std::uint32_t> seen = seen_from({at});
       std::erase_if(seen, [&](std::uint32_t other) { return owned_[other]; });
       if (seen.size() <= best.size()) return;
@@ -229,7 +233,7 @@ class Layouter {
     };
     if (suffices(block.track)) {
       bool shorter = true;
-      while (shorter && block.track.size() > 1) {
+      while (shorter && block.track.size() > 1 && !is_late(0)) {
         shorter = false;
         std::vector<Vector2> fewer(block.track.begin() + 1, block.track.end());
         if (suffices(fewer)) block.track = fewer, shorter = true;

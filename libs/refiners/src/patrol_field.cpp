@@ -6,13 +6,17 @@
 namespace skein::refiners {
 namespace {
 
+/// About what it takes to look at a cell nearby, or at one corner of the zone [ns].
+constexpr std::uint32_t kCellNear = 20, kCorner = 4;
+
 /// Some open cell centre from which the cell is perceived.
 bool can_be_perceived(const std::vector<bool>& open, const PatrolSight& sight, std::size_t cell) {
   if (open[cell]) return true;
   const world::Vector2 centre = sight.grid().centre(cell);
   bool found = false;
   sight.for_each_near(centre, centre, sight.footprint(), [&](std::size_t from, double, double) {
-    found = found || (open[from] && sight.is_unhidden(sight.grid().centre(from), cell));
+    if (found || !open[from] || sight.deadline().passed_after(kCellNear)) return;
+    found = sight.is_unhidden(sight.grid().centre(from), cell);
   });
   return found;
 }
@@ -27,13 +31,15 @@ PatrolField make_patrol_field(const PatrolSpace& space, const PatrolSight& sight
   field.slot.assign(grid.size(), PatrolField::kNone);
   field.open.assign(grid.size(), false);
   std::vector<std::size_t> of_zone;
-  for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+  const auto work = kCorner * static_cast<std::uint32_t>(1 + zone.size());
+  for (std::size_t cell = 0; cell < grid.size() && !sight.deadline().passed_after(work); ++cell) {
     const world::Vector2 centre = grid.centre(cell);
     if (!world::contains(zone, centre)) continue;
     of_zone.push_back(cell);
     field.open[cell] = space.is_clear(centre);
   }
   for (const std::size_t cell : of_zone) {
+    if (sight.deadline().passed_after(kCellNear)) break;
     if (!can_be_perceived(field.open, sight, cell)) {
       ++field.hidden;
       continue;

@@ -38,7 +38,8 @@ struct PatrolLayout {
 };
 
 /// Cells of the zone whose centre is perceived from over the centre of an open cell (or its own).
-/// A risk below `least` counts as `least`.
+/// A risk below `least` counts as `least`. What is made when the deadline of the sight has passed
+/// is not whole.
 PatrolField make_patrol_field(const PatrolSpace& space, const PatrolSight& sight,
                               const world::Polygon& zone, const std::vector<double>& risk,
                               double least);
@@ -46,7 +47,8 @@ PatrolField make_patrol_field(const PatrolSpace& space, const PatrolSight& sight
 /// Lanes along the grid, in the direction that needs fewer of them, each perceiving as many rows as
 /// the footprint surely reaches; cut into pieces about as long as they are wide. Cells that no lane
 /// perceives (next to slanted borders and closed volumes) get points of their own. Every cell of
-/// the field is of exactly one block, and perceived along its track.
+/// the field is of exactly one block, and perceived along its track, unless the deadline of the
+/// sight has passed.
 std::vector<PatrolBlock> make_patrol_blocks(const PatrolField& field, const PatrolSpace& space,
                                             const PatrolSight& sight, const PatrolLayout& layout);
 

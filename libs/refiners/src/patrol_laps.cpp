@@ -19,13 +19,16 @@ constexpr double kStretch = 1.2;
 /// What adds nearly no distance counts as adding that part of the mean way per block, lest
 /// worthless blocks crowd out others.
 constexpr double kLeastAdded = 0.5;
+/// About what it takes to look at one block that is left out [ns].
+constexpr std::uint32_t kLookedAt = 20;
 
 }  // namespace
 
-LapPlanner::LapPlanner(const LapGround& ground, const LapRule& rule)
+LapPlanner::LapPlanner(const LapGround& ground, const LapRule& rule, Deadline& deadline)
     : field_(ground.field),
       blocks_(ground.blocks),
       links_(ground.links),
+      deadline_(deadline),
       speed_(ground.speed),
       rule_(rule),
       pitch_(round_length(ground.whole, ground.links) / static_cast<double>(ground.whole.size())),
@@ -66,7 +69,7 @@ const std::vector<Visit>& LapPlanner::next(const std::vector<double>& last_seen,
   keep(targets());
   fill();
   lap_ = in_order();
-  shorten(lap_, links_);
+  shorten(lap_, links_, deadline_);
   if (last_ != kNowhere)
     lap_ = begun_best(
         lap_, links_,
@@ -132,7 +135,8 @@ void LapPlanner::fill() {
       find_place(b);
       left_out.push_back(b);
     }
-  while (!left_out.empty()) {
+  while (!left_out.empty() &&
+         !deadline_.passed_after(kLookedAt * static_cast<std::uint32_t>(left_out.size()))) {
     const std::size_t best = best_of(left_out);
     if (best == left_out.size()) return;
     const std::size_t block = left_out[best];

@@ -33,7 +33,8 @@ struct LapGround {
 /// thread.
 class LapPlanner {
  public:
-  LapPlanner(const LapGround& ground, const LapRule& rule);
+  /// `deadline` must outlive it: a lap that is planned when it has passed is not wanted.
+  LapPlanner(const LapGround& ground, const LapRule& rule, Deadline& deadline);
 
   /// The next lap, at an instant [s], with when each cell was last perceived [s]. At least one
   /// visit. Cost: O(blocks × blocks of the lap).
@@ -67,6 +68,7 @@ class LapPlanner {
   const PatrolField& field_;
   const std::vector<PatrolBlock>& blocks_;
   const PatrolLinks& links_;
+  Deadline& deadline_;
   double speed_;
   LapRule rule_;
   double pitch_;  ///< mean way per block when all are visited in turn [m]

@@ -18,6 +18,8 @@ constexpr double kNoWay = std::numeric_limits<double>::infinity();
 /// Detours go over that many of the nearest visits at each step, and from those that count it among
 /// their own nearest: what leads there leads back.
 constexpr std::size_t kNeighbours = 24;
+/// About what it takes to find out whether a direct link is open [ns].
+constexpr std::uint32_t kDirect = 20'000;
 
 /// From a point on it once around and back to it; `side` 1: counter-clockwise. Chords are at most
 /// `tolerance` from the arc.
@@ -160,7 +162,7 @@ bool PatrolLinks::is_open(const std::vector<Vector2>& curve, bool may_start_outs
   return true;
 }
 
-std::vector<Visit> PatrolLinks::nearest(Visit from) const {
+std::vector<Visit> PatrolLinks::nearest(Visit from, Deadline& deadline) const {
   std::vector<std::pair<double, Visit>> by_distance;
   for (Visit to = 0; to < visits_; ++to)
     by_distance.emplace_back((entry(to) - exit(from)).norm(), to);
@@ -168,26 +170,27 @@ std::vector<Visit> PatrolLinks::nearest(Visit from) const {
   std::vector<Visit> near;
   // Turning back over its own block counts: a dead end is left as it was entered.
   for (const auto& [distance, to] : by_distance) {
-    if (near.size() >= kNeighbours) break;
+    if (near.size() >= kNeighbours || deadline.passed_after(kDirect)) break;
     if (to != from && direct(from, to) < kNoWay) near.push_back(to);
   }
   return near;
 }
 
-const std::vector<Visit>& PatrolLinks::neighbours(Visit from) const {
-  if (near_.empty()) {
-    near_.resize(visits_);
-    for (Visit visit = 0; visit < visits_; ++visit)
-      for (const Visit to : nearest(visit)) {
-        near_[visit].push_back(to);
-        near_[to ^ 1U].push_back(visit ^ 1U);
-      }
-    for (std::vector<Visit>& near : near_) {
-      std::sort(near.begin(), near.end());
-      near.erase(std::unique(near.begin(), near.end()), near.end());
+bool PatrolLinks::prepare(Deadline& deadline) {
+  if (plain_) return !deadline.passed();
+  near_.assign(visits_, {});
+  for (Visit visit = 0; visit < visits_; ++visit) {
+    for (const Visit to : nearest(visit, deadline)) {
+      near_[visit].push_back(to);
+      near_[to ^ 1U].push_back(visit ^ 1U);
     }
+    if (deadline.passed()) return false;
   }
-  return near_[from];
+  for (std::vector<Visit>& near : near_) {
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+  }
+  return true;
 }
 
 const PatrolLinks::Detours& PatrolLinks::detours(Visit from) const {

@@ -19,7 +19,7 @@ inline constexpr double kTurningRoom = 3;
 
 /// Links are straight, or shortest curves of bounded curvature for a vehicle that cannot hover;
 /// where that is closed, they lead over other blocks. Reversible: there and back are as far.
-/// Thread rule: one thread (it remembers).
+/// Prepared once. Thread rule: one thread (it remembers).
 class PatrolLinks {
  public:
   /// `radius`: least turn radius [m]; 0: hovers. `tolerance`: of the chords of curves [m].
@@ -27,6 +27,9 @@ class PatrolLinks {
   PatrolLinks(const std::vector<PatrolBlock>& blocks, const PatrolSpace& space, double radius,
               double tolerance);
 
+  /// Looks for what detours lead over, so that no question takes long afterwards; false when the
+  /// time is up before: then nothing more may be asked.
+  bool prepare(Deadline& deadline);
   /// From the end of one visit to the beginning of the other [m]; infinite: there is no way.
   double cost(Visit from, Visit to) const {
     const float known = known_[from * visits_ + to];
@@ -71,18 +74,18 @@ class PatrolLinks {
   bool is_open(const std::vector<world::Vector2>& curve, bool may_start_outside) const;
   const Detours& detours(Visit from) const;
   void append_direct(Visit from, Visit to, std::vector<world::Vector2>& way) const;
-  std::vector<Visit> nearest(Visit from) const;
-  const std::vector<Visit>& neighbours(Visit from) const;
+  std::vector<Visit> nearest(Visit from, Deadline& deadline) const;
+  const std::vector<Visit>& neighbours(Visit from) const { return near_[from]; }
 
   const std::vector<PatrolBlock>& blocks_;
   const PatrolSpace& space_;
   double radius_, tolerance_;
   bool plain_;  ///< every link is the straight one
   std::size_t visits_;
-  mutable std::vector<float> known_;              ///< cost; NaN: not asked yet
-  mutable std::vector<float> direct_;             ///< without detours; NaN: not asked yet
-  mutable std::vector<Detours> detours_;          ///< empty: not asked yet
-  mutable std::vector<std::vector<Visit>> near_;  ///< by direct open links; empty: not asked yet
+  mutable std::vector<float> known_;      ///< cost; NaN: not asked yet
+  mutable std::vector<float> direct_;     ///< without detours; NaN: not asked yet
+  mutable std::vector<Detours> detours_;  ///< empty: not asked yet
+  std::vector<std::vector<Visit>> near_;  ///< by direct open links; empty: not prepared, or plain
 };
 
 }  // namespace skein::refiners

@@ -28,31 +28,42 @@ constexpr double kWidestRound = 0.25, kLeastRound = 0.01;
 /// what everything in turn gives: the worst can be brought down further.
 constexpr double kWorstShare = 0.6, kMeanShare = 0.92;
 
+/// About what it takes to visit a piece of a lane [ns].
+constexpr std::uint32_t kVisit = 5000;
+/// Parts of a patrol are told after as many visits, and then after twice as many each time.
+constexpr std::size_t kFirstPart = 64;
+
 /// Flies laps for a time.
 class LapFlight {
  public:
   LapFlight(const LapGround& ground, const PatrolSight& sight, const PatrolTask& task)
       : ground_(ground),
         task_(task),
+        deadline_(sight.deadline()),
         log_(ground.field, sight, task.duration / 3),
         footprint_(sight.footprint()) {
     way_.push_back(task.start);
   }
 
-  /// False when the countdown ended it before its time.
-  bool fly(const LapRule& rule, Countdown& countdown) {
-    LapPlanner planner(ground_, rule);
+  /// False when the countdown ended it before its time. `take`, if any, is told of parts.
+  bool fly(const LapRule& rule, Countdown& countdown, const TakePatrol* take = nullptr) {
+    LapPlanner planner(ground_, rule, deadline_);
+    std::size_t visits = 0, next_part = kFirstPart;
     while (log_.now() < task_.duration) {
       // Everything in turn begins with what is nearest to the start.
       const double began = log_.now();
       std::vector<Visit> lap = planner.next(log_.last_seen(), log_.now());
       if (way_.size() == 1) begin_near(lap);
       for (const Visit visit : lap) {
-        if (!countdown.step()) return false;
+        if (!countdown.step() || deadline_.passed_after(kVisit)) return false;
         go_to(visit);
+        if (take != nullptr && ++visits == next_part) {
+          (*take)({way_, false});
+          next_part *= 2;
+        }
         if (log_.now() >= task_.duration) break;
       }
-      if (log_.now() <= began && !pass_time(countdown)) return !countdown.over();
+      if (log_.now() <= began && !pass_time(countdown)) return !is_over(countdown);
     }
     return true;
   }
@@ -105,16 +116,19 @@ class LapFlight {
     const std::vector<Vector2> round =
         ground_.links.small_round(way_.back(), kWidestRound * footprint_, kLeastRound * footprint_);
     if (round.empty()) return false;
-    while (log_.now() < task_.duration && countdown.step()) {
+    while (log_.now() < task_.duration && countdown.step() && !deadline_.passed_after(kVisit)) {
       const std::size_t from = way_.size();
       way_.insert(way_.end(), round.begin() + 1, round.end());
       take_note(from);
     }
-    return !countdown.over();
+    return !is_over(countdown);
   }
+
+  bool is_over(const Countdown& countdown) const { return countdown.over() || deadline_.is_over(); }
 
   const LapGround& ground_;
   const PatrolTask& task_;
+  Deadline& deadline_;
   IdlenessLog log_;
   double footprint_;
   std::vector<Vector2> way_;
@@ -154,22 +168,30 @@ std::vector<LapRule> promising_rules(const LapGround& ground, const PatrolSight&
 
 }  // namespace
 
-PlanePatrol plan_patrol(const LapGround& ground, const PatrolSight& sight, const PatrolTask& task,
-                        Countdown& countdown) {
+void fly_in_turn(const LapGround& ground, const PatrolSight& sight, const PatrolTask& task,
+                 Countdown& countdown, const TakePatrol& take) {
+  LapFlight flight(ground, sight, task);
+  const bool complete =
+      flight.fly({.length = kInfinity}, countdown, sight.deadline().is_set() ? &take : nullptr);
+  take({flight.take_way(), complete});
+}
+
+void plan_patrol(const LapGround& ground, const PatrolSight& sight, const PatrolTask& task,
+                 Countdown& countdown, const TakePatrol& take) {
   LapFlight in_turn(ground, sight, task);
-  const bool complete = in_turn.fly({.length = kInfinity}, countdown);
-  PlanePatrol patrol{in_turn.take_way(), complete};
-  if (!complete || ground.blocks.size() < 4) return patrol;
+  const bool complete =
+      in_turn.fly({.length = kInfinity}, countdown, sight.deadline().is_set() ? &take : nullptr);
   const PatrolFigures reference = in_turn.figures();
+  take({in_turn.take_way(), complete});
+  if (!complete || ground.blocks.size() < 4) return;
   double least = badness(reference, reference);
   for (const LapRule& rule : promising_rules(ground, sight, task, countdown)) {
     LapFlight flight(ground, sight, task);
-    if (!flight.fly(rule, countdown)) return patrol;
+    if (!flight.fly(rule, countdown)) return;
     const double bad = badness(flight.figures(), reference);
-    if (bad < least) patrol.way = flight.take_way();
+    if (bad < least) take({flight.take_way(), true});
     least = std::min(least, bad);
   }
-  return patrol;
 }
 
 }  // namespace skein::refiners

@@ -9,6 +9,9 @@
 namespace skein::refiners {
 namespace {
 
+/// About what it takes to look at the ground along one leg [ns].
+constexpr std::uint32_t kLeg = 2000;
+
 using world::Vector2;
 using world::Vector3;
 
@@ -19,14 +22,15 @@ struct Samples {
   std::vector<std::size_t> corners;
 };
 
-Samples sampled(const std::vector<Vector2>& way, const world::Terrain& terrain, double altitude) {
+Samples sampled(const std::vector<Vector2>& way, const world::Terrain& terrain, double altitude,
+                Deadline& deadline) {
   Samples samples;
   double along = 0;
   const auto add = [&](const Vector2& at, double ground) {
     samples.points.emplace_back(at.x(), at.y(), ground + altitude);
     samples.along.push_back(along);
   };
-  for (std::size_t i = 0; i < way.size(); ++i) {
+  for (std::size_t i = 0; i < way.size() && !deadline.passed_after(kLeg); ++i) {
     if (i > 0) {
       const Vector2 step = way[i] - way[i - 1];
       const double length = step.norm(), before = along;
@@ -119,8 +123,9 @@ std::vector<Vector2> first_part(const std::vector<Vector2>& way, double length) 
 }
 
 Way over_ground(const std::vector<Vector2>& way, const world::Terrain& terrain,
-                const HeightRule& rule) {
-  Samples samples = sampled(without_collinear(way), terrain, rule.altitude);
+                const HeightRule& rule, Deadline& deadline) {
+  Samples samples = sampled(without_collinear(way), terrain, rule.altitude, deadline);
+  if (samples.points.empty()) return {};
   flatten(samples, rule);
   Way flown = {samples.points.front()};
   for (std::size_t i = 1; i < samples.corners.size(); ++i)

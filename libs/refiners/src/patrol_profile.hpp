@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "deadline.hpp"
 #include "skein/refiners/flight.hpp"
 #include "skein/world/terrain.hpp"
 
@@ -20,9 +21,9 @@ inline constexpr double kHeightTolerance = 0.1;
 
 /// The plane way without its collinear points, at the least heights that keep the rule: at
 /// `altitude` over the ground, more where the ground is too steep to be followed. The first and
-/// last points are kept.
+/// last points are kept, unless the time is up.
 Way over_ground(const std::vector<world::Vector2>& way, const world::Terrain& terrain,
-                const HeightRule& rule);
+                const HeightRule& rule, Deadline& deadline);
 
 /// Drops points within a straight stretch. Cost: O(points).
 std::vector<world::Vector2> without_collinear(const std::vector<world::Vector2>& way);

@@ -11,6 +11,8 @@ constexpr double kNoise = 1e-4;  ///< [m] costs are kept as floats
 constexpr int kPasses = 8;
 constexpr std::size_t kLongestMoved = 3;
 constexpr std::size_t kStarts = 32;
+/// About what it takes to compare two places of a ring [ns]; the first time it takes more.
+constexpr std::uint32_t kCompared = 50;
 
 using Ring = std::vector<Visit>;
 
@@ -23,12 +25,13 @@ void turn_round(Ring::iterator first, Ring::iterator end) {
   for (auto visit = first; visit != end; ++visit) *visit ^= 1U;
 }
 
-bool reverse_parts(Ring& ring, const PatrolLinks& links) {
+bool reverse_parts(Ring& ring, const PatrolLinks& links, Deadline& deadline) {
   const std::size_t n = ring.size();
   bool better = false;
   for (std::size_t i = 0; i + 2 < n; ++i) {
     double out = links.cost(ring[i], ring[i + 1]);
     for (std::size_t j = i + 1; j < n; ++j) {
+      if (deadline.passed_after(kCompared)) return better;
       const Visit last = ring[j], next = ring[j + 1 < n ? j + 1 : 0];
       const double now = out + links.cost(last, next);
       const double then = links.cost(ring[i], last ^ 1U) + links.cost(ring[i + 1] ^ 1U, next);
@@ -42,7 +45,8 @@ bool reverse_parts(Ring& ring, const PatrolLinks& links) {
 }
 
 /// Moves ring[i, i + length) to behind ring[j], turned round or not, if that is shorter.
-bool move_part(Ring& ring, const PatrolLinks& links, std::size_t i, std::size_t length) {
+bool move_part(Ring& ring, const PatrolLinks& links, std::size_t i, std::size_t length,
+               Deadline& deadline) {
   const std::size_t n = ring.size();
   const Visit first = ring[i], last = ring[i + length - 1];
   const Visit before = ring[i - 1], behind = ring[(i + length) % n];
@@ -50,6 +54,7 @@ bool move_part(Ring& ring, const PatrolLinks& links, std::size_t i, std::size_t 
       links.cost(before, first) + links.cost(last, behind) - links.cost(before, behind);
   if (!(saved > kNoise)) return false;
   for (std::size_t j = 0; j + 1 < n; ++j) {
+    if (deadline.passed_after(kCompared)) return false;
     if (j + 1 >= i && j < i + length) continue;
     const double gap = links.cost(ring[j], ring[j + 1]);
     const double same = links.cost(ring[j], first) + links.cost(last, ring[j + 1]) - gap;
@@ -66,16 +71,16 @@ bool move_part(Ring& ring, const PatrolLinks& links, std::size_t i, std::size_t 
   return false;
 }
 
-bool move_parts(Ring& ring, const PatrolLinks& links) {
+bool move_parts(Ring& ring, const PatrolLinks& links, Deadline& deadline) {
   bool better = false;
   for (std::size_t length = 1; length <= kLongestMoved; ++length)
     for (std::size_t i = 1; i + length < ring.size(); ++i)
-      better = move_part(ring, links, i, length) || better;
+      better = move_part(ring, links, i, length, deadline) || better;
   return better;
 }
 
 /// Lanes there and back in turn; with `comb`, the first block of each is left for the way back.
-Ring lanes_in_turn(const std::vector<PatrolBlock>& blocks, bool comb) {
+Ring lanes_of(const std::vector<PatrolBlock>& blocks, bool comb) {
   Ring ring, back;
   bool forwards = true;
   for (std::size_t first = 0; first < blocks.size();) {
@@ -116,19 +121,25 @@ double round_length(const Ring& ring, const PatrolLinks& links) {
   return length;
 }
 
-void shorten(Ring& ring, const PatrolLinks& links) {
+void shorten(Ring& ring, const PatrolLinks& links, Deadline& deadline) {
   if (ring.size() < 4) return;
   for (int pass = 0; pass < kPasses; ++pass) {
-    const bool reversed = reverse_parts(ring, links);
-    const bool moved = move_parts(ring, links);
+    const bool reversed = reverse_parts(ring, links, deadline);
+    const bool moved = move_parts(ring, links, deadline);
     if (!reversed && !moved) return;
   }
 }
 
-Ring round_over_all(const std::vector<PatrolBlock>& blocks, const PatrolLinks& links) {
-  Ring plain = lanes_in_turn(blocks, false), comb = lanes_in_turn(blocks, true);
-  shorten(plain, links);
-  shorten(comb, links);
+Ring lanes_in_turn(const std::vector<PatrolBlock>& blocks, const PatrolLinks& links) {
+  Ring plain = lanes_of(blocks, false), comb = lanes_of(blocks, true);
+  return round_length(comb, links) < round_length(plain, links) ? comb : plain;
+}
+
+Ring round_over_all(const std::vector<PatrolBlock>& blocks, const PatrolLinks& links,
+                    Deadline& deadline) {
+  Ring plain = lanes_of(blocks, false), comb = lanes_of(blocks, true);
+  shorten(plain, links, deadline);
+  shorten(comb, links, deadline);
   return round_length(comb, links) < round_length(plain, links) ? comb : plain;
 }
 

@@ -14,12 +14,15 @@ double round_length(const std::vector<Visit>& ring, const PatrolLinks& links);
 
 /// Shortens a closed round by reversals (2-opt) and by moving up to three visits elsewhere
 /// (or-opt); the first visit stays the first. Cost: O(n²) a pass, a few passes; each pass is a
-/// `step`.
-void shorten(std::vector<Visit>& ring, const PatrolLinks& links);
+/// `step`. Ends as it is when the time is up.
+void shorten(std::vector<Visit>& ring, const PatrolLinks& links, Deadline& deadline);
 
-/// A short round over all blocks: lanes in turn, with one column of blocks left for the way back if
-/// that is shorter.
-std::vector<Visit> round_over_all(const std::vector<PatrolBlock>& blocks, const PatrolLinks& links);
+/// A round over all blocks: lanes in turn, with one column of blocks left for the way back if that
+/// is shorter.
+std::vector<Visit> lanes_in_turn(const std::vector<PatrolBlock>& blocks, const PatrolLinks& links);
+/// The same, each shortened first.
+std::vector<Visit> round_over_all(const std::vector<PatrolBlock>& blocks, const PatrolLinks& links,
+                                  Deadline& deadline);
 
 /// What decides where a round begins, and which way round it goes.
 struct RoundStart {

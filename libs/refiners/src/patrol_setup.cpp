@@ -17,6 +17,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Links among more pieces would need too much memory.
 constexpr std::size_t kMostBlocks = 3000;
 constexpr double kChordTolerance = 0.5;  ///< of curves [m]
+/// About what it takes to look at the ground at a place, and whether a curve is open [ns].
+constexpr std::uint32_t kElevations = 100, kCurve = 5000;
+
+tl::unexpected<Refusal> out_of_time() {
+  return refuse(RefusalKind::kBudgetExhausted, "",
+                "the time was up before any patrol of the zone was planned");
+}
 
 Refusal beyond(std::string field, std::string why) {
   return {RefusalKind::kBeyondVehicle, std::move(field), std::move(why)};
@@ -88,7 +95,7 @@ struct Band {
 
 /// Heights that the vehicle may be at over a polygon.
 Band heights_over(const world::Polygon& polygon, const PatrolQuery& query,
-                  const world::Terrain& terrain) {
+                  const world::Terrain& terrain, Deadline& deadline) {
   const double step = terrain.spec().cell;
   Vector2 low = polygon.front(), high = polygon.front();
   for (const Vector2& corner : polygon) {
@@ -99,8 +106,9 @@ Band heights_over(const world::Polygon& polygon, const PatrolQuery& query,
   low = low.cwiseMax(Vector2(spec.west, spec.south)).cwiseMin(Vector2(spec.east, spec.north));
   high = high.cwiseMin(Vector2(spec.east, spec.north)).cwiseMax(low);
   double lowest = kInfinity, steepest = 0;
-  for (double y = low.y() - step; y <= high.y() + 2 * step; y += step)
+  for (double y = low.y() - step; y <= high.y() + 2 * step && !deadline.is_over(); y += step)
     for (double x = low.x() - step; x <= high.x() + 2 * step; x += step) {
+      if (deadline.passed_after(kElevations)) break;
       lowest = std::min(lowest, terrain.elevation(x, y));
       steepest = std::max(steepest, std::tan(terrain.slope(x, y)));
     }
@@ -111,13 +119,16 @@ Band heights_over(const world::Polygon& polygon, const PatrolQuery& query,
 
 /// Blocks of the part of the network that is reached from the start and holds most cells. Within it
 /// every block is flown either way and every sequence of them can be flown.
-std::vector<bool> reached(const PatrolGround& ground, const Vector2& start, double heading) {
+std::vector<bool> reached(const PatrolGround& ground, const Vector2& start, double heading,
+                          Deadline& deadline) {
   const auto visits = static_cast<Visit>(2 * ground.blocks.size());
   std::vector<bool> known(visits, false), best(ground.blocks.size(), false);
   std::size_t most = 0;
   for (Visit from = 0; from < visits; ++from) {
+    if (deadline.passed_after(kCurve)) break;
     if (known[from] || ground.links->cost_from(start, heading, from) == kInfinity) continue;
     known[from] = true;
+    if (deadline.passed()) break;
     if (!ground.links->leads_there_and_back(from, from ^ 1U)) continue;
     std::vector<bool> part(ground.blocks.size(), false);
     std::size_t cells = 0;
@@ -158,22 +169,24 @@ std::optional<Refusal> check_patrol(const PatrolQuery& query, const world::World
   return std::nullopt;
 }
 
-std::vector<world::Polygon> closed_volumes(const PatrolQuery& query, const world::World& world) {
+std::vector<world::Polygon> closed_volumes(const PatrolQuery& query, const world::World& world,
+                                           Deadline& deadline) {
   const world::TimeWindow when{query.depart, query.depart + query.duration};
   std::vector<world::Polygon> closed;
   for (const world::Volume& volume : world.volumes) {
     if (volume.polygon.size() < 3 || !volume.when.overlaps(when)) continue;
-    const Band band = heights_over(volume.polygon, query, world.terrain);
+    const Band band = heights_over(volume.polygon, query, world.terrain, deadline);
     if (volume.floor <= band.high && volume.ceiling >= band.low) closed.push_back(volume.polygon);
   }
   return closed;
 }
 
 Result<std::unique_ptr<PatrolGround>, Refusal> make_patrol_ground(const PatrolQuery& query,
-                                                                  const world::World& world) {
+                                                                  const world::World& world,
+                                                                  Deadline& deadline) {
   std::unique_ptr<PatrolGround> ground(new PatrolGround{
-      PatrolSpace(query.zone, closed_volumes(query, world)),
-      PatrolSight(world.terrain, world.ground.grid, query.altitude, query.footprint),
+      PatrolSpace(query.zone, closed_volumes(query, world, deadline)),
+      PatrolSight(world.terrain, world.ground.grid, query.altitude, query.footprint, deadline),
       {},
       {},
       {}});
@@ -182,6 +195,7 @@ Result<std::unique_ptr<PatrolGround>, Refusal> make_patrol_ground(const PatrolQu
     return refuse(RefusalKind::kBlocked, "start", "it is in a volume that is closed");
   ground->field = make_patrol_field(ground->space, ground->sight, query.zone, world.ground.risk,
                                     query.least_risk);
+  if (deadline.passed()) return out_of_time();
   if (ground->field.cells.empty() && ground->field.hidden == 0)
     return refuse(RefusalKind::kBadQuery, "zone", "no cell of the ground has its centre in it");
   if (ground->field.cells.empty())
@@ -193,6 +207,7 @@ Result<std::unique_ptr<PatrolGround>, Refusal> make_patrol_ground(const PatrolQu
   ground->blocks =
       make_patrol_blocks(ground->field, ground->space, ground->sight,
                          {.straight = radius > 0, .most_blocks = plain ? 1024U : 384U});
+  if (deadline.passed()) return out_of_time();
   if (ground->blocks.size() > kMostBlocks)
     return refuse(RefusalKind::kBadQuery, "zone",
                   "too ragged for its footprint: " + std::to_string(ground->blocks.size()) +
@@ -200,9 +215,11 @@ Result<std::unique_ptr<PatrolGround>, Refusal> make_patrol_ground(const PatrolQu
   const auto link = [&] {
     ground->links =
         std::make_unique<PatrolLinks>(ground->blocks, ground->space, radius, kChordTolerance);
+    return ground->links->prepare(deadline);
   };
-  link();
-  const std::vector<bool> keep = reached(*ground, start, query.heading);
+  if (!link()) return out_of_time();
+  const std::vector<bool> keep = reached(*ground, start, query.heading, deadline);
+  if (deadline.passed()) return out_of_time();
   if (std::find(keep.begin(), keep.end(), true) == keep.end())
     return refuse(
         RefusalKind::kUnreachable, "start",
@@ -210,7 +227,7 @@ Result<std::unique_ptr<PatrolGround>, Refusal> make_patrol_ground(const PatrolQu
         "room to turn back");
   if (std::find(keep.begin(), keep.end(), false) != keep.end()) {
     leave_only(ground->field, ground->blocks, keep);
-    link();
+    if (!link()) return out_of_time();
   }
   return ground;
 }

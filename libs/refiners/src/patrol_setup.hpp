@@ -24,7 +24,8 @@ HeightRule height_rule(const PatrolQuery& query);
 
 /// The volumes that may not be entered, as polygons: those in whose band of heights the vehicle may
 /// come anywhere over them, at any time of the patrol.
-std::vector<world::Polygon> closed_volumes(const PatrolQuery& query, const world::World& world);
+std::vector<world::Polygon> closed_volumes(const PatrolQuery& query, const world::World& world,
+                                           Deadline& deadline);
 
 /// The parts of a patrol, in the order they depend on each other.
 struct PatrolGround {
@@ -35,8 +36,10 @@ struct PatrolGround {
   std::unique_ptr<PatrolLinks> links;
 };
 
-/// What cannot be reached from the start is left out. Refused when nothing is left.
+/// What cannot be reached from the start is left out. Refused when nothing is left, or the time is
+/// up. The deadline must outlive it.
 Result<std::unique_ptr<PatrolGround>, Refusal> make_patrol_ground(const PatrolQuery& query,
-                                                                  const world::World& world);
+                                                                  const world::World& world,
+                                                                  Deadline& deadline);
 
 }  // namespace skein::refiners

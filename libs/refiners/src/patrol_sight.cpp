@@ -6,9 +6,12 @@
 namespace skein::refiners {
 namespace {
 
+/// About what it takes to look at one place, and along a line of sight [ns].
+constexpr std::uint32_t kElevations = 100, kLook = 5000;
+
 /// The greatest rise of the ground per metre anywhere near the grid. Within a cell of a bilinear
 /// surface the slope along each axis lies between those of two edges.
-double steepest(const world::Terrain& terrain, const world::Grid& grid) {
+double steepest(const world::Terrain& terrain, const world::Grid& grid, Deadline& deadline) {
   const double step = terrain.spec().cell;
   const double west = grid.west - step, south = grid.south - step;
   const double east = grid.west + static_cast<double>(grid.columns) * grid.cell + step;
@@ -22,6 +25,7 @@ double steepest(const world::Terrain& terrain, const world::Grid& grid) {
        spec.south + j * step <= std::min(north, spec.north + step); ++j)
     for (double i = first(west, spec.west);
          spec.west + i * step <= std::min(east, spec.east + step); ++i) {
+      if (deadline.passed_after(kElevations)) return 0;
       const double x = spec.west + i * step, y = spec.south + j * step;
       const double here = terrain.elevation(x, y);
       along_x = std::max(along_x, std::abs(terrain.elevation(x + step, y) - here) / step);
@@ -38,12 +42,13 @@ constexpr double kHair = 1 + 1e-9;
 // From a cell at distance y, the ray to the vehicle has risen at least (h / d - g) y, the ground at
 // most g y: with h >= 2 g d the ground stays below.
 PatrolSight::PatrolSight(const world::Terrain& terrain, const world::Grid& grid, double altitude,
-                         double footprint)
+                         double footprint, Deadline& deadline)
     : terrain_(terrain),
       grid_(grid),
       altitude_(altitude),
       footprint_(footprint * kHair),
-      rough_(altitude < 2 * footprint * steepest(terrain, grid)) {}
+      deadline_(deadline),
+      rough_(altitude < 2 * footprint * steepest(terrain, grid, deadline)) {}
 
 bool PatrolSight::is_unhidden(const world::Vector2& from, std::size_t cell) const {
   if (!rough_) return true;
@@ -55,11 +60,12 @@ bool PatrolSight::is_unhidden(const world::Vector2& from, std::size_t cell) cons
     const world::Vector3 ground(centre.x(), centre.y(), terrain_.elevation(centre.x(), centre.y()));
     return terrain_.line_of_sight(eye, ground);
   };
-  if (!over) return look();
+  if (!over) return deadline_.passed_after(kLook) || look();
   const std::uint64_t key = static_cast<std::uint64_t>(*over) * grid_.size() + cell;
-  const auto [entry, is_new] = remembered_.try_emplace(key, false);
-  if (is_new) entry->second = look();
-  return entry->second;
+  const auto known = remembered_.find(key);
+  if (known != remembered_.end()) return known->second;
+  if (deadline_.passed_after(kLook)) return true;
+  return remembered_[key] = look();
 }
 
 }  // namespace skein::refiners

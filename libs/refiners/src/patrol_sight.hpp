@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "deadline.hpp"
 #include "skein/world/grid.hpp"
 #include "skein/world/terrain.hpp"
 
@@ -16,17 +17,20 @@ namespace skein::refiners {
 /// A cell is perceived while the vehicle is at most `footprint` from above its centre
 /// (horizontally) and the ground does not come between. That is judged from over the middle of the
 /// cell of the grid that the vehicle is over, and remembered. Where the vehicle flies so high over
-/// ground so even that nothing can come between, nothing is asked of the terrain. Thread rule: one
-/// thread (it remembers).
+/// ground so even that nothing can come between, nothing is asked of the terrain. Once the time is
+/// up nothing is asked either, and everything counts as perceived: what comes of that is not
+/// wanted. Thread rule: one thread (it remembers).
 class PatrolSight {
  public:
+  /// `deadline` must outlive it.
   PatrolSight(const world::Terrain& terrain, const world::Grid& grid, double altitude,
-              double footprint);
+              double footprint, Deadline& deadline);
 
   const world::Grid& grid() const { return grid_; }
   double footprint() const { return footprint_; }
   double altitude() const { return altitude_; }
   bool is_ever_hidden() const { return rough_; }
+  Deadline& deadline() const { return deadline_; }
   /// The ground never comes between `from` and the centre of a cell, whatever their distance.
   bool is_unhidden(const world::Vector2& from, std::size_t cell) const;
   bool sees(const world::Vector2& from, std::size_t cell) const {
@@ -50,6 +54,7 @@ class PatrolSight {
   const world::Terrain& terrain_;
   world::Grid grid_;
   double altitude_, footprint_;
+  Deadline& deadline_;
   bool rough_;
   mutable std::unordered_map<std::uint64_t, bool> remembered_;  // never iterated
 };

@@ -7,6 +7,7 @@
 
 #include "skein/refiners/refinement.hpp"
 #include "skein/world/vehicle_model.hpp"
+#include "skein/world/world.hpp"
 
 namespace skein::refiners {
 
@@ -22,5 +23,10 @@ std::string figure(double value);
 
 /// A query whose `field` makes no sense.
 Refusal bad(std::string field, std::string why);
+
+/// An area of which nothing lies over the ground that the world knows (beyond it the ground is
+/// taken to be as high as at its border). Precondition: at least one corner.
+std::optional<Refusal> check_in_world(const world::Polygon& area, const world::World& world,
+                                      const std::string& field);
 
 }  // namespace skein::refiners

@@ -9,6 +9,9 @@ namespace {
 
 /// Ways looked for when it is to be told whether a stop can be reached at all.
 constexpr std::size_t kMostProbes = 50;
+/// Among as many gates all costs are known in some milliseconds; about what one takes [ns].
+constexpr std::size_t kManyGates = 1000;
+constexpr std::uint32_t kCost = 30;
 
 TourCost to_cost(double seconds) {
   const double ns = seconds * 1e9;
@@ -59,7 +62,7 @@ std::optional<Refusal> TourLegs::find_closed() {
   return std::nullopt;
 }
 
-void TourLegs::start_optimistic() {
+bool TourLegs::start_optimistic(const Budget& budget) {
   const std::size_t count = gates_.size();
   for (const GatePlaces& gate : gates_) {
     problem_.stop_of.push_back(gate.stop);
@@ -69,17 +72,20 @@ void TourLegs::start_optimistic() {
   problem_.between.assign(count * count, 0);
   problem_.from_start.assign(count, 0);
   problem_.to_end.assign(count, 0);
-  put_all();
+  Deadline deadline(count > kManyGates ? budget : Budget());
+  late_ = !put_all(deadline);
+  return !late_;
 }
 
 TourCost TourLegs::cost(Travel::Id from, Travel::Id to) const {
   return to_cost(travel_.seconds(from, to));
 }
 
-void TourLegs::put_all() {
+bool TourLegs::put_all(Deadline& deadline) {
   shut_off_ = travel_.shut_off();
   const std::size_t count = gates_.size();
   for (std::size_t i = 0; i < count; ++i) {
+    if (deadline.passed_after(kCost * static_cast<std::uint32_t>(count))) return false;
     const GatePlaces& gate = gates_[i];
     problem_.from_start[i] = gate.open ? cost(start_, gate.entry) : kNoWay;
     problem_.to_end[i] = !gate.open ? kNoWay : end_ ? cost(gate.exit, *end_) : 0;
@@ -88,6 +94,7 @@ void TourLegs::put_all() {
         problem_.between[i * count + to] =
             gate.open && gates_[to].open ? cost(gate.exit, gates_[to].entry) : kNoWay;
   }
+  return true;
 }
 
 /// Wherever it is used.
@@ -127,7 +134,8 @@ bool TourLegs::settle(const std::vector<std::size_t>& gates) {
     put(hop);
     if (travel_.is_known(hop.second, hop.first)) put({hop.second, hop.first});
   }
-  if (travel_.shut_off() > shut_off_) put_all();
+  Deadline never{Budget()};
+  if (travel_.shut_off() > shut_off_) put_all(never);
   return all;
 }
 
@@ -137,8 +145,9 @@ bool TourLegs::are_known(const std::vector<std::size_t>& gates) const {
                      [&](const Hop& hop) { return travel_.is_known(hop.first, hop.second); });
 }
 
-TourProblem TourLegs::known_only(const Budget& budget) const {
+std::optional<TourProblem> TourLegs::known_only(const Budget& budget) const {
   TourProblem problem = problem_;
+  Deadline deadline(gates_.size() > kManyGates ? budget : Budget());
   const Budget clock{budget.time_is_up};
   Countdown countdown(clock, 64);
   const auto close = [&](const Hop& hop, TourCost& cost) {
@@ -146,6 +155,8 @@ TourProblem TourLegs::known_only(const Budget& budget) const {
     if (!countdown.step() || !travel_.can_go_straight(hop.first, hop.second)) cost = kNoWay;
   };
   for (std::size_t i = 0; i < gates_.size(); ++i) {
+    if (deadline.passed_after(kCost * static_cast<std::uint32_t>(gates_.size())))
+      return std::nullopt;
     close({start_, gates_[i].entry}, problem.from_start[i]);
     if (end_) close({gates_[i].exit, *end_}, problem.to_end[i]);
     for (std::size_t to = 0; to < gates_.size(); ++to)
@@ -200,10 +211,11 @@ std::optional<Refusal> TourLegs::why_cut_off(std::size_t stop, bool entering) {
 }
 
 Refusal TourLegs::why_impossible() {
-  for (std::size_t stop = 0; stop < query_.stops.size() && !travel_.cut_short(); ++stop)
+  late_ = late_ || travel_.cut_short();
+  for (std::size_t stop = 0; stop < query_.stops.size() && !late_; ++stop)
     for (const bool entering : {true, false})
       if (auto why = why_cut_off(stop, entering)) return *why;
-  if (travel_.cut_short())
+  if (late_ || travel_.cut_short())
     return {RefusalKind::kBudgetExhausted, "stops",
             "the time was up before ways that join all stops were found"};
   for (std::size_t i = 0; i < gates_.size(); ++i)

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "deadline.hpp"
 #include "skein/refiners/tour.hpp"
 #include "skein/refiners/tour_problem.hpp"
 #include "travel.hpp"
@@ -23,14 +24,16 @@ class TourLegs {
   std::optional<Refusal> find_closed();
   /// Costs as far as they are known. After find_closed.
   const TourProblem& problem() const { return problem_; }
-  void start_optimistic();
+  /// False when the time is up before: then there is no problem.
+  bool start_optimistic(const Budget& budget);
 
   /// Looks for the ways along an order and puts in what they take. False when the time is up
   /// before all of them are known.
   bool settle(const std::vector<std::size_t>& gates);
   bool are_known(const std::vector<std::size_t>& gates) const;
   /// Only with ways that are known or straight; of these only those found before the time is up.
-  TourProblem known_only(const Budget& budget) const;
+  /// Nothing when that leaves none.
+  std::optional<TourProblem> known_only(const Budget& budget) const;
 
   /// Which stop has no way to it, or on from it; looks for more ways to tell.
   Refusal why_impossible();
@@ -47,7 +50,7 @@ class TourLegs {
   std::vector<Hop> hops_of(const std::vector<std::size_t>& gates) const;
   TourCost cost(Travel::Id from, Travel::Id to) const;
   void put(const Hop& hop);
-  void put_all();
+  bool put_all(Deadline& deadline);
   std::vector<std::pair<TourCost, Hop>> hops_at(std::size_t stop, bool entering) const;
   std::optional<Refusal> why_cut_off(std::size_t stop, bool entering);
   std::string named(std::size_t stop) const;
@@ -63,6 +66,7 @@ class TourLegs {
   std::vector<std::vector<std::size_t>> entered_, left_;  // of each place: gates there
   TourProblem problem_;
   std::size_t shut_off_ = 0;  // of the travel, when all costs were put in
+  bool late_ = false;         // they were not, for want of time
 };
 
 }  // namespace skein::refiners

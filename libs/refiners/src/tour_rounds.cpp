@@ -14,12 +14,14 @@ constexpr std::uint64_t kNoBound = std::numeric_limits<std::uint64_t>::max();
 }  // namespace
 
 TourRounds::TourRounds(TourLegs& legs, const Setting& setting) : legs_(legs), setting_(setting) {
-  legs_.start_optimistic();
+  started_ = legs_.start_optimistic(setting.budget);
+  if (!started_) return;
   exact_sets_ = exact_sets(legs_.problem());
   thorough_ = exact_sets_ == 0 || exact_tour_steps(legs_.problem()) <= kMostQuickSteps;
 }
 
 std::optional<TourOrder> TourRounds::run() {
+  if (!started_) return std::nullopt;
   Next next = Next::kGoOn;
   for (std::size_t i = 0; i < kMostTourRounds && next == Next::kGoOn; ++i) next = round();
   const bool proved = best_ && best_->exact;
@@ -52,8 +54,10 @@ TourRounds::Next TourRounds::round() {
 /// Without looking for more ways.
 void TourRounds::finish(bool settled) {
   const bool more = has_bounds() && steps_left() > 0 && !setting_.budget.expired();
-  if (settled && !more) return;
-  TourOrder order = solve(legs_.known_only(setting_.budget), kNoBound);
+  if ((settled && !more) || (best_ && setting_.budget.expired())) return;
+  const auto known = legs_.known_only(setting_.budget);
+  if (!known) return;
+  TourOrder order = solve(*known, kNoBound);
   order.exact = false;
   if (order.cost >= kNoWay) return;
   legs_.settle(order.gates);

@@ -36,6 +36,7 @@ class TourRounds {
 
   TourLegs& legs_;
   const Setting& setting_;
+  bool started_ = false;          // there was time to
   std::uint64_t exact_sets_ = 0;  // 0: the exact search is never made
   bool thorough_ = true;          // exact where it can be
   std::optional<TourOrder> best_;

@@ -40,7 +40,10 @@ Result<Travel, Refusal> Travel::over(const Traveller& who, const Setting& settin
 }
 
 Travel::Travel(const Traveller& who, const Setting& setting, world::Airspace airspace)
-    : who_(who), setting_(&setting), airspace_(std::move(airspace)) {}
+    : who_(who),
+      straight_(who.vehicle, setting.world.wind, who.speed),
+      setting_(&setting),
+      airspace_(std::move(airspace)) {}
 
 Travel::Id Travel::add(const world::Vector3& place) {
   const auto [at, is_new] = ids_.try_emplace({place.x(), place.y(), place.z()}, places_.size());
@@ -53,15 +56,17 @@ Travel::Id Travel::add(const world::Vector3& place) {
 
 std::optional<Refusal> Travel::closed(Id place, const std::string& field) const {
   const world::Vector3& at = places_[place];
-  if (airspace_.is_free(at)) return std::nullopt;
+  if (airspace_.is_free(at) || setting_->budget.expired()) return std::nullopt;
   const PathQuery query = path_query(who_, at, at);
   const PathSpace space(query, setting_->world, Duration::max());
-  if (approach(space, airspace_, at, at)) return std::nullopt;
+  if (approach(space, airspace_, at, at, {setting_->budget.time_is_up}) ||
+      setting_->budget.expired())
+    return std::nullopt;
   return space.closed(at, field);
 }
 
 double Travel::bound(Id from, Id to) const {
-  return from == to ? 0 : seconds_of(flight({places_[from], places_[to]}));
+  return from == to ? 0 : straight_.seconds(places_[from], places_[to]);
 }
 
 /// A vehicle that hovers slows down where it is steep; another must not climb faster than it can.
@@ -78,12 +83,12 @@ bool Travel::can_go_straight(Id from, Id to) const {
 bool Travel::settle(Id from, Id to) {
   if (is_known(from, to)) return true;
   if (can_go_straight(from, to)) {
-    legs_.emplace(std::pair(from, to), Leg{bound(from, to), {}, {}});
+    put(from, to, {bound(from, to), {}, {}});
     join(from, to);
     return true;
   }
   if (are_shut_off(from, to)) {
-    legs_.emplace(std::pair(from, to), Leg{kNever, {}, "every way there is closed"});
+    put(from, to, {kNever, {}, "every way there is closed"});
     return true;
   }
   time_is_up_ = time_is_up_ || setting_->budget.expired();
@@ -91,10 +96,15 @@ bool Travel::settle(Id from, Id to) {
   if (time_is_up_) return false;
   std::optional<Leg> leg = plan(from, to);
   if (!leg) return false;
-  if (turns_back_alike() && !is_known(to, from))
-    legs_.emplace(std::pair(to, from), turned(to, from, *leg));
-  legs_.emplace(std::pair(from, to), std::move(*leg));
+  if (turns_back_alike() && !is_known(to, from)) put(to, from, turned(to, from, *leg));
+  put(from, to, std::move(*leg));
   return true;
+}
+
+void Travel::put(Id from, Id to, Leg leg) {
+  legs_.emplace(std::pair(from, to), std::move(leg));
+  left_.resize(std::max(left_.size(), from + 1));
+  left_[from] = true;
 }
 
 /// A way may be flown back when nothing makes climbing it harder than descending it.
@@ -151,11 +161,14 @@ bool Travel::are_shut_off(Id from, Id to) const {
   });
 }
 
-bool Travel::is_known(Id from, Id to) const { return from == to || legs_.contains({from, to}); }
+bool Travel::is_known(Id from, Id to) const {
+  if (from == to) return true;
+  return from < left_.size() && left_[from] && legs_.contains({from, to});
+}
 
 double Travel::seconds(Id from, Id to) const {
-  const auto leg = legs_.find({from, to});
-  if (leg != legs_.end()) return leg->second.seconds;
+  if (from < left_.size() && left_[from])
+    if (const auto leg = legs_.find({from, to}); leg != legs_.end()) return leg->second.seconds;
   return are_shut_off(from, to) ? kNever : bound(from, to);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "skein/refiners/voxel_path_planner.hpp"
+#include "straight_flight.hpp"
 
 namespace skein::refiners {
 
@@ -32,7 +33,8 @@ class Travel {
                                       const world::Vector3& from, const world::Vector3& to);
 
   Id add(const world::Vector3& place);
-  /// Why the vehicle cannot be there; `field` is the place's.
+  /// Why the vehicle cannot be there; `field` is the place's. Nothing when there is no time to
+  /// tell.
   std::optional<Refusal> closed(Id place, const std::string& field) const;
 
   /// What the straight flight would take [s], free or not: no way takes less, since climbing,
@@ -74,16 +76,19 @@ class Travel {
   bool turns_back_alike() const;
   std::optional<Leg> plan(Id from, Id to);
   Leg turned(Id from, Id to, const Leg& back) const;
+  void put(Id from, Id to, Leg leg);
   void join(Id from, Id to);
   Id region(Id place) const;
   bool are_shut_off(Id from, Id to) const;
 
   Traveller who_;
+  StraightFlight straight_;
   const Setting* setting_;
   world::Airspace airspace_;
   std::vector<world::Vector3> places_;
   std::map<std::array<double, 3>, Id> ids_;
   std::map<std::pair<Id, Id>, Leg> legs_;
+  std::vector<bool> left_;           // by place: some leg from there is known
   mutable std::vector<Id> regions_;  // of each place: another of the same region, or itself
   std::vector<std::pair<Id, Id>> shut_off_;
   std::size_t planned_ = 0;

@@ -42,12 +42,16 @@ Outcome<Viewpoints> refine(const ViewpointQuery& query, const Setting& setting) 
   Countdown countdown(setting.budget, kStride);
   ViewpointSearch search(field, countdown);
   std::vector<Found> chosen = choose(search, field, countdown);
-  if (chosen.empty() && countdown.over())
+  const auto none_in_time = [&] {
     return refuse(RefusalKind::kBudgetExhausted, "",
                   "no place to look from was found among the first " +
                       std::to_string(countdown.steps()) + " looked at");
+  };
+  if (chosen.empty() && countdown.over()) return none_in_time();
   if (chosen.empty()) {
-    const ViewpointSearch::Survey survey = search.survey();
+    Deadline deadline(setting.budget);
+    const ViewpointSearch::Survey survey = search.survey(deadline);
+    if (!survey.best && deadline.is_over()) return none_in_time();
     if (!survey.best) return tl::make_unexpected(explain(field, survey));
     chosen.push_back(*survey.best);
   }

@@ -19,6 +19,8 @@ constexpr int kDepth = 4;
 constexpr double kSlack = 0.002, kLeastSlack = 1e-5;
 /// Polishing: how often the step is halved.
 constexpr int kPolishing = 7;
+/// About what it takes to judge a place [ns].
+constexpr std::uint32_t kLook = 20'000;
 
 int tilts_of(const BearingCell& whole) {
   return std::max(
@@ -194,13 +196,14 @@ void ViewpointSearch::polish(bool turning) {
   }
 }
 
-ViewpointSearch::Survey ViewpointSearch::survey() {
+ViewpointSearch::Survey ViewpointSearch::survey(Deadline& deadline) {
   constexpr int turns = 32, tilts = 16, ranges = 8;
   const BearingCell& whole = field_.whole();
   Survey survey;
   for (int turn = 0; turn < turns; ++turn)
     for (int tilt = 0; tilt <= tilts; ++tilt)
       for (int range = 0; range <= ranges; ++range) {
+        if (deadline.passed_after(kLook)) return survey;
         const Bearing bearing{Bearing::kTurn / turns * turn,
                               part(whole.elevation, whole.elevation_end, tilt, tilts),
                               part(whole.range, whole.range_end, range, ranges)};

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "deadline.hpp"
 #include "skein/refiners/budget.hpp"
 #include "viewpoint_field.hpp"
 
@@ -44,7 +45,8 @@ class ViewpointSearch {
     std::size_t places = 0;
     std::optional<Found> best;
   };
-  Survey survey();
+  /// Ends when the time is up.
+  Survey survey(Deadline& deadline);
 
  private:
   struct Open {

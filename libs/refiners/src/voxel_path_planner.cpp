@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deadline.hpp"
 #include "path_approach.hpp"
 #include "path_checks.hpp"
 #include "path_space.hpp"
@@ -16,6 +17,9 @@ namespace {
 
 using world::Airspace;
 using world::Vector3;
+
+/// About what it takes to look at the voxels around one [ns].
+constexpr std::uint32_t kLookedAround = 100;
 
 Refusal out_of_budget(const std::string& when) {
   return {RefusalKind::kBudgetExhausted, "", "the budget was used up " + when};
@@ -31,10 +35,10 @@ class Route {
   /// A way that can be flown.
   Result<Way, Refusal> find() {
     if (setting_.budget.expired()) return tl::unexpected(out_of_budget("before the search"));
-    from_ = approach(space_, airspace_, query_.from, query_.to);
-    if (!from_) return tl::unexpected(space_.closed(query_.from, "from"));
-    to_ = approach(space_, airspace_, query_.to, query_.from);
-    if (!to_) return tl::unexpected(space_.closed(query_.to, "to"));
+    from_ = approach(space_, airspace_, query_.from, query_.to, setting_.budget);
+    if (!from_) return tl::unexpected(closed(query_.from, "from"));
+    to_ = approach(space_, airspace_, query_.to, query_.from, setting_.budget);
+    if (!to_) return tl::unexpected(closed(query_.to, "to"));
     const VoxelWay found = search(airspace_);
     graph_cost_ = found.graph_cost;
     if (!found.found) return tl::unexpected(no_way(found));
@@ -54,6 +58,11 @@ class Route {
   }
 
  private:
+  Refusal closed(const Vector3& place, const std::string& field) const {
+    if (setting_.budget.expired()) return out_of_budget("before the search");
+    return space_.closed(place, field);
+  }
+
   Budget rest_of_budget() const {
     Budget rest = setting_.budget;
     rest.steps -= std::min(rest.steps, effort_.steps);
@@ -73,8 +82,9 @@ class Route {
     const Refusal unreachable = {RefusalKind::kUnreachable, "to",
                                  "every way there is closed by the ground or by volumes"};
     if (!query_.contact) return unreachable;
-    const Airspace silent = space_.without_contact().airspace(setting_.world.airspace);
-    const GraphWay other = search_graph(silent, from_->voxel, to_->voxel, rest_of_budget());
+    const auto silent = space_.without_contact().airspace(setting_.world.airspace, setting_.budget);
+    if (!silent) return out_of_budget("before a way was found");
+    const GraphWay other = search_graph(*silent, from_->voxel, to_->voxel, rest_of_budget());
     if (other.out_of_budget) return out_of_budget("before a way was found");
     if (!other.found) return unreachable;
     return {RefusalKind::kNoContact, "contact", "no way there keeps radio contact all along"};
@@ -119,9 +129,8 @@ class Route {
     flyable.heading_to = query_.heading_to;
     flyable.speed = query_.speed;
     flyable.tolerance = kChordTolerance;
-    flyable.is_free = [&](const Vector3& a, const Vector3& b) {
-      return !setting_.budget.expired() && is_free(a, b);
-    };
+    flyable.is_free = [&](const Vector3& a, const Vector3& b) { return is_free(a, b); };
+    flyable.time_is_up = setting_.budget.time_is_up;
     std::optional<Way> best;
     std::optional<Refusal> refusal;
     const auto attempt = [&](const Way& way) {
@@ -132,7 +141,7 @@ class Route {
     };
     for (std::size_t i = 0; i < ways.size(); ++i)
       if (i == 0 || ways[i] != ways[i - 1]) attempt(ways[i]);
-    if (!best)
+    if (!best && !setting_.budget.expired())
       if (const VoxelWay wide = search(roomy()); wide.found) attempt(wide.way);
     if (best) return *best;
     if (setting_.budget.expired()) return tl::unexpected(out_of_budget("making the way flyable"));
@@ -145,7 +154,9 @@ class Route {
     const auto range =
         static_cast<std::int32_t>(std::clamp(std::ceil(radius / 2 / voxel), 1.0, 4.0));
     Airspace roomy = airspace_;
+    Deadline deadline(setting_.budget);
     roomy.keep_where([&](const world::Voxel& at) {
+      if (deadline.passed_after(kLookedAround)) return true;
       const Vector3 centre = airspace_.centre(at);
       if (std::min((centre - query_.from).norm(), (centre - query_.to).norm()) <
           2 * radius + 2 * voxel)
@@ -197,6 +208,7 @@ Outcome<Path> plan_within(const Airspace& airspace, WaySearch search, const Path
 
 Outcome<Path> VoxelPathPlanner::plan(const PathQuery& query, const Setting& setting) const {
   if (auto problem = check(query, setting.world)) return tl::unexpected(*problem);
+  if (setting.budget.expired()) return tl::unexpected(out_of_budget("before the search"));
   if (airspace_ != nullptr) return plan_within(*airspace_, search_, query, setting);
   const auto estimate = [&](const Way& way) {
     return estimate_flight(way, query.vehicle, setting.world.wind, query.speed);
@@ -207,8 +219,9 @@ Outcome<Path> VoxelPathPlanner::plan(const PathQuery& query, const Setting& sett
     const PathSpace space(query, setting.world, horizon);
     Setting rest{setting.world, setting.budget, setting.seed, nullptr};
     rest.budget.steps -= std::min(rest.budget.steps, effort.steps);
-    const Airspace airspace = space.airspace(setting.world.airspace);
-    Route route(query, rest, space, airspace, search_);
+    const auto airspace = space.airspace(setting.world.airspace, setting.budget);
+    if (!airspace) return tl::unexpected(out_of_budget("before the search"));
+    Route route(query, rest, space, *airspace, search_);
     const auto way = route.find();
     if (!way) return tl::unexpected(way.error());
     effort.steps += route.effort().steps;

@@ -314,6 +314,34 @@ TEST_F(CoverageTest, AClockThatIsUpCutsTheSearchAndItSaysSo) {
   EXPECT_GE(covered(query, refined.task), 0.9999);
 }
 
+TEST_F(CoverageTest, HolesThatLeaveNothingAreRefused) {
+  CoverageQuery query = query_of(rectangle(0, 0, 400, 300));
+  query.holes = {query.area};
+  const auto whole = refine(query, setting_);
+  query.holes = {rectangle(0, 0, 400, 150), rectangle(0, 150, 400, 300)};
+  const auto halves = refine(query, setting_);
+  query.holes = {rectangle(0, 0, 400, 299)};
+  const auto nearly = refine(query, setting_);
+
+  ASSERT_FALSE(whole || halves);
+  EXPECT_EQ(whole.error().kind, RefusalKind::kBadQuery);
+  EXPECT_EQ(whole.error().field, "holes");
+  EXPECT_EQ(whole.error().why, "they leave nothing of the area to be swept");
+  EXPECT_TRUE(nearly);
+}
+
+TEST_F(CoverageTest, AnAreaOutsideTheWorldIsRefusedWithHowFar) {
+  const auto beyond = refine(query_of(rectangle(1e6, 0, 1e6 + 400, 300)), setting_);
+  const auto across = refine(query_of(rectangle(900, 0, 1300, 300)), setting_);
+
+  ASSERT_FALSE(beyond);
+  EXPECT_EQ(beyond.error().kind, RefusalKind::kBadQuery);
+  EXPECT_EQ(beyond.error().field, "area");
+  EXPECT_NE(beyond.error().why.find("outside the world, by 9.99e+05 m"), std::string::npos)
+      << beyond.error().why;
+  EXPECT_TRUE(across);
+}
+
 TEST_F(CoverageTest, TheSenseOfTheCornersDoesNotMatter) {
   CoverageQuery query = query_of({{0, 0}, {300, -40}, {420, 180}, {100, 260}});
   const double cost = swept(query).cost;

@@ -7,6 +7,7 @@
 #include "skein/refiners/evaluate.hpp"
 #include "skein/refiners/partition.hpp"
 #include "skein/refiners/patrol.hpp"
+#include "skein/refiners/relay.hpp"
 #include "skein/refiners/tour.hpp"
 #include "skein/refiners/viewpoint.hpp"
 #include "test_cases.hpp"
@@ -33,6 +34,7 @@ struct Case {
   Vector3 over(const Vector2& at, double height) const {
     return {at.x(), at.y(), rough.raw.at(at.x(), at.y()) + height};
   }
+  double height_of(const Vector3& at) const { return at.z() - rough.raw.at(at.x(), at.y()); }
   Vector2 place(double within = 500) {
     return {random.uniform(-within, within), random.uniform(-within, within)};
   }
@@ -169,6 +171,76 @@ TEST(GroundLaw, WaysAndToursKeepTheirClearance) {
     for (const Visit& visit : toured->task.visits)
       if (visit.way.size() > 1) judge(one, visit.way, 20, "tour");
     if (toured->task.last.size() > 1) judge(one, toured->task.last, 20, "tour");
+  }
+}
+
+TEST(GroundLaw, ViewpointsStandHighEnoughAndSeeTheirTarget) {
+  Answers answers;
+  for (Case& one : cases()) {
+    ViewpointQuery query;
+    query.vehicle = one.vehicle;
+    world::SensorModel camera;
+    camera.device = "camera";
+    camera.aperture = 0.5;
+    camera.gimballed = true;
+    camera.range = 400;
+    query.vehicle.sensors = {camera};
+    query.device = camera.device;
+    query.target = one.over(one.place(), one.random.uniform(0, 5));
+    query.clearance = 25;
+    query.count = 4;
+    const auto refined = refine(query, one.setting());
+    if (!answers.has(refined)) continue;
+    for (const ViewPoint& point : refined->task.points) {
+      EXPECT_GE(one.height_of(point.position), 25 - 1e-6) << one.name;
+      EXPECT_LE(one.height_of(point.position), one.vehicle.ceiling + 1e-6) << one.name;
+      EXPECT_GE(one.rough.raw.least_height({point.position, query.target}), -0.02) << one.name;
+    }
+  }
+}
+
+TEST(GroundLaw, RelaysStandHighEnoughAndSeeEachOther) {
+  Answers answers;
+  for (Case& one : cases()) {
+    RelayQuery query;
+    query.vehicle = one.vehicle;
+    query.a = one.over(one.place(700), 5);
+    query.b = one.over(one.place(700), 5);
+    query.most = 3;
+    query.clearance = 25;
+    one.rough.world.radio.range = 900;
+    const auto refined = refine(query, one.setting());
+    if (!answers.has(refined)) continue;
+    Way chain = {query.a};
+    for (const Vector3& position : refined->task.positions) {
+      EXPECT_GE(one.height_of(position), 25 - 1e-6) << one.name;
+      EXPECT_LE(one.height_of(position), one.vehicle.ceiling + 1e-6) << one.name;
+      chain.push_back(position);
+    }
+    chain.push_back(query.b);
+    EXPECT_GE(one.rough.raw.least_height(chain), -1e-6) << one.name;
+    for (std::size_t i = 1; i < chain.size(); ++i)
+      EXPECT_LE((chain[i] - chain[i - 1]).norm(), 900 + 1e-6) << one.name;
+  }
+}
+
+TEST(GroundLaw, WaysToInsertedTasksKeepTheirClearance) {
+  Answers answers;
+  for (Case& one : cases(1)) {
+    InsertionQuery query;
+    query.vehicle = one.vehicle;
+    query.clearance = 20;
+    query.start = one.over(one.place(700), 60);
+    for (int i = 0; i < 3; ++i) {
+      const Vector3 at = one.over(one.place(700), 60);
+      query.plan.push_back({at, at, {}});
+    }
+    const Vector3 at = one.over(one.place(700), 60);
+    query.task = {at, at, {}};
+    const auto refined = refine(query, one.setting());
+    if (!answers.has(refined)) continue;
+    judge(one, refined->task.to, 20, "insertion");
+    if (refined->task.from.size() > 1) judge(one, refined->task.from, 20, "insertion");
   }
 }
 

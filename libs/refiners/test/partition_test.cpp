@@ -201,6 +201,13 @@ TEST(Partition, AShareThatTheEnergyDoesNotAllowIsRefused) {
   EXPECT_EQ(refused(query, RefusalKind::kBeyondVehicle), "members.1.share");
 }
 
+TEST(Partition, OfAnAreaOutsideTheWorldIsRefused) {
+  PartitionQuery query = annex_b();
+  for (world::Vector2& corner : query.area) corner.y() -= 1e6;
+
+  EXPECT_EQ(refused(query, RefusalKind::kBadQuery), "area");
+}
+
 TEST(Partition, StartsVeryFarAwayAreFine) {
   PartitionQuery query = annex_b();
   query.mode = ShareMode::kBalanced;

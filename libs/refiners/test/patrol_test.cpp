@@ -263,17 +263,41 @@ TEST(Patrol, FollowsTheGround) {
   EXPECT_NEAR(refined->duration.expected.to_seconds(), 2000, 25);
 }
 
-TEST(Patrol, CutShortByTheClockGivesWhatIsPlanned) {
+TEST(Patrol, CutShortByTheClockGivesWhatIsPlannedOrSaysThatNothingIs) {
   const world::World world = a_world(40, 2);
   const PatrolQuery query = a_query(400, 3000);
-  int asked = 0;
-  const Setting setting{.world = world, .budget = {.time_is_up = [&] { return ++asked > 2; }}};
+  int parts = 0, wholes = 0;
+  for (int most = 0; most < 400; most += 1 + most / 10) {
+    int asked = 0;
+    const Setting setting{.world = world, .budget = {.time_is_up = [&] { return ++asked > most; }}};
 
-  const auto refined = refine(query, setting);
+    const auto refined = refine(query, setting);
 
-  ASSERT_TRUE(refined.has_value()) << refined.error().why;
-  EXPECT_TRUE(refined->effort.cut_short);
-  EXPECT_LT(refined->duration.expected.to_seconds(), 3000);
+    if (!refined) {
+      EXPECT_EQ(refined.error().kind, RefusalKind::kBudgetExhausted);
+      EXPECT_EQ(parts + wholes, 0) << "with more time there is no less";
+      continue;
+    }
+    EXPECT_TRUE(refined->effort.cut_short || asked <= most);
+    const double seconds = refined->duration.expected.to_seconds();
+    ++(seconds < 2900 ? parts : wholes);
+    EXPECT_EQ(seconds < 2900 && wholes > 0, false);
+  }
+  EXPECT_GT(parts, 0);
+  EXPECT_GT(wholes, 0);
+}
+
+TEST(Patrol, WithTimeEnoughIsThatWithoutAClock) {
+  const world::World world = a_world(40, 2);
+  const PatrolQuery query = a_query(400, 3000);
+
+  const auto timed =
+      refine(query, Setting{.world = world, .budget = {.time_is_up = [] { return false; }}});
+  const auto free = refine(query, Setting{.world = world, .budget = {}});
+
+  ASSERT_TRUE(timed && free);
+  EXPECT_EQ(timed->task.way, free->task.way);
+  EXPECT_EQ(timed->task.potential.size(), free->task.potential.size());
 }
 
 TEST(Patrol, KeepsToItsSteps) {

@@ -80,8 +80,9 @@ class CollisionScene::Parts {
         clearance_(spec.clearance),
         mesh_(world.terrain,
               {low_.x() - kBeyond, low_.y() - kBeyond, high_.x() + kBeyond, high_.y() + kBeyond},
-              spec.ground_accuracy, kMostTriangles) {
-    build_ground();
+              spec.ground_accuracy, kMostTriangles, spec.time_is_up) {
+    whole_ = mesh_.is_whole() && build_ground(spec.time_is_up);
+    if (!whole_) return;
     steepness_ = steepness();
     for (const auto* volumes : {&world.volumes, &spec.reserved})
       for (const world::Volume& volume : *volumes)
@@ -102,20 +103,38 @@ class CollisionScene::Parts {
     const fcl::CollisionObjectd body = body_of(sweep);
     return volume_touched(body) || in_ground(sweep, body);
   }
+  bool is_whole() const { return whole_; }
   std::size_t triangles() const { return mesh_.triangles().size(); }
 
  private:
-  void build_ground() {
-    auto ground = std::make_shared<Ground>();
+  /// False when the time is up before. One model for each tile: no more is looked at than what is
+  /// near, and the clock can be asked in between.
+  bool build_ground(const std::function<bool()>& is_late) {
+    for (const GroundMesh::Tile& tile : mesh_.tiles()) {
+      if (is_late && is_late()) return false;
+      ground_.push_back(model_of(tile));
+    }
+    return true;
+  }
+
+  std::shared_ptr<Ground> model_of(const GroundMesh::Tile& tile) const {
+    const auto vertices = [&](std::size_t index) {
+      return mesh_.vertices().begin() + static_cast<std::ptrdiff_t>(index);
+    };
     std::vector<fcl::Triangle> triangles;
-    triangles.reserve(mesh_.triangles().size());
-    for (const auto& [a, b, c] : mesh_.triangles()) triangles.emplace_back(a, b, c);
-    ground->beginModel(static_cast<int>(triangles.size()),
-                       static_cast<int>(mesh_.vertices().size()));
-    ground->addSubModel(mesh_.vertices(), triangles);
-    ground->endModel();
-    ground->computeLocalAABB();
-    ground_ = std::move(ground);
+    triangles.reserve(tile.end - tile.first);
+    for (std::size_t i = tile.first; i < tile.end; ++i) {
+      const auto& [a, b, c] = mesh_.triangles()[i];
+      triangles.emplace_back(a - tile.first_vertex, b - tile.first_vertex, c - tile.first_vertex);
+    }
+    auto model = std::make_shared<Ground>();
+    model->beginModel(static_cast<int>(triangles.size()),
+                      static_cast<int>(tile.end_vertex - tile.first_vertex));
+    model->addSubModel(std::vector<Vector3>(vertices(tile.first_vertex), vertices(tile.end_vertex)),
+                       triangles);
+    model->endModel();
+    model->computeLocalAABB();
+    return model;
   }
 
   void add(const world::Volume& volume) {
@@ -153,10 +172,22 @@ class CollisionScene::Parts {
   /// By the geometries: an object for the ground would look at every vertex to find its box anew.
   bool meets_ground(const fcl::CollisionObjectd& body, double lift) const {
     const fcl::CollisionRequestd any_contact;
-    fcl::CollisionResultd result;
     const fcl::Transform3d lifted(Eigen::Translation3d(0, 0, lift));
-    return fcl::collide(ground_.get(), lifted, body.collisionGeometry().get(), body.getTransform(),
-                        any_contact, result) > 0;
+    fcl::AABBd box = box_of(body);
+    box.min_.z() -= lift;
+    box.max_.z() -= lift;
+    return std::any_of(ground_.begin(), ground_.end(), [&](const std::shared_ptr<Ground>& tile) {
+      fcl::CollisionResultd result;
+      return box.overlap(tile->aabb_local) &&
+             fcl::collide(tile.get(), lifted, body.collisionGeometry().get(), body.getTransform(),
+                          any_contact, result) > 0;
+    });
+  }
+
+  static fcl::AABBd box_of(const fcl::CollisionObjectd& body) {
+    fcl::CollisionObjectd boxed = body;
+    boxed.computeAABB();
+    return boxed.getAABB();
   }
 
   /// 1 / cos of the steepest slope.
@@ -195,7 +226,8 @@ class CollisionScene::Parts {
   double clearance_;
   GroundMesh mesh_;
   double steepness_ = 1;
-  std::shared_ptr<Ground> ground_;
+  std::vector<std::shared_ptr<Ground>> ground_;  // of each tile
+  bool whole_ = true;
   std::vector<std::unique_ptr<fcl::CollisionObjectd>> prisms_;
   std::vector<std::string> names_;  // of the volume each prism is part of
   fcl::DynamicAABBTreeCollisionManagerd manager_;
@@ -209,6 +241,8 @@ CollisionScene::CollisionScene(const world::World& world, const SceneSpec& spec)
 CollisionScene::CollisionScene(CollisionScene&&) noexcept = default;
 CollisionScene& CollisionScene::operator=(CollisionScene&&) noexcept = default;
 CollisionScene::~CollisionScene() = default;
+
+bool CollisionScene::is_whole() const { return parts_->is_whole(); }
 
 bool CollisionScene::collides(const Vector3& point, double radius) const {
   return collides(point, point, radius);

@@ -52,12 +52,14 @@ double highest_between(double begin, double middle, double end) {
 
 }  // namespace
 
-FreeAir::FreeAir(const refiners::PathQuery& query, const world::World& world, MissionTime until)
+FreeAir::FreeAir(const refiners::PathQuery& query, const world::World& world, MissionTime until,
+                 const refiners::Budget& budget)
     : query_(query),
       world_(world),
       scene_(world, {.clearance = query.clearance,
                      .reserved = query.reserved,
-                     .when = {query.depart, until}}) {
+                     .when = {query.depart, until},
+                     .time_is_up = budget.time_is_up}) {
   if (query.contact) contact_.emplace(*query.contact, world);
 }
 

@@ -16,7 +16,11 @@ namespace skein::sampling {
 class FreeAir {
  public:
   /// Volumes count that are there at some time from the departure until `until`.
-  FreeAir(const refiners::PathQuery& query, const world::World& world, MissionTime until);
+  FreeAir(const refiners::PathQuery& query, const world::World& world, MissionTime until,
+          const refiners::Budget& budget);
+
+  /// False: the time was up before the scene was built. Then nothing else may be asked.
+  bool is_whole() const { return scene_.is_whole(); }
 
   /// `margin` is added to the body [m].
   bool is_free(const world::Vector3& point, double margin) const;

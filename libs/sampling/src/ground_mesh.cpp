@@ -11,6 +11,8 @@ using world::Vector3;
 
 /// More cuts than that along the side of a cell are a wall, not ground.
 constexpr double kMostCuts = 16;
+/// Cells along the side of a tile, and triangles after which another is begun all the same.
+constexpr std::size_t kTile = 32, kManyTriangles = 4096;
 
 /// The ends of the region, and the lines between the terrain's cells within it.
 std::vector<double> lines_of(double from, double until, double low, double high, double cell) {
@@ -48,17 +50,18 @@ double GroundMesh::Cell::at(double u, double v) const {
 }
 
 GroundMesh::GroundMesh(const world::Terrain& terrain, const Region& region, double accuracy,
-                       std::size_t most_triangles) {
+                       std::size_t most_triangles, const std::function<bool()>& is_late) {
   for (std::size_t merged = 1;; merged *= 2) {
     set_lines(terrain, region, merged);
     const bool fits = 2 * (xs_.size() - 1) * (ys_.size() - 1) <= most_triangles;
     if (!fits && (xs_.size() > 2 || ys_.size() > 2)) continue;
-    set_cells(terrain, merged > 1);
+    set_cells(terrain, merged > 1, is_late);
     break;
   }
+  if (!whole_) return;
   double allowed = accuracy;
   while (cut(allowed) > most_triangles && allowed < 1e6) allowed *= 2;
-  emit();
+  emit(is_late);
 }
 
 void GroundMesh::set_lines(const world::Terrain& terrain, const Region& region,
@@ -70,7 +73,8 @@ void GroundMesh::set_lines(const world::Terrain& terrain, const Region& region,
 
 /// Between the terrain's own lines the corners give the surface. Merged cells get, at each corner,
 /// the highest that any cell around it holds: level enough to be above them all.
-void GroundMesh::set_cells(const world::Terrain& terrain, bool merged) {
+void GroundMesh::set_cells(const world::Terrain& terrain, bool merged,
+                           const std::function<bool()>& is_late) {
   const std::size_t columns = xs_.size(), rows = ys_.size();
   std::vector<double> heights(columns * rows);
   const double cell = terrain.spec().cell;
@@ -85,9 +89,12 @@ void GroundMesh::set_cells(const world::Terrain& terrain, bool merged) {
         highest = std::max(highest, terrain.elevation(x, y));
     return highest;
   };
-  for (std::size_t j = 0; j < rows; ++j)
+  for (std::size_t j = 0; j < rows; ++j) {
+    if (is_late && is_late()) whole_ = false;
+    if (!whole_) return;
     for (std::size_t i = 0; i < columns; ++i)
       heights[j * columns + i] = merged ? highest_around(i, j) : terrain.elevation(xs_[i], ys_[j]);
+  }
   highest_ = *std::max_element(heights.begin(), heights.end());
   cells_.resize((columns - 1) * (rows - 1));
   for (std::size_t j = 0; j + 1 < rows; ++j)
@@ -108,13 +115,34 @@ std::size_t GroundMesh::cut(double accuracy) {
   return count;
 }
 
-void GroundMesh::emit() {
-  for (std::size_t row = 0; row + 1 < ys_.size(); ++row)
-    for (std::size_t column = 0; column + 1 < xs_.size(); ++column) {
-      const Cell& here = cell(column, row);
-      for (std::uint32_t j = 0; j < here.cuts; ++j)
-        for (std::uint32_t i = 0; i < here.cuts; ++i) emit_patch(here, column, row, i, j);
+void GroundMesh::emit(const std::function<bool()>& is_late) {
+  for (std::size_t row = 0; row + 1 < ys_.size(); row += kTile)
+    for (std::size_t column = 0; column + 1 < xs_.size(); column += kTile) {
+      if (is_late && is_late()) whole_ = false;
+      if (!whole_) return;
+      emit_tile(column, row);
     }
+}
+
+void GroundMesh::emit_tile(std::size_t column, std::size_t row) {
+  const std::size_t east = std::min(column + kTile, xs_.size() - 1);
+  const std::size_t north = std::min(row + kTile, ys_.size() - 1);
+  for (std::size_t y = row; y < north; ++y)
+    for (std::size_t x = column; x < east; ++x) {
+      const Cell& here = cell(x, y);
+      for (std::uint32_t j = 0; j < here.cuts; ++j)
+        for (std::uint32_t i = 0; i < here.cuts; ++i) emit_patch(here, x, y, i, j);
+      const std::size_t begun = tiles_.empty() ? 0 : tiles_.back().end;
+      if (triangles_.size() - begun >= kManyTriangles) end_tile();
+    }
+  end_tile();
+}
+
+void GroundMesh::end_tile() {
+  const std::size_t begun = tiles_.empty() ? 0 : tiles_.back().end;
+  if (begun == triangles_.size()) return;
+  const std::size_t first_vertex = tiles_.empty() ? 0 : tiles_.back().end_vertex;
+  tiles_.push_back({begun, triangles_.size(), first_vertex, vertices_.size()});
 }
 
 void GroundMesh::emit_patch(const Cell& here, std::size_t column, std::size_t row, std::uint32_t i,

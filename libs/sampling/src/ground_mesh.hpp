@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "skein/world/terrain.hpp"
@@ -21,12 +22,21 @@ struct Region {
 /// accuracy. Cells meet without cracks, since a patch is straight along its edges. A value type.
 class GroundMesh {
  public:
-  /// Outside the terrain's extent the ground goes on as Terrain says.
-  GroundMesh(const world::Terrain& terrain, const Region& region, double accuracy,
-             std::size_t most_triangles);
+  /// Triangles next to each other, in the order of all; each has its own vertices.
+  struct Tile {
+    std::size_t first, end;  ///< triangles
+    std::size_t first_vertex, end_vertex;
+  };
 
+  /// Outside the terrain's extent the ground goes on as Terrain says. `is_late` is asked now and
+  /// then, if it is not empty: once it says so the mesh is not whole, and is not to be asked.
+  GroundMesh(const world::Terrain& terrain, const Region& region, double accuracy,
+             std::size_t most_triangles, const std::function<bool()>& is_late = {});
+
+  bool is_whole() const { return whole_; }
   const std::vector<world::Vector3>& vertices() const { return vertices_; }
   const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return triangles_; }
+  const std::vector<Tile>& tiles() const { return tiles_; }
   double highest() const { return highest_; }
   /// Of the triangles; at the border's height outside the region. Cost: O(log lines).
   double height(double x, double y) const;
@@ -41,10 +51,12 @@ class GroundMesh {
   };
 
   void set_lines(const world::Terrain& terrain, const Region& region, std::size_t merged);
-  void set_cells(const world::Terrain& terrain, bool merged);
+  void set_cells(const world::Terrain& terrain, bool merged, const std::function<bool()>& is_late);
   /// How many triangles there are with that accuracy.
   std::size_t cut(double accuracy);
-  void emit();
+  void emit(const std::function<bool()>& is_late);
+  void emit_tile(std::size_t column, std::size_t row);
+  void end_tile();
   void emit_patch(const Cell& cell, std::size_t column, std::size_t row, std::uint32_t i,
                   std::uint32_t j);
   const Cell& cell(std::size_t column, std::size_t row) const {
@@ -55,7 +67,9 @@ class GroundMesh {
   std::vector<Cell> cells_;
   std::vector<world::Vector3> vertices_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::vector<Tile> tiles_;
   double highest_ = 0;
+  bool whole_ = true;
 };
 
 }  // namespace skein::sampling

@@ -2,6 +2,7 @@
 #include "skein/sampling/sampling_path_planner.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "free_air.hpp"
@@ -42,10 +43,11 @@ class Search {
       : query_(query),
         setting_(setting),
         options_(options),
-        air_(query, setting.world, until),
+        air_(query, setting.world, until, setting.budget),
         random_(setting.seed, "sampling path planner") {}
 
   Outcome<Path> run() {
+    if (!air_.is_whole()) return tl::unexpected(out_of_time("before the search"));
     if (auto refusal = air_.refusal_at(query_.from, "from")) return tl::unexpected(*refusal);
     if (auto refusal = air_.refusal_at(query_.to, "to")) return tl::unexpected(*refusal);
     std::optional<Refusal> last;
@@ -58,12 +60,25 @@ class Search {
       }
       const auto flown = flyable(*way);
       if (flown) return answer(*flown);
-      last = flown.error();
+      last = is_late() ? out_of_time("making the way flyable") : flown.error();
     }
     return tl::unexpected(*last);
   }
 
  private:
+  bool is_late() const { return setting_.budget.expired(); }
+
+  static Refusal out_of_time(const std::string& when) {
+    return {RefusalKind::kBudgetExhausted, "", "the time was up " + when};
+  }
+
+  /// Samples for a first way: as many as the budget has, if it has a bound.
+  std::uint64_t first_samples() const {
+    constexpr auto kUnbounded = std::numeric_limits<std::uint64_t>::max();
+    const Budget& budget = setting_.budget;
+    return budget.time_is_up || budget.steps != kUnbounded ? kUnbounded : options_.first_samples;
+  }
+
   bool is_over() const { return cut_short_ || used_ >= setting_.budget.steps; }
 
   /// A share of the budget; what is used of it counts.
@@ -101,17 +116,20 @@ class Search {
     const SearchSpace space = space_with(room);
     if (room == 0 && space.is_free_between(query_.from, query_.to))
       return Way{query_.from, query_.to};
-    const auto first = within_budget(options_.first_samples, [&](Countdown& countdown) {
+    const auto first = within_budget(first_samples(), [&](Countdown& countdown) {
       return first_way(space, random_, countdown);
     });
     if (!first) return std::nullopt;
-    const auto over = [this] { return setting_.budget.expired(); };
-    Way best = shortened(*first, space.is_free_between, over, random_);
+    const auto over = [this] { return is_late(); };
+    const auto is_free = [&](const Vector3& a, const Vector3& b) {
+      return !is_late() && space.is_free_between(a, b);
+    };
+    Way best = shortened(*first, is_free, over, random_);
     const auto shorter = within_budget(options_.shortening_samples, [&](Countdown& countdown) {
       return shorter_way(space, refiners::length_of(best), random_, countdown);
     });
     if (!shorter) return best;
-    Way other = shortened(*shorter, space.is_free_between, over, random_);
+    Way other = shortened(*shorter, is_free, over, random_);
     return refiners::length_of(other) < refiners::length_of(best) ? other : best;
   }
 
@@ -126,6 +144,7 @@ class Search {
     query.is_free = [this, off_chord](const Vector3& a, const Vector3& b) {
       return air_.is_free(a, b, off_chord);
     };
+    query.time_is_up = setting_.budget.time_is_up;
     return refiners::make_flyable(query, query_.vehicle);
   }
 

@@ -11,7 +11,7 @@ namespace skein::supervisor {
 /// Least distance to a polygon [m]; 0 inside it.
 double distance_to(const world::Polygon& polygon, const world::Vector2& at);
 
-/// Nearer to the volume than `margin`, horizontally and vertically.
+/// In the volume, or nearer to it than `margin`, horizontally and vertically.
 bool is_near(const world::Volume& volume, const world::Vector3& at, double margin);
 
 /// The volume and all that is nearer to it than `margin` [m], and the hull of that: a corner

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of the host about what is left of a task that was begun, and about what can be flown
-// to.
+// Functions of the host about what is left of a task that was begun.
 #include <algorithm>
 
 #include "host_services.hpp"
@@ -13,30 +12,19 @@ using htn::Term;
 using htn::TermStore;
 using world::Vector3;
 
-namespace {
-
 using Value = Result<Term, Failure>;
 
-std::vector<Vector3> locations_of(const TermStore& store, Term list) {
-  std::vector<Vector3> points;
-  if (!store.is_list(list)) return points;
-  for (const Term one : store.items(list))
-    if (const auto at = location_of(store, one)) points.push_back(*at);
-  return points;
-}
-
-}  // namespace
-
-/// (compute-rest FROM ZONE DEVICE BEFORE (LOC…)): the motion along what is left of a way over the
-/// zone that was flown with the device BEFORE; nil, without a sentence, when it is to be planned
-/// anew.
+/// (compute-rest FROM ZONE DEVICE BEFORE (LOC…) WHEN): the motion along what is left of a way over
+/// the zone that was flown with the device BEFORE; nil, without a sentence, when it is to be
+/// planned anew.
 Value PlannerHost::Services::rest(TermStore& store, Arguments arguments) {
+  const auto from = gazetteer_.place(store, arguments[0]);
   const auto* device = gazetteer_.sensor(text_of(store, arguments[2]));
   const auto* before = gazetteer_.sensor(text_of(store, arguments[3]));
   const std::vector<Vector3> way = locations_of(store, arguments[4]);
-  if (device == nullptr || before == nullptr || way.size() < 2) return kNil;
+  if (!from || device == nullptr || before == nullptr || way.size() < 2) return kNil;
   if (gazetteer_.zone(text_of(store, arguments[1])) == nullptr) return kNil;
-  const auto motion = refinery_.rest(way, *device, *before);
+  const auto motion = refinery_.rest(*from, way, *device, *before, departure(store, arguments[5]));
   return motion ? flight(store, motion, "rest") : Value(kNil);
 }
 
@@ -54,23 +42,6 @@ Value PlannerHost::Services::not_reached(TermStore& store, Arguments arguments) 
     if (!was_there) left.push_back(term);
   }
   return store.list(left);
-}
-
-/// (within-reach FROM (LOC…) WHEN): those that there is a way to, from the ground from above it, at
-/// once or after a wait.
-Value PlannerHost::Services::within_reach(TermStore& store, Arguments arguments) {
-  const auto from = place(store, arguments[0]);
-  if (!from) return kNil;
-  const Term start = location_term(store, gazetteer_.flown_to(*from));
-  std::vector<Term> there;
-  for (const Vector3& at : locations_of(store, arguments[1])) {
-    const std::vector<Term> leg = {start, location_term(store, at), arguments[2]};
-    Value way = gotoxyz(store, leg);
-    if (way && *way == kNil) way = wait(store, leg);
-    if (!way) return way;
-    if (*way != kNil) there.push_back(leg[1]);
-  }
-  return store.list(there);
 }
 
 }  // namespace skein::supervisor

@@ -46,6 +46,7 @@ Term target_term(TermStore& store, const Vector3& at) {
   return store.list(one);
 }
 
+/// A way is the last of an answer's parameters.
 Term way_term(TermStore& store, const refiners::Way& way) {
   std::vector<Term> terms;
   for (const Vector3& point : way) terms.push_back(location_term(store, point));
@@ -55,23 +56,28 @@ Term way_term(TermStore& store, const refiners::Way& way) {
 }  // namespace
 
 std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
-  static constexpr std::array<Entry, 25> entries = {
-      {{"compute-takeoff", 1, &Services::takeoff, true},
+  static constexpr std::array<Entry, 30> entries = {
+      {{"compute-takeoff", 2, &Services::takeoff, true, 1},
        {"compute-land", 2, &Services::land, true},
-       {"compute-gotoxyz", 3, &Services::gotoxyz, false},
-       {"compute-wait", 3, &Services::wait, false},
-       {"compute-patrol", 4, &Services::patrol, true},
-       {"compute-sweep", 3, &Services::sweep, true},
-       {"compute-sweep-entry", 3, &Services::sweep_entry, false},
-       {"compute-rest", 5, &Services::rest, true},
+       {"compute-gotoxyz", 3, &Services::gotoxyz, true, 2},
+       {"compute-wait", 4, &Services::wait, false},
+       {"compute-wait-for-patrol", 6, &Services::wait_for_patrol, false},
+       {"compute-wait-for-sweep", 4, &Services::wait_for_sweep, false},
+       {"compute-wait-for-rest", 6, &Services::wait_for_rest, false},
+       {"compute-patrol", 5, &Services::patrol, true, 4},
+       {"compute-sweep", 4, &Services::sweep, true, 3},
+       {"compute-sweep-entry", 4, &Services::sweep_entry, false},
+       {"compute-rest", 6, &Services::rest, true, 5},
        {"not-reached", 2, &Services::not_reached, false},
-       {"within-reach", 3, &Services::within_reach, false},
+       {"within-reach", 4, &Services::within_reach, false},
+       {"is-open", 2, &Services::is_open, false},
+       {"stays-open", 3, &Services::stays_open, false},
        {"compute-stay", 1, &Services::stay, false},
-       {"compute-landing-place", 2, &Services::landing_place, true},
+       {"compute-landing-place", 3, &Services::landing_place, true, 2},
        {"compute-way-out", 1, &Services::way_out, true},
        {"is-free", 1, &Services::is_free, false},
-       {"compute-viewpoint", 4, &Services::viewpoint, true},
-       {"compute-angles", 3, &Services::angles, true},
+       {"compute-viewpoint", 6, &Services::viewpoint, true, 4},
+       {"compute-angles", 5, &Services::angles, true, 3},
        {"compute-entry", 1, &Services::entry, false},
        {"compute-tour", 2, &Services::tour, true},
        {"target-of", 1, &Services::target_of, false},
@@ -82,6 +88,11 @@ std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
        {"with-me", 1, &Services::with_me, false},
        {"in-time", 5, &Services::in_time, false}}};
   return entries;
+}
+
+const PlannerHost::Services::Entry& PlannerHost::Services::entry_of(Service service) {
+  return *std::find_if(table().begin(), table().end(),
+                       [&](const Entry& one) { return one.service == service; });
 }
 
 PlannerHost::Services::Services(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
@@ -95,7 +106,10 @@ Value PlannerHost::Services::call(const Entry& entry, TermStore& store, Argument
   if (!entry.refines) {
     value = (this->*entry.service)(store, arguments);
   } else {
-    const std::string key = std::string(entry.name) + ' ' + store.to_text(store.list(arguments));
+    // When it is makes no difference where no air is closed for a time.
+    std::vector<Term> named(arguments.begin(), arguments.end());
+    if (entry.when != 0 && !refinery_.has_windows()) named[entry.when] = kNil;
+    const std::string key = std::string(entry.name) + ' ' + store.to_text(store.list(named));
     if (const auto known = known_.find(key); known != known_.end()) return known->second;
     value = (this->*entry.service)(store, arguments);
     if (value) known_[key] = *value;
@@ -148,7 +162,7 @@ Value PlannerHost::Services::takeoff(TermStore& store, Arguments arguments) {
   auto from = place(store, arguments[0]);
   if (!from) return kNil;
   from->z() = gazetteer_.ground(*from);
-  const auto motion = refinery_.takeoff(*from);
+  const auto motion = refinery_.takeoff(*from, departure(store, arguments[1]));
   if (!motion) return refuse("takeoff: " + motion.error());
   const double altitude = motion->way.back().z() - from->z();
   return answer(store, *motion, {headed(store, "altitude", {number_term(store, altitude)})});
@@ -162,11 +176,12 @@ Value PlannerHost::Services::land(TermStore& store, Arguments arguments) {
   return answer(store, *motion, {});
 }
 
-/// (compute-landing-place FROM PLACE): PLACE as it is given, or the nearest ground that serves.
+/// (compute-landing-place FROM PLACE WHEN): PLACE as it is given, or the nearest ground that
+/// serves, for who sets out for it then.
 Value PlannerHost::Services::landing_place(TermStore& store, Arguments arguments) {
   const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
   if (!from || !to) return kNil;
-  const auto at = refinery_.landing_place(*from, *to);
+  const auto at = refinery_.landing_place(*from, *to, departure(store, arguments[2]));
   if (!at) return refuse("landing at " + Gazetteer::words(store, arguments[1]) + ": " + at.error());
   return at->instead.empty() ? arguments[1] : location_term(store, at->at);
 }
@@ -183,33 +198,14 @@ Value PlannerHost::Services::is_free(TermStore& store, Arguments arguments) {
 }
 
 /// (compute-gotoxyz FROM TO WHEN): WHEN is the interval in which the motion may begin; nil: at any
-/// time. Refined once for each FROM and TO and, where air is closed for a time, WHEN.
+/// time.
 Value PlannerHost::Services::gotoxyz(TermStore& store, Arguments arguments) {
   const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
   if (!from || !to) return kNil;
-  const std::string key = "way " + store.to_text(arguments[0]) + ' ' + store.to_text(arguments[1]) +
-                          (refinery_.has_windows() ? store.to_text(arguments[2]) : "");
-  if (const auto known = known_.find(key); known != known_.end()) return known->second;
-  ++refinements_;
-  return known_[key] = flight(
-             store, refinery_.path(*from, gazetteer_.flown_to(*to), departure(store, arguments[2])),
-             "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
-                 Gazetteer::words(store, arguments[1]));
-}
-
-/// (compute-wait FROM TO WHEN): seconds to wait in place until air that is closed for a time is
-/// open again, when that is possible and leads there earlier than any way around; else nil.
-Value PlannerHost::Services::wait(TermStore& store, Arguments arguments) {
-  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
-  if (!from || !to) return kNil;
-  const auto seconds =
-      refinery_.worth_waiting(*from, gazetteer_.flown_to(*to), departure(store, arguments[2]));
-  return seconds ? number_term(store, std::ceil(*seconds * 10 - kRounding) / 10) : kNil;
-}
-
-Departure PlannerHost::Services::departure(const TermStore& store, Term when) {
-  const auto interval = seconds_of(store, when);
-  return interval ? Departure{interval->least, interval->most} : Departure{};
+  return flight(store,
+                refinery_.path(*from, gazetteer_.flown_to(*to), departure(store, arguments[2])),
+                "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
+                    Gazetteer::words(store, arguments[1]));
 }
 
 Value PlannerHost::Services::patrol(TermStore& store, Arguments arguments) {
@@ -222,7 +218,8 @@ Value PlannerHost::Services::patrol(TermStore& store, Arguments arguments) {
   if (!seconds || *seconds <= 0) return wrong(store, arguments[3], "positive number of seconds");
   if (!from) return kNil;
   if (zone == nullptr) return refuse("unknown zone '" + name + "'");
-  return flight(store, refinery_.patrol(*from, *zone, *device, *seconds),
+  return flight(store,
+                refinery_.patrol(*from, *zone, *device, *seconds, departure(store, arguments[4])),
                 "no detection over " + zone->name);
 }
 
@@ -234,18 +231,15 @@ Value PlannerHost::Services::sweep(TermStore& store, Arguments arguments) {
   if (device == nullptr) return refuse("no device '" + text_of(store, arguments[2]) + "' on board");
   if (!from) return kNil;
   if (zone == nullptr) return refuse("unknown zone '" + name + "'");
-  return flight(store, refinery_.sweep(*from, *zone, *device), "no mapping of " + zone->name);
+  return flight(store, refinery_.sweep(*from, *zone, *device, departure(store, arguments[3])),
+                "no mapping of " + zone->name);
 }
 
-/// Where the sweep begins: the first of its way, which is the first of its last parameter.
+/// Where the sweep begins: the first of its way.
 Value PlannerHost::Services::sweep_entry(TermStore& store, Arguments arguments) {
-  const auto found = std::find_if(table().begin(), table().end(),
-                                  [](const Entry& one) { return one.service == &Services::sweep; });
-  const Value whole = call(*found, store, arguments);
+  const Value whole = call(entry_of(&Services::sweep), store, arguments);
   if (!whole || *whole == kNil) return whole;
-  const Term params = store.items(*whole).back();
-  const Term way = store.items(params).back();
-  return store.items(way)[1];
+  return location_term(store, way_of(store, *whole).front());
 }
 
 Value PlannerHost::Services::stay(TermStore& store, Arguments arguments) {
@@ -269,11 +263,13 @@ Value PlannerHost::Services::stay(TermStore& store, Arguments arguments) {
   return store.list(all);
 }
 
-/// Of the devices the first that sees the place from so many sides; a place in the air is flown to,
+/// Of the devices the first that sees the place from so many sides, when it sets out then and stays
+/// for SECONDS; a place in the air is flown to,
 /// by all but the first partner beside it.
 std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermStore& store,
                                                                          Term where, Term devices,
-                                                                         std::size_t count) {
+                                                                         std::size_t count,
+                                                                         Term when, Term seconds) {
   const auto at = place(store, where);
   if (!at || !store.is_list(devices)) return std::nullopt;
   std::vector<std::string> why;
@@ -289,7 +285,8 @@ std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermSto
       refuse("no room at " + Gazetteer::words(store, where) + ": " + beside.error());
       return std::nullopt;
     }
-    auto found = refinery_.views(*at, *sensor, count);
+    auto found = refinery_.views(*at, *sensor, count, departure(store, when),
+                                 number_of(store, seconds).value_or(0));
     if (found) return Views{device, std::move(*found)};
     why.push_back("nowhere to see " + Gazetteer::words(store, where) + " with " + sensor->device +
                   ": " + found.error());
@@ -298,12 +295,14 @@ std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermSto
   return std::nullopt;
 }
 
-/// (compute-viewpoint PLACE DEVICES RANK COUNT): (DEVICE LOC), of COUNT sides that of RANK.
+/// (compute-viewpoint PLACE DEVICES RANK COUNT WHEN SECONDS): (DEVICE LOC), of COUNT sides that of
+/// RANK.
 Value PlannerHost::Services::viewpoint(TermStore& store, Arguments arguments) {
   const auto rank = number_of(store, arguments[2]), count = number_of(store, arguments[3]);
   if (!rank || !count || *rank < 0 || *count < 1 || *count > kMostSides)
     return failure("rank and count must be 0 and more, and 1 to 16");
-  const auto seen = views(store, arguments[0], arguments[1], static_cast<std::size_t>(*count));
+  const auto seen = views(store, arguments[0], arguments[1], static_cast<std::size_t>(*count),
+                          arguments[4], arguments[5]);
   if (!seen) return kNil;
   const auto wanted = static_cast<std::size_t>(*rank);
   if (wanted >= seen->points.size())
@@ -315,7 +314,7 @@ Value PlannerHost::Services::viewpoint(TermStore& store, Arguments arguments) {
   return store.list(pair);
 }
 
-/// (compute-angles PLACE DEVICES COUNT): (DEVICE LOC…).
+/// (compute-angles PLACE DEVICES COUNT WHEN SECONDS): (DEVICE LOC…).
 Value PlannerHost::Services::angles(TermStore& store, Arguments arguments) {
   const auto count = number_of(store, arguments[2]);
   if (!count || *count < 1 || *count > kMostSides)
@@ -324,7 +323,8 @@ Value PlannerHost::Services::angles(TermStore& store, Arguments arguments) {
   const auto at = place(store, arguments[0]);
   const bool in_the_air = at && !gazetteer_.on_ground(*at);
   const auto seen =
-      views(store, arguments[0], arguments[1], in_the_air ? 1 : static_cast<std::size_t>(*count));
+      views(store, arguments[0], arguments[1], in_the_air ? 1 : static_cast<std::size_t>(*count),
+            arguments[3], arguments[4]);
   if (!seen) return kNil;
   std::vector<Term> all = {seen->device};
   for (const Vector3& point : seen->points) all.push_back(location_term(store, point));

@@ -11,6 +11,7 @@
 #include "refinery.hpp"
 #include "skein/htn/functions.hpp"
 #include "skein/supervisor/planner_host.hpp"
+#include "terms.hpp"
 
 namespace skein::supervisor {
 
@@ -32,9 +33,11 @@ class PlannerHost::Services {
     const char* name;
     std::size_t arguments;
     Service service;
-    bool refines;  ///< remembered, counted
+    bool refines;          ///< remembered, counted
+    std::size_t when = 0;  ///< which argument says when, if any
   };
   static std::span<const Entry> table();
+  static const Entry& entry_of(Service service);
 
   Services(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed, refiners::Budget budget);
 
@@ -48,6 +51,11 @@ class PlannerHost::Services {
   Value land(htn::TermStore& store, Arguments arguments);
   Value gotoxyz(htn::TermStore& store, Arguments arguments);
   Value wait(htn::TermStore& store, Arguments arguments);
+  Value wait_for_patrol(htn::TermStore& store, Arguments arguments);
+  Value wait_for_sweep(htn::TermStore& store, Arguments arguments);
+  Value wait_for_rest(htn::TermStore& store, Arguments arguments);
+  Value is_open(htn::TermStore& store, Arguments arguments);
+  Value stays_open(htn::TermStore& store, Arguments arguments);
   Value patrol(htn::TermStore& store, Arguments arguments);
   Value sweep(htn::TermStore& store, Arguments arguments);
   Value sweep_entry(htn::TermStore& store, Arguments arguments);
@@ -75,6 +83,11 @@ class PlannerHost::Services {
   htn::Term answer(htn::TermStore& store, const Motion& motion, std::vector<htn::Term> params);
   htn::Term flight(htn::TermStore& store, const Answer<Motion>& motion, const std::string& what);
   static Departure departure(const htn::TermStore& store, htn::Term when);
+  /// Of an answer; empty, or nothing, of what is none.
+  static refiners::Way way_of(const htn::TermStore& store, htn::Term answer);
+  static std::optional<Seconds> duration_of(const htn::TermStore& store, htn::Term answer);
+  htn::Term waiting(htn::TermStore& store, const world::Vector3& from, htn::Term when,
+                    const Refinery::Venture& venture);
   std::optional<world::Vector3> place(const htn::TermStore& store, htn::Term term);
   std::vector<std::string> team(const htn::TermStore& store, Arguments lists) const;
   struct Views {
@@ -82,7 +95,7 @@ class PlannerHost::Services {
     std::vector<world::Vector3> points;
   };
   std::optional<Views> views(htn::TermStore& store, htn::Term place, htn::Term devices,
-                             std::size_t count);
+                             std::size_t count, htn::Term when, htn::Term seconds);
 
   Gazetteer gazetteer_;
   Refinery refinery_;

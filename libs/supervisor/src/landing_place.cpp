@@ -26,13 +26,13 @@ double astray(const Knowledge& knowledge, const world::World& world) {
 }
 
 const world::Volume* closed_over(const Knowledge& knowledge, const world::World& world,
-                                 MissionTime now, const Vector3& ground) {
+                                 world::TimeWindow when, const Vector3& ground) {
   const Vector3 above = ground + Vector3(0, 0, knowledge.altitude);
   const double margin = knowledge.vehicle.body_radius +
                         (knowledge.vehicle.hovers ? 0 : knowledge.vehicle.orbit_radius);
   const auto found =
       std::find_if(world.volumes.begin(), world.volumes.end(), [&](const world::Volume& volume) {
-        return now < volume.when.until && crosses(volume, margin, ground, above);
+        return volume.when.overlaps(when) && crosses(volume, margin, ground, above);
       });
   return found == world.volumes.end() ? nullptr : &*found;
 }
@@ -44,17 +44,18 @@ Vector3 ground_at(const world::World& world, const Vector2& at) {
 }  // namespace
 
 std::optional<std::string> landing_problem(const Knowledge& knowledge, const world::World& world,
-                                           MissionTime now, const Vector3& at) {
+                                           world::TimeWindow when, const Vector3& at) {
   if (auto steep = world::landing_problem(world.terrain, at.head<2>(), astray(knowledge, world)))
     return steep;
-  if (const auto* volume = closed_over(knowledge, world, now, ground_at(world, at.head<2>())))
+  if (const auto* volume = closed_over(knowledge, world, when, ground_at(world, at.head<2>())))
     return "the air over it is closed (volume '" + volume->name + "')";
   return std::nullopt;
 }
 
 std::optional<Vector3> landing_place(const Knowledge& knowledge, const world::World& world,
-                                     MissionTime now, const Vector3& from, const Vector3& wanted) {
-  const auto fit = [&](const Vector3& at) { return !landing_problem(knowledge, world, now, at); };
+                                     world::TimeWindow when, const Vector3& from,
+                                     const Vector3& wanted) {
+  const auto fit = [&](const Vector3& at) { return !landing_problem(knowledge, world, when, at); };
   if (fit(wanted)) return wanted;
   for (double out = kStep; out <= kFarthest; out += kStep) {
     std::optional<Vector3> best;

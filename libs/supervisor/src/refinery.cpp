@@ -107,24 +107,27 @@ double Refinery::energy_of_stay(double seconds) const {
   return seconds * world::flight_power(vehicle(), speed, 0) / vehicle().energy.capacity;
 }
 
-Answer<Motion> Refinery::takeoff(const Vector3& from) const {
+Answer<Motion> Refinery::takeoff(const Vector3& from, const Departure& when) const {
   const Vector3 to = gazetteer_.above(from);
-  for (const world::Volume& volume : world().volumes)
-    if (origin_ < volume.when.until && crosses(volume, vehicle().body_radius, from, to))
-      return no("the air over it is closed (volume '" + volume.name + "')");
   Motion motion{{from, to}, {}, 0, {}};
   motion.times = takeoff_times(to.z() - gazetteer_.ground(from), vehicle(), world().wind);
+  for (const world::Volume& volume : closed(counted(when, motion.times.most)))
+    if (crosses(volume, vehicle().body_radius, from, to))
+      return no("the air over it is closed (volume '" + volume.name + "')");
   motion.energy = motion.times.expected * world::flight_power(vehicle(), 0, vehicle().climb_rate) /
                   vehicle().energy.capacity;
   return motion;
 }
 
-Answer<Refinery::Landing> Refinery::landing_place(const Vector3& from,
-                                                  const Vector3& wanted) const {
+Answer<Refinery::Landing> Refinery::landing_place(const Vector3& from, const Vector3& wanted,
+                                                  const Departure& when) const {
   const Knowledge& knowledge = gazetteer_.knowledge();
-  const auto problem = landing_problem(knowledge, world(), origin_, wanted);
+  const Times flight = flown({from, gazetteer_.flown_to(wanted)}).times;
+  const Times descent = landing_times(knowledge.altitude, vehicle());
+  const world::TimeWindow then = window(when.after({flight.least, 0, flight.most}), descent.most);
+  const auto problem = landing_problem(knowledge, world(), then, wanted);
   if (!problem) return Landing{wanted, {}};
-  const auto at = supervisor::landing_place(knowledge, world(), origin_, from, wanted);
+  const auto at = supervisor::landing_place(knowledge, world(), then, from, wanted);
   if (!at) return no(*problem + ", and no ground near it serves");
   return Landing{*at, *problem};
 }
@@ -135,18 +138,6 @@ Answer<Motion> Refinery::landing(const Vector3& from, const Vector3& to) const {
   motion.times = landing_times(std::max(0.0, from.z() - down.z()), vehicle());
   motion.energy = energy_of_stay(motion.times.expected);
   return motion;
-}
-
-Refinery::Counted Refinery::counted(const Departure& when, double seconds) const {
-  const auto at = [&](double s) {
-    return std::isinf(s) ? MissionTime::max() : origin_ + Duration::seconds(s);
-  };
-  const world::TimeWindow flight{at(when.least), at(when.most + seconds)};
-  Counted all;
-  for (const world::Volume& volume : world().volumes) {
-    all.push_back(volume.when.overlaps(flight) || volume.when.from == flight.from);
-  }
-  return all;
 }
 
 Answer<const world::Airspace*> Refinery::airspace() { return airspace(counted({}, 0)); }
@@ -165,59 +156,26 @@ Answer<const world::Airspace*> Refinery::airspace(const Counted& counted) {
   return &airspaces_.emplace(counted, std::move(*made)).first->second;
 }
 
-// The longer a way may take, the more volumes it may meet.
 Answer<Motion> Refinery::path(const Vector3& from, const Vector3& to, const Departure& when) {
-  Counted met = counted(when, has_windows_ ? flown({from, to}).times.most : 0);
-  while (true) {
-    const auto air = airspace(met);
+  const double guess = has_windows_ ? flown({from, to}).times.most : 0;
+  return kept_clear(from, when, guess, [&](const Counted& counted) -> Answer<Motion> {
+    const auto air = airspace(counted);
     if (!air) return no(air.error());
-    auto motion = path_in(**air, closed(met), from, to);
-    if (!motion || !has_windows_) return motion;
-    Counted all = counted(when, motion->times.most);
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] || met[i];
-    if (all == met) return motion;
-    met = std::move(all);
-  }
-}
-
-bool Refinery::stays_free(const Vector3& at, const Departure& when, double seconds) const {
-  return has_room(at, closed(counted(when, seconds)));
-}
-
-std::optional<double> Refinery::worth_waiting(const Vector3& from, const Vector3& to,
-                                              const Departure& when) {
-  if (!has_windows_ || std::isinf(when.most)) return std::nullopt;
-  const auto now = path(from, to, when);
-  double best = now ? now->times.expected : std::numeric_limits<double>::infinity();
-  std::optional<double> wait;
-  for (const world::Volume& volume : world().volumes) {
-    if (volume.when.until == MissionTime::max()) continue;
-    const double longest = (volume.when.until - origin_).to_seconds() - when.least;
-    if (longest <= 0 || longest >= best) continue;
-    if (!stays_free(from, when, longest)) continue;
-    const auto later = path(from, to, {when.least + longest, when.most + longest});
-    if (!later || longest + later->times.expected >= best) continue;
-    best = longest + later->times.expected;
-    wait = longest;
-  }
-  return wait;
-}
-
-Refinery::Volumes Refinery::closed() const { return closed(counted({}, 0)); }
-
-Refinery::Volumes Refinery::closed(const Counted& counted) const {
-  Volumes all;
-  for (std::size_t i = 0; i < counted.size(); ++i)
-    if (counted[i] && world().volumes[i].polygon.size() > 2) all.push_back(world().volumes[i]);
-  return all;
+    return path_in(**air, closed(counted), from, to);
+  });
 }
 
 bool Refinery::has_room(const Vector3& at) const { return has_room(at, closed()); }
 
 bool Refinery::has_room(const Vector3& at, const Volumes& volumes) const {
+  return taking_room(at, volumes) == nullptr;
+}
+
+const world::Volume* Refinery::taking_room(const Vector3& at, const Volumes& volumes) const {
   const double around = vehicle().hovers ? stray() : kJoining * vehicle().orbit_radius + stray();
-  return std::none_of(volumes.begin(), volumes.end(),
-                      [&](const auto& volume) { return is_near(volume, at, around); });
+  const auto found = std::find_if(volumes.begin(), volumes.end(),
+                                  [&](const auto& volume) { return is_near(volume, at, around); });
+  return found == volumes.end() ? nullptr : &*found;
 }
 
 // One that hovers brakes for corners, and is carried beyond them all the same.
@@ -270,9 +228,10 @@ Answer<Motion> Refinery::path_in(const world::Airspace& air, const Volumes& volu
   if (!air.is_free(from)) return out_and_on(from, to);
   if (from == to) return flown({from});
   const bool returns = (to - gazetteer_.knowledge().home).head<2>().norm() < vehicle().orbit_radius;
-  if (!returns && !has_room(to, volumes))
-    return no(vehicle().hovers ? "closed air is nearer to its end than the vehicle strays"
-                               : "closed air is too near for the circles that it waits on there");
+  if (const auto* volume = taking_room(to, volumes); volume != nullptr && !returns)
+    return no("volume '" + volume->name + "' is " +
+              (vehicle().hovers ? "nearer to its end than the vehicle strays"
+                                : "too near for the circles that it waits on there"));
   auto way = way_through(air, from, to);
   if (!way) return no(way.error());
   if (met(*way, volumes)) {
@@ -363,9 +322,16 @@ Answer<Motion> Refinery::out_and_on(const Vector3& from, const Vector3& to) {
   return flown(std::move(on->way));
 }
 
-Answer<Motion> Refinery::rest(const Way& way, const world::SensorModel& device,
-                              const world::SensorModel& before) {
-  const auto air = airspace();
+Answer<Motion> Refinery::rest(const Vector3& from, const Way& way, const world::SensorModel& device,
+                              const world::SensorModel& before, const Departure& when) {
+  return kept_clear(from, when, 0,
+                    [&](const Counted& counted) { return rest_in(counted, way, device, before); });
+}
+
+Answer<Motion> Refinery::rest_in(const Counted& counted, const Way& way,
+                                 const world::SensorModel& device,
+                                 const world::SensorModel& before) {
+  const auto air = airspace(counted);
   if (!air) return no(air.error());
   const double height = way.front().z() - gazetteer_.ground(way.front());
   const auto width = footprint(device, height), needed = footprint(before, height);
@@ -383,12 +349,20 @@ Answer<Motion> Refinery::rest(const Way& way, const world::SensorModel& device,
 }
 
 Answer<std::vector<Vector3>> Refinery::views(const Vector3& place, const world::SensorModel& device,
-                                             std::size_t count) {
-  const auto air = airspace();
+                                             std::size_t count, const Departure& when,
+                                             double seconds) {
+  world::World then = world();
+  const double there =
+      flown({gazetteer_.above(gazetteer_.knowledge().home), gazetteer_.above(place)}).times.most;
+  const Counted counts = counted(when, there + seconds);
+  then.volumes = closed(counts);
+  for (world::Volume& volume : then.volumes) volume.when = {};
+  const auto air = airspace(counts);
   if (!air) return no(air.error());
   refiners::ViewpointQuery query;
-  query.constraints.push_back({"free air", [this, free = *air](const Vector3& at) {
-                                 return free->is_free(at) && (vehicle().hovers || has_room(at));
+  query.constraints.push_back({"free air", [this, free = *air, &then](const Vector3& at) {
+                                 return free->is_free(at) &&
+                                        (vehicle().hovers || has_room(at, then.volumes));
                                }});
   query.vehicle = cautious();
   query.device = device.device;
@@ -404,10 +378,11 @@ Answer<std::vector<Vector3>> Refinery::views(const Vector3& place, const world::
   query.count = count;
   query.least_angle = count > 1 ? kAngleApart : 0;
   query.at = origin_;
-  auto refined = refine(query, setting());
+  const refiners::Setting at_that_time{then, budget_, seed_, nullptr};
+  auto refined = refine(query, at_that_time);
   if (!refined || refined->task.points.size() < count) {
     query.clearance = clearance() + vehicle().body_radius;
-    auto lower = refine(query, setting());
+    auto lower = refine(query, at_that_time);
     const bool more =
         lower && (!refined || lower->task.points.size() > refined->task.points.size());
     if (more || !refined) refined = std::move(lower);
@@ -443,7 +418,7 @@ Answer<std::vector<Vector3>> Refinery::places_around(const Vector3& at, std::siz
 
 Answer<std::vector<Vector3>> Refinery::tour(const Vector3& from,
                                             const std::vector<Vector3>& places) {
-  const auto air = airspace();
+  const auto air = airspace(counted({.suited = true}, 0));
   if (!air) return no(air.error());
   refiners::TourQuery query;
   query.vehicle = cautious();

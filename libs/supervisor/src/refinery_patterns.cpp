@@ -170,17 +170,17 @@ Answer<double> Refinery::footprint(const world::SensorModel& device, double heig
 Refinery::Look Refinery::look_of(const world::SensorModel& device, double height,
                                  double footprint) {
   const double down = std::max(kSteepLook, -device.boresight_pitch);
-  if (down > std::numbers::pi / 2 - kSteepLook) return {0, footprint, {}};
+  if (down > std::numbers::pi / 2 - kSteepLook) return {0, footprint, {}, footprint};
   const double slant = std::min(height / std::sin(down), device.range);
   const double ahead = std::sqrt(std::max(0.0, slant * slant - height * height));
-  return {ahead, std::max(footprint, slant * std::tan(device.aperture)), {}};
+  return {ahead, std::max(footprint, slant * std::tan(device.aperture)), {}, footprint};
 }
 
 world::World Refinery::world_of(const world::Zone& zone, const Vector3& from, double footprint,
-                                double margin) const {
+                                double margin, const Counted& air) const {
   world::World local = world();
   local.ground = ground_over(zone.polygon, world().ground, footprint);
-  local.volumes = closed();
+  local.volumes = closed(air);
   const bool inside =
       std::any_of(local.volumes.begin(), local.volumes.end(), [&](const auto& volume) {
         return distance_to(grown(volume, stray()).polygon, from.head<2>()) <= 0;
@@ -238,8 +238,8 @@ std::optional<Way> Refinery::filled(const Way& way, const world::Zone& zone, con
   return std::nullopt;
 }
 
-std::vector<Way> Refinery::rounds(const Vector3& from, const world::Zone& zone,
-                                  double footprint) const {
+std::vector<Way> Refinery::rounds(const Vector3& from, const world::Zone& zone, double footprint,
+                                  const Counted& air) const {
   const double radius =
       vehicle().hovers ? 2 * reaching_distance(vehicle(), world().wind)
                        : std::clamp(kInSight * footprint, kTightest * vehicle().min_turn_radius,
@@ -247,7 +247,7 @@ std::vector<Way> Refinery::rounds(const Vector3& from, const world::Zone& zone,
   const Vector2 middle = middle_of(zone.polygon);
   const double height = from.z() - gazetteer_.ground(from);
   const double towards = std::atan2(from.y() - middle.y(), from.x() - middle.x());
-  const Volumes volumes = closed();
+  const Volumes volumes = closed(air);
   const auto is_open = [&](const Vector3& at) {
     return world().terrain.contains(at.x(), at.y()) &&
            std::none_of(volumes.begin(), volumes.end(),
@@ -271,11 +271,11 @@ std::vector<Way> Refinery::rounds(const Vector3& from, const world::Zone& zone,
 }
 
 /// Nothing where there is no way to it.
-std::optional<Way> Refinery::again_and_again(const Vector3& from, const Way& round,
-                                             double seconds) {
+std::optional<Way> Refinery::again_and_again(const Vector3& from, const Way& round, double seconds,
+                                             const Counted& counted) {
   Way way = {from};
-  if (!closed().empty()) {
-    const auto air = airspace();
+  if (!closed(counted).empty()) {
+    const auto air = airspace(counted);
     if (!air) return std::nullopt;
     if ((*air)->is_free(from)) {
       auto there = way_through(**air, from, round.front());
@@ -294,19 +294,30 @@ std::optional<Way> Refinery::again_and_again(const Vector3& from, const Way& rou
 }
 
 Answer<Motion> Refinery::patrol(const Vector3& from, const world::Zone& zone,
-                                const world::SensorModel& device, double seconds) {
+                                const world::SensorModel& device, double seconds,
+                                const Departure& when) {
+  auto motion = kept_clear(from, when, seconds, [&](const Counted& air) {
+    return patrol_in(air, from, zone, device, seconds);
+  });
+  if (motion && !when.suited && !stays_open(from, when, motion->times.most))
+    return no("the air where it begins closes meanwhile");
+  return motion;
+}
+
+Answer<Motion> Refinery::patrol_in(const Counted& air, const Vector3& from, const world::Zone& zone,
+                                   const world::SensorModel& device, double seconds) {
   const double height = from.z() - gazetteer_.ground(from);
   const auto width = footprint(device, height);
   if (!width) return no(width.error());
   const Look look = look_of(device, height, *width);
-  auto motion = patrolled(from, zone, look, *width, seconds);
+  auto motion = patrolled(air, from, zone, look, seconds);
   const double approach = distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
   const bool serves = motion && motion->times.expected <= kOutOfSight * (seconds + approach);
   if (serves || look.ahead <= 0 || !device.gimballed) return motion;
   // Ahead of it there is little but what lies beyond a small zone: its middle can be aimed at.
   const Vector2 middle = middle_of(zone.polygon);
   const double reach = std::sqrt(device.range * device.range - height * height);
-  auto aimed = patrolled(from, zone, {0, reach, middle}, *width, seconds);
+  auto aimed = patrolled(air, from, zone, {0, reach, middle, *width}, seconds);
   if (!aimed || (motion && motion->times.expected <= aimed->times.expected)) return motion;
   const Vector3 at(middle.x(), middle.y(), 0);
   aimed->aim = Vector3(middle.x(), middle.y(), gazetteer_.ground(at));
@@ -315,29 +326,30 @@ Answer<Motion> Refinery::patrol(const Vector3& from, const world::Zone& zone,
 
 /// Lanes; with more room where closed air has too little for its turns. Over a zone that is smaller
 /// than what it strays, and where lanes have no room: rounds.
-Answer<Motion> Refinery::patrolled(const Vector3& from, const world::Zone& zone, const Look& look,
-                                   double width, double seconds) {
-  auto lanes = in_lanes(from, zone, look, width, seconds, stray());
-  if (!lanes && !closed().empty()) {
-    auto roomy = in_lanes(from, zone, look, width, seconds, stray() + swing());
+Answer<Motion> Refinery::patrolled(const Counted& air, const Vector3& from, const world::Zone& zone,
+                                   const Look& look, double seconds) {
+  auto lanes = in_lanes(air, from, zone, look, seconds, stray());
+  if (!lanes && !closed(air).empty()) {
+    auto roomy = in_lanes(air, from, zone, look, seconds, stray() + swing());
     if (roomy) return roomy;
   }
   if (lanes) return lanes;
-  auto motion = in_rounds(from, zone, look, width, seconds);
+  auto motion = in_rounds(air, from, zone, look, seconds);
   return motion ? std::move(motion) : std::move(lanes);
 }
 
-Answer<Motion> Refinery::in_lanes(const Vector3& from, const world::Zone& zone, const Look& look,
-                                  double width, double seconds, double margin) const {
-  const world::World local = world_of(zone, from, width, margin);
+Answer<Motion> Refinery::in_lanes(const Counted& air, const Vector3& from, const world::Zone& zone,
+                                  const Look& look, double seconds, double margin) const {
+  const world::World local = world_of(zone, from, look.width, margin, air);
+  const Volumes volumes = closed(air);
   const double in_sight =
       seconds + distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
   double duration = in_sight, longer = 1;
   for (int i = 0; i < kLongerPatrols && duration <= kLongestPatrol * in_sight; ++i) {
-    const auto way = planned_patrol(local, from, zone, width, duration);
+    const auto way = planned_patrol(local, from, zone, look.width, duration);
     if (!way) return no(way.error());
     if (auto part = filled(*way, zone, look, seconds, longer)) {
-      if (met(*part)) return no("closed air is too near for its turns");
+      if (met(*part, volumes)) return no("closed air is too near for its turns");
       return flown(std::move(*part));
     }
     duration *= std::clamp(1.05 * longer, 1.1, kLongest);
@@ -345,17 +357,17 @@ Answer<Motion> Refinery::in_lanes(const Vector3& from, const world::Zone& zone, 
   return no("its time cannot be filled");
 }
 
-Answer<Motion> Refinery::in_rounds(const Vector3& from, const world::Zone& zone, const Look& look,
-                                   double width, double seconds) {
+Answer<Motion> Refinery::in_rounds(const Counted& air, const Vector3& from, const world::Zone& zone,
+                                   const Look& look, double seconds) {
   const double approach = distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
-  for (const Way& round : rounds(from, zone, width)) {
+  for (const Way& round : rounds(from, zone, look.width, air)) {
     double duration = seconds + approach, longer = 1;
     for (int i = 0; i < kLongerPatrols; ++i, duration *= std::clamp(1.05 * longer, 1.1, kLongest)) {
-      const auto way = again_and_again(from, round, duration);
+      const auto way = again_and_again(from, round, duration, air);
       if (!way) break;
       auto part = filled(*way, zone, look, seconds, longer);
       if (!part) continue;
-      if (met(*part)) break;
+      if (met(*part, closed(air))) break;
       return flown(std::move(*part));
     }
   }
@@ -441,10 +453,11 @@ Way Refinery::lanes_flown(const refiners::Coverage& task, const world::World& wo
   return way;
 }
 
-Answer<Refinery::Lanes> Refinery::best_sweep(const Vector3& from, const world::Zone& zone,
+Answer<Refinery::Lanes> Refinery::best_sweep(const Counted& air, const Vector3& from,
+                                             const world::Zone& zone,
                                              const world::SensorModel& device,
                                              double margin) const {
-  const world::World local = world_of(zone, from, 1e9, margin);
+  const world::World local = world_of(zone, from, 1e9, margin, air);
   Lanes best;
   std::string why = "nothing of it would be seen";
   for (const double overlap : {1.0, 2.0, 3.0, 4.0}) {
@@ -461,12 +474,25 @@ Answer<Refinery::Lanes> Refinery::best_sweep(const Vector3& from, const world::Z
 }
 
 Answer<Motion> Refinery::sweep(const Vector3& from, const world::Zone& zone,
-                               const world::SensorModel& device) const {
-  auto lanes = best_sweep(from, zone, device, stray());
+                               const world::SensorModel& device, const Departure& when) const {
+  return kept_clear(from, when, 0,
+                    [&](const Counted& air) { return sweep_in(air, from, zone, device); });
+}
+
+Answer<Motion> Refinery::sweep_in(const Counted& air, const Vector3& from, const world::Zone& zone,
+                                  const world::SensorModel& device) const {
+  const Volumes volumes = closed(air);
+  const auto motion = [&](Lanes lanes) {
+    Motion all = flown(std::move(lanes.way));
+    all.seen = lanes.seen;
+    return all;
+  };
+  auto lanes = best_sweep(air, from, zone, device, stray());
   if (!lanes) return no(lanes.error());
-  if (!met(lanes->way)) return flown(std::move(lanes->way));
-  lanes = best_sweep(from, zone, device, stray() + swing());
-  if (lanes && lanes->seen >= kSeenEnough && !met(lanes->way)) return flown(std::move(lanes->way));
+  if (!met(lanes->way, volumes)) return motion(std::move(*lanes));
+  lanes = best_sweep(air, from, zone, device, stray() + swing());
+  if (lanes && lanes->seen >= kSeenEnough && !met(lanes->way, volumes))
+    return motion(std::move(*lanes));
   return no("closed air is too near for its turns");
 }
 

@@ -108,7 +108,7 @@ class Repair {
     const world::Vector3& from = base_.situation.position;
     PlanningRequest base = base_;
     base.situation.land_at =
-        landing_place(*base.knowledge, *base.world, base.situation.origin, from, from);
+        landing_place(*base.knowledge, *base.world, {base.situation.origin}, from, from);
     if (!base.situation.land_at) return false;
     Judge judge(base, request_.standing, planner_);
     const Verdict& verdict = judge.of(order);

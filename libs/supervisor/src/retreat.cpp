@@ -135,7 +135,7 @@ double Retreat::energy(const Vector3& from, const Vector3& to) const {
 
 std::optional<Vector3> Retreat::instead_of_home(const Vector3& from, double left) const {
   if (home(from) <= left) return std::nullopt;
-  return landing_place(knowledge_, world_, now_, from, from);
+  return landing_place(knowledge_, world_, {now_}, from, from);
 }
 
 double least_to_come_home(const Knowledge& knowledge, const world::World& world, MissionTime now,

@@ -57,7 +57,7 @@ void Supervisor::Core::tell_landing(const mission::ElementaryPlan& plan) {
     if (task.type != "land" || task.way.empty()) continue;
     const world::Vector3& at = task.way.back();
     if ((at - home).head<2>().norm() <= kElsewhere) continue;
-    const auto why = landing_problem(*config_.knowledge, *world_, now_, home);
+    const auto why = landing_problem(*config_.knowledge, *world_, {now_}, home);
     notice(named(task.origin) + " lands at " + at_text(at) + ", not at home: " +
            why.value_or("there is no way home, or the energy does not last so far"));
   }

@@ -61,6 +61,13 @@ std::optional<world::Vector3> location_of(const TermStore& store, Term term) {
   return world::Vector3(*x, *y, *z);
 }
 
+std::vector<world::Vector3> locations_of(const TermStore& store, Term list) {
+  std::vector<world::Vector3> points;
+  for (const Term one : items_of(store, list))
+    if (const auto at = location_of(store, one)) points.push_back(*at);
+  return points;
+}
+
 std::optional<Seconds> seconds_of(const TermStore& store, Term term) {
   const std::vector<Term> items = items_of(store, term);
   if (items.size() != 2) return std::nullopt;

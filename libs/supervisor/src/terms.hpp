@@ -22,6 +22,8 @@ struct Seconds {
   double least = 0, most = 0;
 };
 std::optional<Seconds> seconds_of(const htn::TermStore& store, htn::Term term);
+/// Those of a list that are locations.
+std::vector<world::Vector3> locations_of(const htn::TermStore& store, htn::Term list);
 /// What 'x is read as: x; other terms as they are.
 htn::Term unquoted(const htn::TermStore& store, htn::Term term);
 

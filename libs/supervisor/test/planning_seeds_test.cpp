@@ -42,9 +42,9 @@ class SeedHost {
   SeedHost(const PlanningRequest& request, std::vector<Bounds> gotos)
       : host_(request.knowledge, request.world, {}, 1), gotos_(std::move(gotos)) {
     host_.offer(functions_);
-    answer("compute-takeoff", 1, 0, {4, 6});
+    answer("compute-takeoff", 2, 0, {4, 6});
     answer("compute-land", 2, 1, {4, 6});
-    answer("compute-patrol", 4, 0, {300, 300});
+    answer("compute-patrol", 5, 0, {300, 300});
     functions_.add("compute-gotoxyz", 3, 3,
                    [this](TermStore& store, std::span<const Term> arguments) {
                      return Result<Term, Failure>(motion_to(store, arguments[1], next(arguments)));

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "skein/foundation/random.hpp"
-#include "skein/temporal/mastn_generator.hpp"
 #include "skein/temporal/stn_engine.hpp"
+#include "skein/temporal_lab/mastn_generator.hpp"
 
 namespace skein::temporal {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "skein/temporal/incremental_controllability.hpp"
 #include "skein/temporal/stnu_execution.hpp"
-#include "skein/temporal/stnu_generator.hpp"
+#include "skein/temporal_lab/stnu_generator.hpp"
 
 namespace skein::temporal {
 namespace {

@@ -48,27 +48,85 @@ struct Ground {
   double lowest, highest;  // [m]
 };
 
+/// The same places along one axis for all rows (or columns) of voxels, each once; and which of them
+/// are of which row: [first, end).
+struct Corners {
+  std::vector<double> places;
+  std::vector<std::pair<std::size_t, std::size_t>> of_voxels;
+};
+
+Corners each_once(const std::vector<std::vector<double>>& of_voxels) {
+  Corners corners;
+  for (const std::vector<double>& places : of_voxels)
+    corners.places.insert(corners.places.end(), places.begin(), places.end());
+  std::sort(corners.places.begin(), corners.places.end());
+  corners.places.erase(std::unique(corners.places.begin(), corners.places.end()),
+                       corners.places.end());
+  const auto index_of = [&](double place) {
+    const auto found = std::lower_bound(corners.places.begin(), corners.places.end(), place);
+    return static_cast<std::size_t>(found - corners.places.begin());
+  };
+  // What else lies between the first and the last of a voxel is below the surface of these.
+  for (const std::vector<double>& places : of_voxels)
+    corners.of_voxels.emplace_back(index_of(places.front()), index_of(places.back()) + 1);
+  return corners;
+}
+
 /// The ground under each column of voxels, whose footprint is grown by `margin` [m].
 std::vector<Ground> ground_below(const AirspaceGrid& grid, const Terrain& terrain, double margin) {
   const TerrainSpec& spec = terrain.spec();
-  const auto xs = corners_of_voxels(grid.origin.x(), grid.voxel, grid.size[0], margin,
-                                    {spec.west, spec.east, spec.cell});
-  const auto ys = corners_of_voxels(grid.origin.y(), grid.voxel, grid.size[1], margin,
-                                    {spec.south, spec.north, spec.cell});
+  const Corners xs = each_once(corners_of_voxels(grid.origin.x(), grid.voxel, grid.size[0], margin,
+                                                 {spec.west, spec.east, spec.cell}));
+  const Corners ys = each_once(corners_of_voxels(grid.origin.y(), grid.voxel, grid.size[1], margin,
+                                                 {spec.south, spec.north, spec.cell}));
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  std::vector<Ground> grounds;
-  grounds.reserve(xs.size() * ys.size());
-  for (const std::vector<double>& rows : ys)
-    for (const std::vector<double>& columns : xs) {
-      Ground ground{kFar, -kFar};
-      for (const double y : rows)
-        for (const double x : columns) {
-          const double z = terrain.elevation(x, y);
-          ground = {std::min(ground.lowest, z), std::max(ground.highest, z)};
-        }
-      grounds.push_back(ground);
+  const std::size_t columns = xs.of_voxels.size();
+  std::vector<Ground> grounds(columns * ys.of_voxels.size(), Ground{kFar, -kFar});
+  std::vector<double> heights(xs.places.size());
+  std::vector<Ground> line(columns);  // along one line from west to east
+  std::size_t first_row = 0;
+  for (std::size_t k = 0; k < ys.places.size(); ++k) {
+    for (std::size_t i = 0; i < heights.size(); ++i)
+      heights[i] = terrain.elevation(xs.places[i], ys.places[k]);
+    for (std::size_t i = 0; i < columns; ++i) {
+      const auto [first, end] = xs.of_voxels[i];
+      line[i] = {kFar, -kFar};
+      for (std::size_t at = first; at < end; ++at)
+        line[i] = {std::min(line[i].lowest, heights[at]), std::max(line[i].highest, heights[at])};
     }
+    while (first_row < ys.of_voxels.size() && ys.of_voxels[first_row].second <= k) ++first_row;
+    for (std::size_t row = first_row; row < ys.of_voxels.size() && ys.of_voxels[row].first <= k;
+         ++row)
+      for (std::size_t i = 0; i < columns; ++i) {
+        Ground& ground = grounds[row * columns + i];
+        ground = {std::min(ground.lowest, line[i].lowest),
+                  std::max(ground.highest, line[i].highest)};
+      }
+  }
   return grounds;
+}
+
+/// The first layer of which something is true that is so of all above it too; about at a height.
+template <class IsTrue>
+std::int32_t first_layer(const AirspaceGrid& grid, double height, const IsTrue& is_true) {
+  const double about = std::floor((height - grid.origin.z()) / grid.voxel);
+  auto layer = static_cast<std::int32_t>(std::clamp(about, 0.0, 1.0 * grid.size[2]));
+  while (layer > 0 && is_true(layer - 1)) --layer;
+  while (layer < grid.size[2] && !is_true(layer)) ++layer;
+  return layer;
+}
+
+/// Closes the voxels of which `is_blocked(layer, figure of the column)`; without branches, so that
+/// many are done at a time.
+template <class IsBlocked>
+void block_where(const AirspaceGrid& grid, const std::vector<std::int32_t>& columns,
+                 std::vector<std::uint8_t>& voxels, const IsBlocked& is_blocked) {
+  static_assert(Airspace::kBlocked == 0);
+  for (std::int32_t z = 0; z < grid.size[2]; ++z) {
+    std::uint8_t* layer = &voxels[grid.index(0, 0, z)];
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      layer[i] = static_cast<std::uint8_t>(layer[i] & (is_blocked(z, columns[i]) ? 0 : 0xff));
+  }
 }
 
 }  // namespace
@@ -122,24 +180,26 @@ Airspace::Airspace(const AirspaceSpec& spec, const Terrain& terrain,
 
 /// Blocks what is less than `clearance` over the ground within `margin` of its footprint.
 void Airspace::stand_on(const Terrain& terrain, double clearance, double margin) {
-  const std::vector<Ground> grounds = ground_below(grid_, terrain, margin);
-  for (std::int32_t z = 0; z < grid_.size[2]; ++z) {
-    const double bottom = grid_.origin.z() + z * grid_.voxel - clearance + kGrazing;
-    if (bottom >= terrain.highest()) return;
-    std::uint8_t* layer = &voxels_[grid_.index(0, 0, z)];
-    for (std::size_t i = 0; i < grounds.size(); ++i)
-      if (bottom < grounds[i].highest) layer[i] = kBlocked;
-  }
+  const auto is_low = [&](std::int32_t z, const Ground& ground) {
+    return grid_.origin.z() + z * grid_.voxel - clearance + kGrazing < ground.highest;
+  };
+  std::vector<std::int32_t> layers;  // that are too low, of each column
+  for (const Ground& ground : ground_below(grid_, terrain, margin))
+    layers.push_back(first_layer(grid_, ground.highest + clearance,
+                                 [&](std::int32_t z) { return !is_low(z, ground); }));
+  block_where(grid_, layers, voxels_, [](std::int32_t z, std::int32_t first) { return z < first; });
 }
 
 void Airspace::stay_below(const Terrain& terrain, double ceiling) {
-  const std::vector<Ground> grounds = ground_below(grid_, terrain, 0);
-  for (std::int32_t z = 0; z < grid_.size[2]; ++z) {
-    const double top = grid_.origin.z() + (z + 1) * grid_.voxel - ceiling - kGrazing;
-    std::uint8_t* layer = &voxels_[grid_.index(0, 0, z)];
-    for (std::size_t i = 0; i < grounds.size(); ++i)
-      if (top > grounds[i].lowest) layer[i] = kBlocked;
-  }
+  const auto is_high = [&](std::int32_t z, const Ground& ground) {
+    return grid_.origin.z() + (z + 1) * grid_.voxel - ceiling - kGrazing > ground.lowest;
+  };
+  std::vector<std::int32_t> layers;  // the first that is too high
+  for (const Ground& ground : ground_below(grid_, terrain, 0))
+    layers.push_back(first_layer(grid_, ground.lowest + ceiling,
+                                 [&](std::int32_t z) { return is_high(z, ground); }));
+  block_where(grid_, layers, voxels_,
+              [](std::int32_t z, std::int32_t first) { return z >= first; });
 }
 
 bool Airspace::is_free(std::int32_t x, std::int32_t y, std::int32_t z) const {

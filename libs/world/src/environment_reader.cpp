@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-#include "skein/world/polygon_check.hpp"
+#include "skein/world/polygon_rings.hpp"
 
 namespace skein::world {
 
@@ -94,6 +94,7 @@ Polygon read_polygon(const Reader& reader) {
     if (corner) polygon.push_back(*corner);
     right = right && corner;
   }
+  polygon = without_closing_corner(std::move(polygon));
   if (!right) return polygon;
   if (const auto problem = problem_of(polygon))
     reader.error(*problem, "the corners [x, y] of a simple polygon in order");

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "skein/foundation/random.hpp"
-#include "skein/temporal/mastn_generator.hpp"
-#include "skein/temporal/reference_solution.hpp"
+#include "skein/temporal_lab/mastn_generator.hpp"
+#include "skein/temporal_lab/reference_solution.hpp"
 
 namespace skein::temporal::testing {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/temporal/mastn_simulation.hpp"
+#include "skein/temporal_lab/mastn_simulation.hpp"
 
 namespace skein::temporal::testing {
 

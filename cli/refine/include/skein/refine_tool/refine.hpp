@@ -18,7 +18,8 @@ struct RefineOptions {
   bool colour = false;            ///< in the text
   std::optional<double> seconds;  ///< time budget, before that of the query
   std::optional<std::uint64_t> seed;
-  /// Seconds of a steady clock from any origin; the time budget is kept by it.
+  /// Seconds from any origin that never go back, of the processor as a rule; the time budget is
+  /// kept by it.
   std::function<double()> now;
 };
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/temporal/mastn_generator.hpp"
+#include "skein/temporal_lab/mastn_generator.hpp"
 
 namespace skein::temporal_tool {
 

@@ -7,7 +7,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "skein/temporal/stnu_generator.hpp"
+#include "skein/temporal_lab/stnu_generator.hpp"
 
 namespace skein::temporal_tool {
 

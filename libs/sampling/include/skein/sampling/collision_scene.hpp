@@ -2,6 +2,7 @@
 // What a vehicle may run into, as FCL sees it: an opinion of its own on whether a way is free.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,9 @@ struct SceneSpec {
   /// The ground is made of triangles that are never below the true, bilinear, surface, and nowhere
   /// above it by more than this [m], > 0; but see kMostTriangles.
   double ground_accuracy = 0.25;
+  /// Asked now and then while the scene is built, if it is not empty; once it says so the scene is
+  /// not whole.
+  std::function<bool()> time_is_up = {};
 };
 
 /// Where the airspace holds so much rough ground that more triangles would be needed, the accuracy
@@ -37,8 +41,8 @@ struct Conflict {
 /// millimetre counts as one. The ground is kept away from by the clearance at the centre of the
 /// body, and by the body itself. The limits are those of the centre. Built apart from the voxels:
 /// by FCL alone, from the terrain and polygons themselves. Building takes time by the ground: some
-/// microseconds a triangle. Reading is const and safe from any thread.
-/// Source: spec 4.2 (FCL collision checks).
+/// microseconds a triangle, in pieces of some milliseconds. Reading is const and safe from any
+/// thread. Source: spec 4.2 (FCL collision checks).
 class CollisionScene {
  public:
   /// Preconditions: problems_of(world.airspace) is empty; volumes have simple polygons with at
@@ -47,6 +51,9 @@ class CollisionScene {
   CollisionScene(CollisionScene&&) noexcept;
   CollisionScene& operator=(CollisionScene&&) noexcept;
   ~CollisionScene();
+
+  /// False: the time was up before it was built. Then nothing else may be asked.
+  bool is_whole() const;
 
   bool collides(const world::Vector3& point, double radius) const;
   /// Everything that the ball touches on its straight way: no steps, a capsule.

@@ -9,8 +9,9 @@
 namespace skein::sampling {
 
 struct SamplingOptions {
-  /// Samples drawn at most, whatever the budget allows: for a first way, and then to shorten it.
+  /// Samples drawn for a first way where the budget sets no bound, neither of time nor of steps.
   std::uint64_t first_samples = 20'000;
+  /// Samples drawn at most to shorten it, whatever the budget allows.
   std::uint64_t shortening_samples = 2'000;
 };
 

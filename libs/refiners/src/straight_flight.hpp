@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What straight flights take: estimate_flight for two places, for those who ask a million times.
+#pragma once
+
+#include "skein/refiners/flight.hpp"
+
+namespace skein::refiners {
+
+/// Reckons once what all flights have in common. The vehicle must outlive it.
+class StraightFlight {
+ public:
+  /// `speed` 0: cruise.
+  StraightFlight(const world::VehicleModel& vehicle, const world::Wind& wind, double speed);
+
+  /// The expected time of estimate_flight({from, to}) [s]; infinite where that is for ever.
+  double seconds(const world::Vector3& from, const world::Vector3& to) const;
+
+ private:
+  const world::VehicleModel* vehicle_;
+  double airspeed_;
+  world::Vector2 drift_;
+};
+
+}  // namespace skein::refiners
