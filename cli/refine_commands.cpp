@@ -25,7 +25,7 @@ Examples:
   skein refine query.json --json | jq .path.way
   skein refine --example coverage | skein refine - --svg sweep.svg
 Queries and results by example: docs/refiners.md. Exit codes: 0 there is a solution, 1 there is none (and
-why), 2 wrong query or files, 3 the picture cannot be written, 4 the time budget ended first.)";
+why), 2 wrong query or files, 3 a file cannot be written, 4 the time budget ended first.)";
 
 /// Of the whole process: what others do on the machine does not count.
 double processor_seconds() {
@@ -51,6 +51,8 @@ void add_refine(CLI::App& app, std::function<int()>& action, const LiveActions& 
       refine->add_option("--example", options->example, "Print an example query of this service");
   example->excludes(query);
   refine->add_option("--svg", options->svg, "Picture to write");
+  refine->add_option("--out", options->out,
+                     "Ways, areas and places of the answer as .geojson, .kml or .wkt");
   refine->add_flag("--json", options->json, "The answer as JSON");
   refine
       ->add_option("--seconds", options->seconds,

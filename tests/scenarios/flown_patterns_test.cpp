@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "closed_air.hpp"
-#include "refinery.hpp"
+#include "refinery/refinery.hpp"
 #include "skein/foundation/random.hpp"
 #include "test_cases.hpp"
 #include "testing/planning_lab.hpp"
@@ -108,14 +108,14 @@ TEST(FlownSweeps, SeeTheWholeZone) {
     Range range(world, karma, seed);
     ASSERT_GT(range.fly("takeoff", altitude_of(altitude), 400).seconds, 0);
     const Vector3 from(random.uniform(-200, 200), random.uniform(-200, 200), altitude);
-    const auto way = refinery.path({0, 0, altitude}, from);
+    const auto way = refinery.ways.path({0, 0, altitude}, from);
     ASSERT_TRUE(way) << way.error();
     ASSERT_GT(range.fly("goto", waypoints(way->way), 2000).seconds, 0) << seed;
 
-    const auto sweep = refinery.sweep(from, zone, karma.sensors.front());
+    const auto sweep = refinery.sweeps.over(from, zone, karma.sensors.front());
 
     ASSERT_TRUE(sweep) << "seed " << seed << ": " << sweep.error();
-    const auto there = refinery.path(from, sweep->way.front());
+    const auto there = refinery.ways.path(from, sweep->way.front());
     ASSERT_TRUE(there) << there.error();
     ASSERT_GT(range.fly("goto", waypoints(there->way), 2000).seconds, 0) << seed;
     if (random.chance(0.3)) range.fly("wait", seconds_of(random.uniform(1, 40)), 100);
@@ -183,7 +183,7 @@ TEST(FlownPatrols, HaveTheZoneInSightForTheirTime) {
       Range range(world, model, seed);
       ASSERT_GT(range.fly("takeoff", altitude_of(altitude), 400).seconds, 0);
 
-      const auto patrol = refinery.patrol(from, zone, device, seconds);
+      const auto patrol = refinery.patrols.over(from, zone, device, seconds);
 
       ASSERT_TRUE(patrol) << which << ": " << patrol.error();
       const auto flown = range.fly("goto", waypoints(patrol->way), 4000);
@@ -211,7 +211,7 @@ TEST(FlownPatrols, AHeadIsAimedAtAZoneThatIsTooSmallToBeSeenAhead) {
   const auto patrol = [&](double side) {
     world::Zone zone;
     zone.polygon = {{0, 0}, {side, 0}, {side, side}, {0, side}};
-    return refinery_of(world, marvin, 80).patrol({0, 0, 80}, zone, visible, 100);
+    return refinery_of(world, marvin, 80).patrols.over({0, 0, 80}, zone, visible, 100);
   };
 
   const auto small = patrol(40), large = patrol(400);
@@ -258,12 +258,12 @@ TEST(FlownWaits, BesideClosedAirStayOutsideIt) {
       }
       Refinery refinery = refinery_of(world, model, 80);
       Vector3 at(0, 0, 80);
-      if (!refinery.has_room(at)) continue;
+      if (!refinery.air.has_room(at)) continue;
       Range range(world, model, seed);
       ASSERT_GT(range.fly("takeoff", altitude_of(80), 400).seconds, 0);
       for (int leg = 0; leg < 4; ++leg) {
         const Vector3 to(random.uniform(-250, 250), random.uniform(-250, 250), 80);
-        const auto way = refinery.path(at, to);
+        const auto way = refinery.ways.path(at, to);
         if (!way) continue;
         const auto there = range.fly("goto", waypoints(way->way), 4000);
         ASSERT_GT(there.seconds, 0) << which << ' ' << there.why;
@@ -296,8 +296,8 @@ TEST(FlownPatrols, BesideClosedAirStayOutsideIt) {
       Refinery refinery = refinery_of(world, model, 60);
       const Vector3 from(0, 0, 60);
       const auto patrol =
-          refinery.has_room(from)
-              ? refinery.patrol(from, zone, model.sensors.front(), random.uniform(20, 200))
+          refinery.air.has_room(from)
+              ? refinery.patrols.over(from, zone, model.sensors.front(), random.uniform(20, 200))
               : Answer<Motion>(tl::unexpected(std::string("closed")));
       if (!patrol) continue;
       Range range(world, model, seed);

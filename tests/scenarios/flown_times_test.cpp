@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "refinery.hpp"
+#include "refinery/refinery.hpp"
 #include "skein/foundation/random.hpp"
 #include "test_cases.hpp"
 #include "testing/planning_lab.hpp"
@@ -45,19 +45,19 @@ void expect_within(const world::World& world, const world::VehicleModel& model, 
       std::printf("%s %s [%.1f %.1f %.1f] flown %.1f %s\n", model.name.c_str(), what.c_str(),
                   times.least, times.expected, times.most, flown.seconds, flown.why.c_str());
   };
-  const Motion up = refinery.takeoff(Vector3::Zero()).value();
+  const Motion up = refinery.ways.takeoff(Vector3::Zero()).value();
   world::Parameters altitude;
   altitude.add("altitude", up.way.back().z());
   check("takeoff", range.fly("takeoff", altitude, 200), up.times);
   for (int i = 0; i < legs; ++i) {
     const Vector3 to(random.uniform(-300, 300), random.uniform(-300, 300), random.uniform(30, 90));
-    const auto motion = refinery.path(range.position(), to);
+    const auto motion = refinery.ways.path(range.position(), to);
     ASSERT_TRUE(motion) << motion.error();
     const Flown flown = range.fly("goto", waypoints(motion->way), 2000);
     check("goto " + std::to_string(refiners::length_of(motion->way)) + " m", flown, motion->times);
   }
   const Vector3 at = range.position();
-  check("land", range.fly("land", {}, 600), refinery.landing(at, at).value().times);
+  check("land", range.fly("land", {}, 600), refinery.ways.landing(at, at).value().times);
 }
 
 TEST(FlownTimes, HelicoptersFlyWithinThemInWind) {
@@ -120,11 +120,11 @@ TEST(FlownTimes, PatternsAreFlownWithinThem) {
     world::Parameters altitude;
     altitude.add("altitude", 40.0);
     ASSERT_GT(range.fly("takeoff", altitude, 200).seconds, 0);
-    const Motion way = refinery.path(range.position(), {10, 80, 40}).value();
+    const Motion way = refinery.ways.path(range.position(), {10, 80, 40}).value();
     ASSERT_GT(range.fly("goto", waypoints(way.way), 200).seconds, 0);
 
     const auto patrol =
-        refinery.patrol({10, 80, 40}, world.zones.front(), model.sensors.front(), 240);
+        refinery.patrols.over({10, 80, 40}, world.zones.front(), model.sensors.front(), 240);
     ASSERT_TRUE(patrol) << patrol.error();
     const Flown flown = range.fly("goto", waypoints(patrol->way), 2000);
 
@@ -135,9 +135,10 @@ TEST(FlownTimes, PatternsAreFlownWithinThem) {
     EXPECT_GE(flown.seconds, patrol->times.least) << name << ' ' << flown.why;
     EXPECT_LE(flown.seconds, patrol->times.most) << name;
 
-    const auto sweep = refinery.sweep(range.position(), world.zones.front(), model.sensors.front());
+    const auto sweep =
+        refinery.sweeps.over(range.position(), world.zones.front(), model.sensors.front());
     ASSERT_TRUE(sweep) << sweep.error();
-    const Motion to_sweep = refinery.path(range.position(), sweep->way.front()).value();
+    const Motion to_sweep = refinery.ways.path(range.position(), sweep->way.front()).value();
     ASSERT_GT(range.fly("goto", waypoints(to_sweep.way), 2000).seconds, 0);
     const Flown swept = range.fly("goto", waypoints(sweep->way), 2000);
     if (std::getenv("SKEIN_SHOW") != nullptr)

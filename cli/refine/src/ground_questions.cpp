@@ -45,7 +45,9 @@ refiners::CoverageQuery read_sweep(const Reader& reader, const Terms& terms,
                                    world::VehicleModel vehicle) {
   refiners::CoverageQuery query;
   query.vehicle = std::move(vehicle);
-  query.area = terms.ground(reader.required("area"));
+  geodata::Shape area = terms.shape(reader.required("area"));
+  query.area = std::move(area.outer);
+  query.holes = std::move(area.holes);
   if (const Reader holes = reader.optional("holes"); holes.present())
     for (const Reader& hole : world::items_of(holes)) query.holes.push_back(terms.ground(hole));
   query.altitude = metres(reader.required("altitude"));

@@ -10,6 +10,7 @@
 #include "skein/config/reader.hpp"
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
+#include "skein/geodata/shapes.hpp"
 #include "skein/world/world_file.hpp"
 
 namespace skein::refine_tool {
@@ -20,6 +21,10 @@ struct References {
   /// Reads the rasters of a world that was written inside the query.
   std::function<Result<world::World, Diagnostics>(world::WorldFile inside)> world_inside;
   std::function<Result<world::VehicleModel, Diagnostics>(const std::string& path)> vehicle_in_file;
+  /// The polygons of a file, in the frame of that origin; `crs`: as geodata::read_shapes has it.
+  std::function<Result<std::vector<geodata::Shape>, Diagnostics>(
+      const std::string& path, const world::GeodeticOrigin& origin, const std::string& crs)>
+      shapes_in_file = {};
 };
 
 /// Reads a query and, through `references`, what it names. `file` is for messages. Every error at

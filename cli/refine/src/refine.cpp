@@ -9,6 +9,7 @@
 
 #include "answer.hpp"
 #include "examples.hpp"
+#include "features.hpp"
 #include "picture.hpp"
 #include "query_reader.hpp"
 #include "questions.hpp"
@@ -58,7 +59,11 @@ References references_from(const fs::path& folder) {
       [folder](world::WorldFile inside) {
         return geodata::load_world(std::move(inside), folder.string());
       },
-      [folder](const std::string& path) { return vehicle_in((folder / path).string()); }};
+      [folder](const std::string& path) { return vehicle_in((folder / path).string()); },
+      [folder](const std::string& path, const world::GeodeticOrigin& origin,
+               const std::string& crs) {
+        return geodata::read_shapes((folder / path).string(), origin, crs);
+      }};
 }
 
 Result<Query, Diagnostics> query_of(const RefineOptions& options, std::istream& in) {
@@ -129,6 +134,14 @@ int run(const RefineOptions& options, std::istream& in, std::ostream& out, std::
     write_text(out, *query, answer, options.colour);
   }
   if (!options.svg.empty() && !write_picture(options.svg, *query, answer, err)) return kExitSystem;
+  if (!options.out.empty() && answer) {
+    const auto written =
+        geodata::write_features(options.out, features_of(*query, *answer), query->world.origin);
+    if (!written) {
+      err << to_text(written.error());
+      return kExitSystem;
+    }
+  }
   return exit_code_of(answer);
 }
 

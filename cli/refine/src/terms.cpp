@@ -129,8 +129,52 @@ world::Polygon Terms::area(const Reader& reader) const {
   return {};
 }
 
+/// The polygon of a file that is meant.
+std::optional<geodata::Shape> Terms::in_file(const Reader& reader) const {
+  reader.keys({"file", "name", "crs"});
+  const Reader file = reader.required("file"), named = reader.optional("name");
+  if (!file.present() || !references_.shapes_in_file) return std::nullopt;
+  auto shapes =
+      references_.shapes_in_file(file.text(), world_.origin, reader.optional("crs").text());
+  if (!shapes) {
+    file.error("the file cannot be read");
+    diagnostics_.append(shapes.error());
+    return std::nullopt;
+  }
+  if (!named.present()) {
+    if (shapes->size() == 1) return std::move(shapes->front());
+    reader.error(std::to_string(shapes->size()) + " polygons are in the file",
+                 "name: which of them");
+    return std::nullopt;
+  }
+  std::vector<std::string> names;
+  for (const geodata::Shape& shape : *shapes) names.push_back(shape.name);
+  const std::string name = named.name_among(names, "the name of a polygon in the file");
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return std::move((*shapes)[static_cast<std::size_t>(found - names.begin())]);
+}
+
+geodata::Shape Terms::shape(const Reader& reader) const {
+  geodata::Shape shape;
+  if (reader.is_map() && reader.optional("file").present())
+    shape = in_file(reader).value_or(geodata::Shape());
+  else
+    shape.outer = area(reader);
+  shape.outer = simplified(std::move(shape.outer), reader);
+  note_beyond(reader.path(), shape.outer);
+  for (world::Polygon& hole : shape.holes) hole = simplified(std::move(hole), reader);
+  return shape;
+}
+
 world::Polygon Terms::ground(const Reader& reader) const {
-  world::Polygon polygon = area(reader);
+  geodata::Shape whole = shape(reader);
+  if (!whole.holes.empty())
+    reader.error("the polygon has holes", "one without, since only coverage leaves them out");
+  return std::move(whole.outer);
+}
+
+world::Polygon Terms::simplified(world::Polygon polygon, const Reader& reader) const {
   if (polygon.size() > kMostRingCorners) {
     reader.error(std::to_string(polygon.size()) + " corners",
                  "at most " + std::to_string(kMostRingCorners));
@@ -148,7 +192,6 @@ world::Polygon Terms::ground(const Reader& reader) const {
     notes_.push_back(fmt::format(
         "{}: {} corners were simplified to {}: no point of the border moves by more than {:.2f} m",
         reader.path(), given, simpler->polygon.size(), simpler->tolerance));
-  note_beyond(reader.path(), simpler->polygon);
   return std::move(simpler->polygon);
 }
 

@@ -33,9 +33,12 @@ class Terms {
   /// [[x, y], …], {lonlat: [[longitude, latitude], …]}, or the name of a zone; the last corner may
   /// be the first again.
   world::Polygon area(const config::Reader& reader) const;
-  /// The same of what is to be swept or watched: more corners than can be worked with are
-  /// simplified, which is noted.
+  /// The same of what is to be swept or watched, or {file, name, crs}: a polygon of a file (its
+  /// only one, or that of this name). More corners than can be worked with are simplified, which is
+  /// noted. Holes in it are errors.
   world::Polygon ground(const config::Reader& reader) const;
+  /// The same with holes.
+  geodata::Shape shape(const config::Reader& reader) const;
   /// {NAME: {polygon, floor, ceiling, from, until}}.
   std::vector<world::Volume> volumes(const config::Reader& reader) const;
   /// The name of a model file, or a model written inside.
@@ -48,6 +51,8 @@ class Terms {
 
  private:
   world::Vector3 over_ground(const config::Reader& reader) const;
+  std::optional<geodata::Shape> in_file(const config::Reader& reader) const;
+  world::Polygon simplified(world::Polygon polygon, const config::Reader& reader) const;
   void note_beyond(const std::string& path, const world::Polygon& polygon) const;
   world::Vector2 point(const config::Reader& reader) const;
   world::Vector2 lonlat(const config::Reader& reader) const;

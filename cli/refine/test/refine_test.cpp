@@ -168,11 +168,53 @@ TEST(Refine, WhatWasDoneToAQueryIsSaidInTextAndJson) {
   const std::string text = testing::query_text(
       "coverage",
       R"("area": [[0, 0], [800, 0], [800, 100], [0, 100]], "swath": 50, "altitude": 60)");
-  RefineOptions as_json;
-  as_json.json = true;
 
   EXPECT_THAT(refine(text).out, HasSubstr("300 m beyond the ground"));
-  EXPECT_THAT(refine(text, as_json).out, AllOf(HasSubstr("\"notes\""), HasSubstr("300 m beyond")));
+  EXPECT_THAT(refine(text, as_json()).out,
+              AllOf(HasSubstr("\"notes\""), HasSubstr("300 m beyond")));
+}
+
+TEST(Refine, AreasOfOtherProgramsAreReadAndAnswersWrittenForThem) {
+  const Folder folder;
+  folder.write("fields.geojson", R"({"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"name": "north"}, "geometry": {"type": "Polygon",
+     "coordinates": [[[-8, 40], [-7.998, 40], [-7.998, 40.002], [-8, 40.002], [-8, 40]],
+       [[-7.9995, 40.0005], [-7.999, 40.0005], [-7.999, 40.001], [-7.9995, 40.0005]]]}},
+    {"type": "Feature", "properties": {"name": "south"}, "geometry": {"type": "Polygon",
+     "coordinates": [[[-8, 39.999], [-7.999, 39.999], [-7.999, 39.9995], [-8, 39.999]]]}}]})");
+  const auto ask = [&](const std::string& area, const std::string& out) {
+    RefineOptions options = as_json();
+    options.query = folder.write("query.json", testing::query_text("coverage", R"("swath": 30,
+      "altitude": 60, "area": )" + area));
+    options.out = out.empty() ? "" : folder / out;
+    return refine("", options);
+  };
+
+  const Done swept = ask(R"({"file": "fields.geojson", "name": "north"})", "way.geojson");
+  const Done again = ask(R"({"file": "way.geojson"})", "way.wkt");
+  const Done local = ask(R"({"file": "way.wkt"})", "");
+
+  ASSERT_EQ(swept.code, kExitOk) << swept.err;
+  ASSERT_EQ(again.code, kExitOk) << again.err;
+  ASSERT_EQ(local.code, kExitOk) << local.err;
+  EXPECT_NEAR(json::parse(again.out)["cost"].get<double>(),
+              json::parse(local.out)["cost"].get<double>(), 0.1);
+  EXPECT_THAT(ask(R"({"file": "fields.geojson"})", "").err,
+              AllOf(HasSubstr("2 polygons"), HasSubstr("name: which")));
+  EXPECT_THAT(ask(R"({"file": "fields.geojson", "name": "nort"})", "").err,
+              HasSubstr("did you mean"));
+  EXPECT_THAT(ask(R"({"file": "none.kml"})", "").err, HasSubstr("there is no such file"));
+  EXPECT_EQ(ask(R"({"file": "way.wkt"})", "way.shp").code, kExitSystem);
+}
+
+TEST_P(Example, CanBeWrittenForOtherPrograms) {
+  const Folder folder;
+  RefineOptions options;
+  for (const char* ending : {".geojson", ".kml", ".wkt"}) {
+    options.out = folder / (GetParam() + ending);
+    EXPECT_EQ(refine(example_of(GetParam()), options).code, kExitOk);
+    EXPECT_GT(std::filesystem::file_size(options.out), 50U) << options.out;
+  }
 }
 
 TEST(Refine, TextThatIsNoQueryIsWrongInput) {

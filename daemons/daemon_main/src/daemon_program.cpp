@@ -10,6 +10,7 @@
 #include <csignal>
 #include <iostream>
 
+#include "log_line.hpp"
 #include "skein/assembly/assembly.hpp"
 #include "skein/assembly/overrides.hpp"
 #include "skein/foundation/exit_code.hpp"
@@ -26,6 +27,7 @@ struct Options {
   std::vector<std::string> interfaces{"127.0.0.1"};
   assembly::Overrides overrides;
   std::string log_level = "info";
+  bool log_json = false;
   bool exit_with_parent = false;
 };
 
@@ -47,13 +49,9 @@ void declare(CLI::App& app, Options& options, bool needs_uav) {
                  "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated")
       ->allow_extra_args(false);
   app.add_option("--log-level", options.log_level, "error, warn, info or debug");
+  app.add_flag("--log-json", options.log_json, "Records as JSON, one a line, instead of sentences");
   app.add_flag("--exit-with-parent", options.exit_with_parent,
                "Stop when the process that started this one ends");
-}
-
-std::string log_line(const journal::Record& record) {
-  const std::string json = journal::to_json(record);
-  return "[" + to_clock_text(record.at()) + "] " + json.substr(json.find("\"kind\""));
 }
 
 spdlog::level::level_enum level_of(const journal::Record& record) {
@@ -83,10 +81,13 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
     const bool awaited = member.role == wire::Role::kGround || member.role == wire::Role::kDdn;
     if (awaited) config.awaited.push_back(member.name);
   }
-  config.on_record = [](const journal::Record& record) {
-    spdlog::log(level_of(record), "{}", log_line(record));
+  config.on_record = [json = options.log_json](const journal::Record& record) {
+    spdlog::log(level_of(record), "{}", json ? journal::to_json(record) : log_line(record));
   };
-  config.on_middleware_log = [](const std::string& line) { spdlog::warn("dds: {}", line); };
+  config.on_middleware_log = [json = options.log_json, name = self.name](const std::string& line) {
+    const auto notice = journal::Record({}, name, "notice").with("text", "dds: " + line);
+    spdlog::warn("{}", json ? journal::to_json(notice) : "dds: " + line);
+  };
   return config;
 }
 
@@ -105,8 +106,8 @@ int run(const DaemonProgram& program, const Options& options) {
               << (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") << '\n';
     return kExitBadInput;
   }
-  spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%eZ %^%-5l%$ " + name + " %v",
-                      spdlog::pattern_time_type::utc);
+  const std::string stamp = "%Y-%m-%dT%H:%M:%S.%eZ %^%-5l%$ " + name + " ";
+  spdlog::set_pattern(options.log_json ? "%v" : stamp + "%v", spdlog::pattern_time_type::utc);
   const auto end = node::run_daemon(roster, *self, assembly::make_node(*scenario, name),
                                     daemon_config(options, *scenario, *self, roster));
   if (!end) {

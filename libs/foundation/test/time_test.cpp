@@ -5,6 +5,8 @@
 
 #include <limits>
 
+#include "skein/foundation/rounded_seconds.hpp"
+
 namespace skein {
 namespace {
 
@@ -52,6 +54,13 @@ TEST(MissionTime, EarliestIgnoresWhatNeverComes) {
   EXPECT_EQ(earliest(std::nullopt, std::nullopt), std::nullopt);
   EXPECT_EQ(earliest(MissionTime::seconds(1), std::nullopt), MissionTime::seconds(1));
   EXPECT_EQ(earliest(MissionTime::seconds(2), MissionTime::seconds(1)), MissionTime::seconds(1));
+}
+
+TEST(InSeconds, RoundsToATenthForPeople) {
+  EXPECT_EQ(in_seconds(MissionTime::nanoseconds(163'829'833'988)), "163.8 s");
+  EXPECT_EQ(in_seconds(Duration::milliseconds(-250)), "-0.3 s");
+  EXPECT_EQ(in_seconds(MissionTime::seconds(300)), "300 s");
+  EXPECT_EQ(in_seconds(Duration::max()), "for ever");
 }
 
 }  // namespace

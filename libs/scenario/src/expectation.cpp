@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "measures.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::scenario {
 
@@ -42,9 +43,9 @@ tl::expected<Interval, std::string> interval_of(const Window& window, const Reco
 }
 
 std::string interval_text(const Interval& interval) {
-  std::string text = "from " + to_text(interval.from) + " s";
-  if (interval.until != MissionTime::max()) text += " until " + to_text(interval.until) + " s";
-  if (interval.before) text += " before " + to_text(*interval.before) + " s";
+  std::string text = "from " + in_seconds(interval.from);
+  if (interval.until != MissionTime::max()) text += " until " + in_seconds(interval.until);
+  if (interval.before) text += " before " + in_seconds(*interval.before);
   return text;
 }
 
@@ -62,18 +63,18 @@ Verdict check_event(const ExpectEvent& expected, const Records& records) {
   for (const auto& record : records) {
     if (!expected.event.matches(record)) continue;
     const bool counts = interval->contains(record.at());
-    if (counts && ++inside == 1) first_inside = to_text(record.at());
-    if (!counts && first_outside.empty()) first_outside = to_text(record.at());
+    if (counts && ++inside == 1) first_inside = in_seconds(record.at());
+    if (!counts && first_outside.empty()) first_outside = in_seconds(record.at());
   }
   const bool passed =
       inside >= expected.at_least && (!expected.at_most || inside <= *expected.at_most);
   std::string seen = std::to_string(inside) + " times";
   if (inside == 1) seen = "once";
-  if (inside > 0) seen += std::string(inside > 1 ? ", first" : "") + " at " + first_inside + " s";
+  if (inside > 0) seen += std::string(inside > 1 ? ", first" : "") + " at " + first_inside;
   if (!passed)
     seen += "; expected " + bounds_text(expected) + " of " + to_text(expected.event) + " " +
             interval_text(*interval);
-  if (!passed && !first_outside.empty()) seen += "; outside of that at " + first_outside + " s";
+  if (!passed && !first_outside.empty()) seen += "; outside of that at " + first_outside;
   return {"", passed, seen};
 }
 

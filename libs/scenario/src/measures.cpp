@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measures.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,7 @@ tl::expected<Measured, std::string> minimum_separation(const std::vector<std::st
       if (name != uav && together && now.airborne && other.airborne) {
         const double apart = distance(now.position, other.position);
         if (apart >= least.value) continue;
-        least = {apart, " m (" + name + " and " + uav + " at " + to_text(now.at) + " s)"};
+        least = {apart, " m (" + name + " and " + uav + " at " + in_seconds(now.at) + ")"};
       }
     }
     last.insert_or_assign(uav, now);

@@ -24,7 +24,8 @@ Value PlannerHost::Services::rest(TermStore& store, Arguments arguments) {
   const std::vector<Vector3> way = locations_of(store, arguments[4]);
   if (!from || device == nullptr || before == nullptr || way.size() < 2) return kNil;
   if (gazetteer_.zone(text_of(store, arguments[1])) == nullptr) return kNil;
-  const auto motion = refinery_.rest(*from, way, *device, *before, departure(store, arguments[5]));
+  const auto motion =
+      refinery_.sweeps.rest(*from, way, *device, *before, departure(store, arguments[5]));
   return motion ? flight(store, motion, "rest") : Value(kNil);
 }
 

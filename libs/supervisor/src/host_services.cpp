@@ -108,7 +108,7 @@ Value PlannerHost::Services::call(const Entry& entry, TermStore& store, Argument
   } else {
     // When it is makes no difference where no air is closed for a time.
     std::vector<Term> named(arguments.begin(), arguments.end());
-    if (entry.when != 0 && !refinery_.has_windows()) named[entry.when] = kNil;
+    if (entry.when != 0 && !refinery_.air.has_windows()) named[entry.when] = kNil;
     const std::string key = std::string(entry.name) + ' ' + store.to_text(store.list(named));
     if (const auto known = known_.find(key); known != known_.end()) return known->second;
     value = (this->*entry.service)(store, arguments);
@@ -162,7 +162,7 @@ Value PlannerHost::Services::takeoff(TermStore& store, Arguments arguments) {
   auto from = place(store, arguments[0]);
   if (!from) return kNil;
   from->z() = gazetteer_.ground(*from);
-  const auto motion = refinery_.takeoff(*from, departure(store, arguments[1]));
+  const auto motion = refinery_.ways.takeoff(*from, departure(store, arguments[1]));
   if (!motion) return refuse("takeoff: " + motion.error());
   const double altitude = motion->way.back().z() - from->z();
   return answer(store, *motion, {headed(store, "altitude", {number_term(store, altitude)})});
@@ -171,7 +171,7 @@ Value PlannerHost::Services::takeoff(TermStore& store, Arguments arguments) {
 Value PlannerHost::Services::land(TermStore& store, Arguments arguments) {
   const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
   if (!from || !to) return kNil;
-  const auto motion = refinery_.landing(*from, *to);
+  const auto motion = refinery_.ways.landing(*from, *to);
   if (!motion) return refuse("landing: " + motion.error());
   return answer(store, *motion, {});
 }
@@ -181,7 +181,7 @@ Value PlannerHost::Services::land(TermStore& store, Arguments arguments) {
 Value PlannerHost::Services::landing_place(TermStore& store, Arguments arguments) {
   const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
   if (!from || !to) return kNil;
-  const auto at = refinery_.landing_place(*from, *to, departure(store, arguments[2]));
+  const auto at = refinery_.ways.landing_place(*from, *to, departure(store, arguments[2]));
   if (!at) return refuse("landing at " + Gazetteer::words(store, arguments[1]) + ": " + at.error());
   return at->instead.empty() ? arguments[1] : location_term(store, at->at);
 }
@@ -189,12 +189,12 @@ Value PlannerHost::Services::landing_place(TermStore& store, Arguments arguments
 Value PlannerHost::Services::way_out(TermStore& store, Arguments arguments) {
   const auto from = place(store, arguments[0]);
   if (!from) return kNil;
-  return flight(store, refinery_.way_out(*from), "no way out");
+  return flight(store, refinery_.ways.way_out(*from), "no way out");
 }
 
 Value PlannerHost::Services::is_free(TermStore& store, Arguments arguments) {
   const auto at = place(store, arguments[0]);
-  return TermStore::boolean(at && refinery_.may_stay(*at));
+  return TermStore::boolean(at && refinery_.air.may_stay(*at));
 }
 
 /// (compute-gotoxyz FROM TO WHEN): WHEN is the interval in which the motion may begin; nil: at any
@@ -202,10 +202,10 @@ Value PlannerHost::Services::is_free(TermStore& store, Arguments arguments) {
 Value PlannerHost::Services::gotoxyz(TermStore& store, Arguments arguments) {
   const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
   if (!from || !to) return kNil;
-  return flight(store,
-                refinery_.path(*from, gazetteer_.flown_to(*to), departure(store, arguments[2])),
-                "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
-                    Gazetteer::words(store, arguments[1]));
+  return flight(
+      store, refinery_.ways.path(*from, gazetteer_.flown_to(*to), departure(store, arguments[2])),
+      "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
+          Gazetteer::words(store, arguments[1]));
 }
 
 Value PlannerHost::Services::patrol(TermStore& store, Arguments arguments) {
@@ -218,9 +218,10 @@ Value PlannerHost::Services::patrol(TermStore& store, Arguments arguments) {
   if (!seconds || *seconds <= 0) return wrong(store, arguments[3], "positive number of seconds");
   if (!from) return kNil;
   if (zone == nullptr) return refuse("unknown zone '" + name + "'");
-  return flight(store,
-                refinery_.patrol(*from, *zone, *device, *seconds, departure(store, arguments[4])),
-                "no detection over " + zone->name);
+  return flight(
+      store,
+      refinery_.patrols.over(*from, *zone, *device, *seconds, departure(store, arguments[4])),
+      "no detection over " + zone->name);
 }
 
 Value PlannerHost::Services::sweep(TermStore& store, Arguments arguments) {
@@ -231,7 +232,7 @@ Value PlannerHost::Services::sweep(TermStore& store, Arguments arguments) {
   if (device == nullptr) return refuse("no device '" + text_of(store, arguments[2]) + "' on board");
   if (!from) return kNil;
   if (zone == nullptr) return refuse("unknown zone '" + name + "'");
-  return flight(store, refinery_.sweep(*from, *zone, *device, departure(store, arguments[3])),
+  return flight(store, refinery_.sweeps.over(*from, *zone, *device, departure(store, arguments[3])),
                 "no mapping of " + zone->name);
 }
 
@@ -254,7 +255,7 @@ Value PlannerHost::Services::stay(TermStore& store, Arguments arguments) {
   std::vector<Term> params;
   if (unlimited) params.push_back(headed(store, "open-ended", {}));
   if (seconds > 0) params.push_back(headed(store, "duration", {number_term(store, seconds)}));
-  const double energy = refinery_.energy_of_stay(seconds);
+  const double energy = refinery_.ways.energy_of_stay(seconds);
   const std::vector<Term> all = {
       headed(store, "duration", {number_term(store, seconds), most}),
       headed(store, "energy", {number_term(store, energy)}),
@@ -280,13 +281,13 @@ std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermSto
       continue;
     }
     if (!gazetteer_.on_ground(*at)) {
-      auto beside = refinery_.places_around(*at, count);
+      auto beside = refinery_.views.around(*at, count);
       if (beside) return Views{device, std::move(*beside)};
       refuse("no room at " + Gazetteer::words(store, where) + ": " + beside.error());
       return std::nullopt;
     }
-    auto found = refinery_.views(*at, *sensor, count, departure(store, when),
-                                 number_of(store, seconds).value_or(0));
+    auto found = refinery_.views.of(*at, *sensor, count, departure(store, when),
+                                    number_of(store, seconds).value_or(0));
     if (found) return Views{device, std::move(*found)};
     why.push_back("nowhere to see " + Gazetteer::words(store, where) + " with " + sensor->device +
                   ": " + found.error());
@@ -350,7 +351,7 @@ Value PlannerHost::Services::tour(TermStore& store, Arguments arguments) {
   }
   if (!known) return kNil;
   if (places.empty()) return refuse("a tour of no places");
-  const auto order = refinery_.tour(*from, places);
+  const auto order = refinery_.views.tour(*from, places);
   if (!order) return refuse("no tour of " + names + ": " + order.error());
   return locations_term(store, *order);
 }

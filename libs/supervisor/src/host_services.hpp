@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "refinery.hpp"
+#include "refinery/refinery.hpp"
 #include "skein/htn/functions.hpp"
 #include "skein/supervisor/planner_host.hpp"
 #include "terms.hpp"
@@ -87,7 +87,7 @@ class PlannerHost::Services {
   static refiners::Way way_of(const htn::TermStore& store, htn::Term answer);
   static std::optional<Seconds> duration_of(const htn::TermStore& store, htn::Term answer);
   htn::Term waiting(htn::TermStore& store, const world::Vector3& from, htn::Term when,
-                    const Refinery::Venture& venture);
+                    const Outlook::Venture& venture);
   std::optional<world::Vector3> place(const htn::TermStore& store, htn::Term term);
   std::vector<std::string> team(const htn::TermStore& store, Arguments lists) const;
   struct Views {

@@ -58,8 +58,8 @@ Departure PlannerHost::Services::departure(const TermStore& store, Term when) {
 
 /// Seconds to wait, rounded up; nil when there is no use in it.
 Term PlannerHost::Services::waiting(TermStore& store, const Vector3& from, Term when,
-                                    const Refinery::Venture& venture) {
-  const auto seconds = refinery_.worth_waiting(from, departure(store, when), venture);
+                                    const Outlook::Venture& venture) {
+  const auto seconds = refinery_.outlook.worth_waiting(from, departure(store, when), venture);
   return seconds ? number_term(store, std::ceil(*seconds * 10 - kRounding) / 10) : kNil;
 }
 
@@ -67,19 +67,20 @@ Term PlannerHost::Services::waiting(TermStore& store, const Vector3& from, Term 
 /// time is open again, when that is possible and leads there earlier than any way around; else nil.
 /// It is to stay there for STAY seconds.
 Value PlannerHost::Services::wait(TermStore& store, Arguments arguments) {
-  if (!refinery_.has_windows()) return kNil;
+  if (!refinery_.air.has_windows()) return kNil;
   const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
   if (!from || !to) return kNil;
   const Vector3 there = gazetteer_.flown_to(*to);
   const double stay = number_of(store, arguments[3]).value_or(0);
-  return waiting(store, *from, arguments[2],
-                 [&](const Departure& when) { return refinery_.of_way(*from, there, stay, when); });
+  return waiting(store, *from, arguments[2], [&](const Departure& when) {
+    return refinery_.outlook.of_way(*from, there, stay, when);
+  });
 }
 
 /// (compute-wait-for-patrol FROM PLACE ZONE DEVICE SECONDS WHEN): likewise, for who goes to PLACE
 /// and from there has the zone in sight.
 Value PlannerHost::Services::wait_for_patrol(TermStore& store, Arguments arguments) {
-  if (!refinery_.has_windows()) return kNil;
+  if (!refinery_.air.has_windows()) return kNil;
   const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
   const world::Zone* zone = gazetteer_.zone(text_of(store, arguments[2]));
   const auto* device = gazetteer_.sensor(text_of(store, arguments[3]));
@@ -87,32 +88,32 @@ Value PlannerHost::Services::wait_for_patrol(TermStore& store, Arguments argumen
   if (!from || !to || zone == nullptr || device == nullptr || !seconds) return kNil;
   const Vector3 there = gazetteer_.flown_to(*to);
   return waiting(store, *from, arguments[5], [&](const Departure& when) {
-    return refinery_.of_patrol(*from, there, *zone, *device, *seconds, when);
+    return refinery_.outlook.of_patrol(*from, there, *zone, *device, *seconds, when);
   });
 }
 
 /// (compute-wait-for-sweep FROM ZONE DEVICE WHEN): likewise, or until more of the zone can be seen.
 Value PlannerHost::Services::wait_for_sweep(TermStore& store, Arguments arguments) {
-  if (!refinery_.has_windows()) return kNil;
+  if (!refinery_.air.has_windows()) return kNil;
   const auto from = place(store, arguments[0]);
   const world::Zone* zone = gazetteer_.zone(text_of(store, arguments[1]));
   const auto* device = gazetteer_.sensor(text_of(store, arguments[2]));
   if (!from || zone == nullptr || device == nullptr) return kNil;
   return waiting(store, *from, arguments[3], [&](const Departure& when) {
-    return refinery_.of_sweep(*from, *zone, *device, when);
+    return refinery_.outlook.of_sweep(*from, *zone, *device, when);
   });
 }
 
 /// (compute-wait-for-rest FROM ZONE DEVICE BEFORE (LOC…) WHEN): likewise, for what is left of one.
 Value PlannerHost::Services::wait_for_rest(TermStore& store, Arguments arguments) {
-  if (!refinery_.has_windows()) return kNil;
+  if (!refinery_.air.has_windows()) return kNil;
   const auto from = place(store, arguments[0]);
   const auto* device = gazetteer_.sensor(text_of(store, arguments[2]));
   const auto* before = gazetteer_.sensor(text_of(store, arguments[3]));
   const std::vector<Vector3> way = locations_of(store, arguments[4]);
   if (!from || device == nullptr || before == nullptr || way.size() < 2) return kNil;
   return waiting(store, *from, arguments[5], [&](const Departure& when) {
-    return refinery_.of_rest(*from, way, *device, *before, when);
+    return refinery_.outlook.of_rest(*from, way, *device, *before, when);
   });
 }
 
@@ -130,8 +131,8 @@ Value PlannerHost::Services::within_reach(TermStore& store, Arguments arguments)
     Value way = call(entry_of(&Services::gotoxyz), store, Arguments(leg).first(3));
     const auto times = way && *way != kNil ? duration_of(store, *way) : std::nullopt;
     const bool serves =
-        times && (!refinery_.has_windows() ||
-                  refinery_.may_stay(at, when.after({times->least, 0, times->most}), stay));
+        times && (!refinery_.air.has_windows() ||
+                  refinery_.air.may_stay(at, when.after({times->least, 0, times->most}), stay));
     if (way && !serves) way = wait(store, leg);
     if (!way) return way;
     if (*way != kNil) there.push_back(leg[1]);
@@ -141,20 +142,20 @@ Value PlannerHost::Services::within_reach(TermStore& store, Arguments arguments)
 
 /// (is-open ANSWER WHEN): whether the way, begun then, meets no closed air.
 Value PlannerHost::Services::is_open(TermStore& store, Arguments arguments) {
-  if (!refinery_.has_windows()) return TermStore::boolean(true);
+  if (!refinery_.air.has_windows()) return TermStore::boolean(true);
   return TermStore::boolean(
-      refinery_.stays_open(way_of(store, arguments[0]), departure(store, arguments[1])));
+      refinery_.air.stays_open(way_of(store, arguments[0]), departure(store, arguments[1])));
 }
 
 /// (stays-open PLACE START DURATION): whether no air closes around who is there then for so long,
 /// if that is known.
 Value PlannerHost::Services::stays_open(TermStore& store, Arguments arguments) {
-  if (!refinery_.has_windows()) return TermStore::boolean(true);
+  if (!refinery_.air.has_windows()) return TermStore::boolean(true);
   const auto at = place(store, arguments[0]);
   const auto duration = seconds_of(store, arguments[2]);
   if (!at || !duration) return kNil;
   if (std::isinf(duration->most)) return TermStore::boolean(true);
-  if (refinery_.stays_open(*at, departure(store, arguments[1]), duration->most))
+  if (refinery_.air.stays_open(*at, departure(store, arguments[1]), duration->most))
     return TermStore::boolean(true);
   return refuse("the air at " + Gazetteer::words(store, arguments[0]) +
                 " closes before it is done there");

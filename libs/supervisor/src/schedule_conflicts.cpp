@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "schedule_conflicts.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
 
 #include <algorithm>
 #include <string>
@@ -10,8 +11,8 @@ namespace {
 
 using temporal::Ticks;
 
-std::string seconds(Ticks ticks) { return to_text(Duration::nanoseconds(ticks)) + " s"; }
-std::string seconds(MissionTime instant) { return to_text(instant) + " s"; }
+std::string seconds(Ticks ticks) { return in_seconds(Duration::nanoseconds(ticks)); }
+std::string seconds(MissionTime instant) { return in_seconds(instant); }
 
 bool is_upper_constraint(BoundKind kind) {
   return kind == BoundKind::kStartBefore || kind == BoundKind::kEndBefore ||
@@ -88,7 +89,7 @@ class Sentences {
     if (over) text += ", which was at " + seconds(cause.instant);
     const auto dates = foreseen_(link.to);
     if (!dates) return text;
-    return verb + "s no earlier than " + to_text(dates->least) + " s, " + text;
+    return verb + "s no earlier than " + in_seconds(dates->least) + ", " + text;
   }
 
   // "ends no earlier than 431 s, must end before 400 s"
@@ -98,9 +99,9 @@ class Sentences {
     if (const auto dates = foreseen_(node)) {
       const Duration limit = cause.instant - MissionTime();
       if (dates->least > limit)
-        return verb + "s no earlier than " + to_text(dates->least) + " s, " + must;
+        return verb + "s no earlier than " + in_seconds(dates->least) + ", " + must;
       if (consistent_ && dates->most > limit && dates->most != Duration::max())
-        return "may " + verb + " as late as " + to_text(dates->most) + " s, " + must;
+        return "may " + verb + " as late as " + in_seconds(dates->most) + ", " + must;
     }
     return must + ", which what must come before or with it does not allow";
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::supervisor {
 
@@ -147,8 +148,8 @@ void Supervisor::Core::load(const Entry& entry) {
     }
   }
   decide({"4 load joint task", "commitment", "task " + to_text(entry.task.id),
-          "starts between " + to_text(entry.dates.earliest_start) + " and " +
-              to_text(entry.dates.latest_start) + " s",
+          "starts between " + in_seconds(entry.dates.earliest_start) + " and " +
+              in_seconds(entry.dates.latest_start),
           now_});
   out_.push_back(std::move(request));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
 #include "skein/supervisor/commitment.hpp"
 
 namespace skein::supervisor {
@@ -140,8 +141,8 @@ bool Supervisor::Core::is_late(const Entry& entry) const {
 void Supervisor::Core::watch() {
   std::string cause;
   const auto add = [&](TaskId id, const char* what, MissionTime expected) {
-    cause += (cause.empty() ? "task " : "; task ") + to_text(id) + what + to_text(now_ - expected) +
-             " s";
+    cause +=
+        (cause.empty() ? "task " : "; task ") + to_text(id) + what + in_seconds(now_ - expected);
   };
   for (auto& [id, entry] : book_.tasks) {
     if (!is_overdue(entry)) continue;

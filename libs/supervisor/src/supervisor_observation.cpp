@@ -5,6 +5,7 @@
 #include "core.hpp"
 #include "flight_times.hpp"
 #include "progress.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::supervisor {
 
@@ -23,7 +24,7 @@ std::string beside(MissionTime at, std::optional<MissionTime> after,
                    std::optional<MissionTime> before, bool ends) {
   const std::string did = ends ? "ended " : "began ", asked = ends ? "end " : "start ";
   const auto say = [&](const char* how, Duration by, const char* side, MissionTime bound) {
-    return did + how + to_text(by) + " s: it was to " + asked + side + to_text(bound) + " s";
+    return did + how + in_seconds(by) + ": it was to " + asked + side + in_seconds(bound);
   };
   if (after && at + kKept < *after) return say("early by ", *after - at, "after ", *after);
   if (before && at > *before + kKept) return say("late by ", at - *before, "before ", *before);
@@ -157,7 +158,7 @@ void Supervisor::Core::see_ended(Entry& entry) {
   if (took + config_.grace < entry.task.duration.least) {
     reschedule();
     const Duration early = entry.task.duration.least - took;
-    return absorb_or_shift("task " + to_text(entry.task.id) + " early by " + to_text(early) + " s");
+    return absorb_or_shift("task " + to_text(entry.task.id) + " early by " + in_seconds(early));
   }
   if (entry.overdue) {
     reschedule();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
 #include "wording.hpp"
 
 namespace skein::supervisor {
@@ -70,11 +71,11 @@ std::string Supervisor::Core::plan_text() const {
          std::to_string(book_.open_tasks().size()) + " tasks";
 }
 
-// "ends between 352 and 356.1 s".
+// "ends between 352 s and 356.1 s".
 std::string Supervisor::Core::extent() const {
-  const std::string first = to_text(schedule().earliest_end);
-  if (schedule().latest_end == MissionTime::max()) return "ends from " + first + " s on";
-  return "ends between " + first + " and " + to_text(schedule().latest_end) + " s";
+  const std::string first = in_seconds(schedule().earliest_end);
+  if (schedule().latest_end == MissionTime::max()) return "ends from " + first + " on";
+  return "ends between " + first + " and " + in_seconds(schedule().latest_end);
 }
 
 void Supervisor::Core::publish() {

@@ -14,6 +14,7 @@ struct RefineOptions {
   std::string query;              ///< file; "-": standard input
   std::string example;            ///< service whose example is printed instead
   std::string svg;                ///< picture to write; empty: none
+  std::string out;                ///< ways, areas and places to write (.geojson, .kml, .wkt)
   bool json = false;              ///< the answer as JSON
   bool colour = false;            ///< in the text
   std::optional<double> seconds;  ///< time budget, before that of the query
@@ -26,7 +27,7 @@ struct RefineOptions {
 /// Names of the services, in the order of the documentation.
 std::vector<std::string> service_names();
 
-/// Returns an exit code: 0 there is a solution, 1 there is none, 2 wrong input, 3 the picture
+/// Returns an exit code: 0 there is a solution, 1 there is none, 2 wrong input, 3 a file
 /// cannot be written, 4 the budget ended first. Never throws.
 int run_refine(const RefineOptions& options, std::istream& in, std::ostream& out,
                std::ostream& err);

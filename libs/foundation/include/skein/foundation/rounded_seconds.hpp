@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times as people read them.
+#pragma once
+
+#include <string>
+
+#include "skein/foundation/time.hpp"
+
+namespace skein {
+
+/// "12.3 s": rounded to a tenth, without trailing zeros; "for ever" for the greatest.
+std::string in_seconds(MissionTime t);
+std::string in_seconds(Duration d);
+
+}  // namespace skein

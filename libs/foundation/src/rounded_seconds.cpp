@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/foundation/rounded_seconds.hpp"
+
+#include <cmath>
+
+namespace skein {
+
+std::string in_seconds(Duration d) {
+  if (d == Duration::max()) return "for ever";
+  return to_text(Duration::milliseconds(100 * std::llround(d.to_seconds() * 10))) + " s";
+}
+
+std::string in_seconds(MissionTime t) {
+  return t == MissionTime::max() ? "for ever" : in_seconds(t - MissionTime());
+}
+
+}  // namespace skein

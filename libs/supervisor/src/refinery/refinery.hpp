@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The refiners as planning uses them: one airspace for all ways, durations as they are flown.
+#pragma once
+
+#include <utility>
+
+#include "outlook.hpp"
+#include "views.hpp"
+
+namespace skein::supervisor {
+
+/// One vehicle, one world, one plan's origin. Thread rule: one thread at a time.
+struct Refinery {
+  Refinery(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
+           refiners::Budget budget = {})
+      : air(std::move(gazetteer), origin, seed, std::move(budget)) {}
+  Refinery(const Refinery&) = delete;  // its parts know each other
+  Refinery& operator=(const Refinery&) = delete;
+
+  TimedAir air;
+  Ways ways{air};
+  Views views{air};
+  Patrols patrols{air, ways};
+  Sweeps sweeps{air, ways};
+  Outlook outlook{air, ways, patrols, sweeps};
+};
+
+}  // namespace skein::supervisor

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sweeps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "autopilot.hpp"
+#include "closed_air.hpp"
+#include "zone_shapes.hpp"
+
+namespace skein::supervisor {
+
+using refiners::Way;
+using world::Polygon;
+using world::Vector2;
+using world::Vector3;
+
+namespace {
+
+constexpr double kSpacing = 2;   // turn radii between points of arcs: none is circled then
+constexpr double kSamples = 24;  // across a zone, to see what is seen of it
+constexpr double kRunIn = 3;     // turn radii before the first lane
+// Waiting circles' radii, straight before a lane that is taken up again.
+constexpr double kRunInAgain = 2;
+constexpr double kLaneSpacing = 2.5;  // turn radii between way-points along lanes
+constexpr double kSeenEnough = 0.998;
+constexpr double kSureShare = 1.4;  // deviations by which it may see less far
+
+/// Part of the zone that is nearer to some sample of the track than `reach`.
+double seen_part(const Polygon& zone, const std::vector<Vector3>& track, std::size_t stride,
+                 double reach) {
+  const Box box = box_of(zone);
+  const Vector2 step = (box.high - box.low) / kSamples;
+  std::size_t all = 0, seen = 0;
+  for (double i = 0.5; i < kSamples; ++i)
+    for (double k = 0.5; k < kSamples; ++k) {
+      const Vector2 at = box.low + Vector2(i * step.x(), k * step.y());
+      if (!world::contains(zone, at)) continue;
+      ++all;
+      for (std::size_t t = 0; t < track.size(); t += stride)
+        if ((track[t].head<2>() - at).squaredNorm() <= reach * reach) {
+          ++seen;
+          break;
+        }
+    }
+  return all == 0 ? 1 : static_cast<double>(seen) / static_cast<double>(all);
+}
+
+}  // namespace
+
+/// Lanes as they are flown: by a vehicle that cannot hover from a place behind the first, which it
+/// comes to from anywhere; each from a little before to a little beyond the zone, since way-points
+/// count as reached a little before, and with points in between that keep it on its lane.
+Answer<Sweeps::Lanes> Sweeps::planned(const world::World& world, const Vector3& from,
+                                      const world::Zone& zone, const world::SensorModel& device,
+                                      double overlap) const {
+  refiners::CoverageQuery query;
+  query.vehicle = air_.cautious();
+  query.area = zone.polygon;
+  query.altitude = std::min(gazetteer().knowledge().altitude, vehicle().ceiling);
+  const auto width = footprint(device, query.altitude);
+  if (!width) return no(width.error());
+  query.swath = 2 * std::max(*width / 2, *width - overlap * world::tracking_spread(vehicle()));
+  query.start = gazetteer().flown_to(from);
+  query.depart = air_.origin();
+  auto refined = refine(query, air_.setting(world));
+  if (!refined) return no(refined.error().why);
+  Lanes lanes{lanes_flown(refined->task, world), 1};
+  const auto stride =
+      std::max<std::size_t>(1, static_cast<std::size_t>(device.period.to_seconds() / kTrackStep));
+  const double reach = *width - kSureShare * world::tracking_spread(vehicle());
+  const Way rest(lanes.way.begin() + 1, lanes.way.end());
+  for (const Pose& pose : poses_at(lanes.way.front(), vehicle())) {
+    const FlownWay flown = fly_way(pose, rest, vehicle(), world.wind);
+    lanes.seen = std::min(lanes.seen, seen_part(zone.polygon, flown.track, stride, reach));
+  }
+  return lanes;
+}
+
+Way Sweeps::lanes_flown(const refiners::Coverage& task, const world::World& world) const {
+  const auto is_open = [&](const Vector3& at) {
+    return world.terrain.contains(at.x(), at.y()) &&
+           std::none_of(world.volumes.begin(), world.volumes.end(),
+                        [&](const auto& volume) { return is_near(volume, at, 1e-3); });
+  };
+  const double beyond = reaching_distance(vehicle(), world.wind);
+  const double spacing = kLaneSpacing * vehicle().min_turn_radius;
+  const auto same = [](const Vector3& at, const Vector2& end) {
+    return (at.head<2>() - end).norm() < 1e-6;
+  };
+  Way way;
+  std::size_t lane = 0, arc = 0;  // `arc`: where the turn into the lane begins
+  bool on_lane = false;
+  // A point of an arc that is missed would be come back to.
+  const double apart = vehicle().hovers ? 0 : kSpacing * vehicle().min_turn_radius;
+  for (const Vector3& point : task.way) {
+    if (lane == task.lanes.size()) break;
+    const Vector2 along = (task.lanes[lane].to - task.lanes[lane].from).normalized();
+    const Vector3 ahead(along.x(), along.y(), 0);
+    if (!on_lane && same(point, task.lanes[lane].from)) {
+      on_lane = true;
+      const Vector3 early = point - beyond * ahead;
+      if (way.empty() && !vehicle().hovers) {
+        double back = kRunIn * vehicle().min_turn_radius + beyond;
+        while (back > beyond &&
+               !(is_open(point - back * ahead) && air_.has_room(point - back * ahead)))
+          back -= beyond;
+        way.push_back(point - back * ahead);
+        arc = 1;
+      }
+      const Vector3 first = is_open(early) ? early : point;
+      while (way.size() > arc && (way.back() - first).head<2>().norm() < apart) way.pop_back();
+      way.push_back(first);
+    } else if (on_lane && same(point, task.lanes[lane].to)) {
+      if (!vehicle().hovers)
+        for (double s = spacing; s + spacing < (point - way.back()).norm();)
+          way.push_back(way.back() + s * (point - way.back()).normalized());
+      const Vector3 late = point + beyond * ahead;
+      way.push_back(is_open(late) ? late : point);
+      on_lane = false;
+      ++lane;
+      arc = way.size();
+    } else if (!way.empty() && (way.back() - point).head<2>().norm() >= apart) {
+      way.push_back(point);
+    }
+  }
+  return way;
+}
+
+Answer<Sweeps::Lanes> Sweeps::best(const Counted& air, const Vector3& from, const world::Zone& zone,
+                                   const world::SensorModel& device, double margin) const {
+  const world::World local = air_.over(zone, from, 1e9, margin, air);
+  Lanes best;
+  std::string why = "nothing of it would be seen";
+  for (const double overlap : {1.0, 2.0, 3.0, 4.0}) {
+    auto lanes = planned(local, from, zone, device, overlap);
+    if (!lanes) {
+      why = lanes.error();
+      break;
+    }
+    if (lanes->seen > best.seen) best = std::move(*lanes);
+    if (best.seen >= kSeenEnough) break;
+  }
+  if (best.way.empty()) return no(why);
+  return best;
+}
+
+Answer<Motion> Sweeps::over(const Vector3& from, const world::Zone& zone,
+                            const world::SensorModel& device, const Departure& when) const {
+  return air_.kept_clear(from, when, 0,
+                         [&](const Counted& air) { return over_in(air, from, zone, device); });
+}
+
+Answer<Motion> Sweeps::over_in(const Counted& air, const Vector3& from, const world::Zone& zone,
+                               const world::SensorModel& device) const {
+  const TimedAir::Volumes volumes = air_.closed(air);
+  const auto motion = [&](Lanes lanes) {
+    Motion all = ways_.flown(std::move(lanes.way));
+    all.seen = lanes.seen;
+    return all;
+  };
+  auto lanes = best(air, from, zone, device, air_.stray());
+  if (!lanes) return no(lanes.error());
+  if (!air_.met(lanes->way, volumes)) return motion(std::move(*lanes));
+  lanes = best(air, from, zone, device, air_.stray() + air_.swing());
+  if (lanes && lanes->seen >= kSeenEnough && !air_.met(lanes->way, volumes))
+    return motion(std::move(*lanes));
+  return no("closed air is too near for its turns");
+}
+
+Answer<Motion> Sweeps::rest(const Vector3& from, const Way& way, const world::SensorModel& device,
+                            const world::SensorModel& before, const Departure& when) {
+  return air_.kept_clear(
+      from, when, 0, [&](const Counted& counted) { return rest_in(counted, way, device, before); });
+}
+
+Answer<Motion> Sweeps::rest_in(const Counted& counted, const Way& way,
+                               const world::SensorModel& device, const world::SensorModel& before) {
+  const auto air = air_.airspace(counted);
+  if (!air) return no(air.error());
+  const double height = way.front().z() - gazetteer().ground(way.front());
+  const auto width = footprint(device, height), needed = footprint(before, height);
+  if (!width) return no(width.error());
+  if (needed && *width < *needed) return no(device.device + " sees less than " + before.device);
+  for (std::size_t i = 1; i < way.size(); ++i)
+    if (!(*air)->is_free(way[i - 1], way[i])) return no("air on what is left of it is closed");
+  if (vehicle().hovers) return ways_.flown(way);
+  // It comes to the first lane in its direction.
+  const Vector3 along = (way[1] - way[0]).normalized();
+  const Vector3 before_it = way[0] - kRunInAgain * vehicle().orbit_radius * along;
+  Way with_run_in = {before_it};
+  with_run_in.insert(with_run_in.end(), way.begin(), way.end());
+  return ways_.flown((*air)->is_free(before_it, way[0]) ? std::move(with_run_in) : way);
+}
+
+}  // namespace skein::supervisor

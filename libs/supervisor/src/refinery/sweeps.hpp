@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Seeing all of a zone, judged by how the autopilot will fly it.
+#pragma once
+
+#include "skein/refiners/coverage.hpp"
+#include "ways.hpp"
+
+namespace skein::supervisor {
+
+class Sweeps {
+ public:
+  Sweeps(TimedAir& air, const Ways& ways) : air_(air), ways_(ways) {}
+
+  /// From its first lane on, and where it turns into that; the way there is not part of it, but it
+  /// is set out on `when`. As it will be flown all of the zone is seen, but for what lies in air
+  /// that is closed then.
+  Answer<Motion> over(const world::Vector3& from, const world::Zone& zone,
+                      const world::SensorModel& device, const Departure& when = {}) const;
+  /// What is left of such a way: `device` sees at least as much from it as `before` did.
+  Answer<Motion> rest(const world::Vector3& from, const refiners::Way& way,
+                      const world::SensorModel& device, const world::SensorModel& before,
+                      const Departure& when = {});
+
+ private:
+  using Counted = TimedAir::Counted;
+  const Gazetteer& gazetteer() const { return air_.gazetteer(); }
+  const world::VehicleModel& vehicle() const { return air_.vehicle(); }
+  struct Lanes {
+    refiners::Way way;
+    double seen = 0;  ///< least part of the zone, of all poses it may begin in
+  };
+  refiners::Way lanes_flown(const refiners::Coverage& task, const world::World& world) const;
+  Answer<Lanes> planned(const world::World& world, const world::Vector3& from,
+                        const world::Zone& zone, const world::SensorModel& device,
+                        double overlap) const;
+  Answer<Lanes> best(const Counted& air, const world::Vector3& from, const world::Zone& zone,
+                     const world::SensorModel& device, double margin) const;
+  Answer<Motion> over_in(const Counted& air, const world::Vector3& from, const world::Zone& zone,
+                         const world::SensorModel& device) const;
+  Answer<Motion> rest_in(const Counted& air, const refiners::Way& way,
+                         const world::SensorModel& device, const world::SensorModel& before);
+
+  TimedAir& air_;
+  const Ways& ways_;
+};
+
+}  // namespace skein::supervisor

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "timed_air.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "autopilot.hpp"
+#include "closed_air.hpp"
+#include "crossing.hpp"
+#include "skein/refiners/voxel_path_planner.hpp"
+#include "zone_shapes.hpp"
+
+namespace skein::supervisor {
+
+using refiners::Way;
+using world::Vector3;
+
+namespace {
+
+constexpr double kLeastClearance = 5;  // [m]
+constexpr double kClimbShare = 0.8;    // of its rates, in ways of a vehicle that cannot hover
+constexpr double kJoining = 1.3;       // of its circle: it is joined from inside and outside
+constexpr int kAround = 8;
+
+}  // namespace
+
+TimedAir::TimedAir(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
+                   refiners::Budget budget)
+    : gazetteer_(std::move(gazetteer)),
+      cautious_(vehicle()),
+      origin_(origin),
+      seed_(seed),
+      budget_(std::move(budget)) {
+  const auto& volumes = world().volumes;
+  has_windows_ = std::any_of(volumes.begin(), volumes.end(), [&](const world::Volume& volume) {
+    return volume.when.from > origin || volume.when.until != MissionTime::max();
+  });
+  if (cautious_.hovers) return;
+  cautious_.min_turn_radius = cautious_.orbit_radius;
+  cautious_.climb_rate *= kClimbShare;
+  cautious_.descent_rate *= kClimbShare;
+}
+
+double TimedAir::longest(const Way& way) const {
+  return flight_times(way, vehicle(), world().wind).most;
+}
+
+refiners::Setting TimedAir::setting(const refiners::PathPlanner* paths) const {
+  return {world(), budget_, seed_, paths};
+}
+
+refiners::Setting TimedAir::setting(const world::World& world) const {
+  return {world, budget_, seed_, nullptr};
+}
+
+double TimedAir::stray() const { return arrival_distance(vehicle(), world().wind); }
+
+double TimedAir::clearance() const {
+  return std::max(kLeastClearance, 4 * world::tracking_spread(vehicle()));
+}
+
+refiners::PathQuery TimedAir::query(const Vector3& from, const Vector3& to) const {
+  refiners::PathQuery query;
+  query.vehicle = cautious();
+  query.from = from;
+  query.to = to;
+  query.clearance = clearance();
+  query.depart = origin_;
+  return query;
+}
+
+TimedAir::Counted TimedAir::counted(const Departure& when, double seconds) const {
+  const world::TimeWindow flight = window(when, seconds);
+  Counted all;
+  for (const world::Volume& volume : world().volumes) {
+    const bool touches = volume.when.overlaps(flight) || volume.when.from == flight.from;
+    const bool lasts = volume.when.from <= flight.from && flight.until <= volume.when.until;
+    all.push_back(when.suited ? lasts : touches);
+  }
+  return all;
+}
+
+world::TimeWindow TimedAir::window(const Departure& when, double seconds) const {
+  const auto at = [&](double s) {
+    return std::isinf(s) ? MissionTime::max() : origin_ + Duration::seconds(s);
+  };
+  return {at(when.least), at(when.most + seconds)};
+}
+
+TimedAir::Volumes TimedAir::closed() const { return closed(counted({}, 0)); }
+
+TimedAir::Volumes TimedAir::closed(const Counted& counted) const {
+  Volumes all;
+  for (std::size_t i = 0; i < counted.size(); ++i)
+    if (counted[i] && world().volumes[i].polygon.size() > 2) all.push_back(world().volumes[i]);
+  return all;
+}
+
+Answer<const world::Airspace*> TimedAir::airspace() { return airspace(counted({}, 0)); }
+
+Answer<const world::Airspace*> TimedAir::airspace(const Counted& counted) {
+  const auto known = airspaces_.find(counted);
+  if (known != airspaces_.end()) return &known->second;
+  world::World then = world();
+  std::size_t i = 0;
+  std::erase_if(then.volumes, [&](const world::Volume&) { return !counted[i++]; });
+  for (world::Volume& volume : then.volumes) volume.when = {};
+  const Vector3 home = gazetteer_.above(gazetteer_.knowledge().home);
+  auto made = refiners::airspace_of(query(home, home), {then, {}, seed_, nullptr});
+  if (!made) return no(made.error().why);
+  for (const world::Volume& volume : closed(counted)) made->block(volume, stray());
+  return &airspaces_.emplace(counted, std::move(*made)).first->second;
+}
+
+bool TimedAir::has_room(const Vector3& at, const Volumes& volumes) const {
+  return taking_room(at, volumes) == nullptr;
+}
+
+const world::Volume* TimedAir::taking_room(const Vector3& at, const Volumes& volumes) const {
+  const double around = vehicle().hovers ? stray() : kJoining * vehicle().orbit_radius + stray();
+  const auto found = std::find_if(volumes.begin(), volumes.end(),
+                                  [&](const auto& volume) { return is_near(volume, at, around); });
+  return found == volumes.end() ? nullptr : &*found;
+}
+
+// One that hovers brakes for corners, and is carried beyond them all the same.
+double TimedAir::swing() const {
+  if (!vehicle().hovers) return 2 * vehicle().min_turn_radius;
+  return vehicle().cruise_speed * vehicle().cruise_speed / (2 * vehicle().acceleration);
+}
+
+/// As near as corners, and a wind across its longest leg, may carry one that hovers.
+bool TimedAir::comes_near(const Way& way, const Volumes& volumes) const {
+  double longest = 0;
+  for (std::size_t i = 1; i < way.size(); ++i)
+    longest = std::max(longest, (way[i] - way[i - 1]).head<2>().norm());
+  const double drift = vehicle().wind_drift * world().wind.speed / vehicle().cruise_speed;
+  const double margin = stray() + swing() + drift * longest;
+  return std::any_of(volumes.begin(), volumes.end(),
+                     [&](const auto& volume) { return crosses(volume, margin, way); });
+}
+
+/// Some flight along the way, whichever way it comes to where that begins, or its circles at the
+/// end are nearer to closed air than the vehicle strays; one that hovers, and whose ways keep that
+/// distance, than half of that.
+bool TimedAir::met(const Way& way, const Volumes& volumes) const {
+  if (volumes.empty() || way.size() < 2) return false;
+  const bool hovers = vehicle().hovers;
+  if (hovers && !comes_near(way, volumes)) return false;
+  const double margin = hovers ? stray() / 2 : stray();
+  const auto is_met = [&](const Vector3& at) {
+    return std::any_of(volumes.begin(), volumes.end(),
+                       [&](const auto& volume) { return is_near(volume, at, margin); });
+  };
+  const auto any_met = [&](const std::vector<Vector3>& track) {
+    return std::any_of(track.begin(), track.end(), is_met);
+  };
+  const Way rest(way.begin() + 1, way.end());
+  const double round = 2 * std::numbers::pi * vehicle().orbit_radius / vehicle().cruise_speed;
+  for (const Pose& pose : poses_at(way.front(), vehicle())) {
+    if (is_met(pose.at)) continue;
+    const FlownWay flown = fly_way(pose, rest, vehicle(), world().wind);
+    if (any_met(flown.track)) return true;
+    if (hovers) continue;
+    if (any_met(circle_over(flown.end, way.back(), vehicle(), world().wind, 2 * round)))
+      return true;
+  }
+  return false;
+}
+
+bool TimedAir::may_stay(const Vector3& at) {
+  const auto air = airspace();
+  if (!air || !(*air)->is_free(at)) return false;
+  const double radius = stay_radius(vehicle());
+  for (int i = 0; i < kAround; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kAround;
+    if (!(*air)->is_free(at + radius * Vector3(std::cos(angle), std::sin(angle), 0))) return false;
+  }
+  return true;
+}
+
+bool TimedAir::may_stay(const Vector3& at, const Departure& when, double seconds) const {
+  return gazetteer_.on_ground(at) || has_room(at, closed(counted(when, seconds)));
+}
+
+bool TimedAir::stays_open(const Vector3& at, const Departure& when, double seconds) const {
+  if (!has_windows_ || gazetteer_.on_ground(at)) return true;
+  Counted closing = counted(when, seconds);
+  const Counted before = counted({when.least, when.least}, 0);
+  for (std::size_t i = 0; i < closing.size(); ++i) closing[i] = closing[i] && !before[i];
+  return has_room(at, closed(closing));
+}
+
+bool TimedAir::stays_open(const Way& way, const Departure& when) const {
+  return !has_windows_ || !met(way, closed(counted(when, longest(way))));
+}
+
+Answer<Motion> TimedAir::kept_clear(const Vector3& from, const Departure& when, double seconds,
+                                    const Planner& plan) const {
+  Counted counts = counted(when, seconds);
+  while (true) {
+    auto motion = plan(counts);
+    if (!motion || !has_windows_) return motion;
+    const Vector3& first = motion->way.front();
+    const double approach = first == from ? 0 : longest({from, first});
+    Counted all = counted(when, approach + motion->times.most);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] || counts[i];
+    if (all == counts) return motion;
+    counts = std::move(all);
+  }
+}
+
+world::World TimedAir::over(const world::Zone& zone, const Vector3& from, double footprint,
+                            double margin, const Counted& air) const {
+  world::World local = world();
+  local.ground = ground_over(zone.polygon, world().ground, footprint);
+  local.volumes = closed(air);
+  const bool inside =
+      std::any_of(local.volumes.begin(), local.volumes.end(), [&](const auto& volume) {
+        return distance_to(grown(volume, stray()).polygon, from.head<2>()) <= 0;
+      });
+  if (!inside)
+    for (world::Volume& volume : local.volumes) volume = grown(volume, margin);
+  return local;
+}
+
+}  // namespace skein::supervisor

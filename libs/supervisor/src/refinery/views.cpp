@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "views.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "skein/refiners/tour.hpp"
+#include "skein/refiners/viewpoint.hpp"
+#include "skein/refiners/voxel_path_planner.hpp"
+
+namespace skein::supervisor {
+
+using world::Vector3;
+
+namespace {
+
+constexpr double kAngleApart = std::numbers::pi / 3;  // [rad] between two views
+constexpr double kCostOfWay = 1e-4;                   // of utility, per metre
+constexpr double kNearShare = 0.5;                    // of its range, for a sensor to see well
+constexpr double kSteep = 1.25;  // distances over heights that it must reach at least
+constexpr double kApart = 75;    // [m] between partners: circles of a blimp and what they waver
+constexpr std::size_t kAroundOne = 6;  // places around one, that far from it and from each other
+constexpr std::array<double, kAroundOne> kSlots = {1, -1, 2, -2, 3, 0};  // by rank
+
+}  // namespace
+
+Answer<std::vector<Vector3>> Views::of(const Vector3& place, const world::SensorModel& device,
+                                       std::size_t count, const Departure& when, double seconds) {
+  world::World then = world();
+  const double there =
+      flight_times({gazetteer().above(gazetteer().knowledge().home), gazetteer().above(place)},
+                   vehicle(), world().wind)
+          .most;
+  const TimedAir::Counted counts = air_.counted(when, there + seconds);
+  then.volumes = air_.closed(counts);
+  for (world::Volume& volume : then.volumes) volume.when = {};
+  const auto air = air_.airspace(counts);
+  if (!air) return no(air.error());
+  refiners::ViewpointQuery query;
+  query.constraints.push_back({"free air", [this, free = *air, &then](const Vector3& at) {
+                                 return free->is_free(at) &&
+                                        (vehicle().hovers || air_.has_room(at, then.volumes));
+                               }});
+  query.vehicle = air_.cautious();
+  query.device = device.device;
+  query.target = place;
+  // On the side of home, and near enough to see well; the same places whoever asks and from where,
+  // so that partners take different ones and who is there stays.
+  query.from = gazetteer().above(gazetteer().knowledge().home);
+  query.cost_of_way = kCostOfWay;
+  // From the usual altitude; lower only where the sensor does not reach from there.
+  query.clearance = std::min(gazetteer().knowledge().altitude, vehicle().ceiling / 2);
+  query.farthest =
+      std::min(device.range, std::max(device.range * kNearShare, kSteep * query.clearance));
+  query.count = count;
+  query.least_angle = count > 1 ? kAngleApart : 0;
+  query.at = air_.origin();
+  const refiners::Setting at_that_time = air_.setting(then);
+  auto refined = refine(query, at_that_time);
+  if (!refined || refined->task.points.size() < count) {
+    query.clearance = air_.clearance() + vehicle().body_radius;
+    auto lower = refine(query, at_that_time);
+    const bool more =
+        lower && (!refined || lower->task.points.size() > refined->task.points.size());
+    if (more || !refined) refined = std::move(lower);
+  }
+  if (!refined) return no(refined.error().why);
+  std::vector<Vector3> points;
+  for (const refiners::ViewPoint& point : refined->task.points) points.push_back(point.position);
+  return points;
+}
+
+Answer<std::vector<Vector3>> Views::around(const Vector3& at, std::size_t count) {
+  const auto air = air_.airspace();
+  if (!air) return no(air.error());
+  std::vector<Vector3> places = {at};
+  // On the side that it comes from, lest it flies through the first: homes are near each other.
+  const Vector3 back = gazetteer().knowledge().home - at;
+  const double step = 2 * std::numbers::pi / static_cast<double>(kAroundOne);
+  for (std::size_t rank = 1; rank < count; ++rank) {
+    const double distance = kApart * static_cast<double>(1 + (rank - 1) / kAroundOne);
+    const double angle = std::atan2(back.y(), back.x()) + kSlots[(rank - 1) % kAroundOne] * step;
+    // Turned by less than half of what is between two.
+    std::optional<Vector3> found;
+    for (const double turned : {0.0, 0.25, -0.25, 0.4, -0.4}) {
+      const double to = angle + turned * step;
+      const Vector3 beside = at + distance * Vector3(std::cos(to), std::sin(to), 0);
+      if (!found && (*air)->is_free(beside) && air_.has_room(beside)) found = beside;
+    }
+    if (!found) return no("no free air beside it for " + std::to_string(count) + " partners");
+    places.push_back(*found);
+  }
+  return places;
+}
+
+Answer<std::vector<Vector3>> Views::tour(const Vector3& from, const std::vector<Vector3>& places) {
+  const auto air = air_.airspace(air_.counted({.suited = true}, 0));
+  if (!air) return no(air.error());
+  refiners::TourQuery query;
+  query.vehicle = air_.cautious();
+  query.start = gazetteer().flown_to(from);
+  for (const Vector3& place : places) {
+    const Vector3 at = gazetteer().flown_to(place);
+    query.stops.push_back({std::to_string(query.stops.size() + 1), {{at, at, Duration()}}});
+  }
+  query.clearance = air_.clearance();
+  query.depart = air_.origin();
+  const refiners::VoxelPathPlanner planner(**air);
+  const auto refined = refine(query, air_.setting(&planner));
+  if (!refined) return no(refined.error().why);
+  std::vector<Vector3> order;
+  for (const refiners::Visit& visit : refined->task.visits)
+    order.push_back(query.stops[visit.stop].gates.front().entry);
+  return order;
+}
+
+}  // namespace skein::supervisor

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Places: to look from, beside others, in the order of a tour.
+#pragma once
+
+#include <vector>
+
+#include "timed_air.hpp"
+
+namespace skein::supervisor {
+
+class Views {
+ public:
+  explicit Views(TimedAir& air) : air_(air) {}
+
+  /// Where that sensor sees the place best, from so many sides, when it sets out then and stays for
+  /// so many seconds.
+  Answer<std::vector<world::Vector3>> of(const world::Vector3& place,
+                                         const world::SensorModel& device, std::size_t count,
+                                         const Departure& when = {}, double seconds = 0);
+  /// A place in the air and, for partners, others around it, a safe distance apart whatever flies
+  /// there; the same whoever asks, as far as closed air allows.
+  Answer<std::vector<world::Vector3>> around(const world::Vector3& at, std::size_t count);
+  Answer<std::vector<world::Vector3>> tour(const world::Vector3& from,
+                                           const std::vector<world::Vector3>& places);
+
+ private:
+  const Gazetteer& gazetteer() const { return air_.gazetteer(); }
+  const world::World& world() const { return air_.world(); }
+  const world::VehicleModel& vehicle() const { return air_.vehicle(); }
+
+  TimedAir& air_;
+};
+
+}  // namespace skein::supervisor

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Takeoffs, landings and ways through the air, lasting as long as they are flown.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "timed_air.hpp"
+
+namespace skein::supervisor {
+
+class Ways {
+ public:
+  explicit Ways(TimedAir& air) : air_(air) {}
+
+  Answer<Motion> takeoff(const world::Vector3& from, const Departure& when = {}) const;
+  Answer<Motion> landing(const world::Vector3& from, const world::Vector3& to) const;
+  /// Where it lands that comes from there, and why not where it would.
+  struct Landing {
+    world::Vector3 at;
+    std::string instead;  ///< empty: as wanted
+  };
+  Answer<Landing> landing_place(const world::Vector3& from, const world::Vector3& wanted,
+                                const Departure& when = {}) const;
+  /// Clear of every volume that it can meet, whenever it departs then and however long it takes.
+  Answer<Motion> path(const world::Vector3& from, const world::Vector3& to,
+                      const Departure& when = {});
+  /// Out of closed air by the shortest straight way, level, up or down, to where it may stay.
+  Answer<Motion> way_out(const world::Vector3& from);
+  Answer<refiners::Way> through(const world::Airspace& air, const world::Vector3& from,
+                                const world::Vector3& to) const;
+  /// A way with the times and the energy that it takes.
+  Motion flown(refiners::Way way) const;
+  /// Expected energy of so many seconds at one place.
+  double energy_of_stay(double seconds) const;
+
+ private:
+  using Counted = TimedAir::Counted;
+  using Volumes = TimedAir::Volumes;
+  const Gazetteer& gazetteer() const { return air_.gazetteer(); }
+  const world::World& world() const { return air_.world(); }
+  const world::VehicleModel& vehicle() const { return air_.vehicle(); }
+  Answer<Motion> path_in(const world::Airspace& air, const Volumes& volumes,
+                         const world::Vector3& from, const world::Vector3& to);
+  std::optional<refiners::Way> with_room(const world::Airspace& air, const Volumes& volumes,
+                                         const world::Vector3& from,
+                                         const world::Vector3& to) const;
+  /// From air that is closed, as when it was closed around the vehicle: out, and on from there.
+  Answer<Motion> out_and_on(const world::Vector3& from, const world::Vector3& to);
+
+  TimedAir& air_;
+};
+
+}  // namespace skein::supervisor
