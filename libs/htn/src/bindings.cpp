@@ -117,15 +117,22 @@ void Bindings::collect_unbound(Term term, Base base, std::vector<Term>& out) con
   }
 }
 
+// Along the lists; where items are lists themselves, what follows them waits.
 bool Bindings::unify_lists(Pair pair) {
   work_.clear();
   while (true) {
     while (two_lists(pair)) {
-      work_.push_back(
-          {store_.cdr(pair.left), pair.left_base, store_.cdr(pair.right), pair.right_base});
-      pair.left = store_.car(pair.left);
-      pair.right = store_.car(pair.right);
-      pair = resolved(pair);
+      const Pair items = resolved(
+          {store_.car(pair.left), pair.left_base, store_.car(pair.right), pair.right_base});
+      const Pair rests{store_.cdr(pair.left), pair.left_base, store_.cdr(pair.right),
+                       pair.right_base};
+      if (two_lists(items)) {
+        work_.push_back(rests);
+        pair = items;
+      } else {
+        if (!unify_leaves(items)) return false;
+        pair = resolved(rests);
+      }
     }
     if (!unify_leaves(pair)) return false;
     if (work_.empty()) return true;
