@@ -122,7 +122,6 @@ void Supervisor::Core::check_devices(const std::set<std::string>& newly) {
 void Supervisor::Core::keep_safe() {
   if (const auto end = end_of_safe_wait(); end && *end <= now_) stop_safe_waits();
   if (!vehicle_.airborne || book_.has_occupation(now_ + config_.horizon)) {
-    wait_again_.reset();
     const bool pauses = vehicle_.airborne && !book_.has_occupation(now_ + kPause);
     if (pauses && !told_idle_) notice("in the air without a task for a moment: " + why_idle());
     told_idle_ = pauses;

@@ -180,6 +180,7 @@ void Supervisor::Core::see_ended(Entry& entry) {
 void Supervisor::Core::settle_done(Entry& entry) {
   entry.done = true;
   refusals_.did(entry.task.type);
+  if (entry.task.type == "wait") wait_again_.reset();
   const GoalId id = entry.task.origin;
   Goal& goal = book_.goals.at(id);
   if (is_settled(goal.state)) return;

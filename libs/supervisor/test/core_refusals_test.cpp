@@ -158,5 +158,21 @@ TEST(SupervisorRefusals, OfASafeWaitAreRepeatedMoreAndMoreSeldom) {
   EXPECT_THAT(pauses, ElementsAre(secs(5), secs(5), secs(10), secs(20), secs(40)));
 }
 
+// A plan that comes and is refused, too, is no reason to ask for a safe wait sooner.
+TEST(SupervisorRefusals, OfASafeWaitAreRememberedOverWhatIsGivenMeanwhile) {
+  Refused one;
+  one.refuse();
+  const std::uint64_t wait = 102;
+  EXPECT_THAT(one.desk.requests(), Contains("START " + std::to_string(wait)));
+  one.desk.seen(wait, TaskState::kAborted, "no", "wait");
+  one.plan_again();
+
+  one.desk.at(1);
+  one.refuse();
+
+  EXPECT_THAT(one.desk.requests(), Not(Contains(HasSubstr("START"))));
+  EXPECT_THAT(one.desk.notices(), Contains(HasSubstr("its safe wait was refused")));
+}
+
 }  // namespace
 }  // namespace skein::supervisor

@@ -36,6 +36,8 @@ std::vector<Violation> feasible_but_failed(const History& history);
 /// Nothing goes wrong in it by itself, and nobody takes anything back.
 bool is_clean(const scenario::Scenario& scenario);
 // requests.cpp
+/// The decision by which a plan was made anew.
+bool is_repair(const Word& word);
 std::vector<Violation> asked_again_and_again(const History& history);
 // estimates.cpp
 std::vector<Violation> evaluations_off(const History& history);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kAtOnce = 10;       ///< [s] from the answer to the mission itself
 constexpr double kMoment = 3;        ///< [s] for the plan to be made, and to begin
-constexpr double kEnergyPart = 0.3;  ///< of what it takes
-constexpr double kEnergySlack = 0.01;
+constexpr double kEnergyPart = 0.2;  ///< of what it takes
+constexpr double kEnergySlack = 0.005;
 
 using ground_station::Action;
 using ground_station::SendMission;
@@ -77,6 +77,16 @@ std::vector<Given> given_after_evaluation(const History& history, const Uav& uav
   return result;
 }
 
+// How long partners let it wait nobody on board can say.
+bool waits_for_partners(const Uav& uav, double from, double until) {
+  return std::any_of(uav.executions.begin(), uav.executions.end(), [&](const auto& one) {
+    const Execution& task = one.second;
+    const bool together =
+        task.type == "synchronise" || task.type == "rendezvous" || task.type == "monitor";
+    return together && task.started < until && task.over > from;
+  });
+}
+
 // Nobody asked for anything else in between, and no plan was made anew.
 bool undisturbed(const Uav& uav, const Given& given, double until) {
   for (const auto& [id, goal] : uav.goals) {
@@ -84,10 +94,7 @@ bool undisturbed(const Uav& uav, const Given& given, double until) {
     if (between && given.goals.count(id) == 0) return false;
   }
   return std::none_of(uav.words.begin(), uav.words.end(), [&](const Word& word) {
-    const bool repair = word.text.rfind("6 repair", 0) == 0 &&
-                        word.text.rfind("6 repair: absorb", 0) != 0 &&
-                        word.text.rfind("6 repair: shift", 0) != 0;
-    return repair && word.at > given.asked->at - kMoment && word.at <= until;
+    return is_repair(word) && word.at > given.asked->at - kMoment && word.at <= until;
   });
 }
 
@@ -139,6 +146,7 @@ void judge(const Uav& uav, const Given& given, std::vector<Violation>& result) {
                                         (asked.planned ? " not" : ""));
   const auto span = span_of(uav, given);
   if (!asked.planned || !span || !undisturbed(uav, given, span->until)) return;
+  if (waits_for_partners(uav, asked.at, span->until)) return;
   const double later = given.answer->at - asked.at + kMoment;
   if (span->until < asked.earliest_end - kMoment || span->until > asked.latest_end + later)
     breach(span->until, " was to end between " + figure(asked.earliest_end) + " and " +

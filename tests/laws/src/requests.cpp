@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kOfAGoal = 3;    ///< requests alike: the first, and twice again
 constexpr double kMinute = 60;         ///< [s]
-constexpr std::size_t kInAMinute = 6;  ///< requests alike, of whichever goal
+constexpr std::size_t kInAMinute = 8;  ///< requests alike, of whichever goal, safe waits among them
 constexpr std::size_t kRepairs = 12;   ///< plans made anew in a minute
 
 // Refusals in the same words but for figures are alike.
@@ -37,11 +37,6 @@ std::optional<double> too_many(const std::vector<double>& instants, std::size_t 
     if (instants[i] - instants[i - most] < kMinute) return instants[i];
   }
   return std::nullopt;
-}
-
-bool is_repair(const Word& word) {
-  const auto begins = [&](const char* with) { return word.text.rfind(with, 0) == 0; };
-  return begins("6 repair: ") && !begins("6 repair: absorb") && !begins("6 repair: shift");
 }
 
 void judge(const Uav& uav, std::vector<Violation>& result) {
@@ -73,6 +68,11 @@ void judge(const Uav& uav, std::vector<Violation>& result) {
 }
 
 }  // namespace
+
+bool is_repair(const Word& word) {
+  const auto begins = [&](const char* with) { return word.text.rfind(with, 0) == 0; };
+  return begins("6 repair: ") && !begins("6 repair: absorb") && !begins("6 repair: shift");
+}
 
 std::vector<Violation> asked_again_and_again(const History& history) {
   std::vector<Violation> result;

@@ -48,6 +48,17 @@ TEST(Evaluated, OneThatEndsLaterIsTold) {
               ElementsAre(HasSubstr("was to end between 15.0 and 25.0 s, and ended at 40.0")));
 }
 
+TEST(Evaluated, OneThatWaitsForPartnersMayEndLater) {
+  Story story("", kAskedThenGiven);
+  story.answer("marvin", 11, {1, true, true, 0.05, 15, 25}).answer("marvin", 12, {2, true});
+  story.does("marvin", {99, "synchronise", 701, 5, 30});
+  story.goal("marvin", 702, "general-gotoxyz A1", "received", 12);
+  story.does("marvin", {100, "goto", 702, 30, 40});
+  story.goal("marvin", 702, "general-gotoxyz A1", "achieved", 40);
+
+  EXPECT_THAT(story.broken("evaluated"), IsEmpty());
+}
+
 TEST(Evaluated, OneThatTakesTwiceTheEnergyIsTold) {
   EXPECT_THAT(flown(0.1).broken("evaluated"),
               ElementsAre(HasSubstr("was to take 5.0 % of its energy, and took 10.0 %")));
