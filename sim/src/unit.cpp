@@ -69,14 +69,14 @@ void Unit::dispatch(const FunctionalRequest& request, MissionTime now,
   if (!task) return refuse(task.error().why);
   if (auto* shot = std::get_if<TakeshotTask>(&*task)) {
     if (const auto why = sensors_.refusal(shot->device)) return refuse(*why);
-    if (takes_abort(request.type)) return refuse(kAbortedByFault);
+    if (takes_abort(request.type, now)) return refuse(kAbortedByFault);
     return sensors_.start(request.task, std::move(*shot), now, board_, effects);
   }
   if (motion_) return refuse("motion task " + std::to_string(motion_->id) + " is still active");
   if (const auto* stay = std::get_if<PerceiveTask>(&*task)) {
     if (const auto why = sensors_.refusal(stay->shot.device)) return refuse(*why);
   }
-  if (takes_abort(request.type)) return refuse(kAbortedByFault);
+  if (takes_abort(request.type, now)) return refuse(kAbortedByFault);
   board_.note(request.task);
   motion_ = MotionTask{request.task, request.type, std::move(*task)};
   motion_->begins = now + pilot_.reaction();
@@ -173,7 +173,7 @@ void Unit::handle(const Fault& fault, MissionTime now, std::vector<Effect>& effe
       sensors_.break_device(fault.device, now, board_, effects);
       return release_perception();
     case FaultKind::kAbort:
-      return abort_one(fault.type, now, effects);
+      return abort_one(fault, now, effects);
     case FaultKind::kSlow:
       slowed_by_ = fault.factor;
       slow_until_ = now + fault.lasts;
@@ -188,7 +188,9 @@ void Unit::handle(const Fault& fault, MissionTime now, std::vector<Effect>& effe
   watch_breakdowns(now, effects);
 }
 
-void Unit::abort_one(const std::string& type, MissionTime now, std::vector<Effect>& effects) {
+void Unit::abort_one(const Fault& fault, MissionTime now, std::vector<Effect>& effects) {
+  const std::string& type = fault.type;
+  if (fault.lasts > Duration()) aborts_until_[type] = now + fault.lasts;
   if (motion_ && motion_->type == type && motion_->phase != MotionTask::Phase::kStopping) {
     finish(FunctionalState::kAborted, kAbortedByFault, now, effects);
     return come_to_rest();
@@ -198,11 +200,13 @@ void Unit::abort_one(const std::string& type, MissionTime now, std::vector<Effec
     sensors_.abort(*along, kAbortedByFault, now, board_, effects);
     return;
   }
-  aborts_.insert(type);
+  if (fault.lasts <= Duration()) aborts_.insert(type);
 }
 
-/// True once for each fault that waits for a task of the type.
-bool Unit::takes_abort(const std::string& type) {
+/// True once for each fault that waits for a task of the type, and always while one lasts.
+bool Unit::takes_abort(const std::string& type, MissionTime now) {
+  const auto lasting = aborts_until_.find(type);
+  if (lasting != aborts_until_.end() && now < lasting->second) return true;
   const auto found = aborts_.find(type);
   if (found == aborts_.end()) return false;
   aborts_.erase(found);

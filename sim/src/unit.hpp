@@ -3,6 +3,7 @@
 // tasks.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -69,8 +70,8 @@ class Unit {
               std::vector<Effect>& effects);
   void abort_everything(const std::string& reason, MissionTime now, std::vector<Effect>& effects);
   void come_to_rest();
-  void abort_one(const std::string& type, MissionTime now, std::vector<Effect>& effects);
-  bool takes_abort(const std::string& type);
+  void abort_one(const Fault& fault, MissionTime now, std::vector<Effect>& effects);
+  bool takes_abort(const std::string& type, MissionTime now);
   double pace_at(MissionTime now) const;
   void watch_breakdowns(MissionTime now, std::vector<Effect>& effects);
   /// The task that holds the vehicle looks at something meanwhile.
@@ -92,7 +93,8 @@ class Unit {
   double speed_factor_;
   double slowed_by_ = 1;
   MissionTime slow_until_ = {};
-  std::multiset<std::string> aborts_;  ///< types whose next task aborts
+  std::multiset<std::string> aborts_;                ///< types whose next task aborts
+  std::map<std::string, MissionTime> aborts_until_;  ///< types of which every task aborts
 };
 
 }  // namespace skein::sim

@@ -190,6 +190,25 @@ TEST(AbortFault, IsNotSpentOnATaskThatIsRefusedAnyway) {
   EXPECT_EQ(flight.history(4), "running");
 }
 
+TEST(AbortFault, WithATimeItMeetsWhatRunsAndEveryTaskOfItsTypeUntilThen) {
+  Flight flight = in_the_air("marvin");
+  flight.dispatch("marvin", 2, "takeshot", device("visible"));
+  Fault fault = abort_of("takeshot");
+  fault.lasts = Duration::seconds(20);
+  flight.give(fault);
+  EXPECT_EQ(flight.history(2), "running aborted");
+
+  flight.dispatch("marvin", 3, "takeshot", device("visible"));
+  flight.run_for(15);
+  flight.dispatch("marvin", 4, "takeshot", device("visible"));
+  flight.run_for(6);
+  flight.dispatch("marvin", 5, "takeshot", device("visible"));
+
+  EXPECT_EQ(flight.reason(3), "aborted by the functional layer");
+  EXPECT_EQ(flight.reason(4), "aborted by the functional layer");
+  EXPECT_EQ(flight.history(5), "running");
+}
+
 TEST(AbortFault, ATaskThatItMetIsNotDoneWhenItIsAskedForAgain) {
   Flight flight = in_the_air("marvin");
   flight.give(abort_of("goto"));

@@ -52,6 +52,7 @@ std::vector<sim::ScheduledFault> onboard_faults(const Scenario& scenario) {
   for (const scenario::AbortSpec& one : scenario.faults.aborts) {
     sim::Fault fault{one.uav, sim::FaultKind::kAbort};
     fault.type = one.type;
+    fault.lasts = one.lasts;
     faults.push_back({one.at, fault});
   }
   for (const scenario::EnergySpec& one : scenario.faults.energies) {

@@ -179,11 +179,12 @@ void read_fault(const Reader& fault, const Names& names, FaultSpec& faults) {
                             slow.required("factor").number(1, {1, 100, "times slower"}),
                             read_seconds(slow.required("for"))});
   } else if (const Reader abort = fault.optional("abort"); abort.present()) {
-    abort.keys({"uav", "type"});
+    abort.keys({"uav", "type", "for"});
     const auto types =
         functional::TaskTypes::shipped().names(functional::CarriedOutBy::kFunctionalLayer);
     faults.aborts.push_back({at, uav(abort.required("uav")),
-                             abort.required("type").name_among(types, "a type of tasks")});
+                             abort.required("type").name_among(types, "a type of tasks"),
+                             read_seconds(abort.optional("for"))});
   } else if (const Reader energy = fault.optional("energy"); energy.present()) {
     energy.keys({"uav", "left"});
     faults.energies.push_back(

@@ -294,6 +294,7 @@ TEST(PlanningFaults, OfTheFunctionalLayerAreKept) {
   const FaultSpec faults = with_top(
                                "faults:\n  - {at: 5, slow: {uav: karma, factor: 3, for: 60}}\n"
                                "  - {at: 6, abort: {uav: heliv, type: takeshot}}\n"
+                               "  - {at: 6, abort: {uav: heliv, type: land, for: 40}}\n"
                                "  - {at: 7, energy: {uav: karma, left: 0.2}}")
                                .faults;
 
@@ -301,9 +302,11 @@ TEST(PlanningFaults, OfTheFunctionalLayerAreKept) {
   EXPECT_EQ(faults.slows[0].uav, "karma");
   EXPECT_EQ(faults.slows[0].factor, 3);
   EXPECT_EQ(faults.slows[0].lasts, Duration::seconds(60));
-  ASSERT_EQ(faults.aborts.size(), 1U);
+  ASSERT_EQ(faults.aborts.size(), 2U);
   EXPECT_EQ(faults.aborts[0].type, "takeshot");
   EXPECT_EQ(faults.aborts[0].at, at(6));
+  EXPECT_EQ(faults.aborts[0].lasts, Duration());
+  EXPECT_EQ(faults.aborts[1].lasts, Duration::seconds(40));
   ASSERT_EQ(faults.energies.size(), 1U);
   EXPECT_EQ(faults.energies[0].left, 0.2);
 }

@@ -227,16 +227,24 @@ bool Book::is_due(const Entry& entry) const {
   });
 }
 
-bool Book::has_occupation() const {
+// Of what others gave nobody here knows when it begins.
+bool Book::has_occupation(MissionTime soon) const {
   const bool occupied = std::any_of(tasks.begin(), tasks.end(), [&](const auto& one) {
     const Entry& entry = one.second;
     const bool goes_on = entry.given && !entry.over() && !entry.stopping;
-    if (!goes_on) return false;
-    return holds_vehicle(entry.task) || entry.seen.started.has_value() || is_due(entry);
+    if (!goes_on || entry.seen.started) return goes_on;
+    const bool begins = entry.by_others || entry.dates.earliest_start <= soon;
+    return begins && (holds_vehicle(entry.task) || is_due(entry));
   });
   return occupied || std::any_of(loose.begin(), loose.end(), [](const auto& one) {
            return one.second.holds_vehicle && !one.second.stopping;
          });
+}
+
+bool Book::waits_safely() const {
+  return std::any_of(loose.begin(), loose.end(), [](const auto& one) {
+    return one.second.ours && one.second.type == "wait" && !one.second.stopping;
+  });
 }
 
 void Book::reorder(const std::vector<GoalId>& wanted) {

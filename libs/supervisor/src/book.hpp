@@ -70,6 +70,7 @@ struct Loose {
   bool ours = false;
   bool holds_vehicle = false;
   bool stopping = false;  ///< told to by us
+  bool ran = false;       ///< the vehicle took it
 };
 
 /// True for a task whose way to end is being told so: it never counts as ended for the executive.
@@ -126,9 +127,11 @@ class Book {
   std::set<TaskId> loose_users_of(const std::string& device) const;
   /// Open-ended tasks that wait for orders and are not over.
   std::vector<const Entry*> waits_for_orders() const;
-  /// Something that is to go on moves or holds the vehicle, or is under way where it is: it hovers,
-  /// or circles, for a perception or a rendezvous.
-  bool has_occupation() const;
+  /// Something that is to go on is under way, or moves or holds the vehicle and begins by `soon`,
+  /// as far as is known: what it hovers, or circles, for.
+  bool has_occupation(MissionTime soon) const;
+  /// A safe wait goes on.
+  bool waits_safely() const;
   /// All that it waits for has come.
   bool is_due(const Entry& entry) const;
 

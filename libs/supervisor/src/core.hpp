@@ -11,6 +11,7 @@
 
 #include "book.hpp"
 #include "plan_network.hpp"
+#include "refusals.hpp"
 #include "retreat.hpp"
 #include "skein/supervisor/supervisor.hpp"
 #include "wind_estimator.hpp"
@@ -50,6 +51,7 @@ class Supervisor::Core {
     MissionTime since;
     int attempts = 0;
     bool home = false;  ///< even with nothing to plan: it must come down
+    MissionTime not_before = {};
   };
   /// What a job supposes.
   struct Premises {
@@ -129,11 +131,13 @@ class Supervisor::Core {
   void tell_progress(GoalId id);
   void see_flight(const executive::TaskEvent& event);
   void see_loose(const executive::TaskEvent& event);
+  Duration retry_after(const Loose& loose, const std::string& why);
   void see(Entry& entry, const executive::TaskEvent& event);
   void see_started(Entry& entry);
   void tell_beside_its_times(const Entry& entry, bool ends);
   void see_ended(Entry& entry);
   void see_aborted(Entry& entry);
+  void refused(const Entry& entry, const std::string& what);
   void settle_done(Entry& entry);
   bool was_stopped_in_time(const Entry& entry) const;
   bool follows_lost_task(const Entry& entry) const;
@@ -162,9 +166,12 @@ class Supervisor::Core {
   void stop(const std::vector<TaskId>& tasks);
   bool repairing() const { return need_ || (job_ && !job_->mission); }
   void need(std::optional<GoalId> failed, bool refine, const std::string& cause);
+  void pause_need(const Entry& entry, int refused);
+  void hurry();
   void check_devices(const std::set<std::string>& newly);
   void keep_safe();
   std::string why_idle() const;
+  std::string begins_from(GoalId id) const;
   void wait_safely();
   void stop_safe_waits();
 
@@ -245,11 +252,14 @@ class Supervisor::Core {
   void on(const JointTaskAnswered& input);
   void commit();
   std::optional<GoalId> next_to_give() const;
+  bool is_undated(GoalId goal) const;
   std::optional<MissionTime> due(GoalId goal) const;
   void give(GoalId goal);
   mission::ElementaryTask as_given(const mission::ElementaryTask& task) const;
   std::set<TaskId> loose_before(const mission::ElementaryTask& task) const;
   void end_waits();
+  Duration safe_wait_ends_within() const;
+  std::optional<MissionTime> end_of_safe_wait() const;
   void load(const Entry& entry);
   void report_joint(TaskId id, const std::string& why);
 
@@ -282,6 +292,7 @@ class Supervisor::Core {
 
   world::VehicleState vehicle_;
   WindEstimator wind_;
+  Refusals refusals_;
   std::set<std::string> broken_;
   MissionTime grounded_until_;  ///< a state that says otherwise is older than the landing
   std::optional<MissionTime> wait_again_;  ///< no safe wait before

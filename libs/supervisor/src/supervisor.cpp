@@ -62,6 +62,8 @@ std::optional<MissionTime> Supervisor::Core::next_wakeup() const {
     if (at && *at > now_ && *at != MissionTime::max()) next = earliest(next, at);
   };
   count(wait_again_);
+  count(end_of_safe_wait());
+  if (need_) count(need_->not_before);
   count(next_closing());
   for (const auto& [id, entry] : book_.tasks) {
     if (!book_.counts(entry)) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "flight_times.hpp"
 #include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::supervisor {
@@ -23,9 +24,20 @@ std::optional<GoalId> Supervisor::Core::next_to_give() const {
   return std::nullopt;
 }
 
+// It begins some time after the end of another goal, which is to come.
+bool Supervisor::Core::is_undated(GoalId goal) const {
+  const auto& after = book_.goals.at(goal).task.after;
+  return std::any_of(after.begin(), after.end(), [&](const auto& bound) {
+    const auto other = book_.goals.find(bound.goal);
+    return !bound.on_end && bound.least > Duration() && other != book_.goals.end() &&
+           !is_settled(other->second.state);
+  });
+}
+
 // What comes behind a wait for orders comes when it may start at once, since it ends the wait;
-// never before the wait is under way. While a job runs, what it plans is not taken from it early.
-// What is to begin some time after another goal has no date until that is over.
+// never before the wait is under way. So does what comes behind a safe wait, but for the instant
+// that this takes to end. While a job runs, what it plans is not taken from it early. What is to
+// begin some time after another goal has no date until that is over.
 std::optional<MissionTime> Supervisor::Core::due(GoalId goal) const {
   MissionTime first = MissionTime::max();
   for (const Entry* entry : book_.of(goal)) first = std::min(first, entry->dates.earliest_start);
@@ -34,14 +46,8 @@ std::optional<MissionTime> Supervisor::Core::due(GoalId goal) const {
     if (!wait->seen.started) return std::nullopt;
   }
   if (!waits.empty()) return first;
-  const auto& after = book_.goals.at(goal).task.after;
-  const bool undated = std::any_of(after.begin(), after.end(), [&](const auto& bound) {
-    const auto other = book_.goals.find(bound.goal);
-    return !bound.on_end && bound.least > Duration() && other != book_.goals.end() &&
-           !is_settled(other->second.state);
-  });
-  if (undated) return std::nullopt;
-  if (book_.nothing_in_hand()) return now_;
+  if (is_undated(goal)) return std::nullopt;
+  if (book_.waits_safely()) return first - safe_wait_ends_within();
   return job_ && !job_->evaluation ? first : first - config_.horizon;
 }
 
@@ -132,6 +138,21 @@ void Supervisor::Core::end_waits() {
     stop({*it});
   }
   stop_safe_waits();
+}
+
+Duration Supervisor::Core::safe_wait_ends_within() const {
+  return kStopReaction + Duration::seconds(longest_reaction(config_.knowledge->vehicle));
+}
+
+// When it is to end, so that the first of the tasks that the executive has may begin in time.
+std::optional<MissionTime> Supervisor::Core::end_of_safe_wait() const {
+  std::optional<MissionTime> first;
+  if (!book_.waits_safely()) return first;
+  for (const auto& [id, entry] : book_.tasks) {
+    if (!entry.in_hand() || entry.seen.started || entry.by_others || entry.stopping) continue;
+    first = earliest(first, entry.dates.earliest_start - safe_wait_ends_within());
+  }
+  return first;
 }
 
 // ---- joint tasks ----

@@ -6,6 +6,12 @@
 
 namespace skein::supervisor {
 
+namespace {
+
+constexpr Duration kPause = Duration::milliseconds(5000);  // a longer one between tasks is said
+
+}  // namespace
+
 // Goals lose their tasks. Returns those that the executive has to be told to stop, the highest id
 // first; what was only planned is forgotten.
 std::vector<TaskId> Supervisor::Core::withdraw(const std::set<GoalId>& goals) {
@@ -30,13 +36,28 @@ void Supervisor::Core::retire(const std::set<GoalId>& goals) { stop(withdraw(goa
 
 void Supervisor::Core::need(std::optional<GoalId> failed, bool refine, const std::string& cause) {
   if (!need_) {
-    need_ = Need{failed, refine, cause, now_, 0, false};
+    need_ = Need{failed, refine, cause, now_, 0, false, now_};
     return;
   }
+  hurry();
   need_->cause += "; " + cause;
   if (need_->failed || !failed) return;
   need_->failed = failed;
   need_->refine = refine;
+}
+
+// What was refused alike before is planned again after a pause; whatever else happens ends it.
+void Supervisor::Core::pause_need(const Entry& entry, int refused) {
+  const Duration pause = pause_after(refused);
+  if (pause <= Duration()) return;
+  need_->not_before = now_ + pause;
+  notice(named(entry.task.origin) + ": its " + entry.task.type + " was refused " +
+         std::to_string(refused) + " times alike (" + entry.why + "); it is planned again in " +
+         to_text(pause) + " s");
+}
+
+void Supervisor::Core::hurry() {
+  if (need_) need_->not_before = now_;
 }
 
 void Supervisor::Core::fail_task(const Entry& entry, const std::string& cause) {
@@ -96,11 +117,14 @@ void Supervisor::Core::check_devices(const std::set<std::string>& newly) {
 
 // ---- safety ----
 
-// In the air, the UAV has a task, or it is said that it has none.
+// In the air, the UAV has a task that is under way or begins at once, or it is said that it has
+// none. It waits in safe mode until what the executive has may begin, unless that is soon.
 void Supervisor::Core::keep_safe() {
-  if (!vehicle_.airborne || book_.has_occupation()) {
-    told_idle_ = false;
-    wait_again_.reset();
+  if (const auto end = end_of_safe_wait(); end && *end <= now_) stop_safe_waits();
+  if (!vehicle_.airborne || book_.has_occupation(now_ + config_.horizon)) {
+    const bool pauses = vehicle_.airborne && !book_.has_occupation(now_ + kPause);
+    if (pauses && !told_idle_) notice("in the air without a task for a moment: " + why_idle());
+    told_idle_ = pauses;
     return;
   }
   if (!ever_gave_) {
@@ -127,7 +151,7 @@ std::string Supervisor::Core::why_idle() const {
   for (const GoalId id : book_.order) {
     const Goal& goal = book_.goals.at(id);
     if (!is_settled(goal.state) && goal.state != GoalState::kHandedOver)
-      return named(id) + " waits: nothing of it may begin yet";
+      return named(id) + " waits: nothing of it may begin " + begins_from(id);
     if (last == nullptr || goal.settled >= last->settled) last = &goal;
   }
   if (last == nullptr) return "no mission was given to it";
@@ -135,6 +159,17 @@ std::string Supervisor::Core::why_idle() const {
   return "nothing follows " + named(last->task.id) + ", " + std::string(to_text(last->state)) + why;
 }
 
+// "before 180 s", or "yet".
+std::string Supervisor::Core::begins_from(GoalId id) const {
+  MissionTime first = MissionTime::max();
+  for (const Entry* entry : book_.of(id)) {
+    if (!entry->over()) first = std::min(first, entry->dates.earliest_start);
+  }
+  const bool dated = first > now_ && first != MissionTime::max() && !is_undated(id);
+  return dated ? "before " + to_text(first) + " s" : "yet";
+}
+
+// What the executive has begins when this is over.
 void Supervisor::Core::wait_safely() {
   wait_again_.reset();
   const TaskId id = book_.next_id;
@@ -142,8 +177,12 @@ void Supervisor::Core::wait_safely() {
   executive::Task task;
   task.id = id;
   task.type = "wait";
-  book_.loose[id] = {"wait", true, true, false};
+  book_.loose[id] = {"wait", true, true, false, false};
   send(executive::Start{std::move(task), executive::InsertionMode::kVut});
+  for (const auto& [task_id, entry] : book_.tasks) {
+    const bool held = entry.in_hand() && !entry.seen.started && !entry.by_others;
+    if (held && holds_vehicle(entry.task)) send_preconditions(entry);
+  }
   notice("in the air with nothing to do: waits in safe mode, task " + to_text(id) + "; " +
          why_idle());
 }

@@ -157,7 +157,7 @@ void Supervisor::Core::come_down_at_once() {
   executive::Task task;
   task.id = id;
   task.type = "land";
-  book_.loose[id] = {"land", true, true, false};
+  book_.loose[id] = {"land", true, true, false, false};
   send(executive::Start{std::move(task), executive::InsertionMode::kVut});
   notice(why + ": lands at once, task " + to_text(id));
 }

@@ -32,6 +32,7 @@ void Supervisor::Core::on(const Disengage& input) {
   }
   evaluations_.clear();
   wait_again_.reset();
+  if (!book_.nothing_in_hand()) stop_safe_waits();  // what the executive has waits for their end
   HandedOver held;
   const std::set<TaskId> by_order = book_.ending_by_order();
   std::vector<GoalId> goals;

@@ -96,7 +96,7 @@ bool Supervisor::Core::hold(const Premises& then, const Premises& now) const {
 void Supervisor::Core::start_job() {
   give_way();
   if (job_) return;
-  if (need_) start_repair();
+  if (need_ && need_->not_before <= now_) start_repair();
   if (job_ || need_) return;
   if (!pending_.empty()) return start_insertion(pending_.front());
   if (!evaluations_.empty()) start_evaluation(evaluations_.front());
@@ -202,6 +202,7 @@ bool Supervisor::Core::again(const Job& job, const std::string& why) {
       if (!merged.failed) merged.refine = need_->refine;
       if (!merged.failed) merged.failed = need_->failed;
       merged.home = merged.home || need_->home;
+      merged.not_before = need_->not_before;
     }
     attempts = ++merged.attempts;
     need_ = std::move(merged);

@@ -85,15 +85,25 @@ void Supervisor::Core::see_loose(const executive::TaskEvent& event) {
   }
   const auto known = book_.loose.find(event.id);
   if (!is_terminal(event.state)) {
-    if (known != book_.loose.end()) return;
+    if (known != book_.loose.end()) {
+      known->second.ran = known->second.ran || event.state == TaskState::kRunning;
+      return;
+    }
     const bool holds = functional::TaskTypes::shipped().of(event.type).holds_vehicle();
-    book_.loose[event.id] = {event.type, false, holds, false};
+    book_.loose[event.id] = {event.type, false, holds, false, false};
     return;
   }
   if (known == book_.loose.end()) return;
-  if (known->second.ours && !known->second.stopping) wait_again_ = now_ + kWaitRetry;
+  if (known->second.ours && !known->second.stopping)
+    wait_again_ = now_ + retry_after(known->second, event.reason);
   forgotten_.insert(event.id);
   book_.loose.erase(known);
+}
+
+// Of what keeps it safe: sooner where it did run, and something else took its place.
+Duration Supervisor::Core::retry_after(const Loose& loose, const std::string& why) {
+  if (loose.ran) return kWaitRetry;
+  return std::max(kWaitRetry, pause_after(refusals_.count(loose.type, why, now_)));
 }
 
 void Supervisor::Core::see(Entry& entry, const executive::TaskEvent& event) {
@@ -169,6 +179,8 @@ void Supervisor::Core::see_ended(Entry& entry) {
 // Over as it should be: the goal is achieved when all its tasks are.
 void Supervisor::Core::settle_done(Entry& entry) {
   entry.done = true;
+  refusals_.did(entry.task.type);
+  if (entry.task.type == "wait") wait_again_.reset();
   const GoalId id = entry.task.origin;
   Goal& goal = book_.goals.at(id);
   if (is_settled(goal.state)) return;
@@ -215,7 +227,20 @@ void Supervisor::Core::see_aborted(Entry& entry) {
   }
   if (asked) return operator_aborted(entry);
   const std::string what = "task " + to_text(entry.task.id) + " aborted: " + entry.why;
-  fail_task(entry, follows_lost_task(entry) ? what + " (it follows a lost one)" : what);
+  if (follows_lost_task(entry)) return fail_task(entry, what + " (it follows a lost one)");
+  refused(entry, what);
+}
+
+// By the vehicle, or by the executive. The goal is planned again, at once or after a pause.
+void Supervisor::Core::refused(const Entry& entry, const std::string& what) {
+  const int times = refusals_.count(entry.task.type, entry.why, now_);
+  const auto before = need_ ? std::optional(need_->not_before) : std::nullopt;
+  fail_task(entry, times > 1 ? what + " (" + std::to_string(times) + " times alike)" : what);
+  if (!need_) return;
+  if (before)
+    need_->not_before = std::max(*before, now_);
+  else if (need_->refine)
+    pause_need(entry, times);
 }
 
 void Supervisor::Core::on(const RequestAnswered& input) {
@@ -227,8 +252,8 @@ void Supervisor::Core::on(const RequestAnswered& input) {
   if (reply.request == executive::RequestKind::kAbort) return;
   if (const auto loose = book_.loose.find(*reply.id); loose != book_.loose.end()) {
     if (!loose->second.ours) return;
+    wait_again_ = now_ + retry_after(loose->second, reply.why);
     book_.loose.erase(loose);
-    wait_again_ = now_ + kWaitRetry;
     return;
   }
   Entry* entry = book_.find(*reply.id);
@@ -237,7 +262,8 @@ void Supervisor::Core::on(const RequestAnswered& input) {
     entry->seen.over = now_;
     entry->seen.aborted = true;
   }
-  if (entry->live() && engaged_) fail_task(*entry, what);
+  entry->why = reply.why;
+  if (entry->live() && engaged_) refused(*entry, what);
 }
 
 // ---- the vehicle ----

@@ -52,6 +52,7 @@ void Supervisor::Core::enter(const mission::UnitMission& mission) {
     book_.order.push_back(task.id);
     set_state(entered, GoalState::kReceived);
   }
+  hurry();
   pending_.push_back({mission.id, mission.placement, mission.interrupt, mission.any,
                       "mission " + to_text(mission.id) + " of " + mission.asked_by, now_});
 }

@@ -153,7 +153,7 @@ bool Supervisor::Core::is_there(const Whereabouts& expected) const {
 }
 
 // Its turn comes when all before it is settled: then it is achieved if it is true, else it needs
-// tasks after all.
+// tasks after all. What is counted from its end has its dates from then on.
 void Supervisor::Core::settle_true_goals() {
   if (repairing()) return;
   for (const GoalId id : std::vector<GoalId>(book_.order)) {
@@ -165,6 +165,8 @@ void Supervisor::Core::settle_true_goals() {
       return fail_goal(id, "goal " + to_text(id) + " was to be true without tasks, and is not");
     }
     set_state(goal, GoalState::kAchieved);
+    check_network("goal " + to_text(id) + " is true");
+    if (repairing()) return;
   }
 }
 

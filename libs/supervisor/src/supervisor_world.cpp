@@ -15,7 +15,7 @@ namespace {
 constexpr double kSamePlace = 5, kStillInView = 15;
 // The wind is believed to be another when it is known well and differs by much [m/s].
 constexpr double kWindKnown = 0.6, kOtherWind = 0.75;
-constexpr double kSure = 2.5;  // deviations
+constexpr double kSure = 3.5;  // deviations: it is looked at with every state
 
 bool names(const mission::HighLevelTask& task, const std::string& place) {
   const auto is_it = [&](const std::string& name) { return same_name(name, place); };

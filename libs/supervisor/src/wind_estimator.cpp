@@ -17,8 +17,9 @@ constexpr double kUnmodelled = 0.3;      // [m/s] of a velocity, beside gusts
 constexpr double kCorrelated = 5;        // [s] for which gusts last: so many states tell as one
 constexpr double kSteadyChange = 0.6;    // [m/s²] of the velocity over the ground
 constexpr double kSteadyTurn = 0.05;     // [rad/s] of a hovering vehicle's nose
-constexpr double kLeastShare = 0.5;      // of the cruise speed, through the air
-constexpr double kLongestStep = 5;       // [s] between states that are compared
+constexpr double kLevel = 0.5;       // [m/s] up or down: who climbs may not fly at its speed yet
+constexpr double kLeastShare = 0.5;  // of the cruise speed, through the air
+constexpr double kLongestStep = 5;   // [s] between states that are compared
 
 Eigen::Vector2d nose(const world::VehicleState& state) {
   return {std::cos(state.heading), std::sin(state.heading)};
@@ -39,6 +40,7 @@ WindEstimator::WindEstimator(const world::VehicleModel& vehicle, const world::Wi
 
 bool WindEstimator::is_steady(const world::VehicleState& state, double dt) const {
   if (!last_ || !last_->airborne || !state.airborne || dt <= 0 || dt > kLongestStep) return false;
+  if (std::abs(state.velocity.z()) > kLevel) return false;
   const double turn = std::abs(std::remainder(state.heading - last_->heading, 2 * M_PI)) / dt;
   // A vehicle that cannot hover flies where its nose points, also in turns.
   if (hovers_ && turn > kSteadyTurn) return false;

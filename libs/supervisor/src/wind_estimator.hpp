@@ -18,7 +18,7 @@ namespace skein::supervisor {
 /// (VehicleModel::wind_drift). Straight flight tells the wind across it; along it wind and air
 /// speed cannot be told apart until the vehicle turns. Starts from the wind believed and the cruise
 /// speed, both uncertain. States in hover, in turns that a hovering vehicle's nose may lag behind,
-/// and while it gathers speed or brakes tell nothing and are left out.
+/// while it gathers speed or brakes, climbs or descends tell nothing and are left out.
 ///
 /// Deterministic; a value type. Cost of a state: some hundred operations.
 class WindEstimator {

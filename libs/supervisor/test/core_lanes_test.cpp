@@ -9,6 +9,7 @@ namespace skein::supervisor {
 namespace {
 
 using namespace testing;  // NOLINT: builders read as words
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -174,7 +175,7 @@ TEST(SupervisorGoalBounds, CountFromTheInstantAtWhichTheGoalWasAchieved) {
   EXPECT_EQ(bounds.over.at(GoalId{701}), testing::at(110));
 }
 
-TEST(SupervisorGoalBounds, AGoalThatComesSomeTimeAfterAnotherIsGivenWhenThatIsOver) {
+TEST(SupervisorGoalBounds, AGoalThatComesSomeTimeAfterAnotherHasItsDateWhenThatIsOver) {
   Desk desk = flying();
   mission::UnitMission mission = a_mission(2, {801});
   mission.tasks[0].after.push_back({GoalId{702}, false, secs(60), Duration::max()});
@@ -187,8 +188,12 @@ TEST(SupervisorGoalBounds, AGoalThatComesSomeTimeAfterAnotherIsGivenWhenThatIsOv
   desk.at(119).give(Tick{});
   EXPECT_THAT(desk.requests(), IsEmpty());
   desk.at(120).ends(200);
+  EXPECT_THAT(desk.requests(), ElementsAre("START 202")) << "a safe wait";
+  EXPECT_THAT(desk.notices(), Contains(HasSubstr("waits: nothing of it may begin "
+                                                 "before 180 s")));
+  desk.at(179).give(Tick{});
 
-  EXPECT_THAT(desk.requests(), ElementsAre("START 201"));
+  EXPECT_THAT(desk.requests(), ElementsAre("START 201", "ABORT 202"));
 }
 
 TEST(SupervisorGoalBounds, AnEndThatComesBeforeItWasAskedIsSaid) {

@@ -112,17 +112,121 @@ TEST(SupervisorMission, IsGivenGoalByGoalAtTheHorizonAndAchievedWhenAllHasEnded)
   EXPECT_THAT(desk.supervisor.report().tasks, IsEmpty());
 }
 
-TEST(SupervisorMission, GoesToTheExecutiveWhenThatHasNothingLeft) {
-  Desk desk = Desk::engaged();
+// ---- what may begin much later ----
+
+Desk with_a_goal_for_later(const Config& config = config_for_tests()) {
+  Desk desk = Desk::engaged(config);
   desk.add(a_mission(1, {701, 702}));
   desk.finish(inserted({701, 702}, {TaskOf(100, "takeoff", 701),
                                     TaskOf(101, "goto", 702).after(100).starts_after(500)}));
+  desk.runs(100);
+  desk.at(12).ends(100);
+  return desk;
+}
+
+TEST(SupervisorLater, InTheAirItIsWaitedForInSafeModeAndNamed) {
+  const Desk desk = with_a_goal_for_later();
+
+  EXPECT_THAT(desk.requests(), ElementsAre("START 102"));
+  EXPECT_THAT(desk.notices(),
+              ElementsAre("in the air with nothing to do: waits in safe mode, task 102; goal 702 "
+                          "(go 1) waits: nothing of it may begin before 500 s"));
+}
+
+TEST(SupervisorLater, ItIsGivenWhenItMayBeginAndTheSafeWaitEndsInTimeForIt) {
+  Desk desk = with_a_goal_for_later();
+  EXPECT_EQ(desk.supervisor.next_wakeup(), at(499));
+  desk.at(498).give(Tick{});
+  EXPECT_THAT(desk.requests(), IsEmpty());
+
+  desk.at(499).give(Tick{});
+
+  EXPECT_THAT(desk.requests(), ElementsAre("START 101", "ABORT 102"));
+}
+
+TEST(SupervisorLater, AMissionThatComesMeanwhileMayGoBeforeIt) {
+  Desk desk = with_a_goal_for_later();
+
+  desk.at(60).add(a_mission(2, {801}));
+
+  ASSERT_EQ(desk.insertion().planned.size(), 1U);
+  EXPECT_EQ(desk.insertion().planned[0].id, GoalId{702});
+}
+
+TEST(SupervisorLater, OnTheGroundItIsGivenAtTheHorizonAndNothingWaits) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  desk.finish(inserted({701}, {TaskOf(100, "takeoff", 701).starts_after(500)}));
+  EXPECT_THAT(desk.requests(), IsEmpty());
+  EXPECT_EQ(desk.supervisor.next_wakeup(), at(485));
+
+  desk.at(485).give(Tick{});
+
+  EXPECT_THAT(desk.requests(), ElementsAre("START 100"));
+}
+
+// It was given with what comes before it; then the UAV has nothing to do until its time.
+TEST(SupervisorLater, WhatTheExecutiveHasAlreadyIsWaitedForInTheSameWay) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  desk.finish(inserted(
+      {701}, {TaskOf(100, "takeoff", 701), TaskOf(101, "goto", 701).after(100).starts_after(500)}));
+  EXPECT_THAT(desk.requests(), ElementsAre("START 100", "START 101"));
+  desk.runs(100);
+
+  desk.at(12).ends(100);
+  EXPECT_THAT(desk.requests(), ElementsAre("START 102", "UPDATE 101"));
+  EXPECT_THAT(desk.notices(), Contains(HasSubstr("goal 701 (go 1) waits: nothing of it may begin "
+                                                 "before 500 s")));
+  EXPECT_EQ(desk.supervisor.next_wakeup(), at(499));
+  desk.at(499).give(Tick{});
+
+  EXPECT_THAT(desk.requests(), ElementsAre("ABORT 102"));
+  EXPECT_THAT(desk.notices(), IsEmpty());
+}
+
+TEST(SupervisorLater, WhatBeginsWithinTheHorizonIsHeldWithoutASafeWaitAndNamed) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701, 702}));
+  desk.finish(inserted({701, 702}, {TaskOf(100, "takeoff", 701),
+                                    TaskOf(101, "goto", 702).after(100).starts_after(24)}));
   desk.runs(100);
 
   desk.at(12).ends(100);
 
   EXPECT_THAT(desk.requests(), ElementsAre("START 101"));
+  EXPECT_THAT(desk.notices(), ElementsAre("in the air without a task for a moment: goal 702 (go 1) "
+                                          "waits: nothing of it may begin before 24 s"));
+  desk.at(15).give(Tick{});
+  EXPECT_THAT(desk.notices(), IsEmpty());
 }
+
+TEST(SupervisorLater, ForAPilotTheSafeWaitEndsEarlierByHisReaction) {
+  Config config = config_for_tests();
+  auto knowledge = std::make_shared<Knowledge>(*config.knowledge);
+  knowledge->vehicle.pilot.emplace();
+  knowledge->vehicle.pilot->reaction = secs(2);
+  knowledge->vehicle.pilot->reaction_spread = secs(0.5);
+  config.knowledge = knowledge;
+  Desk desk = with_a_goal_for_later(config);
+
+  EXPECT_EQ(desk.supervisor.next_wakeup(), at(500 - 1 - 2 - 3 * 0.5));
+}
+
+TEST(SupervisorLater, WhoTakesOverFindsNoSafeWaitInTheWay) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  desk.finish(inserted(
+      {701}, {TaskOf(100, "takeoff", 701), TaskOf(101, "goto", 701).after(100).starts_after(500)}));
+  desk.runs(100);
+  desk.at(12).ends(100);
+
+  desk.at(20).give(Disengage{"degree 3"});
+
+  EXPECT_THAT(desk.requests(), ElementsAre("ABORT 102"));
+}
+
+// ---- refusals ----
 
 TEST(SupervisorMission, RefusedLeavesThePlanAsItIs) {
   Desk desk = with_two_goals();

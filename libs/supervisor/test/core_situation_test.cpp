@@ -303,5 +303,28 @@ TEST(Reasons, NameGoalsNotTasks) {
             "the goto of goal 701 (go 1) aborted: engine trouble; lost the goto of goal 701");
 }
 
+TEST(SupervisorTrueGoal, FromWhoseEndAnotherIsCountedGivesThatItsDate) {
+  Desk desk = Desk::engaged();
+  desk.flies(kThere);
+  mission::UnitMission mission = a_mission(1, {701, 702, 703});
+  mission.tasks[2].after.push_back({GoalId{702}, false, secs(50), secs(90)});
+  desk.add(mission);
+  InsertionOutcome outcome =
+      inserted({701, 702, 703}, {TaskOf(100, "goto", 701).way({kFar, kThere}),
+                                 TaskOf(101, "goto", 703).after(100).way({kThere, kFar})});
+  outcome.order = mission.tasks;
+  desk.finish(outcome);
+  desk.runs(100);
+
+  desk.at(15).ends(100);
+
+  EXPECT_EQ(desk.state_of(702), "achieved");
+  EXPECT_FALSE(desk.started(101).has_value());
+  EXPECT_THAT(desk.notices(), ::testing::Contains(HasSubstr("goal 703")));
+  EXPECT_EQ(desk.supervisor.next_wakeup(), at(64));
+  desk.at(64).give(Tick{});
+  EXPECT_TRUE(desk.started(101).has_value());
+}
+
 }  // namespace
 }  // namespace skein::supervisor

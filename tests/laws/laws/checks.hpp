@@ -33,6 +33,15 @@ std::vector<Violation> idle_without_word(const History& history);
 // reasons.cpp
 std::vector<Violation> untrue_reasons(const History& history);
 std::vector<Violation> feasible_but_failed(const History& history);
+/// Nothing goes wrong in it by itself, and nobody takes anything back.
+bool is_clean(const scenario::Scenario& scenario);
+// requests.cpp
+/// The decision by which a plan was made anew.
+bool is_repair(const Word& word);
+std::vector<Violation> asked_again_and_again(const History& history);
+// estimates.cpp
+std::vector<Violation> evaluations_off(const History& history);
+std::vector<Violation> winds_off(const History& history);
 // safety.cpp
 std::vector<Violation> in_closed_air(const History& history);
 std::vector<Violation> energy_short(const History& history);

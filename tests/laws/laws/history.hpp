@@ -72,6 +72,15 @@ struct Goal {
   double received() const { return changes.front().at; }
 };
 
+/// What became of a mission that was asked for, or only asked about (then with what it would take).
+struct Answer {
+  double at = 0;
+  std::int64_t mission = 0;
+  bool planned = false, evaluated = false;
+  double energy = 0;  ///< share of its capacity
+  double earliest_end = kNever, latest_end = kNever;
+};
+
 /// A volume of air and what one UAV knows of it.
 struct Closing {
   world::Volume volume;
@@ -98,6 +107,7 @@ struct Uav {
   std::vector<std::pair<double, std::string>> faults;
   std::vector<std::pair<double, std::int64_t>> syncs_heard;  ///< synchronisation messages, by id
   std::vector<double> orders;  ///< when requests of the ground reached it [s]
+  std::vector<Answer> answers;
 
   const std::string& name() const { return spec->name; }
   int degree(double at) const;

@@ -11,9 +11,9 @@ namespace skein::laws {
 
 namespace {
 
-constexpr double kStep = 0.5;        ///< [s]
-constexpr double kDetectPart = 0.7;  ///< of the time asked: turns beyond the zone's edge count not
-constexpr double kMapPart = 0.95;    ///< of the zone's cells
+constexpr double kStep = 0.5;         ///< [s]
+constexpr double kDetectPart = 0.85;  ///< of the time asked: turns beyond the zone's edge count not
+constexpr double kMapPart = 0.99;     ///< of the zone's cells
 
 /// The middle points of square cells over a zone, on the ground.
 std::vector<world::Vector3> cells_of(const History& history, const world::Polygon& zone,

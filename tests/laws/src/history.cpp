@@ -173,6 +173,7 @@ class Teller {
     if (kind == "planned") uav.goal_of.emplace(whole(record, "task"), whole(record, "goal"));
     if (kind == "degree") uav.degrees.emplace_back(at, static_cast<int>(record.number("degree")));
     if (kind == "notice") uav.words.push_back({at, text(record, "text")});
+    if (kind == "answer") see_answer(uav, record);
     if (kind == "request") uav.orders.push_back(at);
     if (kind == "contact") uav.words.push_back({at, "contact: " + text(record, "policy")});
     if (kind == "decision") {
@@ -223,6 +224,13 @@ class Teller {
     goal.id = whole(record, "goal");
     if (goal.changes.empty()) goal.task = task_from(record.text("statement"));
     goal.changes.push_back({record.at().to_seconds(), text(record, "state"), text(record, "why")});
+  }
+
+  static void see_answer(Uav& uav, const Record& record) {
+    uav.answers.push_back({record.at().to_seconds(), whole(record, "mission"),
+                           record.truth("planned"), record.truth("evaluated"),
+                           record.number("energy", 0), record.number("earliest_end", kNever),
+                           record.number("latest_end", kNever)});
   }
 
   void see_alarm(const Record& record) {

@@ -27,6 +27,9 @@ const std::vector<Law>& all_laws() {
        idle_without_word},
       {"reasons", "what fails says why, and truly", untrue_reasons},
       {"feasible", "where nothing goes wrong nothing fails", feasible_but_failed},
+      {"asked", "what is refused is not asked for again and again", asked_again_and_again},
+      {"evaluated", "a mission takes what its evaluation said", evaluations_off},
+      {"wind", "the wind that is felt blows", winds_off},
       {"closed-air", "not in closed air but on the way out", in_closed_air},
       {"energy", "never below the reserve in the air", energy_short}};
   return kLaws;

@@ -186,9 +186,14 @@ std::set<std::int64_t> open_goals(const Uav& uav, double at) {
   return open;
 }
 
+// That something was asked for, or given to the executive, does not say why it is not done.
+bool says_why(const Word& word) {
+  return word.text.rfind("0 user request", 0) != 0 && word.text.rfind("5 execute", 0) != 0;
+}
+
 bool named(const Uav& uav, const std::set<std::int64_t>& goals, double from, double until) {
   return std::any_of(uav.words.begin(), uav.words.end(), [&](const Word& word) {
-    if (word.at < from || word.at > until) return false;
+    if (word.at < from || word.at > until || !says_why(word)) return false;
     return std::any_of(goals.begin(), goals.end(), [&](std::int64_t id) {
       return word.text.find(std::to_string(id)) != std::string::npos;
     });

@@ -74,7 +74,8 @@ bool has_trouble(const std::vector<Action>& actions) {
   return std::any_of(actions.begin(), actions.end(), is_trouble);
 }
 
-// Nothing goes wrong in it by itself, and nobody takes anything back.
+}  // namespace
+
 bool is_clean(const scenario::Scenario& s) {
   const auto& faults = s.faults;
   const bool sound = faults.kills.empty() && faults.breaks.empty() && faults.slows.empty() &&
@@ -89,6 +90,8 @@ bool is_clean(const scenario::Scenario& s) {
          std::none_of(script.operators.begin(), script.operators.end(),
                       [](const auto& one) { return has_trouble(one.actions); });
 }
+
+namespace {
 
 bool equipped(const Uav& uav, const Goal& goal) {
   const world::VehicleModel& model = uav.spec->model;

@@ -18,9 +18,10 @@ struct Kinds {
   bool radio = true;      ///< cuts
   bool energy = true;     ///< starts with little of it
   bool alarms = true;     ///< something burns, and missions name the alarm
+  bool questions = true;  ///< it is asked what a mission would take, and then it is given
 };
 /// Nothing goes wrong, and what is asked is possible.
-inline constexpr Kinds kClean{false, false, false, false, false, false, false, true};
+inline constexpr Kinds kClean{false, false, false, false, false, false, false, true, true};
 
 /// One seed and the same kinds give one mission.
 Mission generate(std::uint64_t seed, const Kinds& kinds);

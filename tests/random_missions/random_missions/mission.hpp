@@ -23,6 +23,7 @@ struct Step {
   std::string uav;
   int mission = 0;
   std::string placement;  ///< "first, interrupt: true"; empty: the default
+  bool evaluate = false;  ///< it is only asked what it would take
   std::vector<Task> tasks;
   std::string action;  ///< if there are no tasks: "cancel: {…}"
 };

@@ -50,6 +50,7 @@ Kinds kinds_of(const Options& options) {
     if (name == "radio") kinds.radio = false;
     if (name == "energy") kinds.energy = false;
     if (name == "alarms") kinds.alarms = false;
+    if (name == "questions") kinds.questions = false;
   }
   return kinds;
 }
@@ -158,9 +159,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--law", options.judge.only, "only these laws (crash is one)");
   app.add_flag("--clean", options.clean, "missions in which nothing goes wrong");
   app.add_option("--without", options.without,
-                 "leave out: faults air deadlines changes degrees radio energy")
-      ->check(
-          CLI::IsMember({"faults", "air", "deadlines", "changes", "degrees", "radio", "energy"}));
+                 "leave out: faults air deadlines changes degrees radio energy alarms questions")
+      ->check(CLI::IsMember({"faults", "air", "deadlines", "changes", "degrees", "radio", "energy",
+                             "alarms", "questions"}));
   app.add_option("--save", options.save, "keep missions that break a law in this folder");
   app.add_flag("--minimise", options.minimise, "with --save: leave out what can be left out");
   app.add_option("--log", options.judge.log, "keep the event log of each mission in this folder");

@@ -24,6 +24,7 @@ class Drawing {
   Drawing(std::uint64_t seed, const Kinds& kinds)
       : random_(seed, "random mission"),
         more_(seed, "random mission: alarms, bounds"),
+        last_(seed, "random mission: questions, refusals"),
         kinds_(kinds) {
     mission_.seed = seed;
   }
@@ -46,6 +47,8 @@ class Drawing {
     mission_.limit = stays ? 5000 : 2400;
     if (kinds_.deadlines && more_.chance(0.25)) draw_goal_bound();
     if (kinds_.alarms && more_.chance(0.12)) draw_alarm();
+    if (kinds_.questions && last_.chance(0.25)) draw_question();
+    if (kinds_.faults && last_.chance(0.08)) draw_refusals();
     return std::move(mission_);
   }
 
@@ -346,7 +349,58 @@ class Drawing {
         {next_goal_[goes]++, "[perceive, alarm:1, " + whole(more_.uniform(10, 90)) + "]", ""});
   }
 
+  // What would a mission take? Then it is given, whatever the answer.
+  void draw_question() {
+    const std::size_t who = last_.below(mission_.team.size());
+    const Member& one = mission_.team[who];
+    const std::string when = "{time: " + whole(last_.uniform(15, 500)) + "}";
+    const std::vector<std::string> placements{"best", "last", "last", "first"};
+    const std::string placement = placements[last_.below(placements.size())];
+    begin_mission("ask", one, when, 0);
+    std::vector<Task> tasks;
+    for (std::size_t left = 1 + last_.below(2); left > 0; --left)
+      tasks.push_back({next_goal_[who]++, question(), ""});
+    Step& asks = mission_.steps.back();
+    asks.placement = placement;
+    asks.tasks = tasks;
+    asks.evaluate = true;
+    const std::string answered =
+        "{mission: {uav: " + one.name + ", id: " + std::to_string(asks.mission) + ", state: ";
+    begin_mission("take", one, "{any: [" + answered + "evaluated}}, " + answered + "refused}}]}",
+                  0);
+    for (Task& task : tasks) task.id = next_goal_[who]++;
+    mission_.steps.back().placement = placement;
+    mission_.steps.back().tasks = std::move(tasks);
+  }
+
+  std::string question() {
+    const std::string ground = "P" + std::to_string(1 + last_.below(4));
+    const std::string air = "A" + std::to_string(1 + last_.below(3));
+    const std::string zone = "Z" + std::to_string(1 + last_.below(3));
+    switch (last_.below(4)) {
+      case 0:
+        return "[general-gotoxyz, " + air + "]";
+      case 1:
+        return "[perceive, " + ground + ", " + whole(last_.uniform(5, 120)) + "]";
+      case 2:
+        return "[perform-detection, " + zone + ", " + ground + ", " +
+               whole(last_.uniform(60, 300)) + "]";
+      default:
+        return "[perform-tour, [" + ground + ", " + air + "]]";
+    }
+  }
+
   // ---- what goes wrong ----
+
+  // The vehicle takes no task of a type, for a while or for good.
+  void draw_refusals() {
+    const Member& one = mission_.team[last_.below(mission_.team.size())];
+    const std::vector<std::string> types{"takeoff", "goto", "land", "wait", "takeshot", "perceive"};
+    const double lasts = last_.chance(0.3) ? 5000 : last_.uniform(5, 200);
+    mission_.faults.push_back(
+        "{at: " + whole(last_.uniform(5, 500)) + ", abort: {uav: " + one.name +
+        ", type: " + types[last_.below(types.size())] + ", for: " + whole(lasts) + "}}");
+  }
 
   Step plain_step(const std::string& name, const std::string& when, const std::string& action) {
     Step step;
@@ -459,7 +513,7 @@ class Drawing {
                             ", until: " + whole(from + random_.uniform(5, 150)) + "}");
   }
 
-  Random random_, more_;
+  Random random_, more_, last_;
   Kinds kinds_;
   Mission mission_;
   std::size_t who_ = 0;

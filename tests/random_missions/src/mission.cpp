@@ -58,6 +58,7 @@ void step(std::ostream& out, const Step& s) {
     out << "            placement: " << s.placement.substr(0, comma) << '\n';
     if (comma != std::string::npos) out << "            " << s.placement.substr(comma + 2) << '\n';
   }
+  if (s.evaluate) out << "            evaluate: true\n";
   out << "            tasks:\n";
   for (const Task& task : s.tasks) {
     out << "              - {id: " << task.id << ", task: " << task.words
@@ -69,6 +70,7 @@ void step(std::ostream& out, const Step& s) {
 void finish(std::ostream& out, const Mission& m) {
   std::string all;
   for (const Step& one : m.steps) {
+    if (one.evaluate) continue;
     for (const Task& task : one.tasks) {
       std::string any;
       for (const char* state : {"achieved", "failed", "cancelled"}) {

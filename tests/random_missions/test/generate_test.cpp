@@ -77,7 +77,8 @@ INSTANTIATE_TEST_SUITE_P(Happenings, Drawn,
                                            "start_before:", "end_after:", "end_before:", "slow: {",
                                            "abort: {", "sensor: {", "energy: {", "degree: {uav",
                                            "cuts:", "hills:", "start_after_goal:",
-                                           "end_after_goal:", "objects:", "perceive, alarm:1"));
+                                           "end_after_goal:", "objects:", "perceive, alarm:1",
+                                           "evaluate: true", ", for: "));
 
 TEST(Smaller, EachIsThereWithOnePartLess) {
   const Mission whole = generate(3, {});

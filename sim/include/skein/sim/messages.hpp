@@ -35,7 +35,8 @@ enum class FaultKind {
   kEngine,  ///< for good: the vehicle sinks to the ground, its tasks abort
   kSensor,  ///< for good: `device` fails, its task aborts
   kSlow,    ///< takeoff, landing and goto are flown at 1/`factor` of their speed, for `lasts`
-  kAbort,   ///< the task of `type` that runs aborts, or else the next one that could begin
+  kAbort,   ///< the task of `type` that runs aborts, or else the next one that could begin; with
+            ///< `lasts`, it and every one that could begin within that time
   kEnergy   ///< what is left becomes `left`, if that is less
 };
 

@@ -88,9 +88,10 @@ Story& Story::does(const std::string& uav, const Doing& what) {
     journal::Record& one = line(at, "sim", "functional", state);
     if (!what.device.empty()) one.with("device", what.device);
     if (!what.target.empty()) one.with("target", what.target);
+    if (!what.reason.empty() && state == what.end) one.with("reason", what.reason);
   };
   line(what.from, uav, "task", "started");
-  truth(what.from, "running");
+  if (what.until > what.from) truth(what.from, "running");
   truth(what.until, what.end);
   line(what.until, uav, "task", what.end);
   return *this;
@@ -109,6 +110,30 @@ Story& Story::goal(const std::string& uav, int id, const std::string& statement,
 
 Story& Story::says(const std::string& uav, double at, const std::string& text) {
   add(at, uav, "notice").with("uav", uav).with("text", text);
+  return *this;
+}
+
+Story& Story::decides(const std::string& uav, double at, const std::string& applied,
+                      const std::string& cause, const std::string& outcome) {
+  add(at, uav, "decision")
+      .with("uav", uav)
+      .with("operator", applied)
+      .with("cause", cause)
+      .with("outcome", outcome);
+  return *this;
+}
+
+Story& Story::answer(const std::string& uav, double at, const Answered& what) {
+  journal::Record& line = add(at, uav, "answer")
+                              .with("uav", uav)
+                              .with("mission", what.mission)
+                              .with("planned", what.planned);
+  if (what.evaluated) {
+    line.with("evaluated", true)
+        .with("energy", what.energy)
+        .with("earliest_end", what.earliest_end)
+        .with("latest_end", what.latest_end);
+  }
   return *this;
 }
 

@@ -18,6 +18,14 @@ struct Doing {
   std::string end = "ended";
   std::string device = "";
   std::vector<double> target = {};
+  std::string reason = "";
+};
+/// What became of a mission; with figures, what it was said to take.
+struct Answered {
+  int mission;
+  bool planned;
+  bool evaluated = false;
+  double energy = 0, earliest_end = 0, latest_end = 0;
 };
 
 /// What happened to Marvin and Heliv (and Karma), written down line by line in any order. Level
@@ -38,6 +46,9 @@ class Story {
   Story& goal(const std::string& uav, int id, const std::string& statement,
               const std::string& state, double at, const std::string& why = "");
   Story& says(const std::string& uav, double at, const std::string& text);
+  Story& decides(const std::string& uav, double at, const std::string& applied,
+                 const std::string& cause, const std::string& outcome);
+  Story& answer(const std::string& uav, double at, const Answered& what);
   Story& degree(const std::string& uav, double at, int degree);
   Story& step(double at, const std::string& name, const std::string& told);
   /// Where perceptions put an alarm.

@@ -101,6 +101,7 @@ struct AbortSpec {
   MissionTime at;
   std::string uav;
   std::string type;
+  Duration lasts = {};  ///< if not zero: it, and every one that is to begin within that time
 };
 
 /// A UAV finds that it has less energy than it believed.

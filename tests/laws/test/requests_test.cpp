@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the vehicle refuses again and again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/story.hpp"
+
+namespace skein::laws::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+Doing refused(int task, int goal, double at, const std::string& why, const char* type = "goto") {
+  Doing doing{task, type, goal, at, at, "aborted"};
+  doing.reason = why;
+  return doing;
+}
+
+TEST(Asked, AGoalMayAskThreeTimesForWhatIsRefused) {
+  const auto times = [](int count) {
+    Story story;
+    for (int i = 0; i < count; ++i)
+      story.does("marvin", refused(100 + i, 701, 10 + 40 * i, "too low by " + std::to_string(i)));
+    return story.broken("asked");
+  };
+
+  EXPECT_THAT(times(3), IsEmpty());
+  EXPECT_THAT(times(4), ElementsAre(HasSubstr("goal 701: asked: goto is asked for and refused for "
+                                              "the 4th time: too low by 3")));
+}
+
+TEST(Asked, OfWhatIsRefusedForDifferentReasonsThereMayBeMore) {
+  Story story;
+  for (int i = 0; i < 6; ++i)
+    story.does("marvin", refused(100 + i, 701, 10 + i, i % 2 == 0 ? "no way" : "no energy"));
+
+  EXPECT_THAT(story.broken("asked"), IsEmpty());
+}
+
+TEST(Asked, GoalsTogetherAskEightTimesAMinute) {
+  const auto every = [](double seconds) {
+    Story story;
+    for (int i = 0; i < 12; ++i)
+      story.does("marvin", refused(100 + i, 701 + i, 10 + seconds * i, "no", "land"));
+    return story.broken("asked");
+  };
+
+  EXPECT_THAT(every(7.5), IsEmpty());
+  EXPECT_THAT(every(7), ElementsAre(HasSubstr("more than 8 requests in a minute")));
+}
+
+TEST(Asked, WhatRanAndWasLeftOffIsNotRefused) {
+  Story story;
+  for (int i = 0; i < 5; ++i) {
+    Doing doing = refused(100 + i, 701, 10 + 10 * i, "engine trouble");
+    doing.until += 5;
+    story.does("marvin", doing);
+  }
+
+  EXPECT_THAT(story.broken("asked"), IsEmpty());
+}
+
+TEST(Asked, APlanIsMadeAnewADozenTimesAMinute) {
+  const auto times = [](int count, const std::string& step) {
+    Story story;
+    for (int i = 0; i < count; ++i)
+      story.decides("marvin", 10 + 2 * i, "6 repair: " + step, "cause", "plan 3, 4 tasks");
+    return story.broken("asked");
+  };
+
+  EXPECT_THAT(times(12, "replan"), IsEmpty());
+  EXPECT_THAT(times(13, "replan"), ElementsAre(HasSubstr("more than 12 plans in a minute")));
+  EXPECT_THAT(times(13, "shift"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace skein::laws::testing
