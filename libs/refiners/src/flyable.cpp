@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "flyable_again.hpp"
 #include "flyable_search.hpp"
 #include "skein/refiners/checks.hpp"
 
@@ -16,6 +17,11 @@ using world::Vector2;
 using world::Vector3;
 
 constexpr std::uint64_t kMostAsked = 150'000;  // per attempt
+constexpr std::uint64_t kMostAskedAgain = 20'000;
+/// Ways that are longer than a straight one by more than that are flown again.
+constexpr double kNearlyStraight = 1.02;
+/// Shorter legs cannot be steered [m].
+constexpr double kLeastLeg = 1;
 /// What rounding may add to a turn [rad], and to a slope relatively.
 constexpr double kTurnSlack = 1e-5, kSlopeSlack = 1e-6;
 
@@ -77,6 +83,32 @@ Refusal none_found(const FlyableQuery& query, const FlightLimits& limits, std::s
               place(query.corners[corner])};
 }
 
+/// As `evaluate` judges them.
+bool slopes_fit(const Way& way, const FlightLimits& limits) {
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Vector3 leg = way[i] - way[i - 1];
+    const double allowed = (leg.z() > 0 ? limits.climb : limits.descent) * leg.head<2>().norm();
+    if (std::abs(leg.z()) > allowed * (1 + 1e-9)) return false;
+  }
+  return true;
+}
+
+/// Made shorter where it goes a long way round, and without legs that are too short to be steered.
+Way finished(const Way& found, const FlyableQuery& query, const world::VehicleModel& vehicle,
+             const FlightLimits& limits) {
+  const auto is_flown = [&](const Way& way) {
+    return slopes_fit(way, limits) && is_flyable(way, vehicle, query.speed, query.tolerance);
+  };
+  Way way = found;
+  const double straight = (query.corners.back() - query.corners.front()).head<2>().norm();
+  if (query.shortest && level_length(way) > kNearlyStraight * straight) {
+    FlyableLegs legs(limits, query.is_free, kMostAskedAgain, {query.time_is_up});
+    Way again = flown_again(way, legs, limits.radius, {query.heading_from, query.heading_to});
+    if (is_flown(again)) way = std::move(again);
+  }
+  return without_tiny_legs(way, kLeastLeg, query.is_free, is_flown);
+}
+
 /// At most what two chords of an arc that meet show.
 double half_chord_angle(double chord, double radius, double most) {
   return std::min(most / 2, std::asin(std::min(1.0, chord / (2 * radius))));
@@ -107,7 +139,8 @@ Result<Way, Refusal> make_flyable(const FlyableQuery& query, const world::Vehicl
   const FoundWay plain = search_stations(near, legs, {});
   // Much longer than need be: it goes round in circles between corners that stand too close.
   const double enough = 1.25 * plain_length(query.corners, limits) + 4 * limits.radius;
-  if (!plain.way.empty() && level_length(plain.way) <= enough) return plain.way;
+  if (!plain.way.empty() && level_length(plain.way) <= enough)
+    return finished(plain.way, query, vehicle, limits);
 
   FlyableLegs more_legs(limits, query.is_free, kMostAsked, budget);
   const auto wide = stations_of(query, limits.radius, true);
@@ -115,9 +148,9 @@ Result<Way, Refusal> make_flyable(const FlyableQuery& query, const world::Vehicl
   if (plain.way.empty() && wider.way.empty()) {
     return tl::unexpected(none_found(query, limits, wide[wider.furthest].corner));
   }
-  if (wider.way.empty()) return plain.way;
-  const bool shorter = plain.way.empty() || level_length(wider.way) < level_length(plain.way);
-  return shorter ? wider.way : plain.way;
+  const bool shorter = plain.way.empty() ||
+                       (!wider.way.empty() && level_length(wider.way) < level_length(plain.way));
+  return finished(shorter ? wider.way : plain.way, query, vehicle, limits);
 }
 
 bool is_flyable(const Way& way, const world::VehicleModel& vehicle, double speed,

@@ -7,6 +7,7 @@
 
 #include "contact_space.hpp"
 #include "deadline.hpp"
+#include "evaluate_heights.hpp"
 #include "path_checks.hpp"
 #include "shared_checks.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
@@ -32,6 +33,23 @@ double distance(const world::Polygon& polygon, const Vector2& point) {
     const double length2 = edge.squaredNorm();
     const double along = length2 > 0 ? std::clamp(edge.dot(point - a) / length2, 0.0, 1.0) : 0;
     least = std::min(least, (a + along * edge - point).norm());
+  }
+  return least;
+}
+
+/// Of a segment on the level; 0 where it is inside or crosses the border [m].
+double distance(const world::Polygon& polygon, const Vector2& from, const Vector2& to) {
+  double least = std::min(distance(polygon, from), distance(polygon, to));
+  const auto side = [](const Vector2& a, const Vector2& b, const Vector2& point) {
+    const Vector2 edge = b - a, offset = point - a;
+    return edge.x() * offset.y() - edge.y() * offset.x();
+  };
+  for (std::size_t i = 0; least > 0 && i < polygon.size(); ++i) {
+    const Vector2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    if ((side(a, b, from) > 0) != (side(a, b, to) > 0) &&
+        (side(from, to, a) > 0) != (side(from, to, b) > 0))
+      return 0;
+    least = std::min(least, distance({from, to}, a));
   }
   return least;
 }
@@ -96,6 +114,23 @@ std::optional<world::Airspace> PathSpace::airspace(const world::AirspaceGrid& gr
     });
   if (!anchors_.empty() && !keep_contact(airspace, anchors_, world_, budget)) return std::nullopt;
   return airspace;
+}
+
+bool PathSpace::is_free(const Vector3& from, const Vector3& to) const {
+  if (!anchors_.empty() || !within_limits(from) || !within_limits(to)) return false;
+  if (world_.terrain.first_hit(from, to, std::max(query_.clearance, 3 * margin()))) return false;
+  if (heights_over(world_.terrain, from, to).greatest > query_.vehicle.ceiling) return false;
+  return std::none_of(volumes_.begin(), volumes_.end(), [&](const Volume& volume) {
+    return std::max(from.z(), to.z()) >= volume.floor - margin() &&
+           std::min(from.z(), to.z()) <= volume.ceiling + margin() &&
+           distance(volume.polygon, from.head<2>(), to.head<2>()) <= margin();
+  });
+}
+
+bool PathSpace::within_limits(const Vector3& at) const {
+  const world::AirspaceGrid& grid = world_.airspace;
+  const Vector3 high = grid.origin + grid.voxel * Vector3(grid.size[0], grid.size[1], grid.size[2]);
+  return (at.array() >= grid.origin.array()).all() && (at.array() <= high.array()).all();
 }
 
 PathSpace PathSpace::without_contact() const {

@@ -24,6 +24,10 @@ class PathSpace {
                                           const Budget& budget) const;
   /// Which of the world's volumes and the reserved ones count, in this order.
   const std::vector<bool>& counted() const { return counted_; }
+  /// True when the ground and the volumes themselves, not the voxels they touch, leave the segment
+  /// free: 3 × margin over the ground at least, which keeps as much from slopes of up to 70°. Never
+  /// where radio contact is asked for.
+  bool is_free(const world::Vector3& from, const world::Vector3& to) const;
   /// Why the place of that field is closed.
   Refusal closed(const world::Vector3& place, const std::string& field) const;
   /// Without the radio contact asked for.
@@ -35,6 +39,7 @@ class PathSpace {
 
  private:
   bool can_be_met(const world::Volume& volume, Duration flight) const;
+  bool within_limits(const world::Vector3& at) const;
   std::optional<std::string> blame(const world::Vector3& place) const;
 
   const PathQuery& query_;

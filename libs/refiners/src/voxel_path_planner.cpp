@@ -8,6 +8,7 @@
 #include "path_approach.hpp"
 #include "path_checks.hpp"
 #include "path_space.hpp"
+#include "patrol_profile.hpp"
 #include "plain_way.hpp"
 #include "shared_checks.hpp"
 #include "skein/refiners/flyable.hpp"
@@ -20,6 +21,9 @@ using world::Vector3;
 
 /// About what it takes to look at the voxels around one [ns].
 constexpr std::uint32_t kLookedAround = 100;
+
+/// A way that is longer by as much than a straight one is looked for otherwise too.
+constexpr double kDetour = 1.03;
 
 Refusal out_of_budget(const std::string& when) {
   return {RefusalKind::kBudgetExhausted, "", "the budget was used up " + when};
@@ -129,23 +133,49 @@ class Route {
     flyable.heading_to = query_.heading_to;
     flyable.speed = query_.speed;
     flyable.tolerance = kChordTolerance;
-    flyable.is_free = [&](const Vector3& a, const Vector3& b) { return is_free(a, b); };
+    flyable.is_free = [&](const Vector3& a, const Vector3& b) {
+      return is_free(a, b) || space_.is_free(a, b);
+    };
+    flyable.shortest = true;
     flyable.time_is_up = setting_.budget.time_is_up;
     std::optional<Way> best;
     std::optional<Refusal> refusal;
-    const auto attempt = [&](const Way& way) {
-      flyable.corners = joined(way);
+    const auto attempt = [&](const Way& corners) {
+      flyable.corners = corners;
       const auto flown = make_flyable(flyable, query_.vehicle);
       if (!flown && !refusal) refusal = flown.error();
       if (flown && (!best || cost(*flown) < cost(*best))) best = *flown;
     };
+    // Where the ground leaves the straight way free, though the voxels do not.
+    if (flyable.is_free(query_.from, query_.to)) attempt({query_.from, query_.to});
     for (std::size_t i = 0; i < ways.size(); ++i)
-      if (i == 0 || ways[i] != ways[i - 1]) attempt(ways[i]);
+      if (i == 0 || ways[i] != ways[i - 1]) attempt(joined(ways[i]));
+    // Where it has to climb, by slopes that it can fly from the beginning.
+    if (!best || length_of(*best) > kDetour * (query_.to - query_.from).norm()) {
+      attempt(sloped({query_.from, query_.to}));
+      attempt(sloped(joined(ways.front())));
+    }
     if (!best && !setting_.budget.expired())
-      if (const VoxelWay wide = search(roomy()); wide.found) attempt(wide.way);
+      if (const VoxelWay wide = search(roomy()); wide.found) attempt(joined(wide.way));
     if (best) return *best;
     if (setting_.budget.expired()) return tl::unexpected(out_of_budget("making the way flyable"));
     return tl::unexpected(*refusal);
+  }
+
+  /// Over the same places, as high as the ground asks for and no steeper than the vehicle flies.
+  Way sloped(const Way& way) const {
+    std::vector<world::Vector2> plane;
+    for (const Vector3& at : way) plane.emplace_back(at.x(), at.y());
+    const world::VehicleModel& vehicle = query_.vehicle;
+    const double speed = query_.speed > 0 ? query_.speed : vehicle.cruise_speed;
+    const HeightRule rule{std::max(query_.clearance, 3 * space_.margin()) + 1,
+                          vehicle.climb_rate / speed, vehicle.descent_rate / speed};
+    Deadline deadline(setting_.budget);
+    Way sloped = over_ground(plane, setting_.world.terrain, rule, deadline);
+    if (sloped.size() < 2) return way;
+    sloped.front() = way.front();
+    sloped.back() = way.back();
+    return sloped;
   }
 
   /// The airspace without what is close to blocked voxels on the level, but around the ends.

@@ -144,6 +144,7 @@ class Search {
     query.is_free = [this, off_chord](const Vector3& a, const Vector3& b) {
       return air_.is_free(a, b, off_chord);
     };
+    query.shortest = true;
     query.time_is_up = setting_.budget.time_is_up;
     return refiners::make_flyable(query, query_.vehicle);
   }

@@ -2,8 +2,12 @@
 // The ways of the voxels, judged by FCL; and both planners on the same queries.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
 
+#include "skein/refiners/flyable.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
 #include "skein/sampling/collision_scene.hpp"
 #include "skein/sampling/sampling_path_planner.hpp"
@@ -102,6 +106,84 @@ TEST(BothPlanners, FindNoWayThroughAClosedWall) {
   ASSERT_FALSE(sampled.has_value());
   EXPECT_EQ(voxels.error().kind, refiners::RefusalKind::kUnreachable);
   EXPECT_EQ(sampled.error().kind, refiners::RefusalKind::kBudgetExhausted);
+}
+
+/// Ridges and rough ground, rising and falling by about 2 × `relief` within some hundred metres.
+world::World steep(std::uint64_t seed, double relief) {
+  Random random(seed, "ground");
+  world::TerrainSpec spec;
+  spec.west = spec.south = -900;
+  spec.east = spec.north = 900;
+  spec.cell = 30;
+  double phases[8];
+  for (double& phase : phases) phase = random.uniform(0, 2 * std::numbers::pi);
+  const auto corners = world::corners_of(spec);
+  for (std::size_t row = 0; row < corners.rows; ++row)
+    for (std::size_t column = 0; column < corners.columns; ++column) {
+      const double x = -900 + 30 * static_cast<double>(column);
+      const double y = -900 + 30 * static_cast<double>(row);
+      double z = 0, height = relief / 2, length = 900;
+      for (int k = 0; k < 8; k += 2, height /= 3, length /= 2)
+        z += height * std::sin(2 * std::numbers::pi *
+                                   (x * std::cos(phases[k]) + y * std::sin(phases[k])) / length +
+                               phases[k + 1]);
+      spec.elevations.push_back(z);
+    }
+  world::World world = a_plain();
+  world.terrain = world::Terrain(spec);
+  const double low = world.terrain.lowest(), high = world.terrain.highest() + 200;
+  world.airspace = {{-900, -900, low}, 20, {90, 90, static_cast<std::int32_t>((high - low) / 20)}};
+  return world;
+}
+
+/// Turns of 40 m; climbs a metre in five.
+world::VehicleModel a_plane() {
+  world::VehicleModel vehicle = a_blimp();
+  vehicle.min_speed = 8;
+  vehicle.cruise_speed = 15;
+  vehicle.max_speed = 25;
+  vehicle.min_turn_radius = 40;
+  vehicle.climb_rate = 3;
+  vehicle.descent_rate = 4;
+  vehicle.energy.capacity *= 100;
+  return vehicle;
+}
+
+TEST(BothPlanners, GiveWaysOfAboutTheSameLengthOverSteepGroundToWhatCannotHover) {
+  double sum = 0;
+  int both = 0, longer = 0;
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(3, 12)); ++seed)
+    for (const double relief : {150.0, 300.0}) {
+      const world::World world = steep(seed, relief);
+      Random random(seed, "places");
+      const auto over = [&] {
+        const double x = random.uniform(-700, 700), y = random.uniform(-700, 700);
+        return Vector3(x, y, world.terrain.elevation(x, y) + 60);
+      };
+      PathQuery query;
+      query.vehicle = a_plane();
+      query.clearance = 20;
+      query.from = over();
+      query.to = over();
+      const Setting setting{.world = world, .budget = {}};
+
+      const auto voxels = refiners::VoxelPathPlanner().plan(query, setting);
+      const auto trees = SamplingPathPlanner().plan(query, setting);
+
+      if (!trees) continue;
+      ASSERT_TRUE(voxels) << "seed " << seed << ": " << voxels.error().why;
+      const refiners::Way& way = voxels->task.way;
+      EXPECT_TRUE(refiners::is_flyable(way, query.vehicle, 0, 0.5)) << "seed " << seed;
+      for (std::size_t i = 1; i < way.size(); ++i)
+        EXPECT_GE((way[i] - way[i - 1]).norm(), 1) << "seed " << seed << ", leg " << i;
+      const double ratio = voxels->task.length / trees->task.length;
+      if (ratio > 1.05) ++longer;
+      sum += ratio;
+      ++both;
+    }
+  ASSERT_GT(both, 4);
+  EXPECT_LE(10 * longer, both) << "at most one in ten is more than 5 % longer";
+  EXPECT_LE(sum / both, 1.02);
 }
 
 }  // namespace

@@ -19,6 +19,8 @@ struct FlyableQuery {
   /// their chords by up to `tolerance`: what must not be touched at all is grown by as much here.
   std::function<bool(const world::Vector3&, const world::Vector3&)> is_free;
   double tolerance = 0.5;  ///< of the chords of an arc [m], > 0
+  /// Any corner may be left out, wherever another way is free and shorter.
+  bool shortest = false;
   /// Asked now and then; once it says so nothing is free any more. Empty: never.
   std::function<bool()> time_is_up = {};
 };
