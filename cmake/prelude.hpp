@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What most of the project includes, compiled once (cmake/SkeinLibrary.cmake). Every source and header
-// still names what it uses: the check of headers alone compiles without this.
+// What most of the project includes, compiled once (cmake/SkeinLibrary.cmake). Every source and
+// header still names what it uses: the check of headers alone compiles without this.
 #pragma once
 
 #include <algorithm>
