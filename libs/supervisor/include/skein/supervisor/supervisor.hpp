@@ -141,8 +141,8 @@ using Effects = std::vector<Effect>;
 struct Config {
   std::shared_ptr<const Knowledge> knowledge;
   std::shared_ptr<const world::World> world;
-  /// A high-level task is given to the executive when it may start within this, or when the
-  /// executive has nothing left: the commitment horizon.
+  /// A high-level task is given to the executive when it may start within this: the commitment
+  /// horizon.
   Duration horizon = Duration::seconds(15);
   /// How long beyond its most a task may take before that is a contingency.
   Duration grace = Duration::seconds(1);
