@@ -5,13 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "parts.hpp"
 #include "skein/foundation/random.hpp"
 
 namespace skein::random_missions {
 
 namespace {
 
-std::string whole(double number) { return std::to_string(std::lround(number)); }
 std::string tenths(double number) {
   const std::string text = std::to_string(std::round(number * 10) / 10);
   return text.substr(0, text.find('.') + 2);
@@ -48,7 +48,9 @@ class Drawing {
     if (kinds_.deadlines && more_.chance(0.25)) draw_goal_bound();
     if (kinds_.alarms && more_.chance(0.12)) draw_alarm();
     if (kinds_.questions && last_.chance(0.25)) draw_question();
-    if (kinds_.faults && last_.chance(0.08)) draw_refusals();
+    if (kinds_.faults && last_.chance(0.08))
+      mission_.faults.push_back(
+          draw_refusals(last_, mission_.team[last_.below(mission_.team.size())].name));
     return std::move(mission_);
   }
 
@@ -135,28 +137,8 @@ class Drawing {
   void add(const std::string& words) { add_to(mission_.steps.back(), who_, words); }
   void add_to(Step& step, std::size_t who, const std::string& words) {
     Task task{next_goal_[who]++, words, ""};
-    if (kinds_.deadlines && random_.chance(0.18)) task.times = draw_times();
+    if (kinds_.deadlines && random_.chance(0.18)) task.times = draw_times(random_);
     step.tasks.push_back(std::move(task));
-  }
-
-  std::string draw_times() {
-    const double from = random_.uniform(30, 400);
-    switch (random_.below(6)) {
-      case 0:
-        return "start_after: " + whole(from);
-      case 1:
-        return "end_after: " + whole(from);
-      case 2:
-        return "start_before: " + whole(from + random_.uniform(50, 700));
-      case 3:
-        return "end_before: " + whole(from + random_.uniform(100, 900));
-      case 4:
-        return "start_after: " + whole(from) +
-               ", end_before: " + whole(from + random_.uniform(150, 900));
-      default:
-        return "start_after: " + whole(from) +
-               ", start_before: " + whole(from + random_.uniform(20, 300));
-    }
   }
 
   std::string on_ground() { return "P" + std::to_string(1 + random_.below(4)); }
@@ -359,7 +341,7 @@ class Drawing {
     begin_mission("ask", one, when, 0);
     std::vector<Task> tasks;
     for (std::size_t left = 1 + last_.below(2); left > 0; --left)
-      tasks.push_back({next_goal_[who]++, question(), ""});
+      tasks.push_back({next_goal_[who]++, draw_question_task(last_), ""});
     Step& asks = mission_.steps.back();
     asks.placement = placement;
     asks.tasks = tasks;
@@ -373,34 +355,7 @@ class Drawing {
     mission_.steps.back().tasks = std::move(tasks);
   }
 
-  std::string question() {
-    const std::string ground = "P" + std::to_string(1 + last_.below(4));
-    const std::string air = "A" + std::to_string(1 + last_.below(3));
-    const std::string zone = "Z" + std::to_string(1 + last_.below(3));
-    switch (last_.below(4)) {
-      case 0:
-        return "[general-gotoxyz, " + air + "]";
-      case 1:
-        return "[perceive, " + ground + ", " + whole(last_.uniform(5, 120)) + "]";
-      case 2:
-        return "[perform-detection, " + zone + ", " + ground + ", " +
-               whole(last_.uniform(60, 300)) + "]";
-      default:
-        return "[perform-tour, [" + ground + ", " + air + "]]";
-    }
-  }
-
   // ---- what goes wrong ----
-
-  // The vehicle takes no task of a type, for a while or for good.
-  void draw_refusals() {
-    const Member& one = mission_.team[last_.below(mission_.team.size())];
-    const std::vector<std::string> types{"takeoff", "goto", "land", "wait", "takeshot", "perceive"};
-    const double lasts = last_.chance(0.3) ? 5000 : last_.uniform(5, 200);
-    mission_.faults.push_back(
-        "{at: " + whole(last_.uniform(5, 500)) + ", abort: {uav: " + one.name +
-        ", type: " + types[last_.below(types.size())] + ", for: " + whole(lasts) + "}}");
-  }
 
   Step plain_step(const std::string& name, const std::string& when, const std::string& action) {
     Step step;
