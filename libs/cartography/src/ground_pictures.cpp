@@ -7,6 +7,7 @@
 #include "captions.hpp"
 #include "palette.hpp"
 #include "skein/cartography/pictures.hpp"
+#include "skein/world/segment.hpp"
 
 namespace skein::cartography {
 namespace {
@@ -26,13 +27,6 @@ void draw_sweep(Map& map, const refiners::Coverage& coverage, double swath,
 void mark_ends(Map& map, const std::optional<Vector3>& start, const std::optional<Vector3>& end) {
   if (start && start->allFinite()) map.marker(start->head<2>(), kStartColour, "start");
   if (end && end->allFinite() && end != start) map.marker(end->head<2>(), kEndColour, "end");
-}
-
-double distance(const Vector2& a, const Vector2& b, const Vector2& point) {
-  const Vector2 leg = b - a;
-  const double length2 = leg.squaredNorm();
-  const double part = length2 > 0 ? std::clamp(leg.dot(point - a) / length2, 0.0, 1.0) : 0;
-  return (a + part * leg - point).norm();
 }
 
 /// How often the way comes near each cell of the grid: those next to each other count once.
@@ -65,7 +59,7 @@ class Visits {
     for (std::size_t row = south; row < north; ++row)
       for (std::size_t column = west; column < east; ++column) {
         const std::size_t cell = grid_.index(column, row);
-        if (distance(from, to, grid_.centre(cell)) > footprint_) continue;
+        if (world::to_segment(grid_.centre(cell), from, to) > footprint_) continue;
         if (last_[cell] + 1 != leg) ++count_[cell];
         last_[cell] = leg;
       }

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "skein/world/segment.hpp"
+
 namespace skein::supervisor {
 namespace {
 
@@ -43,11 +45,7 @@ double distance_to(const Polygon& polygon, const Vector2& at) {
   if (world::contains(polygon, at)) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2& a = polygon[i];
-    const Vector2 edge = polygon[(i + 1) % polygon.size()] - a;
-    const double length2 = edge.squaredNorm();
-    const double along = length2 > 0 ? std::clamp((at - a).dot(edge) / length2, 0.0, 1.0) : 0;
-    least = std::min(least, (a + along * edge - at).norm());
+    least = std::min(least, world::to_segment(at, polygon[i], polygon[(i + 1) % polygon.size()]));
   }
   return least;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "segment_distance.hpp"
+#include "skein/world/segment.hpp"
 
 namespace skein::supervisor {
 
@@ -20,8 +20,8 @@ double side(const Vector2& a, const Vector2& b, const Vector2& p) {
 
 double distance(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
   if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return 0;
-  return std::min(
-      {to_segment(a, c, d), to_segment(b, c, d), to_segment(c, a, b), to_segment(d, a, b)});
+  return std::min({world::to_segment(a, c, d), world::to_segment(b, c, d),
+                   world::to_segment(c, a, b), world::to_segment(d, a, b)});
 }
 
 // The part [first, last] of the segment, as fractions, that is between the two levels.
@@ -64,7 +64,7 @@ std::vector<Vector3> rest_of(const std::vector<Vector3>& way, const Vector3& pos
   std::size_t next = 0;
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < way.size(); ++i) {
-    const double off = to_segment(position, way[i - 1], way[i]);
+    const double off = world::to_segment(position, way[i - 1], way[i]);
     if (off < best) {
       best = off;
       next = i;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "segment_distance.hpp"
+#include "skein/world/segment.hpp"
 
 namespace skein::supervisor {
 
@@ -95,7 +95,7 @@ const Entry* flown_along(const Book& book, const Entry& entry) {
 std::size_t passed_after(const std::vector<Vector3>& way, std::size_t passed, const Vector3& from,
                          const Vector3& to, double reach) {
   for (std::size_t next = passed + 1; next < way.size() && next <= passed + kLookAhead; ++next) {
-    if (to_segment(way[next], from, to) > reach) continue;
+    if (world::to_segment(way[next], from, to) > reach) continue;
     passed = next;
   }
   return passed;

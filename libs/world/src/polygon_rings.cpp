@@ -7,17 +7,12 @@
 #include <numeric>
 #include <vector>
 
+#include "skein/world/segment.hpp"
+
 namespace skein::world {
 namespace {
 
 constexpr double kAlways = std::numeric_limits<double>::infinity();
-
-double distance(const Vector2& a, const Vector2& b, const Vector2& point) {
-  const Vector2 edge = b - a;
-  const double length2 = edge.squaredNorm();
-  const double along = length2 > 0 ? std::clamp(edge.dot(point - a) / length2, 0.0, 1.0) : 0;
-  return (a + along * edge - point).norm();
-}
 
 /// By how much the border moves, at most, if a corner is left out with all that matter no more. The
 /// first corner, and that farthest from it, always stay.
@@ -50,7 +45,7 @@ class Importance {
     std::size_t worst = span.from;
     double most = -1;
     for (std::size_t i = span.from + 1; i < span.until; ++i)
-      if (const double off = distance(a, b, polygon_[i]); off > most) {
+      if (const double off = to_segment(polygon_[i], a, b); off > most) {
         most = off;
         worst = i;
       }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a point is from a straight piece of a way, in the plane or in space.
+// How far a point is from a straight piece of a way or of a border, in the plane or in space.
 #pragma once
 
 #include <algorithm>
 
 #include "skein/world/geometry.hpp"
 
-namespace skein::supervisor {
+namespace skein::world {
 
 /// From the point to the nearest of the segment [m]; `a` may be `b`. Vector: Vector2 or Vector3.
 template <class Vector>
@@ -17,4 +17,4 @@ double to_segment(const Vector& point, const Vector& a, const Vector& b) {
   return (point - (a + at * along)).norm();
 }
 
-}  // namespace skein::supervisor
+}  // namespace skein::world
