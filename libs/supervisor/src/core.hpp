@@ -109,6 +109,8 @@ class Supervisor::Core {
   bool stays_in(const Entry& entry, const world::Volume& volume) const;
   const world::Volume* met_by(const Entry& entry) const;
   std::optional<world::Vector3> stand_of(const Entry& entry) const;
+  std::optional<world::Vector3> circled() const;
+  world::Vector3 place() const { return circled().value_or(vehicle_.position); }
   const world::Volume* closed_around() const;
   bool is_leaving() const;
   bool is_nearly_down() const;

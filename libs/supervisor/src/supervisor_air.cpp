@@ -17,6 +17,8 @@ constexpr Duration kWarning = Duration::milliseconds(60'000);
 constexpr Duration kAhead = Duration::milliseconds(65'000);
 /// A descent that is over sooner goes on [s].
 constexpr double kNearlyDown = 15;
+/// Of its circle: it is joined from inside and outside.
+constexpr double kJoining = 1.5;
 
 /// A way out of closed air is no way into it: only what comes after it is outside counts.
 bool leads_in(const world::Volume& volume, double margin, const std::vector<world::Vector3>& way) {
@@ -66,7 +68,7 @@ std::optional<world::Vector3> Supervisor::Core::stand_of(const Entry& entry) con
   };
   const auto& on = entry.task.dependences;
   if (!entry.task.way.empty() || std::any_of(on.begin(), on.end(), flies)) return std::nullopt;
-  Whereabouts there{vehicle_.position, vehicle_.airborne};
+  Whereabouts there{place(), vehicle_.airborne};
   for (const auto& [id, before] : book_.tasks) {
     if (id >= entry.task.id) break;
     if (book_.counts(before)) there = after(there, {before.task});
@@ -110,14 +112,30 @@ const world::Volume* Supervisor::Core::met_by(const Entry& entry) const {
 
 // ---- the UAV itself ----
 
+// What one that cannot hover circles over: where its last motion led, while it is near that.
+std::optional<world::Vector3> Supervisor::Core::circled() const {
+  const world::VehicleModel& vehicle = config_.knowledge->vehicle;
+  if (vehicle.hovers || !vehicle_.airborne) return std::nullopt;
+  std::optional<world::Vector3> over;
+  for (const auto& [id, entry] : book_.tasks) {
+    if (entry.task.way.empty() || !entry.seen.started) continue;
+    if (!entry.over()) return std::nullopt;
+    over = entry.done ? std::optional(entry.task.way.back()) : std::nullopt;
+  }
+  const bool near = over && (vehicle_.position - *over).norm() <= kJoining * stay_radius(vehicle);
+  return near ? over : std::nullopt;
+}
+
 const world::Volume* Supervisor::Core::closed_around() const {
   if (!vehicle_.airborne || !ever_gave_) return nullptr;
   const world::VehicleModel& vehicle = config_.knowledge->vehicle;
-  const double margin = vehicle.body_radius + 3 * world::tracking_spread(vehicle);
+  const bool circles = circled().has_value();
+  const double margin =
+      vehicle.body_radius + (circles ? stay_radius(vehicle) : 3 * world::tracking_spread(vehicle));
+  const world::Vector3 at = place();
   const auto found =
       std::find_if(world_->volumes.begin(), world_->volumes.end(), [&](const auto& volume) {
-        return volume.when.overlaps({now_, now_ + kAhead}) &&
-               crosses(volume, margin, vehicle_.position, vehicle_.position);
+        return volume.when.overlaps({now_, now_ + kAhead}) && crosses(volume, margin, at, at);
       });
   return found == world_->volumes.end() ? nullptr : &*found;
 }

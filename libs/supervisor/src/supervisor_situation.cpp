@@ -43,7 +43,7 @@ PlanningRequest Supervisor::Core::base_request(const Standing& standing,
 
 // Where the last of its tasks that moves it leaves it.
 void Supervisor::Core::place_after(const Standing& standing, Situation& result) const {
-  result.position = vehicle_.position;
+  result.position = place();
   result.heading = vehicle_.heading;
   result.airborne = vehicle_.airborne;
   for (const mission::ElementaryTask& task : standing.tasks) move(task, result);

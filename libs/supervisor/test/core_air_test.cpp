@@ -155,5 +155,43 @@ TEST(SupervisorWorld, AroundAUavOnTheGroundIsNotLeft) {
   EXPECT_FALSE(desk.job_started());
 }
 
+/// At degree 4 with nothing to do, after a flight to (0, 0, 40) that it circles over, 40 m wide.
+Desk circling(const world::Vector3& now_at) {
+  Config config = that_leaves();
+  Knowledge knowledge = *config.knowledge;
+  knowledge.vehicle.hovers = false;
+  knowledge.vehicle.orbit_radius = 40;
+  config.knowledge = std::make_shared<Knowledge>(knowledge);
+  Desk desk = Desk::engaged(std::move(config));
+  desk.add(a_mission(1, {701}));
+  desk.finish(
+      inserted({701}, {TaskOf(100, "goto", 701).takes(20, 60).way({{-200, 0, 40}, {0, 0, 40}})}));
+  desk.flies({-200, 0, 40});
+  desk.runs(100);
+  desk.flies({0, 0, 40});
+  desk.at(30).ends(100);
+  desk.flies(now_at);
+  return desk;
+}
+const world::Polygon kWestOfTheCircle{{-60, -20}, {-30, -20}, {-30, 20}, {-60, 20}};
+
+TEST(SupervisorWorld, ClosedOnTheOtherSideOfTheCircleThatItWaitsOnIsLeft) {
+  Desk desk = circling({40, 0, 40});
+
+  desk.at(60).give(closed("smoke", kWestOfTheCircle));
+
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().remaining[0].name, "leave-closed-air");
+  EXPECT_EQ(desk.repair().base.situation.position, world::Vector3(0, 0, 40));
+}
+
+TEST(SupervisorWorld, FarFromWhereItWasSentItIsWhereItIs) {
+  Desk desk = circling({200, 0, 40});
+
+  desk.at(60).give(closed("smoke", kWestOfTheCircle));
+
+  EXPECT_FALSE(desk.job_started());
+}
+
 }  // namespace
 }  // namespace skein::supervisor
