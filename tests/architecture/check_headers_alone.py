@@ -4,7 +4,7 @@
     check_headers_alone.py ARCHITECTURE.json COMPILE_COMMANDS.json [LIBRARY…]
 
 The build compiles over a precompiled header, which would hide what a header forgets to include: here each
-is compiled without it, with the options of its library, through ccache where the build uses that.
+is compiled without it, with the options of its library.
 """
 import concurrent.futures
 import json
