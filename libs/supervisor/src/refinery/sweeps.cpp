@@ -159,12 +159,17 @@ Answer<Motion> Sweeps::over_in(const Counted& air, const Vector3& from, const wo
     all.seen = lanes.seen;
     return all;
   };
+  // Where it begins counts too: nobody is there yet.
+  const auto meets = [&](const Way& way) {
+    return air_.met(way, volumes) ||
+           std::any_of(volumes.begin(), volumes.end(),
+                       [&](const auto& volume) { return is_near(volume, way.front(), 0); });
+  };
   auto lanes = best(air, from, zone, device, air_.stray());
   if (!lanes) return no(lanes.error());
-  if (!air_.met(lanes->way, volumes)) return motion(std::move(*lanes));
+  if (!meets(lanes->way)) return motion(std::move(*lanes));
   lanes = best(air, from, zone, device, air_.stray() + air_.swing());
-  if (lanes && lanes->seen >= kSeenEnough && !air_.met(lanes->way, volumes))
-    return motion(std::move(*lanes));
+  if (lanes && lanes->seen >= kSeenEnough && !meets(lanes->way)) return motion(std::move(*lanes));
   return no("closed air is too near for its turns");
 }
 
