@@ -51,9 +51,9 @@ double distance_to(const Polygon& polygon, const Vector2& at) {
 }
 
 bool is_near(const world::Volume& volume, const world::Vector3& at, double margin) {
-  return at.z() > volume.floor - margin && at.z() < volume.ceiling + margin &&
-         (distance_to(volume.polygon, at.head<2>()) < margin ||
-          world::contains(volume.polygon, at.head<2>()));
+  if (at.z() <= volume.floor - margin || at.z() >= volume.ceiling + margin) return false;
+  const double off = distance_to(volume.polygon, at.head<2>());
+  return off < margin || off == 0;
 }
 
 world::Volume grown(const world::Volume& volume, double margin) {

@@ -17,8 +17,8 @@ constexpr Duration kWarning = Duration::milliseconds(60'000);
 constexpr Duration kAhead = Duration::milliseconds(65'000);
 /// A descent that is over sooner goes on [s].
 constexpr double kNearlyDown = 15;
-/// Of its circle: it is joined from inside and outside.
-constexpr double kJoining = 1.5;
+/// Radii from its middle within which it counts as on its circle, which it may still be joining.
+constexpr double kOnCircle = 1.5;
 
 /// A way out of closed air is no way into it: only what comes after it is outside counts.
 bool leads_in(const world::Volume& volume, double margin, const std::vector<world::Vector3>& way) {
@@ -122,7 +122,7 @@ std::optional<world::Vector3> Supervisor::Core::circled() const {
     if (!entry.over()) return std::nullopt;
     over = entry.done ? std::optional(entry.task.way.back()) : std::nullopt;
   }
-  const bool near = over && (vehicle_.position - *over).norm() <= kJoining * stay_radius(vehicle);
+  const bool near = over && (vehicle_.position - *over).norm() <= kOnCircle * stay_radius(vehicle);
   return near ? over : std::nullopt;
 }
 
