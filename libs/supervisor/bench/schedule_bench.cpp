@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "plan_network.hpp"
+#include "schedule/plan_network.hpp"
 #include "skein/supervisor/schedule.hpp"
 #include "skein/temporal/stn_engine.hpp"
 #include "testing/elementary_plans.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The supervisor's inside: one class, its functions in files by theme (supervisor_*.cpp).
+// The supervisor's inside: one class, its functions in files by room.
 #pragma once
 
 #include <deque>
@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "book.hpp"
-#include "plan_network.hpp"
-#include "refusals.hpp"
-#include "retreat.hpp"
+#include "book/book.hpp"
+#include "flight/retreat.hpp"
+#include "schedule/plan_network.hpp"
 #include "skein/supervisor/supervisor.hpp"
-#include "wind_estimator.hpp"
+#include "watch/refusals.hpp"
+#include "watch/wind_estimator.hpp"
 
 namespace skein::supervisor {
 
@@ -83,7 +83,7 @@ class Supervisor::Core {
     MissionTime began;
   };
 
-  // Inputs: supervisor_requests.cpp.
+  // Inputs: requests.cpp
   void on(const AddMission& input);
   void on(const CancelMission& input);
   void on(const WorldChanged& input);
@@ -96,11 +96,11 @@ class Supervisor::Core {
   void drop_cancelled_missions();
   void set_volume(const mission::ChangeWorld& change);
 
-  // supervisor_world.cpp: places and ground
+  // watch/world.cpp: places and ground
   void learn(const mission::ChangeWorld& change);
   void look_elsewhere(const std::string& place, bool far, const std::string& cause);
   void feel_wind();
-  // supervisor_air.cpp
+  // safety/air.cpp
   void check_air(const std::string& cause);
   void watch_air();
   std::optional<MissionTime> next_closing() const;
@@ -116,7 +116,7 @@ class Supervisor::Core {
   bool is_nearly_down() const;
   std::vector<GoalId> goals_met(std::string& what) const;
 
-  // supervisor_hand_over.cpp
+  // hand_over.cpp
   void on(const Disengage& input);
   void on(const Engage& input);
   bool is_wholly_given(GoalId id) const;
@@ -124,7 +124,7 @@ class Supervisor::Core {
   std::vector<GoalId> take_back();
   void forget_but(const std::set<TaskId>& kept);
 
-  // supervisor_observation.cpp
+  // watch/observation.cpp, watch/dates.cpp
   void on(const TaskSeen& input);
   void on(const RequestAnswered& input);
   void on(const VehicleSeen& input);
@@ -158,7 +158,7 @@ class Supervisor::Core {
   bool is_late(const Entry& entry) const;
   MissionTime late_from(const Entry& entry) const;
 
-  // supervisor_contingencies.cpp
+  // watch/contingencies.cpp
   void fail_task(const Entry& entry, const std::string& cause);
   void fail_goal(GoalId id, const std::string& cause);
   void operator_aborted(const Entry& entry);
@@ -177,7 +177,7 @@ class Supervisor::Core {
   void wait_safely();
   void stop_safe_waits();
 
-  // supervisor_energy.cpp
+  // safety/energy.cpp
   Retreat retreat() const { return {*config_.knowledge, *world_, now_}; }
   Whereabouts end_of(const std::vector<mission::ElementaryTask>& tasks) const;
   double energy_to_come(const Entry& entry) const;
@@ -193,14 +193,14 @@ class Supervisor::Core {
   bool comes_down() const;
   void come_down_at_once();
 
-  // supervisor_own_goals.cpp
+  // own_goals.cpp
   bool can_plan(std::string_view task) const;
   std::optional<mission::HighLevelTask> own_task(std::string_view name) const;
   GoalId enter_own(const mission::HighLevelTask& task);
   void tell_landing(const mission::ElementaryPlan& plan);
   std::string named(GoalId goal) const;
 
-  // supervisor_jobs.cpp
+  // jobs/jobs.cpp
   void on(const JobFinished& input);
   void start_job();
   void start_insertion(const Pending& pending);
@@ -218,7 +218,7 @@ class Supervisor::Core {
   bool hold(const Premises& then, const Premises& now) const;
   bool again(const Job& job, const std::string& why);
 
-  // supervisor_results.cpp
+  // jobs/results.cpp
   void finish(const Job& job, const InsertionOutcome& outcome);
   void finish(const Job& job, const RepairOutcome& outcome);
   void refuse(const Job& job, const std::vector<std::string>& reasons,
@@ -236,7 +236,7 @@ class Supervisor::Core {
   void enter(const mission::ElementaryPlan& plan);
   void tell_refined(const Job& job, const mission::ElementaryPlan& plan);
 
-  // supervisor_situation.cpp
+  // jobs/situation.cpp
   PlanningRequest base_request(const Standing& standing, const std::set<TaskId>& withdrawn) const;
   Situation situation(const Standing& standing, const std::set<TaskId>& withdrawn) const;
   void place_after(const Standing& standing, Situation& result) const;
@@ -249,7 +249,7 @@ class Supervisor::Core {
   Timeline timeline_after(const mission::ElementaryTask& task) const;
   double energy_after(const Standing& standing) const;
 
-  // supervisor_commitment.cpp
+  // commitment/giving.cpp
   void on(const JointTaskDue& input);
   void on(const JointTaskAnswered& input);
   void commit();
@@ -265,7 +265,7 @@ class Supervisor::Core {
   void load(const Entry& entry);
   void report_joint(TaskId id, const std::string& why);
 
-  // supervisor_report.cpp
+  // report.cpp
   void set_state(Goal& goal, GoalState state, const std::string& why = {});
   void decide(Application application);
   void notice(std::string text) { out_.push_back(Notice{std::move(text)}); }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "flight_times.hpp"
+#include "flight/flight_times.hpp"
 #include "skein/foundation/result.hpp"
 #include "skein/refiners/flight.hpp"
 

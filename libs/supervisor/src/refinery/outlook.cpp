@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "outlook.hpp"
+#include "refinery/outlook.hpp"
 
 #include <cmath>
 

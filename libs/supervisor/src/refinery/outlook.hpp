@@ -6,9 +6,9 @@
 #include <limits>
 #include <optional>
 
-#include "patrols.hpp"
-#include "sweeps.hpp"
-#include "ways.hpp"
+#include "refinery/patrols.hpp"
+#include "refinery/sweeps.hpp"
+#include "refinery/ways.hpp"
 
 namespace skein::supervisor {
 

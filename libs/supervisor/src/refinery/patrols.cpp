@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "patrols.hpp"
+#include "refinery/patrols.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "autopilot.hpp"
-#include "closed_air.hpp"
+#include "flight/autopilot.hpp"
+#include "flight/closed_air.hpp"
+#include "refinery/zone_shapes.hpp"
 #include "skein/refiners/patrol.hpp"
-#include "zone_shapes.hpp"
 
 namespace skein::supervisor {
 

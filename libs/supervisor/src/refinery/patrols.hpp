@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ways.hpp"
+#include "refinery/ways.hpp"
 
 namespace skein::supervisor {
 

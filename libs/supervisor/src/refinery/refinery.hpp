@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "outlook.hpp"
-#include "views.hpp"
+#include "refinery/outlook.hpp"
+#include "refinery/views.hpp"
 
 namespace skein::supervisor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sweeps.hpp"
+#include "refinery/sweeps.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "autopilot.hpp"
-#include "closed_air.hpp"
-#include "zone_shapes.hpp"
+#include "flight/autopilot.hpp"
+#include "flight/closed_air.hpp"
+#include "refinery/zone_shapes.hpp"
 
 namespace skein::supervisor {
 

@@ -2,8 +2,8 @@
 // Seeing all of a zone, judged by how the autopilot will fly it.
 #pragma once
 
+#include "refinery/ways.hpp"
 #include "skein/refiners/coverage.hpp"
-#include "ways.hpp"
 
 namespace skein::supervisor {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "timed_air.hpp"
+#include "refinery/timed_air.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "autopilot.hpp"
-#include "closed_air.hpp"
-#include "crossing.hpp"
+#include "flight/autopilot.hpp"
+#include "flight/closed_air.hpp"
+#include "flight/crossing.hpp"
+#include "refinery/zone_shapes.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
-#include "zone_shapes.hpp"
 
 namespace skein::supervisor {
 

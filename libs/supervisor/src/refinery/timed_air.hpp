@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "gazetteer.hpp"
-#include "motion.hpp"
+#include "planning/gazetteer.hpp"
+#include "refinery/motion.hpp"
 #include "skein/refiners/path.hpp"
 #include "skein/refiners/setting.hpp"
 #include "skein/world/airspace.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "views.hpp"
+#include "refinery/views.hpp"
 
 #include <algorithm>
 #include <array>

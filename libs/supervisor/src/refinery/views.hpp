@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "timed_air.hpp"
+#include "refinery/timed_air.hpp"
 
 namespace skein::supervisor {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ways.hpp"
+#include "refinery/ways.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "crossing.hpp"
-#include "landing_place.hpp"
+#include "flight/crossing.hpp"
+#include "flight/landing_place.hpp"
 #include "skein/refiners/flyable.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "timed_air.hpp"
+#include "refinery/timed_air.hpp"
 
 namespace skein::supervisor {
 

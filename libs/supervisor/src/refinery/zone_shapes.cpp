@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "zone_shapes.hpp"
+#include "refinery/zone_shapes.hpp"
 
 #include <algorithm>
 #include <cmath>

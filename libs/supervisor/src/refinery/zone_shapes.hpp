@@ -2,7 +2,7 @@
 // Zones as patterns over them need them.
 #pragma once
 
-#include "motion.hpp"
+#include "refinery/motion.hpp"
 #include "skein/world/world.hpp"
 
 namespace skein::supervisor {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "insertion_judge.hpp"
+#include "insertion/judge.hpp"
 
 namespace skein::supervisor::testing {
 

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "book/book.hpp"
+
+#include <algorithm>
+
+namespace skein::supervisor {
+
+using mission::DependenceKind;
+
+bool ends_by_order(const mission::ElementaryTask& task) {
+  return task.open_ended || !task.stop.empty();
+}
+
+bool depends_on(const mission::ElementaryTask& task, TaskId other) {
+  return std::any_of(task.dependences.begin(), task.dependences.end(), [&](const auto& one) {
+    return one.task == other && one.kind != DependenceKind::kOver;
+  });
+}
+
+Entry* Book::find(TaskId id) {
+  const auto found = tasks.find(id);
+  return found == tasks.end() ? nullptr : &found->second;
+}
+
+const Entry* Book::find(TaskId id) const {
+  const auto found = tasks.find(id);
+  return found == tasks.end() ? nullptr : &found->second;
+}
+
+std::vector<const Entry*> Book::of(GoalId goal) const {
+  std::vector<const Entry*> result;
+  for (const auto& [id, entry] : tasks) {
+    if (entry.task.origin == goal && entry.live()) result.push_back(&entry);
+  }
+  return result;
+}
+
+bool Book::has_in_hand(GoalId goal) const {
+  const auto all = of(goal);
+  return std::any_of(all.begin(), all.end(), [](const Entry* one) { return one->in_hand(); });
+}
+
+bool Book::is_given(GoalId goal) const {
+  return std::any_of(tasks.begin(), tasks.end(), [goal](const auto& one) {
+    return one.second.task.origin == goal && one.second.live() && one.second.given;
+  });
+}
+
+bool Book::was_begun(GoalId goal) const {
+  return std::any_of(tasks.begin(), tasks.end(), [&](const auto& one) {
+    return one.second.task.origin == goal && one.second.seen.started.has_value();
+  });
+}
+
+bool Book::has_lost(GoalId goal) const {
+  const auto all = of(goal);
+  return std::any_of(all.begin(), all.end(),
+                     [](const Entry* one) { return one->over() && !one->done; });
+}
+
+bool Book::is_planned(GoalId goal) const {
+  bool any = false;
+  for (const auto& [id, entry] : tasks) {
+    if (entry.task.origin != goal || !entry.live()) continue;
+    if (entry.given) return false;
+    any = true;
+  }
+  return any;
+}
+
+std::vector<TaskId> Book::in_hand() const {
+  std::vector<TaskId> result;
+  for (const auto& [id, entry] : tasks) {
+    if (entry.in_hand()) result.push_back(id);
+  }
+  return result;
+}
+
+bool Book::nothing_in_hand() const {
+  return std::none_of(tasks.begin(), tasks.end(),
+                      [](const auto& one) { return one.second.in_hand(); });
+}
+
+Standing Book::standing(const std::set<TaskId>& but) const {
+  Standing result;
+  for (const TaskId id : in_hand()) {
+    if (but.count(id) != 0) continue;
+    const Entry& entry = tasks.at(id);
+    result.tasks.push_back(entry.task);
+    result.seen[id] = entry.seen;
+  }
+  result.bounds = bounds();
+  return result;
+}
+
+bool Book::counts(const Entry& entry) const {
+  if (!entry.live() || entry.over()) return false;
+  const GoalState state = goals.at(entry.task.origin).state;
+  return entry.given || (state != GoalState::kHandedOver && !is_settled(state));
+}
+
+std::vector<mission::ElementaryTask> Book::open_tasks() const {
+  std::vector<mission::ElementaryTask> result;
+  for (const auto& [id, entry] : tasks) {
+    if (counts(entry)) result.push_back(entry.task);
+  }
+  return result;
+}
+
+Observations Book::observations() const {
+  Observations result;
+  for (const auto& [id, entry] : tasks) {
+    if (counts(entry)) result[id] = entry.seen;
+  }
+  return result;
+}
+
+std::vector<GoalId> Book::free_goals() const {
+  std::vector<GoalId> result;
+  bool given_behind = false;
+  for (auto id = order.rbegin(); id != order.rend(); ++id) {
+    const Goal& goal = goals.at(*id);
+    if (is_settled(goal.state) || goal.state == GoalState::kHandedOver) continue;
+    const bool given = is_given(*id);
+    const bool passed = goal.true_at && given_behind;
+    given_behind = given_behind || given;
+    if (!goal.queued && !given && !passed) result.push_back(*id);
+  }
+  std::reverse(result.begin(), result.end());
+  return result;
+}
+
+GoalBounds Book::bounds(const std::vector<mission::HighLevelTask>& more) const {
+  GoalBounds result;
+  const auto add = [&](const mission::HighLevelTask& task) {
+    if (task.after.empty()) return;
+    result.of[task.id] = task.after;
+    for (const mission::GoalBound& one : task.after) {
+      const auto other = goals.find(one.goal);
+      if (other != goals.end() && other->second.state == GoalState::kAchieved)
+        result.over[one.goal] = other->second.settled;
+    }
+  };
+  for (const auto& [id, goal] : goals) {
+    if (!is_settled(goal.state)) add(goal.task);
+  }
+  for (const mission::HighLevelTask& task : more) add(task);
+  return result;
+}
+
+std::vector<mission::HighLevelTask> Book::tasks_of(const std::vector<GoalId>& ids) const {
+  std::vector<mission::HighLevelTask> result;
+  for (const GoalId id : ids) result.push_back(goals.at(id).task);
+  return result;
+}
+
+std::set<TaskId> Book::ending_by_order() const {
+  std::set<TaskId> result;
+  for (const auto& [id, entry] : tasks) {
+    if (ends_by_order(entry.task)) result.insert(id);
+  }
+  return result;
+}
+
+std::set<GoalId> Book::falling_with(std::set<GoalId> falling) const {
+  const auto is_lost = [&](const Entry& entry, const mission::Dependence& on) {
+    const Entry* other = find(on.task);
+    return depends_on(entry.task, on.task) && other != nullptr && !other->done &&
+           (falling.count(other->task.origin) != 0 || other->over());
+  };
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const auto& [id, entry] : tasks) {
+      if (!entry.in_hand() || falling.count(entry.task.origin) != 0) continue;
+      const auto& on = entry.task.dependences;
+      if (std::any_of(on.begin(), on.end(), [&](const auto& d) { return is_lost(entry, d); })) {
+        grew = falling.insert(entry.task.origin).second;
+      }
+    }
+  }
+  return falling;
+}
+
+// A wait for orders is no wait of what comes before it: each would wait for the other for ever.
+std::set<TaskId> Book::loose_motion(TaskId next) const {
+  std::set<TaskId> result;
+  for (const auto& [id, one] : loose) {
+    if (one.holds_vehicle) result.insert(id);
+  }
+  for (const auto& [id, entry] : tasks) {
+    if (!entry.given || entry.over() || !holds_vehicle(entry.task)) continue;
+    const bool waits = entry.task.open_ended && id < next;
+    if (entry.withdrawn || entry.by_others || waits) result.insert(id);
+  }
+  return result;
+}
+
+std::set<TaskId> Book::loose_users_of(const std::string& device) const {
+  std::set<TaskId> result;
+  for (const auto& [id, entry] : tasks) {
+    if (!entry.given || entry.over() || !(entry.withdrawn || entry.by_others)) continue;
+    const auto devices = devices_of(entry.task);
+    if (std::find(devices.begin(), devices.end(), device) != devices.end()) result.insert(id);
+  }
+  return result;
+}
+
+std::vector<const Entry*> Book::waits_for_orders() const {
+  std::vector<const Entry*> result;
+  for (const auto& [id, entry] : tasks) {
+    if (entry.in_hand() && entry.task.open_ended && !entry.ordered) result.push_back(&entry);
+  }
+  return result;
+}
+
+// The executive starts it in the step that it is now telling of. What was stopped never counts as
+// ended there, so it is enough that it is over.
+bool Book::is_due(const Entry& entry) const {
+  const auto& waits = entry.task.dependences;
+  return std::all_of(waits.begin(), waits.end(), [&](const mission::Dependence& wait) {
+    const Entry* other = find(wait.task);
+    if (other == nullptr) return true;
+    const bool over = other->over();
+    if (wait.kind == mission::DependenceKind::kRunning) return other->under_way();
+    const bool any_end = wait.kind == mission::DependenceKind::kOver || ends_by_order(other->task);
+    return over && (any_end || !other->seen.aborted);
+  });
+}
+
+// Of what others gave nobody here knows when it begins.
+bool Book::has_occupation(MissionTime soon) const {
+  const bool occupied = std::any_of(tasks.begin(), tasks.end(), [&](const auto& one) {
+    const Entry& entry = one.second;
+    const bool goes_on = entry.given && !entry.over() && !entry.stopping;
+    if (!goes_on || entry.seen.started) return goes_on;
+    const bool begins = entry.by_others || entry.dates.earliest_start <= soon;
+    return begins && (holds_vehicle(entry.task) || is_due(entry));
+  });
+  return occupied || std::any_of(loose.begin(), loose.end(), [](const auto& one) {
+           return one.second.holds_vehicle && !one.second.stopping;
+         });
+}
+
+bool Book::waits_safely() const {
+  return std::any_of(loose.begin(), loose.end(), [](const auto& one) {
+    return one.second.ours && one.second.type == "wait" && !one.second.stopping;
+  });
+}
+
+void Book::reorder(const std::vector<GoalId>& wanted) {
+  const auto is_wanted = [&](GoalId id) {
+    return std::find(wanted.begin(), wanted.end(), id) != wanted.end();
+  };
+  std::vector<GoalId> first, last;
+  for (const GoalId id : order) {
+    if (is_wanted(id)) continue;
+    const Goal& goal = goals.at(id);
+    const bool before = is_settled(goal.state) || is_given(id) || goal.true_at;
+    (before ? first : last).push_back(id);
+  }
+  std::stable_partition(first.begin(), first.end(),
+                        [&](GoalId id) { return is_settled(goals.at(id).state); });
+  order = std::move(first);
+  order.insert(order.end(), wanted.begin(), wanted.end());
+  order.insert(order.end(), last.begin(), last.end());
+}
+
+double energy_share(const Entry& entry, MissionTime now) {
+  if (entry.over()) return 0;
+  if (!entry.seen.started) return 1;
+  const mission::Interval& d = entry.task.duration;
+  const double most = d.most == Duration::max() ? d.least.to_seconds() : d.most.to_seconds();
+  const double mean = (d.least.to_seconds() + most) / 2;
+  if (mean <= 0) return 1;
+  return std::clamp(1 - (now - *entry.seen.started).to_seconds() / mean, 0.0, 1.0);
+}
+
+}  // namespace skein::supervisor

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the supervisor keeps of goals and tasks: planned, given to the executive, seen.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "flight/whereabouts.hpp"
+#include "skein/mission/autonomy.hpp"
+#include "skein/mission/elementary_plan.hpp"
+#include "skein/supervisor/insertion.hpp"
+
+namespace skein::supervisor {
+
+using executive::TaskId;
+using executive::TaskState;
+using mission::GoalId;
+using mission::GoalState;
+
+/// A high-level task.
+struct Goal {
+  mission::HighLevelTask task;
+  mission::MissionId mission;
+  std::string asked_by;
+  GoalState state = GoalState::kReceived;
+  std::string why;
+  int refined = 0;      ///< times that it was refined again after a failure
+  bool queued = false;  ///< its mission waits for its insertion
+  std::string done;     ///< of it, in words: by tasks that are over
+  /// Planned to need no tasks: it is true when its turn comes, if the vehicle is there.
+  std::optional<Whereabouts> true_at;
+  MissionTime settled;  ///< when, of one that is
+};
+
+/// An elementary task of a goal.
+struct Entry {
+  mission::ElementaryTask task;
+  mission::TaskDates window;    ///< what is outside breaks the network
+  mission::TaskDates dates;     ///< foreseen now
+  mission::TaskDates promised;  ///< foreseen when the plan was made or last shifted
+  TaskState state = TaskState::kScheduled;
+  Observation seen;
+  std::optional<MissionTime> running;               ///< since when
+  world::Vector3 seen_at = world::Vector3::Zero();  ///< where the vehicle was then
+  std::size_t passed = 0;   ///< way-points behind the first, of the motion it perceives along
+  bool lost = false;        ///< to somebody else: nobody saw what became of it
+  std::string why;          ///< of its interruption
+  std::vector<Hold> holds;  ///< as the executive was told
+  bool given = false;       ///< the executive has it
+  bool by_others = false;   ///< given by somebody else, with conditions of their own
+  bool withdrawn = false;   ///< no longer counts for its goal: told to stop, or made anew
+  bool stopping = false;    ///< we told the executive to abort it
+  bool ordered = false;     ///< open-ended, and ended by orders
+  bool done = false;        ///< over as it should be
+  bool overdue = false;     ///< that it is has been dealt with
+  bool late = false;        ///< likewise, that it has not started
+
+  bool over() const { return seen.over.has_value(); }
+  bool live() const { return !withdrawn; }
+  bool in_hand() const { return given && live() && !over(); }
+  bool under_way() const { return in_hand() && seen.started.has_value(); }
+};
+
+/// A task of the executive that is of no goal: a safe wait, or somebody else's.
+struct Loose {
+  std::string type;
+  bool ours = false;
+  bool holds_vehicle = false;
+  bool stopping = false;  ///< told to by us
+  bool ran = false;       ///< the vehicle took it
+};
+
+/// True for a task whose way to end is being told so: it never counts as ended for the executive.
+bool ends_by_order(const mission::ElementaryTask& task);
+
+/// True when the task waits of the other one that it has ended well, or runs.
+bool depends_on(const mission::ElementaryTask& task, TaskId other);
+
+/// Goals in the order of the high-level plan, tasks by id.
+class Book {
+ public:
+  std::map<GoalId, Goal> goals;
+  std::vector<GoalId> order;
+  std::map<TaskId, Entry> tasks;
+  std::map<TaskId, Loose> loose;  ///< those that are not over
+  TaskId next_id{1};
+
+  Entry* find(TaskId id);
+  const Entry* find(TaskId id) const;
+
+  /// Live tasks of the goal, by id.
+  std::vector<const Entry*> of(GoalId goal) const;
+  bool has_in_hand(GoalId goal) const;
+  bool is_given(GoalId goal) const;  ///< some live task of it is, or was, with the executive
+  bool is_planned(GoalId goal) const;
+  bool was_begun(GoalId goal) const;  ///< some task of it, withdrawn or not, has started
+  bool has_lost(GoalId goal) const;   ///< some live task of it was aborted
+
+  /// What the executive has of ours and keeps.
+  std::vector<TaskId> in_hand() const;
+  bool nothing_in_hand() const;
+  Standing standing(const std::set<TaskId>& but = {}) const;
+  /// In hand, or planned to be: live, not over, and nobody else decides on it.
+  bool counts(const Entry& entry) const;
+  /// Those that count.
+  std::vector<mission::ElementaryTask> open_tasks() const;
+  Observations observations() const;
+
+  /// Goals that are to be done, are not queued and not with the executive: those that a job may
+  /// plan anew; in order. A goal without tasks counts as given when one behind it is.
+  std::vector<GoalId> free_goals() const;
+  /// Bounds after goals, of all that are not settled and of `more`, that are not in the book.
+  GoalBounds bounds(const std::vector<mission::HighLevelTask>& more = {}) const;
+  std::vector<mission::HighLevelTask> tasks_of(const std::vector<GoalId>& ids) const;
+
+  /// Tasks that the executive never counts as ended.
+  std::set<TaskId> ending_by_order() const;
+  /// The goals that lose what they wait for when these do.
+  std::set<GoalId> falling_with(std::set<GoalId> goals) const;
+  /// Tasks of the executive that hold the vehicle, are not over, and that the plan does not order:
+  /// withdrawn ones, what others gave, and waits for orders that come before the task `next`.
+  std::set<TaskId> loose_motion(TaskId next) const;
+  /// Likewise, those that use the device.
+  std::set<TaskId> loose_users_of(const std::string& device) const;
+  /// Open-ended tasks that wait for orders and are not over.
+  std::vector<const Entry*> waits_for_orders() const;
+  /// Something that is to go on is under way, or moves or holds the vehicle and begins by `soon`,
+  /// as far as is known: what it hovers, or circles, for.
+  bool has_occupation(MissionTime soon) const;
+  /// A safe wait goes on.
+  bool waits_safely() const;
+  /// All that it waits for has come.
+  bool is_due(const Entry& entry) const;
+
+  /// Settled ones first, then `wanted`, then what `wanted` does not name, as it was.
+  void reorder(const std::vector<GoalId>& wanted);
+};
+
+/// Fraction of its expected use that a task has still to take. Range: [0, 1].
+double energy_share(const Entry& entry, MissionTime now);
+
+}  // namespace skein::supervisor

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "book/progress.hpp"
+
+#include <algorithm>
+
+#include "skein/world/segment.hpp"
+
+namespace skein::supervisor {
+
+namespace {
+
+using mission::Progress;
+using world::Vector3;
+
+constexpr std::size_t kLookAhead = 3;  // way-points, some of which may lie within one step
+
+struct Span {
+  MissionTime from, until;
+  Duration length() const { return until > from ? until - from : Duration(); }
+};
+
+/// While it ran; nothing when it never did, or when nobody saw its end.
+std::optional<Span> ran(const Entry& entry, std::optional<MissionTime> until) {
+  const auto from = entry.running ? entry.running : entry.seen.started;
+  const auto over = entry.seen.over ? entry.seen.over : until;
+  if (!from || !over || entry.lost) return std::nullopt;
+  return Span{*from, *over};
+}
+
+/// What it runs with: the task that must be running when it starts.
+const Entry* companion_of(const Book& book, const Entry& entry) {
+  for (const mission::Dependence& on : entry.task.dependences) {
+    if (on.kind == mission::DependenceKind::kRunning) return book.find(on.task);
+  }
+  return nullptr;
+}
+
+class Account {
+ public:
+  Account(const Book& book, std::optional<MissionTime> until) : book_(book), until_(until) {}
+
+  void add(const Entry& entry) {
+    const auto span = ran(entry, until_);
+    if (!span) return;
+    const mission::ElementaryTask& task = entry.task;
+    const executive::Parameter* device = task.parameters.find("device");
+    if (device != nullptr) add_look(entry, *span, device->text);
+    if (task.type == "wait") done.waited = done.waited + span->length();
+    if (task.synchronisation && entry.done) done.synchronised.insert(task.synchronisation->id);
+    if (!task.way.empty() && entry.done) done.reached.push_back(task.way.back());
+  }
+
+  Progress done;
+
+ private:
+  void add_look(const Entry& entry, Span span, const std::string& device) {
+    if (const Entry* with = companion_of(book_, entry)) {
+      const auto other = ran(*with, until_);
+      if (!other) return;
+      span = {std::max(span.from, other->from), std::min(span.until, other->until)};
+    }
+    if (span.length() > Duration()) done.looks.push_back({device, place_of(entry), span.length()});
+    const Entry* along = flown_along(book_, entry);
+    if (along == nullptr) return;
+    const auto& way = along->task.way;
+    const std::size_t passed = entry.done ? way.size() : std::min(entry.passed, way.size());
+    const auto rest = way.begin() + static_cast<std::ptrdiff_t>(passed);
+    done.rest = Progress::Rest{device, {rest, way.end()}};
+  }
+
+  Vector3 place_of(const Entry& entry) const {
+    return done.reached.empty() ? entry.seen_at : done.reached.back();
+  }
+
+  const Book& book_;
+  std::optional<MissionTime> until_;
+};
+
+}  // namespace
+
+Progress progress_of(const Book& book, GoalId goal, std::optional<MissionTime> until) {
+  Account account(book, until);
+  for (const auto& [id, entry] : book.tasks) {
+    if (entry.task.origin == goal) account.add(entry);
+  }
+  return std::move(account.done);
+}
+
+const Entry* flown_along(const Book& book, const Entry& entry) {
+  if (entry.task.parameters.find("device") == nullptr) return nullptr;
+  const Entry* with = companion_of(book, entry);
+  return with != nullptr && with->task.way.size() > 1 ? with : nullptr;
+}
+
+std::size_t passed_after(const std::vector<Vector3>& way, std::size_t passed, const Vector3& from,
+                         const Vector3& to, double reach) {
+  for (std::size_t next = passed + 1; next < way.size() && next <= passed + kLookAhead; ++next) {
+    if (world::to_segment(way[next], from, to) > reach) continue;
+    passed = next;
+  }
+  return passed;
+}
+
+}  // namespace skein::supervisor

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/autopilot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "skein/foundation/random.hpp"
+
+namespace skein::supervisor {
+namespace {
+
+using refiners::Way;
+using world::Vector2;
+using world::Vector3;
+using world::VehicleModel;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kGain = 0.5;        // [1/s] speed asked per metre of error
+constexpr double kArrivalSpeed = 1;  // [m/s] at the last way-point, of one that hovers
+constexpr double kOrbitGain = 1.5;   // how sharply a circle is joined
+constexpr double kNear = 0.05;       // [m]
+constexpr int kHeadings = 4;
+constexpr double kPatience = 7200;               // [s]
+constexpr double kCorrection = 5;                // [s] between two of an autopilot
+constexpr double kVerticalShare = 0.5;           // heights are held better than places
+constexpr double kGustLasts = 5, kGustStep = 1;  // [s]
+
+double bearing(const Vector2& from, const Vector2& to) {
+  return std::atan2(to.y() - from.y(), to.x() - from.x());
+}
+
+/// From which it can still stop in `distance` with half its acceleration.
+double stopping_speed(double acceleration, double distance) {
+  return std::min(std::sqrt(acceleration * distance), kGain * distance);
+}
+
+/// Stops where the way turns back, keeps its speed where it goes straight on.
+double corner_speed(const Vector3& before, const Vector3& at, const Vector3& behind, double speed) {
+  const Vector3 in = at - before, out = behind - at;
+  const double lengths = in.norm() * out.norm();
+  return lengths > 0 ? speed * (1 + in.dot(out) / lengths) / 2 : 0;
+}
+
+struct Order {
+  double speed = 0, course = 0, climb = 0;
+};
+
+class Flyer {
+ public:
+  Flyer(const Pose& from, const VehicleModel& vehicle, const world::Wind& wind)
+      : vehicle_(vehicle),
+        drift_(vehicle.wind_drift * world::mean_velocity(wind)),
+        at_(from.at),
+        heading_(from.heading),
+        air_(from.speed * std::cos(from.heading), from.speed * std::sin(from.heading), 0) {}
+
+  const Vector3& at() const { return at_; }
+  double heading() const { return heading_; }
+  double speed() const { return air_.norm(); }
+  Pose pose() const { return {at_, heading_, air_.head<2>().norm()}; }
+
+  void step(const Order& order, const Vector3& gust) {
+    vehicle_.hovers ? thrust(order) : turn(order);
+    const double most = vehicle_.acceleration * kTrackStep;
+    const double climb = std::clamp(order.climb, -vehicle_.descent_rate, vehicle_.climb_rate);
+    air_.z() += std::clamp(climb - air_.z(), -most, most);
+    at_ += (air_ + drift_ + gust) * kTrackStep;
+  }
+
+  double level_towards(double height) const {
+    const double error = height - at_.z();
+    return std::copysign(stopping_speed(vehicle_.acceleration, std::abs(error)), error);
+  }
+
+  /// Straight at a point: the quicker of the two motions waits for the slower.
+  Order hover_towards(const Vector3& to, double speed_there) const {
+    const double distance = (to - at_).head<2>().norm(), rise = std::abs(to.z() - at_.z());
+    const double climb =
+        std::clamp(level_towards(to.z()), -vehicle_.descent_rate, vehicle_.climb_rate);
+    Order order{std::min(vehicle_.cruise_speed,
+                         std::hypot(speed_there, stopping_speed(vehicle_.acceleration, distance))),
+                bearing(at_.head<2>(), to.head<2>()), climb};
+    if (distance < kNear || rise < kNear) return order;
+    const double level_time = distance / order.speed, climb_time = rise / std::abs(order.climb);
+    if (climb_time < level_time)
+      order.climb *= climb_time / level_time;
+    else
+      order.speed *= level_time / climb_time;
+    return order;
+  }
+
+  Order turn_towards(const Vector3& to, bool makes_room) const {
+    return {vehicle_.cruise_speed, makes_room ? heading_ : bearing(at_.head<2>(), to.head<2>()),
+            level_towards(to.z())};
+  }
+
+  Order circle(const Vector3& centre) const {
+    const Vector2 offset = (at_ - centre).head<2>();
+    const double excess = (offset.norm() - vehicle_.orbit_radius) / vehicle_.orbit_radius;
+    const double around =
+        offset.norm() > 1e-6 ? std::atan2(offset.y(), offset.x()) : heading_ - kPi / 2;
+    return {vehicle_.cruise_speed, around + kPi / 2 + std::atan(kOrbitGain * excess),
+            level_towards(centre.z())};
+  }
+
+  /// The point lies inside the circle of that radius that would turn towards it.
+  bool needs_room(const Vector2& point, double radius, double tolerance) const {
+    const double side = world::wrapped(bearing(at_.head<2>(), point) - heading_) >= 0 ? 1 : -1;
+    const Vector2 left(-std::sin(heading_), std::cos(heading_));
+    return (point - (at_.head<2>() + side * radius * left)).norm() < radius - tolerance / 2;
+  }
+
+ private:
+  void thrust(const Order& order) {
+    const Vector2 wanted = order.speed * Vector2(std::cos(order.course), std::sin(order.course));
+    const Vector2 change = wanted - air_.head<2>();
+    const double most = vehicle_.acceleration * kTrackStep, size = change.norm();
+    air_.head<2>() += size <= most ? change : Vector2(change * (most / size));
+  }
+
+  void turn(const Order& order) {
+    const double now = air_.head<2>().norm(), most = vehicle_.acceleration * kTrackStep;
+    const double wanted = std::clamp(order.speed, vehicle_.min_speed, vehicle_.max_speed);
+    const double speed = now + std::clamp(wanted - now, -most, most);
+    const double limit = speed * kTrackStep / vehicle_.min_turn_radius;
+    heading_ += std::clamp(world::wrapped(order.course - heading_), -limit, limit);
+    air_.head<2>() = speed * Vector2(std::cos(heading_), std::sin(heading_));
+  }
+
+  const VehicleModel& vehicle_;
+  Vector3 drift_, at_;
+  double heading_;
+  Vector3 air_;
+};
+
+/// What displaces a vehicle: errors that last until the next correction, gusts that last a while.
+class Shaking {
+ public:
+  Shaking(const VehicleModel& vehicle, const world::Wind& wind, std::uint64_t trial)
+      : random_(trial, "flight in thought"),
+        shakes_(trial > 0),
+        spread_(world::tracking_spread(vehicle)),
+        period_(vehicle.pilot ? vehicle.pilot->attention_period.to_seconds() : kCorrection),
+        gusts_(vehicle.wind_drift * wind.gusts) {}
+
+  void advance(double seconds) {
+    if (!shakes_) return;
+    if (seconds >= next_error_) {
+      next_error_ += period_;
+      error_ = spread_ * Vector3(bounded(), bounded(), kVerticalShare * bounded());
+    }
+    if (seconds >= next_gust_ && gusts_ > 0) {
+      next_gust_ += kGustStep;
+      const double kept = std::exp(-kGustStep / kGustLasts);
+      const Vector3 fresh(random_.normal(), random_.normal(), 0);
+      gust_ = kept * gust_ + gusts_ * std::sqrt(1 - kept * kept) * fresh;
+    }
+  }
+  const Vector3& error() const { return error_; }
+  const Vector3& gust() const { return gust_; }
+
+ private:
+  double bounded() { return std::clamp(random_.normal(), -2.0, 2.0); }
+
+  Random random_;
+  bool shakes_;
+  double spread_, period_, gusts_;
+  double next_error_ = 0, next_gust_ = 0;
+  Vector3 error_ = Vector3::Zero(), gust_ = Vector3::Zero();
+};
+
+bool is_near(const Vector3& at, const Vector3& point, double tolerance) {
+  return (point - at).head<2>().norm() <= tolerance && std::abs(point.z() - at.z()) <= tolerance;
+}
+
+/// It has its speed, and is at rest, within a step.
+bool has_no_inertia(const VehicleModel& vehicle) {
+  return vehicle.hovers && vehicle.cruise_speed <= kTrackStep * vehicle.acceleration;
+}
+
+FlownWay fly_exactly(const Pose& from, const Way& way, const VehicleModel& vehicle,
+                     const world::Wind& wind) {
+  FlownWay flown;
+  Vector3 at = from.at;
+  for (const Vector3& to : way) {
+    const double began = flown.seconds;
+    flown.seconds +=
+        refiners::estimate_flight({at, to}, vehicle, wind).duration.expected.to_seconds();
+    while (static_cast<double>(flown.track.size()) * kTrackStep < flown.seconds) {
+      const double part =
+          (static_cast<double>(flown.track.size()) * kTrackStep - began) / (flown.seconds - began);
+      flown.track.emplace_back(at + part * (to - at));
+    }
+    flown.passages.push_back(flown.seconds);
+    at = to;
+  }
+  flown.track.push_back(at);
+  flown.arrived = true;
+  flown.end = {at, 0, 0};
+  return flown;
+}
+
+}  // namespace
+
+double reaching_distance(const VehicleModel& vehicle, const world::Wind& wind) {
+  const double displaced =
+      vehicle.hovers ? vehicle.wind_drift * (wind.speed + 3 * wind.gusts) / kGain : 0;
+  return 1 + 3 * world::tracking_spread(vehicle) + displaced;
+}
+
+FlownWay fly_way(const Pose& from, const Way& way, const VehicleModel& vehicle,
+                 const world::Wind& wind, std::uint64_t trial) {
+  if (has_no_inertia(vehicle)) return fly_exactly(from, way, vehicle, wind);
+  const double tolerance = reaching_distance(vehicle, wind);
+  // What the drift leaves of a vehicle that stands still in the wind is not a speed of its own.
+  const double slow = kArrivalSpeed + vehicle.wind_drift * wind.speed;
+  Flyer flyer(from, vehicle, wind);
+  Shaking shaking(vehicle, wind, trial);
+  FlownWay flown;
+  std::size_t next = 0;
+  bool makes_room = false;
+  while (flown.seconds < kPatience) {
+    flown.track.push_back(flyer.at());
+    shaking.advance(flown.seconds);
+    while (next + 1 < way.size() && is_near(flyer.at(), way[next], tolerance)) {
+      flown.passages.push_back(flown.seconds);
+      makes_room = false;
+      ++next;
+    }
+    if (next >= way.size()) break;
+    const bool rests = !vehicle.hovers || flyer.speed() <= slow;
+    flown.arrived = next + 1 == way.size() && rests && is_near(flyer.at(), way[next], tolerance);
+    if (flown.arrived) break;
+    Order order;
+    const Vector3 aim = way[std::min(next, way.size() - 1)] + shaking.error();
+    if (vehicle.hovers) {
+      const bool is_corner = next > 0 && next + 1 < way.size();
+      order = flyer.hover_towards(aim, is_corner ? corner_speed(way[next - 1], way[next],
+                                                                way[next + 1], vehicle.cruise_speed)
+                                                 : 0);
+    } else {
+      const double radius = vehicle.min_turn_radius * (makes_room ? kRoomMargin : 1);
+      makes_room = flyer.needs_room(way[next].head<2>(), radius, tolerance);
+      order = flyer.turn_towards(aim, makes_room);
+    }
+    flyer.step(order, shaking.gust());
+    flown.seconds += kTrackStep;
+  }
+  flown.passages.resize(way.size(), flown.seconds);
+  flown.end = flyer.pose();
+  return flown;
+}
+
+std::vector<Vector3> circle_over(const Pose& from, const Vector3& at, const VehicleModel& vehicle,
+                                 const world::Wind& wind, double seconds) {
+  Flyer flyer(from, vehicle, wind);
+  std::vector<Vector3> track = {flyer.at()};
+  for (double t = 0; t < seconds; t += kTrackStep) {
+    flyer.step(flyer.circle(at), Vector3::Zero());
+    track.push_back(flyer.at());
+  }
+  return track;
+}
+
+std::vector<Pose> poses_at(const Vector3& at, const VehicleModel& vehicle) {
+  if (vehicle.hovers) return {{at, 0, 0}};
+  std::vector<Pose> poses;
+  for (int i = 0; i < kHeadings; ++i) {
+    const double angle = 2 * kPi * i / kHeadings;
+    const Vector3 out(std::cos(angle), std::sin(angle), 0);
+    poses.push_back({at, angle, vehicle.cruise_speed});
+    poses.push_back({at + vehicle.orbit_radius * out, angle + kPi / 2, vehicle.cruise_speed});
+  }
+  return poses;
+}
+
+}  // namespace skein::supervisor

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/crossing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "skein/world/segment.hpp"
+
+namespace skein::supervisor {
+
+namespace {
+
+using world::Vector2;
+using world::Vector3;
+
+double side(const Vector2& a, const Vector2& b, const Vector2& p) {
+  return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+}
+
+double distance(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
+  if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return 0;
+  return std::min({world::to_segment(a, c, d), world::to_segment(b, c, d),
+                   world::to_segment(c, a, b), world::to_segment(d, a, b)});
+}
+
+// The part [first, last] of the segment, as fractions, that is between the two levels.
+bool clip(double from, double to, double low, double high, double& first, double& last) {
+  const double rise = to - from;
+  if (rise == 0) return from >= low && from <= high;
+  const double a = (low - from) / rise, b = (high - from) / rise;
+  first = std::max(first, std::min(a, b));
+  last = std::min(last, std::max(a, b));
+  return first <= last;
+}
+
+}  // namespace
+
+bool crosses(const world::Volume& volume, double margin, const Vector3& from, const Vector3& to) {
+  double first = 0, last = 1;
+  if (!clip(from.z(), to.z(), volume.floor - margin, volume.ceiling + margin, first, last)) {
+    return false;
+  }
+  const Vector2 a = (from + first * (to - from)).head<2>();
+  const Vector2 b = (from + last * (to - from)).head<2>();
+  const world::Polygon& corners = volume.polygon;
+  if (world::contains(corners, a) || world::contains(corners, b)) return true;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (distance(a, b, corners[i], corners[(i + 1) % corners.size()]) <= margin) return true;
+  }
+  return false;
+}
+
+bool crosses(const world::Volume& volume, double margin, const std::vector<Vector3>& way) {
+  if (way.size() == 1) return crosses(volume, margin, way[0], way[0]);
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    if (crosses(volume, margin, way[i - 1], way[i])) return true;
+  }
+  return false;
+}
+
+std::vector<Vector3> rest_of(const std::vector<Vector3>& way, const Vector3& position) {
+  std::vector<Vector3> rest{position};
+  std::size_t next = 0;
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double off = world::to_segment(position, way[i - 1], way[i]);
+    if (off < best) {
+      best = off;
+      next = i;
+    }
+  }
+  for (std::size_t i = next; i < way.size(); ++i) rest.push_back(way[i]);
+  return rest;
+}
+
+}  // namespace skein::supervisor

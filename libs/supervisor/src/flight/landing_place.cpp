@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/landing_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "flight/crossing.hpp"
+#include "flight/flight_times.hpp"
+#include "skein/world/landing_ground.hpp"
+
+namespace skein::supervisor {
+
+namespace {
+
+using world::Vector2;
+using world::Vector3;
+
+constexpr double kStep = 15, kFarthest = 600;  // [m]
+constexpr int kDirections = 24;
+
+/// How far from where it means to it may touch down [m].
+double astray(const Knowledge& knowledge, const world::World& world) {
+  const world::VehicleModel& vehicle = knowledge.vehicle;
+  return arrival_distance(vehicle, world.wind) + (vehicle.hovers ? 0 : vehicle.orbit_radius);
+}
+
+const world::Volume* closed_over(const Knowledge& knowledge, const world::World& world,
+                                 world::TimeWindow when, const Vector3& ground) {
+  const Vector3 above = ground + Vector3(0, 0, knowledge.altitude);
+  const double margin = knowledge.vehicle.body_radius +
+                        (knowledge.vehicle.hovers ? 0 : knowledge.vehicle.orbit_radius);
+  const auto found =
+      std::find_if(world.volumes.begin(), world.volumes.end(), [&](const world::Volume& volume) {
+        return volume.when.overlaps(when) && crosses(volume, margin, ground, above);
+      });
+  return found == world.volumes.end() ? nullptr : &*found;
+}
+
+Vector3 ground_at(const world::World& world, const Vector2& at) {
+  return {at.x(), at.y(), world.terrain.elevation(at.x(), at.y())};
+}
+
+}  // namespace
+
+std::optional<std::string> landing_problem(const Knowledge& knowledge, const world::World& world,
+                                           world::TimeWindow when, const Vector3& at) {
+  if (auto steep = world::landing_problem(world.terrain, at.head<2>(), astray(knowledge, world)))
+    return steep;
+  if (const auto* volume = closed_over(knowledge, world, when, ground_at(world, at.head<2>())))
+    return "the air over it is closed (volume '" + volume->name + "')";
+  return std::nullopt;
+}
+
+std::optional<Vector3> landing_place(const Knowledge& knowledge, const world::World& world,
+                                     world::TimeWindow when, const Vector3& from,
+                                     const Vector3& wanted) {
+  const auto fit = [&](const Vector3& at) { return !landing_problem(knowledge, world, when, at); };
+  if (fit(wanted)) return wanted;
+  for (double out = kStep; out <= kFarthest; out += kStep) {
+    std::optional<Vector3> best;
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kDirections;
+      const Vector3 at =
+          ground_at(world, wanted.head<2>() + out * Vector2(std::cos(angle), std::sin(angle)));
+      const auto far = [&](const Vector3& one) { return (one - from).head<2>().norm(); };
+      if ((!best || far(at) < far(*best)) && fit(at)) best = at;
+    }
+    if (best) return best;
+  }
+  return std::nullopt;
+}
+
+}  // namespace skein::supervisor

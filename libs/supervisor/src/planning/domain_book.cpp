@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planning/domain_book.hpp"
+
+namespace skein::supervisor {
+
+namespace {
+
+Result<std::string, Failure> no_files(const std::string& /*name*/, const std::string& /*from*/) {
+  return failure("a planning domain is one file");
+}
+
+Diagnostic about(const std::string& file, std::string message, std::string expected) {
+  Diagnostic diagnostic;
+  diagnostic.file = file;
+  diagnostic.message = std::move(message);
+  diagnostic.expected = std::move(expected);
+  return diagnostic;
+}
+
+}  // namespace
+
+DomainBook::DomainBook(const DomainText& text, const htn::Functions& functions) {
+  read(text);
+  if (definitions_.domains.size() != 1) {
+    errors_.add(about(text.file,
+                      std::to_string(definitions_.domains.size()) + " planning domains in it",
+                      "one (defdomain NAME (…))"));
+    return;
+  }
+  domain_ = htn::Domain::compile(definitions_.domains.front(), definitions_.functions, functions,
+                                 store_, errors_);
+  if (!errors_.empty()) domain_.reset();
+}
+
+void DomainBook::read(const DomainText& text) {
+  Diagnostics warnings;
+  htn::read_definitions({text.file, text.text}, store_, no_files, definitions_, errors_, warnings);
+}
+
+std::unique_ptr<htn::Problem> DomainBook::problem(const std::string& text) {
+  const std::size_t before = definitions_.problems.size();
+  read({"problem", text});
+  if (!errors_.empty() || definitions_.problems.size() != before + 1) return nullptr;
+  return std::make_unique<htn::Problem>(htn::make_problem(definitions_.problems.back(), store_));
+}
+
+}  // namespace skein::supervisor

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "planning/host_services.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "planning/terms.hpp"
+#include "skein/foundation/nearest.hpp"
+
+namespace skein::supervisor {
+
+using htn::kNil;
+using htn::Term;
+using htn::TermStore;
+using world::Vector3;
+
+namespace {
+
+using Value = Result<Term, Failure>;
+
+tl::unexpected<Failure> wrong(const TermStore& store, Term term, const std::string& expected) {
+  return failure(store.to_text(term) + " is no " + expected);
+}
+
+/// Views of one place, of one vehicle or of a team.
+constexpr double kMostSides = 16;
+constexpr double kRounding = 1e-6;  // [0.1 s]
+
+Term locations_term(TermStore& store, const std::vector<Vector3>& points) {
+  std::vector<Term> terms;
+  for (const Vector3& point : points) terms.push_back(location_term(store, point));
+  return store.list(terms);
+}
+
+/// The first way-point is where the vehicle is, unless it is the only one.
+Term waypoints_term(TermStore& store, const refiners::Way& way) {
+  std::vector<Term> terms;
+  for (std::size_t i = way.size() > 1 ? 1 : 0; i < way.size(); ++i)
+    terms.push_back(location_term(store, way[i]));
+  return headed(store, "waypoints", std::move(terms));
+}
+
+Term target_term(TermStore& store, const Vector3& at) {
+  const std::vector<Term> one = {headed(store, "target", {location_term(store, at)})};
+  return store.list(one);
+}
+
+/// A way is the last of an answer's parameters.
+Term way_term(TermStore& store, const refiners::Way& way) {
+  std::vector<Term> terms;
+  for (const Vector3& point : way) terms.push_back(location_term(store, point));
+  return headed(store, "way", std::move(terms));
+}
+
+}  // namespace
+
+std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
+  static constexpr std::array<Entry, 30> entries = {
+      {{"compute-takeoff", 2, &Services::takeoff, true, 1},
+       {"compute-land", 2, &Services::land, true},
+       {"compute-gotoxyz", 3, &Services::gotoxyz, true, 2},
+       {"compute-wait", 4, &Services::wait, false},
+       {"compute-wait-for-patrol", 6, &Services::wait_for_patrol, false},
+       {"compute-wait-for-sweep", 4, &Services::wait_for_sweep, false},
+       {"compute-wait-for-rest", 6, &Services::wait_for_rest, false},
+       {"compute-patrol", 5, &Services::patrol, true, 4},
+       {"compute-sweep", 4, &Services::sweep, true, 3},
+       {"compute-sweep-entry", 4, &Services::sweep_entry, false},
+       {"compute-rest", 6, &Services::rest, true, 5},
+       {"not-reached", 2, &Services::not_reached, false},
+       {"within-reach", 4, &Services::within_reach, false},
+       {"is-open", 2, &Services::is_open, false},
+       {"stays-open", 3, &Services::stays_open, false},
+       {"compute-stay", 1, &Services::stay, false},
+       {"compute-landing-place", 3, &Services::landing_place, true, 2},
+       {"compute-way-out", 1, &Services::way_out, true},
+       {"is-free", 1, &Services::is_free, false},
+       {"compute-viewpoint", 6, &Services::viewpoint, true, 4},
+       {"compute-angles", 5, &Services::angles, true, 3},
+       {"compute-entry", 1, &Services::entry, false},
+       {"compute-tour", 2, &Services::tour, true},
+       {"target-of", 1, &Services::target_of, false},
+       {"is-at", 2, &Services::is_at, false},
+       {"is-over", 2, &Services::is_over, false},
+       {"rank-in", 2, &Services::rank_in, false},
+       {"count-of", 2, &Services::count_of, false},
+       {"with-me", 1, &Services::with_me, false},
+       {"in-time", 5, &Services::in_time, false}}};
+  return entries;
+}
+
+const PlannerHost::Services::Entry& PlannerHost::Services::entry_of(Service service) {
+  return *std::find_if(table().begin(), table().end(),
+                       [&](const Entry& one) { return one.service == service; });
+}
+
+PlannerHost::Services::Services(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
+                                refiners::Budget budget)
+    : gazetteer_(gazetteer),
+      refinery_(std::move(gazetteer), origin, seed, std::move(budget)),
+      origin_(origin) {}
+
+Value PlannerHost::Services::call(const Entry& entry, TermStore& store, Arguments arguments) {
+  Value value = kNil;
+  if (!entry.refines) {
+    value = (this->*entry.service)(store, arguments);
+  } else {
+    // When it is makes no difference where no air is closed for a time.
+    std::vector<Term> named(arguments.begin(), arguments.end());
+    if (entry.when != 0 && !refinery_.air.has_windows()) named[entry.when] = kNil;
+    const std::string key = std::string(entry.name) + ' ' + store.to_text(store.list(named));
+    if (const auto known = known_.find(key); known != known_.end()) return known->second;
+    value = (this->*entry.service)(store, arguments);
+    if (value) known_[key] = *value;
+    ++refinements_;
+  }
+  if (!value) value.error().why.insert(0, std::string(entry.name) + ": ");
+  return value;
+}
+
+Term PlannerHost::Services::refuse(const std::string& why) {
+  if (std::find(refusals_.begin(), refusals_.end(), why) == refusals_.end())
+    refusals_.push_back(why);
+  return kNil;
+}
+
+Term PlannerHost::Services::answer(TermStore& store, const Motion& motion,
+                                   std::vector<Term> params) {
+  const Term destination = headed(store, "destination", {location_term(store, motion.way.back())});
+  const Term duration =
+      headed(store, "duration",
+             {number_term(store, motion.times.least), number_term(store, motion.times.most)});
+  params.push_back(way_term(store, motion.way));
+  std::vector<Term> all = {destination, duration,
+                           headed(store, "energy", {number_term(store, motion.energy)}),
+                           headed(store, "cost", {number_term(store, motion.times.expected)})};
+  if (motion.aim) all.push_back(headed(store, "aim", {target_term(store, *motion.aim)}));
+  all.push_back(headed(store, "params", std::move(params)));
+  return store.list(all);
+}
+
+Term PlannerHost::Services::flight(TermStore& store, const Answer<Motion>& motion,
+                                   const std::string& what) {
+  if (!motion) return refuse(what + ": " + motion.error());
+  return answer(store, *motion, {waypoints_term(store, motion->way)});
+}
+
+std::optional<Vector3> PlannerHost::Services::place(const TermStore& store, Term term) {
+  auto at = gazetteer_.place(store, term);
+  if (at) return at;
+  std::vector<std::string> names;
+  for (const auto& one : gazetteer_.world().places) names.push_back(one.first);
+  const std::string name = Gazetteer::words(store, term);
+  const std::string nearest = nearest_name(name, names);
+  refuse("unknown place '" + name + "'" +
+         (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
+  return at;
+}
+
+Value PlannerHost::Services::takeoff(TermStore& store, Arguments arguments) {
+  auto from = place(store, arguments[0]);
+  if (!from) return kNil;
+  from->z() = gazetteer_.ground(*from);
+  const auto motion = refinery_.ways.takeoff(*from, departure(store, arguments[1]));
+  if (!motion) return refuse("takeoff: " + motion.error());
+  const double altitude = motion->way.back().z() - from->z();
+  return answer(store, *motion, {headed(store, "altitude", {number_term(store, altitude)})});
+}
+
+Value PlannerHost::Services::land(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
+  if (!from || !to) return kNil;
+  const auto motion = refinery_.ways.landing(*from, *to);
+  if (!motion) return refuse("landing: " + motion.error());
+  return answer(store, *motion, {});
+}
+
+/// (compute-landing-place FROM PLACE WHEN): PLACE as it is given, or the nearest ground that
+/// serves, for who sets out for it then.
+Value PlannerHost::Services::landing_place(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
+  if (!from || !to) return kNil;
+  const auto at = refinery_.ways.landing_place(*from, *to, departure(store, arguments[2]));
+  if (!at) return refuse("landing at " + Gazetteer::words(store, arguments[1]) + ": " + at.error());
+  return at->instead.empty() ? arguments[1] : location_term(store, at->at);
+}
+
+Value PlannerHost::Services::way_out(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]);
+  if (!from) return kNil;
+  return flight(store, refinery_.ways.way_out(*from), "no way out");
+}
+
+Value PlannerHost::Services::is_free(TermStore& store, Arguments arguments) {
+  const auto at = place(store, arguments[0]);
+  return TermStore::boolean(at && refinery_.air.may_stay(*at));
+}
+
+/// (compute-gotoxyz FROM TO WHEN): WHEN is the interval in which the motion may begin; nil: at any
+/// time.
+Value PlannerHost::Services::gotoxyz(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
+  if (!from || !to) return kNil;
+  return flight(
+      store, refinery_.ways.path(*from, gazetteer_.flown_to(*to), departure(store, arguments[2])),
+      "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
+          Gazetteer::words(store, arguments[1]));
+}
+
+Value PlannerHost::Services::patrol(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]);
+  const std::string name = text_of(store, arguments[1]);
+  const world::Zone* zone = gazetteer_.zone(name);
+  const auto* device = gazetteer_.sensor(text_of(store, arguments[2]));
+  const auto seconds = number_of(store, arguments[3]);
+  if (device == nullptr) return refuse("no device '" + text_of(store, arguments[2]) + "' on board");
+  if (!seconds || *seconds <= 0) return wrong(store, arguments[3], "positive number of seconds");
+  if (!from) return kNil;
+  if (zone == nullptr) return refuse("unknown zone '" + name + "'");
+  return flight(
+      store,
+      refinery_.patrols.over(*from, *zone, *device, *seconds, departure(store, arguments[4])),
+      "no detection over " + zone->name);
+}
+
+Value PlannerHost::Services::sweep(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]);
+  const std::string name = text_of(store, arguments[1]);
+  const world::Zone* zone = gazetteer_.zone(name);
+  const auto* device = gazetteer_.sensor(text_of(store, arguments[2]));
+  if (device == nullptr) return refuse("no device '" + text_of(store, arguments[2]) + "' on board");
+  if (!from) return kNil;
+  if (zone == nullptr) return refuse("unknown zone '" + name + "'");
+  return flight(store, refinery_.sweeps.over(*from, *zone, *device, departure(store, arguments[3])),
+                "no mapping of " + zone->name);
+}
+
+/// Where the sweep begins: the first of its way.
+Value PlannerHost::Services::sweep_entry(TermStore& store, Arguments arguments) {
+  const Value whole = call(entry_of(&Services::sweep), store, arguments);
+  if (!whole || *whole == kNil) return whole;
+  return location_term(store, way_of(store, *whole).front());
+}
+
+Value PlannerHost::Services::stay(TermStore& store, Arguments arguments) {
+  const std::string word = text_of(store, arguments[0]);
+  const bool stopped = word == "stopped", unlimited = word == "unlimited";
+  const double seconds = number_of(store, arguments[0]).value_or(0);
+  if (!stopped && !unlimited && seconds <= 0)
+    return wrong(store, arguments[0], "positive number of seconds, `stopped` or `unlimited`");
+  const Times times = waiting_times(seconds, gazetteer_.knowledge().vehicle);
+  const Term most =
+      unlimited ? store.symbol("unlimited") : number_term(store, stopped ? 0 : times.most);
+  std::vector<Term> params;
+  if (unlimited) params.push_back(headed(store, "open-ended", {}));
+  if (seconds > 0) params.push_back(headed(store, "duration", {number_term(store, seconds)}));
+  const double energy = refinery_.ways.energy_of_stay(seconds);
+  const std::vector<Term> all = {
+      headed(store, "duration", {number_term(store, seconds), most}),
+      headed(store, "energy", {number_term(store, energy)}),
+      headed(store, "cost", {number_term(store, seconds > 0 ? times.expected : 0)}),
+      headed(store, "params", std::move(params))};
+  return store.list(all);
+}
+
+/// Of the devices the first that sees the place from so many sides, when it sets out then and stays
+/// for SECONDS; a place in the air is flown to,
+/// by all but the first partner beside it.
+std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermStore& store,
+                                                                         Term where, Term devices,
+                                                                         std::size_t count,
+                                                                         Term when, Term seconds) {
+  const auto at = place(store, where);
+  if (!at || !store.is_list(devices)) return std::nullopt;
+  std::vector<std::string> why;
+  for (const Term device : store.items(devices)) {
+    const auto* sensor = gazetteer_.sensor(text_of(store, device));
+    if (sensor == nullptr) {
+      why.push_back("no device '" + text_of(store, device) + "' on board");
+      continue;
+    }
+    if (!gazetteer_.on_ground(*at)) {
+      auto beside = refinery_.views.around(*at, count);
+      if (beside) return Views{device, std::move(*beside)};
+      refuse("no room at " + Gazetteer::words(store, where) + ": " + beside.error());
+      return std::nullopt;
+    }
+    auto found = refinery_.views.of(*at, *sensor, count, departure(store, when),
+                                    number_of(store, seconds).value_or(0));
+    if (found) return Views{device, std::move(*found)};
+    why.push_back("nowhere to see " + Gazetteer::words(store, where) + " with " + sensor->device +
+                  ": " + found.error());
+  }
+  for (const std::string& one : why) refuse(one);
+  return std::nullopt;
+}
+
+/// (compute-viewpoint PLACE DEVICES RANK COUNT WHEN SECONDS): (DEVICE LOC), of COUNT sides that of
+/// RANK.
+Value PlannerHost::Services::viewpoint(TermStore& store, Arguments arguments) {
+  const auto rank = number_of(store, arguments[2]), count = number_of(store, arguments[3]);
+  if (!rank || !count || *rank < 0 || *count < 1 || *count > kMostSides)
+    return failure("rank and count must be 0 and more, and 1 to 16");
+  const auto seen = views(store, arguments[0], arguments[1], static_cast<std::size_t>(*count),
+                          arguments[4], arguments[5]);
+  if (!seen) return kNil;
+  const auto wanted = static_cast<std::size_t>(*rank);
+  if (wanted >= seen->points.size())
+    return refuse("only " + std::to_string(seen->points.size()) + " of " +
+                  std::to_string(static_cast<int>(*count)) + " sides to see " +
+                  Gazetteer::words(store, arguments[0]) + " from with " +
+                  text_of(store, seen->device));
+  const std::vector<Term> pair = {seen->device, location_term(store, seen->points[wanted])};
+  return store.list(pair);
+}
+
+/// (compute-angles PLACE DEVICES COUNT WHEN SECONDS): (DEVICE LOC…).
+Value PlannerHost::Services::angles(TermStore& store, Arguments arguments) {
+  const auto count = number_of(store, arguments[2]);
+  if (!count || *count < 1 || *count > kMostSides)
+    return wrong(store, arguments[2], "number from 1 to 16");
+  // What is in the air is one place, not something to look at from its sides.
+  const auto at = place(store, arguments[0]);
+  const bool in_the_air = at && !gazetteer_.on_ground(*at);
+  const auto seen =
+      views(store, arguments[0], arguments[1], in_the_air ? 1 : static_cast<std::size_t>(*count),
+            arguments[3], arguments[4]);
+  if (!seen) return kNil;
+  std::vector<Term> all = {seen->device};
+  for (const Vector3& point : seen->points) all.push_back(location_term(store, point));
+  return store.list(all);
+}
+
+Value PlannerHost::Services::entry(TermStore& store, Arguments arguments) {
+  const auto at = place(store, arguments[0]);
+  return at ? location_term(store, gazetteer_.flown_to(*at)) : kNil;
+}
+
+Value PlannerHost::Services::tour(TermStore& store, Arguments arguments) {
+  const auto from = place(store, arguments[0]);
+  if (!store.is_list(arguments[1])) return wrong(store, arguments[1], "list of places");
+  std::vector<Vector3> places;
+  std::string names;
+  bool known = from.has_value();
+  for (const Term term : store.items(arguments[1])) {
+    const auto at = place(store, term);
+    known = known && at;
+    if (at) places.push_back(*at);
+    names += (names.empty() ? "" : ", ") + Gazetteer::words(store, term);
+  }
+  if (!known) return kNil;
+  if (places.empty()) return refuse("a tour of no places");
+  const auto order = refinery_.views.tour(*from, places);
+  if (!order) return refuse("no tour of " + names + ": " + order.error());
+  return locations_term(store, *order);
+}
+
+Value PlannerHost::Services::target_of(TermStore& store, Arguments arguments) {
+  const auto at = place(store, arguments[0]);
+  if (!at || !gazetteer_.on_ground(*at)) return kNil;
+  return target_term(store, *at);
+}
+
+}  // namespace skein::supervisor

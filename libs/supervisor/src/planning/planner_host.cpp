@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/supervisor/planner_host.hpp"
+
+#include "planning/host_services.hpp"
+
+namespace skein::supervisor {
+
+PlannerHost::PlannerHost(std::shared_ptr<const Knowledge> knowledge,
+                         std::shared_ptr<const world::World> world, MissionTime origin,
+                         std::uint64_t seed, refiners::Budget budget)
+    : services_(std::make_shared<Services>(Gazetteer(std::move(knowledge), std::move(world)),
+                                           origin, seed, std::move(budget))) {}
+
+PlannerHost::~PlannerHost() = default;
+
+void PlannerHost::offer(htn::Functions& functions) const {
+  for (const Services::Entry& entry : Services::table()) {
+    functions.add(entry.name, entry.arguments, entry.arguments,
+                  [services = services_, &entry](htn::TermStore& store,
+                                                 std::span<const htn::Term> arguments) {
+                    return services->call(entry, store, arguments);
+                  });
+  }
+}
+
+void PlannerHost::declare(htn::Functions& functions) {
+  for (const Services::Entry& entry : Services::table()) {
+    functions.add(entry.name, entry.arguments, entry.arguments,
+                  [](htn::TermStore&, std::span<const htn::Term>) -> Result<htn::Term, Failure> {
+                    return failure("there is no world to ask");
+                  });
+  }
+}
+
+const std::vector<std::string>& PlannerHost::refusals() const { return services_->refusals(); }
+std::uint64_t PlannerHost::refinements() const { return services_->refinements(); }
+
+}  // namespace skein::supervisor

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// The temporal network of the plan of one UAV, for as long as it lives.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "schedule/plan_links.hpp"
+#include "skein/supervisor/schedule.hpp"
+#include "skein/temporal/live_network.hpp"
+#include "skein/temporal/live_stn.hpp"
+
+namespace skein::supervisor {
+
+/// Verdict, explanation and dates of a plan whose tasks come, start, end and go while time passes.
+/// Nodes and links are keyed by what they stand for (task, bound, dependence); what differs from
+/// before is changed in place, and only what depends on it is worked out again.
+///
+/// Dates of the execution, `foreseen`, are those of two courses of nature, all durations least and
+/// all greatest, when each task starts as early as its conditions and its holds allow. Cost of an
+/// event: a comparison of all tasks with what is known of them, and what the event changes
+/// (docs/performance.md). Thread rule: not safe to share. Source: T IV.4.1, spec 5.2, 6.1.
+class PlanNetwork {
+ public:
+  PlanNetwork();
+
+  /// The network of these tasks at `now`. Preconditions: in the order of their ids, which differ;
+  /// what they point to lives until this returns.
+  void update(const std::vector<TaskView>& tasks, MissionTime now);
+
+  const Schedule& schedule() const { return schedule_; }
+  const temporal::LiveNetwork& network() const { return live_; }
+
+ private:
+  struct Known {
+    mission::ElementaryTask task;  ///< without what the network does not look at
+    Observation seen;
+    std::vector<TaskBound> bounds;
+    std::map<temporal::LinkName, PlanLink> links;
+    temporal::NodeIndex start = 0, end = 0;
+    bool endless = false;
+  };
+  using Tasks = std::map<executive::TaskId, Known>;
+
+  std::set<executive::TaskId> take_over(const std::vector<TaskView>& tasks);
+  void enter(const TaskView& view, std::set<executive::TaskId>& dirty);
+  void forget(Tasks::iterator gone, std::set<executive::TaskId>& dirty);
+  void name_others(const Known& known, bool names);
+  void dirty_namers(executive::TaskId task, std::set<executive::TaskId>& dirty) const;
+  void set_present();
+  void relink(Known& known);
+  void put(const PlanLink& link);
+  void take_out(const temporal::LinkName& name);
+  void unlink_from(Known& known, executive::TaskId other);
+  void settle();
+  void hold_back(bool controllable);
+  void hold_for_instants(const temporal::LiveStn* windows);
+  void hold_after_goals(const temporal::LiveStn& windows);
+  void hold_behind(const temporal::NamedWait& wait);
+  void hold_until_windows_open();
+  void set_hold(temporal::LiveStn::LinkId link, const temporal::Arc& in_soonest,
+                temporal::Ticks in_slowest);
+  void explain();
+  void read_dates();
+  std::set<temporal::NodeIndex> unbounded() const;
+  const temporal::LiveStn* any_course();
+
+  Tasks tasks_;
+  std::map<executive::TaskId, std::multiset<executive::TaskId>> named_by_;
+  MissionTime now_;
+  temporal::NodeIndex present_ = 0;
+  temporal::LiveNetwork live_;
+  /// Windows: all links, nature as fast, or as slow, as it may be.
+  temporal::LiveStn fast_, slow_;
+  /// The execution to be: bounds from below and holds alone, likewise.
+  temporal::LiveStn soonest_, slowest_;
+  /// Windows of free choice; built when the network is consistent and not controllable.
+  std::optional<temporal::LiveStn> free_;
+  std::map<temporal::LinkName, std::uint32_t> numbers_;
+  std::set<temporal::LiveStn::LinkId> held_;
+  std::vector<executive::TaskId> starts_;  ///< of each node, the task that it is the start of
+  Schedule schedule_;
+};
+
+}  // namespace skein::supervisor

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is seen of tasks and of the vehicle.
+#include <algorithm>
+
+#include "book/progress.hpp"
+#include "core.hpp"
+#include "flight/flight_times.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
+
+namespace skein::supervisor {
+
+namespace {
+
+// A state of the vehicle that was on its way while it landed is not believed that it flies.
+constexpr Duration kLandingSettles = Duration::milliseconds(3000);
+constexpr Duration kWaitRetry = Duration::milliseconds(5000);
+// A time that was asked is kept when it is missed by no more.
+constexpr Duration kKept = Duration::milliseconds(500);
+constexpr double kReachedMargin =
+    2;  // [m] beyond what a vehicle arrives within, between two states
+
+// "ended early by 12 s: it was to end after 100 s"; empty when it is in its time.
+std::string beside(MissionTime at, std::optional<MissionTime> after,
+                   std::optional<MissionTime> before, bool ends) {
+  const std::string did = ends ? "ended " : "began ", asked = ends ? "end " : "start ";
+  const auto say = [&](const char* how, Duration by, const char* side, MissionTime bound) {
+    return did + how + in_seconds(by) + ": it was to " + asked + side + in_seconds(bound);
+  };
+  if (after && at + kKept < *after) return say("early by ", *after - at, "after ", *after);
+  if (before && at > *before + kKept) return say("late by ", at - *before, "before ", *before);
+  return "";
+}
+
+// What begins, or ends, now beside the times that were asked, for the one told of it.
+std::vector<std::string> beside_its_times(const mission::ElementaryTask& task,
+                                          const GoalBounds& bounds, MissionTime now, bool ends) {
+  const mission::TimeConstraints& time = task.time;
+  std::vector<std::string> all{beside(now, ends ? time.end_after : time.start_after,
+                                      ends ? time.end_before : time.start_before, ends)};
+  const auto own = bounds.of.find(task.origin);
+  if (own != bounds.of.end()) {
+    for (const mission::GoalBound& one : own->second) {
+      const auto over = bounds.over.find(one.goal);
+      if (one.on_end != ends || over == bounds.over.end()) continue;
+      const auto most =
+          one.most == Duration::max() ? std::nullopt : std::optional(over->second + one.most);
+      all.push_back(beside(now, over->second + one.least, most, ends));
+      if (!all.back().empty()) all.back() += ", counted from goal " + to_text(one.goal);
+    }
+  }
+  all.erase(std::remove(all.begin(), all.end(), std::string()), all.end());
+  return all;
+}
+
+}  // namespace
+
+// ---- tasks ----
+
+void Supervisor::Core::on(const TaskSeen& input) {
+  const executive::TaskEvent& event = input.event;
+  if (event.id >= executive::kFirstBackgroundId) return;
+  see_flight(event);
+  if (Entry* entry = book_.find(event.id); entry != nullptr) return see(*entry, event);
+  see_loose(event);
+}
+
+void Supervisor::Core::see_flight(const executive::TaskEvent& event) {
+  if (event.state != TaskState::kEnded) return;
+  const functional::Leaves leaves = functional::TaskTypes::shipped().of(event.type).leaves;
+  if (leaves == functional::Leaves::kInTheAir) {
+    vehicle_.airborne = true;
+    grounded_until_ = MissionTime();
+  } else if (leaves == functional::Leaves::kOnTheGround) {
+    vehicle_.airborne = false;
+    grounded_until_ = now_ + kLandingSettles;
+  }
+}
+
+// Safe waits, and tasks of others. New tasks are numbered beyond theirs, unless theirs are in a
+// range of their own.
+void Supervisor::Core::see_loose(const executive::TaskEvent& event) {
+  constexpr TaskId kOtherRange{1'000'000'000};
+  if (event.id < kOtherRange) {
+    book_.next_id = std::max(book_.next_id, TaskId(event.id.value() + 1));
+  }
+  const auto known = book_.loose.find(event.id);
+  if (!is_terminal(event.state)) {
+    if (known != book_.loose.end()) {
+      known->second.ran = known->second.ran || event.state == TaskState::kRunning;
+      return;
+    }
+    const bool holds = functional::TaskTypes::shipped().of(event.type).holds_vehicle();
+    book_.loose[event.id] = {event.type, false, holds, false, false};
+    return;
+  }
+  if (known == book_.loose.end()) return;
+  if (known->second.ours && !known->second.stopping)
+    wait_again_ = now_ + retry_after(known->second, event.reason);
+  forgotten_.insert(event.id);
+  book_.loose.erase(known);
+}
+
+// Of what keeps it safe: sooner where it did run, and something else took its place.
+Duration Supervisor::Core::retry_after(const Loose& loose, const std::string& why) {
+  if (loose.ran) return kWaitRetry;
+  return std::max(kWaitRetry, pause_after(refusals_.count(loose.type, why, now_)));
+}
+
+void Supervisor::Core::see(Entry& entry, const executive::TaskEvent& event) {
+  if (entry.over()) return;
+  entry.by_others = entry.by_others || !entry.given;
+  entry.given = true;
+  entry.state = event.state;
+  if (event.state == TaskState::kRunning && !entry.running) {
+    entry.running = now_;
+    entry.seen_at = vehicle_.position;
+  }
+  switch (event.state) {
+    case TaskState::kScheduled:
+      return;
+    case TaskState::kStarted:
+    case TaskState::kRunning:
+      see_started(entry);
+      break;
+    case TaskState::kAborting:
+      entry.why = event.reason;
+      return;
+    case TaskState::kEnded:
+      see_ended(entry);
+      break;
+    case TaskState::kAborted:
+      if (entry.why.empty()) entry.why = event.reason;
+      see_aborted(entry);
+      return;
+  }
+  if (!engaged_) return reschedule();
+  check_network("task " + to_text(event.id) + " " + std::string(to_text(event.state)));
+}
+
+// A goal that was handed over is the ground's, but when all of it is with the executive.
+void Supervisor::Core::see_started(Entry& entry) {
+  if (!entry.seen.started) tell_beside_its_times(entry, false);
+  if (!entry.seen.started) entry.seen.started = now_;
+  const GoalId id = entry.task.origin;
+  Goal& goal = book_.goals.at(id);
+  const bool whole = is_wholly_given(id) && !book_.has_lost(id);
+  if (entry.live() && (whole || goal.state != GoalState::kHandedOver))
+    set_state(goal, GoalState::kUnderWay);
+}
+
+void Supervisor::Core::tell_beside_its_times(const Entry& entry, bool ends) {
+  if (!engaged_ || !entry.live()) return;
+  for (const std::string& how : beside_its_times(entry.task, book_.bounds(), now_, ends)) {
+    notice("goal " + to_text(entry.task.origin) + ": " + entry.task.type + " " +
+           to_text(entry.task.id) + " " + how);
+  }
+}
+
+void Supervisor::Core::see_ended(Entry& entry) {
+  tell_beside_its_times(entry, true);
+  entry.seen.over = now_;
+  entry.done = true;
+  tell_progress(entry.task.origin);
+  if (!entry.live()) return;
+  settle_done(entry);
+  if (!engaged_ || ends_by_order(entry.task)) return;
+  const Duration took = now_ - entry.seen.started.value_or(now_);
+  if (took + config_.grace < entry.task.duration.least) {
+    reschedule();
+    const Duration early = entry.task.duration.least - took;
+    return absorb_or_shift("task " + to_text(entry.task.id) + " early by " + in_seconds(early));
+  }
+  if (entry.overdue) {
+    reschedule();
+    if (schedule().controllable) promise();
+  }
+}
+
+// Over as it should be: the goal is achieved when all its tasks are.
+void Supervisor::Core::settle_done(Entry& entry) {
+  entry.done = true;
+  refusals_.did(entry.task.type);
+  if (entry.task.type == "wait") wait_again_.reset();
+  const GoalId id = entry.task.origin;
+  Goal& goal = book_.goals.at(id);
+  if (is_settled(goal.state)) return;
+  const auto all = book_.of(id);
+  if (std::all_of(all.begin(), all.end(), [](const Entry* one) { return one->done; })) {
+    set_state(goal, GoalState::kAchieved);
+  }
+}
+
+// What ends when others do was stopped as it should be, if those have ended well.
+bool Supervisor::Core::was_stopped_in_time(const Entry& entry) const {
+  const auto& stop = entry.task.stop;
+  return !stop.empty() && entry.seen.started &&
+         std::all_of(stop.begin(), stop.end(), [this](const mission::Dependence& one) {
+           const Entry* other = book_.find(one.task);
+           return other == nullptr || other->done ||
+                  (one.kind == mission::DependenceKind::kOver && other->over());
+         });
+}
+
+bool Supervisor::Core::follows_lost_task(const Entry& entry) const {
+  const auto is_lost = [this](const mission::Dependence& one) {
+    const Entry* other = book_.find(one.task);
+    return other != nullptr && other->over() && !other->done;
+  };
+  return std::any_of(entry.task.dependences.begin(), entry.task.dependences.end(), is_lost) ||
+         std::any_of(entry.task.stop.begin(), entry.task.stop.end(), is_lost);
+}
+
+void Supervisor::Core::see_aborted(Entry& entry) {
+  entry.seen.over = now_;
+  entry.seen.aborted = true;
+  tell_progress(entry.task.origin);
+  if (!entry.live()) return;
+  const bool asked = entry.why == "abort requested" && !entry.stopping;
+  const bool stopped = was_stopped_in_time(entry) && !asked;
+  if (entry.ordered || stopped) {
+    settle_done(entry);
+    return reschedule();
+  }
+  if (!engaged_) {
+    set_state(book_.goals.at(entry.task.origin), GoalState::kHandedOver);
+    return;
+  }
+  if (asked) return operator_aborted(entry);
+  const std::string what = "task " + to_text(entry.task.id) + " aborted: " + entry.why;
+  if (follows_lost_task(entry)) return fail_task(entry, what + " (it follows a lost one)");
+  refused(entry, what);
+}
+
+// By the vehicle, or by the executive. The goal is planned again, at once or after a pause.
+void Supervisor::Core::refused(const Entry& entry, const std::string& what) {
+  const int times = refusals_.count(entry.task.type, entry.why, now_);
+  const auto before = need_ ? std::optional(need_->not_before) : std::nullopt;
+  fail_task(entry, times > 1 ? what + " (" + std::to_string(times) + " times alike)" : what);
+  if (!need_) return;
+  if (before)
+    need_->not_before = std::max(*before, now_);
+  else if (need_->refine)
+    pause_need(entry, times);
+}
+
+void Supervisor::Core::on(const RequestAnswered& input) {
+  const executive::Reply& reply = input.reply;
+  if (reply.accepted || !reply.id) return;
+  const std::string what = std::string(to_text(reply.request)) + " of task " + to_text(*reply.id) +
+                           " refused: " + reply.why;
+  notice(what);
+  if (reply.request == executive::RequestKind::kAbort) return;
+  if (const auto loose = book_.loose.find(*reply.id); loose != book_.loose.end()) {
+    if (!loose->second.ours) return;
+    wait_again_ = now_ + retry_after(loose->second, reply.why);
+    book_.loose.erase(loose);
+    return;
+  }
+  Entry* entry = book_.find(*reply.id);
+  if (entry == nullptr || entry->over()) return;
+  if (reply.request == executive::RequestKind::kStart) {
+    entry->seen.over = now_;
+    entry->seen.aborted = true;
+  }
+  entry->why = reply.why;
+  if (entry->live() && engaged_) refused(*entry, what);
+}
+
+// ---- the vehicle ----
+
+void Supervisor::Core::follow_ways(const world::Vector3& position) {
+  const double reach = arrival_distance(config_.knowledge->vehicle, world_->wind) + kReachedMargin;
+  for (auto& [id, entry] : book_.tasks) {
+    if (!entry.given || entry.over() || !entry.running) continue;
+    const Entry* along = flown_along(book_, entry);
+    if (along == nullptr || along->over() || !along->running) continue;
+    entry.passed = passed_after(along->task.way, entry.passed, vehicle_.position, position, reach);
+  }
+}
+
+void Supervisor::Core::tell_progress(GoalId id) {
+  book_.goals.at(id).done = mission::to_text(progress_of(book_, id, std::nullopt));
+}
+
+void Supervisor::Core::on(const VehicleSeen& input) {
+  const bool airborne = input.state.airborne && now_ >= grounded_until_;
+  follow_ways(input.state.position);
+  vehicle_ = input.state;
+  vehicle_.airborne = airborne;
+  wind_.see(vehicle_, now_);
+  feel_wind();
+  std::set<std::string> newly;
+  std::set<std::string> broken(input.failed.begin(), input.failed.end());
+  std::set_difference(broken.begin(), broken.end(), broken_.begin(), broken_.end(),
+                      std::inserter(newly, newly.end()));
+  broken_ = std::move(broken);
+  if (!engaged_) return;
+  if (!newly.empty()) check_devices(newly);
+  check_energy();
+}
+
+}  // namespace skein::supervisor

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was done of a goal stays done, whatever interrupts it. Source: spec 6.2 (2), (6).
+#include "testing/core_harness.hpp"
+
+#include "book/progress.hpp"
+
+namespace skein::supervisor {
+namespace {
+
+using namespace testing;  // NOLINT: builders read as words
+using ::testing::ElementsAre;
+
+mission::UnitMission urgent(std::uint64_t id, std::uint64_t goal) {
+  mission::UnitMission mission = a_mission(id, {goal});
+  mission.placement = mission::Placement::kFirst;
+  mission.interrupt = true;
+  return mission;
+}
+
+/// Goal 701: goto 100 until 10 s, then a perception from there, 101, of 120 s.
+Desk perceiving() {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  desk.finish(
+      inserted({701}, {TaskOf(100, "goto", 701).takes(5, 15).way({{0, 0, 40}, {90, 0, 40}}),
+                       TaskOf(101, "takeshot", 701).after(100).device("camera").takes(120, 120)}));
+  desk.flies();
+  desk.runs(100);
+  desk.at(10).ends(100);
+  desk.runs(101);
+  return desk;
+}
+
+/// Goal 701: a wait 100 from 10 s on, and pictures 101 along it.
+Desk shooting_along(std::vector<world::Vector3> way) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  desk.finish(
+      inserted({701}, {TaskOf(100, "goto", 701).takes(300, 320).way(std::move(way)),
+                       TaskOf(101, "takeshot", 701).during(100).device("camera").stopped_by(100)}));
+  desk.at(10).flies({0, 0, 40});
+  desk.runs(100);
+  desk.runs(101);
+  return desk;
+}
+
+mission::Progress progress_for(const Desk& desk, std::uint64_t goal) {
+  const auto& done = desk.insertion().base.situation.done;
+  const auto found = done.find(GoalId{goal});
+  return found == done.end() ? mission::Progress{} : found->second;
+}
+
+std::string done_of(const Desk& desk, std::uint64_t goal) {
+  for (const auto& one : desk.supervisor.report().goals) {
+    if (one.id == GoalId{goal}) return one.done;
+  }
+  return "unknown";
+}
+
+TEST(SupervisorProgress, OfAPerceptionUnderWayIsGivenToThePlannerOfAnUrgentMission) {
+  Desk desk = perceiving();
+
+  desk.at(70).add(urgent(2, 702));
+
+  ASSERT_TRUE(desk.job_started());
+  const mission::Progress done = progress_for(desk, 701);
+  EXPECT_EQ(done.looked(), secs(60));
+  EXPECT_EQ(done.looks.at(0).at, world::Vector3(90, 0, 40));
+  EXPECT_THAT(done.reached, ElementsAre(world::Vector3(90, 0, 40)));
+}
+
+TEST(SupervisorProgress, IsTheGoalsWhateverPlansItGets) {
+  Desk desk = perceiving();
+  desk.at(70).add(urgent(2, 702));
+  desk.at(71).finish(inserted(
+      {702, 701},
+      {TaskOf(102, "goto", 702).takes(5, 15), TaskOf(103, "goto", 701).after(102).takes(5, 15),
+       TaskOf(104, "takeshot", 701).after(103).device("camera").takes(60, 60)}));
+  desk.at(72).aborted(101, "abort requested");
+  EXPECT_EQ(done_of(desk, 701), "perceived 62 s, 1 place reached");
+  desk.runs(102);
+  desk.at(80).ends(102);
+  desk.runs(103);
+  desk.at(90).ends(103);
+  desk.runs(104);
+  desk.at(150).ends(104);
+
+  EXPECT_EQ(desk.state_of(701), "achieved");
+  EXPECT_EQ(done_of(desk, 701), "perceived 122 s, 1 place reached");
+}
+
+TEST(SupervisorProgress, CountsForARepairToo) {
+  Desk desk = perceiving();
+
+  desk.at(100).aborted(101, "lens dirty");
+
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(90));
+}
+
+TEST(SupervisorProgress, OutlivesAHandOver) {
+  Desk desk = perceiving();
+  desk.at(60).give(Disengage{"degree 3"});
+  desk.at(80).aborted(101, "abort requested");
+
+  desk.at(100).give(Engage{true, "degree 4"});
+
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(70));
+}
+
+TEST(SupervisorProgress, CountsNothingOfWhatNobodySawTheEndOf) {
+  Desk desk = perceiving();
+  desk.at(60).give(Disengage{"degree 1"});
+
+  desk.at(100).give(Engage{true, "degree 4", std::vector<TaskId>{}});
+
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), Duration());
+}
+
+TEST(SupervisorProgress, OfPicturesAlongAMotionIsTheTimeThatBothWentOn) {
+  Desk desk = shooting_along({{0, 0, 40}, {1000, 0, 40}});
+  desk.at(50).aborted(100, "engine trouble");
+  desk.at(55).aborted(101, "abort requested");
+
+  EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(40));
+}
+
+TEST(SupervisorProgress, OfAWayIsFromTheLastWayPointReached) {
+  const std::vector<world::Vector3> way{
+      {0, 0, 40}, {100, 0, 40}, {100, 30, 40}, {0, 30, 40}, {0, 60, 40}};
+  Desk desk = shooting_along(way);
+  for (const world::Vector3& at : {world::Vector3(60, 0, 40), world::Vector3(99, 1, 40),
+                                   world::Vector3(100, 29, 40), world::Vector3(40, 30, 40)})
+    desk.flies(at);
+
+  desk.at(50).aborted(101, "lens dirty");
+
+  const auto rest = desk.repair().base.situation.done.at(GoalId{701}).rest;
+  ASSERT_TRUE(rest.has_value());
+  EXPECT_EQ(rest->device, "camera");
+  EXPECT_EQ(rest->way, std::vector<world::Vector3>(way.begin() + 2, way.end()));
+}
+
+TEST(Ways, AreFollowedThroughWayPointsPassedBetweenTwoStates) {
+  const std::vector<world::Vector3> way{{0, 0, 0}, {10, 0, 0}, {20, 0, 0}, {20, 10, 0}};
+
+  EXPECT_EQ(passed_after(way, 0, {0, 0, 0}, {5, 0, 0}, 2), 0U);
+  EXPECT_EQ(passed_after(way, 0, {5, 0, 0}, {25, 0, 0}, 2), 2U) << "two within one step";
+  EXPECT_EQ(passed_after(way, 2, {20, 0, 0}, {20, 12, 0}, 2), 3U);
+  EXPECT_EQ(passed_after(way, 3, {0, 0, 0}, {9, 9, 9}, 2), 3U) << "it never goes back";
+}
+
+}  // namespace
+}  // namespace skein::supervisor

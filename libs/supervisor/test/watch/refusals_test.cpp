@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// A vehicle that refuses again and again is asked more and more seldom, and its goals end.
+#include "watch/refusals.hpp"
+#include "testing/core_harness.hpp"
+
+namespace skein::supervisor {
+namespace {
+
+using namespace testing;  // NOLINT: builders read as words
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// ---- counting ----
+
+TEST(Refusals, CountWhatIsRefusedInTheSameWordsButForFigures) {
+  Refusals refusals;
+
+  EXPECT_EQ(refusals.count("goto", "it takes 12.5 kJ, 3 kJ are left", at(1)), 1);
+  EXPECT_EQ(refusals.count("goto", "it takes 14 kJ, 2.5 kJ are left", at(2)), 2);
+  EXPECT_EQ(refusals.count("goto", "engine failure", at(3)), 1);
+  EXPECT_EQ(refusals.count("land", "it takes 12.5 kJ, 3 kJ are left", at(3)), 1);
+}
+
+TEST(Refusals, ArePastOnceOneOfTheTypeIsDone) {
+  Refusals refusals;
+  refusals.count("goto", "no", at(1));
+  refusals.count("land", "no", at(1));
+
+  refusals.did("goto");
+
+  EXPECT_EQ(refusals.count("goto", "no", at(2)), 1);
+  EXPECT_EQ(refusals.count("land", "no", at(2)), 2);
+}
+
+TEST(Refusals, ArePastAfterALongTime) {
+  Refusals refusals;
+  refusals.count("goto", "no", at(1));
+  refusals.count("goto", "no", at(120));
+
+  EXPECT_EQ(refusals.count("goto", "no", at(240)), 3);
+  EXPECT_EQ(refusals.count("goto", "no", at(600)), 1);
+}
+
+TEST(Refusals, AreFollowedByPausesThatGrowUpToAMinute) {
+  std::vector<Duration> pauses;
+  for (int times = 1; times <= 7; ++times) pauses.push_back(pause_after(times));
+
+  EXPECT_THAT(pauses,
+              ElementsAre(secs(0), secs(5), secs(10), secs(20), secs(40), secs(60), secs(60)));
+  EXPECT_EQ(pause_after(1000), secs(60));
+}
+
+// ---- the supervisor ----
+
+/// A goto that the vehicle refuses whenever it is asked for, planned again each time.
+class Refused {
+ public:
+  explicit Refused(Config config = config_for_tests()) : desk(Desk::engaged(std::move(config))) {
+    desk.flies();
+    desk.add(a_mission(1, {701, 702}));
+    desk.finish(inserted({701, 702}, plan()));
+  }
+
+  /// The goto is asked for and refused.
+  void refuse() { desk.aborted(next_ - 2, "the way meets the ground at (12, 40)"); }
+  void plan_again() { desk.finish(repaired(RepairStep::kRefine, {701, 702}, plan())); }
+
+  Desk desk;
+
+ private:
+  std::vector<mission::ElementaryTask> plan() {
+    next_ = std::max<std::uint64_t>(next_ + 50, 100);
+    const std::uint64_t first = next_;
+    next_ += 2;
+    return {TaskOf(first, "goto", 701), TaskOf(first + 1, "goto", 702).after(first)};
+  }
+  std::uint64_t next_ = 0;
+};
+
+TEST(SupervisorRefusals, TheFirstIsPlannedAgainAtOnce) {
+  Refused one;
+
+  one.refuse();
+
+  EXPECT_TRUE(one.desk.job_started());
+}
+
+TEST(SupervisorRefusals, TheSecondAlikeAfterAPauseThatIsSaidByName) {
+  Refused one;
+  one.refuse();
+  one.plan_again();
+
+  one.desk.at(3);
+  one.refuse();
+
+  EXPECT_FALSE(one.desk.job_started());
+  EXPECT_THAT(one.desk.notices(),
+              Contains("goal 701 (go 1): its goto was refused 2 times alike (the way meets the "
+                       "ground at (12, 40)); it is planned again in 5 s"));
+  EXPECT_EQ(one.desk.supervisor.next_wakeup(), at(8));
+  one.desk.at(7.9).give(Tick{});
+  EXPECT_FALSE(one.desk.job_started());
+  one.desk.at(8).give(Tick{});
+  EXPECT_TRUE(one.desk.job_started());
+}
+
+TEST(SupervisorRefusals, ThePauseIsSpentInSafeModeAndEndsWithANewMission) {
+  Refused one;
+  one.refuse();
+  one.plan_again();
+  one.refuse();
+  EXPECT_THAT(one.desk.notices(), Contains(HasSubstr("waits in safe mode")));
+
+  one.desk.at(1).add(a_mission(2, {801}));
+
+  EXPECT_TRUE(one.desk.job_started());
+  EXPECT_EQ(one.desk.repair().failed->id, GoalId{701});
+}
+
+TEST(SupervisorRefusals, TheGoalFailsInTheEndAndItsReasonIsTheRefusal) {
+  Refused one;
+  for (double s = 0; s < 40; s += 10) {
+    one.desk.at(s);
+    one.refuse();
+    if (!one.desk.job_started()) one.desk.at(s + 9).give(Tick{});
+    if (!one.desk.repair().refine_failed) break;
+    one.plan_again();
+  }
+  ASSERT_FALSE(one.desk.repair().refine_failed);
+
+  RepairOutcome dropped = repaired(RepairStep::kDrop, {702}, {TaskOf(900, "goto", 702)});
+  dropped.dropped.push_back({GoalId{701}, "failed, and was refined often enough"});
+  one.desk.finish(dropped);
+
+  EXPECT_EQ(one.desk.state_of(701), "failed");
+  EXPECT_THAT(one.desk.why_of(701), HasSubstr("the way meets the ground at (12, 40)"));
+  EXPECT_THAT(one.desk.why_of(701), HasSubstr("(3 times alike)"));
+  EXPECT_EQ(one.desk.state_of(702), "planned");
+}
+
+TEST(SupervisorRefusals, OfASafeWaitAreRepeatedMoreAndMoreSeldom) {
+  Desk desk = flying();
+  desk.give(CancelMission{{}, "operator"});
+  std::vector<Duration> pauses;
+  desk.at(5);
+  for (std::uint64_t id = 103; id < 108; ++id) {
+    desk.seen(id, TaskState::kAborted, "energy too low for the wait", "wait");
+    const auto again = desk.supervisor.next_wakeup();
+    ASSERT_TRUE(again.has_value());
+    pauses.push_back(*again - desk.now);
+    desk.now = *again;
+    desk.give(Tick{});
+    EXPECT_THAT(desk.requests(), ElementsAre("START " + std::to_string(id + 1)));
+  }
+
+  EXPECT_THAT(pauses, ElementsAre(secs(5), secs(5), secs(10), secs(20), secs(40)));
+}
+
+// A plan that comes and is refused, too, is no reason to ask for a safe wait sooner.
+TEST(SupervisorRefusals, OfASafeWaitAreRememberedOverWhatIsGivenMeanwhile) {
+  Refused one;
+  one.refuse();
+  const std::uint64_t wait = 102;
+  EXPECT_THAT(one.desk.requests(), Contains("START " + std::to_string(wait)));
+  one.desk.seen(wait, TaskState::kAborted, "no", "wait");
+  one.plan_again();
+
+  one.desk.at(1);
+  one.refuse();
+
+  EXPECT_THAT(one.desk.requests(), Not(Contains(HasSubstr("START"))));
+  EXPECT_THAT(one.desk.notices(), Contains(HasSubstr("its safe wait was refused")));
+}
+
+}  // namespace
+}  // namespace skein::supervisor
