@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/supervisor/supervisor.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "core.hpp"
 #include "skein/foundation/contract.hpp"
@@ -32,47 +32,86 @@ Config checked(Config config) {
 
 Supervisor::Core::Core(Config config)
     : config_(checked(std::move(config))),
-      world_(config_.world),
-      wind_(config_.knowledge->vehicle, config_.world->wind) {
+      beliefs_(*config_.knowledge, config_.world),
+      out_(book_),
+      own_goals_(*config_.knowledge, book_, out_),
+      dates_(book_, config_.grace),
+      agenda_(out_),
+      committer_(config_.knowledge->vehicle, config_.horizon, agenda_, dates_, out_, book_),
+      contingencies_({config_.grace, config_.refinements}, dates_, committer_, agenda_, out_,
+                     book_),
+      safe_mode_(config_.horizon, beliefs_, agenda_, committer_, out_, book_),
+      air_(beliefs_, own_goals_, committer_, agenda_, out_, book_),
+      energy_(beliefs_, safe_mode_, committer_, agenda_, out_, book_),
+      situations_(config_.knowledge, beliefs_, book_),
+      true_goals_(situations_, beliefs_, contingencies_, agenda_, out_, book_),
+      results_({beliefs_, own_goals_, true_goals_, dates_, committer_, agenda_, out_, book_}),
+      jobs_({situations_, beliefs_, own_goals_, committer_, results_, agenda_, out_, book_}),
+      hand_over_(safe_mode_, committer_, agenda_, out_, book_),
+      observer_({hand_over_, safe_mode_, contingencies_, committer_, dates_, beliefs_, agenda_,
+                 out_, book_},
+                config_.grace),
+      requests_({beliefs_, hand_over_, contingencies_, committer_, agenda_, out_, book_}) {
   book_.next_id = config_.first_id;
-  vehicle_.position = config_.knowledge->home;
 }
 
 // First what the input says, then what follows from it: contingencies, jobs, commitment, safety.
+// What keeps the UAV safe while its plan is repaired is numbered before the plan that is made.
 Effects Supervisor::Core::handle(const Input& input, MissionTime now) {
-  now_ = std::max(now_, now);
+  out_.begin(now);
   std::visit([this](const auto& one) { on(one); }, input);
-  if (engaged_) {
-    watch();
-    settle_true_goals();
-    watch_air();
-    start_job();
-    commit();
-    keep_safe();
+  if (engaged()) {
+    contingencies_.check_slips();
+    true_goals_.settle();
+    air_.watch();
+    agenda_.give_way();
+    if (agenda_.repair_is_due()) safe_mode_.keep();
+    jobs_.start();
+    committer_.commit();
+    safe_mode_.keep();
   }
-  publish();
-  return std::exchange(out_, {});
+  return out_.close();
+}
+
+void Supervisor::Core::on(const Engage& input) {
+  hand_over_.take(input);
+  air_.check(input.cause);
+}
+
+void Supervisor::Core::on(const WorldChanged& input) {
+  const bool closed = requests_.change_world(input.change);
+  if (closed && engaged()) air_.check(to_text(input.change));
+}
+
+void Supervisor::Core::on(const VehicleSeen& input) {
+  const std::set<std::string> newly = observer_.see(input);
+  if (!engaged()) return;
+  if (!newly.empty()) contingencies_.check_devices(newly);
+  energy_.check();
+}
+
+void Supervisor::Core::on(const JointTaskAnswered& input) {
+  if (!committer_.joint_tasks().answered(input)) return;
+  committer_.reschedule();
+  const Entry& entry = book_.tasks.at(input.task);
+  if (entry.seen.started || !entry.live()) return;
+  committer_.send_preconditions(entry);
+  contingencies_.absorb_or_shift("joint task " + to_text(input.task) + " agreed");
 }
 
 // What is past has been dealt with.
 std::optional<MissionTime> Supervisor::Core::next_wakeup() const {
-  if (!engaged_) return std::nullopt;
+  if (!engaged()) return std::nullopt;
   std::optional<MissionTime> next;
   const auto count = [&](std::optional<MissionTime> at) {
-    if (at && *at > now_ && *at != MissionTime::max()) next = earliest(next, at);
+    if (at && *at > now() && *at != MissionTime::max()) next = earliest(next, at);
   };
-  count(wait_again_);
-  count(end_of_safe_wait());
-  if (need_) count(need_->not_before);
-  count(next_closing());
-  for (const auto& [id, entry] : book_.tasks) {
-    if (!book_.counts(entry)) continue;
-    if (entry.seen.started && !entry.overdue && !ends_by_order(entry.task)) {
-      count(*entry.seen.started + entry.task.duration.most + config_.grace);
-    }
-    if (!entry.seen.started && !entry.late) count(late_from(entry));
-  }
-  if (const auto goal = next_to_give()) count(due(*goal));
+  count(safe_mode_.paused_until());
+  count(committer_.end_of_safe_wait());
+  if (agenda_.needed()) count(agenda_.needed()->not_before);
+  count(air_.next_closing());
+  count(dates_.next_slip(now()));
+  if (const auto goal = committer_.next_to_give()) count(committer_.due(*goal));
   return next;
 }
 

@@ -40,6 +40,12 @@ bool Book::has_in_hand(GoalId goal) const {
   return std::any_of(all.begin(), all.end(), [](const Entry* one) { return one->in_hand(); });
 }
 
+bool Book::is_wholly_given(GoalId goal) const {
+  const auto all = of(goal);
+  return !all.empty() &&
+         std::all_of(all.begin(), all.end(), [](const Entry* one) { return one->given; });
+}
+
 bool Book::is_given(GoalId goal) const {
   return std::any_of(tasks.begin(), tasks.end(), [goal](const auto& one) {
     return one.second.task.origin == goal && one.second.live() && one.second.given;
@@ -103,14 +109,6 @@ std::vector<mission::ElementaryTask> Book::open_tasks() const {
   std::vector<mission::ElementaryTask> result;
   for (const auto& [id, entry] : tasks) {
     if (counts(entry)) result.push_back(entry.task);
-  }
-  return result;
-}
-
-Observations Book::observations() const {
-  Observations result;
-  for (const auto& [id, entry] : tasks) {
-    if (counts(entry)) result[id] = entry.seen;
   }
   return result;
 }
@@ -245,6 +243,45 @@ bool Book::waits_safely() const {
   return std::any_of(loose.begin(), loose.end(), [](const auto& one) {
     return one.second.ours && one.second.type == "wait" && !one.second.stopping;
   });
+}
+
+std::string Book::named(GoalId goal) const {
+  const auto found = goals.find(goal);
+  const std::string what =
+      found == goals.end() ? "" : " (" + mission::to_text(found->second.task) + ")";
+  return "goal " + to_text(goal) + what;
+}
+
+TaskId Book::add_loose(const std::string& type) {
+  const TaskId id = next_id;
+  next_id = TaskId(id.value() + 1);
+  loose[id] = {type, true, true, false, false};
+  return id;
+}
+
+void Book::enter(const mission::ElementaryPlan& plan) {
+  for (const mission::ElementaryTask& task : plan.tasks) {
+    Entry entry;
+    entry.task = task;
+    next_id = std::max(next_id, TaskId(task.id.value() + 1));
+    tasks[task.id] = std::move(entry);
+  }
+}
+
+std::vector<TaskId> Book::withdraw(const std::set<GoalId>& from) {
+  std::vector<TaskId> result;
+  for (auto it = tasks.rbegin(); it != tasks.rend(); ++it) {
+    Entry& entry = it->second;
+    if (from.count(entry.task.origin) == 0 || !entry.live()) continue;
+    if (entry.in_hand()) result.push_back(it->first);
+    entry.withdrawn = true;
+  }
+  return result;
+}
+
+void Book::put_settled_first() {
+  std::stable_partition(order.begin(), order.end(),
+                        [this](GoalId id) { return is_settled(goals.at(id).state); });
 }
 
 void Book::reorder(const std::vector<GoalId>& wanted) {

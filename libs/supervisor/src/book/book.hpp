@@ -86,6 +86,7 @@ class Book {
   std::vector<GoalId> order;
   std::map<TaskId, Entry> tasks;
   std::map<TaskId, Loose> loose;  ///< those that are not over
+  std::set<TaskId> forgotten;     ///< loose ones that are over
   TaskId next_id{1};
 
   Entry* find(TaskId id);
@@ -94,6 +95,7 @@ class Book {
   /// Live tasks of the goal, by id.
   std::vector<const Entry*> of(GoalId goal) const;
   bool has_in_hand(GoalId goal) const;
+  bool is_wholly_given(GoalId goal) const;
   bool is_given(GoalId goal) const;  ///< some live task of it is, or was, with the executive
   bool is_planned(GoalId goal) const;
   bool was_begun(GoalId goal) const;  ///< some task of it, withdrawn or not, has started
@@ -107,7 +109,6 @@ class Book {
   bool counts(const Entry& entry) const;
   /// Those that count.
   std::vector<mission::ElementaryTask> open_tasks() const;
-  Observations observations() const;
 
   /// Goals that are to be done, are not queued and not with the executive: those that a job may
   /// plan anew; in order. A goal without tasks counts as given when one behind it is.
@@ -135,6 +136,16 @@ class Book {
   /// All that it waits for has come.
   bool is_due(const Entry& entry) const;
 
+  /// "goal 702 (perform-detection Z2 P2 300)".
+  std::string named(GoalId goal) const;
+
+  /// A task of no goal, for the executive: a safe wait, a landing at once. Returns its number.
+  TaskId add_loose(const std::string& type);
+  void enter(const mission::ElementaryPlan& plan);
+  /// These goals lose their tasks. Returns those that the executive has to be told to stop, the
+  /// highest id first; what was only planned is forgotten.
+  std::vector<TaskId> withdraw(const std::set<GoalId>& from);
+  void put_settled_first();
   /// Settled ones first, then `wanted`, then what `wanted` does not name, as it was.
   void reorder(const std::vector<GoalId>& wanted);
 };

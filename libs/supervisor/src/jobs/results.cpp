@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results of jobs are applied: a plan is adopted, or it is said that there is none.
+#include "jobs/results.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
+#include <utility>
 
-#include "core.hpp"
+#include "flight/landing_place.hpp"
 
 namespace skein::supervisor {
 
@@ -25,6 +28,13 @@ std::string weighed(const InsertionOutcome& outcome) {
   return text;
 }
 
+constexpr double kElsewhere = 5;  // [m] from home
+
+std::string at_text(const world::Vector3& at) {
+  return "(" + std::to_string(std::lround(at.x())) + ", " + std::to_string(std::lround(at.y())) +
+         ")";
+}
+
 std::string tenths(double number) {
   const long all = std::lround(10 * number);
   const long part = std::abs(all % 10);
@@ -33,9 +43,18 @@ std::string tenths(double number) {
 
 }  // namespace
 
+Results::Results(const Rooms& rooms)
+    : beliefs_(rooms.beliefs),
+      own_goals_(rooms.own_goals),
+      true_goals_(rooms.true_goals),
+      dates_(rooms.dates),
+      committer_(rooms.committer),
+      agenda_(rooms.agenda),
+      out_(rooms.out),
+      book_(rooms.book) {}
+
 // What no plan may have: tasks of goals that were not asked for, ids that were used.
-std::string Supervisor::Core::fault_of(const Premises& premises,
-                                       const mission::ElementaryPlan& plan) const {
+std::string Results::fault_of(const Premises& premises, const mission::ElementaryPlan& plan) {
   std::set<GoalId> asked(premises.goals.begin(), premises.goals.end());
   asked.insert(premises.added.begin(), premises.added.end());
   std::set<TaskId> ids;
@@ -48,67 +67,60 @@ std::string Supervisor::Core::fault_of(const Premises& premises,
   return {};
 }
 
-// Where it fits, the network is that of the plan from here on.
-bool Supervisor::Core::fits_now(const Premises& premises, const mission::ElementaryPlan& plan) {
-  std::vector<TaskView> views;
-  for (const TaskId id : book_.in_hand()) {
-    const Entry& entry = book_.tasks.at(id);
-    if (premises.withdrawn.count(id) == 0) views.push_back({&entry.task, entry.seen});
-  }
-  for (const mission::ElementaryTask& task : plan.tasks) views.push_back({&task, {}});
-  std::sort(views.begin(), views.end(),
-            [](const TaskView& a, const TaskView& b) { return a.task->id < b.task->id; });
-  relate(views, book_.bounds());
-  network_.update(views, now_);
-  const bool fits = schedule().controllable;
-  if (!fits) reschedule();
-  return fits;
-}
-
-void Supervisor::Core::enter(const mission::ElementaryPlan& plan) {
-  for (const mission::ElementaryTask& task : plan.tasks) {
-    Entry entry;
-    entry.task = task;
-    book_.next_id = std::max(book_.next_id, TaskId(task.id.value() + 1));
-    book_.tasks[task.id] = std::move(entry);
-  }
+bool Results::fits_now(const Premises& premises, const mission::ElementaryPlan& plan) {
+  if (dates_.fits(plan, premises.withdrawn, now())) return true;
+  committer_.reschedule();
+  return false;
 }
 
 // What is due is given before what it takes the place of is told to stop.
-void Supervisor::Core::adopt(const Premises& premises, const mission::ElementaryPlan& plan,
-                             const std::vector<mission::HighLevelTask>& order) {
+void Results::adopt(const Premises& premises, const mission::ElementaryPlan& plan,
+                    const std::vector<mission::HighLevelTask>& order) {
   const std::set<GoalId> anew(premises.goals.begin(), premises.goals.end());
-  const std::vector<TaskId> stopped = withdraw(anew);
-  enter(plan);
+  const std::vector<TaskId> stopped = book_.withdraw(anew);
+  book_.enter(plan);
   std::vector<GoalId> wanted;
   for (const mission::HighLevelTask& task : order) {
     if (book_.goals.count(task.id) == 0) continue;
     wanted.push_back(task.id);
     Goal& goal = book_.goals.at(task.id);
     goal.queued = false;
-    if (goal.state == GoalState::kReceived) set_state(goal, GoalState::kPlanned);
+    if (goal.state == GoalState::kReceived) out_.set_state(goal, GoalState::kPlanned);
   }
   tell_landing(plan);
   book_.reorder(wanted);
-  foresee_true_goals();
-  reschedule();
-  promise();
-  commit();
-  stop(stopped);
+  true_goals_.foresee();
+  committer_.reschedule();
+  dates_.promise();
+  committer_.commit();
+  committer_.stop(stopped);
 }
 
-void Supervisor::Core::tell_refined(const Job& job, const mission::ElementaryPlan& plan) {
+void Results::tell_refined(const Job& job, const mission::ElementaryPlan& plan) {
   std::vector<GoalId> goals = job.premises.goals;
   goals.insert(goals.end(), job.premises.added.begin(), job.premises.added.end());
-  decide({"3 refine", job.mission ? "mission " + to_text(*job.mission) : job.need.cause,
-          list_of("goals", goals), std::to_string(plan.tasks.size()) + " tasks", now_});
+  out_.decide({"3 refine", job.mission ? "mission " + to_text(*job.mission) : job.need.cause,
+               list_of("goals", goals), std::to_string(plan.tasks.size()) + " tasks", now()});
+}
+
+// Somewhere else than at home, and why.
+void Results::tell_landing(const mission::ElementaryPlan& plan) {
+  const world::Vector3& home = beliefs_.knowledge().home;
+  for (const mission::ElementaryTask& task : plan.tasks) {
+    if (task.type != "land" || task.way.empty()) continue;
+    const world::Vector3& at = task.way.back();
+    if ((at - home).head<2>().norm() <= kElsewhere) continue;
+    const auto why = landing_problem(beliefs_.knowledge(), beliefs_.world(), {now()}, home);
+    out_.notice(book_.named(task.origin) + " lands at " + at_text(at) + ", not at home: " +
+                why.value_or("there is no way home, or the energy does not last so far"));
+  }
 }
 
 // ---- operator 1 ----
 
 // What the plan would be is compared with what it is; nothing of it is kept.
-mission::MissionEstimate Supervisor::Core::estimate(const Evaluation& evaluation,
-                                                    const InsertionOutcome& outcome) const {
+mission::MissionEstimate Results::estimate(const Evaluation& evaluation,
+                                           const InsertionOutcome& outcome) const {
   mission::MissionEstimate result;
   result.placement = outcome.chosen;
   result.cost = outcome.plan->cost;
@@ -130,9 +142,8 @@ mission::MissionEstimate Supervisor::Core::estimate(const Evaluation& evaluation
   return result;
 }
 
-void Supervisor::Core::answer_evaluation(const InsertionOutcome& outcome) {
-  const Evaluation evaluation = std::move(evaluations_.front());
-  evaluations_.pop_front();
+void Results::answer_evaluation(const InsertionOutcome& outcome) {
+  const Evaluation evaluation = agenda_.take_evaluation();
   mission::MissionOutcome answer{evaluation.mission.id, outcome.plan.has_value(), outcome.reasons,
                                  true, std::nullopt};
   if (outcome.plan) answer.estimate = estimate(evaluation, outcome);
@@ -144,25 +155,23 @@ void Supervisor::Core::answer_evaluation(const InsertionOutcome& outcome) {
            tenths(answer.estimate->cost) + ", energy " + tenths(100 * answer.estimate->energy) +
            " %, ends from " + to_text(answer.estimate->earliest_end) + " s on";
   }
-  out_.push_back(MissionDecided{std::move(answer)});
-  decide({"1 evaluate", evaluation.cause, list_of("goals", goals), text, evaluation.since});
+  out_.add(MissionDecided{std::move(answer)});
+  out_.decide({"1 evaluate", evaluation.cause, list_of("goals", goals), text, evaluation.since});
 }
 
 // Of goals that were asked for: they are not part of the plan.
-void Supervisor::Core::leave_out(const std::vector<Dropped>& dropped) {
+void Results::leave_out(const std::vector<Dropped>& dropped) {
   for (const Dropped& one : dropped) {
     const auto goal = book_.goals.find(one.goal);
     if (goal == book_.goals.end() || !goal->second.queued) continue;
     goal->second.queued = false;
-    set_state(goal->second, GoalState::kFailed, one.why);
+    out_.set_state(goal->second, GoalState::kFailed, one.why);
   }
 }
 
 // The goals because of which there is no plan are told why, the others which those are.
-void Supervisor::Core::refuse(const Job& job, const std::vector<std::string>& reasons,
-                              const std::vector<Dropped>& culprits) {
-  const auto pending = std::find_if(pending_.begin(), pending_.end(),
-                                    [&](const Pending& one) { return one.id == *job.mission; });
+void Results::refuse(const Job& job, const std::vector<std::string>& reasons,
+                     const std::vector<Dropped>& culprits) {
   const std::string why = reasons.empty() ? "no order is feasible" : joined(reasons);
   leave_out(culprits);
   std::string others;
@@ -171,32 +180,30 @@ void Supervisor::Core::refuse(const Job& job, const std::vector<std::string>& re
   }
   for (const GoalId id : job.premises.added) {
     book_.goals.at(id).queued = false;
-    set_state(book_.goals.at(id), GoalState::kFailed,
-              others.empty() ? why : "all or nothing of the mission is planned; " + others);
+    out_.set_state(book_.goals.at(id), GoalState::kFailed,
+                   others.empty() ? why : "all or nothing of the mission is planned; " + others);
   }
   MissionDecided decided{{*job.mission, false, {why}}};
   if (!reasons.empty()) decided.outcome.reasons = reasons;
   if (!others.empty()) decided.outcome.reasons = {others};
-  for (std::string& reason : decided.outcome.reasons) reason = in_words(reason);
-  out_.push_back(std::move(decided));
-  decide({"1 insert", pending->cause, list_of("goals", job.premises.added), "refused: " + why,
-          pending->since});
-  pending_.erase(pending);
+  for (std::string& reason : decided.outcome.reasons) reason = out_.in_words(reason);
+  out_.add(std::move(decided));
+  const Pending pending = agenda_.take(*job.mission);
+  out_.decide({"1 insert", pending.cause, list_of("goals", job.premises.added), "refused: " + why,
+               pending.since});
 }
 
-void Supervisor::Core::finish(const Job& job, const InsertionOutcome& outcome) {
+void Results::finish(const Job& job, const InsertionOutcome& outcome) {
   if (!outcome.plan) return refuse(job, outcome.reasons, outcome.dropped);
   if (const std::string fault = fault_of(job.premises, *outcome.plan); !fault.empty()) {
     return refuse(job, {fault});
   }
   if (!fits_now(job.premises, *outcome.plan)) {
-    if (!again(job, "the plan no longer fits")) refuse(job, {"the plan no longer fits in time"});
+    if (!agenda_.again(job, "the plan no longer fits"))
+      refuse(job, {"the plan no longer fits in time"});
     return;
   }
-  const auto pending = std::find_if(pending_.begin(), pending_.end(),
-                                    [&](const Pending& one) { return one.id == *job.mission; });
-  const Pending mission = *pending;
-  pending_.erase(pending);
+  const Pending mission = agenda_.take(*job.mission);
   tell_refined(job, *outcome.plan);
   adopt(job.premises, *outcome.plan, outcome.order);
   leave_out(outcome.dropped);
@@ -204,38 +211,39 @@ void Supervisor::Core::finish(const Job& job, const InsertionOutcome& outcome) {
   for (const Dropped& one : outcome.dropped) {
     without += "; left out goal " + to_text(one.goal) + ": " + one.why;
   }
-  out_.push_back(MissionDecided{{mission.id, true, {}}});
-  decide({"1 insert: " + std::string(to_text(outcome.chosen)), mission.cause,
-          list_of("goals", job.premises.added),
-          plan_text() + ", " + extent() + without + weighed(outcome), mission.since});
+  out_.add(MissionDecided{{mission.id, true, {}}});
+  out_.decide({"1 insert: " + std::string(to_text(outcome.chosen)), mission.cause,
+               list_of("goals", job.premises.added),
+               out_.plan_text() + ", " + dates_.extent() + without + weighed(outcome),
+               mission.since});
 }
 
 // ---- operator 6 ----
 
-void Supervisor::Core::fail_safely(const Job& job, const std::vector<std::string>& reasons) {
+void Results::fail_safely(const Job& job, const std::vector<std::string>& reasons) {
   const std::string why = job.need.cause + (reasons.empty() ? "" : "; " + joined(reasons));
-  retire({job.premises.goals.begin(), job.premises.goals.end()});
+  committer_.retire({job.premises.goals.begin(), job.premises.goals.end()});
   for (const GoalId id : job.premises.goals) {
-    set_state(book_.goals.at(id), GoalState::kFailed, why);
+    out_.set_state(book_.goals.at(id), GoalState::kFailed, why);
   }
-  reschedule();
-  notice("the mission has failed, safe mode: " + why);
-  decide({"6 repair: fail", job.need.cause, list_of("goals", job.premises.goals),
-          "safe mode: " + why, job.need.since});
+  committer_.reschedule();
+  out_.notice("the mission has failed, safe mode: " + why);
+  out_.decide({"6 repair: fail", job.need.cause, list_of("goals", job.premises.goals),
+               "safe mode: " + why, job.need.since});
 }
 
-void Supervisor::Core::finish(const Job& job, const RepairOutcome& outcome) {
+void Results::finish(const Job& job, const RepairOutcome& outcome) {
   if (!outcome.plan) return fail_safely(job, outcome.before);
   Premises premises = job.premises;
   if (outcome.served == RepairStep::kReturn && job.retreat) {
-    premises.added.push_back(enter_own(*job.retreat));
+    premises.added.push_back(own_goals_.enter(*job.retreat));
   }
   if (const std::string fault = fault_of(premises, *outcome.plan); !fault.empty()) {
     return fail_safely(job, {fault});
   }
   if (!fits_now(job.premises, *outcome.plan)) {
-    if (again(job, "the plan no longer fits")) return;
-    need_.reset();
+    if (agenda_.again(job, "the plan no longer fits")) return;
+    agenda_.forget_need();
     return fail_safely(job, {"the plan no longer fits in time"});
   }
   std::set<GoalId> left(job.premises.goals.begin(), job.premises.goals.end());
@@ -247,13 +255,13 @@ void Supervisor::Core::finish(const Job& job, const RepairOutcome& outcome) {
                                       [&](const Dropped& one) { return one.goal == id; });
     std::string why = dropped != outcome.dropped.end() ? dropped->why : "no plan has room";
     if (job.need.failed == id) why = job.need.cause + (job.need.refine ? "; " + why : "");
-    set_state(book_.goals.at(id), GoalState::kFailed, why);
+    out_.set_state(book_.goals.at(id), GoalState::kFailed, why);
   }
   const std::string without = left.empty() ? "" : list_of("; dropped", left);
   const std::string before = outcome.before.empty() ? "" : "; before: " + joined(outcome.before);
-  decide({"6 repair: " + std::string(to_text(outcome.served)), job.need.cause,
-          list_of("goals", job.premises.goals), plan_text() + ", " + extent() + without + before,
-          job.need.since});
+  out_.decide({"6 repair: " + std::string(to_text(outcome.served)), job.need.cause,
+               list_of("goals", job.premises.goals),
+               out_.plan_text() + ", " + dates_.extent() + without + before, job.need.since});
 }
 
 }  // namespace skein::supervisor

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What others are told: decisions, states of goals, the plan.
+#include "book/outbox.hpp"
+
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "book/wording.hpp"
-#include "core.hpp"
-#include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::supervisor {
 
@@ -29,32 +30,30 @@ mission::TaskDates dates_of(const Entry& entry) {
 
 }  // namespace
 
-// Tasks by what they are of, goals by what they are; each goal once.
-std::string Supervisor::Core::in_words(const std::string& text) const {
+std::string Outbox::in_words(const std::string& text) const {
   const std::string tasks = with_names(text, "task", [this](std::uint64_t number) {
     const Entry* entry = book_.find(TaskId(number));
     return entry == nullptr ? std::string() : supervisor::in_words(entry->task);
   });
   std::set<std::uint64_t> told;
   return with_names(tasks, "goal", [&](std::uint64_t number) {
-    const auto goal = book_.goals.find(GoalId(number));
-    if (goal == book_.goals.end() || !told.insert(number).second) return std::string();
-    return "goal " + std::to_string(number) + " (" + mission::to_text(goal->second.task) + ")";
+    const GoalId id(number);
+    const bool known = book_.goals.count(id) != 0 && told.insert(number).second;
+    return known ? book_.named(id) : std::string();
   });
 }
 
-// A goal that is settled stays so; the same state is not told twice.
-void Supervisor::Core::set_state(Goal& goal, GoalState state, const std::string& reason) {
+void Outbox::set_state(Goal& goal, GoalState state, const std::string& reason) {
   const std::string why = reason.empty() ? reason : in_words(reason);
   const bool same = goal.state == state && goal.why == why && state != GoalState::kReceived;
   if (same || is_settled(goal.state)) return;
   goal.state = state;
   goal.settled = now_;
   goal.why = why;
-  out_.push_back(GoalChanged{status_of(goal)});
+  add(GoalChanged{status_of(goal)});
 }
 
-void Supervisor::Core::decide(Application application) {
+void Outbox::decide(Application application) {
   mission::Decision decision;
   decision.number = ++decisions_;
   decision.applied = std::move(application.applied);
@@ -63,25 +62,25 @@ void Supervisor::Core::decide(Application application) {
   decision.outcome = std::move(application.outcome);
   decision.began = application.began;
   decision.took = now_ - application.began;
-  out_.push_back(Decided{std::move(decision)});
+  add(Decided{std::move(decision)});
 }
 
-std::string Supervisor::Core::plan_text() const {
+std::string Outbox::plan_text() const {
   return "plan " + std::to_string(report_.revision + 1) + ", " +
          std::to_string(book_.open_tasks().size()) + " tasks";
 }
 
-// "ends between 352 s and 356.1 s".
-std::string Supervisor::Core::extent() const {
-  const std::string first = in_seconds(schedule().earliest_end);
-  if (schedule().latest_end == MissionTime::max()) return "ends from " + first + " on";
-  return "ends between " + first + " and " + in_seconds(schedule().latest_end);
+void Outbox::begin(MissionTime now) { now_ = std::max(now_, now); }
+
+Effects Outbox::close() {
+  publish();
+  return std::exchange(effects_, {});
 }
 
-void Supervisor::Core::publish() {
+void Outbox::publish() {
   mission::PlanReport report;
   const auto settled = [this](GoalId id) { return is_settled(book_.goals.at(id).state); };
-  std::stable_partition(book_.order.begin(), book_.order.end(), settled);
+  book_.put_settled_first();
   for (const GoalId id : book_.order) report.goals.push_back(status_of(book_.goals.at(id)));
   for (const auto& [id, entry] : book_.tasks) {
     if (!entry.live() || settled(entry.task.origin)) continue;
@@ -91,7 +90,7 @@ void Supervisor::Core::publish() {
   report.revision = report_.revision + 1;
   report.made = now_;
   report_ = report;
-  out_.push_back(PlanChanged{std::move(report)});
+  add(PlanChanged{std::move(report)});
 }
 
 }  // namespace skein::supervisor

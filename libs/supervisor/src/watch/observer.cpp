@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is seen of tasks and of the vehicle.
+#include "watch/observer.hpp"
+
 #include <algorithm>
+#include <cmath>
 
 #include "book/progress.hpp"
-#include "core.hpp"
 #include "flight/flight_times.hpp"
 #include "skein/foundation/rounded_seconds.hpp"
 
@@ -11,8 +12,6 @@ namespace skein::supervisor {
 
 namespace {
 
-// A state of the vehicle that was on its way while it landed is not believed that it flies.
-constexpr Duration kLandingSettles = Duration::milliseconds(3000);
 constexpr Duration kWaitRetry = Duration::milliseconds(5000);
 // A time that was asked is kept when it is missed by no more.
 constexpr Duration kKept = Duration::milliseconds(500);
@@ -56,29 +55,28 @@ std::vector<std::string> beside_its_times(const mission::ElementaryTask& task,
 
 // ---- tasks ----
 
-void Supervisor::Core::on(const TaskSeen& input) {
-  const executive::TaskEvent& event = input.event;
+Observer::Observer(const Rooms& rooms, Duration grace)
+    : hand_over_(rooms.hand_over),
+      safe_mode_(rooms.safe_mode),
+      contingencies_(rooms.contingencies),
+      committer_(rooms.committer),
+      dates_(rooms.dates),
+      beliefs_(rooms.beliefs),
+      agenda_(rooms.agenda),
+      out_(rooms.out),
+      book_(rooms.book),
+      grace_(grace) {}
+
+void Observer::see(const executive::TaskEvent& event) {
   if (event.id >= executive::kFirstBackgroundId) return;
-  see_flight(event);
+  if (event.state == TaskState::kEnded) beliefs_.see_end(event, now());
   if (Entry* entry = book_.find(event.id); entry != nullptr) return see(*entry, event);
   see_loose(event);
 }
 
-void Supervisor::Core::see_flight(const executive::TaskEvent& event) {
-  if (event.state != TaskState::kEnded) return;
-  const functional::Leaves leaves = functional::TaskTypes::shipped().of(event.type).leaves;
-  if (leaves == functional::Leaves::kInTheAir) {
-    vehicle_.airborne = true;
-    grounded_until_ = MissionTime();
-  } else if (leaves == functional::Leaves::kOnTheGround) {
-    vehicle_.airborne = false;
-    grounded_until_ = now_ + kLandingSettles;
-  }
-}
-
 // Safe waits, and tasks of others. New tasks are numbered beyond theirs, unless theirs are in a
 // range of their own.
-void Supervisor::Core::see_loose(const executive::TaskEvent& event) {
+void Observer::see_loose(const executive::TaskEvent& event) {
   constexpr TaskId kOtherRange{1'000'000'000};
   if (event.id < kOtherRange) {
     book_.next_id = std::max(book_.next_id, TaskId(event.id.value() + 1));
@@ -95,25 +93,25 @@ void Supervisor::Core::see_loose(const executive::TaskEvent& event) {
   }
   if (known == book_.loose.end()) return;
   if (known->second.ours && !known->second.stopping)
-    wait_again_ = now_ + retry_after(known->second, event.reason);
-  forgotten_.insert(event.id);
+    safe_mode_.pause_until(now() + retry_after(known->second, event.reason));
+  book_.forgotten.insert(event.id);
   book_.loose.erase(known);
 }
 
 // Of what keeps it safe: sooner where it did run, and something else took its place.
-Duration Supervisor::Core::retry_after(const Loose& loose, const std::string& why) {
+Duration Observer::retry_after(const Loose& loose, const std::string& why) {
   if (loose.ran) return kWaitRetry;
-  return std::max(kWaitRetry, pause_after(refusals_.count(loose.type, why, now_)));
+  return std::max(kWaitRetry, pause_after(refusals_.count(loose.type, why, now())));
 }
 
-void Supervisor::Core::see(Entry& entry, const executive::TaskEvent& event) {
+void Observer::see(Entry& entry, const executive::TaskEvent& event) {
   if (entry.over()) return;
   entry.by_others = entry.by_others || !entry.given;
   entry.given = true;
   entry.state = event.state;
   if (event.state == TaskState::kRunning && !entry.running) {
-    entry.running = now_;
-    entry.seen_at = vehicle_.position;
+    entry.running = now();
+    entry.seen_at = beliefs_.vehicle().position;
   }
   switch (event.state) {
     case TaskState::kScheduled:
@@ -133,65 +131,67 @@ void Supervisor::Core::see(Entry& entry, const executive::TaskEvent& event) {
       see_aborted(entry);
       return;
   }
-  if (!engaged_) return reschedule();
-  check_network("task " + to_text(event.id) + " " + std::string(to_text(event.state)));
+  if (!engaged()) return committer_.reschedule();
+  contingencies_.check_network("task " + to_text(event.id) + " " +
+                               std::string(to_text(event.state)));
 }
 
 // A goal that was handed over is the ground's, but when all of it is with the executive.
-void Supervisor::Core::see_started(Entry& entry) {
+void Observer::see_started(Entry& entry) {
   if (!entry.seen.started) tell_beside_its_times(entry, false);
-  if (!entry.seen.started) entry.seen.started = now_;
+  if (!entry.seen.started) entry.seen.started = now();
   const GoalId id = entry.task.origin;
   Goal& goal = book_.goals.at(id);
-  const bool whole = is_wholly_given(id) && !book_.has_lost(id);
+  const bool whole = book_.is_wholly_given(id) && !book_.has_lost(id);
   if (entry.live() && (whole || goal.state != GoalState::kHandedOver))
-    set_state(goal, GoalState::kUnderWay);
+    out_.set_state(goal, GoalState::kUnderWay);
 }
 
-void Supervisor::Core::tell_beside_its_times(const Entry& entry, bool ends) {
-  if (!engaged_ || !entry.live()) return;
-  for (const std::string& how : beside_its_times(entry.task, book_.bounds(), now_, ends)) {
-    notice("goal " + to_text(entry.task.origin) + ": " + entry.task.type + " " +
-           to_text(entry.task.id) + " " + how);
+void Observer::tell_beside_its_times(const Entry& entry, bool ends) {
+  if (!engaged() || !entry.live()) return;
+  for (const std::string& how : beside_its_times(entry.task, book_.bounds(), now(), ends)) {
+    out_.notice("goal " + to_text(entry.task.origin) + ": " + entry.task.type + " " +
+                to_text(entry.task.id) + " " + how);
   }
 }
 
-void Supervisor::Core::see_ended(Entry& entry) {
+void Observer::see_ended(Entry& entry) {
   tell_beside_its_times(entry, true);
-  entry.seen.over = now_;
+  entry.seen.over = now();
   entry.done = true;
   tell_progress(entry.task.origin);
   if (!entry.live()) return;
   settle_done(entry);
-  if (!engaged_ || ends_by_order(entry.task)) return;
-  const Duration took = now_ - entry.seen.started.value_or(now_);
-  if (took + config_.grace < entry.task.duration.least) {
-    reschedule();
+  if (!engaged() || ends_by_order(entry.task)) return;
+  const Duration took = now() - entry.seen.started.value_or(now());
+  if (took + grace_ < entry.task.duration.least) {
+    committer_.reschedule();
     const Duration early = entry.task.duration.least - took;
-    return absorb_or_shift("task " + to_text(entry.task.id) + " early by " + in_seconds(early));
+    return contingencies_.absorb_or_shift("task " + to_text(entry.task.id) + " early by " +
+                                          in_seconds(early));
   }
   if (entry.overdue) {
-    reschedule();
-    if (schedule().controllable) promise();
+    committer_.reschedule();
+    if (dates_.controllable()) dates_.promise();
   }
 }
 
 // Over as it should be: the goal is achieved when all its tasks are.
-void Supervisor::Core::settle_done(Entry& entry) {
+void Observer::settle_done(Entry& entry) {
   entry.done = true;
   refusals_.did(entry.task.type);
-  if (entry.task.type == "wait") wait_again_.reset();
+  if (entry.task.type == "wait") safe_mode_.hurry();
   const GoalId id = entry.task.origin;
   Goal& goal = book_.goals.at(id);
   if (is_settled(goal.state)) return;
   const auto all = book_.of(id);
   if (std::all_of(all.begin(), all.end(), [](const Entry* one) { return one->done; })) {
-    set_state(goal, GoalState::kAchieved);
+    out_.set_state(goal, GoalState::kAchieved);
   }
 }
 
 // What ends when others do was stopped as it should be, if those have ended well.
-bool Supervisor::Core::was_stopped_in_time(const Entry& entry) const {
+bool Observer::was_stopped_in_time(const Entry& entry) const {
   const auto& stop = entry.task.stop;
   return !stop.empty() && entry.seen.started &&
          std::all_of(stop.begin(), stop.end(), [this](const mission::Dependence& one) {
@@ -201,7 +201,7 @@ bool Supervisor::Core::was_stopped_in_time(const Entry& entry) const {
          });
 }
 
-bool Supervisor::Core::follows_lost_task(const Entry& entry) const {
+bool Observer::follows_lost_task(const Entry& entry) const {
   const auto is_lost = [this](const mission::Dependence& one) {
     const Entry* other = book_.find(one.task);
     return other != nullptr && other->over() && !other->done;
@@ -210,8 +210,8 @@ bool Supervisor::Core::follows_lost_task(const Entry& entry) const {
          std::any_of(entry.task.stop.begin(), entry.task.stop.end(), is_lost);
 }
 
-void Supervisor::Core::see_aborted(Entry& entry) {
-  entry.seen.over = now_;
+void Observer::see_aborted(Entry& entry) {
+  entry.seen.over = now();
   entry.seen.aborted = true;
   tell_progress(entry.task.origin);
   if (!entry.live()) return;
@@ -219,84 +219,96 @@ void Supervisor::Core::see_aborted(Entry& entry) {
   const bool stopped = was_stopped_in_time(entry) && !asked;
   if (entry.ordered || stopped) {
     settle_done(entry);
-    return reschedule();
+    return committer_.reschedule();
   }
-  if (!engaged_) {
-    set_state(book_.goals.at(entry.task.origin), GoalState::kHandedOver);
+  if (!engaged()) {
+    out_.set_state(book_.goals.at(entry.task.origin), GoalState::kHandedOver);
     return;
   }
-  if (asked) return operator_aborted(entry);
+  if (asked) {
+    return contingencies_.cancel_goal(entry.task.origin,
+                                      "task " + to_text(entry.task.id) + " aborted on request");
+  }
   const std::string what = "task " + to_text(entry.task.id) + " aborted: " + entry.why;
-  if (follows_lost_task(entry)) return fail_task(entry, what + " (it follows a lost one)");
+  if (follows_lost_task(entry))
+    return contingencies_.fail_goal(entry.task.origin, what + " (it follows a lost one)");
   refused(entry, what);
 }
 
+// What was refused alike before is planned again after a pause; whatever else happens ends it.
+void Observer::pause_need(const Entry& entry, int refused) {
+  const Duration pause = pause_after(refused);
+  if (pause <= Duration()) return;
+  agenda_.pause_until(now() + pause);
+  out_.notice(book_.named(entry.task.origin) + ": its " + entry.task.type + " was refused " +
+              std::to_string(refused) + " times alike (" + entry.why +
+              "); it is planned again in " + to_text(pause) + " s");
+}
+
 // By the vehicle, or by the executive. The goal is planned again, at once or after a pause.
-void Supervisor::Core::refused(const Entry& entry, const std::string& what) {
-  const int times = refusals_.count(entry.task.type, entry.why, now_);
-  const auto before = need_ ? std::optional(need_->not_before) : std::nullopt;
-  fail_task(entry, times > 1 ? what + " (" + std::to_string(times) + " times alike)" : what);
-  if (!need_) return;
+void Observer::refused(const Entry& entry, const std::string& what) {
+  const int times = refusals_.count(entry.task.type, entry.why, now());
+  const auto before = agenda_.needed() ? std::optional(agenda_.needed()->not_before) : std::nullopt;
+  contingencies_.fail_goal(
+      entry.task.origin, times > 1 ? what + " (" + std::to_string(times) + " times alike)" : what);
+  if (!agenda_.needed()) return;
   if (before)
-    need_->not_before = std::max(*before, now_);
-  else if (need_->refine)
+    agenda_.pause_until(std::max(*before, now()));
+  else if (agenda_.needed()->refine)
     pause_need(entry, times);
 }
 
-void Supervisor::Core::on(const RequestAnswered& input) {
-  const executive::Reply& reply = input.reply;
+void Observer::see(const executive::Reply& reply) {
   if (reply.accepted || !reply.id) return;
   const std::string what = std::string(to_text(reply.request)) + " of task " + to_text(*reply.id) +
                            " refused: " + reply.why;
-  notice(what);
+  out_.notice(what);
   if (reply.request == executive::RequestKind::kAbort) return;
   if (const auto loose = book_.loose.find(*reply.id); loose != book_.loose.end()) {
     if (!loose->second.ours) return;
-    wait_again_ = now_ + retry_after(loose->second, reply.why);
+    safe_mode_.pause_until(now() + retry_after(loose->second, reply.why));
     book_.loose.erase(loose);
     return;
   }
   Entry* entry = book_.find(*reply.id);
   if (entry == nullptr || entry->over()) return;
   if (reply.request == executive::RequestKind::kStart) {
-    entry->seen.over = now_;
+    entry->seen.over = now();
     entry->seen.aborted = true;
   }
   entry->why = reply.why;
-  if (entry->live() && engaged_) refused(*entry, what);
+  if (entry->live() && engaged()) refused(*entry, what);
 }
 
 // ---- the vehicle ----
 
-void Supervisor::Core::follow_ways(const world::Vector3& position) {
-  const double reach = arrival_distance(config_.knowledge->vehicle, world_->wind) + kReachedMargin;
+void Observer::follow_ways(const world::Vector3& position) {
+  const double reach =
+      arrival_distance(beliefs_.knowledge().vehicle, beliefs_.world().wind) + kReachedMargin;
   for (auto& [id, entry] : book_.tasks) {
     if (!entry.given || entry.over() || !entry.running) continue;
     const Entry* along = flown_along(book_, entry);
     if (along == nullptr || along->over() || !along->running) continue;
-    entry.passed = passed_after(along->task.way, entry.passed, vehicle_.position, position, reach);
+    entry.passed =
+        passed_after(along->task.way, entry.passed, beliefs_.vehicle().position, position, reach);
   }
 }
 
-void Supervisor::Core::tell_progress(GoalId id) {
+void Observer::tell_progress(GoalId id) {
   book_.goals.at(id).done = mission::to_text(progress_of(book_, id, std::nullopt));
 }
 
-void Supervisor::Core::on(const VehicleSeen& input) {
-  const bool airborne = input.state.airborne && now_ >= grounded_until_;
-  follow_ways(input.state.position);
-  vehicle_ = input.state;
-  vehicle_.airborne = airborne;
-  wind_.see(vehicle_, now_);
-  feel_wind();
-  std::set<std::string> newly;
-  std::set<std::string> broken(input.failed.begin(), input.failed.end());
-  std::set_difference(broken.begin(), broken.end(), broken_.begin(), broken_.end(),
-                      std::inserter(newly, newly.end()));
-  broken_ = std::move(broken);
-  if (!engaged_) return;
-  if (!newly.empty()) check_devices(newly);
-  check_energy();
+std::set<std::string> Observer::see(const VehicleSeen& seen) {
+  follow_ways(seen.state.position);
+  std::set<std::string> newly = beliefs_.see(seen.state, seen.failed, now());
+  if (const auto wind = beliefs_.feel_wind()) {
+    const auto figure = [](double value) {
+      return to_text(Duration::seconds(std::round(10 * value) / 10));
+    };
+    out_.notice("the wind is felt to be " + figure(wind->speed) + " m/s towards " +
+                figure(wind->toward * 180 / M_PI) + " degrees north of east");
+  }
+  return newly;
 }
 
 }  // namespace skein::supervisor

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commitment/joint_tasks.hpp"
+
+#include "skein/foundation/rounded_seconds.hpp"
+
+namespace skein::supervisor {
+
+void JointTasks::load(const Entry& entry) {
+  joints_[entry.task.id] = {};
+  LoadJointTask request;
+  request.task = entry.task;
+  const MissionTime first = entry.dates.earliest_start;
+  for (const MissionTime last : {entry.dates.latest_start, entry.window.latest_start}) {
+    const mission::Interval one{first - MissionTime(), last - MissionTime()};
+    if (request.preferences.empty() || !(request.preferences.back() == one)) {
+      request.preferences.push_back(one);
+    }
+  }
+  out_.decide({"4 load joint task", "commitment", "task " + to_text(entry.task.id),
+               "starts between " + in_seconds(entry.dates.earliest_start) + " and " +
+                   in_seconds(entry.dates.latest_start),
+               now()});
+  out_.add(std::move(request));
+}
+
+void JointTasks::report(TaskId id, const std::string& why) {
+  out_.send(executive::FunctionalStatus{id, TaskState::kAborted, why});
+}
+
+void JointTasks::due(const JointTaskDue& input) {
+  const auto found = joints_.find(input.task);
+  if (found == joints_.end()) {
+    return report(input.task, "the supervisor does not know this joint task");
+  }
+  Joint& joint = found->second;
+  if (joint.loaded) return;
+  if (input.interrupt) return report(input.task, "interrupted before it was loaded");
+  joint.due = true;
+  if (joint.answered) report(input.task, joint.why);
+}
+
+bool JointTasks::answered(const JointTaskAnswered& input) {
+  const auto found = joints_.find(input.task);
+  Entry* entry = book_.find(input.task);
+  if (found == joints_.end() || entry == nullptr || entry->over()) return false;
+  Joint& joint = found->second;
+  joint.answered = true;
+  joint.loaded = input.loaded;
+  joint.why = input.why;
+  if (!input.loaded) {
+    if (joint.due) report(input.task, joint.why);
+    return false;
+  }
+  entry->task.time.start_after = MissionTime() + input.agreed.least;
+  if (input.agreed.most != Duration::max()) {
+    entry->task.time.start_before = MissionTime() + input.agreed.most;
+  }
+  return true;
+}
+
+}  // namespace skein::supervisor

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Air that is closed: across a way, where a task keeps the UAV, or around it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "book/own_goals.hpp"
+#include "commitment/committer.hpp"
+#include "jobs/agenda.hpp"
+#include "watch/beliefs.hpp"
+
+namespace skein::supervisor {
+
+/// Lifetime: refers to its arguments.
+class AirWatch {
+ public:
+  AirWatch(const Beliefs& beliefs, OwnGoals& own_goals, Committer& committer, Agenda& agenda,
+           Outbox& out, Book& book);
+
+  /// Every goal that would meet closed air is stopped; the first of them counts as failed. A UAV in
+  /// closed air stops all that it does and leaves first.
+  void check(const std::string& cause);
+  /// Likewise, when air is to close so soon that what is in it must leave.
+  void watch();
+  /// The next instant at which it is.
+  std::optional<MissionTime> next_closing() const;
+
+ private:
+  MissionTime now() const { return out_.now(); }
+  bool is_met(const Entry& entry, const world::Volume& volume) const;
+  bool goes_through(const Entry& entry, const world::Volume& volume) const;
+  bool stays_in(const Entry& entry, const world::Volume& volume) const;
+  const world::Volume* met_by(const Entry& entry) const;
+  const world::Volume* closed_around() const;
+  bool is_leaving() const;
+  bool is_nearly_down() const;
+  std::vector<GoalId> goals_met(std::string& what) const;
+
+  const Beliefs& beliefs_;
+  OwnGoals& own_goals_;
+  Committer& committer_;
+  Agenda& agenda_;
+  Outbox& out_;
+  Book& book_;
+  MissionTime watched_;  ///< closings before this have been dealt with
+};
+
+}  // namespace skein::supervisor

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// In the air the UAV has a task, or it is said that it has none.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "commitment/committer.hpp"
+#include "jobs/agenda.hpp"
+#include "watch/beliefs.hpp"
+
+namespace skein::supervisor {
+
+/// Waits where there is nothing to do. Lifetime: refers to its arguments.
+class SafeMode {
+ public:
+  SafeMode(Duration horizon, const Beliefs& beliefs, const Agenda& agenda, Committer& committer,
+           Outbox& out, const Book& book);
+
+  /// A task is under way or begins at once; else it waits in safe mode until what the executive has
+  /// may begin, unless that is soon.
+  void keep();
+  /// A wait was refused or aborted: none before.
+  void pause_until(MissionTime at) { again_ = at; }
+  void hurry() { again_.reset(); }
+  bool pauses() const { return again_ && out_.now() < *again_; }
+  std::optional<MissionTime> paused_until() const { return again_; }
+  /// What was said of a UAV without a task is said again.
+  void forget_told() { told_ = false; }
+
+ private:
+  MissionTime now() const { return out_.now(); }
+  void tell(const std::string& what);
+  std::string why_idle() const;
+  std::string begins_from(GoalId id) const;
+
+  Duration horizon_;
+  const Beliefs& beliefs_;
+  const Agenda& agenda_;
+  Committer& committer_;
+  Outbox& out_;
+  const Book& book_;
+  bool told_ = false;                 ///< that it flies and has nothing to do
+  std::optional<MissionTime> again_;  ///< no safe wait before
+};
+
+}  // namespace skein::supervisor

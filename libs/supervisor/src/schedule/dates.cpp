@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schedule/dates.hpp"
+
+#include <algorithm>
+
+#include "skein/foundation/rounded_seconds.hpp"
+
+namespace skein::supervisor {
+
+namespace {
+
+constexpr Duration kTick = Duration::milliseconds(1);
+
+}  // namespace
+
+// ---- the network ----
+
+void Dates::update(MissionTime now) {
+  network_.update(open_views(), now);
+  for (const auto& [id, window] : schedule().dates) {
+    Entry& entry = book_.tasks.at(id);
+    entry.window = window;
+    entry.dates = schedule().foreseen.at(id);
+  }
+}
+
+bool Dates::fits(const mission::ElementaryPlan& plan, const std::set<TaskId>& withdrawn,
+                 MissionTime now) {
+  std::vector<TaskView> views;
+  for (const TaskId id : book_.in_hand()) {
+    const Entry& entry = book_.tasks.at(id);
+    if (withdrawn.count(id) == 0) views.push_back({&entry.task, entry.seen});
+  }
+  for (const mission::ElementaryTask& task : plan.tasks) views.push_back({&task, {}});
+  std::sort(views.begin(), views.end(),
+            [](const TaskView& a, const TaskView& b) { return a.task->id < b.task->id; });
+  relate(views, book_.bounds());
+  network_.update(views, now);
+  return controllable();
+}
+
+std::string Dates::extent() const {
+  const std::string first = in_seconds(schedule().earliest_end);
+  if (schedule().latest_end == MissionTime::max()) return "ends from " + first + " on";
+  return "ends between " + first + " and " + in_seconds(schedule().latest_end);
+}
+
+std::vector<TaskView> Dates::open_views() const {
+  std::vector<TaskView> views;
+  views.reserve(book_.tasks.size());
+  for (const auto& [id, entry] : book_.tasks) {
+    if (book_.counts(entry)) views.push_back({&entry.task, entry.seen});
+  }
+  relate(views, book_.bounds());
+  return views;
+}
+
+std::vector<Hold> Dates::holds_of(TaskId task) const {
+  std::vector<Hold> result;
+  const auto found = schedule().holds.find(task);
+  if (found == schedule().holds.end()) return result;
+  for (const Hold& hold : found->second) {
+    const Entry* on = book_.find(hold.on);
+    const bool nameable = hold.on == TaskId() || (on != nullptr && on->given);
+    result.push_back(nameable ? hold : Hold{TaskId(), MissionTime::max()});
+  }
+  return result;
+}
+
+std::vector<TaskId> Dates::renew_holds(MissionTime now) {
+  std::vector<TaskId> changed;
+  if (!controllable()) return changed;
+  const auto unmet = [&](std::vector<Hold> holds) {
+    const auto met = [&](const Hold& hold) {
+      const Entry* on = book_.find(hold.on);
+      return hold.until <= now || (on != nullptr && on->over());
+    };
+    holds.erase(std::remove_if(holds.begin(), holds.end(), met), holds.end());
+    return holds;
+  };
+  for (auto& [id, entry] : book_.tasks) {
+    if (!entry.in_hand() || entry.seen.started || entry.by_others) continue;
+    std::vector<Hold> holds = holds_of(id);
+    if (unmet(holds) != unmet(entry.holds)) changed.push_back(id);
+    entry.holds = std::move(holds);
+  }
+  return changed;
+}
+
+// ---- promises ----
+
+void Dates::promise() {
+  for (auto& [id, entry] : book_.tasks) {
+    if (!book_.counts(entry)) continue;
+    entry.promised = entry.dates;
+    entry.late = false;
+  }
+}
+
+bool Dates::keeps_promises(Duration tolerance) const {
+  return std::all_of(book_.tasks.begin(), book_.tasks.end(), [&](const auto& one) {
+    const Entry& entry = one.second;
+    if (!book_.counts(entry)) return true;
+    const mission::TaskDates &now = entry.dates, &then = entry.promised;
+    const bool start =
+        entry.seen.started || (now.earliest_start + tolerance >= then.earliest_start &&
+                               now.latest_start <= then.latest_start + tolerance);
+    return start && now.latest_end <= then.latest_end + tolerance;
+  });
+}
+
+// ---- what should have been seen by now ----
+
+bool Dates::is_overdue(const Entry& entry, MissionTime now) const {
+  const bool nature = !ends_by_order(entry.task) && entry.task.duration.most != Duration::max();
+  return nature && entry.under_way() && !entry.overdue &&
+         now >= *entry.seen.started + entry.task.duration.most + grace_;
+}
+
+// When a task that has not started should have: what was foreseen, or the network, says so.
+MissionTime Dates::late_from(const Entry& entry) const {
+  return std::min(entry.dates.latest_start + grace_, entry.window.latest_start + kTick);
+}
+
+bool Dates::is_late(const Entry& entry, MissionTime now) const {
+  return book_.counts(entry) && !entry.seen.started && !entry.late && now >= late_from(entry);
+}
+
+Dates::Slips Dates::slips(MissionTime now) {
+  Slips result;
+  const auto add = [&](TaskId id, const char* what, MissionTime expected) {
+    result.what += (result.what.empty() ? "task " : "; task ") + to_text(id) + what +
+                   in_seconds(now - expected);
+  };
+  for (auto& [id, entry] : book_.tasks) {
+    if (!is_overdue(entry, now)) continue;
+    entry.overdue = true;
+    add(id, " overdue by ", *entry.seen.started + entry.task.duration.most);
+  }
+  const bool by_another = !result.what.empty();
+  for (auto& [id, entry] : book_.tasks) {
+    if (is_late(entry, now)) {
+      entry.late = true;
+      if (!by_another)
+        add(id, " late by ", std::min(entry.dates.latest_start, entry.window.latest_start));
+    }
+    if (entry.late && !by_another) result.late.push_back(id);
+  }
+  return result;
+}
+
+void Dates::keep_told(const std::vector<TaskId>& late) {
+  for (const TaskId id : late) book_.tasks.at(id).late = true;
+}
+
+std::optional<MissionTime> Dates::next_slip(MissionTime now) const {
+  std::optional<MissionTime> next;
+  const auto count = [&](MissionTime at) {
+    if (at > now && at != MissionTime::max()) next = earliest(next, at);
+  };
+  for (const auto& [id, entry] : book_.tasks) {
+    if (!book_.counts(entry)) continue;
+    if (entry.seen.started && !entry.overdue && !ends_by_order(entry.task))
+      count(*entry.seen.started + entry.task.duration.most + grace_);
+    if (!entry.seen.started && !entry.late) count(late_from(entry));
+  }
+  return next;
+}
+
+}  // namespace skein::supervisor

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is seen of tasks: they start, end, are lost, are refused.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "requests/hand_over.hpp"
+#include "watch/contingencies.hpp"
+#include "watch/refusals.hpp"
+
+namespace skein::supervisor {
+
+/// Lifetime: refers to what it works with.
+class Observer {
+ public:
+  struct Rooms {
+    const HandOver& hand_over;
+    SafeMode& safe_mode;
+    Contingencies& contingencies;
+    Committer& committer;
+    Dates& dates;
+    Beliefs& beliefs;
+    Agenda& agenda;
+    Outbox& out;
+    Book& book;
+  };
+  /// `grace`: by how much less than its least a task may take.
+  Observer(const Rooms& rooms, Duration grace);
+
+  void see(const executive::TaskEvent& event);
+  /// A request of ours was answered.
+  void see(const executive::Reply& reply);
+  /// A state of the vehicle. Returns the devices that worked so far.
+  std::set<std::string> see(const VehicleSeen& seen);
+
+ private:
+  MissionTime now() const { return out_.now(); }
+  bool engaged() const { return hand_over_.engaged(); }
+  void see(Entry& entry, const executive::TaskEvent& event);
+  void see_loose(const executive::TaskEvent& event);
+  void see_started(Entry& entry);
+  void see_ended(Entry& entry);
+  void see_aborted(Entry& entry);
+  void settle_done(Entry& entry);
+  void refused(const Entry& entry, const std::string& what);
+  void pause_need(const Entry& entry, int refused);
+  Duration retry_after(const Loose& loose, const std::string& why);
+  void tell_beside_its_times(const Entry& entry, bool ends);
+  void tell_progress(GoalId id);
+  void follow_ways(const world::Vector3& position);
+  bool was_stopped_in_time(const Entry& entry) const;
+  bool follows_lost_task(const Entry& entry) const;
+
+  const HandOver& hand_over_;
+  SafeMode& safe_mode_;
+  Contingencies& contingencies_;
+  Committer& committer_;
+  Dates& dates_;
+  Beliefs& beliefs_;
+  Agenda& agenda_;
+  Outbox& out_;
+  Book& book_;
+  Duration grace_;
+  Refusals refusals_;
+};
+
+}  // namespace skein::supervisor
