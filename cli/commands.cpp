@@ -11,6 +11,7 @@
 #include "argument_checks.hpp"
 #include "live_commands.hpp"
 #include "mastn_commands.hpp"
+#include "model_commands.hpp"
 #include "plan_commands.hpp"
 #include "refine_commands.hpp"
 #include "skein/foundation/exit_code.hpp"
@@ -96,6 +97,7 @@ void add_commands(CLI::App& app, Action& action, const LiveActions& live) {
   add_mle(app, action);
   add_plan(app, action);
   add_mastn(app, action);
+  add_model(app, action);
   add_stn(app, action);
   add_refine(app, action, live);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/mle_tool/mle.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <istream>
 #include <iterator>
@@ -10,37 +9,11 @@
 #include "line.hpp"
 #include "skein/executive/executive.hpp"
 #include "skein/foundation/diagnostics.hpp"
+#include "skein/trace_lines/read_lines.hpp"
 
 namespace skein::mle_tool {
 
 namespace {
-
-constexpr std::size_t kLongestLine = 1 << 20;  // [bytes]
-
-enum class Got { kLine, kTooLong, kEnd, kFailed };
-
-// A line of any length is read; of one that is too long only the beginning is kept. What cannot be
-// read (a directory) shows as an exception of the stream buffer.
-Got get_line(std::istream& in, std::string& line) {
-  using Traits = std::char_traits<char>;
-  line.clear();
-  std::size_t length = 0;
-  try {
-    std::streambuf* buffer = in.rdbuf();
-    int c = buffer->sbumpc();
-    if (c == Traits::eof()) return Got::kEnd;
-    for (; c != Traits::eof() && c != '\n'; c = buffer->sbumpc()) {
-      if (++length <= kLongestLine) line.push_back(Traits::to_char_type(c));
-    }
-  } catch (const std::ios_base::failure&) {
-    return Got::kFailed;
-  }
-  return length > kLongestLine ? Got::kTooLong : Got::kLine;
-}
-
-bool is_blank(const std::string& line) {
-  return line.find_first_not_of(" \t\r") == std::string::npos;
-}
 
 /// The replay: an executive, the present instant, and where its effects are written.
 class Replay {
@@ -104,23 +77,6 @@ Result<executive::TypeTable, Failure> types_from(const std::string& file) {
   }
 }
 
-// Until the end of the input. Whether all of it could be read.
-bool replay_lines(Replay& replay, std::istream& in, std::ostream& out) {
-  std::string line;
-  std::size_t number = 0;
-  Got got = get_line(in, line);
-  for (; got == Got::kLine || got == Got::kTooLong; got = get_line(in, line)) {
-    ++number;
-    if (got == Got::kTooLong) {
-      replay.wrong(number, "longer than " + std::to_string(kLongestLine) + " bytes");
-    } else if (!is_blank(line)) {
-      replay.line(number, line);
-    }
-    if (in.rdbuf()->in_avail() <= 0) out.flush();
-  }
-  return got == Got::kEnd;
-}
-
 }  // namespace
 
 int run_mle(const MleOptions& options, std::istream& in, std::ostream& out, std::ostream& err) {
@@ -145,7 +101,10 @@ int run_mle(const MleOptions& options, std::istream& in, std::ostream& out, std:
   config.functional_timeout = options.timeout;
   const std::string name = options.input_name.empty() ? "standard input" : options.input_name;
   Replay replay(std::move(config), name, out, err);
-  if (!replay_lines(replay, in, out)) {
+  const bool whole = trace_lines::read_lines(
+      in, out, [&](std::size_t number, const std::string& text) { replay.line(number, text); },
+      [&](std::size_t number, const std::string& why) { replay.wrong(number, why); });
+  if (!whole) {
     err << name << ": cannot be read\n";
     return 2;
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From JSON to inputs of the executive.
-#include "json_reader.hpp"
 #include "line.hpp"
+#include "skein/trace_lines/json_node.hpp"
 
 namespace skein::mle_tool {
 
@@ -33,6 +33,9 @@ using executive::TaskState;
 using executive::TimeIs;
 using executive::TypeTable;
 using executive::UpdateConditions;
+using trace_lines::Json;
+using trace_lines::Node;
+using trace_lines::WrongValue;
 
 namespace {
 
@@ -199,7 +202,7 @@ Input input(const Node& node) {
 }  // namespace
 
 Result<TraceLine, Failure> read_line(std::string_view text) {
-  const Result<Json, Failure> json = parse(text);
+  const Result<Json, Failure> json = trace_lines::parse(text);
   if (!json) return tl::unexpected<Failure>(json.error());
   try {
     const Node node(*json, "");
@@ -213,7 +216,7 @@ Result<TraceLine, Failure> read_line(std::string_view text) {
 }
 
 Result<TypeTable, Failure> read_types(std::string_view text) {
-  const Result<Json, Failure> json = parse(text);
+  const Result<Json, Failure> json = trace_lines::parse(text);
   if (!json) return tl::unexpected<Failure>(json.error());
   try {
     const Node node(*json, "");

@@ -70,6 +70,11 @@ void Reader::error(std::string message, std::string expected, std::string neares
       {file_, line_, column_, path_, std::move(message), std::move(expected), std::move(nearest)});
 }
 
+const Value& Reader::value() const {
+  static const Value nothing;
+  return value_ != nullptr ? *value_ : nothing;
+}
+
 bool Reader::keys(std::initializer_list<const char*> keys) const {
   if (!present()) return false;
   if (!is_map()) {

@@ -22,6 +22,16 @@ std::string reported(const std::string& text, const std::function<void(const Rea
   return to_text(diagnostics);
 }
 
+TEST(Reader, GivesTheValueAsItWasParsedAndNothingForAnAbsentOne) {
+  const auto value = parse_yaml("a: {b: \"x\"}", "f.yaml");
+  Diagnostics problems;
+  const Reader root(*value, "f.yaml", problems);
+
+  EXPECT_TRUE(root.optional("a").value().find("b")->quoted);
+  EXPECT_EQ(root.optional("c").value().kind, Value::Kind::kNull);
+  EXPECT_TRUE(problems.empty());
+}
+
 TEST(Reader, ReadsWhatIsThere) {
   const auto report = reported("{n: 2.5, i: -3, s: abc, b: true, l: [1, 2]}", [](const Reader& r) {
     EXPECT_EQ(r.required("n").number(), 2.5);

@@ -35,6 +35,8 @@ class Reader {
   bool is_map() const { return present() && value_->kind == Value::Kind::kMap; }
   bool is_sequence() const { return present() && value_->kind == Value::Kind::kSequence; }
   bool is_scalar() const { return present() && value_->kind == Value::Kind::kScalar; }
+  /// As it was parsed, for what is kept without being understood here; nothing if absent.
+  const Value& value() const;
   const std::string& path() const { return path_; }
   const std::string& file() const { return file_; }
   /// From 1; of the nearest value above if this one is absent.

@@ -13,11 +13,11 @@
 #include "skein/foundation/result.hpp"
 #include "skein/foundation/time.hpp"
 
-namespace skein::mle_tool {
+namespace skein::trace_lines {
 
 using Json = nlohmann::json;
 
-/// Thrown inside the reader only; read_line() and read_types() turn it into a Failure.
+/// Thrown inside the reader only; who reads lines turns it into a Failure.
 struct WrongValue {
   std::string why;
 };
@@ -53,4 +53,4 @@ class Node {
 /// A whole document; the nesting is bounded and no object has a key twice.
 Result<Json, Failure> parse(std::string_view text);
 
-}  // namespace skein::mle_tool
+}  // namespace skein::trace_lines

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "json_reader.hpp"
+#include "skein/trace_lines/json_node.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "skein/foundation/nearest.hpp"
 
-namespace skein::mle_tool {
+namespace skein::trace_lines {
 
 namespace {
 
@@ -146,4 +146,4 @@ Result<Json, Failure> parse(std::string_view text) {
   }
 }
 
-}  // namespace skein::mle_tool
+}  // namespace skein::trace_lines

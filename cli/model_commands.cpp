@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model_commands.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "argument_checks.hpp"
+#include "skein/foundation/exit_code.hpp"
+#include "skein/model_tool/run_model.hpp"
+
+namespace skein::cli {
+
+namespace {
+
+using Action = std::function<int()>;
+
+constexpr const char* kExamples = R"(
+Examples:
+  skein model run automaton.json --until 900 < trace.jsonl
+Formats and how to write a model: docs/interaction.md. Exit codes: 0 done, 1 some line of a trace was
+refused, 2 wrong files or options.)";
+
+struct RunArguments {
+  model_tool::RunOptions options;
+  std::string trace;
+  std::optional<double> until;
+};
+
+int run(RunArguments arguments) {
+  if (arguments.until) arguments.options.until = MissionTime::seconds(*arguments.until);
+  if (arguments.trace.empty() || arguments.trace == "-") {
+    return model_tool::run_model(arguments.options, std::cin, std::cout, std::cerr);
+  }
+  std::ifstream in(arguments.trace);
+  if (!in) {
+    std::cerr << arguments.trace << ": cannot be read\n";
+    return kExitBadInput;
+  }
+  arguments.options.input_name = arguments.trace;
+  return model_tool::run_model(arguments.options, in, std::cout, std::cerr);
+}
+
+void add_run(CLI::App* model, Action& action) {
+  auto arguments = std::make_shared<RunArguments>();
+  CLI::App* command =
+      model->add_subcommand("run", "Play a trace through the execution automaton of a role");
+  command->add_option("automaton", arguments->options.automaton, "YAML or JSON")->required();
+  command->add_option("trace", arguments->trace, "JSON lines (default: standard input)");
+  command->add_option("--until", arguments->until, "Play on up to this instant [s]")
+      ->check(finite_problem);
+  command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace
+
+void add_model(CLI::App& app, std::function<int()>& action) {
+  CLI::App* model = app.add_subcommand("model", "Check, draw and play interaction models");
+  model->require_subcommand(1);
+  model->footer(kExamples);
+  add_run(model, action);
+}
+
+}  // namespace skein::cli

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// The engine in three layers: what is the case (states, messages, instants), who has to be looked
+// at, and what is done then.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compiled.hpp"
+#include "skein/interaction/engine.hpp"
+#include "truth.hpp"
+
+namespace skein::interaction {
+
+class Engine::Core {
+ public:
+  explicit Core(std::shared_ptr<const Automaton> automaton);
+
+  Result<Effects, Failure> handle(const Input& input, MissionTime now);
+  std::optional<MissionTime> next_wakeup() const;
+  ComponelState state(ComponelIndex componel) const { return entries_[componel].state; }
+  bool is_over() const { return over_; }
+  const Automaton& automaton() const { return *automaton_; }
+
+ private:
+  /// Where a block is; other componels are always out.
+  enum class Place : std::uint8_t { kOut, kInactive, kActive };
+  /// What a block becomes when all its content is over.
+  enum class Leaving : std::uint8_t { kNot, kToAborted, kToEnded, kToRestart };
+
+  struct Entry {
+    ComponelState state = ComponelState::kNone;
+    Place place = Place::kOut;
+    Leaving leaving = Leaving::kNot;
+    bool stopping = false;          ///< its content is being told to stop, one after the other
+    std::size_t open = 0;           ///< how many of its content are not over
+    std::uint64_t entered = 0;      ///< the step in which it became inactive
+    std::set<std::string> pending;  ///< messages
+    MissionTime restarted;          ///< when it last began anew
+    int restarts = 0;               ///< how often at that instant
+    /// When it came to each AskedState, in this activation of its parent.
+    std::array<std::optional<MissionTime>, 6> since;
+  };
+  /// Blocks to look at, in document order.
+  using Ripe = std::set<ComponelIndex>;
+
+  const Block& block(ComponelIndex index) const { return *(*automaton_)[index].block(); }
+  const Formula& formula(Watch watch) const;
+  bool listens(Watch watch) const;
+  void emit(Effect::What what) { effects_.push_back({now_, std::move(what)}); }
+
+  // What is the case (engine_facts.cpp).
+  std::optional<std::string> refusal(const Input& input, MissionTime now) const;
+  std::optional<MissionTime> instant(const TimeIs& is) const;
+  Truth truth(const Literal& literal, const Entry& block) const;
+  Truth truth(Watch watch) const;
+  bool continues(ComponelIndex loop) const;
+  void set_state(ComponelIndex componel, ComponelState state);
+  void forget(ComponelIndex componel);
+  void look_again(Watch watch);
+  void arm(Watch watch);
+  void disarm(Watch watch);
+  void set_timer(std::size_t timer);
+  void clear_timer(std::size_t timer);
+  void pass_until(MissionTime now);
+  void hear(const std::string& message);
+  void read(Watch watch);
+
+  // What is done (engine_core.cpp).
+  void apply(const Input& input);
+  void run_cycles();
+  template <class Visit>
+  bool step(Ripe& ripe, const Visit& visit);
+  bool leave_inactive(ComponelIndex block);
+  bool leave_active(ComponelIndex block);
+  bool enter_active(ComponelIndex block);
+  void make_inactive(ComponelIndex block);
+  void activate(ComponelIndex block);
+  void begin_content(ComponelIndex block);
+  void drop(ComponelIndex block);
+  void deactivate(ComponelIndex block);
+  void leave(ComponelIndex block, Leaving to);
+  void stop_content(ComponelIndex block);
+  void content_over(ComponelIndex block);
+  void restart(ComponelIndex block);
+  void finish(ComponelIndex block, ComponelState state);
+  void one_over(ComponelIndex componel);
+  void change_status(ComponelIndex componel, Status::Word word);
+  void abort_model(std::string why);
+
+  std::shared_ptr<const Automaton> automaton_;
+  Compiled compiled_;
+  std::vector<Entry> entries_;
+  Ripe inactive_exits_, active_exits_, preconditions_;
+  std::set<std::pair<MissionTime, std::size_t>> agenda_;  ///< instants to come, with their timers
+  std::vector<std::optional<MissionTime>> armed_;         ///< of each timer, its place there
+  std::optional<MissionTime> started_;
+  MissionTime now_ = MissionTime::nanoseconds(std::numeric_limits<std::int64_t>::min());
+  std::uint64_t step_ = 1;
+  bool over_ = false;
+  std::string abort_reason_;
+  Effects effects_;
+};
+
+}  // namespace skein::interaction
