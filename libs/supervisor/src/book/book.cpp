@@ -43,12 +43,12 @@ bool Book::has_in_hand(GoalId goal) const {
 bool Book::is_wholly_given(GoalId goal) const {
   const auto all = of(goal);
   return !all.empty() &&
-         std::all_of(all.begin(), all.end(), [](const Entry* one) { return one->given; });
+         std::all_of(all.begin(), all.end(), [](const Entry* one) { return one->given(); });
 }
 
 bool Book::is_given(GoalId goal) const {
   return std::any_of(tasks.begin(), tasks.end(), [goal](const auto& one) {
-    return one.second.task.origin == goal && one.second.live() && one.second.given;
+    return one.second.task.origin == goal && one.second.live() && one.second.given();
   });
 }
 
@@ -61,14 +61,14 @@ bool Book::was_begun(GoalId goal) const {
 bool Book::has_lost(GoalId goal) const {
   const auto all = of(goal);
   return std::any_of(all.begin(), all.end(),
-                     [](const Entry* one) { return one->over() && !one->done; });
+                     [](const Entry* one) { return one->over() && !one->done(); });
 }
 
 bool Book::is_planned(GoalId goal) const {
   bool any = false;
   for (const auto& [id, entry] : tasks) {
     if (entry.task.origin != goal || !entry.live()) continue;
-    if (entry.given) return false;
+    if (entry.given()) return false;
     any = true;
   }
   return any;
@@ -102,7 +102,7 @@ Standing Book::standing(const std::set<TaskId>& but) const {
 bool Book::counts(const Entry& entry) const {
   if (!entry.live() || entry.over()) return false;
   const GoalState state = goals.at(entry.task.origin).state;
-  return entry.given || (state != GoalState::kHandedOver && !is_settled(state));
+  return entry.given() || (state != GoalState::kHandedOver && !is_settled(state));
 }
 
 std::vector<mission::ElementaryTask> Book::open_tasks() const {
@@ -163,7 +163,7 @@ std::set<TaskId> Book::ending_by_order() const {
 std::set<GoalId> Book::falling_with(std::set<GoalId> falling) const {
   const auto is_lost = [&](const Entry& entry, const mission::Dependence& on) {
     const Entry* other = find(on.task);
-    return depends_on(entry.task, on.task) && other != nullptr && !other->done &&
+    return depends_on(entry.task, on.task) && other != nullptr && !other->done() &&
            (falling.count(other->task.origin) != 0 || other->over());
   };
   for (bool grew = true; grew;) {
@@ -186,9 +186,9 @@ std::set<TaskId> Book::loose_motion(TaskId next) const {
     if (one.holds_vehicle) result.insert(id);
   }
   for (const auto& [id, entry] : tasks) {
-    if (!entry.given || entry.over() || !holds_vehicle(entry.task)) continue;
+    if (!entry.given() || entry.over() || !holds_vehicle(entry.task)) continue;
     const bool waits = entry.task.open_ended && id < next;
-    if (entry.withdrawn || entry.by_others || waits) result.insert(id);
+    if (!entry.live() || entry.by_others || waits) result.insert(id);
   }
   return result;
 }
@@ -196,7 +196,7 @@ std::set<TaskId> Book::loose_motion(TaskId next) const {
 std::set<TaskId> Book::loose_users_of(const std::string& device) const {
   std::set<TaskId> result;
   for (const auto& [id, entry] : tasks) {
-    if (!entry.given || entry.over() || !(entry.withdrawn || entry.by_others)) continue;
+    if (!entry.given() || entry.over() || !(!entry.live() || entry.by_others)) continue;
     const auto devices = devices_of(entry.task);
     if (std::find(devices.begin(), devices.end(), device) != devices.end()) result.insert(id);
   }
@@ -206,7 +206,7 @@ std::set<TaskId> Book::loose_users_of(const std::string& device) const {
 std::vector<const Entry*> Book::waits_for_orders() const {
   std::vector<const Entry*> result;
   for (const auto& [id, entry] : tasks) {
-    if (entry.in_hand() && entry.task.open_ended && !entry.ordered) result.push_back(&entry);
+    if (entry.in_hand() && entry.task.open_ended && !entry.ordered()) result.push_back(&entry);
   }
   return result;
 }
@@ -229,7 +229,7 @@ bool Book::is_due(const Entry& entry) const {
 bool Book::has_occupation(MissionTime soon) const {
   const bool occupied = std::any_of(tasks.begin(), tasks.end(), [&](const auto& one) {
     const Entry& entry = one.second;
-    const bool goes_on = entry.given && !entry.over() && !entry.stopping;
+    const bool goes_on = entry.given() && !entry.over() && !entry.stopping();
     if (!goes_on || entry.seen.started) return goes_on;
     const bool begins = entry.by_others || entry.dates.earliest_start <= soon;
     return begins && (holds_vehicle(entry.task) || is_due(entry));
@@ -274,7 +274,7 @@ std::vector<TaskId> Book::withdraw(const std::set<GoalId>& from) {
     Entry& entry = it->second;
     if (from.count(entry.task.origin) == 0 || !entry.live()) continue;
     if (entry.in_hand()) result.push_back(it->first);
-    entry.withdrawn = true;
+    entry.advance(Step::kWithdraw);
   }
   return result;
 }
@@ -300,16 +300,6 @@ void Book::reorder(const std::vector<GoalId>& wanted) {
   order = std::move(first);
   order.insert(order.end(), wanted.begin(), wanted.end());
   order.insert(order.end(), last.begin(), last.end());
-}
-
-double energy_share(const Entry& entry, MissionTime now) {
-  if (entry.over()) return 0;
-  if (!entry.seen.started) return 1;
-  const mission::Interval& d = entry.task.duration;
-  const double most = d.most == Duration::max() ? d.least.to_seconds() : d.most.to_seconds();
-  const double mean = (d.least.to_seconds() + most) / 2;
-  if (mean <= 0) return 1;
-  return std::clamp(1 - (now - *entry.seen.started).to_seconds() / mean, 0.0, 1.0);
 }
 
 }  // namespace skein::supervisor

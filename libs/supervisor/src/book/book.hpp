@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "book/entry.hpp"
 #include "flight/whereabouts.hpp"
 #include "skein/mission/autonomy.hpp"
 #include "skein/mission/elementary_plan.hpp"
@@ -15,7 +16,6 @@
 
 namespace skein::supervisor {
 
-using executive::TaskId;
 using executive::TaskState;
 using mission::GoalId;
 using mission::GoalState;
@@ -33,35 +33,6 @@ struct Goal {
   /// Planned to need no tasks: it is true when its turn comes, if the vehicle is there.
   std::optional<Whereabouts> true_at;
   MissionTime settled;  ///< when, of one that is
-};
-
-/// An elementary task of a goal.
-struct Entry {
-  mission::ElementaryTask task;
-  mission::TaskDates window;    ///< what is outside breaks the network
-  mission::TaskDates dates;     ///< foreseen now
-  mission::TaskDates promised;  ///< foreseen when the plan was made or last shifted
-  TaskState state = TaskState::kScheduled;
-  Observation seen;
-  std::optional<MissionTime> running;               ///< since when
-  world::Vector3 seen_at = world::Vector3::Zero();  ///< where the vehicle was then
-  std::size_t passed = 0;   ///< way-points behind the first, of the motion it perceives along
-  bool lost = false;        ///< to somebody else: nobody saw what became of it
-  std::string why;          ///< of its interruption
-  std::vector<Hold> holds;  ///< as the executive was told
-  bool given = false;       ///< the executive has it
-  bool by_others = false;   ///< given by somebody else, with conditions of their own
-  bool withdrawn = false;   ///< no longer counts for its goal: told to stop, or made anew
-  bool stopping = false;    ///< we told the executive to abort it
-  bool ordered = false;     ///< open-ended, and ended by orders
-  bool done = false;        ///< over as it should be
-  bool overdue = false;     ///< that it is has been dealt with
-  bool late = false;        ///< likewise, that it has not started
-
-  bool over() const { return seen.over.has_value(); }
-  bool live() const { return !withdrawn; }
-  bool in_hand() const { return given && live() && !over(); }
-  bool under_way() const { return in_hand() && seen.started.has_value(); }
 };
 
 /// A task of the executive that is of no goal: a safe wait, or somebody else's.
@@ -149,8 +120,5 @@ class Book {
   /// Settled ones first, then `wanted`, then what `wanted` does not name, as it was.
   void reorder(const std::vector<GoalId>& wanted);
 };
-
-/// Fraction of its expected use that a task has still to take. Range: [0, 1].
-double energy_share(const Entry& entry, MissionTime now);
 
 }  // namespace skein::supervisor

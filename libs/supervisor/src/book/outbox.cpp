@@ -84,7 +84,7 @@ void Outbox::publish() {
   for (const GoalId id : book_.order) report.goals.push_back(status_of(book_.goals.at(id)));
   for (const auto& [id, entry] : book_.tasks) {
     if (!entry.live() || settled(entry.task.origin)) continue;
-    report.tasks.push_back({entry.task, dates_of(entry), entry.given});
+    report.tasks.push_back({entry.task, dates_of(entry), entry.given()});
   }
   if (report.tasks == report_.tasks && report.goals == report_.goals) return;
   report.revision = report_.revision + 1;

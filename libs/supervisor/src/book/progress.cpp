@@ -23,7 +23,7 @@ struct Span {
 std::optional<Span> ran(const Entry& entry, std::optional<MissionTime> until) {
   const auto from = entry.running ? entry.running : entry.seen.started;
   const auto over = entry.seen.over ? entry.seen.over : until;
-  if (!from || !over || entry.lost) return std::nullopt;
+  if (!from || !over || entry.unseen) return std::nullopt;
   return Span{*from, *over};
 }
 
@@ -46,8 +46,8 @@ class Account {
     const executive::Parameter* device = task.parameters.find("device");
     if (device != nullptr) add_look(entry, *span, device->text);
     if (task.type == "wait") done.waited = done.waited + span->length();
-    if (task.synchronisation && entry.done) done.synchronised.insert(task.synchronisation->id);
-    if (!task.way.empty() && entry.done) done.reached.push_back(task.way.back());
+    if (task.synchronisation && entry.done()) done.synchronised.insert(task.synchronisation->id);
+    if (!task.way.empty() && entry.done()) done.reached.push_back(task.way.back());
   }
 
   Progress done;
@@ -63,7 +63,7 @@ class Account {
     const Entry* along = flown_along(book_, entry);
     if (along == nullptr) return;
     const auto& way = along->task.way;
-    const std::size_t passed = entry.done ? way.size() : std::min(entry.passed, way.size());
+    const std::size_t passed = entry.done() ? way.size() : std::min(entry.passed, way.size());
     const auto rest = way.begin() + static_cast<std::ptrdiff_t>(passed);
     done.rest = Progress::Rest{device, {rest, way.end()}};
   }

@@ -99,7 +99,7 @@ mission::ElementaryTask Committer::as_given(const mission::ElementaryTask& task)
   auto& on = result.dependences;
   const auto unknown = [this](const Dependence& one) {
     const Entry* other = book_.find(one.task);
-    return (other == nullptr || !other->given) && book_.loose.count(one.task) == 0 &&
+    return (other == nullptr || !other->given()) && book_.loose.count(one.task) == 0 &&
            book_.forgotten.count(one.task) == 0;
   };
   on.erase(std::remove_if(on.begin(), on.end(), unknown), on.end());
@@ -120,7 +120,7 @@ void Committer::give(GoalId goal) {
   for (const Entry* one : book_.of(goal)) {
     Entry& entry = book_.tasks.at(one->task.id);
     tasks.push_back(as_given(entry.task));
-    entry.given = true;
+    entry.advance(Step::kGive);
     ids.push_back(entry.task.id);
     windows[entry.task.id] = entry.window;
     if (executive::is_joint(entry.task.type)) joint_tasks_.load(entry);
@@ -143,8 +143,8 @@ void Committer::give(GoalId goal) {
 // Orders have come: waits for them, and safe waits, end.
 void Committer::end_waits(const std::vector<TaskId>& waits) {
   for (auto it = waits.rbegin(); it != waits.rend(); ++it) {
-    book_.find(*it)->ordered = true;
-    stop({*it});
+    book_.tasks.at(*it).advance(Step::kOrder);
+    out_.send(executive::Abort{*it});
   }
   stop_safe_waits();
 }
@@ -158,7 +158,7 @@ std::optional<MissionTime> Committer::end_of_safe_wait() const {
   std::optional<MissionTime> first;
   if (!book_.waits_safely()) return first;
   for (const auto& [id, entry] : book_.tasks) {
-    if (!entry.in_hand() || entry.seen.started || entry.by_others || entry.stopping) continue;
+    if (!entry.in_hand() || entry.seen.started || entry.by_others || entry.stopping()) continue;
     first = earliest(first, entry.dates.earliest_start - safe_wait_ends_within());
   }
   return first;
@@ -180,7 +180,7 @@ void Committer::send_preconditions(const Entry& entry) {
 
 void Committer::stop(const std::vector<TaskId>& tasks) {
   for (const TaskId id : tasks) {
-    book_.tasks.at(id).stopping = true;
+    book_.tasks.at(id).advance(Step::kStop);
     out_.send(executive::Abort{id});
   }
 }

@@ -19,7 +19,7 @@ std::set<GoalId> goals_of(const std::set<TaskId>& tasks, const Book& book) {
 bool all_done(const std::vector<TaskId>& then, const std::vector<TaskId>& now, const Book& book) {
   if (!std::includes(then.begin(), then.end(), now.begin(), now.end())) return false;
   return std::all_of(then.begin(), then.end(), [&](TaskId id) {
-    return std::binary_search(now.begin(), now.end(), id) || book.tasks.at(id).done;
+    return std::binary_search(now.begin(), now.end(), id) || book.tasks.at(id).done();
   });
 }
 

@@ -126,7 +126,7 @@ mission::MissionEstimate Results::estimate(const Evaluation& evaluation,
   result.cost = outcome.plan->cost;
   result.energy = outcome.plan->energy;
   for (const auto& [id, entry] : book_.tasks) {
-    if (!book_.counts(entry) || entry.given) continue;
+    if (!book_.counts(entry) || entry.given()) continue;
     result.cost -= entry.task.cost;
     result.energy -= entry.task.energy;
   }

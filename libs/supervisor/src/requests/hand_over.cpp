@@ -34,7 +34,7 @@ void HandOver::give_up(const Disengage& input) {
   }
   for (const auto& [id, entry] : book_.tasks) {
     const bool open = book_.goals.at(entry.task.origin).state == GoalState::kHandedOver;
-    if (!open || entry.given || !entry.live()) continue;
+    if (!open || entry.given() || !entry.live()) continue;
     executive::Task task = to_start(entry.task, entry.window, by_order).task;
     held.tasks.push_back({std::move(task), TaskState::kScheduled, false, entry.task.origin});
   }
@@ -54,7 +54,7 @@ std::vector<GoalId> HandOver::take_back() {
     if (is_settled(goal.state) || (goal.state != GoalState::kHandedOver && !partly)) continue;
     if (book_.has_in_hand(id) && !book_.has_lost(id)) {
       for (const Entry* entry : book_.of(id)) {
-        if (!entry->given) book_.find(entry->task.id)->withdrawn = true;
+        if (!entry->given()) book_.tasks.at(entry->task.id).advance(Step::kWithdraw);
       }
       const auto tasks = book_.of(id);
       const bool begun = std::any_of(tasks.begin(), tasks.end(), [](const Entry* one) {
@@ -74,10 +74,11 @@ std::vector<GoalId> HandOver::take_back() {
 // What the executive has lost to somebody else.
 void HandOver::forget_but(const std::set<TaskId>& kept) {
   for (auto& [id, entry] : book_.tasks) {
-    if (!entry.given || entry.over() || kept.count(id) != 0) continue;
+    if (!entry.given() || entry.over() || kept.count(id) != 0) continue;
     entry.seen.over = now();
     entry.seen.aborted = true;
-    entry.lost = true;
+    entry.unseen = true;
+    entry.advance(Step::kAbort);
   }
   for (auto it = book_.loose.begin(); it != book_.loose.end();) {
     const bool there = kept.count(it->first) != 0;

@@ -24,14 +24,6 @@ EnergyWatch::EnergyWatch(const Beliefs& beliefs, SafeMode& safe_mode, Committer&
       out_(out),
       book_(book) {}
 
-double energy_to_come(const Entry& entry, const Beliefs& beliefs, const Retreat& retreat,
-                      MissionTime now) {
-  const double expected = entry.task.energy * energy_share(entry, now);
-  const bool flies = entry.task.type == "goto" && !entry.task.way.empty();
-  if (!flies || !entry.under_way()) return expected;
-  return std::max(expected, retreat.flight({beliefs.vehicle().position, entry.task.way.back()}));
-}
-
 Whereabouts EnergyWatch::end_of(const std::vector<mission::ElementaryTask>& tasks) const {
   return after({beliefs_.vehicle().position, beliefs_.vehicle().airborne}, tasks);
 }

@@ -61,7 +61,7 @@ std::vector<Hold> Dates::holds_of(TaskId task) const {
   if (found == schedule().holds.end()) return result;
   for (const Hold& hold : found->second) {
     const Entry* on = book_.find(hold.on);
-    const bool nameable = hold.on == TaskId() || (on != nullptr && on->given);
+    const bool nameable = hold.on == TaskId() || (on != nullptr && on->given());
     result.push_back(nameable ? hold : Hold{TaskId(), MissionTime::max()});
   }
   return result;
@@ -93,7 +93,7 @@ void Dates::promise() {
   for (auto& [id, entry] : book_.tasks) {
     if (!book_.counts(entry)) continue;
     entry.promised = entry.dates;
-    entry.late = false;
+    if (entry.told == Tardiness::kLate) entry.told = Tardiness::kInTime;
   }
 }
 
@@ -113,7 +113,7 @@ bool Dates::keeps_promises(Duration tolerance) const {
 
 bool Dates::is_overdue(const Entry& entry, MissionTime now) const {
   const bool nature = !ends_by_order(entry.task) && entry.task.duration.most != Duration::max();
-  return nature && entry.under_way() && !entry.overdue &&
+  return nature && entry.under_way() && entry.told != Tardiness::kOverdue &&
          now >= *entry.seen.started + entry.task.duration.most + grace_;
 }
 
@@ -123,7 +123,8 @@ MissionTime Dates::late_from(const Entry& entry) const {
 }
 
 bool Dates::is_late(const Entry& entry, MissionTime now) const {
-  return book_.counts(entry) && !entry.seen.started && !entry.late && now >= late_from(entry);
+  return book_.counts(entry) && !entry.seen.started && entry.told != Tardiness::kLate &&
+         now >= late_from(entry);
 }
 
 Dates::Slips Dates::slips(MissionTime now) {
@@ -134,23 +135,23 @@ Dates::Slips Dates::slips(MissionTime now) {
   };
   for (auto& [id, entry] : book_.tasks) {
     if (!is_overdue(entry, now)) continue;
-    entry.overdue = true;
+    entry.told = Tardiness::kOverdue;
     add(id, " overdue by ", *entry.seen.started + entry.task.duration.most);
   }
   const bool by_another = !result.what.empty();
   for (auto& [id, entry] : book_.tasks) {
     if (is_late(entry, now)) {
-      entry.late = true;
+      entry.told = Tardiness::kLate;
       if (!by_another)
         add(id, " late by ", std::min(entry.dates.latest_start, entry.window.latest_start));
     }
-    if (entry.late && !by_another) result.late.push_back(id);
+    if (entry.told == Tardiness::kLate && !by_another) result.late.push_back(id);
   }
   return result;
 }
 
 void Dates::keep_told(const std::vector<TaskId>& late) {
-  for (const TaskId id : late) book_.tasks.at(id).late = true;
+  for (const TaskId id : late) book_.tasks.at(id).told = Tardiness::kLate;
 }
 
 std::optional<MissionTime> Dates::next_slip(MissionTime now) const {
@@ -160,9 +161,9 @@ std::optional<MissionTime> Dates::next_slip(MissionTime now) const {
   };
   for (const auto& [id, entry] : book_.tasks) {
     if (!book_.counts(entry)) continue;
-    if (entry.seen.started && !entry.overdue && !ends_by_order(entry.task))
+    if (entry.seen.started && entry.told != Tardiness::kOverdue && !ends_by_order(entry.task))
       count(*entry.seen.started + entry.task.duration.most + grace_);
-    if (!entry.seen.started && !entry.late) count(late_from(entry));
+    if (!entry.seen.started && entry.told != Tardiness::kLate) count(late_from(entry));
   }
   return next;
 }

@@ -106,9 +106,10 @@ Duration Observer::retry_after(const Loose& loose, const std::string& why) {
 
 void Observer::see(Entry& entry, const executive::TaskEvent& event) {
   if (entry.over()) return;
-  entry.by_others = entry.by_others || !entry.given;
-  entry.given = true;
-  entry.state = event.state;
+  if (!entry.given()) {
+    entry.by_others = true;
+    entry.advance(Step::kGive);
+  }
   if (event.state == TaskState::kRunning && !entry.running) {
     entry.running = now();
     entry.seen_at = beliefs_.vehicle().position;
@@ -158,7 +159,7 @@ void Observer::tell_beside_its_times(const Entry& entry, bool ends) {
 void Observer::see_ended(Entry& entry) {
   tell_beside_its_times(entry, true);
   entry.seen.over = now();
-  entry.done = true;
+  entry.advance(Step::kEnd);
   tell_progress(entry.task.origin);
   if (!entry.live()) return;
   settle_done(entry);
@@ -170,7 +171,7 @@ void Observer::see_ended(Entry& entry) {
     return contingencies_.absorb_or_shift("task " + to_text(entry.task.id) + " early by " +
                                           in_seconds(early));
   }
-  if (entry.overdue) {
+  if (entry.told == Tardiness::kOverdue) {
     committer_.reschedule();
     if (dates_.controllable()) dates_.promise();
   }
@@ -178,14 +179,13 @@ void Observer::see_ended(Entry& entry) {
 
 // Over as it should be: the goal is achieved when all its tasks are.
 void Observer::settle_done(Entry& entry) {
-  entry.done = true;
   refusals_.did(entry.task.type);
   if (entry.task.type == "wait") safe_mode_.hurry();
   const GoalId id = entry.task.origin;
   Goal& goal = book_.goals.at(id);
   if (is_settled(goal.state)) return;
   const auto all = book_.of(id);
-  if (std::all_of(all.begin(), all.end(), [](const Entry* one) { return one->done; })) {
+  if (std::all_of(all.begin(), all.end(), [](const Entry* one) { return one->done(); })) {
     out_.set_state(goal, GoalState::kAchieved);
   }
 }
@@ -196,7 +196,7 @@ bool Observer::was_stopped_in_time(const Entry& entry) const {
   return !stop.empty() && entry.seen.started &&
          std::all_of(stop.begin(), stop.end(), [this](const mission::Dependence& one) {
            const Entry* other = book_.find(one.task);
-           return other == nullptr || other->done ||
+           return other == nullptr || other->done() ||
                   (one.kind == mission::DependenceKind::kOver && other->over());
          });
 }
@@ -204,20 +204,23 @@ bool Observer::was_stopped_in_time(const Entry& entry) const {
 bool Observer::follows_lost_task(const Entry& entry) const {
   const auto is_lost = [this](const mission::Dependence& one) {
     const Entry* other = book_.find(one.task);
-    return other != nullptr && other->over() && !other->done;
+    return other != nullptr && other->over() && !other->done();
   };
   return std::any_of(entry.task.dependences.begin(), entry.task.dependences.end(), is_lost) ||
          std::any_of(entry.task.stop.begin(), entry.task.stop.end(), is_lost);
 }
 
 void Observer::see_aborted(Entry& entry) {
+  const bool ordered = entry.ordered();
   entry.seen.over = now();
   entry.seen.aborted = true;
+  entry.advance(Step::kAbort);
   tell_progress(entry.task.origin);
   if (!entry.live()) return;
-  const bool asked = entry.why == "abort requested" && !entry.stopping;
+  const bool asked = entry.why == "abort requested" && !ordered;
   const bool stopped = was_stopped_in_time(entry) && !asked;
-  if (entry.ordered || stopped) {
+  if (ordered || stopped) {
+    entry.advance(Step::kExcuse);
     settle_done(entry);
     return committer_.reschedule();
   }
@@ -275,6 +278,7 @@ void Observer::see(const executive::Reply& reply) {
   if (reply.request == executive::RequestKind::kStart) {
     entry->seen.over = now();
     entry->seen.aborted = true;
+    entry->advance(Step::kAbort);
   }
   entry->why = reply.why;
   if (entry->live() && engaged()) refused(*entry, what);
@@ -286,7 +290,7 @@ void Observer::follow_ways(const world::Vector3& position) {
   const double reach =
       arrival_distance(beliefs_.knowledge().vehicle, beliefs_.world().wind) + kReachedMargin;
   for (auto& [id, entry] : book_.tasks) {
-    if (!entry.given || entry.over() || !entry.running) continue;
+    if (!entry.given() || entry.over() || !entry.running) continue;
     const Entry* along = flown_along(book_, entry);
     if (along == nullptr || along->over() || !along->running) continue;
     entry.passed =

@@ -21,7 +21,7 @@ std::optional<world::Vector3> circled(const Book& book, const Beliefs& beliefs) 
   for (const auto& [id, entry] : book.tasks) {
     if (entry.task.way.empty() || !entry.seen.started) continue;
     if (!entry.over()) return std::nullopt;
-    over = entry.done ? std::optional(entry.task.way.back()) : std::nullopt;
+    over = entry.done() ? std::optional(entry.task.way.back()) : std::nullopt;
   }
   const double circle = kOnCircle * stay_radius(beliefs.model());
   const bool near = over && (vehicle.position - *over).norm() <= circle;
