@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "patrol_cycle.hpp"
 #include "patrol_ring.hpp"
 
 namespace skein::refiners {
@@ -24,6 +25,13 @@ constexpr std::size_t kFlownWhole = 4;
 constexpr double kHopeless = 1.75;
 /// Circles over a zone that is seen from one point: their radius, as parts of the footprint.
 constexpr double kWidestRound = 0.25, kLeastRound = 0.01;
+/// How often the cycles tried have everything before some of it is left out.
+constexpr std::array<std::size_t, 2> kTimes = {2, 3};
+/// Cycles of which one part in so many is reserve: a visit counts from the middle of its piece.
+constexpr double kWorstMargin = 0.95;
+/// Laps planned one by one take long over more blocks, and are made shorter from no more visits a
+/// block than that.
+constexpr std::size_t kMostForLaps = 400, kMostTimes = 5;
 /// What the worst risk × idleness and the mean idleness are worth against each other, as parts of
 /// what everything in turn gives: the worst can be brought down further.
 constexpr double kWorstShare = 0.6, kMeanShare = 0.92;
@@ -53,6 +61,7 @@ class LapFlight {
       // Everything in turn begins with what is nearest to the start.
       const double began = log_.now();
       std::vector<Visit> lap = planner.next(log_.last_seen(), log_.now());
+      laps_.push_back(lap);
       if (way_.size() == 1) begin_near(lap);
       for (const Visit visit : lap) {
         if (!countdown.step() || deadline_.passed_after(kVisit)) return false;
@@ -70,6 +79,22 @@ class LapFlight {
 
   PatrolFigures figures() const { return log_.figures(); }
   std::vector<Vector2> take_way() { return std::move(way_); }
+
+  /// The last laps, as few as visit everything; empty: all of them do not.
+  std::vector<Visit> last_laps() const {
+    std::vector<bool> visited(ground_.blocks.size(), false);
+    std::size_t missing = visited.size();
+    auto lap = laps_.rbegin();
+    if (lap != laps_.rend()) ++lap;  // which may have been cut off
+    for (; lap != laps_.rend() && missing > 0; ++lap)
+      for (const Visit visit : *lap)
+        if (!visited[visit / 2]) visited[visit / 2] = true, --missing;
+    std::vector<Visit> all;
+    if (missing > 0) return all;
+    for (auto first = lap.base(); first + 1 != laps_.end(); ++first)
+      all.insert(all.end(), first->begin(), first->end());
+    return all;
+  }
 
  private:
   void begin_near(std::vector<Visit>& lap) const {
@@ -126,12 +151,13 @@ class LapFlight {
 
   bool is_over(const Countdown& countdown) const { return countdown.over() || deadline_.is_over(); }
 
-  const LapGround& ground_;
+  LapGround ground_;
   const PatrolTask& task_;
   Deadline& deadline_;
   IdlenessLog log_;
   double footprint_;
   std::vector<Vector2> way_;
+  std::vector<std::vector<Visit>> laps_;
   Visit last_ = 0;
 };
 
@@ -166,6 +192,72 @@ std::vector<LapRule> promising_rules(const LapGround& ground, const PatrolSight&
   return best;
 }
 
+/// Flies one after the other and takes what is better than all before.
+class PatrolTrials {
+ public:
+  PatrolTrials(const LapGround& ground, const PatrolSight& sight, const PatrolTask& task,
+               Countdown& countdown, const TakePatrol& take)
+      : ground_(ground), sight_(sight), task_(task), countdown_(countdown), take_(take) {}
+
+  void run() {
+    LapFlight in_turn(ground_, sight_, task_);
+    const bool complete = in_turn.fly({.length = kInfinity}, countdown_,
+                                      sight_.deadline().is_set() ? &take_ : nullptr);
+    in_turn_ = in_turn.figures();
+    take_({in_turn.take_way(), complete});
+    if (!complete || ground_.blocks.size() < 4) return;
+    least_ = badness(in_turn_, in_turn_);
+    for (const std::size_t times : kTimes)
+      if (!fly_cycle(weighted_cycle(ground_, goal(1), times, time()))) return;
+    if (least_ > 1 && ground_.blocks.size() <= kMostForLaps) fly_laps();
+  }
+
+ private:
+  CycleTime time() const { return {countdown_, sight_.deadline()}; }
+
+  CycleGoal goal(double part) const {
+    return {kMeanShare * in_turn_.mean_idleness,
+            kWorstMargin * kWorstShare * part * in_turn_.worst_risk_idleness};
+  }
+
+  /// False: the time is up.
+  bool fly_cycle(const std::vector<Visit>& cycle) {
+    LapFlight flight({ground_.field, ground_.blocks, ground_.links, cycle, ground_.speed}, sight_,
+                     task_);
+    if (!flight.fly({.length = kInfinity}, countdown_)) return false;
+    take_if_better(flight);
+    return true;
+  }
+
+  void take_if_better(LapFlight& flight) {
+    const double bad = badness(flight.figures(), in_turn_);
+    if (bad >= least_) return;
+    least_ = bad;
+    take_({flight.take_way(), true});
+  }
+
+  /// Laps planned one by one, and what their last ones can be made.
+  void fly_laps() {
+    for (const LapRule& rule : promising_rules(ground_, sight_, task_, countdown_)) {
+      LapFlight flight(ground_, sight_, task_);
+      if (!flight.fly(rule, countdown_)) return;
+      const std::vector<Visit> last = flight.last_laps();
+      take_if_better(flight);
+      if (last.empty() || last.size() > kMostTimes * ground_.blocks.size()) continue;
+      const CycleGoal wanted = goal(std::max(1.0, least_));
+      if (!fly_cycle(improved_cycle(ground_, wanted, last, time()))) return;
+    }
+  }
+
+  const LapGround& ground_;
+  const PatrolSight& sight_;
+  const PatrolTask& task_;
+  Countdown& countdown_;
+  const TakePatrol& take_;
+  PatrolFigures in_turn_;
+  double least_ = kInfinity;
+};
+
 }  // namespace
 
 void fly_in_turn(const LapGround& ground, const PatrolSight& sight, const PatrolTask& task,
@@ -178,20 +270,7 @@ void fly_in_turn(const LapGround& ground, const PatrolSight& sight, const Patrol
 
 void plan_patrol(const LapGround& ground, const PatrolSight& sight, const PatrolTask& task,
                  Countdown& countdown, const TakePatrol& take) {
-  LapFlight in_turn(ground, sight, task);
-  const bool complete =
-      in_turn.fly({.length = kInfinity}, countdown, sight.deadline().is_set() ? &take : nullptr);
-  const PatrolFigures reference = in_turn.figures();
-  take({in_turn.take_way(), complete});
-  if (!complete || ground.blocks.size() < 4) return;
-  double least = badness(reference, reference);
-  for (const LapRule& rule : promising_rules(ground, sight, task, countdown)) {
-    LapFlight flight(ground, sight, task);
-    if (!flight.fly(rule, countdown)) return;
-    const double bad = badness(flight.figures(), reference);
-    if (bad < least) take({flight.take_way(), true});
-    least = std::min(least, bad);
-  }
+  PatrolTrials(ground, sight, task, countdown, take).run();
 }
 
 }  // namespace skein::refiners

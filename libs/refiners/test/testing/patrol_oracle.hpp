@@ -139,4 +139,30 @@ inline world::GroundState peaked_ground(std::size_t side, double cell, int peaks
   return ground;
 }
 
+/// As maps of where fires were: some hundreds of them, most in clusters of random place and spread,
+/// the others anywhere; risk is their density over two cells, 1 where it is greatest.
+inline world::GroundState scattered_ground(std::size_t side, double cell, std::uint64_t seed) {
+  world::GroundState ground = peaked_ground(side, cell, 0, seed);
+  std::fill(ground.risk.begin(), ground.risk.end(), 0.0);
+  Random random(seed, "scattered");
+  const double extent = cell * static_cast<double>(side);
+  std::vector<world::Vector2> fires;
+  for (int cluster = 0; cluster < 12; ++cluster) {
+    const world::Vector2 at(random.uniform(0, extent), random.uniform(0, extent));
+    const double spread = random.uniform(0.02, 0.12) * extent;
+    for (int i = 0; i < 30; ++i)
+      fires.emplace_back(at +
+                         spread * world::Vector2(random.uniform(-1, 1), random.uniform(-1, 1)));
+  }
+  for (int i = 0; i < 120; ++i)
+    fires.emplace_back(random.uniform(0, extent), random.uniform(0, extent));
+  for (std::size_t i = 0; i < ground.risk.size(); ++i)
+    for (const world::Vector2& fire : fires)
+      ground.risk[i] +=
+          std::exp(-(ground.grid.centre(i) - fire).squaredNorm() / (2 * 4 * cell * cell));
+  const double most = *std::max_element(ground.risk.begin(), ground.risk.end());
+  for (double& risk : ground.risk) risk /= most;
+  return ground;
+}
+
 }  // namespace skein::refiners::testing

@@ -61,10 +61,10 @@ struct Patrol {
 };
 
 /// Refined cost: risk-weighted mean idleness [s]. Steps of the budget: visits to pieces of lanes
-/// (to cells, by gradient), over all the patrols tried; a budget that ends before the first patrol
-/// is planned gives the part that is: `duration` says how long. Still air: the wind is in
-/// `duration` only. Cost: 0.1 s for each patrol tried of 10,000 visits among 256 pieces, about ten
-/// of them.
+/// (to cells, by gradient), over all the patrols tried, and rounds judged on the way; a budget that
+/// ends before the first patrol is planned gives the part that is: `duration` says how long. Still
+/// air: the wind is in `duration` only. Cost: 0.1 s for each patrol tried of 10,000 visits among
+/// 256 pieces, about ten of them.
 Outcome<Patrol> refine(const PatrolQuery& query, const Setting& setting);
 
 /// P = exp(-r ΔT / τ). Source: T IV.2.2, spec 4.2.
