@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Functions of the host that need no refiner: where it is, who is who, whether it is in time.
+#include "planning/host_relations.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "planning/host_services.hpp"
+#include "flight/flight_times.hpp"
 #include "planning/terms.hpp"
 
 namespace skein::supervisor {
@@ -16,10 +17,6 @@ using world::Vector3;
 
 namespace {
 
-using Value = Result<Term, Failure>;
-
-/// Beside what it wavers [m].
-constexpr double kNear = 2;
 /// Constraints and intervals agree but for rounding [s].
 constexpr double kRounding = 1e-6;
 
@@ -32,27 +29,47 @@ std::optional<double> bound(const TermStore& store, Term constraints, std::size_
 
 }  // namespace
 
-double vicinity(const Gazetteer& gazetteer) {
-  const world::VehicleModel& vehicle = gazetteer.knowledge().vehicle;
-  return kNear + arrival_distance(vehicle, gazetteer.world().wind) +
-         (vehicle.hovers ? 0 : vehicle.orbit_radius);
+HostValue HostRelations::target_of(TermStore& store, HostArguments arguments) {
+  const auto at = names_.place(store, arguments[0]);
+  if (!at || !gazetteer().on_ground(*at)) return kNil;
+  return target_term(store, *at);
 }
 
-Value PlannerHost::Services::is_at(TermStore& store, Arguments arguments) {
-  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
-  if (!from || !to) return kNil;
-  return TermStore::boolean((gazetteer_.flown_to(*to) - *from).norm() <= vicinity(gazetteer_));
+HostValue HostRelations::entry(TermStore& store, HostArguments arguments) {
+  const auto at = names_.place(store, arguments[0]);
+  return at ? location_term(store, gazetteer().flown_to(*at)) : kNil;
 }
 
-Value PlannerHost::Services::is_over(TermStore& store, Arguments arguments) {
-  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
+HostValue HostRelations::is_at(TermStore& store, HostArguments arguments) {
+  const auto from = names_.place(store, arguments[0]), to = names_.place(store, arguments[1]);
   if (!from || !to) return kNil;
-  return TermStore::boolean((*to - *from).head<2>().norm() <= vicinity(gazetteer_));
+  return TermStore::boolean((gazetteer().flown_to(*to) - *from).norm() <= vicinity(gazetteer()));
+}
+
+HostValue HostRelations::is_over(TermStore& store, HostArguments arguments) {
+  const auto from = names_.place(store, arguments[0]), to = names_.place(store, arguments[1]);
+  if (!from || !to) return kNil;
+  return TermStore::boolean((*to - *from).head<2>().norm() <= vicinity(gazetteer()));
+}
+
+/// (not-reached PLACES (LOC…)): those of the places where none of the locations is.
+HostValue HostRelations::not_reached(TermStore& store, HostArguments arguments) {
+  if (!store.is_list(arguments[0])) return failure("a list of places is expected");
+  const std::vector<Vector3> reached = locations_of(store, arguments[1]);
+  std::vector<Term> left;
+  for (const Term term : store.items(arguments[0])) {
+    const auto at = gazetteer().place(store, term);
+    const bool was_there =
+        at && std::any_of(reached.begin(), reached.end(), [&](const Vector3& one) {
+          return (gazetteer().flown_to(*at) - one).norm() <= vicinity(gazetteer());
+        });
+    if (!was_there) left.push_back(term);
+  }
+  return store.list(left);
 }
 
 /// In the order of the team, those that are not in it after them in the order given.
-std::vector<std::string> PlannerHost::Services::team(const TermStore& store,
-                                                     Arguments lists) const {
+std::vector<std::string> HostRelations::team(const TermStore& store, HostArguments lists) const {
   std::vector<std::string> given;
   for (const Term list : lists) {
     if (!store.is_list(list)) continue;
@@ -63,7 +80,7 @@ std::vector<std::string> PlannerHost::Services::team(const TermStore& store,
       if (!known && !name.empty()) given.push_back(name);
     }
   }
-  const auto& order = gazetteer_.knowledge().team;
+  const auto& order = gazetteer().knowledge().team;
   std::stable_sort(given.begin(), given.end(), [&](const auto& a, const auto& b) {
     const auto rank = [&](const std::string& name) {
       return std::find_if(order.begin(), order.end(),
@@ -75,21 +92,21 @@ std::vector<std::string> PlannerHost::Services::team(const TermStore& store,
   return given;
 }
 
-Value PlannerHost::Services::rank_in(TermStore& store, Arguments arguments) {
+HostValue HostRelations::rank_in(TermStore& store, HostArguments arguments) {
   const std::vector<std::string> all = team(store, arguments);
   const auto me = std::find_if(all.begin(), all.end(), [&](const std::string& one) {
-    return same_name(one, gazetteer_.knowledge().uav);
+    return same_name(one, gazetteer().knowledge().uav);
   });
   return store.integer(me == all.end() ? 0 : me - all.begin());
 }
 
-Value PlannerHost::Services::count_of(TermStore& store, Arguments arguments) {
+HostValue HostRelations::count_of(TermStore& store, HostArguments arguments) {
   const auto count = static_cast<std::int64_t>(team(store, arguments).size());
   return store.integer(std::clamp<std::int64_t>(count, 1, 16));
 }
 
-Value PlannerHost::Services::with_me(TermStore& store, Arguments arguments) {
-  const std::vector<Term> me = {store.symbol(gazetteer_.knowledge().uav)};
+HostValue HostRelations::with_me(TermStore& store, HostArguments arguments) {
+  const std::vector<Term> me = {store.symbol(gazetteer().knowledge().uav)};
   const std::vector<Term> lists = {store.list(me), arguments[0]};
   std::vector<Term> names;
   for (const std::string& name : team(store, lists)) names.push_back(store.symbol(name));
@@ -98,7 +115,7 @@ Value PlannerHost::Services::with_me(TermStore& store, Arguments arguments) {
 
 /// (in-time WHAT ORIGIN START DURATION TIME-CONSTRAINTS): whether the latest start and end keep
 /// the bounds.
-Value PlannerHost::Services::in_time(TermStore& store, Arguments arguments) {
+HostValue HostRelations::in_time(TermStore& store, HostArguments arguments) {
   const auto start = seconds_of(store, arguments[2]), duration = seconds_of(store, arguments[3]);
   if (!start || !duration) return failure("start and duration must be ((num LEAST) (num MOST))");
   const auto at = [&](double s) {
@@ -110,9 +127,9 @@ Value PlannerHost::Services::in_time(TermStore& store, Arguments arguments) {
     const auto before = bound(store, arguments[4], which);
     if (!before || most <= *before + kRounding) return;
     fits = false;
-    refuse(text_of(store, arguments[0]) + " of goal " + text_of(store, arguments[1]) + " " + verb +
-           "s between " + at(least) + " and " + at(most) + ", but must " + verb + " before " +
-           at(*before));
+    names_.refuse(text_of(store, arguments[0]) + " of goal " + text_of(store, arguments[1]) + " " +
+                  verb + "s between " + at(least) + " and " + at(most) + ", but must " + verb +
+                  " before " + at(*before));
   };
   check(0, start->least, start->most, "start");
   check(2, start->least + duration->least, start->most + duration->most, "end");

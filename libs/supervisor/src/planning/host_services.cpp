@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "planning/terms.hpp"
-#include "skein/foundation/nearest.hpp"
 
 namespace skein::supervisor {
 
@@ -41,11 +40,6 @@ Term waypoints_term(TermStore& store, const refiners::Way& way) {
   return headed(store, "waypoints", std::move(terms));
 }
 
-Term target_term(TermStore& store, const Vector3& at) {
-  const std::vector<Term> one = {headed(store, "target", {location_term(store, at)})};
-  return store.list(one);
-}
-
 /// A way is the last of an answer's parameters.
 Term way_term(TermStore& store, const refiners::Way& way) {
   std::vector<Term> terms;
@@ -57,36 +51,36 @@ Term way_term(TermStore& store, const refiners::Way& way) {
 
 std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
   static constexpr std::array<Entry, 30> entries = {
-      {{"compute-takeoff", 2, &Services::takeoff, true, 1},
-       {"compute-land", 2, &Services::land, true},
-       {"compute-gotoxyz", 3, &Services::gotoxyz, true, 2},
-       {"compute-wait", 4, &Services::wait, false},
-       {"compute-wait-for-patrol", 6, &Services::wait_for_patrol, false},
-       {"compute-wait-for-sweep", 4, &Services::wait_for_sweep, false},
-       {"compute-wait-for-rest", 6, &Services::wait_for_rest, false},
-       {"compute-patrol", 5, &Services::patrol, true, 4},
-       {"compute-sweep", 4, &Services::sweep, true, 3},
-       {"compute-sweep-entry", 4, &Services::sweep_entry, false},
-       {"compute-rest", 6, &Services::rest, true, 5},
-       {"not-reached", 2, &Services::not_reached, false},
-       {"within-reach", 4, &Services::within_reach, false},
-       {"is-open", 2, &Services::is_open, false},
-       {"stays-open", 3, &Services::stays_open, false},
-       {"compute-stay", 1, &Services::stay, false},
-       {"compute-landing-place", 3, &Services::landing_place, true, 2},
-       {"compute-way-out", 1, &Services::way_out, true},
-       {"is-free", 1, &Services::is_free, false},
-       {"compute-viewpoint", 6, &Services::viewpoint, true, 4},
-       {"compute-angles", 5, &Services::angles, true, 3},
-       {"compute-entry", 1, &Services::entry, false},
-       {"compute-tour", 2, &Services::tour, true},
-       {"target-of", 1, &Services::target_of, false},
-       {"is-at", 2, &Services::is_at, false},
-       {"is-over", 2, &Services::is_over, false},
-       {"rank-in", 2, &Services::rank_in, false},
-       {"count-of", 2, &Services::count_of, false},
-       {"with-me", 1, &Services::with_me, false},
-       {"in-time", 5, &Services::in_time, false}}};
+      {{"compute-takeoff", 2, ask<&Services::takeoff>, true, 1},
+       {"compute-land", 2, ask<&Services::land>, true},
+       {"compute-gotoxyz", 3, ask<&Services::gotoxyz>, true, 2},
+       {"compute-wait", 4, ask<&Services::wait>, false},
+       {"compute-wait-for-patrol", 6, ask<&Services::wait_for_patrol>, false},
+       {"compute-wait-for-sweep", 4, ask<&Services::wait_for_sweep>, false},
+       {"compute-wait-for-rest", 6, ask<&Services::wait_for_rest>, false},
+       {"compute-patrol", 5, ask<&Services::patrol>, true, 4},
+       {"compute-sweep", 4, ask<&Services::sweep>, true, 3},
+       {"compute-sweep-entry", 4, ask<&Services::sweep_entry>, false},
+       {"compute-rest", 6, ask<&Services::rest>, true, 5},
+       {"not-reached", 2, ask<&HostRelations::not_reached>, false},
+       {"within-reach", 4, ask<&Services::within_reach>, false},
+       {"is-open", 2, ask<&Services::is_open>, false},
+       {"stays-open", 3, ask<&Services::stays_open>, false},
+       {"compute-stay", 1, ask<&Services::stay>, false},
+       {"compute-landing-place", 3, ask<&Services::landing_place>, true, 2},
+       {"compute-way-out", 1, ask<&Services::way_out>, true},
+       {"is-free", 1, ask<&Services::is_free>, false},
+       {"compute-viewpoint", 6, ask<&Services::viewpoint>, true, 4},
+       {"compute-angles", 5, ask<&Services::angles>, true, 3},
+       {"compute-entry", 1, ask<&HostRelations::entry>, false},
+       {"compute-tour", 2, ask<&Services::tour>, true},
+       {"target-of", 1, ask<&HostRelations::target_of>, false},
+       {"is-at", 2, ask<&HostRelations::is_at>, false},
+       {"is-over", 2, ask<&HostRelations::is_over>, false},
+       {"rank-in", 2, ask<&HostRelations::rank_in>, false},
+       {"count-of", 2, ask<&HostRelations::count_of>, false},
+       {"with-me", 1, ask<&HostRelations::with_me>, false},
+       {"in-time", 5, ask<&HostRelations::in_time>, false}}};
   return entries;
 }
 
@@ -97,32 +91,26 @@ const PlannerHost::Services::Entry& PlannerHost::Services::entry_of(Service serv
 
 PlannerHost::Services::Services(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
                                 refiners::Budget budget)
-    : gazetteer_(gazetteer),
-      refinery_(std::move(gazetteer), origin, seed, std::move(budget)),
-      origin_(origin) {}
+    : refinery_(gazetteer, origin, seed, std::move(budget)),
+      names_(std::move(gazetteer)),
+      relations_(names_, origin) {}
 
 Value PlannerHost::Services::call(const Entry& entry, TermStore& store, Arguments arguments) {
   Value value = kNil;
   if (!entry.refines) {
-    value = (this->*entry.service)(store, arguments);
+    value = entry.service(*this, store, arguments);
   } else {
     // When it is makes no difference where no air is closed for a time.
     std::vector<Term> named(arguments.begin(), arguments.end());
     if (entry.when != 0 && !refinery_.air.has_windows()) named[entry.when] = kNil;
     const std::string key = std::string(entry.name) + ' ' + store.to_text(store.list(named));
     if (const auto known = known_.find(key); known != known_.end()) return known->second;
-    value = (this->*entry.service)(store, arguments);
+    value = entry.service(*this, store, arguments);
     if (value) known_[key] = *value;
     ++refinements_;
   }
   if (!value) value.error().why.insert(0, std::string(entry.name) + ": ");
   return value;
-}
-
-Term PlannerHost::Services::refuse(const std::string& why) {
-  if (std::find(refusals_.begin(), refusals_.end(), why) == refusals_.end())
-    refusals_.push_back(why);
-  return kNil;
 }
 
 Term PlannerHost::Services::answer(TermStore& store, const Motion& motion,
@@ -142,82 +130,72 @@ Term PlannerHost::Services::answer(TermStore& store, const Motion& motion,
 
 Term PlannerHost::Services::flight(TermStore& store, const Answer<Motion>& motion,
                                    const std::string& what) {
-  if (!motion) return refuse(what + ": " + motion.error());
+  if (!motion) return names_.refuse(what + ": " + motion.error());
   return answer(store, *motion, {waypoints_term(store, motion->way)});
 }
 
-std::optional<Vector3> PlannerHost::Services::place(const TermStore& store, Term term) {
-  auto at = gazetteer_.place(store, term);
-  if (at) return at;
-  std::vector<std::string> names;
-  for (const auto& one : gazetteer_.world().places) names.push_back(one.first);
-  const std::string name = Gazetteer::words(store, term);
-  const std::string nearest = nearest_name(name, names);
-  refuse("unknown place '" + name + "'" +
-         (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
-  return at;
-}
-
 Value PlannerHost::Services::takeoff(TermStore& store, Arguments arguments) {
-  auto from = place(store, arguments[0]);
+  auto from = names_.place(store, arguments[0]);
   if (!from) return kNil;
-  from->z() = gazetteer_.ground(*from);
+  from->z() = gazetteer().ground(*from);
   const auto motion = refinery_.ways.takeoff(*from, departure(store, arguments[1]));
-  if (!motion) return refuse("takeoff: " + motion.error());
+  if (!motion) return names_.refuse("takeoff: " + motion.error());
   const double altitude = motion->way.back().z() - from->z();
   return answer(store, *motion, {headed(store, "altitude", {number_term(store, altitude)})});
 }
 
 Value PlannerHost::Services::land(TermStore& store, Arguments arguments) {
-  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
+  const auto from = names_.place(store, arguments[0]), to = names_.place(store, arguments[1]);
   if (!from || !to) return kNil;
   const auto motion = refinery_.ways.landing(*from, *to);
-  if (!motion) return refuse("landing: " + motion.error());
+  if (!motion) return names_.refuse("landing: " + motion.error());
   return answer(store, *motion, {});
 }
 
 /// (compute-landing-place FROM PLACE WHEN): PLACE as it is given, or the nearest ground that
 /// serves, for who sets out for it then.
 Value PlannerHost::Services::landing_place(TermStore& store, Arguments arguments) {
-  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
+  const auto from = names_.place(store, arguments[0]), to = names_.place(store, arguments[1]);
   if (!from || !to) return kNil;
   const auto at = refinery_.ways.landing_place(*from, *to, departure(store, arguments[2]));
-  if (!at) return refuse("landing at " + Gazetteer::words(store, arguments[1]) + ": " + at.error());
+  if (!at)
+    return names_.refuse("landing at " + Gazetteer::words(store, arguments[1]) + ": " + at.error());
   return at->instead.empty() ? arguments[1] : location_term(store, at->at);
 }
 
 Value PlannerHost::Services::way_out(TermStore& store, Arguments arguments) {
-  const auto from = place(store, arguments[0]);
+  const auto from = names_.place(store, arguments[0]);
   if (!from) return kNil;
   return flight(store, refinery_.ways.way_out(*from), "no way out");
 }
 
 Value PlannerHost::Services::is_free(TermStore& store, Arguments arguments) {
-  const auto at = place(store, arguments[0]);
+  const auto at = names_.place(store, arguments[0]);
   return TermStore::boolean(at && refinery_.air.may_stay(*at));
 }
 
 /// (compute-gotoxyz FROM TO WHEN): WHEN is the interval in which the motion may begin; nil: at any
 /// time.
 Value PlannerHost::Services::gotoxyz(TermStore& store, Arguments arguments) {
-  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
+  const auto from = names_.place(store, arguments[0]), to = names_.place(store, arguments[1]);
   if (!from || !to) return kNil;
   return flight(
-      store, refinery_.ways.path(*from, gazetteer_.flown_to(*to), departure(store, arguments[2])),
+      store, refinery_.ways.path(*from, gazetteer().flown_to(*to), departure(store, arguments[2])),
       "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
           Gazetteer::words(store, arguments[1]));
 }
 
 Value PlannerHost::Services::patrol(TermStore& store, Arguments arguments) {
-  const auto from = place(store, arguments[0]);
+  const auto from = names_.place(store, arguments[0]);
   const std::string name = text_of(store, arguments[1]);
-  const world::Zone* zone = gazetteer_.zone(name);
-  const auto* device = gazetteer_.sensor(text_of(store, arguments[2]));
+  const world::Zone* zone = gazetteer().zone(name);
+  const auto* device = gazetteer().sensor(text_of(store, arguments[2]));
   const auto seconds = number_of(store, arguments[3]);
-  if (device == nullptr) return refuse("no device '" + text_of(store, arguments[2]) + "' on board");
+  if (device == nullptr)
+    return names_.refuse("no device '" + text_of(store, arguments[2]) + "' on board");
   if (!seconds || *seconds <= 0) return wrong(store, arguments[3], "positive number of seconds");
   if (!from) return kNil;
-  if (zone == nullptr) return refuse("unknown zone '" + name + "'");
+  if (zone == nullptr) return names_.refuse("unknown zone '" + name + "'");
   return flight(
       store,
       refinery_.patrols.over(*from, *zone, *device, *seconds, departure(store, arguments[4])),
@@ -225,20 +203,36 @@ Value PlannerHost::Services::patrol(TermStore& store, Arguments arguments) {
 }
 
 Value PlannerHost::Services::sweep(TermStore& store, Arguments arguments) {
-  const auto from = place(store, arguments[0]);
+  const auto from = names_.place(store, arguments[0]);
   const std::string name = text_of(store, arguments[1]);
-  const world::Zone* zone = gazetteer_.zone(name);
-  const auto* device = gazetteer_.sensor(text_of(store, arguments[2]));
-  if (device == nullptr) return refuse("no device '" + text_of(store, arguments[2]) + "' on board");
+  const world::Zone* zone = gazetteer().zone(name);
+  const auto* device = gazetteer().sensor(text_of(store, arguments[2]));
+  if (device == nullptr)
+    return names_.refuse("no device '" + text_of(store, arguments[2]) + "' on board");
   if (!from) return kNil;
-  if (zone == nullptr) return refuse("unknown zone '" + name + "'");
+  if (zone == nullptr) return names_.refuse("unknown zone '" + name + "'");
   return flight(store, refinery_.sweeps.over(*from, *zone, *device, departure(store, arguments[3])),
                 "no mapping of " + zone->name);
 }
 
+/// (compute-rest FROM ZONE DEVICE BEFORE (LOC…) WHEN): the motion along what is left of a way over
+/// the zone that was flown with the device BEFORE; nil, without a sentence, when it is to be
+/// planned anew.
+Value PlannerHost::Services::rest(TermStore& store, Arguments arguments) {
+  const auto from = gazetteer().place(store, arguments[0]);
+  const auto* device = gazetteer().sensor(text_of(store, arguments[2]));
+  const auto* before = gazetteer().sensor(text_of(store, arguments[3]));
+  const std::vector<Vector3> way = locations_of(store, arguments[4]);
+  if (!from || device == nullptr || before == nullptr || way.size() < 2) return kNil;
+  if (gazetteer().zone(text_of(store, arguments[1])) == nullptr) return kNil;
+  const auto motion =
+      refinery_.sweeps.rest(*from, way, *device, *before, departure(store, arguments[5]));
+  return motion ? flight(store, motion, "rest") : Value(kNil);
+}
+
 /// Where the sweep begins: the first of its way.
 Value PlannerHost::Services::sweep_entry(TermStore& store, Arguments arguments) {
-  const Value whole = call(entry_of(&Services::sweep), store, arguments);
+  const Value whole = call(entry_of(ask<&Services::sweep>), store, arguments);
   if (!whole || *whole == kNil) return whole;
   return location_term(store, way_of(store, *whole).front());
 }
@@ -249,7 +243,7 @@ Value PlannerHost::Services::stay(TermStore& store, Arguments arguments) {
   const double seconds = number_of(store, arguments[0]).value_or(0);
   if (!stopped && !unlimited && seconds <= 0)
     return wrong(store, arguments[0], "positive number of seconds, `stopped` or `unlimited`");
-  const Times times = waiting_times(seconds, gazetteer_.knowledge().vehicle);
+  const Times times = waiting_times(seconds, gazetteer().knowledge().vehicle);
   const Term most =
       unlimited ? store.symbol("unlimited") : number_term(store, stopped ? 0 : times.most);
   std::vector<Term> params;
@@ -271,19 +265,19 @@ std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermSto
                                                                          Term where, Term devices,
                                                                          std::size_t count,
                                                                          Term when, Term seconds) {
-  const auto at = place(store, where);
+  const auto at = names_.place(store, where);
   if (!at || !store.is_list(devices)) return std::nullopt;
   std::vector<std::string> why;
   for (const Term device : store.items(devices)) {
-    const auto* sensor = gazetteer_.sensor(text_of(store, device));
+    const auto* sensor = gazetteer().sensor(text_of(store, device));
     if (sensor == nullptr) {
       why.push_back("no device '" + text_of(store, device) + "' on board");
       continue;
     }
-    if (!gazetteer_.on_ground(*at)) {
+    if (!gazetteer().on_ground(*at)) {
       auto beside = refinery_.views.around(*at, count);
       if (beside) return Views{device, std::move(*beside)};
-      refuse("no room at " + Gazetteer::words(store, where) + ": " + beside.error());
+      names_.refuse("no room at " + Gazetteer::words(store, where) + ": " + beside.error());
       return std::nullopt;
     }
     auto found = refinery_.views.of(*at, *sensor, count, departure(store, when),
@@ -292,7 +286,7 @@ std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermSto
     why.push_back("nowhere to see " + Gazetteer::words(store, where) + " with " + sensor->device +
                   ": " + found.error());
   }
-  for (const std::string& one : why) refuse(one);
+  for (const std::string& one : why) names_.refuse(one);
   return std::nullopt;
 }
 
@@ -307,10 +301,10 @@ Value PlannerHost::Services::viewpoint(TermStore& store, Arguments arguments) {
   if (!seen) return kNil;
   const auto wanted = static_cast<std::size_t>(*rank);
   if (wanted >= seen->points.size())
-    return refuse("only " + std::to_string(seen->points.size()) + " of " +
-                  std::to_string(static_cast<int>(*count)) + " sides to see " +
-                  Gazetteer::words(store, arguments[0]) + " from with " +
-                  text_of(store, seen->device));
+    return names_.refuse("only " + std::to_string(seen->points.size()) + " of " +
+                         std::to_string(static_cast<int>(*count)) + " sides to see " +
+                         Gazetteer::words(store, arguments[0]) + " from with " +
+                         text_of(store, seen->device));
   const std::vector<Term> pair = {seen->device, location_term(store, seen->points[wanted])};
   return store.list(pair);
 }
@@ -321,8 +315,8 @@ Value PlannerHost::Services::angles(TermStore& store, Arguments arguments) {
   if (!count || *count < 1 || *count > kMostSides)
     return wrong(store, arguments[2], "number from 1 to 16");
   // What is in the air is one place, not something to look at from its sides.
-  const auto at = place(store, arguments[0]);
-  const bool in_the_air = at && !gazetteer_.on_ground(*at);
+  const auto at = names_.place(store, arguments[0]);
+  const bool in_the_air = at && !gazetteer().on_ground(*at);
   const auto seen =
       views(store, arguments[0], arguments[1], in_the_air ? 1 : static_cast<std::size_t>(*count),
             arguments[3], arguments[4]);
@@ -332,34 +326,23 @@ Value PlannerHost::Services::angles(TermStore& store, Arguments arguments) {
   return store.list(all);
 }
 
-Value PlannerHost::Services::entry(TermStore& store, Arguments arguments) {
-  const auto at = place(store, arguments[0]);
-  return at ? location_term(store, gazetteer_.flown_to(*at)) : kNil;
-}
-
 Value PlannerHost::Services::tour(TermStore& store, Arguments arguments) {
-  const auto from = place(store, arguments[0]);
+  const auto from = names_.place(store, arguments[0]);
   if (!store.is_list(arguments[1])) return wrong(store, arguments[1], "list of places");
   std::vector<Vector3> places;
   std::string names;
   bool known = from.has_value();
   for (const Term term : store.items(arguments[1])) {
-    const auto at = place(store, term);
+    const auto at = names_.place(store, term);
     known = known && at;
     if (at) places.push_back(*at);
     names += (names.empty() ? "" : ", ") + Gazetteer::words(store, term);
   }
   if (!known) return kNil;
-  if (places.empty()) return refuse("a tour of no places");
+  if (places.empty()) return names_.refuse("a tour of no places");
   const auto order = refinery_.views.tour(*from, places);
-  if (!order) return refuse("no tour of " + names + ": " + order.error());
+  if (!order) return names_.refuse("no tour of " + names + ": " + order.error());
   return locations_term(store, *order);
-}
-
-Value PlannerHost::Services::target_of(TermStore& store, Arguments arguments) {
-  const auto at = place(store, arguments[0]);
-  if (!at || !gazetteer_.on_ground(*at)) return kNil;
-  return target_term(store, *at);
 }
 
 }  // namespace skein::supervisor

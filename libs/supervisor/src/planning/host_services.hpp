@@ -6,8 +6,10 @@
 #include <map>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
+#include "planning/host_relations.hpp"
 #include "planning/terms.hpp"
 #include "refinery/refinery.hpp"
 #include "skein/htn/functions.hpp"
@@ -15,9 +17,12 @@
 
 namespace skein::supervisor {
 
-/// Within which a vehicle counts as being at a place [m]: what it wavers and, when it cannot hover,
-/// its circle.
-double vicinity(const Gazetteer& gazetteer);
+/// When a term says that it begins: an interval; after the word `suited` at a moment of it that
+/// suits. Anything else is any time.
+Departure departure(const htn::TermStore& store, htn::Term when);
+/// Of an answer of a refiner; empty, or nothing, of what is none.
+refiners::Way way_of(const htn::TermStore& store, htn::Term answer);
+std::optional<Seconds> duration_of(const htn::TermStore& store, htn::Term answer);
 
 /// Every answer of a refiner is
 ///   ((destination LOC) (duration LEAST MOST) (energy E) (cost C) (params (NAME VALUE…)…)),
@@ -26,9 +31,9 @@ double vicinity(const Gazetteer& gazetteer);
 /// domain. Thread rule: one thread at a time, with one store of terms.
 class PlannerHost::Services {
  public:
-  using Arguments = std::span<const htn::Term>;
-  using Value = Result<htn::Term, Failure>;
-  using Service = Value (Services::*)(htn::TermStore&, Arguments);
+  using Arguments = HostArguments;
+  using Value = HostValue;
+  using Service = Value (*)(Services&, htn::TermStore&, Arguments);
   struct Entry {
     const char* name;
     std::size_t arguments;
@@ -43,7 +48,7 @@ class PlannerHost::Services {
 
   Value call(const Entry& entry, htn::TermStore& store, Arguments arguments);
 
-  const std::vector<std::string>& refusals() const { return refusals_; }
+  const std::vector<std::string>& refusals() const { return names_.refusals(); }
   std::uint64_t refinements() const { return refinements_; }
 
  private:
@@ -60,7 +65,6 @@ class PlannerHost::Services {
   Value sweep(htn::TermStore& store, Arguments arguments);
   Value sweep_entry(htn::TermStore& store, Arguments arguments);
   Value rest(htn::TermStore& store, Arguments arguments);
-  Value not_reached(htn::TermStore& store, Arguments arguments);
   Value within_reach(htn::TermStore& store, Arguments arguments);
   Value landing_place(htn::TermStore& store, Arguments arguments);
   Value way_out(htn::TermStore& store, Arguments arguments);
@@ -68,28 +72,12 @@ class PlannerHost::Services {
   Value stay(htn::TermStore& store, Arguments arguments);
   Value viewpoint(htn::TermStore& store, Arguments arguments);
   Value angles(htn::TermStore& store, Arguments arguments);
-  Value entry(htn::TermStore& store, Arguments arguments);
   Value tour(htn::TermStore& store, Arguments arguments);
-  Value target_of(htn::TermStore& store, Arguments arguments);
-  Value is_at(htn::TermStore& store, Arguments arguments);
-  Value is_over(htn::TermStore& store, Arguments arguments);
-  Value rank_in(htn::TermStore& store, Arguments arguments);
-  Value count_of(htn::TermStore& store, Arguments arguments);
-  Value with_me(htn::TermStore& store, Arguments arguments);
-  Value in_time(htn::TermStore& store, Arguments arguments);
 
-  /// nil, and the sentence is kept.
-  htn::Term refuse(const std::string& why);
   htn::Term answer(htn::TermStore& store, const Motion& motion, std::vector<htn::Term> params);
   htn::Term flight(htn::TermStore& store, const Answer<Motion>& motion, const std::string& what);
-  static Departure departure(const htn::TermStore& store, htn::Term when);
-  /// Of an answer; empty, or nothing, of what is none.
-  static refiners::Way way_of(const htn::TermStore& store, htn::Term answer);
-  static std::optional<Seconds> duration_of(const htn::TermStore& store, htn::Term answer);
   htn::Term waiting(htn::TermStore& store, const world::Vector3& from, htn::Term when,
                     const Outlook::Venture& venture);
-  std::optional<world::Vector3> place(const htn::TermStore& store, htn::Term term);
-  std::vector<std::string> team(const htn::TermStore& store, Arguments lists) const;
   struct Views {
     htn::Term device;
     std::vector<world::Vector3> points;
@@ -97,11 +85,22 @@ class PlannerHost::Services {
   std::optional<Views> views(htn::TermStore& store, htn::Term place, htn::Term devices,
                              std::size_t count, htn::Term when, htn::Term seconds);
 
-  Gazetteer gazetteer_;
+  const Gazetteer& gazetteer() const { return names_.gazetteer(); }
+  /// As a plain function of the services: their own, or of the relations.
+  template <auto kMember>
+  static Value ask(Services& services, htn::TermStore& store, Arguments arguments) {
+    if constexpr (std::is_same_v<decltype(kMember),
+                                 Value (HostRelations::*)(htn::TermStore&, Arguments)>) {
+      return (services.relations_.*kMember)(store, arguments);
+    } else {
+      return (services.*kMember)(store, arguments);
+    }
+  }
+
   Refinery refinery_;
-  MissionTime origin_;
+  HostNames names_;
+  HostRelations relations_;
   std::map<std::string, htn::Term> known_;
-  std::vector<std::string> refusals_;
   std::uint64_t refinements_ = 0;
 };
 

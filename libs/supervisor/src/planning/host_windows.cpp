@@ -34,12 +34,12 @@ std::vector<Term> part_of(const TermStore& store, Term answer, std::string_view 
 
 }  // namespace
 
-refiners::Way PlannerHost::Services::way_of(const TermStore& store, Term answer) {
+refiners::Way way_of(const TermStore& store, Term answer) {
   const std::vector<Term> params = part_of(store, answer, "params");
   return params.empty() ? refiners::Way{} : locations_of(store, params.back());
 }
 
-std::optional<Seconds> PlannerHost::Services::duration_of(const TermStore& store, Term answer) {
+std::optional<Seconds> duration_of(const TermStore& store, Term answer) {
   const std::vector<Term> parts = part_of(store, answer, "duration");
   if (parts.size() != 3) return std::nullopt;
   const auto least = number_of(store, parts[1]), most = number_of(store, parts[2]);
@@ -48,7 +48,7 @@ std::optional<Seconds> PlannerHost::Services::duration_of(const TermStore& store
 }
 
 /// An interval; after the word `suited` at a moment of it that suits. Anything else is any time.
-Departure PlannerHost::Services::departure(const TermStore& store, Term when) {
+Departure departure(const TermStore& store, Term when) {
   const bool suited = store.is_list(when) && !store.items(when).empty() &&
                       text_of(store, store.items(when).front()) == "suited";
   const auto interval = seconds_of(store, suited ? store.items(when).back() : when);
@@ -68,9 +68,9 @@ Term PlannerHost::Services::waiting(TermStore& store, const Vector3& from, Term 
 /// It is to stay there for STAY seconds.
 Value PlannerHost::Services::wait(TermStore& store, Arguments arguments) {
   if (!refinery_.air.has_windows()) return kNil;
-  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
+  const auto from = names_.place(store, arguments[0]), to = names_.place(store, arguments[1]);
   if (!from || !to) return kNil;
-  const Vector3 there = gazetteer_.flown_to(*to);
+  const Vector3 there = gazetteer().flown_to(*to);
   const double stay = number_of(store, arguments[3]).value_or(0);
   return waiting(store, *from, arguments[2], [&](const Departure& when) {
     return refinery_.outlook.of_way(*from, there, stay, when);
@@ -81,12 +81,12 @@ Value PlannerHost::Services::wait(TermStore& store, Arguments arguments) {
 /// and from there has the zone in sight.
 Value PlannerHost::Services::wait_for_patrol(TermStore& store, Arguments arguments) {
   if (!refinery_.air.has_windows()) return kNil;
-  const auto from = place(store, arguments[0]), to = place(store, arguments[1]);
-  const world::Zone* zone = gazetteer_.zone(text_of(store, arguments[2]));
-  const auto* device = gazetteer_.sensor(text_of(store, arguments[3]));
+  const auto from = names_.place(store, arguments[0]), to = names_.place(store, arguments[1]);
+  const world::Zone* zone = gazetteer().zone(text_of(store, arguments[2]));
+  const auto* device = gazetteer().sensor(text_of(store, arguments[3]));
   const auto seconds = number_of(store, arguments[4]);
   if (!from || !to || zone == nullptr || device == nullptr || !seconds) return kNil;
-  const Vector3 there = gazetteer_.flown_to(*to);
+  const Vector3 there = gazetteer().flown_to(*to);
   return waiting(store, *from, arguments[5], [&](const Departure& when) {
     return refinery_.outlook.of_patrol(*from, there, *zone, *device, *seconds, when);
   });
@@ -95,9 +95,9 @@ Value PlannerHost::Services::wait_for_patrol(TermStore& store, Arguments argumen
 /// (compute-wait-for-sweep FROM ZONE DEVICE WHEN): likewise, or until more of the zone can be seen.
 Value PlannerHost::Services::wait_for_sweep(TermStore& store, Arguments arguments) {
   if (!refinery_.air.has_windows()) return kNil;
-  const auto from = place(store, arguments[0]);
-  const world::Zone* zone = gazetteer_.zone(text_of(store, arguments[1]));
-  const auto* device = gazetteer_.sensor(text_of(store, arguments[2]));
+  const auto from = names_.place(store, arguments[0]);
+  const world::Zone* zone = gazetteer().zone(text_of(store, arguments[1]));
+  const auto* device = gazetteer().sensor(text_of(store, arguments[2]));
   if (!from || zone == nullptr || device == nullptr) return kNil;
   return waiting(store, *from, arguments[3], [&](const Departure& when) {
     return refinery_.outlook.of_sweep(*from, *zone, *device, when);
@@ -107,9 +107,9 @@ Value PlannerHost::Services::wait_for_sweep(TermStore& store, Arguments argument
 /// (compute-wait-for-rest FROM ZONE DEVICE BEFORE (LOC…) WHEN): likewise, for what is left of one.
 Value PlannerHost::Services::wait_for_rest(TermStore& store, Arguments arguments) {
   if (!refinery_.air.has_windows()) return kNil;
-  const auto from = place(store, arguments[0]);
-  const auto* device = gazetteer_.sensor(text_of(store, arguments[2]));
-  const auto* before = gazetteer_.sensor(text_of(store, arguments[3]));
+  const auto from = names_.place(store, arguments[0]);
+  const auto* device = gazetteer().sensor(text_of(store, arguments[2]));
+  const auto* before = gazetteer().sensor(text_of(store, arguments[3]));
   const std::vector<Vector3> way = locations_of(store, arguments[4]);
   if (!from || device == nullptr || before == nullptr || way.size() < 2) return kNil;
   return waiting(store, *from, arguments[5], [&](const Departure& when) {
@@ -120,15 +120,15 @@ Value PlannerHost::Services::wait_for_rest(TermStore& store, Arguments arguments
 /// (within-reach FROM (LOC…) WHEN STAY): those that there is a way to, from the ground from above
 /// it, at once or after a wait, and where it may stay for so many seconds then.
 Value PlannerHost::Services::within_reach(TermStore& store, Arguments arguments) {
-  const auto from = place(store, arguments[0]);
+  const auto from = names_.place(store, arguments[0]);
   if (!from) return kNil;
-  const Term start = location_term(store, gazetteer_.flown_to(*from));
+  const Term start = location_term(store, gazetteer().flown_to(*from));
   const Departure when = departure(store, arguments[2]);
   const double stay = number_of(store, arguments[3]).value_or(0);
   std::vector<Term> there;
   for (const Vector3& at : locations_of(store, arguments[1])) {
     const std::vector<Term> leg = {start, location_term(store, at), arguments[2], arguments[3]};
-    Value way = call(entry_of(&Services::gotoxyz), store, Arguments(leg).first(3));
+    Value way = call(entry_of(ask<&Services::gotoxyz>), store, Arguments(leg).first(3));
     const auto times = way && *way != kNil ? duration_of(store, *way) : std::nullopt;
     const bool serves =
         times && (!refinery_.air.has_windows() ||
@@ -151,14 +151,14 @@ Value PlannerHost::Services::is_open(TermStore& store, Arguments arguments) {
 /// if that is known.
 Value PlannerHost::Services::stays_open(TermStore& store, Arguments arguments) {
   if (!refinery_.air.has_windows()) return TermStore::boolean(true);
-  const auto at = place(store, arguments[0]);
+  const auto at = names_.place(store, arguments[0]);
   const auto duration = seconds_of(store, arguments[2]);
   if (!at || !duration) return kNil;
   if (std::isinf(duration->most)) return TermStore::boolean(true);
   if (refinery_.air.stays_open(*at, departure(store, arguments[1]), duration->most))
     return TermStore::boolean(true);
-  return refuse("the air at " + Gazetteer::words(store, arguments[0]) +
-                " closes before it is done there");
+  return names_.refuse("the air at " + Gazetteer::words(store, arguments[0]) +
+                       " closes before it is done there");
 }
 
 }  // namespace skein::supervisor

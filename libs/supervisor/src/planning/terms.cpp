@@ -104,4 +104,9 @@ bool same_name(std::string_view a, std::string_view b) {
   });
 }
 
+htn::Term target_term(htn::TermStore& store, const world::Vector3& at) {
+  const std::vector<htn::Term> one = {headed(store, "target", {location_term(store, at)})};
+  return store.list(one);
+}
+
 }  // namespace skein::supervisor

@@ -34,5 +34,7 @@ htn::Term headed(htn::TermStore& store, std::string_view head, std::vector<htn::
 
 /// The same letters whatever their case.
 bool same_name(std::string_view a, std::string_view b);
+/// ((target LOC)).
+htn::Term target_term(htn::TermStore& store, const world::Vector3& at);
 
 }  // namespace skein::supervisor
