@@ -8,6 +8,16 @@
 
 namespace skein::executive {
 
+namespace {
+
+std::string reason_of_exit(const TaskRecord& record, MissionTime now) {
+  const bool late = record.synchronisation && record.synchronisation->deadline &&
+                    *record.synchronisation->deadline <= now;
+  return late ? "the deadline has passed" : "exit conditions satisfied";
+}
+
+}  // namespace
+
 Executive::Core::Core(Config config)
     : config_(std::move(config)),
       conditions_(plan_),
@@ -54,7 +64,7 @@ void Executive::Core::advance() {
 
 // A timer counts while what it was set for lasts and no later one has taken its place.
 bool Executive::Core::counts(const Timer& timer) const {
-  if (timer.kind == Timer::Kind::kBackgroundRetry) return background_retry_ == timer.at;
+  if (timer.kind == Timer::Kind::kBackgroundRetry) return background_.retries_at(timer.at);
   const std::optional<Slot> slot = plan_.find(timer.id);
   if (!slot || plan_[*slot].due != timer.at) return false;
   const TaskRecord& record = plan_[*slot];
@@ -66,7 +76,7 @@ bool Executive::Core::counts(const Timer& timer) const {
 void Executive::Core::pass_timer(const Timer& timer) {
   if (!counts(timer)) return;
   if (timer.kind == Timer::Kind::kBackgroundRetry) {
-    background_retry_.reset();
+    background_.retry();
     return;
   }
   const Slot slot = *plan_.find(timer.id);
@@ -76,8 +86,7 @@ void Executive::Core::pass_timer(const Timer& timer) {
     notice("urgent task " + to_text(timer.id) + " goes after " + to_text(config_.urgent_wait) +
            " s although " + std::to_string(record.blockers) +
            " incompatible task(s) are not terminal");
-    record.blockers = 0;
-    urgent_ready_.push(timer.id, slot);
+    urgents_.force(record, slot);
   } else if (timer.kind == Timer::Kind::kSyncAgain) {
     say(*record.synchronisation, SyncWord::kThere);
     say_again_later(slot);
@@ -93,17 +102,11 @@ void Executive::Core::settle() {
   }
 }
 
-std::optional<Plan::Slot> Executive::Core::take_urgent() {
-  return urgent_ready_.take(plan_, [](const TaskRecord& record) {
-    return record.urgent && record.state == TaskState::kScheduled && record.blockers == 0;
-  });
-}
-
 // One thing that is due, if any: Ξ first, then urgent tasks, then Π; last the background routine.
 bool Executive::Core::step() {
   if (const auto exit = conditions_.take_exit()) {
-    interrupt_or_cancel(*exit, reason_of_exit(plan_[*exit]));
-  } else if (const auto urgent = take_urgent()) {
+    interrupt_or_cancel(*exit, reason_of_exit(plan_[*exit], now_));
+  } else if (const auto urgent = urgents_.take(plan_)) {
     dispatch(*urgent);
   } else if (const auto ready = conditions_.take_precondition()) {
     if (plan_[*ready].preconditions.dead()) {
@@ -111,10 +114,8 @@ bool Executive::Core::step() {
     } else {
       dispatch(*ready);
     }
-  } else if (wants_background()) {
-    dispatch_background();
   } else {
-    return false;
+    return dispatch_background();
   }
   return true;
 }
@@ -164,8 +165,8 @@ void Executive::Core::on(const PeerReachable& peer) {
 }
 
 void Executive::Core::on(const Flight& flight) {
-  airborne_ = flight.airborne;
-  if (!airborne_) end_background("no longer in flight");
+  background_.flies(flight.airborne);
+  if (!flight.airborne) end_background("no longer in flight");
 }
 
 // scheduled, started, running, aborting    out of the plan, remembered as aborted
@@ -182,7 +183,7 @@ void Executive::Core::on(const Relinquish& request) {
   if (!slots.empty()) {
     notice(std::to_string(slots.size()) + " task(s) are another executive's from now on");
   }
-  resting_ = true;
+  background_.rest(true);
   end_background("another executive is in charge");
 }
 

@@ -2,6 +2,7 @@
 // The table of tasks: what is in the plan, what is remembered of what has left it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -35,6 +36,9 @@ struct TaskRecord {
   bool joint = false;
   bool background = false;
 
+  bool uses(std::uint32_t resource) const {
+    return std::find(resources.begin(), resources.end(), resource) != resources.end();
+  }
   FormulaState& formula(Role role) { return role == Role::kExit ? exit : preconditions; }
   const FormulaState& formula(Role role) const {
     return role == Role::kExit ? exit : preconditions;

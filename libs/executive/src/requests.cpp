@@ -12,6 +12,49 @@ std::optional<std::string> not_in_plan(TaskId id) {
   return "task " + to_text(id) + " is not in the plan";
 }
 
+std::optional<std::string> refusal_of(const Start& request, const Plan& plan,
+                                      const TypeTable& types) {
+  const Task& task = request.task;
+  if (task.id >= kFirstBackgroundId) {
+    return "ids from " + to_text(kFirstBackgroundId) + " on are those of the background routine";
+  }
+  if (!plan.may_insert(task.id)) return "id " + to_text(task.id) + " is known already";
+  if (types.of(task.type).synchronises() != task.synchronisation.has_value()) {
+    return "a task has a synchronisation exactly when its type synchronises";
+  }
+  return std::nullopt;
+}
+
+// Π according to the mode of insertion.
+Formula preconditions_of(const Start& request, const Plan& plan) {
+  if (request.mode == InsertionMode::kSeq) return request.task.preconditions;
+  Formula formula;
+  if (request.mode == InsertionMode::kVut) return formula;
+  const Modality modality =
+      request.mode == InsertionMode::kDep ? Modality::kMandatory : Modality::kOptional;
+  for (const TaskId id : plan.open()) {
+    formula.push_back({Literal{TaskInState{id, TaskState::kEnded}, false, modality}});
+  }
+  return formula;
+}
+
+std::optional<std::string> refusal_of(const UpdateConditions& request, const Plan& plan,
+                                      const Conditions& conditions) {
+  const std::optional<Plan::Slot> slot = plan.find(request.id);
+  if (!slot || plan[*slot].background) return not_in_plan(request.id);
+  const TaskRecord& record = plan[*slot];
+  const std::string task = "task " + to_text(request.id);
+  const std::string state(to_text(record.state));
+  if (is_terminal(record.state)) return task + " is " + state;
+  if (request.preconditions && record.state != TaskState::kScheduled) {
+    return task + " is " + state + ": its preconditions no longer matter";
+  }
+  if (request.preconditions && record.urgent) return task + " is urgent: it has no preconditions";
+  return conditions.incoherence(request.id,
+                                request.preconditions ? &*request.preconditions : nullptr,
+                                request.exit ? &*request.exit : nullptr, std::nullopt);
+}
+
 }  // namespace
 
 void Executive::Core::reply(RequestKind kind, std::optional<TaskId> id,
@@ -20,31 +63,6 @@ void Executive::Core::reply(RequestKind kind, std::optional<TaskId> id,
 }
 
 // --- START ---------------------------------------------------------------------------------------
-
-std::optional<std::string> Executive::Core::refusal_of(const Start& request) const {
-  const Task& task = request.task;
-  if (task.id >= kFirstBackgroundId) {
-    return "ids from " + to_text(kFirstBackgroundId) + " on are those of the background routine";
-  }
-  if (!plan_.may_insert(task.id)) return "id " + to_text(task.id) + " is known already";
-  if (config_.types.of(task.type).synchronises() != task.synchronisation.has_value()) {
-    return "a task has a synchronisation exactly when its type synchronises";
-  }
-  return std::nullopt;
-}
-
-// Π according to the mode of insertion.
-Formula Executive::Core::preconditions_of(const Start& request) const {
-  if (request.mode == InsertionMode::kSeq) return request.task.preconditions;
-  Formula formula;
-  if (request.mode == InsertionMode::kVut) return formula;
-  const Modality modality =
-      request.mode == InsertionMode::kDep ? Modality::kMandatory : Modality::kOptional;
-  for (const TaskId id : plan_.open()) {
-    formula.push_back({Literal{TaskInState{id, TaskState::kEnded}, false, modality}});
-  }
-  return formula;
-}
 
 Plan::Slot Executive::Core::enter(const Task& task) {
   Task copy{task.id, task.type, task.parameters, {}, {}, task.synchronisation};
@@ -59,16 +77,16 @@ Plan::Slot Executive::Core::enter(const Task& task) {
 // (new)   otherwise    aborted
 void Executive::Core::on(const Start& request) {
   const Task& task = request.task;
-  const std::optional<std::string> refusal = refusal_of(request);
+  const std::optional<std::string> refusal = refusal_of(request, plan_, config_.types);
   reply(RequestKind::kStart, task.id, refusal);
   if (refusal) return;
-  resting_ = false;
+  background_.rest(false);
   if (!config_.types.is_declared(task.type)) {
     notice("type '" + task.type + "' is not declared: it uses no exclusive resource");
   }
   const std::optional<MissionTime> deadline =
       task.synchronisation ? task.synchronisation->deadline : std::nullopt;
-  const Formula preconditions = preconditions_of(request);
+  const Formula preconditions = preconditions_of(request, plan_);
   const std::optional<std::string> incoherence =
       conditions_.incoherence(task.id, &preconditions, &task.exit, deadline);
   const Slot slot = enter(task);
@@ -84,12 +102,10 @@ void Executive::Core::on(const Start& request) {
 void Executive::Core::make_urgent(Slot slot) {
   TaskRecord& urgent = plan_[slot];
   const std::set<TaskId> blockers = resources_.users_of(urgent.resources);
-  urgent.blockers = static_cast<std::uint32_t>(blockers.size());
-  if (uses_motion(urgent)) urgent_motion_.insert(urgent.id);
-  if (blockers.empty()) return urgent_ready_.push(urgent.id, slot);
+  urgents_.enter(urgent, slot, blockers, urgent.uses(motion_));
+  if (blockers.empty()) return;
   urgent.due = now_ + config_.urgent_wait;
   timers_.set(Timer{*urgent.due, Timer::Kind::kUrgentWait, urgent.id});
-  for (const TaskId id : blockers) waiting_for_[id].push_back(urgent.id);
   for (const TaskId id : blockers) {
     const Slot blocker = *plan_.find(id);
     if (plan_[blocker].state != TaskState::kAborting) {
@@ -137,24 +153,8 @@ void Executive::Core::on(const Suppress& request) {
 
 // --- UPDATE-COND ---------------------------------------------------------------------------------
 
-std::optional<std::string> Executive::Core::refusal_of(const UpdateConditions& request) const {
-  const std::optional<Slot> slot = plan_.find(request.id);
-  if (!slot || plan_[*slot].background) return not_in_plan(request.id);
-  const TaskRecord& record = plan_[*slot];
-  const std::string task = "task " + to_text(request.id);
-  const std::string state(to_text(record.state));
-  if (is_terminal(record.state)) return task + " is " + state;
-  if (request.preconditions && record.state != TaskState::kScheduled) {
-    return task + " is " + state + ": its preconditions no longer matter";
-  }
-  if (request.preconditions && record.urgent) return task + " is urgent: it has no preconditions";
-  return conditions_.incoherence(request.id,
-                                 request.preconditions ? &*request.preconditions : nullptr,
-                                 request.exit ? &*request.exit : nullptr, std::nullopt);
-}
-
 void Executive::Core::on(const UpdateConditions& request) {
-  const std::optional<std::string> refusal = refusal_of(request);
+  const std::optional<std::string> refusal = refusal_of(request, plan_, conditions_);
   reply(RequestKind::kUpdateConditions, request.id, refusal);
   if (refusal) return;
   const Slot slot = *plan_.find(request.id);

@@ -27,13 +27,8 @@ void Executive::Core::set_state(Slot slot, TaskState state, const std::string& r
   }
   announce(record);
   conditions_.task_changed(slot);
-  if (state == TaskState::kEnded) note_flight(config_.types.of(record.type).leaves);
+  if (state == TaskState::kEnded) background_.left(config_.types.of(record.type).leaves);
   if (is_terminal(state)) retire(slot, was_aborting);
-}
-
-void Executive::Core::note_flight(functional::Leaves leaves) {
-  if (leaves == functional::Leaves::kInTheAir) airborne_ = true;
-  if (leaves == functional::Leaves::kOnTheGround) airborne_ = false;
 }
 
 // What a terminal task held is given back.
@@ -43,14 +38,10 @@ void Executive::Core::retire(Slot slot, bool was_aborting) {
   resources_.release(id, record.resources);
   conditions_.detach(slot, Role::kPreconditions);
   conditions_.detach(slot, Role::kExit);
-  if (record.urgent) urgent_motion_.erase(id);
-  record.urgent = false;
+  urgents_.leave(record);
   if (record.synchronisation) retire_synchronisation(record);
-  free_urgents(id);
-  if (record.background) {
-    retire_background(was_aborting);
-    plan_.remove(slot);
-  }
+  urgents_.over(id, plan_);
+  if (record.background) retire_background(slot, was_aborting);
 }
 
 // What partners were told stays true of one that ended, and is taken back otherwise.
@@ -67,9 +58,7 @@ void Executive::Core::let_go(Slot slot) {
   TaskRecord& record = plan_[slot];
   const TaskId id = record.id;
   if (record.joint && is_active(record.state)) --joint_active_;
-  if (record.urgent) {
-    for (auto& [blocker, waiting] : waiting_for_) std::erase(waiting, id);
-  }
+  if (record.urgent) urgents_.let_go(id);
   record.due.reset();
   // The partners are not told: who has the task now is there for them.
   if (record.synchronisation) synchroniser_.forget(id, *record.synchronisation);
@@ -80,23 +69,8 @@ void Executive::Core::let_go(Slot slot) {
   plan_.readmit(id);
 }
 
-void Executive::Core::free_urgents(TaskId blocker) {
-  const auto waiting = waiting_for_.find(blocker);
-  if (waiting == waiting_for_.end()) return;
-  for (const TaskId id : waiting->second) {
-    const std::optional<Slot> slot = plan_.find(id);
-    if (!slot || !plan_[*slot].urgent || plan_[*slot].blockers == 0) continue;
-    if (--plan_[*slot].blockers == 0) urgent_ready_.push(id, *slot);
-  }
-  waiting_for_.erase(waiting);
-}
-
-bool Executive::Core::answers_functionally(const TaskRecord& record) const {
-  return !record.joint && !record.synchronisation;
-}
-
 void Executive::Core::expect_answer(TaskRecord& record) {
-  if (!config_.functional_timeout || !answers_functionally(record)) return;
+  if (!config_.functional_timeout || record.joint || record.synchronisation) return;
   record.due = now_ + *config_.functional_timeout;
   timers_.set(Timer{*record.due, Timer::Kind::kTimeout, record.id});
 }
@@ -104,9 +78,10 @@ void Executive::Core::expect_answer(TaskRecord& record) {
 // scheduled    Π satisfied, or urgent and free to go    started (synchronise: at once running)
 void Executive::Core::dispatch(Slot slot) {
   TaskRecord& record = plan_[slot];
-  if (uses_motion(record)) displace_background(record.id);
-  if (record.urgent) urgent_motion_.erase(record.id);
-  record.urgent = false;
+  if (record.uses(motion_) && background_.task() != record.id) {
+    end_background("displaced by task " + to_text(record.id));
+  }
+  urgents_.leave(record);
   conditions_.detach(slot, Role::kPreconditions);
   resources_.acquire(record.id, record.resources);
   set_state(slot, TaskState::kStarted);
@@ -143,12 +118,6 @@ void Executive::Core::say_again_later(Slot slot) {
   if (synchroniser_.targets(*record.synchronisation).empty()) return;
   record.due = now_ + Duration::nanoseconds(config_.sync_validity->count() / 2);
   timers_.set(Timer{*record.due, Timer::Kind::kSyncAgain, record.id});
-}
-
-std::string Executive::Core::reason_of_exit(const TaskRecord& record) const {
-  const bool late = record.synchronisation && record.synchronisation->deadline &&
-                    *record.synchronisation->deadline <= now_;
-  return late ? "the deadline has passed" : "exit conditions satisfied";
 }
 
 // scheduled           aborted
