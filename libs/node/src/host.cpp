@@ -53,7 +53,8 @@ Host::Host(const Roster& roster, const Member& self, std::unique_ptr<Node> node,
       node_(std::move(node)),
       blackboard_(std::move(blackboard)),
       config_(config),
-      ports_(std::move(ports)) {
+      ports_(std::move(ports)),
+      node_due_(node_->next_wakeup()) {
   for (const auto& channel : roster_.channels_of(self_)) {
     if (channel.kind == ChannelKind::kWorld) continue;
     peers_.insert(channel.from == self_.number ? channel.to : channel.from);
@@ -71,8 +72,7 @@ bool Host::step(Now now) {
   std::vector<blackboard::Incoming> incoming = blackboard_.step(now);
   bool busy = !incoming.empty();
   for (auto& one : incoming) take(std::move(one), now);
-  const auto due = node_->next_wakeup();
-  if (started_ && due && *due <= now.mission) {
+  if (started_ && node_due_ && *node_due_ <= now.mission) {
     give(Wakeup{}, now);
     busy = true;
   }
@@ -93,7 +93,11 @@ bool Host::all_peers_heard() const {
   });
 }
 
-void Host::give(const Input& input, Now now) { carry_out(node_->handle(input, now.mission), now); }
+void Host::give(const Input& input, Now now) {
+  Effects effects = node_->handle(input, now.mission);
+  node_due_ = node_->next_wakeup();
+  carry_out(std::move(effects), now);
+}
 
 void Host::carry_out(Effects effects, Now now) {
   for (Effect& effect : effects) {

@@ -89,12 +89,11 @@ class Hosts : public ::testing::Test {
     time_ = until;
     settle();
   }
-  // Lets a node answer its next input, a wakeup now, with an effect.
+  // Lets a node answer its next input, the end of a job, with an effect.
   void act(const std::string& name, Effects effects) {
     Station& station = (*this)[name];
     station.diary.effects = std::move(effects);
-    station.diary.wakeup = now().mission;
-    station.host->step(now());
+    station.host->job_done({}, now());
   }
   void set_link(const std::string& a, const std::string& b, bool up) {
     (*this)["sim"].host->publish(link(number(a), number(b), up), now());

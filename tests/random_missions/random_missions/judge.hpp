@@ -31,7 +31,7 @@ struct Verdict {
 struct JudgeOptions {
   std::vector<std::string> only = {};  ///< laws; all if empty
   int jobs = 1;
-  int patience = 60;     ///< [s] of wall-clock time for one
+  int patience = 60;     ///< [s] of processor time for one
   std::string log = {};  ///< folder in which each event log is kept as NAME.jsonl; none if empty
 };
 

@@ -166,7 +166,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--minimise", options.minimise, "with --save: leave out what can be left out");
   app.add_option("--log", options.judge.log, "keep the event log of each mission in this folder");
   app.add_option("--jobs", options.judge.jobs, "how many at once")->check(CLI::Range(1, 64));
-  app.add_option("--patience", options.judge.patience, "seconds of wall-clock time for one")
+  app.add_option("--patience", options.judge.patience, "seconds of processor time for one")
       ->check(CLI::Range(1, 3600));
   app.add_option("--examples", options.examples, "seeds to name for each law");
   app.add_flag("--laws", options.laws, "list the laws");

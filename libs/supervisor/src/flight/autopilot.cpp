@@ -26,9 +26,7 @@ constexpr double kCorrection = 5;                // [s] between two of an autopi
 constexpr double kVerticalShare = 0.5;           // heights are held better than places
 constexpr double kGustLasts = 5, kGustStep = 1;  // [s]
 
-double bearing(const Vector2& from, const Vector2& to) {
-  return std::atan2(to.y() - from.y(), to.x() - from.x());
-}
+Vector2 facing(double heading) { return {std::cos(heading), std::sin(heading)}; }
 
 /// From which it can still stop in `distance` with half its acceleration.
 double stopping_speed(double acceleration, double distance) {
@@ -42,8 +40,10 @@ double corner_speed(const Vector3& before, const Vector3& at, const Vector3& beh
   return lengths > 0 ? speed * (1 + in.dot(out) / lengths) / 2 : 0;
 }
 
+/// `turn`: from its heading on [rad]; `course`: a unit vector, of what hovers.
 struct Order {
-  double speed = 0, course = 0, climb = 0;
+  double speed = 0, turn = 0, climb = 0;
+  Vector2 course = Vector2::Zero();
 };
 
 class Flyer {
@@ -53,10 +53,10 @@ class Flyer {
         drift_(vehicle.wind_drift * world::mean_velocity(wind)),
         at_(from.at),
         heading_(from.heading),
-        air_(from.speed * std::cos(from.heading), from.speed * std::sin(from.heading), 0) {}
+        facing_(facing(from.heading)),
+        air_(from.speed * facing_.x(), from.speed * facing_.y(), 0) {}
 
   const Vector3& at() const { return at_; }
-  double heading() const { return heading_; }
   double speed() const { return air_.norm(); }
   Pose pose() const { return {at_, heading_, air_.head<2>().norm()}; }
 
@@ -75,12 +75,13 @@ class Flyer {
 
   /// Straight at a point: the quicker of the two motions waits for the slower.
   Order hover_towards(const Vector3& to, double speed_there) const {
-    const double distance = (to - at_).head<2>().norm(), rise = std::abs(to.z() - at_.z());
+    const Vector2 level = (to - at_).head<2>();
+    const double distance = level.norm(), rise = std::abs(to.z() - at_.z());
     const double climb =
         std::clamp(level_towards(to.z()), -vehicle_.descent_rate, vehicle_.climb_rate);
     Order order{std::min(vehicle_.cruise_speed,
                          std::hypot(speed_there, stopping_speed(vehicle_.acceleration, distance))),
-                bearing(at_.head<2>(), to.head<2>()), climb};
+                0, climb, distance > 0 ? Vector2(level / distance) : Vector2::UnitX()};
     if (distance < kNear || rise < kNear) return order;
     const double level_time = distance / order.speed, climb_time = rise / std::abs(order.climb);
     if (climb_time < level_time)
@@ -91,30 +92,28 @@ class Flyer {
   }
 
   Order turn_towards(const Vector3& to, bool makes_room) const {
-    return {vehicle_.cruise_speed, makes_room ? heading_ : bearing(at_.head<2>(), to.head<2>()),
+    return {vehicle_.cruise_speed, makes_room ? 0 : turn_to((to - at_).head<2>()),
             level_towards(to.z())};
   }
 
   Order circle(const Vector3& centre) const {
     const Vector2 offset = (at_ - centre).head<2>();
     const double excess = (offset.norm() - vehicle_.orbit_radius) / vehicle_.orbit_radius;
-    const double around =
-        offset.norm() > 1e-6 ? std::atan2(offset.y(), offset.x()) : heading_ - kPi / 2;
-    return {vehicle_.cruise_speed, around + kPi / 2 + std::atan(kOrbitGain * excess),
+    const double along = offset.norm() > 1e-6 ? turn_to({-offset.y(), offset.x()}) : 0;
+    return {vehicle_.cruise_speed, world::wrapped(along + std::atan(kOrbitGain * excess)),
             level_towards(centre.z())};
   }
 
   /// The point lies inside the circle of that radius that would turn towards it.
   bool needs_room(const Vector2& point, double radius, double tolerance) const {
-    const double side = world::wrapped(bearing(at_.head<2>(), point) - heading_) >= 0 ? 1 : -1;
-    const Vector2 left(-std::sin(heading_), std::cos(heading_));
+    const Vector2 left(-facing_.y(), facing_.x());
+    const double side = left.dot(point - at_.head<2>()) >= 0 ? 1 : -1;
     return (point - (at_.head<2>() + side * radius * left)).norm() < radius - tolerance / 2;
   }
 
  private:
   void thrust(const Order& order) {
-    const Vector2 wanted = order.speed * Vector2(std::cos(order.course), std::sin(order.course));
-    const Vector2 change = wanted - air_.head<2>();
+    const Vector2 change = order.speed * order.course - air_.head<2>();
     const double most = vehicle_.acceleration * kTrackStep, size = change.norm();
     air_.head<2>() += size <= most ? change : Vector2(change * (most / size));
   }
@@ -124,13 +123,21 @@ class Flyer {
     const double wanted = std::clamp(order.speed, vehicle_.min_speed, vehicle_.max_speed);
     const double speed = now + std::clamp(wanted - now, -most, most);
     const double limit = speed * kTrackStep / vehicle_.min_turn_radius;
-    heading_ += std::clamp(world::wrapped(order.course - heading_), -limit, limit);
-    air_.head<2>() = speed * Vector2(std::cos(heading_), std::sin(heading_));
+    heading_ += std::clamp(order.turn, -limit, limit);
+    facing_ = facing(heading_);
+    air_.head<2>() = speed * facing_;
+  }
+
+  /// From its heading to that direction [rad].
+  double turn_to(const Vector2& direction) const {
+    const double across = facing_.x() * direction.y() - facing_.y() * direction.x();
+    return std::atan2(across, facing_.dot(direction));
   }
 
   const VehicleModel& vehicle_;
   Vector3 drift_, at_;
   double heading_;
+  Vector2 facing_;  ///< its heading as a unit vector
   Vector3 air_;
 };
 
@@ -171,7 +178,8 @@ class Shaking {
 };
 
 bool is_near(const Vector3& at, const Vector3& point, double tolerance) {
-  return (point - at).head<2>().norm() <= tolerance && std::abs(point.z() - at.z()) <= tolerance;
+  return std::abs(point.z() - at.z()) <= tolerance &&
+         (point - at).head<2>().squaredNorm() <= tolerance * tolerance;
 }
 
 /// It has its speed, and is at rest, within a step.

@@ -106,8 +106,6 @@ Answer<Way> Patrols::planned(const world::World& world, const Vector3& from,
 std::optional<Way> Patrols::filled(const Way& way, const world::Zone& zone, const Look& look,
                                    double seconds, double& longer) const {
   if (way.size() < 2) return std::nullopt;
-  const Times times = flight_times(way, vehicle(), world().wind);
-  const double needed = seconds + times.expected - times.least;
   Pose start = poses_at(way.front(), vehicle()).front();
   start.heading = heading_to(way.front(), zone.polygon);
   const Way rest(way.begin() + 1, way.end());
@@ -118,7 +116,12 @@ std::optional<Way> Patrols::filled(const Way& way, const world::Zone& zone, cons
   const auto done = [&](double at) {
     return std::min(sight.since_first(at), sight.until(at) / share);
   };
-  longer = needed / std::max(done(flown.seconds), 1e-3);
+  const double most = std::max(done(flown.seconds), 1e-3);
+  longer = seconds / most;
+  if (longer > 1) return std::nullopt;  // without asking how quick it may be, which takes long
+  const Times times = flight_times(way, vehicle(), world().wind);
+  const double needed = seconds + times.expected - times.least;
+  longer = needed / most;
   for (std::size_t i = 0; i < rest.size(); ++i) {
     const double more = done(flown.passages[i]) - needed;
     if (more < 0) continue;

@@ -22,6 +22,8 @@ constexpr double kLeastClearance = 5;  // [m]
 constexpr double kClimbShare = 0.8;    // of its rates, in ways of a vehicle that cannot hover
 constexpr double kJoining = 1.3;       // of its circle: it is joined from inside and outside
 constexpr int kAround = 8;
+constexpr std::uint64_t kShaken =
+    4;  // flights in thought with errors and gusts, beside the calm one
 
 }  // namespace
 
@@ -143,7 +145,8 @@ bool TimedAir::comes_near(const Way& way, const Volumes& volumes) const {
 
 /// Some flight along the way, whichever way it comes to where that begins, or its circles at the
 /// end are nearer to closed air than the vehicle strays; one that hovers, and whose ways keep that
-/// distance, than half of that.
+/// distance, than half of that, be it shaken on its flight: what errors and gusts make of its
+/// corners is more than what they are themselves.
 bool TimedAir::met(const Way& way, const Volumes& volumes) const {
   if (volumes.empty() || way.size() < 2) return false;
   const bool hovers = vehicle().hovers;
@@ -160,6 +163,9 @@ bool TimedAir::met(const Way& way, const Volumes& volumes) const {
   const double round = 2 * std::numbers::pi * vehicle().orbit_radius / vehicle().cruise_speed;
   for (const Pose& pose : poses_at(way.front(), vehicle())) {
     if (is_met(pose.at)) continue;
+    const std::uint64_t trials = hovers ? kShaken : 0;
+    for (std::uint64_t trial = 1; trial <= trials; ++trial)
+      if (any_met(fly_way(pose, rest, vehicle(), world().wind, trial).track)) return true;
     const FlownWay flown = fly_way(pose, rest, vehicle(), world().wind);
     if (any_met(flown.track)) return true;
     if (hovers) continue;

@@ -56,7 +56,7 @@ class Host {
   /// refusal is logged.
   void publish(wire::Sample sample, blackboard::Now now);
 
-  std::optional<MissionTime> next_mission_wakeup() const { return node_->next_wakeup(); }
+  std::optional<MissionTime> next_mission_wakeup() const { return node_due_; }
   std::optional<Duration> next_steady_wakeup() const { return blackboard_.next_wakeup(); }
   /// True once every peer this node has a radio or onboard channel with, and whose channel the
   /// radio does not hold down, has been heard.
@@ -84,6 +84,7 @@ class Host {
   blackboard::Blackboard blackboard_;
   HostConfig config_;
   HostPorts ports_;
+  std::optional<MissionTime> node_due_;  ///< asked of the node whenever it has handled something
   bool started_ = false;
   std::vector<blackboard::Incoming> before_start_;
   std::set<NodeNumber> peers_;  ///< with a radio or onboard channel

@@ -95,6 +95,7 @@ class Node {
 
   virtual Effects handle(const Input& input, MissionTime now) = 0;
   /// When it next wants a Wakeup, if nothing comes before; after a Wakeup, later than its instant.
+  /// Only handle() changes it: it is asked once after that.
   virtual std::optional<MissionTime> next_wakeup() const = 0;
 };
 
