@@ -221,6 +221,9 @@
   (:operator (!!lcompute-gotoxyz ?from ?to ?when)
     ((assign ?data (compute-gotoxyz ?from ?to ?when)) (call consp ?data))
     () ((eval-ok gotoxyz ?data)) 0)
+  (:operator (!!lcompute-gotoxyz-among ?from ?to ?others ?when)
+    ((assign ?data (compute-gotoxyz-among ?from ?to ?others ?when)) (call consp ?data))
+    () ((eval-ok gotoxyz ?data)) 0)
   (:operator (!!lcompute-patrol ?from ?zone ?device ?seconds ?when)
     ((assign ?data (compute-patrol ?from ?zone ?device ?seconds ?when)) (call consp ?data))
     () ((eval-ok gotoxyz ?data)) 0)
@@ -472,9 +475,23 @@
     fly ((uavloc flying ?from) (may-begin ?tc ?when))
       ((!!lcompute-gotoxyz ?from ?to ?when) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
+  ; To one's place at a meeting: around those where partners may wait already.
+  (:method (go-among ?to ?others ?tc ?origin)
+    wait-for-open-air
+    ((uavloc ?how ?from) (may-begin ?tc ?when) (assign ?wait (compute-wait ?from ?to ?when 0))
+      (spent-waiting ?how ?from ?when ?wait ?spent))
+      ((!!lcompute-stay ?spent) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (go-among ?to ?others ?tc ?origin))
+    take-off-first ((uavloc grounded ?_place)) ((take-off ?tc ?origin) (go-among ?to ?others ?tc ?origin))
+    fly ((uavloc flying ?from) (may-begin ?tc ?when))
+      ((!!lcompute-gotoxyz-among ?from ?to ?others ?when) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+
   (:method (go-unless-there ?to ?tc ?origin)
     already-there ((uavloc flying ?from) (call is-at ?from ?to)) ()
     elsewhere () ((go ?to 0 ?tc ?origin)))
+
+  (:method (go-to-meet ?to ?others ?tc ?origin)
+    already-there ((uavloc flying ?from) (call is-at ?from ?to)) ()
+    elsewhere () ((go-among ?to ?others ?tc ?origin)))
 
   (:method (go-through ?places ?tc ?origin)
     all-visited ((call null ?places)) ()
@@ -639,8 +656,8 @@
       (still-to-look ?seconds ?origin ?left) (uavloc ?_how ?from)
       (devices-for perception ?devices) (assign* ?device ?devices)
       (may-begin ?tc ?when)
-      (side-for ?from ?place ?device ?rank ?count ?when ?to))
-      ((go ?to 0 ?tc ?origin) (wait-for-partners ?sync ?senders ?receivers ?tc ?origin)
+      (side-for ?from ?place ?device ?rank ?count ?when ?to) (assign ?others (compute-others ?place (list ?device) ?rank ?count)))
+      ((go-among ?to ?others ?tc ?origin) (wait-for-partners ?sync ?senders ?receivers ?tc ?origin)
        (stay-and-shoot ?device ?place ?left ?tc ?origin)))
 
   (:method (meet ?sync ?senders ?receivers ?tc ?origin)
@@ -653,9 +670,9 @@
     (:first (assign ?team (with-me ?partners)) (assign ?rank (rank-in ?team ?team)) (assign ?count (length ?team))
       (uavloc ?_how ?here)
       (devices-for perception ?devices) (assign* ?device ?devices) (may-begin ?tc ?when)
-      (side-for ?here ?place ?device ?rank ?count ?when ?to)
+      (side-for ?here ?place ?device ?rank ?count ?when ?to) (assign ?others (compute-others ?place (list ?device) ?rank ?count))
       (assign ?target (target-of ?place)))
-      ((go-unless-there ?to ?tc ?origin) (meet ?sync ?team ?team ?tc ?origin)
+      ((go-to-meet ?to ?others ?tc ?origin) (meet ?sync ?team ?team ?tc ?origin)
        (!!aim ?device ?target) (!task-monitoring ?shot ?_e ?_q ?_t ?_v ?tc ?origin)
        (!!agree ?signal (?from) ?team ((num 0) (num unlimited))) (!task-synchro ?_j ?_f ?_r ?_x ?_w ?tc ?origin)
        (!stop-monitoring ?shot ?_g ?_k ?_y ?_z ?tc ?origin)))

@@ -50,10 +50,11 @@ Term way_term(TermStore& store, const refiners::Way& way) {
 }  // namespace
 
 std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
-  static constexpr std::array<Entry, 30> entries = {
+  static constexpr std::array<Entry, 32> entries = {
       {{"compute-takeoff", 2, ask<&Services::takeoff>, true, 1},
        {"compute-land", 2, ask<&Services::land>, true},
        {"compute-gotoxyz", 3, ask<&Services::gotoxyz>, true, 2},
+       {"compute-gotoxyz-among", 4, ask<&Services::gotoxyz_among>, true, 3},
        {"compute-wait", 4, ask<&Services::wait>, false},
        {"compute-wait-for-patrol", 6, ask<&Services::wait_for_patrol>, false},
        {"compute-wait-for-sweep", 4, ask<&Services::wait_for_sweep>, false},
@@ -71,6 +72,7 @@ std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
        {"compute-way-out", 1, ask<&Services::way_out>, true},
        {"is-free", 1, ask<&Services::is_free>, false},
        {"compute-viewpoint", 6, ask<&Services::viewpoint>, true, 4},
+       {"compute-others", 4, ask<&Services::others>, false},
        {"compute-angles", 5, ask<&Services::angles>, true, 3},
        {"compute-entry", 1, ask<&HostRelations::entry>, false},
        {"compute-tour", 2, ask<&Services::tour>, true},
@@ -181,6 +183,18 @@ Value PlannerHost::Services::gotoxyz(TermStore& store, Arguments arguments) {
   if (!from || !to) return kNil;
   return flight(
       store, refinery_.ways.path(*from, gazetteer().flown_to(*to), departure(store, arguments[2])),
+      "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
+          Gazetteer::words(store, arguments[1]));
+}
+
+/// (compute-gotoxyz-among FROM TO (LOC…) WHEN): likewise, around where others wait.
+Value PlannerHost::Services::gotoxyz_among(TermStore& store, Arguments arguments) {
+  const auto from = names_.place(store, arguments[0]), to = names_.place(store, arguments[1]);
+  if (!from || !to) return kNil;
+  return flight(
+      store,
+      refinery_.ways.path_among(*from, gazetteer().flown_to(*to), locations_of(store, arguments[2]),
+                                departure(store, arguments[3])),
       "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
           Gazetteer::words(store, arguments[1]));
 }
@@ -307,6 +321,20 @@ Value PlannerHost::Services::viewpoint(TermStore& store, Arguments arguments) {
                          text_of(store, seen->device));
   const std::vector<Term> pair = {seen->device, location_term(store, seen->points[wanted])};
   return store.list(pair);
+}
+
+/// (compute-others PLACE DEVICES RANK COUNT): the COUNT sides without that of RANK.
+Value PlannerHost::Services::others(TermStore& store, Arguments arguments) {
+  const auto rank = number_of(store, arguments[2]), count = number_of(store, arguments[3]);
+  if (!rank || !count || *rank < 0 || *count < 1 || *count > kMostSides)
+    return failure("rank and count must be 0 and more, and 1 to 16");
+  if (*count < 2) return kNil;
+  const auto seen = views(store, arguments[0], arguments[1], static_cast<std::size_t>(*count), kNil,
+                          store.integer(0));
+  std::vector<Term> all;
+  for (std::size_t i = 0; seen && i < seen->points.size(); ++i)
+    if (i != static_cast<std::size_t>(*rank)) all.push_back(location_term(store, seen->points[i]));
+  return store.list(all);
 }
 
 /// (compute-angles PLACE DEVICES COUNT WHEN SECONDS): (DEVICE LOC…).

@@ -55,6 +55,7 @@ class PlannerHost::Services {
   Value takeoff(htn::TermStore& store, Arguments arguments);
   Value land(htn::TermStore& store, Arguments arguments);
   Value gotoxyz(htn::TermStore& store, Arguments arguments);
+  Value gotoxyz_among(htn::TermStore& store, Arguments arguments);
   Value wait(htn::TermStore& store, Arguments arguments);
   Value wait_for_patrol(htn::TermStore& store, Arguments arguments);
   Value wait_for_sweep(htn::TermStore& store, Arguments arguments);
@@ -71,6 +72,7 @@ class PlannerHost::Services {
   Value is_free(htn::TermStore& store, Arguments arguments);
   Value stay(htn::TermStore& store, Arguments arguments);
   Value viewpoint(htn::TermStore& store, Arguments arguments);
+  Value others(htn::TermStore& store, Arguments arguments);
   Value angles(htn::TermStore& store, Arguments arguments);
   Value tour(htn::TermStore& store, Arguments arguments);
 

@@ -52,8 +52,9 @@ refiners::Setting TimedAir::setting(const refiners::PathPlanner* paths) const {
   return {world(), budget_, seed_, paths};
 }
 
-refiners::Setting TimedAir::setting(const world::World& world) const {
-  return {world, budget_, seed_, nullptr};
+refiners::Setting TimedAir::setting(const world::World& world,
+                                    const refiners::PathPlanner* paths) const {
+  return {world, budget_, seed_, paths};
 }
 
 double TimedAir::stray() const { return arrival_distance(vehicle(), world().wind); }

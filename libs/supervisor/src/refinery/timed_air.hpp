@@ -27,7 +27,8 @@ class TimedAir {
   /// hold when the wind is against them.
   const world::VehicleModel& cautious() const { return cautious_; }
   refiners::Setting setting(const refiners::PathPlanner* paths = nullptr) const;
-  refiners::Setting setting(const world::World& world) const;
+  refiners::Setting setting(const world::World& world,
+                            const refiners::PathPlanner* paths = nullptr) const;
   refiners::PathQuery query(const world::Vector3& from, const world::Vector3& to) const;
   MissionTime origin() const { return origin_; }
   /// Kept from the ground [m].

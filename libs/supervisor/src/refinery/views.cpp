@@ -76,8 +76,8 @@ Answer<std::vector<Vector3>> Views::around(const Vector3& at, std::size_t count)
   const auto air = air_.airspace();
   if (!air) return no(air.error());
   std::vector<Vector3> places = {at};
-  // On the side that it comes from, lest it flies through the first: homes are near each other.
-  const Vector3 back = gazetteer().knowledge().home - at;
+  // On the side of where the world begins, that of their homes as a rule: all reckon alike.
+  const Vector3 back = -at;
   const double step = 2 * std::numbers::pi / static_cast<double>(kAroundOne);
   for (std::size_t rank = 1; rank < count; ++rank) {
     const double distance = kApart * static_cast<double>(1 + (rank - 1) / kAroundOne);

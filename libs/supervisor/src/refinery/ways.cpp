@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "flight/closed_air.hpp"
 #include "flight/crossing.hpp"
 #include "flight/landing_place.hpp"
 #include "skein/refiners/flyable.hpp"
@@ -19,7 +20,9 @@ namespace {
 
 constexpr double kTurnTolerance = 0.5;  // [m]
 constexpr double kTurningRoom = 3;      // turn radii to the side, where a turn has no room
-constexpr double kOutStep = 10, kFarthestOut = 600;  // [m] out of closed air
+constexpr double kOutStep = 10, kFarthestOut = 600;   // [m] out of closed air
+constexpr double kRoomOfOne = 46, kShareOfGap = 0.6;  // [m] where it waits, and of the distance
+constexpr double kRoomBelow = 15;                     // [m] and over it
 constexpr int kDirections = 24, kAround = 8;
 
 /// Without the points of arcs that are nearer to the last one kept than `spacing`, where the air
@@ -84,17 +87,49 @@ double Ways::energy_of_stay(double seconds) const {
   return seconds * world::flight_power(vehicle(), speed, 0) / vehicle().energy.capacity;
 }
 
-Answer<Motion> Ways::path(const Vector3& from, const Vector3& to, const Departure& when) {
+Answer<Motion> Ways::path_among(const Vector3& from, const Vector3& to,
+                                const std::vector<Vector3>& others, const Departure& when) {
   const double guess = air_.has_windows() ? flown({from, to}).times.most : 0;
   return air_.kept_clear(from, when, guess, [&](const Counted& counted) -> Answer<Motion> {
     const auto air = air_.airspace(counted);
     if (!air) return no(air.error());
-    return path_in(**air, air_.closed(counted), from, to);
+    return path_in(**air, air_.closed(counted), from, to, others);
   });
 }
 
+/// Where someone waits, whatever it is that does, as far as that leaves room around `to`.
+world::Volume Ways::room_of(const Vector3& other, const Vector3& to) {
+  const double radius = std::min(kRoomOfOne, kShareOfGap * (to - other).head<2>().norm());
+  world::Volume room;
+  room.name = "a partner's place";
+  for (int i = 0; i < kAround; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kAround;
+    room.polygon.emplace_back(other.head<2>() +
+                              radius * world::Vector2(std::cos(angle), std::sin(angle)));
+  }
+  room.floor = other.z() - kRoomBelow;
+  room.ceiling = other.z() + kRoomBelow;
+  return room;
+}
+
+std::optional<Way> Ways::clear_of(const std::vector<Vector3>& others, world::Airspace air,
+                                  const Volumes& volumes, const Vector3& from,
+                                  const Vector3& to) const {
+  world::World crowded = world();
+  for (const Vector3& other : others) {
+    const world::Volume room = room_of(other, to);
+    if (is_near(room, from, 0)) continue;
+    air.block(room, 0);
+    crowded.volumes.push_back(room);
+  }
+  if (!air.is_free(from) || !air.is_free(to)) return std::nullopt;
+  auto way = through(air, crowded, from, to);
+  return way && !air_.met(*way, volumes) ? std::optional(std::move(*way)) : std::nullopt;
+}
+
 Answer<Motion> Ways::path_in(const world::Airspace& air, const Volumes& volumes,
-                             const Vector3& from, const Vector3& to) {
+                             const Vector3& from, const Vector3& to,
+                             const std::vector<Vector3>& others) {
   if (!air.is_free(from)) return out_and_on(from, to);
   if (from == to) return flown({from});
   const bool returns =
@@ -103,6 +138,8 @@ Answer<Motion> Ways::path_in(const world::Airspace& air, const Volumes& volumes,
     return no("volume '" + volume->name + "' is " +
               (vehicle().hovers ? "nearer to its end than the vehicle strays"
                                 : "too near for the circles that it waits on there"));
+  if (!others.empty())
+    if (auto way = clear_of(others, air, volumes, from, to)) return flown(std::move(*way));
   auto way = through(air, from, to);
   if (!way) return no(way.error());
   if (air_.met(*way, volumes)) {
@@ -137,6 +174,11 @@ std::optional<Way> Ways::with_room(const world::Airspace& air, const Volumes& vo
 
 Answer<Way> Ways::through(const world::Airspace& air, const Vector3& from,
                           const Vector3& to) const {
+  return through(air, world(), from, to);
+}
+
+Answer<Way> Ways::through(const world::Airspace& air, const world::World& in, const Vector3& from,
+                          const Vector3& to) const {
   const bool uniform = air.least_cost() == air.greatest_cost();
   if (uniform && air.is_free(from, to) &&
       refiners::is_flyable({from, to}, air_.cautious(), 0, kTurnTolerance))
@@ -144,7 +186,7 @@ Answer<Way> Ways::through(const world::Airspace& air, const Vector3& from,
   // One that cannot hover may need the other search's way to make room for its turns.
   const refiners::VoxelPathPlanner planner(
       air, vehicle().hovers ? refiners::WaySearch::kQuick : refiners::WaySearch::kThorough);
-  auto refined = refine(air_.query(from, to), air_.setting(&planner));
+  auto refined = refine(air_.query(from, to), air_.setting(in, &planner));
   if (!refined) return no(refined.error().why);
   Way way = std::move(refined->task.way);
   if (!vehicle().hovers) way = thinned(way, air, vehicle().orbit_radius);

@@ -24,7 +24,13 @@ class Ways {
                                 const Departure& when = {}) const;
   /// Clear of every volume that it can meet, whenever it departs then and however long it takes.
   Answer<Motion> path(const world::Vector3& from, const world::Vector3& to,
-                      const Departure& when = {});
+                      const Departure& when = {}) {
+    return path_among(from, to, {}, when);
+  }
+  /// Likewise, around or over where others wait, if there is such a way: at a place whose distance
+  /// from theirs is enough for all their circles.
+  Answer<Motion> path_among(const world::Vector3& from, const world::Vector3& to,
+                            const std::vector<world::Vector3>& others, const Departure& when);
   /// Out of closed air by the shortest straight way, level, up or down, to where it may stay.
   Answer<Motion> way_out(const world::Vector3& from);
   Answer<refiners::Way> through(const world::Airspace& air, const world::Vector3& from,
@@ -41,7 +47,14 @@ class Ways {
   const world::World& world() const { return air_.world(); }
   const world::VehicleModel& vehicle() const { return air_.vehicle(); }
   Answer<Motion> path_in(const world::Airspace& air, const Volumes& volumes,
-                         const world::Vector3& from, const world::Vector3& to);
+                         const world::Vector3& from, const world::Vector3& to,
+                         const std::vector<world::Vector3>& others = {});
+  Answer<refiners::Way> through(const world::Airspace& air, const world::World& in,
+                                const world::Vector3& from, const world::Vector3& to) const;
+  static world::Volume room_of(const world::Vector3& other, const world::Vector3& to);
+  std::optional<refiners::Way> clear_of(const std::vector<world::Vector3>& others,
+                                        world::Airspace air, const Volumes& volumes,
+                                        const world::Vector3& from, const world::Vector3& to) const;
   std::optional<refiners::Way> with_room(const world::Airspace& air, const Volumes& volumes,
                                          const world::Vector3& from,
                                          const world::Vector3& to) const;

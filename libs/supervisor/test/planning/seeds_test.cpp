@@ -45,10 +45,11 @@ class SeedHost {
     answer("compute-takeoff", 2, 0, {4, 6});
     answer("compute-land", 2, 1, {4, 6});
     answer("compute-patrol", 5, 0, {300, 300});
-    functions_.add("compute-gotoxyz", 3, 3,
-                   [this](TermStore& store, std::span<const Term> arguments) {
-                     return Result<Term, Failure>(motion_to(store, arguments[1], next(arguments)));
-                   });
+    const auto flight = [this](TermStore& store, std::span<const Term> arguments) {
+      return Result<Term, Failure>(motion_to(store, arguments[1], next(arguments)));
+    };
+    functions_.add("compute-gotoxyz", 3, 3, flight);
+    functions_.add("compute-gotoxyz-among", 4, 4, flight);
   }
   const htn::Functions& functions() const { return functions_; }
 
