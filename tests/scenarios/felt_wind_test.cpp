@@ -7,7 +7,7 @@
 
 #include "skein/sim/simulator.hpp"
 #include "testing/planning_lab.hpp"
-#include "wind_estimator.hpp"
+#include "watch/wind_estimator.hpp"
 
 namespace skein::supervisor {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "closed_air.hpp"
+#include "flight/closed_air.hpp"
 #include "refinery/refinery.hpp"
 #include "skein/foundation/random.hpp"
 #include "test_cases.hpp"
