@@ -113,7 +113,7 @@ RC_GTEST_PROP(ReadAutomaton, NeverFailsOnDamagedText, ()) {
   }
   RC_ASSERT(!read->empty());
   for (const Componel& one : read->componels()) {
-    RC_ASSERT(one.block() == nullptr || !one.block()->content.empty());
+    RC_ASSERT((one.block() == nullptr || !one.block()->content.empty()));
   }
 }
 
