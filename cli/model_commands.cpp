@@ -8,6 +8,7 @@
 
 #include "argument_checks.hpp"
 #include "skein/foundation/exit_code.hpp"
+#include "skein/model_tool/model_files.hpp"
 #include "skein/model_tool/run_model.hpp"
 
 namespace skein::cli {
@@ -18,9 +19,11 @@ using Action = std::function<int()>;
 
 constexpr const char* kExamples = R"(
 Examples:
+  skein model check scenarios/models/interaction/monitoring-with-relay.yaml
+  skein model draw scenarios/models/interaction/vehicle-pursuit.yaml -o pursuit.svg
   skein model run automaton.json --until 900 < trace.jsonl
 Formats and how to write a model: docs/interaction.md. Exit codes: 0 done, 1 some line of a trace was
-refused, 2 wrong files or options.)";
+refused, 2 wrong files or options, 3 the picture cannot be written.)";
 
 struct RunArguments {
   model_tool::RunOptions options;
@@ -53,12 +56,35 @@ void add_run(CLI::App* model, Action& action) {
   command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }
 
+void add_check(CLI::App* model, Action& action) {
+  auto options = std::make_shared<model_tool::CheckOptions>();
+  CLI::App* command = model->add_subcommand(
+      "check", "Are roles, SCMs, models and automata right? Every error at once");
+  command->add_option("files", options->files, "Read together, with all that they use")->required();
+  command->add_flag("--json", options->json, "One JSON object instead of text for people");
+  command->callback([options, &action] {
+    action = [options] { return model_tool::check_models(*options, std::cout, std::cerr); };
+  });
+}
+
+void add_draw(CLI::App* model, Action& action) {
+  auto options = std::make_shared<model_tool::DrawOptions>();
+  CLI::App* command = model->add_subcommand("draw", "Draw the variants of models, or an automaton");
+  command->add_option("file", options->file, "Models, roles or an automaton")->required();
+  command->add_option("-o,--output", options->output, "SVG file (default: standard output)");
+  command->callback([options, &action] {
+    action = [options] { return model_tool::draw_models(*options, std::cout, std::cerr); };
+  });
+}
+
 }  // namespace
 
 void add_model(CLI::App& app, std::function<int()>& action) {
   CLI::App* model = app.add_subcommand("model", "Check, draw and play interaction models");
   model->require_subcommand(1);
   model->footer(kExamples);
+  add_check(model, action);
+  add_draw(model, action);
   add_run(model, action);
 }
 

@@ -100,7 +100,7 @@ RC_GTEST_PROP(Engine, PlayedAtEachWakeupItDoesTheSame, ()) {
     const Effects rest = *punctual.handle(input, at);
     effects.insert(effects.end(), rest.begin(), rest.end());
     RC_ASSERT(show(effects) == show(*expected));
-    RC_ASSERT(!punctual.next_wakeup() || *punctual.next_wakeup() > at);
+    RC_ASSERT((!punctual.next_wakeup() || *punctual.next_wakeup() > at));
   }
 }
 
@@ -162,7 +162,7 @@ RC_GTEST_PROP(Engine, EveryActivationEnds, ()) {
   RC_ASSERT(engine.is_over());
   RC_ASSERT(!engine.next_wakeup());
   for (ComponelIndex i = 0; i < automaton->size(); ++i) {
-    RC_ASSERT(engine.state(i) == ComponelState::kNone || is_over(engine.state(i)));
+    RC_ASSERT((engine.state(i) == ComponelState::kNone || is_over(engine.state(i))));
   }
 }
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/model_tool/model_files.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "load_models.hpp"
+#include "skein/foundation/exit_code.hpp"
+#include "skein/interaction/draw_model.hpp"
+
+namespace skein::model_tool {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json errors_json(const Diagnostics& problems) {
+  Json errors = Json::array();
+  for (const Diagnostic& one : problems.all()) {
+    Json error{{"file", one.file},
+               {"line", one.line},
+               {"column", one.column},
+               {"path", one.path},
+               {"message", one.message}};
+    if (!one.expected.empty()) error["expected"] = one.expected;
+    if (!one.nearest.empty()) error["nearest"] = one.nearest;
+    errors.push_back(std::move(error));
+  }
+  return errors;
+}
+
+Json content_json(const Loaded& loaded) {
+  Json roles = Json::array(), scms = Json::array(), models = Json::object();
+  for (const auto& [name, role] : loaded.library.roles) roles.push_back(name);
+  for (const auto& [name, scm] : loaded.library.scms) scms.push_back(name);
+  for (const auto& [task, model] : loaded.library.models) {
+    Json variants = Json::array();
+    for (const auto& variant : model.variants) variants.push_back(variant.name);
+    models[task] = std::move(variants);
+  }
+  return {
+      {"roles", roles}, {"scms", scms}, {"models", models}, {"automata", loaded.automaton_files}};
+}
+
+void write(std::ostream& out, const Json& json) {
+  out << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+void write_text(std::ostream& out, const Loaded& loaded) {
+  for (const auto& [task, model] : loaded.library.models) {
+    for (const auto& variant : model.variants) {
+      out << "model " << task << ", variant " << variant.name << ":";
+      for (const std::string& role : variant.roles) {
+        out << ' ' << role << " × " << to_text(variant.table.arities.at(role))
+            << (role == variant.roles.back() ? "\n" : ",");
+      }
+    }
+  }
+  for (std::size_t i = 0; i < loaded.automata.size(); ++i) {
+    out << "automaton " << loaded.automaton_files[i] << ": " << loaded.automata[i].size()
+        << " componels\n";
+  }
+  out << loaded.library.roles.size() << " roles, " << loaded.library.scms.size() << " SCMs, "
+      << loaded.library.models.size() << " models: right\n";
+}
+
+}  // namespace
+
+int check_models(const CheckOptions& options, std::ostream& out, std::ostream& err) {
+  const auto loaded = load_models(options.files);
+  if (!loaded) {
+    if (options.json) {
+      write(out, {{"right", false}, {"errors", errors_json(loaded.error())}});
+    } else {
+      err << to_text(loaded.error());
+    }
+    return kExitBadInput;
+  }
+  if (options.json) {
+    Json json{{"right", true}, {"errors", Json::array()}};
+    json.update(content_json(*loaded));
+    write(out, json);
+  } else {
+    write_text(out, *loaded);
+  }
+  return kExitOk;
+}
+
+int draw_models(const DrawOptions& options, std::ostream& out, std::ostream& err) {
+  const auto loaded = load_models({options.file});
+  if (!loaded) {
+    err << to_text(loaded.error());
+    return kExitBadInput;
+  }
+  const std::string svg = loaded->automata.empty()
+                              ? interaction::draw_svg(loaded->library)
+                              : interaction::draw_svg(loaded->automata.front(), options.file);
+  if (options.output.empty() || options.output == "-") {
+    out << svg;
+    return kExitOk;
+  }
+  std::ofstream file(options.output, std::ios::binary);
+  file << svg;
+  if (file.flush()) return kExitOk;
+  err << options.output << ": cannot be written\n";
+  return kExitSystem;
+}
+
+}  // namespace skein::model_tool

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which states the componels of an automaton can come to at all.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "compiled.hpp"
+#include "skein/interaction/automaton.hpp"
+
+namespace skein::interaction {
+
+/// Over-approximates: what is impossible here is impossible.
+class Possibilities {
+ public:
+  explicit Possibilities(const Automaton& automaton);
+
+  bool reaches(ComponelIndex componel, AskedState state) const {
+    return reached_[componel][static_cast<std::size_t>(state)];
+  }
+  /// Whether the literal may be true in this formula of this block.
+  bool may_hold(const Literal& literal, Watch where) const;
+  /// Whether all clauses may be true together. An empty formula as its kind says.
+  bool may_hold(Watch where) const;
+  const Formula& formula(Watch where) const;
+
+ private:
+  bool may_hold(const ComponelIs& is, bool negated, Watch where) const;
+  bool contradicts_itself(const Formula& formula) const;
+  bool grow();
+  bool grow_block(ComponelIndex index);
+  bool may_end(ComponelIndex plan) const;
+  bool may_be_over(ComponelIndex block) const;
+  bool reach(ComponelIndex componel, AskedState state);
+
+  const Automaton& automaton_;
+  std::vector<std::array<bool, 6>> reached_;
+};
+
+}  // namespace skein::interaction
