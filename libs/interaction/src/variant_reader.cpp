@@ -348,7 +348,7 @@ class VariantReader {
     for (const ScmInstance& one : table().scms) {
       const bool held = std::any_of(variant_.roles.begin(), variant_.roles.end(),
                                     [&](const std::string& name) { return holds(name, one.id); });
-      if (!held)
+      if (!held && !some_role_unknown_)
         reader.error("the SCM '" + one.id + "' holds nowhere", one.id + ": {ROLE: [BLOCK]}");
     }
   }
