@@ -159,7 +159,7 @@ Search::Move Search::attempt_step(NodeId node, Term task) {
       const bool known = operation != domain_.operators.end();
       std::string why = known ? steps_made_->why() : "no such operator";
       if (known && steps_made_->precondition_failed()) {
-        why += step_unmet_text(operation->second, task);
+        why += explainer().step_unmet_text(operation->second, task);
       }
       tell(TraceKind::kStepFails, task, "", 0, std::move(why));
     }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "agenda.hpp"
+#include "explainer.hpp"
 #include "preferences.hpp"
 #include "reductions.hpp"
 #include "skein/htn/planner.hpp"
@@ -131,20 +132,7 @@ class Search {
   void prefer(Term task, std::size_t first);
   std::uint32_t preferred_method(Term task, const std::vector<Method>& methods) const;
 
-  void explain(NodeId node, Term task);
-  void explain_task(Term task);
-
-  struct Activation {  // a clause and the cells of its variables
-    const Clause& clause;
-    Base base;
-  };
-  void explain_condition(ConditionIndex condition, const Activation& activation, Attempt attempt);
-  bool first_unmet(ConditionIndex condition, const Activation& activation, Attempt& attempt);
-  std::string unmet_text(ConditionIndex condition, const Activation& activation);
-  std::string step_unmet_text(const Operator& operation, Term task);
-  std::string values_text(const Clause& clause, Base base, const Answers& answers);
-  Term readable(Term pattern, const Activation& activation);
-  std::vector<Term> nearest_facts(const Goal& goal, Base base);
+  Explainer explainer() { return {domain_, bindings_, facts_, *prover_, *budget_}; }
 
   CompiledDomain& domain_;
   TermStore& store_;

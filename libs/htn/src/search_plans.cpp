@@ -162,7 +162,8 @@ Reducer::Tell Search::teller(Term task, std::uint32_t method, bool only) {
     const bool holds = answers.count() > 0;
     tell(holds ? TraceKind::kBranchHolds : TraceKind::kBranchFails, task, std::move(label),
          answers.count(),
-         holds ? values_text(of, base, answers) : unmet_text(branch.precondition, {of, base}));
+         holds ? explainer().values_text(of, base, answers)
+               : explainer().unmet_text(branch.precondition, {of, base}));
   };
 }
 
