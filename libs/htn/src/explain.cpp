@@ -17,9 +17,9 @@ void Search::dead_end(NodeId node, Term task) {
     return;
   }
   const bool further =
-      steps_.size() > deepest_failure_.steps ||
-      (steps_.size() == deepest_failure_.steps && depth_ >= deepest_failure_.depth);
-  if (further) deepest_failure_ = {expansion, steps_.size(), depth_};
+      steps_.size() > course_.deepest_failure.steps ||
+      (steps_.size() == course_.deepest_failure.steps && depth_ >= course_.deepest_failure.depth);
+  if (further) course_.deepest_failure = {expansion, steps_.size(), depth_};
 }
 
 FailurePoint Search::point_at(NodeId node) {

@@ -49,7 +49,7 @@ class Planning {
     search_->run({}, budget_);
     finish();
     // Costs below zero were met after pruning had begun: the bound proves nothing then.
-    if (options.which == Which::kBest && search_->negative_cost() && !budget_.stopped()) {
+    if (options.which == Which::kBest && search_->course().negative_cost && !budget_.stopped()) {
       Options exhaustive = options;
       exhaustive.which = Which::kAll;
       std::vector<Plan> bounded = std::move(plans_);
@@ -76,7 +76,7 @@ class Planning {
       const bool enough = options_.limits.plans && plans_.size() >= *options_.limits.plans;
       const bool first = options_.which == Which::kIdFirst && !plans_.empty();
       const bool deepest = options_.limits.depth && cutoff > *options_.limits.depth;
-      if (enough || first || deepest || !search_->cut_by_depth()) return;
+      if (enough || first || deepest || !search_->course().cut_by_depth) return;
       known = cutoff;
     }
   }
@@ -93,11 +93,11 @@ class Planning {
 
   void finish() {
     plans_ = std::move(search_->plans);
-    deepest_ = std::max(deepest_, search_->deepest());
-    cut_by_depth_ = search_->cut_by_depth();
+    deepest_ = std::max(deepest_, search_->course().deepest);
+    cut_by_depth_ = search_->course().cut_by_depth;
     memory_ = std::max<std::uint64_t>(memory_, search_->memory_bytes());
-    deepest_failure_ = search_->deepest_failure();
-    too_costly_ = too_costly_ || search_->too_costly();
+    deepest_failure_ = search_->course().deepest_failure;
+    too_costly_ = too_costly_ || search_->course().too_costly;
     repeats_ += search_->repeats();
     if (options_.explain_failure && plans_.empty()) standing_ = search_->standing();
   }
@@ -106,7 +106,7 @@ class Planning {
   void keep_what_was_found() {
     budget_.stop("memory");
     std::vector<Plan> last = search_ ? std::move(search_->plans) : std::vector<Plan>{};
-    deepest_ = search_ ? std::max(deepest_, search_->deepest()) : deepest_;
+    deepest_ = search_ ? std::max(deepest_, search_->course().deepest) : deepest_;
     search_.reset();
     plans_.insert(plans_.end(), std::make_move_iterator(last.begin()),
                   std::make_move_iterator(last.end()));

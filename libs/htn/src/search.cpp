@@ -9,6 +9,13 @@ namespace skein::htn {
 
 namespace {
 
+const Method& method_at(const std::vector<Method>& methods, std::uint32_t position,
+                        std::uint32_t preferred) {
+  if (preferred == kAbsent) return methods[position];
+  if (position == 0) return methods[preferred];
+  return methods[position <= preferred ? position - 1 : position];
+}
+
 bool by_bits(Term left, Term right) { return left.bits() < right.bits(); }
 
 // Variables of a problem's tasks become cells.
@@ -87,11 +94,11 @@ std::size_t Search::relive(Budget& budget) {
 
 Search::Move Search::expand() {
   if (!budget_->expand()) return Move::kStop;
-  deepest_ = std::max(deepest_, depth_);
+  course_.deepest = std::max(course_.deepest, depth_);
   if (agenda_.empty()) return found();
   const bool too_deep = cutoff_ && depth_ >= *cutoff_;
   if (too_deep || (options_.limits.depth && depth_ >= *options_.limits.depth)) {
-    cut_by_depth_ = true;
+    course_.cut_by_depth = true;
     if (options_.explain_failure && !cut_ && !explain_at_) cut_ = standing();
     return Move::kBack;
   }
@@ -172,7 +179,7 @@ Search::Move Search::attempt_step(NodeId node, Term task) {
     return Move::kStop;
   }
   cost_ = *cost;
-  negative_cost_ = negative_cost_ || less_value(made.cost, integer(0));
+  course_.negative_cost = course_.negative_cost || less_value(made.cost, integer(0));
   if (!affordable(cost_) || !follows(made.action)) return Move::kBack;
   if (host_.trace && traced(task)) tell(TraceKind::kStep, made.action, "", 0, to_text(made.cost));
   agenda_.finish(node, position);
@@ -242,13 +249,6 @@ Search::Move Search::take_reduction(NodeId node, std::uint32_t index) {
   ++depth_;
   if (choices_.empty()) forget();
   return Move::kExpand;
-}
-
-const Method& Search::method_at(const std::vector<Method>& methods, std::uint32_t position,
-                                std::uint32_t preferred) const {
-  if (preferred == kAbsent) return methods[position];
-  if (position == 0) return methods[preferred];
-  return methods[position <= preferred ? position - 1 : position];
 }
 
 Search::Choice& Search::push_choice(ChoiceKind kind, NodeId node) {

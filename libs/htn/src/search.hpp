@@ -59,18 +59,21 @@ class Search {
   const FactBase& facts() const { return facts_; }
 
   std::vector<Plan> plans;
-  bool cut_by_depth() const { return cut_by_depth_; }
-  bool negative_cost() const { return negative_cost_; }
-  const DeepestPoint& deepest_failure() const { return deepest_failure_; }
-  std::uint64_t deepest() const { return deepest_; }
+  /// What came of it beside plans.
+  struct Course {
+    std::uint64_t deepest = 0;
+    DeepestPoint deepest_failure;
+    bool cut_by_depth = false;
+    bool negative_cost = false;
+    bool too_costly = false;  ///< some partial plan was given up for what it costs
+  };
+  const Course& course() const { return course_; }
   /// Stop at the first dead end of this expansion and explain it.
   void explain_at(const DeepestPoint& point) { explain_at_ = point; }
   const std::optional<FailurePoint>& failure() const { return failure_; }
   /// What is done and what is to be done next: of a search that was cut, for people. Where depth
   /// was what cut it, that of the first time.
   std::optional<FailurePoint> standing();
-  /// Some partial plan was given up for what it costs.
-  bool too_costly() const { return too_costly_; }
   std::uint64_t repeats() const { return agenda_.repeats(); }
   std::size_t memory_bytes() const;
 
@@ -106,8 +109,6 @@ class Search {
   Move attempt_step(NodeId node, Term task);
   Move attempt_methods(NodeId node, Term task, std::uint32_t from, std::uint32_t preferred);
   Move take_reduction(NodeId node, std::uint32_t index);
-  const Method& method_at(const std::vector<Method>& methods, std::uint32_t position,
-                          std::uint32_t preferred) const;
   Reducer::Tell teller(Term task, std::uint32_t method, bool only);
   FailurePoint point_at(NodeId node);
   Move found();
@@ -159,12 +160,8 @@ class Search {
   std::optional<std::uint64_t> cutoff_;
   std::uint32_t followed_ = 0;  ///< steps so far that Options::following knows of
   std::uint64_t depth_ = 0;
-  std::uint64_t deepest_ = 0;
-  bool cut_by_depth_ = false;
-  bool negative_cost_ = false;
-  bool too_costly_ = false;
+  Course course_;
   std::optional<FailurePoint> cut_;  ///< where depth cut it first
-  DeepestPoint deepest_failure_;
   std::optional<DeepestPoint> explain_at_;
   std::optional<FailurePoint> failure_;
 };

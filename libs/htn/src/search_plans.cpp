@@ -66,9 +66,9 @@ bool Search::acceptable(const Number& cost) const {
 // Branch and bound: whether a partial plan of this cost may still become a wanted one.
 bool Search::affordable(const Number& cost) {
   const bool prunes = options_.cost_limit || options_.optimize_cost ||
-                      (options_.which == Which::kBest && !negative_cost_);
+                      (options_.which == Which::kBest && !course_.negative_cost);
   const bool allowed = !prunes || acceptable(cost);
-  too_costly_ = too_costly_ || !allowed;
+  course_.too_costly = course_.too_costly || !allowed;
   return allowed;
 }
 
