@@ -47,6 +47,8 @@ std::vector<Incoming> Blackboard::step(Now now) { return impl_->step(now); }
 
 std::optional<Duration> Blackboard::next_wakeup() const { return impl_->next_wakeup(); }
 
+std::optional<MissionTime> Blackboard::next_expiry() const { return impl_->next_expiry(); }
+
 bool Blackboard::reachable(NodeNumber peer) const {
   const Peer* known = impl_->peer(peer);
   return known != nullptr && known->reachable();

@@ -209,6 +209,12 @@ std::optional<Duration> Blackboard::Impl::next_wakeup() const {
   return next;
 }
 
+std::optional<MissionTime> Blackboard::Impl::next_expiry() const {
+  std::optional<MissionTime> next;
+  for (const auto& [number, peer] : peers_) next = earliest(next, peer.next_expiry());
+  return next;
+}
+
 void Blackboard::Impl::arrive(Arrival arrival, Now now) {
   if (const auto* malformed = std::get_if<Malformed>(&arrival.content)) {
     refuse(malformed->slot, malformed->header, malformed->violation);

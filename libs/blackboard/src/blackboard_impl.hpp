@@ -29,6 +29,7 @@ class Blackboard::Impl {
   void set_condition(NodeNumber from, NodeNumber to, const ChannelCondition& condition, Now now);
   std::vector<Incoming> step(Now now);
   std::optional<Duration> next_wakeup() const;
+  std::optional<MissionTime> next_expiry() const;
   const Peer* peer(NodeNumber number) const;
 
  private:

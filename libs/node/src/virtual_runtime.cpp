@@ -51,6 +51,8 @@ class VirtualRun {
     std::uint64_t incarnation = 0;
     std::unique_ptr<blackboard::MemoryTransport> transport;
     std::unique_ptr<Host> host;
+    bool touched = false;  ///< since its last step something came or was done
+    std::optional<MissionTime> due;
   };
   struct Job {
     std::string node;
@@ -98,6 +100,7 @@ class VirtualRun {
   void start(Seat& seat) {
     ++seat.incarnation;
     seat.transport = std::make_unique<blackboard::MemoryTransport>(hub_);
+    seat.transport->on_arrival([&seat] { seat.touched = true; });
     HostConfig config;
     config.incarnation = seat.incarnation;
     config.heartbeat_period = config_.heartbeat_period;
@@ -107,6 +110,7 @@ class VirtualRun {
     SKEIN_ENSURES(host.has_value());
     seat.host = std::move(*host);
     seat.host->start(now());
+    seat.touched = true;
   }
 
   HostPorts ports_of(const Seat& seat) {
@@ -138,27 +142,36 @@ class VirtualRun {
       Seat& seat = seat_of(job.node);
       if (!seat.host || seat.incarnation != job.incarnation) continue;
       seat.host->job_done(std::move(job.done), now());
+      seat.touched = true;
     }
     int rounds = 0;
     for (bool busy = true; busy; SKEIN_ENSURES(++rounds < kMaximumRounds)) {
       busy = false;
-      for (Seat& seat : seats_) busy = (seat.host && step(seat)) || busy;
+      for (Seat& seat : seats_) busy = (is_due(seat) && step(seat)) || busy;
     }
   }
 
+  // A step in between does nothing.
+  bool is_due(const Seat& seat) const {
+    return seat.host && (seat.touched || (seat.due && *seat.due <= now_));
+  }
+
+  // What was given counts as handled at the next step: after one that gave something comes another.
   bool step(Seat& seat) {
     ++steps_;
-    return seat.host->step(now());
+    seat.touched = false;
+    const bool busy = seat.host->step(now());
+    seat.touched = seat.touched || busy;
+    seat.due = seat.host->next_mission_wakeup();
+    if (const auto steady = seat.host->next_steady_wakeup())
+      seat.due = earliest(seat.due, MissionTime() + *steady);
+    return busy;
   }
 
   std::optional<MissionTime> next_instant() const {
     std::optional<MissionTime> next;
     for (const Seat& seat : seats_) {
-      if (!seat.host) continue;
-      next = earliest(next, seat.host->next_mission_wakeup());
-      if (const auto steady = seat.host->next_steady_wakeup()) {
-        next = earliest(next, MissionTime() + *steady);
-      }
+      if (seat.host) next = earliest(next, seat.due);
     }
     if (!faults_.empty()) next = earliest(next, faults_.begin()->first);
     if (!jobs_.empty()) next = earliest(next, jobs_.begin()->first);

@@ -11,26 +11,62 @@
 namespace skein::blackboard {
 namespace {
 
-/// Partitions match as in DDS: one of the two may be a pattern.
+bool is_pattern(const std::string& partition) {
+  return partition.find_first_of("*?[") != std::string::npos;
+}
+
+/// Partitions match as in DDS: one of the two may be a pattern, here the reader's.
 bool partitions_match(const std::string& writer, const std::string& reader) {
-  return writer == reader || fnmatch(reader.c_str(), writer.c_str(), 0) == 0;
+  return fnmatch(reader.c_str(), writer.c_str(), 0) == 0;
 }
 
 }  // namespace
 
-void MemoryHub::inject(const std::string& partition,
-                       const std::variant<wire::Sample, Malformed>& content) {
-  for (MemoryTransport* node : nodes_) {
-    for (std::size_t i = 0; i < node->channels_.size(); ++i) {
-      const auto& channel = node->channels_[i];
-      if (channel.reads && channel.up && partitions_match(partition, channel.config.partition)) {
-        node->put(i, content);
-      }
-    }
+MemoryHub::Partition& MemoryHub::partition(const std::string& name) {
+  const auto [found, is_new] = partitions_.try_emplace(name);
+  if (is_new) {
+    for (const auto& [pattern, reader] : pattern_readers_)
+      if (partitions_match(name, pattern)) found->second.readers.push_back(reader);
+  }
+  return found->second;
+}
+
+void MemoryHub::join(const End& end, const std::string& name, bool writes, bool reads) {
+  if (!is_pattern(name)) {
+    Partition& joined = partition(name);
+    if (writes) joined.writers.push_back(end);
+    if (reads) joined.readers.push_back(end);
+  } else if (reads) {
+    pattern_readers_.emplace_back(name, end);
+    for (auto& [other, joined] : partitions_)
+      if (partitions_match(other, name)) joined.readers.push_back(end);
   }
 }
 
-MemoryTransport::~MemoryTransport() { std::erase(hub_.nodes_, this); }
+void MemoryHub::leave(const MemoryTransport& node) {
+  const auto is_of_node = [&](const End& end) { return end.node == &node; };
+  for (auto& [name, left] : partitions_) {
+    std::erase_if(left.writers, is_of_node);
+    std::erase_if(left.readers, is_of_node);
+  }
+  std::erase_if(pattern_readers_, [&](const auto& reader) { return is_of_node(reader.second); });
+}
+
+std::vector<MemoryHub::End> MemoryHub::writers_for(const End& reader) const {
+  std::vector<End> all;
+  for (const auto& [name, one] : partitions_)
+    if (std::ranges::find(one.readers, reader) != one.readers.end())
+      all.insert(all.end(), one.writers.begin(), one.writers.end());
+  return all;
+}
+
+void MemoryHub::inject(const std::string& name,
+                       const std::variant<wire::Sample, Malformed>& content) {
+  for (const End& reader : partition(name).readers)
+    if (reader.node->channels_[reader.channel].up) reader.node->put(reader.channel, content);
+}
+
+MemoryTransport::~MemoryTransport() { hub_.leave(*this); }
 
 Result<void, Failure> MemoryTransport::open(const TransportPlan& plan) {
   SKEIN_EXPECTS(channels_.empty());
@@ -40,17 +76,42 @@ Result<void, Failure> MemoryTransport::open(const TransportPlan& plan) {
     const bool world = config.kind == ChannelKind::kWorld;
     channel.writes = world || config.from == plan.self;
     channel.reads = world || config.from != plan.self;
-    channel.read_slots = world ? plan.world_reads : config.slots;
-    if (!world) channel.read_slots.push_back(wire::Slot::kHeartbeat);
+    for (const wire::Slot slot : world ? plan.world_reads : config.slots)
+      channel.read_slots.set(static_cast<std::size_t>(slot));
+    if (!world) channel.read_slots.set(static_cast<std::size_t>(wire::Slot::kHeartbeat));
     channels_.push_back(std::move(channel));
   }
-  for (MemoryTransport* node : hub_.nodes_) {
-    for (const Channel& writer : node->channels_) {
-      for (std::size_t i = 0; i < channels_.size(); ++i) replay(writer, *this, i);
-    }
+  order_ = hub_.opened_++;
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    Channel& channel = channels_[i];
+    hub_.join({this, i}, channel.config.partition, channel.writes, channel.reads);
+    channel.partition = &hub_.partition(channel.config.partition);
   }
-  hub_.nodes_.push_back(this);
+  take_what_is_kept();
   return {};
+}
+
+/// From the writers that are there already, in their order.
+void MemoryTransport::take_what_is_kept() {
+  std::vector<std::pair<MemoryHub::End, MemoryHub::End>> all;
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    if (!channels_[i].reads) continue;
+    for (const MemoryHub::End& writer : writers_for(i)) all.push_back({writer, {this, i}});
+  }
+  std::ranges::stable_sort(all, [](const auto& a, const auto& b) {
+    return std::pair(a.first.node->order_, a.first.channel) <
+           std::pair(b.first.node->order_, b.first.channel);
+  });
+  for (const auto& [writer, reader] : all) replay(writer, reader);
+}
+
+std::vector<MemoryHub::End> MemoryTransport::writers_for(std::size_t channel) {
+  const Channel& reader = channels_[channel];
+  std::vector<MemoryHub::End> all = is_pattern(reader.config.partition)
+                                        ? hub_.writers_for({this, channel})
+                                        : reader.partition->writers;
+  std::erase_if(all, [&](const MemoryHub::End& writer) { return writer.node == this; });
+  return all;
 }
 
 bool MemoryTransport::write(std::size_t channel, const wire::Sample& sample) {
@@ -58,8 +119,11 @@ bool MemoryTransport::write(std::size_t channel, const wire::Sample& sample) {
   SKEIN_EXPECTS(writer.writes);
   remember(writer, sample);
   if (!writer.up) return true;
-  for (MemoryTransport* node : hub_.nodes_) {
-    if (node != this) node->offer(writer.config.partition, sample);
+  const auto slot = static_cast<std::size_t>(wire::slot_of(sample));
+  for (const MemoryHub::End& reader : writer.partition->readers) {
+    const Channel& to = at(reader);
+    if (reader.node != this && to.up && to.read_slots.test(slot))
+      reader.node->put(reader.channel, sample);
   }
   return true;
 }
@@ -83,33 +147,23 @@ void MemoryTransport::remember(Channel& channel, const wire::Sample& sample) con
   }
 }
 
-void MemoryTransport::offer(const std::string& partition, const wire::Sample& sample) {
-  const wire::Slot slot = wire::slot_of(sample);
-  for (std::size_t i = 0; i < channels_.size(); ++i) {
-    const Channel& reader = channels_[i];
-    if (!reader.reads || !reader.up) continue;
-    if (!partitions_match(partition, reader.config.partition)) continue;
-    if (std::ranges::find(reader.read_slots, slot) != reader.read_slots.end()) put(i, sample);
-  }
-}
-
 void MemoryTransport::put(std::size_t channel, std::variant<wire::Sample, Malformed> content) {
   mailbox_.push_back({channel, std::move(content)});
   if (notify_) notify_();
 }
 
-void MemoryTransport::replay(const Channel& writer, MemoryTransport& node, std::size_t reader) {
-  const Channel& to = node.channels_[reader];
-  if (!writer.writes || !writer.up || !to.reads || !to.up) return;
-  if (!partitions_match(writer.config.partition, to.config.partition)) return;
+void MemoryTransport::replay(const MemoryHub::End& writer, const MemoryHub::End& reader) {
+  const Channel& from = at(writer);
+  const Channel& to = at(reader);
+  if (!from.up || !to.up) return;
   const auto wanted = [&](wire::Slot slot) {
-    return std::ranges::find(to.read_slots, slot) != to.read_slots.end();
+    return to.read_slots.test(static_cast<std::size_t>(slot));
   };
-  for (const auto& [key, state] : writer.states) {
-    if (wanted(key.first)) node.put(reader, state);
+  for (const auto& [key, state] : from.states) {
+    if (wanted(key.first)) reader.node->put(reader.channel, state);
   }
-  for (const wire::Sample& event : writer.events) {
-    if (wanted(wire::slot_of(event))) node.put(reader, event);
+  for (const wire::Sample& event : from.events) {
+    if (wanted(wire::slot_of(event))) reader.node->put(reader.channel, event);
   }
 }
 
@@ -118,13 +172,12 @@ void MemoryTransport::set_up(std::size_t channel, bool up) {
   if (mine.up == up) return;
   mine.up = up;
   if (!up) return;
-  for (MemoryTransport* node : hub_.nodes_) {
-    if (node == this) continue;
-    for (std::size_t i = 0; i < node->channels_.size(); ++i) {
-      replay(mine, *node, i);
-      replay(node->channels_[i], *this, channel);
-    }
+  if (mine.writes) {
+    for (const MemoryHub::End& reader : mine.partition->readers)
+      if (reader.node != this) replay({this, channel}, reader);
   }
+  if (!mine.reads) return;
+  for (const MemoryHub::End& writer : writers_for(channel)) replay(writer, {this, channel});
 }
 
 std::vector<Arrival> MemoryTransport::take() { return std::exchange(mailbox_, {}); }

@@ -124,11 +124,14 @@ class Blackboard {
   /// end of.
   void set_condition(NodeNumber from, NodeNumber to, const ChannelCondition& condition, Now now);
 
-  /// Takes what has arrived and does what is due. To call when the transport notifies and at
-  /// next_wakeup(). What it gives counts as handled at the next call.
+  /// Takes what has arrived and does what is due. To call when the transport notifies, after
+  /// anything was sent, and at next_wakeup() and next_expiry(): in between it does nothing. What it
+  /// gives counts as handled at the next call.
   std::vector<Incoming> step(Now now);
   /// Steady time at which step() is due even if nothing arrives.
   std::optional<Duration> next_wakeup() const;
+  /// Likewise in mission time: when an event expires that is not acknowledged. Cost: events held.
+  std::optional<MissionTime> next_expiry() const;
 
   /// As last reported by Reachability; false for strangers.
   bool reachable(NodeNumber peer) const;

@@ -2,6 +2,7 @@
 // A transport inside one process, for the virtual runtime and for tests.
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -19,6 +20,7 @@ class MemoryTransport;
 /// and in a fixed order (that of `open`). It behaves as DDS does where that matters: a reader that
 /// connects gets the last states and the recent events of the writer again.
 /// Thread rule: one thread for the hub and all its transports. Must outlive them.
+/// Cost: a sample is looked at by those who read its partition, whoever else there is.
 class MemoryHub {
  public:
   /// Gives a reader side something as if from the wire, whatever it is; to every node that has this
@@ -27,7 +29,25 @@ class MemoryHub {
 
  private:
   friend class MemoryTransport;
-  std::vector<MemoryTransport*> nodes_;
+  /// A channel of a node.
+  struct End {
+    MemoryTransport* node = nullptr;
+    std::size_t channel = 0;
+    bool operator==(const End&) const = default;
+  };
+  /// Who writes under a name, and who reads that, by a pattern too; in the order of `open`.
+  struct Partition {
+    std::vector<End> writers, readers;
+  };
+
+  Partition& partition(const std::string& name);
+  void join(const End& end, const std::string& partition, bool writes, bool reads);
+  void leave(const MemoryTransport& node);
+  std::vector<End> writers_for(const End& reader) const;
+
+  std::uint64_t opened_ = 0;
+  std::map<std::string, Partition> partitions_;               ///< that are written, or read by name
+  std::vector<std::pair<std::string, End>> pattern_readers_;  ///< of any partition that matches
 };
 
 /// One node's side of a MemoryHub. Its destruction is the death of the node: what it wrote and
@@ -50,19 +70,23 @@ class MemoryTransport final : public Transport {
     bool up = true;
     bool writes = false;
     bool reads = false;
-    std::vector<wire::Slot> read_slots;
+    MemoryHub::Partition* partition = nullptr;
+    std::bitset<wire::kSlotCount> read_slots;
     /// What a writer keeps for readers that connect later.
     std::map<std::pair<wire::Slot, std::uint32_t>, wire::Sample> states;
     std::deque<wire::Sample> events;
   };
 
   void remember(Channel& channel, const wire::Sample& sample) const;
-  /// Offers the sample to every reader of this node that is connected to the partition.
-  void offer(const std::string& partition, const wire::Sample& sample);
   void put(std::size_t channel, std::variant<wire::Sample, Malformed> content);
-  static void replay(const Channel& writer, MemoryTransport& node, std::size_t reader);
+  void take_what_is_kept();
+  /// Of other nodes.
+  std::vector<MemoryHub::End> writers_for(std::size_t channel);
+  static void replay(const MemoryHub::End& writer, const MemoryHub::End& reader);
+  static Channel& at(const MemoryHub::End& end) { return end.node->channels_[end.channel]; }
 
   MemoryHub& hub_;
+  std::uint64_t order_ = 0;  ///< in which it was opened
   std::vector<Channel> channels_;
   std::vector<Arrival> mailbox_;
   std::function<void()> notify_;

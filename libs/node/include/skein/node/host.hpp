@@ -56,7 +56,9 @@ class Host {
   /// refusal is logged.
   void publish(wire::Sample sample, blackboard::Now now);
 
-  std::optional<MissionTime> next_mission_wakeup() const { return node_due_; }
+  std::optional<MissionTime> next_mission_wakeup() const {
+    return earliest(node_due_, blackboard_.next_expiry());
+  }
   std::optional<Duration> next_steady_wakeup() const { return blackboard_.next_wakeup(); }
   /// True once every peer this node has a radio or onboard channel with, and whose channel the
   /// radio does not hold down, has been heard.
