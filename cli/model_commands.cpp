@@ -22,6 +22,7 @@ Examples:
   skein model check scenarios/models/interaction/monitoring-with-relay.yaml
   skein model draw scenarios/models/interaction/vehicle-pursuit.yaml -o pursuit.svg
   skein model run automaton.json --until 900 < trace.jsonl
+  skein model run scenarios/models/interaction/monitoring-with-relay.yaml --role relay < trace.jsonl
 Formats and how to write a model: docs/interaction.md. Exit codes: 0 done, 1 some line of a trace was
 refused, 2 wrong files or options, 3 the picture cannot be written.)";
 
@@ -49,8 +50,13 @@ void add_run(CLI::App* model, Action& action) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* command =
       model->add_subcommand("run", "Play a trace through the execution automaton of a role");
-  command->add_option("automaton", arguments->options.automaton, "YAML or JSON")->required();
+  command
+      ->add_option("automaton", arguments->options.automaton,
+                   "YAML or JSON; or a library with roles")
+      ->required();
   command->add_option("trace", arguments->trace, "JSON lines (default: standard input)");
+  command->add_option("--role", arguments->options.role, "Which role of a library")
+      ->type_name("NAME");
   command->add_option("--until", arguments->until, "Play on up to this instant [s]")
       ->check(finite_problem);
   command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });

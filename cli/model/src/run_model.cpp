@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/model_tool/run_model.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <ostream>
 
 #include "line.hpp"
+#include "load_models.hpp"
 #include "skein/config/parse.hpp"
 #include "skein/config/reader.hpp"
 #include "skein/foundation/exit_code.hpp"
@@ -18,13 +20,49 @@ namespace {
 
 using interaction::Automaton;
 
-Result<Automaton, Diagnostics> automaton_of(const std::string& file) {
+tl::unexpected<Diagnostics> wrong(const std::string& file, std::string message,
+                                  std::string expected) {
+  Diagnostics problems;
+  problems.add({file, 0, 0, "", std::move(message), std::move(expected), ""});
+  return tl::unexpected<Diagnostics>(std::move(problems));
+}
+
+// As it is played in the first variant that has the role; in none, as it is by itself.
+Automaton as_played(const interaction::Library& library, const std::string& role) {
+  for (const auto& [task, model] : library.models) {
+    for (const interaction::Variant& variant : model.variants) {
+      const auto& roles = variant.roles;
+      if (std::find(roles.begin(), roles.end(), role) == roles.end()) continue;
+      return automaton_in(library, variant, role);
+    }
+  }
+  return library.roles.at(role).automaton;
+}
+
+Result<Automaton, Diagnostics> role_of(const RunOptions& options) {
+  auto loaded = load_models({options.automaton});
+  if (!loaded) return tl::unexpected<Diagnostics>(std::move(loaded.error()));
+  const auto& roles = loaded->library.roles;
+  std::string role = options.role;
+  if (role.empty() && roles.size() == 1) role = roles.begin()->first;
+  if (roles.count(role) > 0) return as_played(loaded->library, role);
+  std::string names;
+  for (const auto& [name, one] : roles) names += (names.empty() ? "" : ", ") + name;
+  return wrong(options.automaton, role.empty() ? "several roles" : "unknown role '" + role + "'",
+               "--role with one of " + names);
+}
+
+// A file that is one block, or a role of a library.
+Result<Automaton, Diagnostics> automaton_of(const RunOptions& options) {
+  const std::string& file = options.automaton;
   const auto value = config::parse_yaml_file(file);
   if (!value) return tl::unexpected<Diagnostics>(value.error());
+  if (value->find("roles") != nullptr || value->find("models") != nullptr) return role_of(options);
   Diagnostics problems;
   Automaton automaton = interaction::read_automaton(config::Reader(*value, file, problems));
   if (!problems.empty()) return tl::unexpected<Diagnostics>(std::move(problems));
-  return automaton;
+  if (options.role.empty()) return automaton;
+  return wrong(file, "an automaton has no roles", "no --role");
 }
 
 /// The engine, and where its effects are written.
@@ -74,7 +112,7 @@ class Play {
 }  // namespace
 
 int run_model(const RunOptions& options, std::istream& in, std::ostream& out, std::ostream& err) {
-  auto automaton = automaton_of(options.automaton);
+  auto automaton = automaton_of(options);
   if (!automaton) {
     err << to_text(automaton.error());
     return kExitBadInput;

@@ -65,6 +65,64 @@ TEST_F(RunModel, GivesTheEffectsOfTheSharedExampleToTheByte) {
   EXPECT_EQ(ran.err, "");
 }
 
+// The role that is shipped is the one of the example, its SCMs given by the coordination table.
+TEST_F(RunModel, PlaysARoleOfALibraryAsItsVariantSays) {
+  if (!fs::exists(kShared)) GTEST_SKIP() << kShared << " is not there";
+  RunOptions options;
+  options.automaton = SKEIN_SOURCE_DIR "/scenarios/models/interaction/monitoring-with-relay.yaml";
+  options.role = "perceive";
+  std::istringstream in(content(kShared / "r1-trace.jsonl"));
+  std::ostringstream out, err;
+
+  EXPECT_EQ(run_model(options, in, out, err), 0) << err.str();
+  EXPECT_EQ(out.str(), content(kShared / "r1-effects.jsonl"));
+}
+
+// Spec 7.7: an invitation is answered each time, a violation leads to a valid position, and when
+// all have done their part it flies back.
+TEST_F(RunModel, TheRelayAnswersMovesAndComesBack) {
+  RunOptions options;
+  options.automaton = SKEIN_SOURCE_DIR "/scenarios/models/interaction/monitoring-with-relay.yaml";
+  options.role = "relay";
+  std::istringstream in(R"({"at":0,"start":true}
+{"at":20,"status":{"componel":"t21","state":"ended"}}
+{"at":25,"status":{"componel":"t22","state":"ended"}}
+{"at":30,"message":"role-allocation invitation"}
+{"at":31,"status":{"componel":"ac21","state":"ended"}}
+{"at":40,"scm":"mcs3","state":"violated"}
+{"at":50,"status":{"componel":"t23","state":"ended"}}
+{"at":51,"status":{"componel":"t24","state":"aborted"}}
+{"at":60,"message":"role-allocation invitation"}
+{"at":61,"status":{"componel":"ac21","state":"ended"}}
+{"at":900,"status":{"componel":"t24","state":"ended"}}
+{"at":950,"status":{"componel":"t25","state":"ended"}}
+)");
+  std::ostringstream out, err;
+  ASSERT_EQ(run_model(options, in, out, err), 0) << err.str();
+
+  std::string done;
+  std::istringstream lines(out.str());
+  for (std::string line; std::getline(lines, line);) {
+    const auto json = nlohmann::json::parse(line);
+    for (const char* what : {"compute", "run", "negotiate", "interrupt", "model"}) {
+      if (json.contains(what))
+        done += std::string(what) + " " + json.at(what).get<std::string>() + "\n";
+    }
+  }
+  EXPECT_EQ(done,
+            "compute pl20\nrun t21\nrun t22\nrun t24\nnegotiate ac21\ncompute pl24\nrun t23\n"
+            "interrupt t24\nrun t24\nnegotiate ac21\nrun t25\nmodel ended\n");
+}
+
+TEST_F(RunModel, WhichRoleIsAskedForIfThereAreSeveral) {
+  const std::string file =
+      SKEIN_SOURCE_DIR "/scenarios/models/interaction/monitoring-with-relay.yaml";
+
+  EXPECT_EQ(run(file, "").code, 2);
+  EXPECT_THAT(run(file, "").err,
+              HasSubstr("several roles; expected --role with one of perceive, relay"));
+}
+
 TEST_F(RunModel, PlaysOnUntilTheInstantGiven) {
   const std::string file = file_with(kOneTask);
   const std::string start = "{\"at\":1,\"start\":true}\n";

@@ -141,8 +141,9 @@ class VariantPicture {
     const double edge = pictures_[from].box(0).x + pictures_[from].width();
     const double other_edge = pictures_[to].box(0).x;
     canvas.arrow({x1, y1, edge, 80}, {x2, y2, other_edge, -80});
-    canvas.text(edge + 8, y1 - 6, left, {kNote, "#c2570c"});
-    canvas.text(other_edge - 8, y2 - 6, right, {kNote, "#c2570c", "end"});
+    const bool descends = y2 > y1;  // who takes part stands on the other side of the line
+    canvas.text(edge + 8, y1 + (descends ? -6 : 14), left, {kNote, "#c2570c"});
+    canvas.text(other_edge - 8, y2 + (descends ? 14 : -6), right, {kNote, "#c2570c", "end"});
   }
 
   // Among those who hold the same role: out at the right and back.

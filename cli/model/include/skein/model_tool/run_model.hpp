@@ -11,7 +11,8 @@
 namespace skein::model_tool {
 
 struct RunOptions {
-  std::string automaton;             ///< file, YAML or JSON (spec 7.8)
+  std::string automaton;             ///< file, YAML or JSON (spec 7.8), or a library with roles
+  std::string role;                  ///< --role NAME: of a library with several
   std::optional<MissionTime> until;  ///< --until S: play on to S after the last line
   std::string input_name;            ///< for messages; empty: standard input
 };

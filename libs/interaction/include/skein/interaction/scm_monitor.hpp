@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Watches one spatial constraint model over observed positions.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/foundation/time.hpp"
+#include "skein/interaction/input.hpp"
+#include "skein/interaction/model.hpp"
+
+namespace skein::interaction {
+
+/// East, north, up [m] in the local frame.
+using Position = std::array<double, 3>;
+
+/// Where something was seen, and when.
+struct Sighting {
+  Position position{};
+  MissionTime at;
+};
+
+/// What the observer knows of a name: an object, a point, a UAV. Absent: nothing.
+using Observer = std::function<std::optional<Sighting>(const std::string& name)>;
+
+/// What the places and numbers of an SCM stand for.
+struct ScmBinding {
+  /// A constraint on a place of several names (R*, a role that several hold) is one for each of
+  /// them.
+  std::map<std::string, std::vector<std::string>> places;
+  std::map<std::string, double> numbers;
+};
+
+/// Noise and age of positions. Not negative.
+struct ScmLimits {
+  double distance = 1;                     ///< beyond its bound before a violation has ended [m]
+  double angle = 0.02;                     ///< the same of angles [rad]
+  Duration oldest = Duration::seconds(5);  ///< an older position counts as unknown
+};
+
+/// One constraint as it was measured.
+struct Measured {
+  std::size_t constraint = 0;  ///< in the SCM
+  std::string place;           ///< the first of its names
+  Relation relation = Relation::kLess;
+  double measured = 0, required = 0;  ///< [m] or [rad]
+};
+
+/// A change of what is found.
+struct ScmFound {
+  ScmReport report;
+  std::optional<Measured> why;  ///< of a violation: the constraint that is missed by most
+};
+
+/// A violation begins when some constraint does not hold, and ends when all hold by the margin of
+/// the limits: positions that shake by less than half of it change the finding at most once. While
+/// no constraint is known to be violated and some place is unknown, too old, or gives no direction,
+/// it is undetermined. Before the first update it counts as satisfied. Each change is told once.
+/// Cost of an update: O(constraints × names). Thread rule: one thread.
+/// Source: T V.2.3, V.4.3, spec 7.5, 7.6.
+class ScmMonitor {
+ public:
+  /// Every place and number of the SCM is bound.
+  ScmMonitor(std::string id, Scm scm, ScmBinding binding, ScmLimits limits);
+
+  /// From the UAV at `own`, with what the observer knows at `now`.
+  std::optional<ScmFound> update(const Position& own, const Observer& observer, MissionTime now);
+  ScmReport::Finding finding() const { return finding_; }
+
+ private:
+  struct Slack {
+    double by = 0;  ///< [m] or [rad]; negative: violated
+    bool holds = true;
+    Measured measured;
+  };
+  struct Round;
+  void measure(std::size_t index, Round& round) const;
+  void measure_one(std::size_t index, const std::vector<std::string>& of, Round& round) const;
+  std::optional<double> value_of(const SpatialConstraint& one, const std::vector<std::string>& of,
+                                 const Position& at, const Round& round) const;
+  std::optional<double> reference_of(const SpatialConstraint& one,
+                                     const std::vector<std::string>& of, const Round& round) const;
+  const std::vector<std::string>& names_of(const std::string& place) const;
+
+  std::string id_;
+  Scm scm_;
+  ScmBinding binding_;
+  ScmLimits limits_;
+  ScmReport::Finding finding_ = ScmReport::Finding::kSatisfied;
+};
+
+/// Direction of a place in the celestial frame of two points [rad]: azimuth from 0 to 2π, 0 towards
+/// `toward`, counter-clockwise; altitude from -π/2 to π/2. Absent where there is none: straight
+/// above the origin, or a frame without direction.
+std::optional<double> azimuth_in(const Position& origin, const Position& toward,
+                                 const Position& place);
+std::optional<double> altitude_in(const Position& origin, const Position& place);
+
+}  // namespace skein::interaction
