@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/mastn_experiment/line_plot.hpp"
+#include "skein/foundation/markup.hpp"
 
 #include <algorithm>
 #include <array>
@@ -40,29 +41,6 @@ std::string number(double value) {
   trimmed.erase(trimmed.find_last_not_of('0') + 1);
   if (trimmed.back() == '.') trimmed.pop_back();
   return trimmed == "-0" ? "0" : trimmed;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
 }
 
 bool is_drawable(const PlotPoint& point) {
@@ -130,7 +108,7 @@ class Picture {
  private:
   void text(double x, double y, const std::string& what, const std::string& attributes) {
     out_ += "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" " + attributes + ">" +
-            escaped(what) + "</text>\n";
+            escaped_markup(what) + "</text>\n";
   }
 
   void line(double x1, double y1, double x2, double y2, const std::string& attributes) {

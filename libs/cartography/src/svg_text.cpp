@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "svg_text.hpp"
+#include "skein/foundation/markup.hpp"
 
 #include <fmt/format.h>
 
@@ -10,29 +11,6 @@ namespace skein::cartography {
 std::string px(double value) {
   std::string out = fmt::format("{:.1f}", value);
   return out == "-0.0" ? "0.0" : out;
-}
-
-std::string escaped(std::string_view words) {
-  std::string out;
-  for (const char c : words) {
-    switch (c) {
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '&':
-        out += "&amp;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return out;
 }
 
 std::string points(const std::vector<Spot>& spots) {
@@ -50,7 +28,7 @@ std::string text(const Spot& at, std::string_view words, const TextStyle& style)
       style.halo
           ? R"( stroke="#ffffff" stroke-width="3" stroke-linejoin="round" paint-order="stroke")"
           : "",
-      escaped(words));
+      escaped_markup(words));
 }
 
 double width_of(std::string_view words, double size) {

@@ -17,7 +17,6 @@ struct Spot {
 
 /// With one decimal.
 std::string px(double value);
-std::string escaped(std::string_view text);
 /// "x,y x,y …", for points="".
 std::string points(const std::vector<Spot>& spots);
 

@@ -47,10 +47,6 @@ TEST(Labels, OnTheSpotStandOnTheSpot) {
   EXPECT_NEAR(spots[0].y, 60, 6);
 }
 
-TEST(SvgText, EscapesWhatXmlTakesForItself) {
-  EXPECT_EQ(escaped("a<b>&\"c\"\n"), "a&lt;b&gt;&amp;&quot;c&quot; ");
-}
-
 TEST(SvgText, CountsCharactersNotBytes) { EXPECT_EQ(width_of("é×°", 10), width_of("abc", 10)); }
 
 TEST(SvgText, HasNoNegativeZero) {

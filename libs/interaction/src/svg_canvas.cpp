@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "svg_canvas.hpp"
+#include "skein/foundation/markup.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,22 +20,6 @@ std::string px(double value) {
 
 std::string attribute(const char* name, double value) {
   return std::string(" ") + name + "=\"" + px(value) + "\"";
-}
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (static_cast<unsigned char>(c) >= 0x20) {
-      out += c;
-    }
-  }
-  return out;
 }
 
 }  // namespace
@@ -57,7 +42,7 @@ void SvgCanvas::box(double x, double y, double width, double height, const BoxSt
 void SvgCanvas::text(double x, double y, std::string_view text, const TextStyle& style) {
   body_ += "<text" + attribute("x", x) + attribute("y", y) + attribute("font-size", style.size) +
            " fill=\"" + style.colour + "\" text-anchor=\"" + style.anchor + "\"" +
-           (style.bold ? " font-weight=\"bold\"" : "") + ">" + escaped(text) + "</text>\n";
+           (style.bold ? " font-weight=\"bold\"" : "") + ">" + escaped_markup(text) + "</text>\n";
 }
 
 void SvgCanvas::arrow(const End& from, const End& to) {

@@ -2,6 +2,7 @@
 #include "markup.hpp"
 
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/markup.hpp"
 
 namespace skein::report {
 
@@ -12,7 +13,7 @@ void Markup::start(std::string_view element, Attributes attributes) {
     out_ += ' ';
     out_ += a.name;
     out_ += "=\"";
-    out_ += escape(a.value);
+    out_ += escaped_markup(a.value);
     out_ += '"';
   }
 }
@@ -42,7 +43,7 @@ Markup& Markup::element(std::string_view element, Attributes attributes, std::st
 }
 
 Markup& Markup::text(std::string_view content) {
-  out_ += escape(content);
+  out_ += escaped_markup(content);
   return *this;
 }
 

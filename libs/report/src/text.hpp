@@ -7,10 +7,6 @@
 
 namespace skein::report {
 
-/// Text safe inside HTML and XML, as content or as a quoted attribute: markup characters become
-/// entities; what XML forbids (control characters, bad UTF-8, U+FFFE, U+FFFF) becomes U+FFFD.
-std::string escape(std::string_view text);
-
 /// Fixed decimals without trailing zeros and without "-0"; "0" for what is not finite.
 std::string short_number(double value, int decimals = 1);
 

@@ -3,54 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <rapidcheck/gtest.h>
 #include <cmath>
 #include <limits>
 
 namespace skein::report {
 namespace {
-
-TEST(Escape, MarkupCharactersBecomeEntities) {
-  EXPECT_EQ(escape("<script>alert('a' & \"b\")</script>"),
-            "&lt;script&gt;alert(&#39;a&#39; &amp; &quot;b&quot;)&lt;/script&gt;");
-}
-
-TEST(Escape, GoodUtf8IsKept) {
-  EXPECT_EQ(escape("Lousã – détection ✓ 🚁"), "Lousã – détection ✓ 🚁");
-  EXPECT_EQ(escape("a\tb\nc\rd"), "a\tb\nc\rd");
-}
-
-TEST(Escape, WhatXmlForbidsIsReplaced) {
-  const std::string bad = "\xEF\xBF\xBD";
-
-  EXPECT_EQ(escape(std::string("a\0b", 3)), "a" + bad + "b");
-  EXPECT_EQ(escape("\x1b[31m"), bad + "[31m");
-  EXPECT_EQ(escape("\xff"), bad);
-  EXPECT_EQ(escape("\xc0\xaf"), bad + bad);                      // overlong '/'
-  EXPECT_EQ(escape("\xed\xa0\x80"), bad + bad + bad);            // a surrogate
-  EXPECT_EQ(escape("\xef\xbf\xbf"), bad + bad + bad);            // U+FFFF
-  EXPECT_EQ(escape("\xf4\x90\x80\x80"), bad + bad + bad + bad);  // beyond Unicode
-  EXPECT_EQ(escape("\xe2\x82"), bad + bad);                      // cut off
-}
-
-RC_GTEST_PROP(Escape, NoBytesCanOpenAnElementOrCloseAnAttribute, (const std::string& text)) {
-  const std::string safe = escape(text);
-
-  RC_ASSERT(safe.find_first_of("<>\"'") == std::string::npos);
-  for (const char c : safe) {
-    RC_ASSERT(static_cast<unsigned char>(c) >= 0x20 || c == '\t' || c == '\n' || c == '\r');
-  }
-}
-
-RC_GTEST_PROP(Escape, EveryAmpersandBeginsAnEntity, (const std::string& text)) {
-  const std::string safe = escape(text + "&" + text);
-
-  for (std::size_t i = safe.find('&'); i != std::string::npos; i = safe.find('&', i + 1)) {
-    const std::string entity = safe.substr(i, safe.find(';', i) - i + 1);
-    RC_ASSERT(entity == "&amp;" || entity == "&lt;" || entity == "&gt;" || entity == "&quot;" ||
-              entity == "&#39;");
-  }
-}
 
 TEST(ShortNumber, HasNoTrailingZerosAndNoNegativeZero) {
   EXPECT_EQ(short_number(12.0), "12");

@@ -9,6 +9,7 @@
 #include "picture_strips.hpp"
 #include "readers.hpp"
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/markup.hpp"
 
 namespace skein::temporal {
 
@@ -178,7 +179,7 @@ class SvgPicture {
     if (words.empty()) return;
     svg_ += "<text x=\"" + px(x) + "\" y=\"" + px(y) + "\" font-size=\"" + px(style.size) +
             "\" fill=\"" + style.colour + "\" text-anchor=\"" + style.anchor + "\"" + style.more +
-            ">" + xml_escaped(words) + "</text>\n";
+            ">" + escaped_markup(words) + "</text>\n";
   }
 
   // What is in the conflict lies on top, and labels above all lines.

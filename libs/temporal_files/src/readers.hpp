@@ -26,9 +26,6 @@ Result<std::string, Failure> write_graphml(const Stnu& network);
 Result<std::string, Failure> write_graphml(const DispatchableNetwork& network);
 Result<std::string, Failure> write_plain(const Stnu& network);
 
-/// Text for an XML attribute or element.
-std::string xml_escaped(std::string_view text);
-
 /// The nodes of a network for a format in which the origin has the name `origin`; fails when
 /// another node bears it.
 Result<std::vector<std::string>, Failure> names_with_origin(const Stnu& network,

@@ -4,6 +4,7 @@
 #include "link_tables.hpp"
 #include "readers.hpp"
 #include "seconds_text.hpp"
+#include "skein/foundation/markup.hpp"
 
 namespace skein::temporal {
 
@@ -47,29 +48,6 @@ std::string edge_text(std::size_t number, const Edge& edge, const char* type,
 
 }  // namespace
 
-std::string xml_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
-
 namespace {
 
 /// The text of a graph, element by element.
@@ -77,7 +55,7 @@ class GraphmlWriter {
  public:
   GraphmlWriter(std::vector<std::string> names, std::size_t contingent)
       : names_(std::move(names)), contingent_(contingent) {
-    for (std::string& name : names_) name = xml_escaped(name);
+    for (std::string& name : names_) name = escaped_markup(name);
   }
 
   void add(const Edge& edge, const char* type) {
