@@ -4,11 +4,13 @@
 //   skein_refiners_path_bench                 both, and the ratios
 //   skein_refiners_path_bench --only ours     without the plain one: what memory ours takes
 //   skein_refiners_path_bench --only seeds    ours in ten worlds, by their seeds
+//   skein_refiners_path_bench --seed N        ours in one of them, each query
 //
 // World and queries: box_world.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <queue>
@@ -176,6 +178,21 @@ int run(bool with_plain) {
   return 0;
 }
 
+/// Each query of one world.
+int run_seed(std::uint64_t seed) {
+  const Airspace airspace = bench::box_world(seed);
+  Figures figures;
+  for (const Ends& ends : bench::long_queries(airspace)) {
+    measure_ours(airspace, ends, figures);
+    std::printf("graph %8.1f ms, %9.0f nodes; all %8.1f ms\n", figures.search.back(),
+                figures.expansions.back(), figures.whole.back());
+  }
+  std::printf("lengths: graph %.1f, pulled %.1f, found %.1f voxels\n", figures.raw, figures.pulled,
+              figures.found);
+  print(("seed " + std::to_string(seed)).c_str(), figures.whole);
+  return 0;
+}
+
 /// One world may be kind: ours in ten of them.
 int run_seeds() {
   std::vector<double> medians, all;
@@ -201,9 +218,11 @@ int main(int argc, char** argv) {
     return argc == 3 && std::strcmp(argv[1], "--only") == 0 && std::strcmp(argv[2], what) == 0;
   };
   const bool only_ours = only("ours");
+  if (argc == 3 && std::strcmp(argv[1], "--seed") == 0)
+    return skein::refiners::run_seed(std::strtoull(argv[2], nullptr, 10));
   if (only("seeds")) return skein::refiners::run_seeds();
   if (argc != 1 && !only_ours) {
-    std::fprintf(stderr, "usage: skein_refiners_path_bench [--only ours|seeds]\n");
+    std::fprintf(stderr, "usage: skein_refiners_path_bench [--only ours|seeds] [--seed N]\n");
     return 2;
   }
   return skein::refiners::run(!only_ours);

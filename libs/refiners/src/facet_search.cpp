@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A* over the way-point graph.
+#include "facet_search.hpp"
+
+#include <bit>
 #include <cmath>
 #include <numbers>
 
 #include "bucket_queue.hpp"
 #include "facet_graph.hpp"
-#include "facet_table.hpp"
+#include "free_voxels.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
 #include "voxel_flood.hpp"
@@ -22,6 +25,7 @@ class FacetSearch {
  public:
   FacetSearch(const Airspace& airspace, const Voxel& from, const Voxel& to, const Budget& budget)
       : airspace_(airspace),
+        free_(airspace),
         from_(from),
         to_(to),
         even_(airspace.least_cost() == airspace.greatest_cost()),
@@ -44,7 +48,8 @@ class FacetSearch {
       const std::uint64_t word = queue_.pop();
       if (word == kArrived) {
         answer.found = true;
-        trace(queue_.priority() - FacetCosts::kToCentre * crossing_cost(to_), answer);
+        cost_ = queue_.priority();
+        trace(cost_ - FacetCosts::kToCentre * crossing_cost(to_), answer);
         break;
       }
       const Passage passage = unpacked(word);
@@ -57,6 +62,12 @@ class FacetSearch {
     answer.out_of_budget = countdown_.over();
     answer.cut_short = countdown_.cut_short();
     return answer;
+  }
+
+  /// After a run that found a way: what else it knows, once.
+  std::optional<GraphDistances> take_distances() {
+    if (!even_) return std::nullopt;
+    return GraphDistances(std::move(table_), from_, to_, cost_, airspace_.grid().size);
   }
 
  private:
@@ -80,10 +91,13 @@ class FacetSearch {
   /// Asked after so many expansions that a look from the other end costs little beside them: true
   /// when the goal is shut off.
   bool is_hopeless() const {
-    constexpr std::uint64_t kFirstLook = 1U << 14U, kLastLook = 1U << 20U;
+    constexpr int kFirstLook = 14, kLastLook = 23, kApart = 3;  // as powers of 2
     const std::uint64_t steps = countdown_.steps();
-    if (steps != kFirstLook && steps != kLastLook) return false;
-    const std::size_t most = steps == kFirstLook ? kFirstLook : airspace_.voxels().size();
+    const int power = std::countr_zero(steps);
+    if (!std::has_single_bit(steps) || power < kFirstLook || power > kLastLook ||
+        (power - kFirstLook) % kApart != 0)
+      return false;
+    const std::size_t most = power == kLastLook ? airspace_.voxels().size() : steps;
     return !connected(airspace_, to_, from_, most, budget_).value_or(true);
   }
 
@@ -99,7 +113,7 @@ class FacetSearch {
   /// The facet of that voxel can be reached at that cost, to go on into the voxel beyond.
   void reach(const Voxel& voxel, Facet facet, std::int64_t cost) {
     const Voxel into = beyond(voxel, facet);
-    if (!airspace_.is_free(into)) return;
+    if (!free_(into)) return;
     FacetTable::Slot slot = table_.slot(voxel, facet);
     if (slot.known() && slot.above(cost) <= 0) return;
     slot.keep(cost);
@@ -129,7 +143,7 @@ class FacetSearch {
   }
 
   bool is_known(const Voxel& voxel, Facet facet, std::int64_t cost) {
-    if (!airspace_.is_free(beyond(voxel, facet))) return false;
+    if (!free_(beyond(voxel, facet))) return false;
     const FacetTable::Slot slot = table_.slot(voxel, facet);
     return slot.known() && slot.above(cost) == 0;
   }
@@ -165,27 +179,57 @@ class FacetSearch {
   }
 
   const Airspace& airspace_;
+  FreeVoxels free_;
   Voxel from_, to_;
   bool even_;  // one crossing cost everywhere
   FacetHeuristic heuristic_;
   FacetTable table_;
   BucketQueue queue_;
+  std::int64_t cost_ = 0;  // of the way found
   const Budget& budget_;
   Countdown countdown_;
 };
 
 }  // namespace
 
-GraphWay search_graph(const Airspace& airspace, const Voxel& from, const Voxel& to,
-                      const Budget& budget) {
+double GraphDistances::from_start(const Voxel& voxel) {
+  constexpr std::int64_t kAhead = (1 << 19) - 1;  // of what is kept to 20 bits
+  const auto in_voxels = [](std::int64_t cost) {
+    return static_cast<double>(cost) / FacetCosts::kOpposite;
+  };
+  // The lower ones first: they lie in one word.
+  for (const Facet facet : {0U, 2U, 4U, 1U, 3U, 5U}) {
+    const std::size_t axis = axis_of(facet);
+    if (is_upper(facet) && voxel[axis] + 1 >= size_[axis]) continue;
+    const FacetTable::Slot slot = table_.slot(voxel, facet);
+    if (!slot.known()) continue;
+    const std::int64_t about = from_start_(voxel, facet) + kAhead;
+    return in_voxels(about + slot.above(about));
+  }
+  const std::array<std::int64_t, 3> centre = {2 * std::int64_t{voxel[0]} + 1,
+                                              2 * std::int64_t{voxel[1]} + 1,
+                                              2 * std::int64_t{voxel[2]} + 1};
+  return in_voxels(cost_ - to_goal_.from(centre));
+}
+
+GraphSearch search_graph_widely(const Airspace& airspace, const Voxel& from, const Voxel& to,
+                                const Budget& budget) {
   SKEIN_EXPECTS(airspace.is_free(from) && airspace.is_free(to));
   if (from == to) {
-    GraphWay here;
-    here.found = true;
-    here.way = {airspace.centre(from)};
+    GraphSearch here;
+    here.way.found = true;
+    here.way.way = {airspace.centre(from)};
     return here;
   }
-  return FacetSearch(airspace, from, to, budget).run();
+  FacetSearch search(airspace, from, to, budget);
+  GraphSearch found{search.run(), std::nullopt};
+  if (found.way.found) found.distances = search.take_distances();
+  return found;
+}
+
+GraphWay search_graph(const Airspace& airspace, const Voxel& from, const Voxel& to,
+                      const Budget& budget) {
+  return search_graph_widely(airspace, from, to, budget).way;
 }
 
 }  // namespace skein::refiners

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "facet_graph.hpp"
+#include "free_voxels.hpp"
 
 namespace skein::refiners {
 
@@ -12,6 +13,7 @@ std::optional<bool> connected(const world::Airspace& airspace, const world::Voxe
   const auto index = [&](const world::Voxel& at) {
     return airspace.grid().index(at[0], at[1], at[2]);
   };
+  const FreeVoxels is_free(airspace);
   std::vector<bool> reached(airspace.voxels().size());
   std::vector<world::Voxel> front = {from}, next;
   reached[index(from)] = true;
@@ -21,7 +23,7 @@ std::optional<bool> connected(const world::Airspace& airspace, const world::Voxe
       if (++count > most || (count % 4096 == 0 && budget.expired())) return std::nullopt;
       for (Facet facet = 0; facet < 6; ++facet) {
         const world::Voxel other = beyond(voxel, facet);
-        if (!airspace.is_free(other) || reached[index(other)]) continue;
+        if (!is_free(other) || reached[index(other)]) continue;
         reached[index(other)] = true;
         next.push_back(other);
       }

@@ -16,6 +16,14 @@ Budget less(Budget budget, std::uint64_t steps) {
   return budget;
 }
 
+/// Where the graph was searched far and wide, its dead ends would be searched again.
+AnyAngleHelp help_of(GraphSearch& searched) {
+  constexpr std::uint64_t kWide = 300'000;
+  constexpr double kGreed = 1.02;
+  if (!searched.distances || searched.way.expanded < kWide) return {.greed = kGreed};
+  return {.known = &*searched.distances};
+}
+
 }  // namespace
 
 VoxelWay find_way(const world::Airspace& airspace, const world::Vector3& from,
@@ -43,7 +51,8 @@ VoxelWay find_way(const world::Airspace& airspace, const world::Vector3& from,
     found.cost = puller.cost(found.way);
     return found;
   }
-  GraphWay graph = search_graph(airspace, *first, *last, budget);
+  GraphSearch searched = search_graph_widely(airspace, *first, *last, budget);
+  GraphWay& graph = searched.way;
   VoxelWay found;
   found.found = graph.found;
   found.graph_cost = graph.cost;
@@ -55,8 +64,8 @@ VoxelWay find_way(const world::Airspace& airspace, const world::Vector3& from,
 
   // The other search goes from centre to centre, and is pulled straight afterwards.
   const double bound = 1.02 * found.cost + 2 * airspace.grid().voxel;
-  AnyAngleWay other =
-      search_any_angle(airspace, *first, *last, bound, less(budget, graph.expanded));
+  AnyAngleWay other = search_any_angle(airspace, *first, *last, bound, less(budget, graph.expanded),
+                                       help_of(searched));
   found.effort.steps += other.expanded;
   if (!other.way.empty()) {
     Way pulled = puller.pulled(with_ends(std::move(other.way)));

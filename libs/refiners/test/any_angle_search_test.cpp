@@ -75,6 +75,58 @@ TEST(SearchAnyAngle, FindsFreeWaysExactlyWhenThereAreSome) {
   for (std::uint64_t seed = 0; seed < 150; ++seed) expect_free_way(seed, 0);
 }
 
+/// What a search of the graph leaves is what other searches of it say, where it came, and never
+/// more where it did not.
+TEST(GraphDistances, AreThoseOfTheGraphWhereItWasSearchedAndNoGreaterElsewhere) {
+  constexpr double kFacet = 1.3;  // from any facet that was reached to the centre
+  int exact = 0, asked = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Random random(seed);
+    const Airspace airspace = random_world(random, testing::cube(16), {.blocked = 0.4});
+    const Voxel from = free_voxel(airspace, random), to = free_voxel(airspace, random);
+    GraphSearch searched = search_graph_widely(airspace, from, to, Budget());
+    if (from == to || !searched.distances) continue;
+    for (int i = 0; i < 20; ++i) {
+      const Voxel at = free_voxel(airspace, random);
+      const GraphWay there = search_graph(airspace, from, at, Budget());
+      if (at == from || !there.found) continue;
+      const double known = searched.distances->from_start(at);
+      ++asked;
+      EXPECT_LE(known, there.cost + kFacet) << seed;
+      exact += known >= there.cost - kFacet ? 1 : 0;
+    }
+  }
+  EXPECT_GT(asked, 300);
+  EXPECT_GT(5 * exact, asked);
+}
+
+TEST(SearchAnyAngle, FindsTheSameWhenTheGraphHasBeenSearchedAndLooksAtLess) {
+  double plain = 0, helped = 0;
+  std::uint64_t looked = 0, looked_helped = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    Random random(seed);
+    const Airspace airspace = random_world(random, testing::cube(32), {.blocked = 0.5});
+    const Voxel from = free_voxel(airspace, random), to = free_voxel(airspace, random);
+    GraphSearch searched = search_graph_widely(airspace, from, to, Budget());
+    if (!searched.distances) continue;
+    const AnyAngleWay alone = search_any_angle(airspace, from, to, kNoBound, Budget());
+
+    const AnyAngleWay found =
+        search_any_angle(airspace, from, to, kNoBound, Budget(), {.known = &*searched.distances});
+
+    ASSERT_FALSE(found.way.empty()) << seed;
+    EXPECT_EQ(found.way.front(), airspace.centre(from));
+    EXPECT_EQ(found.way.back(), airspace.centre(to));
+    EXPECT_TRUE(samples_are_free(airspace, found.way));
+    plain += length_of(alone.way);
+    helped += length_of(found.way);
+    looked += alone.expanded;
+    looked_helped += found.expanded;
+  }
+  EXPECT_LE(helped, 1.02 * plain);
+  EXPECT_LT(looked_helped, looked);
+}
+
 TEST(SearchAnyAngle, FindsFreeWaysAtVariousCosts) {
   for (std::uint64_t seed = 500; seed < 560; ++seed) expect_free_way(seed, 0.7);
 }
