@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "pixels.hpp"
 #include "skein/cartography/map.hpp"
+#include "skein/drawing/pixels.hpp"
 #include "svg_text.hpp"
 
 namespace skein::cartography {
+
+using drawing::Pixels;
 
 /// Metres to pixels of the map, whose north-west corner is the origin.
 class Scale {

@@ -4,9 +4,11 @@
 
 #include <string>
 
-#include "pixels.hpp"
+#include "skein/drawing/pixels.hpp"
 
 namespace skein::cartography {
+
+using drawing::Colour;
 
 /// Tint of the ground, from the lowest (0) to the highest (1) of the map, lit by `light`: 0 in the
 /// shade, 0.7 on level ground, 1 facing the sun.

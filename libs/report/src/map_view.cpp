@@ -18,14 +18,14 @@ constexpr std::size_t kMostPointsOfOne = 4'000;
 void write_ground(Markup& out, const Run& run, const MapFrame& f) {
   out.leaf("rect", {{"class", "ground"}, {"width", f.width}, {"height", f.height}});
   if (!run.info.terrain || !is_usable(*run.info.terrain)) return;
-  const PaletteImage image =
+  const drawing::Pixels image =
       shaded_relief(*run.info.terrain, f.view, static_cast<std::size_t>(f.width * kImageScale),
                     static_cast<std::size_t>(f.height * kImageScale));
   out.leaf("image", {{"class", "relief"},
                      {"width", f.width},
                      {"height", f.height},
                      {"preserveAspectRatio", "none"},
-                     {"href", "data:image/png;base64," + base64(encode_png(image))}});
+                     {"href", png_uri(image)}});
   for (const Contour& contour : contours(*run.info.terrain)) {
     std::string data;
     for (const auto& [a, b] : contour.segments) {

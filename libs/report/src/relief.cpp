@@ -10,6 +10,8 @@
 
 namespace skein::report {
 
+using drawing::Colour;
+
 namespace {
 
 constexpr std::size_t kTints = 8;
@@ -28,18 +30,16 @@ constexpr std::array<Colour, kTints> kTintColours{{{214, 226, 202},
                                                    {238, 222, 212},
                                                    {242, 236, 231}}};
 
-std::vector<Colour> make_palette() {
-  std::vector<Colour> palette;
-  for (const Colour& tint : kTintColours) {
-    for (std::size_t s = 0; s < kShades; ++s) {
-      const double light = 0.55 + 0.52 * static_cast<double>(s) / (kShades - 1);
-      const auto scaled = [light](std::uint8_t c) {
-        return static_cast<std::uint8_t>(std::min(255.0, c * light));
-      };
-      palette.push_back({scaled(tint.red), scaled(tint.green), scaled(tint.blue)});
-    }
-  }
-  return palette;
+// Of a few steps, as of a printed map.
+Colour colour_of(double rise, double light) {
+  const auto tint = std::min(kTints - 1, static_cast<std::size_t>(rise * kTints));
+  const auto shade = std::min(kShades - 1, static_cast<std::size_t>(light * kShades));
+  const double lit = 0.55 + 0.52 * static_cast<double>(shade) / (kShades - 1);
+  const auto scaled = [lit](std::uint8_t c) {
+    return static_cast<std::uint8_t>(std::min(255.0, c * lit));
+  };
+  const Colour& ground = kTintColours[tint];
+  return {scaled(ground.red), scaled(ground.green), scaled(ground.blue)};
 }
 
 // Reads fields of the grid's size between the nodes.
@@ -143,8 +143,8 @@ bool is_usable(const TerrainGrid& g) {
          std::all_of(g.values.begin(), g.values.end(), [](double v) { return std::isfinite(v); });
 }
 
-PaletteImage shaded_relief(const TerrainGrid& grid, const Extents& view, std::size_t width,
-                           std::size_t height) {
+drawing::Pixels shaded_relief(const TerrainGrid& grid, const Extents& view, std::size_t width,
+                              std::size_t height) {
   SKEIN_EXPECTS(is_usable(grid) && width > 0 && height > 0);
   const Slopes slopes = slopes_of(grid);
   const double exaggeration =
@@ -153,8 +153,7 @@ PaletteImage shaded_relief(const TerrainGrid& grid, const Extents& view, std::si
   const auto [lowest, highest] = std::minmax_element(grid.values.begin(), grid.values.end());
   const double range = std::max(*highest - *lowest, 1e-6);
   const Sampler sample(grid);
-  PaletteImage image{width, height, make_palette(), {}};
-  image.pixels.reserve(width * height);
+  drawing::Pixels image(width, height);
   for (std::size_t row = 0; row < height; ++row) {
     const double y = view.north - (view.north - view.south) * (static_cast<double>(row) + 0.5) /
                                       static_cast<double>(height);
@@ -164,9 +163,7 @@ PaletteImage shaded_relief(const TerrainGrid& grid, const Extents& view, std::si
       const double rise = (sample(grid.values, x, y) - *lowest) / range;
       const double light = light_of(exaggeration * sample(slopes.east, x, y),
                                     exaggeration * sample(slopes.north, x, y));
-      const auto tint = std::min(kTints - 1, static_cast<std::size_t>(rise * kTints));
-      const auto shade = std::min(kShades - 1, static_cast<std::size_t>(light * kShades));
-      image.pixels.push_back(static_cast<std::uint8_t>(tint * kShades + shade));
+      image.set(column, row, colour_of(rise, light));
     }
   }
   return image;

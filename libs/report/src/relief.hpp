@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plot.hpp"
-#include "png.hpp"
+#include "skein/drawing/pixels.hpp"
 #include "skein/report/run_info.hpp"
 
 namespace skein::report {
@@ -17,8 +17,8 @@ bool is_usable(const TerrainGrid& grid);
 /// Relief of `view`, lit from the north-west: the hue by height, the shade by slope (exaggerated
 /// until the steepest slope shows). Outside the grid its edge goes on.
 /// Preconditions: the grid is usable; the view has an area. Source: Horn 1981 (hill shading).
-PaletteImage shaded_relief(const TerrainGrid& grid, const Extents& view, std::size_t width,
-                           std::size_t height);
+drawing::Pixels shaded_relief(const TerrainGrid& grid, const Extents& view, std::size_t width,
+                              std::size_t height);
 
 struct Contour {
   double height = 0.0;                                        ///< [m]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pixels.hpp"
+#include "skein/drawing/pixels.hpp"
 
 #include <png.h>
 
@@ -7,9 +7,16 @@
 
 #include "skein/foundation/contract.hpp"
 
-namespace skein::cartography {
+namespace skein::drawing {
+
+Colour Pixels::at(std::size_t x, std::size_t y) const {
+  SKEIN_EXPECTS(x < width_ && y < height());
+  const std::size_t at = (y * width_ + x) * 4;
+  return {bytes_[at], bytes_[at + 1], bytes_[at + 2], bytes_[at + 3]};
+}
 
 void Pixels::set(std::size_t x, std::size_t y, Colour colour) {
+  SKEIN_EXPECTS(x < width_ && y < height());
   const std::size_t at = (y * width_ + x) * 4;
   bytes_[at] = colour.red;
   bytes_[at + 1] = colour.green;
@@ -52,4 +59,4 @@ std::string png_uri(const Pixels& pixels) {
   return "data:image/png;base64," + base64(png);
 }
 
-}  // namespace skein::cartography
+}  // namespace skein::drawing

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "pixels.hpp"
+#include "skein/drawing/pixels.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>
 
 #include <cstring>
 
-namespace skein::cartography {
+namespace skein::drawing {
 namespace {
 
 std::vector<std::uint8_t> bytes(const std::string& text) { return {text.begin(), text.end()}; }
@@ -61,4 +61,4 @@ TEST(Pixels, ComeBackFromTheImageAsTheyWereSet) {
 }
 
 }  // namespace
-}  // namespace skein::cartography
+}  // namespace skein::drawing
