@@ -205,7 +205,7 @@ class PatrolTrials {
                                       sight_.deadline().is_set() ? &take_ : nullptr);
     in_turn_ = in_turn.figures();
     take_({in_turn.take_way(), complete});
-    if (!complete || ground_.blocks.size() < 4 || is_even()) return;
+    if (!complete || ground_.blocks.size() < 4) return;
     least_ = badness(in_turn_, in_turn_);
     for (const std::size_t times : kTimes)
       if (!fly_cycle(weighted_cycle(ground_, goal(1), times, time()))) return;
@@ -213,13 +213,6 @@ class PatrolTrials {
   }
 
  private:
-  /// Then nothing is better than everything in turn.
-  bool is_even() const {
-    const auto [least, most] =
-        std::minmax_element(ground_.field.risk.begin(), ground_.field.risk.end());
-    return *least == *most;
-  }
-
   CycleTime time() const { return {countdown_, sight_.deadline()}; }
 
   CycleGoal goal(double part) const {
