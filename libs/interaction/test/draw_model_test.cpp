@@ -35,7 +35,7 @@ TEST(DrawModel, ShowsRolesConditionsExitsAndWhereScmsHold) {
   EXPECT_THAT(svg, AllOf(HasSubstr(">looking, variant pair<"), HasSubstr(">looker × 1<"),
                          HasSubstr(">helper × 1 to 3<"),
                          HasSubstr(">needs hovering, camera: visible, endurance ≥ 900<"),
-                         HasSubstr("when message 'ring violated'"),
+                         HasSubstr("when message &#39;ring violated&#39;"),
                          HasSubstr("spot := between(target, home)")));
   EXPECT_THAT(svg,
               HasSubstr("ring: distance to what &gt; 25 m, distance to what &lt; 50 m, azimuth "

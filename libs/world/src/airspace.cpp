@@ -116,14 +116,20 @@ std::int32_t first_layer(const AirspaceGrid& grid, double height, const IsTrue& 
   return layer;
 }
 
-/// Closes the voxels of which `is_blocked(layer, figure of the column)`; without branches, so that
-/// many are done at a time.
+/// Closes the voxels of which `is_blocked(layer, figure of the column)`, which compares the two:
+/// below all figures and above them a layer is alike; elsewhere without branches, so that many are
+/// done at a time.
 template <class IsBlocked>
 void block_where(const AirspaceGrid& grid, const std::vector<std::int32_t>& columns,
                  std::vector<std::uint8_t>& voxels, const IsBlocked& is_blocked) {
   static_assert(Airspace::kBlocked == 0);
+  const auto [least, most] = std::minmax_element(columns.begin(), columns.end());
   for (std::int32_t z = 0; z < grid.size[2]; ++z) {
     std::uint8_t* layer = &voxels[grid.index(0, 0, z)];
+    if (z < *least || z >= *most) {
+      if (is_blocked(z, *least)) std::fill_n(layer, columns.size(), Airspace::kBlocked);
+      continue;
+    }
     for (std::size_t i = 0; i < columns.size(); ++i)
       layer[i] = static_cast<std::uint8_t>(layer[i] & (is_blocked(z, columns[i]) ? 0 : 0xff));
   }
