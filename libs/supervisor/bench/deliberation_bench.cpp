@@ -10,6 +10,7 @@
 #include <ctime>
 #include <functional>
 
+#include "flight/retreat.hpp"
 #include "skein/foundation/random.hpp"
 #include "skein/supervisor/repair.hpp"
 #include "testing/planning_lab.hpp"
@@ -70,7 +71,7 @@ void measure_re_refining(const testing::PlanningLab& lab, const Goals& goals) {
 void measure_replanning(const testing::PlanningLab& lab, const Goals& goals, double energy) {
   RepairRequest request;
   request.base = lab.request();
-  request.base.situation.energy = lab.knowledge.vehicle.energy.reserve + energy;
+  request.base.situation.energy = lab.knowledge.vehicle.energy.reserve + kSpareEnergy + energy;
   request.remaining = goals;
   RepairOutcome outcome;
   const double took = milliseconds([&] { outcome = repair_plan(request); });
