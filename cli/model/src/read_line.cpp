@@ -53,17 +53,7 @@ Input input(const Node& node) {
 }  // namespace
 
 Result<TraceLine, Failure> read_line(std::string_view text) {
-  const Result<Json, Failure> json = trace_lines::parse(text);
-  if (!json) return tl::unexpected<Failure>(json.error());
-  try {
-    const Node node(*json, "");
-    const MissionTime at = node.at("at").instant();
-    return TraceLine{at, input(node)};
-  } catch (const WrongValue& wrong) {
-    return failure(wrong.why);
-  } catch (const Json::exception& error) {
-    return failure(error.what());
-  }
+  return trace_lines::read_timed<TraceLine>(text, input);
 }
 
 }  // namespace skein::model_tool

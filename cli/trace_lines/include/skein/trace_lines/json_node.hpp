@@ -53,4 +53,21 @@ class Node {
 /// A whole document; the nesting is bounded and no object has a key twice.
 Result<Json, Failure> parse(std::string_view text);
 
+/// A line of a trace: its instant, "at", and what `input` makes of it; the failure says what was
+/// wrong and where. Line: {MissionTime, what `input` gives}.
+template <class Line, class Input>
+Result<Line, Failure> read_timed(std::string_view text, const Input& input) {
+  const Result<Json, Failure> json = parse(text);
+  if (!json) return tl::unexpected<Failure>(json.error());
+  try {
+    const Node node(*json, "");
+    const MissionTime at = node.at("at").instant();
+    return Line{at, input(node)};
+  } catch (const WrongValue& wrong) {
+    return failure(wrong.why);
+  } catch (const Json::exception& error) {
+    return failure(error.what());
+  }
+}
+
 }  // namespace skein::trace_lines
