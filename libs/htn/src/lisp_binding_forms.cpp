@@ -51,13 +51,19 @@ void BindingForms::let_star_form(NodeIndex /*form*/, Parts parts) {
   scope_.leave(scope);
 }
 
+// (variable what [result]), or nothing and the error is told.
+std::vector<NodeIndex> BindingForms::loop_header(NodeIndex form, Parts parts,
+                                                 const std::string& word, const char* what) {
+  std::vector<NodeIndex> header = source_.children(parts[1]);
+  if (header.size() >= 2 && header.size() <= 3) return header;
+  source_.error(form, "malformed " + word, "(" + word + " (variable " + what + " [result]) body)");
+  writer_.emit_constant(kNil);
+  return {};
+}
+
 void BindingForms::dolist_form(NodeIndex form, Parts parts) {
-  const std::vector<NodeIndex> header = source_.children(parts[1]);
-  if (header.size() < 2 || header.size() > 3) {
-    source_.error(form, "malformed dolist", "(dolist (variable list [result]) body)");
-    writer_.emit_constant(kNil);
-    return;
-  }
+  const std::vector<NodeIndex> header = loop_header(form, parts, "dolist", "list");
+  if (header.empty()) return;
   const std::size_t scope = scope_.size();
   writer_.begin_block(kNil);
   const std::uint32_t rest = writer_.new_local();
@@ -76,13 +82,11 @@ void BindingForms::dolist_form(NodeIndex form, Parts parts) {
   writer_.emit(Op::kPop);
   writer_.emit(Op::kJump, start);
   writer_.patch(end);
-  loop_result(header, std::nullopt);
-  scope_.leave(scope);
-  writer_.end_block();
+  end_loop(header, std::nullopt, scope);
 }
 
 // The result sees the variable as well: the number of rounds, or nil after the last item.
-void BindingForms::loop_result(Parts header, std::optional<std::uint32_t> index) {
+void BindingForms::end_loop(Parts header, std::optional<std::uint32_t> index, std::size_t scope) {
   if (header.size() > 2) {
     if (index) {
       writer_.emit(Op::kLocal, *index);
@@ -92,15 +96,13 @@ void BindingForms::loop_result(Parts header, std::optional<std::uint32_t> index)
     scope_.bind(header[0]);
   }
   body(header.subspan(2));
+  scope_.leave(scope);
+  writer_.end_block();
 }
 
 void BindingForms::dotimes_form(NodeIndex form, Parts parts) {
-  const std::vector<NodeIndex> header = source_.children(parts[1]);
-  if (header.size() < 2 || header.size() > 3) {
-    source_.error(form, "malformed dotimes", "(dotimes (variable count [result]) body)");
-    writer_.emit_constant(kNil);
-    return;
-  }
+  const std::vector<NodeIndex> header = loop_header(form, parts, "dotimes", "count");
+  if (header.empty()) return;
   const std::size_t scope = scope_.size();
   writer_.begin_block(kNil);
   const std::uint32_t count = writer_.new_local();
@@ -123,9 +125,7 @@ void BindingForms::dotimes_form(NodeIndex form, Parts parts) {
   writer_.emit(Op::kPop);
   writer_.emit(Op::kJump, start);
   writer_.patch(end);
-  loop_result(header, index);
-  scope_.leave(scope);
-  writer_.end_block();
+  end_loop(header, index, scope);
 }
 
 // (do ((variable first [step])…) (end result…) body…): all steps are worked out before any variable

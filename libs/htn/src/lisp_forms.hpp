@@ -81,7 +81,9 @@ class BindingForms : public FormWriter {
   void let_value(NodeIndex binding);
   NodeIndex let_name(NodeIndex binding) const;
   void do_steps(Parts bindings, bool at_once);
-  void loop_result(Parts header, std::optional<std::uint32_t> index);
+  std::vector<NodeIndex> loop_header(NodeIndex form, Parts parts, const std::string& word,
+                                     const char* what);
+  void end_loop(Parts header, std::optional<std::uint32_t> index, std::size_t scope);
 };
 
 /// What changes a place: a variable, an item of a table or of an array.

@@ -47,6 +47,18 @@ Term way_term(TermStore& store, const refiners::Way& way) {
   return headed(store, "way", std::move(terms));
 }
 
+/// Which of how many.
+struct Side {
+  std::size_t rank, count;
+};
+
+Result<Side, Failure> side_of(const TermStore& store, Term rank, Term count) {
+  const auto which = number_of(store, rank), all = number_of(store, count);
+  if (!which || !all || *which < 0 || *all < 1 || *all > kMostSides)
+    return failure("rank and count must be 0 and more, and 1 to 16");
+  return Side{static_cast<std::size_t>(*which), static_cast<std::size_t>(*all)};
+}
+
 }  // namespace
 
 std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
@@ -179,24 +191,23 @@ Value PlannerHost::Services::is_free(TermStore& store, Arguments arguments) {
 /// (compute-gotoxyz FROM TO WHEN): WHEN is the interval in which the motion may begin; nil: at any
 /// time.
 Value PlannerHost::Services::gotoxyz(TermStore& store, Arguments arguments) {
-  const auto from = names_.place(store, arguments[0]), to = names_.place(store, arguments[1]);
-  if (!from || !to) return kNil;
-  return flight(
-      store, refinery_.ways.path(*from, gazetteer().flown_to(*to), departure(store, arguments[2])),
-      "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
-          Gazetteer::words(store, arguments[1]));
+  return way(store, arguments.first(2), {}, arguments[2]);
 }
 
 /// (compute-gotoxyz-among FROM TO (LOC…) WHEN): likewise, around where others wait.
 Value PlannerHost::Services::gotoxyz_among(TermStore& store, Arguments arguments) {
-  const auto from = names_.place(store, arguments[0]), to = names_.place(store, arguments[1]);
+  return way(store, arguments.first(2), locations_of(store, arguments[2]), arguments[3]);
+}
+
+Value PlannerHost::Services::way(TermStore& store, Arguments ends,
+                                 const std::vector<Vector3>& others, Term when) {
+  const auto from = names_.place(store, ends[0]), to = names_.place(store, ends[1]);
   if (!from || !to) return kNil;
   return flight(
       store,
-      refinery_.ways.path_among(*from, gazetteer().flown_to(*to), locations_of(store, arguments[2]),
-                                departure(store, arguments[3])),
-      "no way from " + Gazetteer::words(store, arguments[0]) + " to " +
-          Gazetteer::words(store, arguments[1]));
+      refinery_.ways.path_among(*from, gazetteer().flown_to(*to), others, departure(store, when)),
+      "no way from " + Gazetteer::words(store, ends[0]) + " to " +
+          Gazetteer::words(store, ends[1]));
 }
 
 Value PlannerHost::Services::patrol(TermStore& store, Arguments arguments) {
@@ -307,33 +318,29 @@ std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermSto
 /// (compute-viewpoint PLACE DEVICES RANK COUNT WHEN SECONDS): (DEVICE LOC), of COUNT sides that of
 /// RANK.
 Value PlannerHost::Services::viewpoint(TermStore& store, Arguments arguments) {
-  const auto rank = number_of(store, arguments[2]), count = number_of(store, arguments[3]);
-  if (!rank || !count || *rank < 0 || *count < 1 || *count > kMostSides)
-    return failure("rank and count must be 0 and more, and 1 to 16");
-  const auto seen = views(store, arguments[0], arguments[1], static_cast<std::size_t>(*count),
-                          arguments[4], arguments[5]);
+  const auto side = side_of(store, arguments[2], arguments[3]);
+  if (!side) return tl::unexpected(side.error());
+  const auto seen =
+      views(store, arguments[0], arguments[1], side->count, arguments[4], arguments[5]);
   if (!seen) return kNil;
-  const auto wanted = static_cast<std::size_t>(*rank);
-  if (wanted >= seen->points.size())
+  if (side->rank >= seen->points.size())
     return names_.refuse("only " + std::to_string(seen->points.size()) + " of " +
-                         std::to_string(static_cast<int>(*count)) + " sides to see " +
+                         std::to_string(side->count) + " sides to see " +
                          Gazetteer::words(store, arguments[0]) + " from with " +
                          text_of(store, seen->device));
-  const std::vector<Term> pair = {seen->device, location_term(store, seen->points[wanted])};
+  const std::vector<Term> pair = {seen->device, location_term(store, seen->points[side->rank])};
   return store.list(pair);
 }
 
 /// (compute-others PLACE DEVICES RANK COUNT): the COUNT sides without that of RANK.
 Value PlannerHost::Services::others(TermStore& store, Arguments arguments) {
-  const auto rank = number_of(store, arguments[2]), count = number_of(store, arguments[3]);
-  if (!rank || !count || *rank < 0 || *count < 1 || *count > kMostSides)
-    return failure("rank and count must be 0 and more, and 1 to 16");
-  if (*count < 2) return kNil;
-  const auto seen = views(store, arguments[0], arguments[1], static_cast<std::size_t>(*count), kNil,
-                          store.integer(0));
+  const auto side = side_of(store, arguments[2], arguments[3]);
+  if (!side) return tl::unexpected(side.error());
+  if (side->count < 2) return kNil;
+  const auto seen = views(store, arguments[0], arguments[1], side->count, kNil, store.integer(0));
   std::vector<Term> all;
   for (std::size_t i = 0; seen && i < seen->points.size(); ++i)
-    if (i != static_cast<std::size_t>(*rank)) all.push_back(location_term(store, seen->points[i]));
+    if (i != side->rank) all.push_back(location_term(store, seen->points[i]));
   return store.list(all);
 }
 

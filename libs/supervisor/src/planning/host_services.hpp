@@ -76,6 +76,8 @@ class PlannerHost::Services {
   Value angles(htn::TermStore& store, Arguments arguments);
   Value tour(htn::TermStore& store, Arguments arguments);
 
+  Value way(htn::TermStore& store, Arguments ends, const std::vector<world::Vector3>& others,
+            htn::Term when);
   htn::Term answer(htn::TermStore& store, const Motion& motion, std::vector<htn::Term> params);
   htn::Term flight(htn::TermStore& store, const Answer<Motion>& motion, const std::string& what);
   htn::Term waiting(htn::TermStore& store, const world::Vector3& from, htn::Term when,
