@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fingerprint.hpp"
+
+#include <cstring>
+
+namespace skein::interaction {
+
+Fingerprint& Fingerprint::put(std::string_view text) {
+  for (const char one : text) byte(static_cast<unsigned char>(one));
+  return put(static_cast<std::uint64_t>(text.size()));
+}
+
+Fingerprint& Fingerprint::put(std::uint64_t number) {
+  for (int shift = 0; shift < 64; shift += 8) byte(static_cast<unsigned char>(number >> shift));
+  return *this;
+}
+
+Fingerprint& Fingerprint::put(double number) {
+  const double plain = number == 0 ? 0 : number;
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &plain, sizeof bits);
+  return put(bits);
+}
+
+}  // namespace skein::interaction
