@@ -121,6 +121,7 @@ void print(const char* name, const std::vector<double>& ms) {
 struct Figures {
   std::vector<double> search, whole, plain;  // CPU ms
   std::vector<double> expansions, costs;
+  std::vector<double> both;               // nodes expanded by both searches
   double raw = 0, pulled = 0, found = 0;  // lengths
   double worst_difference = 0;            // of costs, relative
 };
@@ -135,6 +136,7 @@ void measure_ours(const Airspace& airspace, const Ends& ends, Figures& figures) 
   figures.search.push_back(searched - start);
   figures.whole.push_back(done - searched);
   figures.expansions.push_back(static_cast<double>(graph.expanded));
+  figures.both.push_back(static_cast<double>(way.effort.steps));
   figures.costs.push_back(graph.cost);
   figures.raw += graph.cost;
   figures.pulled += length_of(way.graph_way);
@@ -184,8 +186,8 @@ int run_seed(std::uint64_t seed) {
   Figures figures;
   for (const Ends& ends : bench::long_queries(airspace)) {
     measure_ours(airspace, ends, figures);
-    std::printf("graph %8.1f ms, %9.0f nodes; all %8.1f ms\n", figures.search.back(),
-                figures.expansions.back(), figures.whole.back());
+    std::printf("graph %8.1f ms, %9.0f nodes; all %8.1f ms, %9.0f nodes\n", figures.search.back(),
+                figures.expansions.back(), figures.whole.back(), figures.both.back());
   }
   std::printf("lengths: graph %.1f, pulled %.1f, found %.1f voxels\n", figures.raw, figures.pulled,
               figures.found);

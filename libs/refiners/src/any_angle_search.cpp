@@ -24,6 +24,10 @@ constexpr std::int64_t kSpan = (1 << 15) - 1;
 /// By how much ways along the graph are longer than straight ones, nearly everywhere: up to 1.22.
 constexpr double kGrain = 1.15;
 
+/// After so many nodes it begins to hurry; after twice as many it is in full haste.
+constexpr double kPatient = 150'000;
+constexpr double kHaste = 0.1;
+
 /// The steps to the neighbours, and what must be free around a voxel to make them: every voxel of
 /// the box between, as bits of the 27 around, the lowest first.
 struct Step {
@@ -186,10 +190,17 @@ class AnyAngleSearch {
     return std::max(straight, rate_ * help_.known->from_start(voxel) / kGrain);
   }
 
+  /// What the way so far counts: less and less once the search is long, so that it makes for the
+  /// goal and does not look at all that is nearly as good.
+  double patience() const {
+    const auto expanded = static_cast<double>(countdown_.steps());
+    return std::clamp(1 - (expanded - kPatient) / kPatient * kHaste, 1 - kHaste, 1.0);
+  }
+
   void reach(const Voxel& voxel, std::uint32_t parent, double cost) {
     const Record record{static_cast<float>(cost), parent + 1, false};
     records_.at(voxel) = record.word();
-    const double estimate = (cost + left_from(voxel)) * kStepsPerVoxel;
+    const double estimate = (patience() * cost + left_from(voxel)) * kStepsPerVoxel;
     queue_.push(std::clamp(static_cast<std::int64_t>(estimate), queue_.priority(),
                            queue_.priority() + kSpan),
                 index_of(voxel));

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "skein/refiners/voxel_path_planner.hpp"
 #include "voxel_worlds.hpp"
 
@@ -48,6 +50,25 @@ TEST(SearchAnyAngle, StopsWhenTheTimeIsUp) {
 
   EXPECT_TRUE(found.cut_short);
   EXPECT_THAT(found.way, ::testing::IsEmpty());
+}
+
+/// A long search hurries, but what it finds is still a way, and not much longer than around the
+/// edge of the wall, which can be reckoned.
+TEST(SearchAnyAngle, HurriesAfterManyNodesAndStaysNearTheShortestWay) {
+  constexpr int kWall = 60, kEdge = 70;
+  Airspace airspace(testing::cube(76));
+  airspace.keep_where([](const Voxel& at) { return at[0] != kWall || at[1] > kEdge; });
+  const Voxel from = {2, 5, 38}, to = {74, 5, 38};
+  const double shortest =
+      std::hypot(kWall - from[0], kEdge - from[1]) + std::hypot(kWall - to[0], kEdge - to[1]);
+
+  const AnyAngleWay found = search_any_angle(airspace, from, to, kNoBound, Budget());
+
+  EXPECT_GT(found.expanded, 200'000U);
+  ASSERT_FALSE(found.way.empty());
+  EXPECT_TRUE(samples_are_free(airspace, found.way));
+  EXPECT_GE(length_of(found.way), shortest);
+  EXPECT_LE(length_of(found.way), 1.1 * shortest);
 }
 
 /// Whether it finds a way exactly when the graph has one, and a free one.
