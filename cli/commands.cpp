@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "allocate_commands.hpp"
 #include "argument_checks.hpp"
 #include "live_commands.hpp"
 #include "mastn_commands.hpp"
@@ -93,6 +94,7 @@ Action quick_plan(int argc, char** argv) {
 }
 
 void add_commands(CLI::App& app, Action& action, const LiveActions& live) {
+  add_allocate(app, action);
   add_live(app, action, live);
   add_mle(app, action);
   add_plan(app, action);

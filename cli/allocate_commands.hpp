@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// `skein allocate` on the command line.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace skein::cli {
+
+/// Adds the command; when it is chosen, parsing sets `action` to what it does.
+void add_allocate(CLI::App& app, std::function<int()>& action);
+
+}  // namespace skein::cli
