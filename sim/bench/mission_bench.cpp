@@ -45,16 +45,17 @@ SimulatorConfig three_vehicles() {
 std::size_t fly(Simulator& simulator, double until) {
   std::size_t effects = 0;
   const auto give = [&](const char* uav, std::uint64_t task, const char* type,
-                        world::Parameters parameters, double now) {
-    const FunctionalRequest request{uav, RequestVerb::kDispatch, task, type, parameters};
+                        functional::Parameters parameters, double now) {
+    const FunctionalRequest request{
+        uav, {functional::Verb::kDispatch, functional::TaskId(task), type, parameters}};
     effects += simulator.handle(request, MissionTime::seconds(now)).size();
   };
   for (const char* uav : {"marvin", "heliv", "karma"})
-    give(uav, 1, "takeoff", world::Parameters().add("altitude", 60), 0);
+    give(uav, 1, "takeoff", functional::Parameters().add("altitude", 60), 0);
   const std::pair<const char*, const char*> devices[] = {
       {"marvin", "fire-sensor"}, {"heliv", "visible"}, {"karma", "mapping"}};
   for (const auto& [uav, device] : devices)
-    give(uav, 2, "takeshot", world::Parameters().add("device", device), 0);
+    give(uav, 2, "takeshot", functional::Parameters().add("device", device), 0);
   while (*simulator.next_wakeup() <= MissionTime::seconds(until))
     effects += simulator.handle(Tick{}, *simulator.next_wakeup()).size();
   return effects;

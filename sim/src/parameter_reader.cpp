@@ -13,7 +13,7 @@ namespace skein::sim {
 
 void ParameterReader::names(const std::vector<std::string>& known) {
   std::set<std::string> seen;
-  for (const world::Parameter& parameter : parameters_.all()) {
+  for (const functional::Parameter& parameter : parameters_.all()) {
     const std::string& name = parameter.name;
     if (!seen.insert(name).second) refuse("parameter '" + name + "' is given twice");
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
@@ -24,7 +24,7 @@ void ParameterReader::names(const std::vector<std::string>& known) {
 }
 
 std::optional<double> ParameterReader::number(const std::string& name) {
-  const world::Parameter* found = parameters_.find(name);
+  const functional::Parameter* found = parameters_.find(name);
   if (found == nullptr) return std::nullopt;
   if (found->numbers.size() == 1 && std::isfinite(found->numbers[0])) return found->numbers[0];
   refuse(name + " must be one number");
@@ -32,7 +32,7 @@ std::optional<double> ParameterReader::number(const std::string& name) {
 }
 
 std::optional<std::string> ParameterReader::text(const std::string& name) {
-  const world::Parameter* found = parameters_.find(name);
+  const functional::Parameter* found = parameters_.find(name);
   if (found == nullptr) return std::nullopt;
   if (found->numbers.empty() && !found->text.empty()) return found->text;
   refuse(name + " must be a text");
@@ -40,7 +40,7 @@ std::optional<std::string> ParameterReader::text(const std::string& name) {
 }
 
 std::vector<world::Vector3> ParameterReader::points(const std::string& name) {
-  const world::Parameter* found = parameters_.find(name);
+  const functional::Parameter* found = parameters_.find(name);
   if (found == nullptr) return {};
   const std::vector<double>& numbers = found->numbers;
   const bool finite =

@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "skein/functional/parameters.hpp"
 #include "skein/world/geometry.hpp"
-#include "skein/world/parameters.hpp"
 
 namespace skein::sim {
 
 /// Lifetime: the parameters must outlive it.
 class ParameterReader {
  public:
-  explicit ParameterReader(const world::Parameters& parameters) : parameters_(parameters) {}
+  explicit ParameterReader(const functional::Parameters& parameters) : parameters_(parameters) {}
 
   /// Refuses unknown and repeated names.
   void names(const std::vector<std::string>& known);
@@ -31,7 +31,7 @@ class ParameterReader {
   std::string reasons() const;
 
  private:
-  const world::Parameters& parameters_;
+  const functional::Parameters& parameters_;
   std::vector<std::string> reasons_;
 };
 

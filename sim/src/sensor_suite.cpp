@@ -18,49 +18,48 @@ std::optional<std::string> SensorSuite::refusal(const std::string& device) const
   if (broken_.count(device) > 0) return "device '" + device + "' has failed";
   for (const Shot& shot : shots_)
     if (shot.task.device == device)
-      return "device '" + device + "' is in use by task " + std::to_string(shot.id);
+      return "device '" + device + "' is in use by task " + to_text(shot.id);
   return std::nullopt;
 }
 
-void SensorSuite::start(std::uint64_t id, TakeshotTask task, MissionTime now, StatusBoard& board,
+void SensorSuite::start(TaskId id, TakeshotTask task, MissionTime now, StatusBoard& board,
                         std::vector<Effect>& effects) {
   Shot shot{id, std::move(task), now, MissionTime::max(),
             std::numeric_limits<std::uint64_t>::max()};
   if (shot.task.duration) shot.until = now + *shot.task.duration;
   if (shot.task.shots) shot.left = *shot.task.shots;
   shots_.push_back(std::move(shot));
-  board.tell(id, FunctionalState::kRunning, "", now, effects);
+  board.tell(id, TaskState::kRunning, "", now, effects);
 }
 
-bool SensorSuite::interrupt(std::uint64_t id, MissionTime now, StatusBoard& board,
+bool SensorSuite::interrupt(TaskId id, MissionTime now, StatusBoard& board,
                             std::vector<Effect>& effects) {
   return abort(id, "interrupted", now, board, effects);
 }
 
-bool SensorSuite::abort(std::uint64_t id, const std::string& reason, MissionTime now,
-                        StatusBoard& board, std::vector<Effect>& effects) {
+bool SensorSuite::abort(TaskId id, const std::string& reason, MissionTime now, StatusBoard& board,
+                        std::vector<Effect>& effects) {
   const auto found =
       std::find_if(shots_.begin(), shots_.end(), [&](const Shot& s) { return s.id == id; });
   if (found == shots_.end()) return false;
   shots_.erase(found);
-  board.tell(id, FunctionalState::kAborted, reason, now, effects);
+  board.tell(id, TaskState::kAborted, reason, now, effects);
   return true;
 }
 
 void SensorSuite::abort_all(const std::string& reason, MissionTime now, StatusBoard& board,
                             std::vector<Effect>& effects) {
-  for (const Shot& shot : shots_)
-    board.tell(shot.id, FunctionalState::kAborted, reason, now, effects);
+  for (const Shot& shot : shots_) board.tell(shot.id, TaskState::kAborted, reason, now, effects);
   shots_.clear();
 }
 
-std::optional<std::uint64_t> SensorSuite::oldest(std::optional<std::uint64_t> but) const {
+std::optional<TaskId> SensorSuite::oldest(std::optional<TaskId> but) const {
   for (const Shot& shot : shots_)
     if (but != shot.id) return shot.id;
   return std::nullopt;
 }
 
-bool SensorSuite::runs(std::uint64_t id) const {
+bool SensorSuite::runs(TaskId id) const {
   return std::any_of(shots_.begin(), shots_.end(), [&](const Shot& s) { return s.id == id; });
 }
 
@@ -70,8 +69,7 @@ void SensorSuite::break_device(const std::string& device, MissionTime now, Statu
   const auto found = std::find_if(shots_.begin(), shots_.end(),
                                   [&](const Shot& s) { return s.task.device == device; });
   if (found == shots_.end()) return;
-  board.tell(found->id, FunctionalState::kAborted, "device '" + device + "' has failed", now,
-             effects);
+  board.tell(found->id, TaskState::kAborted, "device '" + device + "' has failed", now, effects);
   shots_.erase(found);
 }
 
@@ -87,7 +85,7 @@ void SensorSuite::step(const world::VehicleState& state, double pointing_error, 
            look(sensor, view, scene, now, randoms_.at(sensor.device)), now}});
       shot.next = shot.next + sensor.period;
     }
-    if (over(shot)) board.tell(shot.id, FunctionalState::kEnded, "", now, effects);
+    if (over(shot)) board.tell(shot.id, TaskState::kEnded, "", now, effects);
   }
   shots_.erase(std::remove_if(shots_.begin(), shots_.end(), over), shots_.end());
 }

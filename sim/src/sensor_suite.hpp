@@ -21,19 +21,18 @@ class SensorSuite {
 
   /// Why the device cannot start; nothing if it can.
   std::optional<std::string> refusal(const std::string& device) const;
-  void start(std::uint64_t id, TakeshotTask task, MissionTime now, StatusBoard& board,
+  void start(TaskId id, TakeshotTask task, MissionTime now, StatusBoard& board,
              std::vector<Effect>& effects);
   /// False when no such task runs here.
-  bool interrupt(std::uint64_t id, MissionTime now, StatusBoard& board,
-                 std::vector<Effect>& effects);
+  bool interrupt(TaskId id, MissionTime now, StatusBoard& board, std::vector<Effect>& effects);
   void abort_all(const std::string& reason, MissionTime now, StatusBoard& board,
                  std::vector<Effect>& effects);
   /// False when no such task runs here.
-  bool abort(std::uint64_t id, const std::string& reason, MissionTime now, StatusBoard& board,
+  bool abort(TaskId id, const std::string& reason, MissionTime now, StatusBoard& board,
              std::vector<Effect>& effects);
   /// The task other than `but` that has run longest.
-  std::optional<std::uint64_t> oldest(std::optional<std::uint64_t> but) const;
-  bool runs(std::uint64_t id) const;
+  std::optional<TaskId> oldest(std::optional<TaskId> but) const;
+  bool runs(TaskId id) const;
   void break_device(const std::string& device, MissionTime now, StatusBoard& board,
                     std::vector<Effect>& effects);
   /// Takes the looks that are due.
@@ -46,7 +45,7 @@ class SensorSuite {
 
  private:
   struct Shot {
-    std::uint64_t id;
+    TaskId id;
     TakeshotTask task;
     MissionTime next;
     MissionTime until;

@@ -60,6 +60,11 @@ class Simulator::Implementation {
  private:
   void apply(const Tick&, std::vector<Effect>&) {}
 
+  void apply(const FunctionalRequest& input, std::vector<Effect>& effects) {
+    for (Unit& unit : units_)
+      if (unit.name() == input.uav) unit.handle(input.request, now_, effects);
+  }
+
   template <class ForUnit>
   void apply(const ForUnit& input, std::vector<Effect>& effects) {
     for (Unit& unit : units_)

@@ -197,7 +197,7 @@ std::string unknown(const std::string& type) {
 }  // namespace
 
 Result<ElementaryTask, Failure> checked_task(const std::string& type,
-                                             const world::Parameters& parameters,
+                                             const functional::Parameters& parameters,
                                              const Situation& situation) {
   const auto behaviour = behaviours().find(type);
   if (behaviour == behaviours().end()) return failure(unknown(type));

@@ -49,7 +49,7 @@ struct Situation {
 /// The task, or every reason why the vehicle cannot do it, joined by "; ". What runs already is not
 /// looked at here.
 Result<ElementaryTask, Failure> checked_task(const std::string& type,
-                                             const world::Parameters& parameters,
+                                             const functional::Parameters& parameters,
                                              const Situation& situation);
 
 }  // namespace skein::sim

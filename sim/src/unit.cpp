@@ -51,18 +51,19 @@ Unit::Unit(const SimulatedVehicle& vehicle, const SimulatorConfig& config, const
   vehicle_.state().activity = activity();
 }
 
-void Unit::handle(const FunctionalRequest& request, MissionTime now, std::vector<Effect>& effects) {
-  if (request.verb == RequestVerb::kInterrupt)
-    interrupt(request.task, now, effects);
+void Unit::handle(const functional::Request& request, MissionTime now,
+                  std::vector<Effect>& effects) {
+  if (request.verb == functional::Verb::kInterrupt)
+    interrupt(request.id, now, effects);
   else
     dispatch(request, now, effects);
 }
 
-void Unit::dispatch(const FunctionalRequest& request, MissionTime now,
+void Unit::dispatch(const functional::Request& request, MissionTime now,
                     std::vector<Effect>& effects) {
-  if (board_.knows(request.task)) return board_.repeat(request.task, now, effects);
+  if (board_.knows(request.id)) return board_.repeat(request.id, now, effects);
   const auto refuse = [&](const std::string& why) {
-    board_.tell(request.task, FunctionalState::kAborted, why, now, effects);
+    board_.tell(request.id, TaskState::kAborted, why, now, effects);
   };
   auto task = checked_task(request.type, request.parameters,
                            {model_, scene_.terrain, vehicle_.state(), vehicle_.engine_works()});
@@ -70,20 +71,20 @@ void Unit::dispatch(const FunctionalRequest& request, MissionTime now,
   if (auto* shot = std::get_if<TakeshotTask>(&*task)) {
     if (const auto why = sensors_.refusal(shot->device)) return refuse(*why);
     if (takes_abort(request.type, now)) return refuse(kAbortedByFault);
-    return sensors_.start(request.task, std::move(*shot), now, board_, effects);
+    return sensors_.start(request.id, std::move(*shot), now, board_, effects);
   }
-  if (motion_) return refuse("motion task " + std::to_string(motion_->id) + " is still active");
+  if (motion_) return refuse("motion task " + to_text(motion_->id) + " is still active");
   if (const auto* stay = std::get_if<PerceiveTask>(&*task)) {
     if (const auto why = sensors_.refusal(stay->shot.device)) return refuse(*why);
   }
   if (takes_abort(request.type, now)) return refuse(kAbortedByFault);
-  board_.note(request.task);
-  motion_ = MotionTask{request.task, request.type, std::move(*task)};
+  board_.note(request.id);
+  motion_ = MotionTask{request.id, request.type, std::move(*task)};
   motion_->begins = now + pilot_.reaction();
   if (motion_->begins <= now) begin(now, effects);
 }
 
-void Unit::interrupt(std::uint64_t task, MissionTime now, std::vector<Effect>& effects) {
+void Unit::interrupt(TaskId task, MissionTime now, std::vector<Effect>& effects) {
   if (motion_ && motion_->id == task) {
     if (motion_->stops) return;
     motion_->stops = now + pilot_.reaction();
@@ -92,7 +93,7 @@ void Unit::interrupt(std::uint64_t task, MissionTime now, std::vector<Effect>& e
   }
   if (sensors_.interrupt(task, now, board_, effects)) return;
   if (board_.knows(task)) return board_.repeat(task, now, effects);
-  board_.tell(task, FunctionalState::kAborted, "no such task here", now, effects);
+  board_.tell(task, TaskState::kAborted, "no such task here", now, effects);
 }
 
 void Unit::begin(MissionTime now, std::vector<Effect>& effects) {
@@ -102,14 +103,14 @@ void Unit::begin(MissionTime now, std::vector<Effect>& effects) {
     motion_->ends = now + *wait->duration;
   if (const auto* stay = std::get_if<PerceiveTask>(&motion_->task)) {
     if (const auto why = sensors_.refusal(stay->shot.device))
-      return finish(FunctionalState::kAborted, *why, now, effects);
+      return finish(TaskState::kAborted, *why, now, effects);
     return sensors_.start(motion_->id, stay->shot, now, board_, effects);
   }
-  board_.tell(motion_->id, FunctionalState::kRunning, "", now, effects);
+  board_.tell(motion_->id, TaskState::kRunning, "", now, effects);
 }
 
 void Unit::stop(MissionTime now, std::vector<Effect>& effects) {
-  if (looks()) return finish(FunctionalState::kAborted, "interrupted", now, effects);
+  if (looks()) return finish(TaskState::kAborted, "interrupted", now, effects);
   const bool landing = std::holds_alternative<Descend>(guidance_.goal());
   motion_->phase = MotionTask::Phase::kStopping;
   come_to_rest();
@@ -135,17 +136,16 @@ void Unit::advance_task(MissionTime now, std::vector<Effect>& effects) {
     stop(now, effects);
   if (!motion_) return;
   if (motion_->phase == MotionTask::Phase::kStopping) {
-    if (guidance_.done()) finish(FunctionalState::kAborted, motion_->stopped_because, now, effects);
+    if (guidance_.done()) finish(TaskState::kAborted, motion_->stopped_because, now, effects);
     return;
   }
   if (motion_->phase == MotionTask::Phase::kPending && motion_->begins <= now) begin(now, effects);
   if (!motion_ || motion_->phase != MotionTask::Phase::kActive || looks()) return;
   const bool waits = std::holds_alternative<WaitTask>(motion_->task);
-  if (waits ? now >= motion_->ends : guidance_.done())
-    finish(FunctionalState::kEnded, "", now, effects);
+  if (waits ? now >= motion_->ends : guidance_.done()) finish(TaskState::kEnded, "", now, effects);
 }
 
-void Unit::finish(FunctionalState state, std::string reason, MissionTime now,
+void Unit::finish(TaskState state, std::string reason, MissionTime now,
                   std::vector<Effect>& effects) {
   // A perception under way is told of by the sensors.
   const bool told = looks() && sensors_.abort(motion_->id, reason, now, board_, effects);
@@ -163,7 +163,7 @@ void Unit::release_perception() {
 
 void Unit::abort_everything(const std::string& reason, MissionTime now,
                             std::vector<Effect>& effects) {
-  if (motion_) finish(FunctionalState::kAborted, reason, now, effects);
+  if (motion_) finish(TaskState::kAborted, reason, now, effects);
   sensors_.abort_all(reason, now, board_, effects);
 }
 
@@ -192,7 +192,7 @@ void Unit::abort_one(const Fault& fault, MissionTime now, std::vector<Effect>& e
   const std::string& type = fault.type;
   if (fault.lasts > Duration()) aborts_until_[type] = now + fault.lasts;
   if (motion_ && motion_->type == type && motion_->phase != MotionTask::Phase::kStopping) {
-    finish(FunctionalState::kAborted, kAbortedByFault, now, effects);
+    finish(TaskState::kAborted, kAbortedByFault, now, effects);
     return come_to_rest();
   }
   const auto along = sensors_.oldest(looks() ? std::optional(motion_->id) : std::nullopt);
@@ -219,7 +219,7 @@ double Unit::pace_at(MissionTime now) const {
 
 std::vector<std::string> Unit::failed() const {
   std::set<std::string> names = sensors_.broken();
-  if (!vehicle_.engine_works()) names.emplace(kEngineDevice);
+  if (!vehicle_.engine_works()) names.emplace(world::kEngineDevice);
   return {names.begin(), names.end()};
 }
 

@@ -37,7 +37,7 @@ class Unit {
  public:
   Unit(const SimulatedVehicle& vehicle, const SimulatorConfig& config, const Scene& scene);
 
-  void handle(const FunctionalRequest& request, MissionTime now, std::vector<Effect>& effects);
+  void handle(const functional::Request& request, MissionTime now, std::vector<Effect>& effects);
   void handle(const Fault& fault, MissionTime now, std::vector<Effect>& effects);
   void handle(const ContactLost& contact, MissionTime now, std::vector<Effect>& effects);
   /// Advances to `now`, one step of the physics after the last.
@@ -51,7 +51,7 @@ class Unit {
  private:
   struct MotionTask {
     enum class Phase { kPending, kActive, kStopping };
-    std::uint64_t id;
+    TaskId id;
     std::string type;
     ElementaryTask task;
     Phase phase = Phase::kPending;
@@ -61,13 +61,12 @@ class Unit {
     std::string stopped_because = "interrupted";
   };
 
-  void dispatch(const FunctionalRequest& request, MissionTime now, std::vector<Effect>& effects);
-  void interrupt(std::uint64_t task, MissionTime now, std::vector<Effect>& effects);
+  void dispatch(const functional::Request& request, MissionTime now, std::vector<Effect>& effects);
+  void interrupt(TaskId task, MissionTime now, std::vector<Effect>& effects);
   void begin(MissionTime now, std::vector<Effect>& effects);
   void stop(MissionTime now, std::vector<Effect>& effects);
   void advance_task(MissionTime now, std::vector<Effect>& effects);
-  void finish(FunctionalState state, std::string reason, MissionTime now,
-              std::vector<Effect>& effects);
+  void finish(TaskState state, std::string reason, MissionTime now, std::vector<Effect>& effects);
   void abort_everything(const std::string& reason, MissionTime now, std::vector<Effect>& effects);
   void come_to_rest();
   void abort_one(const Fault& fault, MissionTime now, std::vector<Effect>& effects);

@@ -8,7 +8,7 @@
 namespace skein::sim {
 namespace {
 
-using world::Parameters;
+using functional::Parameters;
 
 TEST(ParameterReader, ReadsWhatIsThere) {
   const Parameters parameters =

@@ -14,7 +14,7 @@ using testing::model_of;
 /// The sensors of Marvin over a fire, and what they say.
 struct Suite {
   void start(std::uint64_t id, TakeshotTask task) {
-    sensors.start(id, std::move(task), at(now), board, effects);
+    sensors.start(TaskId(id), std::move(task), at(now), board, effects);
   }
   void run_until(double until) {
     for (; now <= until + 1e-9; now += 0.1)
@@ -78,7 +78,7 @@ TEST(SensorSuite, EndsAfterItsShots) {
 
   EXPECT_EQ(s.all<PerceptionOut>().size(), 3u);
   ASSERT_EQ(s.all<FunctionalStatus>().size(), 2u);
-  EXPECT_EQ(s.all<FunctionalStatus>()[1].state, FunctionalState::kEnded);
+  EXPECT_EQ(s.all<FunctionalStatus>()[1].status.state, TaskState::kEnded);
 }
 
 TEST(SensorSuite, EndsAfterItsDuration) {
@@ -98,11 +98,11 @@ TEST(SensorSuite, InterruptionIsConfirmedAtOnce) {
   s.start(1, shot_with("visible"));
   s.run_until(2);
 
-  EXPECT_TRUE(s.sensors.interrupt(1, at(2), s.board, s.effects));
-  EXPECT_FALSE(s.sensors.interrupt(1, at(2), s.board, s.effects)) << "it runs no more";
+  EXPECT_TRUE(s.sensors.interrupt(TaskId(1), at(2), s.board, s.effects));
+  EXPECT_FALSE(s.sensors.interrupt(TaskId(1), at(2), s.board, s.effects)) << "it runs no more";
 
-  EXPECT_EQ(s.all<FunctionalStatus>().back().state, FunctionalState::kAborted);
-  EXPECT_EQ(s.all<FunctionalStatus>().back().reason, "interrupted");
+  EXPECT_EQ(s.all<FunctionalStatus>().back().status.state, TaskState::kAborted);
+  EXPECT_EQ(s.all<FunctionalStatus>().back().status.reason, "interrupted");
 }
 
 TEST(SensorSuite, ADeviceRunsOneTaskDevicesRunTogether) {
@@ -120,8 +120,8 @@ TEST(SensorSuite, ABrokenDeviceAbortsItsTaskAndStaysBroken) {
 
   s.sensors.break_device("visible", at(1), s.board, s.effects);
 
-  EXPECT_EQ(s.all<FunctionalStatus>().back().task, 1u);
-  EXPECT_EQ(s.all<FunctionalStatus>().back().reason, "device 'visible' has failed");
+  EXPECT_EQ(s.all<FunctionalStatus>().back().status.id, TaskId(1));
+  EXPECT_EQ(s.all<FunctionalStatus>().back().status.reason, "device 'visible' has failed");
   EXPECT_EQ(s.sensors.refusal("visible"), "device 'visible' has failed");
 }
 

@@ -41,13 +41,13 @@ void fly_mission(Flight& flight, double until) {
     flight.dispatch(name, ++task, "takeoff", altitude(60));
   flight.run_until(90);
   for (const std::string name : {"marvin", "heliv", "karma"}) {
-    world::Parameters pattern = way({{400, 200, 60},
-                                     {900, 200, 60},
-                                     {900, 280, 60},
-                                     {400, 280, 60},
-                                     {400, 360, 60},
-                                     {900, 360, 60},
-                                     {640, 420, 60}});
+    functional::Parameters pattern = way({{400, 200, 60},
+                                          {900, 200, 60},
+                                          {900, 280, 60},
+                                          {400, 280, 60},
+                                          {400, 360, 60},
+                                          {900, 360, 60},
+                                          {640, 420, 60}});
     flight.dispatch(name, ++task, "goto", pattern);
   }
   flight.dispatch("marvin", ++task, "takeshot", device("fire-sensor"));

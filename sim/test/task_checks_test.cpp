@@ -30,7 +30,8 @@ struct Asked {
     state.position = {0, 0, 40};
     return *this;
   }
-  std::string operator()(const std::string& type, const world::Parameters& parameters = {}) const {
+  std::string operator()(const std::string& type,
+                         const functional::Parameters& parameters = {}) const {
     const auto task = checked_task(type, parameters, {model, terrain, state, engine_works});
     return task ? "accepted" : task.error().why;
   }
@@ -46,7 +47,7 @@ TEST(TaskChecks, AcceptsWhatIsPossible) {
   EXPECT_EQ(in_air("land"), "accepted");
   EXPECT_EQ(in_air("goto", way({{100, 0, 40}})), "accepted");
   EXPECT_EQ(in_air("goto", way({{100, 0, 40}}).add("speed", 3)), "accepted");
-  EXPECT_EQ(in_air("wait", world::Parameters().add("duration", 60)), "accepted");
+  EXPECT_EQ(in_air("wait", functional::Parameters().add("duration", 60)), "accepted");
   EXPECT_EQ(in_air("takeshot", device("visible").add("target", {500, 0, 80}).add("shots", 3)),
             "accepted");
 }

@@ -18,6 +18,9 @@
 
 namespace skein::sim::testing {
 
+using functional::TaskId;
+using functional::TaskState;
+
 inline MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
 
 inline world::TerrainSpec flat_spec() {
@@ -70,16 +73,16 @@ inline SimulatorConfig a_config(const std::vector<std::string>& vehicles = {"mar
   return config;
 }
 
-inline world::Parameters way(const std::vector<world::Vector3>& points) {
+inline functional::Parameters way(const std::vector<world::Vector3>& points) {
   std::vector<double> numbers;
   for (const world::Vector3& p : points) numbers.insert(numbers.end(), {p.x(), p.y(), p.z()});
-  return world::Parameters().add("waypoints", numbers);
+  return functional::Parameters().add("waypoints", numbers);
 }
-inline world::Parameters altitude(double metres) {
-  return world::Parameters().add("altitude", metres);
+inline functional::Parameters altitude(double metres) {
+  return functional::Parameters().add("altitude", metres);
 }
-inline world::Parameters device(const std::string& name) {
-  return world::Parameters().add("device", name);
+inline functional::Parameters device(const std::string& name) {
+  return functional::Parameters().add("device", name);
 }
 
 /// A simulator with its log, driven as a decision node would drive it.
@@ -89,11 +92,12 @@ class Flight {
 
   void give(const Input& input) { append(simulator_.handle(input, at(now_))); }
   void dispatch(const std::string& uav, std::uint64_t task, const std::string& type,
-                world::Parameters parameters = {}) {
-    give(FunctionalRequest{uav, RequestVerb::kDispatch, task, type, std::move(parameters)});
+                functional::Parameters parameters = {}) {
+    give(FunctionalRequest{
+        uav, {functional::Verb::kDispatch, TaskId(task), type, std::move(parameters)}});
   }
   void interrupt(const std::string& uav, std::uint64_t task) {
-    give(FunctionalRequest{uav, RequestVerb::kInterrupt, task});
+    give(FunctionalRequest{uav, {functional::Verb::kInterrupt, TaskId(task)}});
   }
   void run_until(double seconds) {
     now_ = seconds;
@@ -116,24 +120,24 @@ class Flight {
 
   std::vector<FunctionalStatus> statuses(std::uint64_t task) const {
     std::vector<FunctionalStatus> found;
-    for (const auto& status : all<FunctionalStatus>())
-      if (status.task == task) found.push_back(status);
+    for (const auto& told : all<FunctionalStatus>())
+      if (told.status.id == TaskId(task)) found.push_back(told);
     return found;
   }
   /// "running ended", "running aborted", …
   std::string history(std::uint64_t task) const {
     std::string text;
     for (const auto& status : statuses(task))
-      text += (text.empty() ? "" : " ") + std::string(to_text(status.state));
+      text += (text.empty() ? "" : " ") + std::string(to_text(status.status.state));
     return text;
   }
   std::string reason(std::uint64_t task) const {
     const auto found = statuses(task);
-    return found.empty() ? "" : found.back().reason;
+    return found.empty() ? "" : found.back().status.reason;
   }
   bool terminal(std::uint64_t task) const {
     const auto found = statuses(task);
-    return !found.empty() && found.back().state != FunctionalState::kRunning;
+    return !found.empty() && found.back().status.state != TaskState::kRunning;
   }
   template <class Kind>
   std::vector<Kind> all() const {

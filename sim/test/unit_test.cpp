@@ -53,7 +53,9 @@ TEST(Unit, AWholeSortieOfEachVehicle) {
   }
 }
 
-world::Parameters looking_for(double seconds) { return device("visible").add("duration", seconds); }
+functional::Parameters looking_for(double seconds) {
+  return device("visible").add("duration", seconds);
+}
 
 TEST(Unit, APerceptionHoldsTheVehicleForItsTimeAndLooks) {
   for (const std::string name : {"marvin", "heliv"}) {
@@ -341,7 +343,7 @@ TEST(Unit, AnInterruptBeforeThePilotReactsAborts) {
   ASSERT_TRUE(flight.run_to_end_of(1, 30));
   flight.run_for(5);
 
-  EXPECT_EQ(flight.statuses(1).back().state, FunctionalState::kAborted);
+  EXPECT_EQ(flight.statuses(1).back().status.state, TaskState::kAborted);
 }
 
 TEST(Unit, ATeleoperatedHoldWandersMoreThanAnAutonomousOne) {
@@ -366,7 +368,7 @@ TEST(Unit, AWaitEndsAfterItsDurationOrNever) {
   Flight flight(a_config());
   flight.take_off("marvin", 1, 40);
 
-  flight.dispatch("marvin", 2, "wait", world::Parameters().add("duration", 30));
+  flight.dispatch("marvin", 2, "wait", functional::Parameters().add("duration", 30));
   EXPECT_EQ(flight.state("marvin").activity, "hold");
   flight.run_for(29);
   EXPECT_EQ(flight.history(2), "running");

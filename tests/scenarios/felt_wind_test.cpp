@@ -31,15 +31,17 @@ WindEstimator felt(const world::VehicleModel& model, const world::Wind& wind, st
   MissionTime now;
   std::uint64_t task = 0;
   const auto fly = [&](const std::string& type, const char* key, std::vector<double> numbers) {
-    world::Parameters parameters;
+    functional::Parameters parameters;
     parameters.add(key, std::move(numbers));
     auto effects = simulator.handle(
-        sim::FunctionalRequest{"uav", sim::RequestVerb::kDispatch, ++task, type, parameters}, now);
+        sim::FunctionalRequest{
+            "uav", {functional::Verb::kDispatch, functional::TaskId(++task), type, parameters}},
+        now);
     for (int i = 0; i < 2000; ++i) {
       for (const sim::Effect& one : effects) {
-        const auto* status = std::get_if<sim::FunctionalStatus>(&one);
-        if (status != nullptr && status->task == task &&
-            status->state == sim::FunctionalState::kEnded)
+        const auto* told = std::get_if<sim::FunctionalStatus>(&one);
+        if (told != nullptr && told->status.id == functional::TaskId(task) &&
+            told->status.state == functional::TaskState::kEnded)
           return;
       }
       now = now + kStep;

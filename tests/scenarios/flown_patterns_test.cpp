@@ -56,14 +56,14 @@ Refinery refinery_of(const world::World& world, const world::VehicleModel& model
                   {}, 1);
 }
 
-world::Parameters altitude_of(double metres) {
-  world::Parameters parameters;
+functional::Parameters altitude_of(double metres) {
+  functional::Parameters parameters;
   parameters.add("altitude", metres);
   return parameters;
 }
 
-world::Parameters seconds_of(double seconds) {
-  world::Parameters parameters;
+functional::Parameters seconds_of(double seconds) {
+  functional::Parameters parameters;
   parameters.add("duration", seconds);
   return parameters;
 }

@@ -46,7 +46,7 @@ void expect_within(const world::World& world, const world::VehicleModel& model, 
                   times.least, times.expected, times.most, flown.seconds, flown.why.c_str());
   };
   const Motion up = refinery.ways.takeoff(Vector3::Zero()).value();
-  world::Parameters altitude;
+  functional::Parameters altitude;
   altitude.add("altitude", up.way.back().z());
   check("takeoff", range.fly("takeoff", altitude, 200), up.times);
   for (int i = 0; i < legs; ++i) {
@@ -80,7 +80,7 @@ TEST(FlownTimes, PointsThatAreMissedAreWithinThem) {
   for (std::uint64_t seed = 1; seed <= skein::testing::cases(25U, 600U); ++seed) {
     Random random(seed, "circles");
     Range range(world, model, seed);
-    world::Parameters altitude;
+    functional::Parameters altitude;
     altitude.add("altitude", 90.0);
     ASSERT_GT(range.fly("takeoff", altitude, 300).seconds, 0);
     const Vector3 begin(random.uniform(-200, 200), random.uniform(-200, 200), 90);
@@ -117,7 +117,7 @@ TEST(FlownTimes, PatternsAreFlownWithinThem) {
                                 std::make_shared<const world::World>(world)),
                       {}, 1);
     Range range(world, model, 5);
-    world::Parameters altitude;
+    functional::Parameters altitude;
     altitude.add("altitude", 40.0);
     ASSERT_GT(range.fly("takeoff", altitude, 200).seconds, 0);
     const Motion way = refinery.ways.path(range.position(), {10, 80, 40}).value();
@@ -172,11 +172,11 @@ void fly_random_ways(const world::VehicleModel& model, std::uint64_t seed, Stati
   if (random.chance(0.2)) world.wind.speed = world.wind.gusts = 0;
   Range range(world, model, seed);
   Vector3 at(0, 0, random.uniform(30, 100));
-  world::Parameters altitude;
+  functional::Parameters altitude;
   altitude.add("altitude", at.z());
   ASSERT_GT(range.fly("takeoff", altitude, 300).seconds, 0);
   for (int leg = 0; leg < 6; ++leg) {
-    world::Parameters seconds;
+    functional::Parameters seconds;
     seconds.add("duration", random.uniform(1, 60));
     if (random.chance(0.4)) range.fly("wait", seconds, 100);
     refiners::Way way = {at};

@@ -95,7 +95,7 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
   ddn::DdnConfig config;
   config.uav = uav.name;
   config.degree = uav.degree;
-  config.contact_policy = static_cast<ddn::ContactPolicy>(uav.contact_loss.policy);
+  config.contact_policy = static_cast<decision_node::ContactPolicy>(uav.contact_loss.policy);
   config.contact_after = uav.contact_loss.after;
   config.sync_validity = kSyncValidity;
   const world::Terrain terrain(scenario.world.terrain);

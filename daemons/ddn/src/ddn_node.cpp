@@ -1,108 +1,73 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inputs to the components, errands between them, and the ways out.
+// Inputs to the decision node, and what it asks of the ground station, of others and of the
+// runtime.
 #include "skein/ddn/ddn_node.hpp"
 
-#include "skein/foundation/contract.hpp"
+#include "deliberation_lines.hpp"
+#include "received.hpp"
+#include "skein/translation/missions.hpp"
+#include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
 
 namespace skein::ddn {
 
 namespace {
 
-executive::Config executive_config(const DdnConfig& config) {
-  executive::Config result;
-  result.name = config.uav;
-  result.functional_timeout = config.functional_timeout;
-  result.sync_validity = config.sync_validity;
-  result.background_type = config.background_type;
+namespace dn = decision_node;
+using translation::to_wire;
+
+dn::Config decision_config(const DdnConfig& config, const node::Roster& roster) {
+  dn::Config result = config;
+  for (const node::Member& member : roster.members()) {
+    if (member.role == wire::Role::kDdn && member.name != config.uav) {
+      result.others.push_back(member.name);
+    }
+  }
   return result;
 }
 
-std::optional<supervisor::Supervisor> supervisor_of(const DdnConfig& config) {
-  if (config.knowledge == nullptr) return std::nullopt;
-  SKEIN_EXPECTS(config.world != nullptr);
-  SKEIN_EXPECTS(config.first_task.value() < DdnNode::kFirstOwnTask);
-  supervisor::Config result;
-  result.knowledge = config.knowledge;
-  result.world = config.world;
-  result.horizon = config.horizon;
-  result.first_id = config.first_task;
-  return supervisor::Supervisor(std::move(result));
+wire::SyncMessage to_wire(const dn::SyncMessage& message) {
+  return to_wire(executive::SendSync{message.id, message.to, message.word}, message.from,
+                 message.said);
 }
 
 }  // namespace
 
 DdnNode::DdnNode(DdnConfig config, node::Roster roster)
-    : config_(std::move(config)),
+    : uav_(config.uav),
       roster_(std::move(roster)),
-      degree_(config_.degree),
-      executive_(executive_config(config_)),
-      supervisor_(supervisor_of(config_)),
-      contact_(config_.contact_policy, config_.contact_after) {
-  SKEIN_EXPECTS(degree_ >= mission::kLeastDegree && degree_ <= mission::kGreatestDegree);
-  SKEIN_EXPECTS(degree_ < mission::kGreatestDegree || supervisor_.has_value());
-}
+      contact_policy_(to_text(config.contact_policy)),
+      deliberation_(config.deliberation),
+      decision_(decision_config(config, roster_)) {}
 
 node::Effects DdnNode::handle(const node::Input& input, MissionTime now) {
   now_ = now;
   out_.clear();
-  std::visit([this](const auto& one) { on(one); }, input);
-  if (contact_.due(now_)) carry_out_contact_policy();
-  release_waiting();
-  send_board_if_changed();
+  if (const auto mine = input_of(input)) {
+    for (const dn::Effect& effect : decision_.handle(*mine, now)) {
+      std::visit([this](const auto& one) { carry_out(one); }, effect);
+    }
+  }
   return std::move(out_);
 }
 
-std::optional<MissionTime> DdnNode::next_wakeup() const {
-  const auto next = earliest(executive_.next_wakeup(), contact_.next_wakeup());
-  return supervisor_ ? earliest(next, supervisor_->next_wakeup()) : next;
-}
-
-void DdnNode::on(const node::Started&) {
-  tell_degree();
-  log(record("degree").with("uav", config_.uav).with("degree", degree_));
-  if (degree_ == mission::kGreatestDegree) tell(supervisor::Engage{true, "start at degree 4"});
-}
-
-void DdnNode::on(const node::Received& received) {
-  if (const std::string why = why_not(received); !why.empty()) return drop(received, why);
-  std::visit([this](const auto& sample) { take(sample); }, received.sample);
-}
-
-void DdnNode::on(const node::Reachability& reach) {
-  if (reach.peer == roster_.ground()) contact_.ground_heard(reach.reachable, now_);
-  if (reach.reachable) run(executive::PeerReachable{roster_.name_of(reach.peer)});
-}
-
-void DdnNode::on(const node::JobDone& done) {
-  const auto* result = std::any_cast<supervisor::DeliberationResult>(&done.result);
-  if (result != nullptr) tell(supervisor::JobFinished{done.id, *result});
-}
-
-void DdnNode::on(const node::Wakeup&) {
-  run(executive::Tick{});
-  tell(supervisor::Tick{});
-}
-
-// Every node of the radio can write to this one; who commands it and who moves it is fixed.
-std::string DdnNode::why_not(const node::Received& received) const {
-  switch (wire::slot_of(received.sample)) {
-    case wire::Slot::kTaskRequest:
-    case wire::Slot::kFunctionalRequest:
-    case wire::Slot::kMissionRequest:
-    case wire::Slot::kDegreeCommand:
-    case wire::Slot::kWorldChange:
-    case wire::Slot::kAlarm:
-      return received.from == roster_.ground() ? "" : "only the ground station makes requests";
-    case wire::Slot::kTaskEvent:
-      return received.from == roster_.ground() ? "" : "only the ground station has tasks of others";
-    case wire::Slot::kFunctionalStatus:
-    case wire::Slot::kTelemetry:
-    case wire::Slot::kPerceptionReport:
-      return received.from == roster_.sim() ? "" : "only the functional layer tells of the vehicle";
-    default:
-      return "";
+std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
+  if (const auto* received = std::get_if<node::Received>(&input)) {
+    const std::string why = why_not(*received, roster_);
+    if (why.empty()) return ddn::input_of(received->sample);
+    drop(*received, why);
+  } else if (const auto* reach = std::get_if<node::Reachability>(&input)) {
+    return dn::Contact{roster_.name_of(reach->peer), reach->peer == roster_.ground(),
+                       reach->reachable};
+  } else if (const auto* done = std::get_if<node::JobDone>(&input)) {
+    const auto* result = std::any_cast<supervisor::DeliberationResult>(&done->result);
+    if (result != nullptr) return supervisor::JobFinished{done->id, *result};
+  } else if (std::holds_alternative<node::Started>(input)) {
+    return dn::Started{};
+  } else if (std::holds_alternative<node::Wakeup>(input)) {
+    return dn::Tick{};
   }
+  return std::nullopt;
 }
 
 void DdnNode::drop(const node::Received& received, const std::string& why) {
@@ -115,75 +80,152 @@ void DdnNode::drop(const node::Received& received, const std::string& why) {
           .with("why", why));
 }
 
-// ---- errands ----
+// ---- to the ground station ----
 
-void DdnNode::run(executive::Input input) {
-  run(ForExecutive{std::move(input), false, std::nullopt});
+void DdnNode::carry_out(const dn::Answer& effect) {
+  wire::RequestReply reply;
+  reply.command = effect.key.number;
+  reply.kind = translation::to_wire(effect.kind);
+  reply.id = effect.id;
+  reply.accepted = effect.accepted;
+  reply.why = effect.why;
+  send_to_ground(std::move(reply));
 }
 
-void DdnNode::run(ForExecutive errand) {
-  errands_.emplace_back(std::move(errand));
-  do_errands();
+void DdnNode::carry_out(const dn::TaskChanged& effect) {
+  log(translation::task_line(writer(), uav_, effect.event, effect.parameters));
+  send_to_ground(to_wire(uav_, effect.event, now_));
 }
 
-void DdnNode::tell(supervisor::Input input, std::optional<Command> command) {
-  if (!supervisor_) return;
-  errands_.emplace_back(ForSupervisor{std::move(input), command});
-  do_errands();
+void DdnNode::carry_out(const dn::StatusPassedOn& effect) {
+  send_to_ground(to_wire(uav_, effect.status));
 }
 
-// What one component asks of the other comes after all that it asked for before: an interruption
-// never overtakes the dispatch of its task.
-void DdnNode::do_errands() {
-  if (doing_errands_) return;
-  doing_errands_ = true;
-  while (!errands_.empty()) {
-    const auto errand = std::move(errands_.front());
-    errands_.pop_front();
-    std::visit([this](const auto& one) { do_errand(one); }, errand);
+void DdnNode::carry_out(const dn::TelemetryPassedOn& effect) {
+  send_to_ground(to_wire(effect.telemetry));
+}
+
+void DdnNode::carry_out(const dn::PerceptionPassedOn& effect) {
+  send_to_ground(to_wire(effect.perception));
+}
+
+void DdnNode::carry_out(const dn::SyncPassedOn& effect) { send_to_ground(to_wire(effect.message)); }
+
+void DdnNode::carry_out(const dn::DegreeChanged& effect) {
+  journal::Record line = record("degree");
+  line.with("uav", uav_).with("degree", effect.degree);
+  if (!effect.by.empty()) line.with("by", effect.by);
+  if (effect.held) line.with("held", static_cast<std::int64_t>(*effect.held));
+  log(line);
+  wire::AutonomyDegree sample;
+  sample.uav = uav_;
+  sample.degree = static_cast<std::uint8_t>(effect.degree);
+  sample.contact_policy = contact_policy_;
+  send_to_ground(sample);
+}
+
+void DdnNode::carry_out(const dn::HandedOver& effect) {
+  send_to_ground(to_wire(uav_, effect.hand_over));
+}
+
+void DdnNode::carry_out(const dn::BoardChanged& effect) {
+  wire::PlanBoard board;
+  board.uav = uav_;
+  board.degree = static_cast<std::uint8_t>(effect.degree);
+  board.airborne = effect.airborne;
+  for (const executive::TaskStatus& task : effect.tasks) {
+    board.tasks.push_back({task.id.value(), task.type, to_wire(task.state), task.reason});
   }
-  doing_errands_ = false;
+  send_to_ground(board);
 }
 
-void DdnNode::do_errand(const ForExecutive& errand) {
-  asked_executive_ = &errand;
-  for (const executive::Effect& effect : executive_.handle(errand.input, now_)) {
-    std::visit([this](const auto& one) { carry_out(one); }, effect);
-  }
-  asked_executive_ = nullptr;
+void DdnNode::carry_out(const supervisor::MissionDecided& effect) {
+  log(outcome_line(writer(), effect.outcome));
+  send_to_ground(to_wire(uav_, effect.outcome));
 }
 
-void DdnNode::do_errand(const ForSupervisor& errand) {
-  asked_supervisor_ = &errand;
-  for (const supervisor::Effect& effect : supervisor_->handle(errand.input, now_)) {
-    std::visit([this](const auto& one) { carry_out(one); }, effect);
+// Of the tasks of a revision, those are logged that were not so in the one before.
+void DdnNode::carry_out(const supervisor::PlanChanged& effect) {
+  const mission::PlanReport& report = effect.report;
+  const wire::MissionPlan plan = to_wire(uav_, report);
+  log(plan_line(writer(), report));
+  std::map<std::uint64_t, wire::PlanEntry> logged;
+  for (std::size_t i = 0; i < plan.tasks.size(); ++i) {  // in the order of the report
+    const wire::PlanEntry& task = plan.tasks[i];
+    const auto before = logged_plan_.find(task.id);
+    if (before == logged_plan_.end() || before->second != task) {
+      log(planned_line(writer(), plan.revision, task, report.tasks[i].task.parameters));
+    }
+    logged.emplace(task.id, task);
   }
-  asked_supervisor_ = nullptr;
+  logged_plan_ = std::move(logged);
+  send_to_ground(plan);
+}
+
+void DdnNode::carry_out(const supervisor::Decided& effect) {
+  log(decision_line(writer(), effect.decision));
+  send_to_ground(to_wire(uav_, effect.decision));
+}
+
+// ---- to others ----
+
+void DdnNode::carry_out(const dn::ToVehicle& effect) {
+  send(roster_.sim(), to_wire(uav_, effect.request));
+}
+
+void DdnNode::carry_out(const dn::SendSync& effect) {
+  const executive::SendSync& message = effect.message;
+  log(translation::sync_line(writer(), {message.id, uav_, message.to, true, message.word}));
+  const node::NodeNumber next = effect.direct ? roster_.find(message.to)->number : roster_.ground();
+  send(next, to_wire(message, uav_, now_), effect.expires);
+}
+
+void DdnNode::carry_out(const supervisor::StartDeliberation& effect) {
+  const auto work = [request = effect.request](const node::TimeIsUp& time_is_up) -> std::any {
+    return supervisor::deliberate(*request, time_is_up);
+  };
+  out_.push_back(node::StartJob{effect.job, work, deliberation_});
+}
+
+void DdnNode::carry_out(const supervisor::StopDeliberation& effect) {
+  out_.push_back(node::StopJob{effect.job});
+}
+
+// ---- for the journal ----
+
+void DdnNode::carry_out(const dn::RequestHandled& effect) {
+  log(translation::request_line(writer(), uav_, effect.reply, effect.mode));
+}
+
+void DdnNode::carry_out(const dn::SyncHeard& effect) {
+  const dn::SyncMessage& message = effect.message;
+  log(translation::sync_line(writer(),
+                             {message.id, message.from, message.to, false, message.word}));
+}
+
+void DdnNode::carry_out(const dn::PolicyCarriedOut& effect) {
+  journal::Record line = record("contact");
+  line.with("uav", uav_).with("policy", std::string(to_text(effect.policy)));
+  if (!effect.why.empty()) line.with("why", effect.why);
+  log(line);
+}
+
+void DdnNode::carry_out(const dn::Notice& effect) {
+  log(record("notice").with("uav", uav_).with("text", effect.text));
+}
+
+void DdnNode::carry_out(const supervisor::GoalChanged& effect) {
+  log(goal_line(writer(), effect.status));
 }
 
 // ---- what goes out ----
 
-void DdnNode::send_to_ground(wire::Sample sample) {
-  wire::header_of(sample) = {};
-  out_.push_back(node::Send{roster_.ground(), std::move(sample), MissionTime::max()});
-}
-
-void DdnNode::send_board_if_changed() {
-  wire::PlanBoard board;
-  board.uav = config_.uav;
-  board.degree = static_cast<std::uint8_t>(degree_);
-  board.airborne = airborne_;
-  for (const executive::TaskStatus& task : executive_.tasks()) {
-    board.tasks.push_back(
-        {task.id.value(), task.type, translation::to_wire(task.state), task.reason});
-  }
-  if (last_board_ == board) return;
-  last_board_ = board;
-  send_to_ground(board);
+void DdnNode::send(node::NodeNumber to, wire::Sample sample, MissionTime expires) {
+  out_.push_back(node::Send{to, std::move(sample), expires});
 }
 
 void DdnNode::log(journal::Record line) { out_.push_back(node::Log{std::move(line)}); }
 
-journal::Record DdnNode::record(const char* kind) const { return {now_, config_.uav, kind}; }
+journal::Record DdnNode::record(const char* kind) const { return {now_, uav_, kind}; }
 
 }  // namespace skein::ddn

@@ -26,6 +26,21 @@ void with_bound(journal::Record& line, const char* key, std::int64_t count) {
   if (count != wire::kNever) line.with(key, seconds(count));
 }
 
+std::string joined(const std::vector<std::string>& reasons) {
+  std::string text;
+  for (const std::string& one : reasons) text += (text.empty() ? "" : "; ") + one;
+  return text;
+}
+
+void tell_estimate(journal::Record& line, const mission::MissionEstimate& estimate) {
+  line.with("placement", std::string(mission::to_text(estimate.placement)))
+      .with("cost", estimate.cost)
+      .with("energy", estimate.energy)
+      .with("earliest_end", estimate.earliest_end.to_seconds());
+  if (estimate.latest_end == MissionTime::max()) return;
+  line.with("latest_end", estimate.latest_end.to_seconds());
+}
+
 }  // namespace
 
 journal::Record plan_line(const translation::Writer& writer, const mission::PlanReport& report) {
@@ -63,6 +78,18 @@ journal::Record planned_line(const translation::Writer& writer, std::uint64_t re
   if (!task.stop.empty()) line.with("stop", text_of(task.stop));
   line.with("methods", task.methods).with("committed", task.committed);
   if (!task.way.empty()) line.with("way", journal::rounded(task.way));
+  return line;
+}
+
+journal::Record outcome_line(const translation::Writer& writer,
+                             const mission::MissionOutcome& outcome) {
+  journal::Record line(writer.at, writer.node, "answer");
+  line.with("uav", writer.node)
+      .with("mission", outcome.mission.value())
+      .with("planned", outcome.planned);
+  if (!outcome.reasons.empty()) line.with("why", joined(outcome.reasons));
+  if (outcome.evaluated) line.with("evaluated", true);
+  if (outcome.estimate) tell_estimate(line, *outcome.estimate);
   return line;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of the event log about plans: kinds plan, planned, goal, decision (docs/journal.md).
+// Lines of the event log about plans: kinds plan, planned, answer, goal,
+// decision (docs/journal.md).
 #pragma once
 
 #include "skein/blackboard/wire_state.hpp"
@@ -16,6 +17,9 @@ journal::Record plan_line(const translation::Writer& writer, const mission::Plan
 /// One task of the plan of that revision, as it is sent and as it is planned.
 journal::Record planned_line(const translation::Writer& writer, std::uint64_t revision,
                              const wire::PlanEntry& task, const executive::Parameters& parameters);
+/// What became of a mission, or what it would cost: kind answer.
+journal::Record outcome_line(const translation::Writer& writer,
+                             const mission::MissionOutcome& outcome);
 journal::Record goal_line(const translation::Writer& writer, const mission::GoalStatus& goal);
 journal::Record decision_line(const translation::Writer& writer, const mission::Decision& decision);
 

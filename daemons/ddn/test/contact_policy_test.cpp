@@ -27,7 +27,8 @@ using wire::TaskState;
 // Own tasks are numbered by the millisecond in which they are made.
 std::string own(double seconds, int offset = 0) {
   const auto milliseconds = static_cast<std::uint64_t>(seconds * 1000);
-  return std::to_string(DdnNode::kFirstOwnTask + milliseconds + static_cast<unsigned>(offset));
+  return std::to_string(functional::kFirstOwnId.value() + milliseconds +
+                        static_cast<unsigned>(offset));
 }
 std::uint64_t own_id(double seconds, int offset = 0) { return std::stoull(own(seconds, offset)); }
 

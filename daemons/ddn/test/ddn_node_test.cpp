@@ -21,7 +21,7 @@ using testing::telemetry;
 using wire::TaskState;
 using Words = std::vector<std::string>;
 
-constexpr std::uint64_t kOwn = DdnNode::kFirstOwnTask;
+constexpr std::uint64_t kOwn = functional::kFirstOwnId.value();
 
 // ---- at every degree ----
 

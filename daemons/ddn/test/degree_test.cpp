@@ -32,7 +32,7 @@ std::string number(int n) { return std::to_string(n); }
 
 // Own tasks are numbered by the millisecond in which they are made.
 std::uint64_t own_at(double seconds) {
-  return DdnNode::kFirstOwnTask + static_cast<std::uint64_t>(seconds * 1000);
+  return functional::kFirstOwnId.value() + static_cast<std::uint64_t>(seconds * 1000);
 }
 
 // 2 runs, 3 waits for it, in the air.

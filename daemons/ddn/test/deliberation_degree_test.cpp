@@ -229,7 +229,7 @@ TEST_F(ContactLostAt4, NothingIsPlannedUntilTheDegreeIsGivenAgain) {
 TEST_F(ContactLostAt4, WhatHeldItSafeGivesWayWhenTheDegreeIsGivenAgain) {
   lose_contact();
   bench.from_sim(status(101, TaskState::kAborted));
-  bench.from_sim(status(DdnNode::kFirstOwnTask + 40'000, TaskState::kRunning));
+  bench.from_sim(status(functional::kFirstOwnId.value() + 40'000, TaskState::kRunning));
   bench.hear_ground(true);
 
   const Words given_again = bench.from_ground(degree(21, 4));

@@ -93,8 +93,9 @@ std::optional<GroundNode::Input> GroundNode::input_from(const node::Received& re
   const std::string uav = roster_.name_of(received.from);
   const wire::Sample& sample = received.sample;
   if (const auto* telemetry = std::get_if<wire::Telemetry>(&sample)) {
-    const auto at = MissionTime::nanoseconds(telemetry->header.mission_time);
-    return gs::TelemetryReceived{uav, from_wire(*telemetry), at};
+    world::Telemetry told = from_wire(*telemetry);
+    told.uav = uav;
+    return told;
   }
   if (const auto* report = std::get_if<wire::PerceptionReport>(&sample)) {
     world::Perception perception = from_wire(*report);
@@ -109,8 +110,7 @@ std::optional<GroundNode::Input> GroundNode::input_from(const node::Received& re
     return gs::RequestReplyReceived{gs::CommandNumber(reply->command), reply->accepted, reply->why};
   }
   if (const auto* status = std::get_if<wire::FunctionalStatus>(&sample)) {
-    return gs::FunctionalStatusReceived{
-        uav, {executive::TaskId(status->id), from_wire(status->state), status->reason}};
+    return gs::FunctionalStatusReceived{uav, from_wire(*status)};
   }
   if (const auto* sync = std::get_if<wire::SyncMessage>(&sample)) {
     const executive::SyncReceived message = from_wire(*sync);
@@ -179,15 +179,7 @@ void GroundNode::carry_out(const gs::SendRequest& effect) {
 }
 
 void GroundNode::carry_out(const gs::SendFunctional& effect) {
-  wire::FunctionalRequest request;
-  request.uav = effect.uav;
-  request.kind = effect.verb == gs::FunctionalVerb::kDispatch
-                     ? wire::FunctionalRequestKind::kDispatch
-                     : wire::FunctionalRequestKind::kInterrupt;
-  request.id = effect.task.id.value();
-  request.type = effect.task.type;
-  request.parameters = to_wire(effect.task.parameters);
-  send(effect.uav, std::move(request));
+  send(effect.uav, to_wire(effect.uav, effect.request));
 }
 
 void GroundNode::carry_out(const gs::SendSync& effect) {

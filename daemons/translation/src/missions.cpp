@@ -17,6 +17,8 @@ namespace {
 // The enumerations of both sides list the same values in the same order.
 static_assert(static_cast<int>(wire::MissionPlacement::kFirst) ==
               static_cast<int>(mission::Placement::kFirst));
+static_assert(static_cast<int>(wire::RequestKind::kWorld) ==
+              static_cast<int>(mission::RequestKind::kWorld));
 
 constexpr double kNoLevel = 1e9;  ///< [m] in place of infinity
 
@@ -153,6 +155,14 @@ Read<mission::CancelGoals> cancellation_of(const wire::MissionRequest& request) 
 
 std::string to_text(const wire::Violation& violation) {
   return violation.field + ": " + violation.why;
+}
+
+wire::RequestKind to_wire(mission::RequestKind kind) {
+  return static_cast<wire::RequestKind>(kind);
+}
+
+mission::RequestKind from_wire(wire::RequestKind kind) {
+  return static_cast<mission::RequestKind>(kind);
 }
 
 wire::MissionRequest to_wire(const mission::UnitMission& mission) {

@@ -9,25 +9,26 @@ wire::Vector3 to_wire(const world::Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
 world::Vector3 from_wire(const wire::Vector3& v) { return {v.x, v.y, v.z}; }
 
-wire::Telemetry to_wire(const std::string& uav, const world::VehicleState& state) {
-  wire::Telemetry telemetry;
-  telemetry.uav = uav;
-  telemetry.position = to_wire(state.position);
-  telemetry.velocity = to_wire(state.velocity);
-  telemetry.heading = state.heading;
-  telemetry.energy = state.energy;
-  telemetry.airborne = state.airborne;
-  telemetry.activity = state.activity;
-  return telemetry;
+wire::Telemetry to_wire(const world::Telemetry& telemetry) {
+  const world::VehicleState& state = telemetry.state;
+  wire::Telemetry sample;
+  sample.uav = telemetry.uav;
+  sample.position = to_wire(state.position);
+  sample.velocity = to_wire(state.velocity);
+  sample.heading = state.heading;
+  sample.energy = state.energy;
+  sample.airborne = state.airborne;
+  sample.activity = state.activity;
+  sample.failed = telemetry.failed;
+  return sample;
 }
 
-world::VehicleState from_wire(const wire::Telemetry& telemetry) {
-  return {from_wire(telemetry.position),
-          from_wire(telemetry.velocity),
-          telemetry.heading,
-          telemetry.energy,
-          telemetry.airborne,
-          telemetry.activity};
+world::Telemetry from_wire(const wire::Telemetry& sample) {
+  return {sample.uav,
+          {from_wire(sample.position), from_wire(sample.velocity), sample.heading, sample.energy,
+           sample.airborne, sample.activity},
+          MissionTime::nanoseconds(sample.header.mission_time),
+          sample.failed};
 }
 
 wire::PerceptionReport to_wire(const world::Perception& perception) {
@@ -58,20 +59,6 @@ world::Perception from_wire(const wire::PerceptionReport& report) {
         {seen.kind, from_wire(seen.position), seen.spread, seen.confidence});
   }
   return perception;
-}
-
-std::vector<wire::Parameter> to_wire(const world::Parameters& parameters) {
-  std::vector<wire::Parameter> result;
-  for (const world::Parameter& one : parameters.all()) {
-    result.push_back({one.name, one.text, one.numbers});
-  }
-  return result;
-}
-
-world::Parameters from_wire(const std::vector<wire::Parameter>& parameters) {
-  std::vector<world::Parameter> result;
-  for (const wire::Parameter& one : parameters) result.push_back({one.name, one.text, one.numbers});
-  return world::Parameters(std::move(result));
 }
 
 std::vector<double> for_journal(const world::Vector3& v) {

@@ -86,12 +86,51 @@ executive::Formula from_wire(const std::vector<wire::Clause>& clauses) {
   return formula;
 }
 
-std::vector<wire::Parameter> to_wire(const executive::Parameters& parameters) {
+std::vector<wire::Parameter> to_wire(const functional::Parameters& parameters) {
   std::vector<wire::Parameter> result;
-  for (const executive::Parameter& one : parameters.all()) {
+  for (const functional::Parameter& one : parameters.all()) {
     result.push_back({one.name, one.text, one.numbers});
   }
   return result;
+}
+
+functional::Parameters from_wire(const std::vector<wire::Parameter>& parameters) {
+  std::vector<functional::Parameter> result;
+  for (const wire::Parameter& one : parameters) result.push_back({one.name, one.text, one.numbers});
+  return functional::Parameters(std::move(result));
+}
+
+// ---- the port to the vehicle ----
+
+wire::FunctionalRequest to_wire(const std::string& uav, const functional::Request& request) {
+  wire::FunctionalRequest sample;
+  sample.uav = uav;
+  sample.kind = request.verb == functional::Verb::kDispatch
+                    ? wire::FunctionalRequestKind::kDispatch
+                    : wire::FunctionalRequestKind::kInterrupt;
+  sample.id = request.id.value();
+  sample.type = request.type;
+  sample.parameters = to_wire(request.parameters);
+  return sample;
+}
+
+functional::Request from_wire(const wire::FunctionalRequest& sample) {
+  const bool dispatches = sample.kind == wire::FunctionalRequestKind::kDispatch;
+  return {dispatches ? functional::Verb::kDispatch : functional::Verb::kInterrupt,
+          functional::TaskId(sample.id), sample.type, from_wire(sample.parameters)};
+}
+
+wire::FunctionalStatus to_wire(const std::string& uav, const functional::Status& status) {
+  wire::FunctionalStatus sample;
+  sample.uav = uav;
+  sample.id = status.id.value();
+  sample.state = to_wire(status.state);
+  sample.reason = status.reason;
+  return sample;
+}
+
+functional::Status from_wire(const wire::FunctionalStatus& sample) {
+  return {functional::TaskId(sample.id), from_wire(sample.state), sample.reason};
 }
 
 wire::TaskSpec to_wire(const executive::Task& task) {
@@ -116,9 +155,7 @@ executive::Task from_wire(const wire::TaskSpec& spec) {
   executive::Task task;
   task.id = executive::TaskId(spec.id);
   task.type = spec.type;
-  for (const wire::Parameter& one : spec.parameters) {
-    task.parameters.add({one.name, one.text, one.numbers});
-  }
+  task.parameters = from_wire(spec.parameters);
   task.preconditions = from_wire(spec.preconditions);
   task.exit = from_wire(spec.exit_conditions);
   if (spec.has_synchronisation) {

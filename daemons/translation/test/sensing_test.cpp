@@ -15,13 +15,13 @@ RC_GTEST_PROP(Sensing, AVectorComesBackAsItWas, ()) {
   RC_ASSERT(from_wire(to_wire(v)) == v);
 }
 
-RC_GTEST_PROP(Sensing, AVehicleStateComesBackAsItWas, ()) {
-  const world::VehicleState state = testing::any_vehicle_state();
+RC_GTEST_PROP(Sensing, TelemetryComesBackWithTheInstantOfItsHeader, ()) {
+  const world::Telemetry telemetry = testing::any_telemetry();
 
-  const wire::Telemetry telemetry = to_wire("marvin", state);
+  wire::Telemetry sample = to_wire(telemetry);
+  sample.header.mission_time = telemetry.at.count();  // the blackboard's stamp
 
-  RC_ASSERT(telemetry.uav == "marvin");
-  RC_ASSERT(from_wire(telemetry) == state);
+  RC_ASSERT(from_wire(sample) == telemetry);
 }
 
 RC_GTEST_PROP(Sensing, APerceptionComesBackWithTheInstantOfItsHeader, ()) {
@@ -31,26 +31,6 @@ RC_GTEST_PROP(Sensing, APerceptionComesBackWithTheInstantOfItsHeader, ()) {
   report.header.mission_time = perception.at.count();  // the blackboard's stamp
 
   RC_ASSERT(from_wire(report) == perception);
-}
-
-RC_GTEST_PROP(Sensing, ParametersComeBackInOrderRepeatedNamesIncluded, ()) {
-  const world::Parameters parameters = testing::any_world_parameters();
-
-  RC_ASSERT(from_wire(to_wire(parameters)) == parameters);
-}
-
-// The executive and the functional layer each have parameters of their own: the wire is between.
-RC_GTEST_PROP(Sensing, ParametersOfTheExecutiveReachTheFunctionalLayerUnchanged, ()) {
-  const executive::Parameters given = testing::any_parameters();
-
-  const world::Parameters taken = from_wire(to_wire(given));
-
-  RC_ASSERT(taken.all().size() == given.all().size());
-  for (std::size_t i = 0; i < given.all().size(); ++i) {
-    RC_ASSERT(taken.all()[i].name == given.all()[i].name);
-    RC_ASSERT(taken.all()[i].text == given.all()[i].text);
-    RC_ASSERT(taken.all()[i].numbers == given.all()[i].numbers);
-  }
 }
 
 TEST(Sensing, ThePositionsOfTheEventLogAreRoundedToTheMillimetre) {

@@ -157,5 +157,35 @@ TEST(Tasks, ATaskEventCarriesWhoseItIsAndWhen) {
   EXPECT_EQ(sample.at, 1'500'000'000);
 }
 
+// ---- the port to the vehicle ----
+
+RC_GTEST_PROP(Port, ParametersComeBackInOrderRepeatedNamesIncluded, ()) {
+  const functional::Parameters parameters = testing::any_parameters();
+
+  RC_ASSERT(from_wire(to_wire(parameters)) == parameters);
+}
+
+RC_GTEST_PROP(Port, ARequestReachesTheFunctionalLayerUnchanged, ()) {
+  const functional::Request request{
+      *rc::gen::element(functional::Verb::kDispatch, functional::Verb::kInterrupt),
+      functional::TaskId(*rc::gen::arbitrary<std::uint64_t>()), testing::any_text(),
+      testing::any_parameters()};
+
+  const wire::FunctionalRequest sample = to_wire("marvin", request);
+
+  RC_ASSERT(sample.uav == "marvin");
+  RC_ASSERT(from_wire(sample) == request);
+}
+
+RC_GTEST_PROP(Port, AStatusComesBackUnchanged, ()) {
+  const functional::Status status{
+      functional::TaskId(*rc::gen::arbitrary<std::uint64_t>()),
+      *rc::gen::element(functional::TaskState::kRunning, functional::TaskState::kEnded,
+                        functional::TaskState::kAborted),
+      testing::any_text()};
+
+  RC_ASSERT(from_wire(to_wire("marvin", status)) == status);
+}
+
 }  // namespace
 }  // namespace skein::translation

@@ -2,7 +2,6 @@
 // The words of the vocabulary, and the small members of its types.
 #include "skein/executive/task.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -15,12 +14,6 @@ namespace {
 template <class E, std::size_t N>
 using Words = std::array<std::pair<E, std::string_view>, N>;
 
-constexpr Words<TaskState, 6> kStates{{{TaskState::kScheduled, "scheduled"},
-                                       {TaskState::kStarted, "started"},
-                                       {TaskState::kRunning, "running"},
-                                       {TaskState::kAborting, "aborting"},
-                                       {TaskState::kEnded, "ended"},
-                                       {TaskState::kAborted, "aborted"}}};
 constexpr Words<InsertionMode, 4> kModes{{{InsertionMode::kSeq, "SEQ"},
                                           {InsertionMode::kVut, "VUT"},
                                           {InsertionMode::kDep, "DEP"},
@@ -52,9 +45,6 @@ std::optional<E> value_of(const Words<E, N>& words, std::string_view text) {
 
 }  // namespace
 
-std::string_view to_text(TaskState state) { return word_of(kStates, state); }
-std::optional<TaskState> task_state_from(std::string_view text) { return value_of(kStates, text); }
-
 std::string_view to_text(InsertionMode mode) { return word_of(kModes, mode); }
 std::optional<InsertionMode> insertion_mode_from(std::string_view text) {
   return value_of(kModes, text);
@@ -70,12 +60,6 @@ std::optional<RequestKind> request_kind_from(std::string_view text) {
 
 std::string_view to_text(Modality modality) {
   return modality == Modality::kMandatory ? "mandatory" : "optional";
-}
-
-const Parameter* Parameters::find(std::string_view name) const {
-  const auto found = std::find_if(all_.begin(), all_.end(),
-                                  [&](const Parameter& one) { return one.name == name; });
-  return found == all_.end() ? nullptr : &*found;
 }
 
 bool is_joint(std::string_view type) { return type.substr(0, kJointPrefix.size()) == kJointPrefix; }

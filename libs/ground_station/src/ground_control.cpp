@@ -136,7 +136,7 @@ void GroundControl::ask_again(const std::string& uav, Effects& out) {
   for (const executive::TaskStatus& task : local(uav).executive.tasks()) {
     if (!executive::is_active(task.state) || !is_functional(task.type)) continue;
     const bool is_aborting = task.state == executive::TaskState::kAborting;
-    send_functional(uav, is_aborting ? FunctionalVerb::kInterrupt : FunctionalVerb::kDispatch,
+    send_functional(uav, is_aborting ? functional::Verb::kInterrupt : functional::Verb::kDispatch,
                     task.id, out);
   }
 }
@@ -261,7 +261,7 @@ void GroundControl::route_local(const LocalInput& cause, const executive::Effect
           },
           [&](const executive::Dispatch& it) { dispatch(uav, it, out); },
           [&](const executive::Interrupt& it) {
-            if (!it.joint) send_functional(uav, FunctionalVerb::kInterrupt, it.id, out);
+            if (!it.joint) send_functional(uav, functional::Verb::kInterrupt, it.id, out);
           },
           [&](const executive::SendSync& it) {
             out.emplace_back(LocalSync{it.id, uav, it.to, SyncDirection::kSent, it.word});
@@ -293,18 +293,17 @@ void GroundControl::dispatch(const std::string& uav, const executive::Dispatch& 
     errands_.emplace_back(LocalInput{uav, refusal, std::nullopt});
     return;
   }
-  send_functional(uav, FunctionalVerb::kDispatch, dispatch.id, out);
+  send_functional(uav, functional::Verb::kDispatch, dispatch.id, out);
 }
 
-void GroundControl::send_functional(const std::string& uav, FunctionalVerb verb,
+void GroundControl::send_functional(const std::string& uav, functional::Verb verb,
                                     executive::TaskId id, Effects& out) {
-  executive::Task task;
-  task.id = id;
+  functional::Request request{verb, id};
   if (const auto view = local(uav).executive.find(id)) {
-    task.type = view->type;
-    if (verb == FunctionalVerb::kDispatch) task.parameters = view->parameters;
+    request.type = view->type;
+    if (verb == functional::Verb::kDispatch) request.parameters = view->parameters;
   }
-  out.emplace_back(SendFunctional{uav, verb, std::move(task)});
+  out.emplace_back(SendFunctional{uav, std::move(request)});
 }
 
 void GroundControl::deliver_sync(const SyncReceived& sync, MissionTime now, Effects& out) {

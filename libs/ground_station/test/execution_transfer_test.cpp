@@ -76,8 +76,9 @@ std::vector<std::string> sent(const Effects& effects) {
 
 std::vector<std::uint64_t> dispatched(const Effects& effects) {
   std::vector<std::uint64_t> out;
-  for (const SendFunctional& request : only<SendFunctional>(effects)) {
-    if (request.verb == FunctionalVerb::kDispatch) out.push_back(request.task.id.value());
+  for (const SendFunctional& sent : only<SendFunctional>(effects)) {
+    const functional::Request& request = sent.request;
+    if (request.verb == functional::Verb::kDispatch) out.push_back(request.id.value());
   }
   return out;
 }
@@ -104,7 +105,7 @@ TEST(ExecutionTransfer, CommandsGoToWhoeverHoldsTheTask) {
   const Effects of_running = ground.handle(command(abort_of(5)), at(6));
   const Effects of_planned = ground.handle(command(abort_of(7)), at(6));
 
-  EXPECT_EQ(first<SendFunctional>(of_running).verb, FunctionalVerb::kInterrupt);
+  EXPECT_EQ(first<SendFunctional>(of_running).request.verb, functional::Verb::kInterrupt);
   EXPECT_THAT(only<SendRequest>(of_planned), IsEmpty());
   EXPECT_EQ(only<CommandChanged>(of_planned).back().state, CommandState::kAcknowledged);
   EXPECT_EQ(first<HeldPlanChanged>(of_planned).state, HeldState::kDropped);
@@ -119,7 +120,7 @@ TEST(ExecutionTransfer, CommandsThatWaitForTheHandOverFindTheTaskAtTheGround) {
   const Effects effects = ground.handle(plan_of_three(1), at(5));
 
   EXPECT_THAT(only<SendRequest>(effects), IsEmpty());
-  EXPECT_EQ(only<SendFunctional>(effects).back().verb, FunctionalVerb::kInterrupt);
+  EXPECT_EQ(only<SendFunctional>(effects).back().request.verb, functional::Verb::kInterrupt);
 }
 
 TEST(ExecutionTransfer, StatesThatAreKnownAreNotNewsAgain) {

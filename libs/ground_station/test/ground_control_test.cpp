@@ -242,9 +242,9 @@ TEST(GroundControl, AtDegreeOneTheRequestIsRunHereTaskByTask) {
   EXPECT_TRUE(first<LocalRequestAnswered>(effects).reply.accepted);
   EXPECT_THAT(local_states(effects), ElementsAre("1 scheduled", "1 started"));
   const auto sent = first<SendFunctional>(effects);
-  EXPECT_EQ(sent.verb, FunctionalVerb::kDispatch);
-  EXPECT_EQ(sent.task.type, "goto");
-  EXPECT_EQ(sent.task.parameters, task.parameters);
+  EXPECT_EQ(sent.request.verb, functional::Verb::kDispatch);
+  EXPECT_EQ(sent.request.type, "goto");
+  EXPECT_EQ(sent.request.parameters, task.parameters);
   const auto changes = only<CommandChanged>(effects);
   ASSERT_THAT(changes, SizeIs(2));
   EXPECT_EQ(changes[1].state, CommandState::kAcknowledged);
@@ -260,7 +260,7 @@ TEST(GroundControl, AtDegreeOneTheNextTaskFollowsTheStatusOfTheLast) {
 
   EXPECT_THAT(local_states(running), ElementsAre("1 running"));
   EXPECT_THAT(local_states(ended), ElementsAre("1 ended", "2 started"));
-  EXPECT_EQ(first<SendFunctional>(ended).task.id, id(2));
+  EXPECT_EQ(first<SendFunctional>(ended).request.id, id(2));
   EXPECT_EQ(ground.board(at(3)).uavs[0].tasks.at(id(2)).state, TaskState::kStarted);
 }
 
@@ -270,9 +270,9 @@ TEST(GroundControl, AtDegreeOneAnAbortInterruptsTheFunctionalLayer) {
 
   const Effects effects = ground.handle(command(abort_of(1)), at(2));
 
-  EXPECT_EQ(first<SendFunctional>(effects).verb, FunctionalVerb::kInterrupt);
-  EXPECT_EQ(first<SendFunctional>(effects).task.id, id(1));
-  EXPECT_EQ(first<SendFunctional>(effects).task.type, "goto");
+  EXPECT_EQ(first<SendFunctional>(effects).request.verb, functional::Verb::kInterrupt);
+  EXPECT_EQ(first<SendFunctional>(effects).request.id, id(1));
+  EXPECT_EQ(first<SendFunctional>(effects).request.type, "goto");
 }
 
 TEST(GroundControl, AtDegreeOneARefusalIsAnsweredAtOnce) {
@@ -318,7 +318,7 @@ TEST(GroundControl, AtDegreeOneTheBackgroundRoutineFollowsTheFlight) {
   const Effects effects = ground.handle(TelemetryReceived{"marvin", flying, at(1)}, at(1));
   const Effects again = ground.handle(TelemetryReceived{"marvin", flying, at(2)}, at(2));
 
-  EXPECT_EQ(first<SendFunctional>(effects).task.type, "wait");
+  EXPECT_EQ(first<SendFunctional>(effects).request.type, "wait");
   EXPECT_THAT(again, IsEmpty());
 }
 
@@ -337,10 +337,10 @@ TEST(GroundControl, AtDegreeOneWhatIsUnderWayIsAskedForAgainWhenTheNodeRestarts)
 
   const auto again = only<SendFunctional>(effects);
   ASSERT_THAT(again, SizeIs(2));
-  EXPECT_EQ(again[0].task.id, id(1));
-  EXPECT_EQ(again[0].verb, FunctionalVerb::kDispatch);
-  EXPECT_EQ(again[1].task.id, id(3));
-  EXPECT_EQ(again[1].verb, FunctionalVerb::kInterrupt);
+  EXPECT_EQ(again[0].request.id, id(1));
+  EXPECT_EQ(again[0].request.verb, functional::Verb::kDispatch);
+  EXPECT_EQ(again[1].request.id, id(3));
+  EXPECT_EQ(again[1].request.verb, functional::Verb::kInterrupt);
   EXPECT_THAT(only<UavRestarted>(effects), IsEmpty());
 }
 

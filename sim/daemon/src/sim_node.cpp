@@ -6,6 +6,7 @@
 
 #include "skein/foundation/contract.hpp"
 #include "skein/translation/sensing.hpp"
+#include "skein/translation/tasks.hpp"
 
 namespace skein::sim {
 
@@ -15,24 +16,6 @@ using journal::Record;
 using translation::for_journal;
 using translation::from_wire;
 using translation::to_wire;
-
-wire::TaskState wire_state(FunctionalState state) {
-  switch (state) {
-    case FunctionalState::kRunning:
-      return wire::TaskState::kRunning;
-    case FunctionalState::kEnded:
-      return wire::TaskState::kEnded;
-    case FunctionalState::kAborted:
-      break;
-  }
-  return wire::TaskState::kAborted;
-}
-
-FunctionalRequest request_of(const std::string& uav, const wire::FunctionalRequest& request) {
-  const bool dispatch = request.kind == wire::FunctionalRequestKind::kDispatch;
-  return {uav, dispatch ? RequestVerb::kDispatch : RequestVerb::kInterrupt, request.id,
-          request.type, from_wire(request.parameters)};
-}
 
 std::string what_of(const Fault& fault) {
   switch (fault.kind) {
@@ -54,12 +37,12 @@ Record functional_line(const FunctionalStatus& status, const std::string& type,
                        const std::string& device, const std::vector<double>& target) {
   Record line(status.at, "sim", "functional");
   line.with("uav", status.uav)
-      .with("task", status.task)
+      .with("task", status.status.id.value())
       .with("type", type)
-      .with("state", to_text(status.state));
+      .with("state", to_text(status.status.state));
   if (!device.empty()) line.with("device", device);
   if (!target.empty()) line.with("target", target);
-  if (!status.reason.empty()) line.with("reason", status.reason);
+  if (!status.status.reason.empty()) line.with("reason", status.status.reason);
   return line;
 }
 
@@ -98,7 +81,7 @@ std::optional<Input> SimNode::input_of(const node::Input& input) {
     const auto* request = std::get_if<wire::FunctionalRequest>(&received->sample);
     const node::Member* from = roster_.find(received->from);
     if (request != nullptr && from != nullptr) {
-      FunctionalRequest mine = request_of(from->name, *request);
+      FunctionalRequest mine{from->name, from_wire(*request)};
       note(mine);
       return mine;
     }
@@ -110,15 +93,16 @@ std::optional<Input> SimNode::input_of(const node::Input& input) {
 }
 
 // What is asked for twice is one task.
-void SimNode::note(const FunctionalRequest& request) {
-  if (request.verb != RequestVerb::kDispatch) return;
+void SimNode::note(const FunctionalRequest& asked_for) {
+  const functional::Request& request = asked_for.request;
+  if (request.verb != functional::Verb::kDispatch) return;
   Asked asked;
   asked.type = request.type;
   if (const auto* device = request.parameters.find("device")) asked.device = device->text;
   if (const auto* target = request.parameters.find("target")) {
     asked.target = journal::rounded(target->numbers);
   }
-  asked_.try_emplace({request.uav, request.task}, std::move(asked));
+  asked_.try_emplace({asked_for.uav, request.id}, std::move(asked));
 }
 
 void SimNode::run_due_faults(MissionTime now, node::Effects& out) {
@@ -142,24 +126,18 @@ node::Effects SimNode::translate(const std::vector<Effect>& effects) {
 }
 
 void SimNode::take(const FunctionalStatus& status, node::Effects& out) {
-  Asked& asked = asked_[{status.uav, status.task}];
-  const std::string state(to_text(status.state));
+  Asked& asked = asked_[{status.uav, status.status.id}];
+  const std::string state(to_text(status.status.state));
   if (asked.told != state) {
     asked.told = state;
     out.push_back(node::Log{functional_line(status, asked.type, asked.device, asked.target)});
   }
-  wire::FunctionalStatus sample;
-  sample.uav = status.uav;
-  sample.id = status.task;
-  sample.state = wire_state(status.state);
-  sample.reason = status.reason;
-  out.push_back(node::Send{number_of(status.uav), sample, MissionTime::max()});
+  wire::FunctionalStatus sample = to_wire(status.uav, status.status);
+  out.push_back(node::Send{number_of(status.uav), std::move(sample), MissionTime::max()});
 }
 
 void SimNode::take(const Telemetry& telemetry, node::Effects& out) const {
-  wire::Telemetry sample = to_wire(telemetry.uav, telemetry.state);
-  sample.failed = telemetry.failed;
-  out.push_back(node::Send{number_of(telemetry.uav), std::move(sample), MissionTime::max()});
+  out.push_back(node::Send{number_of(telemetry.uav), to_wire(telemetry), MissionTime::max()});
 }
 
 void SimNode::take(const PerceptionOut& out_of, node::Effects& out) const {

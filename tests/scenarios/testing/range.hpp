@@ -22,21 +22,21 @@ class Range {
   Range(const world::World& world, const world::VehicleModel& model, std::uint64_t seed)
       : simulator_(config(world, model, seed)) {}
 
-  Flown fly(const std::string& type, world::Parameters parameters, double patience) {
-    const std::uint64_t id = ++last_;
+  Flown fly(const std::string& type, functional::Parameters parameters, double patience) {
+    const functional::TaskId id(++last_);
     track_ = {position()};
     headings_ = {heading()};
     const MissionTime began = now_;
-    const sim::FunctionalRequest request{"uav", sim::RequestVerb::kDispatch, id, type,
-                                         std::move(parameters)};
+    const sim::FunctionalRequest request{
+        "uav", {functional::Verb::kDispatch, id, type, std::move(parameters)}};
     auto effects = simulator_.handle(request, now_);
     while ((now_ - began).to_seconds() < patience) {
       for (const sim::Effect& one : effects) {
-        const auto* status = std::get_if<sim::FunctionalStatus>(&one);
-        if (status == nullptr || status->task != id) continue;
-        if (status->state == sim::FunctionalState::kAborted) return {-1, status->reason};
-        if (status->state == sim::FunctionalState::kEnded)
-          return {(status->at - began).to_seconds(), ""};
+        const auto* told = std::get_if<sim::FunctionalStatus>(&one);
+        if (told == nullptr || told->status.id != id) continue;
+        if (told->status.state == functional::TaskState::kAborted) return {-1, told->status.reason};
+        if (told->status.state == functional::TaskState::kEnded)
+          return {(told->at - began).to_seconds(), ""};
       }
       now_ = now_ + Duration::milliseconds(100);
       effects = simulator_.handle(sim::Tick{}, now_);
@@ -70,11 +70,11 @@ class Range {
   std::uint64_t last_ = 0;
 };
 
-inline world::Parameters waypoints(const refiners::Way& way) {
+inline functional::Parameters waypoints(const refiners::Way& way) {
   std::vector<double> numbers;
   for (std::size_t i = way.size() > 1 ? 1 : 0; i < way.size(); ++i)
     numbers.insert(numbers.end(), {way[i].x(), way[i].y(), way[i].z()});
-  world::Parameters parameters;
+  functional::Parameters parameters;
   parameters.add("waypoints", std::move(numbers));
   return parameters;
 }

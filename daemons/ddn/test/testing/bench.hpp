@@ -12,6 +12,10 @@
 #include "skein/ddn/ddn_node.hpp"
 #include "skein/translation/tasks.hpp"
 
+namespace skein::ddn {
+using decision_node::ContactPolicy;
+}  // namespace skein::ddn
+
 namespace skein::ddn::testing {
 
 inline MissionTime at(double seconds) { return MissionTime::seconds(seconds); }

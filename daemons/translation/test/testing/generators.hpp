@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "skein/functional/parameters.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/tasks.hpp"
-#include "skein/world/parameters.hpp"
 #include "skein/world/perception.hpp"
-#include "skein/world/vehicle_state.hpp"
+#include "skein/world/telemetry.hpp"
 
 namespace skein::translation::testing {
 
@@ -48,6 +48,10 @@ inline world::VehicleState any_vehicle_state() {
           any_text()};
 }
 
+inline world::Telemetry any_telemetry() {
+  return {any_text(), any_vehicle_state(), any_instant(), some(any_text)};
+}
+
 inline world::Detection any_detection() {
   return {any_text(), any_vector(), any_number(), any_number()};
 }
@@ -57,20 +61,10 @@ inline world::Perception any_perception() {
           any_number(), any_number(), some(any_detection), any_instant()};
 }
 
-inline world::Parameters any_world_parameters() {
-  return world::Parameters(some([] {
-    return world::Parameter{any_text(), any_text(), some(any_number)};
+inline functional::Parameters any_parameters() {
+  return functional::Parameters(some([] {
+    return functional::Parameter{any_text(), any_text(), some(any_number)};
   }));
-}
-
-inline executive::Parameters any_parameters() {
-  executive::Parameters parameters;
-  for (auto& one : some([] {
-         return executive::Parameter{any_text(), any_text(), some(any_number)};
-       })) {
-    parameters.add(std::move(one));
-  }
-  return parameters;
 }
 
 inline executive::TaskState any_state() {

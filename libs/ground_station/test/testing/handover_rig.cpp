@@ -152,9 +152,10 @@ void HandoverRig::change(const SendRequest& request, const mission::ChangeDegree
 
 void HandoverRig::to_uav(const SendFunctional& request) {
   if (degree_ == 1) {
-    return to_vehicle(request.task.id, request.verb == FunctionalVerb::kInterrupt);
+    return to_vehicle(request.request.id, request.request.verb == functional::Verb::kInterrupt);
   }
-  const executive::FunctionalStatus refusal{request.task.id, TaskState::kAborted, "not degree 1"};
+  const executive::FunctionalStatus refusal{request.request.id, TaskState::kAborted,
+                                            "not degree 1"};
   to_ground(FunctionalStatusReceived{"marvin", refusal});
 }
 

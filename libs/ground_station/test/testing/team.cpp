@@ -117,7 +117,7 @@ void Team::take(const SendRequest& request) {
 
 void Team::take(const SendFunctional& request) {
   by_radio(request.uav, [this, request] {
-    functional(request.uav, request.task.id, request.task.type, request.verb);
+    vehicle(request.uav, request.request.id, request.request.type, request.request.verb);
   });
 }
 
@@ -145,9 +145,9 @@ void Team::from_mle(const std::string& uav, const executive::Effect& effect,
     });
   } else if (const auto* dispatch = std::get_if<executive::Dispatch>(&effect)) {
     const std::string type = uavs_[uav].mle->find(dispatch->id)->type;
-    functional(uav, dispatch->id, type, FunctionalVerb::kDispatch);
+    vehicle(uav, dispatch->id, type, functional::Verb::kDispatch);
   } else if (const auto* interrupt = std::get_if<executive::Interrupt>(&effect)) {
-    functional(uav, interrupt->id, "", FunctionalVerb::kInterrupt);
+    vehicle(uav, interrupt->id, "", functional::Verb::kInterrupt);
   } else if (const auto* message = std::get_if<executive::SendSync>(&effect)) {
     sync(message->id, uav, message->to);
   }
@@ -163,10 +163,10 @@ void Team::sync(std::uint64_t sync_id, const std::string& from, const std::strin
   }
 }
 
-void Team::functional(const std::string& uav, TaskId task, const std::string& type,
-                      FunctionalVerb verb) {
+void Team::vehicle(const std::string& uav, TaskId task, const std::string& type,
+                   functional::Verb verb) {
   std::set<TaskId>& busy = uavs_[uav].busy;
-  if (verb == FunctionalVerb::kInterrupt) {
+  if (verb == functional::Verb::kInterrupt) {
     if (busy.erase(task) > 0) report(uav, task, TaskState::kAborted);
     return;
   }

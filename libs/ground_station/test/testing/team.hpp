@@ -69,8 +69,8 @@ class Team {
   void take(const Other&) {}
   void to_mle(const std::string& uav, const executive::Input& input, CommandNumber command = {});
   void from_mle(const std::string& uav, const executive::Effect& effect, CommandNumber command);
-  void functional(const std::string& uav, executive::TaskId task, const std::string& type,
-                  FunctionalVerb verb);
+  void vehicle(const std::string& uav, executive::TaskId task, const std::string& type,
+               functional::Verb verb);
   void report(const std::string& uav, executive::TaskId task, executive::TaskState state);
   void record(const std::string& uav, executive::TaskId task, executive::TaskState state);
   void sync(std::uint64_t sync_id, const std::string& from, const std::string& to);

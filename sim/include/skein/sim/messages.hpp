@@ -2,30 +2,23 @@
 // What goes into the simulator and what comes out.
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <string_view>
 #include <variant>
-#include <vector>
 
 #include "skein/foundation/time.hpp"
-#include "skein/world/parameters.hpp"
+#include "skein/functional/port.hpp"
 #include "skein/world/perception.hpp"
+#include "skein/world/telemetry.hpp"
 #include "skein/world/vehicle_state.hpp"
 
 namespace skein::sim {
 
 // ---- inputs ----
 
-enum class RequestVerb { kDispatch, kInterrupt };
-
 /// From a decision node to the functional layer of its vehicle. Task types and parameters: README.
 struct FunctionalRequest {
   std::string uav;
-  RequestVerb verb = RequestVerb::kDispatch;
-  std::uint64_t task = 0;             ///< unique within the UAV for the whole mission
-  std::string type = {};              ///< of a dispatch: one that the registry of task types has
-  world::Parameters parameters = {};  ///< of a dispatch
+  functional::Request request;
 };
 
 /// Time passes.
@@ -64,29 +57,15 @@ using Input = std::variant<Tick, FunctionalRequest, Fault, ContactLost>;
 
 // ---- effects, in the order they happen ----
 
-enum class FunctionalState { kRunning, kEnded, kAborted };
-/// "running", "ended", "aborted".
-std::string_view to_text(FunctionalState state);
+/// What the vehicle tells of itself, once per telemetry period.
+using world::Telemetry;
 
+/// The answer.
 struct FunctionalStatus {
   std::string uav;
-  std::uint64_t task = 0;
-  FunctionalState state = FunctionalState::kRunning;
-  std::string reason;  ///< of an abort, always; else empty
+  functional::Status status;
   MissionTime at;
   bool operator==(const FunctionalStatus&) const = default;
-};
-
-/// Among the failed devices: the engine.
-inline constexpr const char* kEngineDevice = "engine";
-
-/// What the vehicle tells of itself, once per telemetry period.
-struct Telemetry {
-  std::string uav;
-  world::VehicleState state;
-  MissionTime at;
-  std::vector<std::string> failed = {};  ///< devices that do not work, by name; kEngineDevice too
-  bool operator==(const Telemetry&) const = default;
 };
 
 /// One look of one sensor, also when it detected nothing.

@@ -9,6 +9,7 @@
 #include "skein/foundation/result.hpp"
 #include "skein/mission/autonomy.hpp"
 #include "skein/mission/elementary_plan.hpp"
+#include "skein/mission/request.hpp"
 
 namespace skein::translation {
 
@@ -21,6 +22,9 @@ using Read = Result<T, wire::Violation>;
 std::string to_text(const wire::Violation& violation);
 
 // ---- commands; without their numbers ----
+
+wire::RequestKind to_wire(mission::RequestKind kind);
+mission::RequestKind from_wire(wire::RequestKind kind);
 
 /// In "names" arguments, names with spaces in them come apart.
 wire::MissionRequest to_wire(const mission::UnitMission& mission);

@@ -8,6 +8,7 @@
 #include "skein/executive/effect.hpp"
 #include "skein/executive/input.hpp"
 #include "skein/executive/task.hpp"
+#include "skein/functional/port.hpp"
 
 namespace skein::translation {
 
@@ -22,7 +23,13 @@ wire::RequestKind to_wire(executive::RequestKind kind);
 std::vector<wire::Clause> to_wire(const executive::Formula& formula);
 executive::Formula from_wire(const std::vector<wire::Clause>& clauses);
 
-std::vector<wire::Parameter> to_wire(const executive::Parameters& parameters);
+std::vector<wire::Parameter> to_wire(const functional::Parameters& parameters);
+functional::Parameters from_wire(const std::vector<wire::Parameter>& parameters);
+
+wire::FunctionalRequest to_wire(const std::string& uav, const functional::Request& request);
+functional::Request from_wire(const wire::FunctionalRequest& request);
+wire::FunctionalStatus to_wire(const std::string& uav, const functional::Status& status);
+functional::Status from_wire(const wire::FunctionalStatus& status);
 
 wire::TaskSpec to_wire(const executive::Task& task);
 executive::Task from_wire(const wire::TaskSpec& spec);

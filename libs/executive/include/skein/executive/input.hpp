@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "skein/executive/task.hpp"
+#include "skein/functional/port.hpp"
 
 namespace skein::executive {
 
@@ -48,13 +49,8 @@ struct Suppress {
   TaskId id;
 };
 
-/// From the functional layer, or for a joint task from the supervisor. Only running, ended and
-/// aborted mean anything; an `aborted` that answers a dispatch is a rejection.
-struct FunctionalStatus {
-  TaskId id;
-  TaskState state = TaskState::kRunning;
-  std::string reason;
-};
+/// From the functional layer, or for a joint task from the supervisor.
+using FunctionalStatus = functional::Status;
 
 /// What a synchronisation message says of its sender.
 enum class SyncWord : std::uint8_t {

@@ -11,32 +11,14 @@
 #include "skein/executive/condition.hpp"
 #include "skein/executive/task_state.hpp"
 #include "skein/foundation/time.hpp"
+#include "skein/functional/parameters.hpp"
 
 namespace skein::executive {
 
-/// A named parameter. The executive reads none of them but the device that names a resource (spec
-/// 2.5); they travel through it to whoever carries the task out.
-struct Parameter {
-  std::string name;
-  std::string text;
-  std::vector<double> numbers;
-  bool operator==(const Parameter&) const = default;
-};
-
-/// Parameters in the order given; names are expected to differ (the first one counts).
-class Parameters {
- public:
-  Parameters() = default;
-  Parameters(std::initializer_list<Parameter> all) : all_(all) {}
-  void add(Parameter parameter) { all_.push_back(std::move(parameter)); }
-  /// The parameter of this name or nullptr; valid until the next add(). Cost: linear.
-  const Parameter* find(std::string_view name) const;
-  const std::vector<Parameter>& all() const { return all_; }
-  bool operator==(const Parameters&) const = default;
-
- private:
-  std::vector<Parameter> all_;
-};
+/// The executive reads none of them but the device that names a resource (spec 2.5); they travel
+/// through it to whoever carries the task out.
+using functional::Parameter;
+using functional::Parameters;
 
 /// What a task of a type that synchronises does (`synchronise`, `rendezvous`). A UAV among the
 /// senders sends one message to each other receiver, in the order of `receivers`; a UAV among the

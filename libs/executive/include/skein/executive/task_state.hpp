@@ -1,45 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Task identifiers and the states of a task.
+// Task identifiers and the states of a task, which are those of the port to the vehicle.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string_view>
-
-#include "skein/foundation/id.hpp"
+#include "skein/functional/task.hpp"
 
 namespace skein::executive {
 
-/// Unique within the UAV for the whole mission.
-using TaskId = Id<struct TaskIdTag, std::uint64_t>;
-
-/// Background routine tasks are numbered by the executive from here on; a request may not use such
-/// an id. (Every id of the range is exact as a JSON number, that is, below 2^53.)
-inline constexpr TaskId kFirstBackgroundId{9'000'000'000'000'000};
-
-/// Source: T III.1.1, spec 2.1. The transitions are in executive.hpp.
-enum class TaskState : std::uint8_t {
-  kScheduled,
-  kStarted,
-  kRunning,
-  kAborting,
-  kEnded,
-  kAborted,
-};
-
-/// "scheduled", "started", …
-std::string_view to_text(TaskState state);
-std::optional<TaskState> task_state_from(std::string_view text);
-
-/// Ended or aborted: no transition leaves it.
-constexpr bool is_terminal(TaskState state) {
-  return state == TaskState::kEnded || state == TaskState::kAborted;
-}
-
-/// Started, running or aborting: dispatched and not yet terminal.
-constexpr bool is_active(TaskState state) {
-  return state == TaskState::kStarted || state == TaskState::kRunning ||
-         state == TaskState::kAborting;
-}
+using functional::is_active;
+using functional::is_terminal;
+using functional::kFirstBackgroundId;
+using functional::task_state_from;
+using functional::TaskId;
+using functional::TaskState;
+using functional::to_text;
 
 }  // namespace skein::executive

@@ -133,7 +133,7 @@ class GroundControl {
   void route_local(const LocalInput& cause, const executive::Effect& effect, MissionTime now,
                    Effects& out);
   void dispatch(const std::string& uav, const executive::Dispatch& dispatch, Effects& out);
-  void send_functional(const std::string& uav, FunctionalVerb verb, executive::TaskId id,
+  void send_functional(const std::string& uav, functional::Verb verb, executive::TaskId id,
                        Effects& out);
   void ask_again(const std::string& uav, Effects& out);
   void deliver_sync(const SyncReceived& sync, MissionTime now, Effects& out);

@@ -14,20 +14,20 @@
 #include "skein/executive/task.hpp"
 #include "skein/foundation/id.hpp"
 #include "skein/foundation/time.hpp"
+#include "skein/functional/port.hpp"
 #include "skein/ground_station/alarm.hpp"
-#include "skein/ground_station/degree.hpp"
 #include "skein/mission/autonomy.hpp"
 #include "skein/mission/elementary_plan.hpp"
 #include "skein/mission/high_level_task.hpp"
-#include "skein/world/vehicle_state.hpp"
+#include "skein/mission/request.hpp"
+#include "skein/world/telemetry.hpp"
 
 namespace skein::ground_station {
 
-/// What may be asked of a UAV: of its MLE (T III.2.1, spec 2.3), wherever that runs, or of its
-/// decision node (spec 1.2, 6.2).
-using Request = std::variant<executive::Start, executive::Abort, executive::ProcessMessage,
-                             executive::UpdateConditions, executive::Suppress, mission::UnitMission,
-                             mission::CancelGoals, mission::ChangeDegree, mission::ChangeWorld>;
+using mission::Degree;
+using mission::Request;
+using mission::runs_at_ground;
+using mission::synchronises_directly;
 
 /// What a unit mission comes to.
 enum class MissionStage {
@@ -46,11 +46,7 @@ using CommandNumber = Id<struct CommandNumberTag, std::uint64_t>;
 /// Time passes.
 struct Tick {};
 /// A vehicle told of itself.
-struct TelemetryReceived {
-  std::string uav;
-  world::VehicleState state;
-  MissionTime at;  ///< when it was so
-};
+using TelemetryReceived = world::Telemetry;
 /// A task of a UAV entered a state: from its MLE.
 struct TaskEventReceived {
   std::string uav;
@@ -275,12 +271,10 @@ struct MissionFinished {};
 
 // ---- degree 1: what the ground does in place of a UAV's MLE ----
 
-enum class FunctionalVerb { kDispatch, kInterrupt };
 /// An elementary request to the functional layer, through the transparent decision node.
 struct SendFunctional {
   std::string uav;
-  FunctionalVerb verb = FunctionalVerb::kDispatch;
-  executive::Task task;  ///< of an interrupt: id and type
+  functional::Request request;
 };
 /// A synchronisation message is to go to the MLE of `to`.
 struct SendSync {

@@ -12,7 +12,6 @@
 #include "skein/executive/task.hpp"
 #include "skein/foundation/time.hpp"
 #include "skein/ground_station/alarm.hpp"
-#include "skein/ground_station/degree.hpp"
 #include "skein/ground_station/messages.hpp"
 #include "skein/mission/autonomy.hpp"
 #include "skein/mission/high_level_task.hpp"

@@ -8,14 +8,12 @@
 #include <vector>
 
 #include "skein/executive/task.hpp"
+#include "skein/mission/degree.hpp"
 #include "skein/mission/high_level_task.hpp"
 #include "skein/world/ground_state.hpp"
 #include "skein/world/volume.hpp"
 
 namespace skein::mission {
-
-inline constexpr int kLeastDegree = 1;
-inline constexpr int kGreatestDegree = 4;  ///< of those that are built
 
 /// Asked by an operator. Source: spec 1.2.
 struct ChangeDegree {

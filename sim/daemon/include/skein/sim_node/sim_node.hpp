@@ -39,7 +39,7 @@ class SimNode final : public node::Node {
   void take(const ObjectTruth& truth, node::Effects& out) const;
   void run_due_faults(MissionTime now, node::Effects& out);
   std::optional<Input> input_of(const node::Input& input);
-  void note(const FunctionalRequest& request);
+  void note(const FunctionalRequest& asked_for);
   node::NodeNumber number_of(const std::string& name) const;
 
   /// A task as it was asked for, and what was last logged of it.
@@ -53,7 +53,7 @@ class SimNode final : public node::Node {
   node::Roster roster_;
   Simulator simulator_;
   std::deque<ScheduledFault> faults_;
-  std::map<std::pair<std::string, std::uint64_t>, Asked> asked_;  ///< by UAV and task
+  std::map<std::pair<std::string, functional::TaskId>, Asked> asked_;  ///< by UAV and task
 };
 
 }  // namespace skein::sim

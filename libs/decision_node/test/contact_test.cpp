@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "skein/ddn/contact.hpp"
+#include "skein/decision_node/contact.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace skein::ddn {
+namespace skein::decision_node {
 namespace {
 
 MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
@@ -75,4 +75,4 @@ TEST(ContactWatch, OfPolicyContinueNeverAsksToBeWoken) {
 }
 
 }  // namespace
-}  // namespace skein::ddn
+}  // namespace skein::decision_node

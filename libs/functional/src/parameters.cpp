@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "skein/world/parameters.hpp"
+#include "skein/functional/parameters.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace skein::world {
+namespace skein::functional {
 
 Parameters& Parameters::add(std::string name, std::string text) {
   all_.push_back({std::move(name), std::move(text), {}});
@@ -30,4 +30,4 @@ const Parameter* Parameters::find(std::string_view name) const {
   return found == all_.end() ? nullptr : &*found;
 }
 
-}  // namespace skein::world
+}  // namespace skein::functional

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "skein/world/parameters.hpp"
+#include "skein/functional/parameters.hpp"
 
 #include <gtest/gtest.h>
 
-namespace skein::world {
+namespace skein::functional {
 namespace {
 
 TEST(Parameters, KeepTheirOrderAndKinds) {
@@ -28,4 +28,4 @@ TEST(Parameters, AreFoundByName) {
 }
 
 }  // namespace
-}  // namespace skein::world
+}  // namespace skein::functional

@@ -3,14 +3,15 @@
 #pragma once
 
 #include <optional>
-#include <variant>
-#include <vector>
+#include <string_view>
 
 #include "skein/foundation/time.hpp"
 
-namespace skein::ddn {
+namespace skein::decision_node {
 
 enum class ContactPolicy { kContinue, kHold, kReturn };
+/// "continue", "hold", "return".
+std::string_view to_text(ContactPolicy policy);
 
 /// Tells, from whether the ground is heard, when the contact-loss policy is to be carried out: once
 /// the silence has lasted `after`, at most once per loss. Contact regained leaves what was begun:
@@ -31,4 +32,4 @@ class ContactWatch {
   std::optional<MissionTime> lost_at_;
 };
 
-}  // namespace skein::ddn
+}  // namespace skein::decision_node

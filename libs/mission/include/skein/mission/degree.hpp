@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who does what at each degree of decisional autonomy, as far as execution is concerned.
+// Who does what at each degree of decisional autonomy.
 #pragma once
 
-namespace skein::ground_station {
+namespace skein::mission {
 
 /// 1 to 5. Source: T II.2, spec 1.2.
 using Degree = int;
+
+inline constexpr Degree kLeastDegree = 1;
+inline constexpr Degree kGreatestDegree = 4;  ///< of those that are built
 
 /// True at degree 1: the ground runs the plan itself and the UAV's decision node only connects it
 /// with the functional layer.
@@ -17,4 +20,7 @@ constexpr bool synchronises_directly(Degree sender, Degree receiver) {
   return sender >= 3 && receiver >= 3;
 }
 
-}  // namespace skein::ground_station
+/// True when missions are planned on board.
+constexpr bool deliberates(Degree degree) { return degree >= 4; }
+
+}  // namespace skein::mission

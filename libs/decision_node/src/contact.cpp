@@ -1,7 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "skein/ddn/contact.hpp"
+#include "skein/decision_node/contact.hpp"
 
-namespace skein::ddn {
+namespace skein::decision_node {
+
+std::string_view to_text(ContactPolicy policy) {
+  switch (policy) {
+    case ContactPolicy::kHold:
+      return "hold";
+    case ContactPolicy::kReturn:
+      return "return";
+    case ContactPolicy::kContinue:
+      break;
+  }
+  return "continue";
+}
 
 void ContactWatch::ground_heard(bool reachable, MissionTime now) {
   if (reachable) {
@@ -23,4 +35,4 @@ std::optional<MissionTime> ContactWatch::next_wakeup() const {
   return *lost_at_ + after_;
 }
 
-}  // namespace skein::ddn
+}  // namespace skein::decision_node

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parameters of an elementary task, as the functional layer takes them.
+// The parameters of an elementary task, from whoever plans it to whoever carries it out.
 #pragma once
 
 #include <initializer_list>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace skein::world {
+namespace skein::functional {
 
 /// A named value: a text, or numbers. Way-points are flat: x, y, z, x, y, z, …
 struct Parameter {
@@ -18,18 +18,20 @@ struct Parameter {
   bool operator==(const Parameter&) const = default;
 };
 
-/// In order of arrival; a name may wrongly come twice (the functional layer refuses that).
+/// In the order given; a name may wrongly come twice (the functional layer refuses that).
 class Parameters {
  public:
   Parameters() = default;
+  Parameters(std::initializer_list<Parameter> all) : all_(all) {}
   explicit Parameters(std::vector<Parameter> all) : all_(std::move(all)) {}
 
+  void add(Parameter parameter) { all_.push_back(std::move(parameter)); }
   Parameters& add(std::string name, std::string text);
   Parameters& add(std::string name, std::vector<double> numbers);
   Parameters& add(std::string name, std::initializer_list<double> numbers);
   Parameters& add(std::string name, double number);
 
-  /// The first of that name; null when there is none. Valid until the next change.
+  /// The first of that name; null when there is none. Valid until the next change. Cost: linear.
   const Parameter* find(std::string_view name) const;
   const std::vector<Parameter>& all() const { return all_; }
   bool operator==(const Parameters&) const = default;
@@ -38,4 +40,4 @@ class Parameters {
   std::vector<Parameter> all_;
 };
 
-}  // namespace skein::world
+}  // namespace skein::functional

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "received.hpp"
+
+#include "skein/foundation/overloaded.hpp"
+#include "skein/translation/missions.hpp"
+#include "skein/translation/sensing.hpp"
+#include "skein/translation/tasks.hpp"
+
+namespace skein::ddn {
+
+namespace {
+
+namespace dn = decision_node;
+using dn::Input;
+using translation::from_wire;
+
+template <class Sample>
+dn::CommandKey key_of(const Sample& sample) {
+  return {sample.header.incarnation, sample.command};
+}
+
+Input input_of(const wire::TaskRequest& sample) {
+  if (sample.kind > wire::RequestKind::kSuppress) {
+    return dn::UnreadableCommand{key_of(sample), from_wire(sample.kind), sample.id,
+                                 "not a request to an executive"};
+  }
+  dn::Command command{key_of(sample), mission::Request()};
+  std::visit([&](const auto& request) { command.request = request; }, from_wire(sample));
+  return command;
+}
+
+Input input_of(const wire::MissionRequest& sample) {
+  const auto read = from_wire(sample);
+  if (!read) {
+    const auto kind =
+        sample.cancel ? mission::RequestKind::kCancel : mission::RequestKind::kMission;
+    return dn::UnreadableCommand{key_of(sample), kind, sample.unit_mission,
+                                 translation::to_text(read.error())};
+  }
+  dn::Command command{key_of(sample), mission::Request(), sample.asked_by};
+  std::visit([&](const auto& request) { command.request = request; }, *read);
+  return command;
+}
+
+Input input_of(const wire::DegreeCommand& sample) {
+  const auto read = from_wire(sample);
+  if (read) return dn::Command{key_of(sample), *read, sample.asked_by};
+  return dn::UnreadableCommand{key_of(sample), mission::RequestKind::kDegree, 0,
+                               translation::to_text(read.error())};
+}
+
+Input input_of(const wire::WorldChange& sample) {
+  const auto read = from_wire(sample);
+  if (read) return dn::Command{key_of(sample), *read};
+  return dn::UnreadableCommand{key_of(sample), mission::RequestKind::kWorld, 0,
+                               translation::to_text(read.error())};
+}
+
+dn::SyncMessage input_of(const wire::SyncMessage& sample) {
+  const executive::SyncReceived read = from_wire(sample);
+  return {read.id, read.from, sample.to, read.word, MissionTime::nanoseconds(sample.said)};
+}
+
+}  // namespace
+
+std::string why_not(const node::Received& received, const node::Roster& roster) {
+  switch (wire::slot_of(received.sample)) {
+    case wire::Slot::kTaskRequest:
+    case wire::Slot::kFunctionalRequest:
+    case wire::Slot::kMissionRequest:
+    case wire::Slot::kDegreeCommand:
+    case wire::Slot::kWorldChange:
+    case wire::Slot::kAlarm:
+      return received.from == roster.ground() ? "" : "only the ground station makes requests";
+    case wire::Slot::kTaskEvent:
+      return received.from == roster.ground() ? "" : "only the ground station has tasks of others";
+    case wire::Slot::kFunctionalStatus:
+    case wire::Slot::kTelemetry:
+    case wire::Slot::kPerceptionReport:
+      return received.from == roster.sim() ? "" : "only the functional layer tells of the vehicle";
+    default:
+      return "";
+  }
+}
+
+std::optional<Input> input_of(const wire::Sample& sample) {
+  using Result = std::optional<Input>;
+  return std::visit(
+      Overloaded{
+          [](const wire::TaskRequest& it) -> Result { return input_of(it); },
+          [](const wire::MissionRequest& it) -> Result { return input_of(it); },
+          [](const wire::DegreeCommand& it) -> Result { return input_of(it); },
+          [](const wire::WorldChange& it) -> Result { return input_of(it); },
+          // An alarm without a number is none.
+          [](const wire::Alarm& it) -> Result {
+            return it.id == 0 ? Result() : dn::PlaceTold{translation::change_of(it)};
+          },
+          [](const wire::FunctionalRequest& it) -> Result {
+            return dn::ElementaryRequest{from_wire(it)};
+          },
+          [](const wire::TaskEvent& it) -> Result { return dn::GroundTaskSeen{from_wire(it)}; },
+          [](const wire::FunctionalStatus& it) -> Result { return dn::StatusTold{from_wire(it)}; },
+          [](const wire::SyncMessage& it) -> Result { return input_of(it); },
+          [](const wire::Telemetry& it) -> Result { return from_wire(it); },
+          [](const wire::PerceptionReport& it) -> Result { return from_wire(it); },
+          [](const auto&) -> Result { return std::nullopt; }},
+      sample);
+}
+
+}  // namespace skein::ddn

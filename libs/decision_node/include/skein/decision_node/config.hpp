@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a decision node is told at its start.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/decision_node/contact.hpp"
+#include "skein/executive/executive.hpp"
+#include "skein/supervisor/supervisor.hpp"
+
+namespace skein::decision_node {
+
+struct Config {
+  std::string uav;
+  std::vector<std::string> others = {};  ///< UAVs that it may synchronise with
+  int degree = 3;                        ///< at the start, 1 to 4; 4 needs `knowledge`
+  ContactPolicy contact_policy = ContactPolicy::kContinue;
+  Duration contact_after = Duration::seconds(60);
+  /// Where `kReturn` goes before it lands: x, y, z [m] ENU.
+  std::vector<double> home = {0, 0, 50};
+  std::optional<Duration> functional_timeout = Duration::seconds(120);
+  std::optional<Duration> sync_validity = std::nullopt;  ///< see executive::Config
+  std::optional<std::string> background_type;
+  /// Null: the scenario has no planning domain, and degree 4 is refused.
+  std::shared_ptr<const supervisor::Knowledge> knowledge;
+  std::shared_ptr<const world::World> world;  ///< as at the start; null only without knowledge
+  Duration horizon = Duration::seconds(15);   ///< commitment, see supervisor::Config
+  executive::TaskId first_task{1};            ///< of the supervisor's; below kFirstOwnId
+};
+
+}  // namespace skein::decision_node

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The components of a decision node, and who gets what.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "autonomy.hpp"
+#include "bus.hpp"
+#include "commands.hpp"
+#include "deliberation.hpp"
+#include "execution.hpp"
+#include "own_tasks.hpp"
+#include "safekeeping.hpp"
+#include "skein/decision_node/decision_node.hpp"
+#include "vehicle.hpp"
+
+namespace skein::decision_node {
+
+class Core {
+ public:
+  explicit Core(Config config);
+
+  Effects handle(const Input& input, MissionTime now);
+  std::optional<MissionTime> next_wakeup() const;
+
+  const Config& config() const { return config_; }
+  int degree() const { return autonomy_.degree(); }
+  Bus& bus() { return bus_; }
+  Commands& commands() { return commands_; }
+  OwnTasks& own_tasks() { return own_tasks_; }
+  Vehicle& vehicle() { return vehicle_; }
+  Execution& execution() { return execution_; }
+  Deliberation& deliberation() { return deliberation_; }
+  Autonomy& autonomy() { return autonomy_; }
+  Safekeeping& safekeeping() { return safekeeping_; }
+
+  /// A task of whatever executive, or of none, entered a state: every component hears of it.
+  void tell_task(const executive::TaskEvent& event);
+  /// Of what the functional layer was given.
+  void interrupt(functional::TaskId task);
+
+ private:
+  void on(const Started&) { autonomy_.start(); }
+  void on(const Command& command);
+  void on(const UnreadableCommand& command);
+  void on(const PlaceTold& told);
+  void on(const ElementaryRequest& asked);
+  void on(const GroundTaskSeen& seen) { tell_task(seen.event); }
+  void on(const StatusTold& told);
+  void on(const SyncMessage& message) { execution_.take(message); }
+  void on(const world::Telemetry& telemetry);
+  void on(const world::Perception& perception) { bus_.emit(PerceptionPassedOn{perception}); }
+  void on(const Contact& contact);
+  void on(const supervisor::JobFinished& done) { deliberation_.job_finished(done); }
+  void on(const Tick&);
+  void pass_on(const functional::Status& status);
+  void tell_board_if_changed();
+  /// Every one hears what happens, in this order.
+  std::array<Component*, 2> components() { return {&execution_, &deliberation_}; }
+  std::array<const Component*, 2> components() const { return {&execution_, &deliberation_}; }
+
+  Config config_;
+  Bus bus_;
+  Commands commands_;
+  OwnTasks own_tasks_;
+  Vehicle vehicle_;
+  Execution execution_;
+  Deliberation deliberation_;
+  Autonomy autonomy_;
+  Safekeeping safekeeping_;
+  std::optional<BoardChanged> last_board_;
+};
+
+}  // namespace skein::decision_node

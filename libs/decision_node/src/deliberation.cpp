@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deliberation.hpp"
+
+#include <utility>
+
+#include "core.hpp"
+#include "skein/foundation/contract.hpp"
+#include "skein/foundation/overloaded.hpp"
+#include "skein/mission/degree.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+std::optional<supervisor::Supervisor> supervisor_of(const Config& config) {
+  if (config.knowledge == nullptr) return std::nullopt;
+  SKEIN_EXPECTS(config.world != nullptr);
+  SKEIN_EXPECTS(config.first_task < functional::kFirstOwnId);
+  supervisor::Config result;
+  result.knowledge = config.knowledge;
+  result.world = config.world;
+  result.horizon = config.horizon;
+  result.first_id = config.first_task;
+  return supervisor::Supervisor(std::move(result));
+}
+
+std::string joined(const std::vector<std::string>& reasons) {
+  std::string text;
+  for (const std::string& one : reasons) text += (text.empty() ? "" : "; ") + one;
+  return text;
+}
+
+}  // namespace
+
+Deliberation::Deliberation(Core& core) : core_(core), supervisor_(supervisor_of(core.config())) {}
+
+// ---- what comes in ----
+
+// What was handed over can be cancelled at any degree; the world is known for later too, since the
+// degree may go up.
+void Deliberation::take(const Command& command) {
+  const std::string why = why_not_planned();
+  std::visit(Overloaded{[&](const mission::UnitMission& mission) {
+                          if (!why.empty()) return core_.commands().refuse(command, why);
+                          tell(supervisor::AddMission{mission}, command);
+                        },
+                        [&](const mission::CancelGoals& goals) {
+                          if (!supervisor_) return core_.commands().refuse(command, why);
+                          tell(supervisor::CancelMission{goals, command.asked_by}, command);
+                        },
+                        [&](const mission::ChangeWorld& change) {
+                          if (!supervisor_) return core_.commands().answer(command, true, "");
+                          tell(supervisor::WorldChanged{change}, command);
+                        },
+                        [](const auto&) {}},
+             command.request);
+}
+
+std::string Deliberation::why_not_planned() const {
+  if (!supervisor_) return "no planning domain in the scenario: no missions are planned on board";
+  if (!mission::deliberates(core_.degree())) {
+    return "degree " + std::to_string(core_.degree()) + ": missions are planned at degree 4";
+  }
+  if (!engaged()) {
+    return "deliberation stopped when contact was lost: degree 4 is to be given again";
+  }
+  return "";
+}
+
+void Deliberation::task_changed(const executive::TaskEvent& event) {
+  tell(supervisor::TaskSeen{event});
+}
+
+void Deliberation::vehicle_told(const world::Telemetry& telemetry) {
+  tell(supervisor::VehicleSeen{telemetry.state, telemetry.failed});
+}
+
+void Deliberation::place_told(const mission::ChangeWorld& place) {
+  tell(supervisor::WorldChanged{place});
+}
+
+void Deliberation::time_passes() { tell(supervisor::Tick{}); }
+
+std::optional<MissionTime> Deliberation::next_wakeup() const {
+  return supervisor_ ? supervisor_->next_wakeup() : std::nullopt;
+}
+
+void Deliberation::disengage(const std::string& cause) {
+  if (engaged()) tell(supervisor::Disengage{cause});
+}
+
+void Deliberation::request_answered(const executive::Reply& reply) {
+  tell(supervisor::RequestAnswered{reply});
+}
+
+void Deliberation::joint_task_due(executive::TaskId task, bool interrupt) {
+  if (supervisor_) return tell(supervisor::JointTaskDue{task, interrupt});
+  core_.execution().run(executive::FunctionalStatus{task, executive::TaskState::kAborted,
+                                                    "joint tasks need a deliberative layer"});
+}
+
+// ---- what the supervisor asks for ----
+
+void Deliberation::tell(supervisor::Input input, std::optional<Command> command) {
+  if (!supervisor_) return;
+  core_.bus().post([this, input = std::move(input), command = std::move(command)] {
+    for (const supervisor::Effect& effect : supervisor_->handle(input, core_.bus().now())) {
+      std::visit([&](const auto& one) { carry_out(one, command); }, effect);
+    }
+  });
+}
+
+void Deliberation::carry_out(const supervisor::Answer& effect,
+                             const std::optional<Command>& command) {
+  if (command) core_.commands().answer(*command, effect.accepted, joined(effect.reasons));
+}
+
+void Deliberation::carry_out(const supervisor::ToExecutive& effect, const std::optional<Command>&) {
+  core_.execution().run(effect.input, Execution::By::kSupervisor);
+}
+
+void Deliberation::carry_out(const supervisor::PlanChanged& effect, const std::optional<Command>&) {
+  for (const mission::PlannedTask& one : effect.report.tasks) {
+    origins_.insert_or_assign(one.task.id, one.task.origin);
+  }
+  core_.bus().emit(effect);
+}
+
+void Deliberation::carry_out(const supervisor::HandedOver& effect, const std::optional<Command>&) {
+  handed_over_ = effect.tasks;
+}
+
+void Deliberation::carry_out(const supervisor::LoadJointTask& effect,
+                             const std::optional<Command>&) {
+  tell(supervisor::JointTaskAnswered{effect.task.id, false, {}, "no interaction manager"});
+}
+
+void Deliberation::carry_out(const supervisor::Notice& effect, const std::optional<Command>&) {
+  core_.bus().emit(Notice{effect.text});
+}
+
+template <class Other>
+void Deliberation::carry_out(const Other& effect, const std::optional<Command>&) {
+  core_.bus().emit(effect);
+}
+
+// ---- what it knows ----
+
+std::vector<mission::GoalStatus> Deliberation::goals() const {
+  return supervisor_ ? supervisor_->report().goals : std::vector<mission::GoalStatus>();
+}
+
+mission::GoalId Deliberation::origin_of(executive::TaskId task) const {
+  const auto found = origins_.find(task);
+  return found == origins_.end() ? mission::GoalId() : found->second;
+}
+
+std::vector<mission::HeldTask> Deliberation::take_handed_over() {
+  return std::exchange(handed_over_, {});
+}
+
+}  // namespace skein::decision_node

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// The supervisor as a component.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "component.hpp"
+
+namespace skein::decision_node {
+
+class Core;
+
+/// Without a planning domain there is none: nothing is told to it, and what needs it is refused.
+class Deliberation final : public Component {
+ public:
+  explicit Deliberation(Core& core);
+
+  void take(const Command& command) override;
+  void task_changed(const executive::TaskEvent& event) override;
+  void vehicle_told(const world::Telemetry& telemetry) override;
+  void place_told(const mission::ChangeWorld& place) override;
+  void time_passes() override;
+  std::optional<MissionTime> next_wakeup() const override;
+
+  /// There is a supervisor.
+  bool possible() const { return supervisor_.has_value(); }
+  bool engaged() const { return supervisor_ && supervisor_->engaged(); }
+  void engage(const supervisor::Engage& engage) { tell(engage); }
+  void disengage(const std::string& cause);
+  void job_finished(const supervisor::JobFinished& done) { tell(done); }
+  void request_answered(const executive::Reply& reply);
+  /// The executive wants a joint task carried out, or interrupted.
+  void joint_task_due(executive::TaskId task, bool interrupt);
+
+  std::vector<mission::GoalStatus> goals() const;
+  /// The goal that a task of the executive's serves; 0: none.
+  mission::GoalId origin_of(executive::TaskId task) const;
+  /// What was handed over when it was disengaged; not again.
+  std::vector<mission::HeldTask> take_handed_over();
+
+ private:
+  void tell(supervisor::Input input, std::optional<Command> command = std::nullopt);
+  std::string why_not_planned() const;
+
+  void carry_out(const supervisor::Answer& effect, const std::optional<Command>& command);
+  void carry_out(const supervisor::ToExecutive& effect, const std::optional<Command>&);
+  void carry_out(const supervisor::PlanChanged& effect, const std::optional<Command>&);
+  void carry_out(const supervisor::HandedOver& effect, const std::optional<Command>&);
+  void carry_out(const supervisor::LoadJointTask& effect, const std::optional<Command>&);
+  void carry_out(const supervisor::Notice& effect, const std::optional<Command>&);
+  /// What is for the outside as it is.
+  template <class Other>
+  void carry_out(const Other& effect, const std::optional<Command>&);
+
+  Core& core_;
+  std::optional<supervisor::Supervisor> supervisor_;
+  std::map<executive::TaskId, mission::GoalId> origins_;
+  std::vector<mission::HeldTask> handed_over_;
+};
+
+}  // namespace skein::decision_node

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "execution.hpp"
+
+#include <algorithm>
+
+#include "core.hpp"
+#include "skein/foundation/overloaded.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+executive::Config executive_config(const Config& config) {
+  executive::Config result;
+  result.name = config.uav;
+  result.functional_timeout = config.functional_timeout;
+  result.sync_validity = config.sync_validity;
+  result.background_type = config.background_type;
+  return result;
+}
+
+// Only requests to an executive are routed here.
+executive::Input input_of(const mission::Request& request) {
+  return std::visit(
+      [](const auto& it) -> executive::Input {
+        if constexpr (std::is_constructible_v<executive::Input, decltype(it)>) {
+          return it;
+        } else {
+          return executive::Tick{};
+        }
+      },
+      request);
+}
+
+}  // namespace
+
+Execution::Execution(Core& core) : core_(core), executive_(executive_config(core.config())) {}
+
+// ---- what comes in ----
+
+void Execution::take(const Command& command) {
+  const auto* start = std::get_if<executive::Start>(&command.request);
+  if (start != nullptr && is_own(start->task.id)) return core_.commands().refuse(command, kOwnIds);
+  post({input_of(command.request), By::kNode, command});
+}
+
+void Execution::vehicle_told(const world::Telemetry& telemetry) {
+  if (telemetry.state.airborne == airborne_) return;
+  airborne_ = telemetry.state.airborne;
+  run(executive::Flight{airborne_});
+}
+
+void Execution::peer_in_reach(const std::string& peer) { run(executive::PeerReachable{peer}); }
+
+void Execution::time_passes() { run(executive::Tick{}); }
+
+void Execution::take(const SyncMessage& message) {
+  SyncMessage& last = syncs_[{message.id, message.from}];
+  if (last.said <= message.said) last = message;
+  if (core_.degree() == mission::kLeastDegree) return core_.bus().emit(SyncPassedOn{message});
+  core_.bus().emit(SyncHeard{message});
+  run(executive::SyncReceived{message.id, message.from, message.word, message.said});
+}
+
+void Execution::run(executive::Input input, By by) { post({std::move(input), by}); }
+
+void Execution::post(Asked asked) {
+  core_.bus().post([this, asked = std::move(asked)] { handle(asked); });
+}
+
+void Execution::handle(const Asked& asked) {
+  for (const executive::Effect& effect : executive_.handle(asked.input, core_.bus().now())) {
+    std::visit([&](const auto& one) { carry_out(one, asked); }, effect);
+  }
+}
+
+// ---- what the executive asks for ----
+
+void Execution::carry_out(const executive::TaskEvent& event, const Asked&) {
+  const auto task = executive_.find(event.id);
+  core_.bus().emit(TaskChanged{event, task ? task->parameters : functional::Parameters()});
+  if (core_.own_tasks().see(event)) core_.safekeeping().own_task_over();
+  core_.tell_task(event);
+}
+
+void Execution::carry_out(const executive::Dispatch& dispatch, const Asked&) {
+  const auto task = executive_.find(dispatch.id);
+  if (!task) return;  // over within the same call
+  if (dispatch.joint) return core_.deliberation().joint_task_due(dispatch.id, false);
+  core_.vehicle().dispatch(
+      {functional::Verb::kDispatch, dispatch.id, task->type, task->parameters});
+}
+
+void Execution::carry_out(const executive::Interrupt& interrupt, const Asked&) {
+  if (interrupt.joint && core_.deliberation().possible()) {
+    return core_.deliberation().joint_task_due(interrupt.id, true);
+  }
+  core_.interrupt(interrupt.id);
+}
+
+void Execution::carry_out(const executive::SendSync& sync, const Asked&) {
+  const Config& config = core_.config();
+  if (std::find(config.others.begin(), config.others.end(), sync.to) == config.others.end()) {
+    return core_.bus().emit(Notice{"no UAV '" + sync.to + "' to synchronise with"});
+  }
+  // One that would count no more when it comes need not come: it is said again.
+  const bool passes = config.sync_validity && sync.word == executive::SyncWord::kThere;
+  core_.bus().emit(
+      SendSync{sync, core_.degree() >= 3,
+               passes ? core_.bus().now() + *config.sync_validity : MissionTime::max()});
+}
+
+void Execution::carry_out(const executive::Reply& reply, const Asked& asked) {
+  const auto* start = std::get_if<executive::Start>(&asked.input);
+  if (asked.command) core_.commands().answer(*asked.command, reply.accepted, reply.why);
+  core_.bus().emit(
+      RequestHandled{reply, start == nullptr ? executive::InsertionMode::kSeq : start->mode});
+  if (start != nullptr && reply.accepted) core_.vehicle().ground_has_no_more(start->task.id);
+  if (asked.by == By::kSupervisor) core_.deliberation().request_answered(reply);
+}
+
+void Execution::carry_out(const executive::Notice& notice, const Asked&) {
+  core_.bus().emit(Notice{notice.text});
+}
+
+// ---- what it has ----
+
+bool Execution::holds(functional::TaskId id) const {
+  const auto task = executive_.find(id);
+  return task && !is_terminal(task->state);
+}
+
+std::vector<mission::HeldTask> Execution::held() const {
+  std::vector<mission::HeldTask> held;
+  for (const executive::TaskStatus& status : executive_.tasks()) {
+    if (is_terminal(status.state) || status.id >= executive::kFirstBackgroundId) continue;
+    const executive::TaskView view = *executive_.find(status.id);
+    mission::HeldTask& one = held.emplace_back();
+    one.task.id = view.id;
+    one.task.type = view.type;
+    one.task.parameters = view.parameters;
+    one.task.preconditions = executive_.preconditions(view.id);
+    one.task.exit = executive_.exit_conditions(view.id);
+    if (view.synchronisation != nullptr) one.task.synchronisation = *view.synchronisation;
+    one.state = view.state;
+    one.in_executive = true;
+    one.origin = core_.deliberation().origin_of(view.id);
+  }
+  return held;
+}
+
+void Execution::let_go(executive::TaskId below, const std::vector<mission::HeldTask>& tasks) {
+  for (const mission::HeldTask& one : tasks) {
+    if (one.state == executive::TaskState::kScheduled || one.task.synchronisation) continue;
+    if (core_.vehicle().is_of_ground(one.task.id)) continue;
+    core_.vehicle().ground_has(one.task.id, one.task.type);
+  }
+  run(executive::Relinquish{below});
+  for (const auto& [key, message] : syncs_) core_.bus().emit(SyncPassedOn{message});
+}
+
+}  // namespace skein::decision_node

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tasks that the decision node makes by itself, in order to keep its vehicle safe.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "bus.hpp"
+
+namespace skein::decision_node {
+
+class Execution;
+
+inline constexpr const char* kOwnIds = "ids from 1000000000 are the decision node's own";
+
+inline bool is_own(functional::TaskId id) { return id >= functional::kFirstOwnId; }
+
+class OwnTasks {
+ public:
+  OwnTasks(Bus& bus, Execution& execution) : bus_(bus), execution_(execution) {}
+
+  /// Gives the executive a new task.
+  void start(const std::string& type, functional::Parameters parameters,
+             executive::InsertionMode mode);
+  /// The highest id first.
+  void abort_all();
+  /// True: one of them is over.
+  bool see(const executive::TaskEvent& event);
+  /// None that is not terminal.
+  bool none_open() const { return open_.empty(); }
+
+ private:
+  Bus& bus_;
+  Execution& execution_;
+  std::set<functional::TaskId> open_;
+  std::uint64_t next_ = functional::kFirstOwnId.value();
+};
+
+}  // namespace skein::decision_node

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the UAV does by itself: out of contact, or interrupted in the air.
+#pragma once
+
+#include <optional>
+
+#include "bus.hpp"
+#include "skein/decision_node/config.hpp"
+
+namespace skein::decision_node {
+
+class Core;
+
+class Safekeeping {
+ public:
+  explicit Safekeeping(Core& core);
+
+  void ground_heard(bool reachable, MissionTime now) { contact_.ground_heard(reachable, now); }
+  /// Carries out the contact-loss policy when its instant has come.
+  void time_passes();
+  std::optional<MissionTime> next_wakeup() const { return contact_.next_wakeup(); }
+
+  /// Makes the vehicle hold, or come home, as soon as nothing of the ground's is under way.
+  void keep(ContactPolicy how);
+  /// Something of the ground's may be over.
+  void start_pending();
+  void own_task_over();
+  /// A hold ends before the vehicle cannot come home any more: the ground may be silent, or have
+  /// forgotten it.
+  void come_home_in_time(const world::Telemetry& telemetry);
+
+ private:
+  void carry_out_policy();
+
+  Core& core_;
+  ContactWatch contact_;
+  std::optional<ContactPolicy> pending_;  ///< until nothing of the ground's is under way
+  bool holds_ = false;  ///< by itself, as long as the energy lasts to come home after it
+};
+
+}  // namespace skein::decision_node

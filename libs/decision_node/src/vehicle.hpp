@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way to the functional layer, and what is under way there for the ground station.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bus.hpp"
+
+namespace skein::decision_node {
+
+class OwnTasks;
+
+/// The functional layer moves for one task at a time: what is to hold the vehicle waits until own
+/// tasks, which give way, are over.
+class Vehicle {
+ public:
+  Vehicle(Bus& bus, OwnTasks& own_tasks) : bus_(bus), own_tasks_(own_tasks) {}
+
+  void dispatch(functional::Request request);
+  /// The status to take when the task had not been dispatched yet; else the functional layer is
+  /// asked, and answers.
+  std::optional<functional::Status> interrupt(functional::TaskId task);
+  /// What waited goes, if it may.
+  void release();
+
+  // ---- the ground's tasks that are under way and not in the executive ----
+
+  /// False: it was known already.
+  bool ground_has(functional::TaskId task, const std::string& type);
+  /// The executive has it from now on.
+  void ground_has_no_more(functional::TaskId task) { of_ground_.erase(task); }
+  bool is_of_ground(functional::TaskId task) const { return of_ground_.contains(task); }
+  const std::map<functional::TaskId, std::string>& of_ground() const { return of_ground_; }
+  /// Passed on; the task's type, empty when it is not known.
+  std::string pass_on(const functional::Status& status);
+
+ private:
+  Bus& bus_;
+  OwnTasks& own_tasks_;
+  std::vector<functional::Request> waiting_;  ///< for own tasks to be over
+  std::map<functional::TaskId, std::string> of_ground_;
+};
+
+}  // namespace skein::decision_node

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// An elementary task as everybody names it: its number, whose range tells who made it, and its
+// states.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "skein/foundation/id.hpp"
+
+namespace skein::functional {
+
+/// Unique within the UAV for the whole mission.
+using TaskId = Id<struct TaskIdTag, std::uint64_t>;
+
+/// Below this the ground station's tasks and the supervisor's, from here on those that a decision
+/// node makes by itself: see decision_node.
+inline constexpr TaskId kFirstOwnId{1'000'000'000};
+/// Background routine tasks are numbered by the executive from here on; a request may not use such
+/// an id. (Every id of the range is exact as a JSON number, that is, below 2^53.)
+inline constexpr TaskId kFirstBackgroundId{9'000'000'000'000'000};
+
+/// Source: T III.1.1, spec 2.1. The transitions are in executive.hpp.
+enum class TaskState : std::uint8_t {
+  kScheduled,
+  kStarted,
+  kRunning,
+  kAborting,
+  kEnded,
+  kAborted,
+};
+
+/// "scheduled", "started", …
+std::string_view to_text(TaskState state);
+std::optional<TaskState> task_state_from(std::string_view text);
+
+/// Ended or aborted: no transition leaves it.
+constexpr bool is_terminal(TaskState state) {
+  return state == TaskState::kEnded || state == TaskState::kAborted;
+}
+
+/// Started, running or aborting: dispatched and not yet terminal.
+constexpr bool is_active(TaskState state) {
+  return state == TaskState::kStarted || state == TaskState::kRunning ||
+         state == TaskState::kAborting;
+}
+
+}  // namespace skein::functional
