@@ -47,7 +47,7 @@ TEST(Assembly, ADecisionNodeHasTheDegreeAndThePolicyOfItsUav) {
 
   const node::Effects effects = node->handle(node::Started{1}, MissionTime());
 
-  const auto* send = std::get_if<node::Send>(&effects.at(0));
+  const auto* send = std::get_if<node::Send>(&effects.at(1));  // after its line of the event log
   ASSERT_NE(send, nullptr);
   const auto* degree = std::get_if<wire::AutonomyDegree>(&send->sample);
   ASSERT_NE(degree, nullptr);
