@@ -19,6 +19,8 @@ SaleEffects Auctioneer::start(MissionTime now) {
 
 SaleEffects Auctioneer::handle(const ToAuctioneer& answer, MissionTime now) {
   SaleEffects effects;
+  const SaleNumber sale = std::visit([](const auto& said) { return said.sale; }, answer);
+  if (sale != core_->number()) return effects;
   std::visit(Overloaded{[&](const Offer& offer) { core_->on_offer(offer, now, effects); },
                         [&](const Answer& taken) { core_->on_answer(taken, now, effects); }},
              answer);
@@ -31,7 +33,7 @@ SaleEffects Auctioneer::tick(MissionTime now) {
   return effects;
 }
 
-std::optional<MissionTime> Auctioneer::next_wakeup() const { return core_->deadline(); }
+std::optional<MissionTime> Auctioneer::next_wakeup() const { return core_->next_wakeup(); }
 bool Auctioneer::ended() const { return core_->ended(); }
 std::uint32_t Auctioneer::rounds() const { return core_->rounds(); }
 std::vector<Auctioneer::Route> Auctioneer::routes() const { return core_->routes(); }

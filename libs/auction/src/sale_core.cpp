@@ -20,6 +20,8 @@ std::uint32_t most_rounds_of(const SaleSetup& setup) {
   return static_cast<std::uint32_t>(1000 + 10 * setup.lot->size());
 }
 
+Duration quarter(Duration whole) { return Duration::nanoseconds(whole.count() / 4); }
+
 BookedRoute without(const BookedRoute& route, const std::vector<TaskNumber>& items) {
   BookedRoute left = route;
   std::erase_if(left.tasks, [&](TaskNumber task) {
@@ -79,7 +81,7 @@ void Auctioneer::Core::next_round(MissionTime now, SaleEffects& effects) {
 void Auctioneer::Core::call(MissionTime now, SaleEffects& effects) {
   ++round_;
   phase_ = Phase::kCalling;
-  closes_ = now + setup_.limits.answer_within;
+  open_answers(now);
   offers_.clear();
   without_items_.clear();
   awaited_.clear();
@@ -90,8 +92,10 @@ void Auctioneer::Core::call(MissionTime now, SaleEffects& effects) {
     if (!members_[i].present) continue;
     const BookedRoute& route = without_items_[i] = without(members_[i].route, items_);
     awaited_.insert(i);
-    effects.emplace_back(Send{route.member, Call{setup_.sale, round_, setup_.lot, route.tasks,
-                                                 route.fixed, items_, 0, items_.size() > 1}});
+    send(i,
+         Call{setup_.sale, round_, setup_.lot, route.tasks, route.fixed, items_, 0,
+              items_.size() > 1},
+         effects);
   }
   if (awaited_.empty()) finish(effects);
 }
@@ -158,14 +162,13 @@ void Auctioneer::Core::decide(MissionTime now, SaleEffects& effects) {
 // Awards for whose route changes; where there is none, the deal is done.
 void Auctioneer::Core::award(Deal deal, MissionTime now, SaleEffects& effects) {
   phase_ = Phase::kAwarding;
-  closes_ = now + setup_.limits.answer_within;
+  open_answers(now);
   for (std::size_t r = 0; r < deal.routes.size(); ++r) {
     const std::size_t i = deal.routes[r];
     const auto tasks = deal.draft.tasks(r);
     if (tasks == members_[i].route.tasks) continue;
     deal.awaited.insert(i);
-    effects.emplace_back(
-        Send{members_[i].route.member, Award{setup_.sale, round_, setup_.lot, tasks}});
+    send(i, Award{setup_.sale, round_, setup_.lot, tasks}, effects);
   }
   deal_ = std::move(deal);
   if (deal_->awaited.empty()) close_deal(now, effects);
@@ -236,20 +239,44 @@ void Auctioneer::Core::book(const Deal& deal) {
   value_ = deal.draft.value();
 }
 
+void Auctioneer::Core::open_answers(MissionTime now) {
+  closes_ = now + setup_.limits.answer_within;
+  say_again_ = now + quarter(setup_.limits.answer_within);
+  said_.clear();
+}
+
+void Auctioneer::Core::send(std::size_t member, ToMember message, SaleEffects& effects) {
+  said_[member] = message;
+  effects.emplace_back(Send{members_[member].route.member, std::move(message)});
+}
+
 void Auctioneer::Core::tick(MissionTime now, SaleEffects& effects) {
-  if (!deadline() || now < closes_) return;
+  if (!next_wakeup() || now < *next_wakeup()) return;
+  if (now < closes_) {
+    say_again_ = now + quarter(setup_.limits.answer_within);
+    for (const std::size_t i : awaited()) {
+      effects.emplace_back(Send{members_[i].route.member, said_.at(i)});
+    }
+    return;
+  }
   if (phase_ == Phase::kCalling) {
-    for (const std::size_t i : awaited_) drop(i, "did not answer a call", effects);
+    bool keeps_items = false;
+    for (const std::size_t i : awaited_) {
+      keeps_items = keeps_items || without_items_[i].tasks != members_[i].route.tasks;
+      drop(i, "did not answer a call", effects);
+    }
     awaited_.clear();
-    return decide(now, effects);
+    if (!keeps_items) return decide(now, effects);
+    ++without_gain_;
+    return next_round(now, effects);
   }
   for (const std::size_t i : deal_->awaited) drop(i, "did not answer an award", effects);
   drop_deal(now, effects);
 }
 
-std::optional<MissionTime> Auctioneer::Core::deadline() const {
+std::optional<MissionTime> Auctioneer::Core::next_wakeup() const {
   if (phase_ != Phase::kCalling && phase_ != Phase::kAwarding) return std::nullopt;
-  return closes_;
+  return std::min(say_again_, closes_);
 }
 
 // Silent: it keeps what it has, and is not asked again in this sale.

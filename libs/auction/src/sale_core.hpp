@@ -31,7 +31,8 @@ class Auctioneer::Core {
   bool ended() const { return phase_ == Phase::kEnded; }
   std::uint32_t rounds() const { return round_; }
   Value value() const { return value_; }
-  std::optional<MissionTime> deadline() const;
+  std::optional<MissionTime> next_wakeup() const;
+  SaleNumber number() const { return setup_.sale; }
   std::vector<Auctioneer::Route> routes() const;
 
  private:
@@ -67,6 +68,9 @@ class Auctioneer::Core {
   void tell_hopeless(SaleEffects& effects);
   std::optional<Unsold> hopeless(const Task& task) const;
   void finish(SaleEffects& effects);
+  void open_answers(MissionTime now);
+  void send(std::size_t member, ToMember message, SaleEffects& effects);
+  std::set<std::size_t>& awaited() { return phase_ == Phase::kCalling ? awaited_ : deal_->awaited; }
   void drop(std::size_t member, const char* why, SaleEffects& effects);
   std::size_t last_to_end() const;
   std::vector<TaskNumber> held() const;
@@ -82,9 +86,10 @@ class Auctioneer::Core {
   std::vector<TaskNumber> left_over_;  ///< offered and not sold
   std::set<TaskNumber> had_members_;   ///< sold before
   std::uint32_t round_ = 0, without_gain_ = 0;
-  MissionTime closes_;
-  std::vector<TaskNumber> items_;  ///< of this round
-  bool selling_ = false;           ///< this round sells what has no members, else it trades
+  MissionTime closes_, say_again_;
+  std::map<std::size_t, ToMember> said_;  ///< in this phase, for who does not answer
+  std::vector<TaskNumber> items_;         ///< of this round
+  bool selling_ = false;                  ///< this round sells what has no members, else it trades
   std::set<std::size_t> awaited_;
   std::map<std::size_t, Offer> offers_;
   std::map<std::size_t, BookedRoute> without_items_;

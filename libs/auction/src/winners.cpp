@@ -8,7 +8,7 @@ namespace skein::auction {
 
 namespace {
 
-constexpr std::size_t kAllOrders = 4;  // so many items in every order
+constexpr std::size_t kAllOrders = 3;  // so many items in every order
 constexpr std::size_t kGroups = 4;     // of an item, tried one after the other
 
 using Order = std::vector<std::uint32_t>;

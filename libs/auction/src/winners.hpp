@@ -17,7 +17,7 @@ struct Decided {
   std::optional<Placing> next_best;
 };
 
-/// Tries several orders of sale and leaves in the draft the best found: all orders of at most four
+/// Tries several orders of sale and leaves in the draft the best found: all orders of at most three
 /// items; of more, the one with most to lose first, the cheapest first, and random orders. Items
 /// that no order could place stay out. Source: Koenig 2008 (regret); notes, team 2.
 std::vector<Decided> determine_winners(Draft& draft, Random& random, std::size_t orders);

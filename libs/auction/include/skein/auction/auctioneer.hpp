@@ -21,7 +21,7 @@ struct SaleLimits {
   std::uint32_t together = 24;                    ///< tasks sold in one round
   std::uint32_t trade = 6;                        ///< tasks at most put back on sale together
   std::uint32_t called = 8;                       ///< members asked about a trade
-  std::uint32_t orders = 12;  ///< orders of sale that winner determination tries
+  std::uint32_t orders = 8;  ///< orders of sale that winner determination tries
   std::uint32_t patience =
       0;  ///< rounds without gain that end the trades; 0: by the size of the lot
   std::uint32_t most_rounds = 0;  ///< of all; 0: by the size of the lot

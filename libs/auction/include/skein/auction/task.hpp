@@ -39,6 +39,7 @@ struct Task {
   Place at;
   std::optional<MemberNumber> pinned{};  ///< by the operator: is one of its members
   std::set<MemberNumber> forbidden{};    ///< by the operator: are none of them
+  bool repeatable = false;  ///< may be done twice: is not waited for when its owner is silent
 };
 
 /// `first` ends before `then` begins.

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the holder of the token does to the ledger.
+#include <algorithm>
+
+#include "team_core.hpp"
+
+namespace skein::auction {
+
+// The next revision; the one before stays as it was with whom has it.
+Ledger& TeamMember::Core::draft() {
+  auto next = std::make_shared<Ledger>(ledger());
+  ++next->revision;
+  next->term = disk_.term;
+  disk_.ledger = next;
+  changed_ = true;
+  store();
+  return *next;
+}
+
+LedgerEntry& TeamMember::Core::change(TaskNumber task) {
+  Ledger& next = draft();
+  LedgerEntry& entry = next.entries.at(task);
+  entry.revision = next.revision;
+  return entry;
+}
+
+void TeamMember::Core::keep_ledger() {
+  take_status(setup_.self, status());
+  for (auto& [member, known] : known_) {
+    if (!known.news) continue;
+    take_status(member, *known.news);
+    known.news.reset();
+  }
+  const MissionTime since = now_ - setup_.limits.patience - setup_.limits.patience;
+  if (held_since_ < since && !majority(heard_since(since))) return follow();
+  const std::set<MemberNumber> here = present();
+  std::erase_if(took_part_, [&](MemberNumber member) { return !here.contains(member); });
+  resell();
+  if (!sale_) grant();
+  if (sale_) {
+    if (const auto due = sale_->auctioneer.next_wakeup(); due && now_ >= *due) {
+      take(sale_->auctioneer.tick(now_));
+    }
+  }
+  if (!sale_) sell();
+  commit();
+  if (changed_ || now_ >= beat_at_) beat();
+  changed_ = false;
+}
+
+void TeamMember::Core::take_status(MemberNumber member, const Status& status) {
+  for (const GivenMission& mission : status.missions) admit(mission);
+  if (member == setup_.self) disk_.missions.clear();
+  for (const MemberNumber lost : status.lost) {
+    if (!ledger().lost.contains(lost)) draft().lost.insert(lost);
+  }
+  end_claims(member, status);
+  wants_[member] = status.wants;
+}
+
+// A mission given twice is one; so is a task.
+void TeamMember::Core::admit(const GivenMission& mission) {
+  if (ledger().missions.contains(mission.number)) return;
+  Ledger& next = draft();
+  next.missions.insert(mission.number);
+  if (auto wrong = contradictions(mission.lot); !wrong.empty()) {
+    effects_.emplace_back(SaleTold{Rejected{std::move(wrong)}});
+    return;
+  }
+  for (const Task& task : mission.lot.tasks) {
+    LedgerEntry entry;
+    entry.task = task;
+    entry.revision = next.revision;
+    next.entries.emplace(task.number, std::move(entry));
+  }
+  next.precedences.insert(next.precedences.end(), mission.lot.precedences.begin(),
+                          mission.lot.precedences.end());
+}
+
+void TeamMember::Core::end_claims(MemberNumber member, const Status& status) {
+  const auto end = [&](const Claim& claim, std::set<MemberNumber> LedgerEntry::*where) {
+    const auto found = ledger().entries.find(claim.task);
+    if (found == ledger().entries.end() || found->second.sale != claim.sale) return;
+    const LedgerEntry& entry = found->second;
+    const auto& owners = entry.owners;
+    const bool open = entry.stage == Stage::kOwned || entry.stage == Stage::kGranted;
+    if (!open || std::find(owners.begin(), owners.end(), member) == owners.end()) return;
+    if (entry.finished.contains(member) || entry.stopped.contains(member)) return;
+    LedgerEntry& changed = change(claim.task);
+    (changed.*where).insert(member);
+    settle(changed);
+  };
+  for (const Claim& claim : status.done) end(claim, &LedgerEntry::finished);
+  for (const Claim& claim : status.stopped) end(claim, &LedgerEntry::stopped);
+}
+
+// Once all its owners have spoken: done, or for sale again.
+void TeamMember::Core::settle(LedgerEntry& entry) {
+  if (entry.finished.size() + entry.stopped.size() < entry.owners.size() &&
+      entry.stage == Stage::kGranted) {
+    return;
+  }
+  if (entry.stopped.empty()) {
+    entry.stage = Stage::kDone;
+    entry.why = "done";
+  } else {
+    put_up(entry, "put back by " + to_text(*entry.stopped.begin()));
+  }
+}
+
+void TeamMember::Core::put_up(LedgerEntry& entry, std::string why) {
+  entry.stage = Stage::kForSale;
+  entry.owners.clear();
+  entry.finished.clear();
+  entry.stopped.clear();
+  entry.why = std::move(why);
+}
+
+// Everything before it is done, and all its owners want it.
+bool TeamMember::Core::may_begin(const LedgerEntry& entry) const {
+  const Claim claim{entry.task.number, entry.sale};
+  for (const MemberNumber owner : entry.owners) {
+    const auto wants = wants_.find(owner);
+    if (wants == wants_.end()) return false;
+    if (std::find(wants->second.begin(), wants->second.end(), claim) == wants->second.end()) {
+      return false;
+    }
+  }
+  return std::none_of(ledger().precedences.begin(), ledger().precedences.end(), [&](const auto& p) {
+    if (p.then != entry.task.number) return false;
+    const auto first = ledger().entries.find(p.first);
+    return first != ledger().entries.end() && first->second.stage != Stage::kDone;
+  });
+}
+
+void TeamMember::Core::grant() {
+  std::vector<TaskNumber> granted;
+  for (const auto& [task, entry] : ledger().entries) {
+    if (entry.stage == Stage::kOwned && entry.stopped.empty() && may_begin(entry))
+      granted.push_back(task);
+  }
+  for (const TaskNumber task : granted) change(task).stage = Stage::kGranted;
+}
+
+// What silent members were not granted; what they were, if it may be done twice or they are lost.
+void TeamMember::Core::resell() {
+  std::vector<std::pair<TaskNumber, MemberNumber>> silent;
+  for (const auto& [task, entry] : ledger().entries) {
+    if (entry.stage != Stage::kOwned && entry.stage != Stage::kGranted) continue;
+    for (const MemberNumber owner : entry.owners) {
+      if (owner == setup_.self || entry.finished.contains(owner)) continue;
+      const bool lost = ledger().lost.contains(owner);
+      const bool may_run = entry.stage == Stage::kGranted && !entry.task.repeatable;
+      const auto known = known_.find(owner);
+      const MissionTime heard =
+          known == known_.end() ? held_since_ : std::max(held_since_, known->second.heard);
+      const bool late = now_ - heard > setup_.limits.lease;
+      if (lost || (late && !may_run)) {
+        silent.emplace_back(task, owner);
+        break;
+      }
+    }
+  }
+  for (const auto& [task, owner] : silent) {
+    put_up(change(task),
+           to_text(owner) + (ledger().lost.contains(owner) ? " was declared lost"
+                                                           : " was silent beyond its lease"));
+  }
+}
+
+}  // namespace skein::auction

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who holds the token, and what a majority has of its ledger. Source: [Ongaro, Ousterhout 2014].
+#include <algorithm>
+
+#include "skein/foundation/overloaded.hpp"
+#include "team_core.hpp"
+
+namespace skein::auction {
+
+namespace {
+
+bool newer(std::uint64_t term, std::uint64_t revision, const Ledger& than) {
+  return std::pair(term, revision) > std::pair(than.term, than.revision);
+}
+
+}  // namespace
+
+TeamMember::Core::Core(TeamSetup setup)
+    : setup_(std::move(setup)),
+      disk_(std::move(setup_.disk)),
+      random_(setup_.seed, "auction/team/" + to_text(setup_.self)) {
+  if (!disk_.ledger) disk_.ledger = std::make_shared<const Ledger>();
+  // What ran when it crashed has stopped.
+  for (const auto& [task, sale] : disk_.started) {
+    const auto done = disk_.done.find(task);
+    if (done == disk_.done.end() || done->second < sale) disk_.stopped[task] = sale;
+  }
+}
+
+TeamEffects TeamMember::Core::handle(const TeamInput& input, MissionTime now) {
+  now_ = now;
+  effects_.clear();
+  if (!started_) follow();
+  started_ = true;
+  std::visit(Overloaded{
+                 [this](const Heard& heard) {
+                   std::visit([&](const auto& message) { on(message, heard.from); }, heard.message);
+                 },
+                 [this](const MissionGiven& given) {
+                   disk_.missions.push_back(given.mission);
+                   store();
+                 },
+                 [this](const TaskDone& done) {
+                   if (!running_ || running_->task != done.task) return;
+                   disk_.done[done.task] = running_->sale;
+                   running_.reset();
+                   store();
+                 },
+                 [this](const TaskPutBack& back) {
+                   const auto entry = ledger().entries.find(back.task);
+                   if (entry == ledger().entries.end() || !mine(entry->second)) return;
+                   disk_.stopped[back.task] = entry->second.sale;
+                   if (running_ && running_->task == back.task) running_.reset();
+                   store();
+                 },
+                 [this](const DeclaredLost& lost) { declared_lost_.insert(lost.member); },
+                 [](const Tick&) {},
+             },
+             input);
+  if (role_ != Role::kHolder && now_ >= stand_at_) stand(true);
+  if (role_ == Role::kHolder) keep_ledger();
+  answer_own_calls();
+  give_up_claims();
+  work();
+  if (stored_) effects_.insert(effects_.begin(), Store{disk_});
+  stored_ = false;
+  return std::move(effects_);
+}
+
+std::optional<MissionTime> TeamMember::Core::next_wakeup() const {
+  if (role_ != Role::kHolder) return stand_at_;
+  return earliest(beat_at_, sale_ ? sale_->auctioneer.next_wakeup() : std::nullopt);
+}
+
+std::vector<MemberNumber> TeamMember::Core::others() const {
+  std::vector<MemberNumber> others;
+  for (const MemberNumber member : setup_.roster) {
+    if (member != setup_.self) others.push_back(member);
+  }
+  return others;
+}
+
+// Of those that are not declared lost; it counts itself in.
+bool TeamMember::Core::majority(const std::set<MemberNumber>& members) const {
+  std::size_t all = 0, with = 0;
+  for (const MemberNumber member : setup_.roster) {
+    if (ledger().lost.contains(member) || declared_lost_.contains(member)) continue;
+    ++all;
+    with += member == setup_.self || members.contains(member) ? 1 : 0;
+  }
+  return 2 * with > all;
+}
+
+std::set<MemberNumber> TeamMember::Core::heard_since(MissionTime since) const {
+  std::set<MemberNumber> members;
+  for (const auto& [member, known] : known_) {
+    if (known.heard >= since) members.insert(member);
+  }
+  return members;
+}
+
+void TeamMember::Core::tell(MemberNumber to, TeamMessage message) {
+  effects_.emplace_back(Tell{to, std::move(message)});
+}
+
+void TeamMember::Core::adopt_term(std::uint64_t term) {
+  if (term <= disk_.term) return;
+  disk_.term = term;
+  disk_.voted = false;
+  store();
+  follow();
+}
+
+void TeamMember::Core::follow() {
+  if (role_ == Role::kHolder) effects_.emplace_back(TokenLost{});
+  role_ = Role::kFollower;
+  sale_.reset();
+  const double part = random_.uniform();
+  const auto chance = static_cast<double>(setup_.limits.patience.count()) * part;
+  stand_at_ =
+      now_ + setup_.limits.patience + Duration::nanoseconds(static_cast<std::int64_t>(chance));
+}
+
+// First on trial: who was cut off comes back without making everybody vote.
+void TeamMember::Core::stand(bool trial) {
+  follow();
+  role_ = Role::kCandidate;
+  trial_ = trial;
+  votes_.clear();
+  if (!trial) {
+    ++disk_.term;
+    disk_.voted = true;
+    store();
+  }
+  const VoteRequest request{disk_.term + (trial ? 1 : 0), trial, ledger().term, ledger().revision};
+  for (const MemberNumber member : others()) tell(member, request);
+  if (majority({})) trial ? stand(false) : hold();
+}
+
+void TeamMember::Core::on(const VoteRequest& request, MemberNumber from) {
+  const bool content =
+      !newer(ledger().term, ledger().revision,
+             Ledger{request.ledger_term, request.ledger_revision, {}, {}, {}, {}, {}});
+  if (request.trial) {
+    const bool alone =
+        role_ != Role::kHolder && (!last_beat_ || now_ - *last_beat_ >= setup_.limits.patience);
+    if (alone && content && request.term > disk_.term) tell(from, Vote{request.term, true});
+    return;
+  }
+  adopt_term(request.term);
+  if (request.term < disk_.term || disk_.voted || !content) return;
+  disk_.voted = true;
+  store();
+  follow();
+  tell(from, Vote{request.term, false});
+}
+
+void TeamMember::Core::on(const Vote& vote, MemberNumber from) {
+  if (role_ != Role::kCandidate || vote.trial != trial_) return;
+  if (vote.term != disk_.term + (trial_ ? 1 : 0)) return;
+  votes_.insert(from);
+  if (majority(votes_)) trial_ ? stand(false) : hold();
+}
+
+// The first thing it writes is its term: what older holders wrote is committed with it.
+void TeamMember::Core::hold() {
+  role_ = Role::kHolder;
+  known_.clear();
+  wants_.clear();
+  held_since_ = now_;
+  committed_ = 0;
+  took_part_.clear();
+  effects_.emplace_back(TokenTaken{disk_.term});
+  draft();
+}
+
+void TeamMember::Core::beat() {
+  beat_at_ = now_ + setup_.limits.beat;
+  for (const MemberNumber member : others()) {
+    tell(member, Beat{disk_.term, committed_, disk_.ledger});
+  }
+}
+
+void TeamMember::Core::on(const Beat& beat, MemberNumber from) {
+  adopt_term(beat.term);
+  if (beat.term < disk_.term) return;
+  follow();
+  last_beat_ = now_;
+  if (newer(beat.ledger->term, beat.ledger->revision, ledger())) {
+    disk_.ledger = beat.ledger;
+    std::erase_if(disk_.missions, [this](const GivenMission& mission) {
+      return ledger().missions.contains(mission.number);
+    });
+    store();
+  }
+  committed_ = beat.committed;
+  give_up_claims();
+  tell(from, status());
+}
+
+void TeamMember::Core::on(const Status& status, MemberNumber from) {
+  adopt_term(status.term);
+  if (role_ != Role::kHolder || status.term < disk_.term) return;
+  Known& known = known_[from];
+  known.heard = now_;
+  known.revision = std::max(known.revision, status.revision);
+  known.news = status;
+}
+
+// The greatest revision that a majority has.
+void TeamMember::Core::commit() {
+  std::vector<std::uint64_t> revisions{ledger().revision};
+  for (const auto& [member, known] : known_) revisions.push_back(known.revision);
+  for (const std::uint64_t revision : revisions) {
+    std::set<MemberNumber> with;
+    for (const auto& [member, known] : known_) {
+      if (known.revision >= revision) with.insert(member);
+    }
+    if (revision > committed_ && majority(with)) {
+      committed_ = revision;
+      changed_ = true;
+    }
+  }
+}
+
+void TeamMember::Core::on(const ToMember& call, MemberNumber from) { tell(from, answer(call)); }
+
+void TeamMember::Core::on(const ToAuctioneer& answer, MemberNumber) {
+  if (sale_) take(sale_->auctioneer.handle(answer, now_));
+}
+
+}  // namespace skein::auction

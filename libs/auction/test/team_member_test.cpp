@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one member says and stores, message by message.
+#include "skein/auction/team_member.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace skein::auction {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
+
+struct TeamMemberTest : ::testing::Test {
+  TeamMember member(Disk disk = {}) {
+    return TeamMember({MemberNumber(0),
+                       {MemberNumber(0), MemberNumber(1), MemberNumber(2)},
+                       {},
+                       {},
+                       1,
+                       std::move(disk)});
+  }
+  template <class Message>
+  static std::vector<Message> said(const TeamEffects& effects) {
+    std::vector<Message> found;
+    for (const TeamEffect& effect : effects) {
+      const auto* tell = std::get_if<Tell>(&effect);
+      const auto* message = tell != nullptr ? std::get_if<Message>(&tell->message) : nullptr;
+      if (message != nullptr) found.push_back(*message);
+    }
+    return found;
+  }
+  template <class Effect>
+  static std::size_t count(const TeamEffects& effects) {
+    return static_cast<std::size_t>(
+        std::count_if(effects.begin(), effects.end(),
+                      [](const auto& effect) { return std::holds_alternative<Effect>(effect); }));
+  }
+  static TeamInput from(std::uint32_t who, TeamMessage message) {
+    return Heard{MemberNumber(who), std::move(message)};
+  }
+  // A ledger where member 0 has task 5, granted at revision 4.
+  static std::shared_ptr<Ledger> granted() {
+    auto ledger = std::make_shared<Ledger>();
+    ledger->term = 3;
+    ledger->revision = 4;
+    LedgerEntry& entry = ledger->entries[TaskNumber(5)];
+    entry.task.number = TaskNumber(5);
+    entry.stage = Stage::kGranted;
+    entry.owners = {MemberNumber(0)};
+    entry.sale = 9;
+    entry.revision = 4;
+    ledger->routes[MemberNumber(0)] = {TaskNumber(5)};
+    return ledger;
+  }
+};
+
+TEST_F(TeamMemberTest, ItVotesOnceInATermAndStoresThatFirst) {
+  TeamMember one = member();
+
+  const TeamEffects first = one.handle(from(1, VoteRequest{1, false, 0, 0}), at(0));
+  EXPECT_TRUE(std::holds_alternative<Store>(first.front()));
+  EXPECT_TRUE(std::get<Store>(first.front()).disk.voted);
+  EXPECT_THAT(said<Vote>(first), SizeIs(1));
+  EXPECT_THAT(said<Vote>(one.handle(from(2, VoteRequest{1, false, 0, 0}), at(0.1))), IsEmpty());
+  EXPECT_THAT(said<Vote>(one.handle(from(2, VoteRequest{2, false, 0, 0}), at(0.2))), SizeIs(1));
+}
+
+TEST_F(TeamMemberTest, AVoteSurvivesARestart) {
+  TeamMember one = member();
+  const TeamEffects voted = one.handle(from(1, VoteRequest{1, false, 0, 0}), at(0));
+
+  TeamMember again = member(std::get<Store>(voted.front()).disk);
+
+  EXPECT_THAT(said<Vote>(again.handle(from(2, VoteRequest{1, false, 0, 0}), at(1))), IsEmpty());
+}
+
+TEST_F(TeamMemberTest, WhoKnowsLessThanItGetsNoVote) {
+  Disk disk;
+  disk.term = 3;
+  disk.ledger = granted();
+  TeamMember one = member(disk);
+
+  EXPECT_THAT(said<Vote>(one.handle(from(1, VoteRequest{4, false, 3, 3}), at(0))), IsEmpty());
+  EXPECT_THAT(said<Vote>(one.handle(from(1, VoteRequest{5, false, 2, 99}), at(0))), IsEmpty());
+  EXPECT_THAT(said<Vote>(one.handle(from(1, VoteRequest{6, false, 3, 4}), at(0))), SizeIs(1));
+}
+
+TEST_F(TeamMemberTest, ATrialChangesNothing) {
+  TeamMember one = member();
+
+  const TeamEffects tried = one.handle(from(1, VoteRequest{1, true, 0, 0}), at(0));
+
+  EXPECT_THAT(said<Vote>(tried), SizeIs(1));
+  EXPECT_EQ(count<Store>(tried), 0U);
+  EXPECT_THAT(said<Vote>(one.handle(from(2, VoteRequest{1, false, 0, 0}), at(0.1))), SizeIs(1));
+}
+
+TEST_F(TeamMemberTest, ATrialIsRefusedWhileAHolderIsHeard) {
+  TeamMember one = member();
+  one.handle(from(1, Beat{3, 4, granted()}), at(0));
+
+  EXPECT_THAT(said<Vote>(one.handle(from(2, VoteRequest{9, true, 9, 9}), at(1))), IsEmpty());
+  EXPECT_THAT(said<Vote>(one.handle(from(2, VoteRequest{9, true, 9, 9}), at(3))), SizeIs(1));
+}
+
+TEST_F(TeamMemberTest, WithoutABeatItAsksOnTrialThenInEarnestThenHolds) {
+  TeamMember one = member();
+  one.handle(Tick{}, at(0));
+  const auto asks = said<VoteRequest>(one.handle(Tick{}, *one.next_wakeup()));
+  ASSERT_THAT(asks, SizeIs(2));
+  EXPECT_TRUE(asks[0].trial);
+
+  const auto earnest = said<VoteRequest>(one.handle(from(1, Vote{1, true}), at(5)));
+  ASSERT_THAT(earnest, SizeIs(2));
+  EXPECT_FALSE(earnest[0].trial);
+  const TeamEffects held = one.handle(from(2, Vote{1, false}), at(5.1));
+  EXPECT_EQ(count<TokenTaken>(held), 1U);
+  EXPECT_THAT(said<Beat>(held), SizeIs(2));
+  EXPECT_TRUE(one.holds_token());
+}
+
+TEST_F(TeamMemberTest, AVoteOfAnotherTermOrKindDoesNotCount) {
+  TeamMember one = member();
+  one.handle(Tick{}, at(0));
+  one.handle(Tick{}, *one.next_wakeup());
+
+  one.handle(from(1, Vote{1, false}), at(5));
+  one.handle(from(1, Vote{2, true}), at(5));
+
+  EXPECT_FALSE(one.holds_token());
+}
+
+TEST_F(TeamMemberTest, AGrantThatNoMajorityHasIsNotBegun) {
+  TeamMember one = member();
+
+  EXPECT_EQ(count<BeginTask>(one.handle(from(1, Beat{3, 3, granted()}), at(0))), 0U);
+  EXPECT_EQ(count<BeginTask>(one.handle(from(1, Beat{3, 4, granted()}), at(1))), 1U);
+  EXPECT_EQ(count<BeginTask>(one.handle(from(1, Beat{3, 4, granted()}), at(2))), 0U);
+}
+
+TEST_F(TeamMemberTest, ABeatOfAnOlderTokenIsNotHeard) {
+  TeamMember one = member();
+  one.handle(from(2, VoteRequest{4, false, 9, 9}), at(0));
+
+  const TeamEffects heard = one.handle(from(1, Beat{3, 4, granted()}), at(0.1));
+
+  EXPECT_THAT(said<Status>(heard), IsEmpty());
+  EXPECT_EQ(count<BeginTask>(heard), 0U);
+}
+
+TEST_F(TeamMemberTest, WhatItBegunIsStoredBeforeItIsBegun) {
+  TeamMember one = member();
+
+  const TeamEffects begun = one.handle(from(1, Beat{3, 4, granted()}), at(0));
+
+  ASSERT_TRUE(std::holds_alternative<Store>(begun.front()));
+  EXPECT_THAT(std::get<Store>(begun.front()).disk.started,
+              ElementsAre(std::pair(TaskNumber(5), std::uint64_t{9})));
+}
+
+TEST_F(TeamMemberTest, WhatRanWhenItCrashedIsSaidToHaveStoppedAndNotBegunAgain) {
+  TeamMember one = member();
+  const TeamEffects begun = one.handle(from(1, Beat{3, 4, granted()}), at(0));
+  TeamMember again = member(std::get<Store>(begun.front()).disk);
+
+  const TeamEffects heard = again.handle(from(1, Beat{3, 4, granted()}), at(1));
+
+  EXPECT_EQ(count<BeginTask>(heard), 0U);
+  EXPECT_THAT(said<Status>(heard).at(0).stopped, ElementsAre(Claim{TaskNumber(5), 9}));
+}
+
+TEST_F(TeamMemberTest, WhatIsDoneIsSaidUntilTheLedgerSaysSo) {
+  TeamMember one = member();
+  one.handle(from(1, Beat{3, 4, granted()}), at(0));
+  one.handle(TaskDone{TaskNumber(5)}, at(10));
+
+  for (const double second : {11, 12}) {
+    const auto status = said<Status>(one.handle(from(1, Beat{3, 4, granted()}), at(second)));
+    EXPECT_THAT(status.at(0).done, ElementsAre(Claim{TaskNumber(5), 9}));
+  }
+  auto later = granted();
+  later->revision = 5;
+  later->entries[TaskNumber(5)].stage = Stage::kDone;
+  EXPECT_THAT(said<Status>(one.handle(from(1, Beat{3, 5, later}), at(13))).at(0).done, IsEmpty());
+}
+
+TEST_F(TeamMemberTest, AHolderThatHearsNoMajorityGivesTheTokenUp) {
+  TeamMember one = member();
+  one.handle(Tick{}, at(0));
+  one.handle(Tick{}, *one.next_wakeup());
+  one.handle(from(1, Vote{1, true}), at(5));
+  one.handle(from(1, Vote{1, false}), at(5));
+  ASSERT_TRUE(one.holds_token());
+
+  std::size_t lost = 0;
+  while (one.holds_token() && *one.next_wakeup() < at(30)) {
+    lost += count<TokenLost>(one.handle(Tick{}, *one.next_wakeup()));
+  }
+
+  EXPECT_EQ(lost, 1U);
+}
+
+}  // namespace
+}  // namespace skein::auction

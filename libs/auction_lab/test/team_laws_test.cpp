@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random missions with cuts, crashes, restarts, failures and lost messages: no task executed twice,
+// none without an owner after the network heals, every sale explained. Source: spec 6.3; issue 17.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "test_cases.hpp"
+#include "testing/team.hpp"
+#include "testing/team_laws.hpp"
+
+namespace skein::auction {
+namespace {
+
+using namespace testing;
+using ::testing::IsEmpty;
+
+class RandomMission {
+ public:
+  explicit RandomMission(std::uint64_t seed) : random_(seed, "team-laws"), team_(world(seed)) {}
+
+  // Trouble for two minutes, then a healed network for long enough.
+  void play() {
+    for (std::uint64_t mission = 1; mission <= 1 + random_.below(2); ++mission) give(mission);
+    while (team_.now() < MissionTime::seconds(120)) {
+      team_.run_until(team_.now() + Duration::seconds(random_.uniform(0.5, 12)));
+      trouble();
+    }
+    team_.heal_all();
+    for (std::size_t m = 0; m < team_.size(); ++m) team_.restart(m);
+    team_.run_until(team_.now() + Duration::seconds(900));
+  }
+
+  const TeamSimulation& team() const { return team_; }
+  std::size_t tasks() const { return tasks_; }
+
+ private:
+  TeamWorld world(std::uint64_t seed) {
+    TeamWorld world;
+    const std::size_t vehicles = 2 + random_.below(4);
+    for (std::size_t i = 0; i < vehicles; ++i) world.vehicles.push_back({place(), {}, 5});
+    world.ground = random_.chance(0.5);
+    world.loss = random_.chance(0.5) ? random_.uniform(0, 0.2) : 0;
+    world.limits.ahead = 1 + static_cast<std::uint32_t>(random_.below(3));
+    world.limits.sale.patience = 10;
+    world.limits.sale.trade = 3;
+    world.limits.sale.orders = 2;
+    world.seed = seed;
+    return world;
+  }
+
+  Place place() { return {random_.uniform(0, 100), random_.uniform(0, 100)}; }
+
+  void give(std::uint64_t number) {
+    GivenMission mission{MissionNumber(number), {}};
+    const std::size_t count = 1 + random_.below(6);
+    for (std::size_t i = 0; i < count; ++i) {
+      Task task;
+      task.number = task_number(number * 100 + i);
+      task.at = place();
+      task.duration = random_.uniform(1, 20);
+      task.least_members = random_.chance(0.2) ? 2 : 1;
+      mission.lot.tasks.push_back(task);
+      if (i > 0 && random_.chance(0.2)) {
+        mission.lot.precedences.push_back({task_number(number * 100 + i - 1), task.number});
+      }
+    }
+    tasks_ += count;
+    const std::size_t times = 1 + random_.below(2);
+    for (std::size_t i = 0; i < times; ++i) team_.give(any(), mission);
+    given_.push_back(mission);
+  }
+
+  std::size_t any() { return random_.below(team_.size()); }
+
+  void trouble() {
+    const std::size_t one = any(), other = any();
+    switch (random_.below(8)) {
+      case 0:
+        team_.crash(one);
+        break;
+      case 1:
+      case 2:
+        team_.restart(one);
+        break;
+      case 3:
+      case 4:
+        if (one != other) team_.cut(one, other);
+        break;
+      case 5:
+        for (std::size_t m = 0; m < team_.size(); ++m) {
+          if (m != one) team_.cut(m, one);
+        }
+        break;
+      case 6:
+        team_.heal_all();
+        break;
+      default:
+        team_.fail_task(one);
+    }
+    if (random_.chance(0.1)) team_.give(one, given_[random_.below(given_.size())]);
+  }
+
+  Random random_;
+  std::size_t tasks_ = 0;
+  std::vector<GivenMission> given_;
+  TeamSimulation team_;
+};
+
+TEST(TeamLaws, NothingIsDoneTwiceNothingIsForgottenEverySaleIsExplained) {
+  const auto from = std::getenv("SKEIN_TEAM_SEED") != nullptr
+                        ? std::strtoull(std::getenv("SKEIN_TEAM_SEED"), nullptr, 10)
+                        : 1;
+  const auto count = skein::testing::cases<std::uint64_t>(60, 10'000);
+  for (std::uint64_t seed = from; seed < from + count && !HasFailure(); ++seed) {
+    RandomMission mission(seed);
+    mission.play();
+
+    EXPECT_THAT(executed_twice(mission.team().executions()), IsEmpty()) << "seed " << seed;
+    EXPECT_THAT(unexplained(mission.team().executions()), IsEmpty()) << "seed " << seed;
+    EXPECT_THAT(unfinished(mission.team(), mission.tasks()), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(mission.team().token_holders(), 1U) << "seed " << seed;
+  }
+}
+
+// The law itself finds what it is for.
+TEST(TeamLaws, AnExecutionAfterACompletionOrBesideAnotherIsSeen) {
+  const auto at = [](double s) { return MissionTime::seconds(s); };
+  const auto execution = [&](std::uint32_t sale, std::uint32_t member, double began, double ended) {
+    return Execution{{task_number(1), sale}, MemberNumber(member),   at(began),        at(ended),
+                     Execution::End::kDone,  {MemberNumber(member)}, "sold to 1 for 2"};
+  };
+
+  EXPECT_THAT(executed_twice({execution(1, 1, 0, 10)}), IsEmpty());
+  EXPECT_FALSE(executed_twice({execution(1, 1, 0, 10), execution(2, 2, 5, 15)}).empty());
+  EXPECT_FALSE(executed_twice({execution(1, 1, 0, 10), execution(2, 2, 20, 25)}).empty());
+  Execution crashed = execution(1, 1, 0, 10);
+  crashed.end = Execution::End::kCrashed;
+  EXPECT_THAT(executed_twice({crashed, execution(2, 2, 20, 25)}), IsEmpty());
+  crashed.why = "";
+  EXPECT_FALSE(unexplained({crashed}).empty());
+}
+
+}  // namespace
+}  // namespace skein::auction

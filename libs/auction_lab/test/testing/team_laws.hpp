@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// What must hold of every team, seen from what was done alone.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "skein/auction_lab/team_simulation.hpp"
+
+namespace skein::auction::testing {
+
+/// No task executed twice: what runs under one sale has ended before it begins under another, no
+/// member begins twice under one, and nothing begins after a sale that was done by all its owners.
+inline std::vector<std::string> executed_twice(const std::vector<Execution>& executions) {
+  std::vector<std::string> wrong;
+  std::map<TaskNumber, std::vector<const Execution*>> by_task;
+  for (const Execution& one : executions) by_task[one.claim.task].push_back(&one);
+  for (const auto& [task, all] : by_task) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const Execution &later = *all[i], &earlier = *all[j];
+        const std::string what = "task " + to_text(task) + " begun by " + to_text(later.member) +
+                                 " at " + to_text(later.began);
+        if (later.claim.sale == earlier.claim.sale) {
+          if (later.member == earlier.member) wrong.push_back(what + " a second time");
+          continue;
+        }
+        const bool runs = earlier.end == Execution::End::kRunning || earlier.ended > later.began;
+        if (runs) wrong.push_back(what + " while " + to_text(earlier.member) + " was at it");
+      }
+      std::map<std::uint64_t, std::set<MemberNumber>> done;  // by sale
+      for (const Execution* before : all) {
+        if (before->claim.sale >= all[i]->claim.sale || before->end != Execution::End::kDone)
+          continue;
+        auto& members = done[before->claim.sale];
+        if (members.insert(before->member).second && members.size() == before->owners.size()) {
+          wrong.push_back("task " + to_text(task) + " begun again although it was done");
+        }
+      }
+    }
+  }
+  return wrong;
+}
+
+/// Every sale under which something was done says who got it and for what.
+inline std::vector<std::string> unexplained(const std::vector<Execution>& executions) {
+  std::vector<std::string> wrong;
+  for (const Execution& one : executions) {
+    const bool said =
+        one.why.find(" to ") != std::string::npos && one.why.find(" for ") != std::string::npos;
+    if (!said)
+      wrong.push_back("sale of task " + to_text(one.claim.task) + " says '" + one.why + "'");
+  }
+  return wrong;
+}
+
+/// Everything is done, or told to be impossible, in the ledger of every member alive.
+inline std::vector<std::string> unfinished(const TeamSimulation& team, std::size_t tasks) {
+  std::vector<std::string> wrong;
+  for (std::size_t m = 0; m < team.size(); ++m) {
+    if (!team.alive(m)) continue;
+    const Ledger& ledger = team.ledger(m);
+    if (ledger.entries.size() != tasks)
+      wrong.push_back("member " + std::to_string(m) + " lacks tasks");
+    for (const auto& [task, entry] : ledger.entries) {
+      if (entry.stage == Stage::kDone || entry.stage == Stage::kUnsold) continue;
+      wrong.push_back("task " + to_text(task) + " is not done at member " + std::to_string(m) +
+                      ": stage " + std::to_string(static_cast<int>(entry.stage)) + ", " +
+                      entry.why);
+    }
+  }
+  return wrong;
+}
+
+}  // namespace skein::auction::testing
