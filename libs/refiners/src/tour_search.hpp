@@ -27,8 +27,9 @@ std::optional<TourOrder> solve_exactly(const TourProblem& problem, Countdown& co
 /// Sets of stops that the exact search of solve_tour steps through; 0 when it is never made.
 std::uint64_t exact_sets(const TourProblem& problem);
 
-/// Each stop in turn where, and by the gate by which, it adds least.
-std::vector<std::size_t> insert_cheaply(const TourProblem& problem);
+/// Each stop in turn where, and by the gate by which, it adds least. `symmetrical`: is_symmetrical,
+/// which makes it quicker.
+std::vector<std::size_t> insert_cheaply(const TourProblem& problem, bool symmetrical = false);
 
 /// Searches on from an order, with any costs and gates.
 void improve_any(const TourProblem& problem, TourOrder& order, Countdown& countdown,

@@ -9,25 +9,58 @@
 namespace skein::refiners {
 namespace {
 
-/// Where a gate would go into an order, and what that adds.
-struct Place {
-  std::size_t position = 0, gate = 0;
-  TourCost added = std::numeric_limits<TourCost>::max();
-};
+/// An order that grows, with what each of its hops costs: from the start to the first gate, on from
+/// gate to gate, and to the end.
+class GrowingOrder {
+ public:
+  GrowingOrder(const TourProblem& problem, bool symmetrical)
+      : problem_(problem), symmetrical_(symmetrical) {}
 
-void look_at_gate(const TourProblem& problem, const std::vector<std::size_t>& order,
-                  std::size_t gate, Place& best) {
-  for (std::size_t at = 0; at <= order.size(); ++at) {
-    const bool first = at == 0, last = at == order.size();
-    TourCost added = problem.inside[gate];
-    added += first ? problem.from_start[gate] : problem.cost(order[at - 1], gate);
-    added += last ? problem.to_end[gate] : problem.cost(gate, order[at]);
-    if (!first && !last) added -= problem.cost(order[at - 1], order[at]);
-    if (first && !last) added -= problem.from_start[order[at]];
-    if (last && !first) added -= problem.to_end[order[at - 1]];
-    if (added < best.added) best = {at, gate, added};
+  /// Puts in the gate among [begin, end) that adds least, where it does.
+  void insert_one_of(std::size_t begin, std::size_t end) {
+    Place best;
+    for (std::size_t gate = begin; gate < end; ++gate) look_at_gate(gate, best);
+    order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(best.position), best.gate);
+    hops_.insert(hops_.begin() + static_cast<std::ptrdiff_t>(best.position), 0);
+    measure(best.position);
+    measure(best.position + 1);
   }
-}
+  const std::vector<std::size_t>& order() const { return order_; }
+
+ private:
+  struct Place {
+    std::size_t position = 0, gate = 0;
+    TourCost added = std::numeric_limits<TourCost>::max();
+  };
+
+  void look_at_gate(std::size_t gate, Place& best) const {
+    const auto offer = [&](std::size_t at, TourCost added) {
+      if (added < best.added) best = {at, gate, added};
+    };
+    const std::size_t last = order_.size();
+    TourCost before = problem_.inside[gate] + problem_.from_start[gate];
+    for (std::size_t at = 0; at < last; ++at) {
+      offer(at, before + problem_.cost(gate, order_[at]) - hops_[at]);
+      before = problem_.inside[gate] + cost_from(order_[at], gate);
+    }
+    offer(last, before + problem_.to_end[gate] - hops_[last]);
+  }
+  /// The row of the gate, where it says the same as the column, stays in the cache.
+  TourCost cost_from(std::size_t other, std::size_t gate) const {
+    return symmetrical_ ? problem_.cost(gate, other) : problem_.cost(other, gate);
+  }
+  void measure(std::size_t hop) {
+    const bool first = hop == 0, last = hop == order_.size();
+    hops_[hop] = first  ? problem_.from_start[order_[0]]
+                 : last ? problem_.to_end[order_.back()]
+                        : problem_.cost(order_[hop - 1], order_[hop]);
+  }
+
+  const TourProblem& problem_;
+  bool symmetrical_;
+  std::vector<std::size_t> order_;
+  std::vector<TourCost> hops_ = {0};
+};
 
 std::uint64_t sets_of(const TourProblem& problem) {
   return std::uint64_t{1} << std::min<std::size_t>(problem.stops(), 63);
@@ -50,10 +83,11 @@ Budget within_default_steps(const Budget& budget, const TourProblem& problem) {
 
 TourOrder search(const TourProblem& problem, const Budget& budget, std::uint64_t seed) {
   TourOrder order;
-  order.gates = insert_cheaply(problem);
+  const bool quick = is_symmetrical(problem);
+  order.gates = insert_cheaply(problem, quick);
   // Late or not: one descent of the quick search takes some milliseconds, and without it the order
   // is up to a third longer.
-  const bool late = budget.expired(), quick = is_symmetrical(problem);
+  const bool late = budget.expired();
   order.effort.cut_short = late;
   if (!late || quick) {
     const bool bounds_given =
@@ -69,23 +103,24 @@ TourOrder search(const TourProblem& problem, const Budget& budget, std::uint64_t
 
 }  // namespace
 
-std::vector<std::size_t> insert_cheaply(const TourProblem& problem) {
+std::vector<std::size_t> insert_cheaply(const TourProblem& problem, bool symmetrical) {
   const StopGates gates_of(problem);
-  std::vector<std::size_t> order;
-  for (std::size_t stop = 0; stop < problem.stops(); ++stop) {
-    Place best;
-    for (std::size_t gate = gates_of.begin(stop); gate < gates_of.end(stop); ++gate)
-      look_at_gate(problem, order, gate, best);
-    order.insert(order.begin() + static_cast<std::ptrdiff_t>(best.position), best.gate);
-  }
-  return order;
+  GrowingOrder growing(problem, symmetrical);
+  for (std::size_t stop = 0; stop < problem.stops(); ++stop)
+    growing.insert_one_of(gates_of.begin(stop), gates_of.end(stop));
+  return growing.order();
 }
 
 bool is_symmetrical(const TourProblem& problem) {
   if (problem.gates() != problem.stops()) return false;
-  for (std::size_t a = 0; a < problem.gates(); ++a)
-    for (std::size_t b = 0; b < a; ++b)
-      if (problem.cost(a, b) != problem.cost(b, a)) return false;
+  // In squares, which stay in the cache both ways.
+  constexpr std::size_t kSide = 32;
+  const std::size_t count = problem.gates();
+  for (std::size_t top = 0; top < count; top += kSide)
+    for (std::size_t left = 0; left <= top; left += kSide)
+      for (std::size_t a = top; a < std::min(top + kSide, count); ++a)
+        for (std::size_t b = left; b < std::min(left + kSide, a); ++b)
+          if (problem.cost(a, b) != problem.cost(b, a)) return false;
   return true;
 }
 

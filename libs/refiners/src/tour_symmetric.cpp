@@ -2,7 +2,11 @@
 // Iterated 3-opt: sequential exchanges of two or three edges among near places, from each place
 // that changed, and small double bridges to get away. Source: Lin and Kernighan 1973; Martin, Otto
 // and Felten 1991.
+#include <algorithm>
+#include <memory>
 #include <numeric>
+#include <span>
+#include <utility>
 
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/random.hpp"
@@ -18,54 +22,81 @@ constexpr double kAllowance = 0.4;   // of the mean hop
 /// Keeps the start and the end of an open tour side by side on the ring.
 constexpr TourCost kBond = TourCost{1} << 57U;
 
-/// The places of a tour as a ring: the stops, then the start, then the end unless it is the start.
+/// Another place and what it costs to go there.
+using Near = std::pair<TourCost, City>;
+
+/// The places of a tour as a ring: the stops, then the end unless it is the start, then the start.
+/// Stops are numbered by their places in an order that is good already, so that costs between
+/// places near each other lie near each other too: the search reads little else.
 class RingCosts {
  public:
-  explicit RingCosts(const TourProblem& problem)
+  RingCosts(const TourProblem& problem, const std::vector<std::size_t>& order)
       : stops_(static_cast<City>(problem.stops())),
         closed_(problem.from_start == problem.to_end),
         size_(stops_ + (closed_ ? 1 : 2)),
-        cost_(std::size_t{size_} * size_, 0) {
-    for (City a = 0; a < stops_; ++a) {
-      for (City b = 0; b < stops_; ++b) cost_[a * size_ + b] = problem.cost(a, b);
-      set(a, stops_, problem.from_start[a]);
-      if (!closed_) set(a, stops_ + 1, problem.to_end[a]);
-    }
-    if (!closed_) set(stops_, stops_ + 1, -kBond);
-    list_neighbours();
+        count_(std::min<std::size_t>(kNeighbours, size_ - 1)),
+        cost_(std::make_unique_for_overwrite<TourCost[]>(row(size_))) {
+    neighbours_.reserve(size_ * count_);
+    keep_costs(problem, order);
+    list_neighbours(problem, order);
   }
 
   City size() const { return size_; }
-  City start() const { return stops_; }
+  City start() const { return size_ - 1; }
+  /// Where the tour ends, unless it is closed.
+  City end_place() const { return stops_; }
   bool closed() const { return closed_; }
-  TourCost operator()(City a, City b) const { return cost_[a * size_ + b]; }
+  TourCost operator()(City a, City b) const {
+    return a < b ? cost_[row(b) + a] : cost_[row(a) + b];
+  }
   /// The nearest others, nearest first.
-  const City* begin(City city) const { return neighbours_.data() + city * count_; }
-  const City* end(City city) const { return begin(city) + count_; }
+  std::span<const Near> near(City city) const {
+    return {neighbours_.data() + city * count_, count_};
+  }
 
  private:
-  void set(City a, City b, TourCost cost) { cost_[a * size_ + b] = cost_[b * size_ + a] = cost; }
-  void list_neighbours() {
-    count_ = std::min<std::size_t>(kNeighbours, size_ - 1);
-    std::vector<City> others(size_ - 1);
-    for (City city = 0; city < size_; ++city) {
-      std::iota(others.begin(), others.end(), City{0});
-      for (City i = city; i < others.size(); ++i) ++others[i];
-      std::partial_sort(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count_),
-                        others.end(), [&](City a, City b) {
-                          return std::pair((*this)(city, a), a) < std::pair((*this)(city, b), b);
-                        });
-      neighbours_.insert(neighbours_.end(), others.begin(),
-                         others.begin() + static_cast<std::ptrdiff_t>(count_));
+  /// Each pair once.
+  static std::size_t row(City city) { return std::size_t{city} * (std::size_t{city} + 1) / 2; }
+
+  void keep_costs(const TourProblem& problem, const std::vector<std::size_t>& order) {
+    for (City a = 0; a < stops_; ++a) {
+      for (City b = 0; b < a; ++b) cost_[row(a) + b] = problem.cost(order[a], order[b]);
+      cost_[row(start()) + a] = problem.from_start[order[a]];
+      if (!closed_) cost_[row(end_place()) + a] = problem.to_end[order[a]];
     }
+    for (City a = 0; a < size_; ++a) cost_[row(a) + a] = 0;
+    if (!closed_) cost_[row(start()) + end_place()] = -kBond;
+  }
+
+  void list_neighbours(const TourProblem& problem, const std::vector<std::size_t>& order) {
+    std::vector<City> numbers(stops_);
+    for (City city = 0; city < stops_; ++city) numbers[order[city]] = city;
+    std::vector<Near> nearest;
+    for (City city = 0; city < size_; ++city) {
+      nearest.clear();
+      for (City gate = 0; gate < stops_; ++gate)
+        if (city < stops_ && numbers[gate] != city)
+          offer(nearest, {problem.cost(order[city], gate), numbers[gate]});
+      for (City other = city < stops_ ? stops_ : 0; other < size_; ++other)
+        if (other != city) offer(nearest, {(*this)(city, other), other});
+      neighbours_.insert(neighbours_.end(), nearest.begin(), nearest.end());
+    }
+  }
+  /// Few are nearer than those that were found already.
+  void offer(std::vector<Near>& nearest, const Near& near) const {
+    if (nearest.size() == count_) {
+      if (near >= nearest.back()) return;
+      nearest.pop_back();
+    }
+    nearest.insert(std::upper_bound(nearest.begin(), nearest.end(), near), near);
   }
 
   City stops_;
   bool closed_;
   City size_;
-  std::vector<TourCost> cost_;
-  std::vector<City> neighbours_;
-  std::size_t count_ = 0;
+  std::size_t count_;
+  std::unique_ptr<TourCost[]> cost_;
+  std::vector<Near> neighbours_;
 };
 
 class SymmetricSearch {
@@ -147,13 +178,14 @@ class SymmetricSearch {
   TourCost improve_onwards(City t1) {
     const City t2 = ring_.next(t1);
     best_ = {};
-    for (const City* t3 = cost_.begin(t2); t3 != cost_.end(t2); ++t3) {
-      const TourCost left = cost_(t1, t2) - cost_(t2, *t3);
+    const TourCost cut = cost_(t1, t2);
+    for (const auto& [joined, t3] : cost_.near(t2)) {
+      const TourCost left = cut - joined;
       if (left <= 0) break;
-      const City before = ring_.previous(*t3);
-      if (*t3 != t1 && before != t2) look_across(t1, t2, *t3, before, left + cost_(*t3, before));
-      const City after = ring_.next(*t3);
-      if (*t3 != t1) look_inside(t1, t2, *t3, after, left + cost_(*t3, after));
+      const City before = ring_.previous(t3);
+      if (t3 != t1 && before != t2) look_across(t1, t2, t3, before, left + cost_(t3, before));
+      const City after = ring_.next(t3);
+      if (t3 != t1) look_inside(t1, t2, t3, after, left + cost_(t3, after));
     }
     if (best_.gain > 0) apply(t1, t2);
     return best_.gain;
@@ -162,27 +194,27 @@ class SymmetricSearch {
   /// t4 before t3: closing gives a ring; a third cut anywhere does too.
   void look_across(City t1, City t2, City t3, City t4, TourCost gain) {
     offer({gain - cost_(t4, t1), Kind::kTwo, t3, t4, t3, t4});
-    for (const City* t5 = cost_.begin(t4); t5 != cost_.end(t4); ++t5) {
-      const TourCost left = gain - cost_(t4, *t5);
+    for (const auto& [joined, t5] : cost_.near(t4)) {
+      const TourCost left = gain - joined;
       if (left <= best_.gain) break;
-      const bool turned = is_between(t2, *t5, t4);
-      const City t6 = turned ? ring_.next(*t5) : ring_.previous(*t5);
-      if (*t5 == t3 || t6 == t4) continue;
-      offer({left + cost_(*t5, t6) - cost_(t6, t1), Kind::kAcross, t3, t4, *t5, t6});
+      const bool turned = is_between(t2, t5, t4);
+      const City t6 = turned ? ring_.next(t5) : ring_.previous(t5);
+      if (t5 == t3 || t6 == t4) continue;
+      offer({left + cost_(t5, t6) - cost_(t6, t1), Kind::kAcross, t3, t4, t5, t6});
     }
   }
 
   /// t4 after t3: a ring and a way are left; the third cut must open the ring, at either side.
   void look_inside(City t1, City t2, City t3, City t4, TourCost gain) {
-    for (const City* t5 = cost_.begin(t4); t5 != cost_.end(t4); ++t5) {
-      const TourCost left = gain - cost_(t4, *t5);
+    for (const auto& [joined, t5] : cost_.near(t4)) {
+      const TourCost left = gain - joined;
       if (left <= best_.gain) break;
-      if (!is_between(t2, *t5, t3)) continue;
+      if (!is_between(t2, t5, t3)) continue;
       for (const bool onwards : {true, false}) {
-        if (*t5 == (onwards ? t3 : t2)) continue;
-        const City t6 = onwards ? ring_.next(*t5) : ring_.previous(*t5);
-        offer({left + cost_(*t5, t6) - cost_(t6, t1), onwards ? Kind::kExchange : Kind::kTurnBoth,
-               t3, t4, *t5, t6});
+        if (t5 == (onwards ? t3 : t2)) continue;
+        const City t6 = onwards ? ring_.next(t5) : ring_.previous(t5);
+        offer({left + cost_(t5, t6) - cost_(t6, t1), onwards ? Kind::kExchange : Kind::kTurnBoth,
+               t3, t4, t5, t6});
       }
     }
   }
@@ -254,18 +286,19 @@ class SymmetricSearch {
 
 void improve_symmetrical(const TourProblem& problem, TourOrder& order, Countdown& countdown,
                          std::uint64_t seed) {
-  const RingCosts cost(problem);
-  std::vector<City> ring(order.gates.begin(), order.gates.end());
-  if (!cost.closed()) ring.push_back(cost.start() + 1);
-  ring.push_back(cost.start());
+  const RingCosts cost(problem, order.gates);
+  std::vector<City> ring(cost.size());
+  std::iota(ring.begin(), ring.end(), City{0});
   ring = SymmetricSearch(cost, std::move(ring), seed).run(countdown);
 
   // The start first; the end, where there is one, last.
   std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), cost.start()), ring.end());
-  if (!cost.closed() && ring[1] == cost.start() + 1) std::reverse(ring.begin() + 1, ring.end());
+  if (!cost.closed() && ring[1] == cost.end_place()) std::reverse(ring.begin() + 1, ring.end());
   ring.erase(ring.begin());
   if (!cost.closed()) ring.pop_back();
-  order.gates.assign(ring.begin(), ring.end());
+  const std::vector<std::size_t> first = std::move(order.gates);
+  order.gates.clear();
+  for (const City city : ring) order.gates.push_back(first[city]);
 }
 
 }  // namespace skein::refiners

@@ -101,6 +101,53 @@ RC_GTEST_PROP(TourProblem, SmallOnesAreSolvedAsWellAsByTryingEverything, ()) {
   RC_ASSERT(order.cost == least_by_trying(problem));
 }
 
+/// The order by inserting, each place reckoned anew from the whole order.
+std::vector<std::size_t> inserted_naively(const TourProblem& problem) {
+  const StopGates gates_of(problem);
+  std::vector<std::size_t> order;
+  for (std::size_t stop = 0; stop < problem.stops(); ++stop) {
+    std::vector<std::size_t> best;
+    for (std::size_t gate = gates_of.begin(stop); gate < gates_of.end(stop); ++gate)
+      for (std::size_t at = 0; at <= order.size(); ++at) {
+        std::vector<std::size_t> longer = order;
+        longer.insert(longer.begin() + static_cast<std::ptrdiff_t>(at), gate);
+        if (best.empty() || cost_of(problem, longer) < cost_of(problem, best)) best = longer;
+      }
+    order = best;
+  }
+  return order;
+}
+
+RC_GTEST_PROP(TourProblem, IsBegunByPuttingEachStopWhereTheWholeOrderCostsLeast, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  Shape shape;
+  shape.stops = *rc::gen::inRange<std::size_t>(1, 80);
+  shape.symmetrical = *rc::gen::arbitrary<bool>();
+  shape.most_gates = shape.symmetrical ? 1 : *rc::gen::inRange<std::size_t>(1, 4);
+  shape.fixed_end = *rc::gen::arbitrary<bool>();
+  const TourProblem problem = random_problem(shape, random);
+
+  RC_ASSERT(insert_cheaply(problem, is_symmetrical(problem)) == inserted_naively(problem));
+}
+
+/// Squares of costs are compared, so that each pair has to be tried once: the first, the last, and
+/// those on the borders of squares.
+TEST(TourProblem, IsNotSymmetricalWhenASinglePairDiffers) {
+  Random random(9);
+  Shape shape;
+  shape.stops = 70;
+  shape.symmetrical = true;
+  TourProblem problem = random_problem(shape, random);
+  EXPECT_TRUE(is_symmetrical(problem));
+  for (std::size_t a = 0; a < problem.gates(); ++a)
+    for (std::size_t b = 0; b < problem.gates(); ++b) {
+      if (a == b) continue;
+      ++problem.between[a * problem.gates() + b];
+      EXPECT_FALSE(is_symmetrical(problem)) << a << ' ' << b;
+      --problem.between[a * problem.gates() + b];
+    }
+}
+
 TEST(TourProblem, EightStopsInAnyOrderAreSolvedExactly) {
   Random random(3);
   for (int i = 0; i < 20; ++i) {
