@@ -23,17 +23,16 @@ constexpr int kStride = 4;
 constexpr double kHigh = 1000;    // [m], the second height at which those are
 constexpr double kEnough = 1e-6;  // [m]
 
-/// Where the posts of one row of the window are in the local frame; NaN without data.
+/// Where the posts of one row are in the local frame; NaN without data.
 class PostRow {
  public:
   PostRow(const RasterSampler& sampler, const Raster& raster, const GeodeticFrame& frame)
       : sampler_(sampler), raster_(raster), frame_(frame) {}
 
   std::vector<Vector3> at(int row) const {
-    const PixelWindow& window = sampler_.window();
-    const int pieces = (window.columns + kStride - 1) / kStride;
+    const int pieces = (sampler_.columns() + kStride - 1) / kStride;
     std::vector<Vector2> places;
-    for (int k = 0; k <= pieces; ++k) places.emplace_back(window.column + k * kStride, row);
+    for (int k = 0; k <= pieces; ++k) places.push_back(sampler_.place(k * kStride, row));
     std::vector<GeodeticPoint> points = raster_.points_at(places);
     std::vector<Vector3> low, high;
     for (GeodeticPoint& point : points) {
@@ -43,10 +42,10 @@ class PostRow {
       high.push_back(frame_.to_local(point));
     }
     std::vector<Vector3> posts;
-    for (int i = 0; i < window.columns; ++i) {
+    for (int i = 0; i < sampler_.columns(); ++i) {
       const auto k = static_cast<std::size_t>(i / kStride);
       const double part = static_cast<double>(i % kStride) / kStride;
-      const double height = sampler_.post(window.column + i, row) / kHigh;
+      const double height = sampler_.post(i, row) / kHigh;
       const Vector3 ground = low[k] + part * (low[k + 1] - low[k]);
       const Vector3 above = high[k] + part * (high[k + 1] - high[k]);
       posts.emplace_back(ground + height * (above - ground));
@@ -117,11 +116,10 @@ Raised raise_above(TerrainSpec& terrain, const RasterSampler& sampler, const Ras
                    const GeodeticFrame& frame) {
   const std::vector<double> sampled = terrain.elevations;
   const PostRow row(sampler, raster, frame);
-  const PixelWindow& window = sampler.window();
   Raiser raiser(terrain);
   std::vector<Vector3> before;
-  for (int r = 0; r < window.rows; ++r) {
-    const std::vector<Vector3> posts = row.at(window.row + r);
+  for (int r = 0; r < sampler.rows(); ++r) {
+    const std::vector<Vector3> posts = row.at(r);
     for (std::size_t c = 0; c < posts.size(); ++c) {
       raiser.above(posts[c]);
       if (c > 0) raiser.above(posts[c - 1], posts[c]);

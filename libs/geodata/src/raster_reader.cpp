@@ -9,6 +9,7 @@
 #include "raster.hpp"
 #include "raster_sampler.hpp"
 #include "skein/geodata/geodetic_frame.hpp"
+#include "skein/world/world_builder.hpp"
 
 namespace skein::geodata {
 
@@ -119,12 +120,23 @@ std::vector<double> elevations(const Raster& raster, RasterSampler& sampler,
   return all;
 }
 
+/// In whole metres, so that there are no more corners than a terrain may have.
+double coarse_enough(double cell, const Extent& extent) {
+  const auto corners = [&](double side) {
+    return ((extent.east - extent.west) / side + 1) * ((extent.north - extent.south) / side + 1);
+  };
+  if (corners(cell) <= world::kMostGroundCells) return cell;
+  cell = std::ceil(cell * std::sqrt(corners(cell) / world::kMostGroundCells));
+  while (corners(cell) > world::kMostGroundCells) ++cell;
+  return cell;
+}
+
 /// Without an extent given, corners lie at whole multiples of the cell from the origin.
 Result<TerrainSpec, RasterProblem> shape_of(const Raster& raster, const GeodeticFrame& frame,
                                             const ElevationOptions& options) {
   TerrainSpec terrain;
-  terrain.cell = options.cell ? *options.cell : natural_cell(raster, frame);
   Extent extent = options.extent ? *options.extent : covered_extent(raster, frame);
+  terrain.cell = options.cell ? *options.cell : coarse_enough(natural_cell(raster, frame), extent);
   if (!options.extent) {
     extent.west = std::ceil(extent.west / terrain.cell) * terrain.cell;
     extent.south = std::ceil(extent.south / terrain.cell) * terrain.cell;
@@ -174,7 +186,8 @@ Result<Elevation, RasterProblem> elevation_of(const std::string& path,
   auto terrain = shape_of(*raster, level, options);
   if (!terrain) return tl::make_unexpected(terrain.error());
   const Extent extent{terrain->west, terrain->south, terrain->east, terrain->north};
-  auto sampler = RasterSampler::over(*raster, level, extent, true, options.no_data);
+  auto sampler =
+      RasterSampler::over(*raster, level, extent, {true, options.no_data, options.most_posts});
   if (!sampler) return tl::make_unexpected(sampler.error());
   if (!options.origin && std::isfinite(sampler->lowest())) origin.altitude = sampler->lowest();
   terrain->elevations = elevations(*raster, *sampler, GeodeticFrame(origin), *terrain);
@@ -183,7 +196,7 @@ Result<Elevation, RasterProblem> elevation_of(const std::string& path,
   if (options.above_posts) raised = raise_above(*terrain, *sampler, *raster, GeodeticFrame(origin));
   const auto problems = world::problems_of(*terrain);
   if (!problems.empty()) return tl::make_unexpected(RasterProblem{problems.front(), ""});
-  return Elevation{std::move(*terrain), origin, raised.most, raised.mean};
+  return Elevation{std::move(*terrain), origin, raised.most, raised.mean, sampler->factor()};
 }
 
 Result<std::vector<double>, RasterProblem> risk_of(const std::string& path, const world::Grid& grid,
@@ -195,7 +208,7 @@ Result<std::vector<double>, RasterProblem> risk_of(const std::string& path, cons
   const GeodeticFrame frame(origin);
   const Vector2 last = grid.centre(grid.size() - 1);
   const Extent extent{grid.west + grid.cell / 2, grid.south + grid.cell / 2, last.x(), last.y()};
-  auto sampler = RasterSampler::over(*raster, frame, extent, false, options.no_data);
+  auto sampler = RasterSampler::over(*raster, frame, extent, {false, options.no_data});
   if (!sampler) return tl::make_unexpected(sampler.error());
   std::vector<double> risk;
   risk.reserve(grid.size());

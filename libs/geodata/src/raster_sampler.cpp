@@ -89,87 +89,154 @@ Result<PixelWindow, RasterProblem> window_over(const Raster& raster, const Geode
   window.row = clamped(bounds.low.y() - margin.y(), raster.rows());
   window.columns = clamped(bounds.high.x() + margin.x() + 1, raster.columns()) - window.column + 1;
   window.rows = clamped(bounds.high.y() + margin.y() + 1, raster.rows()) - window.row + 1;
-  if (window.count() > kMostPixels)
-    return tl::make_unexpected(
-        RasterProblem{std::to_string(window.count()) + " cells of it are too many to be held",
-                      "at most 32 million: give an extent (west, south, east, north)"});
   return window;
 }
 
+int posts_over(int cells, int factor) { return (cells + factor - 1) / factor; }
+
+/// Cells to a post so that there are no more posts.
+int factor_for(const PixelWindow& window, std::size_t most_posts) {
+  int factor = 1;
+  while (static_cast<std::size_t>(posts_over(window.columns, factor)) *
+             static_cast<std::size_t>(posts_over(window.rows, factor)) >
+         most_posts)
+    ++factor;
+  return factor;
+}
+
+/// The greater one, or that which there is.
+float greater(float a, float b) { return std::isnan(a) || b > a ? b : a; }
+
 }  // namespace
 
-RasterSampler::RasterSampler(const Raster& raster, const PixelWindow& window,
-                             std::vector<float> cells)
-    : raster_(&raster), window_(window), cells_(std::move(cells)) {}
+RasterSampler::RasterSampler(const Raster& raster, const PixelWindow& window, int factor)
+    : raster_(&raster),
+      window_(window),
+      factor_(factor),
+      columns_(posts_over(window.columns, factor)),
+      rows_(posts_over(window.rows, factor)) {}
 
 Result<RasterSampler, RasterProblem> RasterSampler::over(const Raster& raster,
                                                          const GeodeticFrame& frame,
-                                                         const Extent& extent, bool lengths,
-                                                         std::optional<double> no_data) {
+                                                         const Extent& extent,
+                                                         const Options& options) {
   const auto window = window_over(raster, frame, extent);
   if (!window) return tl::make_unexpected(window.error());
-  auto cells = raster.read(*window, lengths);
-  if (!cells) return tl::make_unexpected(cells.error());
-  if (no_data)
-    for (float& cell : *cells)
-      if (std::isnan(cell)) cell = static_cast<float>(*no_data);
-  RasterSampler sampler(raster, *window, std::move(*cells));
-  if (lengths)
-    if (const auto wrong = sampler.impossible()) return tl::make_unexpected(*wrong);
+  const int factor = factor_for(*window, options.most_posts);
+  if (factor > 1 && !options.lengths)
+    return tl::make_unexpected(
+        RasterProblem{std::to_string(window->count()) + " cells of it are too many to be held",
+                      "at most " + std::to_string(options.most_posts) +
+                          ": give an extent (west, south, east, north)"});
+  RasterSampler sampler(raster, *window, factor);
+  if (const auto read = sampler.read(options); !read) return tl::make_unexpected(read.error());
   return sampler;
 }
 
-std::string RasterSampler::place_of(std::size_t index) const {
+/// By rows of posts, so that no more cells are held than those of one and the posts.
+Result<void, RasterProblem> RasterSampler::read(const Options& options) {
+  posts_.reserve(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  for (int row = 0; row < window_.rows; row += factor_) {
+    const PixelWindow strip{window_.column, window_.row + row, window_.columns,
+                            std::min(factor_, window_.rows - row)};
+    auto cells = raster_->read(strip, options.lengths);
+    if (!cells) return tl::make_unexpected(cells.error());
+    if (options.no_data)
+      for (float& cell : *cells)
+        if (std::isnan(cell)) cell = static_cast<float>(*options.no_data);
+    if (options.lengths)
+      if (const auto wrong = impossible(*cells, row)) return tl::make_unexpected(*wrong);
+    keep(*cells, strip.rows);
+  }
+  if (factor_ > 1) take_greatest_around();
+  return {};
+}
+
+/// One row of posts, from as many rows of cells.
+void RasterSampler::keep(const std::vector<float>& cells, int rows) {
   const auto columns = static_cast<std::size_t>(window_.columns);
-  const int column = window_.column + static_cast<int>(index % columns);
-  const int row = window_.row + static_cast<int>(index / columns);
+  const auto factor = static_cast<std::size_t>(factor_);
+  for (std::size_t first = 0; first < columns; first += factor) {
+    float greatest = cells[first];
+    bool absent = false;
+    for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row)
+      for (std::size_t i = first; i < std::min(first + factor, columns); ++i) {
+        absent = absent || std::isnan(cells[row * columns + i]);
+        greatest = std::max(greatest, cells[row * columns + i]);
+      }
+    posts_.push_back(absent ? static_cast<float>(kNaN) : greatest);
+  }
+}
+
+/// A cell lies between the posts of its own block and of blocks beside it: all are above it then.
+void RasterSampler::take_greatest_around() {
+  const auto along = [&](int count, int lines, std::size_t step, std::size_t line_step) {
+    for (int line = 0; line < lines; ++line) {
+      float* at = posts_.data() + static_cast<std::size_t>(line) * line_step;
+      float before = static_cast<float>(kNaN);
+      for (int i = 0; i < count; ++i, at += step) {
+        const float own = *at, after = i + 1 < count ? at[step] : before;
+        if (!std::isnan(own)) *at = greater(greater(own, before), after);
+        before = own;
+      }
+    }
+  };
+  const auto columns = static_cast<std::size_t>(columns_);
+  along(columns_, rows_, 1, columns);
+  along(rows_, columns_, columns, 1);
+}
+
+std::string RasterSampler::place_of(int column, int row) const {
   const auto where = raster_->points_at({Vector2(column, row)});
   return "column " + std::to_string(column + 1) + ", row " + std::to_string(row + 1) +
          " (latitude " + text_of(where[0].latitude_degrees, 5) + ", longitude " +
          text_of(where[0].longitude_degrees, 5) + ")";
 }
 
-std::optional<RasterProblem> RasterSampler::impossible() const {
-  const auto wrong = std::find_if(cells_.begin(), cells_.end(), [](float z) {
+/// Among cells from that row of the window on.
+std::optional<RasterProblem> RasterSampler::impossible(const std::vector<float>& cells,
+                                                       int row) const {
+  const auto wrong = std::find_if(cells.begin(), cells.end(), [](float z) {
     return z < kDeepest || z > kSummit || z == kUndeclared;
   });
-  if (wrong == cells_.end()) return std::nullopt;
+  if (wrong == cells.end()) return std::nullopt;
+  const auto index = static_cast<int>(wrong - cells.begin());
   char value[32];
   std::snprintf(value, sizeof value, "%g", static_cast<double>(*wrong));
   return RasterProblem{std::string("an elevation of ") + value + " m in " +
-                           place_of(static_cast<std::size_t>(wrong - cells_.begin())),
+                           place_of(window_.column + index % window_.columns,
+                                    window_.row + row + index / window_.columns),
                        "ground between -12 km and 10 km; what stands for no data must be declared "
                        "in the file"};
 }
 
-/// Cells without weight have no part in it: on the middle of a cell its neighbours do not count.
-double RasterSampler::cell(int column, int row, double weight) {
+/// Posts without weight have no part in it: on a post its neighbours do not count.
+double RasterSampler::post(int column, int row, double weight) {
   if (weight == 0) return 0;
-  const std::size_t index =
-      static_cast<std::size_t>(row) * static_cast<std::size_t>(window_.columns) +
-      static_cast<std::size_t>(column);
-  const float value = cells_[index];
+  const double value = post(column, row);
   if (std::isnan(value)) {
-    absent_.resize(cells_.size());
-    absent_[index] = true;
+    absent_.resize(posts_.size());
+    absent_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+            static_cast<std::size_t>(column)] = true;
   }
-  return weight * static_cast<double>(value);
+  return weight * value;
 }
 
 double RasterSampler::at(const Vector2& place) {
   if (!place.allFinite()) return kNaN;
-  const double u = std::clamp(place.x() - window_.column, 0.0, window_.columns - 1.0);
-  const double v = std::clamp(place.y() - window_.row, 0.0, window_.rows - 1.0);
-  const int column = std::min(static_cast<int>(u), std::max(0, window_.columns - 2));
-  const int row = std::min(static_cast<int>(v), std::max(0, window_.rows - 2));
+  const Vector2 from_first = (place - this->place(0, 0)) / factor_;
+  const double u = std::clamp(from_first.x(), 0.0, columns_ - 1.0);
+  const double v = std::clamp(from_first.y(), 0.0, rows_ - 1.0);
+  const int column = std::min(static_cast<int>(u), std::max(0, columns_ - 2));
+  const int row = std::min(static_cast<int>(v), std::max(0, rows_ - 2));
   const double east = u - column, south = v - row;
-  return cell(column, row, (1 - east) * (1 - south)) + cell(column + 1, row, east * (1 - south)) +
-         cell(column, row + 1, (1 - east) * south) + cell(column + 1, row + 1, east * south);
+  return post(column, row, (1 - east) * (1 - south)) + post(column + 1, row, east * (1 - south)) +
+         post(column, row + 1, (1 - east) * south) + post(column + 1, row + 1, east * south);
 }
 
 double RasterSampler::lowest() const {
   double lowest = kNaN;
-  for (const float value : cells_)
+  for (const float value : posts_)
     if (!std::isnan(value) && !(static_cast<double>(value) >= lowest))
       lowest = static_cast<double>(value);
   return lowest;
@@ -178,10 +245,13 @@ double RasterSampler::lowest() const {
 std::optional<RasterProblem> RasterSampler::absences() const {
   const auto count = std::count(absent_.begin(), absent_.end(), true);
   if (count == 0) return std::nullopt;
-  const auto first = std::find(absent_.begin(), absent_.end(), true) - absent_.begin();
-  return RasterProblem{std::to_string(count) + (count == 1 ? " cell" : " cells") +
+  const auto first =
+      static_cast<int>(std::find(absent_.begin(), absent_.end(), true) - absent_.begin());
+  const std::string what = factor_ > 1 ? " block of cells" : " cell";
+  return RasterProblem{std::to_string(count) + what + (count == 1 ? "" : "s") +
                            " without data where ground is wanted, the first in " +
-                           place_of(static_cast<std::size_t>(first)),
+                           place_of(window_.column + first % columns_ * factor_,
+                                    window_.row + first / columns_ * factor_),
                        "a value for them (nodata: NUMBER), or an extent without them"};
 }
 

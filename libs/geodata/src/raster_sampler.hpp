@@ -13,40 +13,57 @@
 
 namespace skein::geodata {
 
-/// Holds the cells that a rectangle of the local frame needs. Lifetime: within the raster's.
+/// Holds the cells that a rectangle of the local frame needs, as posts; where they are too many,
+/// posts of blocks of `factor` × `factor` cells, each the greatest of its block and of the eight
+/// around, so that what is between posts is above all cells. Lifetime: within the raster's.
 class RasterSampler {
  public:
-  /// `lengths`: values are metres. Cells without data become `no_data`, if given.
+  struct Options {
+    bool lengths = false;           ///< values are metres; else more cells than posts are refused
+    std::optional<double> no_data;  ///< what cells without data become
+    std::size_t most_posts = kMostPixels;  ///< that are held
+  };
   static Result<RasterSampler, RasterProblem> over(const Raster& raster, const GeodeticFrame& frame,
-                                                   const world::Extent& extent, bool lengths,
-                                                   std::optional<double> no_data);
+                                                   const world::Extent& extent,
+                                                   const Options& options);
 
-  /// Bilinear at (column, row) of the raster; NaN where a cell without data has a part in it, which
+  /// Bilinear at (column, row) of the raster; NaN where a post without data has a part in it, which
   /// is noted. Up to a cell beyond the border: as at the border.
   double at(const world::Vector2& place);
-  /// What is held.
-  const PixelWindow& window() const { return window_; }
-  /// The value of one cell, by its place in the raster; NaN without data. Precondition: held.
-  double post(int column, int row) const {
-    return static_cast<double>(cells_[static_cast<std::size_t>(row - window_.row) *
-                                          static_cast<std::size_t>(window_.columns) +
-                                      static_cast<std::size_t>(column - window_.column)]);
+  /// Cells to a post along each side.
+  int factor() const { return factor_; }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  /// Of a post, as a place of the raster: (column, row), also beyond those held.
+  world::Vector2 place(int column, int row) const {
+    const double middle = (factor_ - 1) / 2.0;
+    return {window_.column + column * factor_ + middle, window_.row + row * factor_ + middle};
   }
-  /// Of the cells held; NaN when there are none with data.
+  /// NaN without data. Precondition: held.
+  double post(int column, int row) const {
+    return static_cast<double>(
+        posts_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+               static_cast<std::size_t>(column)]);
+  }
+  /// Of the posts held; NaN when there are none with data.
   double lowest() const;
-  /// What is to be said when at() met cells without data.
+  /// What is to be said when at() met posts without data.
   std::optional<RasterProblem> absences() const;
 
  private:
-  RasterSampler(const Raster& raster, const PixelWindow& window, std::vector<float> cells);
-  double cell(int column, int row, double weight);
-  std::optional<RasterProblem> impossible() const;
-  std::string place_of(std::size_t index) const;
+  RasterSampler(const Raster& raster, const PixelWindow& window, int factor);
+  Result<void, RasterProblem> read(const Options& options);
+  void keep(const std::vector<float>& cells, int row);
+  void take_greatest_around();
+  double post(int column, int row, double weight);
+  std::optional<RasterProblem> impossible(const std::vector<float>& cells, int row) const;
+  std::string place_of(int column, int row) const;
 
   const Raster* raster_;
-  PixelWindow window_;
-  std::vector<float> cells_;
-  std::vector<bool> absent_;  // cells without data that were needed; empty: none yet
+  PixelWindow window_;  // in cells
+  int factor_, columns_, rows_;
+  std::vector<float> posts_;
+  std::vector<bool> absent_;  // posts without data that were needed; empty: none yet
 };
 
 }  // namespace skein::geodata

@@ -121,6 +121,56 @@ TEST(RaisedGround, ASpikeBetweenTheCornersIsCovered) {
   EXPECT_GE(world::Terrain(elevation->terrain).elevation(top.x(), top.y()), top.z() - 0.01);
 }
 
+/// Rasters that are larger than what is held: no post of the whole one stands out.
+TEST(RaisedGround, IsAboveAllPostsOfADecimatedRaster) {
+  const Posts posts = Posts::of_ascii(kJacksboro);
+  for (const std::size_t most : {40'000, 10'000, 1'000})
+    for (const double cell : {100.0, 400.0}) {
+      ElevationOptions options;
+      options.crs = "EPSG:4326";
+      options.cell = cell;
+      options.above_posts = true;
+      options.most_posts = most;
+      const auto raised = read_elevation(kJacksboro, options);
+      ASSERT_TRUE(raised) << to_text(raised.error());
+      const Walked walked = walk(posts, *raised);
+      EXPECT_GT(raised->decimated, 1);
+      EXPECT_LE(walked.out_posts, kMargin) << most << ' ' << cell;
+      std::printf("%zu posts at most, %d taken as one, cell %.0f m: over the posts %.1f m (mean)\n",
+                  most, raised->decimated, cell, walked.above);
+    }
+}
+
+TEST(RaisedGround, OfADecimatedRasterIsTheGreatestAroundEachPlace) {
+  const TempFolder folder;
+  TiffSpec spec;
+  spec.columns = 41;
+  spec.rows = 31;
+  spec.value = [](int column, int row) { return 100.0 + (column * 37 + row * 59) % 83; };
+  const std::string path = write_tiff(folder, "wild.tif", spec);
+  ElevationOptions options;
+  options.cell = 100;
+  options.most_posts = 100;
+  const auto elevation = read_elevation(path, options);
+  ASSERT_TRUE(elevation) << to_text(elevation.error());
+  EXPECT_EQ(elevation->decimated, 4);
+
+  const GeodeticFrame frame(elevation->origin);
+  const world::Terrain ground(elevation->terrain);
+  for (int row = 1; row < spec.rows - 1; ++row)
+    for (int column = 1; column < spec.columns - 1; ++column) {
+      double greatest = 0;  // of what a post that has a part in it may have seen
+      for (int r = std::max(0, row - 11); r <= std::min(spec.rows - 1, row + 11); ++r)
+        for (int c = std::max(0, column - 11); c <= std::min(spec.columns - 1, column + 11); ++c)
+          greatest = std::max(greatest, spec.value(c, r));
+      const Vector3 at = frame.to_local(
+          {37.02 - (row + 0.5) * 0.001, -6.02 + (column + 0.5) * 0.001, spec.value(column, row)});
+      if (!ground.contains(at.x(), at.y())) continue;
+      EXPECT_GE(ground.elevation(at.x(), at.y()), at.z() - 0.5) << column << ' ' << row;
+      EXPECT_LE(ground.elevation(at.x(), at.y()), greatest - elevation->origin.altitude + 0.5);
+    }
+}
+
 TEST(RaisedGround, LevelGroundIsNotRaised) {
   const TempFolder folder;
   ElevationOptions options;
