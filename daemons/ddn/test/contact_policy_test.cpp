@@ -159,7 +159,8 @@ TEST(ContactPolicy, UsesNewIdsAtTheNextLoss) {
               Contains("sim: dispatch " + own(90) + " wait"));
 }
 
-TEST(ContactPolicy, AHoldEndsWhenTheEnergyLastsNoLongerThanToComeHome) {
+/// Holds, and knows what it takes to come home.
+DdnConfig that_knows_the_way_home() {
   DdnConfig config = testing::deliberating(3, ContactPolicy::kHold);
   auto knowledge = std::make_shared<supervisor::Knowledge>(*config.knowledge);
   knowledge->vehicle.hovers = true;
@@ -168,15 +169,25 @@ TEST(ContactPolicy, AHoldEndsWhenTheEnergyLastsNoLongerThanToComeHome) {
   knowledge->vehicle.energy.hover_power = 500;
   knowledge->vehicle.energy.cruise_power = 600;
   config.knowledge = knowledge;
+  return config;
+}
+
+double least_to_come_home(const DdnConfig& config) {
+  return supervisor::least_to_come_home(*config.knowledge, *config.world, testing::at(500),
+                                        {0, 0, 0});
+}
+
+wire::Telemetry flying_with(double energy) {
+  wire::Telemetry sample = telemetry(true);
+  sample.energy = energy;
+  return sample;
+}
+
+TEST(ContactPolicy, AHoldEndsWhenTheEnergyLastsNoLongerThanToComeHome) {
+  const DdnConfig config = that_knows_the_way_home();
   Bench bench(config);
-  const double needed =
-      supervisor::least_to_come_home(*config.knowledge, *config.world, testing::at(500), {0, 0, 0});
+  const double needed = least_to_come_home(config);
   ASSERT_TRUE(std::isfinite(needed)) << needed;
-  const auto flying_with = [](double energy) {
-    wire::Telemetry sample = telemetry(true);
-    sample.energy = energy;
-    return sample;
-  };
   bench.hear_ground(true);
   bench.from_sim(flying_with(1));
   lose_ground_at(bench, 10);
@@ -186,6 +197,26 @@ TEST(ContactPolicy, AHoldEndsWhenTheEnergyLastsNoLongerThanToComeHome) {
   EXPECT_THAT(bench.from_sim(flying_with(needed + 0.01)), Not(Contains(HasSubstr("dispatch"))));
   EXPECT_THAT(bench.from_sim(flying_with(needed - 0.01)),
               Contains("sim: dispatch " + own(500) + " goto"));
+}
+
+// What it interrupted is not over yet: the wait would begin together with the way home.
+TEST(ContactPolicy, AHoldThatHasNotBegunMakesRoomForTheWayHome) {
+  const DdnConfig config = that_knows_the_way_home();
+  Bench bench(config);
+  const double needed = least_to_come_home(config);
+  bench.hear_ground(true);
+  bench.from_sim(flying_with(1));
+  bench.from_ground(start(1, a_task(2, "goto")));
+  bench.from_sim(status(2, TaskState::kRunning));
+  lose_ground_at(bench, 465);
+  bench.wake_at(495);
+  bench.set_time(500);
+  bench.from_sim(flying_with(needed - 0.01));
+
+  const auto words = bench.from_sim(status(2, TaskState::kAborted));
+
+  EXPECT_THAT(words, Contains("sim: dispatch " + own(500) + " goto"));
+  EXPECT_THAT(words, Not(Contains("sim: dispatch " + own(495) + " wait")));
 }
 
 // The functional layer remembers ids for the whole mission, a restarted node does not.

@@ -121,12 +121,25 @@ bool was_lost(const History& history, const Uav& uav, const Sample& sample) {
 
 }  // namespace
 
+namespace {
+
+// It was told to land while there was energy, and is told again and again, and does not do it.
+bool refuses_to_land(const Uav& uav, double at) {
+  constexpr double kTriedAgain = 90;  // [s]
+  return std::any_of(uav.activities.begin(), uav.activities.end(), [at](const Activity& one) {
+    return one.type == "land" && one.reason == "aborted by the functional layer" &&
+           one.until < at && one.until >= at - kTriedAgain;
+  });
+}
+
+}  // namespace
+
 std::vector<Violation> energy_short(const History& history) {
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     if (history.was_killed(name)) continue;
     const double reserve = uav.spec->model.energy.reserve;
-    bool told = false, excused = false, was_judged = false;
+    bool told = false, excused = false, was_judged = false, could_land = true;
     double before = 1;
     for (const Sample& sample : uav.samples) {
       const bool judged = sample.airborne && uav.degree(sample.at) == 4 && !crashed(uav, sample.at);
@@ -135,7 +148,10 @@ std::vector<Violation> energy_short(const History& history) {
       was_judged = judged;
       if (!sample.airborne) excused = false;
       if (!judged) continue;
+      const bool above = sample.energy >= reserve;
       if (sudden && was_lost(history, uav, sample)) excused = true;
+      if (above) could_land = !refuses_to_land(uav, sample.at);
+      if (!above && !could_land) excused = true;
       if (told || excused || sample.energy >= reserve - 0.002) continue;
       told = true;
       result.push_back({"", sample.at, name, 0,

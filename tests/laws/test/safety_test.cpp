@@ -57,5 +57,19 @@ TEST(Energy, WhatNobodyCouldHaveKeptIsNoBreach) {
   EXPECT_THAT(lost.broken("energy"), IsEmpty());
 }
 
+TEST(Energy, WhoeverRefusesToLandAsLongAsThereIsEnergyIsNotBroughtDown) {
+  const auto drained = [](double refused) {
+    Story story;
+    for (int i = 0; i < 20; ++i) story.flies("marvin", i, i, kOver, kOver, 0.165 - 0.005 * i);
+    story.does(
+        "marvin",
+        {1, "land", 0, refused, refused, "aborted", "", {}, "aborted by the functional layer"});
+    return story.broken("energy");
+  };
+
+  EXPECT_THAT(drained(10), IsEmpty());
+  EXPECT_THAT(drained(18.5), ElementsAre(HasSubstr("reserve 8.0 %"))) << "told too late";
+}
+
 }  // namespace
 }  // namespace skein::laws::testing

@@ -119,19 +119,27 @@ std::optional<Way> Patrols::filled(const Way& way, const world::Zone& zone, cons
   const double most = std::max(done(flown.seconds), 1e-3);
   longer = seconds / most;
   if (longer > 1) return std::nullopt;  // without asking how quick it may be, which takes long
-  const Times times = flight_times(way, vehicle(), world().wind);
-  const double needed = seconds + times.expected - times.least;
+  const auto needed_along = [&](const Way& all) {
+    const Times times = flight_times(all, vehicle(), world().wind);
+    return seconds + times.expected - times.least;
+  };
+  const auto cut = [&](double needed) -> std::optional<Way> {
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+      const double more = done(flown.passages[i]) - needed;
+      if (more < 0) continue;
+      Way part(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+      const double leg = flown.passages[i] - (i > 0 ? flown.passages[i - 1] : 0);
+      // Of one that hovers the last leg may end anywhere.
+      if (vehicle().hovers && more < leg) part.back() += more / leg * (way[i] - way[i + 1]);
+      return part;
+    }
+    return std::nullopt;
+  };
+  const double needed = needed_along(way);
   longer = needed / most;
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    const double more = done(flown.passages[i]) - needed;
-    if (more < 0) continue;
-    Way part(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(i) + 2);
-    const double leg = flown.passages[i] - (i > 0 ? flown.passages[i - 1] : 0);
-    // Of one that hovers the last leg may end anywhere.
-    if (vehicle().hovers && more < leg) part.back() += more / leg * (way[i] - way[i + 1]);
-    return part;
-  }
-  return std::nullopt;
+  const std::optional<Way> part = cut(needed);
+  // A part that is much shorter can be quicker by less.
+  return part && part->size() < way.size() ? cut(needed_along(*part)) : part;
 }
 
 std::vector<Way> Patrols::rounds(const Vector3& from, const world::Zone& zone, double footprint,

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "flight/autopilot.hpp"
 #include "flight/closed_air.hpp"
 #include "flight/crossing.hpp"
+#include "flight/flights_met.hpp"
 #include "refinery/zone_shapes.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
 
@@ -152,28 +152,8 @@ bool TimedAir::met(const Way& way, const Volumes& volumes) const {
   if (volumes.empty() || way.size() < 2) return false;
   const bool hovers = vehicle().hovers;
   if (hovers && !comes_near(way, volumes)) return false;
-  const double margin = hovers ? stray() / 2 : stray();
-  const auto is_met = [&](const Vector3& at) {
-    return std::any_of(volumes.begin(), volumes.end(),
-                       [&](const auto& volume) { return is_near(volume, at, margin); });
-  };
-  const auto any_met = [&](const std::vector<Vector3>& track) {
-    return std::any_of(track.begin(), track.end(), is_met);
-  };
-  const Way rest(way.begin() + 1, way.end());
-  const double round = 2 * std::numbers::pi * vehicle().orbit_radius / vehicle().cruise_speed;
-  for (const Pose& pose : poses_at(way.front(), vehicle())) {
-    if (is_met(pose.at)) continue;
-    const std::uint64_t trials = hovers ? kShaken : 0;
-    for (std::uint64_t trial = 1; trial <= trials; ++trial)
-      if (any_met(fly_way(pose, rest, vehicle(), world().wind, trial).track)) return true;
-    const FlownWay flown = fly_way(pose, rest, vehicle(), world().wind);
-    if (any_met(flown.track)) return true;
-    if (hovers) continue;
-    if (any_met(circle_over(flown.end, way.back(), vehicle(), world().wind, 2 * round)))
-      return true;
-  }
-  return false;
+  return flights_meet(way, volumes, vehicle(), world().wind,
+                      {hovers ? stray() / 2 : stray(), kShaken});
 }
 
 bool TimedAir::may_stay(const Vector3& at) {

@@ -6,6 +6,7 @@
 
 #include "flight/crossing.hpp"
 #include "flight/flight_times.hpp"
+#include "flight/flights_met.hpp"
 #include "watch/stand.hpp"
 
 namespace skein::supervisor {
@@ -72,9 +73,32 @@ bool AirWatch::goes_through(const Entry& entry, const world::Volume& volume) con
   if (!volume.when.overlaps({from, entry.dates.latest_end})) return false;
   const double margin = beliefs_.model().body_radius;
   if (entry.under_way()) {
-    return leads_in(volume, margin, rest_of(entry.task.way, beliefs_.vehicle().position));
+    return leads_in(volume, margin, rest_of(entry.task.way, beliefs_.vehicle().position)) ||
+           circles_into(entry.task.way.back(), volume);
   }
-  return leads_in(volume, margin, entry.task.way);
+  return leads_in(volume, margin, entry.task.way) || strays_into(entry.task.way, volume);
+}
+
+// One that cannot hover circles where its way ends. Home is where it comes down, closed or not.
+bool AirWatch::circles_into(const world::Vector3& end, const world::Volume& volume) const {
+  const world::VehicleModel& vehicle = beliefs_.model();
+  const double from_home = (end - beliefs_.knowledge().home).head<2>().norm();
+  if (vehicle.hovers || from_home < vehicle.orbit_radius) return false;
+  return crosses(volume, vehicle.body_radius + stay_radius(vehicle), end, end);
+}
+
+// It passes by, and not so far that no flight along it would come there. Half of what ways keep
+// away, so that one that was made since the volume is known is never in question.
+bool AirWatch::strays_into(const std::vector<world::Vector3>& way,
+                           const world::Volume& volume) const {
+  const world::VehicleModel& vehicle = beliefs_.model();
+  const world::Wind& wind = beliefs_.world().wind;
+  const double stray = arrival_distance(vehicle, wind);
+  const double turns = vehicle.hovers ? 0 : vehicle.orbit_radius + vehicle.min_turn_radius;
+  const bool level = (way.back() - way.front()).head<2>().norm() > 2 * stray;
+  if (!level || crosses(volume, stray, way.front(), way.front())) return false;
+  return crosses(volume, stray + turns, way) &&
+         flights_meet(way, {volume}, vehicle, wind, {stray / 2, 0});
 }
 
 // One that has no end counts as far as it can be foreseen; it is looked at again before more

@@ -31,6 +31,8 @@ class AirWatch {
   MissionTime now() const { return out_.now(); }
   bool is_met(const Entry& entry, const world::Volume& volume) const;
   bool goes_through(const Entry& entry, const world::Volume& volume) const;
+  bool circles_into(const world::Vector3& end, const world::Volume& volume) const;
+  bool strays_into(const std::vector<world::Vector3>& way, const world::Volume& volume) const;
   bool stays_in(const Entry& entry, const world::Volume& volume) const;
   const world::Volume* met_by(const Entry& entry) const;
   const world::Volume* closed_around() const;

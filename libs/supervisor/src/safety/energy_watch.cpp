@@ -47,8 +47,10 @@ double EnergyWatch::wanted(const Retreat& retreat) const {
 }
 
 void EnergyWatch::check() {
-  if (agenda_.repairing()) return;
+  const bool pauses = agenda_.needed() && !agenda_.job() && !agenda_.repair_is_due();
+  if (agenda_.repairing() && !pauses) return;
   come_down_at_once();
+  if (agenda_.repairing()) return;
   const double left = beliefs_.energy_above_reserve() - kSpareEnergy / 2;
   if (wanted(retreat().at_most()) <= left - kRoom) {
     told_ = false;
@@ -147,6 +149,7 @@ void EnergyWatch::come_down_at_once() {
     if (!is_settled(state) && state != GoalState::kHandedOver) open.push_back(id);
   }
   committer_.retire({open.begin(), open.end()});
+  agenda_.forget_need();
   for (const GoalId id : open) out_.set_state(book_.goals.at(id), GoalState::kFailed, why);
   const TaskId id = committer_.start_loose("land");
   out_.notice(why + ": lands at once, task " + to_text(id));

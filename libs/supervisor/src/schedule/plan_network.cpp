@@ -260,6 +260,16 @@ void PlanNetwork::hold_for_instants(const LiveStn* windows) {
   }
 }
 
+// Its end waits for what stops it, which is bound in the same way: nothing holds its start back.
+bool PlanNetwork::ends_with_its_like(const Known& known) const {
+  const auto& stops = known.task.stop;
+  return !stops.empty() && std::all_of(stops.begin(), stops.end(), [&](const auto& one) {
+    const auto other = tasks_.find(one.task);
+    return one.kind != mission::DependenceKind::kRunning && other != tasks_.end() &&
+           other->second.bounds == known.bounds;
+  });
+}
+
 // What comes so long after a goal waits for the end of its last tasks, when that is enough; else
 // until the goal is over, and then for its date.
 void PlanNetwork::hold_after_goals(const LiveStn& windows) {
@@ -267,8 +277,10 @@ void PlanNetwork::hold_after_goals(const LiveStn& windows) {
     if (known.bounds.empty() || known.seen.started || known.seen.over) continue;
     const Ticks from = windows.earliest(known.start);
     set_hold(kHeldUntil | known.start, {0, known.start, from, kInfinite}, from);
+    const bool stopped = ends_with_its_like(known);
     std::optional<MissionTime> date;
     for (const TaskBound& one : known.bounds) {
+      if (one.bound.on_end && stopped) continue;
       const Duration lasts = one.bound.on_end ? known.task.duration.least : Duration();
       const bool soon = one.bound.least <= lasts;
       if (one.other == TaskId()) {

@@ -57,6 +57,7 @@ class PlanNetwork {
   void settle();
   void hold_back(bool controllable);
   void hold_for_instants(const temporal::LiveStn* windows);
+  bool ends_with_its_like(const Known& known) const;
   void hold_after_goals(const temporal::LiveStn& windows);
   void hold_behind(const temporal::NamedWait& wait);
   void hold_until_windows_open();

@@ -148,5 +148,24 @@ TEST(SupervisorEnergy, WithoutAnyPlanItLandsWhereItIsBeforeTheReserve) {
   EXPECT_EQ(start->task.type, "land");
 }
 
+// What is refused again and again is planned again after pauses that grow to a minute.
+TEST(SupervisorEnergy, APauseBetweenTwoTriesIsNotWaitedForAtTheReserve) {
+  Desk desk = Desk::engaged(with_figures());
+  desk.flies({1000, 0, 40});
+  desk.add(a_mission(1, {701}));
+  desk.finish(inserted({701}, {TaskOf(100, "goto", 701)}));
+  desk.aborted(100);
+  desk.finish(repaired(RepairStep::kRefine, {701}, {TaskOf(150, "goto", 701)}));
+  desk.aborted(150);
+  ASSERT_FALSE(desk.job_started());
+
+  desk.at(3).flies({1000, 0, 40}, 0.105);
+
+  EXPECT_THAT(desk.notices(), Contains(HasSubstr("lands at once")));
+  EXPECT_EQ(desk.state_of(701), "failed");
+  desk.at(60).give(Tick{});
+  EXPECT_FALSE(desk.job_started()) << "nothing is left to be planned again";
+}
+
 }  // namespace
 }  // namespace skein::supervisor

@@ -369,6 +369,26 @@ TEST(ScheduleGoalBounds, OfAGoalThatIsOverTheInstantCounts) {
   EXPECT_THAT(late.conflicts[0].why, HasSubstr("after the end of goal 701, which was at 100 s"));
 }
 
+// The wait ends with the synchronisation and the look with the wait, and these keep the bound.
+TEST(ScheduleGoalBounds, WhatAnotherOfItsGoalStopsIsNotHeldBackForItsEnd) {
+  GoalBounds bounds;
+  bounds.of[mission::GoalId(702)] = {
+      {mission::GoalId(701), true, Duration::seconds(90), Duration::max()}};
+  const Tasks meets{of_goal(a_task(3, "wait").stopped_by(4), 702),
+                    of_goal(a_task(4, "synchronise").running(3).lasts(0, 30), 702)};
+  const Tasks looks{of_goal(a_task(3, "wait").lasts(65), 702),
+                    of_goal(a_task(4, "takeshot").running(3).stopped_by(3), 702)};
+  const auto free = [&](const Tasks& tasks, std::uint64_t task) {
+    return schedule(tasks, {}, at(110), bounds).holds.count(id(task)) == 0;
+  };
+
+  EXPECT_TRUE(free(meets, 3)) << "while the other goal is not over";
+  bounds.over[mission::GoalId(701)] = at(100);
+  EXPECT_TRUE(free(meets, 3));
+  EXPECT_TRUE(free(looks, 4));
+  EXPECT_FALSE(free(looks, 3)) << "its end is its own: 65 s after its start";
+}
+
 TEST(ScheduleGoalBounds, OfAGoalThatIsGoneNothingIsBounded) {
   const Tasks rest{of_goal(a_task(3, "goto").lasts(30, 50), 702)};
 

@@ -116,6 +116,35 @@ TEST(WindEstimator, StaysCloseThroughGusts) {
   EXPECT_LT(error(estimator, wind), 0.5);
 }
 
+// A fault of the vehicle, that lasts for two minutes.
+TEST(WindEstimator, TakesNoVehicleThatBecomesSlowForAWind) {
+  const Vector3 wind(1, 0, 0);
+  WindEstimator estimator(blimp(), {0, 1, 0.3});
+  double worst = 0;
+
+  for (int s = 0; s < 600; ++s) {
+    const double air_speed = s >= 150 && s < 270 ? 5.5 : 8;
+    const double heading = s < 300 ? 0.1 * std::min(s, 140) : 14;
+    estimator.see(flying(blimp(), heading, air_speed, wind), MissionTime::seconds(s));
+    if (estimator.spread() < 0.6) worst = std::max(worst, error(estimator, wind));
+  }
+
+  EXPECT_LT(worst, 1);
+}
+
+TEST(WindEstimator, OfAVehicleThatWasAlwaysSlowKnowsTheWindAllTheSame) {
+  WindEstimator estimator(blimp(), {0, 0, 0.3});
+  double worst = 0;
+
+  for (int s = 0; s < 400; ++s) {
+    estimator.see(flying(blimp(), 0.05 * s, 4.5, Vector3::Zero()), MissionTime::seconds(s));
+    if (estimator.spread() < 0.6) worst = std::max(worst, error(estimator, Vector3::Zero()));
+  }
+
+  EXPECT_LT(worst, 0.75);
+  EXPECT_LT(estimator.spread(), 0.6);
+}
+
 TEST(WindEstimator, FollowsAWindThatTurns) {
   WindEstimator estimator(blimp(), {0, 0, 0.5});
   for (int s = 0; s < 300; ++s)

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "flight/flights_met.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "flight/autopilot.hpp"
+#include "flight/closed_air.hpp"
+
+namespace skein::supervisor {
+
+bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& volumes,
+                  const world::VehicleModel& vehicle, const world::Wind& wind,
+                  const Closeness& closeness) {
+  if (way.size() < 2) return false;
+  const auto is_met = [&](const world::Vector3& at) {
+    return std::any_of(volumes.begin(), volumes.end(),
+                       [&](const auto& volume) { return is_near(volume, at, closeness.margin); });
+  };
+  const auto any_met = [&](const std::vector<world::Vector3>& track) {
+    return std::any_of(track.begin(), track.end(), is_met);
+  };
+  const refiners::Way rest(way.begin() + 1, way.end());
+  const double round = 2 * std::numbers::pi * vehicle.orbit_radius / vehicle.cruise_speed;
+  for (const Pose& pose : poses_at(way.front(), vehicle)) {
+    if (is_met(pose.at)) continue;
+    const std::uint64_t trials = vehicle.hovers ? closeness.shaken : 0;
+    for (std::uint64_t trial = 1; trial <= trials; ++trial)
+      if (any_met(fly_way(pose, rest, vehicle, wind, trial).track)) return true;
+    const FlownWay flown = fly_way(pose, rest, vehicle, wind);
+    if (any_met(flown.track)) return true;
+    if (vehicle.hovers) continue;
+    if (any_met(circle_over(flown.end, way.back(), vehicle, wind, 2 * round))) return true;
+  }
+  return false;
+}
+
+}  // namespace skein::supervisor
