@@ -34,15 +34,12 @@ class WindEstimator {
   double spread() const;
 
  private:
-  bool has_settled(const world::VehicleState& state, double dt);
   bool is_steady(const world::VehicleState& state, double dt) const;
-  void doubt_air_speed(const Eigen::Vector2d& surprise, const Eigen::Matrix2d& expected);
 
   bool hovers_;
   double cruise_, drift_, gusts_;
   Eigen::Vector3d mean_;  ///< wind east, north, air speed [m/s]
   Eigen::Matrix3d covariance_;
-  double along_ = 0;  ///< what its speed over the ground, where its nose points, has been [m/s]
   std::optional<world::VehicleState> last_;
   MissionTime last_at_;
 };

@@ -155,6 +155,63 @@ TEST(SupervisorWorld, AroundAUavOnTheGroundIsNotLeft) {
   EXPECT_FALSE(desk.job_started());
 }
 
+/// It cannot hover, and circles 40 m wide.
+Config of_a_blimp() {
+  Config config = that_leaves();
+  Knowledge knowledge = *config.knowledge;
+  world::VehicleModel& vehicle = knowledge.vehicle;
+  vehicle.hovers = false;
+  vehicle.orbit_radius = 40;
+  vehicle.min_turn_radius = 20;
+  vehicle.cruise_speed = vehicle.max_speed = 8;
+  vehicle.min_speed = 2;
+  vehicle.acceleration = 0.5;
+  vehicle.climb_rate = vehicle.descent_rate = 1;
+  vehicle.position_precision = 1;
+  knowledge.home = {-500, 0, 0};
+  config.knowledge = std::make_shared<Knowledge>(knowledge);
+  return config;
+}
+
+/// Flies to (0, 0, 40), then on to (400, 0, 40).
+Desk on_two_ways(Config config) {
+  Desk desk = Desk::engaged(std::move(config));
+  desk.add(a_mission(1, {701, 702}));
+  desk.finish(inserted(
+      {701, 702},
+      {TaskOf(100, "goto", 701).takes(20, 60).way({{-300, 0, 40}, {0, 0, 40}}),
+       TaskOf(101, "goto", 702).after(100).takes(50, 90).way({{0, 0, 40}, {400, 0, 40}})}));
+  desk.flies({-300, 0, 40});
+  desk.runs(100);
+  desk.flies({-200, 0, 40});
+  return desk;
+}
+
+// It sets out from anywhere on its circle, up to 40 m beside its way.
+TEST(SupervisorWorld, ClosedBesideAWayToComeCountsAsFarAsFlightsAlongItStray) {
+  const world::Polygon beside{{100, 12}, {200, 12}, {200, 80}, {100, 80}};
+  Desk blimp = on_two_ways(of_a_blimp()), far = on_two_ways(of_a_blimp());
+
+  blimp.at(30).give(closed("smoke", beside));
+  far.at(30).give(closed("smoke", {{100, 90}, {200, 90}, {200, 180}, {100, 180}}));
+
+  ASSERT_TRUE(blimp.job_started());
+  EXPECT_EQ(blimp.repair().failed->id, GoalId{702});
+  EXPECT_FALSE(far.job_started());
+}
+
+TEST(SupervisorWorld, ClosedWhereItIsToCircleStopsTheWayThere) {
+  const world::Polygon near_its_end{{-10, 30}, {10, 30}, {10, 60}, {-10, 60}};
+  Desk blimp = on_two_ways(of_a_blimp()), hovers = on_two_ways(that_leaves());
+
+  blimp.at(30).give(closed("smoke", near_its_end));
+  hovers.at(30).give(closed("smoke", near_its_end));
+
+  ASSERT_TRUE(blimp.job_started());
+  EXPECT_EQ(blimp.repair().failed->id, GoalId{701});
+  EXPECT_FALSE(hovers.job_started());
+}
+
 /// At degree 4 with nothing to do, after a flight to (0, 0, 40) that it circles over, 40 m wide.
 Desk circling(const world::Vector3& now_at) {
   Config config = that_leaves();
