@@ -16,6 +16,8 @@ std::vector<Violation> places_not_reached(const History& history);
 std::vector<Violation> waits_not_done(const History& history);
 std::vector<Violation> done_twice(const History& history);
 // coverage.cpp
+/// In which the device met the zone; nothing of what is no detection.
+std::optional<double> seconds_detected(const History& history, const Uav& uav, const Goal& goal);
 std::vector<Violation> detections_not_done(const History& history);
 std::vector<Violation> mappings_not_done(const History& history);
 // synchronisation.cpp

@@ -173,6 +173,9 @@ std::vector<Violation> done_twice(const History& history) {
       ++pieces;
     }
     if (pieces < 2 || seconds <= kPart * *asked + pieces * kOfAPiece) return;
+    // The device is on while a patrol comes to its zone; nothing is done again there.
+    seconds = seconds_detected(history, uav, goal).value_or(seconds);
+    if (seconds <= kPart * *asked + pieces * kOfAPiece) return;
     result.push_back({"", at, uav.name(), goal.id,
                       mission::to_text(goal.task) + " is achieved: it looked for " +
                           figure(seconds) + " of " + figure(*asked) + " s in " +

@@ -79,19 +79,23 @@ double part_seen(const History& history, const Uav& uav, const Goal& goal,
 
 }  // namespace
 
+std::optional<double> seconds_detected(const History& history, const Uav& uav, const Goal& goal) {
+  if (goal.task.name != "perform-detection" || goal.task.arguments.size() < 3) return std::nullopt;
+  const world::Zone* zone = history.zone(goal.task.arguments[0]);
+  if (zone == nullptr) return std::nullopt;
+  const double side = std::max(5.0, std::sqrt(world::area(zone->polygon) / 200));
+  return seconds_over(history, uav, goal, cells_of(history, zone->polygon, side));
+}
+
 std::vector<Violation> detections_not_done(const History& history) {
   std::vector<Violation> result;
   for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
-    if (goal.task.name != "perform-detection" || goal.task.arguments.size() < 3) return;
-    const world::Zone* zone = history.zone(goal.task.arguments[0]);
-    const auto wanted = number_of(goal.task.arguments[2]);
-    if (zone == nullptr || !wanted) return;
-    const double side = std::max(5.0, std::sqrt(world::area(zone->polygon) / 200));
-    const double seconds = seconds_over(history, uav, goal, cells_of(history, zone->polygon, side));
-    if (seconds >= kDetectPart * *wanted) return;
+    const auto seconds = seconds_detected(history, uav, goal);
+    const auto wanted = seconds ? number_of(goal.task.arguments[2]) : std::nullopt;
+    if (!wanted || *seconds >= kDetectPart * *wanted) return;
     result.push_back({"", at, uav.name(), goal.id,
                       mission::to_text(goal.task) + " is achieved: it looked at the zone for " +
-                          figure(seconds) + " of " + figure(*wanted) + " s"});
+                          figure(*seconds) + " of " + figure(*wanted) + " s"});
   });
   return result;
 }

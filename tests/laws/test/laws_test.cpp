@@ -95,6 +95,24 @@ TEST(Progress, WhatWasPerceivedIsNotPerceivedAgain) {
 
 TEST(Progress, OneLongLookIsNoRepetition) { EXPECT_THAT(look(160).broken("progress"), IsEmpty()); }
 
+TEST(Progress, WhileADetectionComesToItsZoneNothingIsDoneAgain) {
+  const auto comes_from = [](Vector3 far) {
+    const Vector3 there{150, 60, 40};
+    const std::string goal = "perform-detection Z P1 60";
+    Story story;
+    story.flies("marvin", 0, 130, there, there).flies("marvin", 131, 260, far, far);
+    story.flies("marvin", 261, 300, there, there);
+    story.goal("marvin", 701, goal, "received", 1);
+    story.does("marvin", {101, "takeshot", 701, 90, 130, "aborted", "visible", {150, 60, 0}});
+    story.does("marvin", {102, "takeshot", 701, 140, 290, "ended", "visible", {150, 60, 0}});
+    story.goal("marvin", 701, goal, "achieved", 290);
+    return story.broken("progress");
+  };
+
+  EXPECT_THAT(comes_from({-900, 60, 40}), IsEmpty());
+  EXPECT_THAT(comes_from({150, 60, 40}), ElementsAre(HasSubstr("of 60.0 s in 2 pieces")));
+}
+
 TEST(Perceived, APlaceInTheAirIsPerceivedFromThere) {
   const auto at = [](Vector3 where) {
     Story story;
