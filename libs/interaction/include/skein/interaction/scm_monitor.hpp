@@ -73,19 +73,13 @@ class ScmMonitor {
   ScmReport::Finding finding() const { return finding_; }
 
  private:
-  struct Slack {
-    double by = 0;  ///< [m] or [rad]; negative: violated
-    bool holds = true;
-    Measured measured;
+  /// What one update finds.
+  struct Round {
+    bool unknown = false;            ///< some place
+    bool clear = true;               ///< all that is known holds by the margin
+    std::optional<Measured> missed;  ///< by most
   };
-  struct Round;
-  void measure(std::size_t index, Round& round) const;
-  void measure_one(std::size_t index, const std::vector<std::string>& of, Round& round) const;
-  std::optional<double> value_of(const SpatialConstraint& one, const std::vector<std::string>& of,
-                                 const Position& at, const Round& round) const;
-  std::optional<double> reference_of(const SpatialConstraint& one,
-                                     const std::vector<std::string>& of, const Round& round) const;
-  const std::vector<std::string>& names_of(const std::string& place) const;
+  Round measure(const Position& own, const Observer& observer, MissionTime now) const;
 
   std::string id_;
   Scm scm_;

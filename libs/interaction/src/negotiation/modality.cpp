@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/interaction/negotiation/modality.hpp"
+
+#include "skein/foundation/contract.hpp"
+
+namespace skein::interaction {
+
+std::optional<std::string> NegotiationModality::problem_of(const Terms& terms,
+                                                           const Rows& offer) const {
+  return do_check_offer(terms, offer);
+}
+
+Result<Rows, Failure> NegotiationModality::settle(const Terms& terms, const Offers& offers) const {
+  SKEIN_EXPECTS(offers.size() == terms.members.size());
+  return do_settle(terms, offers);
+}
+
+}  // namespace skein::interaction
