@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Never two different results, never success at one member and failure at another, always an end by
-// the deadline: on every course of two UAVs, at every cut of two and three, and in random sessions of
-// up to eight.
+// the deadline: on every course of two UAVs, at every cut of two and three, and in random sessions
+// of up to eight.
 #include <gtest/gtest.h>
 
 #include <algorithm>
