@@ -3,7 +3,10 @@
 // processor time ends soon after them, with the best so far or with "no answer in time".
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <ctime>
+#include <optional>
 
 #include "coverage_cases.hpp"
 #include "relay_cases.hpp"
@@ -219,6 +222,40 @@ TEST(BudgetLaw, PatrolsOverManyCellsEndInTime) {
   query.footprint = 20;
   query.duration = Duration::seconds(100'000);
   expect_in_time(query, world, "a million cells");
+}
+
+/// Where few places are at risk a patrol is searched for longest: without a budget for seconds.
+TEST(BudgetLaw, PatrolsWhereRiskHasPeaksAreAnsweredInTimeAndNeverWorseForMoreTime) {
+  auto world = testing::level_world(1000);
+  world.ground.grid = {-640, -640, 20, 64, 64};
+  world.ground.risk.clear();
+  for (std::size_t i = 0; i < world.ground.grid.size(); ++i) {
+    const Vector2 at = world.ground.grid.centre(i);
+    double risk = 0.05;
+    for (const Vector2& peak : {Vector2(-300, 200), Vector2(250, -350), Vector2(400, 420)})
+      risk = std::max(risk, std::exp(-(at - peak).squaredNorm() / (2 * 120.0 * 120)));
+    world.ground.risk.push_back(risk);
+  }
+  auto query = patrol_over(world, 639);
+  for (const double footprint : {20.0, 40.0, 60.0}) {
+    query.footprint = footprint;
+    expect_in_time(query, world, "risk with peaks, footprint " + std::to_string(footprint));
+  }
+
+  std::optional<PatrolFigures> before;
+  for (const double budget : {0.5, 1.5}) {
+    Setting setting{world, {}, 1, nullptr};
+    setting.budget.time_is_up = [&, began = processor_seconds()] {
+      return processor_seconds() - began > budget;
+    };
+    const auto refined = refine(query, setting);
+    ASSERT_TRUE(refined) << refined.error().why;
+    const PatrolFigures& now = refined->task.predicted;
+    EXPECT_EQ(now.unseen, 0U);
+    EXPECT_FALSE(before && now.mean_idleness > 1.01 * before->mean_idleness &&
+                 now.worst_risk_idleness > 1.01 * before->worst_risk_idleness);
+    before = now;
+  }
 }
 
 TEST(BudgetLaw, APatrolThatIsShortOfTimeIsAnsweredWithThePartThatIsPlanned) {
