@@ -81,6 +81,16 @@ TEST(ContactPolicy, GivesUpWhatIsPlanned) {
   EXPECT_THAT(words, Not(Contains("sim: dispatch 4 land")));
 }
 
+// Its partners are told, and do not count on it.
+TEST(ContactPolicy, GivesUpWhatIsBeingSynchronised) {
+  Bench bench(Bench::with_policy(3, ContactPolicy::kReturn));
+  in_the_air(bench);
+  bench.from_ground(start(1, testing::rendezvous(5, 510)));
+  lose_ground_at(bench, 10);
+
+  EXPECT_THAT(bench.wake_at(40), Contains("ground: 5 aborted"));
+}
+
 TEST(ContactPolicy, ReturnFliesHomeAndLands) {
   Bench bench(Bench::with_policy(3, ContactPolicy::kReturn));
   in_the_air(bench);

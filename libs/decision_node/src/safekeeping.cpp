@@ -2,6 +2,7 @@
 #include "safekeeping.hpp"
 
 #include "core.hpp"
+#include "skein/functional/task_types.hpp"
 #include "skein/supervisor/way_home.hpp"
 
 namespace skein::decision_node {
@@ -13,9 +14,9 @@ void Safekeeping::time_passes() {
   if (contact_.due(core_.bus().now())) carry_out_policy();
 }
 
-// What is planned is given up and what flies the vehicle is interrupted, so that nothing of the
-// plan moves it while the ground is silent; the supervisor decides nothing more. What the ground
-// itself requested (degree 1) is interrupted first.
+// What is planned, or being synchronised, is given up and what flies the vehicle is interrupted, so
+// that nothing of the plan moves it while the ground is silent; the supervisor decides nothing
+// more. What the ground itself requested (degree 1) is interrupted first.
 void Safekeeping::carry_out_policy() {
   const ContactPolicy policy = core_.config().contact_policy;
   core_.bus().emit(PolicyCarriedOut{policy, ""});
@@ -27,9 +28,9 @@ void Safekeeping::carry_out_policy() {
     for (const auto& [task, type] : passed) core_.interrupt(task);
     const std::vector<executive::TaskStatus> tasks = core_.execution().tasks();
     for (auto task = tasks.rbegin(); task != tasks.rend(); ++task) {
-      if (task->state == executive::TaskState::kScheduled) {
-        core_.execution().run(executive::Abort{task->id});
-      }
+      const bool waits = task->state == executive::TaskState::kScheduled;
+      const bool talks = functional::TaskTypes::shipped().of(task->type).synchronises();
+      if (waits || talks) core_.execution().run(executive::Abort{task->id});
     }
     keep(policy);
   }
