@@ -85,6 +85,27 @@ TEST(ReadAutomaton, WhatIsNoBlockIsNoAutomaton) {
               HasSubstr("list"));
 }
 
+TEST(ReadAutomaton, EveryPieceThatIsWrongIsNamed) {
+  const std::vector<std::pair<std::string, std::string>> wrong{
+      {"local: {p: }, content: [{task: t, type: goto}]", "no initialiser"},
+      {"content: [{task: '', type: goto}]", "an empty id"},
+      {"content: [{task: t, type: goto, params: [1]}]", "not a map"},
+      {"pre: [[{}]], content: [{task: t, type: goto}]", "not a literal"},
+      {"pre: [[{message: m, componel: t, state: ended}]], content: [{task: t, type: goto}]",
+       "exactly one of componel, message and time"},
+      {"pre: [[{message: m, effect: exit}]], content: [{task: t, type: goto}]",
+       "a precondition has no effect"},
+      {"pre: [[{time: 1, since: nothing, is: passed}]], content: [{task: t, type: goto}]",
+       "'nothing' is no instant"},
+      {"pre: [[{time: 1, since: 'u:ended', is: passed}]], content: [{task: t, type: goto}]",
+       "unknown componel 'u'"},
+      {"content: [{task: t, type: goto, modality: role-allocation}]", "unknown key 'modality'"},
+      {"content: [{action: t}]", "modality: missing"}};
+  for (const auto& [piece, why] : wrong) {
+    EXPECT_THAT(errors_of("{block: b, " + piece + "}"), HasSubstr(why)) << piece;
+  }
+}
+
 TEST(ReadAutomaton, AnExitOfOneLiteralWithoutListsIsRefused) {
   EXPECT_NE(errors_of("{block: b, exit: {message: m}, content: [{task: t, type: goto}]}"), "");
 }

@@ -177,6 +177,29 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"Loop", "{block: h0,", "{block: h0, type: loop,", "the loop 'h0' has no way out"}),
     [](const auto& one) { return one.param.what; });
 
+INSTANTIATE_TEST_SUITE_P(
+    Scms, ReadLibraryWrong,
+    ::testing::Values(
+        Wrong{"Name", "{place: Place, most: Number}", "{scm: Place, place: Place, most: Number}",
+              "'scm' is no name of a parameter"},
+        Wrong{"Kind", "most: Number}", "most: Figure}", "'Figure'; expected one of Place, Number"},
+        Wrong{"NoConstraints", "constraints: [{distance-to: place, is: \"<\", than: most}]",
+              "constraints: []", "no constraints; expected at least one"},
+        Wrong{"TwoQuantities", "{distance-to: place, is: \">\"",
+              "{distance-to: place, azimuth: [place, aside], is: \">\"",
+              "exactly one of distance-to, azimuth and altitude"},
+        Wrong{"Frame", "azimuth: [place, aside]", "azimuth: [place]", "no celestial frame"},
+        Wrong{"Relation", "is: \">\"", "is: \"><\"", "unknown relation '><'"},
+        Wrong{"PlaceAsDistance", "than: near}", "than: aside}",
+              "a place where a distance is meant"},
+        Wrong{"ThreePlaces", "than: far}", "than: [place, aside, place]}", "no reference"},
+        Wrong{"Tolerance", "than: far}", "than: far, tolerance: 1}", "a tolerance without ="},
+        Wrong{"NoTolerance", "tolerance: 0.1", "tolerance: 0",
+              "nothing is equal to the last digit"},
+        Wrong{"Place", "{distance-to: place, is: \"<\"", "{distance-to: plce, is: \"<\"",
+              "unknown place 'plce'"}),
+    [](const auto& one) { return one.param.what; });
+
 TEST(ReadLibrary, OneUavIsNoTeam) {
   const auto library = library_of(R"(
 roles: {alone: {automaton: {block: b, content: [{action: a, modality: role-allocation}]}}}
