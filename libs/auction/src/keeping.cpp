@@ -126,18 +126,25 @@ bool TeamMember::Core::may_begin(const LedgerEntry& entry) const {
       return false;
     }
   }
-  return std::none_of(ledger().precedences.begin(), ledger().precedences.end(), [&](const auto& p) {
-    if (p.then != entry.task.number) return false;
-    const auto first = ledger().entries.find(p.first);
-    return first != ledger().entries.end() && first->second.stage != Stage::kDone;
-  });
+  return all_before_done(entry);
 }
 
+// To nobody more than it may have ahead: two that wait for each other in their routes get one after
+// the other.
 void TeamMember::Core::grant() {
+  std::map<MemberNumber, std::uint32_t> has;
+  for (const auto& [task, entry] : ledger().entries) {
+    if (entry.stage != Stage::kGranted) continue;
+    for (const MemberNumber owner : entry.owners)
+      has[owner] += entry.finished.contains(owner) ? 0 : 1;
+  }
   std::vector<TaskNumber> granted;
   for (const auto& [task, entry] : ledger().entries) {
-    if (entry.stage == Stage::kOwned && entry.stopped.empty() && may_begin(entry))
-      granted.push_back(task);
+    const auto full = [&](MemberNumber owner) { return has[owner] >= setup_.limits.ahead; };
+    if (entry.stage != Stage::kOwned || !entry.stopped.empty() || !may_begin(entry)) continue;
+    if (std::any_of(entry.owners.begin(), entry.owners.end(), full)) continue;
+    for (const MemberNumber owner : entry.owners) ++has[owner];
+    granted.push_back(task);
   }
   for (const TaskNumber task : granted) change(task).stage = Stage::kGranted;
 }

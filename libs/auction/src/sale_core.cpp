@@ -2,6 +2,7 @@
 #include "sale_core.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "skein/foundation/contract.hpp"
 
@@ -144,6 +145,15 @@ Auctioneer::Core::Deal Auctioneer::Core::draft_deal() {
 
 void Auctioneer::Core::decide(MissionTime now, SaleEffects& effects) {
   Deal deal = draft_deal();
+  if (!deal.draft.restore()) {  // routes that wait for each other: whatever has dates is better
+    value_.unsold = std::numeric_limits<std::uint32_t>::max();
+    if (round_ == 1) {
+      sell_all_anew();
+    } else if (selling_)
+      left_over_.insert(left_over_.end(), items_.begin(), items_.end());
+    ++without_gain_;
+    return next_round(now, effects);
+  }
   deal.decided = determine_winners(deal.draft, picker_.random(), setup_.limits.orders);
   const Value value = deal.draft.value();
   const bool first = round_ == 1;
@@ -157,6 +167,22 @@ void Auctioneer::Core::decide(MissionTime now, SaleEffects& effects) {
     return next_round(now, effects);
   }
   award(std::move(deal), now, effects);
+}
+
+// Everything that may move goes on sale again.
+void Auctioneer::Core::sell_all_anew() {
+  std::set<TaskNumber> all(items_.begin(), items_.end());
+  std::set<TaskNumber> fixed;
+  for (Member& member : members_) {
+    auto& tasks = member.route.tasks;
+    fixed.insert(tasks.begin(), tasks.begin() + member.route.fixed);
+    all.insert(tasks.begin() + member.route.fixed, tasks.end());
+    tasks.resize(member.route.fixed);
+    member.route.legs.clear();
+  }
+  for (const TaskNumber task : all) {
+    if (!fixed.contains(task)) to_sell_.push_back(task);
+  }
 }
 
 // Awards for whose route changes; where there is none, the deal is done.

@@ -69,6 +69,7 @@ class Auctioneer::Core {
   std::optional<Unsold> hopeless(const Task& task) const;
   void finish(SaleEffects& effects);
   void open_answers(MissionTime now);
+  void sell_all_anew();
   void send(std::size_t member, ToMember message, SaleEffects& effects);
   std::set<std::size_t>& awaited() { return phase_ == Phase::kCalling ? awaited_ : deal_->awaited; }
   void drop(std::size_t member, const char* why, SaleEffects& effects);

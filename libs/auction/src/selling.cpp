@@ -9,7 +9,8 @@ namespace skein::auction {
 
 namespace {
 
-constexpr int kSalesOfATerm = 24;  // bits
+constexpr int kSalesOfATerm = 24;         // bits
+constexpr std::int64_t kRetryLeases = 6;  // until what nobody could do is called again
 
 std::string names(const std::vector<MemberNumber>& members) {
   std::string text;
@@ -41,13 +42,12 @@ std::set<MemberNumber> TeamMember::Core::present() const {
 
 // Something has no owner, or somebody is there that the last sale was without.
 bool TeamMember::Core::worth_selling(const std::set<MemberNumber>& present) const {
-  const bool joined = std::any_of(present.begin(), present.end(), [this](MemberNumber member) {
-    return !took_part_.contains(member);
-  });
+  const auto is_new = [this](MemberNumber member) { return !took_part_.contains(member); };
+  const bool joined = now_ >= rest_until_ && std::any_of(present.begin(), present.end(), is_new);
   return std::any_of(ledger().entries.begin(), ledger().entries.end(), [&](const auto& each) {
     const Stage stage = each.second.stage;
-    return stage == Stage::kForSale ||
-           (joined && (stage == Stage::kOwned || stage == Stage::kUnsold));
+    return stage == Stage::kForSale || (joined && stage == Stage::kOwned) ||
+           (stage == Stage::kUnsold && (joined || now_ >= retry_at_));
   });
 }
 
@@ -142,7 +142,7 @@ void TeamMember::Core::sell() {
   for (const auto& [task, entry] : ledger().entries) {
     if (entry.stage == Stage::kUnsold) again.push_back(task);
   }
-  for (const TaskNumber task : again) put_up(change(task), "somebody came");
+  for (const TaskNumber task : again) put_up(change(task), "called again");
   SaleSetup setup{SaleNumber((disk_.term << kSalesOfATerm) + ++sales_),
                   std::make_shared<const Catalogue>(sound_lot()),
                   {},
@@ -151,6 +151,7 @@ void TeamMember::Core::sell() {
                   setup_.seed + sales_};
   for (const MemberNumber member : here) setup.holdings.push_back(holding(member));
   took_part_ = here;
+  retry_at_ = now_ + Duration::nanoseconds(kRetryLeases * setup_.limits.lease.count());
   sale_.emplace(Sale{Auctioneer(std::move(setup)), ledger().revision, here, {}});
   take(sale_->auctioneer.start(now_));
 }
@@ -191,6 +192,11 @@ void TeamMember::Core::explain(const SaleEffect& effect) {
                    for (const Contradiction& wrong : rejected.contradictions) {
                      for (const TaskNumber task : wrong.chain) sale_->why[task] = wrong.why;
                    }
+                 },
+                 // It is asked in another sale, but not at once: it may be silent again.
+                 [this](const Dropped& dropped) {
+                   took_part_.erase(dropped.member);
+                   rest_until_ = now_ + setup_.limits.lease;
                  },
                  [](const auto&) {},
              },

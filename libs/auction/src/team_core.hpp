@@ -69,6 +69,7 @@ class TeamMember::Core {
   void settle(LedgerEntry& entry);
   void grant();
   bool may_begin(const LedgerEntry& entry) const;
+  bool all_before_done(const LedgerEntry& entry) const;
   void resell();
   void put_up(LedgerEntry& entry, std::string why);
   LedgerEntry& change(TaskNumber task);
@@ -103,7 +104,7 @@ class TeamMember::Core {
   Role role_ = Role::kFollower;
   MissionTime now_;
   MissionTime stand_at_, beat_at_;
-  MissionTime held_since_;
+  MissionTime held_since_, rest_until_, retry_at_;
   std::optional<MissionTime> last_beat_;
   bool trial_ = false;
   std::set<MemberNumber> votes_;
@@ -115,6 +116,7 @@ class TeamMember::Core {
   std::uint64_t sales_ = 0;
   std::deque<ToMember> own_calls_;  ///< of the sale held here
   std::optional<Claim> running_;
+  std::optional<MissionTime> idle_since_;
   std::map<MemberNumber, std::vector<Claim>> wants_;  ///< as last said
   std::set<MemberNumber> declared_lost_;
   bool stored_ = false, started_ = false;

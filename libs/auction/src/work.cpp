@@ -20,19 +20,32 @@ bool TeamMember::Core::ended(const LedgerEntry& entry) const {
   return is(disk_.done) || is(disk_.stopped);
 }
 
+// The next of its route that wait for nothing; all of them when it has been idle for long, since
+// routes that were sold in parts of the team may wait for each other.
 std::vector<Claim> TeamMember::Core::wants() const {
   std::vector<Claim> wants;
   const auto route = ledger().routes.find(setup_.self);
   if (route == ledger().routes.end()) return wants;
+  const bool stuck = idle_since_ && now_ - *idle_since_ > setup_.limits.lease;
   std::uint32_t ahead = 0;
   for (const TaskNumber task : route->second) {
     const auto found = ledger().entries.find(task);
     if (found == ledger().entries.end() || !mine(found->second) || ended(found->second)) continue;
-    if (found->second.stage != Stage::kOwned && found->second.stage != Stage::kGranted) continue;
-    if (ahead++ == setup_.limits.ahead) break;
-    if (found->second.stage == Stage::kOwned) wants.push_back({task, found->second.sale});
+    const LedgerEntry& entry = found->second;
+    if (entry.stage != Stage::kOwned && entry.stage != Stage::kGranted) continue;
+    if (!all_before_done(entry)) continue;
+    if (ahead++ == setup_.limits.ahead && !stuck) break;
+    if (entry.stage == Stage::kOwned) wants.push_back({task, entry.sale});
   }
   return wants;
+}
+
+bool TeamMember::Core::all_before_done(const LedgerEntry& entry) const {
+  return std::none_of(ledger().precedences.begin(), ledger().precedences.end(), [&](const auto& p) {
+    if (p.then != entry.task.number) return false;
+    const auto first = ledger().entries.find(p.first);
+    return first != ledger().entries.end() && first->second.stage != Stage::kDone;
+  });
 }
 
 Status TeamMember::Core::status() const {
@@ -60,21 +73,24 @@ void TeamMember::Core::give_up_claims() {
   }
 }
 
-// The first of its route that it was granted, by a ledger that a majority has.
+// What it was granted first, by a ledger that a majority has: partners begin in the same order.
 void TeamMember::Core::work() {
   if (running_) return;
-  const auto route = ledger().routes.find(setup_.self);
-  if (route == ledger().routes.end() || ledger().term != disk_.term) return;
-  for (const TaskNumber task : route->second) {
-    const auto found = ledger().entries.find(task);
-    if (found == ledger().entries.end() || !mine(found->second) || ended(found->second)) continue;
-    if (found->second.stage != Stage::kGranted || found->second.revision > committed_) continue;
-    running_ = Claim{task, found->second.sale};
-    disk_.started[task] = running_->sale;
-    store();
-    effects_.emplace_back(BeginTask{*running_});
+  const LedgerEntry* next = nullptr;
+  for (const auto& [task, entry] : ledger().entries) {
+    if (entry.stage != Stage::kGranted || !mine(entry) || ended(entry)) continue;
+    if (ledger().term != disk_.term || entry.revision > committed_) continue;
+    if (next == nullptr || entry.revision < next->revision) next = &entry;
+  }
+  if (next == nullptr) {
+    if (!idle_since_) idle_since_ = now_;
     return;
   }
+  idle_since_.reset();
+  running_ = Claim{next->task.number, next->sale};
+  disk_.started[running_->task] = running_->sale;
+  store();
+  effects_.emplace_back(BeginTask{*running_});
 }
 
 }  // namespace skein::auction

@@ -57,7 +57,7 @@ inline std::vector<std::string> unexplained(const std::vector<Execution>& execut
   return wrong;
 }
 
-/// Everything is done, or told to be impossible, in the ledger of every member alive.
+/// Everything is done in the ledger of every member alive.
 inline std::vector<std::string> unfinished(const TeamSimulation& team, std::size_t tasks) {
   std::vector<std::string> wrong;
   for (std::size_t m = 0; m < team.size(); ++m) {
@@ -66,7 +66,7 @@ inline std::vector<std::string> unfinished(const TeamSimulation& team, std::size
     if (ledger.entries.size() != tasks)
       wrong.push_back("member " + std::to_string(m) + " lacks tasks");
     for (const auto& [task, entry] : ledger.entries) {
-      if (entry.stage == Stage::kDone || entry.stage == Stage::kUnsold) continue;
+      if (entry.stage == Stage::kDone) continue;
       wrong.push_back("task " + to_text(task) + " is not done at member " + std::to_string(m) +
                       ": stage " + std::to_string(static_cast<int>(entry.stage)) + ", " +
                       entry.why);
