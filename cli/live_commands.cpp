@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "argument_checks.hpp"
+#include "skein/functional_tool/functional.hpp"
 #include "skein/run_tool/run.hpp"
 #include "skein/spy_tool/spy.hpp"
 
@@ -44,6 +45,10 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
   run->add_option("--domain", options->domain, "DDS domain id (default: a free one)")
       ->check(CLI::Range(0, 100));
   run->add_option("--daemons", options->daemons, "Folder of the daemons (default: beside skein)");
+  run->add_option("--without", options->without,
+                  "A node that somebody else starts, a bridge to an autopilot for instance; may be "
+                  "repeated")
+      ->allow_extra_args(false);
   run->footer(kRunExamples);
   run->callback(
       [options, &action, &live] { action = [options, &live] { return live.run(*options); }; });
@@ -97,12 +102,47 @@ void add_spy(CLI::App& app, Action& action, const LiveActions& live) {
   });
 }
 
+constexpr const char* kFunctionalExamples = R"(
+Examples:
+  skein functional scenarios/comets/confirmed.yaml --uav marvin --virtual    the simulator's marvin
+  skein-sim --scenario S --node autopilot --domain 5 &                       any functional layer
+  skein functional S --uav heliv --domain 5                                  checked over DDS
+Exit codes: 0 every point of the contract is kept, 1 some are not, 2 wrong input, 3 DDS refused.)";
+
+void add_functional(CLI::App& app, Action& action, const LiveActions& live) {
+  auto options = std::make_shared<functional_tool::FunctionalOptions>();
+  CLI::App* functional =
+      app.add_subcommand("functional", "Check a functional layer against its contract");
+  functional->add_option("scenario", options->scenario, "Scenario file (YAML)")->required();
+  functional->add_option("--uav", options->uav, "The UAV whose decision node is played");
+  functional->add_flag("--virtual", options->virtual_time, "The simulator's, in virtual time");
+  functional->add_option("--domain", options->domain, "DDS domain id")
+      ->check(CLI::Range(0, 100))
+      ->envname("SKEIN_DOMAIN");
+  functional->add_option("--interface", options->interfaces, "IPv4 address to talk on")
+      ->allow_extra_args(false);
+  functional->add_option("--rate", options->rate, "Mission seconds per second, over DDS")
+      ->check(positive_problem);
+  functional->add_option("--height", options->height, "Of the flight over the ground [m]")
+      ->check(positive_problem);
+  functional->add_option("--reach", options->reach, "Of the flight from the start [m]")
+      ->check(positive_problem);
+  functional->add_option("--near", options->near, "Of a way-point that counts as reached [m]")
+      ->check(positive_problem);
+  functional->add_flag("--json", options->json, "One JSON document");
+  functional->footer(kFunctionalExamples);
+  functional->callback([options, &action, &live] {
+    action = [options, &live] { return live.functional(*options); };
+  });
+}
+
 }  // namespace
 
 void add_live(CLI::App& app, std::function<int()>& action, const LiveActions& live) {
   add_run(app, action, live);
   add_report(app, action, live);
   add_spy(app, action, live);
+  add_functional(app, action, live);
 }
 
 }  // namespace skein::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that meet daemons and DDS: run, report, spy.
+// The commands that meet daemons and DDS: run, report, spy, functional.
 #pragma once
 
 #include <functional>
@@ -12,6 +12,9 @@ namespace skein::run_tool {
 struct RunOptions;
 struct ReportOptions;
 }  // namespace skein::run_tool
+namespace skein::functional_tool {
+struct FunctionalOptions;
+}
 namespace skein::refine_tool {
 struct RefineOptions;
 }
@@ -28,6 +31,7 @@ struct LiveActions {
   std::function<int(const run_tool::ReportOptions&)> report;
   std::function<int(const spy_tool::SpyOptions&, bool echo)> spy;
   std::function<int(const refine_tool::RefineOptions&)> refine;
+  std::function<int(const functional_tool::FunctionalOptions&)> functional;
 };
 
 /// Adds the commands. `action` and `live` must outlive the parsing and the action.

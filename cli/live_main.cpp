@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "live_commands.hpp"
+#include "skein/functional_tool/functional.hpp"
 #include "skein/run_tool/run.hpp"
 #include "skein/spy_tool/spy.hpp"
 
@@ -17,6 +18,9 @@ int main(int argc, char** argv) {
   };
   live.report = [](const run_tool::ReportOptions& options) {
     return run_tool::report(options, std::cout, std::cerr);
+  };
+  live.functional = [](const functional_tool::FunctionalOptions& options) {
+    return functional_tool::check(options, std::cout, std::cerr);
   };
   live.spy = [](const spy_tool::SpyOptions& options, bool echo) {
     return echo ? spy_tool::echo(options, std::cout, std::cerr)

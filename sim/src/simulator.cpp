@@ -2,6 +2,7 @@
 #include "skein/sim/simulator.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "radio_network.hpp"
@@ -34,8 +35,10 @@ class Simulator::Implementation {
         next_objects_(config_.start),
         active_(config_.objects.size(), false) {
     units_.reserve(config_.vehicles.size());
-    for (const SimulatedVehicle& vehicle : config_.vehicles)
-      units_.emplace_back(vehicle, config_, scene_);
+    for (const SimulatedVehicle& vehicle : config_.vehicles) {
+      if (vehicle.played) units_.emplace_back(vehicle, config_, scene_);
+      positions_.emplace(vehicle.name, start_of(vehicle));
+    }
   }
   // The units refer to the configuration.
   Implementation(const Implementation&) = delete;
@@ -60,6 +63,11 @@ class Simulator::Implementation {
  private:
   void apply(const Tick&, std::vector<Effect>&) {}
 
+  void apply(const VehicleElsewhere& input, std::vector<Effect>&) {
+    const auto known = positions_.find(input.uav);
+    if (known != positions_.end() && find(input.uav) == nullptr) known->second = input.position;
+  }
+
   void apply(const FunctionalRequest& input, std::vector<Effect>& effects) {
     for (Unit& unit : units_)
       if (unit.name() == input.uav) unit.handle(input.request, now_, effects);
@@ -75,9 +83,9 @@ class Simulator::Implementation {
   void step(MissionTime at, std::vector<Effect>& effects) {
     if (at > config_.start)
       for (Unit& unit : units_) unit.step(at, config_.step.to_seconds(), effects);
-    if (radio_.due(at)) update_radio(at, effects);
+    if (config_.tells_world && radio_.due(at)) update_radio(at, effects);
     const bool telemetry = at >= next_telemetry_;
-    tell_objects(at, telemetry, effects);
+    if (config_.tells_world) tell_objects(at, telemetry, effects);
     if (!telemetry) return;
     next_telemetry_ = at + config_.telemetry_period;
     for (const Unit& unit : units_) {
@@ -86,9 +94,17 @@ class Simulator::Implementation {
     }
   }
 
+  world::Vector3 start_of(const SimulatedVehicle& vehicle) const {
+    const world::Vector2& at = vehicle.start;
+    return {at.x(), at.y(), config_.terrain.elevation(at.x(), at.y())};
+  }
+
   void update_radio(MissionTime at, std::vector<Effect>& effects) {
     std::vector<world::Vector3> positions = {config_.ground_station};
-    for (const Unit& unit : units_) positions.push_back(unit.state().position);
+    for (const Unit& unit : units_) positions_[unit.name()] = unit.state().position;
+    for (const SimulatedVehicle& vehicle : config_.vehicles) {
+      positions.push_back(positions_.at(vehicle.name));
+    }
     radio_.update(positions, config_.terrain, at, effects);
   }
 
@@ -111,6 +127,8 @@ class Simulator::Implementation {
   Scene scene_;
   RadioNetwork radio_;
   std::vector<Unit> units_;
+  std::map<std::string, world::Vector3>
+      positions_;  ///< of all vehicles, as the radio last had them
   MissionTime now_ = MissionTime::nanoseconds(0) - Duration::max();
   MissionTime next_step_;
   MissionTime next_telemetry_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fleet.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 
@@ -27,12 +28,19 @@ Fleet::Fleet(const scenario::Scenario& scenario, const DdsOptions& options, std:
 std::vector<std::string> Fleet::names() const {
   std::vector<std::string> names{"sim", "ground"};
   for (const scenario::UavSpec& uav : scenario_.uavs) names.push_back(uav.name);
+  for (const auto& [uav, layer] : scenario_.functional_layers()) {
+    if (std::find(names.begin(), names.end(), layer) == names.end()) names.push_back(layer);
+  }
+  std::erase_if(names, [&](const std::string& name) {
+    const auto& without = options_.without;
+    return std::find(without.begin(), without.end(), name) != without.end();
+  });
   return names;
 }
 
 std::string Fleet::program_of(const std::string& name) const {
-  if (name == "sim") return "skein-sim";
-  return name == "ground" ? "skein-ground" : "skein-ddn";
+  if (name == "ground") return "skein-ground";
+  return scenario_.find_uav(name) == nullptr ? "skein-sim" : "skein-ddn";
 }
 
 std::string Fleet::log_of(const std::string& name) const {
@@ -48,6 +56,7 @@ Result<void, Failure> Fleet::start(const std::string& name) {
                                    std::to_string(domain_),
                                    "--exit-with-parent"};
   if (program == "skein-ddn") command.insert(command.end(), {"--uav", name});
+  if (program == "skein-sim") command.insert(command.end(), {"--node", name});
   command.insert(command.end(), options_.daemon_options.begin(), options_.daemon_options.end());
   auto process = Process::start(command, log_of(name));
   if (!process) return tl::unexpected(process.error());

@@ -12,7 +12,8 @@
 
 namespace skein::run_tool {
 
-/// Starts, kills and watches skein-sim, skein-ground and one skein-ddn per UAV. None outlives it.
+/// Starts, kills and watches skein-sim (one more for each functional layer of its own),
+/// skein-ground and one skein-ddn per UAV. None outlives it.
 class Fleet {
  public:
   struct Ended {

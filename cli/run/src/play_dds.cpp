@@ -262,7 +262,8 @@ Played play_dds(const scenario::Scenario& scenario, const DdsOptions& options, P
     lease.emplace(std::move(*claimed));
     domain = lease->domain();
   }
-  progress.say("starting " + std::to_string(scenario.uavs.size() + 2) + " daemons on DDS domain " +
+  const std::size_t daemons = Fleet(scenario, options, domain).names().size();
+  progress.say("starting " + std::to_string(daemons) + " daemons on DDS domain " +
                std::to_string(domain));
   return DdsRun(scenario, options, domain, progress).run();
 }

@@ -18,6 +18,7 @@ struct DdsOptions {
   std::string folder;   ///< for the daemons' logs, in logs/
   std::optional<std::uint32_t> domain;
   std::vector<std::string> daemon_options;  ///< handed to every daemon
+  std::vector<std::string> without = {};    ///< nodes that somebody else starts
 };
 
 /// Starts the daemons, follows the run over the world channel, kills and restarts daemons as the

@@ -18,16 +18,20 @@ using scenario::UavSpec;
 
 /// How long a partner is taken to wait at a rendezvous; it says so again at half of this.
 constexpr Duration kSyncValidity = Duration::milliseconds(30'000);
+constexpr const char* kSimulator = "sim";
 constexpr double kHomeAltitude = 40;  ///< [m] above the ground at the start, on the way home
 
-sim::SimulatorConfig simulator_config(const Scenario& scenario) {
+/// Of the simulator, or of a functional layer that plays some of the vehicles.
+sim::SimulatorConfig simulator_config(const Scenario& scenario, const std::string& node) {
   sim::SimulatorConfig config{.terrain = world::Terrain(scenario.world.terrain)};
   config.wind = scenario.world.wind;
   config.objects = scenario.world.objects;
   for (const UavSpec& uav : scenario.uavs) {
+    const bool played = node == (uav.functional.empty() ? kSimulator : uav.functional);
     config.vehicles.push_back(
-        {uav.name, uav.model, uav.start, uav.heading, uav.energy, uav.speed_factor});
+        {uav.name, uav.model, uav.start, uav.heading, uav.energy, uav.speed_factor, played});
   }
+  config.tells_world = node == kSimulator;
   config.radio = scenario.radio.model;
   config.ground_station = scenario.ground.position;
   for (const scenario::CutSpec& cut : scenario.radio.cuts) {
@@ -37,7 +41,8 @@ sim::SimulatorConfig simulator_config(const Scenario& scenario) {
   return config;
 }
 
-std::vector<sim::ScheduledFault> onboard_faults(const Scenario& scenario) {
+/// Of the vehicles that a node plays.
+std::vector<sim::ScheduledFault> onboard_faults(const Scenario& scenario, const std::string& node) {
   std::vector<sim::ScheduledFault> faults;
   for (const scenario::BreakSpec& one : scenario.faults.breaks) {
     const auto kind = one.device.empty() ? sim::FaultKind::kEngine : sim::FaultKind::kSensor;
@@ -60,6 +65,10 @@ std::vector<sim::ScheduledFault> onboard_faults(const Scenario& scenario) {
     fault.left = one.left;
     faults.push_back({one.at, fault});
   }
+  std::erase_if(faults, [&](const sim::ScheduledFault& one) {
+    const std::string& named = scenario.find_uav(one.fault.uav)->functional;
+    return node != (named.empty() ? kSimulator : named);
+  });
   std::stable_sort(faults.begin(), faults.end(),
                    [](const auto& a, const auto& b) { return a.at < b.at; });
   return faults;
@@ -114,22 +123,21 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
 
 }  // namespace
 
-node::Roster roster_of(const Scenario& scenario) { return node::Roster(scenario.uav_names()); }
+node::Roster roster_of(const Scenario& scenario) {
+  return node::Roster(scenario.uav_names(), scenario.functional_layers());
+}
 
 std::unique_ptr<node::Node> make_node(const Scenario& scenario, const std::string& name) {
   if (name == "ground") return make_ground(scenario);
-  if (name == "sim") {
-    return std::make_unique<sim::SimNode>(simulator_config(scenario), roster_of(scenario),
-                                          onboard_faults(scenario));
-  }
-  const UavSpec* uav = scenario.find_uav(name);
-  SKEIN_EXPECTS(uav != nullptr);
-  return make_ddn(scenario, *uav);
+  if (const UavSpec* uav = scenario.find_uav(name)) return make_ddn(scenario, *uav);
+  SKEIN_EXPECTS(roster_of(scenario).find(name) != nullptr);
+  return std::make_unique<sim::SimNode>(name, simulator_config(scenario, name), roster_of(scenario),
+                                        onboard_faults(scenario, name));
 }
 
 Diagnostics check_assembly(const Scenario& scenario) {
   Diagnostics diagnostics;
-  for (const std::string& problem : sim::problems_of(simulator_config(scenario))) {
+  for (const std::string& problem : sim::problems_of(simulator_config(scenario, kSimulator))) {
     diagnostics.add({scenario.file, 0, 0, "", problem, "", ""});
   }
   diagnostics.append(planning_problems(scenario));

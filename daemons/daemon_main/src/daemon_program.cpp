@@ -22,7 +22,7 @@ namespace {
 
 struct Options {
   std::string scenario;
-  std::string uav;
+  std::string node;  ///< empty: that of the program
   std::uint32_t domain = 0;
   std::vector<std::string> interfaces{"127.0.0.1"};
   assembly::Overrides overrides;
@@ -31,11 +31,15 @@ struct Options {
   bool exit_with_parent = false;
 };
 
-void declare(CLI::App& app, Options& options, bool needs_uav) {
+void declare(CLI::App& app, Options& options, const DaemonProgram& program) {
   app.add_option("--scenario", options.scenario, "Scenario file; the same on every machine")
       ->required();
-  if (needs_uav)
-    app.add_option("--uav", options.uav, "Name of the UAV in the scenario")->required();
+  if (program.node.empty())
+    app.add_option("--uav", options.node, "Name of the UAV in the scenario")->required();
+  if (program.plays_vehicles)
+    app.add_option("--node", options.node,
+                   "Be a functional layer that the scenario names (default: sim, which plays all "
+                   "other vehicles, and leads the clock)");
   app.add_option("--domain", options.domain, "DDS domain id")
       ->check(CLI::Range(0, 100))
       ->envname("SKEIN_DOMAIN");
@@ -78,7 +82,8 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
   config.leads_clock = self.role == wire::Role::kSim;
   config.time_limit = scenario.duration_limit;
   for (const node::Member& member : roster.members()) {
-    const bool awaited = member.role == wire::Role::kGround || member.role == wire::Role::kDdn;
+    const bool awaited = member.role == wire::Role::kGround || member.role == wire::Role::kDdn ||
+                         member.role == wire::Role::kFunctional;
     if (awaited) config.awaited.push_back(member.name);
   }
   config.on_record = [json = options.log_json](const journal::Record& record) {
@@ -91,6 +96,20 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
   return config;
 }
 
+bool can_be(const DaemonProgram& program, wire::Role role) {
+  if (program.node.empty()) return role == wire::Role::kDdn;
+  if (program.plays_vehicles) return role == wire::Role::kSim || role == wire::Role::kFunctional;
+  return true;
+}
+
+std::vector<std::string> candidates(const DaemonProgram& program,
+                                    const scenario::Scenario& scenario) {
+  if (!program.plays_vehicles) return scenario.uav_names();
+  std::vector<std::string> names{program.node};
+  for (const auto& [uav, layer] : scenario.functional_layers()) names.push_back(layer);
+  return names;
+}
+
 int run(const DaemonProgram& program, const Options& options) {
   const auto scenario = assembly::load_scenario(options.scenario, options.overrides);
   if (!scenario) {
@@ -98,11 +117,12 @@ int run(const DaemonProgram& program, const Options& options) {
     return kExitBadInput;
   }
   const node::Roster roster = assembly::roster_of(*scenario);
-  const std::string name = program.node.empty() ? options.uav : program.node;
+  const std::string name = options.node.empty() ? program.node : options.node;
   const node::Member* self = roster.find(name);
-  if (self == nullptr || (program.node.empty() && self->role != wire::Role::kDdn)) {
-    const std::string nearest = nearest_name(name, scenario->uav_names());
-    std::cerr << options.scenario << ": no UAV '" << name << "' in this scenario"
+  if (self == nullptr || !can_be(program, self->role)) {
+    const char* what = program.plays_vehicles ? "functional layer" : "UAV";
+    const std::string nearest = nearest_name(name, candidates(program, *scenario));
+    std::cerr << options.scenario << ": no " << what << " '" << name << "' in this scenario"
               << (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") << '\n';
     return kExitBadInput;
   }
@@ -122,7 +142,7 @@ int run(const DaemonProgram& program, const Options& options) {
 int run_daemon_program(const DaemonProgram& program, int argc, char** argv) try {
   CLI::App app{program.description, program.name};
   Options options;
-  declare(app, options, program.node.empty());
+  declare(app, options, program);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

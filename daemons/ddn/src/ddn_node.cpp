@@ -36,6 +36,7 @@ wire::SyncMessage to_wire(const dn::SyncMessage& message) {
 DdnNode::DdnNode(DdnConfig config, node::Roster roster)
     : uav_(config.uav),
       roster_(std::move(roster)),
+      functional_(roster_.functional_of(roster_.find(uav_)->number)),
       contact_policy_(to_text(config.contact_policy)),
       deliberation_(config.deliberation),
       decision_(decision_config(config, roster_)) {}
@@ -53,7 +54,7 @@ node::Effects DdnNode::handle(const node::Input& input, MissionTime now) {
 
 std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
   if (const auto* received = std::get_if<node::Received>(&input)) {
-    const std::string why = why_not(*received, roster_);
+    const std::string why = why_not(*received, roster_.ground(), functional_);
     if (why.empty()) return ddn::input_of(received->sample);
     drop(*received, why);
   } else if (const auto* reach = std::get_if<node::Reachability>(&input)) {
@@ -170,7 +171,7 @@ void DdnNode::carry_out(const supervisor::Decided& effect) {
 // ---- to others ----
 
 void DdnNode::carry_out(const dn::ToVehicle& effect) {
-  send(roster_.sim(), to_wire(uav_, effect.request));
+  send(functional_, to_wire(uav_, effect.request));
 }
 
 void DdnNode::carry_out(const dn::SendSync& effect) {

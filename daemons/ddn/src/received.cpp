@@ -63,7 +63,8 @@ dn::SyncMessage input_of(const wire::SyncMessage& sample) {
 
 }  // namespace
 
-std::string why_not(const node::Received& received, const node::Roster& roster) {
+std::string why_not(const node::Received& received, node::NodeNumber ground,
+                    node::NodeNumber functional) {
   switch (wire::slot_of(received.sample)) {
     case wire::Slot::kTaskRequest:
     case wire::Slot::kFunctionalRequest:
@@ -71,13 +72,13 @@ std::string why_not(const node::Received& received, const node::Roster& roster) 
     case wire::Slot::kDegreeCommand:
     case wire::Slot::kWorldChange:
     case wire::Slot::kAlarm:
-      return received.from == roster.ground() ? "" : "only the ground station makes requests";
+      return received.from == ground ? "" : "only the ground station makes requests";
     case wire::Slot::kTaskEvent:
-      return received.from == roster.ground() ? "" : "only the ground station has tasks of others";
+      return received.from == ground ? "" : "only the ground station has tasks of others";
     case wire::Slot::kFunctionalStatus:
     case wire::Slot::kTelemetry:
     case wire::Slot::kPerceptionReport:
-      return received.from == roster.sim() ? "" : "only the functional layer tells of the vehicle";
+      return received.from == functional ? "" : "only the functional layer tells of the vehicle";
     default:
       return "";
   }

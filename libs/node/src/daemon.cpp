@@ -107,7 +107,8 @@ class Daemon {
     ports.journal = [this](const journal::Record& record) { unsent_records_.push_back(record); };
     ports.start_job = [this](StartJob job) { jobs_.submit(std::move(job)); };
     ports.stop_job = [this](StopJob job) { jobs_.stop(job.id); };
-    ports.finish = [] {};  // the leader sees the mission state that the node publishes
+    // The leader sees the mission state that another node publishes, or its own says so.
+    ports.finish = [this] { finish(); };
     ports.world = [this](const wire::Sample& sample) { take_world(sample); };
     return ports;
   }
@@ -119,10 +120,12 @@ class Daemon {
     } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&sample)) {
       if (entry->ready) awaited_.erase(entry->name);
     } else if (const auto* state = std::get_if<wire::MissionState>(&sample)) {
-      if (state->finished && !finish_at_) {
-        finish_at_ = now().mission + Duration::seconds(kAfterFinish);
-      }
+      if (state->finished) finish();
     }
+  }
+
+  void finish() {
+    if (!finish_at_) finish_at_ = now().mission + Duration::seconds(kAfterFinish);
   }
 
   // Says who this is, and whether it has heard everybody it must talk with.

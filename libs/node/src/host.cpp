@@ -171,7 +171,9 @@ void Host::take_received(blackboard::Received received, Now now) {
   if (const auto* link = std::get_if<wire::LinkState>(&received.sample)) apply(*link, now);
   if (received.channel == ChannelKind::kWorld) {
     if (ports_.world) ports_.world(received.sample);
-    return;
+    // Where vehicles are that others play is for the node.
+    if (!started_ || !std::holds_alternative<wire::Truth>(received.sample)) return;
+    return give(Received{received.origin, std::move(received.sample)}, now);
   }
   const wire::Slot slot = wire::slot_of(received.sample);
   if (received.channel == ChannelKind::kRadio &&

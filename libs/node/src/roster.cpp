@@ -11,17 +11,46 @@ using wire::Role;
 using wire::Slot;
 
 constexpr std::uint32_t kFirstUav = 10;
+constexpr std::uint32_t kFirstFunctional = 500;
 
 blackboard::Node as_node(const Member& member) { return {member.number, member.name}; }
 
 }  // namespace
 
-Roster::Roster(const std::vector<std::string>& uavs)
+Roster::Roster(const std::vector<std::string>& uavs,
+               const std::map<std::string, std::string>& functional)
     : members_{{"ground", Role::kGround, NodeNumber(1)},
                {"sim", Role::kSim, NodeNumber(2)},
                {"runner", Role::kRunner, NodeNumber(3)}} {
   std::uint32_t number = kFirstUav;
   for (const std::string& uav : uavs) members_.push_back({uav, Role::kDdn, NodeNumber(number++)});
+  number = kFirstFunctional;
+  for (const std::string& uav : uavs) {
+    const auto named = functional.find(uav);
+    if (named == functional.end()) continue;
+    if (find(named->second) == nullptr) {
+      members_.push_back({named->second, Role::kFunctional, NodeNumber(number++)});
+    }
+    functional_.emplace(find(uav)->number, find(named->second)->number);
+  }
+}
+
+Roster Roster::only(const std::vector<std::string>& names) const {
+  Roster some = *this;
+  std::erase_if(some.members_, [&](const Member& member) {
+    return std::find(names.begin(), names.end(), member.name) == names.end();
+  });
+  return some;
+}
+
+NodeNumber Roster::functional_of(NodeNumber uav) const {
+  const auto found = functional_.find(uav);
+  return found == functional_.end() ? sim() : found->second;
+}
+
+bool Roster::serves(const Member& functional, const Member& uav) const {
+  const bool plays = functional.role == Role::kSim || functional.role == Role::kFunctional;
+  return plays && uav.role == Role::kDdn && functional_of(uav.number) == functional.number;
 }
 
 const Member* Roster::find(std::string_view name) const {
@@ -54,9 +83,9 @@ std::vector<blackboard::ChannelConfig> Roster::channels_of(const Member& member)
       add(blackboard::station_link(as_node(other), as_node(member)));
     } else if (member.role == Role::kDdn && other.role == Role::kDdn) {
       add(blackboard::radio_link(as_node(member), as_node(other)));
-    } else if (member.role == Role::kDdn && other.role == Role::kSim) {
+    } else if (serves(other, member)) {
       add(blackboard::onboard_link(as_node(member), as_node(other)));
-    } else if (member.role == Role::kSim && other.role == Role::kDdn) {
+    } else if (serves(member, other)) {
       add(blackboard::onboard_link(as_node(other), as_node(member)));
     }
   }
@@ -68,8 +97,10 @@ std::vector<wire::Slot> Roster::world_reads_of(wire::Role role) {
     case Role::kGround:
     case Role::kDdn:
       return {Slot::kClock, Slot::kLinkState};
-    case Role::kSim:
-      return {Slot::kDirectoryEntry, Slot::kMissionState};
+    case Role::kSim:  // where vehicles are that others play: for the radio
+      return {Slot::kDirectoryEntry, Slot::kMissionState, Slot::kTruth};
+    case Role::kFunctional:
+      return {Slot::kClock};
     default:
       break;
   }

@@ -76,8 +76,40 @@ TEST(Roster, TheSimulatorHasNoRadioAndTheRunnerOnlyTheWorld) {
   EXPECT_EQ(runner[0].kind, ChannelKind::kWorld);
 }
 
+TEST(Roster, AUavMayHaveAFunctionalLayerOfItsOwn) {
+  const Roster roster({"marvin", "heliv", "karma"},
+                      {{"heliv", "autopilot"}, {"karma", "autopilot"}});
+
+  const Member autopilot = *roster.find("autopilot");
+  EXPECT_EQ(autopilot.role, wire::Role::kFunctional);
+  EXPECT_EQ(autopilot.number, NodeNumber(500));
+  EXPECT_EQ(roster.functional_of(roster.find("marvin")->number), roster.sim());
+  EXPECT_EQ(roster.functional_of(roster.find("heliv")->number), autopilot.number);
+  EXPECT_EQ(of_kind(roster.channels_of(autopilot), ChannelKind::kOnboard).size(), 4U);
+  EXPECT_EQ(of_kind(roster.channels_of(autopilot), ChannelKind::kRadio).size(), 0U);
+  EXPECT_EQ(of_kind(roster.channels_of(*roster.find("sim")), ChannelKind::kOnboard).size(), 2U);
+  for (const ChannelConfig& one :
+       of_kind(roster.channels_of(*roster.find("heliv")), ChannelKind::kOnboard)) {
+    EXPECT_TRUE(one.from == autopilot.number || one.to == autopilot.number);
+  }
+}
+
+TEST(Roster, OfSomeMembersOnlyKeepsTheirNumbersAndTheirChannels) {
+  const Roster whole({"marvin", "heliv"}, {{"heliv", "autopilot"}});
+
+  const Roster pair = whole.only({"heliv", "autopilot"});
+
+  EXPECT_EQ(pair.members().size(), 2U);
+  EXPECT_EQ(pair.find("heliv")->number, whole.find("heliv")->number);
+  EXPECT_EQ(pair.functional_of(pair.find("heliv")->number), pair.find("autopilot")->number);
+  const auto channels = pair.channels_of(*pair.find("heliv"));
+  EXPECT_EQ(of_kind(channels, ChannelKind::kRadio).size(), 0U);
+  EXPECT_EQ(of_kind(channels, ChannelKind::kOnboard).size(), 2U);
+}
+
 TEST(Roster, NobodyButTheRunnerReadsTheEventLog) {
-  for (const auto role : {wire::Role::kGround, wire::Role::kDdn, wire::Role::kSim}) {
+  for (const auto role :
+       {wire::Role::kGround, wire::Role::kDdn, wire::Role::kSim, wire::Role::kFunctional}) {
     const auto reads = Roster::world_reads_of(role);
     EXPECT_EQ(std::count(reads.begin(), reads.end(), wire::Slot::kJournalEntry), 0)
         << name_of(role);

@@ -67,6 +67,18 @@ bool usable_name(const std::string& name) {
          name != "sim" && name != "runner";
 }
 
+/// The name of the node that plays a UAV's vehicle: no UAV's.
+std::string read_functional(const Reader& reader, const Reader& uavs) {
+  if (!reader.present()) return "";
+  const std::string name = reader.text();
+  const bool is_uav = uavs.optional(name).present();
+  if (name != "sim" && (!usable_name(name) || is_uav)) {
+    reader.error("'" + name + "' cannot be a functional layer's name",
+                 "sim, or 1 to 32 letters, digits, '-' or '_', and no UAV's, ground or runner");
+  }
+  return name == "sim" ? "" : name;
+}
+
 }  // namespace
 
 std::optional<std::string> read_text_of(const Reader& reader, const char* what,
@@ -126,7 +138,10 @@ void read_uavs(const Reader& reader, const std::string& folder, Diagnostics& dia
       uav.error("'" + name + "' cannot be a UAV's name",
                 "1 to 32 letters, digits, '-' or '_', and none of ground, sim, runner");
     }
-    if (!uav.keys({"model", "start", "heading", "energy", "degree", "contact_loss"})) continue;
+    if (!uav.keys(
+            {"model", "start", "heading", "energy", "degree", "contact_loss", "functional"})) {
+      continue;
+    }
     read_model(uav.required("model"), folder, diagnostics, spec);
     spec.start = read_point_2d(uav.required("start"));
     spec.heading = uav.optional("heading").number(0, {-7, 7, "rad"});
@@ -135,6 +150,7 @@ void read_uavs(const Reader& reader, const std::string& folder, Diagnostics& dia
         uav.optional("degree").integer(3, mission::kLeastDegree, mission::kGreatestDegree));
     if (spec.model.pilot) spec.contact_loss.policy = ContactLoss::Policy::kHold;
     read_contact_loss(uav.optional("contact_loss"), spec.contact_loss);
+    spec.functional = read_functional(uav.optional("functional"), reader);
     uavs.push_back(std::move(spec));
   }
   if (uavs.empty() && reader.is_map()) reader.error("no UAV");

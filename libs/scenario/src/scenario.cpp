@@ -78,6 +78,14 @@ std::vector<std::string> Scenario::uav_names() const {
   return names;
 }
 
+std::map<std::string, std::string> Scenario::functional_layers() const {
+  std::map<std::string, std::string> layers;
+  for (const UavSpec& uav : uavs) {
+    if (!uav.functional.empty()) layers.emplace(uav.name, uav.functional);
+  }
+  return layers;
+}
+
 const UavSpec* Scenario::find_uav(const std::string& wanted) const {
   const auto found = std::find_if(uavs.begin(), uavs.end(),
                                   [&](const UavSpec& uav) { return uav.name == wanted; });

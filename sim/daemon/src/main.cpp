@@ -5,6 +5,6 @@
 int main(int argc, char** argv) {
   return skein::daemon_main::run_daemon_program(
       {"skein-sim", "Skein's functional simulator: vehicles, sensors, world and radio, over DDS",
-       "sim"},
+       "sim", true},
       argc, argv);
 }

@@ -33,9 +33,10 @@ std::string what_of(const Fault& fault) {
   return "energy";
 }
 
-Record functional_line(const FunctionalStatus& status, const std::string& type,
-                       const std::string& device, const std::vector<double>& target) {
-  Record line(status.at, "sim", "functional");
+Record functional_line(const std::string& node, const FunctionalStatus& status,
+                       const std::string& type, const std::string& device,
+                       const std::vector<double>& target) {
+  Record line(status.at, node, "functional");
   line.with("uav", status.uav)
       .with("task", status.status.id.value())
       .with("type", type)
@@ -55,8 +56,10 @@ std::uint32_t instance_of(const std::string& name) {
 
 }  // namespace
 
-SimNode::SimNode(SimulatorConfig config, node::Roster roster, std::vector<ScheduledFault> faults)
-    : roster_(std::move(roster)),
+SimNode::SimNode(std::string name, SimulatorConfig config, node::Roster roster,
+                 std::vector<ScheduledFault> faults)
+    : name_(std::move(name)),
+      roster_(std::move(roster)),
       simulator_(std::move(config)),
       faults_(faults.begin(), faults.end()) {}
 
@@ -85,6 +88,9 @@ std::optional<Input> SimNode::input_of(const node::Input& input) {
       note(mine);
       return mine;
     }
+    if (const auto* truth = std::get_if<wire::Truth>(&received->sample)) {
+      return VehicleElsewhere{truth->name, from_wire(truth->position)};
+    }
   }
   if (const auto* reach = std::get_if<node::Reachability>(&input)) {
     return ContactLost{roster_.name_of(reach->peer), !reach->reachable || reach->restarted};
@@ -109,7 +115,7 @@ void SimNode::run_due_faults(MissionTime now, node::Effects& out) {
   while (!faults_.empty() && faults_.front().at <= now) {
     const ScheduledFault due = faults_.front();
     faults_.pop_front();
-    out.push_back(node::Log{Record(due.at, "sim", "fault")
+    out.push_back(node::Log{Record(due.at, name_, "fault")
                                 .with("what", what_of(due.fault))
                                 .with("target", due.fault.uav)});
     const node::Effects effects = translate(simulator_.handle(due.fault, now));
@@ -130,7 +136,8 @@ void SimNode::take(const FunctionalStatus& status, node::Effects& out) {
   const std::string state(to_text(status.status.state));
   if (asked.told != state) {
     asked.told = state;
-    out.push_back(node::Log{functional_line(status, asked.type, asked.device, asked.target)});
+    out.push_back(
+        node::Log{functional_line(name_, status, asked.type, asked.device, asked.target)});
   }
   wire::FunctionalStatus sample = to_wire(status.uav, status.status);
   out.push_back(node::Send{number_of(status.uav), std::move(sample), MissionTime::max()});
@@ -154,7 +161,7 @@ void SimNode::take(const LinkChange& link, node::Effects& out) const {
   sample.latency = link.latency.count();
   sample.loss = link.up ? link.loss : 0;
   out.push_back(node::Publish{sample});
-  out.push_back(node::Log{Record(link.at, "sim", "link")
+  out.push_back(node::Log{Record(link.at, name_, "link")
                               .with("from", link.from)
                               .with("to", link.to)
                               .with("up", link.up)});
@@ -172,7 +179,7 @@ void SimNode::take(const VehicleTruth& truth, node::Effects& out) const {
   sample.energy = state.energy;
   sample.active = state.airborne;
   out.push_back(node::Publish{sample});
-  out.push_back(node::Log{Record(truth.at, "sim", "telemetry")
+  out.push_back(node::Log{Record(truth.at, name_, "telemetry")
                               .with("uav", truth.uav)
                               .with("position", for_journal(state.position))
                               .with("velocity", for_journal(state.velocity))
@@ -190,7 +197,7 @@ void SimNode::take(const ObjectTruth& truth, node::Effects& out) const {
   sample.radius = truth.radius;
   sample.active = truth.active;
   out.push_back(node::Publish{sample});
-  out.push_back(node::Log{Record(truth.at, "sim", "object")
+  out.push_back(node::Log{Record(truth.at, name_, "object")
                               .with("name", truth.name)
                               .with("type", truth.kind)
                               .with("position", for_journal(truth.position))

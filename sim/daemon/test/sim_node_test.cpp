@@ -40,7 +40,7 @@ SimulatorConfig a_config() {
 class Rig {
  public:
   explicit Rig(std::vector<ScheduledFault> faults = {}, SimulatorConfig config = a_config())
-      : node_(std::move(config), roster_, std::move(faults)) {}
+      : node_("sim", std::move(config), roster_, std::move(faults)) {}
 
   void give(const node::Input& input, double seconds) {
     effects_ = node_.handle(input, at(seconds));

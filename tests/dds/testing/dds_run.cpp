@@ -34,8 +34,10 @@ std::vector<std::string> command_of(pid_t pid) {
 }
 
 std::string daemon_name(const std::vector<std::string>& command) {
-  const auto uav = std::find(command.begin(), command.end(), "--uav");
-  if (uav != command.end() && uav + 1 != command.end()) return *(uav + 1);
+  for (const char* option : {"--uav", "--node"}) {
+    const auto named = std::find(command.begin(), command.end(), option);
+    if (named != command.end() && named + 1 != command.end()) return *(named + 1);
+  }
   const std::string program = fs::path(command[0]).filename().string();
   return program.rfind("skein-", 0) == 0 ? program.substr(6) : program;
 }

@@ -53,7 +53,13 @@ struct ContactLost {
   bool lost = true;
 };
 
-using Input = std::variant<Tick, FunctionalRequest, Fault, ContactLost>;
+/// Where a vehicle is that another node plays: for the radio.
+struct VehicleElsewhere {
+  std::string uav;
+  world::Vector3 position = world::Vector3::Zero();  ///< [m] ENU
+};
+
+using Input = std::variant<Tick, FunctionalRequest, Fault, ContactLost, VehicleElsewhere>;
 
 // ---- effects, in the order they happen ----
 

@@ -27,6 +27,8 @@ struct SimulatedVehicle {
   /// Of the speeds that its model promises, what it flies takeoffs, landings and ways at, > 0; its
   /// limits stay.
   double speed_factor = 1;
+  /// False: another node plays it, and this one is told where it is (VehicleElsewhere).
+  bool played = true;
 };
 
 /// A scripted loss of the radio between two nodes, both ways, in [from, until).
@@ -45,6 +47,9 @@ struct SimulatorConfig {
   world::RadioModel radio = {};
   world::Vector3 ground_station = world::Vector3::Zero();  ///< its antenna [m], ENU
   std::vector<RadioCut> cuts = {};
+  /// It tells of objects and of the radio. False: another node does, and this one only plays
+  /// vehicles.
+  bool tells_world = true;
   std::uint64_t seed = 1;
   MissionTime start = {};                       ///< instant of the first step
   Duration step = Duration::milliseconds(100);  ///< of the physics, > 0

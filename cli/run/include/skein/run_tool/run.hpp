@@ -21,6 +21,7 @@ struct RunOptions {
   bool check_only = false;              ///< read and check the scenario, start nothing
   std::string daemons;                  ///< folder of skein-ground, …; empty: beside this program
   std::optional<std::uint32_t> domain;  ///< DDS domain; absent: a free one
+  std::vector<std::string> without;     ///< nodes that somebody else starts, over DDS
 };
 
 /// Runs to the end; returns the exit code (docs/exit-codes.md). Results go to `out`, everything

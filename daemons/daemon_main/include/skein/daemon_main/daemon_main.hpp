@@ -10,6 +10,7 @@ struct DaemonProgram {
   std::string name;         ///< "skein-ddn"
   std::string description;  ///< one line for --help
   std::string node;         ///< the node it runs: "ground", "sim"; empty: the UAV given by --uav
+  bool plays_vehicles = false;  ///< it may be a functional layer of the scenario, by --node
 };
 
 /// Parses the command line, reads the scenario, runs the node over DDS. Returns the exit code

@@ -20,8 +20,8 @@ struct DdnConfig : decision_node::Config {
 };
 
 /// Samples and records around DecisionNode, which decides. Requests are taken from the ground and
-/// statuses from the simulator only: what comes from elsewhere is logged once per sender and slot
-/// and dropped. Source: T II.2, spec 1.2.
+/// statuses from the UAV's functional layer only: what comes from elsewhere is logged once per
+/// sender and slot and dropped. Source: T II.2, spec 1.2.
 class DdnNode final : public node::Node {
  public:
   DdnNode(DdnConfig config, node::Roster roster);
@@ -66,6 +66,7 @@ class DdnNode final : public node::Node {
 
   std::string uav_;
   node::Roster roster_;
+  node::NodeNumber functional_;  ///< the functional layer of its UAV
   std::string contact_policy_;
   Duration deliberation_;
   decision_node::DecisionNode decision_;

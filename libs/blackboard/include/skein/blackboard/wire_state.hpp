@@ -6,9 +6,9 @@
 
 namespace skein::wire {
 
-enum class Role : std::uint32_t { kGround, kDdn, kSim, kRunner, kSpy, kCount };
+enum class Role : std::uint32_t { kGround, kDdn, kSim, kRunner, kSpy, kFunctional, kCount };
 constexpr auto names_of(Role) {
-  return std::to_array<std::string_view>({"ground", "ddn", "sim", "runner", "spy"});
+  return std::to_array<std::string_view>({"ground", "ddn", "sim", "runner", "spy", "functional"});
 }
 
 /// Who is behind a node number. World channel, instance 0.

@@ -26,8 +26,8 @@ struct HostPorts {
   std::function<void(StartJob)> start_job;
   std::function<void(StopJob)> stop_job;  ///< may be empty
   std::function<void()> finish;
-  /// What comes over the world channel (clock, directory, mission state, link states): for the
-  /// runtime, not for the node; may be empty.
+  /// What comes over the world channel (clock, directory, mission state, link states, truth): for
+  /// the runtime; of it the node gets the truth only. May be empty.
   std::function<void(const wire::Sample&)> world;
 };
 

@@ -2,6 +2,7 @@
 // The nodes of a system, their numbers, and the channels between them.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,11 +22,15 @@ struct Member {
 
 /// All nodes of a scenario. Numbers follow from the scenario alone, so daemons started by hand on
 /// different machines agree without talking: ground 1, sim 2, runner 3, UAVs from 10 in the order
-/// of the scenario file. Source: spec 1.3.
+/// of the scenario file, functional layers of their own from 500 in the order of their UAVs.
+/// Source: spec 1.3.
 class Roster {
  public:
-  /// `uavs`: names of the UAVs, distinct, none of them "ground", "sim" or "runner".
-  explicit Roster(const std::vector<std::string>& uavs);
+  /// `uavs`: names of the UAVs, distinct, none of them "ground", "sim" or "runner". `functional`:
+  /// by UAV the name of the node that is its functional layer, which is none of the names before;
+  /// of those not named there the simulator is.
+  explicit Roster(const std::vector<std::string>& uavs,
+                  const std::map<std::string, std::string>& functional = {});
 
   const std::vector<Member>& members() const { return members_; }
   const Member* find(std::string_view name) const;
@@ -33,18 +38,26 @@ class Roster {
   /// The name, or "node 7" for a stranger.
   std::string name_of(NodeNumber number) const;
 
-  NodeNumber ground() const { return members_[0].number; }
-  NodeNumber sim() const { return members_[1].number; }
-  NodeNumber runner() const { return members_[2].number; }
+  NodeNumber ground() const { return NodeNumber(1); }
+  NodeNumber sim() const { return NodeNumber(2); }
+  NodeNumber runner() const { return NodeNumber(3); }
+  /// The functional layer of a UAV of this roster.
+  NodeNumber functional_of(NodeNumber uav) const;
+
+  /// Only these of its members, with the numbers that they have: they talk with nobody else.
+  Roster only(const std::vector<std::string>& names) const;
 
   /// Every channel that starts or ends at the member: radio between the ground and each UAV and
-  /// between any two UAVs, onboard between a UAV and the simulator, and the world.
+  /// between any two UAVs, onboard between a UAV and its functional layer, and the world.
   std::vector<blackboard::ChannelConfig> channels_of(const Member& member) const;
   /// The slots a member reads on the world channel.
   static std::vector<wire::Slot> world_reads_of(wire::Role role);
 
  private:
+  bool serves(const Member& functional, const Member& uav) const;
+
   std::vector<Member> members_;
+  std::map<NodeNumber, NodeNumber> functional_;  ///< by UAV; absent: the simulator
 };
 
 }  // namespace skein::node

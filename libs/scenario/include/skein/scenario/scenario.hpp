@@ -42,6 +42,8 @@ struct UavSpec {
   double energy = 1;   ///< [0, 1]
   int degree = 3;      ///< of decisional autonomy at the start, 1 to 4
   ContactLoss contact_loss;
+  /// The node that is its functional layer; empty: the simulator.
+  std::string functional;
   double speed_factor = 1;  ///< it flies at this part of what its model promises; see Variations
 };
 
@@ -175,6 +177,8 @@ struct Scenario {
   std::vector<Expectation> expectations;
 
   std::vector<std::string> uav_names() const;
+  /// By UAV, of those that have a functional layer of their own.
+  std::map<std::string, std::string> functional_layers() const;
   const UavSpec* find_uav(const std::string& name) const;
 };
 

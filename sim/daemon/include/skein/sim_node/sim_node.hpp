@@ -23,8 +23,9 @@ struct ScheduledFault {
 /// functional layer of each vehicle really does.
 class SimNode final : public node::Node {
  public:
-  /// `faults` in order of time.
-  SimNode(SimulatorConfig config, node::Roster roster, std::vector<ScheduledFault> faults);
+  /// `name`: of this node, "sim" or a functional layer's. `faults` in order of time.
+  SimNode(std::string name, SimulatorConfig config, node::Roster roster,
+          std::vector<ScheduledFault> faults);
 
   node::Effects handle(const node::Input& input, MissionTime now) override;
   std::optional<MissionTime> next_wakeup() const override;
@@ -50,6 +51,7 @@ class SimNode final : public node::Node {
     std::string told;            ///< its last state
   };
 
+  std::string name_;
   node::Roster roster_;
   Simulator simulator_;
   std::deque<ScheduledFault> faults_;
