@@ -73,7 +73,7 @@ void Monitoring::on(const HandOverReceived& input, MissionTime, Effects& effects
   const bool is_wanted = record->change && record->change->wanted.degree == hand_over.degree;
   const std::optional<mission::ChangeDegree> asked =
       is_wanted ? record->change->wanted : record->unanswered;
-  const bool resumes = hand_over.degree == mission::kGreatestDegree && asked &&
+  const bool resumes = mission::deliberates(hand_over.degree) && asked &&
                        asked->degree == hand_over.degree && asked->resume;
   record->unanswered.reset();
   set_degree(*record, hand_over.degree, effects);
