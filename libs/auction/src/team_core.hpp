@@ -49,6 +49,7 @@ class TeamMember::Core {
   void on(const Status& status, MemberNumber from);
   void on(const VoteRequest& request, MemberNumber from);
   void on(const Vote& vote, MemberNumber from);
+  void on(const NewerTerm& newer, MemberNumber from);
   void on(const ToMember& call, MemberNumber from);
   void on(const ToAuctioneer& answer, MemberNumber from);
   void adopt_term(std::uint64_t term);

@@ -141,14 +141,18 @@ void TeamMember::Core::on(const VoteRequest& request, MemberNumber from) {
   const bool content =
       !newer(ledger().term, ledger().revision,
              Ledger{request.ledger_term, request.ledger_revision, {}, {}, {}, {}, {}});
+  // On trial it asks for the term after its own.
+  if (request.term < disk_.term + (request.trial ? 1 : 0)) {
+    return tell(from, NewerTerm{disk_.term});
+  }
   if (request.trial) {
     const bool alone =
         role_ != Role::kHolder && (!last_beat_ || now_ - *last_beat_ >= setup_.limits.patience);
-    if (alone && content && request.term > disk_.term) tell(from, Vote{request.term, true});
+    if (alone && content) tell(from, Vote{request.term, true});
     return;
   }
   adopt_term(request.term);
-  if (request.term < disk_.term || disk_.voted || !content) return;
+  if (disk_.voted || !content) return;
   disk_.voted = true;
   store();
   follow();
@@ -161,6 +165,8 @@ void TeamMember::Core::on(const Vote& vote, MemberNumber from) {
   votes_.insert(from);
   if (majority(votes_)) trial_ ? stand(false) : hold();
 }
+
+void TeamMember::Core::on(const NewerTerm& newer, MemberNumber) { adopt_term(newer.term); }
 
 // The first thing it writes is its term: what older holders wrote is committed with it.
 void TeamMember::Core::hold() {
@@ -182,8 +188,8 @@ void TeamMember::Core::beat() {
 }
 
 void TeamMember::Core::on(const Beat& beat, MemberNumber from) {
+  if (beat.term < disk_.term) return tell(from, NewerTerm{disk_.term});
   adopt_term(beat.term);
-  if (beat.term < disk_.term) return;
   follow();
   last_beat_ = now_;
   if (newer(beat.ledger->term, beat.ledger->revision, ledger())) {

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <deque>
+
 namespace skein::auction {
 namespace {
 
@@ -142,14 +144,85 @@ TEST_F(TeamMemberTest, AGrantThatNoMajorityHasIsNotBegun) {
   EXPECT_EQ(count<BeginTask>(one.handle(from(1, Beat{3, 4, granted()}), at(2))), 0U);
 }
 
-TEST_F(TeamMemberTest, ABeatOfAnOlderTokenIsNotHeard) {
+TEST_F(TeamMemberTest, ABeatOfAnOlderTokenIsAnsweredWithTheNewerTermAlone) {
   TeamMember one = member();
   one.handle(from(2, VoteRequest{4, false, 9, 9}), at(0));
 
   const TeamEffects heard = one.handle(from(1, Beat{3, 4, granted()}), at(0.1));
 
   EXPECT_THAT(said<Status>(heard), IsEmpty());
+  ASSERT_THAT(said<NewerTerm>(heard), SizeIs(1));
+  EXPECT_EQ(said<NewerTerm>(heard)[0].term, 4U);
   EXPECT_EQ(count<BeginTask>(heard), 0U);
+}
+
+TEST_F(TeamMemberTest, WhoAsksForVotesInAnOlderTermIsToldTheNewer) {
+  Disk disk;
+  disk.term = 5;
+  TeamMember one = member(disk);
+
+  for (const VoteRequest& older : {VoteRequest{5, true, 9, 9}, VoteRequest{4, false, 9, 9}}) {
+    const TeamEffects heard = one.handle(from(1, older), at(9));
+    EXPECT_THAT(said<Vote>(heard), IsEmpty());
+    ASSERT_THAT(said<NewerTerm>(heard), SizeIs(1));
+    EXPECT_EQ(said<NewerTerm>(heard)[0].term, 5U);
+  }
+  EXPECT_THAT(said<NewerTerm>(one.handle(from(1, VoteRequest{6, true, 9, 9}), at(9))), IsEmpty());
+}
+
+TEST_F(TeamMemberTest, WhoIsToldANewerTermAsksForTheOneAfterIt) {
+  TeamMember one = member();
+  one.handle(Tick{}, at(0));
+  one.handle(Tick{}, *one.next_wakeup());
+
+  one.handle(from(1, NewerTerm{7}), at(5));
+
+  const auto asks = said<VoteRequest>(one.handle(Tick{}, *one.next_wakeup()));
+  ASSERT_THAT(asks, SizeIs(2));
+  EXPECT_EQ(asks[0].term, 8U);
+}
+
+TEST_F(TeamMemberTest, AHolderThatIsToldANewerTermGivesTheTokenUp) {
+  TeamMember one = member();
+  one.handle(Tick{}, at(0));
+  one.handle(Tick{}, *one.next_wakeup());
+  one.handle(from(1, Vote{1, true}), at(5));
+  one.handle(from(1, Vote{1, false}), at(5));
+  ASSERT_TRUE(one.holds_token());
+
+  EXPECT_EQ(count<TokenLost>(one.handle(from(2, NewerTerm{1}), at(6))), 0U);
+  EXPECT_EQ(count<TokenLost>(one.handle(from(2, NewerTerm{2}), at(6))), 1U);
+}
+
+// Each has what the other refuses it for.
+TEST_F(TeamMemberTest, TheNewerTermAndTheNewerLedgerFindEachOther) {
+  Disk newer_term, newer_ledger;
+  newer_term.term = 8;
+  newer_ledger.term = 3;
+  newer_ledger.ledger = granted();
+  const std::vector<MemberNumber> roster{MemberNumber(0), MemberNumber(1)};
+  std::vector<TeamMember> both;
+  both.push_back(TeamMember({roster[0], roster, {}, {}, 1, newer_term}));
+  both.push_back(TeamMember({roster[1], roster, {}, {}, 1, newer_ledger}));
+  for (TeamMember& one : both) one.handle(Tick{}, at(0));
+
+  while (!both[0].holds_token() && !both[1].holds_token()) {
+    const std::size_t waking = *both[0].next_wakeup() < *both[1].next_wakeup() ? 0 : 1;
+    const MissionTime now = *both[waking].next_wakeup();
+    ASSERT_LT(now, at(60));
+    std::deque<std::pair<std::size_t, TeamInput>> inputs{{waking, Tick{}}};
+    for (; !inputs.empty(); inputs.pop_front()) {
+      const auto [who, input] = inputs.front();
+      for (const TeamEffect& effect : both[who].handle(input, now)) {
+        if (const auto* tell = std::get_if<Tell>(&effect)) {
+          inputs.emplace_back(1 - who, Heard{roster[who], tell->message});
+        }
+      }
+    }
+  }
+
+  EXPECT_TRUE(both[1].holds_token());
+  EXPECT_GT(both[0].ledger().revision, 4U);
 }
 
 TEST_F(TeamMemberTest, WhatItBegunIsStoredBeforeItIsBegun) {

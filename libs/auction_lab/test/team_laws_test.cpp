@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <iostream>
+
 #include "test_cases.hpp"
 #include "testing/team.hpp"
 #include "testing/team_laws.hpp"
@@ -106,20 +109,27 @@ class RandomMission {
   TeamSimulation team_;
 };
 
+std::uint64_t environment(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
+}
+
 TEST(TeamLaws, NothingIsDoneTwiceNothingIsForgottenEverySaleIsExplained) {
-  const auto from = std::getenv("SKEIN_TEAM_SEED") != nullptr
-                        ? std::strtoull(std::getenv("SKEIN_TEAM_SEED"), nullptr, 10)
-                        : 1;
-  const auto count = skein::testing::cases<std::uint64_t>(60, 10'000);
-  for (std::uint64_t seed = from; seed < from + count && !HasFailure(); ++seed) {
+  const std::uint64_t from = environment("SKEIN_TEAM_SEED", 1);
+  const std::uint64_t count =
+      environment("SKEIN_TEAM_COUNT", skein::testing::cases<std::uint64_t>(60, 10'000));
+  std::uint64_t seed = from;
+  for (; seed < from + count && !HasFailure(); ++seed) {
     RandomMission mission(seed);
     mission.play();
 
     EXPECT_THAT(executed_twice(mission.team().executions()), IsEmpty()) << "seed " << seed;
     EXPECT_THAT(unexplained(mission.team().executions()), IsEmpty()) << "seed " << seed;
     EXPECT_THAT(unfinished(mission.team(), mission.tasks()), IsEmpty()) << "seed " << seed;
+    EXPECT_THAT(terms_shared(mission.team().tokens()), IsEmpty()) << "seed " << seed;
     EXPECT_EQ(mission.team().token_holders(), 1U) << "seed " << seed;
   }
+  std::cout << seed - from << " missions played, seeds " << from << " to " << seed - 1 << '\n';
 }
 
 // The law itself finds what it is for.
@@ -138,6 +148,16 @@ TEST(TeamLaws, AnExecutionAfterACompletionOrBesideAnotherIsSeen) {
   EXPECT_THAT(executed_twice({crashed, execution(2, 2, 20, 25)}), IsEmpty());
   crashed.why = "";
   EXPECT_FALSE(unexplained({crashed}).empty());
+}
+
+TEST(TeamLaws, ATermWithTwoTokensIsSeen) {
+  const auto token = [](std::uint32_t member, std::uint64_t term) {
+    return TokenHeld{MemberNumber(member), term, MissionTime::seconds(1)};
+  };
+
+  EXPECT_THAT(terms_shared({token(0, 1), token(1, 2), token(0, 3)}), IsEmpty());
+  EXPECT_FALSE(terms_shared({token(0, 1), token(1, 1)}).empty());
+  EXPECT_FALSE(terms_shared({token(0, 1), token(1, 2), token(0, 1)}).empty());
 }
 
 }  // namespace

@@ -45,6 +45,19 @@ inline std::vector<std::string> executed_twice(const std::vector<Execution>& exe
   return wrong;
 }
 
+/// A token is taken once in its term, by one member.
+inline std::vector<std::string> terms_shared(const std::vector<TokenHeld>& tokens) {
+  std::vector<std::string> wrong;
+  std::map<std::uint64_t, MemberNumber> holder;
+  for (const TokenHeld& token : tokens) {
+    const auto [first, fresh] = holder.emplace(token.term, token.member);
+    if (fresh) continue;
+    wrong.push_back("term " + std::to_string(token.term) + " taken by " + to_text(token.member) +
+                    " at " + to_text(token.taken) + " and before by " + to_text(first->second));
+  }
+  return wrong;
+}
+
 /// Every sale under which something was done says who got it and for what.
 inline std::vector<std::string> unexplained(const std::vector<Execution>& executions) {
   std::vector<std::string> wrong;

@@ -94,6 +94,13 @@ struct Vote {
   bool trial = false;
 };
 
-using TeamMessage = std::variant<Beat, Status, VoteRequest, Vote, ToMember, ToAuctioneer>;
+/// To whom asked for votes or beat in an older term: without it, one with the newer term and one
+/// with the newer ledger would refuse each other for ever.
+struct NewerTerm {
+  std::uint64_t term = 0;
+};
+
+using TeamMessage =
+    std::variant<Beat, Status, VoteRequest, Vote, NewerTerm, ToMember, ToAuctioneer>;
 
 }  // namespace skein::auction

@@ -38,6 +38,13 @@ struct Execution {
   std::string why;                   ///< of that sale
 };
 
+/// A member that took the token.
+struct TokenHeld {
+  MemberNumber member;
+  std::uint64_t term = 0;
+  MissionTime taken;
+};
+
 /// Members count from 0, the ground station is the last. Everything follows from the seed.
 class TeamSimulation {
  public:
@@ -61,6 +68,8 @@ class TeamSimulation {
   const Ledger& ledger(std::size_t member) const { return members_[member].alive->ledger(); }
   std::size_t token_holders() const;
   const std::vector<Execution>& executions() const { return executions_; }
+  /// Every token ever taken, in order.
+  const std::vector<TokenHeld>& tokens() const { return tokens_; }
   const std::vector<SaleEffect>& told() const { return told_; }
   std::uint64_t messages() const { return messages_; }
 
@@ -98,6 +107,7 @@ class TeamSimulation {
   std::set<std::pair<std::size_t, std::size_t>> cuts_;
   std::priority_queue<Event, std::vector<Event>, Later> events_;
   std::vector<Execution> executions_;
+  std::vector<TokenHeld> tokens_;
   std::vector<SaleEffect> told_;
   std::uint64_t messages_ = 0, events_made_ = 0;
   MissionTime now_;
