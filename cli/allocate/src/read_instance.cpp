@@ -156,7 +156,7 @@ class Reader {
   }
 
   void precedences(Instance& instance, std::size_t tasks) {
-    if (!json_->contains("before")) return;
+    if (!json_->contains("before") || tasks == 0) return;
     const Json& pairs = list("before");
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       const auto task = [&](std::size_t k) -> std::size_t {

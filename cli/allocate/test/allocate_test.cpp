@@ -12,6 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using Json = nlohmann::json;
 
 struct Ran {
@@ -126,6 +127,15 @@ TEST(Allocate, EverythingWrongIsSaidAtOnceAndNothingIsSold) {
         "team.jsonl:4: before[1]: not a pair", "team.jsonl:5: not an object"}) {
     EXPECT_THAT(done.err, HasSubstr(said));
   }
+}
+
+// The tasks that are missing are told; that no pair can be of them needs not be said too.
+TEST(Allocate, PrecedencesOfNoTasksAreNotCountedToTheirEnd) {
+  const Ran done = run(R"({"skills":[[1]],"needs":[],"duration":[],"at":[[0,0],[1,1]],)"
+                       R"("before":[[0,1]]})");
+
+  EXPECT_THAT(done.err, HasSubstr("needs: not as many as places"));
+  EXPECT_THAT(done.err, Not(HasSubstr("before")));
 }
 
 TEST(Allocate, NobodyAndNothingAreTold) {
