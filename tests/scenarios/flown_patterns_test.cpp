@@ -204,6 +204,59 @@ TEST(FlownPatrols, HaveTheZoneInSightForTheirTime) {
   }
 }
 
+// What an aimed head sees beside the time asked is no more than what the flight may be quicker by,
+// the last leg, and what is seen from further away than patrols count on.
+TEST(FlownPatrols, AreCutWhereTheQuickestFlightHasTheirTime) {
+  const auto marvin = vehicle_of("scenarios/comets/models/marvin.yaml");
+  const world::SensorModel& device = *world::find_sensor(marvin, "visible");
+  for (std::uint64_t seed = 1; seed <= skein::testing::cases(8U, 100U); ++seed) {
+    Random random(seed, "cut patrols");
+    const world::World world = windy(random);
+    const world::Zone zone = a_zone(random, 60, 160);
+    const double altitude = random.uniform(60, 110), seconds = random.uniform(60, 250);
+    Refinery refinery = refinery_of(world, marvin, altitude);
+    Range range(world, marvin, seed);
+    ASSERT_GT(range.fly("takeoff", altitude_of(altitude), 400).seconds, 0);
+
+    const auto patrol = refinery.patrols.over({0, 0, altitude}, zone, device, seconds);
+
+    ASSERT_TRUE(patrol) << "seed " << seed << ": " << patrol.error();
+    ASSERT_TRUE(patrol->aim) << seed;
+    const auto flown = range.fly("goto", waypoints(patrol->way), 4000);
+    ASSERT_GT(flown.seconds, 0) << "seed " << seed << ' ' << flown.why;
+    const double in_sight =
+        seconds_in_view(range, device, patrol->aim, lattice_over(zone, world.terrain));
+    EXPECT_GE(in_sight, seconds) << "seed " << seed;
+    EXPECT_LE(in_sight, seconds + flown.seconds - patrol->times.least + 30) << "seed " << seed;
+  }
+}
+
+// To and fro over 8 m at the very edge of what it sees ahead: its nose never points there for long.
+TEST(FlownPatrols, OneWhoseNoseTurnsSlowlyCountsOnlyWhatThatPointsAt) {
+  const auto marvin = vehicle_of("scenarios/comets/models/marvin.yaml");
+  const world::SensorModel& visible = *world::find_sensor(marvin, "visible");
+  world::World world = world_of("scenarios/domains/seeds.yaml");
+  world.wind = {5.8, 0.7, 0};
+  world::Volume tower;
+  tower.name = "tower";
+  tower.polygon = {{-138, -38}, {-39, -38}, {-39, 41}, {-138, 41}};
+  tower.ceiling = 139;
+  world.volumes = {tower};
+  world::Zone zone;
+  zone.polygon = {{15, -100}, {167, -36}, {134, 42}, {-18, -23}};
+  const Vector3 from(-150, 80, 95);
+  Refinery refinery = refinery_of(world, marvin, 95);
+
+  const auto patrol = refinery.patrols.over(from, zone, visible, 186);
+
+  ASSERT_TRUE(patrol) << patrol.error();
+  Range range(world, marvin, 1);
+  ASSERT_GT(range.fly("takeoff", altitude_of(95), 400).seconds, 0);
+  ASSERT_GT(range.fly("goto", waypoints({{0, 80, 95}, from}), 400).seconds, 0);
+  ASSERT_GT(range.fly("goto", waypoints(patrol->way), 4000).seconds, 0);
+  EXPECT_GE(seconds_in_view(range, visible, patrol->aim, lattice_over(zone, world.terrain)), 186);
+}
+
 TEST(FlownPatrols, AHeadIsAimedAtAZoneThatIsTooSmallToBeSeenAhead) {
   const auto marvin = vehicle_of("scenarios/comets/models/marvin.yaml");
   const world::SensorModel& visible = *world::find_sensor(marvin, "visible");

@@ -239,6 +239,14 @@ bool Book::has_occupation(MissionTime soon) const {
          });
 }
 
+bool Book::stops_landing() const {
+  return std::any_of(tasks.begin(), tasks.end(), [](const auto& one) {
+    const Entry& entry = one.second;
+    return entry.seen.started && !entry.over() && entry.stopping() &&
+           mission::type_of(entry.task).leaves == functional::Leaves::kOnTheGround;
+  });
+}
+
 bool Book::waits_safely() const {
   return std::any_of(loose.begin(), loose.end(), [](const auto& one) {
     return one.second.ours && one.second.type == "wait" && !one.second.stopping;

@@ -102,6 +102,8 @@ class Book {
   /// Something that is to go on is under way, or moves or holds the vehicle and begins by `soon`,
   /// as far as is known: what it hovers, or circles, for.
   bool has_occupation(MissionTime soon) const;
+  /// A landing was stopped and is not over: too low, it goes on to the ground.
+  bool stops_landing() const;
   /// A safe wait goes on.
   bool waits_safely() const;
   /// All that it waits for has come.

@@ -19,7 +19,8 @@ using world::Vector3;
 
 namespace {
 
-constexpr double kMoves = 0.02;        // [m] in a step of a track: it heads there
+constexpr double kMoves = 0.02;        // [m] in a step of a track: it heads there,
+constexpr double kTurnsNose = 1;       // [m/s] and one that hovers at such a speed
 constexpr double kSteepLook = 0.1;     // [rad] from straight down
 constexpr double kInSight = 0.8;       // of its footprint, from the zone at most
 constexpr double kTurningShare = 0.8;  // of its time a patrol has the zone in sight, at least
@@ -43,17 +44,37 @@ Way spaced(const Way& way, double spacing) {
 
 }  // namespace
 
+/// Where the nose of a vehicle points that begins with a heading and flies along a track: one that
+/// hovers turns it no faster than it can, and not at all while it hardly moves.
+class Nose {
+ public:
+  Nose(const world::VehicleModel& vehicle, double heading)
+      : most_(vehicle.yaw_rate * kTrackStep),
+        moves_(vehicle.hovers ? kTurnsNose * kTrackStep : kMoves),
+        turns_at_once_(!vehicle.hovers),
+        heading_(heading) {}
+  void follow(const Vector2& step) {
+    if (step.norm() <= moves_) return;
+    const double turn = world::wrapped(std::atan2(step.y(), step.x()) - heading_);
+    heading_ += turns_at_once_ ? turn : std::clamp(turn, -most_, most_);
+  }
+  Vector2 direction() const { return {std::cos(heading_), std::sin(heading_)}; }
+
+ private:
+  double most_, moves_;
+  bool turns_at_once_;
+  double heading_;
+};
+
 /// How long the zone was in sight during a flight.
 class Patrols::Sight {
  public:
-  Sight(const FlownWay& flown, const Polygon& zone, const Look& look) {
-    Vector2 course = Vector2::Zero();
+  Sight(const FlownWay& flown, Nose nose, const Polygon& zone, const Look& look) {
     for (std::size_t i = 0; i < flown.track.size(); ++i) {
       const Vector2 at = flown.track[i].head<2>();
-      const Vector2 step = i > 0 ? Vector2(at - flown.track[i - 1].head<2>()) : course;
-      if (step.norm() > kMoves) course = step.normalized();
-      const double off =
-          look.aim ? (*look.aim - at).norm() : distance_to(zone, at + look.ahead * course);
+      if (i > 0) nose.follow(at - flown.track[i - 1].head<2>());
+      const double off = look.aim ? (*look.aim - at).norm()
+                                  : distance_to(zone, at + look.ahead * nose.direction());
       const bool in_sight = off <= kInSight * look.reach;
       if (in_sight && !is_seen_) first_ = static_cast<double>(out_.size()) * kTrackStep;
       is_seen_ = is_seen_ || in_sight;
@@ -110,7 +131,7 @@ std::optional<Way> Patrols::filled(const Way& way, const world::Zone& zone, cons
   start.heading = heading_to(way.front(), zone.polygon);
   const Way rest(way.begin() + 1, way.end());
   const FlownWay flown = fly_way(start, rest, vehicle(), world().wind);
-  const Sight sight(flown, zone.polygon, look);
+  const Sight sight(flown, Nose(vehicle(), start.heading), zone.polygon, look);
   // Turns beyond the zone are part of a patrol of one that cannot hover, within reason.
   const double share = vehicle().hovers ? 1 : kTurningShare;
   const auto done = [&](double at) {
@@ -119,9 +140,11 @@ std::optional<Way> Patrols::filled(const Way& way, const world::Zone& zone, cons
   const double most = std::max(done(flown.seconds), 1e-3);
   longer = seconds / most;
   if (longer > 1) return std::nullopt;  // without asking how quick it may be, which takes long
+  // What it takes from where it begins is known of one that hovers.
   const auto needed_along = [&](const Way& all) {
     const Times times = flight_times(all, vehicle(), world().wind);
-    return seconds + times.expected - times.least;
+    const double taken = vehicle().hovers ? flown.passages[all.size() - 2] : times.expected;
+    return seconds + std::max(0.0, std::min(taken, times.expected) - times.least);
   };
   const auto cut = [&](double needed) -> std::optional<Way> {
     for (std::size_t i = 0; i < rest.size(); ++i) {

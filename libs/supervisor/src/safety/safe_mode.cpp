@@ -35,6 +35,7 @@ void SafeMode::keep() {
     return pauses ? tell(" for a moment: ") : forget_told();
   }
   if (!committer_.ever_gave()) return tell(": ");
+  if (book_.stops_landing()) return tell(" until it has stopped landing: ");
   if (pauses()) return tell(": its safe wait was refused or aborted; ");
   hurry();
   const TaskId id = committer_.start_safe_wait();

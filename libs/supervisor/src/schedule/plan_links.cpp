@@ -102,13 +102,15 @@ class Links {
   }
 
   void depend(const mission::Dependence& one) {
-    if (seen_(one.task) == nullptr) return;
+    const Observation* theirs = seen_(one.task);
+    if (theirs == nullptr) return;
     if (one.kind != DependenceKind::kRunning) {
       return add(BoundKind::kAfterEnd, end_of(one.task), start_, {0, kInfinite}, one.task);
     }
     add(BoundKind::kAfterStart, start_of(one.task), start_, {0, kInfinite}, one.task);
-    add(BoundKind::kWithin, end_of(one.task), start_, {kMinusInfinite, -kStartMargin.count()},
-        one.task);
+    // One under way may end at any moment: there is no more than this one to start in.
+    const Ticks margin = theirs->started ? 0 : kStartMargin.count();
+    add(BoundKind::kWithin, end_of(one.task), start_, {kMinusInfinite, -margin}, one.task);
   }
 
   // Nature ends the task, or its duration is known.

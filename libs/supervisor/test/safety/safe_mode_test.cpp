@@ -71,6 +71,20 @@ TEST(SafeMode, AWaitThatWasRefusedIsNotAskedForBeforeItsTime) {
   EXPECT_THAT(rooms.kept(), ElementsAre("START 101"));
 }
 
+// An urgent task does not wait for it longer than 10 s, and one that is low lands all the same.
+TEST(SafeMode, OneThatStopsLandingWaitsWhenThatIsOver) {
+  Idle rooms;
+  rooms.goals({702}).plan({TaskOf(200, "land", 702)}).gave({200});
+  rooms.started(200).committer.retire({GoalId{702}});
+  rooms.requests();
+  EXPECT_THAT(rooms.said(), ElementsAre(HasSubstr("until it has stopped landing")));
+  rooms.at(40);
+  EXPECT_THAT(rooms.kept(), IsEmpty());
+
+  rooms.at(41).lost(200);
+  EXPECT_THAT(rooms.kept(), ElementsAre(HasSubstr("START")));
+}
+
 TEST(SafeMode, OneThatWasNeverGivenAnythingIsOnlySpokenOf) {
   Rooms rooms;
   rooms.at(0).flies().safe_mode.keep();

@@ -423,6 +423,19 @@ TEST(Schedule, HoldsATaskBackForTheTimeOfItsCompanion) {
   EXPECT_THAT(result.holds.at(id(2)), ElementsAre(Hold{executive::TaskId(), at(10.001)}));
 }
 
+// The executive starts it when the wait is told to run, which a slow pilot says after what the wait
+// may have lasted.
+TEST(Schedule, ACompanionStartsWheneverAWaitThatMayEndAnyMomentIsSaidToRun) {
+  const Tasks tasks = {a_task(2, "wait").lasts(1.4, 4),
+                       a_task(3, "takeshot").running(2).stopped_by(2)};
+  Observations seen;
+  seen[id(2)].started = at(10);
+
+  for (const double now : {10.5, 11.4, 12.0, 13.9}) {
+    EXPECT_TRUE(schedule(tasks, seen, at(now)).controllable) << now;
+  }
+}
+
 // Its own end_after holds the companion back to 95 s, so that the wait may not begin before 75 s.
 TEST(Schedule, HoldsATaskBackForACompanionThatItsEndAfterHoldsBack) {
   const Schedule result =

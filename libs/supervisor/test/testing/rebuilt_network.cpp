@@ -112,8 +112,8 @@ class Builder {
       return;
     }
     link(nodes.start, own_.start, 0, kInfinite, {task_, RuleKind::kAfterStart, one.task, {}});
-    link(nodes.end, own_.start, kMinusInfinite, -kStartMargin.count(),
-         {task_, RuleKind::kWithin, one.task, {}});
+    const Ticks margin = seen_of(one.task).started ? 0 : kStartMargin.count();
+    link(nodes.end, own_.start, kMinusInfinite, -margin, {task_, RuleKind::kWithin, one.task, {}});
   }
 
   // Nature ends the task, or its duration is known.

@@ -78,7 +78,7 @@ struct Schedule {
 ///   duration [least, most]     contingent when 0 < least < most < ∞ (least 0: 1 ms); [d, d] fixed;
 ///                              else, or open-ended, at least `least`
 ///   ENDED j, OVER j            start >= end of j
-///   RUNNING j                  start of j <= start <= end of j - kStartMargin
+///   RUNNING j                  start of j <= start <= end of j - kStartMargin (0 once j started)
 ///   stop                       end >= every event waited for; the duration does not count. With
 ///   one
 ///                              event, start <= event and end <= event + kStopReaction
