@@ -25,6 +25,9 @@ std::string without_indices(const std::string& field) {
   return kind;
 }
 
+/// After its last instant that an event has expired.
+constexpr Duration kTold = Duration::milliseconds(1);
+
 bool is_event(wire::Slot slot) { return wire::slot_class(slot) == wire::SlotClass::kEvent; }
 
 /// What every sample of the wire must have in its header, beyond the rules for all types.
@@ -73,9 +76,9 @@ Result<void, Failure> Blackboard::Impl::add_channel(std::size_t index) {
   if (back == config_.channels.end()) return failure("no channel back for " + channel.partition);
   const auto incoming = static_cast<std::size_t>(back - config_.channels.begin());
   const PeerChannels channels{channel.to, channel.kind, index, incoming};
-  if (!peers_.try_emplace(channel.to, channels, config_).second) {
-    return failure("two channels to node " + to_text(channel.to));
-  }
+  const auto [added, fresh] = peers_.try_emplace(channel.to, channels, config_);
+  if (!fresh) return failure("two channels to node " + to_text(channel.to));
+  plan(added->second);
   return {};
 }
 
@@ -137,6 +140,7 @@ Result<std::uint64_t, Refusal> Blackboard::Impl::send(wire::Sample sample, NodeN
     for (const wire::Sample* event : peer.take_due_events(now)) {
       write(peer.channels().outgoing, *event);
     }
+    plan(peer);
     return sequence;
   }
   stamp(header, to, ++sequence_, now);
@@ -171,17 +175,20 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
     const bool changes = condition.up != peer.incoming_condition().up;
     peer.set_incoming(condition);
     if (changes) transport_.set_up(peer.channels().incoming, condition.up);
+    plan(peer);
   }
 }
 
 std::vector<Incoming> Blackboard::Impl::step(Now now) {
-  for (auto& [number, peer] : peers_) peer.commit();
+  for (const NodeNumber peer : heard_) peers_.at(peer).commit();
+  heard_.clear();
   for (Arrival& arrival : transport_.take()) arrive(std::move(arrival), now);
   while (!delayed_.empty() && delayed_.begin()->first <= now.steady) {
     auto first = delayed_.extract(delayed_.begin());
     admit(first.mapped().channel, std::move(first.mapped().sample), now);
   }
-  for (auto& [number, peer] : peers_) {
+  for (const NodeNumber number : agenda_.due(now)) {
+    Peer& peer = peers_.at(number);
     peer.update(now, out_);
     serve(peer, now);
   }
@@ -193,26 +200,29 @@ void Blackboard::Impl::serve(Peer& peer, Now now) {
   for (const wire::Sample* event : peer.take_due_events(now)) {
     write(peer.channels().outgoing, *event);
   }
-  if (!peer.heartbeat_due(now.steady)) return;
-  wire::Heartbeat heartbeat = peer.take_heartbeat(now.steady);
-  stamp(heartbeat.header, peer.channels().number, ++sequence_, now);
-  write(peer.channels().outgoing, heartbeat);
+  if (peer.heartbeat_due(now.steady)) {
+    wire::Heartbeat heartbeat = peer.take_heartbeat(now.steady);
+    stamp(heartbeat.header, peer.channels().number, ++sequence_, now);
+    write(peer.channels().outgoing, heartbeat);
+  }
+  plan(peer);
+}
+
+void Blackboard::Impl::plan(const Peer& peer) {
+  agenda_.set(peer.channels().number, peer.next_wakeup(), peer.first_expiry());
 }
 
 std::optional<Duration> Blackboard::Impl::next_wakeup() const {
   std::optional<Duration> next;
   if (!delayed_.empty()) next = delayed_.begin()->first;
-  for (const auto& [number, peer] : peers_) {
-    const auto due = peer.next_wakeup();
-    if (due && (!next || *due < *next)) next = due;
-  }
-  return next;
+  const auto due = agenda_.next_due();
+  return due && (!next || *due < *next) ? due : next;
 }
 
 std::optional<MissionTime> Blackboard::Impl::next_expiry() const {
-  std::optional<MissionTime> next;
-  for (const auto& [number, peer] : peers_) next = earliest(next, peer.next_expiry());
-  return next;
+  const auto first = agenda_.next_expiry();
+  if (!first) return std::nullopt;
+  return *first + kTold;
 }
 
 void Blackboard::Impl::arrive(Arrival arrival, Now now) {
@@ -269,10 +279,14 @@ void Blackboard::Impl::admit_from_world(wire::Sample sample) {
 void Blackboard::Impl::admit_from_peer(Peer& peer, wire::Sample sample, Now now) {
   const wire::Slot slot = wire::slot_of(sample);
   const wire::SampleHeader header = wire::header_of(sample);
-  if (is_event(slot)) return peer.on_event(header, std::move(sample), now, out_);
+  if (is_event(slot)) {
+    peer.on_event(header, std::move(sample), now, out_);
+    return hear(peer);
+  }
   if (!freshness_.admit(slot, header)) return;
   if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample)) {
-    return peer.on_heartbeat(*heartbeat, now, out_);
+    peer.on_heartbeat(*heartbeat, now, out_);
+    return hear(peer);
   }
   out_.emplace_back(Received{NodeNumber(header.origin), peer.channels().kind, std::move(sample)});
 }
@@ -293,6 +307,12 @@ void Blackboard::Impl::refuse_event(std::size_t channel, wire::Slot slot,
   if (from == peers_.end() || header.origin != from->first.value()) return;
   if (header.destination != config_.self.value()) return;
   from->second.on_event(header, std::nullopt, now, out_);
+  hear(from->second);
+}
+
+void Blackboard::Impl::hear(const Peer& peer) {
+  heard_.insert(peer.channels().number);
+  plan(peer);
 }
 
 }  // namespace skein::blackboard

@@ -7,6 +7,7 @@
 #include <string>
 #include <tuple>
 
+#include "agenda.hpp"
 #include "freshness.hpp"
 #include "peer.hpp"
 #include "skein/blackboard/blackboard.hpp"
@@ -49,6 +50,10 @@ class Blackboard::Impl {
   void refuse_event(std::size_t channel, wire::Slot slot, const wire::SampleHeader& header,
                     Now now);
   void serve(Peer& peer, Now now);
+  /// Something of its session came: it counts as handled from the next step on.
+  void hear(const Peer& peer);
+  /// To be called after each change of a peer.
+  void plan(const Peer& peer);
 
   using StateKey = std::tuple<std::size_t, wire::Slot, std::uint32_t>;
   using DropKey = std::tuple<wire::Slot, NodeNumber, std::string>;
@@ -61,6 +66,8 @@ class Blackboard::Impl {
   Transport& transport_;
   Random losses_;
   std::map<NodeNumber, Peer> peers_;
+  Agenda agenda_;               ///< of the peers
+  std::set<NodeNumber> heard_;  ///< since the last step began
   std::optional<std::size_t> world_;
   std::uint64_t sequence_ = 0;  ///< of states, streams and world events
   Freshness freshness_;

@@ -8,13 +8,6 @@
 
 namespace skein::blackboard {
 
-namespace {
-
-/// After its last instant that an event has expired.
-constexpr Duration kTold = Duration::milliseconds(1);
-
-}  // namespace
-
 void OutgoingEvents::hold(wire::Sample event) {
   SKEIN_EXPECTS(!full());
   SKEIN_EXPECTS(wire::header_of(event).sequence_number == next_);
@@ -57,12 +50,12 @@ std::vector<const wire::Sample*> OutgoingEvents::take_due(Now now, Duration roun
   return due;
 }
 
-std::optional<MissionTime> OutgoingEvents::next_expiry() const {
+std::optional<MissionTime> OutgoingEvents::first_expiry() const {
   std::int64_t first = wire::kNever;
   for (const Held& event : held_)
     if (!event.given_up) first = std::min(first, wire::header_of(event.sample).expires);
   if (first == wire::kNever) return std::nullopt;
-  return MissionTime() + Duration::nanoseconds(first) + kTold;
+  return MissionTime() + Duration::nanoseconds(first);
 }
 
 std::optional<Duration> OutgoingEvents::next_due(Duration round_trip) const {

@@ -41,8 +41,8 @@ class OutgoingEvents {
   /// What is to be written now, oldest first; counts as written. `round_trip` is what the channel
   /// itself adds before an acknowledgement can be here. Valid until the next call of anything.
   std::vector<const wire::Sample*> take_due(Now now, Duration round_trip);
-  /// When expire() has something to tell.
-  std::optional<MissionTime> next_expiry() const;
+  /// The last instant of the event that expires first; after it expire() has something to tell.
+  std::optional<MissionTime> first_expiry() const;
   /// Steady time of the next take_due() that gives something.
   std::optional<Duration> next_due(Duration round_trip) const;
 

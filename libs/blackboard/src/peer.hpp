@@ -51,8 +51,8 @@ class Peer {
   bool heartbeat_due(Duration steady) const;
   /// The next heartbeat, but for its header; counts as sent.
   wire::Heartbeat take_heartbeat(Duration steady);
-  /// When an event that is held is told to have expired.
-  std::optional<MissionTime> next_expiry() const { return outgoing_.next_expiry(); }
+  /// The last instant of the event that is held and expires first.
+  std::optional<MissionTime> first_expiry() const { return outgoing_.first_expiry(); }
   /// Steady; none if nothing will be due by itself.
   std::optional<Duration> next_wakeup() const;
 
