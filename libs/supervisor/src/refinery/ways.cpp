@@ -23,6 +23,8 @@ constexpr double kTurningRoom = 3;      // turn radii to the side, where a turn 
 constexpr double kOutStep = 10, kFarthestOut = 600;   // [m] out of closed air
 constexpr double kRoomOfOne = 46, kShareOfGap = 0.6;  // [m] where it waits, and of the distance
 constexpr double kRoomBelow = 15;                     // [m] and over it
+constexpr double kLeastRoomBelow = 10;                // [m] when one starts there
+constexpr double kGap = 0.5;                          // [m] so that a face is not touched
 constexpr int kDirections = 24, kAround = 8;
 
 /// Without the points of arcs that are nearer to the last one kept than `spacing`, where the air
@@ -97,9 +99,22 @@ Answer<Motion> Ways::path_among(const Vector3& from, const Vector3& to,
   });
 }
 
-/// Where someone waits, whatever it is that does, as far as that leaves room around `to`.
-world::Volume Ways::room_of(const Vector3& other, const Vector3& to) {
-  const double radius = std::min(kRoomOfOne, kShareOfGap * (to - other).head<2>().norm());
+/// Where someone waits, whatever it is that does, as far as that leaves room around `to` and in the
+/// voxel of a start beside it. Absent: it leaves none there.
+std::optional<world::Volume> Ways::room_of(const Vector3& other, const Vector3& to,
+                                           const StartVoxel& start) {
+  double radius = std::min(kRoomOfOne, kShareOfGap * (to - other).head<2>().norm());
+  double floor = other.z() - kRoomBelow, ceiling = other.z() + kRoomBelow;
+  const double beside = start.distance_to(other);
+  const bool touches = beside <= radius && floor <= start.high.z() && start.low.z() <= ceiling;
+  if (touches && start.high.z() + kGap <= other.z() - kLeastRoomBelow) {
+    floor = start.high.z() + kGap;
+  } else if (touches && start.low.z() - kGap >= other.z() + kLeastRoomBelow) {
+    ceiling = start.low.z() - kGap;
+  } else if (touches) {
+    radius = beside - kGap;
+  }
+  if (radius <= 0) return std::nullopt;
   world::Volume room;
   room.name = "a partner's place";
   for (int i = 0; i < kAround; ++i) {
@@ -107,20 +122,33 @@ world::Volume Ways::room_of(const Vector3& other, const Vector3& to) {
     room.polygon.emplace_back(other.head<2>() +
                               radius * world::Vector2(std::cos(angle), std::sin(angle)));
   }
-  room.floor = other.z() - kRoomBelow;
-  room.ceiling = other.z() + kRoomBelow;
+  room.floor = floor;
+  room.ceiling = ceiling;
   return room;
+}
+
+Ways::StartVoxel Ways::voxel_of(const world::Airspace& air, const Vector3& from) {
+  const auto at = air.free_voxel_at(from);
+  const Vector3 middle = at ? air.centre(*at) : from;
+  const Vector3 half = Vector3::Constant(at ? air.grid().voxel / 2 : 0);
+  return {middle - half, middle + half};
+}
+
+double Ways::StartVoxel::distance_to(const Vector3& other) const {
+  const Vector3 nearest = other.cwiseMax(low).cwiseMin(high);
+  return (other - nearest).head<2>().norm();
 }
 
 std::optional<Way> Ways::clear_of(const std::vector<Vector3>& others, world::Airspace air,
                                   const Volumes& volumes, const Vector3& from,
                                   const Vector3& to) const {
   world::World crowded = world();
+  const StartVoxel start = voxel_of(air, from);
   for (const Vector3& other : others) {
-    const world::Volume room = room_of(other, to);
-    if (is_near(room, from, 0)) continue;
-    air.block(room, 0);
-    crowded.volumes.push_back(room);
+    const auto room = room_of(other, to, start);
+    if (!room) continue;
+    air.block(*room, 0);
+    crowded.volumes.push_back(*room);
   }
   if (!air.is_free(from) || !air.is_free(to)) return std::nullopt;
   auto way = through(air, crowded, from, to);

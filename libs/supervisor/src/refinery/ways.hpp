@@ -51,7 +51,15 @@ class Ways {
                          const std::vector<world::Vector3>& others = {});
   Answer<refiners::Way> through(const world::Airspace& air, const world::World& in,
                                 const world::Vector3& from, const world::Vector3& to) const;
-  static world::Volume room_of(const world::Vector3& other, const world::Vector3& to);
+  /// The corners of the voxel in which a way starts.
+  struct StartVoxel {
+    world::Vector3 low, high;
+    /// In plan.
+    double distance_to(const world::Vector3& other) const;
+  };
+  static StartVoxel voxel_of(const world::Airspace& air, const world::Vector3& from);
+  static std::optional<world::Volume> room_of(const world::Vector3& other, const world::Vector3& to,
+                                              const StartVoxel& start);
   std::optional<refiners::Way> clear_of(const std::vector<world::Vector3>& others,
                                         world::Airspace air, const Volumes& volumes,
                                         const world::Vector3& from, const world::Vector3& to) const;
