@@ -2,9 +2,6 @@
 // Functional layers as programs of their own, over real DDS.
 #include <gmock/gmock.h>
 
-#include <chrono>
-#include <thread>
-
 #include "skein/blackboard/domain_lease.hpp"
 #include "testing/dds_run.hpp"
 
@@ -38,14 +35,9 @@ TEST(DdsFunctional, TheCometsMissionWithALayerOfItsOwnMeetsEveryExpectation) {
   EXPECT_THAT(run.left_in_shared_memory(), IsEmpty());
 }
 
-// What the end of a process is waited for; none of it takes that long.
-std::optional<run_tool::Process::Status> end_of(run_tool::Process& process, int seconds) {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
-  while (std::chrono::steady_clock::now() < until) {
-    if (const auto status = process.poll()) return status;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // poll() does not wait
-  }
-  return std::nullopt;
+std::optional<run_tool::Process::Status> end_of(run_tool::Process& process, double seconds) {
+  holds_within(seconds, [&] { return process.poll().has_value(); });
+  return process.poll();
 }
 
 TEST(DdsFunctional, ALayerIsCheckedAgainstItsContract) {

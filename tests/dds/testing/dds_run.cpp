@@ -54,7 +54,8 @@ std::set<std::string> shared_memory() {
   return names;
 }
 
-// True when the condition holds, asked again and again until the deadline.
+}  // namespace
+
 bool holds_within(double seconds, const std::function<bool()>& condition) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   while (!condition()) {
@@ -63,8 +64,6 @@ bool holds_within(double seconds, const std::function<bool()>& condition) {
   }
   return true;
 }
-
-}  // namespace
 
 DdsRun::DdsRun() : shared_memory_before_(shared_memory()) {
   std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();

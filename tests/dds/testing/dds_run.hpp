@@ -21,6 +21,9 @@ namespace fs = std::filesystem;
 
 inline const std::string kPrograms = SKEIN_BINARY_DIR "/bin";
 
+/// True as soon as the condition holds, looked at again and again for so many seconds at most.
+bool holds_within(double seconds, const std::function<bool()>& condition);
+
 /// One `skein run` over DDS of a copy of a COMETS scenario in a folder of the test's own. The path
 /// of that copy is on the command line of each of its daemons, which is how they are found.
 class DdsRun {
