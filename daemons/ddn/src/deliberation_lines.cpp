@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deliberation_lines.hpp"
+#include "skein/foundation/joined.hpp"
 
 #include <algorithm>
 
@@ -24,12 +25,6 @@ double seconds(std::int64_t count) {
 /// Left out when there is no such bound.
 void with_bound(journal::Record& line, const char* key, std::int64_t count) {
   if (count != wire::kNever) line.with(key, seconds(count));
-}
-
-std::string joined(const std::vector<std::string>& reasons) {
-  std::string text;
-  for (const std::string& one : reasons) text += (text.empty() ? "" : "; ") + one;
-  return text;
 }
 
 void tell_estimate(journal::Record& line, const mission::MissionEstimate& estimate) {
@@ -87,7 +82,7 @@ journal::Record outcome_line(const translation::Writer& writer,
   line.with("uav", writer.node)
       .with("mission", outcome.mission.value())
       .with("planned", outcome.planned);
-  if (!outcome.reasons.empty()) line.with("why", joined(outcome.reasons));
+  if (!outcome.reasons.empty()) line.with("why", joined(outcome.reasons, "; "));
   if (outcome.evaluated) line.with("evaluated", true);
   if (outcome.estimate) tell_estimate(line, *outcome.estimate);
   return line;

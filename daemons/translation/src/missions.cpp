@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "skein/foundation/joined.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/world/polygon_check.hpp"
@@ -28,12 +29,6 @@ tl::unexpected<wire::Violation> wrong(std::string field, std::string why) {
 
 std::string at(const std::string& list, std::size_t index) {
   return list + "[" + std::to_string(index) + "]";
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
 }
 
 std::vector<std::string> words_of(const std::string& text) {
@@ -65,7 +60,7 @@ wire::Parameter to_wire(const mission::Argument& argument) {
                                  return wire::Parameter{"location", "", {v.x(), v.y(), v.z()}};
                                },
                                [](const std::vector<std::string>& names) {
-                                 return wire::Parameter{"names", joined(names), {}};
+                                 return wire::Parameter{"names", joined(names, " "), {}};
                                }},
                     argument);
 }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "skein/executive/task_state.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/tasks.hpp"
 
@@ -64,12 +65,6 @@ std::vector<world::Vector3> points_of(const std::vector<double>& numbers) {
   return points;
 }
 
-std::string joined(const std::vector<std::string>& methods) {
-  std::string text;
-  for (const std::string& one : methods) text += (text.empty() ? "" : kMethodSeparator) + one;
-  return text;
-}
-
 std::vector<std::string> methods_of(const std::string& text) {
   std::vector<std::string> methods;
   const std::string separator = kMethodSeparator;
@@ -96,7 +91,7 @@ wire::PlanEntry to_wire(const mission::PlannedTask& planned) {
   entry.latest_end = planned.dates.latest_end.count();
   entry.committed = planned.committed;
   entry.way = flat(planned.task.way);
-  entry.methods = joined(planned.task.methods);
+  entry.methods = joined(planned.task.methods, kMethodSeparator);
   return entry;
 }
 

@@ -14,13 +14,11 @@
 
 namespace skein::auction {
 
-/// | from      | when                                              | to |
-/// |-----------|---------------------------------------------------|-------------------------------|
-/// | follower  | no beat for its patience                          | candidate, asking on trial |
-/// | candidate | a majority would vote for it                      | candidate, asking in earnest |
-/// | candidate | a majority voted for it                           | holder, with a ledger of its
-/// term | | any       | a higher term is heard                            | follower | | holder |
-/// no majority was heard for its patience            | follower                      |
+/// Follower, without a beat for its patience: candidate, asking on trial.
+/// Candidate, if a majority would vote for it: asks in earnest.
+/// Candidate, once a majority voted for it: holder, with a ledger of its term.
+/// Anyone who hears of a higher term: follower.
+/// Holder that hears no majority for its patience: follower.
 class TeamMember::Core {
  public:
   explicit Core(TeamSetup setup);

@@ -5,6 +5,7 @@
 
 #include "core.hpp"
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/mission/degree.hpp"
 
@@ -22,12 +23,6 @@ std::optional<supervisor::Supervisor> supervisor_of(const Config& config) {
   result.horizon = config.horizon;
   result.first_id = config.first_task;
   return supervisor::Supervisor(std::move(result));
-}
-
-std::string joined(const std::vector<std::string>& reasons) {
-  std::string text;
-  for (const std::string& one : reasons) text += (text.empty() ? "" : "; ") + one;
-  return text;
 }
 
 }  // namespace
@@ -112,7 +107,7 @@ void Deliberation::tell(supervisor::Input input, std::optional<Command> command)
 
 void Deliberation::carry_out(const supervisor::Answer& effect,
                              const std::optional<Command>& command) {
-  if (command) core_.commands().answer(*command, effect.accepted, joined(effect.reasons));
+  if (command) core_.commands().answer(*command, effect.accepted, joined(effect.reasons, "; "));
 }
 
 void Deliberation::carry_out(const supervisor::ToExecutive& effect, const std::optional<Command>&) {

@@ -4,18 +4,13 @@
 #include <functional>
 
 #include "request_facts.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/ground_station/monitoring.hpp"
 
 namespace skein::ground_station {
 namespace {
 
 using executive::TaskId;
-
-std::string joined(const std::vector<std::string>& reasons) {
-  std::string text;
-  for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
-  return text;
-}
 
 }  // namespace
 
@@ -69,7 +64,7 @@ void Monitoring::send(CommandNumber number, MissionTime now, Effects& effects) {
   Record& record = uavs_.at(pending.uav);
   const Addressee to{pending.uav, record.board.degree, record.board.goals};
   if (const auto problems = checks_.problems_of(pending.request, to, now); !problems.empty()) {
-    return close(number, CommandState::kRefused, joined(problems), effects);
+    return close(number, CommandState::kRefused, joined(problems, "; "), effects);
   }
   const auto* world = std::get_if<mission::ChangeWorld>(&pending.request);
   if (world != nullptr && world->place) know_place(world->place->name);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "words.hpp"
 
@@ -71,12 +72,6 @@ std::string unknown(std::string_view what, const std::string& name,
   return nearest.empty() ? text : text + "; did you mean '" + nearest + "'?";
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 class Check {
  public:
   Check(const Vocabulary& vocabulary, const Surroundings& around, MissionTime now)
@@ -126,7 +121,7 @@ class Check {
       std::vector<std::string> kinds;
       for (const ParameterKind kind : signature.parameters) kinds.emplace_back(to_text(kind));
       say("takes " + std::to_string(wanted) + (wanted == 1 ? " argument" : " arguments") +
-          (wanted == 0 ? "" : " (" + joined(kinds) + ")") + ", not " +
+          (wanted == 0 ? "" : " (" + joined(kinds, ", ") + ")") + ", not " +
           std::to_string(task.arguments.size()));
     }
     for (std::size_t i = 0; i < std::min(wanted, task.arguments.size()); ++i) {
@@ -225,7 +220,7 @@ class Check {
         serving.push_back(device);
     }
     say("no device on board serves " + quoted(use) +
-        (serving.empty() ? "" : "; one of these would: " + joined(serving)));
+        (serving.empty() ? "" : "; one of these would: " + joined(serving, ", ")));
   }
 
   void times(const TimeConstraints& time) {
