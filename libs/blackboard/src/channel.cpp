@@ -16,7 +16,8 @@ std::vector<Slot> radio_slots() {
           Slot::kRequestReply,      Slot::kTaskEvent,
           Slot::kFunctionalRequest, Slot::kFunctionalStatus,
           Slot::kSyncMessage,       Slot::kAlarm,
-          Slot::kTelemetry,         Slot::kPerceptionReport};
+          Slot::kTelemetry,         Slot::kPerceptionReport,
+          Slot::kJointTaskState,    Slot::kNegotiationMessage};
 }
 
 constexpr auto kFromStation =

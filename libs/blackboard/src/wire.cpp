@@ -7,14 +7,16 @@
 namespace skein::wire {
 namespace {
 
-constexpr auto kNames = std::to_array<std::string_view>(
-    {"DirectoryEntry", "Clock",          "LinkState",         "PlanBoard",
-     "AutonomyDegree", "MissionState",   "MissionPlan",       "TaskRequest",
-     "RequestReply",   "TaskEvent",      "FunctionalRequest", "FunctionalStatus",
-     "SyncMessage",    "Alarm",          "MissionRequest",    "DegreeCommand",
-     "WorldChange",    "MissionOutcome", "HandOver",          "Decision",
-     "JournalEntry",   "Telemetry",      "PerceptionReport",  "Truth",
-     "Heartbeat"});
+constexpr auto kNames =
+    std::to_array<std::string_view>({"DirectoryEntry",     "Clock",          "LinkState",
+                                     "PlanBoard",          "AutonomyDegree", "MissionState",
+                                     "MissionPlan",        "JointTaskState", "TaskRequest",
+                                     "RequestReply",       "TaskEvent",      "FunctionalRequest",
+                                     "FunctionalStatus",   "SyncMessage",    "Alarm",
+                                     "MissionRequest",     "DegreeCommand",  "WorldChange",
+                                     "MissionOutcome",     "HandOver",       "Decision",
+                                     "NegotiationMessage", "JournalEntry",   "Telemetry",
+                                     "PerceptionReport",   "Truth",          "Heartbeat"});
 static_assert(kNames.size() == kSlotCount);
 
 }  // namespace

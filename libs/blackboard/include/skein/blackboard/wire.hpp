@@ -15,11 +15,12 @@
 namespace skein::wire {
 
 /// The value of one slot. The order of the alternatives is the order of `Slot`.
-using Sample = std::variant<DirectoryEntry, Clock, LinkState, PlanBoard, AutonomyDegree,
-                            MissionState, MissionPlan, TaskRequest, RequestReply, TaskEvent,
-                            FunctionalRequest, FunctionalStatus, SyncMessage, Alarm, MissionRequest,
-                            DegreeCommand, WorldChange, MissionOutcome, HandOver, Decision,
-                            JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat>;
+using Sample =
+    std::variant<DirectoryEntry, Clock, LinkState, PlanBoard, AutonomyDegree, MissionState,
+                 MissionPlan, JointTaskState, TaskRequest, RequestReply, TaskEvent,
+                 FunctionalRequest, FunctionalStatus, SyncMessage, Alarm, MissionRequest,
+                 DegreeCommand, WorldChange, MissionOutcome, HandOver, Decision, NegotiationMessage,
+                 JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat>;
 
 enum class Slot : std::uint8_t {
   kDirectoryEntry,
@@ -29,6 +30,7 @@ enum class Slot : std::uint8_t {
   kAutonomyDegree,
   kMissionState,
   kMissionPlan,
+  kJointTaskState,
   kTaskRequest,
   kRequestReply,
   kTaskEvent,
@@ -42,6 +44,7 @@ enum class Slot : std::uint8_t {
   kMissionOutcome,
   kHandOver,
   kDecision,
+  kNegotiationMessage,
   kJournalEntry,
   kTelemetry,
   kPerceptionReport,
@@ -56,7 +59,7 @@ enum class SlotClass : std::uint8_t { kState, kEvent, kStream };
 constexpr Slot slot_of(const Sample& sample) { return static_cast<Slot>(sample.index()); }
 
 constexpr SlotClass slot_class(Slot slot) {
-  if (slot <= Slot::kMissionPlan) return SlotClass::kState;
+  if (slot <= Slot::kJointTaskState) return SlotClass::kState;
   return slot <= Slot::kJournalEntry ? SlotClass::kEvent : SlotClass::kStream;
 }
 

@@ -245,6 +245,45 @@ struct Decision {
 };
 SKEIN_WIRE_FIELDS(Decision, header, uav, number, applied, cause, inputs, outcome, began, took)
 
+enum class NegotiationVow : std::uint32_t { kNone, kPromised, kRefused, kCount };
+constexpr auto names_of(NegotiationVow) {
+  return std::to_array<std::string_view>({"none", "promised", "refused"});
+}
+
+/// What one member is known to have said in a negotiation.
+struct NegotiationEntry {
+  std::string uav;
+  bool offered = false;
+  std::vector<Parameter> offer;
+  NegotiationVow vow = NegotiationVow::kNone;
+  std::uint64_t fingerprint = 0;  ///< of the result that was promised
+  std::string why;                ///< it was refused
+  bool lost = false;              ///< restarted since
+  bool operator==(const NegotiationEntry&) const = default;
+};
+SKEIN_WIRE_FIELDS(NegotiationEntry, uav, offered, offer, vow, fingerprint, why, lost)
+
+/// All that a UAV knows of a negotiation: from the terms that its opener fixed to what each member
+/// said. Source: spec 7.4.
+struct NegotiationMessage {
+  SampleHeader header;
+  std::string from, to;
+  std::string subject;
+  std::uint32_t mission_id = 0;  ///< of the terms
+  std::string modality;
+  std::vector<std::string> members;   ///< in order
+  std::uint64_t model = 0;            ///< hash of the interaction model
+  std::vector<Parameter> parameters;  ///< of the modality
+  std::string opener;
+  std::int64_t opened = 0;                ///< [ns]
+  std::int64_t deadline = 0;              ///< [ns]
+  std::vector<NegotiationEntry> entries;  ///< one for each member, in their order
+  bool wants_echo = false;
+  bool operator==(const NegotiationMessage&) const = default;
+};
+SKEIN_WIRE_FIELDS(NegotiationMessage, header, from, to, subject, mission_id, modality, members,
+                  model, parameters, opener, opened, deadline, entries, wants_echo)
+
 /// One line of the event log. World channel.
 struct JournalEntry {
   SampleHeader header;

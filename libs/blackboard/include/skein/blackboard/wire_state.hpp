@@ -123,4 +123,47 @@ struct MissionPlan {
 };
 SKEIN_WIRE_FIELDS(MissionPlan, header, uav, revision, made, tasks, goals)
 
+enum class JointTaskPhase : std::uint32_t {
+  kLoading,
+  kLoaded,
+  kRunning,
+  kLeaving,  ///< it is being interrupted
+  kEnded,
+  kAborted,
+  kNotLoaded,
+  kCount
+};
+constexpr auto names_of(JointTaskPhase) {
+  return std::to_array<std::string_view>(
+      {"loading", "loaded", "running", "leaving", "ended", "aborted", "not-loaded"});
+}
+
+struct RoleHolder {
+  std::string uav;
+  std::string role;
+  bool operator==(const RoleHolder&) const = default;
+};
+SKEIN_WIRE_FIELDS(RoleHolder, uav, role)
+
+/// Where a UAV stands in a joint task, for its partners and for the ground. The instance numbers
+/// its joint tasks. Source: spec 7.2, 7.3.
+struct JointTaskState {
+  SampleHeader header;
+  std::string uav;
+  std::string subject;     ///< the same at all who take part
+  std::uint64_t task = 0;  ///< of its own executive
+  std::string model;       ///< type of the joint task
+  std::string variant;
+  std::uint64_t model_hash = 0;
+  JointTaskPhase phase = JointTaskPhase::kLoading;
+  std::string why;                         ///< of kLeaving, kAborted, kNotLoaded
+  std::vector<RoleHolder> holders;         ///< as agreed last
+  std::vector<std::string> active_blocks;  ///< of its role
+  std::vector<std::string> violated;       ///< spatial constraint models
+  std::int64_t agreed_start = kNoInstant;  ///< [ns]
+  bool operator==(const JointTaskState&) const = default;
+};
+SKEIN_WIRE_FIELDS(JointTaskState, header, uav, subject, task, model, variant, model_hash, phase,
+                  why, holders, active_blocks, violated, agreed_start)
+
 }  // namespace skein::wire
