@@ -14,6 +14,11 @@
 namespace skein::testing {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
 class Deliberation : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Deliberation, MeetsEveryExpectationAndKeepsTheLawsWhateverTheSeed) {
@@ -47,7 +52,8 @@ std::string name_of(const ::testing::TestParamInfo<std::string>& one) {
 INSTANTIATE_TEST_SUITE_P(Virtual, Deliberation,
                          ::testing::Values("karma/detection", "heliv-marvin/monitoring",
                                            "iros2005/fire", "handover/radio", "handover/cut",
-                                           "comets/mixed", "deadlines/after-a-goal"),
+                                           "comets/mixed", "deadlines/after-a-goal",
+                                           "deadlines/slack"),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(
     Contingencies, Deliberation,
@@ -67,6 +73,28 @@ INSTANTIATE_TEST_SUITE_P(
                       "contingencies/mapping-goes-on", "contingencies/partner-gives-up",
                       "handover/synchronised"),
     name_of);
+
+// What each decision of that operator came to.
+std::vector<std::string> outcomes_of(const Mission& mission, const std::string& operator_name) {
+  std::vector<std::string> outcomes;
+  for (const journal::Record& record : mission.records) {
+    if (record.kind() == "decision" && record.text("operator") == operator_name)
+      outcomes.emplace_back(record.text("outcome"));
+  }
+  return outcomes;
+}
+
+TEST(Slack, IsTakenFromBothLooksAtFirstAndFromTheSecondWhenTheWayToItTakesLonger) {
+  const Mission mission = play(scenario_at("deadlines/slack", with(1)));
+
+  EXPECT_THAT(
+      outcomes_of(mission, "1 insert: last"),
+      ElementsAre(AllOf(HasSubstr("mended by slack: goal 701 to "), HasSubstr("goal 702 to "))));
+  EXPECT_THAT(outcomes_of(mission, "6 repair: re-refine"),
+              Contains(HasSubstr("mended by slack: goal 702 to ")));
+  EXPECT_THAT(outcomes_of(mission, "1 insert"),
+              Contains(HasSubstr("it could be planned with goal 710 end-before ")));
+}
 
 }  // namespace
 }  // namespace skein::testing

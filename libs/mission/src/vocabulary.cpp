@@ -8,6 +8,7 @@
 
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
+#include "skein/mission/duration_range.hpp"
 #include "words.hpp"
 
 namespace skein::mission {
@@ -38,7 +39,7 @@ std::string_view description(ParameterKind kind) {
     case ParameterKind::kPlaces:
       return "a list of places";
     case ParameterKind::kDuration:
-      return "a duration above 0 s";
+      return "a duration above 0 s, or two of them as in 60..120";
     case ParameterKind::kNumber:
       return "a finite number";
     case ParameterKind::kUavs:
@@ -154,11 +155,22 @@ class Check {
       case ParameterKind::kDevice:
         if (around_.vehicle == nullptr) return not_empty(name, kind);
         return known("device", name, devices_);
+      case ParameterKind::kDuration:
+        return range(name);
       case ParameterKind::kWord:
         return not_empty(name, kind);
       default:
         return wrong(kind);
     }
+  }
+
+  void range(const std::string& text) {
+    const auto found = duration_range_from(text);
+    if (!found) return wrong(ParameterKind::kDuration);
+    one_number(found->least, ParameterKind::kDuration);
+    one_number(found->most, ParameterKind::kDuration);
+    if (found->least > found->most)
+      say(nth() + " must be the least duration and then the most, not " + text);
   }
 
   void one_number(double number, ParameterKind kind) {

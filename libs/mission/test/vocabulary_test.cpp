@@ -75,6 +75,14 @@ TEST(ParameterKind, IsReadBackFromItsWord) {
   EXPECT_EQ(parameter_kind_from("?"), std::nullopt);
 }
 
+TEST_F(MissionCheck, ADurationMayBeARange) {
+  EXPECT_THAT(problems("perform-detection", {"Z2", "P2", "60..300"}), IsEmpty());
+  EXPECT_THAT(problems("perform-detection", {"Z2", "P2", "300..60"}),
+              ElementsAre("task 701 (perform-detection): argument 3 must be the least duration and "
+                          "then the most, not 300..60"));
+  EXPECT_EQ(problems("perform-detection", {"Z2", "P2", "0..60"}).size(), 1U);
+}
+
 TEST_F(MissionCheck, AcceptsWhatTheDomainTakes) {
   EXPECT_THAT(problems("general-takeoff", {}), IsEmpty());
   EXPECT_THAT(problems("perform-detection", {"Z2", "P2", 300.0}), IsEmpty());
@@ -122,7 +130,8 @@ TEST_F(MissionCheck, TellsWhatAnArgumentMustBe) {
   EXPECT_THAT(problems("perform-detection", {1.0, std::vector<std::string>{"P1"}, "long"}),
               ElementsAre("task 701 (perform-detection): argument 1 must be a zone",
                           "task 701 (perform-detection): argument 2 must be a place or a location",
-                          "task 701 (perform-detection): argument 3 must be a duration above 0 s"));
+                          "task 701 (perform-detection): argument 3 must be a duration above 0 s, "
+                          "or two of them as in 60..120"));
   EXPECT_THAT(problems("perform-tour", {"P1"}),
               ElementsAre("task 701 (perform-tour): argument 1 must be a list of places"));
   EXPECT_THAT(problems("look-with", {"visible", ""}),

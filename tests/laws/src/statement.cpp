@@ -4,6 +4,8 @@
 #include <charconv>
 #include <sstream>
 
+#include "skein/mission/duration_range.hpp"
+
 namespace skein::laws {
 
 namespace {
@@ -93,6 +95,7 @@ mission::HighLevelTask task_from(std::string_view statement) {
 }
 
 std::optional<double> number_of(const mission::Argument& argument) {
+  if (const auto range = mission::duration_range_of(argument)) return range->least;
   const auto* number = std::get_if<double>(&argument);
   return number == nullptr ? std::nullopt : std::optional(*number);
 }

@@ -145,7 +145,11 @@ class Drawing {
   std::string in_air() { return "A" + std::to_string(1 + random_.below(3)); }
   std::string any_place() { return random_.chance(0.65) ? on_ground() : in_air(); }
   std::string zone() { return "Z" + std::to_string(1 + random_.below(3)); }
-  std::string seconds() { return whole(random_.uniform(5, 120)); }
+  // Every fourth may be shorter.
+  std::string seconds() {
+    const double most = std::round(random_.uniform(5, 120));
+    return std::lround(most) % 4 == 0 ? whole(most / 2) + ".." + whole(most) : whole(most);
+  }
   std::string places() {
     std::string list;
     for (std::size_t left = 2 + random_.below(3); left > 0; --left)

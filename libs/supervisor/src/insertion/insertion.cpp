@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "insertion/orders.hpp"
+#include "insertion/relaxations.hpp"
 #include "insertion/trials.hpp"
 #include "insertion/with.hpp"
 #include "repair/replan.hpp"
@@ -132,8 +133,10 @@ class Insertion {
       outcome.schedule = best->verdict->schedule;
       outcome.order = best->order;
       outcome.chosen = best->placement;
+      outcome.shortened = best->verdict->shortened;
     } else {
       outcome.reasons = trials_.reasons();
+      if (!request_.any) outcome.relaxations = relaxations_for(judge_, as_asked());
       if (dropped_.empty()) dropped_ = culprits();
     }
     outcome.dropped = std::move(dropped_);

@@ -7,6 +7,7 @@
 #include "book/wording.hpp"
 #include "flight/retreat.hpp"
 #include "insertion/places.hpp"
+#include "insertion/slack.hpp"
 
 namespace skein::supervisor {
 namespace {
@@ -73,11 +74,39 @@ const Verdict& Judge::of(const Goals& order) {
   return known_.emplace(std::move(key), consider(order)).first->second;
 }
 
+// The least part that all have to give, by halves: the more they give the sooner all is over. Then
+// some more, if they have it.
 Verdict Judge::consider(const Goals& order) const {
+  Verdict verdict = consider_as_it_is(order);
+  const Slack slack(order, knowledge().vocabulary);
+  if (verdict.serves || slack.none() || base_.budget.over()) return verdict;
+  verdict = consider_as_it_is(slack.goals(Slack::kAll));
+  if (!verdict.serves) return verdict;
+  int enough = Slack::kAll;
+  for (int few = 0; enough - few > 1 && !base_.budget.over();) {
+    const int share = (enough + few) / 2;
+    Verdict with = consider_as_it_is(slack.goals(share));
+    (with.serves ? enough : few) = share;
+    if (with.serves) verdict = std::move(with);
+  }
+  const int spare = slack.with_some_to_spare(enough);
+  if (Verdict with = consider_as_it_is(slack.goals(spare)); with.serves) {
+    verdict = std::move(with);
+    enough = spare;
+  }
+  verdict.shortened = slack.shortened(enough);
+  return verdict;
+}
+
+Result<mission::ElementaryPlan, PlanningFailure> Judge::plan_of(const Goals& order) const {
+  return planner_(with_tasks(base_, order));
+}
+
+Verdict Judge::consider_as_it_is(const Goals& order) const {
   Verdict verdict;
   if (order.empty()) {
     verdict.plan.emplace().origin = base_.situation.origin;
-  } else if (auto plan = planner_(with_tasks(base_, order))) {
+  } else if (auto plan = plan_of(order)) {
     verdict.plan = *std::move(plan);
   } else {
     verdict.culprit = plan.error().culprit;

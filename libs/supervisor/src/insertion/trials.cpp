@@ -8,12 +8,18 @@ namespace skein::supervisor {
 
 const Verdict& Trials::run(mission::Placement placement, const Goals& order) {
   const Verdict& verdict = judge_.of(order);
-  Trial trial{placement, ids_of(order), verdict.serves, 0, verdict.reasons, verdict.culprit};
+  Trial trial{placement,       ids_of(order),  verdict.serves, 0, total_of(verdict.shortened),
+              verdict.reasons, verdict.culprit};
   if (verdict.plan) trial.cost = verdict.plan->cost;
   trials_.push_back(std::move(trial));
-  if (verdict.serves && (!best_ || verdict.plan->cost < best_->verdict->plan->cost))
+  if (verdict.serves && (!best_ || is_better(verdict, *best_->verdict)))
     best_ = Best{placement, order, &verdict};
   return verdict;
+}
+
+bool Trials::is_better(const Verdict& a, const Verdict& b) {
+  const Duration less = total_of(a.shortened), more = total_of(b.shortened);
+  return less != more ? less < more : a.plan->cost < b.plan->cost;
 }
 
 std::vector<std::string> Trials::reasons() const {

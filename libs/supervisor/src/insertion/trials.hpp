@@ -14,8 +14,8 @@ class Trials {
  public:
   explicit Trials(Judge& judge) : judge_(judge) {}
 
-  /// Plans that order, unless it is known from before, and keeps it if it serves and costs less
-  /// than the best so far.
+  /// Plans that order, unless it is known from before, and keeps it if it serves and
+  /// shortens less than the best so far, or as little and costs less.
   const Verdict& run(mission::Placement placement, const Goals& order);
 
   struct Best {
@@ -30,6 +30,8 @@ class Trials {
   std::vector<std::string> reasons() const;
 
  private:
+  static bool is_better(const Verdict& a, const Verdict& b);
+
   Judge& judge_;
   std::vector<Trial> trials_;
   std::optional<Best> best_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "flight/landing_place.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::supervisor {
 
@@ -21,10 +22,24 @@ std::string weighed(const InsertionOutcome& outcome) {
     text += (text.empty() ? "; weighed: " : ", ") + std::string(mission::to_text(trial.placement));
     if (trial.feasible) {
       text += " " + to_text(Duration::seconds(std::round(10 * trial.cost) / 10)) + " s";
+      if (trial.shortened > Duration())
+        text += " and " + in_seconds(trial.shortened) + " less of what is asked";
     } else {
       text += " not possible (" + joined(trial.reasons) + ")";
     }
   }
+  return text;
+}
+
+std::string mended(const std::vector<Shortened>& shortened) {
+  return shortened.empty() ? "" : "; mended by slack: " + to_text(shortened);
+}
+
+// Bounds with which there would have been a plan; empty: none help.
+std::string proposed(const std::vector<Relaxation>& relaxations) {
+  std::string text;
+  for (const Relaxation& one : relaxations)
+    text += (text.empty() ? "it could be planned with " : " and ") + to_text(one);
   return text;
 }
 
@@ -149,11 +164,14 @@ void Results::answer_evaluation(const InsertionOutcome& outcome) {
   if (outcome.plan) answer.estimate = estimate(evaluation, outcome);
   std::vector<GoalId> goals;
   for (const mission::HighLevelTask& task : evaluation.mission.tasks) goals.push_back(task.id);
-  std::string text = "cannot be taken: " + joined(outcome.reasons);
+  const std::string proposal = proposed(outcome.relaxations);
+  if (!proposal.empty()) answer.reasons.push_back(proposal);
+  std::string text = "cannot be taken: " + joined(answer.reasons);
   if (answer.estimate) {
     text = "could be taken, " + std::string(to_text(outcome.chosen)) + ": cost " +
            tenths(answer.estimate->cost) + ", energy " + tenths(100 * answer.estimate->energy) +
-           " %, ends from " + to_text(answer.estimate->earliest_end) + " s on";
+           " %, ends from " + to_text(answer.estimate->earliest_end) + " s on" +
+           mended(outcome.shortened);
   }
   out_.add(MissionDecided{std::move(answer)});
   out_.decide({"1 evaluate", evaluation.cause, list_of("goals", goals), text, evaluation.since});
@@ -171,7 +189,7 @@ void Results::leave_out(const std::vector<Dropped>& dropped) {
 
 // The goals because of which there is no plan are told why, the others which those are.
 void Results::refuse(const Job& job, const std::vector<std::string>& reasons,
-                     const std::vector<Dropped>& culprits) {
+                     const std::vector<Dropped>& culprits, const std::string& proposal) {
   const std::string why = reasons.empty() ? "no order is feasible" : joined(reasons);
   leave_out(culprits);
   std::string others;
@@ -186,15 +204,17 @@ void Results::refuse(const Job& job, const std::vector<std::string>& reasons,
   MissionDecided decided{{*job.mission, false, {why}}};
   if (!reasons.empty()) decided.outcome.reasons = reasons;
   if (!others.empty()) decided.outcome.reasons = {others};
+  if (!proposal.empty()) decided.outcome.reasons.push_back(proposal);
   for (std::string& reason : decided.outcome.reasons) reason = out_.in_words(reason);
   out_.add(std::move(decided));
   const Pending pending = agenda_.take(*job.mission);
-  out_.decide({"1 insert", pending.cause, list_of("goals", job.premises.added), "refused: " + why,
-               pending.since});
+  out_.decide({"1 insert", pending.cause, list_of("goals", job.premises.added),
+               "refused: " + why + (proposal.empty() ? "" : "; " + proposal), pending.since});
 }
 
 void Results::finish(const Job& job, const InsertionOutcome& outcome) {
-  if (!outcome.plan) return refuse(job, outcome.reasons, outcome.dropped);
+  if (!outcome.plan)
+    return refuse(job, outcome.reasons, outcome.dropped, proposed(outcome.relaxations));
   if (const std::string fault = fault_of(job.premises, *outcome.plan); !fault.empty()) {
     return refuse(job, {fault});
   }
@@ -214,7 +234,8 @@ void Results::finish(const Job& job, const InsertionOutcome& outcome) {
   out_.add(MissionDecided{{mission.id, true, {}}});
   out_.decide({"1 insert: " + std::string(to_text(outcome.chosen)), mission.cause,
                list_of("goals", job.premises.added),
-               out_.plan_text() + ", " + dates_.extent() + without + weighed(outcome),
+               out_.plan_text() + ", " + dates_.extent() + mended(outcome.shortened) + without +
+                   weighed(outcome),
                mission.since});
 }
 
@@ -259,9 +280,11 @@ void Results::finish(const Job& job, const RepairOutcome& outcome) {
   }
   const std::string without = left.empty() ? "" : list_of("; dropped", left);
   const std::string before = outcome.before.empty() ? "" : "; before: " + joined(outcome.before);
-  out_.decide({"6 repair: " + std::string(to_text(outcome.served)), job.need.cause,
-               list_of("goals", job.premises.goals),
-               out_.plan_text() + ", " + dates_.extent() + without + before, job.need.since});
+  out_.decide(
+      {"6 repair: " + std::string(to_text(outcome.served)), job.need.cause,
+       list_of("goals", job.premises.goals),
+       out_.plan_text() + ", " + dates_.extent() + mended(outcome.shortened) + without + before,
+       job.need.since});
 }
 
 }  // namespace skein::supervisor

@@ -35,7 +35,7 @@ class Results {
  private:
   MissionTime now() const { return out_.now(); }
   void refuse(const Job& job, const std::vector<std::string>& reasons,
-              const std::vector<Dropped>& culprits = {});
+              const std::vector<Dropped>& culprits = {}, const std::string& proposal = {});
   void leave_out(const std::vector<Dropped>& dropped);
   mission::MissionEstimate estimate(const Evaluation& evaluation,
                                     const InsertionOutcome& outcome) const;

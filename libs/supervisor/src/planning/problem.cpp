@@ -6,6 +6,7 @@
 
 #include "flight/flight_times.hpp"
 #include "skein/foundation/overloaded.hpp"
+#include "skein/mission/duration_range.hpp"
 #include "skein/supervisor/planning.hpp"
 
 namespace skein::supervisor {
@@ -109,9 +110,22 @@ std::string constraints(const mission::TimeConstraints& time, MissionTime origin
   return "(" + text + ")";
 }
 
-std::string goal(const mission::HighLevelTask& task, MissionTime origin) {
+bool is_duration(const mission::Vocabulary& vocabulary, const std::string& task,
+                 std::size_t position) {
+  const auto signature = vocabulary.tasks.find(task);
+  return signature != vocabulary.tasks.end() && position < signature->second.parameters.size() &&
+         signature->second.parameters[position] == mission::ParameterKind::kDuration;
+}
+
+// A duration that may be shorter is planned as long as may be.
+std::string goal(const mission::HighLevelTask& task, const mission::Vocabulary& vocabulary,
+                 MissionTime origin) {
   std::string text = "   (:task " + symbol(task.name);
-  for (const mission::Argument& one : task.arguments) text += " " + argument(one);
+  for (std::size_t i = 0; i < task.arguments.size(); ++i) {
+    const auto range = mission::duration_range_of(task.arguments[i]);
+    const bool longest = range && is_duration(vocabulary, task.name, i);
+    text += " " + (longest ? figure(range->most) : argument(task.arguments[i]));
+  }
   return text + " " + constraints(task.time, origin) + " " + std::to_string(task.id.value()) +
          ")\n";
 }
@@ -160,7 +174,8 @@ std::string problem_text(const PlanningRequest& request, const std::string& name
     text += device_facts(sensor.device, situation);
   text += progress_facts(request);
   text += "   (task-id " + std::to_string(situation.next_id.value()) + "))\n  (\n";
-  for (const mission::HighLevelTask& task : request.tasks) text += goal(task, situation.origin);
+  for (const mission::HighLevelTask& task : request.tasks)
+    text += goal(task, request.knowledge->vocabulary, situation.origin);
   return text + "  ))\n";
 }
 

@@ -140,6 +140,7 @@ class Repair {
     outcome_.served = step;
     outcome_.plan = verdict.plan;
     outcome_.schedule = verdict.schedule;
+    outcome_.shortened = verdict.shortened;
     outcome_.order = order;
   }
 

@@ -64,6 +64,14 @@ class Course {
     task.id = executive::TaskId(next_++);
     task.type = type;
     if (last_) task.dependences = {{mission::DependenceKind::kEnded, *last_}};
+    // Late enough for its own bounds.
+    for (const auto& [bound, lasts] :
+         {std::pair(goal.time.start_after, 0.0), std::pair(goal.time.end_after, least)}) {
+      if (!bound) continue;
+      const double from = (*bound - request_.situation.origin).to_seconds() - lasts;
+      least_ = std::max(least_, from);
+      most_ = std::max(most_, from);
+    }
     task.start = {Duration::seconds(least_), Duration::seconds(most_)};
     task.duration = {Duration::seconds(least), Duration::seconds(most)};
     task.time = goal.time;
@@ -100,7 +108,10 @@ std::string do_goal(const HighLevelTask& goal, const PlanningRequest& request, C
   if (!course.airborne()) return "on the ground";
   if (goal.name == "await-orders") course.stay(goal, 0, true);
   if (goal.name == "map") course.fly(goal, {200, 0, 40});
-  if (goal.name == "stay") course.stay(goal, std::get<double>(goal.arguments[0]));
+  if (goal.name == "stay") {
+    const auto range = mission::duration_range_of(goal.arguments[0]);
+    course.stay(goal, range ? range->most : std::get<double>(goal.arguments[0]));
+  }
   if (goal.name != "visit" && goal.name != "meet") return {};
   const auto& name = std::get<std::string>(goal.arguments[goal.name == "meet" ? 1 : 0]);
   if (blocked.contains(name)) return name + " is closed";

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/mission/duration_range.hpp"
 #include "skein/supervisor/planning.hpp"
 #include "skein/supervisor/schedule.hpp"
 
@@ -24,6 +25,26 @@ struct Dropped {
   std::string why;
 };
 
+/// A high-level task that is given less than the longest duration it was asked for with.
+struct Shortened {
+  mission::GoalId goal;
+  mission::DurationRange asked;
+  Duration given;
+};
+/// "goal 701 to 84 s of 60 to 120"; several with commas.
+std::string to_text(const std::vector<Shortened>& all);
+/// What they lack of their longest durations together.
+Duration total_of(const std::vector<Shortened>& all);
+
+/// A bound from above that would have to be another one.
+struct Relaxation {
+  mission::GoalId goal;
+  std::string bound;       ///< "start-before", "end-before", "start-after-goal 701 at most"
+  Duration asked, needed;  ///< in mission time; after a goal, from its end
+};
+/// "goal 701 end-before 752 s instead of 558 s".
+std::string to_text(const Relaxation& one);
+
 struct InsertionRequest {
   PlanningRequest base;  ///< its tasks do not count; the situation is that after `standing`
   Standing standing;
@@ -39,6 +60,7 @@ struct Trial {
   std::vector<mission::GoalId> order;
   bool feasible = false;
   double cost = 0;                         ///< of the plan, where there is one
+  Duration shortened;                      ///< what it takes from durations that may be shorter
   std::vector<std::string> reasons;        ///< why it is not feasible
   std::optional<mission::GoalId> culprit;  ///< the task that this is because of, where it is one
 };
@@ -49,6 +71,10 @@ struct InsertionOutcome {
   std::vector<mission::HighLevelTask> order;
   mission::Placement chosen = mission::Placement::kLast;
   Schedule schedule;  ///< of `standing` and the plan together
+  std::vector<Shortened> shortened;
+  /// Without a plan: bounds with which there would be one, of all that was asked for. Empty: no
+  /// bounds help, or none were looked for.
+  std::vector<Relaxation> relaxations;
   /// Of `added`, what the plan has not; without a plan, the tasks because of which there is none.
   std::vector<Dropped> dropped;
   std::vector<Trial> trials;
@@ -61,8 +87,9 @@ struct InsertionOutcome {
 /// controllable, of equals the first. Takeoffs stay first, landings and waits for orders last.
 /// kFirst: added before planned. Tasks without a place stay behind their predecessor; those that
 /// synchronise keep their order. With nothing planned the mission is planned in the order asked
-/// for, unless kTour is. A plan must also leave the energy reserve alone. A job. Source: T IV.4.2
-/// (SCD-1).
+/// for, unless kTour is. A plan must also leave the energy reserve alone. What an order lacks in
+/// time or energy is taken from durations that are given as ranges, the same part of each; the
+/// order that takes least is kept before one of less cost. A job. Source: T IV.4.2 (SCD-1).
 InsertionOutcome insert_tasks(const InsertionRequest& request);
 
 }  // namespace skein::supervisor

@@ -43,7 +43,8 @@ struct RepairOutcome {
   std::optional<mission::ElementaryPlan> plan;  ///< absent: kFail
   std::vector<mission::HighLevelTask> order;
   std::vector<Dropped> dropped;
-  Schedule schedule;                ///< of `standing` and the plan together
+  Schedule schedule;  ///< of `standing` and the plan together
+  std::vector<Shortened> shortened;
   std::vector<std::string> before;  ///< of each milder step that was tried: why it did not serve
 };
 
@@ -51,7 +52,8 @@ struct RepairOutcome {
 /// when it is dynamically controllable and needs no more energy, the way home from its end with it,
 /// than is left above the reserve; a landing alone serves always, at home when the energy lasts so
 /// far, else where ground that serves is nearest. In kReplan the tasks that stand in the way are
-/// left out one by one, those that end a flight last. A job. Source: T IV.4.2 (SCD-6).
+/// left out one by one, those that end a flight last. In each step durations that are given as
+/// ranges are shortened before it is said not to serve. A job. Source: T IV.4.2 (SCD-6).
 RepairOutcome repair_plan(const RepairRequest& request);
 
 }  // namespace skein::supervisor
