@@ -49,6 +49,27 @@ std::optional<Duration> Blackboard::next_wakeup() const { return impl_->next_wak
 
 std::optional<MissionTime> Blackboard::next_expiry() const { return impl_->next_expiry(); }
 
+void Blackboard::recall_sent(wire::Sample sample, NodeNumber to, MissionTime at,
+                             SendOptions options) {
+  impl_->recall_sent(std::move(sample), to, at, options);
+}
+
+void Blackboard::recall_acknowledged(NodeNumber peer, std::uint64_t sequence) {
+  impl_->recall_acknowledged(peer, sequence);
+}
+
+void Blackboard::recall_given_up(NodeNumber to, std::uint64_t sequence) {
+  impl_->recall_given_up(to, sequence);
+}
+
+void Blackboard::recall_received(wire::Slot slot, const wire::SampleHeader& header) {
+  impl_->recall_received(slot, header);
+}
+
+void Blackboard::recall_reachable(NodeNumber peer, bool reachable) {
+  impl_->recall_reachable(peer, reachable);
+}
+
 bool Blackboard::reachable(NodeNumber peer) const {
   const Peer* known = impl_->peer(peer);
   return known != nullptr && known->reachable();
@@ -57,6 +78,13 @@ bool Blackboard::reachable(NodeNumber peer) const {
 std::size_t Blackboard::unacknowledged(NodeNumber peer) const {
   const Peer* known = impl_->peer(peer);
   return known == nullptr ? 0 : known->outgoing().size();
+}
+
+MissionTime Blackboard::latest_heard() const { return impl_->latest_heard(); }
+
+std::uint64_t Blackboard::settled(NodeNumber peer) const {
+  const Peer* known = impl_->peer(peer);
+  return known == nullptr ? 0 : known->outgoing().oldest() - 1;
 }
 
 }  // namespace skein::blackboard

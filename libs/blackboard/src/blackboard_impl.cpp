@@ -28,6 +28,9 @@ std::string without_indices(const std::string& field) {
 /// After its last instant that an event has expired.
 constexpr Duration kTold = Duration::milliseconds(1);
 
+/// How many states, streams and world events a life may send: two to the power of this.
+constexpr int kBitsOfALife = 40;
+
 bool is_event(wire::Slot slot) { return wire::slot_class(slot) == wire::SlotClass::kEvent; }
 
 /// What every sample of the wire must have in its header, beyond the rules for all types.
@@ -45,7 +48,8 @@ std::optional<wire::Violation> header_violation(const wire::SampleHeader& header
 Blackboard::Impl::Impl(Config config, Transport& transport)
     : config_(std::move(config)),
       transport_(transport),
-      losses_(config_.seed, "blackboard/losses/" + to_text(config_.self)) {
+      losses_(config_.seed, "blackboard/losses/" + to_text(config_.self)),
+      sequence_(std::uint64_t{config_.life} << kBitsOfALife) {
   SKEIN_EXPECTS(config_.self != kEverybody);
   SKEIN_EXPECTS(config_.incarnation > 0);
   SKEIN_EXPECTS(config_.heartbeat_period > Duration{});
@@ -159,6 +163,50 @@ Result<std::uint64_t, Refusal> Blackboard::Impl::publish(wire::Sample sample, No
   return sequence_;
 }
 
+void Blackboard::Impl::recall_sent(wire::Sample sample, NodeNumber to, MissionTime at,
+                                   SendOptions options) {
+  const auto found = peers_.find(to);
+  const wire::Slot slot = wire::slot_of(sample);
+  if (found == peers_.end() || !is_event(slot)) return;
+  if (!carries(found->second.channels().outgoing, slot) || wire::find_violation(sample)) return;
+  Peer& peer = found->second;
+  stamp(wire::header_of(sample), to, peer.outgoing().next_sequence(), {at, {}});
+  wire::header_of(sample).expires = options.expires.count();
+  peer.recall_sent(std::move(sample));
+  plan(peer);
+}
+
+void Blackboard::Impl::recall_acknowledged(NodeNumber peer, std::uint64_t sequence) {
+  const auto found = peers_.find(peer);
+  if (found == peers_.end()) return;
+  found->second.outgoing().acknowledge(sequence);
+  plan(found->second);
+}
+
+void Blackboard::Impl::recall_given_up(NodeNumber to, std::uint64_t sequence) {
+  const auto found = peers_.find(to);
+  if (found == peers_.end()) return;
+  found->second.outgoing().give_up(sequence);
+  plan(found->second);
+}
+
+void Blackboard::Impl::recall_received(wire::Slot slot, const wire::SampleHeader& header) {
+  const auto found = peers_.find(NodeNumber(header.origin));
+  if (found == peers_.end()) return;
+  if (is_event(slot)) {
+    found->second.recall_received(header);
+  } else {
+    freshness_.admit(slot, header);
+  }
+}
+
+void Blackboard::Impl::recall_reachable(NodeNumber peer, bool reachable) {
+  const auto found = peers_.find(peer);
+  if (found == peers_.end()) return;
+  found->second.recall_reachable(reachable);
+  plan(found->second);
+}
+
 void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
                                      const ChannelCondition& condition, Now now) {
   const bool outgoing = from == config_.self;
@@ -265,6 +313,7 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample sample, Now now) 
     return refuse_event(channel, slot, header, now);
   }
   if (header.destination != 0 && header.destination != config_.self.value()) return;
+  latest_heard_ = std::max(latest_heard_, MissionTime::nanoseconds(header.mission_time));
   if (world) return admit_from_world(std::move(sample));
   admit_from_peer(peers_.at(config.from), std::move(sample), now);
 }

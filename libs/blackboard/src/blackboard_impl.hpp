@@ -31,7 +31,13 @@ class Blackboard::Impl {
   std::vector<Incoming> step(Now now);
   std::optional<Duration> next_wakeup() const;
   std::optional<MissionTime> next_expiry() const;
+  void recall_sent(wire::Sample sample, NodeNumber to, MissionTime at, SendOptions options);
+  void recall_acknowledged(NodeNumber peer, std::uint64_t sequence);
+  void recall_given_up(NodeNumber to, std::uint64_t sequence);
+  void recall_received(wire::Slot slot, const wire::SampleHeader& header);
+  void recall_reachable(NodeNumber peer, bool reachable);
   const Peer* peer(NodeNumber number) const;
+  MissionTime latest_heard() const { return latest_heard_; }
 
  private:
   Result<void, Failure> add_channel(std::size_t index);
@@ -69,13 +75,14 @@ class Blackboard::Impl {
   Agenda agenda_;               ///< of the peers
   std::set<NodeNumber> heard_;  ///< since the last step began
   std::optional<std::size_t> world_;
-  std::uint64_t sequence_ = 0;  ///< of states, streams and world events
+  std::uint64_t sequence_;  ///< of states, streams and world events
   Freshness freshness_;
   std::multimap<Duration, Delayed> delayed_;       ///< by steady time of delivery
   std::map<std::size_t, Duration> last_delivery_;  ///< by channel: nothing overtakes
   std::map<StateKey, wire::Sample> unwritten_;
   std::set<DropKey> drops_seen_;
   std::vector<Incoming> out_;
+  MissionTime latest_heard_;
 };
 
 }  // namespace skein::blackboard

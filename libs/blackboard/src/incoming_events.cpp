@@ -39,7 +39,8 @@ void IncomingEvents::on_heartbeat(const wire::Heartbeat& heartbeat, std::vector<
   if (!open_ && heartbeat.ack_incarnation != self_incarnation_) return;
   const std::uint64_t from = std::max<std::uint64_t>(heartbeat.events_from, 1);
   if (open_ && from > next_) {
-    out.emplace_back(EventsLost{NodeNumber(heartbeat.header.origin), self_, next_, from - 1});
+    out.emplace_back(EventsLost{NodeNumber(heartbeat.header.origin), self_, next_, from - 1,
+                                heartbeat.header.incarnation});
   }
   if (!open_ || from > next_) {
     next_ = from;
@@ -62,9 +63,17 @@ void IncomingEvents::deliver(ChannelKind kind, MissionTime now, std::vector<Inco
       out.emplace_back(Received{origin, kind, std::move(*first->second)});
     } else if (header.expires != std::numeric_limits<std::int64_t>::min()) {
       out.emplace_back(EventExpired{wire::slot_of(*first->second), origin,
-                                    NodeNumber(header.destination), header.sequence_number});
+                                    NodeNumber(header.destination), header.sequence_number,
+                                    header.incarnation});
     }
   }
+}
+
+void IncomingEvents::recall(const wire::SampleHeader& header) {
+  if (!enter(header.incarnation)) return;
+  open_ = true;
+  handled_ = header.sequence_number;
+  next_ = handled_ + 1;
 }
 
 void IncomingEvents::commit() { handled_ = next_ - 1; }

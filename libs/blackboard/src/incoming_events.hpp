@@ -41,6 +41,8 @@ class IncomingEvents {
 
   /// What was let through so far counts as handled from now on.
   void commit();
+  /// This one was handled in a life before this one.
+  void recall(const wire::SampleHeader& header);
   /// For the heartbeat to the peer; 0 while waiting.
   std::uint64_t ack_sequence() const { return open_ ? handled_ : 0; }
   /// The peer would send less again if it were told now.

@@ -8,11 +8,34 @@
 
 namespace skein::blackboard {
 
+namespace {
+
+/// Expired before any time.
+constexpr std::int64_t kLongAgo = std::numeric_limits<std::int64_t>::min();
+
+}  // namespace
+
 void OutgoingEvents::hold(wire::Sample event) {
   SKEIN_EXPECTS(!full());
+  recall(std::move(event));
+}
+
+void OutgoingEvents::recall(wire::Sample event) {
   SKEIN_EXPECTS(wire::header_of(event).sequence_number == next_);
   held_.push_back({std::move(event), std::nullopt, false});
   ++next_;
+}
+
+void OutgoingEvents::give_up(std::uint64_t sequence) {
+  if (sequence < oldest() || sequence >= next_) return;
+  Held& event = held_[sequence - oldest()];
+  event.given_up = true;
+  wire::header_of(event.sample).expires = kLongAgo;
+  drop_given_up();
+}
+
+void OutgoingEvents::drop_given_up() {
+  while (!held_.empty() && held_.front().given_up) held_.pop_front();
 }
 
 void OutgoingEvents::acknowledge(std::uint64_t sequence) {
@@ -30,11 +53,11 @@ std::vector<EventExpired> OutgoingEvents::expire(MissionTime now) {
     wire::SampleHeader& header = wire::header_of(event.sample);
     if (event.given_up || header.expires >= now.count()) continue;
     event.given_up = true;
-    header.expires = std::numeric_limits<std::int64_t>::min();
+    header.expires = kLongAgo;
     expired.push_back({wire::slot_of(event.sample), NodeNumber(header.origin),
-                       NodeNumber(header.destination), header.sequence_number});
+                       NodeNumber(header.destination), header.sequence_number, header.incarnation});
   }
-  while (!held_.empty() && held_.front().given_up) held_.pop_front();
+  drop_given_up();
   return expired;
 }
 

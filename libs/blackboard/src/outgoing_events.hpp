@@ -31,6 +31,10 @@ class OutgoingEvents {
 
   /// The header of `event` must carry next_sequence().
   void hold(wire::Sample event);
+  /// Likewise, of a life before this one: there was room for it then.
+  void recall(wire::Sample event);
+  /// Of a life before this one: reported as expired then.
+  void give_up(std::uint64_t sequence);
   /// Everything up to and including this one was handled; nonsense is ignored.
   void acknowledge(std::uint64_t sequence);
   /// The peer has come back or started anew: everything is to be written again.
@@ -52,6 +56,7 @@ class OutgoingEvents {
     std::optional<Duration> written;  ///< steady
     bool given_up = false;
   };
+  void drop_given_up();
   std::size_t under_way() const { return std::min(held_.size(), kEventDepth); }
 
   std::size_t capacity_;

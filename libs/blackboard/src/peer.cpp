@@ -51,6 +51,7 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
     next_heartbeat_ = now.steady;
   }
   reachable_ = true;
+  recalled_ = false;
   incarnation_ = incarnation;
   last_heard_ = now.steady;
   incoming_.on_heartbeat(heartbeat, out);
@@ -60,16 +61,34 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
   }
 }
 
+void Peer::recall_sent(wire::Sample event) {
+  outgoing_.recall(std::move(event));
+  recalled_ = true;
+}
+
+void Peer::recall_received(const wire::SampleHeader& header) {
+  incarnation_ = std::max(incarnation_, header.incarnation);
+  incoming_.recall(header);
+}
+
+void Peer::recall_reachable(bool reachable) {
+  reachable_ = reachable;
+  recalled_ = true;
+}
+
+// The silence of a peer that was in reach is counted from the first update of this life.
 void Peer::update(Now now, std::vector<Incoming>& out) {
+  if (recalled_ && last_heard_ == Duration{}) last_heard_ = now.steady;
   if (reachable_ && now.steady - last_heard_ >= silence_limit()) {
     reachable_ = false;
     out.emplace_back(Reachability{channels_.number, false, false});
   }
+  if (recalled_) return;  // what it has acknowledged is not known before it is heard
   for (const EventExpired& expired : outgoing_.expire(now.mission)) out.emplace_back(expired);
 }
 
 std::vector<const wire::Sample*> Peer::take_due_events(Now now) {
-  if (!out_condition_.up) return {};
+  if (!out_condition_.up || recalled_) return {};
   return outgoing_.take_due(now, round_trip());
 }
 
@@ -96,7 +115,7 @@ std::optional<Duration> Peer::next_wakeup() const {
   if (!out_condition_.up) return next;
   next = sooner(next, next_heartbeat_);
   next = sooner(next, acknowledge_at_);
-  return sooner(next, outgoing_.next_due(round_trip()));
+  return recalled_ ? next : sooner(next, outgoing_.next_due(round_trip()));
 }
 
 }  // namespace skein::blackboard

@@ -47,12 +47,19 @@ class Peer {
   /// Finds what has run out: contact with the peer, events.
   void update(Now now, std::vector<Incoming>& out);
 
+  // Of a life before this one; see Blackboard.
+  void recall_sent(wire::Sample event);
+  void recall_received(const wire::SampleHeader& header);
+  void recall_reachable(bool reachable);
+
   std::vector<const wire::Sample*> take_due_events(Now now);
   bool heartbeat_due(Duration steady) const;
   /// The next heartbeat, but for its header; counts as sent.
   wire::Heartbeat take_heartbeat(Duration steady);
   /// The last instant of the event that is held and expires first.
-  std::optional<MissionTime> first_expiry() const { return outgoing_.first_expiry(); }
+  std::optional<MissionTime> first_expiry() const {
+    return recalled_ ? std::nullopt : outgoing_.first_expiry();
+  }
   /// Steady; none if nothing will be due by itself.
   std::optional<Duration> next_wakeup() const;
 
@@ -68,6 +75,7 @@ class Peer {
   OutgoingEvents outgoing_;
   IncomingEvents incoming_;
   bool reachable_ = false;
+  bool recalled_ = false;  ///< nothing was heard of it since this life began
   std::uint64_t incarnation_ = 0;  ///< of the peer; 0: never heard
   Duration last_heard_;
   Duration next_heartbeat_;

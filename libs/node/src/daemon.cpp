@@ -23,6 +23,10 @@ constexpr Duration kClockPeriod = Duration::milliseconds(100);
 constexpr Duration kHeartbeatPeriod = Duration::milliseconds(250);
 /// After the mission's end: the leader stays so that everybody hears of it.
 constexpr Duration kLinger = Duration::milliseconds(1500);
+/// How long a leader that comes back listens to the others: two of their heartbeats.
+constexpr Duration kListens = Duration::milliseconds(500);
+/// What others may say of mission time: they stand still soon after their leader falls silent.
+constexpr Duration kMostAhead = Duration::milliseconds(3'600'000);
 constexpr double kAfterFinish = 2.0;  ///< mission seconds between the end and the clock's end
 
 std::uint64_t incarnation_of_now() {
@@ -51,9 +55,11 @@ class Daemon {
     host_config.heartbeat_period = kHeartbeatPeriod;
     host_config.rate = config_.rate;
     host_config.seed = config_.seed;
+    host_config.memory = config_.memory;
     auto host = Host::open(roster_, self_, std::move(node), transport_, host_config, ports());
     if (!host) return tl::unexpected(host.error());
     host_ = std::move(*host);
+    if (config_.leads_clock) hold_where_it_was();
     introduce();
     return loop();
   }
@@ -71,11 +77,14 @@ class Daemon {
   void turn() {
     for (JobDone& done : jobs_.take_done()) host_->job_done(std::move(done), now());
     host_->step(now());
+    if (listens_until_ && Waker::steady_now() >= *listens_until_) lead_again();
     // A daemon that is restarted in mid-mission must not live at mission time zero.
-    if (!host_->started() && (config_.leads_clock || clock_heard_)) host_->start(now());
+    const bool has_time = config_.leads_clock ? !listens_until_ : clock_heard_;
+    if (!host_->started() && has_time) host_->start(now());
     if (!introduced_as_ready_ && host_->all_peers_heard()) introduce();
-    if (config_.leads_clock) lead();
+    if (config_.leads_clock && !listens_until_) lead();
     flush_journal();
+    host_->lines_have_left();
   }
 
   Now now() {
@@ -95,9 +104,10 @@ class Daemon {
       if (at && (!next || *at < *next)) next = at;
     };
     if (const auto at = host_->next_mission_wakeup()) {
-      sooner(config_.leads_clock ? leader_.steady_at(*at) : follower_.steady_at(*at));
+      sooner(config_.leads_clock ? leader_.steady_at(*at)
+                                 : follower_.steady_at(*at, Waker::steady_now()));
     }
-    if (config_.leads_clock) sooner(next_clock_);
+    if (config_.leads_clock) sooner(listens_until_.value_or(next_clock_));
     if (!next) return std::nullopt;
     return *next - Waker::steady_now();
   }
@@ -137,6 +147,24 @@ class Daemon {
     entry.ready = introduced_as_ready_ = host_->all_peers_heard();
     entry.process = static_cast<std::uint32_t>(getpid());
     host_->publish(entry, now());
+  }
+
+  // A former life had started the clock: the others may have gone on a little, and know best.
+  void hold_where_it_was() {
+    const auto was = host_->resumed_from();
+    if (!was || *was == MissionTime()) return;
+    leader_.set(*was, Waker::steady_now());
+    listens_until_ = Waker::steady_now() + kListens;
+  }
+
+  void lead_again() {
+    const MissionTime was = *host_->resumed_from();
+    const MissionTime theirs = host_->latest_heard();
+    const bool credible = theirs > was && theirs < was + kMostAhead;
+    leader_.set(credible ? theirs : was, Waker::steady_now());
+    leader_.run(Waker::steady_now());
+    listens_until_.reset();
+    record_mission("resumed");
   }
 
   void lead() {
@@ -187,6 +215,7 @@ class Daemon {
   bool clock_heard_ = false;
   std::set<std::string> awaited_;
   Duration next_clock_;
+  std::optional<Duration> listens_until_;  ///< leader that comes back: then it leads again
   std::optional<MissionTime> finish_at_;
   std::optional<Duration> finished_at_;
 };

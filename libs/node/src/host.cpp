@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "recollection.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/overloaded.hpp"
 
@@ -18,6 +19,26 @@ bool is_radio_peer(const Roster& roster, NodeNumber number) {
   const Member* member = roster.find(number);
   return member != nullptr &&
          (member->role == wire::Role::kGround || member->role == wire::Role::kDdn);
+}
+
+/// Acknowledgements are remembered by so many.
+constexpr std::uint64_t kSettledAtOnce = 64;
+
+LoggedInput logged(const Input& input) {
+  return std::visit(Overloaded{[](const JobDone& done) {
+                                 return LoggedInput(JobEnded{done.id, done.clock});
+                               },
+                               [](const auto& one) { return LoggedInput(one); }},
+                    input);
+}
+
+Skipped skipped(wire::Slot slot, NodeNumber from, std::uint64_t incarnation,
+                std::uint64_t sequence) {
+  Skipped event{slot, {}};
+  event.header.origin = from.value();
+  event.header.incarnation = incarnation;
+  event.header.sequence_number = sequence;
+  return event;
 }
 
 bool is_of_the_world(const blackboard::Incoming& incoming) {
@@ -40,10 +61,25 @@ Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Me
   board.retransmission =
       Duration::nanoseconds(config.heartbeat_period.count() + config.heartbeat_period.count() / 2);
   board.seed = config.seed;
+  Survey past;
+  if (config.memory != nullptr) {
+    auto found = survey(*config.memory);
+    if (!found) return tl::unexpected(found.error());
+    past = std::move(*found);
+  }
+  board.life = past.lives;
+  if (past.lives > 0) board.incarnation = past.incarnation;
+  const std::uint64_t board_incarnation = board.incarnation;
   auto opened = blackboard::Blackboard::open(std::move(board), transport);
   if (!opened) return tl::unexpected(opened.error());
-  return std::unique_ptr<Host>(
+  std::unique_ptr<Host> host(
       new Host(roster, self, std::move(node), std::move(*opened), config, std::move(ports)));
+  host->config_.incarnation = board_incarnation;
+  if (past.lives > 0) {
+    if (auto recalled = host->recall(std::move(past)); !recalled)
+      return tl::unexpected(recalled.error());
+  }
+  return host;
 }
 
 Host::Host(const Roster& roster, const Member& self, std::unique_ptr<Node> node,
@@ -64,7 +100,15 @@ Host::Host(const Roster& roster, const Member& self, std::unique_ptr<Node> node,
 void Host::start(Now now) {
   SKEIN_EXPECTS(!started_);
   started_ = true;
-  give(Started{config_.incarnation}, now);
+  if (!resumed_from_) {
+    give(Started{config_.incarnation}, now);
+  } else {
+    remember(Resumed{}, now);
+    ports_.journal(record("resumed", now).with("from", resumed_from_->to_seconds()));
+    const std::uint64_t sends = sends_;  // states that are sent again are none of the node's
+    carry_out(std::exchange(left_, {}), now);
+    sends_ = sends;
+  }
   for (auto& incoming : std::exchange(before_start_, {})) take(std::move(incoming), now);
 }
 
@@ -77,6 +121,34 @@ bool Host::step(Now now) {
     busy = true;
   }
   return busy;
+}
+
+Result<void, Failure> Host::recall(Survey past) {
+  Recollection recollection(*node_, &blackboard_, std::move(past));
+  if (auto recalled = recollection.run(*config_.memory); !recalled) return recalled;
+  resumed_from_ = recollection.until();
+  left_ = recollection.left();
+  lines_ = std::min(recollection.lines(), config_.memory->lines_told());
+  sends_ = recollection.sends();
+  for (const auto& [peer, reachable] : recollection.reachable()) heard_.insert(peer);
+  node_due_ = node_->next_wakeup();
+  return {};
+}
+
+void Host::remember(LoggedInput input, Now now) {
+  if (config_.memory == nullptr) return;
+  const MissionTime at = std::max(now.mission, resumed_from_.value_or(now.mission));
+  const auto kept = config_.memory->append({at, std::move(input)});
+  if (kept.has_value() != forgetful_) return;
+  forgetful_ = !kept;
+  ports_.journal(record("notice", now)
+                     .with("text", kept ? "what happens is kept again"
+                                        : "what happens is not kept: " + kept.error().why));
+}
+
+void Host::lines_have_left() {
+  if (config_.memory != nullptr && config_.memory->lines_told() != lines_)
+    config_.memory->told(lines_);
 }
 
 void Host::job_done(JobDone done, Now now) { give(std::move(done), now); }
@@ -93,7 +165,10 @@ bool Host::all_peers_heard() const {
   });
 }
 
+// A life begins no earlier than the one before it ended, whatever the clock says.
 void Host::give(const Input& input, Now now) {
+  if (resumed_from_) now.mission = std::max(now.mission, *resumed_from_);
+  if (config_.memory != nullptr) remember(logged(input), now);
   Effects effects = node_->handle(input, now.mission);
   node_due_ = node_->next_wakeup();
   carry_out(std::move(effects), now);
@@ -103,7 +178,10 @@ void Host::carry_out(Effects effects, Now now) {
   for (Effect& effect : effects) {
     std::visit(Overloaded{[&](Send& one) { send(one, now); },
                           [&](Publish& one) { publish(std::move(one.sample), now); },
-                          [&](Log& one) { ports_.journal(one.record); },
+                          [&](Log& one) {
+                            ++lines_;
+                            ports_.journal(one.record);
+                          },
                           [&](StartJob& one) { ports_.start_job(std::move(one)); },
                           [&](StopJob& one) {
                             if (ports_.stop_job) ports_.stop_job(one);
@@ -116,14 +194,26 @@ void Host::carry_out(Effects effects, Now now) {
 void Host::send(const Send& one, Now now) {
   const wire::Slot slot = wire::slot_of(one.sample);
   const auto sent = blackboard_.send(one.sample, one.to, now, {one.expires});
+  const std::uint64_t number = sends_++;
   if (!sent) {
+    if (sent.error() == blackboard::Refusal::kFull) remember(Unsent{number}, now);
     log_unsent(slot, roster_.name_of(one.to), sent.error(), now);
     return;
   }
+  note_settled(one.to, now);
   const bool radio = is_radio_peer(roster_, one.to) && is_radio_peer(roster_, self_.number);
   if (radio && wire::slot_class(slot) == wire::SlotClass::kEvent) {
     log_message(slot, self_.name, roster_.name_of(one.to), *sent, "sent", now);
   }
+}
+
+void Host::note_settled(NodeNumber peer, Now now) {
+  if (config_.memory == nullptr) return;
+  const std::uint64_t settled = blackboard_.settled(peer);
+  std::uint64_t& noted = settled_[peer];
+  if (settled < noted + kSettledAtOnce) return;
+  noted = settled;
+  remember(Acknowledged{peer, settled}, now);
 }
 
 void Host::take(blackboard::Incoming incoming, Now now) {
@@ -133,38 +223,44 @@ void Host::take(blackboard::Incoming incoming, Now now) {
     before_start_.push_back(std::move(incoming));
     return;
   }
-  std::visit(Overloaded{[&](blackboard::Received& one) { take_received(std::move(one), now); },
-                        [&](blackboard::Reachability& one) {
-                          ports_.journal(record("reach", now)
-                                             .with("peer", roster_.name_of(one.peer))
-                                             .with("reachable", one.reachable));
-                          give(Reachability{one.peer, one.reachable, one.restarted}, now);
-                        },
-                        [&](blackboard::Dropped& one) {
-                          if (!one.first) return;
-                          ports_.journal(record("dropped", now)
-                                             .with("slot", wire::slot_name(one.slot))
-                                             .with("origin", roster_.name_of(one.origin))
-                                             .with("field", one.field)
-                                             .with("why", one.why));
-                        },
-                        [&](blackboard::EventExpired& one) {
-                          ports_.journal(record("expired", now)
-                                             .with("slot", wire::slot_name(one.slot))
-                                             .with("to", roster_.name_of(one.to))
-                                             .with("sequence", one.sequence));
-                          if (one.from == self_.number)
-                            give(Undelivered{one.to, one.slot, one.sequence}, now);
-                        },
-                        [&](blackboard::EventsLost& one) {
-                          ports_.journal(record("lost", now)
-                                             .with("slot", "*")
-                                             .with("to", roster_.name_of(one.to))
-                                             .with("sequence", one.first)
-                                             .with("last", one.last)
-                                             .with("from", roster_.name_of(one.from)));
-                        }},
-             incoming);
+  std::visit(
+      Overloaded{[&](blackboard::Received& one) { take_received(std::move(one), now); },
+                 [&](blackboard::Reachability& one) {
+                   ports_.journal(record("reach", now)
+                                      .with("peer", roster_.name_of(one.peer))
+                                      .with("reachable", one.reachable));
+                   give(Reachability{one.peer, one.reachable, one.restarted}, now);
+                 },
+                 [&](blackboard::Dropped& one) {
+                   if (!one.first) return;
+                   ports_.journal(record("dropped", now)
+                                      .with("slot", wire::slot_name(one.slot))
+                                      .with("origin", roster_.name_of(one.origin))
+                                      .with("field", one.field)
+                                      .with("why", one.why));
+                 },
+                 [&](blackboard::EventExpired& one) {
+                   ports_.journal(record("expired", now)
+                                      .with("slot", wire::slot_name(one.slot))
+                                      .with("to", roster_.name_of(one.to))
+                                      .with("sequence", one.sequence));
+                   if (one.from == self_.number) {
+                     give(Undelivered{one.to, one.slot, one.sequence}, now);
+                   } else {
+                     remember(skipped(one.slot, one.from, one.incarnation, one.sequence), now);
+                   }
+                 },
+                 [&](blackboard::EventsLost& one) {
+                   ports_.journal(record("lost", now)
+                                      .with("slot", "*")
+                                      .with("to", roster_.name_of(one.to))
+                                      .with("sequence", one.first)
+                                      .with("last", one.last)
+                                      .with("from", roster_.name_of(one.from)));
+                   remember(skipped(wire::Slot::kTaskRequest, one.from, one.incarnation, one.last),
+                            now);
+                 }},
+      incoming);
 }
 
 void Host::take_received(blackboard::Received received, Now now) {

@@ -7,9 +7,14 @@ namespace skein::node {
 
 namespace {
 
-TimeIsUp clock_for(const StartJob& job, std::shared_ptr<const std::atomic<bool>> stopped) {
-  return [from = Waker::steady_now(), at_most = job.at_most, stopped = std::move(stopped)] {
-    return stopped->load() || Waker::steady_now() - from >= at_most;
+/// Once it has said that the time is up, it says nothing else. `told` outlives it.
+TimeIsUp clock_for(const StartJob& job, std::shared_ptr<const std::atomic<bool>> stopped,
+                   JobClock& told) {
+  told.given = true;
+  return [from = Waker::steady_now(), at_most = job.at_most, stopped = std::move(stopped), &told] {
+    told.ran_out = told.ran_out || stopped->load() || Waker::steady_now() - from >= at_most;
+    if (!told.ran_out) ++told.questions;
+    return told.ran_out;
   };
 }
 
@@ -56,7 +61,8 @@ void JobRunner::work() {
     waiting_.pop_front();
     const auto stopped = stopped_.at(job.id);
     lock.unlock();
-    JobDone done{job.id, job.work(clock_for(job, stopped))};
+    JobDone done{job.id, {}};
+    done.result = job.work(clock_for(job, stopped, done.clock));
     lock.lock();
     stopped_.erase(job.id);
     done_.push_back(std::move(done));

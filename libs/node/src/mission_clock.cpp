@@ -26,7 +26,7 @@ void MissionClock::update(const wire::Clock& sample, Duration steady) {
   if (!(sample.rate >= kLeastRate && sample.rate <= kGreatestRate)) return;
   const MissionTime time = MissionTime::nanoseconds(sample.time);
   const double implied = time.to_seconds() - sample.rate * steady.to_seconds();
-  const bool first = phase_ != wire::ClockPhase::kRunning || sample.rate != rate_;
+  const bool first = phase_ != wire::ClockPhase::kRunning || sample.rate != rate_ || silent(steady);
   if (first || rate_ * steady.to_seconds() + implied >= estimate(steady)) {
     offset_ = implied;
     updated_ = steady.to_seconds();
@@ -34,17 +34,19 @@ void MissionClock::update(const wire::Clock& sample, Duration steady) {
   phase_ = sample.phase;
   rate_ = sample.rate;
   held_ = time;
+  heard_ = steady;
 }
 
 MissionTime MissionClock::now(Duration steady) {
-  const MissionTime at =
-      phase_ == wire::ClockPhase::kRunning ? MissionTime::seconds(estimate(steady)) : held_;
+  const MissionTime at = phase_ == wire::ClockPhase::kRunning
+                             ? MissionTime::seconds(estimate(std::min(steady, heard_ + kSilence)))
+                             : held_;
   last_ = std::max(last_, at);
   return last_;
 }
 
-std::optional<Duration> MissionClock::steady_at(MissionTime at) const {
-  if (phase_ != wire::ClockPhase::kRunning) return std::nullopt;
+std::optional<Duration> MissionClock::steady_at(MissionTime at, Duration now) const {
+  if (phase_ != wire::ClockPhase::kRunning || silent(now)) return std::nullopt;
   const double s = (at.to_seconds() - offset_) / rate_;
   return Duration::seconds((s - kGivingWay * updated_) / (1 - kGivingWay));
 }
@@ -55,20 +57,25 @@ void ClockLeader::run(Duration steady) {
   started_ = steady;
 }
 
+void ClockLeader::set(MissionTime at, Duration steady) {
+  from_ = at;
+  started_ = steady;
+}
+
 void ClockLeader::finish(Duration steady) {
   finished_ = now(steady);
   phase_ = wire::ClockPhase::kFinished;
 }
 
 MissionTime ClockLeader::now(Duration steady) const {
-  if (phase_ == wire::ClockPhase::kHolding) return {};
+  if (phase_ == wire::ClockPhase::kHolding) return from_;
   if (phase_ == wire::ClockPhase::kFinished) return finished_;
-  return MissionTime::seconds((steady - started_).to_seconds() * rate_);
+  return from_ + Duration::seconds((steady - started_).to_seconds() * rate_);
 }
 
 std::optional<Duration> ClockLeader::steady_at(MissionTime at) const {
   if (phase_ != wire::ClockPhase::kRunning) return std::nullopt;
-  return started_ + Duration::seconds(at.to_seconds() / rate_);
+  return started_ + Duration::seconds((at - from_).to_seconds() / rate_);
 }
 
 wire::Clock ClockLeader::sample(Duration steady) const {

@@ -25,7 +25,12 @@ class VirtualRun {
     for (const Member& member : roster.members()) {
       if (member.role != wire::Role::kRunner) seats_.emplace_back().member = &member;
     }
-    for (const Crash& crash : config.crashes) plan_crash(crash);
+    for (const Crash& crash : config.crashes) {
+      if (crash.remembers) {
+        seat_of(crash.node).memory = std::make_unique<MemoryInputLog>();
+      }
+      plan_crash(crash);
+    }
   }
 
   VirtualOutcome run(const std::function<bool(MissionTime)>& keep_going) {
@@ -49,6 +54,7 @@ class VirtualRun {
   struct Seat {
     const Member* member = nullptr;
     std::uint64_t incarnation = 0;
+    std::unique_ptr<MemoryInputLog> memory;  ///< of a node that will come back with it
     std::unique_ptr<blackboard::MemoryTransport> transport;
     std::unique_ptr<Host> host;
     bool touched = false;  ///< since its last step something came or was done
@@ -69,7 +75,8 @@ class VirtualRun {
   void plan_crash(const Crash& crash) {
     faults_.emplace(crash.at, [this, node = crash.node] { kill(seat_of(node)); });
     if (!crash.restart) return;
-    faults_.emplace(*crash.restart, [this, node = crash.node] { restart(seat_of(node)); });
+    faults_.emplace(*crash.restart,
+                    [this, crash] { restart(seat_of(crash.node), crash.remembers); });
   }
 
   Seat& seat_of(const std::string& name) {
@@ -84,9 +91,10 @@ class VirtualRun {
   }
 
   // Crashes may overlap: who is dead cannot die, who lives is not started again.
-  void restart(Seat& seat) {
+  void restart(Seat& seat, bool remembers) {
     if (seat.host) return;
-    log_fault("restart", seat.member->name);
+    log_fault(remembers ? "resume" : "restart", seat.member->name);
+    if (seat.memory && !remembers) seat.memory = std::make_unique<MemoryInputLog>();
     start(seat);
   }
 
@@ -105,11 +113,13 @@ class VirtualRun {
     config.incarnation = seat.incarnation;
     config.heartbeat_period = config_.heartbeat_period;
     config.seed = config_.seed;
+    config.memory = seat.memory.get();
     auto host = Host::open(roster_, *seat.member, make_node_(seat.member->name), *seat.transport,
                            config, ports_of(seat));
     SKEIN_ENSURES(host.has_value());
     seat.host = std::move(*host);
     seat.host->start(now());
+    seat.host->lines_have_left();
     seat.touched = true;
   }
 
@@ -118,7 +128,7 @@ class VirtualRun {
     ports.journal = journal_;
     ports.finish = [this] { finish(); };
     ports.start_job = [this, name = seat.member->name, life = seat.incarnation](StartJob job) {
-      jobs_.emplace(now_ + config_.job_latency, Job{name, life, {job.id, job.work({})}});
+      jobs_.emplace(now_ + config_.job_latency, Job{name, life, {job.id, job.work({}), {}}});
     };
     return ports;
   }
@@ -142,6 +152,7 @@ class VirtualRun {
       Seat& seat = seat_of(job.node);
       if (!seat.host || seat.incarnation != job.incarnation) continue;
       seat.host->job_done(std::move(job.done), now());
+      seat.host->lines_have_left();
       seat.touched = true;
     }
     int rounds = 0;
@@ -161,6 +172,7 @@ class VirtualRun {
     ++steps_;
     seat.touched = false;
     const bool busy = seat.host->step(now());
+    seat.host->lines_have_left();
     seat.touched = seat.touched || busy;
     seat.due = seat.host->next_mission_wakeup();
     if (const auto steady = seat.host->next_steady_wakeup())

@@ -155,6 +155,7 @@ PingSystem PingSystem::random(std::uint64_t seed) {
   for (std::uint64_t i = random.below(4); i > 0; --i) {
     Crash crash{instant(), nodes[random.below(nodes.size())], std::nullopt};
     if (random.chance(0.7)) crash.restart = crash.at + Duration::seconds(random.uniform(0, 4));
+    crash.remembers = random.chance(0.5);
     system.crashes.push_back(crash);
   }
   return system;

@@ -29,6 +29,9 @@ struct Config {
   /// Steady; how long an event waits for its acknowledgement before it is sent again; > 0.
   Duration retransmission = Duration::milliseconds(300);
   std::size_t held_events = 1024;  ///< unacknowledged, per destination; then `send` refuses
+  /// Which life of this incarnation this is: 0, or more if the node was restarted with all it knew.
+  /// What it sends now then counts as newer than what it sent before.
+  std::uint32_t life = 0;
   std::uint64_t seed = 0;          ///< of the losses
 };
 
@@ -78,6 +81,7 @@ struct EventExpired {
   NodeNumber from;
   NodeNumber to;
   std::uint64_t sequence = 0;
+  std::uint64_t incarnation = 0;  ///< of the sender
 };
 
 /// Events that the receiver will never see because the sender gave them up (it reported them as
@@ -87,6 +91,7 @@ struct EventsLost {
   NodeNumber to;
   std::uint64_t first = 0;
   std::uint64_t last = 0;
+  std::uint64_t incarnation = 0;  ///< of the sender
 };
 
 using Incoming = std::variant<Received, Reachability, Dropped, EventExpired, EventsLost>;
@@ -133,10 +138,28 @@ class Blackboard {
   /// Likewise in mission time: when an event expires that is not acknowledged. Cost: events held.
   std::optional<MissionTime> next_expiry() const;
 
+  // What the lives before this one did, in the order in which they did it and before the first
+  // step(), so that its sessions go on as if there had been a cut. Nothing is written before the
+  // peer is heard: it says what it had. Strangers are disregarded.
+
+  /// An event was sent at `at`; it gets the sequence number that it had. Other slots: nothing.
+  void recall_sent(wire::Sample sample, NodeNumber to, MissionTime at, SendOptions options = {});
+  /// The peer had handled everything up to this one.
+  void recall_acknowledged(NodeNumber peer, std::uint64_t sequence);
+  /// Reported as EventExpired at its sender.
+  void recall_given_up(NodeNumber to, std::uint64_t sequence);
+  /// Handled, or reported as too late.
+  void recall_received(wire::Slot slot, const wire::SampleHeader& header);
+  void recall_reachable(NodeNumber peer, bool reachable);
+
   /// As last reported by Reachability; false for strangers.
   bool reachable(NodeNumber peer) const;
   /// Events sent to this peer and not acknowledged yet.
   std::size_t unacknowledged(NodeNumber peer) const;
+  /// The latest mission time that any peer wrote into what was well formed.
+  MissionTime latest_heard() const;
+  /// Up to this one all events sent to this peer are acknowledged or given up.
+  std::uint64_t settled(NodeNumber peer) const;
 
  private:
   class Impl;

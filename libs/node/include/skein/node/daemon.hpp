@@ -19,6 +19,9 @@ struct DaemonConfig {
   bool leads_clock = false;                     ///< exactly one daemon of a system: the simulator
   MissionTime time_limit = MissionTime::max();  ///< leader: the clock ends here at the latest
   std::vector<std::string> awaited;  ///< leader: the clock starts when all of these are ready
+  /// What outlives the process, see HostConfig. A leader that comes back goes on with mission time
+  /// where it is at the others.
+  InputLog* memory = nullptr;
   /// Every record of this node, beside its way to the runner over the world channel; and lines of
   /// the middleware's own log. May be empty.
   std::function<void(const journal::Record&)> on_record;

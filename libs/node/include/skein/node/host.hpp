@@ -8,16 +8,23 @@
 #include <set>
 
 #include "skein/blackboard/blackboard.hpp"
+#include "skein/node/input_log.hpp"
 #include "skein/node/node.hpp"
 #include "skein/node/roster.hpp"
 
 namespace skein::node {
+
+struct Survey;
 
 struct HostConfig {
   std::uint64_t incarnation = 1;
   Duration heartbeat_period = Duration::seconds(1);  ///< steady
   double rate = 1;         ///< mission seconds per steady second: turns the radio's latencies
   std::uint64_t seed = 0;  ///< of the losses on streams
+  /// Where the node's memory is; it outlives the host. If there is something in it, the host goes
+  /// on where that ends, and `incarnation` is that of the first life. Null: nothing outlives the
+  /// node.
+  InputLog* memory = nullptr;
 };
 
 /// Where a host's output goes. All are called from step(), in the order of the effects.
@@ -34,9 +41,15 @@ struct HostPorts {
 /// Routes samples from the blackboard to the node and the node's effects back; applies the link
 /// states of the radio to the channels; writes what happens on the channels to the event log.
 /// Sans-IO like the node itself: a runtime calls step(). Thread rule: one thread.
+///
+/// With a memory, every input of the node is in it before anything that follows from it leaves. A
+/// host opened on what a former life left there gives its node all of that first, sends nothing of
+/// what follows from it, and then goes on as after a cut: peers get what they did not acknowledge,
+/// jobs that had not ended begin again, lines of the event log that had not left are written.
 class Host {
  public:
-  /// The transport must outlive the host. The failure says what the transport could not open.
+  /// The transport must outlive the host. The failure says what the transport could not open, or
+  /// why the memory is not of this node.
   static Result<std::unique_ptr<Host>, Failure> open(const Roster& roster, const Member& self,
                                                      std::unique_ptr<Node> node,
                                                      blackboard::Transport& transport,
@@ -47,11 +60,15 @@ class Host {
   /// knows the mission time.
   void start(blackboard::Now now);
   bool started() const { return started_; }
+  /// Of the last thing a former life was given; absent in the first.
+  std::optional<MissionTime> resumed_from() const { return resumed_from_; }
   /// Takes what arrived, wakes the node if it is due, carries out effects. True if there was
   /// anything to do, so that a runtime can go on until all hosts are quiet.
   bool step(blackboard::Now now);
   /// A job's result.
   void job_done(JobDone done, blackboard::Now now);
+  /// The lines of the event log that were handed over so far have left.
+  void lines_have_left();
   /// Publishes on the world channel what does not come from the node (clock, directory, journal). A
   /// refusal is logged.
   void publish(wire::Sample sample, blackboard::Now now);
@@ -60,6 +77,8 @@ class Host {
     return earliest(node_due_, blackboard_.next_expiry());
   }
   std::optional<Duration> next_steady_wakeup() const { return blackboard_.next_wakeup(); }
+  /// As the peers see it: the latest that any of them wrote.
+  MissionTime latest_heard() const { return blackboard_.latest_heard(); }
   /// True once every peer this node has a radio or onboard channel with, and whose channel the
   /// radio does not hold down, has been heard.
   bool all_peers_heard() const;
@@ -68,6 +87,9 @@ class Host {
  private:
   Host(const Roster& roster, const Member& self, std::unique_ptr<Node> node,
        blackboard::Blackboard blackboard, const HostConfig& config, HostPorts ports);
+  Result<void, Failure> recall(Survey survey);
+  void remember(LoggedInput input, blackboard::Now now);
+  void note_settled(NodeNumber peer, blackboard::Now now);
   void give(const Input& input, blackboard::Now now);
   void carry_out(Effects effects, blackboard::Now now);
   void take(blackboard::Incoming incoming, blackboard::Now now);
@@ -92,6 +114,11 @@ class Host {
   std::set<NodeNumber> peers_;  ///< with a radio or onboard channel
   std::set<NodeNumber> heard_;
   std::set<NodeNumber> down_;  ///< held down by the radio
+  std::optional<MissionTime> resumed_from_;
+  Effects left_;                                 ///< to be done by former lives
+  std::uint64_t lines_ = 0, sends_ = 0;          ///< of the node, in all its lives
+  std::map<NodeNumber, std::uint64_t> settled_;  ///< as last remembered
+  bool forgetful_ = false;                       ///< the memory takes nothing at the moment
 };
 
 }  // namespace skein::node

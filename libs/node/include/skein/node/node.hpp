@@ -39,10 +39,19 @@ struct Undelivered {
   wire::Slot slot = wire::Slot::kTaskRequest;
   std::uint64_t sequence = 0;
 };
+/// What a job was told of its time: whether it had a clock at all, and how often that said that
+/// there was time left before it first said, if ever, that there was none.
+struct JobClock {
+  bool given = false;
+  bool ran_out = false;
+  std::uint64_t questions = 0;  ///< answered with "not yet"
+  bool operator==(const JobClock&) const = default;
+};
 /// The result of a job, as its work returned it.
 struct JobDone {
   std::uint64_t id = 0;
   std::any result;
+  JobClock clock{};
 };
 /// The instant given by next_wakeup() has come.
 struct Wakeup {};

@@ -14,12 +14,13 @@ namespace skein::node {
 /// Makes the node of a name; called at its start and at each restart.
 using NodeFactory = std::function<std::unique_ptr<Node>(const std::string& name)>;
 
-/// A node dies at once and, if told so, is started again with nothing it knew. Of a node that is
-/// dead already a death changes nothing, of one that lives a restart.
+/// A node dies at once and, if told so, is started again. Of a node that is dead already a death
+/// changes nothing, of one that lives a restart.
 struct Crash {
   MissionTime at;
   std::string node;
   std::optional<MissionTime> restart;
+  bool remembers = false;  ///< it comes back with what it knew; else with nothing
 };
 
 struct VirtualConfig {

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes that die and come back with what they knew.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <map>
+
+#include "skein/blackboard/memory_transport.hpp"
+#include "skein/foundation/random.hpp"
+#include "skein/node/host.hpp"
+#include "skein/node/virtual_runtime.hpp"
+#include "testing/fake_node.hpp"
+
+namespace skein::node {
+namespace {
+
+using journal::Record;
+using testing::abort_request;
+using testing::at;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr NodeNumber kGround(1);
+constexpr NodeNumber kUav(10);
+
+// Counts what it gets, asks for a job at each third, answers each event with one of the same number
+// and writes a line: all it does follows from all it was ever given.
+class Counter final : public Node {
+ public:
+  explicit Counter(NodeNumber peer) : peer_(peer) {}
+
+  Effects handle(const Input& input, MissionTime now) override {
+    if (const auto* done = std::get_if<JobDone>(&input)) {
+      count_ += static_cast<std::uint64_t>(std::any_cast<int>(done->result));
+      return {line(now, "job")};
+    }
+    const auto* received = std::get_if<Received>(&input);
+    if (received == nullptr) return {};
+    const auto* request = std::get_if<wire::TaskRequest>(&received->sample);
+    if (request == nullptr) return {};
+    ++count_;
+    Effects effects{line(now, "got " + std::to_string(request->id)),
+                    Send{peer_, abort_request(1000 + count_), MissionTime::max()}};
+    if (count_ % 3 == 0)
+      effects.push_back(StartJob{count_, [](const TimeIsUp&) { return std::any(10); }});
+    return effects;
+  }
+  std::optional<MissionTime> next_wakeup() const override { return std::nullopt; }
+
+ private:
+  Log line(MissionTime now, const std::string& text) const {
+    return {Record(now, "uav", "line").with("text", text).with("count", count_)};
+  }
+
+  NodeNumber peer_;
+  std::uint64_t count_ = 0;
+};
+
+// Sends an event at each instant of a list and writes what comes back.
+class Caller final : public Node {
+ public:
+  explicit Caller(std::vector<double> instants) : instants_(std::move(instants)) {}
+
+  Effects handle(const Input& input, MissionTime now) override {
+    if (const auto* received = std::get_if<Received>(&input)) {
+      const auto* answer = std::get_if<wire::TaskRequest>(&received->sample);
+      if (answer == nullptr) return {};
+      return {Log{Record(now, "ground", "answer").with("number", answer->id)}};
+    }
+    if (!std::holds_alternative<Wakeup>(input)) return {};
+    ++next_;
+    return {Send{kUav, abort_request(next_), MissionTime::max()}};
+  }
+  std::optional<MissionTime> next_wakeup() const override {
+    if (next_ >= instants_.size()) return std::nullopt;
+    return at(instants_[next_]);
+  }
+
+ private:
+  std::vector<double> instants_;
+  std::size_t next_ = 0;
+};
+
+struct Played {
+  std::vector<std::uint64_t> answers;
+  std::vector<std::string> lines;
+
+  void see(const Record& record) {
+    if (record.kind() == "line") lines.emplace_back(record.text("text"));
+    if (record.kind() == "answer")
+      answers.push_back(static_cast<std::uint64_t>(record.number("number")));
+  }
+};
+
+// The ground calls, the UAV counts.
+Played play(const std::vector<double>& calls, const std::vector<Crash>& crashes) {
+  const Roster roster({"uav"});
+  VirtualConfig config;
+  config.time_limit = at(60);
+  config.crashes = crashes;
+  Played played;
+  run_virtual(
+      roster,
+      [&](const std::string& name) -> std::unique_ptr<Node> {
+        if (name == "ground") return std::make_unique<Caller>(calls);
+        return std::make_unique<Counter>(kGround);
+      },
+      config, [&](const Record& record) { played.see(record); });
+  return played;
+}
+
+TEST(Memory, ANodeThatComesBackGoesOnWhereItWas) {
+  const auto played = play({1, 2, 3, 20, 21}, {{at(5), "uav", at(10), true}});
+
+  EXPECT_THAT(played.lines, ElementsAre("got 1", "got 2", "got 3", "job", "got 4", "got 5", "job"));
+  EXPECT_THAT(played.answers, ElementsAre(1001, 1002, 1003, 1014, 1015));
+}
+
+TEST(Memory, WithoutItANodeBeginsAnew) {
+  const auto played = play({1, 2, 20}, {{at(5), "uav", at(10), false}});
+
+  EXPECT_THAT(played.answers, ElementsAre(1001, 1002, 1001));
+}
+
+TEST(Memory, WhatCameWhileItWasDeadIsHandledOnceItIsBack) {
+  const auto played = play({1, 6, 7, 8, 20}, {{at(5), "uav", at(10), true}});
+
+  EXPECT_THAT(played.answers, ElementsAre(1001, 1002, 1003, 1004, 1015));
+}
+
+TEST(Memory, AJobThatHadNotEndedBeginsAgainAndEndsOnce) {
+  const auto played = play({1, 2, 3, 20}, {{at(3.02), "uav", at(10), true}});
+
+  EXPECT_THAT(played.lines, ElementsAre("got 1", "got 2", "got 3", "job", "got 4"));
+}
+
+TEST(Memory, TheGroundMayDieTooAndAsksNothingTwice) {
+  const auto played = play({1, 2, 3, 20, 21}, {{at(2.5), "ground", at(10), true}});
+
+  EXPECT_THAT(played.answers, ElementsAre(1001, 1002, 1003, 1014, 1015));
+}
+
+// Whoever dies, whenever, however often and for how long: in the end everything was asked once,
+// handled once, in order, and answered once.
+RC_GTEST_PROP(Memory, NothingIsLostAndNothingDoneTwice, (std::uint64_t seed)) {
+  Random random(seed);
+  std::vector<double> calls;
+  for (double t = 0.1; t < 30; t += random.uniform(0.05, 2)) calls.push_back(t);
+  std::vector<Crash> crashes;
+  for (std::uint64_t i = 1 + random.below(4); i > 0; --i) {
+    const MissionTime dies = at(random.uniform(0, 35));
+    crashes.push_back({dies, random.chance(0.5) ? "uav" : "ground",
+                       dies + Duration::seconds(random.uniform(0, 8)), true});
+  }
+
+  const Played played = play(calls, crashes);
+
+  std::vector<std::string> got;
+  for (const std::string& line : played.lines)
+    if (line != "job") got.push_back(line);
+  RC_ASSERT(got.size() == calls.size());
+  for (std::size_t i = 0; i < got.size(); ++i) RC_ASSERT(got[i] == "got " + std::to_string(i + 1));
+  RC_ASSERT(played.answers.size() == calls.size());
+  for (std::size_t i = 1; i < played.answers.size(); ++i)
+    RC_ASSERT(played.answers[i] > played.answers[i - 1]);
+}
+
+// ---- a host of its own, killed between what it keeps and what it does ----
+
+struct PowerIsGone {};
+
+// Keeps so many inputs; with the last of them the power goes, before anything follows from it.
+class UntilThePowerGoes final : public InputLog {
+ public:
+  explicit UntilThePowerGoes(std::size_t inputs) : left_(inputs) {}
+  Result<void, Failure> append(const LogEntry& entry) override {
+    (void)kept.append(entry);
+    if (--left_ == 0) throw PowerIsGone{};
+    return {};
+  }
+  void told(std::uint64_t lines) override { kept.told(lines); }
+  Result<void, Failure> recall(
+      const std::function<Result<void, Failure>(const LogEntry&)>& take) const override {
+    return kept.recall(take);
+  }
+  std::uint64_t lines_told() const override { return kept.lines_told(); }
+
+  MemoryInputLog kept;
+
+ private:
+  std::size_t left_;
+};
+
+class AHost : public ::testing::Test {
+ protected:
+  std::unique_ptr<Host> open(const std::string& name, std::unique_ptr<Node> node,
+                             blackboard::Transport& transport, InputLog* memory, Played& played) {
+    HostConfig config;
+    config.memory = memory;
+    HostPorts ports;
+    ports.journal = [&played](const Record& record) { played.see(record); };
+    ports.start_job = [](const StartJob&) {};
+    ports.finish = [] {};
+    auto host = Host::open(roster_, *roster_.find(name), std::move(node), transport, config, ports);
+    EXPECT_TRUE(host.has_value()) << host.error().why;
+    return std::move(*host);
+  }
+  blackboard::Now now() const { return {time_, time_ - MissionTime()}; }
+  void settle(Host& a, Host& b) {
+    for (int i = 0; i < 40; ++i) {
+      time_ = time_ + Duration::milliseconds(50);
+      a.step(now());
+      a.lines_have_left();
+      b.step(now());
+    }
+  }
+
+  const Roster roster_{{"uav"}};
+  MissionTime time_;
+};
+
+// For every input that it may be: the power goes after it was kept and before anything was done
+// about it.
+TEST_F(AHost, KilledBetweenKeepingAndDoingDoesItInItsNextLife) {
+  for (std::size_t inputs = 1; inputs <= 6; ++inputs) {
+    blackboard::MemoryHub hub;
+    blackboard::MemoryTransport ground_side(hub);
+    Played at_ground, at_uav;
+    UntilThePowerGoes memory(inputs);
+    auto ground = open("ground", std::make_unique<Caller>(std::vector<double>{1, 1, 1, 1}),
+                       ground_side, nullptr, at_ground);
+    {
+      blackboard::MemoryTransport uav_side(hub);
+      auto uav = open("uav", std::make_unique<Counter>(kGround), uav_side, &memory, at_uav);
+      ground->start(now());
+      const auto lives = [&] {
+        uav->start(now());
+        settle(*uav, *ground);
+      };
+      EXPECT_THROW(lives(), PowerIsGone) << inputs;
+    }
+    blackboard::MemoryTransport uav_side(hub);
+    auto uav = open("uav", std::make_unique<Counter>(kGround), uav_side, &memory.kept, at_uav);
+    uav->start(now());
+    settle(*uav, *ground);
+
+    EXPECT_THAT(at_ground.answers, ElementsAre(1001, 1002, 1003, 1004)) << inputs;
+    EXPECT_THAT(at_uav.lines, ElementsAre("got 1", "got 2", "got 3", "got 4")) << inputs;
+  }
+}
+
+TEST_F(AHost, SaysFromWhenItWas) {
+  blackboard::MemoryHub hub;
+  Played played;
+  MemoryInputLog memory;
+  (void)memory.append({at(3), Started{7}});
+  (void)memory.append({at(8), Wakeup{}});
+  blackboard::MemoryTransport transport(hub);
+
+  const auto host = open("uav", std::make_unique<Counter>(kGround), transport, &memory, played);
+
+  EXPECT_EQ(host->resumed_from(), at(8));
+}
+
+// ---- what cannot be ----
+
+Result<void, Failure> explained(const std::vector<LogEntry>& entries, std::uint64_t told = 0) {
+  MemoryInputLog memory;
+  for (const LogEntry& entry : entries) (void)memory.append(entry);
+  memory.told(told);
+  Counter node(kGround);
+  return explains(memory, node);
+}
+
+TEST(AMemory, ThatExplainsNothingIsNone) {
+  EXPECT_TRUE(explained({}).has_value());
+  EXPECT_TRUE(explained({{at(0), Started{1}}, {at(1), Wakeup{}}}).has_value());
+  EXPECT_THAT(explained({{at(1), Wakeup{}}}).error().why,
+              HasSubstr("does not begin with the start"));
+  EXPECT_THAT(explained({{at(2), Started{1}}, {at(1), Wakeup{}}}).error().why,
+              HasSubstr("its time goes back"));
+  EXPECT_THAT(explained({{at(2), Started{1}}, {at(3), JobEnded{4, {}}}}).error().why,
+              HasSubstr("job 4 ended that nobody began"));
+  EXPECT_THAT(explained({{at(2), Started{1}}}, 5).error().why,
+              HasSubstr("does not explain the 5 lines that it wrote"));
+}
+
+// A job that was cut short after so many questions is cut short there again.
+TEST(AMemory, GivesAJobItsFormerClock) {
+  for (const JobClock clock :
+       {JobClock{}, JobClock{true, false, 9}, JobClock{true, true, 0}, JobClock{true, true, 7}}) {
+    testing::Diary diary;
+    std::optional<std::uint64_t> noes;
+    diary.answer = [&](const Input& input, MissionTime) -> Effects {
+      if (!std::holds_alternative<Started>(input)) return {};
+      return {StartJob{1, [&](const TimeIsUp& time_is_up) {
+                         noes.reset();
+                         if (!time_is_up) return std::any();
+                         noes = 0;
+                         while (*noes < 100 && !time_is_up()) ++*noes;
+                         return std::any();
+                       }}};
+    };
+    MemoryInputLog memory;
+    (void)memory.append({at(0), Started{1}});
+    (void)memory.append({at(1), JobEnded{1, clock}});
+    testing::FakeNode node(diary);
+
+    ASSERT_TRUE(explains(memory, node).has_value());
+
+    EXPECT_EQ(noes.has_value(), clock.given);
+    EXPECT_EQ(noes.value_or(100), clock.ran_out ? clock.questions : 100U);
+  }
+}
+
+}  // namespace
+}  // namespace skein::node
