@@ -17,7 +17,7 @@ set_property(GLOBAL PROPERTY SKEIN_COMPONENTS "")
 set(SKEIN_PACKAGES
   "tl::expected|tl-expected|-|-" "nlohmann_json::nlohmann_json|nlohmann_json|nlohmann_json|-"
   "Eigen3::Eigen|Eigen3|eigen3|-" "EXPAT::EXPAT|EXPAT|expat|-" "tsl::robin_map|tsl-robin-map|-|-"
-  "fmt::fmt|fmt|fmt|-" "PNG::PNG|PNG|libpng|-" "Threads::Threads|Threads|-|-pthread"
+  "SQLiteCpp|SQLiteCpp|-|-lSQLiteCpp" "fmt::fmt|fmt|fmt|-" "PNG::PNG|PNG|libpng|-" "Threads::Threads|Threads|-|-pthread"
   "fastrtps|fastrtps|-|-lfastrtps" "fastcdr|fastcdr|-|-lfastcdr" "GDAL::GDAL|GDAL|gdal|-"
   "yaml-cpp|yaml-cpp|yaml-cpp|-" "skein_ompl|-|ompl|-" "fcl|fcl|fcl|-")
 

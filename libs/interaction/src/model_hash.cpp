@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/interaction/model_hash.hpp"
+#include "skein/foundation/fingerprint.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +8,6 @@
 #include <set>
 #include <tuple>
 
-#include "fingerprint.hpp"
 #include "skein/foundation/overloaded.hpp"
 
 namespace skein::interaction {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "fingerprint.hpp"
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/fingerprint.hpp"
 
 namespace skein::interaction {
 

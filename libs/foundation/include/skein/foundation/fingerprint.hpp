@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace skein::interaction {
+namespace skein {
 
 /// FNV-1a over 64 bits. Every part is closed by its length or kind, so that "ab", "c" is not "a",
 /// "bc". It finds differences that happen, not those that somebody makes to deceive.
@@ -23,4 +23,4 @@ class Fingerprint {
   std::uint64_t value_ = 0xcbf29ce484222325ULL;
 };
 
-}  // namespace skein::interaction
+}  // namespace skein

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fingerprint.hpp"
+#include "skein/foundation/fingerprint.hpp"
 
 #include <cstring>
 
-namespace skein::interaction {
+namespace skein {
 
 Fingerprint& Fingerprint::put(std::string_view text) {
   for (const char one : text) byte(static_cast<unsigned char>(one));
@@ -22,4 +22,4 @@ Fingerprint& Fingerprint::put(double number) {
   return put(bits);
 }
 
-}  // namespace skein::interaction
+}  // namespace skein

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "database.hpp"
+
+namespace skein::store {
+
+namespace {
+
+constexpr const char* kTables = R"(
+  CREATE TABLE IF NOT EXISTS about (what TEXT PRIMARY KEY, value) WITHOUT ROWID;
+  CREATE TABLE IF NOT EXISTS inputs (
+    number INTEGER PRIMARY KEY, at INTEGER NOT NULL, kind TEXT NOT NULL, peer INTEGER NOT NULL,
+    slot TEXT NOT NULL, value INTEGER NOT NULL, extra INTEGER NOT NULL, flags INTEGER NOT NULL,
+    body BLOB NOT NULL);
+)";
+constexpr const char* kInsert =
+    "INSERT INTO inputs (at, kind, peer, slot, value, extra, flags, body) "
+    "VALUES (?, ?, ?, ?, ?, ?, ?, ?)";
+constexpr int kPatience = 1000;  ///< for somebody who reads [ms]
+
+int flags_of(Database::Mode mode) {
+  return mode == Database::Mode::kRead ? SQLite::OPEN_READONLY
+                                       : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE;
+}
+
+}  // namespace
+
+Database::Database(const std::string& file, Mode mode)
+    : database_(file, flags_of(mode), kPatience) {
+  if (mode == Mode::kRead) return;
+  database_.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
+  if (version() != 0) return;
+  SQLite::Transaction transaction(database_);
+  database_.exec(kTables);
+  database_.exec("PRAGMA user_version = " + std::to_string(kVersion));
+  transaction.commit();
+}
+
+int Database::version() { return database_.execAndGet("PRAGMA user_version").getInt(); }
+
+std::string Database::about(const std::string& what) {
+  SQLite::Statement query(database_, "SELECT value FROM about WHERE what = ?");
+  query.bind(1, what);
+  return query.executeStep() ? query.getColumn(0).getString() : std::string();
+}
+
+void Database::set_about(const std::string& what, const std::string& value) {
+  SQLite::Statement change(database_, "INSERT OR REPLACE INTO about VALUES (?, ?)");
+  change.bind(1, what);
+  change.bind(2, value);
+  change.exec();
+}
+
+std::int64_t Database::lines_told() {
+  const std::string text = about("lines");
+  return text.empty() ? 0 : std::stoll(text);
+}
+
+void Database::set_lines_told(std::int64_t lines) { set_about("lines", std::to_string(lines)); }
+
+void Database::insert(const Row& row) {
+  if (!insert_) insert_.emplace(database_, kInsert);
+  SQLite::Statement& insert = *insert_;
+  insert.reset();
+  insert.bind(1, row.at);
+  insert.bindNoCopy(2, row.kind);
+  insert.bind(3, row.peer);
+  insert.bindNoCopy(4, row.slot);
+  insert.bind(5, row.value);
+  insert.bind(6, row.extra);
+  insert.bind(7, row.flags);
+  const void* bytes = row.body.empty() ? "" : static_cast<const void*>(row.body.data());
+  insert.bindNoCopy(8, bytes, static_cast<int>(row.body.size()));  // a null pointer were NULL
+  insert.exec();
+}
+
+void Database::for_each(const std::function<bool(std::uint64_t, const Row&)>& take) {
+  SQLite::Statement query(database_,
+                          "SELECT number, at, kind, peer, slot, value, extra, flags, body "
+                          "FROM inputs ORDER BY number");
+  while (query.executeStep()) {
+    Row row{query.getColumn(1).getInt64(), query.getColumn(2).getString(),
+            query.getColumn(3).getInt64(), query.getColumn(4).getString(),
+            query.getColumn(5).getInt64(), query.getColumn(6).getInt64(),
+            query.getColumn(7).getInt64(), {}};
+    const SQLite::Column body = query.getColumn(8);
+    const auto* bytes = static_cast<const std::uint8_t*>(body.getBlob());
+    if (bytes != nullptr) row.body.assign(bytes, bytes + body.getBytes());
+    if (!take(static_cast<std::uint64_t>(query.getColumn(0).getInt64()), row)) return;
+  }
+}
+
+std::uint64_t Database::inputs() {
+  return static_cast<std::uint64_t>(database_.execAndGet("SELECT count(*) FROM inputs").getInt64());
+}
+
+std::string Database::soundness() {
+  return database_.execAndGet("PRAGMA quick_check(1)").getString();
+}
+
+}  // namespace skein::store

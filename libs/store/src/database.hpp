@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tables of a state file. What SQLite has to complain about comes as an exception of
+// SQLiteCpp's (SQLite::Exception) out of here, and goes no further than the library.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "row.hpp"
+
+namespace skein::store {
+
+/// Of the format below; files of a newer one are not read, of an older one brought up to it
+/// (there is none yet).
+inline constexpr int kVersion = 1;
+
+/// The tables: `about` (what: value) and `inputs`.
+class Database {
+ public:
+  enum class Mode { kWrite, kRead };
+  /// Begins the tables in an empty file. Precondition of kRead: the file exists.
+  Database(const std::string& file, Mode mode);
+
+  int version();
+  /// Empty if it was never said.
+  std::string about(const std::string& what);
+  void set_about(const std::string& what, const std::string& value);
+  std::int64_t lines_told();
+  void set_lines_told(std::int64_t lines);
+
+  void insert(const Row& row);
+  /// In the order of insertion, until `take` says no.
+  void for_each(const std::function<bool(std::uint64_t number, const Row&)>& take);
+  std::uint64_t inputs();
+  /// What SQLite says of the file: "ok" if it is sound.
+  std::string soundness();
+  SQLite::Database& raw() { return database_; }
+
+ private:
+  SQLite::Database database_;
+  std::optional<SQLite::Statement> insert_;
+};
+
+}  // namespace skein::store

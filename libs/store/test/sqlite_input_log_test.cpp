@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/store/sqlite_input_log.hpp"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "testing/entries.hpp"
+
+namespace skein::store {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using testing::one_of_each;
+
+std::vector<std::string> texts(const node::InputLog& log) {
+  std::vector<std::string> found;
+  const auto read = log.recall([&](const node::LogEntry& entry) -> Result<void, Failure> {
+    found.push_back(testing::to_text(entry));
+    return {};
+  });
+  if (!read) found.push_back("FAILED " + read.error().why);
+  return found;
+}
+
+std::vector<std::string> texts(const std::vector<node::LogEntry>& entries) {
+  std::vector<std::string> found;
+  for (const node::LogEntry& entry : entries) found.push_back(testing::to_text(entry));
+  return found;
+}
+
+class StateOnDisk : public ::testing::Test {
+ protected:
+  Opened open(const Identity& identity = {"marvin", "comets 1"}) {
+    auto opened = SqliteInputLog::open(folder.path(), identity);
+    if (!opened) throw std::runtime_error(opened.error().why);
+    return std::move(*opened);
+  }
+  /// A life that is given one of each and dies.
+  void live() {
+    const Opened life = open();
+    for (const node::LogEntry& entry : one_of_each()) {
+      const auto kept = life.log->append(entry);
+      ASSERT_TRUE(kept.has_value()) << kept.error().why;
+    }
+    life.log->told(12);
+  }
+  fs::path state() const { return folder.path() / "marvin.state"; }
+
+  testing::Folder folder;
+};
+
+TEST_F(StateOnDisk, ANewOneIsEmpty) {
+  const Opened opened = open();
+
+  EXPECT_EQ(opened.set_aside, "");
+  EXPECT_TRUE(texts(*opened.log).empty());
+  EXPECT_EQ(opened.log->lines_told(), 0U);
+}
+
+TEST_F(StateOnDisk, TheNextLifeKnowsAllThatTheLastOneWasGivenInItsOrder) {
+  live();
+
+  const Opened next = open();
+
+  EXPECT_EQ(next.set_aside, "");
+  EXPECT_EQ(texts(*next.log), texts(one_of_each()));
+  EXPECT_EQ(next.log->lines_told(), 12U);
+}
+
+TEST_F(StateOnDisk, LivesFollowEachOther) {
+  live();
+  ASSERT_TRUE(open().log->append({MissionTime::seconds(900), node::Resumed{}}));
+
+  EXPECT_EQ(texts(*open().log).size(), one_of_each().size() + 1);
+}
+
+TEST_F(StateOnDisk, WhatWasAppendedIsThereHoweverTheProcessDies) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const Opened life = open();
+    for (const node::LogEntry& entry : one_of_each()) (void)life.log->append(entry);
+    raise(SIGKILL);
+  }
+  waitpid(child, nullptr, 0);
+
+  EXPECT_EQ(texts(*open().log), texts(one_of_each()));
+}
+
+TEST_F(StateOnDisk, TwoNodesShareAFolder) {
+  const Opened marvin = open();
+  const Opened karma = open({"karma", "comets 1"});
+
+  ASSERT_TRUE(marvin.log->append({MissionTime(), node::Started{1}}));
+
+  EXPECT_TRUE(texts(*karma.log).empty());
+}
+
+TEST_F(StateOnDisk, IsOfOneProcessAtATime) {
+  const Opened first = open();
+
+  const auto second = SqliteInputLog::open(folder.path(), {"marvin", "comets 1"});
+
+  ASSERT_FALSE(second.has_value());
+  EXPECT_THAT(second.error().why, HasSubstr("marvin.state: another process uses it"));
+}
+
+TEST_F(StateOnDisk, WhereNothingCanBeWrittenSaysSo) {
+  std::ofstream(folder.path() / "occupied").put('x');
+
+  const auto opened = SqliteInputLog::open(folder.path() / "occupied", {"marvin", "comets 1"});
+
+  ASSERT_FALSE(opened.has_value());
+  EXPECT_THAT(opened.error().why, HasSubstr("occupied/marvin.lock: Not a directory"));
+}
+
+// ---- what is not gone on from ----
+
+class SetAside : public StateOnDisk {
+ protected:
+  /// Opens what is there and expects it to be set aside for that reason, and a new one begun.
+  void expect_aside(const std::string& why, const Identity& identity = {"marvin", "comets 1"}) {
+    const Opened opened = open(identity);
+    EXPECT_THAT(opened.set_aside, HasSubstr(state().string() + " is " + why));
+    EXPECT_THAT(opened.set_aside, HasSubstr("marvin.state.aside-1"));
+    EXPECT_TRUE(fs::exists(state().string() + ".aside-1"));
+    EXPECT_TRUE(texts(*opened.log).empty());
+    EXPECT_TRUE(opened.log->append({MissionTime(), node::Started{1}}));
+  }
+};
+
+TEST_F(SetAside, AnotherScenarios) {
+  live();
+  expect_aside("of another scenario", {"marvin", "comets 2"});
+}
+
+TEST_F(SetAside, AnotherNodes) {
+  live();
+  for (const char* part : {".state", ".state-wal"}) {
+    std::error_code missing;
+    fs::rename(folder.path() / (std::string("marvin") + part),
+               folder.path() / (std::string("karma") + part), missing);
+  }
+
+  const Opened opened = open({"karma", "comets 1"});
+
+  EXPECT_THAT(opened.set_aside, HasSubstr("karma.state is of node 'marvin'"));
+}
+
+TEST_F(SetAside, OneOfAMissionThatIsOver) {
+  live();
+  open().log->conclude();
+  expect_aside("of a mission that is over");
+}
+
+TEST_F(SetAside, OneThatMissesSomething) {
+  live();
+  fs::remove(folder.path() / "marvin.complete");
+  expect_aside("incomplete");
+}
+
+TEST_F(SetAside, OneOfANewerVersion) {
+  live();
+  SQLite::Database(state().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 2");
+  expect_aside("of version 2, this program reads up to 1");
+}
+
+TEST_F(SetAside, HalfAFile) {
+  live();
+  SQLite::Database(state().string(), SQLite::OPEN_READWRITE)
+      .exec("PRAGMA wal_checkpoint(TRUNCATE)");
+  fs::resize_file(state(), fs::file_size(state()) / 2);
+  expect_aside("damaged");
+}
+
+TEST_F(SetAside, AFileOfSomethingElse) {
+  std::ofstream(state()) << std::string(5000, 'x');
+  expect_aside("damaged");
+}
+
+TEST_F(SetAside, NoneIsOverwritten) {
+  for (int i = 1; i <= 3; ++i) {
+    std::ofstream(state()) << std::string(5000, 'x');
+    EXPECT_THAT(open().set_aside, HasSubstr("aside-" + std::to_string(i)));
+  }
+}
+
+TEST_F(SetAside, OneThatTheNodeCannotHaveHad) {
+  live();
+  const Opened opened = open();
+
+  const auto aside = opened.log->start_anew();
+
+  ASSERT_TRUE(aside.has_value());
+  EXPECT_THAT(*aside, HasSubstr("marvin.state.aside-1"));
+  EXPECT_TRUE(texts(*opened.log).empty());
+}
+
+TEST_F(StateOnDisk, ADamagedInputIsNamed) {
+  live();
+  SQLite::Database(state().string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE inputs SET slot = 'Gossip' WHERE number = 3");
+
+  EXPECT_THAT(texts(*open().log).back(),
+              HasSubstr("marvin.state, input 3: there is no slot 'Gossip'"));
+}
+
+// ---- a disk that is full for a time ----
+
+/// Files may not grow beyond this for as long as it lives: SQLite sees a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(StateOnDisk, AFullDiskIsSaidAndNothingIsGoneOnFromThatMissesWhatCame) {
+  {
+    const Opened life = open();
+    ASSERT_TRUE(life.log->append({MissionTime(), node::Started{1}}));
+    const FullDisk full(1);
+    const auto kept = life.log->append({MissionTime::seconds(1), node::Wakeup{}});
+    ASSERT_FALSE(kept.has_value());
+    EXPECT_THAT(kept.error().why, HasSubstr("marvin.state: "));
+  }
+
+  EXPECT_THAT(open().set_aside, HasSubstr("incomplete"));
+}
+
+TEST_F(StateOnDisk, OnceTheDiskHasRoomAgainNothingIsMissing) {
+  {
+    const Opened life = open();
+    ASSERT_TRUE(life.log->append({MissionTime(), node::Started{1}}));
+    {
+      const FullDisk full(1);
+      ASSERT_FALSE(life.log->append({MissionTime::seconds(1), node::Wakeup{}}));
+      ASSERT_FALSE(life.log->append({MissionTime::seconds(2), node::Wakeup{}}));
+    }
+    ASSERT_TRUE(life.log->append({MissionTime::seconds(3), node::Wakeup{}}));
+  }
+
+  const Opened next = open();
+
+  EXPECT_EQ(next.set_aside, "");
+  EXPECT_EQ(texts(*next.log).size(), 4U);
+}
+
+}  // namespace
+}  // namespace skein::store
