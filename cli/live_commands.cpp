@@ -8,6 +8,7 @@
 #include "skein/functional_tool/functional.hpp"
 #include "skein/run_tool/run.hpp"
 #include "skein/spy_tool/spy.hpp"
+#include "skein/state_tool/state.hpp"
 
 namespace skein::cli {
 
@@ -136,6 +137,33 @@ void add_functional(CLI::App& app, Action& action, const LiveActions& live) {
   });
 }
 
+constexpr const char* kStateExamples = R"(
+Examples:
+  skein state show out/confirmed/state/marvin.state            whose it is, what is in it
+  skein state check /var/lib/skein/marvin.state                would a daemon go on from it?
+  skein state export out/confirmed/state/ground.state | head   every input, as JSON lines
+Exit codes: 0, 1 a daemon would not go on from it, 2 it cannot be read.)";
+
+void add_state(CLI::App& app, Action& action, const LiveActions& live) {
+  using What = state_tool::StateOptions::What;
+  CLI::App* state = app.add_subcommand("state", "What a daemon keeps for its next life");
+  state->require_subcommand(1);
+  state->footer(kStateExamples);
+  const auto add = [&](const char* name, const char* description, What what) {
+    auto options = std::make_shared<state_tool::StateOptions>();
+    options->what = what;
+    CLI::App* one = state->add_subcommand(name, description);
+    one->add_option("file", options->file, "NODE.state in the folder of --state")->required();
+    if (what == What::kShow) one->add_flag("--json", options->json, "One JSON document");
+    one->footer(kStateExamples);
+    one->callback(
+        [options, &action, &live] { action = [options, &live] { return live.state(*options); }; });
+  };
+  add("show", "Whose it is and what is in it", What::kShow);
+  add("check", "Whether a daemon would go on from it", What::kCheck);
+  add("export", "Every input, one JSON object a line", What::kExport);
+}
+
 }  // namespace
 
 void add_live(CLI::App& app, std::function<int()>& action, const LiveActions& live) {
@@ -143,6 +171,7 @@ void add_live(CLI::App& app, std::function<int()>& action, const LiveActions& li
   add_report(app, action, live);
   add_spy(app, action, live);
   add_functional(app, action, live);
+  add_state(app, action, live);
 }
 
 }  // namespace skein::cli

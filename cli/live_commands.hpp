@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that meet daemons and DDS: run, report, spy, functional.
+// The commands that meet daemons and DDS: run, report, spy, functional, state.
 #pragma once
 
 #include <functional>
@@ -22,6 +22,10 @@ namespace skein::spy_tool {
 struct SpyOptions;
 }
 
+namespace skein::state_tool {
+struct StateOptions;
+}
+
 namespace skein::cli {
 
 /// What the commands that other programs carry out do with their options; each returns an exit
@@ -32,6 +36,7 @@ struct LiveActions {
   std::function<int(const spy_tool::SpyOptions&, bool echo)> spy;
   std::function<int(const refine_tool::RefineOptions&)> refine;
   std::function<int(const functional_tool::FunctionalOptions&)> functional;
+  std::function<int(const state_tool::StateOptions&)> state;
 };
 
 /// Adds the commands. `action` and `live` must outlive the parsing and the action.

@@ -8,6 +8,7 @@
 #include "skein/functional_tool/functional.hpp"
 #include "skein/run_tool/run.hpp"
 #include "skein/spy_tool/spy.hpp"
+#include "skein/state_tool/state.hpp"
 
 int main(int argc, char** argv) {
   using namespace skein;  // NOLINT(google-build-using-namespace): the whole program is this
@@ -21,6 +22,9 @@ int main(int argc, char** argv) {
   };
   live.functional = [](const functional_tool::FunctionalOptions& options) {
     return functional_tool::check(options, std::cout, std::cerr);
+  };
+  live.state = [](const state_tool::StateOptions& options) {
+    return state_tool::state(options, std::cout, std::cerr);
   };
   live.spy = [](const spy_tool::SpyOptions& options, bool echo) {
     return echo ? spy_tool::echo(options, std::cout, std::cerr)

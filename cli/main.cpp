@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   skein::cli::LiveActions live;
   live.run = [argv](const auto&) { return become("skein-live", argv); };
   live.report = [argv](const auto&) { return become("skein-live", argv); };
+  live.state = [argv](const auto&) { return become("skein-live", argv); };
   live.functional = [argv](const auto&) { return become("skein-live", argv); };
   live.spy = [argv](const auto&, bool) { return become("skein-live", argv); };
   live.refine = [argv](const auto&) { return become("skein-refine", argv); };

@@ -23,7 +23,10 @@ Fleet::Fleet(const scenario::Scenario& scenario, const DdsOptions& options, std:
     : scenario_(scenario),
       options_(options),
       domain_(domain),
-      folder_(options.daemons.empty() ? own_folder() : options.daemons) {}
+      folder_(options.daemons.empty() ? own_folder() : options.daemons) {
+  std::error_code ignored;
+  fs::remove_all(state(), ignored);  // of a run before
+}
 
 std::vector<std::string> Fleet::names() const {
   std::vector<std::string> names{"sim", "ground"};
@@ -54,6 +57,8 @@ Result<void, Failure> Fleet::start(const std::string& name) {
                                    scenario_.file,
                                    "--domain",
                                    std::to_string(domain_),
+                                   "--state",
+                                   state(),
                                    "--exit-with-parent"};
   if (program == "skein-ddn") command.insert(command.end(), {"--uav", name});
   if (program == "skein-sim") command.insert(command.end(), {"--node", name});
@@ -64,6 +69,14 @@ Result<void, Failure> Fleet::start(const std::string& name) {
   running_.erase(name);
   running_.emplace(name, std::move(*process));
   return {};
+}
+
+std::string Fleet::state() const { return (fs::path(options_.folder) / "state").string(); }
+
+void Fleet::forget(const std::string& name) {
+  std::error_code ignored;
+  for (const char* file : {".state", ".state-wal", ".state-shm", ".complete"})
+    fs::remove(fs::path(state()) / (name + file), ignored);
 }
 
 void Fleet::kill(const std::string& name) {

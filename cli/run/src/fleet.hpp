@@ -31,6 +31,8 @@ class Fleet {
   std::vector<std::string> names() const;
   Result<void, Failure> start(const std::string& name);
   void kill(const std::string& name);
+  /// What outlives the daemon's process is gone.
+  void forget(const std::string& name);
   bool is_running(const std::string& name) const { return running_.count(name) > 0; }
   bool any_running() const { return !running_.empty(); }
   std::string running_names() const;
@@ -42,6 +44,7 @@ class Fleet {
  private:
   std::string program_of(const std::string& name) const;
   std::string log_of(const std::string& name) const;
+  std::string state() const;  ///< folder
 
   const scenario::Scenario& scenario_;
   const DdsOptions& options_;

@@ -47,6 +47,7 @@ class DdsRun {
         roster_(assembly::roster_of(scenario)),
         transport_({domain, "runner", {"127.0.0.1"}, {}}),
         fleet_(scenario, options, domain),
+        rate_(scenario.rate),
         faults_(scenario.faults.kills) {
     std::stable_sort(faults_.begin(), faults_.end(),
                      [](const auto& a, const auto& b) { return a.at < b.at; });
@@ -65,6 +66,12 @@ class DdsRun {
   }
 
  private:
+  struct Restart {
+    Duration at;  ///< steady
+    std::string node;
+    bool forgets = false;
+  };
+
   Result<void, Failure> open() {
     transport_.on_arrival([this] { waker_.notify(); });
     const node::Member& self = *roster_.find("runner");
@@ -181,6 +188,7 @@ class DdsRun {
       fail("not ready after " + to_text(kStartLimit) + " s: " + missing, true);
       return true;
     }
+    if (!restarts_.empty()) heard_clock_ = steady;  // the leader may be dead because it is to be
     if (steady - heard_clock_ < kClockLimit) return false;
     fail("the mission clock was not heard for " + to_text(kClockLimit) + " s" + load_of_machine(),
          true);
@@ -195,17 +203,25 @@ class DdsRun {
       add(record("fault").with("what", "kill").with("target", fault.node));
       fleet_.kill(fault.node);
       ready_.erase(fault.node);
-      if (fault.restart_after) restarts_.emplace_back(fault.at + *fault.restart_after, fault.node);
+      if (fault.restart_after) restarts_.push_back(restart_of(fault));
     }
     for (auto one = restarts_.begin(); one != restarts_.end();) {
-      if (one->first > now().mission || fleet_.is_running(one->second)) {
+      if (one->at > node::Waker::steady_now() || fleet_.is_running(one->node)) {
         ++one;
         continue;
       }
-      add(record("fault").with("what", "restart").with("target", one->second));
-      (void)start(one->second);
+      const char* what = one->forgets ? "restart" : "resume";
+      add(record("fault").with("what", what).with("target", one->node));
+      if (one->forgets) fleet_.forget(one->node);
+      (void)start(one->node);
       one = restarts_.erase(one);
     }
+  }
+
+  // On the steady clock: mission time stands still while its leader is dead.
+  Restart restart_of(const scenario::KillSpec& fault) const {
+    const Duration away = Duration::seconds(fault.restart_after->to_seconds() / rate_);
+    return {node::Waker::steady_now() + away, fault.node, fault.forgets};
   }
 
   // Lets the daemons end by themselves if the mission is over, asks them to otherwise, and makes
@@ -236,8 +252,9 @@ class DdsRun {
   std::optional<blackboard::Blackboard> board_;
   node::MissionClock clock_;
   Fleet fleet_;
+  double rate_;
   std::vector<scenario::KillSpec> faults_;
-  std::vector<std::pair<MissionTime, std::string>> restarts_;
+  std::vector<Restart> restarts_;
   std::set<std::string> ready_;
   Duration started_;
   Duration heard_clock_;

@@ -151,7 +151,7 @@ node::VirtualConfig virtual_config(const Scenario& scenario) {
   for (const scenario::KillSpec& kill : scenario.faults.kills) {
     std::optional<MissionTime> restart;
     if (kill.restart_after) restart = kill.at + *kill.restart_after;
-    config.crashes.push_back({kill.at, kill.node, restart});
+    config.crashes.push_back({kill.at, kill.node, restart, !kill.forgets});
   }
   return config;
 }

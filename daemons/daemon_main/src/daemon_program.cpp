@@ -11,6 +11,7 @@
 #include <iostream>
 
 #include "log_line.hpp"
+#include "memory.hpp"
 #include "skein/assembly/assembly.hpp"
 #include "skein/assembly/overrides.hpp"
 #include "skein/foundation/exit_code.hpp"
@@ -29,6 +30,7 @@ struct Options {
   std::string log_level = "info";
   bool log_json = false;
   bool exit_with_parent = false;
+  std::string state;  ///< empty: nothing outlives the process
 };
 
 void declare(CLI::App& app, Options& options, const DaemonProgram& program) {
@@ -52,6 +54,10 @@ void declare(CLI::App& app, Options& options, const DaemonProgram& program) {
   app.add_option("--degree", options.overrides.degrees,
                  "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated")
       ->allow_extra_args(false);
+  app.add_option("--state", options.state,
+                 "Folder for what outlives the process: started again with it, the daemon goes on "
+                 "where it was (default: nothing does)")
+      ->envname("SKEIN_STATE");
   app.add_option("--log-level", options.log_level, "error, warn, info or debug");
   app.add_flag("--log-json", options.log_json, "Records as JSON, one a line, instead of sentences");
   app.add_flag("--exit-with-parent", options.exit_with_parent,
@@ -128,8 +134,18 @@ int run(const DaemonProgram& program, const Options& options) {
   }
   const std::string stamp = "%Y-%m-%dT%H:%M:%S.%eZ %^%-5l%$ " + name + " ";
   spdlog::set_pattern(options.log_json ? "%v" : stamp + "%v", spdlog::pattern_time_type::utc);
-  const auto end = node::run_daemon(roster, *self, assembly::make_node(*scenario, name),
-                                    daemon_config(options, *scenario, *self, roster));
+  const auto make_node = [&] { return assembly::make_node(*scenario, name); };
+  Memory memory;
+  if (!options.state.empty()) {
+    const store::Identity identity{name, identity_of_mission(options.scenario, options.overrides)};
+    memory = open_memory(options.state, identity, make_node);
+  }
+  node::DaemonConfig config = daemon_config(options, *scenario, *self, roster);
+  for (const std::string& notice : memory.notices)
+    config.on_record(journal::Record({}, name, "notice").with("text", notice));
+  config.memory = memory.log.get();
+  const auto end = node::run_daemon(roster, *self, make_node(), config);
+  if (end == node::DaemonEnd::kFinished && memory.log) memory.log->conclude();
   if (!end) {
     spdlog::error("{}", end.error().why);
     return kExitSystem;

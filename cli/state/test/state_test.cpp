@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/state_tool/state.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "skein/store/sqlite_input_log.hpp"
+
+namespace skein::state_tool {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+class State : public ::testing::Test {
+ protected:
+  State() {
+    std::string name = (fs::temp_directory_path() / "skein-state-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+    const auto opened = store::SqliteInputLog::open(folder_, {"karma", "detection 5"});
+    wire::TaskRequest request;
+    request.id = 4;
+    (void)opened->log->append({MissionTime(), node::Started{3}});
+    (void)opened->log->append(
+        {MissionTime::seconds(2), node::Received{node::NodeNumber(1), request}});
+    (void)opened->log->append({MissionTime::seconds(9), node::Resumed{}});
+  }
+  ~State() override { fs::remove_all(folder_); }
+
+  int run(StateOptions::What what, bool json = false) {
+    out.str("");
+    err.str("");
+    return state({what, (folder_ / "karma.state").string(), json}, out, err);
+  }
+  void with_log(const std::function<void(store::SqliteInputLog&)>& change) {
+    change(*store::SqliteInputLog::open(folder_, {"karma", "detection 5"})->log);
+  }
+
+  fs::path folder_;
+  std::ostringstream out, err;
+};
+
+TEST_F(State, ShowsWhoseItIsAndWhatIsInIt) {
+  EXPECT_EQ(run(StateOptions::What::kShow), 0);
+
+  EXPECT_THAT(out.str(), HasSubstr("karma in mission detection 5"));
+  EXPECT_THAT(out.str(), HasSubstr("3 inputs in 2 lives, mission time 0 s to 9 s"));
+  EXPECT_THAT(out.str(), HasSubstr("1  received TaskRequest"));
+  EXPECT_THAT(out.str(), HasSubstr("a daemon would go on from it"));
+}
+
+TEST_F(State, ShowsItToPrograms) {
+  EXPECT_EQ(run(StateOptions::What::kShow, true), 0);
+
+  const Json shown = Json::parse(out.str());
+  EXPECT_EQ(shown["node"], "karma");
+  EXPECT_EQ(shown["lives"], 2);
+  EXPECT_EQ(shown["kinds"]["received TaskRequest"], 1);
+}
+
+TEST_F(State, ExportsEveryInput) {
+  EXPECT_EQ(run(StateOptions::What::kExport), 0);
+
+  std::istringstream lines(out.str());
+  std::vector<Json> found;
+  for (std::string line; std::getline(lines, line);) found.push_back(Json::parse(line));
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[1]["at"], 2);
+  EXPECT_EQ(found[1]["slot"], "TaskRequest");
+  EXPECT_EQ(found[1]["sample"]["id"], 4);
+  EXPECT_EQ(found[2]["kind"], "resumed");
+}
+
+TEST_F(State, ChecksWhetherADaemonWouldGoOnFromIt) {
+  EXPECT_EQ(run(StateOptions::What::kCheck), 0);
+  EXPECT_THAT(out.str(), HasSubstr("sound, 3 inputs"));
+
+  with_log([](store::SqliteInputLog& log) { log.conclude(); });
+
+  EXPECT_EQ(run(StateOptions::What::kCheck), 1);
+  EXPECT_THAT(err.str(), HasSubstr("its mission is over"));
+}
+
+TEST_F(State, FindsWhatIsDamaged) {
+  std::ofstream(folder_ / "karma.state", std::ios::trunc) << "no longer a database, just words";
+  fs::remove(folder_ / "karma.state-wal");
+
+  EXPECT_EQ(run(StateOptions::What::kCheck), 1);
+  EXPECT_THAT(err.str(), HasSubstr("karma.state: damaged"));
+  EXPECT_EQ(run(StateOptions::What::kShow), 2);
+}
+
+}  // namespace
+}  // namespace skein::state_tool

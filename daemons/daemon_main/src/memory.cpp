@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "memory.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "skein/foundation/fingerprint.hpp"
+
+namespace skein::daemon_main {
+
+Memory open_memory(const std::string& folder, const store::Identity& identity,
+                   const std::function<std::unique_ptr<node::Node>()>& make_node) {
+  Memory memory;
+  auto opened = store::SqliteInputLog::open(folder, identity);
+  if (!opened) {
+    memory.notices.push_back("nothing outlives this process: " + opened.error().why);
+    return memory;
+  }
+  if (!opened->set_aside.empty()) memory.notices.push_back(opened->set_aside);
+  if (const auto right = node::explains(*opened->log, *make_node()); !right) {
+    const auto aside = opened->log->start_anew();
+    memory.notices.push_back("what was kept of " + identity.node + " is not gone on from: " +
+                             right.error().why + (aside ? "; it is " + *aside + " now" : ""));
+    if (!aside) {
+      memory.notices.push_back("nothing outlives this process: " + aside.error().why);
+      return memory;
+    }
+  }
+  memory.log = std::move(opened->log);
+  return memory;
+}
+
+std::string identity_of_mission(const std::string& scenario_file,
+                                const assembly::Overrides& overrides) {
+  std::ifstream file(scenario_file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  Fingerprint print;
+  print.put(text).put(overrides.seed.value_or(0)).put(std::uint64_t{overrides.seed.has_value()});
+  for (const std::string& degree : overrides.degrees) print.put(degree);
+  return std::filesystem::path(scenario_file).stem().string() + " " + std::to_string(print.value());
+}
+
+}  // namespace skein::daemon_main

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of a daemon outlives its process.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "skein/assembly/overrides.hpp"
+#include "skein/node/node.hpp"
+#include "skein/store/sqlite_input_log.hpp"
+
+namespace skein::daemon_main {
+
+struct Memory {
+  std::unique_ptr<store::SqliteInputLog> log;  ///< null: nothing outlives the process
+  std::vector<std::string> notices;            ///< for the log
+};
+
+/// Opens the memory of a node in a folder, or begins one. What cannot be gone on from is set aside,
+/// where nothing can be kept the daemon works without; both are said in the notices: a vehicle in
+/// the air is not to wait for somebody who mends a disk. `make_node` is asked for a node to try on
+/// what is there.
+Memory open_memory(const std::string& folder, const store::Identity& identity,
+                   const std::function<std::unique_ptr<node::Node>()>& make_node);
+
+/// Changes when the scenario file does, or what is laid over it.
+std::string identity_of_mission(const std::string& scenario_file,
+                                const assembly::Overrides& overrides);
+
+}  // namespace skein::daemon_main
