@@ -47,6 +47,7 @@ Unit::Unit(const SimulatedVehicle& vehicle, const SimulatorConfig& config, const
       gusts_(config.wind, Random(config.seed, vehicle.name + "/gusts")),
       sensors_(vehicle.model, vehicle.name, config.seed),
       board_(vehicle.name),
+      patience_(config.patience),
       speed_factor_(vehicle.speed_factor) {
   vehicle_.state().activity = activity();
 }
@@ -224,9 +225,19 @@ std::vector<std::string> Unit::failed() const {
 }
 
 void Unit::handle(const ContactLost& contact, MissionTime now, std::vector<Effect>& effects) {
-  if (!contact.lost) return;
+  if (contact.forgotten) give_up("the decision node has forgotten it", now, effects);
+  if (!contact.lost) silent_since_.reset();
+  if (contact.lost && !silent_since_) silent_since_ = now;
+}
+
+void Unit::watch_contact(MissionTime now, std::vector<Effect>& effects) {
+  if (!silent_since_ || now - *silent_since_ < patience_) return;
+  give_up("contact with the decision node lost", now, effects);
+}
+
+void Unit::give_up(const char* reason, MissionTime now, std::vector<Effect>& effects) {
   const bool moving = motion_ && !std::holds_alternative<WaitTask>(motion_->task);
-  abort_everything("contact with the decision node lost", now, effects);
+  abort_everything(reason, now, effects);
   if (moving) come_to_rest();
 }
 
@@ -252,6 +263,7 @@ void Unit::step(MissionTime now, double dt, std::vector<Effect>& effects) {
   vehicle_.step(command, still ? Vector3(Vector3::Zero()) : gusts_.next(dt), ground, dt);
   guidance_.update(vehicle_, dt);
   watch_breakdowns(now, effects);
+  watch_contact(now, effects);
   advance_task(now, effects);
   sensors_.step(vehicle_.state(), pilot_.heading_error(), scene_, now, board_, effects);
   release_perception();

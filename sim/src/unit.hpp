@@ -29,7 +29,7 @@ namespace skein::sim {
 /// | active   | it looks, and its device failed          | –        | aborted + reason  |
 /// | pending, active | interrupt, pilot has reacted      | stopping | –                 |
 /// | stopping | at rest (a landing too low: on the ground; one that looks: at once) | – | aborted |
-/// | any      | engine failure, energy out, contact lost | –        | aborted + reason  |
+/// | any      | engine failure, energy out, contact lost for longer than patience, or the decision node forgot all | – | aborted + reason |
 /// | pending, active | fault of the functional layer     | –        | aborted + reason  |
 ///
 /// Between tasks it holds where it is (or circles, or stays on the ground).
@@ -72,6 +72,8 @@ class Unit {
   void abort_one(const Fault& fault, MissionTime now, std::vector<Effect>& effects);
   bool takes_abort(const std::string& type, MissionTime now);
   double pace_at(MissionTime now) const;
+  void watch_contact(MissionTime now, std::vector<Effect>& effects);
+  void give_up(const char* reason, MissionTime now, std::vector<Effect>& effects);
   void watch_breakdowns(MissionTime now, std::vector<Effect>& effects);
   /// The task that holds the vehicle looks at something meanwhile.
   bool looks() const;
@@ -89,6 +91,8 @@ class Unit {
   StatusBoard board_;
   std::optional<MotionTask> motion_;
   bool breakdown_told_ = false;
+  Duration patience_;
+  std::optional<MissionTime> silent_since_ = {};  ///< its decision node
   double speed_factor_;
   double slowed_by_ = 1;
   MissionTime slow_until_ = {};

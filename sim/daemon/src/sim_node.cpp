@@ -78,7 +78,7 @@ std::optional<MissionTime> SimNode::next_wakeup() const {
 }
 
 // What the simulator is told of: requests of the decision nodes, and their silence. A decision node
-// that restarted has forgotten what its vehicle does: it was lost for an instant.
+// in a new incarnation has forgotten what its vehicle does.
 std::optional<Input> SimNode::input_of(const node::Input& input) {
   if (const auto* received = std::get_if<node::Received>(&input)) {
     const auto* request = std::get_if<wire::FunctionalRequest>(&received->sample);
@@ -93,7 +93,7 @@ std::optional<Input> SimNode::input_of(const node::Input& input) {
     }
   }
   if (const auto* reach = std::get_if<node::Reachability>(&input)) {
-    return ContactLost{roster_.name_of(reach->peer), !reach->reachable || reach->restarted};
+    return ContactLost{roster_.name_of(reach->peer), !reach->reachable, reach->restarted};
   }
   return std::nullopt;
 }

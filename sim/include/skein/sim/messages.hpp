@@ -47,10 +47,12 @@ struct Fault {
 /// Why a task aborts that a fault of kind kAbort met.
 inline constexpr const char* kAbortedByFault = "aborted by the functional layer";
 
-/// The decision node of a vehicle can no longer be heard by it (lost), or again.
+/// The decision node of a vehicle can no longer be heard by it (lost), or again; or it comes back
+/// and knows nothing of what its vehicle does.
 struct ContactLost {
   std::string uav;
   bool lost = true;
+  bool forgotten = false;
 };
 
 /// Where a vehicle is that another node plays: for the radio.

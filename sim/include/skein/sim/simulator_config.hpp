@@ -50,6 +50,8 @@ struct SimulatorConfig {
   /// It tells of objects and of the radio. False: another node does, and this one only plays
   /// vehicles.
   bool tells_world = true;
+  /// How long tasks go on while their decision node is silent: it may come back.
+  Duration patience = Duration::seconds(120);
   std::uint64_t seed = 1;
   MissionTime start = {};                       ///< instant of the first step
   Duration step = Duration::milliseconds(100);  ///< of the physics, > 0
