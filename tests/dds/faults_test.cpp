@@ -57,7 +57,8 @@ TEST(DdsFault, TheSimulatorKilledInMidMissionIsNoDifferent) {
 
 TEST(DdsFault, AScriptedKillAndRestartIsPartOfTheMission) {
   DdsRun run;
-  run.take_scenario("infirmed", "faults: [{at: 30, kill: karma, restart_after: 60}]\n");
+  run.take_scenario("infirmed",
+                    "faults: [{at: 30, kill: karma, restart_after: 60, forgets: true}]\n");
   run.start({"--rate", "40"});
   const auto status = run.wait();
 
@@ -67,6 +68,26 @@ TEST(DdsFault, AScriptedKillAndRestartIsPartOfTheMission) {
   EXPECT_EQ(run.count("fault", "what", "restart"), 1U);
   // started ready crashed started ready exited
   EXPECT_EQ(run.count("process", "name", "karma"), 6U);
+  expect_nothing_left(run);
+}
+
+// Every kind of daemon dies in the middle of what it does, the clock's leader among them.
+TEST(DdsFault, DaemonsThatComeBackWithWhatTheyKnewGoOnWithTheMission) {
+  DdsRun run;
+  run.take_scenario("confirmed",
+                    "faults:\n"
+                    "  - {at: 100, kill: marvin, restart_after: 20}\n"
+                    "  - {at: 200, kill: sim, restart_after: 40}\n"
+                    "  - {at: 320, kill: ground, restart_after: 20}\n"
+                    "  - {at: 400, kill: heliv, restart_after: 30}\n");
+  run.start({"--rate", "20"});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 0) << run.output();
+  EXPECT_EQ(run.count("fault", "what", "resume"), 4U);
+  for (const char* node : {"marvin", "sim", "ground", "heliv"})
+    EXPECT_EQ(run.count("resumed", "node", node), 1U) << node;
   expect_nothing_left(run);
 }
 

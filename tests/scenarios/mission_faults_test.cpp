@@ -179,9 +179,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 // ---- kills ----
 
-TEST_P(AtDegree, ADecisionNodeRestartedBeforeItsTurnMakesNoDifferenceToTheMission) {
+TEST_P(AtDegree, ADecisionNodeThatForgotAllBeforeItsTurnMakesNoDifferenceToTheMission) {
   scenario::Scenario scenario = this->scenario();
-  scenario.faults.kills.push_back({at(30), "karma", Duration::seconds(10)});
+  scenario.faults.kills.push_back({at(30), "karma", Duration::seconds(10), true});
 
   const Mission mission = play(scenario);
 
@@ -192,9 +192,9 @@ TEST_P(AtDegree, ADecisionNodeRestartedBeforeItsTurnMakesNoDifferenceToTheMissio
   EXPECT_EQ(mission.count({{"kind", "fault"}, {"what", "restart"}, {"target", "karma"}}), 1U);
 }
 
-TEST_P(WithAnMle, ADecisionNodeRestartedInMidPlanHasLostItAndTheGroundKnows) {
+TEST_P(WithAnMle, ADecisionNodeThatForgotItsPlanHasLostItAndTheGroundKnows) {
   scenario::Scenario scenario = this->scenario();
-  scenario.faults.kills.push_back({at(150), "marvin", Duration::seconds(5)});
+  scenario.faults.kills.push_back({at(150), "marvin", Duration::seconds(5), true});
 
   const Mission mission = play(scenario);
 
@@ -207,9 +207,9 @@ TEST_P(WithAnMle, ADecisionNodeRestartedInMidPlanHasLostItAndTheGroundKnows) {
 
 // At degree 1 the plan is at the ground and survives the decision node; the vehicle has given up
 // what it did, so what comes after in the plan is done: Marvin goes home.
-TEST(RestartAtDegree1, OfADecisionNodeInMidPlanLeavesTheGroundToGoOnWithThePlan) {
+TEST(RestartAtDegree1, OfADecisionNodeThatForgotAllLeavesTheGroundToGoOnWithThePlan) {
   scenario::Scenario scenario = comets("confirmed", with(1, {"1"}));
-  scenario.faults.kills.push_back({at(150), "marvin", Duration::seconds(5)});
+  scenario.faults.kills.push_back({at(150), "marvin", Duration::seconds(5), true});
 
   const Mission mission = play(scenario);
 
@@ -225,7 +225,7 @@ TEST(RestartAtDegree1, OfADecisionNodeInMidPlanLeavesTheGroundToGoOnWithThePlan)
 
 TEST_P(AtDegree, ADecisionNodeThatNeverComesBackDoesNotHangTheRun) {
   scenario::Scenario scenario = this->scenario();
-  scenario.faults.kills.push_back({at(150), "marvin", std::nullopt});
+  scenario.faults.kills.push_back({at(150), "marvin", std::nullopt, true});
 
   const Mission mission = play(scenario);
 

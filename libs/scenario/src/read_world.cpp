@@ -180,7 +180,8 @@ void read_fault(const Reader& fault, const Names& names, FaultSpec& faults) {
   const MissionTime at = read_instant(fault.required("at"));
   const auto uav = [&](const Reader& of) { return of.name_among(names.uavs, "a UAV"); };
   if (const Reader kill = fault.optional("kill"); kill.present()) {
-    KillSpec spec{at, kill.name_among(names.nodes, "a UAV or ground"), std::nullopt};
+    KillSpec spec{at, kill.name_among(names.daemons, "a UAV, ground or sim"), std::nullopt,
+                  fault.optional("forgets").boolean()};
     const Reader restart = fault.optional("restart_after");
     if (restart.present()) spec.restart_after = read_seconds(restart);
     faults.kills.push_back(std::move(spec));
@@ -223,7 +224,7 @@ void read_random_faults(const Reader& random, RandomFaults& faults) {
 void read_faults(const Reader& reader, const Names& names, FaultSpec& faults) {
   for (const Reader& fault : items_of(reader)) {
     fault.keys(
-        {"at", "kill", "restart_after", "engine", "sensor", "slow", "abort", "energy", "random"});
+        {"at", "kill", "restart_after", "forgets", "engine", "sensor", "slow", "abort", "energy", "random"});
     at_most_one_of(fault, {"kill", "engine", "sensor", "slow", "abort", "energy", "random"});
     if (const Reader random = fault.optional("random"); random.present()) {
       read_random_faults(random, faults.random);

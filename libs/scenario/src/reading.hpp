@@ -17,7 +17,8 @@ namespace skein::scenario {
 /// Names a part may refer to, known once the world and the UAVs are read.
 struct Names {
   std::vector<std::string> uavs;
-  std::vector<std::string> nodes;  ///< the UAVs and "ground"
+  std::vector<std::string> nodes;    ///< the UAVs and "ground"
+  std::vector<std::string> daemons;  ///< these, "sim" and the other functional layers
   std::vector<std::string> zones;
   std::vector<std::string> places;
   std::vector<std::string> volumes;  ///< known from the start or closed by the script

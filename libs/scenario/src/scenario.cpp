@@ -97,6 +97,9 @@ Names names_of(const Scenario& scenario) {
   names.uavs = scenario.uav_names();
   names.nodes = names.uavs;
   names.nodes.emplace_back("ground");
+  names.daemons = names.nodes;
+  names.daemons.emplace_back("sim");
+  for (const auto& [uav, layer] : scenario.functional_layers()) names.daemons.push_back(layer);
   for (const world::Zone& zone : scenario.world.zones) names.zones.push_back(zone.name);
   for (const auto& [name, place] : scenario.world.places) names.places.push_back(name);
   for (const world::Volume& volume : scenario.world.volumes) names.volumes.push_back(volume.name);

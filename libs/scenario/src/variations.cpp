@@ -51,10 +51,11 @@ void draw_random_faults(Scenario& scenario) {
            });
     }
   }
-  for (const UavSpec& uav : scenario.uavs) {
-    draw(Random(scenario.seed, "kill " + uav.name), random.kills_per_hour, random.mean_dead,
+  nodes.emplace_back("sim");
+  for (const std::string& node : nodes) {
+    draw(Random(scenario.seed, "kill " + node), random.kills_per_hour, random.mean_dead,
          scenario.duration_limit, [&](MissionTime at, Duration length) {
-           scenario.faults.kills.push_back({at, uav.name, length});
+           scenario.faults.kills.push_back({at, node, length});
          });
   }
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -125,7 +126,8 @@ struct History {
   const scenario::Scenario* scenario = nullptr;
   world::Terrain terrain;
   std::map<std::string, Uav> uavs;
-  std::vector<std::string> killed;               ///< nodes that died
+  std::set<std::string> dead;     ///< nodes that died, at any time
+  std::set<std::string> resumed;  ///< of these, the ones that always came back with what they knew
   std::map<std::string, world::Vector3> alarms;  ///< "alarm:1", where it was last said to be
   double end = 0;
   bool finished = false;  ///< by the ground's script
@@ -135,6 +137,7 @@ struct History {
   /// Whether it is flown to (else it lies on the ground and is looked at).
   bool in_the_air(const world::Vector3& place) const;
   const world::Zone* zone(const mission::Argument& argument) const;
+  /// And did not come back, or with nothing it knew: a node that remembers is excused nothing.
   bool was_killed(const std::string& node) const;
   bool is_alarm(const mission::Argument& argument) const;
 };

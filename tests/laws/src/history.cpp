@@ -109,7 +109,7 @@ const world::Zone* History::zone(const mission::Argument& argument) const {
 }
 
 bool History::was_killed(const std::string& node) const {
-  return std::find(killed.begin(), killed.end(), node) != killed.end();
+  return dead.contains(node) && !resumed.contains(node);
 }
 
 namespace {
@@ -130,7 +130,7 @@ std::optional<world::Vector3> point(const Record& record, const char* key) {
 class Teller {
  public:
   explicit Teller(const scenario::Scenario& scenario)
-      : history_{&scenario, world::Terrain(scenario.world.terrain), {}, {}, {}, 0, false} {
+      : history_{&scenario, world::Terrain(scenario.world.terrain), {}, {}, {}, {}, 0, false} {
     for (const scenario::UavSpec& spec : scenario.uavs) {
       Uav& uav = history_.uavs[spec.name];
       uav.spec = &spec;
@@ -147,6 +147,7 @@ class Teller {
       history_.end = std::max(history_.end, record.at().to_seconds());
       see(record);
     }
+    for (const std::string& node : waiting_) history_.resumed.erase(node);
     return std::move(history_);
   }
 
@@ -241,7 +242,11 @@ class Teller {
 
   void see_fault(const Record& record) {
     const std::string target = text(record, "target");
-    if (record.text("what") == "kill") history_.killed.push_back(target);
+    const std::string what = text(record, "what");
+    if (what == "kill" && history_.dead.insert(target).second) history_.resumed.insert(target);
+    if (what == "kill") waiting_.insert(target);
+    if (what == "resume") waiting_.erase(target);
+    if (what == "restart") history_.resumed.erase(target);
     const auto found = history_.uavs.find(target);
     if (found == history_.uavs.end()) return;
     found->second.faults.emplace_back(record.at().to_seconds(), text(record, "what"));
@@ -303,6 +308,7 @@ class Teller {
   }
 
   History history_;
+  std::set<std::string> waiting_;  ///< nodes that are dead
   /// Changes of the world on their way to each UAV, in order: a closing, or something else.
   std::map<std::string, std::deque<std::optional<std::size_t>>> told_;
   std::map<std::string, const std::vector<ground_station::Action>*> actions_;

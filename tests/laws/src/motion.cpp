@@ -55,7 +55,8 @@ std::vector<Violation> motions_at_once(const History& history) {
   for (const auto& [name, uav] : history.uavs) {
     if (history.was_killed(name)) continue;
     refused_at_once(uav, result);
-    overlapping(uav, result);
+    // Of a functional layer that is dead for a while nobody knows what it ended.
+    if (!history.dead.contains("sim")) overlapping(uav, result);
   }
   return result;
 }

@@ -51,7 +51,6 @@ class Checker {
     if (kind == "sync") see_sync(record);
     if (kind == "message") see_message(record);
     if (kind == "link") see_link(record);
-    if (kind == "fault" && record.text("what") == "kill") see_death(text(record, "target"));
     if (kind == "fault" && record.text("what") == "restart") see_birth(text(record, "target"));
   }
 
@@ -152,14 +151,12 @@ class Checker {
   }
 
   // What the node knew is gone: the plans of its MLEs, what it has received, its commands.
-  void see_death(const std::string& node) {
+
+  // It knows nothing, and numbers its messages anew.
+  void see_birth(const std::string& node) {
     std::erase_if(tasks_, [&](const auto& one) { return std::get<0>(one.first) == node; });
     std::erase_if(received_, [&](const auto& one) { return one.first.second == node; });
     if (node == "ground") commands_.clear();
-  }
-
-  // It numbers its messages anew. (What it sent just before its death arrived meanwhile.)
-  void see_birth(const std::string& node) {
     const auto from_node = [&](const auto& one) { return one.first.first == node; };
     std::erase_if(sent_, from_node);
     std::erase_if(received_, from_node);

@@ -81,6 +81,7 @@ struct KillSpec {
   MissionTime at;
   std::string node;
   std::optional<Duration> restart_after;
+  bool forgets = false;  ///< it comes back with nothing it knew
 };
 
 /// Something on board a UAV breaks, for good.
@@ -117,7 +118,7 @@ struct EnergySpec {
 struct RandomFaults {
   double cuts_per_hour = 0;   ///< of each radio link
   double mean_cut = 20;       ///< [s]
-  double kills_per_hour = 0;  ///< of each UAV's decision node, restarted after `mean_dead`
+  double kills_per_hour = 0;  ///< of each node, restarted after `mean_dead` with what it knew
   double mean_dead = 5;       ///< [s]
 };
 

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Daemons that are killed in mid-mission and come back with what they knew (issue: nothing is
+// lost).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "skein/foundation/random.hpp"
+#include "test_cases.hpp"
+#include "testing/journal_laws.hpp"
+#include "testing/mission.hpp"
+
+namespace skein::testing {
+namespace {
+
+MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
+
+std::vector<std::string> daemons_of(const scenario::Scenario& scenario) {
+  std::vector<std::string> names = scenario.uav_names();
+  names.emplace_back("ground");
+  names.emplace_back("sim");
+  return names;
+}
+
+/// Every instant at which anything happened that is not a matter of course.
+std::vector<double> instants_of(const Mission& mission) {
+  static const std::set<std::string> kOfCourse{"telemetry", "object", "link"};
+  std::set<double> instants;
+  for (const journal::Record& record : mission.records)
+    if (!kOfCourse.contains(record.kind())) instants.insert(record.at().to_seconds());
+  return {instants.begin(), instants.end()};
+}
+
+/// The log without what tells of the restart itself.
+std::string without_restarts(const Mission& mission) {
+  std::string log;
+  for (const journal::Record& record : mission.records)
+    if (record.kind() != "fault" && record.kind() != "resumed") log += to_json(record) + "\n";
+  return log;
+}
+
+Mission killed(scenario::Scenario scenario, const std::string& daemon, MissionTime when,
+               Duration away) {
+  scenario.faults.kills.push_back({when, daemon, away});
+  return play(scenario);
+}
+
+/// `n` of them, spread.
+std::vector<double> some(const std::vector<double>& all, std::size_t n, std::uint64_t seed) {
+  if (all.size() <= n) return all;
+  Random random(seed, "instants");
+  std::vector<double> picked;
+  for (std::size_t i = 0; i < n; ++i)
+    picked.push_back(all[(i * all.size() + random.below(all.size())) / n]);
+  return picked;
+}
+
+/// "comets/confirmed" as a word.
+std::string word_of(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+  return text;
+}
+
+std::string name_of_case(const ::testing::TestParamInfo<std::string>& info) {
+  return word_of(info.param);
+}
+
+// ---- a restart that takes no time ----
+
+/// Instants in the middle of times in which nothing happens and nothing is under way.
+std::vector<double> quiet_instants_of(const Mission& mission) {
+  constexpr double kQuiet = 2.2;  // two heartbeats and a message's way
+  std::vector<double> quiet;
+  double last = 0;
+  for (const double instant : instants_of(mission)) {
+    // Not at the beat of telemetry, which is each second.
+    if (instant - last > 2 * kQuiet) quiet.push_back(std::floor((last + instant) / 2) + 0.55);
+    last = instant;
+  }
+  return quiet;
+}
+
+class DeadForNoTime : public ::testing::TestWithParam<std::string> {};
+
+// All of its state is back: byte for byte the same mission, whichever daemon dies.
+TEST_P(DeadForNoTime, WhileNothingHappensMakesNoDifferenceAtAll) {
+  scenario::Scenario scenario = scenario_at(GetParam());
+  scenario.radio.model.loss = 0;  // which samples of streams are lost is drawn anew in each life
+  const Mission reference = play(scenario);
+  const std::string expected = reference.log();
+  const std::vector<double> instants = quiet_instants_of(reference);
+  ASSERT_GT(instants.size(), 5U);
+  std::uint64_t seed = 0;
+  for (const std::string& daemon : daemons_of(scenario)) {
+    for (const double instant : some(instants, cases<std::size_t>(2, 10'000), ++seed)) {
+      const Mission mission = killed(scenario, daemon, at(instant), Duration());
+      ASSERT_EQ(mission.count({{"kind", "resumed"}, {"node", daemon}}), 1U);
+      ASSERT_TRUE(without_restarts(mission) == expected) << daemon << " at " << instant;
+    }
+  }
+}
+
+// What is under way then comes a heartbeat later, and that is all.
+TEST_P(DeadForNoTime, AtAnyEventChangesNothingOfWhatTheMissionComesTo) {
+  const scenario::Scenario scenario = scenario_at(GetParam());
+  const std::vector<double> instants = instants_of(play(scenario));
+  std::uint64_t seed = 50;
+  for (const std::string& daemon : daemons_of(scenario)) {
+    for (const double instant : some(instants, cases<std::size_t>(2, 10'000), ++seed)) {
+      const Mission mission = killed(scenario, daemon, at(instant), Duration());
+      const std::string what = daemon + " at " + std::to_string(instant);
+      EXPECT_EQ(mission.failures(), "") << what;
+      EXPECT_EQ(to_text(broken_laws(mission.records)), "") << what;
+      EXPECT_EQ(mission.untrue, "") << what;
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Missions, DeadForNoTime,
+                         ::testing::Values("comets/confirmed", "comets/mixed", "karma/detection",
+                                           "iros2005/fire", "handover/radio",
+                                           "heliv-marvin/monitoring"),
+                         name_of_case);
+
+// ---- a daemon that is away for a while ----
+
+struct Away {
+  const char* mission;
+  double seconds;
+};
+
+class KilledInAPhase : public ::testing::TestWithParam<Away> {};
+
+/// Something said that what was to be is not to be: a policy of lost contact, a command that came
+/// too late, a task, goal or mission that failed with its reason.
+bool says_why(const Mission& mission) {
+  for (const journal::Record& record : mission.records) {
+    const std::string& kind = record.kind();
+    if (kind == "contact") return true;
+    if (kind == "command" && record.text("state") == "expired") return true;
+    if ((kind == "task" || kind == "goal") && !record.text("reason").empty()) return true;
+  }
+  return false;
+}
+
+TEST_P(KilledInAPhase, TheMissionEndsAsSpecifiedOrSaysWhyNot) {
+  const Away away = GetParam();
+  const scenario::Scenario scenario = scenario_at(away.mission);
+  const std::vector<double> instants = instants_of(play(scenario));
+  std::uint64_t seed = 100;
+  int as_specified = 0, all = 0;
+  for (const std::string& daemon : daemons_of(scenario)) {
+    for (const double instant : some(instants, cases<std::size_t>(2, 60), ++seed)) {
+      const Mission mission =
+          killed(scenario, daemon, at(instant), Duration::seconds(away.seconds));
+      const std::string what = daemon + " at " + std::to_string(instant);
+      EXPECT_EQ(to_text(broken_laws(mission.records)), "") << what;
+      EXPECT_EQ(mission.untrue, "") << what;
+      const bool met = mission.failures().empty();
+      EXPECT_TRUE(met || says_why(mission)) << what << "\n" << mission.failures();
+      as_specified += met ? 1 : 0;
+      ++all;
+    }
+  }
+  RecordProperty("as_specified", std::to_string(as_specified) + " of " + std::to_string(all));
+}
+INSTANTIATE_TEST_SUITE_P(
+    Missions, KilledInAPhase,
+    ::testing::Values(Away{"comets/confirmed", 5}, Away{"comets/confirmed", 60},
+                      Away{"karma/detection", 5}, Away{"karma/detection", 60},
+                      Away{"heliv-marvin/monitoring", 5}, Away{"heliv-marvin/monitoring", 60},
+                      Away{"iros2005/fire", 5}, Away{"iros2005/fire", 60},
+                      Away{"handover/radio", 5}, Away{"handover/radio", 60}),
+    [](const auto& one) {
+      return word_of(one.param.mission) + "_" + std::to_string(static_cast<int>(one.param.seconds));
+    });
+
+// ---- two deaths in one run ----
+
+class TwoDeaths : public ::testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(TwoDeaths, LeaveNothingUndoneThatIsNotExplained) {
+  Random random(GetParam(), "two deaths");
+  scenario::Scenario scenario =
+      scenario_at(random.chance(0.5) ? "comets/confirmed" : "iros2005/fire");
+  const std::vector<std::string> daemons = daemons_of(scenario);
+  for (int i = 0; i < 2; ++i)
+    scenario.faults.kills.push_back({at(random.uniform(1, 700)),
+                                     daemons[random.below(daemons.size())],
+                                     Duration::seconds(random.uniform(0, 20))});
+
+  const Mission mission = play(scenario);
+
+  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
+  EXPECT_TRUE(mission.failures().empty() || says_why(mission)) << mission.failures();
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, TwoDeaths,
+                         ::testing::Range<std::uint64_t>(1, cases<std::uint64_t>(9, 501)));
+
+}  // namespace
+}  // namespace skein::testing
