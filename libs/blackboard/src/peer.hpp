@@ -75,7 +75,7 @@ class Peer {
   OutgoingEvents outgoing_;
   IncomingEvents incoming_;
   bool reachable_ = false;
-  bool recalled_ = false;  ///< nothing was heard of it since this life began
+  bool recalled_ = false;          ///< nothing was heard of it since this life began
   std::uint64_t incarnation_ = 0;  ///< of the peer; 0: never heard
   Duration last_heard_;
   Duration next_heartbeat_;

@@ -73,6 +73,7 @@ void Core::interrupt(functional::TaskId task) {
 
 void Core::on(const StatusTold& told) {
   const functional::TaskId id = told.status.id;
+  vehicle_.told(told.status);
   const bool ground_runs_it =
       vehicle_.is_of_ground(id) || (mission::runs_at_ground(degree()) && !is_own(id));
   if (!execution_.holds(id) && ground_runs_it) return pass_on(told.status);

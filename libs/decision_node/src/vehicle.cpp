@@ -16,18 +16,32 @@ bool holds_vehicle(const std::string& type) {
 
 }  // namespace
 
+bool Vehicle::must_wait(const functional::Request& request) const {
+  if (!holds_vehicle(request.type)) return false;
+  return !ending_.empty() || (!is_own(request.id) && !own_tasks_.none_open());
+}
+
 void Vehicle::dispatch(functional::Request request) {
-  if (is_own(request.id) || own_tasks_.none_open() || !holds_vehicle(request.type)) {
+  if (!must_wait(request)) {
+    if (holds_vehicle(request.type)) holding_.insert(request.id);
     return bus_.emit(ToVehicle{std::move(request)});
   }
+  const bool own = is_own(request.id);
   waiting_.push_back(std::move(request));
-  own_tasks_.abort_all();
+  if (!own) own_tasks_.abort_all();
+}
+
+void Vehicle::told(const functional::Status& status) {
+  if (status.state == functional::TaskState::kRunning) return;
+  holding_.erase(status.id);
+  ending_.erase(status.id);
 }
 
 std::optional<functional::Status> Vehicle::interrupt(functional::TaskId task) {
   const auto waits = std::find_if(waiting_.begin(), waiting_.end(),
                                   [&](const auto& request) { return request.id == task; });
   if (waits == waiting_.end()) {
+    if (holding_.contains(task)) ending_.insert(task);
     bus_.emit(ToVehicle{{functional::Verb::kInterrupt, task}});
     return std::nullopt;
   }
@@ -36,9 +50,13 @@ std::optional<functional::Status> Vehicle::interrupt(functional::TaskId task) {
 }
 
 void Vehicle::release() {
-  if (!own_tasks_.none_open()) return;
-  for (functional::Request& request : waiting_) bus_.emit(ToVehicle{std::move(request)});
-  waiting_.clear();
+  for (functional::Request& request : std::exchange(waiting_, {})) {
+    if (must_wait(request)) {
+      waiting_.push_back(std::move(request));
+    } else {
+      dispatch(std::move(request));
+    }
+  }
 }
 
 bool Vehicle::ground_has(functional::TaskId task, const std::string& type) {

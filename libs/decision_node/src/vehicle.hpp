@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace skein::decision_node {
 class OwnTasks;
 
 /// The functional layer moves for one task at a time: what is to hold the vehicle waits until own
-/// tasks, which give way, are over.
+/// tasks, which give way, and tasks that were interrupted are over.
 class Vehicle {
  public:
   Vehicle(Bus& bus, OwnTasks& own_tasks) : bus_(bus), own_tasks_(own_tasks) {}
@@ -22,6 +23,8 @@ class Vehicle {
   /// The status to take when the task had not been dispatched yet; else the functional layer is
   /// asked, and answers.
   std::optional<functional::Status> interrupt(functional::TaskId task);
+  /// From the functional layer, of a task dispatched here.
+  void told(const functional::Status& status);
   /// What waited goes, if it may.
   void release();
 
@@ -37,9 +40,13 @@ class Vehicle {
   std::string pass_on(const functional::Status& status);
 
  private:
+  bool must_wait(const functional::Request& request) const;
+
   Bus& bus_;
   OwnTasks& own_tasks_;
-  std::vector<functional::Request> waiting_;  ///< for own tasks to be over
+  std::vector<functional::Request> waiting_;
+  std::set<functional::TaskId> holding_;  ///< tasks that hold the vehicle, under way there
+  std::set<functional::TaskId> ending_;   ///< of these, the ones that were interrupted
   std::map<functional::TaskId, std::string> of_ground_;
 };
 

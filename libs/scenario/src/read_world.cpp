@@ -223,8 +223,8 @@ void read_random_faults(const Reader& random, RandomFaults& faults) {
 
 void read_faults(const Reader& reader, const Names& names, FaultSpec& faults) {
   for (const Reader& fault : items_of(reader)) {
-    fault.keys(
-        {"at", "kill", "restart_after", "forgets", "engine", "sensor", "slow", "abort", "energy", "random"});
+    fault.keys({"at", "kill", "restart_after", "forgets", "engine", "sensor", "slow", "abort",
+                "energy", "random"});
     at_most_one_of(fault, {"kill", "engine", "sensor", "slow", "abort", "energy", "random"});
     if (const Reader random = fault.optional("random"); random.present()) {
       read_random_faults(random, faults.random);

@@ -101,7 +101,7 @@ SKEIN_WRONG_FILES(
           "14:8: uavs.sim: 'sim' cannot be a UAV's name; expected 1 to 32 letters, digits, '-' or "
           "'_', and none of ground, sim, runner\n"
           "16:21: radio.cuts[0].between[0]: unknown name 'heliv'; expected a UAV or ground\n"
-          "32:21: faults[0].kill: unknown name 'heliv'; expected a UAV or ground\n"},
+          "32:21: faults[0].kill: unknown name 'heliv'; expected a UAV, ground or sim\n"},
     Wrong{"PolicyMisspelt", "degree: 2", "contact_loss: {policy: hodl}",
           "14:76: uavs.heliv.contact_loss.policy: 'hodl'; expected one of continue, hold, return; "
           "did you mean 'hold'?\n"},
@@ -109,7 +109,7 @@ SKEIN_WRONG_FILES(
           "  heliv:",
           "15:1: uavs.heliv: nothing is said of 'heliv'\n"
           "16:21: radio.cuts[0].between[0]: unknown name 'heliv'; expected a UAV or ground\n"
-          "32:21: faults[0].kill: unknown name 'heliv'; expected a UAV or ground\n"});
+          "32:21: faults[0].kill: unknown name 'heliv'; expected a UAV, ground or sim\n"});
 
 SKEIN_WRONG_FILES(
     Radio,
@@ -305,7 +305,7 @@ TEST(WrongFiles, AllErrorsOfAFileAreToldAtOnce) {
             "16:10: radio.cuts[0]: a cut between a node and itself\n"
             "26:61: ground.script[0].do[0].plan.tasks[1].params.to: unknown name 'bsae'; expected "
             "a place or [x, y, z]; did you mean 'base'?\n"
-            "32:21: faults[0].kill: unknown name 'helif'; expected a UAV or ground; did you mean "
+            "32:21: faults[0].kill: unknown name 'helif'; expected a UAV, ground or sim; did you mean "
             "'heliv'?\n"
             "34:33: expect[0].event.kind: unknown name 'taks'; expected a kind of record "
             "(docs/journal.md); did you mean 'task'?\n");

@@ -332,19 +332,31 @@ TEST(SimNode, ARequestOfAStrangerMovesNothing) {
 
 // ---- the silence of a decision node ----
 
-TEST(SimNode, AVehicleWhoseDecisionNodeIsLostGivesUpItsTasks) {
+TEST(SimNode, AVehicleWhoseDecisionNodeForgotItsTasksGivesThemUp) {
   Rig rig;
   rig.run_until(0);
   rig.take_off("marvin", 1);
   rig.run_until(3);
 
-  rig.give(node::Reachability{rig.roster().find("marvin")->number, false, false}, 3.05);
+  rig.give(node::Reachability{rig.roster().find("marvin")->number, true, true}, 3.05);
   std::vector<std::string> words = rig.statuses();
   rig.run_until(60);
   const std::vector<std::string> later = rig.statuses();
   words.insert(words.end(), later.begin(), later.end());
 
   EXPECT_THAT(words, Contains("marvin 1 aborted"));
+}
+
+TEST(SimNode, AVehicleWhoseDecisionNodeIsSilentForAWhileGoesOn) {
+  Rig rig;
+  rig.run_until(0);
+  rig.take_off("marvin", 1);
+  rig.run_until(3);
+
+  rig.give(node::Reachability{rig.roster().find("marvin")->number, false, false}, 3.05);
+  rig.run_until(60);
+
+  EXPECT_THAT(rig.statuses(), Contains("marvin 1 ended"));
 }
 
 TEST(SimNode, TheSilenceOfAStrangerIsHarmless) {

@@ -32,7 +32,7 @@ struct Config {
   /// Which life of this incarnation this is: 0, or more if the node was restarted with all it knew.
   /// What it sends now then counts as newer than what it sent before.
   std::uint32_t life = 0;
-  std::uint64_t seed = 0;          ///< of the losses
+  std::uint64_t seed = 0;  ///< of the losses
 };
 
 /// Why a sample was not sent.
