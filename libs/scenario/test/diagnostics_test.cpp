@@ -146,7 +146,7 @@ SKEIN_WRONG_FILES(
     Wrong{"OfAStranger", kFault, "{at: 100, engine: karma}",
           "32:23: faults[0].engine: unknown name 'karma'; expected a UAV\n"},
     Wrong{"UnknownKind", kFault, "{at: 100, kil: heliv}",
-          "32:20: faults[0].kil: unknown key 'kil'; expected one of at, kill, restart_after, "
+          "32:20: faults[0].kil: unknown key 'kil'; expected one of at, kill, restart_after, forgets, "
           "engine, sensor, slow, abort, energy, random; did you mean 'kill'?\n"
           "32:5: faults[0]: a fault of no kind; expected one of kill, engine, sensor, slow, abort, "
           "energy, random\n"});
