@@ -57,6 +57,7 @@ Result<void, Failure> Fleet::start(const std::string& name) {
                                    "--exit-with-parent"};
   if (program == "skein-ddn") command.insert(command.end(), {"--uav", name});
   if (program == "skein-sim") command.insert(command.end(), {"--node", name});
+  if (!options_.keys.empty()) command.insert(command.end(), {"--security", options_.keys});
   command.insert(command.end(), options_.daemon_options.begin(), options_.daemon_options.end());
   auto process = Process::start(command, log_of(name));
   if (!process) return tl::unexpected(process.error());

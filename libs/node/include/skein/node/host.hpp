@@ -18,6 +18,7 @@ struct HostConfig {
   Duration heartbeat_period = Duration::seconds(1);  ///< steady
   double rate = 1;         ///< mission seconds per steady second: turns the radio's latencies
   std::uint64_t seed = 0;  ///< of the losses on streams
+  bool leads_clock = false;
 };
 
 /// Where a host's output goes. All are called from step(), in the order of the effects.
