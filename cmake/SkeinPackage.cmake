@@ -3,6 +3,7 @@
 #   cmake --build build && cd build && cpack
 # What the programs need is asked of them (dpkg-shlibdeps); what the headers need is the table of
 # SkeinInstall.cmake.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # pack what is built, build nothing
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
 set(CPACK_PACKAGE_VENDOR "Skein")
@@ -23,24 +24,21 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS passwd)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS openssl)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS skein-refine)
-set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Decisional autonomy for teams of UAVs
- Ground station, decision nodes and simulator as daemons over DDS, the
- commands that play and examine missions, and scenarios.")
+set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Ground station, decision nodes and simulator as daemons over DDS, the
+commands that play and examine missions, and scenarios.")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA
     ${SKEIN_CMAKE_DIR}/deb/conffiles ${SKEIN_CMAKE_DIR}/deb/postinst)
 
 set(CPACK_DEBIAN_MAPS_PACKAGE_NAME skein-refine)
 set(CPACK_DEBIAN_MAPS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_MAPS_PACKAGE_DEPENDS "skein (= ${PROJECT_VERSION})")
-set(CPACK_COMPONENT_MAPS_DESCRIPTION "Specialised refiners of Skein over maps
- Ways, tours, sweeps, patrols and viewpoints over measured terrain.")
+set(CPACK_COMPONENT_MAPS_DESCRIPTION "Specialised refiners over maps: ways, tours, sweeps, patrols and viewpoints over measured terrain.")
 
 get_property(skein_development GLOBAL PROPERTY SKEIN_DEVELOPMENT_PACKAGES)
 list(REMOVE_DUPLICATES skein_development)
 list(JOIN skein_development ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libskein-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Libraries of Skein
- Executive, temporal networks, symbolic planner, refiners and what they
- stand on, as static libraries with CMake and pkg-config files.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Executive, temporal networks, symbolic planner, refiners and what they
+stand on, as static libraries with CMake and pkg-config files.")
 include(CPack)

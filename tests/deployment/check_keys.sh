@@ -15,8 +15,9 @@ running=()
 stop() { [ ${#running[@]} -eq 0 ] || kill -KILL "${running[@]}" 2>/dev/null || true; rm -rf "$work"; }
 trap stop EXIT
 fail() { echo "FAILED ($case): $*" >&2; tail -n 5 "$work"/*.log >&2 || true; exit 1; }
-keys() { "$here/../../scripts/make-keys" "$work/keys" "$1" --programs "$build/bin" >"$work/keys.log"; }
+keys() { "${prefix[@]}" "$here/../../scripts/make-keys" "$work/keys" "$1" --programs "$build/bin" >"$work/keys.log"; }
 
+prefix=()
 if [ "$case" = comets ]; then
   keys "$scenarios/comets/confirmed.yaml"
   "$build/bin/skein" run "$scenarios/comets/confirmed.yaml" --security "$work/keys" --out "$work/out" --quiet
@@ -30,8 +31,11 @@ if [ -z "${SKEIN_IN_NAMESPACE:-}" ]; then
   SKEIN_IN_NAMESPACE=1 exec unshare -rnm "$0" "$@"
 fi
 ip link set lo up
+# The authority of this case was good when the certificate was.
+if [ "$case" = expired ] && command -v faketime >/dev/null; then prefix=(faketime '-2 days'); fi
 scenario=$scenarios/karma/detection.yaml
 keys "$scenario"
+prefix=()
 start() { # NAME PROGRAM [options]: a daemon in the background
   local name=$1 program=$2
   shift 2
@@ -39,7 +43,6 @@ start() { # NAME PROGRAM [options]: a daemon in the background
   running+=($!)
   last=$!
 }
-prefix=()
 refused() { # WHAT PROGRAM [options]: it ends with 3 and says so
   local what=$1 code=0
   shift
@@ -53,14 +56,14 @@ never_started() { # after the time in which others meet
   [ "$code" = 124 ] || fail "a daemon ended"
   ! grep -q "mission started" "$work/sim.log" || fail "they met"
 }
-expired() { # a certificate for karma that was good in January 2020
+expired() { # a certificate for karma that was good until yesterday
   mkdir "$work/ca"
   : >"$work/ca/index"
   printf '[ca]\ndefault_ca=it\n[it]\ndatabase=%s\nnew_certs_dir=%s\nrand_serial=yes\npolicy=any\n[any]\norganizationName=supplied\ncommonName=supplied\n' \
     "$work/ca/index" "$work/ca" >"$work/ca/config"
   openssl req -new -key "$work/keys/karma/key.pem" -subj "/O=Skein/CN=karma" -out "$work/ca/request.pem" 2>"$work/openssl.log"
   openssl ca -batch -notext -config "$work/ca/config" -md sha256 -cert "$work/keys/authority/ca.pem" -keyfile "$work/keys/authority/key.pem" \
-    -extfile <(echo basicConstraints=critical,CA:FALSE) -startdate 20200101000000Z -enddate 20200201000000Z \
+    -extfile <(echo basicConstraints=critical,CA:FALSE) -startdate "$(date -u -d "-47 hours" +%Y%m%d%H%M%SZ)" -enddate "$(date -u -d "-24 hours" +%Y%m%d%H%M%SZ)" \
     -in "$work/ca/request.pem" -out "$work/keys/karma/cert.pem" 2>"$work/openssl.log" || fail "openssl ca"
 }
 
@@ -79,9 +82,10 @@ case $case in
     command -v faketime >/dev/null || { echo "without faketime: a node with a wrong clock is not tried"; exit 0; }
     start sim skein-sim --security "$work/keys"
     start ground skein-ground --security "$work/keys"
-    prefix=(env FAKETIME_DONT_FAKE_MONOTONIC=1 faketime '2020-01-10 12:00:00')
+    prefix=(env FAKETIME_DONT_FAKE_MONOTONIC=1 faketime '-36 hours')
     start karma skein-ddn --uav karma --security "$work/keys"
-    never_started "$last" ;;
+    never_started "$last"
+    grep -q "certificate has expired" "$work/ground.log" || fail "the ground station does not say why" ;;
   other-name)
     refused "do not allow" skein-ground --security "$work/keys/karma" ;;
   other-slots)

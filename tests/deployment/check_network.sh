@@ -48,7 +48,8 @@ case $case in
     command -v fast-discovery-server >/dev/null || { echo "SKIPPED: no fast-discovery-server (fastdds-tools)"; exit 77; }
     fast-discovery-server -i 0 -l 10.77.0.1 -p 11811 >"$work/server.log" 2>&1 &
     running+=($!)
-    ground+=(--discovery-server 10.77.0.1:11811) uavs+=(--discovery-server 10.77.0.1:11811) ;;
+    # The server answers programs of its own machine on the loopback interface.
+    ground+=(--interface 127.0.0.1 --discovery-server 10.77.0.1:11811) uavs+=(--discovery-server 10.77.0.1:11811) ;;
   secured)
     "$here/../../scripts/make-keys" "$work/keys" "$scenario" --programs "$build/bin" >/dev/null
     ground+=(--peer 10.77.0.2 --security "$work/keys") uavs+=(--peer 10.77.0.1 --security "$work/keys/karma") ;;
