@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fleet.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
@@ -54,7 +56,8 @@ Result<void, Failure> Fleet::start(const std::string& name) {
                                    scenario_.file,
                                    "--domain",
                                    std::to_string(domain_),
-                                   "--exit-with-parent"};
+                                   "--exit-with-parent",
+                                   std::to_string(getpid())};
   if (program == "skein-ddn") command.insert(command.end(), {"--uav", name});
   if (program == "skein-sim") command.insert(command.end(), {"--node", name});
   if (!options_.keys.empty()) command.insert(command.end(), {"--security", options_.keys});

@@ -31,11 +31,11 @@ spdlog::level::level_enum level_of(const journal::Record& record) {
   return spdlog::level::info;
 }
 
-// The parent may be gone before the kernel was asked to tell.
-void follow_parent() {
-  const pid_t parent = getppid();
+// The parent may be gone before the kernel was asked to tell. Whose child this was then cannot be
+// seen from here: process 1 adopts orphans, and in a container is who runs missions.
+void follow(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != parent || parent == 1) raise(SIGTERM);
+  if (getppid() != parent) raise(SIGTERM);
 }
 
 /// Its own folder in that of make-keys, or the folder itself on a machine that has only its own.
@@ -139,7 +139,7 @@ int run_daemon_program(const DaemonProgram& program, int argc, char** argv) try 
   if (options.show_config) return kExitOk;
   spdlog::set_default_logger(spdlog::stderr_color_mt("skein"));
   spdlog::set_level(spdlog::level::from_str(options.log_level));
-  if (options.exit_with_parent) follow_parent();
+  if (options.parent != 0) follow(options.parent);
   return run(program, options);
 } catch (const std::exception& error) {
   std::cerr << program.name << ": " << error.what() << '\n';

@@ -59,8 +59,8 @@ void declare(CLI::App& app, Options& options, const DaemonProgram& program) {
   app.add_option("--domain", options.domain, "DDS domain id")->check(CLI::Range(0, 100));
   declare_network(app, options.network);
   declare_run(app, options);
-  app.add_flag("--exit-with-parent", options.exit_with_parent,
-               "Stop when the process that started this one ends");
+  app.add_option("--exit-with-parent", options.parent,
+                 "Stop when the process of this id, which started this one, ends");
   app.footer(
       "Each option but those of this program itself may also come from the environment\n"
       "(--log-level: SKEIN_LOG_LEVEL; lists with commas) or from the file of --config\n"

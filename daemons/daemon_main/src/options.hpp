@@ -23,7 +23,7 @@ struct Options {
   assembly::Overrides overrides;
   std::string log_level = "info";
   bool log_json = false;
-  bool exit_with_parent = false;
+  int parent = 0;  ///< process that it must not outlive; 0: none
 };
 
 /// Declares all of them at a program's command line, writing to `options`.
