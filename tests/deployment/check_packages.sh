@@ -22,7 +22,7 @@ said "$(du -k -- *.deb | awk '{printf "%s%s %d kB", n++ ? ", " : "", $2, $1}')"
 sources=$(find /etc/apt/sources.list.d -name '*.sources' -o -path '*debian.list' | head -n 1)
 [ -s "${sources:-/etc/apt/sources.list}" ] || skip "no list of Debian mirrors"
 install='cd "$1/tmp" && chroot "$1" sh -c "cd /tmp && apt-get install -q -y --no-install-recommends ./skein_*.deb openssl"'
-mmdebstrap --variant=minbase --skip=cleanup/apt/lists \
+mmdebstrap --variant=minbase --skip=cleanup/apt/lists,cleanup/tmp \
   --customize-hook="copy-in $(echo "$work"/packages/*.deb) /tmp" --customize-hook="$install" \
   bookworm "$root" "${sources:-/etc/apt/sources.list}" >"$log" 2>&1 ||
   { grep -q 'E: .*\(fetch\|resolve\|connect\)' "$log" && skip "no Debian mirror reached"; fail "installing"; }
