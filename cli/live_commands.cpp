@@ -50,6 +50,8 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
                   "A node that somebody else starts, a bridge to an autopilot for instance; may be "
                   "repeated")
       ->allow_extra_args(false);
+  run->add_option("--security", options->security,
+                  "Folder made by make-keys: every node proves who it is");
   run->footer(kRunExamples);
   run->callback(
       [options, &action, &live] { action = [options, &live] { return live.run(*options); }; });
@@ -79,6 +81,19 @@ Examples:
   skein spy --domain 1 --partition 'radio/marvin>ground'
 Exit codes: 0, 2 wrong options, 3 DDS refused, 4 nothing heard.)";
 
+void add_network(CLI::App* command, blackboard::NetworkConfig& network) {
+  command->add_option("--interface", network.interfaces, "IPv4 address to talk on")->delimiter(',');
+  command->add_option("--peer", network.peers, "Where to look for others: ADDRESS or ADDRESS:PORT")
+      ->delimiter(',');
+  command->add_option("--multicast", network.multicast, "Look for others by multicast: on or off");
+  command->add_option("--discovery-server", network.discovery_servers, "ADDRESS:PORT")
+      ->delimiter(',');
+  command->add_option("--security", network.keys, "Folder with the keys to take part with");
+  for (const char* name : {"--interface", "--peer", "--discovery-server"}) {
+    command->get_option(name)->allow_extra_args(false);
+  }
+}
+
 void add_spy(CLI::App& app, Action& action, const LiveActions& live) {
   auto options = std::make_shared<spy_tool::SpyOptions>();
   CLI::App* spy = app.add_subcommand("spy", "List or print what is on the wire");
@@ -86,8 +101,7 @@ void add_spy(CLI::App& app, Action& action, const LiveActions& live) {
   spy->add_option("--domain", options->domain, "DDS domain id")
       ->check(CLI::Range(0, 100))
       ->envname("SKEIN_DOMAIN");
-  spy->add_option("--interface", options->interfaces, "IPv4 address to listen on")
-      ->allow_extra_args(false);
+  add_network(spy, options->network);
   spy->add_option("--partition", options->partitions,
                   "DDS partition, with * and ? (default: world, onboard/*, radio/*)")
       ->allow_extra_args(false);
@@ -120,8 +134,7 @@ void add_functional(CLI::App& app, Action& action, const LiveActions& live) {
   functional->add_option("--domain", options->domain, "DDS domain id")
       ->check(CLI::Range(0, 100))
       ->envname("SKEIN_DOMAIN");
-  functional->add_option("--interface", options->interfaces, "IPv4 address to talk on")
-      ->allow_extra_args(false);
+  add_network(functional, options->network);
   functional->add_option("--rate", options->rate, "Mission seconds per second, over DDS")
       ->check(positive_problem);
   functional->add_option("--height", options->height, "Of the flight over the ground [m]")

@@ -5,21 +5,27 @@
 #
 # Every library under libs/ is a component: its archive, its public headers, a file of targets of its
 # own and a pkg-config file. A component brings the components it declares and looks up the packages
-# these need, and no others: who uses the executive needs neither DDS nor GDAL. Two groups can be
-# installed apart: `--component runtime` (programs, scenarios) and `--component development`.
+# these need, and no others: who uses the executive needs neither DDS nor GDAL. Three groups can be
+# installed apart: `--component runtime` (programs, data, services), `--component maps` (skein-refine,
+# which needs the libraries of maps and motion planning) and `--component development`.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(SKEIN_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Skein)
 set_property(GLOBAL PROPERTY SKEIN_COMPONENTS "")
 
 # The Debian packages behind the targets that our libraries link: target, name for find_package, name for
-# pkg-config, options of the linker where there is no pkg-config file; "-" where none is needed.
+# pkg-config, options of the linker where there is no pkg-config file, Debian package; "-" where none is
+# needed.
 set(SKEIN_PACKAGES
-  "tl::expected|tl-expected|-|-" "nlohmann_json::nlohmann_json|nlohmann_json|nlohmann_json|-"
-  "Eigen3::Eigen|Eigen3|eigen3|-" "EXPAT::EXPAT|EXPAT|expat|-" "tsl::robin_map|tsl-robin-map|-|-"
-  "SQLiteCpp|SQLiteCpp|-|-lSQLiteCpp" "fmt::fmt|fmt|fmt|-" "PNG::PNG|PNG|libpng|-" "Threads::Threads|Threads|-|-pthread"
-  "fastrtps|fastrtps|-|-lfastrtps" "fastcdr|fastcdr|-|-lfastcdr" "GDAL::GDAL|GDAL|gdal|-"
-  "yaml-cpp|yaml-cpp|yaml-cpp|-" "skein_ompl|-|ompl|-" "fcl|fcl|fcl|-")
+  "tl::expected|tl-expected|-|-|libexpected-dev"
+  "nlohmann_json::nlohmann_json|nlohmann_json|nlohmann_json|-|nlohmann-json3-dev"
+  "Eigen3::Eigen|Eigen3|eigen3|-|libeigen3-dev" "EXPAT::EXPAT|EXPAT|expat|-|libexpat1-dev"
+  "tsl::robin_map|tsl-robin-map|-|-|robin-map-dev" "fmt::fmt|fmt|fmt|-|libfmt-dev"
+  "SQLiteCpp|SQLiteCpp|-|-lSQLiteCpp|libsqlitecpp-dev"
+  "PNG::PNG|PNG|libpng|-|libpng-dev" "Threads::Threads|Threads|-|-pthread|-"
+  "fastrtps|fastrtps|-|-lfastrtps|libfastrtps-dev" "fastcdr|fastcdr|-|-lfastcdr|libfastcdr-dev"
+  "GDAL::GDAL|GDAL|gdal|-|libgdal-dev" "yaml-cpp|yaml-cpp|yaml-cpp|-|libyaml-cpp-dev"
+  "skein_ompl|-|ompl|-|libompl-dev" "fcl|fcl|fcl|-|libfcl-dev")
 
 # skein_find_packages(OUT COLUMN dependencies…): what a column of the table says of them, without
 # repeats. A library given by its path is an option of the linker.
@@ -35,6 +41,11 @@ function(skein_find_packages out column)
       set(name -)
       if(column EQUAL 3)
         set(name ${dependency})
+      elseif(column EQUAL 4)
+        execute_process(COMMAND dpkg-query -S ${dependency} OUTPUT_VARIABLE owner ERROR_QUIET)
+        if(owner MATCHES "^([a-z0-9.+-]+)")
+          set(name ${CMAKE_MATCH_1})
+        endif()
       endif()
     else()
       message(FATAL_ERROR "SKEIN_PACKAGES (cmake/SkeinInstall.cmake) does not say where ${dependency} comes from")
@@ -61,6 +72,8 @@ function(skein_install_library name)
   skein_find_packages(packages 1 ${ARG_PACKAGES})
   set_property(GLOBAL APPEND PROPERTY SKEIN_COMPONENTS ${name})
   set_property(GLOBAL PROPERTY SKEIN_PACKAGES_${name} "${packages}")
+  skein_find_packages(debian 4 ${ARG_PACKAGES})
+  set_property(GLOBAL APPEND PROPERTY SKEIN_DEVELOPMENT_PACKAGES ${debian})
   skein_write_pkg_config(${name} "${ARG_DEPENDS}" "${ARG_PACKAGES}")
 endfunction()
 
@@ -98,14 +111,28 @@ function(skein_install_package)
           DESTINATION ${SKEIN_PACKAGE_DIR} COMPONENT development)
 endfunction()
 
-# The programs find each other beside themselves; scenarios and wire types are data.
+# The programs find each other beside themselves; scenarios and wire types are data. OPTIONAL: who builds
+# one daemon for a companion computer installs what is there.
 function(skein_install_programs)
-  foreach(program skein skein-live skein-refine skein-ground skein-ddn skein-sim)
+  foreach(program skein skein-live skein-ground skein-ddn skein-sim skein-refine)
+    set(component runtime)
+    if(program STREQUAL "skein-refine")
+      set(component maps)
+    endif()
     if(TARGET ${program})
-      install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
+      install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${component} OPTIONAL)
     endif()
   endforeach()
+  install(PROGRAMS scripts/make-keys DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME skein-make-keys COMPONENT runtime)
   install(DIRECTORY scenarios idl DESTINATION ${CMAKE_INSTALL_DATADIR}/skein COMPONENT runtime
           PATTERN "*.cmake" EXCLUDE)
-  install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+  install(FILES cli/completion/skein DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+          COMPONENT runtime)
+  install(FILES README.md CHANGELOG.md LICENSE docs/deploy.md docs/daemons.md docs/threats.md docs/exit-codes.md
+          DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+  install(DIRECTORY daemons/service/ DESTINATION lib/systemd/system COMPONENT runtime FILES_MATCHING PATTERN "*.service")
+  # /etc belongs to /usr, as GNUInstallDirs has it, but what the prefix is shows only at installation.
+  install(CODE "string(REGEX REPLACE \"/usr$\" \"\" root \"\${CMAKE_INSTALL_PREFIX}\")
+    file(GLOB files \"${CMAKE_SOURCE_DIR}/daemons/service/*.yaml\")
+    file(INSTALL DESTINATION \"\${root}/etc/skein\" TYPE FILE FILES \${files})" COMPONENT runtime)
 endfunction()

@@ -122,9 +122,14 @@ INSTANTIATE_TEST_SUITE_P(
         Daemon{"no_uav", {"skein-ddn", "--scenario", kScenario}, "--uav"},
         Daemon{"no_scenario", {"skein-sim"}, "--scenario"},
         Daemon{"no_file", {"skein-ground", "--scenario", "/no/such.yaml"}, "/no/such.yaml"},
-        Daemon{"bad_domain",
-               {"skein-ground", "--scenario", kScenario, "--domain", "101"},
-               "--domain"}),
+        Daemon{
+            "bad_domain", {"skein-ground", "--scenario", kScenario, "--domain", "101"}, "--domain"},
+        Daemon{"bad_peer",
+               {"skein-ground", "--scenario", kScenario, "--peer", "marvin"},
+               "peer 'marvin' is not an IPv4 address"},
+        Daemon{"no_config",
+               {"skein-ground", "--scenario", kScenario, "--config", "/no/such.yaml"},
+               "/no/such.yaml"}),
     [](const auto& one) { return one.param.name; });
 
 }  // namespace

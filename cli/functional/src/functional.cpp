@@ -68,7 +68,7 @@ class Check {
   Result<node::DaemonEnd, Failure> run_over_dds() {
     node::DaemonConfig config;
     config.domain = options_.domain;
-    config.interfaces = options_.interfaces;
+    config.network = options_.network;
     config.rate = options_.rate;
     config.leads_clock = true;
     config.time_limit = MissionTime() + kLongest;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fleet.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
@@ -59,9 +61,11 @@ Result<void, Failure> Fleet::start(const std::string& name) {
                                    std::to_string(domain_),
                                    "--state",
                                    state(),
-                                   "--exit-with-parent"};
+                                   "--exit-with-parent",
+                                   std::to_string(getpid())};
   if (program == "skein-ddn") command.insert(command.end(), {"--uav", name});
   if (program == "skein-sim") command.insert(command.end(), {"--node", name});
+  if (!options_.keys.empty()) command.insert(command.end(), {"--security", options_.keys});
   command.insert(command.end(), options_.daemon_options.begin(), options_.daemon_options.end());
   auto process = Process::start(command, log_of(name));
   if (!process) return tl::unexpected(process.error());

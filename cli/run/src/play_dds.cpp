@@ -39,13 +39,19 @@ std::string load_of_machine() {
   return text.data();
 }
 
+blackboard::NetworkConfig network_of(const DdsOptions& options) {
+  blackboard::NetworkConfig network;
+  if (!options.keys.empty()) network.keys = options.keys + "/runner";
+  return network;
+}
+
 class DdsRun {
  public:
   DdsRun(const scenario::Scenario& scenario, const DdsOptions& options, std::uint32_t domain,
          Progress& progress)
       : progress_(progress),
         roster_(assembly::roster_of(scenario)),
-        transport_({domain, "runner", {"127.0.0.1"}, {}}),
+        transport_({domain, "runner", network_of(options), {}, roster_.names()}),
         fleet_(scenario, options, domain),
         rate_(scenario.rate),
         faults_(scenario.faults.kills) {

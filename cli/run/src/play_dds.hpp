@@ -19,6 +19,7 @@ struct DdsOptions {
   std::optional<std::uint32_t> domain;
   std::vector<std::string> daemon_options;  ///< handed to every daemon
   std::vector<std::string> without = {};    ///< nodes that somebody else starts
+  std::string keys = {};                    ///< folder of make-keys; empty: no security
 };
 
 /// Starts the daemons, follows the run over the world channel, kills and restarts daemons as the

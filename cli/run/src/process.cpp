@@ -50,6 +50,16 @@ class SpawnSetup {
   posix_spawnattr_t attributes{};
 };
 
+// Without the variables of daemons (docs/daemons.md): who starts a run says what its daemons do.
+std::vector<char*> environment_of_run() {
+  std::vector<char*> kept;
+  for (char** one = environ; *one != nullptr; ++one) {
+    if (std::strncmp(*one, "SKEIN_", 6) != 0) kept.push_back(*one);
+  }
+  kept.push_back(nullptr);
+  return kept;
+}
+
 }  // namespace
 
 Result<Process, Failure> Process::start(const std::vector<std::string>& command,
@@ -60,8 +70,8 @@ Result<Process, Failure> Process::start(const std::vector<std::string>& command,
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   pid_t pid = -1;
-  const int error =
-      posix_spawn(&pid, arguments[0], &setup.actions, &setup.attributes, arguments.data(), environ);
+  const int error = posix_spawn(&pid, arguments[0], &setup.actions, &setup.attributes,
+                                arguments.data(), environment_of_run().data());
   if (error != 0) return failure("cannot start " + command[0] + ": " + std::strerror(error));
   return Process(pid);
 }

@@ -6,63 +6,24 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 
 #include "log_line.hpp"
 #include "memory.hpp"
+#include "options.hpp"
+#include "rights.hpp"
+#include "service_manager.hpp"
 #include "skein/assembly/assembly.hpp"
 #include "skein/assembly/overrides.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/nearest.hpp"
+#include "skein/node/waker.hpp"
 
 namespace skein::daemon_main {
 
 namespace {
-
-struct Options {
-  std::string scenario;
-  std::string node;  ///< empty: that of the program
-  std::uint32_t domain = 0;
-  std::vector<std::string> interfaces{"127.0.0.1"};
-  assembly::Overrides overrides;
-  std::string log_level = "info";
-  bool log_json = false;
-  bool exit_with_parent = false;
-  std::string state;  ///< empty: nothing outlives the process
-};
-
-void declare(CLI::App& app, Options& options, const DaemonProgram& program) {
-  app.add_option("--scenario", options.scenario, "Scenario file; the same on every machine")
-      ->required();
-  if (program.node.empty())
-    app.add_option("--uav", options.node, "Name of the UAV in the scenario")->required();
-  if (program.plays_vehicles)
-    app.add_option("--node", options.node,
-                   "Be a functional layer that the scenario names (default: sim, which plays all "
-                   "other vehicles, and leads the clock)");
-  app.add_option("--domain", options.domain, "DDS domain id")
-      ->check(CLI::Range(0, 100))
-      ->envname("SKEIN_DOMAIN");
-  app.add_option("--interface", options.interfaces,
-                 "IPv4 address to talk on; repeat for several (default: this machine only)")
-      ->allow_extra_args(false);
-  app.add_option("--rate", options.overrides.rate,
-                 "Mission seconds per second, for the scenario's");
-  app.add_option("--seed", options.overrides.seed, "Seed, for the scenario's");
-  app.add_option("--degree", options.overrides.degrees,
-                 "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated")
-      ->allow_extra_args(false);
-  app.add_option("--state", options.state,
-                 "Folder for what outlives the process: started again with it, the daemon goes on "
-                 "where it was (default: nothing does)")
-      ->envname("SKEIN_STATE");
-  app.add_option("--log-level", options.log_level, "error, warn, info or debug");
-  app.add_flag("--log-json", options.log_json, "Records as JSON, one a line, instead of sentences");
-  app.add_flag("--exit-with-parent", options.exit_with_parent,
-               "Stop when the process that started this one ends");
-}
 
 spdlog::level::level_enum level_of(const journal::Record& record) {
   const std::string& kind = record.kind();
@@ -71,18 +32,25 @@ spdlog::level::level_enum level_of(const journal::Record& record) {
   return spdlog::level::info;
 }
 
-// The parent may be gone before the kernel was asked to tell.
-void follow_parent() {
-  const pid_t parent = getppid();
+// The parent may be gone before the kernel was asked to tell. Whose child this was then cannot be
+// seen from here: process 1 adopts orphans, and in a container is who runs missions.
+void follow(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != parent || parent == 1) raise(SIGTERM);
+  if (getppid() != parent) raise(SIGTERM);
+}
+
+/// Its own folder in that of make-keys, or the folder itself on a machine that has only its own.
+std::string keys_of(const std::string& folder, const std::string& node) {
+  const std::filesystem::path own = std::filesystem::path(folder) / node;
+  return !folder.empty() && std::filesystem::is_directory(own) ? own.string() : folder;
 }
 
 node::DaemonConfig daemon_config(const Options& options, const scenario::Scenario& scenario,
                                  const node::Member& self, const node::Roster& roster) {
   node::DaemonConfig config;
   config.domain = options.domain;
-  config.interfaces = options.interfaces;
+  config.network = options.network;
+  config.network.keys = keys_of(options.network.keys, self.name);
   config.rate = scenario.rate;
   config.seed = scenario.seed;
   config.leads_clock = self.role == wire::Role::kSim;
@@ -123,6 +91,10 @@ int run(const DaemonProgram& program, const Options& options) {
     return kExitBadInput;
   }
   const node::Roster roster = assembly::roster_of(*scenario);
+  if (options.show_rights) {
+    std::cout << rights_of(roster);
+    return kExitOk;
+  }
   const std::string name = options.node.empty() ? program.node : options.node;
   const node::Member* self = roster.find(name);
   if (self == nullptr || !can_be(program, self->role)) {
@@ -134,6 +106,7 @@ int run(const DaemonProgram& program, const Options& options) {
   }
   const std::string stamp = "%Y-%m-%dT%H:%M:%S.%eZ %^%-5l%$ " + name + " ";
   spdlog::set_pattern(options.log_json ? "%v" : stamp + "%v", spdlog::pattern_time_type::utc);
+  ServiceManager manager;
   const auto make_node = [&] { return assembly::make_node(*scenario, name); };
   Memory memory;
   if (!options.state.empty()) {
@@ -141,6 +114,9 @@ int run(const DaemonProgram& program, const Options& options) {
     memory = open_memory(options.state, identity, make_node);
   }
   node::DaemonConfig config = daemon_config(options, *scenario, *self, roster);
+  config.on_turn = [&manager](wire::ClockPhase phase) {
+    manager.turn(phase, node::Waker::steady_now());
+  };
   for (const std::string& notice : memory.notices)
     config.on_record(journal::Record({}, name, "notice").with("text", notice));
   config.memory = memory.log.get();
@@ -164,9 +140,17 @@ int run_daemon_program(const DaemonProgram& program, int argc, char** argv) try 
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitOk : kExitBadInput;
   }
+  std::string shown;
+  const Diagnostics problems = complete(app, options, program, shown);
+  if (options.show_config) std::cout << shown;
+  if (!problems.empty()) {
+    std::cerr << to_text(problems);
+    return kExitBadInput;
+  }
+  if (options.show_config) return kExitOk;
   spdlog::set_default_logger(spdlog::stderr_color_mt("skein"));
   spdlog::set_level(spdlog::level::from_str(options.log_level));
-  if (options.exit_with_parent) follow_parent();
+  if (options.parent != 0) follow(options.parent);
   return run(program, options);
 } catch (const std::exception& error) {
   std::cerr << program.name << ": " << error.what() << '\n';

@@ -41,7 +41,7 @@ class BlackboardSide {
     });
     Config config;
     config.self = self.number;
-    config.channels = radio_link(kAsker, kAnswerer);
+    config.channels = station_link(kAsker, kAnswerer);
     board_ = std::make_unique<Blackboard>(Blackboard::open(std::move(config), transport_).value());
   }
 

@@ -41,7 +41,8 @@ class Daemon {
       : roster_(roster),
         self_(self),
         config_(config),
-        transport_({config.domain, self.name, config.interfaces, config.on_middleware_log}),
+        transport_(
+            {config.domain, self.name, config.network, config.on_middleware_log, roster.names()}),
         leader_(config.rate),
         jobs_([this] { waker_.notify(); }),
         awaited_(config.awaited.begin(), config.awaited.end()) {
@@ -56,6 +57,7 @@ class Daemon {
     host_config.rate = config_.rate;
     host_config.seed = config_.seed;
     host_config.memory = config_.memory;
+    host_config.leads_clock = config_.leads_clock;
     auto host = Host::open(roster_, self_, std::move(node), transport_, host_config, ports());
     if (!host) return tl::unexpected(host.error());
     host_ = std::move(*host);
@@ -68,6 +70,7 @@ class Daemon {
   DaemonEnd loop() {
     while (!waker_.stop_requested()) {
       turn();
+      if (config_.on_turn) config_.on_turn(phase());
       if (over()) return DaemonEnd::kFinished;
       waker_.wait(until_next_wakeup());
     }
@@ -90,6 +93,10 @@ class Daemon {
   Now now() {
     const Duration steady = Waker::steady_now();
     return {config_.leads_clock ? leader_.now(steady) : follower_.now(steady), steady};
+  }
+
+  wire::ClockPhase phase() const {
+    return config_.leads_clock ? leader_.phase() : follower_.phase();
   }
 
   bool over() const {

@@ -41,6 +41,16 @@ Skipped skipped(wire::Slot slot, NodeNumber from, std::uint64_t incarnation,
   return event;
 }
 
+/// Whoever leads the clock writes it, whatever its role.
+void add_clock(std::vector<blackboard::ChannelConfig>& channels) {
+  for (blackboard::ChannelConfig& channel : channels) {
+    if (channel.kind != ChannelKind::kWorld) continue;
+    if (std::ranges::find(channel.slots, wire::Slot::kClock) == channel.slots.end()) {
+      channel.slots.push_back(wire::Slot::kClock);
+    }
+  }
+}
+
 bool is_of_the_world(const blackboard::Incoming& incoming) {
   const auto* received = std::get_if<blackboard::Received>(&incoming);
   return received != nullptr && received->channel == ChannelKind::kWorld;
@@ -56,6 +66,7 @@ Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Me
   board.self = self.number;
   board.incarnation = config.incarnation;
   board.channels = roster.channels_of(self);
+  if (config.leads_clock) add_clock(board.channels);
   board.world_reads = Roster::world_reads_of(self.role);
   board.heartbeat_period = config.heartbeat_period;
   board.retransmission =

@@ -13,6 +13,24 @@ using wire::Slot;
 constexpr std::uint32_t kFirstUav = 10;
 constexpr std::uint32_t kFirstFunctional = 500;
 
+/// The slots a member writes on the world channel. Who leads the clock writes that too
+/// (HostConfig).
+std::vector<Slot> world_writes_of(Role role) {
+  switch (role) {
+    case Role::kGround:
+      return {Slot::kDirectoryEntry, Slot::kMissionState, Slot::kJournalEntry};
+    case Role::kDdn:
+      return {Slot::kDirectoryEntry, Slot::kJournalEntry};
+    case Role::kSim:
+      return {Slot::kDirectoryEntry, Slot::kClock, Slot::kLinkState, Slot::kJournalEntry,
+              Slot::kTruth};
+    case Role::kFunctional:
+      return {Slot::kDirectoryEntry, Slot::kJournalEntry, Slot::kTruth};
+    default:
+      return {};
+  }
+}
+
 blackboard::Node as_node(const Member& member) { return {member.number, member.name}; }
 
 }  // namespace
@@ -70,8 +88,15 @@ std::string Roster::name_of(NodeNumber number) const {
   return member == nullptr ? "node " + to_text(number) : member->name;
 }
 
+std::map<NodeNumber, std::string> Roster::names() const {
+  std::map<NodeNumber, std::string> names;
+  for (const Member& member : members_) names.emplace(member.number, member.name);
+  return names;
+}
+
 std::vector<blackboard::ChannelConfig> Roster::channels_of(const Member& member) const {
   std::vector<blackboard::ChannelConfig> channels{blackboard::world_channel()};
+  channels.front().slots = world_writes_of(member.role);
   const auto add = [&](const std::vector<blackboard::ChannelConfig>& link) {
     channels.insert(channels.end(), link.begin(), link.end());
   };

@@ -25,7 +25,9 @@
 #include "ports.hpp"
 #include "qos.hpp"
 #include "sample_type.hpp"
+#include "security.hpp"
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/joined.hpp"
 
 namespace skein::blackboard {
 namespace {
@@ -67,8 +69,14 @@ class Mailbox {
 /// Takes what a reader has, at once, in the middleware's thread.
 class Listener final : public dds::DataReaderListener {
  public:
-  Listener(Mailbox& mailbox, std::size_t channel, NodeNumber self)
-      : mailbox_(mailbox), channel_(channel), self_(self.value()) {}
+  /// `identities`: of a secured domain, else null; `names` as in FastDdsConfig. Both outlive it.
+  Listener(Mailbox& mailbox, std::size_t channel, NodeNumber self,
+           const fastdds::Identities* identities, const std::map<NodeNumber, std::string>& names)
+      : mailbox_(mailbox),
+        channel_(channel),
+        self_(self.value()),
+        identities_(identities),
+        names_(names) {}
 
   void on_data_available(dds::DataReader* reader) override {
     bool any = false;
@@ -76,6 +84,7 @@ class Listener final : public dds::DataReaderListener {
     dds::SampleInfo info;
     while (reader->take_next_sample(&cargo, &info) == ReturnCode_t::RETCODE_OK) {
       if (!info.valid_data || is_own(cargo)) continue;
+      check_writer(cargo, info);
       mailbox_.put({channel_, std::move(cargo.incoming)});
       any = true;
     }
@@ -83,6 +92,18 @@ class Listener final : public dds::DataReaderListener {
   }
 
  private:
+  /// The header of a forged sample is all zero: it has no place in the session of him it names.
+  void check_writer(Cargo& cargo, const dds::SampleInfo& info) const {
+    const auto* sample = std::get_if<wire::Sample>(&cargo.incoming);
+    if (identities_ == nullptr || sample == nullptr) return;
+    const auto named = names_.find(NodeNumber(wire::header_of(*sample).origin));
+    const auto& writer = info.sample_identity.writer_guid().guidPrefix;
+    if (named != names_.end() && identities_->confirm(named->second, writer)) return;
+    const std::string name = named == names_.end() ? "a stranger" : named->second;
+    cargo.incoming =
+        Malformed{wire::slot_of(*sample), {}, {"header.origin", name + " did not write this"}};
+  }
+
   /// Where a partition is shared, our readers also match our own writers.
   bool is_own(const Cargo& cargo) const {
     const auto* sample = std::get_if<wire::Sample>(&cargo.incoming);
@@ -92,6 +113,8 @@ class Listener final : public dds::DataReaderListener {
   Mailbox& mailbox_;
   std::size_t channel_;
   std::uint32_t self_;
+  const fastdds::Identities* identities_;
+  const std::map<NodeNumber, std::string>& names_;
 };
 
 /// No profile file on the way to a participant may change what this process does.
@@ -134,6 +157,9 @@ class FastDdsTransport::Impl {
   /// On the world channel no session makes good what a writer takes with it: waits, within bounds,
   /// until everybody has got it.
   void flush_world();
+  Result<void, Failure> check_network() const;
+  bool checks_writers() const { return identities_.has_value() && !config_.names.empty(); }
+  Result<void, Failure> join();
   /// The smallest number whose ports nobody has; nothing if all are taken.
   std::optional<std::uint32_t> claim_participant_number();
   Result<void, Failure> open_channel(std::size_t index, const TransportPlan& plan);
@@ -144,6 +170,7 @@ class FastDdsTransport::Impl {
   FastDdsConfig config_;
   fastdds::MiddlewareLog log_;
   std::optional<fastdds::NamedLock> number_;
+  std::optional<fastdds::Identities> identities_;  ///< in a secured domain
   Mailbox mailbox_;
   dds::DomainParticipant* participant_ = nullptr;
   std::map<wire::Slot, dds::Topic*> topics_;
@@ -171,22 +198,45 @@ void FastDdsTransport::Impl::flush_world() {
   }
 }
 
-Result<void, Failure> FastDdsTransport::Impl::open(const TransportPlan& plan) {
-  SKEIN_EXPECTS(participant_ == nullptr);
-  const std::string domain = std::to_string(config_.domain);
+Result<void, Failure> FastDdsTransport::Impl::check_network() const {
+  std::vector<std::string> problems = problems_of(config_.network);
   // Fast DDS would take an address that nobody has and then be deaf.
   const std::set<std::string> own = fastdds::own_addresses();
-  for (const std::string& address : config_.interfaces) {
-    if (!own.contains(address)) return failure("no interface that is up has address " + address);
+  for (const std::string& address : config_.network.interfaces) {
+    if (!own.contains(address)) {
+      problems.push_back("no interface that is up has address " + address);
+    }
   }
+  if (problems.empty()) return {};
+  return failure(joined(problems, "; "));
+}
+
+Result<void, Failure> FastDdsTransport::Impl::join() {
+  const std::string domain = std::to_string(config_.domain);
+  const std::string& keys = config_.network.keys;
   const auto number = claim_participant_number();
   if (!number) return failure("too many DDS participants in domain " + domain);
-  participant_ = factory().create_participant(
-      config_.domain, fastdds::participant_qos(config_, *number), nullptr, dds::StatusMask::none());
-  if (participant_ == nullptr) {
-    return failure("no DDS participant in domain " + domain +
-                   " (no such interface, or its ports are taken?)");
+  dds::DomainParticipantQos qos = fastdds::participant_qos(config_, *number);
+  if (!keys.empty()) {
+    auto security = fastdds::security_properties(keys);
+    if (!security) return tl::unexpected(security.error());
+    qos.properties() = *security;
+    auto identities = fastdds::Identities::read(keys);
+    if (!identities) return tl::unexpected(identities.error());
+    identities_ = std::move(*identities);
   }
+  participant_ =
+      factory().create_participant(config_.domain, qos, nullptr, dds::StatusMask::none());
+  if (participant_ != nullptr) return {};
+  return failure("no DDS participant in domain " + domain +
+                 (keys.empty() ? " (no such interface, or its ports are taken?)"
+                               : ": Fast DDS refuses the keys in " + keys));
+}
+
+Result<void, Failure> FastDdsTransport::Impl::open(const TransportPlan& plan) {
+  SKEIN_EXPECTS(participant_ == nullptr);
+  if (auto checked = check_network(); !checked) return checked;
+  if (auto joined = join(); !joined) return joined;
   channels_.resize(plan.channels.size());
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (auto opened = open_channel(i, plan); !opened) return opened;
@@ -226,12 +276,17 @@ Result<void, Failure> FastDdsTransport::Impl::open_channel(std::size_t index,
     qos.partition().push_back(channel.config.partition.c_str());
     channel.subscriber = participant_->create_subscriber(qos, nullptr, dds::StatusMask::none());
     good = good && channel.subscriber != nullptr;
-    listeners_.push_back(std::make_unique<Listener>(mailbox_, index, plan.self));
+    listeners_.push_back(std::make_unique<Listener>(
+        mailbox_, index, plan.self, checks_writers() ? &*identities_ : nullptr, config_.names));
     for (const wire::Slot slot : world ? plan.world_reads : slots) {
       good = good && add_reader(channel, slot, *listeners_.back());
     }
   }
-  if (!good) return failure("DDS refuses the endpoints of channel " + channel.config.partition);
+  if (!good) {
+    return failure(
+        "DDS refuses the endpoints of channel " + channel.config.partition +
+        (identities_ ? ": the permissions in " + config_.network.keys + " do not allow them" : ""));
+  }
   return {};
 }
 

@@ -6,6 +6,7 @@
 #include <fastrtps/utils/IPLocator.h>
 
 #include <algorithm>
+#include <array>
 
 #include "ports.hpp"
 
@@ -19,6 +20,11 @@ using eprosima::fastrtps::Duration_t;
 constexpr std::uint32_t kSocketBuffer = 2 * 1024 * 1024;
 constexpr const char* kMulticastAddress = "239.255.0.1";  // of RTPS discovery
 constexpr const char* kLoopback = "127.0.0.1";
+/// Participants of a peer's machine, and of this one on other addresses than the loopback's.
+constexpr std::uint32_t kTriedOfPeer = 8;
+/// Of the discovery server with id 0; the third byte is the id. Source: Fast DDS 2.9, 4.1.5.
+constexpr std::array<std::uint8_t, 12> kServer{0x44, 0x53, 0x00, 0x5f, 0x45, 0x50,
+                                               0x52, 0x4f, 0x53, 0x49, 0x4d, 0x41};
 
 Duration_t milliseconds(std::uint32_t ms) {
   return {static_cast<std::int32_t>(ms / 1000), ms % 1000 * 1'000'000};
@@ -59,16 +65,50 @@ void set_locators(dds::WireProtocolConfigQos& protocol, const FastDdsConfig& con
                   std::uint32_t number) {
   rtps::BuiltinAttributes& builtin = protocol.builtin;
   const unsigned own = first_port(config.domain, number);
-  for (const std::string& address : config.interfaces) {
+  for (const std::string& address : config.network.interfaces) {
     builtin.metatrafficUnicastLocatorList.push_back(udp(address, own));
     protocol.default_unicast_locator_list.push_back(udp(address, own + 1));
   }
-  const rtps::Locator_t everybody = udp(kMulticastAddress, first_port(config.domain));
-  builtin.metatrafficMulticastLocatorList.push_back(everybody);
-  builtin.initialPeersList.push_back(everybody);
-  if (std::ranges::find(config.interfaces, kLoopback) == config.interfaces.end()) return;
-  for (std::uint32_t peer = 0; peer < kParticipants; ++peer) {
-    builtin.initialPeersList.push_back(udp(kLoopback, first_port(config.domain, peer)));
+  if (!config.network.discovery_servers.empty()) return;
+  if (config.network.multicast) {
+    const rtps::Locator_t everybody = udp(kMulticastAddress, first_port(config.domain));
+    builtin.metatrafficMulticastLocatorList.push_back(everybody);
+    builtin.initialPeersList.push_back(everybody);
+  }
+  const auto look_at = [&](const std::string& address, std::uint32_t participants) {
+    for (std::uint32_t one = 0; one < participants; ++one) {
+      builtin.initialPeersList.push_back(udp(address, first_port(config.domain, one)));
+    }
+  };
+  for (const std::string& text : config.network.peers) {
+    const auto peer = parse_address(text);
+    if (!peer) continue;  // refused before
+    if (peer->port == 0) {
+      look_at(peer->address, kTriedOfPeer);
+    } else {
+      builtin.initialPeersList.push_back(udp(peer->address, peer->port));
+    }
+  }
+  // On this machine; at least there, since of an empty list Fast DDS would make multicast.
+  for (const std::string& address : config.network.interfaces) {
+    if (address == kLoopback) look_at(address, kParticipants);
+    if (address != kLoopback && !config.network.multicast) look_at(address, kTriedOfPeer);
+  }
+}
+
+/// Everybody is found through these alone.
+void set_servers(rtps::BuiltinAttributes& builtin, const std::vector<std::string>& servers) {
+  if (servers.empty()) return;
+  auto& discovery = builtin.discovery_config;
+  discovery.discoveryProtocol = rtps::DiscoveryProtocol_t::CLIENT;
+  for (std::size_t id = 0; id < servers.size(); ++id) {
+    const auto address = parse_address(servers[id]);
+    if (!address) continue;  // refused before
+    rtps::RemoteServerAttributes server;
+    std::copy(kServer.begin(), kServer.end(), std::begin(server.guidPrefix.value));
+    server.guidPrefix.value[2] = static_cast<rtps::octet>(id);
+    server.metatrafficUnicastLocatorList.push_back(udp(address->address, address->port));
+    discovery.m_DiscoveryServers.push_back(server);
   }
 }
 
@@ -80,13 +120,14 @@ dds::DomainParticipantQos participant_qos(const FastDdsConfig& config, std::uint
   auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   transport->sendBufferSize = kSocketBuffer;
   transport->receiveBufferSize = kSocketBuffer;
-  transport->interfaceWhiteList = config.interfaces;
+  transport->interfaceWhiteList = config.network.interfaces;
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.push_back(transport);
   auto& builtin = qos.wire_protocol().builtin;
   builtin.discovery_config.leaseDuration = milliseconds(5000);
   builtin.discovery_config.leaseDuration_announcementperiod = milliseconds(1000);
   set_locators(qos.wire_protocol(), config, number);
+  set_servers(builtin, config.network.discovery_servers);
   return qos;
 }
 

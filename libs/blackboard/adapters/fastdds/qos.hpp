@@ -11,9 +11,9 @@
 
 namespace skein::blackboard::fastdds {
 
-/// UDP over the configured interfaces only; discovery by multicast and, on this machine, also by
-/// unicast, since a loopback interface need not have multicast. `number`
-/// is that of the participant among those of its domain on this machine, below kParticipants.
+/// UDP over the configured interfaces only; discovery as configured and, on this machine, also by
+/// unicast, since a loopback interface need not have multicast. `number` is that of the participant
+/// among those of its domain on this machine, below kParticipants.
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(const FastDdsConfig& config,
                                                              std::uint32_t number);
 

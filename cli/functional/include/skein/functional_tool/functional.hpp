@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <iosfwd>
 #include <string>
-#include <vector>
+
+#include "skein/blackboard/network.hpp"
 
 namespace skein::functional_tool {
 
@@ -14,7 +15,7 @@ struct FunctionalOptions {
   std::string uav;            ///< empty: the scenario's only one
   bool virtual_time = false;  ///< against the simulator of this process
   std::uint32_t domain = 0;   ///< DDS domain
-  std::vector<std::string> interfaces{"127.0.0.1"};
+  blackboard::NetworkConfig network;
   double rate = 1;     ///< mission seconds per second, over DDS
   double height = 30;  ///< of the flight over the ground [m]
   double reach = 60;   ///< of the flight from the start [m]

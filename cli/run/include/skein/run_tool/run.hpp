@@ -22,6 +22,7 @@ struct RunOptions {
   std::string daemons;                  ///< folder of skein-ground, …; empty: beside this program
   std::optional<std::uint32_t> domain;  ///< DDS domain; absent: a free one
   std::vector<std::string> without;     ///< nodes that somebody else starts, over DDS
+  std::string security;                 ///< folder of make-keys, over DDS; empty: none
 };
 
 /// Runs to the end; returns the exit code (docs/exit-codes.md). Results go to `out`, everything

@@ -8,11 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "skein/blackboard/network.hpp"
+
 namespace skein::spy_tool {
 
 struct SpyOptions {
   std::uint32_t domain = 0;
-  std::vector<std::string> interfaces{"127.0.0.1"};
+  blackboard::NetworkConfig network;
   /// DDS partitions to listen in; `*` and `?` as DDS has them.
   std::vector<std::string> partitions{"world", "onboard/*", "radio/*"};
   std::vector<std::string> slots;  ///< by name; empty: all

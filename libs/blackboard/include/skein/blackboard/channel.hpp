@@ -49,8 +49,8 @@ struct Node {
 
 /// The two directions of a radio link, with the slots that go over radio.
 std::vector<ChannelConfig> radio_link(const Node& a, const Node& b);
-/// The radio link between the ground station and a UAV: the same, and missions and changes of
-/// degree and world up, what the UAV says of its deliberation down.
+/// The radio link between the ground station and a UAV: the same, and commands up, what the UAV
+/// says of its deliberation down.
 std::vector<ChannelConfig> station_link(const Node& station, const Node& uav);
 /// The two directions between the DDN of `uav` and its simulated vehicle; partition
 /// "onboard/<uav>".

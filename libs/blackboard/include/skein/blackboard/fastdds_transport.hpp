@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "skein/blackboard/network.hpp"
 #include "skein/blackboard/transport.hpp"
 
 namespace skein::blackboard {
@@ -15,11 +17,13 @@ namespace skein::blackboard {
 struct FastDdsConfig {
   std::uint32_t domain = 0;      ///< 0 to 100, so that its ports stay below the ephemeral ones
   std::string participant_name;  ///< shown by DDS tools
-  /// Addresses of the interfaces to use, IPv4; the default stays on this machine.
-  std::vector<std::string> interfaces = {"127.0.0.1"};
+  NetworkConfig network;
   /// Warnings and errors of the middleware, one line each, from any of its threads; they go nowhere
   /// else. The middleware's log is one per process: the last transport opened receives it.
   std::function<void(const std::string&)> log;
+  /// With keys: who has which number. A sample that says it is of a node whose certificate its
+  /// writer does not have is malformed. Empty: that is not checked (a spy).
+  std::map<NodeNumber, std::string> names = {};
 };
 
 /// One participant over UDP; each channel has its own publisher and subscriber, and cutting it

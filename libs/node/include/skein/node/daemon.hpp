@@ -7,14 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "skein/blackboard/network.hpp"
 #include "skein/node/host.hpp"
 
 namespace skein::node {
 
 struct DaemonConfig {
-  std::uint32_t domain = 0;                             ///< DDS domain id, 0 to 100
-  std::vector<std::string> interfaces = {"127.0.0.1"};  ///< IPv4 addresses to talk on
-  double rate = 1;                                      ///< of the scenario; the leader's counts
+  std::uint32_t domain = 0;  ///< DDS domain id, 0 to 100
+  blackboard::NetworkConfig network;
+  double rate = 1;  ///< of the scenario; the leader's counts
   std::uint64_t seed = 0;
   bool leads_clock = false;                     ///< exactly one daemon of a system: the simulator
   MissionTime time_limit = MissionTime::max();  ///< leader: the clock ends here at the latest
@@ -26,6 +27,9 @@ struct DaemonConfig {
   /// the middleware's own log. May be empty.
   std::function<void(const journal::Record&)> on_record;
   std::function<void(const std::string&)> on_middleware_log;
+  /// After every turn of the daemon's loop, several times a second as long as it lives; the first
+  /// time it takes part in the domain. For a service manager. May be empty.
+  std::function<void(wire::ClockPhase)> on_turn;
 };
 
 enum class DaemonEnd {

@@ -25,6 +25,7 @@ struct HostConfig {
   /// on where that ends, and `incarnation` is that of the first life. Null: nothing outlives the
   /// node.
   InputLog* memory = nullptr;
+  bool leads_clock = false;
 };
 
 /// Where a host's output goes. All are called from step(), in the order of the effects.

@@ -37,6 +37,7 @@ class Roster {
   const Member* find(NodeNumber number) const;
   /// The name, or "node 7" for a stranger.
   std::string name_of(NodeNumber number) const;
+  std::map<NodeNumber, std::string> names() const;
 
   NodeNumber ground() const { return NodeNumber(1); }
   NodeNumber sim() const { return NodeNumber(2); }

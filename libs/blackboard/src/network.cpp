@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/blackboard/network.hpp"
+
+#include <charconv>
+
+namespace skein::blackboard {
+namespace {
+
+/// A decimal number without sign from `low` to `high` that is all of the text.
+bool is_number(std::string_view text, unsigned low, unsigned high, unsigned& number) {
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && stop == end && number >= low && number <= high;
+}
+
+bool is_address(std::string_view text) {
+  unsigned number = 0;
+  for (int dots = 0; dots < 3; ++dots) {
+    const std::size_t dot = text.find('.');
+    if (dot == std::string_view::npos || !is_number(text.substr(0, dot), 0, 255, number)) {
+      return false;
+    }
+    text.remove_prefix(dot + 1);
+  }
+  return is_number(text, 0, 255, number);
+}
+
+}  // namespace
+
+Result<NetworkAddress, Failure> parse_address(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  NetworkAddress parsed{std::string(text.substr(0, colon)), 0};
+  const bool port = colon != std::string_view::npos;
+  if (is_address(parsed.address) &&
+      (!port || is_number(text.substr(colon + 1), 1, 65'535, parsed.port))) {
+    return parsed;
+  }
+  return failure("'" + std::string(text) + "' is not an IPv4 address, or one with :PORT");
+}
+
+std::vector<std::string> problems_of(const NetworkConfig& network) {
+  std::vector<std::string> problems;
+  const auto check = [&](const char* what, const std::string& text, int ports) {
+    const auto parsed = parse_address(text);
+    if (!parsed) {
+      problems.push_back(std::string(what) + " " + parsed.error().why);
+    } else if (ports < 0 && parsed->port != 0) {
+      problems.push_back(std::string(what) + " '" + text + "' has a port");
+    } else if (ports > 0 && parsed->port == 0) {
+      problems.push_back(std::string(what) + " '" + text + "' has no port");
+    }
+  };
+  for (const std::string& one : network.interfaces) check("interface", one, -1);
+  for (const std::string& one : network.peers) check("peer", one, 0);
+  for (const std::string& one : network.discovery_servers) check("discovery server", one, 1);
+  return problems;
+}
+
+}  // namespace skein::blackboard

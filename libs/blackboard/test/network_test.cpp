@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/blackboard/network.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace skein::blackboard {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+TEST(NetworkAddress, HasAPortOrNot) {
+  EXPECT_EQ(parse_address("10.0.0.2")->address, "10.0.0.2");
+  EXPECT_EQ(parse_address("10.0.0.2")->port, 0U);
+  EXPECT_EQ(parse_address("10.0.0.2:9160")->address, "10.0.0.2");
+  EXPECT_EQ(parse_address("10.0.0.2:9160")->port, 9160U);
+}
+
+TEST(NetworkAddress, IsNothingElse) {
+  for (const char* text : {"", "10.0.0", "10.0.0.256", "uav1", "::1", "10.0.0.2:", "10.0.0.2:0",
+                           "10.0.0.2:65536", "10.0.0.2:-1", "10.0.0.2:9160x", ":9160"}) {
+    EXPECT_FALSE(parse_address(text)) << text;
+  }
+}
+
+TEST(NetworkConfig, TheDefaultHasNoProblems) { EXPECT_THAT(problems_of({}), IsEmpty()); }
+
+TEST(NetworkConfig, EveryProblemIsToldAtOnce) {
+  NetworkConfig network;
+  network.interfaces = {"eth0", "10.0.0.1:7"};
+  network.peers = {"10.0.0.2", "10.0.0.2:9160", "marvin"};
+  network.discovery_servers = {"10.0.0.9:11811", "10.0.0.9"};
+
+  EXPECT_THAT(problems_of(network),
+              ElementsAre("interface 'eth0' is not an IPv4 address, or one with :PORT",
+                          "interface '10.0.0.1:7' has a port",
+                          "peer 'marvin' is not an IPv4 address, or one with :PORT",
+                          "discovery server '10.0.0.9' has no port"));
+}
+
+}  // namespace
+}  // namespace skein::blackboard

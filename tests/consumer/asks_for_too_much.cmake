@@ -1,1 +1,0 @@
-find_package(Skein 0.1 REQUIRED COMPONENTS levitation)

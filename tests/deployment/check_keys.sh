@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# check_keys.sh BUILD CASE: who has keys takes part, who has not is kept out (docs/threats.md).
+#   comets       COMETS over DDS with keys meets its expectations
+#   no-keys      a UAV without keys does not meet the others, and a spy without keys hears nothing
+#   expired      a certificate that ran out: its node is refused by itself, and, where that has a wrong
+#                clock, by the others (the latter only where faketime is installed)
+#   other-name   a UAV with another's keys is refused
+#   other-slots  a UAV whose permissions lack a slot is refused
+set -euo pipefail
+build=$1 case=$2
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+scenarios=$here/../../scenarios
+work=$(mktemp -d)
+running=()
+stop() { [ ${#running[@]} -eq 0 ] || kill -KILL "${running[@]}" 2>/dev/null || true; rm -rf "$work"; }
+trap stop EXIT
+fail() { echo "FAILED ($case): $*" >&2; tail -n 5 "$work"/*.log >&2 || true; exit 1; }
+keys() { "${prefix[@]}" "$here/../../scripts/make-keys" "$work/keys" "$1" --programs "$build/bin" >"$work/keys.log"; }
+
+prefix=()
+if [ "$case" = comets ]; then
+  keys "$scenarios/comets/confirmed.yaml"
+  "$build/bin/skein" run "$scenarios/comets/confirmed.yaml" --security "$work/keys" --out "$work/out" --quiet
+  exit
+fi
+
+# A network of its own, so that the domain is free.
+if [ -z "${SKEIN_IN_NAMESPACE:-}" ]; then
+  unshare -rn true 2>/dev/null || { echo "SKIPPED: no network namespaces here"; exit 77; }
+  rm -rf "$work"
+  SKEIN_IN_NAMESPACE=1 exec unshare -rnm "$0" "$@"
+fi
+ip link set lo up
+# The authority of this case was good when the certificate was.
+if [ "$case" = expired ] && command -v faketime >/dev/null; then prefix=(faketime '-2 days'); fi
+scenario=$scenarios/karma/detection.yaml
+keys "$scenario"
+prefix=()
+start() { # NAME PROGRAM [options]: a daemon in the background
+  local name=$1 program=$2
+  shift 2
+  "${prefix[@]}" "$build/bin/$program" --scenario "$scenario" --rate 60 "$@" >"$work/$name.log" 2>&1 &
+  running+=($!)
+  last=$!
+}
+refused() { # WHAT PROGRAM [options]: it ends with 3 and says so
+  local what=$1 code=0
+  shift
+  timeout 30 "$build/bin/$1" --scenario "$scenario" "${@:2}" >"$work/refused.log" 2>&1 || code=$?
+  [ "$code" = 3 ] || fail "exit code $code"
+  grep -q "$what" "$work/refused.log" || fail "not '$what'"
+}
+never_started() { # after the time in which others meet
+  local code=0
+  timeout 6 tail --pid="$1" -f /dev/null || code=$?
+  [ "$code" = 124 ] || fail "a daemon ended"
+  ! grep -q "mission started" "$work/sim.log" || fail "they met"
+}
+expired() { # a certificate for karma that was good until yesterday
+  mkdir "$work/ca"
+  : >"$work/ca/index"
+  printf '[ca]\ndefault_ca=it\n[it]\ndatabase=%s\nnew_certs_dir=%s\nrand_serial=yes\npolicy=any\n[any]\norganizationName=supplied\ncommonName=supplied\n' \
+    "$work/ca/index" "$work/ca" >"$work/ca/config"
+  openssl req -new -key "$work/keys/karma/key.pem" -subj "/O=Skein/CN=karma" -out "$work/ca/request.pem" 2>"$work/openssl.log"
+  openssl ca -batch -notext -config "$work/ca/config" -md sha256 -cert "$work/keys/authority/ca.pem" -keyfile "$work/keys/authority/key.pem" \
+    -extfile <(echo basicConstraints=critical,CA:FALSE) -startdate "$(date -u -d "-47 hours" +%Y%m%d%H%M%SZ)" -enddate "$(date -u -d "-24 hours" +%Y%m%d%H%M%SZ)" \
+    -in "$work/ca/request.pem" -out "$work/keys/karma/cert.pem" 2>"$work/openssl.log" || fail "openssl ca"
+}
+
+case $case in
+  no-keys)
+    start sim skein-sim --security "$work/keys"
+    start ground skein-ground --security "$work/keys"
+    start karma skein-ddn --uav karma
+    never_started "$last"
+    code=0; "$build/bin/skein" spy --duration 2 >"$work/spy.log" 2>&1 || code=$?
+    grep -q karma "$work/spy.log" || fail "the spy does not even hear karma"
+    ! grep -qE 'ground|sim' "$work/spy.log" || fail "the spy heard who has keys" ;;
+  expired)
+    expired
+    refused "refuses the keys" skein-ddn --uav karma --security "$work/keys"
+    command -v faketime >/dev/null || { echo "without faketime: a node with a wrong clock is not tried"; exit 0; }
+    start sim skein-sim --security "$work/keys"
+    start ground skein-ground --security "$work/keys"
+    prefix=(env FAKETIME_DONT_FAKE_MONOTONIC=1 faketime '-36 hours')
+    start karma skein-ddn --uav karma --security "$work/keys"
+    never_started "$last"
+    grep -q "certificate has expired" "$work/ground.log" || fail "the ground station does not say why" ;;
+  other-name)
+    refused "do not allow" skein-ground --security "$work/keys/karma" ;;
+  other-slots)
+    cat >"$work/skein-ground" <<SH
+#!/bin/sh
+"$build/bin/skein-ground" "\$@" | grep -v '^karma publish .* Telemetry\$'
+SH
+    chmod +x "$work/skein-ground"
+    "$here/../../scripts/make-keys" "$work/keys" "$scenario" --programs "$work" >"$work/keys.log"
+    refused "do not allow" skein-ddn --uav karma --security "$work/keys" ;;
+  *) echo "unknown case $case" >&2; exit 2 ;;
+esac

@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# check_packages.sh BUILD: makes the Debian packages of a build tree and installs them, as apt does, into
+# a clean Debian 12 that mmdebstrap makes; there a mission is flown in virtual time and over DDS by the
+# account of the daemons, and systemd judges the units. Needs root, mmdebstrap and a Debian mirror.
+# shellcheck disable=SC2016  # what stands in single quotes is for other shells
+set -euo pipefail
+build=$(cd "$1" && pwd)
+skip() { echo "SKIPPED: $*"; exit 77; }
+[ "$(id -u)" -eq 0 ] || skip "not root"
+command -v mmdebstrap >/dev/null || skip "no mmdebstrap"
+work=$(mktemp -d /var/tmp/skein-packages.XXXXXX)
+root=$work/root
+trap 'rm -rf "$work"' EXIT
+log=$work/log
+fail() { tail -n 30 "$log" >&2; echo "FAILED: $*" >&2; exit 1; }
+said() { echo "packages: $*"; }
+
+(cd "$build" && cpack -B "$work/packages") >"$log" 2>&1 || fail "cpack"
+cd "$work/packages"
+said "$(du -k -- *.deb | awk '{printf "%s%s %d kB", n++ ? ", " : "", $2, $1}')"
+
+sources=$(find /etc/apt/sources.list.d -name '*.sources' -o -path '*debian.list' | head -n 1)
+[ -s "${sources:-/etc/apt/sources.list}" ] || skip "no list of Debian mirrors"
+install='cd "$1/tmp" && chroot "$1" sh -c "cd /tmp && apt-get install -q -y --no-install-recommends ./skein_*.deb openssl"'
+mmdebstrap --variant=minbase --skip=cleanup/apt/lists,cleanup/tmp \
+  --customize-hook="copy-in $(echo "$work"/packages/*.deb) /tmp" --customize-hook="$install" \
+  bookworm "$root" "${sources:-/etc/apt/sources.list}" >"$log" 2>&1 ||
+  { grep -q 'E: .*\(fetch\|resolve\|connect\)' "$log" && skip "no Debian mirror reached"; fail "installing"; }
+inside() { # COMMAND…: in the clean root, as the daemons' account, with a network of its own
+  unshare -nmp --fork bash -c 'root=$1; shift
+    mount -t proc proc "$root/proc"; mount -t tmpfs tmpfs "$root/dev/shm"; ip link set lo up
+    exec chroot --userspec=skein:skein "$root" "$@"' inside "$root" "$@" >"$log" 2>&1
+}
+said "installed with $(chroot "$root" dpkg-query -W -f '${Installed-Size} kB' skein), the root has $(du -sm "$root" | cut -f1) MB"
+
+inside skein run /usr/share/skein/scenarios/comets/confirmed.yaml --virtual --out /tmp/virtual || fail "a mission in virtual time"
+said "$(tail -n 1 "$log")"
+inside skein run /usr/share/skein/scenarios/comets/confirmed.yaml --rate 60 --out /tmp/dds || fail "a mission over DDS"
+said "$(tail -n 1 "$log")"
+inside skein-make-keys /tmp/keys /usr/share/skein/scenarios/comets/confirmed.yaml || fail "keys"
+said "$(tail -n 1 "$log")"
+for daemon in ground sim; do
+  inside "skein-$daemon" --config "/etc/skein/$daemon.yaml" --show-config || fail "/etc/skein/$daemon.yaml"
+done
+inside skein-ddn --config /etc/skein/ddn.yaml --uav marvin --show-config || fail /etc/skein/ddn.yaml
+
+if command -v systemd-analyze >/dev/null; then
+  cp -r "$root/usr/lib/systemd/system" "$work/units"
+  cp "$work/units/skein-ddn@.service" "$work/units/skein-ddn@marvin.service"
+  for unit in skein-ground skein-sim skein-ddn@marvin; do
+    # Its commands stand in the clean root, not here.
+    sed -i "s|^ExecStart=skein-|ExecStart=$root/usr/bin/skein-|" "$work/units/$unit.service"
+    SYSTEMD_LOG_LEVEL=warning systemd-analyze verify --man=no "$work/units/$unit.service" >"$log" 2>&1 || fail "$unit"
+    ! grep -q "$unit" "$log" || fail "$unit"
+    systemd-analyze security --offline=true --threshold=25 "$work/units/$unit.service" >"$log" 2>&1 || fail "$unit is too open"
+    said "$unit: $(tail -n 1 "$log" | sed 's/^[^O]*//')"
+  done
+fi
+chroot "$root" sh -c 'cd /tmp && apt-get install -s --no-install-recommends ./libskein-dev_*.deb ./skein-refine_*.deb' >"$log" 2>&1 ||
+  fail "what libskein-dev or skein-refine depends on is not in Debian"
+chroot "$root" apt-get purge -y skein >"$log" 2>&1 || fail "purge"
+left=$(chroot "$root" find / -xdev -name '*skein*' -not -path '/tmp/*' -not -path '/var/lib/apt/*' | head)
+[ -z "$left" ] || fail "left after purge: $left"
+said "all held"
