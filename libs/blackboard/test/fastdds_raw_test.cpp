@@ -223,7 +223,7 @@ TEST_F(FastDdsRaw, AGeneratedReaderUnderstandsUs) {
 }
 
 TEST(FastDdsTransport, AnAddressThatNobodyHereHasIsAFailureAndNotSilence) {
-  FastDdsTransport transport({1, "lost", {"127.0.0.1", "192.0.2.77"}, {}});
+  FastDdsTransport transport({1, "lost", {.interfaces = {"127.0.0.1", "192.0.2.77"}}, {}});
 
   const auto opened = transport.open({kGround.number, {}, {}});
 

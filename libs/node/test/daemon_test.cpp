@@ -136,7 +136,7 @@ class Daemons : public ::testing::Test {
       std::filesystem::temp_directory_path() / ("skein-daemon-test-" + std::to_string(getpid()));
   Waker waker_;
   blackboard::FastDdsTransport transport_{
-      {lease_.value().domain(), "runner", {"127.0.0.1"}, nullptr}};
+      {lease_.value().domain(), "runner", {}, nullptr}};
   std::optional<blackboard::Blackboard> board_;
   std::map<std::string, pid_t> running_;
   std::map<NodeNumber, std::vector<std::string>> records_;
