@@ -145,19 +145,26 @@
 
   ; In air that is open until it has looked; else where air is open at some other time, that is waited for.
   (:- (view-for ?from ?place ?device ?when ?seconds ?to)
-    best ((view-of ?from ?place ?device 0 1 ?when ?when ?seconds ?to))
+    best ((view-of ?from ?place ?device ?when ?when ?seconds ?to))
     another-side ((sides-for ?from ?place ?device ?when ?seconds 6 ?sides) (assign ?to (first ?sides)))
-    after-a-wait ((assign ?open (from-then-on ?when)) (view-of ?from ?place ?device 0 1 ?open ?when ?seconds ?to)))
-  (:- (view-of ?from ?place ?device ?rank ?count ?open ?when ?seconds ?to)
-    ((assign ?view (compute-viewpoint ?place (list ?device) ?rank ?count ?open ?seconds)) (call consp ?view)
+    after-a-wait ((assign ?open (from-then-on ?when)) (view-of ?from ?place ?device ?open ?when ?seconds ?to)))
+  (:- (view-of ?from ?place ?device ?open ?when ?seconds ?to)
+    ((assign ?view (compute-viewpoint ?place (list ?device) ?open ?seconds)) (call consp ?view)
      (assign ?there (within-reach ?from (rest ?view) ?when ?seconds)) (call consp ?there) (assign ?to (first ?there))))
   (:- (sides-for ?from ?place ?device ?when ?seconds ?count ?there)
     ((assign ?views (compute-angles ?place (list ?device) ?count ?when ?seconds)) (call consp ?views)
      (assign ?there (within-reach ?from (rest ?views) ?when ?seconds)) (call consp ?there)))
-  ; That side of several which falls to this vehicle: partners ask alike, whenever they come.
-  (:- (side-for ?from ?place ?device ?rank ?count ?when ?to)
-    best ((view-of ?from ?place ?device ?rank ?count () ?when 0 ?to))
-    after-a-wait ((assign ?open (from-then-on '((num 0) (num 0)))) (view-of ?from ?place ?device ?rank ?count ?open ?when 0 ?to)))
+  ; Where this vehicle waits for its partners, and where they do: all reckon alike, whenever they come.
+  (:- (meeting-for ?from ?place ?device ?senders ?receivers ?when ?to ?others)
+    best ((meeting-at ?from ?place ?device ?senders ?receivers () ?when ?to ?others))
+    after-a-wait
+    ((assign ?open (from-then-on '((num 0) (num 0))))
+     (meeting-at ?from ?place ?device ?senders ?receivers ?open ?when ?to ?others)))
+  (:- (meeting-at ?from ?place ?device ?senders ?receivers ?open ?when ?to ?others)
+    ((best-first perception ?order)
+     (assign ?meeting (compute-meeting ?place ?device ?order ?senders ?receivers ?open)) (call consp ?meeting)
+     (assign ?there (within-reach ?from (list (first ?meeting)) ?when 0)) (call consp ?there)
+     (assign ?to (first ?there)) (assign ?others (rest ?meeting))))
   ; Up to three sides; others when there is no way to some of the best.
   (:- (three-sides-for ?from ?place ?device ?when ?seconds ?points)
     best ((assign ?views (compute-angles ?place (list ?device) 3 ?when ?seconds)) (call consp ?views)
@@ -652,11 +659,10 @@
   (:method (general-combined-goto-and-synchro-and-takeshot ?sync ?senders ?receivers ?place ?seconds ?tc ?origin)
     all-looked ((has-met ?sync ?origin) (all-looked ?seconds ?origin)) ()
     goto-and-synchro-and-takeshot
-    (:first (assign ?rank (rank-in ?senders ?receivers)) (assign ?count (count-of ?senders ?receivers))
-      (still-to-look ?seconds ?origin ?left) (uavloc ?_how ?from)
+    (:first (still-to-look ?seconds ?origin ?left) (uavloc ?_how ?from)
       (devices-for perception ?devices) (assign* ?device ?devices)
       (may-begin ?tc ?when)
-      (side-for ?from ?place ?device ?rank ?count ?when ?to) (assign ?others (compute-others ?place (list ?device) ?rank ?count)))
+      (meeting-for ?from ?place ?device ?senders ?receivers ?when ?to ?others))
       ((go-among ?to ?others ?tc ?origin) (wait-for-partners ?sync ?senders ?receivers ?tc ?origin)
        (stay-and-shoot ?device ?place ?left ?tc ?origin)))
 
@@ -667,10 +673,9 @@
 
   (:method (monitor-until ?place ?sync ?partners ?signal ?from ?tc ?origin)
     monitor-until
-    (:first (assign ?team (with-me ?partners)) (assign ?rank (rank-in ?team ?team)) (assign ?count (length ?team))
-      (uavloc ?_how ?here)
+    (:first (assign ?team (with-me ?partners)) (uavloc ?_how ?here)
       (devices-for perception ?devices) (assign* ?device ?devices) (may-begin ?tc ?when)
-      (side-for ?here ?place ?device ?rank ?count ?when ?to) (assign ?others (compute-others ?place (list ?device) ?rank ?count))
+      (meeting-for ?here ?place ?device ?team ?team ?when ?to ?others)
       (assign ?target (target-of ?place)))
       ((go-to-meet ?to ?others ?tc ?origin) (meet ?sync ?team ?team ?tc ?origin)
        (!!aim ?device ?target) (!task-monitoring ?shot ?_e ?_q ?_t ?_v ?tc ?origin)

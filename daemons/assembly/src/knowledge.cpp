@@ -47,17 +47,35 @@ Result<mission::Vocabulary, Diagnostics> vocabulary_of(const Scenario& scenario)
   return supervisor::vocabulary_of(domain_of(scenario));
 }
 
+namespace {
+
+supervisor::Partner partner_of(const Scenario& scenario, const UavSpec& uav) {
+  const world::Terrain terrain(scenario.world.terrain);
+  const auto& altitudes = scenario.planning->altitudes;
+  const auto own = altitudes.find(uav.name);
+  return {uav.name,
+          uav.model,
+          {uav.start.x(), uav.start.y(), terrain.elevation(uav.start.x(), uav.start.y())},
+          own != altitudes.end() ? own->second : scenario.planning->altitude};
+}
+
+}  // namespace
+
 supervisor::Knowledge knowledge_of(const Scenario& scenario, const UavSpec& uav) {
   auto vocabulary = vocabulary_of(scenario);
   SKEIN_EXPECTS(vocabulary.has_value());
-  const world::Terrain terrain(scenario.world.terrain);
   supervisor::Knowledge knowledge;
-  knowledge.uav = uav.name;
-  knowledge.vehicle = uav.model;
-  knowledge.home = {uav.start.x(), uav.start.y(), terrain.elevation(uav.start.x(), uav.start.y())};
-  const auto own = scenario.planning->altitudes.find(uav.name);
-  knowledge.altitude =
-      own != scenario.planning->altitudes.end() ? own->second : scenario.planning->altitude;
+  for (const UavSpec& one : scenario.uavs) {
+    supervisor::Partner partner = partner_of(scenario, one);
+    if (one.name != uav.name) {
+      knowledge.partners.push_back(std::move(partner));
+      continue;
+    }
+    knowledge.uav = partner.uav;
+    knowledge.vehicle = std::move(partner.vehicle);
+    knowledge.home = partner.home;
+    knowledge.altitude = partner.altitude;
+  }
   knowledge.team = scenario.uav_names();
   knowledge.domain = domain_of(scenario);
   knowledge.vocabulary = std::move(*vocabulary);

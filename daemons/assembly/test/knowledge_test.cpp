@@ -74,6 +74,11 @@ TEST(Knowledge, OfAUavIsWhatItIsAndWhoItsTeamIs) {
   EXPECT_EQ(knowledge.home.z(), world::Terrain(scenario.world.terrain).elevation(-40, 30));
   EXPECT_EQ(knowledge.altitude, 55);
   EXPECT_THAT(knowledge.team, ElementsAre("marvin", "heliv", "karma"));
+  ASSERT_EQ(knowledge.partners.size(), 2U);
+  EXPECT_EQ(knowledge.partners[1].uav, "karma");
+  EXPECT_EQ(knowledge.partners[1].vehicle.name, "karma");
+  EXPECT_EQ(knowledge.partners[1].home.x(), scenario.uavs[2].start.x());
+  EXPECT_EQ(knowledge.partners[1].altitude, 55);
   EXPECT_EQ(knowledge.domain.file, "domains/own.lisp");
   ASSERT_EQ(knowledge.vocabulary.tasks.size(), 1U);
   EXPECT_EQ(knowledge.vocabulary.tasks.begin()->first, "survey");

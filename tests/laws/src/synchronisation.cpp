@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who synchronises is there at one time, and not at one point.
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "laws/checks.hpp"
@@ -113,23 +114,28 @@ bool has_place(const mission::HighLevelTask& task) {
          task.name == "general-combined-goto-and-synchro-and-takeshot";
 }
 
-// Goals of one synchronisation, at one place, that are under way at both.
+// Goals of one synchronisation, at one place, that are under way at both; at one of them for some
+// time: where both have only just set out from, other goals had brought them.
 bool meet_at(const Uav& a, const Uav& b, double at) {
+  constexpr double kSetsOut = 5;  // [s]
   const auto meetings = [at](const Uav& uav) {
-    std::set<double> ids;
+    std::map<double, double> since;
     for (const auto& [id, goal] : uav.goals) {
       const auto meeting = meeting_of(uav, goal.task);
       if (!meeting || !has_place(goal.task)) continue;
-      std::string state;
+      Change last;
       for (const Change& change : goal.changes) {
-        if (change.at <= at) state = change.state;
+        if (change.at <= at) last = change;
       }
-      if (state == "under-way") ids.insert(meeting->id);
+      if (last.state == "under-way") since[meeting->id] = last.at;
     }
-    return ids;
+    return since;
   };
-  const std::set<double> ours = meetings(a), theirs = meetings(b);
-  return std::any_of(ours.begin(), ours.end(), [&](double id) { return theirs.count(id) > 0; });
+  const std::map<double, double> ours = meetings(a), theirs = meetings(b);
+  return std::any_of(ours.begin(), ours.end(), [&](const auto& our) {
+    const auto their = theirs.find(our.first);
+    return their != theirs.end() && at - std::min(our.second, their->second) >= kSetsOut;
+  });
 }
 
 }  // namespace

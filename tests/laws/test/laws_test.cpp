@@ -298,6 +298,23 @@ TEST(PartnersApart, PartnersAreNotSentToOnePoint) {
       << "it sends nobody anywhere";
 }
 
+TEST(PartnersApart, WhoMeetsOneThatWaitsIsBlamedAtOnceWhoBothSetOutFromOnePlaceAreNot) {
+  const auto leaves_when_other_is_under_way_since = [](double since) {
+    const std::string statement =
+        "general-combined-goto-and-synchro-and-takeshot 500 (heliv marvin) (heliv marvin) A1 60";
+    Story story;
+    story.goal("marvin", 701, statement, "under-way", since);
+    story.goal("heliv", 701, statement, "under-way", 100);
+    story.flies("marvin", 0, 100, kA1, kA1).flies("heliv", 0, 100, kA1, kA1);
+    story.flies("marvin", 100, 200, kA1, {650, 60, 50});
+    story.flies("heliv", 100, 200, kA1, {-350, 60, 50});
+    return story.broken("partners-apart");
+  };
+
+  EXPECT_THAT(leaves_when_other_is_under_way_since(98), IsEmpty());
+  EXPECT_THAT(leaves_when_other_is_under_way_since(20), SizeIs(1));
+}
+
 // ---- motion ----
 
 TEST(OneMotion, TwoMotionsOverlap) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "flight/autopilot.hpp"
 #include "flight/closed_air.hpp"
 
 namespace skein::supervisor {
@@ -12,6 +11,13 @@ namespace skein::supervisor {
 bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& volumes,
                   const world::VehicleModel& vehicle, const world::Wind& wind,
                   const Closeness& closeness) {
+  return way.size() > 1 &&
+         flights_meet(way, volumes, vehicle, wind, closeness, poses_at(way.front(), vehicle));
+}
+
+bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& volumes,
+                  const world::VehicleModel& vehicle, const world::Wind& wind,
+                  const Closeness& closeness, const std::vector<Pose>& poses) {
   if (way.size() < 2) return false;
   const auto is_met = [&](const world::Vector3& at) {
     return std::any_of(volumes.begin(), volumes.end(),
@@ -22,7 +28,7 @@ bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& vo
   };
   const refiners::Way rest(way.begin() + 1, way.end());
   const double round = 2 * std::numbers::pi * vehicle.orbit_radius / vehicle.cruise_speed;
-  for (const Pose& pose : poses_at(way.front(), vehicle)) {
+  for (const Pose& pose : poses) {
     if (is_met(pose.at)) continue;
     const std::uint64_t trials = vehicle.hovers ? closeness.shaken : 0;
     for (std::uint64_t trial = 1; trial <= trials; ++trial)

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "flight/autopilot.hpp"
 #include "skein/refiners/flight.hpp"
 #include "skein/world/volume.hpp"
 
@@ -23,5 +24,9 @@ struct Closeness {
 bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& volumes,
                   const world::VehicleModel& vehicle, const world::Wind& wind,
                   const Closeness& closeness);
+/// Likewise, of a vehicle that begins in one of these poses.
+bool flights_meet(const refiners::Way& way, const std::vector<world::Volume>& volumes,
+                  const world::VehicleModel& vehicle, const world::Wind& wind,
+                  const Closeness& closeness, const std::vector<Pose>& poses);
 
 }  // namespace skein::supervisor

@@ -38,6 +38,9 @@ Situation Situations::place_after(const Standing& standing) const {
   result.position = place_of_vehicle(book_, beliefs_);
   result.heading = beliefs_.vehicle().heading;
   result.airborne = beliefs_.vehicle().airborne;
+  result.flies_on =
+      result.airborne && !beliefs_.model().hovers && !circled(book_, beliefs_) &&
+      std::none_of(standing.tasks.begin(), standing.tasks.end(), mission::holds_vehicle);
   for (const mission::ElementaryTask& task : standing.tasks) move(task, result);
   return result;
 }

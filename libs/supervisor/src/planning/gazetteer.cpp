@@ -34,6 +34,21 @@ Gazetteer::Gazetteer(std::shared_ptr<const Knowledge> knowledge,
                      std::shared_ptr<const world::World> world)
     : knowledge_(std::move(knowledge)), world_(std::move(world)) {}
 
+Gazetteer Gazetteer::of(const std::string& uav) const {
+  auto theirs = std::make_shared<Knowledge>();
+  theirs->uav = uav;
+  theirs->vehicle = knowledge_->vehicle;
+  theirs->home = knowledge_->home;
+  theirs->altitude = knowledge_->altitude;
+  for (const Partner& one : knowledge_->partners) {
+    if (!same_name(one.uav, uav)) continue;
+    theirs->vehicle = one.vehicle;
+    theirs->home = one.home;
+    theirs->altitude = one.altitude;
+  }
+  return {std::move(theirs), world_};
+}
+
 std::optional<Vector3> Gazetteer::place(const TermStore& store, Term term) const {
   std::optional<Vector3> at = location_of(store, term);
   if (!at) at = named_place(text_of(store, unquoted(store, term)));

@@ -18,6 +18,9 @@ class Gazetteer {
  public:
   Gazetteer(std::shared_ptr<const Knowledge> knowledge, std::shared_ptr<const world::World> world);
 
+  /// As that UAV of the team plans in the same world.
+  Gazetteer of(const std::string& uav) const;
+
   /// Of a name, or of (loc X Y Z). What lies under the ground counts as on it.
   std::optional<world::Vector3> place(const htn::TermStore& store, htn::Term term) const;
   const world::Zone* zone(const std::string& name) const;

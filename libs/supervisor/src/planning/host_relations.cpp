@@ -69,8 +69,8 @@ HostValue HostRelations::not_reached(TermStore& store, HostArguments arguments) 
 }
 
 /// In the order of the team, those that are not in it after them in the order given.
-std::vector<std::string> HostRelations::team(const TermStore& store, HostArguments lists) const {
-  std::vector<std::string> given;
+std::vector<std::string> HostRelations::team(const TermStore& store, HostArguments lists,
+                                             std::vector<std::string> given) const {
   for (const Term list : lists) {
     if (!store.is_list(list)) continue;
     for (const Term term : store.items(list)) {
@@ -92,24 +92,14 @@ std::vector<std::string> HostRelations::team(const TermStore& store, HostArgumen
   return given;
 }
 
-HostValue HostRelations::rank_in(TermStore& store, HostArguments arguments) {
-  const std::vector<std::string> all = team(store, arguments);
-  const auto me = std::find_if(all.begin(), all.end(), [&](const std::string& one) {
-    return same_name(one, gazetteer().knowledge().uav);
-  });
-  return store.integer(me == all.end() ? 0 : me - all.begin());
-}
-
-HostValue HostRelations::count_of(TermStore& store, HostArguments arguments) {
-  const auto count = static_cast<std::int64_t>(team(store, arguments).size());
-  return store.integer(std::clamp<std::int64_t>(count, 1, 16));
+std::vector<std::string> HostRelations::who_meet(const TermStore& store,
+                                                 HostArguments lists) const {
+  return team(store, lists, {gazetteer().knowledge().uav});
 }
 
 HostValue HostRelations::with_me(TermStore& store, HostArguments arguments) {
-  const std::vector<Term> me = {store.symbol(gazetteer().knowledge().uav)};
-  const std::vector<Term> lists = {store.list(me), arguments[0]};
   std::vector<Term> names;
-  for (const std::string& name : team(store, lists)) names.push_back(store.symbol(name));
+  for (const std::string& name : who_meet(store, arguments)) names.push_back(store.symbol(name));
   return store.list(names);
 }
 

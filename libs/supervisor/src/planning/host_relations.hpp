@@ -17,14 +17,16 @@ class HostRelations {
   HostValue is_at(htn::TermStore& store, HostArguments arguments);
   HostValue is_over(htn::TermStore& store, HostArguments arguments);
   HostValue not_reached(htn::TermStore& store, HostArguments arguments);
-  HostValue rank_in(htn::TermStore& store, HostArguments arguments);
-  HostValue count_of(htn::TermStore& store, HostArguments arguments);
   HostValue with_me(htn::TermStore& store, HostArguments arguments);
   HostValue in_time(htn::TermStore& store, HostArguments arguments);
 
+  /// Of lists of names, and this UAV, in the order of the team.
+  std::vector<std::string> who_meet(const htn::TermStore& store, HostArguments lists) const;
+
  private:
   const Gazetteer& gazetteer() const { return names_.gazetteer(); }
-  std::vector<std::string> team(const htn::TermStore& store, HostArguments lists) const;
+  std::vector<std::string> team(const htn::TermStore& store, HostArguments lists,
+                                std::vector<std::string> given) const;
 
   HostNames& names_;
   MissionTime origin_;

@@ -22,7 +22,7 @@ tl::unexpected<Failure> wrong(const TermStore& store, Term term, const std::stri
   return failure(store.to_text(term) + " is no " + expected);
 }
 
-/// Views of one place, of one vehicle or of a team.
+/// Views of one place.
 constexpr double kMostSides = 16;
 constexpr double kRounding = 1e-6;  // [0.1 s]
 
@@ -47,22 +47,29 @@ Term way_term(TermStore& store, const refiners::Way& way) {
   return headed(store, "way", std::move(terms));
 }
 
-/// Which of how many.
-struct Side {
-  std::size_t rank, count;
-};
+/// (LOC ROOM).
+Term spot_term(TermStore& store, const Spot& spot) {
+  const std::vector<Term> pair = {location_term(store, spot.at), number_term(store, spot.room)};
+  return store.list(pair);
+}
 
-Result<Side, Failure> side_of(const TermStore& store, Term rank, Term count) {
-  const auto which = number_of(store, rank), all = number_of(store, count);
-  if (!which || !all || *which < 0 || *all < 1 || *all > kMostSides)
-    return failure("rank and count must be 0 and more, and 1 to 16");
-  return Side{static_cast<std::size_t>(*which), static_cast<std::size_t>(*all)};
+std::vector<Spot> spots_of(const TermStore& store, Term list) {
+  std::vector<Spot> spots;
+  if (!store.is_list(list)) return spots;
+  for (const Term one : store.items(list)) {
+    const std::vector<Term> pair = store.is_list(one) ? store.items(one) : std::vector<Term>{};
+    if (pair.size() != 2) continue;
+    const auto at = location_of(store, pair[0]);
+    const auto room = number_of(store, pair[1]);
+    if (at && room) spots.push_back({*at, *room});
+  }
+  return spots;
 }
 
 }  // namespace
 
 std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
-  static constexpr std::array<Entry, 32> entries = {
+  static constexpr std::array<Entry, 30> entries = {
       {{"compute-takeoff", 2, ask<&Services::takeoff>, true, 1},
        {"compute-land", 2, ask<&Services::land>, true},
        {"compute-gotoxyz", 3, ask<&Services::gotoxyz>, true, 2},
@@ -83,16 +90,14 @@ std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
        {"compute-landing-place", 3, ask<&Services::landing_place>, true, 2},
        {"compute-way-out", 1, ask<&Services::way_out>, true},
        {"is-free", 1, ask<&Services::is_free>, false},
-       {"compute-viewpoint", 6, ask<&Services::viewpoint>, true, 4},
-       {"compute-others", 4, ask<&Services::others>, false},
+       {"compute-viewpoint", 4, ask<&Services::viewpoint>, true, 2},
+       {"compute-meeting", 6, ask<&Services::meeting>, true, 5},
        {"compute-angles", 5, ask<&Services::angles>, true, 3},
        {"compute-entry", 1, ask<&HostRelations::entry>, false},
        {"compute-tour", 2, ask<&Services::tour>, true},
        {"target-of", 1, ask<&HostRelations::target_of>, false},
        {"is-at", 2, ask<&HostRelations::is_at>, false},
        {"is-over", 2, ask<&HostRelations::is_over>, false},
-       {"rank-in", 2, ask<&HostRelations::rank_in>, false},
-       {"count-of", 2, ask<&HostRelations::count_of>, false},
        {"with-me", 1, ask<&HostRelations::with_me>, false},
        {"in-time", 5, ask<&HostRelations::in_time>, false}}};
   return entries;
@@ -194,13 +199,13 @@ Value PlannerHost::Services::gotoxyz(TermStore& store, Arguments arguments) {
   return way(store, arguments.first(2), {}, arguments[2]);
 }
 
-/// (compute-gotoxyz-among FROM TO (LOC…) WHEN): likewise, around where others wait.
+/// (compute-gotoxyz-among FROM TO ((LOC ROOM)…) WHEN): likewise, around where others wait.
 Value PlannerHost::Services::gotoxyz_among(TermStore& store, Arguments arguments) {
-  return way(store, arguments.first(2), locations_of(store, arguments[2]), arguments[3]);
+  return way(store, arguments.first(2), spots_of(store, arguments[2]), arguments[3]);
 }
 
-Value PlannerHost::Services::way(TermStore& store, Arguments ends,
-                                 const std::vector<Vector3>& others, Term when) {
+Value PlannerHost::Services::way(TermStore& store, Arguments ends, const std::vector<Spot>& others,
+                                 Term when) {
   const auto from = names_.place(store, ends[0]), to = names_.place(store, ends[1]);
   if (!from || !to) return kNil;
   return flight(
@@ -284,8 +289,7 @@ Value PlannerHost::Services::stay(TermStore& store, Arguments arguments) {
 }
 
 /// Of the devices the first that sees the place from so many sides, when it sets out then and stays
-/// for SECONDS; a place in the air is flown to,
-/// by all but the first partner beside it.
+/// for SECONDS.
 std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermStore& store,
                                                                          Term where, Term devices,
                                                                          std::size_t count,
@@ -299,12 +303,8 @@ std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermSto
       why.push_back("no device '" + text_of(store, device) + "' on board");
       continue;
     }
-    if (!gazetteer().on_ground(*at)) {
-      auto beside = refinery_.views.around(*at, count);
-      if (beside) return Views{device, std::move(*beside)};
-      names_.refuse("no room at " + Gazetteer::words(store, where) + ": " + beside.error());
-      return std::nullopt;
-    }
+    // A place in the air is flown to, and there are no sides of it.
+    if (!gazetteer().on_ground(*at)) return Views{device, {*at}};
     auto found = refinery_.views.of(*at, *sensor, count, departure(store, when),
                                     number_of(store, seconds).value_or(0));
     if (found) return Views{device, std::move(*found)};
@@ -315,32 +315,30 @@ std::optional<PlannerHost::Services::Views> PlannerHost::Services::views(TermSto
   return std::nullopt;
 }
 
-/// (compute-viewpoint PLACE DEVICES RANK COUNT WHEN SECONDS): (DEVICE LOC), of COUNT sides that of
-/// RANK.
+/// (compute-viewpoint PLACE DEVICES WHEN SECONDS): (DEVICE LOC).
 Value PlannerHost::Services::viewpoint(TermStore& store, Arguments arguments) {
-  const auto side = side_of(store, arguments[2], arguments[3]);
-  if (!side) return tl::unexpected(side.error());
-  const auto seen =
-      views(store, arguments[0], arguments[1], side->count, arguments[4], arguments[5]);
+  const auto seen = views(store, arguments[0], arguments[1], 1, arguments[2], arguments[3]);
   if (!seen) return kNil;
-  if (side->rank >= seen->points.size())
-    return names_.refuse("only " + std::to_string(seen->points.size()) + " of " +
-                         std::to_string(side->count) + " sides to see " +
-                         Gazetteer::words(store, arguments[0]) + " from with " +
-                         text_of(store, seen->device));
-  const std::vector<Term> pair = {seen->device, location_term(store, seen->points[side->rank])};
+  const std::vector<Term> pair = {seen->device, location_term(store, seen->points.front())};
   return store.list(pair);
 }
 
-/// (compute-others PLACE DEVICES RANK COUNT): the COUNT sides without that of RANK.
-Value PlannerHost::Services::others(TermStore& store, Arguments arguments) {
-  const auto side = side_of(store, arguments[2], arguments[3]);
-  if (!side) return tl::unexpected(side.error());
-  if (side->count < 2) return kNil;
-  const auto seen = views(store, arguments[0], arguments[1], side->count, kNil, store.integer(0));
-  std::vector<Term> all;
-  for (std::size_t i = 0; seen && i < seen->points.size(); ++i)
-    if (i != side->rank) all.push_back(location_term(store, seen->points[i]));
+/// (compute-meeting PLACE DEVICE ORDER SENDERS RECEIVERS WHEN): (LOC (LOC ROOM)…), where this UAV
+/// waits for the others at the place, whose device sees it from there, and where they do, that look
+/// with the first of the order that is theirs.
+Value PlannerHost::Services::meeting(TermStore& store, Arguments arguments) {
+  const auto at = names_.place(store, arguments[0]);
+  if (!at) return kNil;
+  Meetings::Devices devices{text_of(store, arguments[1]), {}};
+  if (!store.is_list(arguments[2])) return wrong(store, arguments[2], "list of devices");
+  for (const Term one : store.items(arguments[2])) devices.order.push_back(text_of(store, one));
+  const auto found = refinery_.meetings.at(*at, relations_.who_meet(store, arguments.subspan(3, 2)),
+                                           devices, departure(store, arguments[5]));
+  if (!found)
+    return names_.refuse("no place to meet at " + Gazetteer::words(store, arguments[0]) + " with " +
+                         devices.own + ": " + found.error());
+  std::vector<Term> all = {location_term(store, found->own.at)};
+  for (const Spot& other : found->others) all.push_back(spot_term(store, other));
   return store.list(all);
 }
 
@@ -349,12 +347,8 @@ Value PlannerHost::Services::angles(TermStore& store, Arguments arguments) {
   const auto count = number_of(store, arguments[2]);
   if (!count || *count < 1 || *count > kMostSides)
     return wrong(store, arguments[2], "number from 1 to 16");
-  // What is in the air is one place, not something to look at from its sides.
-  const auto at = names_.place(store, arguments[0]);
-  const bool in_the_air = at && !gazetteer().on_ground(*at);
-  const auto seen =
-      views(store, arguments[0], arguments[1], in_the_air ? 1 : static_cast<std::size_t>(*count),
-            arguments[3], arguments[4]);
+  const auto seen = views(store, arguments[0], arguments[1], static_cast<std::size_t>(*count),
+                          arguments[3], arguments[4]);
   if (!seen) return kNil;
   std::vector<Term> all = {seen->device};
   for (const Vector3& point : seen->points) all.push_back(location_term(store, point));

@@ -46,6 +46,10 @@ class PlannerHost::Services {
 
   Services(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed, refiners::Budget budget);
 
+  void flies_on(const world::Vector3& position, double heading) {
+    refinery_.air.flies_on(position, heading);
+  }
+
   Value call(const Entry& entry, htn::TermStore& store, Arguments arguments);
 
   const std::vector<std::string>& refusals() const { return names_.refusals(); }
@@ -72,12 +76,11 @@ class PlannerHost::Services {
   Value is_free(htn::TermStore& store, Arguments arguments);
   Value stay(htn::TermStore& store, Arguments arguments);
   Value viewpoint(htn::TermStore& store, Arguments arguments);
-  Value others(htn::TermStore& store, Arguments arguments);
+  Value meeting(htn::TermStore& store, Arguments arguments);
   Value angles(htn::TermStore& store, Arguments arguments);
   Value tour(htn::TermStore& store, Arguments arguments);
 
-  Value way(htn::TermStore& store, Arguments ends, const std::vector<world::Vector3>& others,
-            htn::Term when);
+  Value way(htn::TermStore& store, Arguments ends, const std::vector<Spot>& others, htn::Term when);
   htn::Term answer(htn::TermStore& store, const Motion& motion, std::vector<htn::Term> params);
   htn::Term flight(htn::TermStore& store, const Answer<Motion>& motion, const std::string& what);
   htn::Term waiting(htn::TermStore& store, const world::Vector3& from, htn::Term when,

@@ -13,6 +13,10 @@ PlannerHost::PlannerHost(std::shared_ptr<const Knowledge> knowledge,
 
 PlannerHost::~PlannerHost() = default;
 
+void PlannerHost::flies_on(const world::Vector3& position, double heading) {
+  services_->flies_on(position, heading);
+}
+
 void PlannerHost::offer(htn::Functions& functions) const {
   for (const Services::Entry& entry : Services::table()) {
     functions.add(entry.name, entry.arguments, entry.arguments,

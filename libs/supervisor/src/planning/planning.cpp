@@ -120,8 +120,10 @@ htn::Options search_options(const PlanningBudget& budget) {
 Result<mission::ElementaryPlan, PlanningFailure> plan_tasks(const PlanningRequest& request,
                                                             PlanningEffort* effort) {
   const Knowledge& knowledge = *request.knowledge;
-  const PlannerHost host(request.knowledge, request.world, request.situation.origin, request.seed,
-                         {[budget = request.budget] { return budget.over(); }, kRefinerSteps});
+  PlannerHost host(request.knowledge, request.world, request.situation.origin, request.seed,
+                   {[budget = request.budget] { return budget.over(); }, kRefinerSteps});
+  if (request.situation.flies_on)
+    host.flies_on(request.situation.position, request.situation.heading);
   htn::Functions functions;
   host.offer(functions);
   DomainBook book(knowledge.domain, functions);

@@ -35,6 +35,12 @@ struct Departure {
   Departure after(double seconds) const { return {least + seconds, most + seconds, suited}; }
 };
 
+/// Where somebody waits, and how near to that nobody else comes [m].
+struct Spot {
+  world::Vector3 at = world::Vector3::Zero();
+  double room = 0;
+};
+
 /// Sentences say why not.
 template <class Value>
 using Answer = Result<Value, std::string>;

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "refinery/meetings.hpp"
 #include "refinery/outlook.hpp"
 #include "refinery/views.hpp"
 
@@ -20,6 +21,7 @@ struct Refinery {
   TimedAir air;
   Ways ways{air};
   Views views{air};
+  Meetings meetings{air, views};
   Patrols patrols{air, ways};
   Sweeps sweeps{air, ways};
   Outlook outlook{air, ways, patrols, sweeps};

@@ -2,6 +2,7 @@
 #include "refinery/timed_air.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,6 +23,8 @@ constexpr double kLeastClearance = 5;  // [m]
 constexpr double kClimbShare = 0.8;    // of its rates, in ways of a vehicle that cannot hover
 constexpr double kJoining = 1.3;       // of its circle: it is joined from inside and outside
 constexpr int kAround = 8;
+constexpr std::array<double, 3> kUntilBegun = {0, 1, 2};  // [s] in which it goes on as it was
+constexpr double kSamePlace = 0.5;                        // [m]
 constexpr std::uint64_t kShaken =
     4;  // flights in thought with errors and gusts, beside the calm one
 
@@ -44,6 +47,19 @@ TimedAir::TimedAir(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
   cautious_.descent_rate *= kClimbShare;
 }
 
+void TimedAir::flies_on(const Vector3& from, double heading) {
+  const Vector3 ahead(std::cos(heading), std::sin(heading), 0);
+  in_flight_.clear();
+  for (const double seconds : kUntilBegun)
+    in_flight_.push_back(
+        {from + seconds * vehicle().cruise_speed * ahead, heading, vehicle().cruise_speed});
+}
+
+std::vector<Pose> TimedAir::poses(const Vector3& from) const {
+  const bool flies = !in_flight_.empty() && (from - in_flight_.front().at).norm() < kSamePlace;
+  return flies ? in_flight_ : poses_at(from, vehicle());
+}
+
 double TimedAir::longest(const Way& way) const {
   return flight_times(way, vehicle(), world().wind).most;
 }
@@ -58,6 +74,10 @@ refiners::Setting TimedAir::setting(const world::World& world,
 }
 
 double TimedAir::stray() const { return arrival_distance(vehicle(), world().wind); }
+
+double TimedAir::reach() const {
+  return vehicle().hovers ? stray() : kJoining * vehicle().orbit_radius + stray();
+}
 
 double TimedAir::clearance() const {
   return std::max(kLeastClearance, 4 * world::tracking_spread(vehicle()));
@@ -121,7 +141,7 @@ bool TimedAir::has_room(const Vector3& at, const Volumes& volumes) const {
 }
 
 const world::Volume* TimedAir::taking_room(const Vector3& at, const Volumes& volumes) const {
-  const double around = vehicle().hovers ? stray() : kJoining * vehicle().orbit_radius + stray();
+  const double around = reach();
   const auto found = std::find_if(volumes.begin(), volumes.end(),
                                   [&](const auto& volume) { return is_near(volume, at, around); });
   return found == volumes.end() ? nullptr : &*found;
@@ -148,12 +168,12 @@ bool TimedAir::comes_near(const Way& way, const Volumes& volumes) const {
 /// end are nearer to closed air than the vehicle strays; one that hovers, and whose ways keep that
 /// distance, than half of that, be it shaken on its flight: what errors and gusts make of its
 /// corners is more than what they are themselves.
-bool TimedAir::met(const Way& way, const Volumes& volumes) const {
+bool TimedAir::met(const Way& way, const Volumes& volumes, double margin) const {
   if (volumes.empty() || way.size() < 2) return false;
   const bool hovers = vehicle().hovers;
   if (hovers && !comes_near(way, volumes)) return false;
   return flights_meet(way, volumes, vehicle(), world().wind,
-                      {hovers ? stray() / 2 : stray(), kShaken});
+                      {hovers ? margin / 2 : margin, kShaken}, poses(way.front()));
 }
 
 bool TimedAir::may_stay(const Vector3& at) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "flight/autopilot.hpp"
 #include "planning/gazetteer.hpp"
 #include "refinery/motion.hpp"
 #include "skein/refiners/path.hpp"
@@ -19,6 +20,13 @@ namespace skein::supervisor {
 class TimedAir {
  public:
   TimedAir(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed, refiners::Budget budget);
+  /// As that UAV of the team meets it.
+  TimedAir of(const std::string& uav) const {
+    return {gazetteer_.of(uav), origin_, seed_, budget_};
+  }
+
+  /// What begins there begins in flight, with that heading [rad], up to some seconds later.
+  void flies_on(const world::Vector3& from, double heading);
 
   const Gazetteer& gazetteer() const { return gazetteer_; }
   const world::World& world() const { return gazetteer_.world(); }
@@ -35,6 +43,8 @@ class TimedAir {
   double clearance() const;
   /// How far it may be from where it means to be [m].
   double stray() const;
+  /// How far it gets from where it waits: what it wavers, and circles that are joined [m].
+  double reach() const;
   /// What corners and turns may take it off its way [m].
   double swing() const;
 
@@ -71,7 +81,11 @@ class TimedAir {
   bool stays_open(const world::Vector3& at, const Departure& when, double seconds) const;
   /// Whether a way can be flown then.
   bool stays_open(const refiners::Way& way, const Departure& when) const;
-  bool met(const refiners::Way& way, const Volumes& volumes) const;
+  bool met(const refiners::Way& way, const Volumes& volumes) const {
+    return met(way, volumes, stray());
+  }
+  /// Whether some flight along the way comes nearer than `margin` [m].
+  bool met(const refiners::Way& way, const Volumes& volumes, double margin) const;
 
   /// Planned so that it is clear of all that it can meet, which is the more the longer it takes;
   /// what sets out `from` somewhere else flies to it first.
@@ -82,6 +96,7 @@ class TimedAir {
  private:
   bool comes_near(const refiners::Way& way, const Volumes& volumes) const;
   double longest(const refiners::Way& way) const;
+  std::vector<Pose> poses(const world::Vector3& from) const;
 
   Gazetteer gazetteer_;
   world::VehicleModel cautious_;
@@ -89,6 +104,7 @@ class TimedAir {
   std::uint64_t seed_;
   refiners::Budget budget_;
   bool has_windows_ = false;
+  std::vector<Pose> in_flight_;  ///< in which what begins where it flies now may begin
   std::map<Counted, world::Airspace> airspaces_;
 };
 

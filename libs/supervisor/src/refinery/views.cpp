@@ -2,12 +2,10 @@
 #include "refinery/views.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "skein/refiners/tour.hpp"
-#include "skein/refiners/viewpoint.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
 
 namespace skein::supervisor {
@@ -20,14 +18,12 @@ constexpr double kAngleApart = std::numbers::pi / 3;  // [rad] between two views
 constexpr double kCostOfWay = 1e-4;                   // of utility, per metre
 constexpr double kNearShare = 0.5;                    // of its range, for a sensor to see well
 constexpr double kSteep = 1.25;  // distances over heights that it must reach at least
-constexpr double kApart = 75;    // [m] between partners: circles of a blimp and what they waver
-constexpr std::size_t kAroundOne = 6;  // places around one, that far from it and from each other
-constexpr std::array<double, kAroundOne> kSlots = {1, -1, 2, -2, 3, 0};  // by rank
 
 }  // namespace
 
 Answer<std::vector<Vector3>> Views::of(const Vector3& place, const world::SensorModel& device,
-                                       std::size_t count, const Departure& when, double seconds) {
+                                       std::size_t count, const Departure& when, double seconds,
+                                       const Constraints& constraints) {
   world::World then = world();
   const double there =
       flight_times({gazetteer().above(gazetteer().knowledge().home), gazetteer().above(place)},
@@ -39,6 +35,7 @@ Answer<std::vector<Vector3>> Views::of(const Vector3& place, const world::Sensor
   const auto air = air_.airspace(counts);
   if (!air) return no(air.error());
   refiners::ViewpointQuery query;
+  query.constraints = constraints;
   query.constraints.push_back({"free air", [this, free = *air, &then](const Vector3& at) {
                                  return free->is_free(at) &&
                                         (vehicle().hovers || air_.has_room(at, then.volumes));
@@ -46,8 +43,8 @@ Answer<std::vector<Vector3>> Views::of(const Vector3& place, const world::Sensor
   query.vehicle = air_.cautious();
   query.device = device.device;
   query.target = place;
-  // On the side of home, and near enough to see well; the same places whoever asks and from where,
-  // so that partners take different ones and who is there stays.
+  // On the side of home, and near enough to see well; the same places from wherever it asks, so
+  // that who is there stays.
   query.from = gazetteer().above(gazetteer().knowledge().home);
   query.cost_of_way = kCostOfWay;
   // From the usual altitude; lower only where the sensor does not reach from there.
@@ -70,29 +67,6 @@ Answer<std::vector<Vector3>> Views::of(const Vector3& place, const world::Sensor
   std::vector<Vector3> points;
   for (const refiners::ViewPoint& point : refined->task.points) points.push_back(point.position);
   return points;
-}
-
-Answer<std::vector<Vector3>> Views::around(const Vector3& at, std::size_t count) {
-  const auto air = air_.airspace();
-  if (!air) return no(air.error());
-  std::vector<Vector3> places = {at};
-  // On the side of where the world begins, that of their homes as a rule: all reckon alike.
-  const Vector3 back = -at;
-  const double step = 2 * std::numbers::pi / static_cast<double>(kAroundOne);
-  for (std::size_t rank = 1; rank < count; ++rank) {
-    const double distance = kApart * static_cast<double>(1 + (rank - 1) / kAroundOne);
-    const double angle = std::atan2(back.y(), back.x()) + kSlots[(rank - 1) % kAroundOne] * step;
-    // Turned by less than half of what is between two.
-    std::optional<Vector3> found;
-    for (const double turned : {0.0, 0.25, -0.25, 0.4, -0.4}) {
-      const double to = angle + turned * step;
-      const Vector3 beside = at + distance * Vector3(std::cos(to), std::sin(to), 0);
-      if (!found && (*air)->is_free(beside) && air_.has_room(beside)) found = beside;
-    }
-    if (!found) return no("no free air beside it for " + std::to_string(count) + " partners");
-    places.push_back(*found);
-  }
-  return places;
 }
 
 Answer<std::vector<Vector3>> Views::tour(const Vector3& from, const std::vector<Vector3>& places) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "refinery/timed_air.hpp"
+#include "skein/refiners/viewpoint.hpp"
 
 namespace skein::supervisor {
 
@@ -12,14 +13,13 @@ class Views {
  public:
   explicit Views(TimedAir& air) : air_(air) {}
 
+  using Constraints = std::vector<refiners::PlaceConstraint>;
   /// Where that sensor sees the place best, from so many sides, when it sets out then and stays for
-  /// so many seconds.
+  /// so many seconds; at places that keep the constraints.
   Answer<std::vector<world::Vector3>> of(const world::Vector3& place,
                                          const world::SensorModel& device, std::size_t count,
-                                         const Departure& when = {}, double seconds = 0);
-  /// A place in the air and, for partners, others around it, a safe distance apart whatever flies
-  /// there; the same whoever asks, as far as closed air allows.
-  Answer<std::vector<world::Vector3>> around(const world::Vector3& at, std::size_t count);
+                                         const Departure& when = {}, double seconds = 0,
+                                         const Constraints& constraints = {});
   Answer<std::vector<world::Vector3>> tour(const world::Vector3& from,
                                            const std::vector<world::Vector3>& places);
 

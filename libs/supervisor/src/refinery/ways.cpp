@@ -2,6 +2,7 @@
 #include "refinery/ways.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,7 @@
 #include "flight/landing_place.hpp"
 #include "skein/refiners/flyable.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
+#include "skein/world/segment.hpp"
 
 namespace skein::supervisor {
 
@@ -18,13 +20,16 @@ using world::Vector3;
 
 namespace {
 
-constexpr double kTurnTolerance = 0.5;  // [m]
-constexpr double kTurningRoom = 3;      // turn radii to the side, where a turn has no room
-constexpr double kOutStep = 10, kFarthestOut = 600;   // [m] out of closed air
-constexpr double kRoomOfOne = 46, kShareOfGap = 0.6;  // [m] where it waits, and of the distance
-constexpr double kRoomBelow = 15;                     // [m] and over it
-constexpr double kLeastRoomBelow = 10;                // [m] when one starts there
-constexpr double kGap = 0.5;                          // [m] so that a face is not touched
+constexpr double kTurnTolerance = 0.5;                  // [m]
+constexpr std::array<double, 2> kTurningRoom = {3, 5};  // turn radii to the side, for a turn
+constexpr double kOutStep = 10, kFarthestOut = 600;     // [m] out of closed air
+constexpr double kRoomOfOne = 46;      // [m] kept from where another waits, if there is room
+constexpr double kRoomBelow = 15;      // [m] and over it
+constexpr double kFarthestRoom = 160;  // [m] from where another waits: out of its room
+constexpr double kTall = 8;            // [m] over and under it may be, too
+constexpr double kGap = 0.5;           // [m] nearer that does not count
+constexpr int kCorners = 8;            // of what stands for a circle,
+constexpr double kInside = 0.92;       // its least radius
 constexpr int kDirections = 24, kAround = 8;
 
 /// Without the points of arcs that are nearer to the last one kept than `spacing`, where the air
@@ -37,6 +42,19 @@ Way thinned(const Way& way, const world::Airspace& air, double spacing) {
   }
   if (way.size() > 1) kept.push_back(way.back());
   return kept;
+}
+
+world::Volume disc(const Vector3& at, double radius, double height) {
+  world::Volume room;
+  room.name = "a partner's place";
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kCorners;
+    room.polygon.emplace_back(at.head<2>() +
+                              radius * world::Vector2(std::cos(angle), std::sin(angle)));
+  }
+  room.floor = at.z() - height;
+  room.ceiling = at.z() + height;
+  return room;
 }
 
 }  // namespace
@@ -90,7 +108,7 @@ double Ways::energy_of_stay(double seconds) const {
 }
 
 Answer<Motion> Ways::path_among(const Vector3& from, const Vector3& to,
-                                const std::vector<Vector3>& others, const Departure& when) {
+                                const std::vector<Spot>& others, const Departure& when) {
   const double guess = air_.has_windows() ? flown({from, to}).times.most : 0;
   return air_.kept_clear(from, when, guess, [&](const Counted& counted) -> Answer<Motion> {
     const auto air = air_.airspace(counted);
@@ -99,65 +117,94 @@ Answer<Motion> Ways::path_among(const Vector3& from, const Vector3& to,
   });
 }
 
-/// Where someone waits, whatever it is that does, as far as that leaves room around `to` and in the
-/// voxel of a start beside it. Absent: it leaves none there.
-std::optional<world::Volume> Ways::room_of(const Vector3& other, const Vector3& to,
-                                           const StartVoxel& start) {
-  double radius = std::min(kRoomOfOne, kShareOfGap * (to - other).head<2>().norm());
-  double floor = other.z() - kRoomBelow, ceiling = other.z() + kRoomBelow;
-  const double beside = start.distance_to(other);
-  const bool touches = beside <= radius && floor <= start.high.z() && start.low.z() <= ceiling;
-  if (touches && start.high.z() + kGap <= other.z() - kLeastRoomBelow) {
-    floor = start.high.z() + kGap;
-  } else if (touches && start.low.z() - kGap >= other.z() + kLeastRoomBelow) {
-    ceiling = start.low.z() - kGap;
-  } else if (touches) {
-    radius = beside - kGap;
-  }
+/// Where someone waits, as far as that leaves room around `to`; absent: it leaves none there.
+std::optional<world::Volume> Ways::room_of(const Spot& other, const Vector3& to) const {
+  double radius = std::max(kRoomOfOne, other.room);
+  const double voxel = world().airspace.voxel;
+  if (std::abs(to.z() - other.at.z()) < kRoomBelow + voxel)
+    radius = std::min(radius, (to - other.at).head<2>().norm() - std::numbers::sqrt2 * voxel);
   if (radius <= 0) return std::nullopt;
-  world::Volume room;
-  room.name = "a partner's place";
-  for (int i = 0; i < kAround; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kAround;
-    room.polygon.emplace_back(other.head<2>() +
-                              radius * world::Vector2(std::cos(angle), std::sin(angle)));
+  return disc(other.at, radius, kRoomBelow);
+}
+
+Ways::Crowd Ways::crowd_of(const std::vector<Spot>& others, const world::Airspace& air,
+                           const Vector3& to) const {
+  Crowd crowd{air, world(), {}};
+  for (const Spot& other : others) {
+    crowd.waiting.push_back(disc(other.at, other.room / kInside, kTall));
+    const auto room = room_of(other, to);
+    if (!room) continue;
+    crowd.air.block(*room, 0);
+    crowd.world.volumes.push_back(*room);
   }
-  room.floor = floor;
-  room.ceiling = ceiling;
-  return room;
+  return crowd;
 }
 
-Ways::StartVoxel Ways::voxel_of(const world::Airspace& air, const Vector3& from) {
-  const auto at = air.free_voxel_at(from);
-  const Vector3 middle = at ? air.centre(*at) : from;
-  const Vector3 half = Vector3::Constant(at ? air.grid().voxel / 2 : 0);
-  return {middle - half, middle + half};
+/// Where it is out of the rooms of others that it begins in: by a straight way that leads away from
+/// all of them. `from` itself when it is in none.
+std::optional<Vector3> Ways::out_of_rooms(const Crowd& crowd, const world::Airspace& air,
+                                          const std::vector<Spot>& others, const Vector3& from) {
+  if (crowd.air.is_free(from)) return from;
+  const auto leads_away = [&](const Vector3& to) {
+    return std::all_of(others.begin(), others.end(), [&](const Spot& other) {
+      const double now = (from - other.at).norm();
+      return now > kFarthestRoom || world::to_segment(other.at, from, to) >= now - kGap;
+    });
+  };
+  const auto serves = [&](const Vector3& to) {
+    return crowd.air.is_free(to) && air.is_free(from, to) && leads_away(to);
+  };
+  for (double far = kOutStep; far <= kFarthestRoom; far += kOutStep) {
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kDirections;
+      const Vector3 to = from + far * Vector3(std::cos(angle), std::sin(angle), 0);
+      if (serves(to)) return to;
+    }
+    for (const double up : {far, -far})
+      if (const Vector3 to = from + Vector3(0, 0, up); serves(to)) return to;
+  }
+  return std::nullopt;
 }
 
-double Ways::StartVoxel::distance_to(const Vector3& other) const {
-  const Vector3 nearest = other.cwiseMax(low).cwiseMin(high);
-  return (other - nearest).head<2>().norm();
-}
-
-std::optional<Way> Ways::clear_of(const std::vector<Vector3>& others, world::Airspace air,
+/// Around where the others wait, with what it flies beside its way and its circles at the end; if
+/// turns have no room for that, around them at least as it is planned. Absent: there is no such
+/// way.
+std::optional<Way> Ways::clear_of(const std::vector<Spot>& others, const world::Airspace& air,
                                   const Volumes& volumes, const Vector3& from,
                                   const Vector3& to) const {
-  world::World crowded = world();
-  const StartVoxel start = voxel_of(air, from);
-  for (const Vector3& other : others) {
-    const auto room = room_of(other, to, start);
-    if (!room) continue;
-    air.block(*room, 0);
-    crowded.volumes.push_back(*room);
+  Crowd crowd = crowd_of(others, air, to);
+  const auto begin = out_of_rooms(crowd, air, others, from);
+  if (!begin || !crowd.air.is_free(to)) return std::nullopt;
+  const auto completed = [&](Answer<Way> on) -> std::optional<Way> {
+    if (!on) return std::nullopt;
+    if (*begin != from) on->insert(on->begin(), from);
+    if (air_.met(*on, volumes)) return std::nullopt;
+    return std::move(*on);
+  };
+  const auto disturbs = [&](const Way& way) {
+    return !vehicle().hovers && air_.met(way, crowd.waiting);
+  };
+  const auto planned = completed(through(crowd.air, crowd.world, *begin, to));
+  if (!planned || !disturbs(*planned)) return planned;
+  Crowd roomy = crowd;
+  for (const Spot& other : others)
+    if (const auto room = room_of(other, to)) roomy.air.block(*room, vehicle().min_turn_radius);
+  if (roomy.air.is_free(*begin) && roomy.air.is_free(to))
+    if (const auto way = completed(through(roomy.air, roomy.world, *begin, to));
+        way && !disturbs(*way))
+      return way;
+  for (const Vector3& over : beside(*begin)) {
+    if (!crowd.air.is_free(*begin, over)) continue;
+    auto on = through(crowd.air, crowd.world, over, to);
+    if (on) on->insert(on->begin(), *begin);
+    if (const auto way = completed(std::move(on)); way && !disturbs(*way)) return way;
   }
-  if (!air.is_free(from) || !air.is_free(to)) return std::nullopt;
-  auto way = through(air, crowded, from, to);
-  return way && !air_.met(*way, volumes) ? std::optional(std::move(*way)) : std::nullopt;
+  return planned;
 }
 
 Answer<Motion> Ways::path_in(const world::Airspace& air, const Volumes& volumes,
                              const Vector3& from, const Vector3& to,
-                             const std::vector<Vector3>& others) {
+                             const std::vector<Spot>& others) {
   if (!air.is_free(from)) return out_and_on(from, to);
   if (from == to) return flown({from});
   const bool returns =
@@ -170,32 +217,43 @@ Answer<Motion> Ways::path_in(const world::Airspace& air, const Volumes& volumes,
     if (auto way = clear_of(others, air, volumes, from, to)) return flown(std::move(*way));
   auto way = through(air, from, to);
   if (!way) return no(way.error());
-  if (air_.met(*way, volumes)) {
-    auto other = with_room(air, volumes, from, to);
-    if (!other && !returns) return no("closed air is too near for its turns");
-    if (other) way = std::move(*other);
+  // Home it comes in any case: as far from closed air as its turns allow.
+  const double whole = air_.stray();
+  for (const double margin : returns ? std::vector{whole, whole / 2, 0.0} : std::vector{whole}) {
+    if (!air_.met(*way, volumes, margin)) break;
+    if (auto other = with_room(air, volumes, from, to, margin)) return flown(std::move(*other));
+    if (!returns) return no("closed air is too near for its turns");
   }
   return flown(std::move(*way));
+}
+
+/// All around, from where there is room to turn.
+std::vector<Vector3> Ways::beside(const Vector3& from) const {
+  std::vector<Vector3> places;
+  for (const double radii : kTurningRoom) {
+    for (int i = 0; i < kAround; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kAround;
+      places.push_back(from + radii * vehicle().min_turn_radius *
+                                  Vector3(std::cos(angle), std::sin(angle), 0));
+    }
+  }
+  return places;
 }
 
 /// One whose turns and circles stay out of closed air: further away from that, or over a place
 /// beside where it begins, from where there is room to turn.
 std::optional<Way> Ways::with_room(const world::Airspace& air, const Volumes& volumes,
-                                   const Vector3& from, const Vector3& to) const {
+                                   const Vector3& from, const Vector3& to, double margin) const {
   world::Airspace roomy = air;
   for (const world::Volume& volume : volumes) roomy.block(volume, air_.stray() + air_.swing());
-  if (auto way = through(roomy, from, to); way && !air_.met(*way, volumes)) return *way;
+  if (auto way = through(roomy, from, to); way && !air_.met(*way, volumes, margin)) return *way;
   if (vehicle().hovers) return std::nullopt;
-  const double radius = vehicle().min_turn_radius;
-  for (int i = 0; i < kAround; ++i) {
-    const double angle = 2 * std::numbers::pi * i / kAround;
-    const Vector3 over =
-        from + kTurningRoom * radius * Vector3(std::cos(angle), std::sin(angle), 0);
+  for (const Vector3& over : beside(from)) {
     if (!air.is_free(from, over)) continue;
     auto on = through(air, over, to);
     if (!on) continue;
     on->insert(on->begin(), from);
-    if (!air_.met(*on, volumes)) return *on;
+    if (!air_.met(*on, volumes, margin)) return *on;
   }
   return std::nullopt;
 }

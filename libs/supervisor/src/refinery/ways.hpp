@@ -27,10 +27,10 @@ class Ways {
                       const Departure& when = {}) {
     return path_among(from, to, {}, when);
   }
-  /// Likewise, around or over where others wait, if there is such a way: at a place whose distance
-  /// from theirs is enough for all their circles.
+  /// Likewise, around or over where others wait, if there is such a way: at places that are apart
+  /// (meetings.hpp). Who begins where one of them may wait leaves it first.
   Answer<Motion> path_among(const world::Vector3& from, const world::Vector3& to,
-                            const std::vector<world::Vector3>& others, const Departure& when);
+                            const std::vector<Spot>& others, const Departure& when);
   /// Out of closed air by the shortest straight way, level, up or down, to where it may stay.
   Answer<Motion> way_out(const world::Vector3& from);
   Answer<refiners::Way> through(const world::Airspace& air, const world::Vector3& from,
@@ -48,24 +48,28 @@ class Ways {
   const world::VehicleModel& vehicle() const { return air_.vehicle(); }
   Answer<Motion> path_in(const world::Airspace& air, const Volumes& volumes,
                          const world::Vector3& from, const world::Vector3& to,
-                         const std::vector<world::Vector3>& others = {});
+                         const std::vector<Spot>& others = {});
   Answer<refiners::Way> through(const world::Airspace& air, const world::World& in,
                                 const world::Vector3& from, const world::Vector3& to) const;
-  /// The corners of the voxel in which a way starts.
-  struct StartVoxel {
-    world::Vector3 low, high;
-    /// In plan.
-    double distance_to(const world::Vector3& other) const;
+  /// The air with rooms around where others wait, and where they may be then themselves.
+  struct Crowd {
+    world::Airspace air;
+    world::World world;
+    Volumes waiting;
   };
-  static StartVoxel voxel_of(const world::Airspace& air, const world::Vector3& from);
-  static std::optional<world::Volume> room_of(const world::Vector3& other, const world::Vector3& to,
-                                              const StartVoxel& start);
-  std::optional<refiners::Way> clear_of(const std::vector<world::Vector3>& others,
-                                        world::Airspace air, const Volumes& volumes,
-                                        const world::Vector3& from, const world::Vector3& to) const;
+  std::optional<world::Volume> room_of(const Spot& other, const world::Vector3& to) const;
+  Crowd crowd_of(const std::vector<Spot>& others, const world::Airspace& air,
+                 const world::Vector3& to) const;
+  static std::optional<world::Vector3> out_of_rooms(const Crowd& crowd, const world::Airspace& air,
+                                                    const std::vector<Spot>& others,
+                                                    const world::Vector3& from);
+  std::optional<refiners::Way> clear_of(const std::vector<Spot>& others, const world::Airspace& air,
+                                        const Volumes& volumes, const world::Vector3& from,
+                                        const world::Vector3& to) const;
+  std::vector<world::Vector3> beside(const world::Vector3& from) const;
   std::optional<refiners::Way> with_room(const world::Airspace& air, const Volumes& volumes,
-                                         const world::Vector3& from,
-                                         const world::Vector3& to) const;
+                                         const world::Vector3& from, const world::Vector3& to,
+                                         double margin) const;
   /// From air that is closed, as when it was closed around the vehicle: out, and on from there.
   Answer<Motion> out_and_on(const world::Vector3& from, const world::Vector3& to);
 

@@ -127,10 +127,11 @@ const world::Volume* AirWatch::met_by(const Entry& entry) const {
 
 // ---- the UAV itself ----
 
-const world::Volume* AirWatch::closed_around() const {
+// `stops`: what it does now; then it circles where it is.
+const world::Volume* AirWatch::closed_around(bool stops) const {
   if (!beliefs_.vehicle().airborne || !committer_.ever_gave()) return nullptr;
   const world::VehicleModel& vehicle = beliefs_.model();
-  const bool circles = circled(book_, beliefs_).has_value();
+  const bool circles = stops || circled(book_, beliefs_).has_value();
   const double margin =
       vehicle.body_radius + (circles ? stay_radius(vehicle) : 3 * world::tracking_spread(vehicle));
   const world::Vector3 at = place_of_vehicle(book_, beliefs_);
@@ -183,7 +184,13 @@ void AirWatch::check(const std::string& cause) {
     if (book_.is_given(id)) stopped.insert(id);
   }
   const bool may_leave = own_goals_.can_plan(kLeaveClosedAir) && !is_leaving() && !is_nearly_down();
-  const world::Volume* around = may_leave ? closed_around() : nullptr;
+  const bool stops = std::any_of(stopped.begin(), stopped.end(), [&](GoalId id) {
+    const auto tasks = book_.of(id);
+    return std::any_of(tasks.begin(), tasks.end(), [](const Entry* one) {
+      return one->under_way() && holds_vehicle(one->task);
+    });
+  });
+  const world::Volume* around = may_leave ? closed_around(stops) : nullptr;
   if (around != nullptr) {
     for (const TaskId id : book_.in_hand()) stopped.insert(book_.tasks.at(id).task.origin);
     const std::string leaves =

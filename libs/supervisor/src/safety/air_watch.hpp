@@ -35,7 +35,7 @@ class AirWatch {
   bool strays_into(const std::vector<world::Vector3>& way, const world::Volume& volume) const;
   bool stays_in(const Entry& entry, const world::Volume& volume) const;
   const world::Volume* met_by(const Entry& entry) const;
-  const world::Volume* closed_around() const;
+  const world::Volume* closed_around(bool stops) const;
   bool is_leaving() const;
   bool is_nearly_down() const;
   std::vector<GoalId> goals_met(std::string& what) const;

@@ -212,6 +212,22 @@ TEST(SupervisorWorld, ClosedWhereItIsToCircleStopsTheWayThere) {
   EXPECT_FALSE(hovers.job_started());
 }
 
+// Stopped, it would circle where it is.
+TEST(SupervisorWorld, ClosedAheadSoNearThatItWouldCircleThereIsLeftBeforeAnythingElse) {
+  const world::Polygon ahead{{-165, -20}, {-100, -20}, {-100, 20}, {-165, 20}};
+  Desk blimp = on_two_ways(of_a_blimp()), hovers = on_two_ways(that_leaves());
+
+  blimp.at(30).give(closed("smoke", ahead));
+  hovers.at(30).give(closed("smoke", ahead));
+
+  ASSERT_TRUE(blimp.job_started());
+  EXPECT_EQ(blimp.repair().remaining[0].name, "leave-closed-air");
+  EXPECT_TRUE(blimp.repair().base.situation.flies_on);
+  ASSERT_TRUE(hovers.job_started());
+  EXPECT_NE(hovers.repair().remaining[0].name, "leave-closed-air");
+  EXPECT_FALSE(hovers.repair().base.situation.flies_on);
+}
+
 /// At degree 4 with nothing to do, after a flight to (0, 0, 40) that it circles over, 40 m wide.
 Desk circling(const world::Vector3& now_at) {
   Config config = that_leaves();
@@ -240,6 +256,7 @@ TEST(SupervisorWorld, ClosedOnTheOtherSideOfTheCircleThatItWaitsOnIsLeft) {
   ASSERT_TRUE(desk.job_started());
   EXPECT_EQ(desk.repair().remaining[0].name, "leave-closed-air");
   EXPECT_EQ(desk.repair().base.situation.position, world::Vector3(0, 0, 40));
+  EXPECT_FALSE(desk.repair().base.situation.flies_on);
 }
 
 TEST(SupervisorWorld, FarFromWhereItWasSentItIsWhereItIs) {

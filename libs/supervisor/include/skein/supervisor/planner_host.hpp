@@ -25,6 +25,9 @@ class PlannerHost {
   PlannerHost(const PlannerHost&) = delete;
   PlannerHost& operator=(const PlannerHost&) = delete;
 
+  /// What begins at `position` begins in flight, with that heading [rad], up to some seconds later.
+  void flies_on(const world::Vector3& position, double heading);
+
   /// The functions may outlive the host.
   void offer(htn::Functions& functions) const;
   /// The same names and numbers of arguments, for reading a domain where there is no world: called,

@@ -32,6 +32,14 @@ struct DomainText {
   std::string text;
 };
 
+/// What is known of another of the team from the start, whatever has become of it.
+struct Partner {
+  std::string uav;
+  world::VehicleModel vehicle;
+  world::Vector3 home = world::Vector3::Zero();  ///< [m] ENU, on ground
+  double altitude = 40;                          ///< of its flights, over the ground [m]
+};
+
 /// What deliberation knows all along a mission. Immutable; shared by jobs.
 struct Knowledge {
   std::string uav;
@@ -40,6 +48,7 @@ struct Knowledge {
       world::Vector3::Zero();     ///< where it takes off and lands [m] ENU, on ground
   double altitude = 40;           ///< of flights, over the ground, where nothing else is asked [m]
   std::vector<std::string> team;  ///< names of all UAVs, this one too
+  std::vector<Partner> partners;  ///< of the team; who is not here is taken to be like this UAV
   DomainText domain;
   mission::Vocabulary vocabulary;
 };
@@ -61,6 +70,9 @@ struct Situation {
   world::Vector3 position = world::Vector3::Zero();  ///< [m] ENU
   double heading = 0;                                ///< [rad]
   bool airborne = false;
+  /// It is flying there now, with that heading, and flies on until the plan begins: it does not
+  /// wait or circle there.
+  bool flies_on = false;
   double energy = 1;                      ///< what will be left, [0, 1]
   std::optional<world::Vector3> land_at;  ///< on the ground [m] ENU; absent: at home
   Timeline motion;

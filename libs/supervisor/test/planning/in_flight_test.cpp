@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// What begins while the vehicle flies on is judged from where it then is and heads.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "flight/autopilot.hpp"
+#include "flight/closed_air.hpp"
+#include "skein/foundation/random.hpp"
+#include "testing/planned.hpp"
+#include "testing/planning_lab.hpp"
+
+namespace skein::supervisor {
+namespace {
+
+using testing::planned;
+using testing::PlanningLab;
+using world::Vector3;
+using Way = refiners::Way;
+
+const char* const kKarma = "scenarios/comets/models/karma.yaml";
+
+/// Flies there, 100 m and more from home, beside a square of smoke, and is to come home.
+PlanningLab coming_home(const Vector3& from, double heading, const world::Vector2& smoke) {
+  PlanningLab lab;
+  lab.vehicle(testing::vehicle_of(kKarma)).flying_at(from).first_id(1);
+  lab.knowledge.home = {0, -300, 0};
+  lab.knowledge.altitude = 90;
+  lab.situation.heading = heading;
+  lab.situation.flies_on = true;
+  world::Volume volume{"smoke", {}, 0, 500, {}};
+  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
+    volume.polygon.emplace_back(smoke + 60 * world::Vector2(x, y));
+  lab.world.volumes.push_back(volume);
+  lab.task(1, "general-land");
+  return lab;
+}
+
+/// How far into the volume it comes when it begins that way so many seconds later.
+bool flies_into(const PlanningLab& lab, const Way& way, double later) {
+  const world::VehicleModel& karma = lab.knowledge.vehicle;
+  const double heading = lab.situation.heading;
+  const Vector3 ahead(std::cos(heading), std::sin(heading), 0);
+  const Pose pose{lab.situation.position + later * karma.cruise_speed * ahead, heading,
+                  karma.cruise_speed};
+  const FlownWay flown = fly_way(pose, Way(way.begin() + 1, way.end()), karma, lab.world.wind);
+  return std::any_of(flown.track.begin(), flown.track.end(),
+                     [&](const Vector3& at) { return is_near(lab.world.volumes.back(), at, 2); });
+}
+
+// It turns back over a corner of what has just been closed ahead.
+TEST(InFlight, AWayHomeBesideSmokeIsOneThatItCanTurnInto) {
+  const PlanningLab lab = coming_home({154, 205, 87}, -0.75, {208, 106});
+
+  const auto plan = planned(lab);
+
+  for (const double later : {0.0, 1.0, 2.0})
+    EXPECT_FALSE(flies_into(lab, plan.tasks.front().way, later)) << later;
+}
+
+TEST(InFlight, WhoeverHasTurningRoomComesHomeBesideSmoke) {
+  Random random(1, "in flight");
+  for (int left = 20; left > 0;) {
+    const Vector3 from(random.uniform(-150, 150), random.uniform(80, 260), 90);
+    const double heading = random.uniform(-3.1, 3.1);
+    const world::Vector2 smoke(random.uniform(-100, 100), random.uniform(-60, 60));
+    const PlanningLab lab = coming_home(from, heading, smoke);
+    const Vector3 ahead(std::cos(heading), std::sin(heading), 0);
+    const world::Volume& volume = lab.world.volumes.back();
+    if (is_near(volume, from, 70) || is_near(volume, from + 30 * ahead, 60)) continue;
+    --left;
+
+    const auto plan = planned(lab);
+
+    for (const double later : {0.0, 1.0, 2.0})
+      EXPECT_FALSE(flies_into(lab, plan.tasks.front().way, later)) << from.transpose();
+  }
+}
+
+}  // namespace
+}  // namespace skein::supervisor
