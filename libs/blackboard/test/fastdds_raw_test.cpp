@@ -223,7 +223,11 @@ TEST_F(FastDdsRaw, AGeneratedReaderUnderstandsUs) {
 }
 
 TEST(FastDdsTransport, AnAddressThatNobodyHereHasIsAFailureAndNotSilence) {
-  FastDdsTransport transport({1, "lost", {.interfaces = {"127.0.0.1", "192.0.2.77"}}, {}});
+  FastDdsConfig lost;
+  lost.domain = 1;
+  lost.name = "lost";
+  lost.network.interfaces = {"127.0.0.1", "192.0.2.77"};
+  FastDdsTransport transport(lost);
 
   const auto opened = transport.open({kGround.number, {}, {}});
 

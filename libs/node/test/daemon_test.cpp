@@ -135,8 +135,7 @@ class Daemons : public ::testing::Test {
   const std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() / ("skein-daemon-test-" + std::to_string(getpid()));
   Waker waker_;
-  blackboard::FastDdsTransport transport_{
-      {lease_.value().domain(), "runner", {}, nullptr}};
+  blackboard::FastDdsTransport transport_{{lease_.value().domain(), "runner", {}, nullptr}};
   std::optional<blackboard::Blackboard> board_;
   std::map<std::string, pid_t> running_;
   std::map<NodeNumber, std::vector<std::string>> records_;
