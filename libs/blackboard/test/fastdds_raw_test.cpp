@@ -225,7 +225,7 @@ TEST_F(FastDdsRaw, AGeneratedReaderUnderstandsUs) {
 TEST(FastDdsTransport, AnAddressThatNobodyHereHasIsAFailureAndNotSilence) {
   FastDdsConfig lost;
   lost.domain = 1;
-  lost.name = "lost";
+  lost.participant_name = "lost";
   lost.network.interfaces = {"127.0.0.1", "192.0.2.77"};
   FastDdsTransport transport(lost);
 
