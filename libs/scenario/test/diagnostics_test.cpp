@@ -146,7 +146,8 @@ SKEIN_WRONG_FILES(
     Wrong{"OfAStranger", kFault, "{at: 100, engine: karma}",
           "32:23: faults[0].engine: unknown name 'karma'; expected a UAV\n"},
     Wrong{"UnknownKind", kFault, "{at: 100, kil: heliv}",
-          "32:20: faults[0].kil: unknown key 'kil'; expected one of at, kill, restart_after, forgets, "
+          "32:20: faults[0].kil: unknown key 'kil'; expected one of at, kill, restart_after, "
+          "forgets, "
           "engine, sensor, slow, abort, energy, random; did you mean 'kill'?\n"
           "32:5: faults[0]: a fault of no kind; expected one of kill, engine, sensor, slow, abort, "
           "energy, random\n"});
@@ -296,19 +297,20 @@ TEST(WrongFiles, AllErrorsOfAFileAreToldAtOnce) {
   put("kind: task, uav", "kind: taks, uav");
   put("duration_limit", "duration_limt");
 
-  EXPECT_EQ(errors_of(text),
-            "3:16: duration_limt: unknown key 'duration_limt'; expected one of scenario, epoch, "
-            "duration_limit, rate, seed, world, uavs, radio, ground, planning, faults, variations, "
-            "…; did you mean 'duration_limit'?\n"
-            "1:1: duration_limit: missing\n"
-            "14:61: uavs.heliv.degree: '7'; expected a whole number from 1 to 4\n"
-            "16:10: radio.cuts[0]: a cut between a node and itself\n"
-            "26:61: ground.script[0].do[0].plan.tasks[1].params.to: unknown name 'bsae'; expected "
-            "a place or [x, y, z]; did you mean 'base'?\n"
-            "32:21: faults[0].kill: unknown name 'helif'; expected a UAV, ground or sim; did you mean "
-            "'heliv'?\n"
-            "34:33: expect[0].event.kind: unknown name 'taks'; expected a kind of record "
-            "(docs/journal.md); did you mean 'task'?\n");
+  EXPECT_EQ(
+      errors_of(text),
+      "3:16: duration_limt: unknown key 'duration_limt'; expected one of scenario, epoch, "
+      "duration_limit, rate, seed, world, uavs, radio, ground, planning, faults, variations, "
+      "…; did you mean 'duration_limit'?\n"
+      "1:1: duration_limit: missing\n"
+      "14:61: uavs.heliv.degree: '7'; expected a whole number from 1 to 4\n"
+      "16:10: radio.cuts[0]: a cut between a node and itself\n"
+      "26:61: ground.script[0].do[0].plan.tasks[1].params.to: unknown name 'bsae'; expected "
+      "a place or [x, y, z]; did you mean 'base'?\n"
+      "32:21: faults[0].kill: unknown name 'helif'; expected a UAV, ground or sim; did you mean "
+      "'heliv'?\n"
+      "34:33: expect[0].event.kind: unknown name 'taks'; expected a kind of record "
+      "(docs/journal.md); did you mean 'task'?\n");
 }
 
 TEST(WrongFiles, AFileThatIsNotThereIsAnErrorLikeAnyOther) {
