@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(Virtual, Deliberation,
                          ::testing::Values("karma/detection", "heliv-marvin/monitoring",
                                            "iros2005/fire", "handover/radio", "handover/cut",
                                            "comets/mixed", "deadlines/after-a-goal",
-                                           "deadlines/slack"),
+                                           "deadlines/slack", "deadlines/in-parts"),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(
     Contingencies, Deliberation,

@@ -8,6 +8,7 @@
 #include "facet_graph.hpp"
 #include "facet_table.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
+#include "test_cases.hpp"
 #include "voxel_worlds.hpp"
 
 namespace skein::refiners {
@@ -52,8 +53,9 @@ void expect_as_dijkstra(const Airspace& airspace, const Voxel& from, const Voxel
   EXPECT_EQ(found.way.back(), airspace.centre(to));
 }
 
-TEST(SearchGraph, CostsWhatDijkstraDoesIn500RandomWorlds) {
-  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+TEST(SearchGraph, CostsWhatDijkstraDoesInRandomWorlds) {
+  const auto worlds = skein::testing::cases<std::uint64_t>(60, 500);
+  for (std::uint64_t seed = 0; seed < worlds; ++seed) {
     SCOPED_TRACE(seed);
     Random random(seed);
     Mixture mixture;

@@ -106,7 +106,8 @@ TEST(Patrol, FiguresAgreeWithANaiveSimulationOfTheWay) {
 }
 
 TEST(Patrol, LeavesNoPerceivableCellUnseen) {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  const auto seeds = skein::testing::cases<std::uint64_t>(3, 8);
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const world::World world = a_world(30, static_cast<int>(seed % 5), seed);
     PatrolQuery query = a_query(300, 4000);
     query.footprint = 12 + 3 * static_cast<double>(seed);

@@ -44,7 +44,7 @@ PathQuery random_query(Random& random, const world::World& world) {
 TEST(VoxelTracks, NeverMeetAnythingByFcl) {
   Random random(1);
   int found = 0;
-  const int count = cases(12, 500);
+  const int count = cases(5, 500);
   for (int i = 0; i < count; ++i) {
     const world::World world = random_world(random);
     const PathQuery query = random_query(random, world);

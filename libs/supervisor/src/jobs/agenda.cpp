@@ -123,6 +123,16 @@ bool Agenda::again(const Job& job, const std::string& why) {
   return attempts <= kManyAttempts;
 }
 
+bool Agenda::try_in_parts(const Job& job) {
+  bool* in_parts = nullptr;
+  if (job.evaluation) {
+    in_parts = &evaluations_.front().in_parts;
+  } else if (const auto one = found_in(pending_, *job.mission); one != pending_.end()) {
+    in_parts = &one->in_parts;
+  }
+  return in_parts != nullptr && !std::exchange(*in_parts, true);
+}
+
 std::deque<Evaluation> Agenda::clear() {
   if (job_) abandon_job();
   need_.reset();

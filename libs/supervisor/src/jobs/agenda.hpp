@@ -23,6 +23,7 @@ struct Pending {
   std::string cause;
   MissionTime since;
   int attempts = 0;
+  bool in_parts = false;  ///< what is done in parts may be interrupted for it
 };
 
 /// A mission that is only to be evaluated.
@@ -30,6 +31,7 @@ struct Evaluation {
   mission::UnitMission mission;
   std::string cause;
   MissionTime since;
+  bool in_parts = false;  ///< as of Pending
 };
 
 /// Something happened to the plan that needs planning.
@@ -88,6 +90,9 @@ class Agenda {
   Pending take(mission::MissionId id);
   /// The one whose job is over.
   Evaluation take_evaluation();
+  /// It is to be planned, or evaluated, once more, and what is done in parts may be interrupted for
+  /// it. False: that was tried.
+  bool try_in_parts(const Job& job);
 
   // ---- the job ----
 

@@ -17,9 +17,12 @@ Jobs::Jobs(const Rooms& rooms)
       book_(rooms.book) {}
 
 Premises Jobs::premises_of_insertion(const Pending& pending) const {
-  const bool urgent = pending.placement == mission::Placement::kFirst && pending.interrupt;
-  Premises result =
-      premises_of(book_, beliefs_, urgent ? urgently_interrupted(book_) : std::set<TaskId>());
+  std::set<TaskId> interrupted;
+  if (pending.placement == mission::Placement::kFirst && pending.interrupt)
+    interrupted = urgently_interrupted(book_);
+  else if (pending.in_parts)
+    interrupted = interrupted_between_parts(book_);
+  Premises result = premises_of(book_, beliefs_, interrupted);
   for (const GoalId id : book_.order) {
     const Goal& goal = book_.goals.at(id);
     if (goal.queued && goal.mission == pending.id) result.added.push_back(id);
@@ -68,8 +71,14 @@ void Jobs::start_evaluation(const Evaluation& evaluation) {
   Job job;
   job.mission = mission.id;
   job.evaluation = true;
-  job.premises = premises_of_insertion(
-      {mission.id, mission.placement, mission.interrupt, mission.any, {}, now()});
+  job.premises = premises_of_insertion({mission.id,
+                                        mission.placement,
+                                        mission.interrupt,
+                                        mission.any,
+                                        {},
+                                        now(),
+                                        0,
+                                        evaluation.in_parts});
   InsertionRequest request = insertion(job.premises, mission.tasks, mission.placement, mission.any);
   agenda_.run(std::move(job), std::move(request));
 }
@@ -106,7 +115,7 @@ void Jobs::finished(const JobFinished& input) {
   const std::optional<Job> job = agenda_.finished(input.job);
   if (!job) return;
   const auto* insertion = std::get_if<InsertionOutcome>(&input.result);
-  if (job->evaluation && insertion != nullptr) return results_.answer_evaluation(*insertion);
+  if (job->evaluation && insertion != nullptr) return results_.answer_evaluation(*job, *insertion);
   const Pending* pending = job->mission ? agenda_.find(*job->mission) : nullptr;
   if (job->mission && pending == nullptr) return;
   const bool expected = (insertion != nullptr) == job->mission.has_value();

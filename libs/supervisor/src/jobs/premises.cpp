@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "book/progress.hpp"
+
 namespace skein::supervisor {
 
 namespace {
@@ -59,6 +61,14 @@ std::set<TaskId> urgently_interrupted(const Book& book) {
     if (kept.count(book.tasks.at(id).task.origin) == 0) result.insert(id);
   }
   return result;
+}
+
+std::set<TaskId> interrupted_between_parts(const Book& book) {
+  const bool any = std::any_of(book.tasks.begin(), book.tasks.end(), [&](const auto& one) {
+    const Entry& entry = one.second;
+    return entry.under_way() && flown_along(book, entry) != nullptr;
+  });
+  return any ? urgently_interrupted(book) : std::set<TaskId>();
 }
 
 bool hold(const Premises& then, const Premises& now, const Book& book) {

@@ -32,6 +32,11 @@ Premises premises_of(const Book& book, const Beliefs& beliefs,
 /// begun, and nothing that the ground decides on.
 std::set<TaskId> urgently_interrupted(const Book& book);
 
+/// What is in hand when a task of which parts count is under way: a device that perceives along a
+/// way, with what comes behind it. Interrupted it loses nothing but the way there and back. Empty:
+/// there is none.
+std::set<TaskId> interrupted_between_parts(const Book& book);
+
 /// A result that supposed `then` is of use `now`: nothing new is there, what is missing has ended
 /// well, nothing else is otherwise.
 bool hold(const Premises& then, const Premises& now, const Book& book);

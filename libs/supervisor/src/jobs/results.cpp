@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "book/progress.hpp"
 #include "flight/landing_place.hpp"
 #include "skein/foundation/rounded_seconds.hpp"
 
@@ -157,7 +158,30 @@ mission::MissionEstimate Results::estimate(const Evaluation& evaluation,
   return result;
 }
 
-void Results::answer_evaluation(const InsertionOutcome& outcome) {
+// What cannot be placed otherwise may have its place between two parts of what is under way.
+bool Results::is_tried_in_parts(const Job& job, const InsertionOutcome& outcome,
+                                mission::Placement placement) {
+  const bool any_place =
+      placement == mission::Placement::kBest || placement == mission::Placement::kInTime;
+  return !outcome.plan && any_place && !interrupted_between_parts(book_).empty() &&
+         agenda_.try_in_parts(job);
+}
+
+// "; interrupted, since nothing else was possible, and taken up again: goals 702".
+std::string Results::parts_of(const Premises& premises) const {
+  std::set<GoalId> goals;
+  for (const TaskId id : premises.withdrawn) {
+    const Entry& entry = book_.tasks.at(id);
+    if (flown_along(book_, entry) != nullptr) goals.insert(entry.task.origin);
+  }
+  return goals.empty()
+             ? ""
+             : list_of("; interrupted, since nothing else was possible, and taken up again: goals",
+                       goals);
+}
+
+void Results::answer_evaluation(const Job& job, const InsertionOutcome& outcome) {
+  if (is_tried_in_parts(job, outcome, agenda_.evaluations().front().mission.placement)) return;
   const Evaluation evaluation = agenda_.take_evaluation();
   mission::MissionOutcome answer{evaluation.mission.id, outcome.plan.has_value(), outcome.reasons,
                                  true, std::nullopt};
@@ -213,6 +237,8 @@ void Results::refuse(const Job& job, const std::vector<std::string>& reasons,
 }
 
 void Results::finish(const Job& job, const InsertionOutcome& outcome) {
+  const Pending* pending = agenda_.find(*job.mission);
+  if (is_tried_in_parts(job, outcome, pending->placement)) return;
   if (!outcome.plan)
     return refuse(job, outcome.reasons, outcome.dropped, proposed(outcome.relaxations));
   if (const std::string fault = fault_of(job.premises, *outcome.plan); !fault.empty()) {
@@ -224,6 +250,7 @@ void Results::finish(const Job& job, const InsertionOutcome& outcome) {
     return;
   }
   const Pending mission = agenda_.take(*job.mission);
+  const std::string parts = mission.in_parts ? parts_of(job.premises) : "";
   tell_refined(job, *outcome.plan);
   adopt(job.premises, *outcome.plan, outcome.order);
   leave_out(outcome.dropped);
@@ -234,8 +261,8 @@ void Results::finish(const Job& job, const InsertionOutcome& outcome) {
   out_.add(MissionDecided{{mission.id, true, {}}});
   out_.decide({"1 insert: " + std::string(to_text(outcome.chosen)), mission.cause,
                list_of("goals", job.premises.added),
-               out_.plan_text() + ", " + dates_.extent() + mended(outcome.shortened) + without +
-                   weighed(outcome),
+               out_.plan_text() + ", " + dates_.extent() + mended(outcome.shortened) + parts +
+                   without + weighed(outcome),
                mission.since});
 }
 

@@ -30,15 +30,18 @@ class Results {
   void finish(const Job& job, const InsertionOutcome& outcome);
   void finish(const Job& job, const RepairOutcome& outcome);
   /// Nothing of it is kept.
-  void answer_evaluation(const InsertionOutcome& outcome);
+  void answer_evaluation(const Job& job, const InsertionOutcome& outcome);
 
  private:
   MissionTime now() const { return out_.now(); }
   void refuse(const Job& job, const std::vector<std::string>& reasons,
               const std::vector<Dropped>& culprits = {}, const std::string& proposal = {});
   void leave_out(const std::vector<Dropped>& dropped);
+  bool is_tried_in_parts(const Job& job, const InsertionOutcome& outcome,
+                         mission::Placement placement);
   mission::MissionEstimate estimate(const Evaluation& evaluation,
                                     const InsertionOutcome& outcome) const;
+  std::string parts_of(const Premises& premises) const;
   void fail_safely(const Job& job, const std::vector<std::string>& reasons);
   static std::string fault_of(const Premises& premises, const mission::ElementaryPlan& plan);
   bool fits_now(const Premises& premises, const mission::ElementaryPlan& plan);
