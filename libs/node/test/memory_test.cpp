@@ -41,7 +41,7 @@ class Counter final : public Node {
     if (request == nullptr) return {};
     ++count_;
     Effects effects{line(now, "got " + std::to_string(request->id)),
-                    Send{peer_, abort_request(1000 + count_), MissionTime::max()}};
+                    Send{peer_, answer(1000 + count_), MissionTime::max()}};
     if (count_ % 3 == 0)
       effects.push_back(StartJob{count_, [](const TimeIsUp&) { return std::any(10); }});
     return effects;
@@ -49,6 +49,11 @@ class Counter final : public Node {
   std::optional<MissionTime> next_wakeup() const override { return std::nullopt; }
 
  private:
+  static wire::TaskEvent answer(std::uint64_t number) {
+    wire::TaskEvent event;
+    event.id = number;
+    return event;
+  }
   Log line(MissionTime now, const std::string& text) const {
     return {Record(now, "uav", "line").with("text", text).with("count", count_)};
   }
@@ -64,7 +69,7 @@ class Caller final : public Node {
 
   Effects handle(const Input& input, MissionTime now) override {
     if (const auto* received = std::get_if<Received>(&input)) {
-      const auto* answer = std::get_if<wire::TaskRequest>(&received->sample);
+      const auto* answer = std::get_if<wire::TaskEvent>(&received->sample);
       if (answer == nullptr) return {};
       return {Log{Record(now, "ground", "answer").with("number", answer->id)}};
     }
