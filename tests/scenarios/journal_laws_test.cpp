@@ -125,8 +125,8 @@ TEST(JournalLaws, ARestartedNodeMayUseItsNumbersAgain) {
   const Log messages{message(1, 1, "sent"),      message(2, 1, "received"),
                      fault(3, "kill", "ground"), fault(4, "restart", "ground"),
                      message(4, 1, "sent"),      message(5, 1, "received")};
-  const Log tasks{task(1, "scheduled"), fault(3, "kill", "marvin"),
-                  fault(4, "restart", "marvin"), task(4, "scheduled")};
+  const Log tasks{task(1, "scheduled"), fault(3, "kill", "marvin"), fault(4, "restart", "marvin"),
+                  task(4, "scheduled")};
 
   EXPECT_THAT(broken_laws(messages), IsEmpty());
   EXPECT_THAT(broken_laws(tasks), IsEmpty());
