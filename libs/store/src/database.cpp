@@ -27,7 +27,9 @@ int flags_of(Database::Mode mode) {
 Database::Database(const std::string& file, Mode mode)
     : database_(file, flags_of(mode), kPatience) {
   if (mode == Mode::kRead) return;
-  database_.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
+  database_.exec(
+      "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
+      "PRAGMA wal_autocheckpoint = 4000;");
   if (version() != 0) return;
   SQLite::Transaction transaction(database_);
   database_.exec(kTables);
@@ -51,11 +53,16 @@ void Database::set_about(const std::string& what, const std::string& value) {
 }
 
 std::int64_t Database::lines_told() {
-  const std::string text = about("lines");
-  return text.empty() ? 0 : std::stoll(text);
+  SQLite::Statement query(database_, "SELECT value FROM about WHERE what = 'lines'");
+  return query.executeStep() ? query.getColumn(0).getInt64() : 0;
 }
 
-void Database::set_lines_told(std::int64_t lines) { set_about("lines", std::to_string(lines)); }
+void Database::set_lines_told(std::int64_t lines) {
+  if (!told_) told_.emplace(database_, "INSERT OR REPLACE INTO about VALUES ('lines', ?)");
+  told_->reset();
+  told_->bind(1, lines);
+  told_->exec();
+}
 
 void Database::insert(const Row& row) {
   if (!insert_) insert_.emplace(database_, kInsert);

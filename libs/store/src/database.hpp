@@ -41,7 +41,7 @@ class Database {
 
  private:
   SQLite::Database database_;
-  std::optional<SQLite::Statement> insert_;
+  std::optional<SQLite::Statement> insert_, told_;
 };
 
 }  // namespace skein::store

@@ -153,7 +153,13 @@ class SqliteInputLog::Impl {
   const Files& files() const { return files_; }
 
  private:
+  // One insertion is a transaction of its own.
   void write_held() {
+    if (held_.size() == 1) {
+      database_->insert(held_.front());
+      held_.clear();
+      return;
+    }
     SQLite::Transaction transaction(database_->raw());
     for (const Row& row : held_) database_->insert(row);
     transaction.commit();
