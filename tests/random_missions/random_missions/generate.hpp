@@ -19,9 +19,10 @@ struct Kinds {
   bool energy = true;     ///< starts with little of it
   bool alarms = true;     ///< something burns, and missions name the alarm
   bool questions = true;  ///< it is asked what a mission would take, and then it is given
+  bool deaths = false;    ///< daemons die and come back with what they knew
 };
 /// Nothing goes wrong, and what is asked is possible.
-inline constexpr Kinds kClean{false, false, false, false, false, false, false, true, true};
+inline constexpr Kinds kClean{false, false, false, false, false, false, false, true, true, false};
 
 /// One seed and the same kinds give one mission.
 Mission generate(std::uint64_t seed, const Kinds& kinds);

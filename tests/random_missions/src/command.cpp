@@ -25,7 +25,7 @@ struct Options {
   std::string seeds = "1..100";
   std::vector<std::string> files, without;
   std::string save;
-  bool clean = false, json = false, minimise = false, verbose = false;
+  bool clean = false, deaths = false, json = false, minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -41,6 +41,7 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> range_of(const std::strin
 
 Kinds kinds_of(const Options& options) {
   Kinds kinds = options.clean ? kClean : Kinds{};
+  kinds.deaths = options.deaths;
   for (const std::string& name : options.without) {
     if (name == "faults") kinds.faults = false;
     if (name == "air") kinds.air = false;
@@ -158,6 +159,8 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--seeds", options.seeds, "A..B: one mission each");
   app.add_option("--law", options.judge.only, "only these laws (crash is one)");
   app.add_flag("--clean", options.clean, "missions in which nothing goes wrong");
+  app.add_flag("--deaths", options.deaths,
+               "daemons die in them, up to three times, and come back with what they knew");
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")
       ->check(CLI::IsMember({"faults", "air", "deadlines", "changes", "degrees", "radio", "energy",

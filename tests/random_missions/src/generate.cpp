@@ -12,11 +12,15 @@ namespace skein::random_missions {
 
 namespace {
 
-std::string tenths(double number) {
-  const std::string text = std::to_string(std::round(number * 10) / 10);
-  return text.substr(0, text.find('.') + 2);
-}
 std::string point(double x, double y) { return "[" + whole(x) + ", " + whole(y) + "]"; }
+
+// The mission is the one without them, and so is most of what it comes to.
+void add_deaths(Mission& mission, Random& random) {
+  std::vector<std::string> daemons{"ground", "sim"};
+  for (const Member& one : mission.team) daemons.push_back(one.name);
+  for (std::uint64_t i = 1 + random.below(3); i > 0; --i)
+    mission.faults.push_back(draw_death(random, daemons));
+}
 
 /// Draws one mission, part by part, always in the same order.
 class Drawing {
@@ -25,6 +29,7 @@ class Drawing {
       : random_(seed, "random mission"),
         more_(seed, "random mission: alarms, bounds"),
         last_(seed, "random mission: questions, refusals"),
+        deaths_(seed, "random mission: deaths"),
         kinds_(kinds) {
     mission_.seed = seed;
   }
@@ -51,6 +56,7 @@ class Drawing {
     if (kinds_.faults && last_.chance(0.08))
       mission_.faults.push_back(
           draw_refusals(last_, mission_.team[last_.below(mission_.team.size())].name));
+    if (kinds_.deaths) add_deaths(mission_, deaths_);
     return std::move(mission_);
   }
 
@@ -472,7 +478,7 @@ class Drawing {
                             ", until: " + whole(from + random_.uniform(5, 150)) + "}");
   }
 
-  Random random_, more_, last_;
+  Random random_, more_, last_, deaths_;
   Kinds kinds_;
   Mission mission_;
   std::size_t who_ = 0;

@@ -54,4 +54,16 @@ std::string draw_refusals(Random& random, const std::string& uav) {
          ", type: " + types[random.below(types.size())] + ", for: " + whole(lasts) + "}}";
 }
 
+std::string tenths(double number) {
+  const std::string text = std::to_string(std::round(number * 10) / 10);
+  return text.substr(0, text.find('.') + 2);
+}
+
+std::string draw_death(Random& random, const std::vector<std::string>& daemons) {
+  const double at = random.uniform(3, 600);
+  const std::string& who = daemons[random.below(daemons.size())];
+  const double away = random.uniform(0, 15);
+  return "{at: " + tenths(at) + ", kill: " + who + ", restart_after: " + tenths(away) + "}";
+}
+
 }  // namespace skein::random_missions

@@ -31,6 +31,23 @@ TEST(Generate, OneSeedGivesOneMissionAndAnotherAnother) {
   EXPECT_NE(text_of(5), text_of(6));
 }
 
+TEST(Generate, DeathsOfDaemonsAreAddedToTheSameMission) {
+  Kinds deaths;
+  deaths.deaths = true;
+  std::string daemons;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Mission without = generate(seed, {});
+    Mission with = generate(seed, deaths);
+    ASSERT_GT(with.faults.size(), without.faults.size());
+    for (std::size_t i = without.faults.size(); i < with.faults.size(); ++i)
+      daemons += with.faults[i] + "\n";
+    with.faults.resize(without.faults.size());
+    EXPECT_EQ(to_yaml(with, ".."), to_yaml(without, ".."));
+  }
+  for (const char* daemon : {"kill: sim", "kill: ground", "kill: karma"})
+    EXPECT_NE(daemons.find(daemon), std::string::npos) << daemon;
+}
+
 TEST(Generate, EveryMissionIsAScenario) {
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     EXPECT_EQ(problems_of(text_of(seed)), "") << "seed " << seed;

@@ -24,7 +24,7 @@ std::uint64_t missions() {
 }
 
 // Each mission that breaks a law, with its breaches.
-std::string breaches(const Kinds& kinds) {
+std::string breaches(const Kinds& kinds, std::uint64_t missions) {
   std::uint64_t seed = 1;
   std::string text;
   JudgeOptions options;
@@ -32,7 +32,7 @@ std::string breaches(const Kinds& kinds) {
   options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   judge(
       [&](Case& next) {
-        if (seed > missions()) return false;
+        if (seed > missions) return false;
         next = {std::to_string(seed), to_yaml(generate(seed, kinds), ".."),
                 SKEIN_SOURCE_DIR "/scenarios/comets/drawn.yaml"};
         ++seed;
@@ -48,9 +48,22 @@ std::string breaches(const Kinds& kinds) {
   return text;
 }
 
-TEST(RandomMissions, KeepTheLawsWhateverGoesWrong) { EXPECT_EQ(breaches({}), ""); }
+TEST(RandomMissions, KeepTheLawsWhateverGoesWrong) { EXPECT_EQ(breaches({}, missions()), ""); }
 
-TEST(RandomMissions, KeepTheLawsWhenNothingGoesWrong) { EXPECT_EQ(breaches(kClean), ""); }
+TEST(RandomMissions, KeepTheLawsWhenNothingGoesWrong) {
+  EXPECT_EQ(breaches(kClean, missions()), "");
+}
+
+// Ground station, simulator and decision nodes, up to three times: a node that comes back with what
+// it knew is excused nothing.
+TEST(RandomMissions, KeepTheLawsWhenDaemonsDieAndComeBack) {
+  Kinds deaths;
+  deaths.deaths = true;
+  EXPECT_EQ(breaches(deaths, missions() / 6), "");
+  deaths = kClean;
+  deaths.deaths = true;
+  EXPECT_EQ(breaches(deaths, missions() / 6), "");
+}
 
 }  // namespace
 }  // namespace skein::random_missions
