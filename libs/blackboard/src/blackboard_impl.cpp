@@ -177,17 +177,11 @@ void Blackboard::Impl::recall_sent(wire::Sample sample, NodeNumber to, MissionTi
 }
 
 void Blackboard::Impl::recall_acknowledged(NodeNumber peer, std::uint64_t sequence) {
-  const auto found = peers_.find(peer);
-  if (found == peers_.end()) return;
-  found->second.outgoing().acknowledge(sequence);
-  plan(found->second);
+  change(peer, [&](Peer& one) { one.outgoing().acknowledge(sequence); });
 }
 
 void Blackboard::Impl::recall_given_up(NodeNumber to, std::uint64_t sequence) {
-  const auto found = peers_.find(to);
-  if (found == peers_.end()) return;
-  found->second.outgoing().give_up(sequence);
-  plan(found->second);
+  change(to, [&](Peer& one) { one.outgoing().give_up(sequence); });
 }
 
 void Blackboard::Impl::recall_received(wire::Slot slot, const wire::SampleHeader& header) {
@@ -201,10 +195,7 @@ void Blackboard::Impl::recall_received(wire::Slot slot, const wire::SampleHeader
 }
 
 void Blackboard::Impl::recall_reachable(NodeNumber peer, bool reachable) {
-  const auto found = peers_.find(peer);
-  if (found == peers_.end()) return;
-  found->second.recall_reachable(reachable);
-  plan(found->second);
+  change(peer, [&](Peer& one) { one.recall_reachable(reachable); });
 }
 
 void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
@@ -254,6 +245,13 @@ void Blackboard::Impl::serve(Peer& peer, Now now) {
     write(peer.channels().outgoing, heartbeat);
   }
   plan(peer);
+}
+
+void Blackboard::Impl::change(NodeNumber number, const std::function<void(Peer&)>& change) {
+  const auto found = peers_.find(number);
+  if (found == peers_.end()) return;
+  change(found->second);
+  plan(found->second);
 }
 
 void Blackboard::Impl::plan(const Peer& peer) {

@@ -2,6 +2,7 @@
 // What stands behind Blackboard.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -58,6 +59,8 @@ class Blackboard::Impl {
   void serve(Peer& peer, Now now);
   /// Something of its session came: it counts as handled from the next step on.
   void hear(const Peer& peer);
+  /// Of a peer, and what it is due for after; strangers are disregarded.
+  void change(NodeNumber number, const std::function<void(Peer&)>& change);
   /// To be called after each change of a peer.
   void plan(const Peer& peer);
 

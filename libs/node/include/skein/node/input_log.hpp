@@ -13,8 +13,7 @@
 
 namespace skein::node {
 
-// ---- what is kept, besides Started, Received, Reachability, Undelivered and Wakeup as they are
-// ----
+// ---- what is kept, besides the inputs that are kept as they are ----
 
 /// A job's result came. Its work is done again when it is recalled: the same question to the same
 /// clock gives the same answer, and so the same result.
