@@ -2,9 +2,9 @@
 // The command line of skein_random_missions.
 #pragma once
 
-namespace skein::random_missions {
+namespace skein::mission_lab {
 
 /// Returns the exit code: 1 when a law was broken.
 int command(int argc, char** argv);
 
-}  // namespace skein::random_missions
+}  // namespace skein::mission_lab

@@ -9,16 +9,23 @@
 #include <set>
 #include <sstream>
 
-#include "laws/laws.hpp"
-#include "random_missions/generate.hpp"
-#include "random_missions/series.hpp"
 #include "skein/foundation/exit_code.hpp"
+#include "skein/laws/laws.hpp"
+#include "skein/mission_lab/generate.hpp"
+#include "skein/storm_tool/series.hpp"
+#include "skein/storm_tool/shrink.hpp"
+#include "skein/storm_tool/storm.hpp"
 
-namespace skein::random_missions {
+namespace skein::mission_lab {
 
 namespace {
 
 using laws::Violation;
+using storm_tool::Case;
+using storm_tool::judge_one;
+using storm_tool::JudgeOptions;
+using storm_tool::Series;
+using storm_tool::Verdict;
 
 struct Options {
   bool laws = false, show = false;
@@ -29,15 +36,6 @@ struct Options {
   std::size_t examples = 3;
   JudgeOptions judge;
 };
-
-std::optional<std::pair<std::uint64_t, std::uint64_t>> range_of(const std::string& text) {
-  const std::size_t dots = text.find("..");
-  std::istringstream first(text.substr(0, dots));
-  std::istringstream last(dots == std::string::npos ? text : text.substr(dots + 2));
-  std::uint64_t a = 0, b = 0;
-  if (!(first >> a) || !(last >> b) || a > b) return std::nullopt;
-  return std::pair(a, b);
-}
 
 Kinds kinds_of(const Options& options) {
   Kinds kinds = options.clean ? kClean : Kinds{};
@@ -75,18 +73,9 @@ bool breaks(const Mission& mission, const std::string& law, JudgeOptions options
                                       [&](const Violation& one) { return one.law == law; });
 }
 
-// Leaves out what can be left out, as long as the same law is broken.
-Mission minimised(Mission mission, const std::string& law, const JudgeOptions& options) {
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (Mission& less : smaller(mission)) {
-      if (!breaks(less, law, options)) continue;
-      mission = std::move(less);
-      changed = true;
-      break;
-    }
-  }
-  return mission;
+Mission minimised(const Mission& mission, const std::string& law, const JudgeOptions& options) {
+  return storm_tool::shrunk(mission, smaller,
+                            [&](const Mission& less) { return breaks(less, law, options); });
 }
 
 void save(const Options& options, const Mission& mission, const Verdict& verdict) {
@@ -183,7 +172,7 @@ void declare(CLI::App& app, Options& options) {
 
 int command(int argc, char** argv) {
   CLI::App app(
-      "Draws missions, plays them in virtual time and judges them by the laws of tests/laws.");
+      "Draws missions, plays them in virtual time and judges them by the laws of libs/laws.");
   Options options;
   declare(app, options);
   CLI11_PARSE(app, argc, argv);
@@ -192,7 +181,7 @@ int command(int argc, char** argv) {
     return kExitOk;
   }
   if (!options.files.empty()) return run_files(options);
-  const auto seeds = range_of(options.seeds);
+  const auto seeds = storm_tool::seeds_of(options.seeds);
   if (!seeds) {
     std::cerr << "--seeds: '" << options.seeds << "', expected A..B, as in 1..300\n";
     return kExitBadInput;
@@ -206,4 +195,4 @@ int command(int argc, char** argv) {
   return run_seeds(options, seeds->first, seeds->second);
 }
 
-}  // namespace skein::random_missions
+}  // namespace skein::mission_lab

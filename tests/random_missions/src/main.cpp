@@ -2,4 +2,4 @@
 // skein_random_missions: draws missions, plays them in virtual time, judges them by the laws.
 #include "random_missions/command.hpp"
 
-int main(int argc, char** argv) { return skein::random_missions::command(argc, argv); }
+int main(int argc, char** argv) { return skein::mission_lab::command(argc, argv); }

@@ -3,12 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "random_missions/generate.hpp"
-#include "random_missions/judge.hpp"
-#include "random_missions/series.hpp"
 #include "skein/assembly/assembly.hpp"
+#include "skein/mission_lab/generate.hpp"
 
-namespace skein::random_missions {
+namespace skein::mission_lab {
 namespace {
 
 using ::testing::HasSubstr;
@@ -46,6 +44,22 @@ TEST(Generate, DeathsOfDaemonsAreAddedToTheSameMission) {
   }
   for (const char* daemon : {"kill: sim", "kill: ground", "kill: karma"})
     EXPECT_NE(daemons.find(daemon), std::string::npos) << daemon;
+}
+
+TEST(Generate, SomeMissionsAskTwoUavsForOneJointTask) {
+  int joint = 0;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    const Mission mission = generate(seed, {});
+    int asked = 0;
+    for (const Step& step : mission.steps) {
+      for (const Task& task : step.tasks) {
+        asked += task.words.starts_with("[monitoring-with-relay") ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(asked, mission.joint ? 2 : 0) << "seed " << seed;
+    joint += mission.joint ? 1 : 0;
+  }
+  EXPECT_GT(joint, 3);
 }
 
 TEST(Generate, EveryMissionIsAScenario) {
@@ -106,35 +120,5 @@ TEST(Smaller, EachIsThereWithOnePartLess) {
     EXPECT_LT(to_yaml(less, "..").size(), to_yaml(whole, "..").size());
 }
 
-TEST(Judge, SaysWhatAScenarioCameTo) {
-  const Verdict verdict = judge_one({"clean", text_of(2, kClean), kFile}, {});
-
-  EXPECT_TRUE(verdict.valid);
-  EXPECT_GT(verdict.goals, 0);
-  EXPECT_GT(verdict.flown, 0);
-}
-
-TEST(Judge, SaysWhyTextIsNoScenario) {
-  const Verdict verdict = judge_one({"wrong", "scenario: [", kFile}, {});
-
-  EXPECT_FALSE(verdict.valid);
-  EXPECT_THAT(verdict.problem, HasSubstr("drawn.yaml"));
-}
-
-TEST(Series, CountsMissionsByLaw) {
-  Series series;
-  Verdict broken;
-  broken.violations = {
-      {"energy", 1, "marvin", 0, ""}, {"energy", 2, "heliv", 0, ""}, {"held", 3, "heliv", 7, ""}};
-  series.add({"1", "", ""}, broken);
-  series.add({"2", "", ""}, {});
-
-  EXPECT_EQ(series.missions, 2);
-  EXPECT_EQ(series.broken, 1);
-  EXPECT_EQ(series.rows.at("energy").missions, 1);
-  EXPECT_EQ(series.rows.at("energy").violations, 2);
-  EXPECT_THAT(series.rows.at("held").examples, ::testing::ElementsAre("1"));
-}
-
 }  // namespace
-}  // namespace skein::random_missions
+}  // namespace skein::mission_lab

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random missions keep the laws of truth (tests/laws). SKEIN_MISSIONS says how many;
+// Random missions keep the laws of truth (libs/laws). SKEIN_MISSIONS says how many;
 // the command skein_random_missions plays any others.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <thread>
 
-#include "laws/laws.hpp"
-#include "random_missions/generate.hpp"
-#include "random_missions/judge.hpp"
+#include "skein/laws/laws.hpp"
+#include "skein/mission_lab/generate.hpp"
+#include "skein/storm_tool/judge.hpp"
 #include "test_cases.hpp"
 
-namespace skein::random_missions {
+namespace skein::mission_lab {
 namespace {
+
+using storm_tool::Case;
+using storm_tool::JudgeOptions;
+using storm_tool::Verdict;
 
 /// Seconds of processor time for a mission.
 constexpr int kPatience = 120;
@@ -66,4 +70,4 @@ TEST(RandomMissions, KeepTheLawsWhenDaemonsDieAndComeBack) {
 }
 
 }  // namespace
-}  // namespace skein::random_missions
+}  // namespace skein::mission_lab

@@ -8,12 +8,12 @@
 #include <functional>
 #include <set>
 
-#include "laws/laws.hpp"
-#include "random_missions/mission.hpp"
 #include "skein/assembly/assembly.hpp"
 #include "skein/foundation/contract.hpp"
+#include "skein/laws/laws.hpp"
+#include "skein/mission_lab/mission.hpp"
 
-namespace skein::random_missions {
+namespace skein::mission_lab {
 namespace {
 
 using scenario::Scenario;
@@ -173,4 +173,4 @@ INSTANTIATE_TEST_SUITE_P(Mutations, Caught, ::testing::ValuesIn(mutations()),
                          [](const auto& one) { return one.param.name; });
 
 }  // namespace
-}  // namespace skein::random_missions
+}  // namespace skein::mission_lab

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "laws/laws.hpp"
 #include "skein/assembly/assembly.hpp"
+#include "skein/laws/laws.hpp"
 
 namespace skein::testing {
 

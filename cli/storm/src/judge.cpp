@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/storm_tool/judge.hpp"
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "skein/assembly/assembly.hpp"
+#include "skein/assembly/overrides.hpp"
+#include "skein/laws/laws.hpp"
+#include "skein/laws/protocol.hpp"
+
+namespace skein::storm_tool {
+
+namespace {
+
+using journal::Record;
+
+std::string one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  std::replace(text.begin(), text.end(), '\t', ' ');
+  return text;
+}
+
+std::vector<Record> play(const scenario::Scenario& scenario) {
+  std::vector<Record> records;
+  node::run_virtual(
+      assembly::roster_of(scenario),
+      [&](const std::string& name) { return assembly::make_node(scenario, name); },
+      assembly::virtual_config(scenario), [&](const Record& record) { records.push_back(record); });
+  std::stable_sort(records.begin(), records.end(),
+                   [](const auto& a, const auto& b) { return a.at() < b.at(); });
+  return records;
+}
+
+void count_goals(const laws::History& history, std::ostream& out) {
+  int goals = 0, achieved = 0, failed = 0;
+  for (const auto& [name, uav] : history.uavs) {
+    for (const auto& [id, goal] : uav.goals) {
+      ++goals;
+      achieved += goal.state() == "achieved" ? 1 : 0;
+      failed += goal.state() == "failed" ? 1 : 0;
+    }
+  }
+  const auto near = laws::nearest(history);
+  out << "run\t" << goals << '\t' << achieved << '\t' << failed << '\t' << history.end << '\t'
+      << (near ? near->distance : -1) << '\n';
+}
+
+void keep_log(const std::vector<Record>& records, const Case& one, const std::string& folder) {
+  std::filesystem::create_directories(folder);
+  std::ofstream out(std::filesystem::path(folder) /
+                    (std::filesystem::path(one.name).stem().string() + ".jsonl"));
+  for (const Record& record : records) out << journal::to_json(record) << '\n';
+}
+
+bool wants(const JudgeOptions& options, const char* law) {
+  return options.only.empty() ||
+         std::find(options.only.begin(), options.only.end(), law) != options.only.end();
+}
+
+std::string text_of(const std::vector<Record>& records) {
+  std::string text;
+  for (const Record& record : records) text += journal::to_json(record) + "\n";
+  return text;
+}
+
+std::vector<laws::Violation> violations_of(const scenario::Scenario& scenario,
+                                           const std::vector<Record>& records,
+                                           const JudgeOptions& options) {
+  std::vector<laws::Violation> all = laws::broken_laws(scenario, records, options.only);
+  if (wants(options, "protocol")) {
+    for (const std::string& breach : laws::broken_protocol(records))
+      all.push_back({"protocol", 0, "", 0, breach});
+  }
+  if (options.twice && wants(options, "same-bytes") && text_of(play(scenario)) != text_of(records))
+    all.push_back({"same-bytes", 0, "", 0, "played again, the event log is another"});
+  return all;
+}
+
+// The child's report, a line a fact.
+std::string report_of(const Case& one, const JudgeOptions& options) {
+  std::ostringstream out;
+  auto scenario = scenario::read_scenario_text(one.yaml, one.file);
+  Diagnostics problems = scenario ? assembly::apply({}, *scenario) : scenario.error();
+  if (problems.empty()) problems = assembly::check_assembly(*scenario);
+  if (!problems.empty()) return "invalid\t" + one_line(to_text(problems)) + "\n";
+  const std::vector<Record> records = play(*scenario);
+  if (!options.log.empty()) keep_log(records, one, options.log);
+  count_goals(laws::history_of(*scenario, records), out);
+  for (const laws::Violation& broken : violations_of(*scenario, records, options)) {
+    out << "broken\t" << broken.law << '\t' << broken.at << '\t' << broken.uav << '\t'
+        << broken.goal << '\t' << one_line(broken.sentence) << '\n';
+  }
+  return out.str();
+}
+
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream in(line);
+  for (std::string field; std::getline(in, field, '\t');) fields.push_back(field);
+  return fields;
+}
+
+Verdict verdict_from(const std::string& report) {
+  Verdict verdict;
+  std::istringstream in(report);
+  for (std::string line; std::getline(in, line);) {
+    const std::vector<std::string> f = fields_of(line);
+    if (f.size() == 2 && f[0] == "invalid") {
+      verdict.valid = false;
+      verdict.problem = f[1];
+    } else if (f.size() == 6 && f[0] == "run") {
+      verdict.goals = std::stoi(f[1]);
+      verdict.achieved = std::stoi(f[2]);
+      verdict.failed = std::stoi(f[3]);
+      verdict.flown = std::stod(f[4]);
+      verdict.nearest = std::stod(f[5]);
+    } else if (f.size() == 6 && f[0] == "broken") {
+      verdict.violations.push_back({f[1], std::stod(f[2]), f[3], std::stoll(f[4]), f[5]});
+    }
+  }
+  return verdict;
+}
+
+struct Child {
+  Case what;
+  pid_t pid = -1;
+  int pipe = -1;
+  std::string text;
+};
+
+void write_all(int to, const std::string& text) {
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t n = ::write(to, text.data() + done, text.size() - done);
+    if (n <= 0) return;
+    done += static_cast<std::size_t>(n);
+  }
+}
+
+Child start(Case what, const JudgeOptions& options) {
+  int ends[2];
+  if (::pipe(ends) != 0) std::abort();
+  std::fflush(nullptr);
+  const pid_t pid = ::fork();
+  if (pid < 0) std::abort();
+  if (pid == 0) {
+    ::close(ends[0]);
+    // The machine may do much else: the time is the process's own.
+    const itimerval patience{{}, {options.patience, 0}};
+    ::setitimer(ITIMER_PROF, &patience, nullptr);
+    write_all(ends[1], report_of(what, options));
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  return {std::move(what), pid, ends[0], ""};
+}
+
+// Reads what there is; false when the child has said all.
+bool read_some(Child& child) {
+  char buffer[4096];
+  const ssize_t n = ::read(child.pipe, buffer, sizeof buffer);
+  if (n <= 0) return false;
+  child.text.append(buffer, static_cast<std::size_t>(n));
+  return true;
+}
+
+Verdict finish(Child& child, const JudgeOptions& options) {
+  int status = 0;
+  ::close(child.pipe);
+  ::waitpid(child.pid, &status, 0);
+  Verdict verdict = verdict_from(child.text);
+  const bool wanted = wants(options, "crash");
+  if (!WIFSIGNALED(status) && WEXITSTATUS(status) == 0) return verdict;
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const bool hangs = signal == SIGPROF;
+  if (wanted) {
+    verdict.violations.push_back(
+        {hangs ? "hang" : "crash", 0, "", 0,
+         hangs ? "not done after " + std::to_string(options.patience) + " s of processor time"
+               : "the process died: " + std::string(signal != 0 ? strsignal(signal) : "exit")});
+  }
+  return verdict;
+}
+
+}  // namespace
+
+void judge(const std::function<bool(Case&)>& next, const JudgeOptions& options,
+           const std::function<void(const Case&, const Verdict&)>& tell) {
+  std::vector<Child> running;
+  bool more = true;
+  while (more || !running.empty()) {
+    while (more && running.size() < static_cast<std::size_t>(options.jobs)) {
+      Case one;
+      more = next(one);
+      if (more) running.push_back(start(std::move(one), options));
+    }
+    std::vector<pollfd> ends;
+    for (const Child& child : running) ends.push_back({child.pipe, POLLIN, 0});
+    if (ends.empty()) break;
+    ::poll(ends.data(), ends.size(), -1);
+    for (std::size_t i = ends.size(); i-- > 0;) {
+      if (ends[i].revents == 0 || read_some(running[i])) continue;
+      const Verdict verdict = finish(running[i], options);
+      const Case what = std::move(running[i].what);
+      running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
+      tell(what, verdict);
+    }
+  }
+}
+
+Verdict judge_one(const Case& one, const JudgeOptions& options) {
+  Child child = start(one, options);
+  while (read_some(child)) {
+  }
+  return finish(child, options);
+}
+
+}  // namespace skein::storm_tool

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// `skein storm` from its options to its exit code.
+#include "skein/storm_tool/storm.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "skein/foundation/exit_code.hpp"
+
+namespace skein::storm_tool {
+namespace {
+
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const std::string kScenarios = SKEIN_SOURCE_DIR "/scenarios";
+
+struct Told {
+  int code = 0;
+  std::string out, err;
+};
+
+Told run(const StormOptions& options) {
+  std::ostringstream out, err;
+  const int code = storm(options, out, err);
+  return {code, out.str(), err.str()};
+}
+
+StormOptions karma(const std::string& seeds) {
+  StormOptions options;
+  options.scenarios = {kScenarios + "/karma/detection.yaml"};
+  options.seeds = seeds;
+  options.save = "";
+  return options;
+}
+
+TEST(SeedsOf, AreARangeOrOne) {
+  EXPECT_EQ(seeds_of("3..17"), std::pair(std::uint64_t{3}, std::uint64_t{17}));
+  EXPECT_EQ(seeds_of("3"), std::pair(std::uint64_t{3}, std::uint64_t{3}));
+  for (const char* none : {"", "x", "5..3", "1..", "..4", "1..2x", "-1..3"})
+    EXPECT_EQ(seeds_of(none), std::nullopt) << none;
+}
+
+TEST(Storm, PlaysAScenarioOnceASeedAndKeepsTheLaws) {
+  const Told told = run(karma("1..4"));
+
+  EXPECT_EQ(told.code, kExitOk) << told.out;
+  EXPECT_THAT(told.out, HasSubstr("4 missions"));
+  EXPECT_THAT(told.out, HasSubstr("0 missions break a law"));
+}
+
+TEST(Storm, DrawsMissionsWhenNoneIsGiven) {
+  StormOptions options;
+  options.seeds = "5..6";
+  options.save = "";
+  options.models = kScenarios;
+  options.json = true;
+
+  const Told told = run(options);
+
+  EXPECT_EQ(told.code, kExitOk) << told.out;
+  EXPECT_EQ(nlohmann::json::parse(told.out).at("runs"), 2);
+  EXPECT_EQ(told.err, "");
+}
+
+// Marvin is dead for good, and a command to it may live for ten minutes: longer than the law
+// allows. Whatever else the scenario has is not needed for that.
+TEST(Storm, KeepsASmallScenarioOfARunThatBreaksALaw) {
+  const fs::path folder = fs::path(::testing::TempDir()) / "skein-storm-kept";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const std::string model = "model: " + kScenarios + "/comets/models/";
+  const std::string takeoff =
+      "tasks: [{id: 1, type: takeoff, mode: VUT, params: {altitude: 30}}]}}]}\n";
+  std::ofstream(folder / "unanswered.yaml")
+      << "scenario: unanswered\nepoch: 2005-05-19T09:00:00Z\nduration_limit: 100\n"
+      << "world: {origin: {latitude: 40, longitude: -8, altitude: 0}, terrain: {west: -300, south: "
+         "-300, east: 300, north: 300, cell: 20}}\n"
+      << "uavs:\n  marvin: {" << model << "marvin.yaml, start: [0, 0]}\n  heliv: {" << model
+      << "heliv.yaml, start: [50, 0]}\n"
+      << "ground:\n  command_lifetime: 600\n  script:\n"
+      << "    - {step: one, when: {time: 5}, do: [{plan: {uav: marvin, " << takeoff
+      << "    - {step: other, when: {time: 6}, do: [{plan: {uav: heliv, " << takeoff
+      << "faults: [{at: 3, kill: marvin}, {at: 50, slow: {uav: heliv, factor: 2, for: 9}}]\n";
+  StormOptions options;
+  options.scenarios = {(folder / "unanswered.yaml").string()};
+  options.seeds = "1";
+  options.save = (folder / "kept").string();
+  options.judge.only = {"protocol"};
+
+  const Told told = run(options);
+
+  EXPECT_EQ(told.code, kExitNegative);
+  EXPECT_THAT(told.out, HasSubstr("unanswered: "));
+  std::ifstream file(folder / "kept" / "protocol-unanswered.yaml");
+  const std::string kept{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(kept, HasSubstr("# "));
+  EXPECT_THAT(kept, HasSubstr("kill: marvin"));
+  EXPECT_EQ(kept.find("slow"), std::string::npos) << kept;
+  EXPECT_EQ(kept.find("heliv"), std::string::npos) << kept;
+}
+
+TEST(Storm, SaysWhatIsWrongWithItsInput) {
+  StormOptions options = karma("4..2");
+  EXPECT_EQ(run(options).code, kExitBadInput);
+  EXPECT_THAT(run(options).err, HasSubstr("expected A..B"));
+  options.seeds = "1";
+  options.scenarios = {"/no/such.yaml"};
+  EXPECT_EQ(run(options).code, kExitBadInput);
+  EXPECT_THAT(run(options).err, HasSubstr("/no/such.yaml"));
+  options.scenarios = {};
+  options.models = "/nowhere";
+  EXPECT_THAT(run(options).err, HasSubstr("--models"));
+}
+
+TEST(Storm, ListsTheLaws) {
+  StormOptions options;
+  options.list_laws = true;
+
+  EXPECT_THAT(run(options).out, HasSubstr("energy: "));
+  EXPECT_THAT(run(options).out, HasSubstr("protocol: "));
+}
+
+}  // namespace
+}  // namespace skein::storm_tool

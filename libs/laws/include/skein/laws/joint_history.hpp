@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// What UAVs told of their joint tasks.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "skein/journal/record.hpp"
+#include "skein/world/geometry.hpp"
+
+namespace skein::laws {
+
+/// What one UAV told of one joint task.
+struct JointTold {
+  struct Phase {
+    double at = 0;
+    std::string phase, role;  ///< `role`: its own
+    std::string why;
+    bool over() const { return phase == "ended" || phase == "aborted" || phase == "not-loaded"; }
+  };
+  struct Componel {
+    double at = 0;
+    std::string role, componel, state;
+  };
+  std::string uav, joint;
+  std::int64_t task = 0;  ///< of its executive; the last
+  std::string variant;
+  std::vector<Phase> phases;
+  std::vector<Componel> componels;
+};
+
+/// A task that a role asked for.
+struct RoleTaskTold {
+  std::string uav, joint, role, componel;
+  std::int64_t task = 0;
+};
+
+/// How a session came out at one UAV.
+struct SessionTold {
+  double at = 0;
+  std::string uav, joint, opener, rows;
+  double opened = 0;
+  bool agreed = false;  ///< else failed
+};
+
+/// Where a UAV was sent by its role, under which constraints.
+struct PlaceTold {
+  double at = 0;
+  std::string uav, joint, role;
+  std::vector<std::string> scms;
+  world::Vector3 position = world::Vector3::Zero();
+};
+
+/// A point that the ground told to be elsewhere.
+struct PointTold {
+  double at = 0;
+  std::string name;
+  world::Vector3 position = world::Vector3::Zero();
+};
+
+struct JointHistory {
+  std::vector<JointTold> joints;  ///< one of each UAV and task
+  std::vector<RoleTaskTold> tasks;
+  std::vector<SessionTold> sessions;
+  std::vector<PlaceTold> places;
+  std::vector<PointTold> points;
+
+  void see(const journal::Record& record);
+
+ private:
+  JointTold* of(const journal::Record& record);
+};
+
+}  // namespace skein::laws

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Laws that the event log of any run keeps, whatever the scenario and its faults.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "skein/foundation/time.hpp"
+#include "skein/journal/record.hpp"
+
+namespace skein::laws {
+
+/// Looks at the log alone, so that it shares nothing with what it checks. A node's memory ends with
+/// a scripted kill of it. Gives each breach, with its instant; empty when all laws hold:
+/// - tasks: only the transitions of spec 2.1, so at most one terminal state, and that the last;
+///   when a UAV's degree changes, who takes a task over goes on where the other was;
+/// - commands: issued once, then settled exactly once (acknowledged, refused or expired), at the
+///   latest `command_limit` after their issue;
+/// - synchronisation: nothing is received that was not sent before;
+/// - messages: each is received at most once, in the order of its sequence, after it was sent;
+/// - links: nothing is received over a link that has been down for more than a moment.
+std::vector<std::string> broken_protocol(const std::vector<journal::Record>& records,
+                                         Duration command_limit = Duration::seconds(66));
+
+/// For messages of tests: one per line.
+std::string to_text(const std::vector<std::string>& breaches);
+
+}  // namespace skein::laws

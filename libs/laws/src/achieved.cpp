@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+// A goal reported achieved was done: perceptions, ways, takeoffs and landings, waits.
+#include <algorithm>
+#include <cmath>
+
+#include "checks.hpp"
+#include "skein/world/vehicle_model.hpp"
+#include "statement.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+constexpr double kStep = 0.5;       ///< [s] how finely truth is looked at
+constexpr double kNearby = 3;       ///< [m] a device aimed so near a place is aimed at it
+constexpr double kAlarmMoves = 20;  ///< [m] where an alarm is becomes clearer while it is looked at
+constexpr double kSightAbove = 1;   ///< [m] over the ground: what lies there is seen
+constexpr double kApart = 100;      ///< [m] partners may be as far from their place in the air
+constexpr double kMoment = 3;       ///< [s] between what is done and its report
+
+/// What a perception was to look at, for how long.
+struct Look {
+  std::optional<world::Vector3> place;  ///< none: whatever is there
+  double seconds = 0;
+  double apart = 0;  ///< [m] beside a place in the air, so that partners do not meet there
+  double moves = 0;  ///< [m] the place itself may have been thought to be so far off
+};
+
+bool circles(const Uav& uav) { return !uav.spec->model.hovers; }
+
+// In place for a place in the air.
+bool is_there(const History& history, const Uav& uav, const Sample& sample,
+              const world::Vector3& place, double apart) {
+  const double near = wander(history, uav) + apart;
+  const world::Vector3 off = sample.position - place;
+  return off.head<2>().norm() <= near && std::abs(off.z()) <= near;
+}
+
+// For a place on the ground: within range, in the field of the device, nothing between.
+bool is_seen(const History& history, const Uav& uav, const Activity& look, const Sample& sample,
+             const world::Vector3& place, double moves) {
+  const world::SensorModel* sensor = world::find_sensor(uav.spec->model, look.device);
+  if (sensor == nullptr) return false;
+  const double ground = history.terrain.elevation(place.x(), place.y());
+  const world::Vector3 seen(place.x(), place.y(), std::max(place.z(), ground) + kSightAbove);
+  const world::Vector3 line = seen - sample.position;
+  if (line.norm() > sensor->range + wander(history, uav) + moves) return false;
+  if (!history.terrain.line_of_sight(sample.position, seen, -kSightAbove)) return false;
+  if (sensor->gimballed && look.target) {
+    return (look.target->head<2>() - place.head<2>()).norm() <= kNearby + moves;
+  }
+  const world::Vector3 axis = world::direction_of(sample.heading, sensor->boresight_pitch);
+  const double angle = std::acos(std::clamp(axis.dot(line.normalized()), -1.0, 1.0));
+  const double lost = std::asin(std::min(1.0, (wander(history, uav) + moves) / line.norm()));
+  return angle <= sensor->aperture + lost;
+}
+
+bool moves_at(const Uav& uav, double at) {
+  return std::any_of(uav.activities.begin(), uav.activities.end(), [&](const Activity& one) {
+    return one.moves() && one.from <= at && at < one.until;
+  });
+}
+
+double seconds_looked(const History& history, const Uav& uav, const Goal& goal,
+                      const Look& wanted) {
+  double seconds = 0;
+  for (const Activity* look : uav.activities_of(goal.id)) {
+    if (!look->looks()) continue;
+    for (double t = look->from; t < std::min(look->until, history.end); t += kStep) {
+      const auto sample = uav.at(t);
+      if (!sample || moves_at(uav, t)) continue;
+      const bool right = !wanted.place ? true
+                         : history.in_the_air(*wanted.place)
+                             ? is_there(history, uav, *sample, *wanted.place, wanted.apart)
+                             : is_seen(history, uav, *look, *sample, *wanted.place, wanted.moves);
+      if (right) seconds += std::min(kStep, look->until - t);
+    }
+  }
+  return seconds;
+}
+
+// The look that a perception of this name comes down to; nothing for other tasks.
+std::optional<Look> look_of(const History& history, const mission::HighLevelTask& task) {
+  const auto look = [&](std::size_t place, std::size_t seconds) -> std::optional<Look> {
+    if (task.arguments.size() <= std::max(place, seconds)) return std::nullopt;
+    const auto where = history.place(task.arguments[place]);
+    const auto long_for = number_of(task.arguments[seconds]);
+    if (!where || !long_for) return std::nullopt;
+    return Look{*where, *long_for, 0, history.is_alarm(task.arguments[place]) ? kAlarmMoves : 0};
+  };
+  if (task.name == "perceive" || task.name == "general-combined-goto-and-takeshot" ||
+      task.name == "perform-monitoring") {
+    return look(0, 1);
+  }
+  if (task.name == "general-combined-goto-and-synchro-and-takeshot") {
+    auto together = look(3, 4);
+    if (together) together->apart = kApart;
+    return together;
+  }
+  if (task.name == "takeshot-while-waiting" && !task.arguments.empty()) {
+    return Look{std::nullopt, number_of(task.arguments[0]).value_or(0), 0, 0};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string figure(double number) {
+  std::string text = std::to_string(std::round(number * 10) / 10);
+  return text.substr(0, text.find('.') + 2);
+}
+
+double wander(const History& history, const Uav& uav) {
+  const world::VehicleModel& model = uav.spec->model;
+  const world::Wind& wind = history.scenario->world.wind;
+  const double drift = model.wind_drift * (wind.speed + 2 * wind.gusts);
+  const double tracking = 2 * (3 * world::tracking_spread(model) + drift + 1);
+  return circles(uav) ? tracking + 2 * model.orbit_radius : tracking;
+}
+
+void for_achieved(const History& history,
+                  const std::function<void(const Uav&, const Goal&, double)>& check) {
+  for (const auto& [name, uav] : history.uavs) {
+    if (history.was_killed(name)) continue;
+    for (const auto& [id, goal] : uav.goals) {
+      if (const auto at = goal.when("achieved")) check(uav, goal, *at);
+    }
+  }
+}
+
+std::vector<Violation> perceptions_not_done(const History& history) {
+  constexpr double kPart = 0.95;
+  constexpr double kSlack = 3;  // [s]
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    const auto wanted = look_of(history, goal.task);
+    if (!wanted) return;
+    const double seconds = seconds_looked(history, uav, goal, *wanted);
+    if (seconds >= kPart * wanted->seconds - kSlack) return;
+    result.push_back({"", at, uav.name(), goal.id,
+                      mission::to_text(goal.task) +
+                          " is achieved: it looked from the right place for " + figure(seconds) +
+                          " of " + figure(wanted->seconds) + " s"});
+  });
+  return result;
+}
+
+namespace {
+
+// How long it was asked to look, of what counts seconds; nothing of other tasks.
+std::optional<double> seconds_asked(const mission::HighLevelTask& task) {
+  const std::size_t at = task.name == "perform-detection" ? 2 : 1;
+  const bool counts = task.name == "perceive" || task.name == "perform-detection" ||
+                      task.name == "general-combined-goto-and-takeshot";
+  if (!counts || task.arguments.size() <= at) return std::nullopt;
+  return number_of(task.arguments[at]);
+}
+
+}  // namespace
+
+std::vector<Violation> done_twice(const History& history) {
+  constexpr double kPart = 1.25;
+  constexpr double kOfAPiece = 30;  // [s] a pattern is not cut to the second
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    const auto asked = seconds_asked(goal.task);
+    if (!asked || !uav.deliberates(goal.received(), at)) return;
+    // A functional layer that has lost its memory is asked for the whole look again.
+    const std::string& layer = uav.spec->functional;
+    if (history.was_killed(layer.empty() ? "sim" : layer)) return;
+    double seconds = 0;
+    int pieces = 0;
+    for (const Activity* look : uav.activities_of(goal.id)) {
+      if (!look->looks() || look->until <= look->from) continue;
+      seconds += std::min(look->until, at) - look->from;
+      ++pieces;
+    }
+    if (pieces < 2 || seconds <= kPart * *asked + pieces * kOfAPiece) return;
+    // The device is on while a patrol comes to its zone; nothing is done again there.
+    seconds = seconds_detected(history, uav, goal).value_or(seconds);
+    if (seconds <= kPart * *asked + pieces * kOfAPiece) return;
+    result.push_back({"", at, uav.name(), goal.id,
+                      mission::to_text(goal.task) + " is achieved: it looked for " +
+                          figure(seconds) + " of " + figure(*asked) + " s in " +
+                          std::to_string(pieces) + " pieces: what was done was done again"});
+  });
+  return result;
+}
+
+namespace {
+
+// The least distance from a place in a time; a place on the ground is flown over.
+double least_distance(const History& history, const Uav& uav, const world::Vector3& place,
+                      double from, double until) {
+  double least = kNever;
+  for (double t = from; t <= until; t += kStep) {
+    const auto sample = uav.at(t);
+    if (!sample || !sample->airborne) continue;
+    const world::Vector3 off = sample->position - place;
+    least = std::min(least, history.in_the_air(place) ? off.norm() : off.head<2>().norm());
+  }
+  return least;
+}
+
+double begin_of(const Goal& goal) { return goal.received(); }
+
+std::vector<world::Vector3> places_of(const History& history, const mission::HighLevelTask& task) {
+  std::vector<world::Vector3> places;
+  const auto add = [&](const mission::Argument& argument) {
+    if (const auto place = history.place(argument)) places.push_back(*place);
+  };
+  if (task.arguments.empty()) return places;
+  if (task.name == "general-gotoxyz") add(task.arguments[0]);
+  if (task.name == "perform-tour") {
+    for (const std::string& name : names_of(task.arguments[0])) add(name);
+  }
+  return places;
+}
+
+std::optional<std::string> not_as_said(const History& history, const Uav& uav, const Goal& goal,
+                                       double at) {
+  const bool takeoff = goal.task.name == "general-takeoff";
+  if (!takeoff && goal.task.name != "general-land") return std::nullopt;
+  for (double t = at - kMoment; t <= at + kMoment; t += kStep) {
+    const auto sample = uav.at(std::min(t, history.end));
+    if (!sample || sample->airborne == takeoff) return std::nullopt;
+  }
+  // It may fly on at once, before the next sample: the simulator's word for the task counts, of
+  // whichever goal it was (a second landing has no task of its own).
+  for (const Activity& one : uav.activities) {
+    const bool did = one.type == (takeoff ? "takeoff" : "land") && one.end == "ended";
+    if (did && std::abs(one.until - at) <= kMoment) return std::nullopt;
+  }
+  return takeoff ? "it stands on the ground" : "it is in the air";
+}
+
+}  // namespace
+
+std::vector<Violation> places_not_reached(const History& history) {
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    const std::string what = mission::to_text(goal.task) + " is achieved: ";
+    const auto breach = [&](const std::string& seen) {
+      result.push_back({"", at, uav.name(), goal.id, what + seen});
+    };
+    if (const auto why = not_as_said(history, uav, goal, at)) breach(*why);
+    const bool tour = goal.task.name == "perform-tour" || !uav.deliberates(begin_of(goal), at);
+    for (const world::Vector3& place : places_of(history, goal.task)) {
+      const double from = tour ? begin_of(goal) : std::max(begin_of(goal), at - kMoment);
+      const double least =
+          least_distance(history, uav, place, from, std::min(at + kMoment, history.end));
+      if (least <= 1.8 * wander(history, uav)) continue;
+      breach(least == kNever
+                 ? "it never flew there"
+                 : "it came no nearer than " + figure(least) + " m to (" + figure(place.x()) + " " +
+                       figure(place.y()) + " " + figure(place.z()) + ")");
+    }
+  });
+  return result;
+}
+
+std::vector<Violation> waits_not_done(const History& history) {
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    if (goal.task.name != "general-wait" || goal.task.arguments.empty()) return;
+    const double wanted = number_of(goal.task.arguments[0]).value_or(0);
+    double waited = 0;
+    for (const Activity* one : uav.activities_of(goal.id)) {
+      if (one->type == "wait") waited += std::min(one->until, history.end) - one->from;
+    }
+    if (waited >= wanted - kMoment) return;
+    result.push_back(
+        {"", at, uav.name(), goal.id,
+         "general-wait is achieved: it waited " + figure(waited) + " of " + figure(wanted) + " s"});
+  });
+  return result;
+}
+
+}  // namespace skein::laws

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// The laws, one file of functions per subject.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "skein/laws/history.hpp"
+#include "skein/laws/violation.hpp"
+
+namespace skein::laws {
+
+// achieved.cpp
+std::vector<Violation> perceptions_not_done(const History& history);
+std::vector<Violation> places_not_reached(const History& history);
+std::vector<Violation> waits_not_done(const History& history);
+std::vector<Violation> done_twice(const History& history);
+// coverage.cpp
+/// In which the device met the zone; nothing of what is no detection.
+std::optional<double> seconds_detected(const History& history, const Uav& uav, const Goal& goal);
+std::vector<Violation> detections_not_done(const History& history);
+std::vector<Violation> mappings_not_done(const History& history);
+// synchronisation.cpp
+std::vector<Violation> synchronisations_apart(const History& history);
+std::vector<Violation> partners_too_near(const History& history);
+/// A partner failed to come to the meeting of a goal: its own goal for it failed.
+bool partner_failed(const History& history, const Uav& uav, const Goal& goal);
+// joint_tasks.cpp
+std::vector<Violation> roles_held_twice(const History& history);
+std::vector<Violation> agreements_apart(const History& history);
+std::vector<Violation> activations_without_end(const History& history);
+std::vector<Violation> joint_tasks_without_end(const History& history);
+std::vector<Violation> joint_tasks_apart(const History& history);
+// joint_places.cpp
+std::vector<Violation> places_against_constraints(const History& history);
+// joint_truth.cpp
+std::vector<Violation> joint_tasks_not_done(const History& history);
+// motion.cpp
+std::vector<Violation> motions_at_once(const History& history);
+std::vector<Violation> motions_under_tasks(const History& history);
+// promises.cpp
+std::vector<Violation> times_not_kept(const History& history);
+std::vector<Violation> goals_without_end(const History& history);
+std::vector<Violation> idle_without_word(const History& history);
+// reasons.cpp
+std::vector<Violation> untrue_reasons(const History& history);
+std::vector<Violation> feasible_but_failed(const History& history);
+/// Nothing goes wrong in it by itself, and nobody takes anything back.
+bool is_clean(const scenario::Scenario& scenario);
+// requests.cpp
+/// The decision by which a plan was made anew.
+bool is_repair(const Word& word);
+std::vector<Violation> asked_again_and_again(const History& history);
+// estimates.cpp
+std::vector<Violation> evaluations_off(const History& history);
+std::vector<Violation> winds_off(const History& history);
+// safety.cpp
+std::vector<Violation> in_closed_air(const History& history);
+std::vector<Violation> energy_short(const History& history);
+
+/// Calls `check` with each UAV and each of its goals that was achieved, and when.
+void for_achieved(const History& history,
+                  const std::function<void(const Uav&, const Goal&, double)>& check);
+
+/// "12.5".
+std::string figure(double number);
+
+/// How far from where it means to be a vehicle may be found [m]: its tracking and what the wind
+/// does to it, both doubled; for one that cannot hover, with its waiting circle.
+double wander(const History& history, const Uav& uav);
+
+}  // namespace skein::laws

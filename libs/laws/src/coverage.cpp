@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Detection and mapping, by the footprint of the sensor over the ground from where it really flew.
+#include <algorithm>
+#include <cmath>
+
+#include "checks.hpp"
+#include "skein/world/sensor_model.hpp"
+#include "statement.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+constexpr double kStep = 0.5;         ///< [s]
+constexpr double kDetectPart = 0.85;  ///< of the time asked: turns beyond the zone's edge count not
+constexpr double kMapPart = 0.99;     ///< of the zone's cells
+
+/// The middle points of square cells over a zone, on the ground.
+std::vector<world::Vector3> cells_of(const History& history, const world::Polygon& zone,
+                                     double side) {
+  world::Vector2 low = zone.front(), high = zone.front();
+  for (const world::Vector2& corner : zone) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  std::vector<world::Vector3> cells;
+  for (double x = low.x() + side / 2; x < high.x(); x += side) {
+    for (double y = low.y() + side / 2; y < high.y(); y += side) {
+      if (!world::contains(zone, {x, y})) continue;
+      cells.emplace_back(x, y, history.terrain.elevation(x, y));
+    }
+  }
+  return cells;
+}
+
+std::optional<world::View> view_at(const Uav& uav, const Activity& look, double t) {
+  const world::SensorModel* sensor = world::find_sensor(uav.spec->model, look.device);
+  const auto sample = uav.at(t);
+  if (sensor == nullptr || !sample || !sample->airborne) return std::nullopt;
+  const world::Vector3 axis = sensor->gimballed && look.target
+                                  ? world::Vector3((*look.target - sample->position).normalized())
+                                  : world::direction_of(sample->heading, sensor->boresight_pitch);
+  return world::View{sample->position, axis, sensor->range, sensor->aperture};
+}
+
+template <class See>
+void along_looks(const History& history, const Uav& uav, const Goal& goal, const See& see) {
+  for (const Activity* look : uav.activities_of(goal.id)) {
+    if (!look->looks()) continue;
+    for (double t = look->from; t < std::min(look->until, history.end); t += kStep) {
+      if (const auto view = view_at(uav, *look, t)) see(*view);
+    }
+  }
+}
+
+double seconds_over(const History& history, const Uav& uav, const Goal& goal,
+                    const std::vector<world::Vector3>& cells) {
+  double seconds = 0;
+  along_looks(history, uav, goal, [&](const world::View& view) {
+    const bool sees = std::any_of(cells.begin(), cells.end(), [&](const world::Vector3& cell) {
+      return world::in_view(view, cell);
+    });
+    if (sees) seconds += kStep;
+  });
+  return seconds;
+}
+
+double part_seen(const History& history, const Uav& uav, const Goal& goal,
+                 const std::vector<world::Vector3>& cells) {
+  std::vector<bool> seen(cells.size(), false);
+  along_looks(history, uav, goal, [&](const world::View& view) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (!seen[i] && world::in_view(view, cells[i])) seen[i] = true;
+    }
+  });
+  const auto count = std::count(seen.begin(), seen.end(), true);
+  return cells.empty() ? 1 : static_cast<double>(count) / static_cast<double>(cells.size());
+}
+
+}  // namespace
+
+std::optional<double> seconds_detected(const History& history, const Uav& uav, const Goal& goal) {
+  if (goal.task.name != "perform-detection" || goal.task.arguments.size() < 3) return std::nullopt;
+  const world::Zone* zone = history.zone(goal.task.arguments[0]);
+  if (zone == nullptr) return std::nullopt;
+  const double side = std::max(5.0, std::sqrt(world::area(zone->polygon) / 200));
+  return seconds_over(history, uav, goal, cells_of(history, zone->polygon, side));
+}
+
+std::vector<Violation> detections_not_done(const History& history) {
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    const auto seconds = seconds_detected(history, uav, goal);
+    const auto wanted = seconds ? number_of(goal.task.arguments[2]) : std::nullopt;
+    if (!wanted || *seconds >= kDetectPart * *wanted) return;
+    result.push_back({"", at, uav.name(), goal.id,
+                      mission::to_text(goal.task) + " is achieved: it looked at the zone for " +
+                          figure(*seconds) + " of " + figure(*wanted) + " s"});
+  });
+  return result;
+}
+
+std::vector<Violation> mappings_not_done(const History& history) {
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    if (goal.task.name != "perform-mapping" || goal.task.arguments.empty()) return;
+    const world::Zone* zone = history.zone(goal.task.arguments[0]);
+    if (zone == nullptr) return;
+    const double side = std::max(3.0, std::sqrt(world::area(zone->polygon) / 1500));
+    const double part = part_seen(history, uav, goal, cells_of(history, zone->polygon, side));
+    if (part >= kMapPart) return;
+    result.push_back({"", at, uav.name(), goal.id,
+                      mission::to_text(goal.task) + " is achieved: " + figure(100 * part) +
+                          " % of the zone was in the sensor's view"});
+  });
+  return result;
+}
+
+}  // namespace skein::laws

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who takes part in a joint task holds one role, that nobody else holds, and all end alike.
+#include <algorithm>
+#include <map>
+
+#include "checks.hpp"
+#include "joint_places.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+/// How many may hold a role, as the library of the scenario says; nothing: any number.
+std::optional<int> most_of(const History& history, const std::string& joint,
+                           const std::string& role) {
+  const interaction::Model* model = model_of(history, joint);
+  if (model == nullptr) return std::nullopt;
+  for (const interaction::Variant& variant : model->variants) {
+    const auto arity = variant.table.arities.find(role);
+    if (arity != variant.table.arities.end()) return arity->second.most;
+  }
+  return std::nullopt;
+}
+
+bool is_over(const std::string& state) { return state == "ended" || state == "aborted"; }
+
+/// Something happened to a UAV that its partners need not know of.
+bool is_excused(const History& history, const std::string& uav) {
+  const auto found = history.uavs.find(uav);
+  if (found == history.uavs.end() || history.was_killed(uav)) return true;
+  return !found->second.faults.empty() || found->second.degrees.size() > 1;
+}
+
+}  // namespace
+
+// Agreements are heard of one after the other, at the latest at the deadline of their session.
+std::vector<Violation> roles_held_twice(const History& history) {
+  constexpr double kMoment = 12;  // [s]
+  std::vector<Violation> result;
+  const std::vector<Held> all = roles_held(history.joint);
+  for (auto a = all.begin(); a != all.end(); ++a) {
+    for (auto b = std::next(a); b != all.end(); ++b) {
+      if (a->joint != b->joint || a->role != b->role || a->uav == b->uav) continue;
+      if (most_of(history, a->joint, a->role) != 1) continue;
+      const double from = std::max(a->from, b->from), until = std::min(a->until, b->until);
+      const double end = std::min(until, history.end);
+      if (end - from <= kMoment) continue;
+      result.push_back({"", from, a->uav, 0,
+                        a->uav + " and " + b->uav + " both hold role " + a->role + " of " +
+                            a->joint + " for " + figure(end - from) + " s"});
+    }
+  }
+  return result;
+}
+
+std::vector<Violation> agreements_apart(const History& history) {
+  std::vector<Violation> result;
+  std::map<std::string, SessionTold> first_agreed, first_failed;
+  for (const SessionTold& told : history.joint.sessions) {
+    const std::string session = told.joint + " of " + told.opener + " at " + figure(told.opened);
+    (told.agreed ? first_agreed : first_failed).try_emplace(session, told);
+    const auto agreed = first_agreed.find(session);
+    const auto failed = first_failed.find(session);
+    if (agreed != first_agreed.end() && failed != first_failed.end()) {
+      result.push_back(
+          {"", told.at, told.uav, 0,
+           session + ": agreed at " + agreed->second.uav + ", failed at " + failed->second.uav});
+    } else if (told.agreed && told.rows != agreed->second.rows) {
+      result.push_back({"", told.at, told.uav, 0,
+                        session + ": agreed on '" + told.rows + "' and at " + agreed->second.uav +
+                            " on '" + agreed->second.rows + "'"});
+    }
+  }
+  return result;
+}
+
+std::vector<Violation> activations_without_end(const History& history) {
+  std::vector<Violation> result;
+  for (const JointTold& told : history.joint.joints) {
+    if (told.phases.back().phase != "ended" || is_excused(history, told.uav)) continue;
+    std::map<std::string, JointTold::Componel> last;
+    for (const JointTold::Componel& one : told.componels) last[one.role + " " + one.componel] = one;
+    for (const auto& [name, one] : last) {
+      if (is_over(one.state)) continue;
+      result.push_back({"", one.at, told.uav, 0,
+                        name + " of " + told.joint + " is still " + one.state +
+                            " when the joint task has ended"});
+    }
+  }
+  return result;
+}
+
+// Who is not over may be about to: the run ends, or its goal is still open.
+std::vector<Violation> joint_tasks_without_end(const History& history) {
+  constexpr double kMoment = 90;  // [s]
+  std::vector<Violation> result;
+  for (const JointTold& told : history.joint.joints) {
+    const JointTold::Phase& last = told.phases.back();
+    const auto uav = history.uavs.find(told.uav);
+    if (uav == history.uavs.end() || history.was_killed(told.uav)) continue;
+    if (last.over()) {
+      if (last.phase == "ended" || !last.why.empty()) continue;
+      result.push_back(
+          {"", last.at, told.uav, 0, told.joint + " is " + last.phase + ": no reason"});
+      continue;
+    }
+    const auto goal = uav->second.goals.find(uav->second.goal_of_task(told.task));
+    if (goal == uav->second.goals.end() || !goal->second.settled()) continue;
+    const Change& end = goal->second.changes.back();
+    if (history.end - end.at <= kMoment) continue;
+    result.push_back({"", end.at, told.uav, goal->first,
+                      told.joint + " is still " + last.phase + " when its goal is " + end.state});
+  }
+  return result;
+}
+
+std::vector<Violation> joint_tasks_apart(const History& history) {
+  std::vector<Violation> result;
+  std::map<std::string, const JointTold*> ended;
+  for (const JointTold& told : history.joint.joints) {
+    if (told.phases.back().phase == "ended") ended.emplace(told.joint, &told);
+  }
+  const bool excused =
+      std::any_of(history.joint.joints.begin(), history.joint.joints.end(),
+                  [&](const JointTold& told) { return is_excused(history, told.uav); });
+  if (excused) return result;
+  for (const JointTold& told : history.joint.joints) {
+    const auto other = ended.find(told.joint);
+    if (told.phases.back().phase != "aborted" || other == ended.end()) continue;
+    if (other->second->uav == told.uav || told.componels.empty()) continue;
+    result.push_back({"", told.phases.back().at, told.uav, 0,
+                      told.joint + " is aborted here and has ended at " + other->second->uav});
+  }
+  return result;
+}
+
+}  // namespace skein::laws

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// A joint task that is reported achieved was done by its members: all roles were held at one time,
+// and what is to be perceived was perceived, from where the model allows it.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "checks.hpp"
+#include "joint_places.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+constexpr double kStep = 1;  // [s] how finely truth is looked at
+
+const interaction::Variant* variant_of(const History& history, const JointTold& told) {
+  const interaction::Model* model = model_of(history, told.joint);
+  if (model == nullptr) return nullptr;
+  for (const interaction::Variant& one : model->variants) {
+    if (one.name == told.variant) return &one;
+  }
+  return nullptr;
+}
+
+/// What this UAV told last of the joint task of a goal.
+const JointTold* told_of(const History& history, const Uav& uav, const Goal& goal) {
+  const auto& all = history.joint.joints;
+  const auto found = std::find_if(all.rbegin(), all.rend(), [&](const JointTold& one) {
+    return one.uav == uav.name() && uav.goal_of_task(one.task) == goal.id;
+  });
+  return found == all.rend() ? nullptr : &*found;
+}
+
+// ---- all roles at one time ----
+
+int most_at_once(const std::vector<Held>& held, const std::string& joint, const std::string& role) {
+  int most = 0;
+  for (const Held& begins : held) {
+    if (begins.joint != joint || begins.role != role) continue;
+    const auto there = [&](const Held& one) {
+      return one.joint == joint && one.role == role && one.from <= begins.from &&
+             begins.from < one.until;
+    };
+    most = std::max(most, static_cast<int>(std::count_if(held.begin(), held.end(), there)));
+  }
+  return most;
+}
+
+bool at_one_time(const std::vector<Held>& held, const std::string& joint) {
+  double last_begin = 0, first_end = kNever;
+  std::map<std::string, std::pair<double, double>> by_uav;
+  for (const Held& one : held) {
+    if (one.joint != joint) continue;
+    auto [span, is_new] = by_uav.try_emplace(one.uav, one.from, one.until);
+    if (!is_new) span->second.second = std::max(span->second.second, one.until);
+  }
+  for (const auto& [uav, span] : by_uav) {
+    last_begin = std::max(last_begin, span.first);
+    first_end = std::min(first_end, span.second);
+  }
+  return last_begin < first_end;
+}
+
+std::string roles_missing(const History& history, const std::string& joint,
+                          const interaction::Variant& variant) {
+  const std::vector<Held> held = roles_held(history.joint);
+  for (const auto& [role, arity] : variant.table.arities) {
+    const int most = most_at_once(held, joint, role);
+    if (most < arity.least) {
+      return "role " + role + " was held by " + std::to_string(most) + " at once, of " +
+             std::to_string(arity.least);
+    }
+  }
+  return at_one_time(held, joint) ? "" : "its members never took part at one time";
+}
+
+// ---- what was perceived ----
+
+/// A perception of a role.
+struct Watch {
+  std::string role, componel;
+  double seconds = 0;             ///< asked
+  std::vector<std::string> scms;  ///< about places, that hold meanwhile
+};
+
+bool is_about_places(const interaction::Variant& variant,
+                     const interaction::ScmInstance& instance) {
+  return std::none_of(instance.arguments.begin(), instance.arguments.end(), [&](const auto& one) {
+    const auto* word = std::get_if<std::string>(&one.second);
+    const auto& roles = variant.roles;
+    return word != nullptr &&
+           (*word == "R*" || std::find(roles.begin(), roles.end(), *word) != roles.end());
+  });
+}
+
+std::vector<std::string> scms_around(const interaction::Variant& variant, const std::string& role,
+                                     const interaction::Automaton& automaton,
+                                     const interaction::Componel& inner) {
+  std::set<std::string> around;
+  for (const interaction::Componel* one = &inner;; one = &automaton[one->parent]) {
+    around.insert(one->id);
+    if (&automaton[one->parent] == one) break;
+  }
+  std::vector<std::string> scms;
+  for (const interaction::ScmPlace& place : variant.table.places) {
+    const bool holds = place.role == role &&
+                       std::any_of(place.blocks.begin(), place.blocks.end(),
+                                   [&](const auto& block) { return around.contains(block); });
+    const auto instance = std::find_if(variant.table.scms.begin(), variant.table.scms.end(),
+                                       [&](const auto& one) { return one.id == place.id; });
+    if (holds && is_about_places(variant, *instance)) scms.push_back(place.id);
+  }
+  return scms;
+}
+
+/// Perceptions of the variant for as long as a parameter of the joint task says.
+std::vector<Watch> watches_of(const History& history, const std::string& joint,
+                              const interaction::Variant& variant) {
+  std::vector<Watch> all;
+  const auto arguments = arguments_of(joint, variant);
+  for (const std::string& name : variant.roles) {
+    const interaction::Role& role = history.scenario->interaction->roles.at(name);
+    const auto table = variant.table.parameters.find(name);
+    for (const interaction::Componel& one : role.automaton.componels()) {
+      if (one.task() == nullptr || one.task()->type != "takeshot-while-waiting") continue;
+      const config::Value* duration = one.task()->parameters.find("duration");
+      if (duration == nullptr || table == variant.table.parameters.end()) continue;
+      const auto parameter = table->second.find(duration->scalar);
+      if (parameter == table->second.end()) continue;
+      all.push_back({name, one.id, std::stod(arguments.at(parameter->second)),
+                     scms_around(variant, name, role.automaton, one)});
+    }
+  }
+  return all;
+}
+
+bool allowed(const History& history, const PlaceTold& there, const interaction::Variant& variant) {
+  const Uav& uav = history.uavs.at(there.uav);
+  return distances_broken(history, there, variant, wander(history, uav)).empty();
+}
+
+/// By all members together.
+double seconds_watched(const History& history, const std::string& joint, const Watch& watch,
+                       const interaction::Variant& variant) {
+  double seconds = 0;
+  for (const RoleTaskTold& task : history.joint.tasks) {
+    if (task.joint != joint || task.role != watch.role || task.componel != watch.componel) continue;
+    const Uav& uav = history.uavs.at(task.uav);
+    for (const Activity& look : uav.activities) {
+      if (look.task != task.task || !look.looks()) continue;
+      const double until = std::min(look.until, history.end);
+      for (double t = look.from; t < until; t += kStep) {
+        const auto sample = uav.at(t);
+        if (!sample) continue;
+        const PlaceTold there{t, task.uav, joint, watch.role, watch.scms, sample->position};
+        if (allowed(history, there, variant)) seconds += std::min(kStep, until - t);
+      }
+    }
+  }
+  return seconds;
+}
+
+std::string not_watched(const History& history, const std::string& joint,
+                        const interaction::Variant& variant) {
+  constexpr double kPart = 0.95, kSlack = 5;  // [s]
+  constexpr double kReaction = 25;            // [s] to what moves: told, agreed on, interrupted
+  const double moved = kReaction * static_cast<double>(history.joint.points.size());
+  for (const Watch& watch : watches_of(history, joint, variant)) {
+    const double seconds = seconds_watched(history, joint, watch, variant);
+    if (seconds >= kPart * watch.seconds - kSlack - moved) continue;
+    return "role " + watch.role + " perceived from where it may for " + figure(seconds) + " of " +
+           figure(watch.seconds) + " s";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<Violation> joint_tasks_not_done(const History& history) {
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    if (model_of(history, goal.task.name) == nullptr) return;
+    const auto broken = [&](const std::string& why) {
+      result.push_back(
+          {"", at, uav.name(), goal.id, mission::to_text(goal.task) + " is achieved: " + why});
+    };
+    const JointTold* told = told_of(history, uav, goal);
+    if (told == nullptr || told->phases.back().phase != "ended") {
+      return broken("no joint task of it has ended");
+    }
+    const interaction::Variant* variant = variant_of(history, *told);
+    if (variant == nullptr) return broken("it names no variant of its model");
+    if (const auto why = roles_missing(history, told->joint, *variant); !why.empty()) broken(why);
+    if (const auto why = not_watched(history, told->joint, *variant); !why.empty()) broken(why);
+  });
+  return result;
+}
+
+}  // namespace skein::laws

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/laws/laws.hpp"
+
+#include <algorithm>
+
+#include "checks.hpp"
+
+namespace skein::laws {
+
+const std::vector<Law>& all_laws() {
+  static const std::vector<Law> kLaws{
+      {"perceived", "a perception achieved looked from its place, for its time",
+       perceptions_not_done},
+      {"reached", "places, takeoffs and landings achieved came true then", places_not_reached},
+      {"waited", "a wait achieved was waited", waits_not_done},
+      {"progress", "what was perceived before an interruption is not perceived again", done_twice},
+      {"detected", "a detection achieved looked at its zone for its time", detections_not_done},
+      {"mapped", "a mapping achieved saw its zone", mappings_not_done},
+      {"synchronised", "partners of a synchronisation achieved were in it at one time",
+       synchronisations_apart},
+      {"partners-apart", "partners of a synchronisation keep apart", partners_too_near},
+      {"roles", "no two UAVs hold a role that is for one", roles_held_twice},
+      {"agreements", "a negotiation comes out alike wherever it is decided", agreements_apart},
+      {"activations", "all of a role is over when its joint task has ended",
+       activations_without_end},
+      {"joint", "no joint task ends at one and is aborted at another", joint_tasks_apart},
+      {"joint-ends", "each joint task ends, and says why when it is not done",
+       joint_tasks_without_end},
+      {"joint-done", "a joint task achieved was done by its members, by truth",
+       joint_tasks_not_done},
+      {"places", "where a role sends a UAV its constraints hold, by truth",
+       places_against_constraints},
+      {"one-motion", "one motion at a time, one use of a device", motions_at_once},
+      {"held", "no motion begins under a task of another goal", motions_under_tasks},
+      {"times", "times of goals achieved are kept, or it is said", times_not_kept},
+      {"ends", "each goal ends, or something is still done at the run's end", goals_without_end},
+      {"idle", "in the air with open goals and nothing to do, it names one and says why",
+       idle_without_word},
+      {"reasons", "what fails says why, and truly", untrue_reasons},
+      {"feasible", "where nothing goes wrong nothing fails", feasible_but_failed},
+      {"asked", "what is refused is not asked for again and again", asked_again_and_again},
+      {"evaluated", "a mission takes what its evaluation said", evaluations_off},
+      {"wind", "the wind that is felt blows", winds_off},
+      {"closed-air", "not in closed air but on the way out", in_closed_air},
+      {"energy", "never below the reserve in the air", energy_short}};
+  return kLaws;
+}
+
+std::vector<Violation> broken_laws(const scenario::Scenario& scenario,
+                                   const std::vector<journal::Record>& records,
+                                   const std::vector<std::string>& only) {
+  const History history = history_of(scenario, records);
+  std::vector<Violation> result;
+  for (const Law& law : all_laws()) {
+    if (!only.empty() && std::find(only.begin(), only.end(), law.name) == only.end()) continue;
+    for (Violation& violation : law.broken(history)) {
+      violation.law = law.name;
+      result.push_back(std::move(violation));
+    }
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Violation& a, const Violation& b) { return a.at < b.at; });
+  return result;
+}
+
+std::string to_text(const Violation& violation) {
+  std::string text = figure(violation.at) + " s";
+  if (!violation.uav.empty()) text += ", " + violation.uav;
+  if (violation.goal != 0) text += ", goal " + std::to_string(violation.goal);
+  return text + ": " + violation.law + ": " + violation.sentence;
+}
+
+std::string to_text(const std::vector<Violation>& violations) {
+  std::string text;
+  for (const Violation& violation : violations) text += to_text(violation) + "\n";
+  return text;
+}
+
+std::optional<Nearest> nearest(const History& history) {
+  Nearest result;
+  for (auto a = history.uavs.begin(); a != history.uavs.end(); ++a) {
+    for (auto b = std::next(a); b != history.uavs.end(); ++b) {
+      for (const Sample& sample : a->second.samples) {
+        const auto other = b->second.at(sample.at);
+        if (!sample.airborne || !other || !other->airborne) continue;
+        const double distance = (sample.position - other->position).norm();
+        if (distance < result.distance) result = {distance, sample.at, a->first, b->first};
+      }
+    }
+  }
+  if (result.distance == kNever) return std::nullopt;
+  return result;
+}
+
+}  // namespace skein::laws

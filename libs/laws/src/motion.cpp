@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// One motion at a time, and none under a task of another goal that holds the vehicle.
+#include <algorithm>
+
+#include "checks.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+std::string named(const Uav& uav, std::int64_t task, const std::string& type) {
+  const std::int64_t goal = uav.goal_of_task(task);
+  return type + " " + std::to_string(task) +
+         (goal == 0 ? " of no goal" : " of goal " + std::to_string(goal));
+}
+
+// What the vehicle refused because it does something else.
+void refused_at_once(const Uav& uav, std::vector<Violation>& result) {
+  for (const Activity& one : uav.activities) {
+    const bool busy = one.reason.find("is still active") != std::string::npos ||
+                      one.reason.find("is in use by") != std::string::npos;
+    if (!busy) continue;
+    result.push_back(
+        {"", one.from, uav.name(), uav.goal_of_task(one.task),
+         named(uav, one.task, one.type) + " was asked for and refused: " + one.reason});
+  }
+}
+
+// In the executive on board: the ground's, at degree 1, may not know yet what a UAV out of contact
+// does by itself, and the vehicle refuses a second motion anyway.
+void overlapping(const Uav& uav, std::vector<Violation>& result) {
+  constexpr double kMoment = 0.5;  // [s] executives of ground and UAV at a hand-over
+  const Execution* last = nullptr;
+  const auto on_board = [&](const Execution* one) { return one->node == uav.name(); };
+  std::vector<const Execution*> motions;
+  for (const auto& [task, execution] : uav.executions) {
+    if (execution.is_motion() && execution.started != kNever) motions.push_back(&execution);
+  }
+  std::stable_sort(motions.begin(), motions.end(),
+                   [](const auto* a, const auto* b) { return a->started < b->started; });
+  for (const Execution* one : motions) {
+    if (last != nullptr && on_board(one) && on_board(last) && one->started + kMoment < last->over) {
+      result.push_back({"", one->started, uav.name(), uav.goal_of_task(one->task),
+                        named(uav, one->task, one->type) + " begins while " +
+                            named(uav, last->task, last->type) + " is under way"});
+    }
+    if (last == nullptr || one->over > last->over) last = one;
+  }
+}
+
+}  // namespace
+
+std::vector<Violation> motions_at_once(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    if (history.was_killed(name)) continue;
+    refused_at_once(uav, result);
+    // Of a functional layer that is dead for a while nobody knows what it ended.
+    if (!history.dead.contains("sim")) overlapping(uav, result);
+  }
+  return result;
+}
+
+std::vector<Violation> motions_under_tasks(const History& history) {
+  constexpr double kMoment = 2;  // [s] in which what is given up may stop
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    if (history.was_killed(name)) continue;
+    for (const auto& [task, motion] : uav.executions) {
+      if (!motion.is_motion() || motion.started == kNever || motion.over - motion.started < kMoment)
+        continue;
+      if (!uav.deliberates(motion.started, motion.started + kMoment)) continue;
+      const std::int64_t goal = uav.goal_of_task(task);
+      for (const auto& [other, held] : uav.executions) {
+        const std::int64_t other_goal = uav.goal_of_task(other);
+        const bool holds = !held.is_motion() && other_goal != 0 && other_goal != goal;
+        if (!holds || !held.under_way(motion.started) || !held.under_way(motion.started + kMoment))
+          continue;
+        result.push_back({"", motion.started, name, other_goal,
+                          named(uav, task, motion.type) + " begins while " +
+                              named(uav, other, held.type) + " is under way"});
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace skein::laws

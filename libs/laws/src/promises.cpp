@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times kept, ends told, idleness explained.
+#include <algorithm>
+#include <set>
+
+#include "checks.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+constexpr double kMoment = 0.6;  ///< [s] a task may begin or end so much beside its bound
+
+std::optional<std::string> broken_bound(const mission::TimeConstraints& time,
+                                        const Execution& task) {
+  const auto seconds = [](const std::optional<MissionTime>& at) { return at->to_seconds(); };
+  const std::string name = task.type + " " + std::to_string(task.task);
+  if (time.start_after && task.started < seconds(time.start_after) - kMoment) {
+    return name + " began at " + figure(task.started) + " s, not after " +
+           figure(seconds(time.start_after));
+  }
+  if (time.start_before && task.started > seconds(time.start_before) + kMoment) {
+    return name + " began at " + figure(task.started) + " s, not before " +
+           figure(seconds(time.start_before));
+  }
+  if (task.over == kNever || task.state != "ended") return std::nullopt;
+  if (time.end_before && task.over > seconds(time.end_before) + kMoment) {
+    return name + " ended at " + figure(task.over) + " s, not before " +
+           figure(seconds(time.end_before));
+  }
+  if (time.end_after && task.over < seconds(time.end_after) - kMoment) {
+    return name + " ended at " + figure(task.over) + " s, not after " +
+           figure(seconds(time.end_after));
+  }
+  return std::nullopt;
+}
+
+// A bound counted from another goal holds from when that was achieved; else it is void.
+std::optional<std::string> broken_bound(const mission::GoalBound& bound, const Uav& uav,
+                                        const Execution& task) {
+  const auto other = uav.goals.find(static_cast<std::int64_t>(bound.goal.value()));
+  const auto origin = other == uav.goals.end() ? std::nullopt : other->second.when("achieved");
+  const double at = bound.on_end ? task.over : task.started;
+  if (!origin || at == kNever || (bound.on_end && task.state != "ended")) return std::nullopt;
+  const double least = bound.least.to_seconds();
+  const double most = bound.most == Duration::max() ? kNever : bound.most.to_seconds();
+  const double after = at - *origin;
+  if (after >= least - 2 * kMoment && after <= most + 2 * kMoment) return std::nullopt;
+  return task.type + " " + std::to_string(task.task) + (bound.on_end ? " ended " : " began ") +
+         figure(after) + " s after goal " + std::to_string(bound.goal.value()) + ", not " +
+         figure(least) + (most == kNever ? " s or more" : " to " + figure(most) + " s");
+}
+
+std::optional<std::string> broken_bound(const Uav& uav, const Goal& goal, const Execution& task) {
+  if (const auto broken = broken_bound(goal.task.time, task)) return broken;
+  for (const mission::GoalBound& bound : goal.task.after) {
+    if (const auto broken = broken_bound(bound, uav, task)) return broken;
+  }
+  return std::nullopt;
+}
+
+// Whether somebody was told that this goal is late, or early.
+bool reported(const Uav& uav, const Goal& goal) {
+  const std::string id = std::to_string(goal.id);
+  return std::any_of(uav.words.begin(), uav.words.end(), [&](const Word& word) {
+    const bool late = word.text.find("late") != std::string::npos ||
+                      word.text.find("early") != std::string::npos ||
+                      word.text.find("deadline") != std::string::npos ||
+                      word.text.find("before") != std::string::npos;
+    return late && word.text.find(id) != std::string::npos;
+  });
+}
+
+}  // namespace
+
+std::vector<Violation> times_not_kept(const History& history) {
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    const bool bounded = goal.task.time.any() || !goal.task.after.empty();
+    if (!bounded || !uav.deliberates(goal.received(), at)) return;
+    for (const auto& [id, task] : uav.executions) {
+      if (uav.goal_of_task(id) != goal.id || task.started == kNever) continue;
+      if (task.type == "takeshot") continue;  // rides along with a task whose times are judged
+      const auto broken = broken_bound(uav, goal, task);
+      if (!broken || reported(uav, goal)) continue;
+      result.push_back(
+          {"", at, uav.name(), goal.id,
+           mission::to_text(goal.task) + " is achieved and nobody was told: " + *broken});
+      return;
+    }
+  });
+  return result;
+}
+
+namespace {
+
+// A takeshot rides along with something else: by itself it is no work.
+bool rides_along(const Execution& task) { return task.type == "takeshot"; }
+
+bool works_at(const Uav& uav, double at) {
+  return std::any_of(uav.executions.begin(), uav.executions.end(), [&](const auto& one) {
+    const Execution& task = one.second;
+    return task.under_way(at) && !rides_along(task) && uav.goal_of_task(one.first) != 0;
+  });
+}
+
+/// When it last was at work for a goal, or was told something; the start of the run if never.
+double last_work(const Uav& uav, double end) {
+  double last = 0;
+  for (const auto& [task, one] : uav.executions) {
+    if (uav.goal_of_task(task) != 0 && one.started != kNever && !rides_along(one))
+      last = std::max(last, std::min(one.over, end));
+  }
+  for (const auto& [id, goal] : uav.goals) last = std::max(last, goal.received());
+  for (const auto& [from, degree] : uav.degrees) last = std::max(last, from);
+  return last;
+}
+
+// The first instant at which one of its goals may begin, as far as its own times say.
+double not_before(const Uav& uav) {
+  double first = kNever;
+  for (const auto& [id, goal] : uav.goals) {
+    if (goal.settled()) continue;
+    double from = 0;
+    if (goal.task.time.start_after) from = goal.task.time.start_after->to_seconds();
+    if (goal.task.time.end_after) from = std::max(from, goal.task.time.end_after->to_seconds());
+    for (const mission::GoalBound& bound : goal.task.after) {
+      const auto other = uav.goals.find(static_cast<std::int64_t>(bound.goal.value()));
+      if (other == uav.goals.end() || !other->second.when("achieved")) continue;
+      from = std::max(from, *other->second.when("achieved") + bound.least.to_seconds());
+    }
+    first = std::min(first, from);
+  }
+  return first;
+}
+
+// What the ground was given, and has not given back, is the ground's to end.
+bool is_the_grounds(const Uav& uav, const Goal& goal) {
+  if (goal.state() != "handed-over") return false;
+  return std::none_of(uav.degrees.begin(), uav.degrees.end(), [&](const auto& change) {
+    return change.first > goal.changes.back().at && change.second == 4;
+  });
+}
+
+}  // namespace
+
+std::vector<Violation> goals_without_end(const History& history) {
+  constexpr double kPatience = 90;  // [s] without any work for any goal
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    const bool judged = !history.was_killed(name) && uav.degree(history.end) == 4;
+    if (!judged || works_at(uav, history.end)) continue;
+    const double idle_since = std::max(last_work(uav, history.end), not_before(uav));
+    if (history.end - idle_since < kPatience) continue;
+    for (const auto& [id, goal] : uav.goals) {
+      if (goal.settled() || is_the_grounds(uav, goal)) continue;
+      result.push_back({"", history.end, name, id,
+                        mission::to_text(goal.task) + " is " + goal.state() +
+                            " at the end, and nothing was done for any goal since " +
+                            figure(idle_since) + " s"});
+    }
+  }
+  return result;
+}
+
+namespace {
+
+// An instant's occupation: a task that is under way and belongs to a goal, or moves it home.
+bool occupied(const Uav& uav, double at) {
+  return std::any_of(uav.executions.begin(), uav.executions.end(), [&](const auto& one) {
+    const Execution& task = one.second;
+    const bool safe_wait = task.type == "wait" && uav.goal_of_task(one.first) == 0;
+    return task.under_way(at) && !safe_wait && !rides_along(task);
+  });
+}
+
+std::set<std::int64_t> open_goals(const Uav& uav, double at) {
+  std::set<std::int64_t> open;
+  for (const auto& [id, goal] : uav.goals) {
+    std::string state;
+    for (const Change& change : goal.changes) {
+      if (change.at <= at) state = change.state;
+    }
+    if (state == "received" || state == "planned" || state == "under-way") open.insert(id);
+  }
+  return open;
+}
+
+// That something was asked for, or given to the executive, does not say why it is not done.
+bool says_why(const Word& word) {
+  return word.text.rfind("0 user request", 0) != 0 && word.text.rfind("5 execute", 0) != 0;
+}
+
+bool named(const Uav& uav, const std::set<std::int64_t>& goals, double from, double until) {
+  return std::any_of(uav.words.begin(), uav.words.end(), [&](const Word& word) {
+    if (word.at < from || word.at > until || !says_why(word)) return false;
+    return std::any_of(goals.begin(), goals.end(), [&](std::int64_t id) {
+      return word.text.find(std::to_string(id)) != std::string::npos;
+    });
+  });
+}
+
+}  // namespace
+
+// With goals that are not settled, a UAV in the air works for one or says, naming one, why not.
+std::vector<Violation> idle_without_word(const History& history) {
+  constexpr double kPause = 10;  // [s]
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    if (history.was_killed(name)) continue;
+    std::optional<double> since;
+    bool told = false;
+    for (const Sample& sample : uav.samples) {
+      const std::set<std::int64_t> open = open_goals(uav, sample.at);
+      const bool idle = sample.airborne && uav.degree(sample.at) == 4 && !open.empty() &&
+                        !occupied(uav, sample.at);
+      if (!idle) {
+        since.reset();
+        told = false;
+        continue;
+      }
+      if (!since) since = sample.at;
+      if (told || sample.at - *since < kPause) continue;
+      told = true;
+      if (named(uav, open, *since - kPause, sample.at)) continue;
+      result.push_back({"", *since, name, *open.begin(),
+                        "in the air with nothing under way for " + figure(kPause) + " s, goal " +
+                            std::to_string(*open.begin()) +
+                            " open, and nothing said of it by name"});
+    }
+  }
+  return result;
+}
+
+}  // namespace skein::laws

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/laws/protocol.hpp"
+
+#include <map>
+#include <set>
+#include <string_view>
+#include <tuple>
+
+namespace skein::laws {
+
+namespace {
+
+using journal::Record;
+
+constexpr double kMoment = 0.5;  ///< [s] more than any latency of a test
+
+std::string text(const Record& record, const char* key) { return std::string(record.text(key)); }
+std::int64_t whole(const Record& record, const char* key) {
+  return static_cast<std::int64_t>(record.number(key));
+}
+
+class Checker {
+ public:
+  explicit Checker(Duration command_limit) : command_limit_(command_limit) {}
+
+  std::vector<std::string> check(const std::vector<Record>& records) {
+    for (const Record& record : records) {
+      see(record);
+      last_ = record.at();
+    }
+    for (const auto& [number, command] : commands_) unsettled(number, command);
+    return std::move(breaches_);
+  }
+
+ private:
+  struct Command {
+    MissionTime issued;
+    bool settled = false;
+  };
+  using Task = std::tuple<std::string, std::string, std::int64_t>;  ///< MLE at, UAV, id
+  using Job = std::pair<std::string, std::int64_t>;                 ///< UAV, id
+  using Channel = std::pair<std::string, std::string>;              ///< from, to
+  using Rendezvous = std::tuple<std::int64_t, std::string, std::string>;
+
+  void see(const Record& record) {
+    if (record.at() < last_) breach(record, "time goes back");
+    const std::string& kind = record.kind();
+    if (kind == "task") see_task(record);
+    if (kind == "degree") see_degree(text(record, "uav"));
+    if (kind == "command") see_command(record);
+    if (kind == "sync") see_sync(record);
+    if (kind == "message") see_message(record);
+    if (kind == "link") see_link(record);
+    if (kind == "fault" && record.text("what") == "restart") see_birth(text(record, "target"));
+  }
+
+  void breach(const Record& record, const std::string& why) {
+    breaches_.push_back(to_text(record.at()) + " s: " + why + ": " + journal::to_json(record));
+  }
+
+  static bool may_follow(std::string_view before, std::string_view after) {
+    static const std::set<std::pair<std::string_view, std::string_view>> kAllowed{
+        {"", "scheduled"},        {"", "aborted"},        {"scheduled", "started"},
+        {"scheduled", "aborted"}, {"started", "running"}, {"started", "ended"},
+        {"started", "aborting"},  {"started", "aborted"}, {"running", "ended"},
+        {"running", "aborting"},  {"running", "aborted"}, {"aborting", "aborted"}};
+    return kAllowed.count({before, after}) > 0;
+  }
+
+  void see_task(const Record& record) {
+    const Job job{text(record, "uav"), whole(record, "task")};
+    std::string& state = tasks_[{record.node(), job.first, job.second}];
+    const std::string next = text(record, "state");
+    if (!may_follow(state, next) && !may_go_on(job, next)) {
+      breach(record, "a task goes from '" + state + "' to '" + next + "'");
+    }
+    state = latest_[job] = next;
+  }
+
+  // What is not over may change hands with the degree: who takes it over goes on where the other
+  // was, or begins with telling that it has it.
+  void see_degree(const std::string& uav) {
+    for (const auto& [job, state] : latest_) {
+      if (job.first == uav && state != "ended" && state != "aborted") handed_over_[job] = state;
+    }
+  }
+
+  bool may_go_on(const Job& job, const std::string& next) {
+    const auto handed = handed_over_.find(job);
+    if (handed == handed_over_.end()) return false;
+    const bool allowed = next == "scheduled" || may_follow(handed->second, next);
+    handed_over_.erase(handed);
+    return allowed;
+  }
+
+  void see_command(const Record& record) {
+    const std::int64_t number = whole(record, "command");
+    const bool issue = record.text("state") == "issued";
+    const auto known = commands_.find(number);
+    if (issue) {
+      if (known != commands_.end()) breach(record, "a command is issued twice");
+      commands_[number] = {record.at(), false};
+      return;
+    }
+    if (known == commands_.end()) return breach(record, "a command is settled before its issue");
+    if (known->second.settled) breach(record, "a command is settled twice");
+    if (record.at() > known->second.issued + command_limit_) {
+      breach(record, "a command is settled too late");
+    }
+    known->second.settled = true;
+  }
+
+  void unsettled(std::int64_t number, const Command& command) {
+    if (command.settled || command.issued + command_limit_ >= last_) return;
+    breaches_.push_back("command " + std::to_string(number) + " of " + to_text(command.issued) +
+                        " s was never settled");
+  }
+
+  void see_sync(const Record& record) {
+    const Rendezvous rendezvous{whole(record, "id"), text(record, "from"), text(record, "to")};
+    if (record.text("direction") == "sent") {
+      syncs_.insert(rendezvous);
+    } else if (syncs_.count(rendezvous) == 0) {
+      breach(record, "a synchronisation message nobody sent is received");
+    }
+  }
+
+  void see_message(const Record& record) {
+    const Channel channel{text(record, "from"), text(record, "to")};
+    const std::int64_t sequence = whole(record, "sequence");
+    if (record.text("direction") == "sent") {
+      sent_[channel].insert(sequence);
+      return;
+    }
+    if (sent_[channel].count(sequence) == 0) breach(record, "a message nobody sent is received");
+    if (sequence <= received_[channel]) breach(record, "a message is received twice or late");
+    received_[channel] = sequence;
+    const auto down = down_since_.find(channel);
+    if (down != down_since_.end() && record.at() > down->second + Duration::seconds(kMoment)) {
+      breach(record, "a message is received over a link that is down");
+    }
+  }
+
+  void see_link(const Record& record) {
+    const Channel channel{text(record, "from"), text(record, "to")};
+    if (record.truth("up")) {
+      down_since_.erase(channel);
+    } else {
+      down_since_.emplace(channel, record.at());
+    }
+  }
+
+  // What the node knew is gone: the plans of its MLEs, what it has received, its commands.
+
+  // It knows nothing, and numbers its messages anew.
+  void see_birth(const std::string& node) {
+    std::erase_if(tasks_, [&](const auto& one) { return std::get<0>(one.first) == node; });
+    std::erase_if(received_, [&](const auto& one) { return one.first.second == node; });
+    if (node == "ground") commands_.clear();
+    const auto from_node = [&](const auto& one) { return one.first.first == node; };
+    std::erase_if(sent_, from_node);
+    std::erase_if(received_, from_node);
+  }
+
+  Duration command_limit_;
+  MissionTime last_;
+  std::map<Task, std::string> tasks_;
+  std::map<Job, std::string> latest_;       ///< whoever told it
+  std::map<Job, std::string> handed_over_;  ///< as it was when the degree changed
+  std::map<std::int64_t, Command> commands_;
+  std::set<Rendezvous> syncs_;
+  std::map<Channel, std::set<std::int64_t>> sent_;
+  std::map<Channel, std::int64_t> received_;
+  std::map<Channel, MissionTime> down_since_;
+  std::vector<std::string> breaches_;
+};
+
+}  // namespace
+
+std::vector<std::string> broken_protocol(const std::vector<Record>& records,
+                                         Duration command_limit) {
+  return Checker(command_limit).check(records);
+}
+
+std::string to_text(const std::vector<std::string>& breaches) {
+  std::string text;
+  for (const std::string& breach : breaches) text += breach + "\n";
+  return text;
+}
+
+}  // namespace skein::laws

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+// What failed says why, and what it says is true.
+#include <algorithm>
+#include <set>
+#include <variant>
+
+#include "checks.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+bool is_bounded(const Goal& goal) { return goal.task.time.any() || !goal.task.after.empty(); }
+
+bool says(const std::string& text, const char* words) {
+  return text.find(words) != std::string::npos;
+}
+
+// Why a reason cannot be true; nothing when truth does not contradict it.
+std::optional<std::string> contradiction(const Uav& uav, const Goal& goal, const std::string& why,
+                                         double at) {
+  if (why.empty()) return "it gives no reason";
+  // A plan of one UAV that contradicts itself is the planner's, not the mission's.
+  if (says(why, "must start while")) return "tasks of its own plan contradict each other";
+  if (says(why, "half a cell")) return "nobody can set that cell";
+  const bool of_time = says(why, "must end before") || says(why, "must start before") ||
+                       says(why, "after the end of goal");
+  const bool bounded = std::any_of(uav.goals.begin(), uav.goals.end(), [&](const auto& one) {
+    return one.second.received() <= at && is_bounded(one.second);
+  });
+  if (of_time && !bounded && !says(why, "runs")) return "nothing asked of it has a time";
+  const bool any_closed = std::any_of(uav.closings.begin(), uav.closings.end(),
+                                      [&](const Closing& one) { return one.known <= at + 1; });
+  if (says(why, "closed air") && !any_closed) return "no air is closed";
+  if (says(why, "has failed") && !uav.had_fault("sensor", at) && says(why, "device")) {
+    return "no device failed";
+  }
+  (void)goal;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Violation> untrue_reasons(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    std::set<std::pair<double, std::string>> told;  // one reason for a whole mission counts once
+    for (const auto& [id, goal] : uav.goals) {
+      if (goal.state() != "failed" || history.was_killed(name)) continue;
+      const Change& last = goal.changes.back();
+      if (!told.emplace(last.at, last.why).second) continue;
+      const auto why = contradiction(uav, goal, last.why, last.at);
+      if (!why) continue;
+      result.push_back({"", last.at, name, id,
+                        mission::to_text(goal.task) + " failed, \"" + last.why + "\": " + *why});
+    }
+  }
+  return result;
+}
+
+namespace {
+
+using ground_station::Action;
+
+bool is_trouble(const Action& action) {
+  return std::holds_alternative<ground_station::CancelMission>(action) ||
+         std::holds_alternative<ground_station::CloseAir>(action) ||
+         std::holds_alternative<ground_station::SetDegree>(action) ||
+         std::holds_alternative<ground_station::TakeInHand>(action) ||
+         std::holds_alternative<ground_station::AbortTasks>(action);
+}
+
+bool has_trouble(const std::vector<Action>& actions) {
+  return std::any_of(actions.begin(), actions.end(), is_trouble);
+}
+
+}  // namespace
+
+bool is_clean(const scenario::Scenario& s) {
+  const auto& faults = s.faults;
+  const bool sound = faults.kills.empty() && faults.breaks.empty() && faults.slows.empty() &&
+                     faults.aborts.empty() && faults.energies.empty();
+  const bool quiet = s.radio.cuts.empty() && s.world.volumes.empty();
+  const bool full = std::all_of(s.uavs.begin(), s.uavs.end(),
+                                [](const auto& uav) { return uav.energy >= 1 && uav.degree == 4; });
+  const auto& script = s.ground.script;
+  return sound && quiet && full &&
+         std::none_of(script.steps.begin(), script.steps.end(),
+                      [](const auto& step) { return has_trouble(step.actions); }) &&
+         std::none_of(script.operators.begin(), script.operators.end(),
+                      [](const auto& one) { return has_trouble(one.actions); });
+}
+
+namespace {
+
+// Whoever plays a role of it hovers and has a visible camera.
+bool can_watch_together(const world::VehicleModel& model) {
+  return model.hovers && world::find_sensor(model, "visible") != nullptr;
+}
+
+bool equipped(const Uav& uav, const Goal& goal) {
+  const world::VehicleModel& model = uav.spec->model;
+  if (goal.task.name == "monitoring-with-relay") return can_watch_together(model);
+  if (goal.task.name == "perform-mapping") {
+    return world::find_sensor(model, "mapping") != nullptr ||
+           world::find_sensor(model, "singlecam") != nullptr;
+  }
+  return !model.sensors.empty();
+}
+
+// Orders, or a partner, that never come: the wait ends, as it must, when what it may take is spent.
+// Whose fault that is, the partner's own goal tells.
+bool waited_as_long_as_it_may(const History& history, const Uav& uav, const Goal& goal) {
+  if (goal.state() != "failed" || !says(goal.changes.back().why, "waits no longer")) return false;
+  return goal.task.name == "wait-for-orders" || partner_failed(history, uav, goal);
+}
+
+// From when on its energy is what such a wait has left.
+double spent_from(const History& history, const Uav& uav) {
+  double from = kNever;
+  for (const auto& [id, goal] : uav.goals) {
+    if (waited_as_long_as_it_may(history, uav, goal)) from = std::min(from, goal.changes.back().at);
+  }
+  return from;
+}
+
+// A partner of the joint task had failed before, for a reason of its own: it makes no offer.
+bool left_alone(const History& history, const Uav& uav, const Goal& goal) {
+  const Change& last = goal.changes.back();
+  if (goal.task.name != "monitoring-with-relay" || !says(last.why, "without an offer"))
+    return false;
+  for (const auto& [name, partner] : history.uavs) {
+    for (const auto& [id, theirs] : partner.goals) {
+      const Change& end = theirs.changes.back();
+      if (name != uav.name() && theirs.task.name == goal.task.name &&
+          theirs.task.arguments == goal.task.arguments && theirs.state() == "failed" &&
+          end.at < last.at && !says(end.why, "offer"))
+        return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+// In a run in which nothing goes wrong nothing fails, but what has a deadline or no device, waits
+// for who never comes or has failed itself, and what has no energy left after those.
+std::vector<Violation> feasible_but_failed(const History& history) {
+  std::vector<Violation> result;
+  if (!is_clean(*history.scenario)) return result;
+  for (const auto& [name, uav] : history.uavs) {
+    const bool bounded = std::any_of(uav.goals.begin(), uav.goals.end(),
+                                     [](const auto& one) { return is_bounded(one.second); });
+    const bool able =
+        std::all_of(uav.goals.begin(), uav.goals.end(),
+                    [&uav = uav](const auto& one) { return equipped(uav, one.second); });
+    if (bounded || !able) continue;
+    for (const auto& [id, goal] : uav.goals) {
+      const Change& last = goal.changes.back();
+      const bool spent = last.at >= spent_from(history, uav) && says(last.why, "energy");
+      if (goal.state() != "failed" || spent || left_alone(history, uav, goal)) continue;
+      result.push_back({"", goal.changes.back().at, name, id,
+                        mission::to_text(goal.task) + " failed though nothing went wrong: \"" +
+                            goal.changes.back().why + "\""});
+    }
+  }
+  return result;
+}
+
+}  // namespace skein::laws

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is refused is not asked for again and again.
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <map>
+
+#include "checks.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+constexpr std::size_t kOfAGoal = 3;    ///< requests alike: the first, and twice again
+constexpr double kMinute = 60;         ///< [s]
+constexpr std::size_t kInAMinute = 8;  ///< requests alike, of whichever goal, safe waits among them
+constexpr std::size_t kRepairs = 12;   ///< plans made anew in a minute
+
+// Refusals in the same words but for figures are alike.
+std::string without_figures(const std::string& text) {
+  std::string result;
+  std::copy_if(text.begin(), text.end(), std::back_inserter(result),
+               [](unsigned char c) { return std::isdigit(c) == 0 && c != '.' && c != '-'; });
+  return result;
+}
+
+// By the vehicle, at once. That it is busy is the law of one motion's.
+bool refused(const Activity& one) {
+  const bool busy = one.reason.find("is still active") != std::string::npos ||
+                    one.reason.find("is in use by") != std::string::npos;
+  return one.end == "aborted" && one.until <= one.from && !busy;
+}
+
+// The first instant at which more than `most` of these, in order, lie within a minute.
+std::optional<double> too_many(const std::vector<double>& instants, std::size_t most) {
+  for (std::size_t i = most; i < instants.size(); ++i) {
+    if (instants[i] - instants[i - most] < kMinute) return instants[i];
+  }
+  return std::nullopt;
+}
+
+void judge(const Uav& uav, std::vector<Violation>& result) {
+  std::map<std::pair<std::int64_t, std::string>, std::size_t> of_goals;
+  std::map<std::string, std::vector<double>> alike;
+  for (const Activity& one : uav.activities) {
+    if (!refused(one) || uav.degree(one.from) != 4) continue;
+    const std::string what = one.type + ": " + without_figures(one.reason);
+    const std::int64_t goal = uav.goal_of_task(one.task);
+    alike[what].push_back(one.from);
+    if (goal == 0 || ++of_goals[{goal, what}] != kOfAGoal + 1) continue;
+    result.push_back({"", one.from, uav.name(), goal,
+                      one.type + " is asked for and refused for the " +
+                          std::to_string(kOfAGoal + 1) + "th time: " + one.reason});
+  }
+  for (const auto& [what, instants] : alike) {
+    if (const auto at = too_many(instants, kInAMinute))
+      result.push_back({"", *at, uav.name(), 0,
+                        "more than " + std::to_string(kInAMinute) +
+                            " requests in a minute are refused alike: " + what});
+  }
+  std::vector<double> repairs;
+  for (const Word& word : uav.words) {
+    if (is_repair(word)) repairs.push_back(word.at);
+  }
+  if (const auto at = too_many(repairs, kRepairs))
+    result.push_back({"", *at, uav.name(), 0,
+                      "more than " + std::to_string(kRepairs) + " plans in a minute are repaired"});
+}
+
+}  // namespace
+
+bool is_repair(const Word& word) {
+  const auto begins = [&](const char* with) { return word.text.rfind(with, 0) == 0; };
+  return begins("6 repair: ") && !begins("6 repair: absorb") && !begins("6 repair: shift");
+}
+
+std::vector<Violation> asked_again_and_again(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    if (!history.was_killed(name)) judge(uav, result);
+  }
+  return result;
+}
+
+}  // namespace skein::laws

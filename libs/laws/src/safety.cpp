@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Closed air and energy, by where the vehicles really were and what they really had.
+#include <algorithm>
+#include <cmath>
+
+#include "checks.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+// How deep it is in a volume [m]; 0 or less outside. Level: the distance to the nearest edge.
+double depth_in(const world::Volume& volume, const world::Vector3& at) {
+  if (at.z() <= volume.floor || at.z() >= volume.ceiling) return 0;
+  const world::Vector2 here = at.head<2>();
+  if (!world::contains(volume.polygon, here)) return 0;
+  double edge = kNever;
+  for (std::size_t i = 0; i < volume.polygon.size(); ++i) {
+    const world::Vector2& a = volume.polygon[i];
+    const world::Vector2 side = volume.polygon[(i + 1) % volume.polygon.size()] - a;
+    const double part = std::clamp((here - a).dot(side) / side.squaredNorm(), 0.0, 1.0);
+    edge = std::min(edge, (here - a - part * side).norm());
+  }
+  return std::min({edge, at.z() - volume.floor, volume.ceiling - at.z()});
+}
+
+bool crashed(const Uav& uav, double at) {
+  const bool broken =
+      std::any_of(uav.activities.begin(), uav.activities.end(), [&](const auto& one) {
+        return one.until <= at &&
+               (one.reason == "engine failure" || one.reason == "energy used up" ||
+                one.reason == "the vehicle met the ground");
+      });
+  return broken || uav.had_fault("engine", at);
+}
+
+/// In how many seconds it is out of a volume that was closed around it, at the latest.
+double time_to_leave(const Uav& uav, double depth) {
+  constexpr double kReaction = 25;  // [s] to plan, to stop what it did, to turn
+  const world::VehicleModel& model = uav.spec->model;
+  const double turn = model.hovers ? 0 : 2 * 3.2 * model.orbit_radius / model.cruise_speed;
+  return kReaction + turn + 2 * depth / (0.5 * model.cruise_speed);
+}
+
+struct Stay {
+  double from = 0, until = 0, deepest = 0;
+};
+
+// Times in a volume, at degree 4. Who waits beside one may be blown in by as much as it wavers.
+std::vector<Stay> stays_in(const Uav& uav, const Closing& closing) {
+  const double deep = 1 + world::tracking_spread(uav.spec->model);  // [m]
+  std::vector<Stay> stays;
+  bool inside = false;
+  for (const Sample& sample : uav.samples) {
+    const bool closed = sample.at >= closing.known && sample.at < closing.opened &&
+                        sample.at < closing.volume.when.until.to_seconds();
+    const double depth =
+        closed && sample.airborne && uav.degree(sample.at) == 4 && !crashed(uav, sample.at)
+            ? depth_in(closing.volume, sample.position)
+            : 0;
+    if (depth < deep) {
+      inside = false;
+      continue;
+    }
+    if (!inside) stays.push_back({sample.at, sample.at, 0});
+    inside = true;
+    stays.back().until = sample.at;
+    stays.back().deepest = std::max(stays.back().deepest, depth);
+  }
+  return stays;
+}
+
+}  // namespace
+
+std::vector<Violation> in_closed_air(const History& history) {
+  constexpr double kNoChoice = 12;  // [s] in which what comes across its way cannot be avoided
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    if (history.was_killed(name)) continue;
+    for (const Closing& closing : uav.closings) {
+      for (const Stay& stay : stays_in(uav, closing)) {
+        const bool caught = stay.from <= closing.known + kNoChoice;
+        const double allowed = caught ? time_to_leave(uav, stay.deepest) : 0;
+        const bool short_enough = caught && stay.until - stay.from <= allowed;
+        if (short_enough) continue;
+        const std::string where =
+            "'" + closing.volume.name + "', closed since " + figure(closing.known) + " s";
+        result.push_back({"", stay.from, name, 0,
+                          (caught ? "stays " + figure(stay.until - stay.from) + " s in " + where +
+                                        ", " + figure(allowed) + " s would do"
+                                  : "flies " + figure(stay.deepest) + " m into " + where +
+                                        ", for " + figure(stay.until - stay.from) + " s")});
+        break;  // on waiting circles it would come again and again
+      }
+    }
+  }
+  return result;
+}
+
+namespace {
+
+/// The share of its energy that going home and landing takes, with half as much again.
+double share_to_land(const History& history, const Uav& uav, const Sample& sample) {
+  const world::VehicleModel& model = uav.spec->model;
+  const world::Wind& wind = history.scenario->world.wind;
+  const double speed =
+      std::max(1.0, model.cruise_speed - model.wind_drift * (wind.speed + 2 * wind.gusts));
+  const double home = (sample.position.head<2>() - uav.spec->start).norm();
+  const double ground = history.terrain.elevation(uav.spec->start.x(), uav.spec->start.y());
+  const double descent = std::max(0.0, sample.position.z() - ground) / model.descent_rate;
+  const double joules =
+      home / speed * std::max(model.energy.cruise_power, model.energy.hover_power) +
+      (20 + 1.5 * descent) * model.energy.hover_power;
+  return 1.5 * joules / model.energy.capacity;
+}
+
+// Nobody could keep the reserve from there: what happened just before is to blame.
+bool was_lost(const History& history, const Uav& uav, const Sample& sample) {
+  return sample.energy < uav.spec->model.energy.reserve + share_to_land(history, uav, sample);
+}
+
+}  // namespace
+
+namespace {
+
+// It was told to land while there was energy, and is told again and again, and does not do it.
+bool refuses_to_land(const Uav& uav, double at) {
+  constexpr double kTriedAgain = 90;  // [s]
+  return std::any_of(uav.activities.begin(), uav.activities.end(), [at](const Activity& one) {
+    return one.type == "land" && one.reason == "aborted by the functional layer" &&
+           one.until < at && one.until >= at - kTriedAgain;
+  });
+}
+
+}  // namespace
+
+std::vector<Violation> energy_short(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    if (history.was_killed(name)) continue;
+    const double reserve = uav.spec->model.energy.reserve;
+    bool told = false, excused = false, was_judged = false, could_land = true;
+    double before = 1;
+    for (const Sample& sample : uav.samples) {
+      const bool judged = sample.airborne && uav.degree(sample.at) == 4 && !crashed(uav, sample.at);
+      const bool sudden = before - sample.energy > 0.01 || (judged && !was_judged);
+      before = sample.energy;
+      was_judged = judged;
+      if (!sample.airborne) excused = false;
+      if (!judged) continue;
+      const bool above = sample.energy >= reserve;
+      if (sudden && was_lost(history, uav, sample)) excused = true;
+      if (above) could_land = !refuses_to_land(uav, sample.at);
+      if (!above && !could_land) excused = true;
+      if (told || excused || sample.energy >= reserve - 0.002) continue;
+      told = true;
+      result.push_back({"", sample.at, name, 0,
+                        "in the air with " + figure(100 * sample.energy) +
+                            " % of its energy, reserve " + figure(100 * reserve) + " %"});
+    }
+    for (const Activity& one : uav.activities) {
+      if (one.reason != "energy used up" || excused) continue;
+      result.push_back({"", one.until, name, uav.goal_of_task(one.task), "falls: energy used up"});
+    }
+  }
+  return result;
+}
+
+}  // namespace skein::laws

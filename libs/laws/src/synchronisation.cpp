@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who synchronises is there at one time, and not at one point.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "checks.hpp"
+#include "statement.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+/// A rendezvous that a goal has: all of them are there at one time.
+struct Meeting {
+  double id = 0;
+  std::set<std::string> partners;
+};
+
+std::optional<Meeting> meeting_of(const Uav& uav, const mission::HighLevelTask& task) {
+  const bool plain = task.name == "synchro" || task.name == "wait-until-synchro" ||
+                     task.name == "general-combined-goto-and-synchro-and-takeshot";
+  const bool monitors = task.name == "monitor-until";
+  if (!plain && !monitors) return std::nullopt;
+  const std::size_t first = monitors ? 1 : 0;
+  if (task.arguments.size() < first + 3) return std::nullopt;
+  const auto id = number_of(task.arguments[first]);
+  if (!id) return std::nullopt;
+  Meeting meeting{*id, {uav.name()}};
+  for (std::size_t i = first + 1; i < first + (monitors ? 2U : 3U); ++i) {
+    for (const std::string& name : names_of(task.arguments[i])) meeting.partners.insert(name);
+  }
+  return meeting;
+}
+
+bool both_ways(const mission::HighLevelTask& task) {
+  if (task.name == "monitor-until") return true;
+  std::set<std::string> senders, receivers;
+  for (const std::string& name : names_of(task.arguments[1])) senders.insert(name);
+  for (const std::string& name : names_of(task.arguments[2])) receivers.insert(name);
+  return senders == receivers;
+}
+
+/// When the synchronisations of a goal were under way, the rendezvous first.
+std::vector<const Execution*> synchronisations(const Uav& uav, std::int64_t goal) {
+  std::vector<const Execution*> result;
+  for (const auto& [task, execution] : uav.executions) {
+    const bool sync = execution.type == "synchronise" || execution.type == "rendezvous";
+    if (sync && uav.goal_of_task(task) == goal && execution.started != kNever) {
+      result.push_back(&execution);
+    }
+  }
+  return result;
+}
+
+// At some time: one that was interrupted after the partner was there counts, since what the partner
+// then says, that it has synchronised, counts for ever.
+bool together(const Uav& uav, const Goal& goal, const Uav& other, double id) {
+  constexpr double kMoment = 2;  // [s] radio and telling
+  for (const auto& [theirs, their_goal] : other.goals) {
+    const auto meeting = meeting_of(other, their_goal.task);
+    if (!meeting || meeting->id != id) continue;
+    for (const Execution* a : synchronisations(uav, goal.id)) {
+      for (const Execution* b : synchronisations(other, theirs)) {
+        if (a->started <= b->over + kMoment && b->started <= a->over + kMoment) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool partner_failed(const History& history, const Uav& uav, const Goal& goal) {
+  const auto meeting = meeting_of(uav, goal.task);
+  if (!meeting) return false;
+  for (const std::string& name : meeting->partners) {
+    const auto partner = history.uavs.find(name);
+    if (name == uav.name() || partner == history.uavs.end()) continue;
+    for (const auto& [id, theirs] : partner->second.goals) {
+      const auto other = meeting_of(partner->second, theirs.task);
+      if (other && other->id == meeting->id && theirs.state() == "failed") return true;
+    }
+  }
+  return false;
+}
+
+std::vector<Violation> synchronisations_apart(const History& history) {
+  std::vector<Violation> result;
+  for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
+    const auto meeting = meeting_of(uav, goal.task);
+    if (!meeting || !both_ways(goal.task)) return;
+    for (const std::string& name : meeting->partners) {
+      const auto partner = history.uavs.find(name);
+      const bool judged = name != uav.name() && partner != history.uavs.end() &&
+                          !history.was_killed(name) && !partner->second.goals.empty();
+      if (!judged || together(uav, goal, partner->second, meeting->id)) continue;
+      result.push_back({"", at, uav.name(), goal.id,
+                        mission::to_text(goal.task) + " is achieved: " + name +
+                            " was never in this synchronisation at the same time"});
+    }
+  });
+  return result;
+}
+
+namespace {
+
+// Where it takes place is said by some tasks only: who waits for partners wherever it is, is sent
+// nowhere.
+bool has_place(const mission::HighLevelTask& task) {
+  return task.name == "monitor-until" ||
+         task.name == "general-combined-goto-and-synchro-and-takeshot";
+}
+
+// Goals of one synchronisation, at one place, that are under way at both; at one of them for some
+// time: where both have only just set out from, other goals had brought them.
+bool meet_at(const Uav& a, const Uav& b, double at) {
+  constexpr double kSetsOut = 5;  // [s]
+  const auto meetings = [at](const Uav& uav) {
+    std::map<double, double> since;
+    for (const auto& [id, goal] : uav.goals) {
+      const auto meeting = meeting_of(uav, goal.task);
+      if (!meeting || !has_place(goal.task)) continue;
+      Change last;
+      for (const Change& change : goal.changes) {
+        if (change.at <= at) last = change;
+      }
+      if (last.state == "under-way") since[meeting->id] = last.at;
+    }
+    return since;
+  };
+  const std::map<double, double> ours = meetings(a), theirs = meetings(b);
+  return std::any_of(ours.begin(), ours.end(), [&](const auto& our) {
+    const auto their = theirs.find(our.first);
+    return their != theirs.end() && at - std::min(our.second, their->second) >= kSetsOut;
+  });
+}
+
+}  // namespace
+
+std::vector<Violation> partners_too_near(const History& history) {
+  constexpr double kLeast = 8;  // [m]
+  std::vector<Violation> result;
+  for (auto a = history.uavs.begin(); a != history.uavs.end(); ++a) {
+    for (auto b = std::next(a); b != history.uavs.end(); ++b) {
+      Sample worst;
+      double least = kNever;
+      for (const Sample& sample : a->second.samples) {
+        const auto other = b->second.at(sample.at);
+        if (!sample.airborne || !other || !other->airborne) continue;
+        const double distance = (sample.position - other->position).norm();
+        if (distance < least && distance < kLeast && meet_at(a->second, b->second, sample.at)) {
+          least = distance;
+          worst = sample;
+        }
+      }
+      if (least == kNever) continue;
+      result.push_back({"", worst.at, a->first, 0,
+                        "partners of one synchronisation come within " + figure(least) +
+                            " m: " + a->first + " and " + b->first});
+    }
+  }
+  return result;
+}
+
+}  // namespace skein::laws

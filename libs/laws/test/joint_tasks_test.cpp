@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "checks.hpp"
+
+namespace skein::laws {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr const char* kJoint = "watching(P1 60) of heliv, marvin";
+
+/// A log of Marvin and Heliv, of whom one is to watch and one to relay.
+class Told {
+ public:
+  Told() {
+    interaction::Variant variant;
+    variant.name = "pair";
+    variant.parameters = {{"front", interaction::ParameterType::kObj},
+                          {"time", interaction::ParameterType::kTime}};
+    variant.roles = {"watch", "relay"};
+    variant.table.arities = {{"watch", {1, 1}}, {"relay", {1, std::nullopt}}};
+    variant.table.scms = {{"far", "separation", {{"from", "front"}, {"least", 20.0}}},
+                          {"apart", "separation", {{"from", "R*"}, {"least", 20.0}}}};
+    variant.table.places = {{"far", "watch", {"w0"}}};
+    variant.table.parameters["watch"] = {{"seconds", "time"}};
+    interaction::Library library;
+    library.models["watching"] = {"watching", {variant}};
+    library.roles["watch"] = {"watch", {}, {}, watching()};
+    library.roles["relay"] = {"relay", {}, {}, {}};
+    interaction::SpatialConstraint constraint;
+    constraint.of = {"from"};
+    constraint.relation = interaction::Relation::kGreater;
+    constraint.than = interaction::Term("least");
+    library.scms["separation"] = {"separation", {{"from", true}, {"least", false}}, {constraint}};
+    scenario_.interaction = std::make_shared<const interaction::Library>(library);
+    scenario_.world.places["P1"] = {100, 0, 0};
+    for (const char* name : {"heliv", "marvin"}) {
+      scenario_.uavs.push_back({});
+      scenario_.uavs.back().name = name;
+      scenario_.uavs.back().model.hovers = true;
+    }
+  }
+
+  Told& phase(double at, const std::string& uav, const std::string& phase, const std::string& role,
+              const std::string& why = "", std::int64_t task = 7) {
+    return see(line(at, uav, "joint")
+                   .with("task", task)
+                   .with("variant", std::string("pair"))
+                   .with("phase", phase)
+                   .with("role", role)
+                   .with("why", why));
+  }
+  Told& componel(double at, const std::string& uav, const std::string& name,
+                 const std::string& state) {
+    return see(line(at, uav, "role")
+                   .with("role", std::string("watch"))
+                   .with("componel", name)
+                   .with("state", state));
+  }
+  Told& session(double at, const std::string& uav, const std::string& state,
+                const std::string& rows = "") {
+    return see(line(at, uav, "negotiation")
+                   .with("opener", std::string("heliv"))
+                   .with("opened", 3.0)
+                   .with("state", state)
+                   .with("rows", rows));
+  }
+  Told& place(double at, const std::string& uav, const std::string& scm,
+              const std::vector<double>& position) {
+    return see(line(at, uav, "place")
+                   .with("role", std::string("watch"))
+                   .with("position", position)
+                   .with("scms", scm));
+  }
+  Told& is_at(const std::string& uav, const world::Vector3& position) {
+    at_[uav] = position;
+    return *this;
+  }
+  Told& told_of(double at, const std::string& name, const world::Vector3& position) {
+    joint_.points.push_back({at, name, position});
+    return *this;
+  }
+
+  /// By a task of the role to watch.
+  Told& perceives(const std::string& uav, std::int64_t task, double from, double until) {
+    activities_[uav].push_back(
+        {task, "perceive", "visible", std::nullopt, from, until, "ended", ""});
+    return see(line(from, uav, "role-task")
+                   .with("role", std::string("watch"))
+                   .with("componel", std::string("w1"))
+                   .with("task", task));
+  }
+  Told& goal(double at, const std::string& uav, const std::string& state) {
+    Goal& one = goals_[uav];
+    one.id = 70;
+    one.task.name = "watching";
+    one.changes.push_back({at, state, ""});
+    return *this;
+  }
+
+  template <class Law>
+  std::vector<std::string> broken(Law law) const {
+    world::TerrainSpec ground;
+    ground.west = ground.south = -500;
+    ground.east = ground.north = 500;
+    History history{&scenario_, world::Terrain(ground), {}, {}, {}, {}, 1000, false, joint_};
+    for (const scenario::UavSpec& spec : scenario_.uavs) {
+      Uav& uav = history.uavs[spec.name];
+      uav.spec = &spec;
+      uav.goal_of[7] = 70;
+      if (activities_.contains(spec.name)) uav.activities = activities_.at(spec.name);
+      if (goals_.contains(spec.name)) uav.goals[70] = goals_.at(spec.name);
+      const auto at = at_.find(spec.name);
+      if (at == at_.end()) continue;
+      for (const double instant : {0.0, 1000.0}) uav.samples.push_back({instant, at->second});
+    }
+    std::vector<std::string> sentences;
+    for (const Violation& one : law(history)) sentences.push_back(one.sentence);
+    return sentences;
+  }
+
+ private:
+  static journal::Record line(double at, const std::string& uav, const char* kind) {
+    journal::Record record(MissionTime::seconds(at), uav, kind);
+    return record.with("uav", uav).with("joint", std::string(kJoint));
+  }
+  Told& see(const journal::Record& record) {
+    joint_.see(record);
+    return *this;
+  }
+
+  static interaction::Automaton watching() {
+    interaction::Automaton automaton;
+    automaton.add({"w0", 0, interaction::Block(), "", 0});
+    interaction::Task task{"takeshot-while-waiting", {}};
+    task.parameters.kind = config::Value::Kind::kMap;
+    config::Value seconds;
+    seconds.kind = config::Value::Kind::kScalar;
+    seconds.scalar = "seconds";
+    task.parameters.entries.push_back({"duration", seconds});
+    automaton.add({"w1", 0, task, "", 0});
+    return automaton;
+  }
+
+  scenario::Scenario scenario_;
+  std::map<std::string, std::vector<Activity>> activities_;
+  std::map<std::string, Goal> goals_;
+  std::map<std::string, world::Vector3> at_;
+  JointHistory joint_;
+};
+
+TEST(JointLaws, ARoleForOneIsHeldByOneAtATime) {
+  Told swapped;
+  swapped.phase(10, "marvin", "running", "watch").phase(10, "heliv", "running", "relay");
+  swapped.phase(100, "marvin", "running", "relay").phase(105, "heliv", "running", "watch");
+  EXPECT_THAT(swapped.broken(roles_held_twice), IsEmpty());
+
+  Told twice;
+  twice.phase(10, "marvin", "running", "watch").phase(50, "heliv", "running", "watch");
+  twice.phase(90, "marvin", "ended", "watch");
+  EXPECT_THAT(twice.broken(roles_held_twice), ElementsAre(HasSubstr("both hold role watch")));
+}
+
+TEST(JointLaws, ARoleForAnyNumberMayBeHeldByAll) {
+  Told told;
+  told.phase(10, "marvin", "running", "relay").phase(10, "heliv", "running", "relay");
+
+  EXPECT_THAT(told.broken(roles_held_twice), IsEmpty());
+}
+
+TEST(JointLaws, ASessionComesOutAlikeAtAll) {
+  Told told;
+  told.session(5, "marvin", "agreed", "marvin watch").session(6, "heliv", "undecided", "other");
+  told.session(7, "heliv", "settled agreed", "marvin watch");
+  EXPECT_THAT(told.broken(agreements_apart), IsEmpty());
+
+  EXPECT_THAT(Told(told).session(9, "heliv", "settled failed").broken(agreements_apart),
+              ElementsAre(HasSubstr("agreed at marvin, failed at heliv")));
+  EXPECT_THAT(Told(told).session(9, "heliv", "agreed", "heliv watch").broken(agreements_apart),
+              ElementsAre(HasSubstr("agreed on 'heliv watch'")));
+}
+
+TEST(JointLaws, WhatWasActivatedIsOverWhenTheJointTaskHasEnded) {
+  Told told;
+  told.phase(10, "marvin", "running", "watch").componel(11, "marvin", "w1", "running");
+  EXPECT_THAT(told.broken(activations_without_end), IsEmpty());
+
+  told.phase(50, "marvin", "ended", "watch");
+  EXPECT_THAT(told.broken(activations_without_end), ElementsAre(HasSubstr("w1")));
+
+  EXPECT_THAT(Told(told).componel(49, "marvin", "w1", "aborted").broken(activations_without_end),
+              IsEmpty());
+}
+
+TEST(JointLaws, AJointTaskEndsAlikeAtAll) {
+  Told told;
+  told.phase(10, "marvin", "running", "watch").componel(11, "marvin", "w1", "ended");
+  told.phase(10, "heliv", "running", "relay").componel(11, "heliv", "r1", "ended");
+  told.phase(50, "marvin", "ended", "watch");
+  EXPECT_THAT(Told(told).phase(52, "heliv", "ended", "relay").broken(joint_tasks_apart), IsEmpty());
+  EXPECT_THAT(Told(told).phase(52, "heliv", "aborted", "relay").broken(joint_tasks_apart),
+              ElementsAre(HasSubstr("has ended at marvin")));
+}
+
+TEST(JointLaws, AJointTaskHasAnEndAndSaysWhy) {
+  Told told;
+  told.phase(10, "marvin", "running", "watch").goal(100, "marvin", "failed");
+  EXPECT_THAT(told.broken(joint_tasks_without_end), ElementsAre(HasSubstr("is still running")));
+
+  EXPECT_THAT(Told(told).phase(99, "marvin", "aborted", "watch").broken(joint_tasks_without_end),
+              ElementsAre(HasSubstr("no reason")));
+  EXPECT_THAT(Told(told)
+                  .phase(99, "marvin", "aborted", "watch", "no contact")
+                  .broken(joint_tasks_without_end),
+              IsEmpty());
+}
+
+TEST(JointLaws, AJointTaskThatIsAskedForWithAnotherNumberGoesOn) {
+  Told told;
+  told.phase(10, "marvin", "loading", "", "", 5).phase(20, "marvin", "running", "watch");
+  told.phase(90, "marvin", "ended", "watch").goal(92, "marvin", "achieved");
+
+  EXPECT_THAT(told.broken(joint_tasks_without_end), IsEmpty());
+}
+
+TEST(JointLaws, AJointTaskThatIsUnderWayAtTheEndOfTheRunNeedsNoEnd) {
+  Told told;
+  told.phase(10, "marvin", "running", "watch").goal(10, "marvin", "under-way");
+
+  EXPECT_THAT(told.broken(joint_tasks_without_end), IsEmpty());
+}
+
+/// Both took part, and Marvin perceived for so long.
+Told watched(double seconds, const world::Vector3& from) {
+  Told told;
+  told.phase(10, "marvin", "running", "watch").phase(12, "heliv", "running", "relay");
+  told.perceives("marvin", 9, 20, 20 + seconds).is_at("marvin", from);
+  told.phase(90, "marvin", "ended", "watch").phase(91, "heliv", "ended", "relay");
+  return told.goal(92, "marvin", "achieved");
+}
+
+TEST(JointLaws, WhatIsAchievedTogetherWasPerceivedForAsLongAsAskedFromWhereItMay) {
+  EXPECT_THAT(watched(60, {0, 0, 40}).broken(joint_tasks_not_done), IsEmpty());
+  EXPECT_THAT(watched(30, {0, 0, 40}).broken(joint_tasks_not_done),
+              ElementsAre(HasSubstr("for 30.0 of 60.0 s")));
+  EXPECT_THAT(watched(60, {100, 0, 5}).broken(joint_tasks_not_done),
+              ElementsAre(HasSubstr("for 0.0 of 60.0 s")));
+}
+
+TEST(JointLaws, WhatIsPerceivedByOneAfterTheOtherAddsUp) {
+  Told told = watched(30, {0, 0, 40});
+  told.perceives("heliv", 19, 55, 85).is_at("heliv", {0, 30, 40});
+
+  EXPECT_THAT(told.broken(joint_tasks_not_done), IsEmpty());
+}
+
+TEST(JointLaws, WhatIsAchievedTogetherWasDoneByAllAtOneTime) {
+  Told alone;
+  alone.phase(10, "marvin", "running", "watch").perceives("marvin", 9, 20, 80);
+  alone.is_at("marvin", {0, 0, 40}).phase(90, "marvin", "ended", "watch");
+  alone.goal(92, "marvin", "achieved");
+  EXPECT_THAT(alone.broken(joint_tasks_not_done),
+              ElementsAre(HasSubstr("role relay was held by 0")));
+
+  alone.phase(200, "heliv", "running", "relay").phase(220, "heliv", "ended", "relay");
+  EXPECT_THAT(alone.broken(joint_tasks_not_done), ElementsAre(HasSubstr("never took part")));
+}
+
+TEST(JointLaws, NoGoalIsAchievedOfWhichNoJointTaskEnded) {
+  Told told;
+  told.phase(10, "marvin", "running", "watch").goal(92, "marvin", "achieved");
+
+  EXPECT_THAT(told.broken(joint_tasks_not_done), ElementsAre(HasSubstr("has ended")));
+}
+
+TEST(JointLaws, APlaceKeepsItsConstraintsWhereThingsAreInTruth) {
+  Told told;
+  told.place(50, "marvin", "far", {60, 0, 30});
+  EXPECT_THAT(told.broken(places_against_constraints), IsEmpty());
+
+  EXPECT_THAT(Told(told).place(60, "marvin", "far", {95, 0, 10}).broken(places_against_constraints),
+              ElementsAre(HasSubstr("against far: 20.0 m")));
+  // The point was told to be elsewhere, and everybody knows.
+  EXPECT_THAT(Told(told)
+                  .told_of(55, "P1", {0, 100, 0})
+                  .place(70, "marvin", "far", {95, 0, 10})
+                  .broken(places_against_constraints),
+              IsEmpty());
+  EXPECT_THAT(Told(told)
+                  .told_of(55, "P1", {60, 0, 30})
+                  .place(70, "marvin", "far", {60, 0, 30})
+                  .broken(places_against_constraints),
+              SizeIs(1));
+}
+
+TEST(JointLaws, APlaceKeepsApartFromPartners) {
+  Told told;
+  told.phase(10, "marvin", "running", "watch").phase(10, "heliv", "running", "relay");
+  told.is_at("heliv", {0, 0, 40});
+
+  EXPECT_THAT(
+      Told(told).place(50, "marvin", "apart", {2, 0, 40}).broken(places_against_constraints),
+      ElementsAre(HasSubstr("m from heliv")));
+  EXPECT_THAT(
+      Told(told).place(50, "marvin", "apart", {60, 0, 40}).broken(places_against_constraints),
+      IsEmpty());
+}
+
+}  // namespace
+}  // namespace skein::laws

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// The checker of event logs sees what it is there to see.
+#include "skein/laws/protocol.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace skein::laws {
+namespace {
+
+using journal::Record;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using Log = std::vector<Record>;
+
+MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
+
+Record task(double seconds, const char* state, const char* node = "marvin") {
+  return Record(at(seconds), node, "task")
+      .with("uav", "marvin")
+      .with("task", 1)
+      .with("state", state);
+}
+Record command(double seconds, const char* state) {
+  return Record(at(seconds), "ground", "command").with("command", 1).with("state", state);
+}
+Record sync(double seconds, const char* direction) {
+  return Record(at(seconds), "marvin", "sync")
+      .with("id", 551)
+      .with("from", "heliv")
+      .with("to", "marvin")
+      .with("direction", direction);
+}
+Record message(double seconds, int sequence, const char* direction) {
+  return Record(at(seconds), "marvin", "message")
+      .with("from", "ground")
+      .with("to", "marvin")
+      .with("sequence", sequence)
+      .with("direction", direction);
+}
+Record link(double seconds, bool up) {
+  return Record(at(seconds), "sim", "link")
+      .with("from", "ground")
+      .with("to", "marvin")
+      .with("up", up);
+}
+Record fault(double seconds, const char* what, const char* node) {
+  return Record(at(seconds), "runner", "fault").with("what", what).with("target", node);
+}
+
+Record degree(double seconds) {
+  return Record(at(seconds), "marvin", "degree").with("uav", "marvin").with("degree", 1);
+}
+
+TEST(JournalLaws, ATaskGoesOnWithWhoTakesItOver) {
+  const Log log{task(1, "scheduled"), task(1, "started"), task(2, "running"), degree(3),
+                task(4, "ended", "ground")};
+  const Log begun_again{task(1, "scheduled"), task(1, "started"), degree(3),
+                        task(4, "scheduled"), task(4, "started"), task(5, "ended")};
+
+  EXPECT_THAT(broken_protocol(log), IsEmpty());
+  EXPECT_THAT(broken_protocol(begun_again), IsEmpty());
+}
+
+TEST(JournalLaws, WhatIsOverIsNotTakenOver) {
+  const Log log{task(1, "scheduled"), task(1, "started"), task(2, "ended"), degree(3),
+                task(4, "running", "ground")};
+
+  EXPECT_THAT(broken_protocol(log), ElementsAre(HasSubstr("a task goes from '' to 'running'")));
+}
+
+TEST(JournalLaws, AnOrdinaryLifeBreaksNone) {
+  const Log log{
+      task(1, "scheduled"), task(1, "started"),    task(2, "running"),         task(3, "aborting"),
+      task(4, "aborted"),   command(5, "issued"),  command(6, "refused"),      sync(7, "sent"),
+      sync(8, "received"),  message(9, 1, "sent"), message(9.1, 1, "received")};
+
+  EXPECT_THAT(broken_protocol(log), IsEmpty());
+}
+
+struct Breach {
+  std::string name;
+  Log log;
+  std::string why;
+};
+class BrokenLaw : public ::testing::TestWithParam<Breach> {};
+
+TEST_P(BrokenLaw, IsSeen) {
+  EXPECT_THAT(broken_protocol(GetParam().log), ElementsAre(HasSubstr(GetParam().why)));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    JournalLaws, BrokenLaw,
+    ::testing::Values(
+        Breach{"two_terminal_states",
+               {task(1, "scheduled"), task(1, "started"), task(2, "ended"), task(3, "aborted")},
+               "from 'ended' to 'aborted'"},
+        Breach{"ended_though_interrupted",
+               {task(1, "scheduled"), task(1, "started"), task(2, "aborting"), task(3, "ended")},
+               "from 'aborting' to 'ended'"},
+        Breach{"running_from_nothing", {task(1, "running")}, "from '' to 'running'"},
+        Breach{"time_goes_back", {task(2, "scheduled"), task(1, "started")}, "time goes back"},
+        Breach{"settled_twice",
+               {command(1, "issued"), command(2, "acknowledged"), command(3, "expired")},
+               "settled twice"},
+        Breach{"settled_before_issue", {command(2, "acknowledged")}, "before its issue"},
+        Breach{"settled_late", {command(1, "issued"), command(80, "expired")}, "too late"},
+        Breach{"never_settled", {command(1, "issued"), link(100, true)}, "never settled"},
+        Breach{"sync_from_nowhere", {sync(1, "received")}, "nobody sent"},
+        Breach{"message_from_nowhere", {message(1, 3, "received")}, "nobody sent"},
+        Breach{"message_twice",
+               {message(1, 1, "sent"), message(2, 1, "received"), message(3, 1, "received")},
+               "twice or late"},
+        Breach{"messages_out_of_order",
+               {message(1, 1, "sent"), message(1, 2, "sent"), message(2, 2, "received"),
+                message(3, 1, "received")},
+               "twice or late"},
+        Breach{"message_over_a_cut",
+               {message(1, 1, "sent"), link(2, false), message(4, 1, "received")},
+               "a link that is down"}),
+    [](const auto& one) { return one.param.name; });
+
+TEST(JournalLaws, ARestartedNodeMayUseItsNumbersAgain) {
+  const Log messages{message(1, 1, "sent"),      message(2, 1, "received"),
+                     fault(3, "kill", "ground"), fault(4, "restart", "ground"),
+                     message(4, 1, "sent"),      message(5, 1, "received")};
+  const Log tasks{task(1, "scheduled"), fault(3, "kill", "marvin"), fault(4, "restart", "marvin"),
+                  task(4, "scheduled")};
+
+  EXPECT_THAT(broken_protocol(messages), IsEmpty());
+  EXPECT_THAT(broken_protocol(tasks), IsEmpty());
+}
+
+TEST(JournalLaws, WhatWasSentToANodeMayReachItsNextLife) {
+  const Log log{message(1, 1, "sent"), message(2, 1, "received"), fault(3, "kill", "marvin"),
+                fault(4, "restart", "marvin"), message(5, 1, "received")};
+
+  EXPECT_THAT(broken_protocol(log), IsEmpty());
+}
+
+TEST(JournalLaws, TheRestartOfAnotherNodeForgetsNothing) {
+  const Log log{task(1, "scheduled"), task(1, "started"), task(2, "ended"),
+                fault(3, "kill", "heliv"), task(4, "scheduled")};
+
+  EXPECT_THAT(broken_protocol(log), ElementsAre(HasSubstr("from 'ended'")));
+}
+
+TEST(JournalLaws, AnMleOnBoardAndOneAtTheGroundEachHaveTheirOwnTasks) {
+  const Log log{task(1, "scheduled", "marvin"), task(2, "scheduled", "ground")};
+
+  EXPECT_THAT(broken_protocol(log), IsEmpty());
+}
+
+TEST(JournalLaws, ACommandMayBeOpenWhenTheRunEndsSoonAfterItsIssue) {
+  EXPECT_THAT(broken_protocol({command(50, "issued"), link(100, true)}), IsEmpty());
+}
+
+}  // namespace
+}  // namespace skein::laws

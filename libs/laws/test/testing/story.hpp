@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Logs made by hand, for the tests of the laws.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "skein/laws/laws.hpp"
+
+namespace skein::laws::testing {
+
+/// A task of a goal (0: of none), from begin to end.
+struct Doing {
+  int task;
+  std::string type;
+  int goal;
+  double from, until;
+  std::string end = "ended";
+  std::string device = "";
+  std::vector<double> target = {};
+  std::string reason = "";
+};
+/// What became of a mission; with figures, what it was said to take.
+struct Answered {
+  int mission;
+  bool planned;
+  bool evaluated = false;
+  double energy = 0, earliest_end = 0, latest_end = 0;
+};
+
+/// What happened to Marvin and Heliv (and Karma), written down line by line in any order. Level
+/// ground; places: P1 at (150, 60, 0), A1 at (150, 60, 50); zone Z of 100 m by 100 m about P1;
+/// everyone starts at (0, 0).
+class Story {
+ public:
+  /// `more`: lines of the scenario under `world:` (indented by two), such as volumes.
+  explicit Story(const std::string& more = "", const std::string& script = "",
+                 const std::string& uav_more = "");
+
+  /// Telemetry once a second: from a to b in a straight line, level with a heading along it.
+  Story& flies(const std::string& uav, double from, double until, world::Vector3 a,
+               world::Vector3 b, double energy = 0.9);
+  Story& stands(const std::string& uav, double from, double until, world::Vector3 at = {0, 0, 0});
+  /// A task of a goal, in the executive and on the vehicle.
+  Story& does(const std::string& uav, const Doing& what);
+  Story& goal(const std::string& uav, int id, const std::string& statement,
+              const std::string& state, double at, const std::string& why = "");
+  Story& says(const std::string& uav, double at, const std::string& text);
+  Story& decides(const std::string& uav, double at, const std::string& applied,
+                 const std::string& cause, const std::string& outcome);
+  Story& answer(const std::string& uav, double at, const Answered& what);
+  Story& degree(const std::string& uav, double at, int degree);
+  Story& step(double at, const std::string& name, const std::string& told);
+  /// Where perceptions put an alarm.
+  Story& alarm(double at, int id, world::Vector3 where);
+  Story& fault(double at, const std::string& what, const std::string& uav);
+
+  /// Sentences of what one law has to say.
+  std::vector<std::string> broken(const std::string& law) const;
+
+ private:
+  journal::Record& add(double at, const std::string& node, const std::string& kind);
+
+  scenario::Scenario scenario_;
+  std::vector<journal::Record> records_;
+};
+
+}  // namespace skein::laws::testing

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws missions.
+#pragma once
+
+#include <cstdint>
+
+#include "skein/mission_lab/mission.hpp"
+
+namespace skein::mission_lab {
+
+/// What may be drawn.
+struct Kinds {
+  bool faults = true;     ///< slow, aborted, dead sensors, less energy than believed
+  bool air = true;        ///< closed air: from the start, and while they fly, around them too
+  bool deadlines = true;  ///< times of high-level tasks
+  bool changes = true;    ///< cancellations and urgent missions that interrupt
+  bool degrees = true;    ///< autonomy degrees change and come back
+  bool radio = true;      ///< cuts
+  bool energy = true;     ///< starts with little of it
+  bool alarms = true;     ///< something burns, and missions name the alarm
+  bool questions = true;  ///< it is asked what a mission would take, and then it is given
+  bool deaths = false;    ///< daemons die and come back; functional layers at times with nothing
+  bool joint = true;      ///< two UAVs that can do so watch a place together
+};
+/// Nothing goes wrong, and what is asked is possible.
+inline constexpr Kinds kClean{false, false, false, false, false, false,
+                              false, true,  true,  false, true};
+
+/// One seed and the same kinds give one mission.
+Mission generate(std::uint64_t seed, const Kinds& kinds);
+
+}  // namespace skein::mission_lab

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mission in parts that can be left out one by one, and as the text of a scenario file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace skein::mission_lab {
+
+/// A high-level task: "[perceive, P1, 30]" and its times, "end_before: 300".
+struct Task {
+  int id = 0;
+  std::string words;
+  std::string times;
+};
+
+/// A step of the ground's script: a unit mission, or another action as it is written.
+struct Step {
+  std::string name;
+  std::string when;  ///< "{time: 5}"
+  double after = 0;
+  std::string uav;
+  int mission = 0;
+  std::string placement;  ///< "first, interrupt: true"; empty: the default
+  bool evaluate = false;  ///< it is only asked what it would take
+  std::vector<Task> tasks;
+  std::string action;  ///< if there are no tasks: "cancel: {…}"
+};
+
+struct Member {
+  std::string name, model;
+  std::string more;  ///< "start: [0, 0], energy: 0.4"
+  double altitude = 40;
+  int first_id = 100;
+};
+
+struct Mission {
+  std::uint64_t seed = 1;
+  double limit = 2000;  ///< [s]
+  std::string hills, wind;
+  std::vector<std::string> zones, places, volumes;  ///< "Z1: [[…]]"
+  std::vector<std::string> objects;                 ///< "hot: {kind: fire, …}"
+  std::vector<Member> team;
+  std::vector<std::string> cuts;  ///< "{between: [...], from: 300, until: 330}"
+  std::vector<Step> steps;
+  std::vector<std::string> faults;
+  bool joint = false;        ///< there are interaction models
+  double finish_after = 30;  ///< [s] after the last goal is settled; negative: at the limit
+};
+
+/// The scenario's text. `scenarios`: the path from where it will stand to the folder scenarios/.
+std::string to_yaml(const Mission& mission, const std::string& scenarios);
+
+/// The mission with one part less, in every way there is: steps, tasks, faults, cuts, volumes,
+/// UAVs. Some of them make no sense: a trigger may wait for what is gone.
+std::vector<Mission> smaller(const Mission& mission);
+
+}  // namespace skein::mission_lab

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "parts.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace skein::mission_lab {
+
+std::string whole(double number) { return std::to_string(std::lround(number)); }
+
+std::string point(double x, double y) { return "[" + whole(x) + ", " + whole(y) + "]"; }
+
+std::string draw_zone(Random& random) {
+  const double x = random.uniform(60, 400), y = random.uniform(-50, 300);
+  const double a = random.uniform(70, 220), b = random.uniform(60, 180);
+  const double turn = random.uniform(0, 0.5);
+  const auto corner = [&](double u, double v) {
+    return point(x + u * std::cos(turn) - v * std::sin(turn),
+                 y + u * std::sin(turn) + v * std::cos(turn));
+  };
+  return "[" + corner(0, 0) + ", " + corner(a, 0) + ", " + corner(a, b) + ", " + corner(0, b) + "]";
+}
+
+// A fire, the inside of it, and the control centre that is told, as far away as a relay reaches.
+JointTask draw_joint_task(Random& random, const std::vector<std::string>& uavs) {
+  const double x = random.uniform(40, 450), y = random.uniform(-50, 350);
+  JointTask result;
+  const auto place = [&](double distance) {
+    const double angle = random.uniform(0, 2 * std::numbers::pi);
+    result.places.push_back("J" + std::to_string(result.places.size() + 1) + ": [" +
+                            whole(x + distance * std::cos(angle)) + ", " +
+                            whole(y + distance * std::sin(angle)) + ", 0]");
+  };
+  place(0);
+  place(random.uniform(20, 40));
+  place(random.uniform(60, 110));
+  std::string members;
+  for (const std::string& one : uavs) members += (members.empty() ? "" : ", ") + one;
+  result.words = "[monitoring-with-relay, J1, J2, J3, " + whole(random.uniform(20, 150)) + ", [" +
+                 members + "]]";
+  return result;
+}
+
+std::string draw_times(Random& random) {
+  const double from = random.uniform(30, 400);
+  switch (random.below(6)) {
+    case 0:
+      return "start_after: " + whole(from);
+    case 1:
+      return "end_after: " + whole(from);
+    case 2:
+      return "start_before: " + whole(from + random.uniform(50, 700));
+    case 3:
+      return "end_before: " + whole(from + random.uniform(100, 900));
+    case 4:
+      return "start_after: " + whole(from) +
+             ", end_before: " + whole(from + random.uniform(150, 900));
+    default:
+      return "start_after: " + whole(from) +
+             ", start_before: " + whole(from + random.uniform(20, 300));
+  }
+}
+
+std::string draw_question_task(Random& random) {
+  const std::string ground = "P" + std::to_string(1 + random.below(4));
+  const std::string air = "A" + std::to_string(1 + random.below(3));
+  const std::string zone = "Z" + std::to_string(1 + random.below(3));
+  switch (random.below(4)) {
+    case 0:
+      return "[general-gotoxyz, " + air + "]";
+    case 1:
+      return "[perceive, " + ground + ", " + whole(random.uniform(5, 120)) + "]";
+    case 2:
+      return "[perform-detection, " + zone + ", " + ground + ", " + whole(random.uniform(60, 300)) +
+             "]";
+    default:
+      return "[perform-tour, [" + ground + ", " + air + "]]";
+  }
+}
+
+// The vehicle takes no task of a type, for a while or for good.
+std::string draw_refusals(Random& random, const std::string& uav, double latest) {
+  const std::vector<std::string> types{"takeoff", "goto", "land", "wait", "takeshot", "perceive"};
+  const double lasts = random.chance(0.3) ? 5000 : random.uniform(5, 200);
+  const double at = random.uniform(5, latest);
+  return "{at: " + whole(at) + ", abort: {uav: " + uav +
+         ", type: " + types[random.below(types.size())] + ", for: " + whole(lasts) + "}}";
+}
+
+std::string tenths(double number) {
+  const std::string text = std::to_string(std::round(number * 10) / 10);
+  return text.substr(0, text.find('.') + 2);
+}
+
+std::string hundredths(double number) {
+  const std::string text = std::to_string(std::round(number * 100) / 100);
+  return text.substr(0, text.find('.') + 3);
+}
+
+std::string draw_death(Random& random, const std::vector<std::string>& daemons, double latest) {
+  const double at = random.uniform(3, latest);
+  const std::string& who = daemons[random.below(daemons.size())];
+  const double away = random.uniform(0, 15);
+  return "{at: " + tenths(at) + ", kill: " + who + ", restart_after: " + tenths(away) + "}";
+}
+
+std::string forgetting(std::string death) {
+  death.insert(death.rfind('}'), ", forgets: true");
+  return death;
+}
+
+std::string draw_fault(Random& random, const std::string& uav, const DrawDevice& device,
+                       double latest) {
+  const std::string at = "at: " + whole(random.uniform(10, latest)) + ", ";
+  const std::vector<std::string> types{"takeoff", "goto", "land", "wait", "takeshot"};
+  const std::string breaks = device(random);
+  switch (random.below(4)) {
+    case 0:
+      return "{" + at + "slow: {uav: " + uav + ", factor: " + tenths(random.uniform(1.2, 4)) +
+             ", for: " + whole(random.uniform(20, 200)) + "}}";
+    case 1:
+      return "{" + at + "abort: {uav: " + uav + ", type: " + types[random.below(types.size())] +
+             "}}";
+    case 2:
+      return "{" + at + "sensor: {uav: " + uav + ", device: " + breaks + "}}";
+    default:
+      return "{" + at + "energy: {uav: " + uav +
+             ", left: " + hundredths(random.uniform(0.12, 0.6)) + "}}";
+  }
+}
+
+std::string draw_cut(Random& random, const std::string& one, const std::string& other,
+                     double latest) {
+  const double from = random.uniform(10, latest);
+  return "{between: [" + one + ", " + other + "], from: " + whole(from) +
+         ", until: " + whole(from + random.uniform(5, 150)) + "}";
+}
+
+}  // namespace skein::mission_lab

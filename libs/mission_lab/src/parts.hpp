@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pieces of a mission that are drawn by themselves.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "skein/foundation/random.hpp"
+
+namespace skein::mission_lab {
+
+/// Rounded to a whole number.
+std::string whole(double number);
+/// "[10, 20]".
+std::string point(double x, double y);
+/// Rounded to one decimal.
+std::string tenths(double number);
+/// Rounded to two.
+std::string hundredths(double number);
+/// Times of a high-level task.
+std::string draw_times(Random& random);
+/// A high-level task of which it is asked what it would take.
+std::string draw_question_task(Random& random);
+/// A fault: for a while, or for good, the UAV takes no task of a type.
+std::string draw_refusals(Random& random, const std::string& uav, double latest);
+
+/// Four corners, turned a little.
+std::string draw_zone(Random& random);
+
+/// Two UAVs watch a place together: where, and the words of the task.
+struct JointTask {
+  std::vector<std::string> places;  ///< "J1: [10, 20, 0]"
+  std::string words;
+};
+JointTask draw_joint_task(Random& random, const std::vector<std::string>& uavs);
+
+/// A fault: one of the daemons dies in [3, latest] s and comes back with what it knew.
+std::string draw_death(Random& random, const std::vector<std::string>& daemons, double latest);
+/// The same, but it comes back with nothing.
+std::string forgetting(std::string death);
+
+/// A device of the UAV that the fault is of.
+using DrawDevice = std::function<std::string(Random&)>;
+/// A fault of the vehicle, in [10, latest] s: slow, a task that aborts, a device that breaks,
+/// energy.
+std::string draw_fault(Random& random, const std::string& uav, const DrawDevice& device,
+                       double latest);
+
+/// The radio between two nodes is cut, from [10, latest] s on.
+std::string draw_cut(Random& random, const std::string& one, const std::string& other,
+                     double latest);
+
+}  // namespace skein::mission_lab
