@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of ground that is swept, shared out or watched: coverage, partition, patrol.
+// Pictures of ground that is swept, shared out, watched or seen: coverage, partition, patrol,
+// viewshed.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -200,6 +201,34 @@ std::string picture(const world::World& world, const refiners::PatrolQuery& quer
   }
   mark_ends(map, query.start, std::nullopt);
   return map.finish("Patrol", lines);
+}
+
+std::string picture(const world::World& world, const refiners::ViewshedQuery& query,
+                    const Outcome<refiners::Viewshed>& outcome) {
+  FrameBuilder points;
+  points.add(query.from);
+  points.add_all(query.area);
+  if (outcome) {
+    const world::Grid& grid = outcome->task.grid;
+    points.add(grid.centre(0));
+    points.add(grid.centre(grid.size() - 1));
+  }
+  Map map(world, points.frame(world.terrain));
+  std::vector<std::string> lines;
+  if (outcome) {
+    std::vector<double> shown(outcome->task.cells.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t cell = 0; cell < shown.size(); ++cell)
+      if (outcome->task.cells[cell] == refiners::Sight::kSeen) shown[cell] = 1;
+    map.heat(outcome->task.grid, shown, {.title = "seen", .opacity = 0.5});
+    lines.push_back(fmt::format("{} of {} cells of {:.0f} m are seen: {:.1f} %", outcome->task.seen,
+                                outcome->task.asked, outcome->task.grid.cell,
+                                100 * (1 - outcome->cost)));
+  } else {
+    lines.push_back(refusal_words(outcome.error()));
+  }
+  if (!query.area.empty()) map.area(query.area, {.colour = "#303030"});
+  if (query.from.allFinite()) map.marker(query.from.head<2>(), kStartColour, "from here");
+  return map.finish("What is seen", lines);
 }
 
 }  // namespace skein::cartography

@@ -204,9 +204,11 @@ TEST(Pictures, APartitionGivesEachUavItsColour) {
   query.members[1].uav = "karma";
   refiners::Partition partition;
   partition.parts.resize(2);
-  partition.parts[0] = {"marvin", {{-200, -200}, {0, -200}, {0, 200}, {-200, 200}}, 0.5, {}, {},
-                        {}};
-  partition.parts[1] = {"karma", {{0, -200}, {200, -200}, {200, 200}, {0, 200}}, 0.5, {}, {}, {}};
+  partition.parts[0].uav = "marvin";
+  partition.parts[0].polygon = {{-200, -200}, {0, -200}, {0, 200}, {-200, 200}};
+  partition.parts[1].uav = "karma";
+  partition.parts[1].polygon = {{0, -200}, {200, -200}, {200, 200}, {0, 200}};
+  for (refiners::Part& part : partition.parts) part.share = 0.5;
 
   const std::string svg = picture(small_world(), query, solved(partition));
 
@@ -227,6 +229,26 @@ TEST(Pictures, APatrolShowsVisitsOfItsCellsAndItsLastLap) {
 
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_THAT(svg, AllOf(HasSubstr("visits of each cell"), HasSubstr("0.6 km flown")));
+}
+
+TEST(Pictures, AViewshedShowsWhatIsSeen) {
+  refiners::ViewshedQuery query;
+  query.from = {0, 0, 100};
+  refiners::Viewshed view;
+  view.grid = {-400, -400, 400, 2, 1};
+  view.cells = {refiners::Sight::kSeen, refiners::Sight::kHidden};
+  view.seen = 1;
+  view.asked = 2;
+  auto answer = solved(view);
+  answer->cost = 0.5;
+
+  const std::string svg = picture(small_world(), query, answer);
+
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_THAT(svg,
+              AllOf(HasSubstr("1 of 2 cells of 400 m are seen: 50.0 %"), HasSubstr("from here")));
+  EXPECT_NE(svg,
+            picture(small_world(), query, refuse(refiners::RefusalKind::kBlocked, "from", "")));
 }
 
 TEST(Pictures, ViewpointsShowTheirCones) {

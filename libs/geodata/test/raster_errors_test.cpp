@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <rapidcheck/gtest.h>
-#include <cstdlib>
 
 #include "raster_files.hpp"
 #include "skein/geodata/raster_reader.hpp"
+#include "test_cases.hpp"
 
 namespace skein::geodata {
 namespace {
@@ -61,12 +61,12 @@ TEST(RasterErrors, NothingIsPrintedByGdal) {
   const std::string path = write_tiff(folder, "a.tif", {});
   const std::string cut = folder.write("cut.tif", content_of(path).substr(0, 900));
 
-  testing::internal::CaptureStderr();
-  testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStdout();
   const std::string said = report(cut);
 
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
   EXPECT_NE(said, "");
 }
 
@@ -255,7 +255,7 @@ TEST(RasterErrors, ARasterOfAHundredMillionPostsIsUsedWhole) {
   large.sparse = true;
   ElevationOptions options;
   // Without one: four million corners, which take some seconds.
-  if (std::getenv("SKEIN_FULL") == nullptr) options.cell = 2000;
+  if (!skein::testing::long_tests()) options.cell = 2000;
   const auto elevation = read_elevation(write_tiff(folder, "large.tif", large), options);
   ASSERT_TRUE(elevation) << to_text(elevation.error());
   EXPECT_EQ(elevation->decimated, 2);

@@ -42,6 +42,17 @@ GeodeticPoint read_geodetic(const Reader& reader) {
           reader.required("altitude").number(0, {-1000, 100'000, "m"})};
 }
 
+std::vector<HillSpec> read_hills(const Reader& reader) {
+  std::vector<HillSpec> hills;
+  for (const Reader& hill : items_of(reader)) {
+    if (!hill.keys({"at", "height", "radius"})) continue;
+    hills.push_back({read_point_2d(hill.required("at")),
+                     hill.required("height").number(0, {-5000, 5000, "m"}),
+                     hill.required("radius").number(1, {1, kFarthest, "m"})});
+  }
+  return hills;
+}
+
 TerrainSpec read_terrain(const Reader& reader) {
   TerrainSpec terrain;
   terrain.west = terrain.south = -1000;
@@ -53,12 +64,7 @@ TerrainSpec read_terrain(const Reader& reader) {
   terrain.north = reader.required("north").number(1000, kCoordinate);
   terrain.cell = reader.optional("cell").number(20, {0.1, 10'000, "m"});
   terrain.base = reader.optional("base").number(0, {-10'000, 10'000, "m"});
-  for (const Reader& hill : items_of(reader.optional("hills"))) {
-    if (!hill.keys({"at", "height", "radius"})) continue;
-    terrain.hills.push_back({read_point_2d(hill.required("at")),
-                             hill.required("height").number(0, {-5000, 5000, "m"}),
-                             hill.required("radius").number(1, {1, kFarthest, "m"})});
-  }
+  terrain.hills = read_hills(reader.optional("hills"));
   for (const std::string& problem : problems_of(terrain)) reader.error(problem);
   return terrain;
 }

@@ -3,6 +3,9 @@
 
 #include <limits>
 #include <numbers>
+#include <utility>
+
+#include "skein/world/environment_reader.hpp"
 
 namespace skein::world {
 namespace {
@@ -59,11 +62,43 @@ void read_quality(const Reader& reader, SensorModel& sensor) {
     best.error("best_distance is greater than the range", "at most the range");
 }
 
+/// {reports: {KIND: [if there is a fire, if not]}, confirms, limit}.
+std::optional<SensorEvidence> read_evidence(const Reader& reader) {
+  if (!reader.present() || !reader.keys({"reports", "confirms", "limit"})) return std::nullopt;
+  SensorEvidence evidence;
+  Likelihood sum;
+  for (const auto& [kind, entry] : reader.required("reports").entries()) {
+    const std::vector<double> pair = entry.numbers(2, {kLeast, 1 - kLeast, ""});
+    if (pair.size() != 2) continue;
+    evidence.kinds[kind] = {pair[0], pair[1]};
+    sum.if_fire += pair[0];
+    sum.if_not_fire += pair[1];
+  }
+  if (sum.if_fire >= 1 || sum.if_not_fire >= 1)
+    reader.error("all kinds together are reported at every look or more often",
+                 "likelihoods that add up to less than 1");
+  evidence.confirms = reader.optional("confirms").boolean(false);
+  evidence.limit = reader.optional("limit").number(evidence.limit, {0.1, 100, "log-odds"});
+  return evidence;
+}
+
+std::vector<std::string> read_uses(const Reader& reader) {
+  std::vector<std::string> uses;
+  for (const Reader& use : items_of(reader)) {
+    uses.push_back(use.text());
+    const bool word =
+        uses.back().find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+    if (use.is_scalar() && (uses.back().empty() || !word))
+      use.error("'" + uses.back() + "'", "a use that the planning domain knows: detection");
+  }
+  return uses;
+}
+
 }  // namespace
 
 SensorModel read_sensor(const std::string& device, const Reader& reader) {
   reader.keys({"aperture", "pitch", "gimballed", "range", "period", "position_spread",
-               "false_alarms", "sees", "quality", "cost"});
+               "false_alarms", "sees", "quality", "cost", "evidence", "serves"});
   SensorModel sensor;
   sensor.device = device;
   sensor.aperture = reader.required("aperture").number(kLeast, {kLeast, kRightAngle, "rad"});
@@ -77,6 +112,8 @@ SensorModel read_sensor(const std::string& device, const Reader& reader) {
   read_responses(reader.required("sees"), sensor);
   read_quality(reader.optional("quality"), sensor);
   sensor.cost = reader.optional("cost").number(0, kFraction);
+  sensor.evidence = read_evidence(reader.optional("evidence"));
+  sensor.serves = read_uses(reader.optional("serves"));
   return sensor;
 }
 

@@ -93,5 +93,38 @@ TEST(SensorModelReader, ABadRangeIsNotBlamedOnTheBestDistance) {
   EXPECT_EQ(reading.diagnostics.all()[0].path, "range");
 }
 
+TEST(SensorModelReader, SaysWhatItsLooksAreWorthAndWhatItServes) {
+  const Reading reading = read(kCamera +
+                               "evidence: {reports: {fire: [0.8, 0.02], vehicle: [0.01, 0.2]}, "
+                               "confirms: true, limit: 9}\n"
+                               "serves: [detection, close-look]\n");
+  ASSERT_TRUE(reading.diagnostics.empty()) << to_text(reading.diagnostics);
+
+  ASSERT_TRUE(reading.sensor.evidence);
+  EXPECT_EQ(reading.sensor.evidence->kinds.at("vehicle"), (Likelihood{0.01, 0.2}));
+  EXPECT_TRUE(reading.sensor.evidence->confirms);
+  EXPECT_EQ(reading.sensor.evidence->limit, 9);
+  EXPECT_EQ(reading.sensor.serves, (std::vector<std::string>{"detection", "close-look"}));
+}
+
+TEST(SensorModelReader, EvidenceOfNothingIsNotTheSameAsNotSaying) {
+  EXPECT_FALSE(read(kCamera).sensor.evidence);
+  const Reading reading = read(kCamera + "evidence: {reports: {}}\n");
+  EXPECT_TRUE(reading.diagnostics.empty()) << to_text(reading.diagnostics);
+  EXPECT_TRUE(reading.sensor.evidence && reading.sensor.evidence->kinds.empty());
+}
+
+TEST(SensorModelReader, WrongEvidenceAndUsesAreTold) {
+  EXPECT_THAT(to_text(read(kCamera + "evidence: {reports: {fire: [0.8]}}\n").diagnostics),
+              HasSubstr("evidence.reports.fire"));
+  EXPECT_THAT(to_text(read(kCamera + "evidence: {reports: {fire: [1.5, 0.1]}}\n").diagnostics),
+              HasSubstr("evidence.reports.fire"));
+  EXPECT_THAT(to_text(read(kCamera + "evidence: {reports: {fire: [0.6, 0.1], smoke: [0.5, 0.1]}}\n")
+                          .diagnostics),
+              HasSubstr("likelihoods that add up to less than 1"));
+  EXPECT_THAT(to_text(read(kCamera + "serves: [Detection (now)]\n").diagnostics),
+              HasSubstr("serves[0]: 'Detection (now)'"));
+}
+
 }  // namespace
 }  // namespace skein::world

@@ -12,6 +12,7 @@
 #include "skein/refiners/relay.hpp"
 #include "skein/refiners/tour.hpp"
 #include "skein/refiners/viewpoint.hpp"
+#include "skein/refiners/viewshed.hpp"
 #include "skein/world/world.hpp"
 
 namespace skein::cartography {
@@ -31,6 +32,8 @@ std::string picture(const world::World& world, const refiners::PatrolQuery& quer
                     const refiners::Outcome<refiners::Patrol>& outcome);
 std::string picture(const world::World& world, const refiners::ViewpointQuery& query,
                     const refiners::Outcome<refiners::Viewpoints>& outcome);
+std::string picture(const world::World& world, const refiners::ViewshedQuery& query,
+                    const refiners::Outcome<refiners::Viewshed>& outcome);
 std::string picture(const world::World& world, const refiners::RelayQuery& query,
                     const refiners::Outcome<refiners::Relay>& outcome);
 std::string picture(const world::World& world, const refiners::EvaluateQuery& query,

@@ -25,6 +25,8 @@ inline constexpr config::Range kCoordinate{-kFarthest, kFarthest, "m"};
 GeodeticPoint read_geodetic(const config::Reader& reader);
 /// {west, south, east, north, cell, base, hills: [{at, height, radius}]}.
 TerrainSpec read_terrain(const config::Reader& reader);
+/// [{at, height, radius}, …].
+std::vector<HillSpec> read_hills(const config::Reader& reader);
 /// {toward, speed, gusts}; absent: none.
 Wind read_wind(const config::Reader& reader);
 /// {NAME: [[x, y], …]}.

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "skein/foundation/time.hpp"
 #include "skein/world/geometry.hpp"
@@ -30,6 +32,27 @@ struct QualityModel {
   bool operator==(const QualityModel&) const = default;
 };
 
+/// How probable it is that one look reports a kind at a place, when there is a fire and when not.
+struct Likelihood {
+  double if_fire = 0;      ///< (0, 1)
+  double if_not_fire = 0;  ///< (0, 1)
+  bool operator==(const Likelihood&) const = default;
+};
+
+/// What the looks of a device are worth to whoever judges from them whether something burns.
+struct SensorEvidence {
+  /// By reported kind; what is left of 1 is "reported nothing". Sums stay below 1. A kind that is
+  /// not here counts as nothing.
+  std::map<std::string, Likelihood, std::less<>> kinds;
+  /// Only such a device confirms an alarm (a visible camera recognises smoke; a heat cell does
+  /// not).
+  bool confirms = false;
+  /// Most that all the looks of one such device may weigh, in natural log-odds: its errors repeat
+  /// (a hot engine stays hot), so it alone can never make certain.
+  double limit = 5;
+  bool operator==(const SensorEvidence&) const = default;
+};
+
 /// One device of a vehicle. It looks once per period, in a cone about its boresight.
 /// Source: spec 4.1 (perception), 8.2.
 struct SensorModel {
@@ -48,6 +71,10 @@ struct SensorModel {
   std::map<std::string, SensorResponse, std::less<>> responses;
   QualityModel quality;
   double cost = 0;  ///< of a use, in units of quality, [0, 1]: power, film, the link it fills
+  std::optional<SensorEvidence> evidence;  ///< absent: the model does not say
+  /// Uses in the planning domain ("detection", "mapping"), beside those that the domain gives to
+  /// devices of this name.
+  std::vector<std::string> serves;
   bool operator==(const SensorModel&) const = default;
 };
 

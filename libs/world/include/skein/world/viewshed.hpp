@@ -16,6 +16,9 @@ struct ViewshedQuery {
   double height = 0.01;  ///< over the ground at the centre of a cell, of what is to be seen [m]
 };
 
+/// Whether a point over that place of the ground is seen: within range and in line of sight.
+bool is_seen(const Terrain& terrain, const Vector2& place, const ViewshedQuery& query);
+
 /// For each cell of the grid, whether a point at its centre is seen: within range and in line of
 /// sight, by Terrain::line_of_sight, so exact for the bilinear ground. No curvature of the Earth,
 /// no refraction. Cells outside the terrain are seen where nothing of it stands in between. Cost:
