@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `skein refine` on the command line.
+// `skein refine` and `skein terrain` on the command line.
 #pragma once
 
 #include <functional>
@@ -15,5 +15,7 @@ struct LiveActions;
 /// Adds the command; when it is chosen, parsing sets `action` to what it does. `live` must outlive
 /// the action.
 void add_refine(CLI::App& app, std::function<int()>& action, const LiveActions& live);
+/// Likewise.
+void add_terrain(CLI::App& app, std::function<int()>& action, const LiveActions& live);
 
 }  // namespace skein::cli

@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "skein/refiners/voxel_path_planner.hpp"
+#include "test_cases.hpp"
 #include "voxel_worlds.hpp"
 
 namespace skein::sampling {
@@ -45,7 +44,7 @@ TEST(VoxelBoxes, AreMetWhereTheAirIsBlockedAndNowhereElse) {
 TEST(VoxelWays, NeverMeetABlockedVoxelByFcl) {
   Random random(11);
   int found = 0;
-  const int count = std::getenv("SKEIN_FULL") ? 500 : 40;
+  const int count = skein::testing::cases(40, 500);
   for (int i = 0; i < count; ++i) {
     const Airspace airspace = random_world(random, cube(24), mixture_of(random));
     const Vector3 from = airspace.centre(free_voxel(airspace, random));

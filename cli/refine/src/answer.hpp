@@ -12,8 +12,8 @@ using Solution =
     std::variant<refiners::Refined<refiners::Path>, refiners::Refined<refiners::Tour>,
                  refiners::Refined<refiners::Coverage>, refiners::Refined<refiners::Partition>,
                  refiners::Refined<refiners::Patrol>, refiners::Refined<refiners::Viewpoints>,
-                 refiners::Refined<refiners::Relay>, refiners::Refined<refiners::Evaluation>,
-                 refiners::Refined<refiners::Insertion>>;
+                 refiners::Refined<refiners::Viewshed>, refiners::Refined<refiners::Relay>,
+                 refiners::Refined<refiners::Evaluation>, refiners::Refined<refiners::Insertion>>;
 
 using Answer = Result<Solution, refiners::Refusal>;
 

@@ -62,7 +62,7 @@ constexpr std::string_view kPlane = R"({
   })";
 
 /// What each asks; @H and @P stand for the vehicles.
-constexpr std::array<Texts, 9> kQuestions = {{
+constexpr std::array<Texts, 10> kQuestions = {{
     {"path", R"(  "vehicle": @P,
   "from": {"at": "pad", "height": 60}, "to": "east", "heading_from": 0.5,
   "clearance": 20,
@@ -101,6 +101,9 @@ constexpr std::array<Texts, 9> kQuestions = {{
   "nearest": 140, "farthest": 350, "count": 3, "least_angle": 1.4,
   "from": [-420, -260, 120], "cost_of_way": 0.0004,
   "constraints": {"not from the north": {"sector": [2.4, -0.3]}}
+)"},
+    {"viewshed",
+     R"(  "from": {"at": [-260, -60], "height": 80}, "height": 2, "range": 1500, "area": "forest"
 )"},
     {"relay", R"(  "vehicle": @H,
   "a": {"at": "pad", "height": 5}, "b": [600, 700, 100], "most": 3, "least_margin": 1

@@ -73,6 +73,12 @@ void add(Features& out, const refiners::Viewpoints& viewpoints, const Query& que
   }
 }
 
+void add(Features& out, const refiners::Viewshed&, const Query& query) {
+  const auto& asked = std::get<refiners::ViewshedQuery>(query.question);
+  out.place("from", asked.from);
+  if (!asked.area.empty()) out.area("area", asked.area);
+}
+
 void add(Features& out, const refiners::Relay& relay, const Query& query) {
   const auto& asked = std::get<refiners::RelayQuery>(query.question);
   refiners::Way chain = {asked.a};

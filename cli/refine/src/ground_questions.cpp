@@ -68,23 +68,25 @@ refiners::CoverageQuery read_sweep(const Reader& reader, const Terms& terms,
 
 Question read_coverage(const Reader& reader, const Terms& terms) {
   reader.keys({"service", "world", "vehicle", "seed", "budget", "area", "holes", "swath", "device",
-               "altitude", "mode", "direction", "start", "end", "speed", "depart"});
+               "altitude", "mode", "direction", "start", "end", "speed", "depart", "turns_inside"});
   refiners::CoverageQuery query =
       read_sweep(reader, terms, terms.vehicle(reader.required("vehicle")));
   query.start = terms.optional_place(reader.optional("start"));
   query.end = terms.optional_place(reader.optional("end"));
   query.depart = world::read_instant(reader.optional("depart"));
+  query.turns_inside = reader.optional("turns_inside").boolean(false);
   return query;
 }
 
 Question read_partition(const Reader& reader, const Terms& terms) {
-  reader.keys({"service", "world", "seed", "budget", "area", "members", "mode", "depart"});
+  reader.keys({"service", "world", "seed", "budget", "area", "members", "mode", "depart", "apart"});
   refiners::PartitionQuery query;
   query.area = terms.ground(reader.required("area"));
   for (const auto& [name, member] : world::entries_of(reader.required("members")))
     query.members.push_back(read_member(name, member, terms));
   if (const Reader mode = reader.optional("mode"); mode.present())
     query.mode = static_cast<refiners::ShareMode>(mode.choice({"proportional", "balanced"}));
+  query.apart = metres(reader.optional("apart"), query.apart);
   query.depart = world::read_instant(reader.optional("depart"));
   return query;
 }
@@ -106,6 +108,17 @@ Question read_patrol(const Reader& reader, const Terms& terms) {
   query.speed = speed(reader.optional("speed"));
   if (const Reader mode = reader.optional("mode"); mode.present())
     query.mode = static_cast<refiners::PatrolMode>(mode.choice({"committed", "gradient"}));
+  return query;
+}
+
+Question read_viewshed(const Reader& reader, const Terms& terms) {
+  reader.keys({"service", "world", "seed", "budget", "from", "height", "range", "cell", "area"});
+  refiners::ViewshedQuery query;
+  query.from = terms.place(reader.required("from"));
+  query.height = metres(reader.optional("height"));
+  if (const Reader range = reader.optional("range"); range.present()) query.range = metres(range);
+  query.cell = metres(reader.optional("cell"));
+  if (const Reader area = reader.optional("area"); area.present()) query.area = terms.ground(area);
   return query;
 }
 

@@ -15,6 +15,7 @@
 #include "skein/refiners/relay.hpp"
 #include "skein/refiners/tour.hpp"
 #include "skein/refiners/viewpoint.hpp"
+#include "skein/refiners/viewshed.hpp"
 #include "skein/world/world.hpp"
 
 namespace skein::refine_tool {
@@ -34,7 +35,8 @@ struct TourWithAreas {
 using Question =
     std::variant<refiners::PathQuery, TourWithAreas, refiners::CoverageQuery,
                  refiners::PartitionQuery, refiners::PatrolQuery, refiners::ViewpointQuery,
-                 refiners::RelayQuery, refiners::EvaluateQuery, refiners::InsertionQuery>;
+                 refiners::ViewshedQuery, refiners::RelayQuery, refiners::EvaluateQuery,
+                 refiners::InsertionQuery>;
 
 enum class Planner : std::uint8_t { kVoxels, kSampling };
 

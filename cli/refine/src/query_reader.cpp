@@ -48,7 +48,8 @@ void read_parts(const Reader& reader, const References& references, Diagnostics&
   const std::string service =
       reader.required("service").name_among(names(),
                                             "a service: path, tour, coverage, partition, "
-                                            "patrol, viewpoint, relay, evaluate, insertion");
+                                            "patrol, viewpoint, viewshed, relay, evaluate, "
+                                            "insertion");
   auto world = read_world(reader.required("world"), references, diagnostics);
   if (service.empty() || !world) return;
   out.emplace(Query{service, std::move(*world), refiners::PathQuery(), {}, 1, {}, {}});

@@ -198,9 +198,10 @@ Question read_insertion(const Reader& reader, const Terms& terms) {
 
 const std::vector<ServiceReader>& service_readers() {
   static const std::vector<ServiceReader> readers = {
-      {"path", read_path},           {"tour", read_tour},         {"coverage", read_coverage},
-      {"partition", read_partition}, {"patrol", read_patrol},     {"viewpoint", read_viewpoint},
-      {"relay", read_relay},         {"evaluate", read_evaluate}, {"insertion", read_insertion}};
+      {"path", read_path},           {"tour", read_tour},     {"coverage", read_coverage},
+      {"partition", read_partition}, {"patrol", read_patrol}, {"viewpoint", read_viewpoint},
+      {"viewshed", read_viewshed},   {"relay", read_relay},   {"evaluate", read_evaluate},
+      {"insertion", read_insertion}};
   return readers;
 }
 

@@ -21,6 +21,7 @@ const std::vector<ServiceReader>& service_readers();
 // In ground_questions.cpp: those about areas of ground.
 Question read_coverage(const config::Reader& reader, const Terms& terms);
 Question read_partition(const config::Reader& reader, const Terms& terms);
+Question read_viewshed(const config::Reader& reader, const Terms& terms);
 Question read_patrol(const config::Reader& reader, const Terms& terms);
 /// The own part of a sweep, for coverage itself and for the stops of a tour.
 refiners::CoverageQuery read_sweep(const config::Reader& reader, const Terms& terms,

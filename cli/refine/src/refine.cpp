@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -17,6 +18,7 @@
 #include "result_text.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/nearest.hpp"
+#include "skein/geodata/raster_writer.hpp"
 #include "skein/geodata/world_loader.hpp"
 #include "skein/world/vehicle_model_reader.hpp"
 
@@ -108,6 +110,20 @@ bool write_picture(const std::string& file, const Query& query, const Answer& an
   return false;
 }
 
+/// Cells as a raster, where the answer has any and the file is one; else ways, areas and places.
+Result<void, Diagnostics> write_answer(const std::string& file, const Query& query,
+                                       const Solution& solution) {
+  const auto* view = std::get_if<refiners::Refined<refiners::Viewshed>>(&solution);
+  if (view == nullptr || !geodata::is_raster_name(file))
+    return geodata::write_features(file, features_of(query, solution), query.world.origin);
+  std::vector<double> values;
+  for (const refiners::Sight sight : view->task.cells)
+    values.push_back(sight == refiners::Sight::kLeftOut
+                         ? std::numeric_limits<double>::quiet_NaN()
+                         : static_cast<double>(sight == refiners::Sight::kSeen));
+  return geodata::write_raster(file, view->task.grid, values, query.world.origin);
+}
+
 int exit_code_of(const Answer& answer) {
   if (answer) return kExitOk;
   switch (answer.error().kind) {
@@ -135,8 +151,7 @@ int run(const RefineOptions& options, std::istream& in, std::ostream& out, std::
   }
   if (!options.svg.empty() && !write_picture(options.svg, *query, answer, err)) return kExitSystem;
   if (!options.out.empty() && answer) {
-    const auto written =
-        geodata::write_features(options.out, features_of(*query, *answer), query->world.origin);
+    const auto written = write_answer(options.out, *query, *answer);
     if (!written) {
       err << to_text(written.error());
       return kExitSystem;

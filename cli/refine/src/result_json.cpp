@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "result_json.hpp"
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -71,13 +72,18 @@ Json task_of(const refiners::Coverage& coverage, const Query&) {
   Json lanes = Json::array();
   for (const refiners::Lane& lane : coverage.lanes)
     lanes.push_back({{"from", of(lane.from)}, {"to", of(lane.to)}});
-  return {{"direction", rounded(coverage.direction)},
-          {"turns", coverage.turns},
-          {"parts", coverage.parts},
-          {"length", rounded(coverage.length)},
-          {"energy", rounded(coverage.energy)},
-          {"lanes", lanes},
-          {"way", all(coverage.way)}};
+  Json out = {{"direction", rounded(coverage.direction)},
+              {"turns", coverage.turns},
+              {"parts", coverage.parts},
+              {"length", rounded(coverage.length)},
+              {"energy", rounded(coverage.energy)},
+              {"lanes", lanes},
+              {"way", all(coverage.way)}};
+  if (coverage.headland > 0) {
+    out["headland"] = rounded(coverage.headland);
+    out["left_out"] = rounded(coverage.left_out);
+  }
+  return out;
 }
 
 Json task_of(const refiners::Partition& partition, const Query& query) {
@@ -86,11 +92,12 @@ Json task_of(const refiners::Partition& partition, const Query& query) {
     parts.push_back({{"uav", part.uav},
                      {"share", rounded(part.share)},
                      {"anchor", of(part.anchor)},
+                     {"altitude", rounded(part.altitude)},
                      {"area", rounded(world::area(part.polygon))},
                      {"duration", of(part.duration)},
                      {"polygon", all(part.polygon)},
                      {"coverage", task_of(part.coverage, query)}});
-  return {{"spread", rounded(partition.spread)}, {"parts", parts}};
+  return {{"spread", rounded(partition.spread)}, {"apart", partition.apart}, {"parts", parts}};
 }
 
 Json task_of(const refiners::Patrol& patrol, const Query&) {
@@ -117,6 +124,26 @@ Json task_of(const refiners::Viewpoints& viewpoints, const Query&) {
                       {"quality", rounded(point.quality)},
                       {"utility", rounded(point.utility)}});
   return {{"points", points}, {"sight_checks", viewpoints.sight_checks}};
+}
+
+/// Rows from the north, a letter a cell: seen, hidden or left out.
+Json task_of(const refiners::Viewshed& view, const Query&) {
+  constexpr std::array<char, 3> kLetters = {'.', '#', ' '};
+  Json rows = Json::array();
+  for (std::size_t row = view.grid.rows; row-- > 0;) {
+    std::string text;
+    for (std::size_t column = 0; column < view.grid.columns; ++column)
+      text += kLetters[static_cast<std::size_t>(view.cells[view.grid.index(column, row)])];
+    rows.push_back(text);
+  }
+  const double cell = view.grid.cell;
+  return {{"cells", view.asked},
+          {"seen", view.seen},
+          {"seen_area", rounded(static_cast<double>(view.seen) * cell * cell)},
+          {"west", rounded(view.grid.west)},
+          {"south", rounded(view.grid.south)},
+          {"cell", rounded(cell)},
+          {"rows", rows}};
 }
 
 Json task_of(const refiners::Relay& relay, const Query&) {
@@ -162,6 +189,7 @@ const char* cost_unit(const Solution& solution) {
   return std::visit(
       Overloaded{[](const refiners::Refined<refiners::Path>&) { return "m × crossing cost"; },
                  [](const refiners::Refined<refiners::Viewpoints>&) { return "1 - utility"; },
+                 [](const refiners::Refined<refiners::Viewshed>&) { return "of the cells hidden"; },
                  [](const refiners::Refined<refiners::Relay>&) { return "relays"; },
                  [](const auto&) { return "s"; }},
       solution);

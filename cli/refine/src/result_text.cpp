@@ -88,6 +88,9 @@ void write(Sheet& sheet, const refiners::Tour& tour, const Query& query) {
 void write(Sheet& sheet, const refiners::Coverage& coverage, const Query&) {
   sheet.line("lanes", fmt::format("{} along {:.1f}° from east, {} turns", coverage.lanes.size(),
                                   degrees(coverage.direction), coverage.turns));
+  if (coverage.headland > 0)
+    sheet.line("headland", fmt::format("{:.1f} m; {} of the area is not swept", coverage.headland,
+                                       share(coverage.left_out)));
   if (coverage.parts > 1) sheet.line("cut into", fmt::format("{} parts", coverage.parts));
   sheet.line("length", metres(coverage.length));
   sheet.line("energy", share(coverage.energy));
@@ -96,9 +99,13 @@ void write(Sheet& sheet, const refiners::Coverage& coverage, const Query&) {
 
 void write(Sheet& sheet, const refiners::Partition& partition, const Query&) {
   sheet.line("spread of finishes", share(partition.spread));
+  if (!partition.apart)
+    sheet.line("not apart", "the time was up before sweeps that meet had other heights");
   for (const refiners::Part& part : partition.parts)
-    sheet.line(part.uav, fmt::format("{} of the area, {} lanes, done after {}", share(part.share),
-                                     part.coverage.lanes.size(), seconds(part.duration.expected)));
+    sheet.line(part.uav,
+               fmt::format("{} of the area, {} lanes {:.0f} m over the ground, done after {}",
+                           share(part.share), part.coverage.lanes.size(), part.altitude,
+                           seconds(part.duration.expected)));
 }
 
 void write(Sheet& sheet, const refiners::Patrol& patrol, const Query&) {
@@ -125,6 +132,12 @@ void write(Sheet& sheet, const refiners::Viewpoints& viewpoints, const Query&) {
                     point.utility));
   }
   sheet.line("sight checks", std::to_string(viewpoints.sight_checks));
+}
+
+void write(Sheet& sheet, const refiners::Viewshed& view, const Query&) {
+  const double cell = view.grid.cell;
+  sheet.line("seen", fmt::format("{} of {} cells of {:.0f} m: {:.0f} m2", view.seen, view.asked,
+                                 cell, static_cast<double>(view.seen) * cell * cell));
 }
 
 void write(Sheet& sheet, const refiners::Relay& relay, const Query&) {

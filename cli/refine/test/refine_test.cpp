@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,6 +14,7 @@
 
 #include "examples.hpp"
 #include "skein/foundation/exit_code.hpp"
+#include "skein/geodata/raster_reader.hpp"
 #include "testing/queries.hpp"
 
 namespace skein::refine_tool {
@@ -106,9 +108,10 @@ TEST_P(Example, IsToldToPeopleInText) {
 
 INSTANTIATE_TEST_SUITE_P(Services, Example, ::testing::ValuesIn(service_names()));
 
-TEST(Refine, HasTheNineServices) {
-  EXPECT_THAT(service_names(), ElementsAre("path", "tour", "coverage", "partition", "patrol",
-                                           "viewpoint", "relay", "evaluate", "insertion"));
+TEST(Refine, HasTheTenServices) {
+  EXPECT_THAT(service_names(),
+              ElementsAre("path", "tour", "coverage", "partition", "patrol", "viewpoint",
+                          "viewshed", "relay", "evaluate", "insertion"));
 }
 
 TEST(Refine, NoExampleOfAnUnknownService) {
@@ -205,6 +208,34 @@ TEST(Refine, AreasOfOtherProgramsAreReadAndAnswersWrittenForThem) {
               HasSubstr("did you mean"));
   EXPECT_THAT(ask(R"({"file": "none.kml"})", "").err, HasSubstr("there is no such file"));
   EXPECT_EQ(ask(R"({"file": "way.wkt"})", "way.shp").code, kExitSystem);
+}
+
+TEST(Refine, AViewshedIsWrittenAsARasterThatIsReadAsGround) {
+  const Folder folder;
+  for (const char* ending : {"seen.tif", "seen.asc"}) {
+    RefineOptions options = as_json();
+    options.out = folder / ending;
+    const Done done = refine(example_of("viewshed"), options);
+    ASSERT_EQ(done.code, kExitOk) << done.err;
+    const json view = json::parse(done.out)["viewshed"];
+    std::size_t seen = 0;
+    for (const std::string row : view["rows"])
+      seen += static_cast<std::size_t>(std::count(row.begin(), row.end(), '#'));
+    EXPECT_EQ(seen, view["seen"].get<std::size_t>());
+    const world::Grid grid{view["west"], view["south"], view["cell"],
+                           view["rows"][0].get<std::string>().size(), view["rows"].size()};
+
+    const auto raster =
+        geodata::read_risk(options.out, grid, {40.1094, -8.2361, 200}, {.no_data = 0, .crs = ""});
+
+    ASSERT_TRUE(raster) << to_text(raster.error());
+    const auto ones =
+        std::count_if(raster->begin(), raster->end(), [](double v) { return v > 0.5; });
+    EXPECT_EQ(static_cast<std::size_t>(ones), seen) << ending;
+  }
+  RefineOptions elsewhere;
+  elsewhere.out = folder / "seen.png";
+  EXPECT_EQ(refine(example_of("viewshed"), elsewhere).code, kExitSystem);
 }
 
 TEST_P(Example, CanBeWrittenForOtherPrograms) {

@@ -115,9 +115,10 @@ class AnyAngleSearch {
   std::uint32_t index_of(const Voxel& voxel) const {
     return static_cast<std::uint32_t>(airspace_.grid().index(voxel[0], voxel[1], voxel[2]));
   }
-  Voxel voxel_of(std::uint64_t index) const {
-    const auto width = static_cast<std::uint64_t>(airspace_.grid().size[0]);
-    const auto depth = static_cast<std::uint64_t>(airspace_.grid().size[1]);
+  Voxel voxel_of(std::uint64_t word) const {
+    const auto index = static_cast<std::uint32_t>(word);
+    const auto width = static_cast<std::uint32_t>(airspace_.grid().size[0]);
+    const auto depth = static_cast<std::uint32_t>(airspace_.grid().size[1]);
     return {static_cast<std::int32_t>(index % width),
             static_cast<std::int32_t>(index / width % depth),
             static_cast<std::int32_t>(index / width / depth)};
@@ -252,9 +253,10 @@ class AnyAngleSearch {
       if ((around & step.needs) != step.needs) continue;
       const Voxel beside = moved(at, step.by);
       const Record other = Record::of(records_.at(beside));
+      if (other.expanded) continue;
       const double sum = cost + rate_ * distance(corner, beside);
+      if (other.parent != 0 && other.cost <= static_cast<float>(sum)) continue;
       if (sum + rate_ * distance(beside, to_) >= bound_) continue;
-      if (other.parent != 0 && (other.expanded || other.cost <= static_cast<float>(sum))) continue;
       reach(beside, parent, sum);
     }
   }

@@ -9,6 +9,7 @@
 #include "coverage_checks.hpp"
 #include "evaluate_heights.hpp"
 #include "shared_checks.hpp"
+#include "sweep_headland.hpp"
 #include "sweep_track.hpp"
 
 namespace skein::refiners {
@@ -22,6 +23,9 @@ constexpr double kRounding = 1e-6;     // of heights [m]
 constexpr std::array<double, 4> kSteeper = {1, 2, 4, 1e6};
 /// Tried where turns are in the way, and as many edges.
 constexpr std::size_t kOtherDirections = 12;
+/// Headlands tried for a vehicle that cannot hover, in radii of its turns: in the last there is
+/// room for any shortest curve between two lanes.
+constexpr std::array<double, 6> kHeadlands = {0.5, 1, 1.5, 2, 2.5, 3};
 
 using Volumes = std::vector<const world::Volume*>;
 
@@ -70,6 +74,12 @@ class CoverageRefiner {
       return refuse(RefusalKind::kBeyondVehicle, "speed",
                     "a wind that moves it by " + rounded(task.wind.norm()) +
                         " m/s cannot be flown against at " + rounded(model_.speed()) + " m/s");
+    return query_.turns_inside ? within(std::move(task), countdown)
+                               : swept(std::move(task), countdown);
+  }
+
+ private:
+  Outcome<Coverage> swept(SweepTask task, Countdown& countdown) const {
     const Volumes above = over(query_.area, volumes_);
     if (!above.empty())
       task.is_free = [&](const Vector2& from, const Vector2& to) {
@@ -82,14 +92,71 @@ class CoverageRefiner {
     return in_other_directions(task, countdown, std::move(refined));
   }
 
- private:
+  /// With the narrowest of the headlands tried that holds all turns.
+  Outcome<Coverage> within(SweepTask task, Countdown& countdown) const {
+    const world::Polygon area = convex_hull(query_.area);
+    Refusal refusal = too_narrow();
+    for (const double radii : kHeadlands) {
+      const double width =
+          model_.hovers() ? query_.swath : query_.swath / 2 + radii * model_.radius();
+      task.region.outer = without_headland(area, width);
+      if (task.region.outer.size() < 3) break;
+      if (auto problem = holes_in_headland(task.region.outer, width)) {
+        refusal = *problem;
+        break;
+      }
+      auto refined = swept(task, countdown);
+      if (!refined) refusal = refined.error();
+      if (refined && sweeps_within(area, refined->task)) {
+        refined->task.headland = width;
+        if (!model_.hovers())
+          refined->task.left_out = 1 - world::area(task.region.outer) / world::area(area);
+        return refined;
+      }
+      if (model_.hovers() || countdown.over()) break;
+    }
+    return tl::unexpected<Refusal>(refusal);
+  }
+
+  Refusal too_narrow() const {
+    return {RefusalKind::kBeyondVehicle, "turns_inside",
+            "the area is too narrow to be swept with all turns inside: " +
+                (model_.hovers() ? "a lap along the border is " + rounded(query_.swath)
+                                 : "turns are " + rounded(model_.radius())) +
+                " m wide"};
+  }
+
+  std::optional<Refusal> holes_in_headland(const world::Polygon& inner, double width) const {
+    for (std::size_t i = 0; i < query_.holes.size(); ++i)
+      for (const Vector2& corner : query_.holes[i])
+        if (!world::contains(inner, corner))
+          return Refusal{RefusalKind::kBeyondVehicle, "holes." + std::to_string(i),
+                         "it reaches into the headland of " + rounded(width) +
+                             " m that turns inside of the area take"};
+    return std::nullopt;
+  }
+
+  /// What a vehicle that hovers sweeps of the headland, after the lanes.
+  void add_lap(Sweep& sweep) const {
+    for (const Pass& pass :
+         border_lap(convex_hull(query_.area), query_.swath, sweep.passes.back().to)) {
+      const Pass& before = sweep.passes.back();
+      const double turn = std::abs(world::wrapped(pass.heading - before.heading));
+      sweep.seconds +=
+          std::max(model_.along((pass.from - before.to).norm()), turn / query_.vehicle.yaw_rate) +
+          model_.along((pass.to - pass.from).norm());
+      sweep.passes.push_back(pass);
+    }
+  }
+
   Outcome<Coverage> flown(const SweepTask& task, Countdown& countdown, const Volumes& above) const {
-    const auto sweep = plan_sweep(task, model_, countdown);
+    auto sweep = plan_sweep(task, model_, countdown);
     if (!sweep)
       return refuse(RefusalKind::kBlocked, "area",
                     "every set of lanes found enters a volume" +
                         (above.empty() ? std::string() : " (" + above.front()->name + ")") +
                         "; cut it out of the area, with half a swath around it");
+    if (query_.turns_inside && model_.hovers()) add_lap(*sweep);
     Refined<Coverage> refined;
     refined.effort = {countdown.steps(), countdown.cut_short()};
     std::optional<Refusal> problem;

@@ -7,6 +7,7 @@
 
 #include "shared_checks.hpp"
 #include "skein/refiners/checks.hpp"
+#include "sweep_planner.hpp"
 
 namespace skein::refiners {
 namespace {
@@ -160,6 +161,8 @@ std::optional<Refusal> check_coverage(const CoverageQuery& query, const world::W
     return bad("direction", "the direction must be a finite number");
   if (auto problem = check_polygon(query.area, "area")) return problem;
   if (auto problem = check_in_world(query.area, world, "area")) return problem;
+  if (query.turns_inside && !is_convex(query.area))
+    return bad("turns_inside", "turns are kept inside of convex areas only");
   if (auto problem = check_holes(query)) return problem;
   if (auto problem = check_place(query.start, "start", query, world)) return problem;
   if (auto problem = check_place(query.end, "end", query, world)) return problem;

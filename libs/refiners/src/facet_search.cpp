@@ -23,7 +23,9 @@ using world::Voxel;
 /// it was reached from never pays, since two steps in one voxel cost more than one.
 class FacetSearch {
  public:
-  FacetSearch(const Airspace& airspace, const Voxel& from, const Voxel& to, const Budget& budget)
+  /// `countdown`: of this search and any beside it.
+  FacetSearch(const Airspace& airspace, const Voxel& from, const Voxel& to, const Budget& budget,
+              Countdown& countdown)
       : airspace_(airspace),
         free_(airspace),
         from_(from),
@@ -34,34 +36,37 @@ class FacetSearch {
         queue_(FacetCosts::kOpposite *
                (even_ ? 2 : airspace.least_cost() + airspace.greatest_cost())),
         budget_(budget),
-        countdown_(budget) {}
+        countdown_(countdown) {
+    if (table_.usable()) start();
+  }
 
-  GraphWay run() {
-    GraphWay answer;
-    if (!table_.usable()) {
-      answer.out_of_budget = true;
-      return answer;
-    }
-    start();
-    std::int64_t cost = 0;
+  enum class State { kUnderWay, kFound, kNoWay, kOutOfBudget };
+
+  /// Goes on until so many nodes have been expanded by this search.
+  State run(std::uint64_t most) {
+    if (!table_.usable()) return State::kOutOfBudget;
     while (!queue_.empty()) {
+      if (steps_ >= most) return State::kUnderWay;
       const std::uint64_t word = queue_.pop();
       if (word == kArrived) {
-        answer.found = true;
         cost_ = queue_.priority();
-        trace(cost_ - FacetCosts::kToCentre * crossing_cost(to_), answer);
-        break;
+        return State::kFound;
       }
       const Passage passage = unpacked(word);
-      cost = queue_.priority() - heuristic_(passage.into, passage.facet);
+      const std::int64_t cost = queue_.priority() - heuristic_(passage.into, passage.facet);
       if (table_.slot(passage.into, passage.facet).above(cost) != 0) continue;
-      if (!countdown_.step() || is_hopeless()) break;
+      if (!countdown_.step()) return State::kOutOfBudget;
+      ++steps_;
+      if (is_hopeless()) return State::kNoWay;
       expand(passage, cost);
     }
-    answer.expanded = countdown_.steps();
-    answer.out_of_budget = countdown_.over();
-    answer.cut_short = countdown_.cut_short();
-    return answer;
+    return State::kNoWay;
+  }
+
+  /// After a run that found it.
+  void trace(GraphWay& answer) {
+    answer.found = true;
+    trace(cost_ - FacetCosts::kToCentre * crossing_cost(to_), answer);
   }
 
   /// After a run that found a way: what else it knows, once.
@@ -91,13 +96,12 @@ class FacetSearch {
   /// Asked after so many expansions that a look from the other end costs little beside them: true
   /// when the goal is shut off.
   bool is_hopeless() const {
-    constexpr int kFirstLook = 14, kLastLook = 23, kApart = 3;  // as powers of 2
-    const std::uint64_t steps = countdown_.steps();
-    const int power = std::countr_zero(steps);
-    if (!std::has_single_bit(steps) || power < kFirstLook || power > kLastLook ||
+    constexpr int kFirstLook = 14, kLastLook = 22, kApart = 2;  // as powers of 2
+    const int power = std::countr_zero(steps_);
+    if (!std::has_single_bit(steps_) || power < kFirstLook || power > kLastLook ||
         (power - kFirstLook) % kApart != 0)
       return false;
-    const std::size_t most = power == kLastLook ? airspace_.voxels().size() : steps;
+    const std::size_t most = power == kLastLook ? airspace_.voxels().size() : steps_;
     return !connected(airspace_, to_, from_, most, budget_).value_or(true);
   }
 
@@ -186,8 +190,67 @@ class FacetSearch {
   FacetTable table_;
   BucketQueue queue_;
   std::int64_t cost_ = 0;  // of the way found
+  std::uint64_t steps_ = 0;
+  const Budget& budget_;
+  Countdown& countdown_;
+};
+
+/// Dead ends are dead ends from one side only: what floods them from there is often led straight
+/// out of them from the other. So where a search is long, that from the other end gets a share.
+class Race {
+ public:
+  Race(const Airspace& airspace, const Voxel& from, const Voxel& to, const Budget& budget)
+      : airspace_(airspace),
+        from_(from),
+        to_(to),
+        budget_(budget),
+        countdown_(budget),
+        forth_(airspace, from, to, budget, countdown_) {}
+
+  GraphSearch run() {
+    State state = forth_.run(kAlone);
+    for (std::uint64_t most = 2 * kAlone; state == State::kUnderWay; most *= 2) {
+      state = run_back(most / (2 * kShare));
+      if (state == State::kUnderWay) state = forth_.run(most);
+    }
+    GraphSearch found;
+    found.way.expanded = countdown_.steps();
+    found.way.out_of_budget = state == State::kOutOfBudget;
+    found.way.cut_short = countdown_.cut_short();
+    if (state != State::kFound) return found;
+    found.backwards = back_won_;
+    FacetSearch& winner = back_won_ ? *back_ : forth_;
+    winner.trace(found.way);
+    if (back_won_) std::reverse(found.way.way.begin(), found.way.way.end());
+    found.distances = winner.take_distances();
+    return found;
+  }
+
+ private:
+  using State = FacetSearch::State;
+  static constexpr std::uint64_t kAlone = 1U << 17U;  ///< nodes
+  static constexpr std::uint64_t kShare = 4;
+  /// From then on it would be the longer one, and take as much memory again.
+  static constexpr std::uint64_t kMostBack = 1U << 19U;
+
+  State run_back(std::uint64_t most) {
+    if (most > kMostBack) {
+      back_.reset();
+      return State::kUnderWay;
+    }
+    if (!back_) back_.emplace(airspace_, to_, from_, budget_, countdown_);
+    const State state = back_->run(most);
+    back_won_ = state == State::kFound;
+    return state;
+  }
+
+  const Airspace& airspace_;
+  Voxel from_, to_;
   const Budget& budget_;
   Countdown countdown_;
+  FacetSearch forth_;
+  std::optional<FacetSearch> back_;
+  bool back_won_ = false;
 };
 
 }  // namespace
@@ -221,10 +284,7 @@ GraphSearch search_graph_widely(const Airspace& airspace, const Voxel& from, con
     here.way.way = {airspace.centre(from)};
     return here;
   }
-  FacetSearch search(airspace, from, to, budget);
-  GraphSearch found{search.run(), std::nullopt};
-  if (found.way.found) found.distances = search.take_distances();
-  return found;
+  return Race(airspace, from, to, budget).run();
 }
 
 GraphWay search_graph(const Airspace& airspace, const Voxel& from, const Voxel& to,

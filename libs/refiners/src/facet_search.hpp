@@ -31,6 +31,8 @@ class GraphDistances {
 struct GraphSearch {
   GraphWay way;
   std::optional<GraphDistances> distances;  ///< where a way was found, between two voxels
+  /// It was found by the search from the goal to the start: the distances are from the goal.
+  bool backwards = false;
 };
 
 /// As search_graph.

@@ -18,6 +18,8 @@ constexpr double kMostPlaces = 48;
 constexpr double kSameChord = 0.01;
 constexpr int kRounds = 2;
 constexpr double kWorthWhile = 0.998;
+/// Of a leg's rise: what two slopes that are as steep as can be flown miss when they become one.
+constexpr double kEased = 1e-8;
 
 double heading_of(const Vector2& leg) { return std::atan2(leg.y(), leg.x()); }
 
@@ -85,7 +87,14 @@ Way without_tiny_legs(const Way& way, double least, const FlyableLegs::IsFree& i
     Way around(kept.begin() + static_cast<std::ptrdiff_t>(first),
                kept.begin() + static_cast<std::ptrdiff_t>(end));
     around.erase(around.begin() + static_cast<std::ptrdiff_t>(i - first));
-    if ((is_free && !is_free(kept[i - 1], kept[i + 1])) || !is_flyable(around)) return false;
+    if (is_free && !is_free(kept[i - 1], kept[i + 1])) return false;
+    if (!is_flyable(around)) {
+      if (i < 2) return false;
+      double& before = around[i - 1 - first].z();
+      before += kEased * (kept[i + 1].z() - before);
+      if (!is_flyable(around)) return false;
+      kept[i - 1].z() = before;
+    }
     kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
     return true;
   };

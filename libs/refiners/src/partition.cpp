@@ -86,7 +86,7 @@ Refined<Partition> answer(const Planner& planner, Trial trial) {
     refined.task.parts.push_back({planner.query().members[i].uav,
                                   std::move(trial.division.parts[i]),
                                   trial.areas[i] / planner.whole(), trial.division.anchors[i],
-                                  std::move(sweep.task), sweep.duration});
+                                  trial.altitudes[i], std::move(sweep.task), sweep.duration});
   }
   refined.task.spread = trial.spread;
   refined.cost = trial.latest;
@@ -105,7 +105,12 @@ Outcome<Partition> refine(const PartitionQuery& query, const Setting& setting) {
                : query.mode == ShareMode::kBalanced ? in_balance(planner)
                                                     : in_proportion(planner);
   if (!trial) return tl::unexpected<Refusal>(trial.error());
-  return answer(planner, std::move(*trial));
+  const auto apart = keep_apart(planner, *trial);
+  if (!apart) return tl::unexpected<Refusal>(apart.error());
+  Refined<Partition> refined = answer(planner, std::move(*trial));
+  refined.task.apart = *apart;
+  refined.effort.cut_short = refined.effort.cut_short || !*apart;
+  return refined;
 }
 
 }  // namespace skein::refiners

@@ -54,6 +54,8 @@ std::optional<Refusal> check_partition(const PartitionQuery& query, const world:
   if (const auto corner = reflex_corner(query.area))
     return bad("area", "it is not convex: corner " + std::to_string(*corner + 1) +
                            " points inwards; give its convex hull, or convex pieces of it");
+  if (!(query.apart >= 0) || !std::isfinite(query.apart))
+    return bad("apart", "a distance is a finite number, at least 0");
   if (query.members.empty()) return bad("members", "there is nobody to share the area among");
   if (query.members.size() > kMostMembers)
     return bad("members", std::to_string(query.members.size()) + " members: at most " +

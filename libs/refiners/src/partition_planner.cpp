@@ -12,6 +12,17 @@ constexpr double kPlenty = 1e6;
 /// A limit learnt is kept that much below where it was seen, for it is not quite linear.
 constexpr double kCaution = 0.99;
 
+/// Latest finish, and how far before it the first one is.
+void judge(Trial& trial) {
+  double earliest = std::numeric_limits<double>::infinity();
+  trial.latest = 0;
+  for (const Refined<Coverage>& sweep : trial.sweeps) {
+    trial.latest = std::max(trial.latest, sweep.cost);
+    earliest = std::min(earliest, sweep.cost);
+  }
+  trial.spread = (trial.latest - earliest) / trial.latest;
+}
+
 double speed_of(const Member& member) {
   return member.speed > 0 ? member.speed : member.vehicle.cruise_speed;
 }
@@ -41,34 +52,42 @@ std::vector<Division> Planner::divide(const std::vector<double>& areas, std::siz
 }
 
 Result<Trial, Refusal> Planner::plan(const std::vector<double>& areas, Division division) {
-  Trial trial{areas, std::move(division), {}, 0, 0};
-  double earliest = std::numeric_limits<double>::infinity();
+  Trial trial{areas, std::move(division), {}, 0, 0, {}};
   for (std::size_t i = 0; i < query_.members.size(); ++i) {
     const Member& member = query_.members[i];
-    auto swept = sweep(member, trial.division.parts[i]);
+    ++effort_.steps;
+    auto swept = sweep(member, member.altitude, trial.division.parts[i]);
     if (!swept)
       return refuse(swept.error().kind, "members." + std::to_string(i) + "." + swept.error().field,
                     "in the part of " + member.uav + ": " + swept.error().why);
-    trial.latest = std::max(trial.latest, swept->cost);
-    earliest = std::min(earliest, swept->cost);
     trial.sweeps.push_back(std::move(*swept));
+    trial.altitudes.push_back(member.altitude);
   }
-  trial.spread = (trial.latest - earliest) / trial.latest;
+  judge(trial);
   return trial;
 }
 
-Outcome<Coverage> Planner::sweep(const Member& member, const world::Polygon& part) {
-  ++effort_.steps;
+Result<void, Refusal> Planner::fly_at(Trial& trial, std::size_t member, double altitude) {
+  auto swept = sweep(query_.members[member], altitude, trial.division.parts[member]);
+  if (!swept) return tl::unexpected<Refusal>(swept.error());
+  trial.sweeps[member] = std::move(*swept);
+  trial.altitudes[member] = altitude;
+  judge(trial);
+  return {};
+}
+
+Outcome<Coverage> Planner::sweep(const Member& member, double altitude,
+                                 const world::Polygon& part) {
   CoverageQuery query;
   query.vehicle = member.vehicle;
   query.vehicle.energy.capacity *= kPlenty;
   query.area = part;
   query.swath = member.swath;
-  query.altitude = member.altitude;
+  query.altitude = altitude;
   query.speed = member.speed;
   query.depart = query_.depart;
   const double ground = setting_.world.terrain.elevation(member.start.x(), member.start.y());
-  query.start = world::Vector3(member.start.x(), member.start.y(), ground + member.altitude);
+  query.start = world::Vector3(member.start.x(), member.start.y(), ground + altitude);
   Setting setting{setting_.world, {}, setting_.seed, setting_.paths};
   setting.budget.time_is_up = setting_.budget.time_is_up;
   auto swept = refine(query, setting);

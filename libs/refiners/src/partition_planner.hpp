@@ -15,8 +15,9 @@ struct Trial {
   std::vector<double> areas;  ///< [m²]
   Division division;
   std::vector<Refined<Coverage>> sweeps;
-  double latest = 0;  ///< expected finish [s]
-  double spread = 0;  ///< as in Partition
+  double latest = 0;              ///< expected finish [s]
+  double spread = 0;              ///< as in Partition
+  std::vector<double> altitudes;  ///< of the sweeps over the ground [m]
 };
 
 class Planner {
@@ -31,6 +32,9 @@ class Planner {
   /// One step for each member.
   Result<Trial, Refusal> plan(const std::vector<double>& areas, Division division);
 
+  /// That of one member at another altitude; nothing has changed when it is refused.
+  Result<void, Refusal> fly_at(Trial& trial, std::size_t member, double altitude);
+
   bool has_energy(const Trial& trial) const;
   /// Lowers the limits of those that lack the energy for their part.
   void learn_limits(const Trial& trial, std::vector<Ability>& abilities) const;
@@ -43,9 +47,10 @@ class Planner {
   const Effort& effort() const { return effort_; }
   double whole() const { return whole_; }
   const PartitionQuery& query() const { return query_; }
+  const Setting& setting() const { return setting_; }
 
  private:
-  Outcome<Coverage> sweep(const Member& member, const world::Polygon& part);
+  Outcome<Coverage> sweep(const Member& member, double altitude, const world::Polygon& part);
   double seconds_to(const Member& member, const Refined<Coverage>& sweep) const;
 
   const PartitionQuery& query_;
@@ -56,6 +61,10 @@ class Planner {
 
 /// Fraction of the energy held when full that may be used.
 double usable(const Member& member);
+
+/// Raises sweeps until all are as far apart as the query asks for, or says why they cannot be;
+/// false when the time was up before.
+Result<bool, Refusal> keep_apart(Planner& planner, Trial& trial);
 
 /// The division, of those tried, that all finish soonest and most nearly together; nothing when
 /// none was found that everybody has the energy for, or when the first that is tried is refused

@@ -16,6 +16,14 @@ Budget less(Budget budget, std::uint64_t steps) {
   return budget;
 }
 
+/// Of the second search: the way of the graph is there already.
+Budget for_second(const Budget& budget, std::uint64_t steps) {
+  constexpr std::uint64_t kMostNodes = 300'000;
+  Budget rest = less(budget, steps);
+  rest.steps = std::min(rest.steps, kMostNodes);
+  return rest;
+}
+
 /// Where the graph was searched far and wide, its dead ends would be searched again.
 AnyAngleHelp help_of(GraphSearch& searched) {
   constexpr std::uint64_t kWide = 300'000;
@@ -64,8 +72,11 @@ VoxelWay find_way(const world::Airspace& airspace, const world::Vector3& from,
 
   // The other search goes from centre to centre, and is pulled straight afterwards.
   const double bound = 1.02 * found.cost + 2 * airspace.grid().voxel;
-  AnyAngleWay other = search_any_angle(airspace, *first, *last, bound, less(budget, graph.expanded),
-                                       help_of(searched));
+  const world::Voxel &begin = searched.backwards ? *last : *first,
+                     &end = searched.backwards ? *first : *last;
+  AnyAngleWay other = search_any_angle(airspace, begin, end, bound,
+                                       for_second(budget, graph.expanded), help_of(searched));
+  if (searched.backwards) std::reverse(other.way.begin(), other.way.end());
   found.effort.steps += other.expanded;
   if (!other.way.empty()) {
     Way pulled = puller.pulled(with_ends(std::move(other.way)));

@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "coverage_cases.hpp"
 #include "skein/refiners/flyable.hpp"
+#include "test_cases.hpp"
 #include "testing/builders.hpp"
 
 namespace skein::refiners {
@@ -55,7 +54,7 @@ class CoverageTest : public ::testing::Test {
   Setting setting_{world_, {}, 1, nullptr};
 };
 
-int cases(int few, int all) { return std::getenv("SKEIN_FULL") != nullptr ? all : few; }
+int cases(int few, int all) { return skein::testing::cases(few, all); }
 
 /// The least distance between two parallels that hold the polygon, from every edge.
 double least_width(const Polygon& polygon) {

@@ -175,6 +175,32 @@ TEST(SearchGraph, SeesThatALargeGoalIsShutOff) {
   EXPECT_LE(found.expanded, 1U << 20U) << "of 3.3 million";
 }
 
+/// Free but for a thin pipe along x, closed at its near end.
+Airspace pipe(std::int32_t side, std::int32_t near, std::int32_t mouth) {
+  Airspace airspace(testing::cube(side));
+  airspace.keep_where([&](const Voxel& at) {
+    const std::int32_t off = std::max(std::abs(at[1] - side / 2), std::abs(at[2] - side / 2));
+    const bool wall = off == 1 && at[0] >= near && at[0] <= mouth;
+    return !wall && !(off == 0 && at[0] == near);
+  });
+  return airspace;
+}
+
+TEST(SearchGraph, IsLongOnlyWhereItIsLongFromBothEnds) {
+  const Airspace airspace = pipe(130, 60, 120);
+  const Voxel outside{5, 65, 65}, in_the_pipe{61, 65, 65};
+
+  const GraphWay into = search_graph(airspace, outside, in_the_pipe, Budget());
+  const GraphWay out_of = search_graph(airspace, in_the_pipe, outside, Budget());
+
+  ASSERT_TRUE(into.found && out_of.found);
+  EXPECT_NEAR(into.cost, out_of.cost, 1e-6 * into.cost);
+  EXPECT_EQ(into.way.front(), airspace.centre(outside));
+  EXPECT_EQ(into.way.back(), airspace.centre(in_the_pipe));
+  EXPECT_LE(out_of.expanded, 1U << 16U) << "the pipe leads out";
+  EXPECT_LE(into.expanded, (1U << 18U) + 5 * out_of.expanded) << "of 6 million";
+}
+
 RC_GTEST_PROP(FacetHeuristicProperty, IsConsistentAtLeastCost, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const auto any = [&] {

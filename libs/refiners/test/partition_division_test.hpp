@@ -5,11 +5,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <limits>
 
 #include "partition_cases.hpp"
 #include "partition_divide.hpp"
+#include "test_cases.hpp"
 
 namespace skein::refiners::division {
 
@@ -26,9 +26,7 @@ struct Case {
   std::vector<double> shares;
 };
 
-inline int cases(int here, int in_full) {
-  return std::getenv("SKEIN_FULL") != nullptr ? in_full : here;
-}
+inline int cases(int few, int all) { return skein::testing::cases(few, all); }
 
 inline double area_of(const Polygon& polygon) {
   double twice = 0;

@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "relay_cases.hpp"
+#include "test_cases.hpp"
 
 namespace skein::refiners {
 namespace {
@@ -14,7 +13,7 @@ namespace {
 using testing::RelayCase;
 using world::Vector3;
 
-int cases(int here, int in_full) { return std::getenv("SKEIN_FULL") != nullptr ? in_full : here; }
+int cases(int few, int all) { return skein::testing::cases(few, all); }
 
 /// A ridge along the north between two ends, 600 m apart, that hear 500 m far.
 RelayCase ridge() {

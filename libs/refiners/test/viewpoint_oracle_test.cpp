@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
 
+#include "test_cases.hpp"
 #include "viewpoint_cases.hpp"
 
 namespace skein::refiners {
@@ -14,7 +14,7 @@ using world::Vector3;
 
 /// Few cases in a test run, all of them on request.
 std::uint64_t cases(std::uint64_t few, std::uint64_t all) {
-  return std::getenv("SKEIN_FULL") != nullptr ? all : few;
+  return skein::testing::cases(few, all);
 }
 
 /// By the ground at many points in between, not by the exact intersection the service relies on.

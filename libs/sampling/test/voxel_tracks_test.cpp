@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
+#include <numeric>
+#include <vector>
 
 #include "skein/refiners/flyable.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
 #include "skein/sampling/collision_scene.hpp"
 #include "skein/sampling/sampling_path_planner.hpp"
+#include "test_cases.hpp"
 #include "worlds.hpp"
 
 namespace skein::sampling {
@@ -20,7 +22,7 @@ using refiners::PathQuery;
 using refiners::Setting;
 using world::Vector3;
 
-int cases(int few, int many) { return std::getenv("SKEIN_FULL") ? many : few; }
+int cases(int few, int many) { return skein::testing::cases(few, many); }
 
 world::World random_world(Random& random) {
   world::World world = hills(random);
@@ -149,10 +151,18 @@ world::VehicleModel a_plane() {
   return vehicle;
 }
 
+/// The last is one in which two legs as steep as can be flown end in one of 0.2 m.
+std::vector<std::uint64_t> steep_seeds() {
+  if (cases(0, 1) == 0) return {1, 2, 3, 16};
+  std::vector<std::uint64_t> all(16);
+  std::iota(all.begin(), all.end(), 1U);
+  return all;
+}
+
 TEST(BothPlanners, GiveWaysOfAboutTheSameLengthOverSteepGroundToWhatCannotHover) {
   double sum = 0;
   int both = 0, longer = 0;
-  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(cases(3, 12)); ++seed)
+  for (const std::uint64_t seed : steep_seeds())
     for (const double relief : {150.0, 300.0}) {
       const world::World world = steep(seed, relief);
       Random random(seed, "places");

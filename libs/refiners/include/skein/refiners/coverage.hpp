@@ -33,6 +33,11 @@ struct CoverageQuery {
   std::optional<world::Vector3> end;    ///< where it goes afterwards
   double speed = 0;                     ///< [m/s]; 0: cruise
   MissionTime depart;                   ///< volumes with a time window count from then on
+  /// All between the first lane and the last, turns too, stays within the area, which must be
+  /// convex then: along its border a headland is left for the turns. A vehicle that hovers sweeps
+  /// it in a lap along the border (but for the tips of corners sharper than a right angle); one
+  /// that cannot leaves it out.
+  bool turns_inside = false;
 };
 
 struct Lane {
@@ -47,6 +52,8 @@ struct Coverage {
   std::size_t turns = 0;
   std::size_t parts = 1;  ///< convex parts that the area was cut into
   double energy = 0;      ///< fraction of what is held when full
+  double headland = 0;    ///< width of the strip along the border that is left for turns [m]
+  double left_out = 0;    ///< part of the area that is not swept because of it, [0, 1)
 };
 
 /// Refined cost: expected seconds, turns included. Steps of the budget: directions tried.

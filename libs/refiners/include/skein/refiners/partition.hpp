@@ -32,6 +32,9 @@ struct PartitionQuery {
   /// Members with shares have these areas in either mode.
   ShareMode mode = ShareMode::kProportional;
   MissionTime depart;  ///< volumes with a time window count from then on
+  /// Sweeps (from the first lane to the last) that come closer to each other than this on the level
+  /// are as far apart in height: those of some members are raised [m]; 0: they need not be.
+  double apart = 10;
 };
 
 struct Part {
@@ -41,6 +44,7 @@ struct Part {
   /// In or on the polygon: the start, if it is in the area and no convex division leaves it out;
   /// else the nearest point of the border of the area.
   world::Vector2 anchor = world::Vector2::Zero();
+  double altitude = 0;  ///< of the lanes over the ground: the member's, or raised [m]
   Coverage coverage;
   DurationInterval duration;  ///< of reaching it from the start and sweeping it
 };
@@ -48,14 +52,16 @@ struct Part {
 struct Partition {
   std::vector<Part> parts;  ///< one per member, in their order
   double spread = 0;        ///< (latest - earliest) / latest expected finish
+  bool apart = true;        ///< false: the time was up before all were as far apart as asked
 };
 
 /// Refined cost: the latest expected finish [s]; the duration is that of the last to finish. Steps
 /// of the budget: sweeps planned; the first division is planned whatever they are. No member flies
 /// on less than its reserve of energy: the others take what it cannot.
 /// Refused: an area that is not convex, no members, shares for some only (kBadQuery); more area
-/// than the energy of all members can sweep (kBeyondVehicle); what refuses a coverage.
-/// Source: Hert and Lumelsky 1998 (anchored area partition), as used by Mazza and Ollero 2004.
+/// than the energy of all members can sweep, no height below a ceiling that keeps a sweep apart
+/// from its neighbours' (kBeyondVehicle); what refuses a coverage. Source: Hert and Lumelsky 1998
+/// (anchored area partition), as used by Mazza and Ollero 2004.
 Outcome<Partition> refine(const PartitionQuery& query, const Setting& setting);
 
 /// The geometry alone: cuts a convex polygon in convex parts of these areas, relative to their sum,
