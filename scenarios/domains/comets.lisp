@@ -105,7 +105,7 @@
   (:- (high-level-task wait-until-synchro (sync-id uavs uavs) ()) ())
   (:- (high-level-task general-wait (duration) ()) ())
   (:- (high-level-task wait-for-orders () ()) ())
-  (:- (high-level-task monitoring-with-relay (place uavs) ()) ())
+  (:- (high-level-task monitoring-with-relay (place place place duration uavs) ()) ())
 
   ; ================ which device serves what, and which is better for it
 
@@ -443,23 +443,23 @@
     ((task-id ?next) (my-write-time uavloc ?end end ?id))
     0)
 
-  ; What needs others is refined with them: nobody knows yet how long it takes.
+  ; What needs others is refined with them, when it is loaded: the roles are not known yet, so whoever takes part reckons
+  ; with what the longest of them takes. The vehicle is over ?to then.
   (:operator (!task-monitoring-with-relay ?id ?dependences ?params ?start ?duration ?tc ?origin)
-    ((task-id ?id) (joint ?place ?partners)
+    ((uavloc flying ?from) (task-id ?id) (joint ?about ?duration ?to) (eval-ok stay ?data)
      (move-after ?earliest ?dependences)
-     (assign ?params (list (list 'type "joint:monitoring-with-relay") (list 'place (compute-entry ?place))
-                           (list 'partners ?partners)))
-     (assign ?duration (interval 0 'unlimited))
+     (assign ?params (append (list (list 'type "joint:monitoring-with-relay") (assoc 'energy ?data)) ?about))
      (assign ?start (not-before ?earliest ?duration ?tc))
      (call in-time 'monitoring-with-relay ?origin ?start ?duration ?tc)
      (assign ?end (after ?start ?duration))
      (assign ?next (+ ?id 1))
      (my-write-time uavloc ?w ?we ?wt))
-    ((task-id ?id) (joint ?place ?partners) (my-write-time uavloc ?w ?we ?wt)
+    ((uavloc flying ?from) (task-id ?id) (joint ?about ?duration ?to) (eval-ok stay ?data)
+     (my-write-time uavloc ?w ?we ?wt)
      (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt))))
-    ((task-id ?next) (my-write-time uavloc ?end end ?id))
+    ((uavloc flying ?to) (task-id ?next) (my-write-time uavloc ?end end ?id))
     0)
-  (:operator (!!invite ?place ?partners) () () ((joint ?place ?partners)) 0)
+  (:operator (!!join ?about ?duration ?to) () () ((joint ?about ?duration ?to)) 0)
 
   ; ================ methods: motion
 
@@ -702,8 +702,19 @@
   (:method (wait-for-orders ?tc ?origin)
     wait-for-orders () ((!!lcompute-stay unlimited) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
-  (:method (monitoring-with-relay ?place ?partners ?tc ?origin)
-    monitoring-with-relay ((assign ?at (compute-entry ?place)) (call consp ?at))
-      ((take-off ?tc ?origin) (!!invite ?place ?partners)
+  ; There and back, and as long as it is to last; at the most as long again as the ways, and ten minutes, for partners that
+  ; come later, negotiations, and moves with what is watched.
+  (:method (monitoring-with-relay ?front ?center ?control ?seconds ?uavs ?tc ?origin)
+    take-off-first ((uavloc grounded ?_place))
+      ((take-off ?tc ?origin) (monitoring-with-relay ?front ?center ?control ?seconds ?uavs ?tc ?origin))
+    monitoring-with-relay
+    ((uavloc flying ?from) (may-begin ?tc ?when)
+      (assign ?there (compute-gotoxyz ?from ?front ?when)) (call consp ?there)
+      (assign ?back (compute-gotoxyz ?from ?control ?when)) (call consp ?back)
+      (assign ?ways (+ (high (get-duration ?there)) (high (get-duration ?back))))
+      (assign ?expected (+ ?seconds ?ways)) (assign ?most (+ ?expected ?ways 600))
+      (assign ?about (list (list 'p0 ?front) (list 'p1 ?center) (list 'p2 ?control) (list 'p3 ?seconds) (list 'p4 ?uavs)))
+      (assign ?duration (interval ?seconds ?most)) (assign ?to (get-destination ?back)))
+      ((!!lcompute-stay ?expected) (!!join ?about ?duration ?to)
        (!task-monitoring-with-relay ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
   ))

@@ -22,6 +22,7 @@ class Supervisor::Core {
   std::optional<MissionTime> next_wakeup() const;
   bool engaged() const { return hand_over_.engaged(); }
   const mission::PlanReport& report() const { return out_.report(); }
+  std::shared_ptr<const world::World> world() const { return beliefs_.shared_world(); }
 
  private:
   MissionTime now() const { return out_.now(); }

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "book/past.hpp"
 #include "core.hpp"
 #include "skein/foundation/contract.hpp"
 
@@ -19,8 +20,12 @@ Effects Supervisor::handle(const Input& input, MissionTime now) {
 std::optional<MissionTime> Supervisor::next_wakeup() const { return core_->next_wakeup(); }
 bool Supervisor::engaged() const { return core_->engaged(); }
 const mission::PlanReport& Supervisor::report() const { return core_->report(); }
+std::shared_ptr<const world::World> Supervisor::world() const { return core_->world(); }
 
 namespace {
+
+/// Of those that are settled, for reports and for what a long cut of the radio hid.
+constexpr std::size_t kGoalsKept = 64;
 
 Config checked(Config config) {
   SKEIN_EXPECTS(config.knowledge != nullptr);
@@ -70,10 +75,12 @@ Effects Supervisor::Core::handle(const Input& input, MissionTime now) {
     committer_.commit();
     safe_mode_.keep();
   }
+  if (!agenda_.job()) let_go_of_the_past(book_, kGoalsKept);
   return out_.close();
 }
 
 void Supervisor::Core::on(const Engage& input) {
+  committer_.joint_tasks().begin_anew();
   hand_over_.take(input);
   air_.check(input.cause);
 }
@@ -91,11 +98,16 @@ void Supervisor::Core::on(const VehicleSeen& input) {
 }
 
 void Supervisor::Core::on(const JointTaskAnswered& input) {
-  if (!committer_.joint_tasks().answered(input)) return;
+  const bool agreed = committer_.joint_tasks().answered(input);
+  const Entry* entry = book_.find(input.task);
+  if (entry == nullptr || entry->seen.started || !entry->live()) return;
+  if (!agreed) {
+    // One that the executive has says so when it is due.
+    if (!entry->given()) contingencies_.fail_goal(entry->task.origin, input.why);
+    return;
+  }
   committer_.reschedule();
-  const Entry& entry = book_.tasks.at(input.task);
-  if (entry.seen.started || !entry.live()) return;
-  committer_.send_preconditions(entry);
+  if (entry->given()) committer_.send_preconditions(*entry);
   contingencies_.absorb_or_shift("joint task " + to_text(input.task) + " agreed");
 }
 

@@ -267,10 +267,38 @@ TaskId Book::add_loose(const std::string& type) {
   return id;
 }
 
+namespace {
+
+using mission::Dependence;
+
+/// Of the plan's tasks, those whose end stops that one of the goal.
+std::vector<Dependence> ends_that_stop(const mission::ElementaryPlan& plan, GoalId goal,
+                                       TaskId task) {
+  const auto found = std::find_if(plan.tasks.begin(), plan.tasks.end(), [&](const auto& one) {
+    return one.id == task && one.origin == goal;
+  });
+  std::vector<Dependence> result;
+  if (found == plan.tasks.end()) return result;
+  for (const Dependence& one : found->stop)
+    if (one.kind == DependenceKind::kEnded) result.push_back(one);
+  return result;
+}
+
+}  // namespace
+
+// Any end counts of what others stop, since that is an abort; so what waits for it in its goal
+// waits for what stops it too, else it would begin after a failure as well.
 void Book::enter(const mission::ElementaryPlan& plan) {
   for (const mission::ElementaryTask& task : plan.tasks) {
     Entry entry;
     entry.task = task;
+    std::vector<Dependence>& all = entry.task.dependences;
+    for (const Dependence& one : task.dependences) {
+      if (one.kind != DependenceKind::kEnded) continue;
+      for (const Dependence& stop : ends_that_stop(plan, task.origin, one.task))
+        if (stop.task < task.id && std::find(all.begin(), all.end(), stop) == all.end())
+          all.push_back(stop);
+    }
     next_id = std::max(next_id, TaskId(task.id.value() + 1));
     tasks[task.id] = std::move(entry);
   }

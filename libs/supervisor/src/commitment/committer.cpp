@@ -61,6 +61,7 @@ std::optional<MissionTime> Committer::due(GoalId goal) const {
 }
 
 void Committer::commit() {
+  if (!agenda_.repairing()) joint_tasks_.renew();
   while (!agenda_.repairing()) {
     const auto goal = next_to_give();
     if (!goal) return;
@@ -123,7 +124,6 @@ void Committer::give(GoalId goal) {
     entry.advance(Step::kGive);
     ids.push_back(entry.task.id);
     windows[entry.task.id] = entry.window;
-    if (executive::is_joint(entry.task.type)) joint_tasks_.load(entry);
   }
   Holds holds;
   for (const TaskId id : ids) {

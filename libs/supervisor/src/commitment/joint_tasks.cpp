@@ -5,6 +5,44 @@
 
 namespace skein::supervisor {
 
+namespace {
+
+constexpr Duration kLate = Duration::milliseconds(15'000);  // less is waited for by partners
+
+}  // namespace
+
+bool JointTasks::is_wanted(const Entry& entry) const {
+  return executive::is_joint(entry.task.type) && book_.counts(entry) && !entry.by_others &&
+         !entry.seen.started;
+}
+
+// What is asked for is looked for first among what was: it may be the same with another number.
+void JointTasks::renew() {
+  for (auto& [id, entry] : book_.tasks) {
+    if (!is_wanted(entry)) continue;
+    const auto known = joints_.find(id);
+    if (known == joints_.end()) {
+      load(entry);
+    } else if (known->second.loaded && !known->second.due &&
+               entry.dates.earliest_start > known->second.agreed + kLate) {
+      load(entry);
+    }
+  }
+  std::erase_if(joints_, [this](const auto& one) {
+    const Entry* entry = book_.find(one.first);
+    const bool gone = entry == nullptr || (!entry->live() && !entry->given());
+    if (!gone) return false;
+    LoadJointTask unwanted;
+    unwanted.task.id = one.first;
+    out_.add(std::move(unwanted));
+    return true;
+  });
+}
+
+void JointTasks::begin_anew() {
+  std::erase_if(joints_, [](const auto& one) { return !one.second.due; });
+}
+
 void JointTasks::load(const Entry& entry) {
   joints_[entry.task.id] = {};
   LoadJointTask request;
@@ -51,6 +89,7 @@ bool JointTasks::answered(const JointTaskAnswered& input) {
     if (joint.due) report(input.task, joint.why);
     return false;
   }
+  joint.agreed = MissionTime() + input.agreed.least;
   entry->task.time.start_after = MissionTime() + input.agreed.least;
   if (input.agreed.most != Duration::max()) {
     entry->task.time.start_before = MissionTime() + input.agreed.most;

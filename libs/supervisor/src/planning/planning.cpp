@@ -115,6 +115,20 @@ htn::Options search_options(const PlanningBudget& budget) {
   return options;
 }
 
+// Of joint tasks, which name places to partners: in the letters that the world has them in.
+void spell_places(mission::ElementaryPlan& plan, const world::World& world) {
+  for (mission::ElementaryTask& task : plan.tasks) {
+    if (!executive::is_joint(task.type)) continue;
+    std::vector<executive::Parameter> parameters = task.parameters.all();
+    for (executive::Parameter& one : parameters) {
+      for (const auto& [name, at] : world.places) {
+        if (same_name(name, one.text)) one.text = name;
+      }
+    }
+    task.parameters = executive::Parameters(std::move(parameters));
+  }
+}
+
 }  // namespace
 
 Result<mission::ElementaryPlan, PlanningFailure> plan_tasks(const PlanningRequest& request,
@@ -140,6 +154,7 @@ Result<mission::ElementaryPlan, PlanningFailure> plan_tasks(const PlanningReques
     return tl::unexpected<PlanningFailure>(explain(request, book.store(), outcome, host));
   auto plan = read_plan(book.store(), outcome.plans.front(), knowledge, request.situation.origin);
   if (!plan) return fail({plan.error().why});
+  spell_places(*plan, *request.world);
   if (auto problem_with_energy = energy_problem(*plan, request))
     return tl::unexpected<PlanningFailure>(std::move(*problem_with_energy));
   return std::move(*plan);

@@ -82,12 +82,16 @@ std::string read_time(const std::string& resource, const Timeline& line = {}) {
          seconds(line.free.most) + ")) " + event(line.after) + ")\n";
 }
 
-std::string device_facts(const std::string& device, const Situation& situation) {
+std::string device_facts(const world::SensorModel& sensor, const Situation& situation) {
+  const std::string& device = sensor.device;
   const std::string name = "'" + symbol(device);
   if (situation.broken.contains(device)) return "   (perception-device broken " + name + ")\n";
   const auto line = situation.devices.find(device);
   const std::string resource = "perception-device " + name;
-  return "   (perception-device free " + name + ")\n" +
+  std::string uses;
+  for (const std::string& use : sensor.serves)
+    uses += "   (device-serves " + symbol(device) + " " + symbol(use) + ")\n";
+  return uses + "   (perception-device free " + name + ")\n" +
          write_time(resource, line == situation.devices.end() ? Timeline{} : line->second) +
          read_time(resource);
 }
@@ -171,7 +175,7 @@ std::string problem_text(const PlanningRequest& request, const std::string& name
                      write_time("uavloc", situation.motion) + read_time("uavloc");
   for (const Timeline& rider : situation.riders) text += read_time("uavloc", rider);
   for (const world::SensorModel& sensor : request.knowledge->vehicle.sensors)
-    text += device_facts(sensor.device, situation);
+    text += device_facts(sensor, situation);
   text += progress_facts(request);
   text += "   (task-id " + std::to_string(situation.next_id.value()) + "))\n  (\n";
   for (const mission::HighLevelTask& task : request.tasks)

@@ -7,14 +7,13 @@
 #include "flight/crossing.hpp"
 #include "flight/flight_times.hpp"
 #include "flight/flights_met.hpp"
+#include "safety/warning.hpp"
 #include "watch/stand.hpp"
 
 namespace skein::supervisor {
 
 namespace {
 
-/// Time that it is given to leave air before that closes, and to plan anew.
-constexpr Duration kWarning = Duration::milliseconds(60'000);
 /// What closes within this is met: a little more, so that what is looked at when the warning is due
 /// counts.
 constexpr Duration kAhead = Duration::milliseconds(65'000);

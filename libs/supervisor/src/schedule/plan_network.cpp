@@ -26,6 +26,12 @@ using temporal::Ticks;
 constexpr LiveStn::LinkId kHeldUntil = LiveStn::LinkId{1} << 40U;
 constexpr LiveStn::LinkId kHeldBehind = LiveStn::LinkId{1} << 41U;
 constexpr LiveStn::LinkId kPresentLink = LiveStn::LinkId{1} << 42U;
+constexpr LiveStn::LinkId kImplied = LiveStn::LinkId{1} << 43U;
+constexpr LiveStn::LinkId kHeldAfter = LiveStn::LinkId{1} << 44U;
+
+LiveStn::LinkId between(LiveStn::LinkId kind, NodeIndex from, NodeIndex to) {
+  return kind | (LiveStn::LinkId{from} << 20U) | LiveStn::LinkId{to};
+}
 const temporal::LinkName kPresentName{0xFFFFFFFF, 1, 0, 0};
 
 bool same_in_time(const ElementaryTask& a, const ElementaryTask& b) {
@@ -220,11 +226,28 @@ void PlanNetwork::settle() {
   schedule_.consistent = verdict.consistent;
   schedule_.controllable = verdict.controllable;
   schedule_.conflicts.clear();
+  take_implied();
   for (LiveStn* course : {&fast_, &slow_}) course->settle();
   hold_back(verdict.controllable);
   for (LiveStn* course : {&soonest_, &slowest_}) course->settle();
   read_dates();
   if (!verdict.controllable) explain();
+}
+
+void PlanNetwork::take_implied() {
+  std::map<LiveStn::LinkId, Arc> implied;
+  for (const temporal::DistanceEdge& edge : live_.implied()) {
+    const Arc arc{edge.from, edge.to, kMinusInfinite, edge.weight};
+    Arc& kept = implied.emplace(between(kImplied, edge.from, edge.to), arc).first->second;
+    kept.max = std::min(kept.max, edge.weight);
+  }
+  for (const auto& [link, arc] : implied_)
+    if (implied.count(link) == 0) fast_.erase(link);
+  for (const auto& [link, arc] : implied) {
+    const auto before = implied_.find(link);
+    if (before == implied_.end() || !(before->second == arc)) fast_.set(link, arc);
+  }
+  implied_ = std::move(implied);
 }
 
 void PlanNetwork::set_hold(LiveStn::LinkId link, const Arc& in_soonest, Ticks in_slowest) {
@@ -243,6 +266,7 @@ void PlanNetwork::hold_back(bool controllable) {
   hold_for_instants(controllable ? &fast_ : any_course());
   if (controllable) hold_after_goals(fast_);
   for (const temporal::NamedWait& wait : live_.waits()) hold_behind(wait);
+  if (controllable) hold_for_what_is_implied();
   soonest_.settle();
   if (controllable) hold_until_windows_open();
 }
@@ -300,13 +324,53 @@ void PlanNetwork::hold_behind(const temporal::NamedWait& wait) {
     return;
   const temporal::LiveLink& link = live_.link(wait.link);
   const NodeIndex activation = *live_.index(link.from);
-  const LiveStn::LinkId name =
-      kHeldBehind | (LiveStn::LinkId{activation} << 20U) | LiveStn::LinkId{wait.node};
+  const LiveStn::LinkId name = between(kHeldBehind, activation, wait.node);
   set_hold(name, {activation, wait.node, std::min(wait.delay, link.min), kInfinite}, wait.delay);
   const TaskId on(wait.link.key);
   const auto& started = tasks_.at(on).seen.started;
   const Duration delay = Duration::nanoseconds(wait.delay);
   schedule_.holds[task].push_back({on, started ? *started + delay : MissionTime::max()});
+}
+
+// Without instants, which windows are made of, and the past.
+ImpliedBounds PlanNetwork::bounds_by_name() const {
+  ImpliedBounds bounds(std::max<std::size_t>(starts_.size(), present_ + 1U));
+  bounds.set_past(0);
+  bounds.set_past(present_);
+  for (const auto& [id, known] : tasks_) {
+    if (known.seen.started || known.seen.over) bounds.set_past(known.start);
+    if (known.seen.over) bounds.set_past(known.end);
+    for (const auto& [name, one] : known.links) {
+      const NodeIndex from = *live_.index(one.link.from), to = *live_.index(one.link.to);
+      if (one.link.max != kInfinite) bounds.add(from, to, one.link.max, false);
+      if (one.link.min != kMinusInfinite) bounds.add(to, from, -one.link.min, true);
+    }
+  }
+  for (const auto& [link, arc] : implied_) bounds.add(arc.from, arc.to, arc.max, false);
+  for (const temporal::NamedWait& wait : live_.waits()) {
+    const temporal::LiveLink& link = live_.link(wait.link);
+    bounds.add(wait.node, *live_.index(link.from), -std::min(wait.delay, link.min), true);
+  }
+  for (const auto& [id, known] : tasks_)
+    for (const auto& [name, one] : known.links)
+      if (one.link.contingent) bounds.may_last(known.start, known.end, one.link.min);
+  return bounds;
+}
+
+// What must not come too long before another waits for what that waits for. A date is told when it
+// is known.
+void PlanNetwork::hold_for_what_is_implied() {
+  const ImpliedBounds bounds = bounds_by_name();
+  for (const auto& [id, known] : tasks_) {
+    if (known.seen.started || known.seen.over) continue;
+    bool waits = false;
+    for (const ImpliedBounds::Bound& one : bounds.of(known.start)) {
+      set_hold(between(kHeldAfter, one.node, known.start),
+               {one.node, known.start, one.least, kInfinite}, one.least);
+      waits = true;
+    }
+    if (waits) schedule_.holds[id].push_back({TaskId(), MissionTime::max()});
+  }
 }
 
 // What its conditions would let start before its window opens.
@@ -356,7 +420,7 @@ std::set<NodeIndex> PlanNetwork::unbounded() const {
     }
   }
   for (const LiveStn::LinkId hold : held_) {
-    if ((hold & kHeldBehind) == 0) continue;
+    if ((hold & (kHeldBehind | kHeldAfter)) == 0) continue;
     constexpr LiveStn::LinkId kNode = (LiveStn::LinkId{1} << 20U) - 1;
     after[(hold >> 20U) & kNode].push_back(static_cast<NodeIndex>(hold & kNode));
   }

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "schedule/implied_bounds.hpp"
 #include "schedule/plan_links.hpp"
 #include "skein/supervisor/schedule.hpp"
 #include "skein/temporal/live_network.hpp"
@@ -55,11 +56,14 @@ class PlanNetwork {
   void take_out(const temporal::LinkName& name);
   void unlink_from(Known& known, executive::TaskId other);
   void settle();
+  void take_implied();
   void hold_back(bool controllable);
   void hold_for_instants(const temporal::LiveStn* windows);
   bool ends_with_its_like(const Known& known) const;
   void hold_after_goals(const temporal::LiveStn& windows);
   void hold_behind(const temporal::NamedWait& wait);
+  ImpliedBounds bounds_by_name() const;
+  void hold_for_what_is_implied();
   void hold_until_windows_open();
   void set_hold(temporal::LiveStn::LinkId link, const temporal::Arc& in_soonest,
                 temporal::Ticks in_slowest);
@@ -80,6 +84,8 @@ class PlanNetwork {
   /// Windows of free choice; built when the network is consistent and not controllable.
   std::optional<temporal::LiveStn> free_;
   std::map<temporal::LinkName, std::uint32_t> numbers_;
+  /// What follows from contingent links whatever nature does; in `fast_` too.
+  std::map<temporal::LiveStn::LinkId, temporal::Arc> implied_;
   std::set<temporal::LiveStn::LinkId> held_;
   std::vector<executive::TaskId> starts_;  ///< of each node, the task that it is the start of
   Schedule schedule_;

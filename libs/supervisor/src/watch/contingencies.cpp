@@ -116,6 +116,17 @@ void Contingencies::check_devices(const std::set<std::string>& newly) {
   }
 }
 
+namespace {
+
+// Roles of a joint task under way see to what moves.
+bool is_with_its_roles(const std::vector<const Entry*>& tasks) {
+  return std::any_of(tasks.begin(), tasks.end(), [](const Entry* one) {
+    return executive::is_joint(one->task.type) && one->under_way() && !one->over();
+  });
+}
+
+}  // namespace
+
 void Contingencies::look_elsewhere(const std::string& place, double moved,
                                    const std::string& cause) {
   if (moved <= kSamePlace) return;
@@ -127,6 +138,7 @@ void Contingencies::look_elsewhere(const std::string& place, double moved,
     const bool open = !is_settled(goal.state) && goal.state != GoalState::kHandedOver;
     const bool given = book_.is_given(id);
     if (!open || goal.queued || !names(goal.task, place) || (given && !far)) continue;
+    if (is_with_its_roles(book_.of(id))) continue;
     if (!first) first = id;
     if (given) stopped.insert(id);
   }

@@ -77,8 +77,7 @@ void Observer::see(const executive::TaskEvent& event) {
 // Safe waits, and tasks of others. New tasks are numbered beyond theirs, unless theirs are in a
 // range of their own.
 void Observer::see_loose(const executive::TaskEvent& event) {
-  constexpr TaskId kOtherRange{1'000'000'000};
-  if (event.id < kOtherRange) {
+  if (event.id < functional::kFirstRoleId) {
     book_.next_id = std::max(book_.next_id, TaskId(event.id.value() + 1));
   }
   const auto known = book_.loose.find(event.id);

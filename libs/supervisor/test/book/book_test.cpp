@@ -20,6 +20,27 @@ struct TwoGoals : Rooms {
   }
 };
 
+// A wait that is aborted before the synchronisation that is to end it is over for who waits for any
+// end.
+TEST(Book, WhatWaitsForTheEndOfATaskThatAnotherStopsWaitsForThatToo) {
+  Rooms rooms;
+  mission::ElementaryPlan plan;
+  for (const std::uint64_t id : {100U, 101U, 102U}) {
+    plan.tasks.emplace_back().id = TaskId{id};
+    plan.tasks.back().origin = GoalId{701};
+  }
+  plan.tasks[0].stop = {{mission::DependenceKind::kEnded, TaskId{101}}};
+  plan.tasks[1].dependences = {{mission::DependenceKind::kRunning, TaskId{100}}};
+  plan.tasks[2].dependences = {{mission::DependenceKind::kEnded, TaskId{100}}};
+
+  rooms.book.enter(plan);
+
+  const mission::Dependence on_wait{mission::DependenceKind::kEnded, TaskId{100}};
+  const mission::Dependence on_end{mission::DependenceKind::kEnded, TaskId{101}};
+  EXPECT_THAT(rooms.book.tasks.at(TaskId{102}).task.dependences, ElementsAre(on_wait, on_end));
+  EXPECT_EQ(rooms.book.tasks.at(TaskId{101}).task.dependences.size(), 1U);
+}
+
 TEST(Book, NumbersNewTasksBeyondAllThatItKnows) {
   TwoGoals rooms;
   EXPECT_EQ(rooms.book.next_id, TaskId{103});

@@ -135,6 +135,64 @@ TEST(JointTasks, ThatAreNotLoadedAreAbortedOnceTheyAreDue) {
   EXPECT_THAT(rooms.requests(), ElementsAre("STATUS 100"));
 }
 
+/// 100 is to start from 200 s on, long after the horizon.
+struct PlannedJoint : Rooms {
+  PlannedJoint() { at(0).goals({701}).plan({TaskOf(100, "joint:watch", 701).starts_after(200)}); }
+  /// "100 from 200", "100 unwanted".
+  std::vector<std::string> asked() {
+    std::vector<std::string> all;
+    committer.commit();
+    for (const Effect& effect : out.close()) {
+      const auto* load = std::get_if<LoadJointTask>(&effect);
+      if (load == nullptr) continue;
+      all.push_back(to_text(load->task.id) +
+                    (load->preferences.empty()
+                         ? " unwanted"
+                         : " from " + to_text(load->preferences.front().least)));
+    }
+    return all;
+  }
+  void agreed(double when, double start) {
+    at(when);
+    committer.joint_tasks().answered({TaskId{100}, true, {secs(start), Duration::max()}, ""});
+    dates.update(out.now());
+  }
+};
+
+TEST(JointTasks, AreLoadedWhenTheyComeIntoThePlanLongBeforeTheyAreGiven) {
+  PlannedJoint rooms;
+  EXPECT_THAT(rooms.asked(), ElementsAre("100 from 200"));
+  EXPECT_FALSE(rooms.entry(100).given());
+
+  rooms.at(1);
+  EXPECT_THAT(rooms.asked(), IsEmpty());
+}
+
+TEST(JointTasks, AreNegotiatedAgainWhenTheyCannotBeginAnyMoreWhenItWasAgreed) {
+  PlannedJoint rooms;
+  rooms.asked();
+  rooms.agreed(1, 230);
+  EXPECT_THAT(rooms.asked(), IsEmpty());
+
+  rooms.at(2).entry(100).task.time.start_after = at(240);  // partners wait so long
+  rooms.dates.update(at(2));
+  EXPECT_THAT(rooms.asked(), IsEmpty());
+
+  rooms.at(3).entry(100).task.time.start_after = at(260);
+  rooms.dates.update(at(3));
+  EXPECT_THAT(rooms.asked(), ElementsAre("100 from 260"));
+}
+
+TEST(JointTasks, ThatLeaveThePlanAreNotWantedAnyMore) {
+  PlannedJoint rooms;
+  rooms.asked();
+  rooms.at(1).book.withdraw({GoalId{701}});
+
+  EXPECT_THAT(rooms.asked(), ElementsAre("100 unwanted"));
+  rooms.at(2);
+  EXPECT_THAT(rooms.asked(), IsEmpty());
+}
+
 TEST(JointTasks, ThatAreDueBeforeTheAnswerWaitForIt) {
   Asked rooms;
   rooms.tasks().due({TaskId{100}});

@@ -69,7 +69,7 @@ TEST(PlanningMethods, WhoIsOnTheGroundTakesOffFirst) {
       {"perform-mapping", {"Z2"s}},
       {"perform-tour", {Names{"P1", "P2"}}},
       {"perform-monitoring", {"P1"s, 60.0}},
-      {"monitoring-with-relay", {"P1"s, Names{"heliv"}}}};
+      {"monitoring-with-relay", {"P1"s, "P2"s, "P1"s, 60.0, Names{"heliv"}}}};
   for (const auto& [name, arguments] : all) {
     PlanningLab lab;
     lab.task(1, name, arguments);
@@ -277,18 +277,24 @@ TEST(PlanningMethods, MappingSweepsFromItsFirstLaneOnWithTheDeviceRunning) {
   EXPECT_THAT(plan.tasks[2].stop, ElementsAre(ended(2)));
 }
 
-TEST(PlanningMethods, AJointTaskTakesNobodyKnowsHowLong) {
+TEST(PlanningMethods, AJointTaskTakesItsDurationAtLeastAndLeavesTheVehicleOverTheControlCentre) {
   PlanningLab lab = flying();
-  lab.task(1, "monitoring-with-relay", {"P1"s, Names{"heliv", "marvin"}});
+  lab.task(1, "monitoring-with-relay", {"P1"s, "P2"s, "P1"s, 60.0, Names{"heliv", "marvin"}});
   lab.task(2, "general-land");
 
   const auto plan = planned(lab);
 
   const ElementaryTask& joint = plan.tasks.at(0);
   EXPECT_EQ(joint.type, "joint:monitoring-with-relay");
-  EXPECT_EQ(joint.duration, (mission::Interval{Duration(), Duration::max()}));
-  EXPECT_EQ(joint.parameters.find("partners")->text, "heliv marvin");
-  EXPECT_EQ(plan.tasks.at(1).start.most, Duration::max());
+  EXPECT_EQ(joint.duration.least, Duration::seconds(60));
+  EXPECT_GT(joint.duration.most, Duration::seconds(660));
+  EXPECT_LT(joint.duration.most, Duration::max());
+  EXPECT_GT(joint.energy, 0);
+  EXPECT_EQ(joint.parameters.find("p3")->numbers, std::vector<double>{60});
+  EXPECT_EQ(joint.parameters.find("p0")->text, "P1");  // in the letters of the world
+  EXPECT_EQ(joint.parameters.find("p4")->text, "heliv marvin");
+  EXPECT_EQ(plan.tasks.at(1).type, "goto");
+  EXPECT_EQ(plan.tasks.at(1).start.most, joint.start.most + joint.duration.most);
 }
 
 TEST(PlanningMethods, MethodsAreTheBranchesFromTheHighLevelTaskDown) {

@@ -122,6 +122,8 @@ std::vector<Ticks> floyd_warshall(const temporal::Stnu& network, bool greatest, 
     add(link.activation, link.contingent, greatest ? link.max : link.min,
         least ? link.min : link.max);
   }
+  if (least && !greatest)
+    for (const temporal::Arc& arc : implied_by(network)) add(arc.from, arc.to, arc.min, arc.max);
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "skein/temporal/dispatchable_network.hpp"
 #include "skein/temporal/stn_engine.hpp"
 
 namespace skein::supervisor {
@@ -121,8 +122,24 @@ std::optional<NodeDates> dates_by_choice(const RebuiltNetwork& plan) {
   return NodeDates{earliest_of(*engine), latest_of(*engine)};
 }
 
+std::vector<Arc> implied_by(const temporal::Stnu& network) {
+  std::vector<Arc> arcs;
+  const auto dispatchable = temporal::make_dispatchable(network);
+  if (!dispatchable) return arcs;
+  for (const temporal::DistanceEdge& edge : dispatchable->edges)
+    arcs.push_back({edge.from, edge.to, kMinusInfinite, edge.weight});
+  for (const temporal::WaitEdge& wait : dispatchable->waits) {
+    const temporal::ContingentLink& link = network.contingent[wait.link];
+    arcs.push_back({link.activation, wait.node, link.min, kInfinite});
+  }
+  return arcs;
+}
+
 std::optional<NodeDates> dates_in_every_course(const RebuiltNetwork& plan) {
-  const auto fast = engine_of(plan, Durations::kLeast);
+  std::vector<Arc> arcs = plan.stnu.arcs;
+  for (const auto& link : plan.stnu.contingent) arcs.push_back(arc_of(link, Durations::kLeast));
+  for (const Arc& arc : implied_by(plan.stnu)) arcs.push_back(arc);
+  const auto fast = engine_of(plan, std::move(arcs));
   const auto slow = engine_of(plan, Durations::kGreatest);
   if (!fast || !slow) return std::nullopt;
   return NodeDates{earliest_of(*fast), latest_of(*slow)};

@@ -14,6 +14,10 @@ struct NodeDates {
   std::vector<temporal::Ticks> earliest, latest;
 };
 
+/// What follows from contingent links whatever nature does, by another way than that of the
+/// library: from the dispatchable form. Empty unless controllable.
+std::vector<temporal::Arc> implied_by(const temporal::Stnu& network);
+
 /// With durations of one's choice. Absent: inconsistent.
 std::optional<NodeDates> dates_by_choice(const RebuiltNetwork& plan);
 

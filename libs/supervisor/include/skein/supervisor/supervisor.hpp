@@ -122,7 +122,7 @@ struct Decided {
 struct HandedOver {
   std::vector<mission::HeldTask> tasks;
 };
-/// Operator 4: to the interaction manager.
+/// Operator 4: to the interaction manager. Without preferences: it is not wanted any more.
 struct LoadJointTask {
   mission::ElementaryTask task;
   std::vector<mission::Interval>
@@ -179,6 +179,8 @@ class Supervisor {
 
   bool engaged() const;
   const mission::PlanReport& report() const;
+  /// As believed, at any degree. What was given away never changes.
+  std::shared_ptr<const world::World> world() const;
 
  private:
   class Core;
