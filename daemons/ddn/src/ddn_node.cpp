@@ -4,7 +4,9 @@
 #include "skein/ddn/ddn_node.hpp"
 
 #include "deliberation_lines.hpp"
+#include "joint_lines.hpp"
 #include "received.hpp"
+#include "skein/translation/joint_tasks.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
@@ -15,6 +17,8 @@ namespace {
 
 namespace dn = decision_node;
 using translation::to_wire;
+
+constexpr Duration kSaidAgain = Duration::milliseconds(2'000);
 
 dn::Config decision_config(const DdnConfig& config, const node::Roster& roster) {
   dn::Config result = config;
@@ -54,10 +58,13 @@ node::Effects DdnNode::handle(const node::Input& input, MissionTime now) {
 
 std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
   if (const auto* received = std::get_if<node::Received>(&input)) {
-    const std::string why = why_not(*received, roster_.ground(), functional_);
-    if (why.empty()) return ddn::input_of(received->sample);
+    const Sender sender{roster_.name_of(received->from), received->from == roster_.ground(),
+                        received->from == functional_};
+    const std::string why = why_not(received->sample, sender);
+    if (why.empty()) return ddn::input_of(received->sample, sender);
     drop(*received, why);
   } else if (const auto* reach = std::get_if<node::Reachability>(&input)) {
+    if (reach->peer == functional_ && reach->restarted) return dn::LayerForgot{};
     return dn::Contact{roster_.name_of(reach->peer), reach->peer == roster_.ground(),
                        reach->reachable};
   } else if (const auto* done = std::get_if<node::JobDone>(&input)) {
@@ -181,6 +188,22 @@ void DdnNode::carry_out(const dn::SendSync& effect) {
   send(next, to_wire(message, uav_, now_), effect.expires);
 }
 
+// What is not there soon is said again.
+void DdnNode::carry_out(const dn::SendNegotiation& effect) {
+  send(roster_.find(effect.to)->number, to_wire(effect.message, effect.to), now_ + kSaidAgain);
+}
+
+void DdnNode::carry_out(const dn::JointTaskChanged& effect) {
+  log(line_of(writer(), effect.status));
+  const wire::JointTaskState sample = to_wire(effect.status);
+  send_to_ground(sample);
+  for (const std::string& partner : effect.partners) send(roster_.find(partner)->number, sample);
+}
+
+void DdnNode::carry_out(const dn::ShareTelemetry& effect) {
+  send(roster_.find(effect.partner)->number, to_wire(effect.telemetry));
+}
+
 void DdnNode::carry_out(const supervisor::StartDeliberation& effect) {
   const auto work = [request = effect.request](const node::TimeIsUp& time_is_up) -> std::any {
     return supervisor::deliberate(*request, time_is_up);
@@ -193,6 +216,11 @@ void DdnNode::carry_out(const supervisor::StopDeliberation& effect) {
 }
 
 // ---- for the journal ----
+
+template <class Noted>
+void DdnNode::carry_out(const Noted& effect) {
+  log(line_of(writer(), effect));
+}
 
 void DdnNode::carry_out(const dn::RequestHandled& effect) {
   log(translation::request_line(writer(), uav_, effect.reply, effect.mode));

@@ -2,6 +2,7 @@
 #include "received.hpp"
 
 #include "skein/foundation/overloaded.hpp"
+#include "skein/translation/joint_tasks.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
@@ -13,6 +14,8 @@ namespace {
 namespace dn = decision_node;
 using dn::Input;
 using translation::from_wire;
+
+constexpr const char* kOfAnother = "it is said in the name of another";
 
 template <class Sample>
 dn::CommandKey key_of(const Sample& sample) {
@@ -63,28 +66,33 @@ dn::SyncMessage input_of(const wire::SyncMessage& sample) {
 
 }  // namespace
 
-std::string why_not(const node::Received& received, node::NodeNumber ground,
-                    node::NodeNumber functional) {
-  switch (wire::slot_of(received.sample)) {
+std::string why_not(const wire::Sample& sample, const Sender& sender) {
+  switch (wire::slot_of(sample)) {
     case wire::Slot::kTaskRequest:
     case wire::Slot::kFunctionalRequest:
     case wire::Slot::kMissionRequest:
     case wire::Slot::kDegreeCommand:
     case wire::Slot::kWorldChange:
     case wire::Slot::kAlarm:
-      return received.from == ground ? "" : "only the ground station makes requests";
+      return sender.ground ? "" : "only the ground station makes requests";
     case wire::Slot::kTaskEvent:
-      return received.from == ground ? "" : "only the ground station has tasks of others";
-    case wire::Slot::kFunctionalStatus:
+      return sender.ground ? "" : "only the ground station has tasks of others";
     case wire::Slot::kTelemetry:
+      if (std::get<wire::Telemetry>(sample).uav == sender.name) return "";
+      [[fallthrough]];
+    case wire::Slot::kFunctionalStatus:
     case wire::Slot::kPerceptionReport:
-      return received.from == functional ? "" : "only the functional layer tells of the vehicle";
+      return sender.functional ? "" : "only the functional layer tells of the vehicle";
+    case wire::Slot::kNegotiationMessage:
+      return std::get<wire::NegotiationMessage>(sample).from == sender.name ? "" : kOfAnother;
+    case wire::Slot::kJointTaskState:
+      return std::get<wire::JointTaskState>(sample).uav == sender.name ? "" : kOfAnother;
     default:
       return "";
   }
 }
 
-std::optional<Input> input_of(const wire::Sample& sample) {
+std::optional<Input> input_of(const wire::Sample& sample, const Sender& sender) {
   using Result = std::optional<Input>;
   return std::visit(
       Overloaded{
@@ -102,7 +110,15 @@ std::optional<Input> input_of(const wire::Sample& sample) {
           [](const wire::TaskEvent& it) -> Result { return dn::GroundTaskSeen{from_wire(it)}; },
           [](const wire::FunctionalStatus& it) -> Result { return dn::StatusTold{from_wire(it)}; },
           [](const wire::SyncMessage& it) -> Result { return input_of(it); },
-          [](const wire::Telemetry& it) -> Result { return from_wire(it); },
+          [&](const wire::Telemetry& it) -> Result {
+            if (sender.functional) return from_wire(it);
+            return dn::PartnerSeen{from_wire(it)};
+          },
+          [](const wire::NegotiationMessage& it) -> Result { return from_wire(it); },
+          [](const wire::JointTaskState& it) -> Result {
+            return dn::JointTaskTold{from_wire(it),
+                                     MissionTime::nanoseconds(it.header.mission_time)};
+          },
           [](const wire::PerceptionReport& it) -> Result { return from_wire(it); },
           [](const auto&) -> Result { return std::nullopt; }},
       sample);

@@ -273,7 +273,7 @@ TEST(Deliberation, ABrokenDeviceIsKnownToTheSupervisor) {
               ElementsAre(HasSubstr("reply 1 refused")));
 }
 
-TEST(Deliberation, AJointTaskIsRefusedForWantOfAnInteractionManager) {
+TEST(Deliberation, AJointTaskIsRefusedForWantOfInteractionModels) {
   Bench bench(deliberating(4));
   bench.give(node::Started{1});
   bench.from_ground(mission_to(1, 7));
@@ -287,7 +287,7 @@ TEST(Deliberation, AJointTaskIsRefusedForWantOfAnInteractionManager) {
 
   ASSERT_FALSE(bench.records("task").empty());
   EXPECT_THAT(std::string(bench.records("task").back().text("reason")),
-              HasSubstr("no interaction manager"));
+              HasSubstr("no interaction models"));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ Core::Core(Config config)
       vehicle_(bus_, own_tasks_),
       execution_(*this),
       deliberation_(*this),
+      interaction_(*this),
       autonomy_(*this),
       safekeeping_(*this) {}
 
@@ -29,6 +30,11 @@ std::optional<MissionTime> Core::next_wakeup() const {
   std::optional<MissionTime> next = safekeeping_.next_wakeup();
   for (const Component* one : components()) next = earliest(next, one->next_wakeup());
   return next;
+}
+
+void Core::on(const Started&) {
+  interaction_.start();
+  autonomy_.start();
 }
 
 // ---- commands ----
@@ -100,13 +106,23 @@ void Core::on(const PlaceTold& told) {
 void Core::on(const world::Telemetry& telemetry) {
   bus_.emit(TelemetryPassedOn{telemetry});
   for (Component* one : components()) one->vehicle_told(telemetry);
-  safekeeping_.come_home_in_time(telemetry);
+  safekeeping_.look_after(telemetry);
 }
 
 void Core::on(const Contact& contact) {
+  interaction_.contact(contact);
   if (contact.ground) safekeeping_.ground_heard(contact.reachable, bus_.now());
   if (!contact.reachable) return;
   for (Component* one : components()) one->peer_in_reach(contact.peer);
+}
+
+// It is asked, not supposed: one that has not forgotten after all says what it told before.
+void Core::on(const LayerForgot&) {
+  for (const functional::TaskId task : vehicle_.under_way()) {
+    const bool wanted = execution_.holds(task) || vehicle_.is_of_ground(task) ||
+                        (mission::runs_at_ground(degree()) && !is_own(task));
+    vehicle_.ask_again(task, wanted);
+  }
 }
 
 void Core::on(const Tick&) {

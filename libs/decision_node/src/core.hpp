@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "deliberation.hpp"
 #include "execution.hpp"
+#include "interaction/interaction.hpp"
 #include "own_tasks.hpp"
 #include "safekeeping.hpp"
 #include "skein/decision_node/decision_node.hpp"
@@ -32,6 +33,7 @@ class Core {
   Vehicle& vehicle() { return vehicle_; }
   Execution& execution() { return execution_; }
   Deliberation& deliberation() { return deliberation_; }
+  Interaction& interaction() { return interaction_; }
   Autonomy& autonomy() { return autonomy_; }
   Safekeeping& safekeeping() { return safekeeping_; }
 
@@ -41,7 +43,7 @@ class Core {
   void interrupt(functional::TaskId task);
 
  private:
-  void on(const Started&) { autonomy_.start(); }
+  void on(const Started&);
   void on(const Command& command);
   void on(const UnreadableCommand& command);
   void on(const PlaceTold& told);
@@ -51,14 +53,20 @@ class Core {
   void on(const SyncMessage& message) { execution_.take(message); }
   void on(const world::Telemetry& telemetry);
   void on(const world::Perception& perception) { bus_.emit(PerceptionPassedOn{perception}); }
+  void on(const LayerForgot& forgot);
   void on(const Contact& contact);
   void on(const supervisor::JobFinished& done) { deliberation_.job_finished(done); }
+  void on(const interaction::SessionMessage& message) { interaction_.hear(message); }
+  void on(const PartnerSeen& seen) { interaction_.hear(seen); }
+  void on(const JointTaskTold& told) { interaction_.hear(told); }
   void on(const Tick&);
   void pass_on(const functional::Status& status);
   void tell_board_if_changed();
   /// Every one hears what happens, in this order.
-  std::array<Component*, 2> components() { return {&execution_, &deliberation_}; }
-  std::array<const Component*, 2> components() const { return {&execution_, &deliberation_}; }
+  std::array<Component*, 3> components() { return {&execution_, &deliberation_, &interaction_}; }
+  std::array<const Component*, 3> components() const {
+    return {&execution_, &deliberation_, &interaction_};
+  }
 
   Config config_;
   Bus bus_;
@@ -67,6 +75,7 @@ class Core {
   Vehicle vehicle_;
   Execution execution_;
   Deliberation deliberation_;
+  Interaction interaction_;
   Autonomy autonomy_;
   Safekeeping safekeeping_;
   std::optional<BoardChanged> last_board_;

@@ -16,7 +16,7 @@ namespace {
 std::optional<supervisor::Supervisor> supervisor_of(const Config& config) {
   if (config.knowledge == nullptr) return std::nullopt;
   SKEIN_EXPECTS(config.world != nullptr);
-  SKEIN_EXPECTS(config.first_task < functional::kFirstOwnId);
+  SKEIN_EXPECTS(config.first_task < functional::kFirstRoleId);
   supervisor::Config result;
   result.knowledge = config.knowledge;
   result.world = config.world;
@@ -81,7 +81,9 @@ std::optional<MissionTime> Deliberation::next_wakeup() const {
 }
 
 void Deliberation::disengage(const std::string& cause) {
-  if (engaged()) tell(supervisor::Disengage{cause});
+  if (!engaged()) return;
+  core_.interaction().leave_all(cause);
+  tell(supervisor::Disengage{cause});
 }
 
 void Deliberation::request_answered(const executive::Reply& reply) {
@@ -127,7 +129,7 @@ void Deliberation::carry_out(const supervisor::HandedOver& effect, const std::op
 
 void Deliberation::carry_out(const supervisor::LoadJointTask& effect,
                              const std::optional<Command>&) {
-  tell(supervisor::JointTaskAnswered{effect.task.id, false, {}, "no interaction manager"});
+  core_.interaction().load(effect);
 }
 
 void Deliberation::carry_out(const supervisor::Notice& effect, const std::optional<Command>&) {

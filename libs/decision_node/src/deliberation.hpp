@@ -32,12 +32,19 @@ class Deliberation final : public Component {
   void disengage(const std::string& cause);
   void job_finished(const supervisor::JobFinished& done) { tell(done); }
   void request_answered(const executive::Reply& reply);
+  void joint_task_answered(const supervisor::JointTaskAnswered& answer) { tell(answer); }
   /// The executive wants a joint task carried out, or interrupted.
   void joint_task_due(executive::TaskId task, bool interrupt);
 
   std::vector<mission::GoalStatus> goals() const;
+  /// As believed. Precondition: possible().
+  std::shared_ptr<const world::World> world() const { return supervisor_->world(); }
   /// The goal that a task of the executive's serves; 0: none.
   mission::GoalId origin_of(executive::TaskId task) const;
+  /// A task of a role serves the goal of its joint task.
+  void serves(executive::TaskId role_task, executive::TaskId joint) {
+    origins_[role_task] = origin_of(joint);
+  }
   /// What was handed over when it was disengaged; not again.
   std::vector<mission::HeldTask> take_handed_over();
 

@@ -40,7 +40,9 @@ Execution::Execution(Core& core) : core_(core), executive_(executive_config(core
 
 void Execution::take(const Command& command) {
   const auto* start = std::get_if<executive::Start>(&command.request);
-  if (start != nullptr && is_own(start->task.id)) return core_.commands().refuse(command, kOwnIds);
+  if (start != nullptr && start->task.id >= functional::kFirstRoleId) {
+    return core_.commands().refuse(command, kOwnIds);
+  }
   post({input_of(command.request), By::kNode, command});
 }
 
@@ -81,19 +83,33 @@ void Execution::carry_out(const executive::TaskEvent& event, const Asked&) {
   core_.bus().emit(TaskChanged{event, task ? task->parameters : functional::Parameters()});
   if (core_.own_tasks().see(event)) core_.safekeeping().own_task_over();
   core_.tell_task(event);
+  if (is_terminal(event.state)) note_over(event.id);
+}
+
+// How a task ended stays known to conditions; the rest of it, once many more are over, is let go.
+void Execution::note_over(functional::TaskId id) {
+  constexpr std::size_t kKept = 256;
+  over_.push_back(id);
+  if (over_.size() <= kKept) return;
+  run(executive::Suppress{over_.front()}, By::kNobody);
+  over_.pop_front();
 }
 
 void Execution::carry_out(const executive::Dispatch& dispatch, const Asked&) {
   const auto task = executive_.find(dispatch.id);
   if (!task) return;  // over within the same call
-  if (dispatch.joint) return core_.deliberation().joint_task_due(dispatch.id, false);
+  if (dispatch.joint) {
+    core_.deliberation().joint_task_due(dispatch.id, false);
+    return core_.interaction().due(dispatch.id, false);
+  }
   core_.vehicle().dispatch(
       {functional::Verb::kDispatch, dispatch.id, task->type, task->parameters});
 }
 
 void Execution::carry_out(const executive::Interrupt& interrupt, const Asked&) {
   if (interrupt.joint && core_.deliberation().possible()) {
-    return core_.deliberation().joint_task_due(interrupt.id, true);
+    core_.deliberation().joint_task_due(interrupt.id, true);
+    return core_.interaction().due(interrupt.id, true);
   }
   core_.interrupt(interrupt.id);
 }
@@ -111,6 +127,7 @@ void Execution::carry_out(const executive::SendSync& sync, const Asked&) {
 }
 
 void Execution::carry_out(const executive::Reply& reply, const Asked& asked) {
+  if (asked.by == By::kNobody) return;
   const auto* start = std::get_if<executive::Start>(&asked.input);
   if (asked.command) core_.commands().answer(*asked.command, reply.accepted, reply.why);
   core_.bus().emit(

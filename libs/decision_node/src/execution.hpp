@@ -2,6 +2,7 @@
 // The executive as a component.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <utility>
 #include <vector>
@@ -23,8 +24,9 @@ class Execution final : public Component {
   void time_passes() override;
   std::optional<MissionTime> next_wakeup() const override { return executive_.next_wakeup(); }
 
-  /// What is asked of the executive, and by whom; done after all that was asked before.
-  enum class By { kNode, kSupervisor };
+  /// What is asked of the executive, and by whom (nobody: whose answer nobody is told); done after
+  /// all that was asked before.
+  enum class By { kNode, kSupervisor, kNobody };
   void run(executive::Input input, By by = By::kNode);
   void take(const SyncMessage& message);
 
@@ -45,6 +47,7 @@ class Execution final : public Component {
     std::optional<Command> command = {};
   };
   void post(Asked asked);
+  void note_over(functional::TaskId id);
   void handle(const Asked& asked);
   void carry_out(const executive::TaskEvent& event, const Asked& asked);
   void carry_out(const executive::Dispatch& dispatch, const Asked& asked);
@@ -59,6 +62,8 @@ class Execution final : public Component {
   bool airborne_ = false;
   /// Received: the last of each synchronisation and sender.
   std::map<std::pair<std::uint64_t, std::string>, SyncMessage> syncs_;
+  /// Tasks that are over and in the plan, in that order.
+  std::deque<functional::TaskId> over_;
 };
 
 }  // namespace skein::decision_node

@@ -12,7 +12,7 @@ namespace skein::decision_node {
 
 class Execution;
 
-inline constexpr const char* kOwnIds = "ids from 1000000000 are the decision node's own";
+inline constexpr const char* kOwnIds = "ids from 500000000 are the decision node's own";
 
 inline bool is_own(functional::TaskId id) { return id >= functional::kFirstOwnId; }
 

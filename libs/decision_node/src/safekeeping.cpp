@@ -3,6 +3,7 @@
 
 #include "core.hpp"
 #include "skein/functional/task_types.hpp"
+#include "skein/supervisor/own_ways.hpp"
 #include "skein/supervisor/way_home.hpp"
 
 namespace skein::decision_node {
@@ -52,25 +53,67 @@ void Safekeeping::start_pending() {
     if (waits && is_own(task.id)) core_.execution().run(executive::Abort{task.id});
   }
   holds_ = how == ContactPolicy::kHold;
-  OwnTasks& own = core_.own_tasks();
-  if (holds_) return own.start("wait", {}, executive::InsertionMode::kVut);
-  own.start("goto", {{"waypoints", "", core_.config().home}}, executive::InsertionMode::kVut);
-  own.start("land", {}, executive::InsertionMode::kNut);
+  holds_ ? hold() : come_home();
+}
+
+bool Safekeeping::knows_world() const {
+  return core_.config().knowledge && core_.deliberation().possible();
+}
+
+/// The first way-point is where it is.
+void Safekeeping::go(const std::vector<world::Vector3>& way) {
+  std::vector<double> points;
+  for (std::size_t i = 1; i < way.size(); ++i)
+    points.insert(points.end(), {way[i].x(), way[i].y(), way[i].z()});
+  core_.own_tasks().start("goto", {{"waypoints", "", std::move(points)}},
+                          executive::InsertionMode::kVut);
+}
+
+void Safekeeping::hold() {
+  if (!leaves_to_) return core_.own_tasks().start("wait", {}, executive::InsertionMode::kVut);
+  go({*seen_at_, *leaves_to_});
+  core_.own_tasks().start("wait", {}, executive::InsertionMode::kNut);
+}
+
+void Safekeeping::come_home() {
+  const Config& config = core_.config();
+  const world::Vector3 home(config.home.at(0), config.home.at(1), config.home.at(2));
+  go(knows_world() && seen_at_ ? supervisor::own_way(config.knowledge, core_.deliberation().world(),
+                                                     core_.bus().now(), *seen_at_, home)
+                               : std::vector<world::Vector3>{home, home});
+  core_.own_tasks().start("land", {}, executive::InsertionMode::kNut);
 }
 
 void Safekeeping::own_task_over() { holds_ = holds_ && !core_.own_tasks().none_open(); }
 
-void Safekeeping::come_home_in_time(const world::Telemetry& telemetry) {
-  const Config& config = core_.config();
-  if (!holds_ || !core_.execution().airborne() || !config.knowledge) return;
-  const double needed = supervisor::least_to_come_home(*config.knowledge, *config.world,
-                                                       core_.bus().now(), telemetry.state.position);
+void Safekeeping::look_after(const world::Telemetry& telemetry) {
+  seen_at_ = telemetry.state.position;
+  if (!holds_) leaves_to_.reset();
+  if (!holds_ || !core_.execution().airborne() || !knows_world()) return;
+  const double needed =
+      supervisor::least_to_come_home(*core_.config().knowledge, *core_.deliberation().world(),
+                                     core_.bus().now(), telemetry.state.position);
   // Of a vehicle without figures nothing is known.
-  if (!(telemetry.state.energy <= needed)) return;
+  if (!(telemetry.state.energy <= needed)) return leave_closed_air(telemetry.state.position);
   core_.bus().emit(PolicyCarriedOut{ContactPolicy::kReturn,
                                     "held until the energy lasts no longer than to come home"});
   holds_ = false;
   keep(ContactPolicy::kReturn);
+}
+
+/// While it is on its way, where that leads counts.
+void Safekeeping::leave_closed_air(const world::Vector3& at) {
+  const auto out = [this](const world::Vector3& from) {
+    return supervisor::way_out(core_.config().knowledge, core_.deliberation().world(),
+                               core_.bus().now(), from);
+  };
+  if (leaves_to_ && !out(*leaves_to_)) return;
+  const auto way = out(at);
+  if (!way) return;
+  leaves_to_ = way->to;
+  core_.bus().emit(PolicyCarriedOut{ContactPolicy::kHold, "the air around it is closed (volume '" +
+                                                              way->volume + "'): it leaves"});
+  keep(ContactPolicy::kHold);
 }
 
 }  // namespace skein::decision_node

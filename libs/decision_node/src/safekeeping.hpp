@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "bus.hpp"
 #include "skein/decision_node/config.hpp"
@@ -25,15 +26,21 @@ class Safekeeping {
   /// Something of the ground's may be over.
   void start_pending();
   void own_task_over();
-  /// A hold ends before the vehicle cannot come home any more: the ground may be silent, or have
-  /// forgotten it.
-  void come_home_in_time(const world::Telemetry& telemetry);
+  /// A hold ends before the vehicle cannot come home any more, and air that closes around it is
+  /// left: the ground may be silent, or have forgotten it.
+  void look_after(const world::Telemetry& telemetry);
 
  private:
   void carry_out_policy();
+  void hold();
+  void come_home();
+  void leave_closed_air(const world::Vector3& at);
+  bool knows_world() const;
+  void go(const std::vector<world::Vector3>& way);
 
   Core& core_;
   ContactWatch contact_;
+  std::optional<world::Vector3> seen_at_, leaves_to_;
   std::optional<ContactPolicy> pending_;  ///< until nothing of the ground's is under way
   bool holds_ = false;  ///< by itself, as long as the energy lasts to come home after it
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "own_tasks.hpp"
+#include "skein/functional/after_loss.hpp"
 #include "skein/functional/task_types.hpp"
 
 namespace skein::decision_node {
@@ -24,6 +25,7 @@ bool Vehicle::must_wait(const functional::Request& request) const {
 void Vehicle::dispatch(functional::Request request) {
   if (!must_wait(request)) {
     if (holds_vehicle(request.type)) holding_.insert(request.id);
+    under_way_.insert_or_assign(request.id, UnderWay{request});
     return bus_.emit(ToVehicle{std::move(request)});
   }
   const bool own = is_own(request.id);
@@ -35,14 +37,39 @@ void Vehicle::told(const functional::Status& status) {
   if (status.state == functional::TaskState::kRunning) return;
   holding_.erase(status.id);
   ending_.erase(status.id);
+  under_way_.erase(status.id);
+}
+
+std::vector<functional::TaskId> Vehicle::under_way() const {
+  std::vector<functional::TaskId> tasks;
+  for (const auto& [task, one] : under_way_) tasks.push_back(task);
+  return tasks;
+}
+
+void Vehicle::ask_again(functional::TaskId task, bool wanted) {
+  const UnderWay& one = under_way_.at(task);
+  const functional::TaskType& type = functional::TaskTypes::shipped().of(one.request.type);
+  const bool again =
+      wanted && !one.interrupted && functional::begins_anew(type) && !must_wait(one.request);
+  bus_.emit(Notice{"the functional layer came back without its memory: " + one.request.type + " " +
+                   std::to_string(task.value()) +
+                   (again ? " is asked for again" : " is given up")});
+  if (again) return bus_.emit(ToVehicle{one.request});
+  stop(task);
+}
+
+void Vehicle::stop(functional::TaskId task) {
+  if (holding_.contains(task)) ending_.insert(task);
+  if (const auto one = under_way_.find(task); one != under_way_.end())
+    one->second.interrupted = true;
+  bus_.emit(ToVehicle{{functional::Verb::kInterrupt, task}});
 }
 
 std::optional<functional::Status> Vehicle::interrupt(functional::TaskId task) {
   const auto waits = std::find_if(waiting_.begin(), waiting_.end(),
                                   [&](const auto& request) { return request.id == task; });
   if (waits == waiting_.end()) {
-    if (holding_.contains(task)) ending_.insert(task);
-    bus_.emit(ToVehicle{{functional::Verb::kInterrupt, task}});
+    stop(task);
     return std::nullopt;
   }
   waiting_.erase(waits);

@@ -25,6 +25,11 @@ class Vehicle {
   std::optional<functional::Status> interrupt(functional::TaskId task);
   /// From the functional layer, of a task dispatched here.
   void told(const functional::Status& status);
+  /// What the functional layer was asked for and has not said the end of.
+  std::vector<functional::TaskId> under_way() const;
+  /// It may have forgotten the task: it is asked for once more if it can begin anew and is wanted,
+  /// else interrupted. Precondition: it is under way.
+  void ask_again(functional::TaskId task, bool wanted);
   /// What waited goes, if it may.
   void release();
 
@@ -40,11 +45,18 @@ class Vehicle {
   std::string pass_on(const functional::Status& status);
 
  private:
+  struct UnderWay {
+    functional::Request request;
+    bool interrupted = false;
+  };
+
   bool must_wait(const functional::Request& request) const;
+  void stop(functional::TaskId task);
 
   Bus& bus_;
   OwnTasks& own_tasks_;
   std::vector<functional::Request> waiting_;
+  std::map<functional::TaskId, UnderWay> under_way_;
   std::set<functional::TaskId> holding_;  ///< tasks that hold the vehicle, under way there
   std::set<functional::TaskId> ending_;   ///< of these, the ones that were interrupted
   std::map<functional::TaskId, std::string> of_ground_;

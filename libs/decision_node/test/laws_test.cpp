@@ -38,7 +38,7 @@ class Life {
 
  private:
   Input any_input() {
-    switch (below(9)) {
+    switch (below(10)) {
       case 0:
         return again_or(start());
       case 1:
@@ -57,6 +57,8 @@ class Life {
       case 7:
         see(node_.wake_at(node_.now().to_seconds() + below(40)));
         return Tick{};
+      case 8:
+        return LayerForgot{};
       default:
         return StatusTold{any_status()};
     }

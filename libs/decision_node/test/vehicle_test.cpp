@@ -69,5 +69,73 @@ TEST(Vehicle, WhatWaitsCanBeInterruptedItself) {
   EXPECT_THAT(dispatched(node.give(status(12, TaskState::kAborted))), IsEmpty());
 }
 
+// ---- a functional layer that has lost its memory ----
+
+std::vector<std::uint64_t> interrupted(const Effects& effects) {
+  std::vector<std::uint64_t> ids;
+  for (const ToVehicle& one : testing::all<ToVehicle>(effects))
+    if (one.request.verb == Verb::kInterrupt) ids.push_back(one.request.id.value());
+  return ids;
+}
+
+class Forgotten : public ::testing::TestWithParam<std::pair<const char*, bool>> {};
+
+TEST_P(Forgotten, IsAskedForAgainOrGivenUpByWhatItsTypeSays) {
+  const auto [type, again] = GetParam();
+  FlownNode node(1);
+  node.give(dispatch(12, type));
+  node.give(status(12, TaskState::kRunning));
+
+  const Effects effects = node.give(LayerForgot{});
+
+  EXPECT_EQ(dispatched(effects).size(), again ? 1U : 0U);
+  EXPECT_EQ(interrupted(effects).size(), again ? 0U : 1U);
+}
+INSTANTIATE_TEST_SUITE_P(Types, Forgotten,
+                         ::testing::Values(std::pair("goto", false), std::pair("takeoff", false),
+                                           std::pair("perceive", false), std::pair("land", true),
+                                           std::pair("wait", true), std::pair("monitor", true),
+                                           std::pair("takeshot", true)),
+                         [](const auto& one) { return std::string(one.param.first); });
+
+TEST(Forgotten, WhatIsOverIsNotAskedForAgain) {
+  FlownNode node(1);
+  node.give(dispatch(12, "wait"));
+  node.give(status(12, TaskState::kEnded));
+
+  const Effects effects = node.give(LayerForgot{});
+
+  EXPECT_THAT(testing::all<ToVehicle>(effects), IsEmpty());
+}
+
+TEST(Forgotten, WhatWasInterruptedIsInterruptedOnceMoreAndHoldsUpWhatComesNext) {
+  FlownNode node(1);
+  node.give(dispatch(12, "wait"));
+  node.give(interrupt(12));
+  node.give(dispatch(21, "goto"));
+
+  const Effects effects = node.give(LayerForgot{});
+
+  EXPECT_THAT(interrupted(effects), ElementsAre(12U));
+  EXPECT_THAT(dispatched(effects), IsEmpty());
+  EXPECT_THAT(dispatched(node.give(status(12, TaskState::kAborted))), ElementsAre(21U));
+}
+
+// At degree 3 the executive has it; the answer to the interruption ends it.
+TEST(Forgotten, ATaskThatIsGivenUpIsAbortedOnceTheLayerSaysThatItKnowsNoSuchTask) {
+  FlownNode node(3);
+  node.give(Command{{1, 1}, testing::start_of(7, "goto")});
+  node.give(status(7, TaskState::kRunning));
+  EXPECT_THAT(interrupted(node.give(LayerForgot{})), ElementsAre(7U));
+
+  const Effects effects =
+      node.give(StatusTold{{TaskId(7), TaskState::kAborted, "no such task here"}});
+
+  const auto changed = testing::all<TaskChanged>(effects);
+  ASSERT_EQ(changed.size(), 1U);
+  EXPECT_EQ(changed[0].event.state, TaskState::kAborted);
+  EXPECT_EQ(changed[0].event.reason, "no such task here");
+}
+
 }  // namespace
 }  // namespace skein::decision_node

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/interaction/read_library.hpp"
 
+#include <algorithm>
+#include <deque>
+#include <set>
 #include <utility>
 
 #include "library_reader.hpp"
@@ -82,6 +85,56 @@ std::vector<std::string> uses_of(const Document& document) {
   const Reader uses = Reader(document.value, document.file, ignored).optional("uses");
   for (const Reader& one : uses.items()) files.push_back(one.text());
   return files;
+}
+
+namespace {
+
+/// A path as written in a file, seen from where that file is; without "." and "a/..".
+std::string beside(const std::string& file, const std::string& path) {
+  const std::size_t folder = path.starts_with("/") ? 0 : file.rfind('/') + 1;
+  const std::string whole = file.substr(0, folder) + path;
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at <= whole.size();) {
+    const std::size_t end = std::min(whole.find('/', at), whole.size());
+    const std::string part = whole.substr(at, end - at);
+    at = end + 1;
+    const bool goes_down = !parts.empty() && parts.back() != ".." && !parts.back().empty();
+    if (part == ".." && goes_down) {
+      parts.pop_back();
+    } else if (part != "." && (!part.empty() || parts.empty())) {
+      parts.push_back(part);
+    }
+  }
+  std::string result;
+  for (std::size_t i = 0; i < parts.size(); ++i) result += (i == 0 ? "" : "/") + parts[i];
+  return result;
+}
+
+}  // namespace
+
+Result<std::vector<Document>, Diagnostics> documents_of(const std::vector<std::string>& files,
+                                                        const ReadFile& read) {
+  std::vector<Document> documents;
+  Diagnostics problems;
+  std::set<std::string> seen;
+  std::deque<std::string> open(files.begin(), files.end());
+  while (!open.empty()) {
+    const std::string file = std::move(open.front());
+    open.pop_front();
+    if (!seen.insert(beside("", file)).second) continue;
+    auto value = read(file);
+    if (!value) {
+      problems.append(value.error());
+      continue;
+    }
+    documents.push_back({file, std::move(*value)});
+    const std::vector<std::string> uses = uses_of(documents.back());
+    for (auto used = uses.rbegin(); used != uses.rend(); ++used) {
+      open.push_front(beside(file, *used));
+    }
+  }
+  if (!problems.empty()) return tl::unexpected<Diagnostics>(std::move(problems));
+  return documents;
 }
 
 Result<Library, Diagnostics> read_library(const std::vector<Document>& documents) {

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 
 #include "skein/foundation/random.hpp"
+#include "test_cases.hpp"
 
 namespace skein::interaction {
 namespace {
@@ -185,7 +185,7 @@ ValidPositionQuery query_of(const Case& one) {
   return query;
 }
 
-std::uint64_t cases() { return std::getenv("SKEIN_CASES") != nullptr ? 1000 : 150; }
+std::uint64_t cases() { return skein::testing::cases<std::uint64_t>(40, 1000); }
 
 TEST(ValidPosition, IsFoundWhereTheGridHasOneAndTrueWhereItIsFound) {
   std::size_t there = 0, found = 0, beyond = 0;

@@ -66,6 +66,7 @@ void write_body(Markup& out, const Run& run) {
   out.close();
   write_goal_table(out, run);
   write_decision_table(out, run);
+  write_negotiations(out, run);
   write_explained_tasks(out, run);
   write_uav_table(out, run);
   out.open("div", {{"class", "pair"}});

@@ -43,6 +43,8 @@ void draw_ground_row(Sheet& sheet);
 void draw_uav_rows(Sheet& sheet);
 /// Synchronisations and messages between the rails.
 void draw_arrows(Sheet& sheet);
+/// Roles and blocks of joint tasks by UAV, and violations of their constraints.
+void draw_joint_rows(Sheet& sheet);
 void draw_links(Sheet& sheet);
 /// Altitude, energy, separation.
 void draw_profiles(Sheet& sheet);

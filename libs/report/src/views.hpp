@@ -66,6 +66,8 @@ void write_event_list(Markup& out, const Run& run);
 /// none.
 void write_goal_table(Markup& out, const Run& run);
 void write_decision_table(Markup& out, const Run& run);
+/// Negotiations of joint tasks as sequence diagrams: nothing where there are none.
+void write_negotiations(Markup& out, const Run& run);
 void write_explained_tasks(Markup& out, const Run& run);
 /// The ways that were planned, under those that were flown.
 void write_planned_ways(Markup& out, const Run& run, const MapFrame& frame);

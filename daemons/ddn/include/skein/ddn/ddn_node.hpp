@@ -49,9 +49,14 @@ class DdnNode final : public node::Node {
   // to others
   void carry_out(const decision_node::ToVehicle& effect);
   void carry_out(const decision_node::SendSync& effect);
+  void carry_out(const decision_node::SendNegotiation& effect);
+  void carry_out(const decision_node::JointTaskChanged& effect);
+  void carry_out(const decision_node::ShareTelemetry& effect);
   void carry_out(const supervisor::StartDeliberation& effect);
   void carry_out(const supervisor::StopDeliberation& effect);
   // for the journal
+  template <class Noted>
+  void carry_out(const Noted& effect);
   void carry_out(const decision_node::RequestHandled& effect);
   void carry_out(const decision_node::SyncHeard& effect);
   void carry_out(const decision_node::PolicyCarriedOut& effect);

@@ -9,6 +9,7 @@
 
 #include "skein/decision_node/contact.hpp"
 #include "skein/executive/executive.hpp"
+#include "skein/interaction/model.hpp"
 #include "skein/supervisor/supervisor.hpp"
 
 namespace skein::decision_node {
@@ -27,8 +28,9 @@ struct Config {
   /// Null: the scenario has no planning domain, and degree 4 is refused.
   std::shared_ptr<const supervisor::Knowledge> knowledge;
   std::shared_ptr<const world::World> world;  ///< as at the start; null only without knowledge
-  Duration horizon = Duration::seconds(15);   ///< commitment, see supervisor::Config
-  executive::TaskId first_task{1};            ///< of the supervisor's; below kFirstOwnId
+  std::shared_ptr<const interaction::Library> interaction;  ///< null: no joint tasks
+  Duration horizon = Duration::seconds(15);                 ///< commitment, see supervisor::Config
+  executive::TaskId first_task{1};  ///< of the supervisor's; below kFirstRoleId
 };
 
 }  // namespace skein::decision_node

@@ -37,8 +37,8 @@ class Core;
 /// A command is executed once: its number, seen again from the same life of the ground station,
 /// gets the same answer and nothing else.
 ///
-/// Its components are executive and supervisor; who gets which request is a table
-/// (src/routes.hpp), and what happens is told to all of them (src/component.hpp).
+/// Its components are executive, supervisor and interaction manager; who gets which request is a
+/// table (src/routes.hpp), and what happens is told to all of them (src/component.hpp).
 ///
 /// `now` never decreases. Deterministic. Not safe to share between threads.
 /// Source: T II.2, T III, T IV.4, spec 1.2, 1.5, 6.2.

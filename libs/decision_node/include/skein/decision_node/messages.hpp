@@ -13,6 +13,10 @@
 #include "skein/executive/effect.hpp"
 #include "skein/executive/executive.hpp"
 #include "skein/functional/port.hpp"
+#include "skein/interaction/effect.hpp"
+#include "skein/interaction/joint_task_status.hpp"
+#include "skein/interaction/negotiation/terms.hpp"
+#include "skein/interaction/scm_monitor.hpp"
 #include "skein/mission/request.hpp"
 #include "skein/supervisor/supervisor.hpp"
 #include "skein/world/perception.hpp"
@@ -74,12 +78,25 @@ struct Contact {
   bool ground = false;  ///< it is the ground station
   bool reachable = false;
 };
+/// The UAV's functional layer is back and has lost all that it knew: tasks that are under way to
+/// this node are not to it.
+struct LayerForgot {};
+/// A partner of a joint task says where it is.
+struct PartnerSeen {
+  world::Telemetry telemetry;
+};
+/// Where another UAV stands in a joint task.
+struct JointTaskTold {
+  interaction::JointTaskStatus status;
+  MissionTime at;  ///< when it was so
+};
 /// Its instant has come, or time just passes.
 struct Tick {};
 
 using Input = std::variant<Started, Command, UnreadableCommand, PlaceTold, ElementaryRequest,
                            GroundTaskSeen, StatusTold, SyncMessage, world::Telemetry,
-                           world::Perception, Contact, supervisor::JobFinished, Tick>;
+                           world::Perception, Contact, LayerForgot, supervisor::JobFinished,
+                           interaction::SessionMessage, PartnerSeen, JointTaskTold, Tick>;
 
 // ---- effects, to be carried out in their order ----
 
@@ -140,7 +157,57 @@ struct SendSync {
   MissionTime expires;  ///< when it would count no more
 };
 
+/// A message of a negotiation.
+struct SendNegotiation {
+  std::string to;
+  interaction::SessionMessage message;
+};
+/// Where this UAV stands in a joint task, when that is not as it was: for partners and the ground.
+struct JointTaskChanged {
+  interaction::JointTaskStatus status;
+  std::vector<std::string> partners;
+};
+/// Where this UAV is, for a partner of a joint task.
+struct ShareTelemetry {
+  std::string partner;
+  world::Telemetry telemetry;
+};
+
 // For the journal.
+
+/// A block, task or coordination action of a role entered a state.
+struct ComponelChanged {
+  std::string subject, role, componel;
+  interaction::ComponelState state = interaction::ComponelState::kScheduled;
+  std::string block;    ///< around it
+  std::string because;  ///< the precondition of a block that is activated
+};
+/// A role asked for a task of the executive's.
+struct RoleTaskGiven {
+  std::string subject, role, block, componel;
+  executive::TaskId task, of;  ///< `of`: the joint task
+  std::string type;
+  std::string because;  ///< the precondition of the block
+};
+/// A place of a role was computed, or could not be.
+struct PlaceComputed {
+  std::string subject, role, parameter, initialiser;
+  std::optional<interaction::Position> at;
+  std::string why;                ///< not
+  std::vector<std::string> scms;  ///< that are to hold there
+};
+struct ScmNoted {
+  std::string subject, role;
+  interaction::ScmFound found;
+};
+/// "invited", "offered", "refused", "agreed", "failed", "undecided", "settled agreed", …
+struct NegotiationNoted {
+  interaction::Terms terms;
+  std::string state;
+  interaction::Rows rows;  ///< offer, or result
+  std::string why;
+  std::vector<std::string> unconfirmed;
+};
 
 struct RequestHandled {
   executive::Reply reply;
@@ -161,7 +228,9 @@ struct Notice {
 using Effect =
     std::variant<Answer, TaskChanged, StatusPassedOn, TelemetryPassedOn, PerceptionPassedOn,
                  SyncPassedOn, DegreeChanged, HandedOver, BoardChanged, ToVehicle, SendSync,
-                 RequestHandled, SyncHeard, PolicyCarriedOut, Notice, supervisor::MissionDecided,
+                 SendNegotiation, JointTaskChanged, ShareTelemetry, ComponelChanged, RoleTaskGiven,
+                 PlaceComputed, ScmNoted, NegotiationNoted, RequestHandled, SyncHeard,
+                 PolicyCarriedOut, Notice, supervisor::MissionDecided,
                  supervisor::StartDeliberation, supervisor::StopDeliberation,
                  supervisor::PlanChanged, supervisor::GoalChanged, supervisor::Decided>;
 using Effects = std::vector<Effect>;

@@ -14,8 +14,10 @@ namespace skein::functional {
 /// Unique within the UAV for the whole mission.
 using TaskId = Id<struct TaskIdTag, std::uint64_t>;
 
-/// Below this the ground station's tasks and the supervisor's, from here on those that a decision
-/// node makes by itself: see decision_node.
+/// Below this the ground station's tasks and the supervisor's; from here on those that roles of
+/// joint tasks ask for; from kFirstOwnId on those that a decision node makes to keep its vehicle
+/// safe: see decision_node.
+inline constexpr TaskId kFirstRoleId{500'000'000};
 inline constexpr TaskId kFirstOwnId{1'000'000'000};
 /// Background routine tasks are numbered by the executive from here on; a request may not use such
 /// an id. (Every id of the range is exact as a JSON number, that is, below 2^53.)

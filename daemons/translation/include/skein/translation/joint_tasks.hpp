@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Negotiations and states of joint tasks: wire to domain and back.
+#pragma once
+
+#include "skein/blackboard/wire.hpp"
+#include "skein/interaction/joint_task_status.hpp"
+#include "skein/interaction/negotiation/terms.hpp"
+
+namespace skein::translation {
+
+wire::NegotiationMessage to_wire(const interaction::SessionMessage& message, const std::string& to);
+/// What makes no sense is for the negotiation manager to reject.
+interaction::SessionMessage from_wire(const wire::NegotiationMessage& sample);
+
+wire::JointTaskState to_wire(const interaction::JointTaskStatus& status);
+interaction::JointTaskStatus from_wire(const wire::JointTaskState& sample);
+
+}  // namespace skein::translation

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interaction/interaction.hpp"
+
+#include <algorithm>
+
+#include "core.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+constexpr std::uint32_t kMission = 1;
+
+using Kind = interaction::NegotiationOutcome::Kind;
+
+}  // namespace
+
+Interaction::Interaction(Core& core) : core_(core), sightings_(core.config().uav) {}
+
+void Interaction::start() {
+  manager_.emplace(core_.config().uav, kMission, interaction::standard_modalities(),
+                   interaction::NegotiationLimits{}, core_.bus().now());
+}
+
+// ---- joint tasks ----
+
+void Interaction::load(const supervisor::LoadJointTask& asked) {
+  const auto known = tasks_.find(asked.task.id);
+  if (asked.preferences.empty()) {
+    if (known != tasks_.end()) known->second->leave("it is not wanted any more");
+    return;
+  }
+  auto joint =
+      joint_of(asked.task, core_.config().interaction, core_.config().uav, core_.config().others);
+  if (!joint) {
+    return core_.deliberation().joint_task_answered({asked.task.id, false, {}, joint.error().why});
+  }
+  // Later than foreseen is better than not at all, where nothing forbids it.
+  std::vector<mission::Interval> preferences = asked.preferences;
+  if (!preferences.empty() && !asked.task.time.start_before) {
+    preferences.push_back({preferences.front().least, Duration::max()});
+  }
+  // The plan may have been made anew meanwhile: what it asks for is the same with another number.
+  const auto same = std::find_if(tasks_.begin(), tasks_.end(), [&](const auto& one) {
+    return one.second->joint().subject == joint->subject && one.second->is_to_begin();
+  });
+  if (same != tasks_.end()) {
+    auto moved = tasks_.extract(same);
+    moved.key() = asked.task.id;
+    return tasks_.insert(std::move(moved))
+        .position->second->ask_again(asked.task.id, std::move(preferences));
+  }
+  auto& task = tasks_[asked.task.id];
+  task = std::make_unique<JointTask>(core_, std::move(*joint), std::move(preferences), sightings_);
+  task->load();
+}
+
+void Interaction::due(executive::TaskId task, bool interrupt) {
+  const auto found = tasks_.find(task);
+  if (found == tasks_.end()) return;
+  core_.bus().post([&joint = *found->second, interrupt] {
+    interrupt ? joint.leave("interrupted") : joint.due();
+  });
+}
+
+void Interaction::leave_all(const std::string& why) {
+  for (const auto& [id, task] : tasks_) task->leave_at_once(why);
+}
+
+executive::TaskId Interaction::next_id() {
+  const std::int64_t milliseconds =
+      std::max<std::int64_t>(core_.bus().now().count(), 0) / 1'000'000;
+  next_id_ = std::max(next_id_,
+                      functional::kFirstRoleId.value() + static_cast<std::uint64_t>(milliseconds));
+  return executive::TaskId(next_id_++);
+}
+
+JointTask* Interaction::about(const std::string& subject) {
+  for (const auto& [id, task] : tasks_) {
+    if (!task->over() && task->is_about(subject)) return task.get();
+  }
+  return nullptr;
+}
+
+// ---- what happens ----
+
+void Interaction::task_changed(const executive::TaskEvent& event) {
+  for (const auto& [id, task] : tasks_) {
+    if (!task->over()) task->task_changed(event);
+  }
+}
+
+void Interaction::vehicle_told(const world::Telemetry& telemetry) {
+  sightings_.see(telemetry);
+  for (const auto& [id, task] : tasks_) {
+    if (task->over()) continue;
+    for (const std::string& partner : task->partners()) {
+      core_.bus().emit(ShareTelemetry{partner, telemetry});
+    }
+    task->watch();
+  }
+}
+
+void Interaction::hear(const PartnerSeen& seen) { sightings_.see(seen.telemetry); }
+
+void Interaction::hear(const JointTaskTold& told) {
+  for (const auto& [id, task] : tasks_) {
+    if (task->joint().subject == told.status.subject) task->partner_told(told.status, told.at);
+  }
+}
+
+void Interaction::contact(const Contact& contact) {
+  for (const auto& [id, task] : tasks_) task->partner_in_reach(contact.peer, contact.reachable);
+}
+
+void Interaction::time_passes() {
+  if (manager_) negotiate(interaction::NegotiationTick{});
+  for (const auto& [id, task] : tasks_) {
+    if (!task->over()) task->time_passes();
+  }
+}
+
+std::optional<MissionTime> Interaction::next_wakeup() const {
+  std::optional<MissionTime> next = manager_ ? manager_->next_wakeup() : std::nullopt;
+  for (const auto& [id, task] : tasks_) next = earliest(next, task->next_wakeup());
+  return next;
+}
+
+// ---- negotiations ----
+
+bool Interaction::begin(const Joint& joint, interaction::BeginNegotiation negotiation) {
+  if (negotiation.members.empty()) negotiation.members = joint.members;
+  negotiation.model = joint.hash;
+  return negotiate(negotiation);
+}
+
+void Interaction::withdraw(const std::string& subject, const std::string& why) {
+  // Of what is over, or promised, there is nothing to withdraw from.
+  const auto effects =
+      manager_->handle(interaction::WithdrawNegotiation{subject, why}, core_.bus().now());
+  if (!effects) return;
+  for (const auto& one : *effects) {
+    std::visit([this](const auto& effect) { carry_out(effect); }, one);
+  }
+}
+
+void Interaction::hear(const interaction::SessionMessage& message) {
+  if (manager_) negotiate(interaction::SessionMessageReceived{message});
+}
+
+bool Interaction::negotiate(const interaction::NegotiationInput& input) {
+  const auto effects = manager_->handle(input, core_.bus().now());
+  if (!effects) {
+    core_.bus().emit(Notice{"negotiation: " + effects.error().why});
+    return false;
+  }
+  for (const auto& one : *effects) {
+    std::visit([this](const auto& effect) { carry_out(effect); }, one);
+  }
+  return true;
+}
+
+void Interaction::carry_out(const interaction::SendSessionMessage& effect) {
+  core_.bus().emit(SendNegotiation{effect.to, effect.message});
+}
+
+void Interaction::carry_out(const interaction::InvitedToNegotiate& effect) {
+  core_.bus().emit(NegotiationNoted{effect.terms, "invited", {}, "", {}});
+  if (JointTask* task = about(effect.terms.subject)) task->invited(effect.terms);
+}
+
+// Evaluated after what led to it is carried out.
+void Interaction::carry_out(const interaction::PrepareOffer& effect) {
+  core_.bus().post([this, terms = effect.terms] {
+    JointTask* task = about(terms.subject);
+    auto offer = task == nullptr
+                     ? Result<interaction::Rows, Failure>(failure("no such joint task here"))
+                     : task->offer_for(terms);
+    core_.bus().emit(NegotiationNoted{terms,
+                                      offer ? "offered" : "refused",
+                                      offer.value_or(interaction::Rows{}),
+                                      offer ? "" : offer.error().why,
+                                      {}});
+    negotiate(interaction::OfferPrepared{terms.id(), std::move(offer)});
+  });
+}
+
+void Interaction::carry_out(const interaction::NegotiationEnded& effect) {
+  const interaction::NegotiationOutcome& outcome = effect.outcome;
+  core_.bus().emit(NegotiationNoted{effect.terms, std::string(to_text(outcome.kind)),
+                                    outcome.result, outcome.why, outcome.unconfirmed});
+  core_.bus().post([this, effect] {
+    if (JointTask* task = about(effect.terms.subject)) task->decided(effect.terms, effect.outcome);
+  });
+}
+
+void Interaction::carry_out(const interaction::NegotiationSettled& effect) {
+  const interaction::NegotiationOutcome& outcome = effect.outcome;
+  core_.bus().emit(NegotiationNoted{effect.terms, "settled " + std::string(to_text(outcome.kind)),
+                                    outcome.result, outcome.why, outcome.unconfirmed});
+  core_.bus().post([this, effect] {
+    if (JointTask* task = about(effect.terms.subject)) task->decided(effect.terms, effect.outcome);
+  });
+}
+
+void Interaction::carry_out(const interaction::MessageRejected& effect) {
+  core_.bus().emit(
+      Notice{"negotiation of '" + effect.from + "' about " + effect.subject + ": " + effect.why});
+}
+
+}  // namespace skein::decision_node

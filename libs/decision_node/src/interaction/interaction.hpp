@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The interaction manager as a component: joint tasks, and the negotiations about them.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "component.hpp"
+#include "interaction/joint_task.hpp"
+#include "interaction/sightings.hpp"
+
+namespace skein::decision_node {
+
+class Core;
+
+/// Without interaction models, every joint task is refused.
+class Interaction final : public Component {
+ public:
+  explicit Interaction(Core& core);
+
+  /// This life begins: what was vowed in one before is not known.
+  void start();
+  /// Operator 4: negotiates roles and start, then answers the supervisor.
+  void load(const supervisor::LoadJointTask& asked);
+  /// The executive wants it carried out, or interrupted.
+  void due(executive::TaskId task, bool interrupt);
+  /// Nobody decides here any more: all joint tasks are left, and their partners told.
+  void leave_all(const std::string& why);
+
+  void task_changed(const executive::TaskEvent& event) override;
+  void vehicle_told(const world::Telemetry& telemetry) override;
+  void time_passes() override;
+  std::optional<MissionTime> next_wakeup() const override;
+  void contact(const Contact& contact);
+  void hear(const interaction::SessionMessage& message);
+  void hear(const PartnerSeen& seen);
+  void hear(const JointTaskTold& told);
+
+  // ---- for its joint tasks ----
+
+  /// Members and model are those of the joint task where none are named. False: refused, and said.
+  bool begin(const Joint& joint, interaction::BeginNegotiation negotiation);
+  void withdraw(const std::string& subject, const std::string& why);
+  /// The number of a new task of a role.
+  executive::TaskId next_id();
+
+ private:
+  bool negotiate(const interaction::NegotiationInput& input);
+  void carry_out(const interaction::SendSessionMessage& effect);
+  void carry_out(const interaction::InvitedToNegotiate& effect);
+  void carry_out(const interaction::PrepareOffer& effect);
+  void carry_out(const interaction::NegotiationEnded& effect);
+  void carry_out(const interaction::NegotiationSettled& effect);
+  void carry_out(const interaction::MessageRejected& effect);
+  JointTask* about(const std::string& subject);
+
+  Core& core_;
+  Sightings sightings_;
+  std::optional<interaction::NegotiationManager> manager_;
+  std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;
+  std::uint64_t next_id_ = 0;
+};
+
+}  // namespace skein::decision_node

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+// A joint task while it runs: what its role asks for is carried out.
+#include <algorithm>
+
+#include "core.hpp"
+#include "interaction/joint_task.hpp"
+#include "interaction/places.hpp"
+#include "interaction/role_tasks.hpp"
+#include "skein/foundation/joined.hpp"
+#include "skein/functional/task_types.hpp"
+#include "skein/interaction/describe.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using interaction::ComponelState;
+using interaction::JointPhase;
+using Word = interaction::Status::Word;
+
+constexpr Duration kReallocation = Duration::milliseconds(10'000);
+constexpr Duration kNothing = Duration::milliseconds(500);  // of a perception: it is done
+
+bool holds_vehicle(const std::string& type) {
+  return functional::TaskTypes::shipped().of(type).holds_vehicle();
+}
+
+}  // namespace
+
+// ---- the role ----
+
+void JointTask::due() {
+  dispatched_ = true;
+  if (phase_ == JointPhase::kAborted) return finish(JointPhase::kAborted);
+  begin_if_due();  // while it loads, and when that fails, the supervisor answers
+}
+
+void JointTask::begin_if_due() {
+  if (!dispatched_ || phase_ != JointPhase::kLoaded || now() < *agreed_start_) return;
+  phase_ = JointPhase::kRunning;
+  core_.execution().run(
+      executive::FunctionalStatus{joint_.task, executive::TaskState::kRunning, ""});
+  play(holders_.at(self()));
+}
+
+void JointTask::play(const std::string& role) {
+  ++plays_;
+  tasks_.clear();
+  failed_.clear();
+  actions_.clear();
+  play_.emplace(joint_, role, holders_, self());
+  tell(interaction::Start{});
+}
+
+// What follows from it comes after all that was asked before.
+void JointTask::tell(const interaction::Input& input) {
+  core_.bus().post([this, input, number = plays_] {
+    if (number != plays_ || !play_ || over()) return;
+    const auto effects = play_->tell(input, now());
+    if (!effects) {
+      return core_.bus().emit(Notice{joint_.subject + ": " + effects.error().why});
+    }
+    for (const interaction::Effect& effect : *effects) {
+      std::visit([this](const auto& one) { carry_out(one); }, effect.what);
+    }
+    announce();
+  });
+}
+
+void JointTask::tell_status(const std::string& componel, Word word) {
+  tell(interaction::Status{componel, word});
+}
+
+void JointTask::carry_out(const interaction::StateChanged& effect) {
+  ComponelChanged note{joint_.subject, play_->role(), effect.componel, effect.state, "", ""};
+  const interaction::Automaton& automaton = play_->automaton();
+  const interaction::Componel& componel = automaton[*automaton.find(effect.componel)];
+  const interaction::Componel& around = automaton[componel.parent];
+  note.block = around.id;
+  if (effect.state == ComponelState::kScheduled) forget_failures_in(effect.componel);
+  if (effect.state == ComponelState::kRunning && componel.block() != nullptr) {
+    note.because = joined(describe(componel.block()->precondition, automaton), " ");
+  }
+  core_.bus().emit(std::move(note));
+}
+
+void JointTask::carry_out(const interaction::Compute& effect) {
+  const RolePlay::Local local = play_->local(effect.parameter);
+  PlaceQuery query;
+  query.call = call_of(local.initialiser);
+  query.scope = play_->scope();
+  query.from = position_of(sightings_.own()->state.position);
+  query.device = device_of(play_->model(), core_.config().knowledge->vehicle);
+  query.scms = play_->scms_at(local.block, true);
+  const auto place = place_of(query, outlook());
+  if (place) {
+    play_->know(effect.parameter, *place);
+  } else {
+    play_->forget(effect.parameter);
+  }
+  PlaceComputed note{
+      joint_.subject, play_->role(), effect.parameter, local.initialiser, {}, "", {}};
+  for (const interaction::ActiveScm& one : query.scms) note.scms.push_back(one.id);
+  if (place) {
+    note.at = *place;
+  } else {
+    note.why = place.error().why;
+  }
+  core_.bus().emit(std::move(note));
+}
+
+// ---- its tasks ----
+
+void JointTask::carry_out(const interaction::Run& effect) {
+  const interaction::Automaton& automaton = play_->automaton();
+  const interaction::Componel& componel = automaton[*automaton.find(effect.task)];
+  const Duration done = done_[effect.task];
+  const Duration wanted = duration_of(*componel.task(), *play_);
+  if (wanted > Duration() && wanted - done < kNothing) {
+    return tell_status(effect.task, Word::kEnded);
+  }
+  const Outlook outlook = this->outlook();
+  auto task = make_task(componel, joint_.subject,
+                        {*play_, outlook, sightings_.own()->state, done, allocation_});
+  if (!task) {
+    core_.bus().emit(Notice{joint_.subject + ": " + effect.task + ": " + task.error().why});
+    failed_[effect.task] = task.error().why;
+    return tell_status(effect.task, Word::kAborted);
+  }
+  task->id = core_.interaction().next_id();
+  for (const auto& [other, id] : tasks_) {
+    if (!holds_vehicle(task->type)) continue;
+    const executive::Literal over{executive::TaskInState{other, executive::TaskState::kEnded},
+                                  false, executive::Modality::kOptional};
+    task->preconditions.push_back({over});
+  }
+  tasks_[task->id] = effect.task;
+  core_.deliberation().serves(task->id, joint_.task);
+  const std::string block = automaton[componel.parent].id;
+  const interaction::Formula& pre = automaton[componel.parent].block()->precondition;
+  core_.bus().emit(RoleTaskGiven{joint_.subject, play_->role(), block, effect.task, task->id,
+                                 joint_.task, task->type, joined(describe(pre, automaton), " ")});
+  core_.execution().run(executive::Start{std::move(*task), executive::InsertionMode::kSeq});
+}
+
+void JointTask::carry_out(const interaction::Interrupt& effect) {
+  for (const auto& [id, componel] : tasks_) {
+    if (componel != effect.task) continue;
+    interrupted_.insert(id);
+    return core_.execution().run(executive::Abort{id});
+  }
+  tell_status(effect.task, Word::kAborted);
+}
+
+void JointTask::task_changed(const executive::TaskEvent& event) {
+  if (event.id == joint_.task && is_terminal(event.state)) {
+    return leave(event.reason.empty() ? "aborted" : event.reason);
+  }
+  const auto found = tasks_.find(event.id);
+  if (found == tasks_.end()) return;
+  const std::string componel = found->second;
+  if (event.state == executive::TaskState::kRunning) {
+    running_since_[componel] = now();
+    return tell_status(componel, Word::kRunning);
+  }
+  if (!is_terminal(event.state)) return;
+  note_done(componel);
+  tasks_.erase(found);
+  const bool ended = event.state == executive::TaskState::kEnded;
+  if (!ended && interrupted_.erase(event.id) == 0) failed_[componel] = event.reason;
+  tell_status(componel, ended ? Word::kEnded : Word::kAborted);
+}
+
+void JointTask::note_done(const std::string& componel) {
+  const auto since = running_since_.find(componel);
+  if (since == running_since_.end()) return;
+  done_[componel] = done_[componel] + (now() - since->second);
+  running_since_.erase(since);
+}
+
+void JointTask::watch() {
+  if (phase_ != JointPhase::kRunning || !play_ || sightings_.own() == nullptr) return;
+  const auto own = position_of(sightings_.own()->state.position);
+  for (const interaction::ScmFound& found : play_->watch(own, outlook().observer, now())) {
+    core_.bus().emit(ScmNoted{joint_.subject, play_->role(), found});
+    tell(found.report);
+  }
+  announce();
+}
+
+// ---- its negotiations ----
+
+// All who hold a role of which an action belongs to this one.
+std::vector<std::string> JointTask::parties_of(const std::string& action) const {
+  std::set<std::string> all{self()};
+  for (const interaction::Correspondence& one : joint_.variant->table.correspondences) {
+    if (one.role != play_->role() || one.action != action) continue;
+    for (const auto& [uav, role] : holders_) {
+      if (role == one.target_role) all.insert(uav);
+    }
+  }
+  return {all.begin(), all.end()};
+}
+
+void JointTask::carry_out(const interaction::Negotiate& effect) {
+  const interaction::Automaton& automaton = play_->automaton();
+  const auto& action = *automaton[*automaton.find(effect.action)].action();
+  if (action.modality != "role-allocation") {
+    core_.bus().emit(Notice{joint_.subject + ": nobody negotiates '" + action.modality + "'"});
+    return tell_status(effect.action, Word::kAborted);
+  }
+  interaction::BeginNegotiation begin;
+  begin.subject = joint_.subject + "/" + action.modality;
+  begin.modality = action.modality;
+  begin.members = parties_of(effect.action);
+  std::map<std::string, int> held;
+  for (const std::string& uav : begin.members) ++held[holders_.at(uav)];
+  for (const auto& [role, count] : held) {
+    begin.parameters.push_back({role, "", {double(count), double(count)}});
+  }
+  begin.within = kReallocation;
+  actions_[effect.action] = begin.subject;
+  if (core_.interaction().begin(joint_, std::move(begin))) return;
+  actions_.erase(effect.action);
+  tell_status(effect.action, Word::kAborted);
+}
+
+void JointTask::carry_out(const interaction::Withdraw& effect) {
+  const auto negotiated = actions_.find(effect.action);
+  if (negotiated != actions_.end()) {
+    core_.interaction().withdraw(negotiated->second, why_.empty() ? "left" : why_);
+    actions_.erase(negotiated);
+  }
+  tell_status(effect.action, Word::kAborted);
+}
+
+// What is undecided is kept until it is known. Roles that are others now are begun anew.
+void JointTask::reallocated(const interaction::Terms& terms,
+                            const interaction::NegotiationOutcome& outcome) {
+  using Kind = interaction::NegotiationOutcome::Kind;
+  if (phase_ != JointPhase::kRunning || outcome.kind == Kind::kUndecided) return;
+  Holders agreed = holders_;
+  if (outcome.kind == Kind::kAgreed) {
+    for (const interaction::Row& row : outcome.result) agreed[row.name] = row.text;
+  }
+  if (agreed != holders_) {
+    holders_ = std::move(agreed);
+    allocation_ = to_text(terms.id());
+    next_role_ = holders_.at(self());
+    tell(interaction::Abort{});
+    return announce();
+  }
+  for (const auto& [action, subject] : std::map(actions_)) {
+    if (subject != terms.subject) continue;
+    actions_.erase(action);
+    tell_status(action, outcome.kind == Kind::kAgreed ? Word::kEnded : Word::kAborted);
+  }
+}
+
+// What is begun anew has another chance.
+void JointTask::forget_failures_in(const std::string& componel) {
+  const interaction::Automaton& automaton = play_->automaton();
+  const auto outer = *automaton.find(componel);
+  std::erase_if(failed_, [&](const auto& one) {
+    const auto inner = *automaton.find(one.first);
+    return inner == outer || automaton.contains(outer, inner);
+  });
+}
+
+// A role of which a task failed is not done, though its automaton came to its end.
+void JointTask::carry_out(const interaction::ModelOver& effect) {
+  if (next_role_) {
+    const std::string role = *std::exchange(next_role_, std::nullopt);
+    return play(role);
+  }
+  const bool done = failed_.empty();
+  const bool ended =
+      done && effect.state == ComponelState::kEnded && phase_ == JointPhase::kRunning;
+  if (!done && why_.empty()) why_ = failed_.begin()->first + ": " + failed_.begin()->second;
+  if (!ended && why_.empty()) why_ = effect.why.empty() ? "its role was left" : effect.why;
+  finish(ended ? JointPhase::kEnded : JointPhase::kAborted);
+}
+
+}  // namespace skein::decision_node

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+// Loading, partners, and the end.
+#include "interaction/joint_task.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "core.hpp"
+#include "interaction/places.hpp"
+#include "skein/foundation/joined.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using interaction::JointPhase;
+using Kind = interaction::NegotiationOutcome::Kind;
+
+constexpr const char* kRoles = "/roles";
+constexpr const char* kStart = "/start";
+constexpr Duration kSession = Duration::milliseconds(30'000);
+constexpr Duration kAgain = Duration::milliseconds(1'000);
+constexpr Duration kPatience =
+    Duration::milliseconds(600'000);                           // where the plan has no latest start
+constexpr Duration kSilence = Duration::milliseconds(60'000);  // then a partner is lost
+constexpr double kFarthest = 1e8;                              // [s]
+constexpr double kRoom = 1;                                    // [s] at the end of an interval
+
+}  // namespace
+
+JointTask::JointTask(Core& core, Joint joint, std::vector<mission::Interval> preferences,
+                     const Sightings& sightings)
+    : core_(core),
+      joint_(std::move(joint)),
+      preferences_(std::move(preferences)),
+      sightings_(sightings) {}
+
+MissionTime JointTask::now() const { return core_.bus().now(); }
+const std::string& JointTask::self() const { return core_.config().uav; }
+
+std::vector<std::string> JointTask::partners() const {
+  std::vector<std::string> others = joint_.members;
+  std::erase(others, self());
+  return others;
+}
+
+Outlook JointTask::outlook() const {
+  const auto world = core_.deliberation().world();  // is kept until the next input
+  return {*core_.config().knowledge, *world, sightings_.observer(joint_.arguments, *world, now()),
+          now()};
+}
+
+// ---- loading ----
+
+bool JointTask::is_to_begin() const {
+  return phase_ == JointPhase::kLoading || phase_ == JointPhase::kLoaded;
+}
+
+void JointTask::load() {
+  wait_for_partners();
+  negotiate_roles();
+  announce();
+}
+
+void JointTask::ask_again(executive::TaskId task, std::vector<mission::Interval> preferences) {
+  joint_.task = task;
+  preferences_ = std::move(preferences);
+  answered_ = false;
+  wait_for_partners();
+  if (phase_ == JointPhase::kLoaded) {
+    const Duration start = *agreed_start_ - MissionTime();
+    const bool keeps = std::any_of(
+        preferences_.begin(), preferences_.end(),
+        [&](const mission::Interval& one) { return one.least <= start && start <= one.most; });
+    if (keeps) {
+      answer();
+    } else {
+      phase_ = JointPhase::kLoading;
+      why_ = "it cannot begin any more when it was agreed";
+      negotiate_start();
+    }
+  }
+  announce();
+}
+
+// Until it is to start at the latest; where that is not said, some time after it could have.
+void JointTask::wait_for_partners() {
+  Duration latest, first = preferences_.front().least;
+  for (const mission::Interval& one : preferences_) {
+    latest = std::max(latest, one.most);
+    first = std::min(first, one.least);
+  }
+  const bool bounded = latest < Duration::seconds(kFarthest);
+  try_until_ =
+      bounded ? MissionTime() + latest : std::max(now(), MissionTime() + first) + kPatience;
+}
+
+void JointTask::negotiate_roles() {
+  interaction::BeginNegotiation begin;
+  begin.subject = joint_.subject + kRoles;
+  begin.modality = "role-allocation";
+  for (const std::string& role : joint_.variant->roles) {
+    const interaction::Arity& arity = joint_.variant->table.arities.at(role);
+    begin.parameters.push_back(
+        {role, "", {double(arity.least), arity.most ? double(*arity.most) : -1}});
+  }
+  begin.within = kSession;
+  core_.interaction().begin(joint_, std::move(begin));
+}
+
+void JointTask::negotiate_start() {
+  interaction::BeginNegotiation begin;
+  begin.subject = joint_.subject + kStart;
+  begin.modality = "time-interval";
+  begin.parameters = {{"duration", "", {kRoom / 2}}};
+  begin.within = kSession;
+  core_.interaction().begin(joint_, std::move(begin));
+}
+
+bool JointTask::is_about(const std::string& subject) const {
+  return subject.starts_with(joint_.subject + "/");
+}
+
+Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms& terms) const {
+  if (over()) return failure("it is over here: " + why_);
+  interaction::Rows rows;
+  if (terms.modality == "time-interval") {
+    for (const mission::Interval& one : preferences_) {
+      const double from = one.least.to_seconds();
+      const double until = std::min(one.most.to_seconds(), kFarthest);
+      rows.push_back({"interval", "", {from, std::max(from, until) + kRoom}});
+    }
+    return rows;
+  }
+  if (sightings_.own() == nullptr) return failure("it does not know where it is");
+  const Outlook outlook = this->outlook();
+  std::vector<std::string> reasons;
+  for (const interaction::Row& role : terms.parameters) {
+    if (!joint_.library->roles.contains(role.name)) return failure("no role '" + role.name + "'");
+    const auto cost = cost_of(joint_, role.name, sightings_.own()->state, outlook);
+    if (cost) {
+      rows.push_back({role.name, "", {*cost}});
+    } else {
+      reasons.push_back(role.name + ": " + cost.error().why);
+    }
+  }
+  if (rows.empty()) return failure("it can play no role: " + joined(reasons, "; "));
+  return rows;
+}
+
+void JointTask::decided(const interaction::Terms& terms,
+                        const interaction::NegotiationOutcome& outcome) {
+  if (over()) return;
+  const bool loads =
+      terms.subject == joint_.subject + kRoles || terms.subject == joint_.subject + kStart;
+  if (!loads) return reallocated(terms, outcome);
+  if (phase_ != JointPhase::kLoading) return;
+  if (outcome.kind == Kind::kFailed) {
+    not_agreed(outcome.why);
+  } else if (outcome.kind == Kind::kUndecided) {
+    why_ = outcome.why;  // it may be settled yet
+  } else if (terms.subject == joint_.subject + kRoles) {
+    roles_agreed(terms, outcome.result);
+  } else if (roles_known_) {
+    start_agreed(outcome.result);
+  }
+  announce();
+}
+
+void JointTask::roles_agreed(const interaction::Terms& terms, const interaction::Rows& result) {
+  for (const interaction::Row& row : result) holders_[row.name] = row.text;
+  allocation_ = to_text(terms.id());
+  agreed_at_ = now();
+  roles_known_ = true;
+  negotiate_start();
+}
+
+void JointTask::start_agreed(const interaction::Rows& result) {
+  const MissionTime start = MissionTime::seconds(result.front().numbers[0]);
+  const bool known = answered_ && agreed_start_ == start;
+  start_agreed_at_ = now();
+  agreed_start_ = start;
+  phase_ = JointPhase::kLoaded;
+  why_.clear();
+  if (!known) answer();
+  begin_if_due();
+}
+
+// Who cannot begin by then begins later: the others wait for it where their roles meet first.
+void JointTask::answer() {
+  answered_ = true;
+  core_.deliberation().joint_task_answered(
+      {joint_.task, true, {*agreed_start_ - MissionTime(), Duration::max()}, ""});
+}
+
+void JointTask::not_agreed(const std::string& why) {
+  why_ = why;
+  if (now() + kAgain > try_until_) return not_loaded(why);
+  again_at_ = now() + kAgain;
+}
+
+void JointTask::not_loaded(const std::string& why) {
+  why_ = why.empty() ? "nothing was agreed" : why;
+  if (answered_) return finish(JointPhase::kAborted);
+  phase_ = JointPhase::kNotLoaded;
+  core_.deliberation().joint_task_answered({joint_.task, false, {}, why_});
+}
+
+// ---- partners ----
+
+// Who cannot begin when it was agreed asks for another start; who knows nothing of roles that were
+// agreed has lost its memory.
+void JointTask::invited(const interaction::Terms& terms) {
+  if (terms.subject == joint_.subject + kRoles) {
+    const bool anew = roles_known_ && terms.opened > agreed_at_;
+    if (anew && is_to_begin()) load_again("'" + terms.opener + "' asks for roles anew");
+    return;
+  }
+  if (terms.subject == joint_.subject + kStart) {
+    const bool loaded = phase_ == JointPhase::kLoaded;
+    const bool anew = roles_known_ && terms.opened > start_agreed_at_;
+    if (!anew || !(loaded || phase_ == JointPhase::kRunning)) return;
+    if (loaded) phase_ = JointPhase::kLoading;
+    return core_.bus().post([this] { negotiate_start(); });
+  }
+  if (phase_ != JointPhase::kRunning) return;
+  tell(interaction::Message{terms.modality + " invitation"});
+  announce();
+}
+
+void JointTask::partner_told(const interaction::JointTaskStatus& status, MissionTime at) {
+  const bool gone = status.phase == JointPhase::kLeaving || status.phase == JointPhase::kAborted ||
+                    status.phase == JointPhase::kNotLoaded;
+  // What it said before the roles were agreed is about an attempt before this one.
+  if (!gone || !roles_known_ || at <= agreed_at_) return;
+  const std::string why = "'" + status.uav + "' left: " + status.why;
+  if (phase_ == JointPhase::kRunning) return leave(why);
+  if (phase_ == JointPhase::kLoading || phase_ == JointPhase::kLoaded) load_again(why);
+}
+
+// It has not begun: the partner may come back to it.
+void JointTask::load_again(const std::string& why) {
+  core_.interaction().withdraw(joint_.subject + kStart, why);
+  phase_ = JointPhase::kLoading;
+  why_ = why;
+  roles_known_ = false;
+  holders_.clear();
+  agreed_start_.reset();
+  again_at_ = now() + kAgain;
+  announce();
+}
+
+void JointTask::partner_in_reach(const std::string& uav, bool reachable) {
+  if (!holders_.contains(uav) && !std::count(joint_.members.begin(), joint_.members.end(), uav)) {
+    return;
+  }
+  if (reachable) {
+    silent_since_.erase(uav);
+  } else {
+    silent_since_.try_emplace(uav, now());
+  }
+}
+
+// ---- time ----
+
+void JointTask::time_passes() {
+  if (again_at_ && *again_at_ <= now() && phase_ == JointPhase::kLoading) {
+    again_at_.reset();
+    roles_known_ ? negotiate_start() : negotiate_roles();
+  }
+  if (phase_ == JointPhase::kLoading && try_until_ <= now()) not_loaded(why_);
+  begin_if_due();
+  if (phase_ == JointPhase::kRunning) {
+    for (const auto& [uav, since] : std::map(silent_since_)) {
+      if (since + kSilence <= now()) leave("no contact with '" + uav + "'");
+    }
+  }
+  const auto next = play_ ? play_->next_wakeup() : std::nullopt;
+  if (next && *next <= now()) tell(interaction::Tick{});
+  announce();
+}
+
+std::optional<MissionTime> JointTask::next_wakeup() const {
+  if (over()) return std::nullopt;
+  std::optional<MissionTime> next = play_ ? play_->next_wakeup() : std::nullopt;
+  if (phase_ == JointPhase::kLoading) next = earliest(next, earliest(again_at_, try_until_));
+  if (phase_ == JointPhase::kLoaded && dispatched_) next = earliest(next, agreed_start_);
+  if (phase_ == JointPhase::kRunning) {
+    for (const auto& [uav, since] : silent_since_) next = earliest(next, since + kSilence);
+  }
+  return next;
+}
+
+// ---- the end ----
+
+void JointTask::leave(const std::string& why) {
+  if (over() || phase_ == JointPhase::kLeaving) return;
+  why_ = why;
+  next_role_.reset();
+  if (!play_) return finish(JointPhase::kAborted);
+  phase_ = JointPhase::kLeaving;
+  announce();
+  tell(interaction::Abort{});
+}
+
+void JointTask::leave_at_once(const std::string& why) {
+  if (over()) return;
+  why_ = why;
+  // What is told may be carried out at once, and then it is no task of the role any more.
+  for (const auto& [id, componel] : std::map(tasks_)) {
+    core_.execution().run(executive::Abort{id});
+  }
+  finish(JointPhase::kAborted);
+}
+
+void JointTask::finish(interaction::JointPhase phase) {
+  const bool loading = phase_ == JointPhase::kLoading;
+  phase_ = phase;
+  if (loading) {
+    core_.interaction().withdraw(joint_.subject + (roles_known_ ? kStart : kRoles), why_);
+  }
+  if (dispatched_) {
+    const bool ended = phase == JointPhase::kEnded;
+    core_.execution().run(executive::FunctionalStatus{
+        joint_.task, ended ? executive::TaskState::kEnded : executive::TaskState::kAborted,
+        ended ? "" : why_});
+  }
+  announce();
+}
+
+void JointTask::announce() {
+  interaction::JointTaskStatus status;
+  status.uav = self();
+  status.subject = joint_.subject;
+  status.task = joint_.task.value();
+  status.model = joint_.model;
+  status.variant = joint_.variant->name;
+  status.hash = joint_.hash;
+  status.phase = phase_;
+  status.why = why_;
+  status.holders = holders_;
+  if (play_) {
+    status.active_blocks = play_->active_blocks();
+    status.violated = play_->violated();
+  }
+  status.agreed_start = agreed_start_;
+  if (told_ == status) return;
+  told_ = status;
+  core_.bus().emit(JointTaskChanged{std::move(status), partners()});
+}
+
+}  // namespace skein::decision_node

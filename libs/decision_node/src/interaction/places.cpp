@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interaction/places.hpp"
+
+#include <algorithm>
+
+#include "interaction/sightings.hpp"
+#include "skein/foundation/joined.hpp"
+#include "skein/interaction/describe.hpp"
+#include "skein/interaction/role_fit.hpp"
+#include "skein/interaction/role_places.hpp"
+#include "skein/refiners/flight.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using interaction::Position;
+
+constexpr double kClearance = 10;   // [m] over the ground
+constexpr double kLeastMargin = 3;  // [dB] of a relay's links
+constexpr std::uint64_t kSeed = 1;  // one situation, one place
+
+std::string trimmed(const std::string& text) {
+  const auto from = text.find_first_not_of(" \t"), to = text.find_last_not_of(" \t");
+  return from == std::string::npos ? "" : text.substr(from, to - from + 1);
+}
+
+Result<Position, Failure> point_of(const std::string& name, const PlaceQuery& query,
+                                   const Outlook& outlook) {
+  const auto known = query.scope.find(name);
+  if (known == query.scope.end()) return failure("'" + name + "' has no value");
+  if (const auto* point = std::get_if<Position>(&known->second)) return *point;
+  const auto* place = std::get_if<std::string>(&known->second);
+  const auto seen = place == nullptr ? std::nullopt : outlook.observer(*place);
+  if (!seen) return failure("nobody knows where '" + (place ? *place : name) + "' is");
+  return seen->position;
+}
+
+// A point on the ground is heard a little over it.
+Position in_the_air(Position at, const world::World& world) {
+  constexpr double kAntenna = 2;  // [m]
+  at[2] = std::max(at[2], world.terrain.elevation(at[0], at[1]) + kAntenna);
+  return at;
+}
+
+// Of an SCM with a place that is not known nothing can be said.
+std::vector<interaction::ActiveScm> known_ones(const std::vector<interaction::ActiveScm>& scms,
+                                               const Outlook& outlook,
+                                               const interaction::ScmLimits& limits) {
+  std::vector<interaction::ActiveScm> known;
+  for (const interaction::ActiveScm& one : scms) {
+    bool all = true;
+    for (const auto& [formal, names] : one.binding.places) {
+      for (const std::string& name : names) {
+        const auto seen = outlook.observer(name);
+        all = all && seen && outlook.now - seen->at <= limits.oldest;
+      }
+    }
+    if (all) known.push_back(one);
+  }
+  return known;
+}
+
+// A place is one to stay at: what the vehicle wavers is to break no constraint.
+interaction::ScmLimits limits_of(const Outlook& outlook) {
+  constexpr double kNearest = 20;  // [m] of what is looked at
+  const world::VehicleModel& vehicle = outlook.knowledge.vehicle;
+  const world::Wind& wind = outlook.world.wind;
+  const double wavers = 1.5 * (2 * world::tracking_spread(vehicle) +
+                               vehicle.wind_drift * (wind.speed + 2 * wind.gusts));
+  interaction::ScmLimits limits;
+  limits.distance = std::max(limits.distance, wavers);
+  limits.angle = std::max(limits.angle, wavers / kNearest);
+  return limits;
+}
+
+interaction::RolePlaceQuery role_query(const PlaceQuery& query, const Outlook& outlook) {
+  interaction::RolePlaceQuery result;
+  result.vehicle = outlook.knowledge.vehicle;
+  result.from = query.from;
+  result.clearance = kClearance;
+  result.at = outlook.now;
+  result.limits = limits_of(outlook);
+  result.scms = known_ones(query.scms, outlook, result.limits);
+  return result;
+}
+
+/// Near to `from`, where all constraints hold.
+Result<Position, Failure> anywhere(const interaction::RolePlaceQuery& query, const Position& from,
+                                   const Outlook& outlook) {
+  interaction::ValidPositionQuery valid;
+  valid.scms = query.scms;
+  valid.air = interaction::free_air_of(outlook.world, query.vehicle, query.clearance, query.at);
+  valid.from = from;
+  valid.limits = query.limits;
+  valid.seed = kSeed;
+  const auto found = valid_position(valid, outlook.observer, outlook.now);
+  if (!found) return failure(found.error().why);
+  return found->position;
+}
+
+}  // namespace
+
+Call call_of(const std::string& initialiser) {
+  const auto open = initialiser.find('('), close = initialiser.rfind(')');
+  Call call{trimmed(initialiser.substr(0, open)), {}};
+  if (open == std::string::npos || close == std::string::npos) return call;
+  const std::string inside = initialiser.substr(open + 1, close - open - 1);
+  for (std::size_t at = 0; !trimmed(inside).empty() && at <= inside.size();) {
+    const std::size_t comma = std::min(inside.find(',', at), inside.size());
+    call.arguments.push_back(trimmed(inside.substr(at, comma - at)));
+    at = comma + 1;
+  }
+  return call;
+}
+
+// The place nearest to the refiner's best where the SCMs hold by their margins. Where it finds none
+// under the SCMs, any that keeps them will do.
+Result<Position, Failure> place_of(const PlaceQuery& query, const Outlook& outlook) {
+  const interaction::RolePlaceQuery role = role_query(query, outlook);
+  if (query.call.function == "valid-position") return anywhere(role, query.from, outlook);
+  if (query.call.arguments.size() != 2) return failure("nobody computes " + query.call.function);
+  const auto one = point_of(query.call.arguments[0], query, outlook);
+  if (!one) return one;
+  const auto other = point_of(query.call.arguments[1], query, outlook);
+  if (!other) return other;
+  const refiners::Setting setting{outlook.world, {}, kSeed};
+  Result<Position, Failure> found = failure("nobody computes " + query.call.function);
+  if (query.call.function == "best-view") {
+    found = best_view(role, query.device, *one, outlook.observer, setting);
+  } else if (query.call.function == "relay-position") {
+    found = relay_position(role, in_the_air(*one, outlook.world), in_the_air(*other, outlook.world),
+                           kLeastMargin, outlook.observer, setting);
+  } else {
+    return found;
+  }
+  if (role.scms.empty()) return found;
+  const auto valid = anywhere(role, found.value_or(query.from), outlook);
+  return valid ? valid : found;
+}
+
+Result<Position, Failure> aim_of(const Argument& argument, const Outlook& outlook) {
+  if (const auto* point = std::get_if<Position>(&argument)) return *point;
+  const auto* name = std::get_if<std::string>(&argument);
+  const auto seen = name == nullptr ? std::nullopt : outlook.observer(*name);
+  if (!seen) return failure("nobody knows where '" + (name ? *name : "it") + "' is");
+  Position at = seen->position;
+  at[2] = outlook.world.terrain.elevation(at[0], at[1]) + outlook.knowledge.altitude;
+  return at;
+}
+
+std::string device_of(const interaction::Role& role, const world::VehicleModel& vehicle) {
+  for (const interaction::Requirement& one : role.requirements) {
+    const auto* device = std::get_if<std::string>(&one.value);
+    if (device != nullptr && world::find_sensor(vehicle, *device) != nullptr) return *device;
+  }
+  return vehicle.sensors.empty() ? "" : vehicle.sensors.front().device;
+}
+
+std::vector<interaction::ActiveScm> scms_of(
+    const Joint& joint, const std::string& role, const Holders& holders, const std::string& self,
+    const std::function<bool(const interaction::ScmInstance&, const std::vector<std::string>&)>&
+        counts) {
+  std::vector<interaction::ActiveScm> all;
+  for (const interaction::ScmInstance& instance : joint.variant->table.scms) {
+    for (const interaction::ScmPlace& place : joint.variant->table.places) {
+      if (place.id != instance.id || place.role != role) continue;
+      if (!counts(instance, place.blocks)) continue;
+      all.push_back({instance.id, joint.library->scms.at(instance.scm),
+                     binding_of(joint, instance, holders, self)});
+    }
+  }
+  return all;
+}
+
+// ---- costs ----
+
+namespace {
+
+interaction::Capabilities capabilities_of(const world::VehicleModel& vehicle,
+                                          const world::VehicleState& state) {
+  interaction::Capabilities all;
+  if (vehicle.hovers) all["hovering"] = {};
+  all["relay"] = {};  // every node has the radio
+  for (const world::SensorModel& sensor : vehicle.sensors) {
+    all["camera"].values.insert(sensor.device);
+  }
+  if (vehicle.energy.capacity > 0 && vehicle.energy.hover_power > 0) {
+    const double left = std::max(0.0, state.energy - vehicle.energy.reserve);
+    all["endurance"].figure = left * vehicle.energy.capacity / vehicle.energy.hover_power;
+  }
+  return all;
+}
+
+/// Goes along the nominal path of a role.
+class Walk {
+ public:
+  Walk(const Joint& joint, const std::string& role, Position from, const Outlook& outlook)
+      : joint_(joint),
+        role_(joint.library->roles.at(role)),
+        outlook_(outlook),
+        scope_(arguments_of(joint, role)),
+        at_(from),
+        scms_(scms_of(
+            joint, role, {}, outlook.knowledge.uav,
+            [&](const auto& instance, const auto&) { return is_about_places(joint, instance); })) {}
+
+  Result<double, Failure> seconds() {
+    double all = 0;
+    for (const interaction::NominalStep& step : nominal_path(role_.automaton)) {
+      for (const std::string& local : step.computed) {
+        if (auto why = compute(local)) return failure(*why);
+      }
+      const auto took = time_of(*role_.automaton[*role_.automaton.find(step.task)].task());
+      if (!took) return took;
+      all += *took;
+    }
+    return all;
+  }
+
+ private:
+  std::optional<std::string> compute(const std::string& local) {
+    for (const interaction::Componel& one : role_.automaton.componels()) {
+      if (one.block() == nullptr) continue;
+      for (const interaction::LocalParameter& parameter : one.block()->locals) {
+        if (parameter.name != local) continue;
+        const auto place = place_of({call_of(parameter.initialiser), scope_, at_,
+                                     device_of(role_, outlook_.knowledge.vehicle), scms_},
+                                    outlook_);
+        if (!place) return place.error().why;
+        scope_[local] = *place;
+      }
+    }
+    return std::nullopt;
+  }
+
+  Result<double, Failure> time_of(const interaction::Task& task) {
+    if (const config::Value* duration = task.parameters.find("duration")) {
+      const auto seconds = value_of(*duration, scope_);
+      if (seconds && std::holds_alternative<double>(*seconds)) return std::get<double>(*seconds);
+    }
+    const config::Value* to = task.parameters.find("to");
+    if (to == nullptr) return 0.0;
+    const auto value = value_of(*to, scope_);
+    if (!value) return tl::unexpected(value.error());
+    const auto aim = aim_of(*value, outlook_);
+    if (!aim) return tl::unexpected(aim.error());
+    const auto flight = refiners::estimate_flight({vector_of(at_), vector_of(*aim)},
+                                                  outlook_.knowledge.vehicle, outlook_.world.wind);
+    at_ = *aim;
+    return flight.duration.expected.to_seconds();
+  }
+
+  const Joint& joint_;
+  const interaction::Role& role_;
+  const Outlook& outlook_;
+  Arguments scope_;
+  Position at_;
+  std::vector<interaction::ActiveScm> scms_;
+};
+
+}  // namespace
+
+Result<double, Failure> cost_of(const Joint& joint, const std::string& role,
+                                const world::VehicleState& state, const Outlook& outlook) {
+  const auto missing =
+      unmet(joint.library->roles.at(role), capabilities_of(outlook.knowledge.vehicle, state));
+  if (!missing.empty()) {
+    std::vector<std::string> all;
+    for (const interaction::Requirement& one : missing) all.push_back(describe(one));
+    return failure("it lacks " + joined(all, ", "));
+  }
+  return Walk(joint, role, position_of(state.position), outlook).seconds();
+}
+
+}  // namespace skein::decision_node

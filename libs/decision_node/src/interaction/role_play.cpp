@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interaction/role_play.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "interaction/places.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using interaction::Block;
+using interaction::ComponelIndex;
+using interaction::ComponelState;
+
+bool is_active(ComponelState state) {
+  return state == ComponelState::kRunning || state == ComponelState::kAborting;
+}
+
+}  // namespace
+
+RolePlay::RolePlay(const Joint& joint, std::string role, Holders holders, std::string self)
+    : joint_(joint),
+      role_(std::move(role)),
+      holders_(std::move(holders)),
+      self_(std::move(self)),
+      scope_(arguments_of(joint, role_)),
+      engine_(std::make_shared<const interaction::Automaton>(
+          automaton_in(*joint.library, *joint.variant, role_))) {}
+
+Result<interaction::Effects, Failure> RolePlay::tell(const interaction::Input& input,
+                                                     MissionTime now) {
+  auto effects = engine_.handle(input, now);
+  if (effects) forget_monitors_of_restarted(*effects);
+  return effects;
+}
+
+void RolePlay::forget_monitors_of_restarted(const interaction::Effects& effects) {
+  for (const interaction::Effect& effect : effects) {
+    const auto* changed = std::get_if<interaction::StateChanged>(&effect.what);
+    if (changed == nullptr || changed->state != ComponelState::kScheduled) continue;
+    const auto index = automaton().find(changed->componel);
+    const Block* around = automaton()[automaton()[*index].parent].block();
+    for (const std::string& scm : around->scms) monitors_.erase(scm);
+  }
+}
+
+std::vector<interaction::ActiveScm> RolePlay::active_scms() const {
+  std::set<std::string> active;
+  for (ComponelIndex i = 0; i < automaton().size(); ++i) {
+    const Block* block = automaton()[i].block();
+    if (block == nullptr || !is_active(engine_.state(i))) continue;
+    active.insert(block->scms.begin(), block->scms.end());
+  }
+  return scms_of(joint_, role_, holders_, self_,
+                 [&](const auto& instance, const auto&) { return active.contains(instance.id); });
+}
+
+std::vector<interaction::ScmFound> RolePlay::watch(const interaction::Position& own,
+                                                   const interaction::Observer& observer,
+                                                   MissionTime now) {
+  std::vector<interaction::ScmFound> found;
+  std::set<std::string> active;
+  for (interaction::ActiveScm& one : active_scms()) {
+    active.insert(one.id);
+    const auto monitor = monitors_.try_emplace(one.id, one.id, std::move(one.scm),
+                                               std::move(one.binding), interaction::ScmLimits{});
+    if (auto change = monitor.first->second.update(own, observer, now)) {
+      found.push_back(std::move(*change));
+    }
+  }
+  std::erase_if(monitors_, [&](const auto& one) { return !active.contains(one.first); });
+  return found;
+}
+
+std::vector<std::string> RolePlay::active_blocks() const {
+  std::vector<std::string> blocks;
+  for (ComponelIndex i = 0; i < automaton().size(); ++i) {
+    const bool block = automaton()[i].block() != nullptr;
+    if (block && is_active(engine_.state(i))) blocks.push_back(automaton()[i].id);
+  }
+  return blocks;
+}
+
+std::vector<std::string> RolePlay::violated() const {
+  std::vector<std::string> all;
+  for (const auto& [id, monitor] : monitors_) {
+    if (monitor.finding() == interaction::ScmReport::Finding::kViolated) all.push_back(id);
+  }
+  return all;
+}
+
+RolePlay::Local RolePlay::local(const std::string& name) const {
+  for (ComponelIndex i = 0; i < automaton().size(); ++i) {
+    const Block* block = automaton()[i].block();
+    if (block == nullptr) continue;
+    for (const interaction::LocalParameter& one : block->locals) {
+      if (one.name == name) return {i, one.initialiser};
+    }
+  }
+  return {};
+}
+
+std::vector<interaction::ActiveScm> RolePlay::scms_at(ComponelIndex block, bool ahead) const {
+  std::set<std::string> around{automaton()[block].id};
+  for (ComponelIndex i = block; automaton()[i].parent != i; i = automaton()[i].parent) {
+    around.insert(automaton()[automaton()[i].parent].id);
+  }
+  return scms_of(joint_, role_, holders_, self_, [&](const auto& instance, const auto& blocks) {
+    const bool holds = std::any_of(blocks.begin(), blocks.end(),
+                                   [&](const auto& one) { return around.contains(one); });
+    return holds || (ahead && is_about_places(joint_, instance));
+  });
+}
+
+}  // namespace skein::decision_node

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// One role being played: its automaton, what it computed, and the constraints that hold meanwhile.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interaction/joint.hpp"
+#include "skein/interaction/engine.hpp"
+#include "skein/interaction/valid_position.hpp"
+
+namespace skein::decision_node {
+
+class RolePlay {
+ public:
+  RolePlay(const Joint& joint, std::string role, Holders holders, std::string self);
+
+  const std::string& role() const { return role_; }
+  const interaction::Role& model() const { return joint_.library->roles.at(role_); }
+  /// What names of its expressions stand for: parameters, and places that were computed.
+  const Arguments& scope() const { return scope_; }
+  void know(const std::string& local, const interaction::Position& at) { scope_[local] = at; }
+  void forget(const std::string& local) { scope_.erase(local); }
+
+  /// Refused as the engine refuses.
+  Result<interaction::Effects, Failure> tell(const interaction::Input& input, MissionTime now);
+  std::optional<MissionTime> next_wakeup() const { return engine_.next_wakeup(); }
+  bool is_over() const { return engine_.is_over(); }
+
+  /// What changed of the SCMs of active blocks. Of one whose loop begins anew, what still is counts
+  /// as a change.
+  std::vector<interaction::ScmFound> watch(const interaction::Position& own,
+                                           const interaction::Observer& observer, MissionTime now);
+
+  const interaction::Automaton& automaton() const { return engine_.automaton(); }
+  std::vector<std::string> active_blocks() const;
+  std::vector<std::string> violated() const;
+  /// The block with this local parameter, and how it is computed.
+  struct Local {
+    interaction::ComponelIndex block = 0;
+    std::string initialiser;
+  };
+  Local local(const std::string& name) const;
+  /// That hold for a place computed in this block: of it and the blocks around it; with `ahead`
+  /// also those about places of other blocks of the role, which are to come.
+  std::vector<interaction::ActiveScm> scms_at(interaction::ComponelIndex block, bool ahead) const;
+
+ private:
+  void forget_monitors_of_restarted(const interaction::Effects& effects);
+  std::vector<interaction::ActiveScm> active_scms() const;
+
+  const Joint& joint_;
+  std::string role_;
+  Holders holders_;
+  std::string self_;
+  Arguments scope_;
+  interaction::Engine engine_;
+  std::map<std::string, interaction::ScmMonitor> monitors_;  ///< by SCM
+};
+
+}  // namespace skein::decision_node

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interaction/role_tasks.hpp"
+
+#include <algorithm>
+
+#include "interaction/sightings.hpp"
+#include "skein/refiners/path.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using interaction::Position;
+
+constexpr double kLeastClearance = 5;  // [m] of ways over the ground
+constexpr double kNear = 1;            // [m]
+
+bool meets(const std::string& type) { return type == "synchro" || type == "wait-until-synchro"; }
+
+Result<Argument, Failure> argument(const interaction::Task& task, const char* name,
+                                   const RolePlay& play) {
+  const config::Value* given = task.parameters.find(name);
+  if (given == nullptr) return failure("it has no '" + std::string(name) + "'");
+  return value_of(*given, play.scope());
+}
+
+// ---- goto ----
+
+Result<executive::Task, Failure> goto_of(const interaction::Task& role,
+                                         const RoleTaskContext& context) {
+  const auto to = argument(role, "to", context.play);
+  if (!to) return tl::unexpected(to.error());
+  const auto aim = aim_of(*to, context.outlook);
+  if (!aim) return tl::unexpected(aim.error());
+  refiners::PathQuery query;
+  query.vehicle = context.outlook.knowledge.vehicle;
+  query.from = context.state.position;
+  query.to = vector_of(*aim);
+  query.clearance = kLeastClearance;
+  query.depart = context.outlook.now;
+  executive::Task task;
+  task.type = "goto";
+  std::vector<double> flat;
+  const auto add = [&](const world::Vector3& p) { flat.insert(flat.end(), {p.x(), p.y(), p.z()}); };
+  if ((query.to - query.from).norm() < kNear) {
+    add(query.to);
+  } else {
+    const auto path = refine(query, refiners::Setting{context.outlook.world, {}});
+    if (!path) return failure("no way there: " + path.error().why);
+    const refiners::Way& way = path->task.way;
+    std::for_each(way.begin() + 1, way.end(), add);
+  }
+  task.parameters.add("waypoints", std::move(flat));
+  if (const auto speed = argument(role, "speed", context.play);
+      speed && std::holds_alternative<double>(*speed)) {
+    task.parameters.add("speed", std::get<double>(*speed));
+  }
+  return task;
+}
+
+// ---- perceptions ----
+
+Result<executive::Task, Failure> perception_of(const interaction::Task& role,
+                                               const RoleTaskContext& context) {
+  executive::Task task;
+  task.type = "perceive";
+  const world::VehicleModel& vehicle = context.outlook.knowledge.vehicle;
+  const std::string device = device_of(context.play.model(), vehicle);
+  if (device.empty()) return failure("it has nothing to perceive with");
+  task.parameters.add("device", device);
+  const auto target = argument(role, "target", context.play);
+  if (target) {
+    const auto* name = std::get_if<std::string>(&*target);
+    const auto seen = name == nullptr ? std::nullopt : context.outlook.observer(*name);
+    const auto* point = std::get_if<Position>(&*target);
+    if (!seen && point == nullptr) return failure("nobody knows where its target is");
+    const Position at = seen ? seen->position : *point;
+    task.parameters.add("target", {at[0], at[1], at[2]});
+  }
+  task.parameters.add("duration", (duration_of(role, context.play) - context.done).to_seconds());
+  return task;
+}
+
+// ---- meetings ----
+
+// FNV-1a, cut to what is exact as a JSON number.
+std::uint64_t number_of(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const char one : text) {
+    hash = (hash ^ static_cast<unsigned char>(one)) * 1099511628211ULL;
+  }
+  return hash >> 12U;
+}
+
+std::size_t rank_of(const std::string& id, const interaction::Automaton& automaton) {
+  std::size_t rank = 0;
+  for (const interaction::Componel& one : automaton.componels()) {
+    if (one.id == id) return rank;
+    if (one.task() != nullptr && meets(one.task()->type)) ++rank;
+  }
+  return rank;
+}
+
+Result<executive::Task, Failure> meeting_of(const interaction::Componel& componel,
+                                            const std::string& subject,
+                                            const RoleTaskContext& context) {
+  executive::Task task;
+  task.type = "rendezvous";
+  executive::Synchronisation& sync = task.synchronisation.emplace();
+  const std::size_t rank = rank_of(componel.id, context.play.automaton());
+  sync.id = number_of(subject + "/" + context.allocation + "/" + std::to_string(rank));
+  for (const auto& [name, into] :
+       {std::pair("senders", &sync.senders), std::pair("receivers", &sync.receivers)}) {
+    const auto uavs = argument(*componel.task(), name, context.play);
+    if (!uavs) return tl::unexpected(uavs.error());
+    const auto* names = std::get_if<std::vector<std::string>>(&*uavs);
+    if (names == nullptr) return failure("its " + std::string(name) + " are no UAVs");
+    *into = *names;
+  }
+  return task;
+}
+
+}  // namespace
+
+bool can_make(const std::string& type) {
+  return type == "goto" || type == "takeshot-while-waiting" || meets(type);
+}
+
+Duration duration_of(const interaction::Task& task, const RolePlay& play) {
+  const auto seconds = argument(task, "duration", play);
+  const double* number = seconds ? std::get_if<double>(&*seconds) : nullptr;
+  return number == nullptr ? Duration() : Duration::seconds(*number);
+}
+
+Result<executive::Task, Failure> make_task(const interaction::Componel& componel,
+                                           const std::string& subject,
+                                           const RoleTaskContext& context) {
+  const interaction::Task& role = *componel.task();
+  if (role.type == "goto") return goto_of(role, context);
+  if (role.type == "takeshot-while-waiting") return perception_of(role, context);
+  if (meets(role.type)) return meeting_of(componel, subject, context);
+  return failure("nobody carries out '" + role.type + "'");
+}
+
+}  // namespace skein::decision_node

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "joint_story.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "field_reader.hpp"
+#include "text.hpp"
+
+namespace skein::report {
+
+namespace {
+
+/// A line of the log, whose keys this reader knows.
+struct Line {
+  double t = 0.0;
+  nlohmann::json keys;
+
+  std::string text(const char* key) const {
+    const auto found = keys.find(key);
+    return found != keys.end() && found->is_string() ? found->get<std::string>() : "";
+  }
+  double number(const char* key) const {
+    const auto found = keys.find(key);
+    return found != keys.end() && found->is_number() ? found->get<double>() : 0.0;
+  }
+};
+
+std::optional<Line> line_of(const OtherRecord& record) {
+  if (record.stamp.extra.empty()) return std::nullopt;
+  Diagnostics faults;
+  auto keys = parse_json(record.stamp.extra, {}, faults);
+  if (!keys || !keys->is_object()) return std::nullopt;
+  return Line{seconds(record.stamp), std::move(*keys)};
+}
+
+bool is_over(const std::string& phase) {
+  return phase == "ended" || phase == "aborted" || phase == "not-loaded";
+}
+
+class Teller {
+ public:
+  Teller(const Chronology& story, JointTasks& told) : story_(story), told_(told) {}
+
+  void see(const std::string& kind, const Line& line) {
+    if (kind == "joint") see_joint(line);
+    if (kind == "scm") see_scm(line);
+    if (kind == "negotiation") see_negotiation(line);
+  }
+
+  void finish() {
+    for (const auto& [key, index] : open_joints_) {
+      told_.stories[index].segments.back().span.to = story_.time.to;
+    }
+    for (const auto& [key, index] : open_violations_) {
+      told_.violations[index].span.to = story_.time.to;
+    }
+    std::stable_sort(told_.stories.begin(), told_.stories.end(),
+                     [](const auto& a, const auto& b) { return a.uav < b.uav; });
+    for (SessionStory& session : told_.sessions) add_messages(session);
+  }
+
+ private:
+  void see_joint(const Line& line) {
+    const std::string phase = line.text("phase");
+    const std::pair key{line.text("uav"), line.text("joint")};
+    auto open = open_joints_.find(key);
+    if (open == open_joints_.end() && is_over(phase)) return;
+    if (open == open_joints_.end()) {
+      open = open_joints_.emplace(key, told_.stories.size()).first;
+      told_.stories.push_back({key.first, key.second, {}, "", ""});
+    }
+    JointStory& story = told_.stories[open->second];
+    if (!story.segments.empty()) story.segments.back().span.to = line.t;
+    if (is_over(phase)) {
+      story.end = phase;
+      story.why = line.text("why");
+      open_joints_.erase(open);
+      return;
+    }
+    JointSegment next{phase, line.text("role"), line.text("blocks"), {line.t, line.t}};
+    if (!story.segments.empty()) {
+      const JointSegment& last = story.segments.back();
+      if (std::tie(last.phase, last.role, last.blocks) ==
+          std::tie(next.phase, next.role, next.blocks)) {
+        return;
+      }
+    }
+    story.segments.push_back(std::move(next));
+  }
+
+  void see_scm(const Line& line) {
+    const std::pair key{line.text("uav"), line.text("scm")};
+    if (const auto open = open_violations_.find(key); open != open_violations_.end()) {
+      told_.violations[open->second].span.to = line.t;
+      open_violations_.erase(open);
+    }
+    if (line.text("state") != "violated") return;
+    open_violations_[key] = told_.violations.size();
+    told_.violations.push_back(
+        {key.first,
+         line.text("role"),
+         key.second,
+         "to " + line.text("place") + " " + short_number(line.number("measured"), 2) +
+             ", required " + line.text("relation") + " " + short_number(line.number("required"), 2),
+         {line.t, line.t}});
+  }
+
+  void see_negotiation(const Line& line) {
+    const std::tuple key{line.text("joint"), line.text("opener"), line.number("opened")};
+    auto known = sessions_.find(key);
+    if (known == sessions_.end()) {
+      known = sessions_.emplace(key, told_.sessions.size()).first;
+      told_.sessions.push_back({std::get<0>(key),
+                                line.text("modality"),
+                                std::get<1>(key),
+                                std::get<2>(key),
+                                {},
+                                {},
+                                {}});
+    }
+    SessionStory& session = told_.sessions[known->second];
+    const std::string uav = line.text("uav"), rows = line.text("rows");
+    auto& members = session.members;
+    const auto place = std::lower_bound(members.begin(), members.end(), uav);
+    if (place == members.end() || *place != uav) members.insert(place, uav);
+    session.steps.push_back(
+        {line.t, uav, line.text("state"), rows.empty() ? line.text("why") : rows});
+  }
+
+  // Messages are not told apart by session: those on their way while it lasted.
+  void add_messages(SessionStory& session) const {
+    const double until = session.steps.back().t;
+    const auto is_member = [&](const std::string& name) {
+      return std::binary_search(session.members.begin(), session.members.end(), name);
+    };
+    for (const Flight& flight : story_.messages) {
+      if (flight.what != "NegotiationMessage" || !flight.sent) continue;
+      if (*flight.sent < session.opened || *flight.sent > until) continue;
+      if (is_member(flight.from) && is_member(flight.to)) session.messages.push_back(flight);
+    }
+  }
+
+  const Chronology& story_;
+  JointTasks& told_;
+  std::map<std::pair<std::string, std::string>, std::size_t> open_joints_, open_violations_;
+  std::map<std::tuple<std::string, std::string, double>, std::size_t> sessions_;
+};
+
+}  // namespace
+
+JointTasks tell_joint_tasks(const Journal& journal, const Chronology& story) {
+  JointTasks told;
+  Teller teller(story, told);
+  for (const OtherRecord& record : journal.others) {
+    if (record.kind != "joint" && record.kind != "scm" && record.kind != "negotiation") continue;
+    if (const auto line = line_of(record)) teller.see(record.kind, *line);
+  }
+  teller.finish();
+  return told;
+}
+
+}  // namespace skein::report

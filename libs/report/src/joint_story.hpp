@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Joint tasks: who played which role when, which constraints were violated, how it was negotiated.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "chronology.hpp"
+
+namespace skein::report {
+
+/// A stretch of a joint task at one UAV in which nothing of this changed.
+struct JointSegment {
+  std::string phase;  ///< loading, loaded, running, leaving
+  std::string role;   ///< empty: not agreed
+  std::string blocks;
+  Span span;
+};
+
+struct JointStory {
+  std::string uav;
+  std::string joint;  ///< model, arguments, members
+  std::vector<JointSegment> segments;
+  std::string end, why;  ///< ended, aborted, not-loaded; empty: not over
+};
+
+/// While a spatial constraint was violated.
+struct ViolationStory {
+  std::string uav, role, scm;
+  std::string what;  ///< "distance to R1 104.2, required < 100"
+  Span span;
+};
+
+struct SessionStep {
+  double t = 0.0;
+  std::string uav;
+  std::string state;  ///< invited, offered, refused, agreed, failed, …
+  std::string what;   ///< offer, result or reason
+};
+
+/// A negotiation, as its members told of it.
+struct SessionStory {
+  std::string subject, modality, opener;
+  double opened = 0.0;
+  std::vector<std::string> members;  ///< who told of it, by name
+  std::vector<SessionStep> steps;    ///< time order
+  std::vector<Flight> messages;      ///< of negotiations between them meanwhile
+};
+
+struct JointTasks {
+  std::vector<JointStory> stories;  ///< by UAV
+  std::vector<ViolationStory> violations;
+  std::vector<SessionStory> sessions;  ///< in the order in which they were opened
+};
+
+/// Lines that lack what is needed are left out. Precondition: the journal is in time order.
+JointTasks tell_joint_tasks(const Journal& journal, const Chronology& story);
+
+}  // namespace skein::report

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Joint tasks in the report: bands, violations, sequence diagrams.
+#include <gtest/gtest.h>
+
+#include "builders.hpp"
+#include "joint_story.hpp"
+#include "timeline.hpp"
+
+namespace skein::report {
+namespace {
+
+using testing::count;
+using testing::salvage;
+
+constexpr const char* kLog =
+    R"({"at":0,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,0],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":false}
+{"at":5,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"loading"}
+{"at":5,"node":"uav1","kind":"negotiation","uav":"uav1","joint":"watch(P1) of uav1, uav2/roles","modality":"role-allocation","opener":"uav1","opened":5,"state":"offered","rows":"perceive 3"}
+{"at":5.1,"node":"uav1","kind":"message","slot":"NegotiationMessage","from":"uav1","to":"uav2","sequence":1,"direction":"sent"}
+{"at":5.2,"node":"uav2","kind":"message","slot":"NegotiationMessage","from":"uav1","to":"uav2","sequence":1,"direction":"received"}
+{"at":5.3,"node":"uav2","kind":"message","slot":"NegotiationMessage","from":"uav2","to":"uav1","sequence":1,"direction":"sent"}
+{"at":6,"node":"uav2","kind":"negotiation","uav":"uav2","joint":"watch(P1) of uav1, uav2/roles","modality":"role-allocation","opener":"uav1","opened":5,"state":"agreed","rows":"uav1 perceive"}
+{"at":10,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"running","role":"perceive","blocks":"b10"}
+{"at":20,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"running","role":"perceive","blocks":"b10 b12"}
+{"at":30,"node":"uav1","kind":"scm","uav":"uav1","joint":"watch(P1) of uav1, uav2","role":"perceive","scm":"mcs2","state":"violated","place":"P1","relation":"<","measured":61.5,"required":50}
+{"at":35,"node":"uav1","kind":"scm","uav":"uav1","joint":"watch(P1) of uav1, uav2","role":"perceive","scm":"mcs2","state":"satisfied"}
+{"at":40,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"aborted","role":"perceive","why":"no contact"}
+)";
+
+class JointView : public ::testing::Test {
+ protected:
+  JointView() : read_(salvage(kLog)), story_(tell({}, read_.journal)) {
+    EXPECT_TRUE(read_.errors.empty());
+  }
+  JointTasks told() const { return tell_joint_tasks(read_.journal, story_); }
+  std::string written(void (*write)(Markup&, const skein::report::Run&)) const {
+    const Statistics figures = measure(story_, read_.journal);
+    const Deliberation plans = tell_deliberation(read_.journal);
+    const RunInfo info{};
+    Markup out;
+    write(out, skein::report::Run{info, read_.journal, story_, figures, plans});
+    return out.take();
+  }
+
+  SalvagedJournal read_;
+  Chronology story_;
+};
+
+TEST_F(JointView, AJointTaskIsItsPhasesWithRoleAndBlocks) {
+  const std::vector<JointStory> stories = told().stories;
+
+  ASSERT_EQ(stories.size(), 1U);
+  ASSERT_EQ(stories[0].segments.size(), 3U);
+  EXPECT_EQ(stories[0].segments[0].phase, "loading");
+  EXPECT_EQ(stories[0].segments[0].span, (Span{5, 10}));
+  EXPECT_EQ(stories[0].segments[2].blocks, "b10 b12");
+  EXPECT_EQ(stories[0].segments[2].span, (Span{20, 40}));
+  EXPECT_EQ(stories[0].end, "aborted");
+  EXPECT_EQ(stories[0].why, "no contact");
+}
+
+TEST_F(JointView, AViolationLastsUntilTheConstraintHoldsAgain) {
+  const std::vector<ViolationStory> violations = told().violations;
+
+  ASSERT_EQ(violations.size(), 1U);
+  EXPECT_EQ(violations[0].span, (Span{30, 35}));
+  EXPECT_EQ(violations[0].what, "to P1 61.5, required < 50");
+}
+
+TEST_F(JointView, ASessionHasItsMembersStepsAndMessages) {
+  const std::vector<SessionStory> sessions = told().sessions;
+
+  ASSERT_EQ(sessions.size(), 1U);
+  EXPECT_EQ(sessions[0].members, (std::vector<std::string>{"uav1", "uav2"}));
+  EXPECT_EQ(sessions[0].steps.size(), 2U);
+  ASSERT_EQ(sessions[0].messages.size(), 2U);
+  EXPECT_EQ(sessions[0].messages[0].received, 5.2);
+  EXPECT_FALSE(sessions[0].messages[1].received);
+}
+
+TEST_F(JointView, TheTimelineShowsRolesBlocksAndViolations) {
+  const std::string page = written(write_timeline);
+
+  EXPECT_EQ(count(page, "Joint tasks"), 1U);
+  EXPECT_EQ(count(page, "class=\"joint-running\""), 1U);
+  EXPECT_EQ(count(page, "joint-block"), 2U);
+  EXPECT_EQ(count(page, "class=\"violated\""), 1U);
+  EXPECT_EQ(count(page, "aborted: no contact"), 1U);
+}
+
+TEST_F(JointView, ANegotiationIsASequenceDiagramWithWhatWasLost) {
+  const std::string page = written(write_negotiations);
+
+  EXPECT_EQ(count(page, "<svg class=\"sequence\""), 1U);
+  EXPECT_EQ(count(page, "class=\"life\""), 2U);
+  EXPECT_EQ(count(page, "class=\"message\""), 1U);
+  EXPECT_EQ(count(page, "class=\"message cut\""), 1U);
+  EXPECT_EQ(count(page, "agreed: uav1 perceive"), 2U);  // as text, and when it is pointed at
+}
+
+TEST_F(JointView, WithoutJointTasksThereIsNothing) {
+  read_ = salvage("");
+  story_ = tell({}, read_.journal);
+
+  EXPECT_EQ(written(write_negotiations), "");
+  EXPECT_EQ(count(written(write_timeline), "Joint tasks"), 0U);
+}
+
+}  // namespace
+}  // namespace skein::report
