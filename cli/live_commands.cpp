@@ -5,10 +5,13 @@
 #include <memory>
 
 #include "argument_checks.hpp"
+#include "network_options.hpp"
+#include "operate_commands.hpp"
 #include "skein/functional_tool/functional.hpp"
 #include "skein/run_tool/run.hpp"
 #include "skein/spy_tool/spy.hpp"
 #include "skein/state_tool/state.hpp"
+#include "skein/storm_tool/storm.hpp"
 
 namespace skein::cli {
 
@@ -52,6 +55,9 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
       ->allow_extra_args(false);
   run->add_option("--security", options->security,
                   "Folder made by make-keys: every node proves who it is");
+  run->add_option(
+      "--console", options->console,
+      "Serve the operators' page meanwhile: ADDRESS:PORT, or PORT of this machine alone");
   run->footer(kRunExamples);
   run->callback(
       [options, &action, &live] { action = [options, &live] { return live.run(*options); }; });
@@ -80,19 +86,6 @@ Examples:
   skein spy --domain 1 echo Telemetry --from marvin --json -n 10
   skein spy --domain 1 --partition 'radio/marvin>ground'
 Exit codes: 0, 2 wrong options, 3 DDS refused, 4 nothing heard.)";
-
-void add_network(CLI::App* command, blackboard::NetworkConfig& network) {
-  command->add_option("--interface", network.interfaces, "IPv4 address to talk on")->delimiter(',');
-  command->add_option("--peer", network.peers, "Where to look for others: ADDRESS or ADDRESS:PORT")
-      ->delimiter(',');
-  command->add_option("--multicast", network.multicast, "Look for others by multicast: on or off");
-  command->add_option("--discovery-server", network.discovery_servers, "ADDRESS:PORT")
-      ->delimiter(',');
-  command->add_option("--security", network.keys, "Folder with the keys to take part with");
-  for (const char* name : {"--interface", "--peer", "--discovery-server"}) {
-    command->get_option(name)->allow_extra_args(false);
-  }
-}
 
 void add_spy(CLI::App& app, Action& action, const LiveActions& live) {
   auto options = std::make_shared<spy_tool::SpyOptions>();
@@ -143,6 +136,9 @@ void add_functional(CLI::App& app, Action& action, const LiveActions& live) {
       ->check(positive_problem);
   functional->add_option("--near", options->near, "Of a way-point that counts as reached [m]")
       ->check(positive_problem);
+  functional->add_flag(
+      "--restarts", options->restarts,
+      "Over DDS: also what holds after a restart; it says when to restart the layer");
   functional->add_flag("--json", options->json, "One JSON document");
   functional->footer(kFunctionalExamples);
   functional->callback([options, &action, &live] {
@@ -177,14 +173,56 @@ void add_state(CLI::App& app, Action& action, const LiveActions& live) {
   add("export", "Every input, one JSON object a line", What::kExport);
 }
 
+constexpr const char* kStormExamples = R"(
+Examples:
+  skein storm scenarios/comets/confirmed.yaml --seeds 1..100 --jobs 2    troubles in a mission of yours
+  skein storm --seeds 1..300                                             missions drawn at random
+  skein storm my.yaml --seeds 17 --save out/17 --log out/17              one run, and its event log
+  skein storm my.yaml other.yaml --seeds 1..1000 --law energy --law crash --json
+  skein run out/storm/energy-my-17.yaml --virtual                        a scenario that was kept, small
+Exit codes: 0 no law was broken, 1 some, 2 wrong input.)";
+
+void add_storm(CLI::App& app, Action& action, const LiveActions& live) {
+  auto options = std::make_shared<storm_tool::StormOptions>();
+  CLI::App* storm = app.add_subcommand(
+      "storm", "Missions in which things go wrong, by seed, judged by laws that know no plan");
+  storm->add_option("scenarios", options->scenarios,
+                    "Scenario files (YAML); without any, missions are drawn at random");
+  storm->add_option("--seeds", options->seeds, "A..B: so many runs of each scenario")
+      ->capture_default_str();
+  storm->add_option("--jobs", options->judge.jobs, "How many at once")->check(CLI::Range(1, 256));
+  storm->add_option("--law", options->judge.only, "Only this law; may be repeated")
+      ->allow_extra_args(false);
+  storm->add_flag("--laws", options->list_laws, "List the laws");
+  storm->add_option("--save", options->save, "Folder for scenarios that break a law; '' keeps none")
+      ->capture_default_str();
+  storm->add_flag("!--no-shrink", options->shrink, "Keep them as they are, not made small");
+  storm->add_option("--log", options->judge.log, "Folder for the event log of each run");
+  storm->add_flag("--twice", options->judge.twice,
+                  "Each run twice: the event logs must be the same");
+  storm->add_option("--patience", options->judge.patience, "Seconds of processor time for one run")
+      ->check(CLI::Range(1, 3600))
+      ->capture_default_str();
+  storm->add_option("--models", options->models,
+                    "Folder scenarios/ of Skein, for missions drawn (default: found)");
+  storm->add_flag("--json", options->json, "One JSON document, no progress");
+  storm->add_flag("--quiet", options->quiet, "No progress");
+  storm->footer(kStormExamples);
+  storm->callback(
+      [options, &action, &live] { action = [options, &live] { return live.storm(*options); }; });
+}
+
 }  // namespace
 
 void add_live(CLI::App& app, std::function<int()>& action, const LiveActions& live) {
   add_run(app, action, live);
   add_report(app, action, live);
+  add_operate(app, action, live.operate);
+  add_status(app, action, live.status);
   add_spy(app, action, live);
   add_functional(app, action, live);
   add_state(app, action, live);
+  add_storm(app, action, live);
 }
 
 }  // namespace skein::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that meet daemons and DDS: run, report, spy, functional, state.
+// The commands that meet daemons and DDS: run, report, operate, status, spy, functional, state,
+// storm.
 #pragma once
 
 #include <functional>
@@ -18,12 +19,25 @@ struct FunctionalOptions;
 namespace skein::refine_tool {
 struct RefineOptions;
 }
+namespace skein::terrain_tool {
+struct MakeOptions;
+struct ShowOptions;
+}  // namespace skein::terrain_tool
 namespace skein::spy_tool {
 struct SpyOptions;
 }
 
+namespace skein::operate_tool {
+struct OperateOptions;
+struct StatusOptions;
+}  // namespace skein::operate_tool
+
 namespace skein::state_tool {
 struct StateOptions;
+}
+
+namespace skein::storm_tool {
+struct StormOptions;
 }
 
 namespace skein::cli {
@@ -35,8 +49,13 @@ struct LiveActions {
   std::function<int(const run_tool::ReportOptions&)> report;
   std::function<int(const spy_tool::SpyOptions&, bool echo)> spy;
   std::function<int(const refine_tool::RefineOptions&)> refine;
+  std::function<int(const terrain_tool::MakeOptions&)> make_terrain;
+  std::function<int(const terrain_tool::ShowOptions&)> show_terrain;
   std::function<int(const functional_tool::FunctionalOptions&)> functional;
+  std::function<int(const operate_tool::OperateOptions&)> operate;
+  std::function<int(const operate_tool::StatusOptions&)> status;
   std::function<int(const state_tool::StateOptions&)> state;
+  std::function<int(const storm_tool::StormOptions&)> storm;
 };
 
 /// Adds the commands. `action` and `live` must outlive the parsing and the action.

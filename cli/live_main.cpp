@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // skein-live: the commands of `skein` that need DDS. `skein` starts it, so that all others start
 // without.
+#include <unistd.h>
+
 #include <iostream>
 
 #include "commands.hpp"
 #include "live_commands.hpp"
 #include "skein/functional_tool/functional.hpp"
+#include "skein/operate_tool/operate.hpp"
 #include "skein/run_tool/run.hpp"
 #include "skein/spy_tool/spy.hpp"
 #include "skein/state_tool/state.hpp"
+#include "skein/storm_tool/storm.hpp"
 
 int main(int argc, char** argv) {
   using namespace skein;  // NOLINT(google-build-using-namespace): the whole program is this
@@ -25,6 +29,16 @@ int main(int argc, char** argv) {
   };
   live.state = [](const state_tool::StateOptions& options) {
     return state_tool::state(options, std::cout, std::cerr);
+  };
+  live.operate = [](const operate_tool::OperateOptions& options) {
+    return operate_tool::operate(options, std::cout, std::cerr);
+  };
+  live.status = [](const operate_tool::StatusOptions& options) {
+    return operate_tool::status(options, std::cout, std::cerr);
+  };
+  live.storm = [](storm_tool::StormOptions options) {
+    options.on_terminal = isatty(STDERR_FILENO) != 0;
+    return storm_tool::storm(options, std::cout, std::cerr);
   };
   live.spy = [](const spy_tool::SpyOptions& options, bool echo) {
     return echo ? spy_tool::echo(options, std::cout, std::cerr)

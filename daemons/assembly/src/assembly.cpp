@@ -7,6 +7,7 @@
 #include "skein/ddn/ddn_node.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/ground/ground_node.hpp"
+#include "skein/scenario/operator_request.hpp"
 #include "skein/sim_node/sim_node.hpp"
 
 namespace skein::assembly {
@@ -83,6 +84,19 @@ ground_station::MissionKnowledge mission_knowledge(const Scenario& scenario) {
   return knowledge;
 }
 
+ground::GroundNode::ReadRequest request_reader(const Scenario& scenario) {
+  auto reader =
+      std::make_shared<scenario::RequestReader>(std::make_shared<const Scenario>(scenario));
+  return [reader](const std::string& text)
+             -> Result<std::vector<ground_station::OperatorDeed>, std::vector<std::string>> {
+    auto deeds = reader->read(text);
+    if (deeds) return std::move(*deeds);
+    std::vector<std::string> problems;
+    for (const Diagnostic& one : deeds.error().all()) problems.push_back(to_text(one));
+    return tl::unexpected(std::move(problems));
+  };
+}
+
 std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
   ground_station::GroundConfig config;
   const ddn::DdnConfig defaults;
@@ -97,7 +111,7 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
   config.pps = scenario.ground.pps;
   config.missions = mission_knowledge(scenario);
   return std::make_unique<ground::GroundNode>(config, world::Terrain(scenario.world.terrain),
-                                              roster_of(scenario));
+                                              roster_of(scenario), request_reader(scenario));
 }
 
 std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& uav) {
@@ -115,6 +129,7 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
     const auto first = first_ids.find(uav.name);
     config.knowledge = std::make_shared<supervisor::Knowledge>(knowledge_of(scenario, uav));
     config.world = std::make_shared<world::World>(world_of(scenario).value());
+    config.interaction = scenario.interaction;
     config.horizon = scenario.planning->horizon;
     if (first != first_ids.end()) config.first_task = first->second;
   }
@@ -141,6 +156,7 @@ Diagnostics check_assembly(const Scenario& scenario) {
     diagnostics.add({scenario.file, 0, 0, "", problem, "", ""});
   }
   diagnostics.append(planning_problems(scenario));
+  diagnostics.append(joint_task_problems(scenario));
   return diagnostics;
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/assembly/knowledge.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/nearest.hpp"
+#include "skein/mission/degree.hpp"
 #include "skein/world/world_builder.hpp"
 
 namespace skein::assembly {
@@ -42,15 +45,30 @@ Result<world::World, Diagnostics> world_of(const Scenario& scenario) {
   return world::build_world(file_of(scenario));
 }
 
+namespace {
+
+void add_use(mission::Vocabulary& vocabulary, const std::string& device, const std::string& use) {
+  const auto [first, last] = vocabulary.serves.equal_range(device);
+  const bool known = std::any_of(first, last, [&](const auto& one) { return one.second == use; });
+  if (!known) vocabulary.serves.emplace(device, use);
+}
+
+}  // namespace
+
 Result<mission::Vocabulary, Diagnostics> vocabulary_of(const Scenario& scenario) {
   SKEIN_EXPECTS(scenario.planning.has_value());
-  return supervisor::vocabulary_of(domain_of(scenario));
+  auto vocabulary = supervisor::vocabulary_of(domain_of(scenario));
+  if (!vocabulary) return vocabulary;
+  for (const UavSpec& uav : scenario.uavs)
+    for (const world::SensorModel& sensor : uav.model.sensors)
+      for (const std::string& use : sensor.serves) add_use(*vocabulary, sensor.device, use);
+  return vocabulary;
 }
 
 namespace {
 
-supervisor::Partner partner_of(const Scenario& scenario, const UavSpec& uav) {
-  const world::Terrain terrain(scenario.world.terrain);
+supervisor::Partner partner_of(const Scenario& scenario, const world::Terrain& terrain,
+                               const UavSpec& uav) {
   const auto& altitudes = scenario.planning->altitudes;
   const auto own = altitudes.find(uav.name);
   return {uav.name,
@@ -65,8 +83,9 @@ supervisor::Knowledge knowledge_of(const Scenario& scenario, const UavSpec& uav)
   auto vocabulary = vocabulary_of(scenario);
   SKEIN_EXPECTS(vocabulary.has_value());
   supervisor::Knowledge knowledge;
+  const world::Terrain terrain(scenario.world.terrain);
   for (const UavSpec& one : scenario.uavs) {
-    supervisor::Partner partner = partner_of(scenario, one);
+    supervisor::Partner partner = partner_of(scenario, terrain, one);
     if (one.name != uav.name) {
       knowledge.partners.push_back(std::move(partner));
       continue;
@@ -80,6 +99,52 @@ supervisor::Knowledge knowledge_of(const Scenario& scenario, const UavSpec& uav)
   knowledge.domain = domain_of(scenario);
   knowledge.vocabulary = std::move(*vocabulary);
   return knowledge;
+}
+
+namespace {
+
+/// What is wrong with the members of a joint task that a UAV is asked for.
+void check_members(const Scenario& scenario, const std::string& uav, const std::string& task,
+                   const std::vector<std::string>& members, Diagnostics& diagnostics) {
+  const auto add = [&](const std::string& problem, const std::string& wanted,
+                       const std::string& nearest) {
+    diagnostics.add({scenario.file, 0, 0, "ground.script", task + " of " + uav + ": " + problem,
+                     wanted, nearest});
+  };
+  if (std::find(members.begin(), members.end(), uav) == members.end()) {
+    add("it is not among the members", "the UAV itself among them", "");
+  }
+  for (const std::string& one : members) {
+    const UavSpec* member = scenario.find_uav(one);
+    if (member == nullptr) {
+      add("no UAV '" + one + "'", "a UAV", nearest_name(one, scenario.uav_names()));
+    } else if (!mission::deliberates(member->degree)) {
+      add(one + " does not deliberate", "degree 4 for all members", "");
+    }
+  }
+}
+
+}  // namespace
+
+Diagnostics joint_task_problems(const Scenario& scenario) {
+  Diagnostics diagnostics;
+  if (scenario.interaction == nullptr) return diagnostics;
+  for (const ground_station::Step& step : scenario.ground.script.steps) {
+    for (const ground_station::Action& action : step.actions) {
+      const auto* sent = std::get_if<ground_station::SendMission>(&action);
+      if (sent == nullptr) continue;
+      for (const mission::HighLevelTask& task : sent->mission.tasks) {
+        if (!scenario.interaction->models.contains(task.name)) continue;
+        for (const mission::Argument& argument : task.arguments) {
+          const auto* members = std::get_if<std::vector<std::string>>(&argument);
+          if (members != nullptr) {
+            check_members(scenario, sent->uav, task.name, *members, diagnostics);
+          }
+        }
+      }
+    }
+  }
+  return diagnostics;
 }
 
 Diagnostics planning_problems(const Scenario& scenario) {

@@ -21,18 +21,19 @@ MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
 TEST(Assembly, TheRosterHasEveryUavInTheOrderOfTheScenario) {
   const node::Roster roster = roster_of(comets());
 
-  ASSERT_EQ(roster.members().size(), 6U);
-  EXPECT_EQ(roster.members()[3].name, "marvin");
-  EXPECT_EQ(roster.members()[4].name, "heliv");
-  EXPECT_EQ(roster.members()[5].name, "karma");
+  ASSERT_EQ(roster.members().size(), 7U);
+  EXPECT_EQ(roster.members()[4].name, "marvin");
+  EXPECT_EQ(roster.members()[5].name, "heliv");
+  EXPECT_EQ(roster.members()[6].name, "karma");
 }
 
-TEST(Assembly, EveryNameOfTheRosterButTheRunnersMakesANodeThatStarts) {
+TEST(Assembly, EveryNameOfTheRosterThatIsNoPersonsMakesANodeThatStarts) {
   const scenario::Scenario scenario = comets();
   const node::Roster roster = roster_of(scenario);
 
   for (const node::Member& member : roster.members()) {
-    if (member.role == wire::Role::kRunner) continue;
+    const bool person = member.role == wire::Role::kRunner || member.role == wire::Role::kOperator;
+    if (person) continue;
     SCOPED_TRACE(member.name);
     const auto node = make_node(scenario, member.name);
     ASSERT_NE(node, nullptr);

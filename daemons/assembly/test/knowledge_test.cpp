@@ -135,5 +135,39 @@ TEST(Knowledge, DegreeFourNeedsPlanningHoweverItIsAskedFor) {
   EXPECT_THAT(to_text(loaded.error()), HasSubstr("degree 4 of karma"));
 }
 
+// ---- joint tasks ----
+
+scenario::Scenario reference_example() {
+  auto scenario =
+      scenario::read_scenario(std::string(SKEIN_SOURCE_DIR) + "/scenarios/mref/nominal.yaml");
+  if (!scenario) ADD_FAILURE() << to_text(scenario.error());
+  return scenario ? *scenario : scenario::Scenario();
+}
+
+std::vector<std::string>& members_of_first_mission(scenario::Scenario& scenario) {
+  auto& action = scenario.ground.script.steps.at(0).actions.at(0);
+  auto& task = std::get<ground_station::SendMission>(action).mission.tasks.at(1);
+  return std::get<std::vector<std::string>>(task.arguments.at(4));
+}
+
+TEST(JointTasks, ThoseOfTheReferenceExampleMakeSense) {
+  const scenario::Scenario scenario = reference_example();
+
+  ASSERT_NE(scenario.interaction, nullptr);
+  EXPECT_TRUE(joint_task_problems(scenario).empty());
+}
+
+TEST(JointTasks, MembersThatCannotTakePartAreNamedAllAtOnce) {
+  scenario::Scenario scenario = reference_example();
+  scenario.uavs.at(1).degree = 3;
+  members_of_first_mission(scenario) = {"uav2", "uav3"};
+
+  const std::string problems = to_text(joint_task_problems(scenario));
+
+  EXPECT_THAT(problems, HasSubstr("monitoring-with-relay of uav1: it is not among the members"));
+  EXPECT_THAT(problems, HasSubstr("no UAV 'uav3'"));
+  EXPECT_THAT(problems, HasSubstr("uav2 does not deliberate"));
+}
+
 }  // namespace
 }  // namespace skein::assembly

@@ -17,6 +17,8 @@
 #include "service_manager.hpp"
 #include "skein/assembly/assembly.hpp"
 #include "skein/assembly/overrides.hpp"
+#include "skein/assembly/page_world.hpp"
+#include "skein/console/console.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "skein/node/waker.hpp"
@@ -84,6 +86,17 @@ std::vector<std::string> candidates(const DaemonProgram& program,
   return names;
 }
 
+Result<std::unique_ptr<console::Console>, Failure> open_console(
+    const Options& options, const scenario::Scenario& scenario) {
+  console::ConsoleConfig config;
+  config.names = options.console_names;
+  config.world = assembly::page_world(scenario);
+  if (auto read = console::read_address(options.console, config); !read) {
+    return tl::unexpected(read.error());
+  }
+  return console::Console::open(std::move(config));
+}
+
 int run(const DaemonProgram& program, const Options& options) {
   const auto scenario = assembly::load_scenario(options.scenario, options.overrides);
   if (!scenario) {
@@ -120,6 +133,19 @@ int run(const DaemonProgram& program, const Options& options) {
   for (const std::string& notice : memory.notices)
     config.on_record(journal::Record({}, name, "notice").with("text", notice));
   config.memory = memory.log.get();
+  std::unique_ptr<console::Console> console;
+  if (!options.console.empty()) {
+    auto opened = open_console(options, *scenario);
+    if (!opened) {
+      std::cerr << "--console: " << opened.error().why << '\n';
+      return kExitBadInput;
+    }
+    console = std::move(*opened);
+    config.companion = console.get();
+    config.on_record(
+        journal::Record({}, name, "notice").with("text", "console at " + console->url()));
+  }
+  config.forgets = options.forgets;
   const auto end = node::run_daemon(roster, *self, make_node(), config);
   if (end == node::DaemonEnd::kFinished && memory.log) memory.log->conclude();
   if (!end) {

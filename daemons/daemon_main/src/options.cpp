@@ -24,6 +24,15 @@ void declare_network(CLI::App& app, blackboard::NetworkConfig& network) {
                  "Folder made by make-keys: talk only with nodes that prove who they are");
 }
 
+void declare_console(CLI::App& app, Options& options) {
+  app.add_option("--console", options.console,
+                 "Serve the operators' page at ADDRESS:PORT, or at PORT of this machine alone");
+  app.add_option("--console-name", options.console_names,
+                 "Name by which browsers call this machine; may be repeated")
+      ->allow_extra_args(false)
+      ->delimiter(',');
+}
+
 void declare_run(CLI::App& app, Options& options) {
   app.add_option("--rate", options.overrides.rate,
                  "Mission seconds per second, for the scenario's");
@@ -59,9 +68,13 @@ void declare(CLI::App& app, Options& options, const DaemonProgram& program) {
     app.add_option("--node", options.node,
                    "Be a functional layer that the scenario names (default: sim, which plays all "
                    "other vehicles, and leads the clock)");
+  if (program.plays_vehicles)
+    app.add_flag("--forgets", options.forgets,
+                 "Be one that lost its memory: of --state only vehicles and world count");
   app.add_option("--domain", options.domain, "DDS domain id")->check(CLI::Range(0, 100));
   declare_network(app, options.network);
   declare_run(app, options);
+  if (!program.node.empty() && !program.plays_vehicles) declare_console(app, options);
   app.add_option("--exit-with-parent", options.parent,
                  "Stop when the process of this id, which started this one, ends");
   app.footer(
@@ -74,7 +87,8 @@ Diagnostics complete(CLI::App& app, Options& options, const DaemonProgram& progr
                      std::string& shown) {
   const char* const file = std::getenv("SKEIN_CONFIG");
   if (options.config.empty() && file != nullptr) options.config = file;
-  Settings settings(app, {"help", "config", "show-config", "show-rights", "exit-with-parent"});
+  Settings settings(
+      app, {"help", "config", "show-config", "show-rights", "exit-with-parent", "forgets"});
   Diagnostics problems =
       settings.complete([](const char* name) { return std::getenv(name); }, options.config);
   const auto require = [&](const std::string& value, const char* name, const char* variable) {

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "skein/assembly/overrides.hpp"
 #include "skein/blackboard/network.hpp"
@@ -21,10 +22,13 @@ struct Options {
   std::uint32_t domain = 0;
   blackboard::NetworkConfig network;
   assembly::Overrides overrides;
-  std::string state;  ///< empty: nothing outlives the process
+  std::string state;    ///< empty: nothing outlives the process
+  std::string console;  ///< ADDRESS:PORT of the operators' page; empty: none
+  std::vector<std::string> console_names;
   std::string log_level = "info";
   bool log_json = false;
-  int parent = 0;  ///< process that it must not outlive; 0: none
+  bool forgets = false;  ///< of what is there it takes only where its vehicles are
+  int parent = 0;        ///< process that it must not outlive; 0: none
 };
 
 /// Declares all of them at a program's command line, writing to `options`.

@@ -40,6 +40,13 @@ TEST(Rights, OnlyWhoPlaysVehiclesSaysWhereTheyAre) {
   EXPECT_THAT(who("publish", "Truth"), UnorderedElementsAre("sim", "autopilot"));
 }
 
+TEST(Rights, OnlyOperatorsAskAndOnlyTheGroundStationHearsAndAnswersThem) {
+  EXPECT_THAT(who("publish", "OperatorRequest"), ElementsAre("operator"));
+  EXPECT_THAT(who("subscribe", "OperatorRequest"), UnorderedElementsAre("ground", "spy"));
+  EXPECT_THAT(who("publish", "OperatorReply"), ElementsAre("ground"));
+  EXPECT_THAT(who("publish", "UavBoard"), ElementsAre("ground"));
+}
+
 TEST(Rights, ARunnerAndASpyOnlyRead) {
   std::istringstream lines(rights_of(node::Roster({"marvin"})));
   std::vector<std::string> writes;

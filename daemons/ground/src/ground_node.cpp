@@ -2,6 +2,7 @@
 #include "skein/ground/ground_node.hpp"
 
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/fingerprint.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
@@ -30,20 +31,33 @@ wire::AlarmState wire_state(gs::AlarmState state) {
 
 }  // namespace
 
-GroundNode::GroundNode(const gs::GroundConfig& config, world::Terrain terrain, node::Roster roster)
-    : terrain_(std::move(terrain)), roster_(std::move(roster)), control_(config, terrain_) {}
+GroundNode::GroundNode(const gs::GroundConfig& config, world::Terrain terrain, node::Roster roster,
+                       ReadRequest read_request)
+    : terrain_(std::move(terrain)),
+      roster_(std::move(roster)),
+      read_request_(std::move(read_request)),
+      control_(config, terrain_) {}
 
 node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
   now_ = now;
   out_.clear();
   const auto mine = input_of(input);
-  for (const auto& effect : control_.handle(mine.value_or(Input(gs::Tick{})), now)) {
+  const auto effects = control_.handle(mine.value_or(Input(gs::Tick{})), now);
+  for (const auto& effect : effects) {
     std::visit([this](const auto& one) { carry_out(one); }, effect);
+  }
+  boards_.something_happened(mine || !effects.empty());
+  if (boards_.is_due(now)) {
+    for (wire::Sample& board : boards_.news(control_, roster_, now)) {
+      out_.push_back(node::Publish{std::move(board)});
+    }
   }
   return std::move(out_);
 }
 
-std::optional<MissionTime> GroundNode::next_wakeup() const { return control_.next_wakeup(); }
+std::optional<MissionTime> GroundNode::next_wakeup() const {
+  return earliest(control_.next_wakeup(), boards_.next_wakeup());
+}
 
 // ---- what comes in ----
 
@@ -66,6 +80,9 @@ bool GroundNode::is_uav(node::NodeNumber number) const {
 }
 
 std::string GroundNode::why_not(const node::Received& received) const {
+  if (std::holds_alternative<wire::OperatorRequest>(received.sample)) {
+    return received.from == roster_.operators() ? "" : "not an operator";
+  }
   if (!is_uav(received.from)) return "not a UAV of this mission";
   if (const auto* reply = std::get_if<wire::RequestReply>(&received.sample)) {
     if (!is_addressee(reply->command, received.from)) return "the command was another UAV's";
@@ -92,6 +109,9 @@ void GroundNode::drop(const node::Received& received, const wire::Violation& vio
 std::optional<GroundNode::Input> GroundNode::input_from(const node::Received& received) {
   const std::string uav = roster_.name_of(received.from);
   const wire::Sample& sample = received.sample;
+  if (const auto* request = std::get_if<wire::OperatorRequest>(&sample)) {
+    return request_from(*request);
+  }
   if (const auto* telemetry = std::get_if<wire::Telemetry>(&sample)) {
     world::Telemetry told = from_wire(*telemetry);
     told.uav = uav;
@@ -122,6 +142,19 @@ std::optional<GroundNode::Input> GroundNode::input_from(const node::Received& re
     return result;
   }
   return input_of_mission(uav, received);
+}
+
+GroundNode::Input GroundNode::request_from(const wire::OperatorRequest& request) const {
+  gs::OperatorRequest asked{request.who, request.number,
+                            Fingerprint().put(request.request).value()};
+  if (!read_request_) {
+    asked.problems = {"this ground station takes no requests"};
+  } else if (auto deeds = read_request_(request.request)) {
+    asked.deeds = std::move(*deeds);
+  } else {
+    asked.problems = std::move(deeds.error());
+  }
+  return asked;
 }
 
 std::optional<GroundNode::Input> GroundNode::input_of_mission(const std::string& uav,
@@ -212,6 +245,27 @@ void GroundNode::carry_out(const gs::AlarmEvent& effect) {
 }
 
 // ---- the event log ----
+
+void GroundNode::carry_out(const gs::OperatorAnswered& effect) {
+  out_.push_back(node::Publish{operator_reply(effect)});
+}
+
+void GroundNode::carry_out(const gs::OperatorAsked& effect) {
+  journal::Record line = record("asked")
+                             .with("who", effect.who)
+                             .with("number", effect.number)
+                             .with("what", effect.what)
+                             .with("accepted", effect.accepted);
+  if (!effect.why.empty()) line.with("why", effect.why);
+  log(line);
+}
+
+void GroundNode::carry_out(const gs::HandChanged& effect) {
+  journal::Record line = record("hand").with("uav", effect.uav);
+  if (!effect.hand.holder.empty()) line.with("holder", effect.hand.holder);
+  if (!effect.hand.asker.empty()) line.with("asker", effect.hand.asker);
+  log(line);
+}
 
 void GroundNode::carry_out(const gs::CommandChanged& effect) {
   journal::Record line = record("command")

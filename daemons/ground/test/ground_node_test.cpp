@@ -95,8 +95,8 @@ TEST(GroundNode, PublishesAndLogsThePhaseItEnters) {
 
   station.give(node::Wakeup{}, 1);
 
-  ASSERT_EQ(station.all<node::Publish>().size(), 1U);
-  const auto state = std::get<wire::MissionState>(station.all<node::Publish>()[0].sample);
+  ASSERT_EQ(station.published<wire::MissionState>().size(), 1U);
+  const auto state = station.published<wire::MissionState>()[0];
   EXPECT_EQ(state.phase, "Going");
   EXPECT_FALSE(state.finished);
   ASSERT_EQ(station.records("phase").size(), 1U);
@@ -157,7 +157,8 @@ TEST(GroundNode, AStepFollowsTheEventOfATask) {
   EXPECT_EQ(station.all<node::Finish>().size(), 1U);
   ASSERT_EQ(station.records("mission").size(), 1U);
   EXPECT_EQ(station.records("mission")[0].text("state"), "finished");
-  const auto state = std::get<wire::MissionState>(station.all<node::Publish>().back().sample);
+  ASSERT_FALSE(station.published<wire::MissionState>().empty());
+  const auto state = station.published<wire::MissionState>().back();
   EXPECT_TRUE(state.finished);
   EXPECT_EQ(state.outcome, "finished");
 }

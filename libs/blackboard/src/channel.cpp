@@ -29,8 +29,9 @@ std::vector<Slot> onboard_slots() {
 }
 
 std::vector<Slot> world_slots() {
-  return {Slot::kDirectoryEntry, Slot::kClock,        Slot::kLinkState,
-          Slot::kMissionState,   Slot::kJournalEntry, Slot::kTruth};
+  return {Slot::kDirectoryEntry, Slot::kClock,           Slot::kLinkState,    Slot::kMissionState,
+          Slot::kJournalEntry,   Slot::kTruth,           Slot::kUavBoard,     Slot::kUavTasks,
+          Slot::kGroundBoard,    Slot::kOperatorRequest, Slot::kOperatorReply};
 }
 
 }  // namespace

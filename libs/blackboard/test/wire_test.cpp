@@ -30,10 +30,12 @@ TEST(Slot, ClassesAreThoseOfTheSpecification) {
   EXPECT_EQ(slot_class(Slot::kMissionState), SlotClass::kState);
   EXPECT_EQ(slot_class(Slot::kMissionPlan), SlotClass::kState);
   EXPECT_EQ(slot_class(Slot::kJointTaskState), SlotClass::kState);
+  EXPECT_EQ(slot_class(Slot::kGroundBoard), SlotClass::kState);
   EXPECT_EQ(slot_class(Slot::kTaskRequest), SlotClass::kEvent);
   EXPECT_EQ(slot_class(Slot::kMissionRequest), SlotClass::kEvent);
   EXPECT_EQ(slot_class(Slot::kDecision), SlotClass::kEvent);
   EXPECT_EQ(slot_class(Slot::kNegotiationMessage), SlotClass::kEvent);
+  EXPECT_EQ(slot_class(Slot::kOperatorRequest), SlotClass::kEvent);
   EXPECT_EQ(slot_class(Slot::kJournalEntry), SlotClass::kEvent);
   EXPECT_EQ(slot_class(Slot::kTelemetry), SlotClass::kStream);
   EXPECT_EQ(slot_class(Slot::kHeartbeat), SlotClass::kStream);

@@ -102,7 +102,8 @@ void GroundControl::send_up(const std::string& uav, MissionTime now, Effects& ou
 void GroundControl::resume(const ResumeHeld& request, Effects& out) {
   const std::size_t before = held_.of(request.uav).size();
   if (before == 0) {
-    out.emplace_back(Anomaly{"no plan of '" + request.uav + "' is held that could be resumed"});
+    report({"no plan of '" + request.uav + "' is held that could be resumed", request.asked_by},
+           out);
     return;
   }
   std::vector<HeldTask> tasks = held_.take(request.uav, request.without);

@@ -49,17 +49,19 @@ GroundControl::GroundControl(const GroundConfig& config, const world::Terrain& t
 
 std::vector<GroundControl::Effect> GroundControl::handle(const Input& input, MissionTime now) {
   Effects out;
+  for (const OperatorDesk::Effect& effect : desk_.wake(now)) accept(effect, out);
   wake(now);
   run_errands(now, out);
   accept(input, now, out);
   run_errands(now, out);
+  for (OperatorAnswered& answer : desk_.take_answers()) out.emplace_back(std::move(answer));
   return out;
 }
 
 std::optional<MissionTime> GroundControl::next_wakeup() const {
   std::optional<MissionTime> wakeup = earliest(monitoring_.next_wakeup(), planning_.next_wakeup());
   for (const auto& [uav, mle] : local_) wakeup = earliest(wakeup, mle.executive.next_wakeup());
-  return wakeup;
+  return earliest(wakeup, desk_.next_wakeup());
 }
 
 Board GroundControl::board(MissionTime now) const {
@@ -102,9 +104,46 @@ void GroundControl::accept(const Input& input, MissionTime now, Effects& out) {
                    errands_.emplace_back(Monitoring::Input(
                        IssueCommand{it.uav, it.request, now + it.lifetime, "operator"}));
                  },
+                 [&](const OperatorRequest& it) { accept(it, now, out); },
                  [&](const auto& it) { errands_.emplace_back(Monitoring::Input(it)); },
              },
              input);
+}
+
+void GroundControl::accept(const OperatorRequest& request, MissionTime now, Effects& out) {
+  const Board known = board(now);
+  const OperatorDesk::Surroundings around{known, planning_.answers(), perception_.alarms()};
+  for (const OperatorDesk::Effect& effect : desk_.handle(request, around, now)) {
+    accept(effect, out);
+  }
+}
+
+void GroundControl::accept(const OperatorDesk::Effect& effect, Effects& out) {
+  std::visit(
+      Overloaded{[&](const DoActions& it) { errands_.emplace_back(MissionPlanning::Input(it)); },
+                 [&](const OperatorActs& it) { errands_.emplace_back(MissionPlanning::Input(it)); },
+                 [&](const JudgeAlarm& it) {
+                   for (const auto& judged : perception_.judge(it.alarm, it.state)) {
+                     route(judged, out);
+                   }
+                 },
+                 [&](const auto& it) { out.emplace_back(it); }},
+      effect);
+}
+
+void GroundControl::report(const Anomaly& anomaly, Effects& out) {
+  desk_.note(anomaly);
+  out.emplace_back(anomaly);
+}
+
+void GroundControl::note_air(const Request& request) {
+  const auto* change = std::get_if<mission::ChangeWorld>(&request);
+  if (change == nullptr || change->place || change->ground) return;
+  if (change->remove) {
+    air_.erase(change->volume.name);
+  } else {
+    air_.insert_or_assign(change->volume.name, change->volume);
+  }
 }
 
 void GroundControl::accept_status(const FunctionalStatusReceived& input, Effects& out) {
@@ -171,6 +210,11 @@ void GroundControl::route(const Monitoring::Effect& effect, MissionTime now, Eff
   };
   std::visit(Overloaded{
                  [&](const SendRequest& it) { route(it, out); },
+                 [&](const CommandChanged& it) {
+                   desk_.note(it, now);
+                   out.emplace_back(it);
+                 },
+                 [&](const Anomaly& it) { report(it, out); },
                  [&](const TaskChanged& it) { tell_planning(it); },
                  [&](const GoalChanged& it) { tell_planning(it); },
                  [&](const MissionChanged& it) { tell_planning(it); },
@@ -193,6 +237,7 @@ void GroundControl::route(const Monitoring::Effect& effect, MissionTime now, Eff
 }
 
 void GroundControl::route(const SendRequest& request, Effects& out) {
+  note_air(request.request);
   const auto answer = [&](bool accepted, const std::string& why) {
     errands_.emplace_back(Monitoring::Input(RequestReplyReceived{request.command, accepted, why}));
   };
@@ -223,6 +268,7 @@ void GroundControl::route(const MissionPlanning::Effect& effect, Effects& out) {
                  [&](const ChangeHands& it) { tell_monitoring(it); },
                  [&](const ResumeHeld& it) { resume(it, out); },
                  [&](const DropHeld& it) { drop(it.uav, out); },
+                 [&](const Anomaly& it) { report(it, out); },
                  [&](const auto& it) { out.emplace_back(it); },
              },
              effect);

@@ -132,6 +132,8 @@ void MissionPlanning::note(const Input& input, MissionTime now, Effects& effects
     mark<OnRestart>(now, [&](const OnRestart& on) { return on.uav == restarted->uav; });
   } else if (const auto* acts = std::get_if<OperatorActs>(&input)) {
     note_operator(acts->does, now, effects);
+  } else if (const auto* deed = std::get_if<DoActions>(&input)) {
+    do_now(*deed, now, effects);
   } else {
     note_autonomy(input, now);
   }
@@ -192,6 +194,28 @@ MissionPlanning::Waiting* MissionPlanning::next_due(MissionTime now) {
     first_due = *at;
   }
   return first;
+}
+
+void MissionPlanning::do_now(const DoActions& asked, MissionTime now, Effects& effects) {
+  const Deed deed{asked.asked_by, now + script_.command_lifetime, effects};
+  for (const Action& action : asked.actions) {
+    if (finished_) return;
+    std::visit([&](const auto& it) { perform(it, deed); }, action);
+  }
+}
+
+std::vector<std::string> MissionPlanning::answers() const {
+  std::vector<std::string> answers;
+  for (const Waiting& waiting : waiting_) {
+    for (const Leaf& leaf : waiting.leaves) {
+      const auto* on = as<OnOperator>(*leaf.trigger);
+      const bool waits = waiting.armed && on != nullptr && !leaf.at;
+      const bool is_new =
+          waits && std::find(answers.begin(), answers.end(), on->does) == answers.end();
+      if (is_new) answers.push_back(on->does);
+    }
+  }
+  return answers;
 }
 
 void MissionPlanning::fire(Waiting& waiting, MissionTime now, Effects& effects) {

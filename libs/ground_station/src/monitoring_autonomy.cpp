@@ -30,13 +30,14 @@ void Monitoring::on(const ChangeHands& input, MissionTime now, Effects& effects)
   mission::ChangeDegree change;
   if (input.way == ChangeHands::Way::kTake) {
     const Degree before = expected_degree(*record);
-    if (!runs_at_ground(before)) record->degree_before_taken = before;
+    if (!runs_at_ground(before)) record->board.degree_before_taken = before;
     change.degree = mission::kLeastDegree;
     change.interrupt = input.interrupt;
-  } else if (record->degree_before_taken) {
-    change.degree = *record->degree_before_taken;
+  } else if (record->board.degree_before_taken) {
+    change.degree = *record->board.degree_before_taken;
   } else {
-    effects.emplace_back(Anomaly{input.uav + " was not taken in hand: it cannot be given back"});
+    effects.emplace_back(
+        Anomaly{input.uav + " was not taken in hand: it cannot be given back", input.asked_by});
     return;
   }
   on(IssueCommand{input.uav, change, input.expires, input.asked_by}, now, effects);

@@ -31,8 +31,8 @@ std::string_view to_text(CommandState state) {
 void Monitoring::on(const IssueCommand& input, MissionTime now, Effects& effects) {
   const CommandNumber number(++last_number_);
   pending_[number] = {input.uav, input.request, input.expires, input.asked_by};
-  effects.emplace_back(
-      CommandChanged{number, input.uav, what_of(input.request), CommandState::kIssued});
+  effects.emplace_back(CommandChanged{number, input.uav, what_of(input.request),
+                                      CommandState::kIssued, "", input.asked_by});
   const auto uav = uavs_.find(input.uav);
   if (uav == uavs_.end()) {
     return close(number, CommandState::kRefused, "unknown UAV '" + input.uav + "'", effects);
@@ -98,7 +98,7 @@ void Monitoring::on(const AbortEverything& input, MissionTime now, Effects& effe
     if (pending.uav == input.uav && id) ids.insert(*id);
   }
   for (const TaskId id : ids) {
-    on(IssueCommand{input.uav, executive::Abort{id}, input.expires}, now, effects);
+    on(IssueCommand{input.uav, executive::Abort{id}, input.expires, input.asked_by}, now, effects);
   }
 }
 
@@ -129,7 +129,8 @@ void Monitoring::close(CommandNumber number, CommandState state, const std::stri
   pending_.erase(found);
   deadlines_.erase({pending.expires + grace_, number});
   const auto uav = uavs_.find(pending.uav);
-  effects.emplace_back(CommandChanged{number, pending.uav, what_of(pending.request), state, why});
+  effects.emplace_back(
+      CommandChanged{number, pending.uav, what_of(pending.request), state, why, pending.asked_by});
   if (uav == uavs_.end()) return;
   uav->second.board.commands_pending -= 1;
   const auto* mission = std::get_if<mission::UnitMission>(&pending.request);

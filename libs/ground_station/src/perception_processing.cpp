@@ -11,6 +11,8 @@
 namespace skein::ground_station {
 namespace {
 
+using world::Likelihood;
+using world::SensorEvidence;
 using world::Vector2;
 using world::Vector3;
 
@@ -24,18 +26,18 @@ bool is_probability(double p) { return p > 0 && p < 1; }
 
 double horizontal(const Vector3& a, const Vector3& b) { return (a - b).head<2>().norm(); }
 
-const Likelihood* likelihood_of(const DeviceReliability& device, const std::string& kind) {
+const Likelihood* likelihood_of(const SensorEvidence& device, const std::string& kind) {
   const auto found = device.kinds.find(kind);
   return found == device.kinds.end() ? nullptr : &found->second;
 }
 
-bool speaks_for_fire(const DeviceReliability& device, const std::string& kind) {
+bool speaks_for_fire(const SensorEvidence& device, const std::string& kind) {
   const Likelihood* likelihood = likelihood_of(device, kind);
   return likelihood != nullptr && likelihood->if_fire > likelihood->if_not_fire;
 }
 
 // ln P(outcome | fire) / P(outcome | no fire); no kind, or one that is not known: nothing reported.
-double log_ratio(const DeviceReliability& device, const world::Detection* detection) {
+double log_ratio(const SensorEvidence& device, const world::Detection* detection) {
   if (detection != nullptr) {
     const Likelihood* likelihood = likelihood_of(device, detection->kind);
     if (likelihood != nullptr) return std::log(likelihood->if_fire / likelihood->if_not_fire);
@@ -66,7 +68,7 @@ std::size_t sector_of(const Vector3& from, const Vector3& to) {
   return std::min(sector, std::size_t{Alarm::kSectors - 1});
 }
 
-void check_device(const std::string& name, const DeviceReliability& device,
+void check_device(const std::string& name, const SensorEvidence& device,
                   std::vector<std::string>& problems) {
   const std::string where = "device " + name;
   double if_fire = 0;
@@ -100,7 +102,7 @@ std::string_view to_text(AlarmState state) {
   return "infirmed";
 }
 
-std::map<std::string, DeviceReliability, std::less<>> default_devices() {
+std::map<std::string, SensorEvidence, std::less<>> default_devices() {
   return {
       {"fire-sensor", {.kinds = {{"fire", {0.8, 0.1}}}, .confirms = false, .limit = 5}},
       {"ir", {.kinds = {{"fire", {0.85, 0.1}}}, .confirms = false, .limit = 4}},
@@ -118,6 +120,8 @@ std::map<std::string, DeviceReliability, std::less<>> default_devices() {
 std::vector<std::string> problems_of(const PpsConfig& config) {
   std::vector<std::string> problems;
   for (const auto& [name, device] : config.devices) check_device(name, device, problems);
+  for (const auto& [name, device] : config.models)
+    check_device(name.second + " of " + name.first, device, problems);
   if (!(0 < config.infirm && config.infirm < config.prior && config.prior < config.raise &&
         config.raise <= config.confirm && config.confirm < 1)) {
     problems.emplace_back("thresholds must be in order: 0 < infirm < prior < raise <= confirm < 1");
@@ -145,7 +149,7 @@ std::vector<PerceptionProcessing::Effect> PerceptionProcessing::handle(
     effects.emplace_back(PerceptionLogged{look.uav, look.device, look.detections.size()});
   }
   forget_stale(now);
-  const DeviceReliability* device = reliability_of(look);
+  const SensorEvidence* device = reliability_of(look);
   if (device == nullptr || !is_sane(look)) return effects;
 
   const Sightings sightings = associate(look, *device);
@@ -174,7 +178,9 @@ std::vector<Alarm> PerceptionProcessing::alarms() const {
   return alarms;
 }
 
-const DeviceReliability* PerceptionProcessing::reliability_of(const world::Perception& look) const {
+const SensorEvidence* PerceptionProcessing::reliability_of(const world::Perception& look) const {
+  const auto own = config_.models.find({look.uav, look.device});
+  if (own != config_.models.end()) return &own->second;
   const auto found = config_.devices.find(look.device);
   return found == config_.devices.end() ? nullptr : &found->second;
 }
@@ -205,7 +211,7 @@ std::optional<std::size_t> PerceptionProcessing::nearest_in_gate(
 // Each detection goes to the nearest candidate within the gate, or makes a new one if it speaks for
 // fire. Of several in one look that go to one candidate the one that speaks for fire most counts.
 PerceptionProcessing::Sightings PerceptionProcessing::associate(const world::Perception& look,
-                                                                const DeviceReliability& device) {
+                                                                const SensorEvidence& device) {
   Sightings sightings;
   for (const world::Detection& detection : look.detections) {
     if (!is_sane(detection) || detection.confidence < config_.least_confidence) continue;
@@ -241,8 +247,7 @@ bool PerceptionProcessing::surely_in_view(const Candidate& candidate,
 }
 
 void PerceptionProcessing::count(Candidate& candidate, const world::Perception& look,
-                                 const DeviceReliability& device,
-                                 const world::Detection* sighting) {
+                                 const SensorEvidence& device, const world::Detection* sighting) {
   Tally& tally = candidate.tallies[look.uav + "/" + look.device];
   const bool for_fire = sighting != nullptr && speaks_for_fire(device, sighting->kind);
   if (for_fire) candidate.alarm.last_seen = std::max(candidate.alarm.last_seen, look.at);
@@ -313,6 +318,26 @@ void PerceptionProcessing::settle(Candidate& candidate, std::vector<Effect>& eff
     effects.emplace_back(AlarmRefined{alarm});
     candidate.told_at = alarm.position;
   }
+}
+
+std::vector<PerceptionProcessing::Effect> PerceptionProcessing::judge(AlarmId alarm,
+                                                                      AlarmState state) {
+  std::vector<Effect> effects;
+  for (Candidate& candidate : candidates_) {
+    const bool is_meant = alarm != AlarmId() && candidate.alarm.id == alarm;
+    const bool can_change = candidate.alarm.state != AlarmState::kConfirmed &&
+                            candidate.alarm.state != state && state != AlarmState::kRaised;
+    if (!is_meant || !can_change) continue;
+    if (state == AlarmState::kInfirmed) {
+      for (auto& [key, tally] : candidate.tallies) {
+        tally.muted = true;
+        tally.evidence = 0;
+      }
+      candidate.alarm.belief = belief_of(candidate);
+    }
+    enter(candidate, state, effects);
+  }
+  return effects;
 }
 
 void PerceptionProcessing::enter(Candidate& candidate, AlarmState state,

@@ -37,14 +37,15 @@ void MissionPlanning::perform(const SendPlan& plan, const Deed& deed) {
       deed.issue(plan.uav, std::move(start));
     } else {
       deed.effects.emplace_back(Anomaly{"task " + skein::to_text(planned.task.id) + " of " +
-                                        plan.uav + " is not sent: " + problem});
+                                            plan.uav + " is not sent: " + problem,
+                                        deed.asked_by});
     }
   }
 }
 
 void MissionPlanning::perform(const AbortTasks& action, const Deed& deed) {
   if (!action.tasks) {
-    deed.effects.emplace_back(AbortEverything{action.uav, deed.expires});
+    deed.effects.emplace_back(AbortEverything{action.uav, deed.expires, deed.asked_by});
     return;
   }
   for (const executive::TaskId id : *action.tasks) deed.issue(action.uav, executive::Abort{id});
@@ -69,8 +70,9 @@ void MissionPlanning::perform(const SendMission& action, const Deed& deed) {
                           target.argument < mission.tasks[target.task].arguments.size();
     if (!points || !is_there) {
       const std::string why = points ? "a target is for no argument" : points.error().why;
-      deed.effects.emplace_back(Anomaly{"mission " + skein::to_text(mission.id) + " of " +
-                                        action.uav + " is not sent: " + why});
+      deed.effects.emplace_back(Anomaly{
+          "mission " + skein::to_text(mission.id) + " of " + action.uav + " is not sent: " + why,
+          deed.asked_by});
       return;
     }
     mission.tasks[target.task].arguments[target.argument] = points->front();

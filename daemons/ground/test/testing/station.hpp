@@ -30,8 +30,8 @@ inline gs::Step step(const std::string& name, gs::Trigger when, std::vector<gs::
 /// The ground station of "marvin" and "heliv".
 class Station {
  public:
-  explicit Station(gs::Script script = {}, int degree = 3)
-      : node_(config(std::move(script), degree), flat(), roster_) {}
+  explicit Station(gs::Script script = {}, int degree = 3, GroundNode::ReadRequest reader = {})
+      : node_(config(std::move(script), degree), flat(), roster_, std::move(reader)) {}
 
   /// Effects of an input now, kept for the questions below.
   void give(const node::Input& input, double seconds) {
@@ -72,7 +72,19 @@ class Station {
     }
     return found;
   }
-  bool sends_nothing() const { return all<node::Send>().empty() && all<node::Publish>().empty(); }
+  /// What was published of one slot.
+  template <class Sample>
+  std::vector<Sample> published() const {
+    std::vector<Sample> published;
+    for (const node::Publish& one : all<node::Publish>()) {
+      if (const auto* sample = std::get_if<Sample>(&one.sample)) published.push_back(*sample);
+    }
+    return published;
+  }
+  /// The boards of operators apart.
+  bool sends_nothing() const {
+    return all<node::Send>().empty() && published<wire::MissionState>().empty();
+  }
   GroundNode& node() { return node_; }
   const node::Roster& roster() const { return roster_; }
 

@@ -28,4 +28,8 @@ supervisor::Knowledge knowledge_of(const scenario::Scenario& scenario,
 /// extent or of too many voxels, a UAV at degree 4 where nothing is said of planning.
 Diagnostics planning_problems(const scenario::Scenario& scenario);
 
+/// Every reason why members of a joint task of the script cannot take part: no such UAV, the UAV
+/// that is asked not among them, a degree that does not deliberate.
+Diagnostics joint_task_problems(const scenario::Scenario& scenario);
+
 }  // namespace skein::assembly

@@ -2,11 +2,15 @@
 // The ground station as a node.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "skein/foundation/result.hpp"
+#include "skein/ground/operator_boards.hpp"
 #include "skein/ground_station/ground_control.hpp"
 #include "skein/node/node.hpp"
 #include "skein/node/roster.hpp"
@@ -17,11 +21,18 @@ namespace skein::ground {
 
 /// Samples and records around GroundControl (the CDN: MPS, MCS, PPS). What does not come from the
 /// decision node of a UAV, answers another UAV's command, or makes no sense, is logged once per
-/// sender and slot and dropped. Source: spec 1.1.
+/// sender and slot and dropped. Operators are told on the world channel: boards, and answers to
+/// their requests. Source: spec 1.1.
 class GroundNode final : public node::Node {
  public:
+  /// What an operator asks in a text, or every reason why that says nothing of sense.
+  using ReadRequest =
+      std::function<Result<std::vector<ground_station::OperatorDeed>, std::vector<std::string>>(
+          const std::string& text)>;
+
+  /// Without a reader every request of an operator is refused.
   GroundNode(const ground_station::GroundConfig& config, world::Terrain terrain,
-             node::Roster roster);
+             node::Roster roster, ReadRequest read_request = {});
 
   node::Effects handle(const node::Input& input, MissionTime now) override;
   std::optional<MissionTime> next_wakeup() const override;
@@ -32,6 +43,7 @@ class GroundNode final : public node::Node {
   std::optional<Input> input_of(const node::Input& input);
   std::optional<Input> input_from(const node::Received& received);
   std::optional<Input> input_of_mission(const std::string& uav, const node::Received& received);
+  Input request_from(const wire::OperatorRequest& request) const;
   bool is_uav(node::NodeNumber number) const;
   std::string why_not(const node::Received& received) const;
   void drop(const node::Received& received, const wire::Violation& violation);
@@ -43,6 +55,9 @@ class GroundNode final : public node::Node {
   void carry_out(const ground_station::SendSync& effect);
   void carry_out(const ground_station::AlarmEvent& effect);
   void carry_out(const ground_station::TellAlarm& effect);
+  void carry_out(const ground_station::OperatorAnswered& effect);
+  void carry_out(const ground_station::OperatorAsked& effect);
+  void carry_out(const ground_station::HandChanged& effect);
   void carry_out(const ground_station::CommandChanged& effect);
   void carry_out(const ground_station::LocalRequestAnswered& effect);
   void carry_out(const ground_station::LocalTaskEvent& effect);
@@ -65,7 +80,9 @@ class GroundNode final : public node::Node {
 
   world::Terrain terrain_;
   node::Roster roster_;
+  ReadRequest read_request_;
   ground_station::GroundControl control_;
+  OperatorBoards boards_;
   std::map<std::uint64_t, node::NodeNumber> addressees_;       ///< of commands, by number
   std::set<std::pair<node::NodeNumber, wire::Slot>> dropped_;  ///< already logged
 

@@ -17,10 +17,11 @@ namespace skein::wire {
 /// The value of one slot. The order of the alternatives is the order of `Slot`.
 using Sample =
     std::variant<DirectoryEntry, Clock, LinkState, PlanBoard, AutonomyDegree, MissionState,
-                 MissionPlan, JointTaskState, TaskRequest, RequestReply, TaskEvent,
-                 FunctionalRequest, FunctionalStatus, SyncMessage, Alarm, MissionRequest,
-                 DegreeCommand, WorldChange, MissionOutcome, HandOver, Decision, NegotiationMessage,
-                 JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat>;
+                 MissionPlan, JointTaskState, UavBoard, UavTasks, GroundBoard, TaskRequest,
+                 RequestReply, TaskEvent, FunctionalRequest, FunctionalStatus, SyncMessage, Alarm,
+                 MissionRequest, DegreeCommand, WorldChange, MissionOutcome, HandOver, Decision,
+                 NegotiationMessage, OperatorRequest, OperatorReply, JournalEntry, Telemetry,
+                 PerceptionReport, Truth, Heartbeat>;
 
 enum class Slot : std::uint8_t {
   kDirectoryEntry,
@@ -31,6 +32,9 @@ enum class Slot : std::uint8_t {
   kMissionState,
   kMissionPlan,
   kJointTaskState,
+  kUavBoard,
+  kUavTasks,
+  kGroundBoard,
   kTaskRequest,
   kRequestReply,
   kTaskEvent,
@@ -45,6 +49,8 @@ enum class Slot : std::uint8_t {
   kHandOver,
   kDecision,
   kNegotiationMessage,
+  kOperatorRequest,
+  kOperatorReply,
   kJournalEntry,
   kTelemetry,
   kPerceptionReport,
@@ -59,7 +65,7 @@ enum class SlotClass : std::uint8_t { kState, kEvent, kStream };
 constexpr Slot slot_of(const Sample& sample) { return static_cast<Slot>(sample.index()); }
 
 constexpr SlotClass slot_class(Slot slot) {
-  if (slot <= Slot::kJointTaskState) return SlotClass::kState;
+  if (slot <= Slot::kGroundBoard) return SlotClass::kState;
   return slot <= Slot::kJournalEntry ? SlotClass::kEvent : SlotClass::kStream;
 }
 

@@ -203,4 +203,28 @@ struct TaskDependence {
 };
 SKEIN_WIRE_FIELDS(TaskDependence, kind, task)
 
+enum class AlarmState : std::uint32_t { kRaised, kConfirmed, kInfirmed, kCount };
+constexpr auto names_of(AlarmState) {
+  return std::to_array<std::string_view>({"raised", "confirmed", "infirmed"});
+}
+
+enum class CommandState : std::uint32_t { kIssued, kAcknowledged, kRefused, kExpired, kCount };
+constexpr auto names_of(CommandState) {
+  return std::to_array<std::string_view>({"issued", "acknowledged", "refused", "expired"});
+}
+
+/// A command of the ground station to a UAV, and what came of it.
+struct CommandEntry {
+  std::uint64_t command = 0;  ///< its number
+  std::string uav;
+  std::string what;      ///< for people: "DEGREE 1"
+  std::string asked_by;  ///< for people: "step detection", "request ada 3"
+  CommandState state = CommandState::kIssued;
+  std::string why;
+  std::int64_t issued = 0;            ///< [ns]
+  std::int64_t settled = kNoInstant;  ///< [ns]
+  bool operator==(const CommandEntry&) const = default;
+};
+SKEIN_WIRE_FIELDS(CommandEntry, command, uav, what, asked_by, state, why, issued, settled)
+
 }  // namespace skein::wire

@@ -117,11 +117,6 @@ struct SyncMessage {
 };
 SKEIN_WIRE_FIELDS(SyncMessage, header, id, from, to, word, said)
 
-enum class AlarmState : std::uint32_t { kRaised, kConfirmed, kInfirmed, kCount };
-constexpr auto names_of(AlarmState) {
-  return std::to_array<std::string_view>({"raised", "confirmed", "infirmed"});
-}
-
 struct Alarm {
   SampleHeader header;
   std::uint32_t id = 0;
@@ -283,6 +278,31 @@ struct NegotiationMessage {
 };
 SKEIN_WIRE_FIELDS(NegotiationMessage, header, from, to, subject, mission_id, modality, members,
                   model, parameters, opener, opened, deadline, entries, wants_echo)
+
+/// What an operator asks of the ground station. World channel; said again until it is answered. The
+/// instance tells apart the stations that operators sit at, which are all of one node.
+struct OperatorRequest {
+  SampleHeader header;
+  std::string who;           ///< the operator
+  std::uint64_t number = 0;  ///< of this operator's requests, growing: one is done once
+  std::string request;       ///< a list of actions: docs/operators.md
+  bool operator==(const OperatorRequest&) const = default;
+};
+SKEIN_WIRE_FIELDS(OperatorRequest, header, who, number, request)
+
+/// What came of an operator's request: once it is accepted or refused, and again whenever one of
+/// its commands comes to its end. World channel.
+struct OperatorReply {
+  SampleHeader header;
+  std::string who;
+  std::uint64_t number = 0;
+  bool accepted = false;
+  bool complete = false;               ///< nothing more will come
+  std::vector<std::string> problems;   ///< why it was not accepted, all at once
+  std::vector<CommandEntry> commands;  ///< that were issued for it
+  bool operator==(const OperatorReply&) const = default;
+};
+SKEIN_WIRE_FIELDS(OperatorReply, header, who, number, accepted, complete, problems, commands)
 
 /// One line of the event log. World channel.
 struct JournalEntry {

@@ -6,9 +6,19 @@
 
 namespace skein::wire {
 
-enum class Role : std::uint32_t { kGround, kDdn, kSim, kRunner, kSpy, kFunctional, kCount };
+enum class Role : std::uint32_t {
+  kGround,
+  kDdn,
+  kSim,
+  kRunner,
+  kSpy,
+  kFunctional,
+  kOperator,
+  kCount
+};
 constexpr auto names_of(Role) {
-  return std::to_array<std::string_view>({"ground", "ddn", "sim", "runner", "spy", "functional"});
+  return std::to_array<std::string_view>(
+      {"ground", "ddn", "sim", "runner", "spy", "functional", "operator"});
 }
 
 /// Who is behind a node number. World channel, instance 0.
@@ -165,5 +175,102 @@ struct JointTaskState {
 };
 SKEIN_WIRE_FIELDS(JointTaskState, header, uav, subject, task, model, variant, model_hash, phase,
                   why, holders, active_blocks, violated, agreed_start)
+
+struct BoardTask {
+  std::uint64_t id = 0;
+  std::string type;
+  TaskState state = TaskState::kScheduled;
+  std::string reason;
+  std::int64_t since = 0;  ///< [ns]
+  bool lost = false;       ///< its executive restarted before it was over
+  bool at_ground = false;  ///< the ground station executes it
+  bool operator==(const BoardTask&) const = default;
+};
+SKEIN_WIRE_FIELDS(BoardTask, id, type, state, reason, since, lost, at_ground)
+
+struct BoardDecision {
+  std::uint64_t number = 0;
+  std::string applied;
+  std::string cause;
+  std::string outcome;
+  std::int64_t began = 0;  ///< [ns]
+  bool operator==(const BoardDecision&) const = default;
+};
+SKEIN_WIRE_FIELDS(BoardDecision, number, applied, cause, outcome, began)
+
+/// What the ground station knows of a UAV, for operators: as it came by radio, not as it is. World
+/// channel; the instance is the UAV's node number.
+struct UavBoard {
+  SampleHeader header;
+  std::string uav;
+  std::uint8_t degree = 0;
+  bool reachable = false;
+  bool airborne = false;
+  std::string holder;                    ///< the operator who has it in hand; empty: none
+  std::string asker;                     ///< who asks for it meanwhile
+  std::int64_t passes_at = kNoInstant;   ///< [ns] when it is the asker's, unless it is kept
+  std::int64_t located_at = kNoInstant;  ///< [ns] when the five below were so; absent: unknown
+  Vector3 position;                      ///< [m]
+  Vector3 velocity;                      ///< [m/s]
+  double heading = 0;                    ///< [rad]
+  double energy = 0;                     ///< what is left, in [0, 1]
+  std::uint32_t waiting = 0;             ///< commands that are not answered yet
+  std::uint32_t held = 0;                ///< tasks that it handed over and nobody carries out
+  bool operator==(const UavBoard&) const = default;
+};
+SKEIN_WIRE_FIELDS(UavBoard, header, uav, degree, reachable, airborne, holder, asker, passes_at,
+                  located_at, position, velocity, heading, energy, waiting, held)
+
+/// Likewise, what it does and means to do.
+struct UavTasks {
+  SampleHeader header;
+  std::string uav;
+  std::vector<BoardTask> tasks;  ///< by id; of those that are over, the latest
+  std::uint64_t revision = 0;    ///< of the plan below; 0: it has none
+  std::vector<PlanEntry> plan;
+  std::vector<GoalEntry> goals;
+  std::vector<BoardDecision> decisions;  ///< the latest, oldest first
+  bool operator==(const UavTasks&) const = default;
+};
+SKEIN_WIRE_FIELDS(UavTasks, header, uav, tasks, revision, plan, goals, decisions)
+
+struct BoardAlarm {
+  std::uint32_t id = 0;
+  AlarmState state = AlarmState::kRaised;
+  Vector3 position;
+  double radius = 0;  ///< [m]
+  double belief = 0;  ///< in [0, 1]
+  std::uint32_t views = 0;
+  std::int64_t first_seen = 0;  ///< [ns]
+  std::int64_t last_seen = 0;   ///< [ns]
+  bool operator==(const BoardAlarm&) const = default;
+};
+SKEIN_WIRE_FIELDS(BoardAlarm, id, state, position, radius, belief, views, first_seen, last_seen)
+
+/// A volume of air that is closed; as in WorldChange.
+struct BoardAir {
+  std::string name;
+  std::vector<double> corners;
+  double floor = 0;
+  double ceiling = 0;
+  std::int64_t from = 0;
+  std::int64_t until = kNever;
+  bool operator==(const BoardAir&) const = default;
+};
+SKEIN_WIRE_FIELDS(BoardAir, name, corners, floor, ceiling, from, until)
+
+/// What the ground station knows of the mission, for operators. World channel, instance 0.
+struct GroundBoard {
+  SampleHeader header;
+  std::string phase;
+  bool finished = false;
+  std::vector<std::string> uavs;       ///< whose boards there are
+  std::vector<std::string> answers;    ///< that the script waits for from an operator
+  std::vector<BoardAlarm> alarms;      ///< by id
+  std::vector<BoardAir> air;           ///< closed since the start, by name
+  std::vector<CommandEntry> commands;  ///< the latest, oldest first
+  bool operator==(const GroundBoard&) const = default;
+};
+SKEIN_WIRE_FIELDS(GroundBoard, header, phase, finished, uavs, answers, alarms, air, commands)
 
 }  // namespace skein::wire

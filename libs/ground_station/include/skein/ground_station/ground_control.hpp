@@ -16,6 +16,7 @@
 #include "skein/ground_station/messages.hpp"
 #include "skein/ground_station/mission_planning.hpp"
 #include "skein/ground_station/monitoring.hpp"
+#include "skein/ground_station/operator_desk.hpp"
 #include "skein/ground_station/perception_processing.hpp"
 #include "skein/ground_station/script.hpp"
 
@@ -72,6 +73,9 @@ struct GroundConfig {
 /// again; a functional layer answers a request that it has already had, and does not execute it
 /// twice.
 ///
+/// Operators ask by requests (OperatorDesk); what they want done goes the same ways as what the
+/// script does.
+///
 /// Instants due before an input come before it. The same inputs at the same instants give the same
 /// effects. Not safe to share between threads. Source: T II.1, VI.1.1, spec 1.1, 1.2, 1.5.
 class GroundControl {
@@ -79,14 +83,15 @@ class GroundControl {
   using Input = std::variant<Tick, PerceptionReceived, TelemetryReceived, TaskEventReceived,
                              RequestReplyReceived, CommandUndelivered, PlanBoardReceived,
                              FunctionalStatusReceived, SyncReceived, PeerReachable, OperatorActs,
-                             OperatorCommand, MissionPlanReceived, HandOverReceived,
-                             DecisionReceived, MissionOutcomeReceived>;
+                             OperatorCommand, OperatorRequest, MissionPlanReceived,
+                             HandOverReceived, DecisionReceived, MissionOutcomeReceived>;
   using Effect = std::variant<
       // to be sent
-      SendRequest, SendFunctional, SendSync, AlarmEvent, TellAlarm,
+      SendRequest, SendFunctional, SendSync, AlarmEvent, TellAlarm, OperatorAnswered,
       // for the journal
       CommandChanged, LocalRequestAnswered, LocalTaskEvent, LocalSync, PerceptionLogged,
-      PhaseEntered, StepDone, OperatorDid, DegreeChanged, UavRestarted, HeldPlanChanged,
+      PhaseEntered, StepDone, OperatorDid, OperatorAsked, HandChanged, DegreeChanged, UavRestarted,
+      HeldPlanChanged,
       // for the runtime
       Anomaly, MissionFinished>;
 
@@ -100,6 +105,10 @@ class GroundControl {
 
   Board board(MissionTime now) const;
   std::vector<Alarm> alarms() const { return perception_.alarms(); }
+  const OperatorDesk& desk() const { return desk_; }
+  std::vector<std::string> answers() const { return planning_.answers(); }
+  /// Closed since the start and not opened again, by name.
+  const std::map<std::string, world::Volume>& closed_air() const { return air_; }
   const std::string& phase() const { return planning_.phase(); }
   bool finished() const { return planning_.finished(); }
 
@@ -120,6 +129,10 @@ class GroundControl {
 
   void wake(MissionTime now);
   void accept(const Input& input, MissionTime now, Effects& out);
+  void accept(const OperatorRequest& request, MissionTime now, Effects& out);
+  void accept(const OperatorDesk::Effect& effect, Effects& out);
+  void report(const Anomaly& anomaly, Effects& out);
+  void note_air(const Request& request);
   void accept_status(const FunctionalStatusReceived& input, Effects& out);
   void accept_reachability(const PeerReachable& input, Effects& out);
   void run_errands(MissionTime now, Effects& out);
@@ -158,12 +171,14 @@ class GroundControl {
   PerceptionProcessing perception_;
   Monitoring monitoring_;
   MissionPlanning planning_;
+  OperatorDesk desk_;
   std::map<std::string, LocalMle> local_;
   std::deque<Errand> errands_;
   HeldPlans held_;
   /// Synchronisation messages that came by here, by receiver: the last of each id and sender.
   std::map<std::string, std::map<std::pair<std::uint64_t, std::string>, executive::SyncReceived>>
       syncs_;
+  std::map<std::string, world::Volume> air_;
   Duration transfer_lifetime_;
 };
 

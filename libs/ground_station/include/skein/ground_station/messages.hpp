@@ -177,6 +177,7 @@ struct ReleaseCommands {
 struct AbortEverything {
   std::string uav;
   MissionTime expires;
+  std::string asked_by = {};
 };
 enum class CommandState { kIssued, kAcknowledged, kRefused, kExpired };
 /// "issued", "acknowledged", "refused", "expired".
@@ -198,6 +199,7 @@ struct CommandChanged {
   std::string what;  ///< "START 3 goto", "ABORT 3", "MISSION 2 (3 tasks)", "DEGREE 1", …
   CommandState state = CommandState::kIssued;
   std::string why = {};
+  std::string asked_by = {};
 };
 /// A task's state is news to the ground. Each state of a task is told once.
 struct TaskChanged {
@@ -254,6 +256,7 @@ struct TellAlarm {
 /// Something that should not come, and was disregarded; for the log.
 struct Anomaly {
   std::string why;
+  std::string asked_by = {};  ///< who had asked for what is not done; empty: nobody
 };
 
 // ---- the mission ----

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "skein/ground_station/messages.hpp"
+#include "skein/ground_station/operator_request.hpp"
 #include "skein/ground_station/script.hpp"
 #include "skein/world/terrain.hpp"
 
@@ -30,7 +31,7 @@ namespace skein::ground_station {
 class MissionPlanning {
  public:
   using Input = std::variant<Tick, AlarmEvent, AlarmRefined, TaskChanged, UavRestarted,
-                             OperatorActs, DegreeChanged, GoalChanged, MissionChanged>;
+                             OperatorActs, DoActions, DegreeChanged, GoalChanged, MissionChanged>;
   using Effect =
       std::variant<IssueCommand, IssueToAll, AbortEverything, ChangeHands, ResumeHeld, DropHeld,
                    PhaseEntered, OperatorDid, StepDone, MissionFinished, Anomaly>;
@@ -42,6 +43,9 @@ class MissionPlanning {
 
   std::vector<Effect> handle(const Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
+
+  /// What operators may do that a step waits for, in the order written.
+  std::vector<std::string> answers() const;
 
   bool finished() const { return finished_; }
   const std::string& phase() const { return phase_; }
@@ -75,6 +79,7 @@ class MissionPlanning {
   void note_operator(const std::string& does, MissionTime now, Effects& effects);
   std::optional<MissionTime> due(const Waiting& waiting) const;
   Waiting* next_due(MissionTime now);
+  void do_now(const DoActions& deed, MissionTime now, Effects& effects);
   void fire(Waiting& waiting, MissionTime now, Effects& effects);
   /// For whom actions are done, until when their commands live, and where their effects go.
   struct Deed {

@@ -46,6 +46,8 @@ struct UavOnBoard {
   std::map<mission::MissionId, mission::MissionOutcome> evaluations;
   /// What it handed over and nobody carries out until it is resumed, in the order of ids.
   std::vector<mission::HeldTask> held;
+  /// In hand, the last time; absent: it never was.
+  std::optional<Degree> degree_before_taken;
 
   static constexpr std::size_t kDecisionsKept = 20;
 };
@@ -146,9 +148,8 @@ class Monitoring {
     std::optional<Change> change;
     /// The last change that expired; it may have been made, and its hand-over be under way.
     std::optional<mission::ChangeDegree> unanswered;
-    std::deque<CommandNumber> waiting;          ///< for the change, in order
-    std::optional<Degree> degree_before_taken;  ///< in hand, the last time
-    std::set<std::string> messages;             ///< that it has processed
+    std::deque<CommandNumber> waiting;  ///< for the change, in order
+    std::set<std::string> messages;     ///< that it has processed
   };
   using Effects = std::vector<Effect>;
 

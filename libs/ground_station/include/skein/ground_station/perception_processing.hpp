@@ -5,41 +5,27 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "skein/foundation/time.hpp"
 #include "skein/ground_station/alarm.hpp"
 #include "skein/world/perception.hpp"
+#include "skein/world/sensor_model.hpp"
 #include "skein/world/terrain.hpp"
 
 namespace skein::ground_station {
 
-/// How probable it is that one look reports a kind at a place, when there is a fire and when not.
-struct Likelihood {
-  double if_fire = 0;      ///< (0, 1)
-  double if_not_fire = 0;  ///< (0, 1)
-};
-
-/// What the looks of one kind of device are worth.
-struct DeviceReliability {
-  /// By reported kind; what is left of 1 is "reported nothing". Sums stay below 1. A kind that is
-  /// not here counts as nothing.
-  std::map<std::string, Likelihood, std::less<>> kinds;
-  /// Only such a device confirms an alarm (a visible camera recognises smoke; a heat cell does
-  /// not).
-  bool confirms = false;
-  /// Most that all the looks of one such device may weigh, in natural log-odds: its errors repeat
-  /// (a hot engine stays hot), so it alone can never make certain.
-  double limit = 5;
-};
-
-/// "fire-sensor" and "ir" raise, "visible" confirms, "mapping" is weak evidence.
-std::map<std::string, DeviceReliability, std::less<>> default_devices();
+/// Of devices of well-known names whose model does not say: "fire-sensor" and "ir" raise, "visible"
+/// confirms, "mapping" is weak evidence.
+std::map<std::string, world::SensorEvidence, std::less<>> default_devices();
 
 struct PpsConfig {
   /// By device name; devices that are not here are logged and give no evidence.
-  std::map<std::string, DeviceReliability, std::less<>> devices = default_devices();
+  std::map<std::string, world::SensorEvidence, std::less<>> devices = default_devices();
+  /// By UAV and device: what the UAV's model says, which counts before the name.
+  std::map<std::pair<std::string, std::string>, world::SensorEvidence> models = {};
   double prior = 0.1;     ///< belief in a new candidate before the look that made it
   double raise = 0.9;     ///< belief from which a candidate is an alarm
   double confirm = 0.97;  ///< belief from which a confirming device's sight confirms it
@@ -99,6 +85,9 @@ class PerceptionProcessing {
 
   /// Figures that are not finite are disregarded.
   std::vector<Effect> handle(const world::Perception& look, MissionTime now);
+  /// A person has judged an alarm. Infirmed: all who saw it are no longer heard of it. Nothing for
+  /// one that is not there, is confirmed, or is so already.
+  std::vector<Effect> judge(AlarmId alarm, AlarmState state);
   /// Never: only looks change belief.
   std::optional<MissionTime> next_wakeup() const { return std::nullopt; }
 
@@ -124,13 +113,13 @@ class PerceptionProcessing {
   };
   using Sightings = std::map<std::size_t, const world::Detection*>;
 
-  const DeviceReliability* reliability_of(const world::Perception& look) const;
+  const world::SensorEvidence* reliability_of(const world::Perception& look) const;
   void forget_stale(MissionTime now);
   std::optional<std::size_t> nearest_in_gate(const world::Detection& detection) const;
-  Sightings associate(const world::Perception& look, const DeviceReliability& device);
+  Sightings associate(const world::Perception& look, const world::SensorEvidence& device);
   bool surely_in_view(const Candidate& candidate, const world::Perception& look) const;
-  void count(Candidate& candidate, const world::Perception& look, const DeviceReliability& device,
-             const world::Detection* sighting);
+  void count(Candidate& candidate, const world::Perception& look,
+             const world::SensorEvidence& device, const world::Detection* sighting);
   void place(Candidate& candidate, const world::Perception& look, const world::Detection& sighting);
   double belief_of(const Candidate& candidate) const;
   bool confirmed_by_sight(const Candidate& candidate) const;

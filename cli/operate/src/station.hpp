@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ground station as an operator at the shell meets it.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/blackboard/blackboard.hpp"
+#include "skein/blackboard/fastdds_transport.hpp"
+#include "skein/foundation/result.hpp"
+#include "skein/node/mission_clock.hpp"
+#include "skein/node/waker.hpp"
+#include "skein/operate_tool/operate.hpp"
+
+namespace skein::operate_tool {
+
+/// What was heard of the ground station: the last of each board.
+struct Boards {
+  std::optional<wire::GroundBoard> ground;
+  std::map<std::string, wire::UavBoard> uavs;
+  std::map<std::string, wire::UavTasks> tasks;
+  std::map<std::uint32_t, wire::LinkState> links;  ///< by instance
+
+  /// The ground station's board came, and those of all UAVs that it names.
+  bool complete() const;
+};
+
+/// Takes part in the domain as an operator. Thread rule: one thread.
+class Station {
+ public:
+  explicit Station(const StationOptions& options) : options_(options) {}
+
+  Result<void, Failure> open();
+  /// Listens until `done` says so (asked after each arrival), `seconds` have passed, or Ctrl-C;
+  /// true if it said so.
+  bool listen(double seconds, const std::function<bool()>& done);
+  void ask(const wire::OperatorRequest& request);
+
+  const Boards& boards() const { return boards_; }
+  /// Nothing: no answer to that request yet.
+  std::optional<wire::OperatorReply> answer(const std::string& who, std::uint64_t number) const;
+  MissionTime mission_time();
+  wire::ClockPhase phase() const { return clock_.phase(); }
+  bool interrupted() const { return waker_.stop_requested(); }
+
+ private:
+  void take();
+  void take(const wire::Sample& sample);
+  blackboard::Now now();
+
+  StationOptions options_;
+  node::Waker waker_;
+  std::optional<blackboard::FastDdsTransport> transport_;
+  std::optional<blackboard::Blackboard> board_;
+  node::MissionClock clock_;
+  Boards boards_;
+  std::map<std::pair<std::string, std::uint64_t>, wire::OperatorReply> answers_;
+  std::uint32_t instance_ = 0;
+};
+
+}  // namespace skein::operate_tool

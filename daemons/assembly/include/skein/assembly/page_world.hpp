@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of a scenario the operators' page shows from the start.
+#pragma once
+
+#include <string>
+
+#include "skein/scenario/scenario.hpp"
+
+namespace skein::assembly {
+
+/// One JSON object: name, terrain (heights [m] of a grid of at most 160 × 160 points, rows from the
+/// south), zones, places, volumes, UAVs with their sensors, node numbers, the high-level tasks of
+/// the domain with the kinds of their parameters. Only what operators know beforehand: no truth.
+std::string page_world(const scenario::Scenario& scenario);
+
+}  // namespace skein::assembly

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/assembly/page_world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "skein/assembly/assembly.hpp"
+#include "skein/assembly/knowledge.hpp"
+
+namespace skein::assembly {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using scenario::Scenario;
+
+constexpr int kMostPoints = 160;  // along each side of the grid
+
+Json corners_of(const world::Polygon& polygon) {
+  Json corners = Json::array();
+  for (const world::Vector2& one : polygon) corners.push_back({one.x(), one.y()});
+  return corners;
+}
+
+Json terrain_of(const world::TerrainSpec& spec) {
+  const world::Terrain terrain(spec);
+  const double width = spec.east - spec.west, height = spec.north - spec.south;
+  const double step =
+      std::max({spec.cell, width / (kMostPoints - 1), height / (kMostPoints - 1), 1.0});
+  const int columns = static_cast<int>(std::floor(width / step)) + 1;
+  const int rows = static_cast<int>(std::floor(height / step)) + 1;
+  Json heights = Json::array();
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const double z = terrain.elevation(spec.west + column * step, spec.south + row * step);
+      heights.push_back(std::round(z * 10) / 10);
+    }
+  }
+  return {{"west", spec.west}, {"south", spec.south},
+          {"east", spec.east}, {"north", spec.north},
+          {"step", step},      {"columns", columns},
+          {"rows", rows},      {"heights", std::move(heights)}};
+}
+
+Json volume_of(const world::Volume& volume) {
+  Json json{{"name", volume.name}, {"polygon", corners_of(volume.polygon)}};
+  if (std::isfinite(volume.floor)) json["floor"] = volume.floor;
+  if (std::isfinite(volume.ceiling)) json["ceiling"] = volume.ceiling;
+  return json;
+}
+
+Json uav_of(const scenario::UavSpec& uav, const node::Roster& roster) {
+  Json sensors = Json::array();
+  for (const world::SensorModel& sensor : uav.model.sensors) sensors.push_back(sensor.device);
+  return {{"name", uav.name},
+          {"number", roster.find(uav.name)->number.value()},
+          {"model", uav.model.name},
+          {"start", {uav.start.x(), uav.start.y()}},
+          {"sensors", std::move(sensors)}};
+}
+
+Json tasks_of(const Scenario& scenario) {
+  Json tasks = Json::array();
+  if (!scenario.planning) return tasks;
+  const auto vocabulary = vocabulary_of(scenario);
+  if (!vocabulary) return tasks;
+  for (const auto& [name, signature] : vocabulary->tasks) {
+    Json kinds = Json::array();
+    for (const mission::ParameterKind kind : signature.parameters) kinds.push_back(to_text(kind));
+    tasks.push_back({{"name", name}, {"parameters", std::move(kinds)}});
+  }
+  return tasks;
+}
+
+}  // namespace
+
+std::string page_world(const Scenario& scenario) {
+  const node::Roster roster = roster_of(scenario);
+  Json uavs = Json::array(), zones = Json::array(), places = Json::array(), air = Json::array();
+  for (const scenario::UavSpec& uav : scenario.uavs) uavs.push_back(uav_of(uav, roster));
+  for (const world::Zone& zone : scenario.world.zones) {
+    zones.push_back({{"name", zone.name}, {"polygon", corners_of(zone.polygon)}});
+  }
+  for (const auto& [name, at] : scenario.world.places) {
+    places.push_back({{"name", name}, {"at", {at.x(), at.y(), at.z()}}});
+  }
+  for (const world::Volume& volume : scenario.world.volumes) air.push_back(volume_of(volume));
+  const world::Vector3& ground = scenario.ground.position;
+  const Json page{{"scenario", scenario.name},
+                  {"ground", {ground.x(), ground.y()}},
+                  {"terrain", terrain_of(scenario.world.terrain)},
+                  {"zones", std::move(zones)},
+                  {"places", std::move(places)},
+                  {"air", std::move(air)},
+                  {"uavs", std::move(uavs)},
+                  {"tasks", tasks_of(scenario)}};
+  return page.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace skein::assembly

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the server tells, as it was told last.
+import {seconds} from "./dom.js";
+
+/** Okabe and Ito's colours: apart for colour-blind people too. More UAVs begin again, with labels. */
+const colours = ["#e69f00", "#56b4e9", "#cc79a7", "#f0e442", "#009e73", "#d55e00", "#0072b2"];
+
+export const model = {
+  world: null,
+  uavs: new Map(),   // name -> {name, number, colour, board, tasks, telemetry, trail, marks}
+  ground: null,
+  links: new Map(),
+  looks: new Map(),
+  clock: {at: 0, rate: 1, phase: "holding", heard: 0},
+  log: [],
+  replies: new Map(),
+  connected: false,
+  version: 0,        // of everything but the clock
+};
+
+const kLog = 2000;
+
+export function now() {
+  const {at, rate, phase, heard} = model.clock;
+  return phase === "running" ? at + Math.min(1, (performance.now() - heard) / 1000) * rate : at;
+}
+
+/** [s] of the mission after which what is known of a UAV is old: the page itself is behind a little. */
+export const patience = () => 2.5 + 0.6 * model.clock.rate;
+
+function uav(name) {
+  let one = model.uavs.get(name);
+  if (!one) {
+    one = {name, number: 0, colour: colours[model.uavs.size % colours.length], marks: new Map(), trail: []};
+    model.uavs.set(name, one);
+  }
+  return one;
+}
+
+function mark({uav: name, id, type, state, at}) {
+  const marks = uav(name).marks;
+  let task = marks.get(id);
+  if (!task || (state === "scheduled" && task.states.length)) {
+    task = {id, type, states: []};
+    marks.set(id, task);
+  }
+  task.states.push({state, at: seconds(at)});
+}
+
+const take = {
+  Clock(s) { model.clock = {at: seconds(s.time), rate: s.rate, phase: s.phase, heard: performance.now()}; },
+  UavBoard(s) { uav(s.uav).board = s; },
+  UavTasks(s) { uav(s.uav).tasks = s; },
+  Telemetry(s) { const one = uav(s.uav); one.telemetry = s; one.at = seconds(s.header.mission_time); },
+  GroundBoard(s) { model.ground = s; },
+  LinkState(s) { model.links.set(s.header.instance, s); },
+  PerceptionReport(s) { model.looks.set(s.uav + " " + s.device, {...s, at: seconds(s.header.mission_time)}); },
+  OperatorReply(s) { model.replies.set(s.who + " " + s.number, s); },
+  MissionState() {},
+};
+
+function message(event) {
+  const said = JSON.parse(event.data);
+  if (said.slot) take[said.slot]?.(said);
+  else if (said.mark) mark(said.mark);
+  else if (said.trail) uav(said.trail.uav).trail = said.trail.points;
+  else if (said.record) { model.log.push(said.record); if (model.log.length > kLog) model.log.splice(0, 200); }
+  if (said.slot !== "Clock") model.version += 1;
+  model.connected = true;
+}
+
+let source = null;
+
+function open() {
+  source = new EventSource("/api/events");
+  source.onmessage = message;
+  source.addEventListener("hello", () => {   // all is told anew
+    model.log = []; model.replies.clear(); model.looks.clear();
+    for (const one of model.uavs.values()) one.marks = new Map();
+  });
+  source.addEventListener("gap", () => model.log.push({at: now(), node: "page", kind: "notice", text: "some events were missed here"}));
+  source.onerror = () => { model.connected = false; model.version += 1; };
+}
+
+async function session() {
+  const token = new URLSearchParams(location.hash.slice(1)).get("token");
+  if (!token) return;
+  await fetch("/api/session", {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify({token})});
+  history.replaceState(null, "", location.pathname);
+}
+
+export async function start() {
+  await session();
+  const answer = await fetch("/api/world");
+  if (!answer.ok) throw new Error((await answer.json()).problems.join("; "));
+  model.world = await answer.json();
+  for (const one of model.world.uavs) Object.assign(uav(one.name), {number: one.number, model: one.model, sensors: one.sensors, start: one.start});
+  open();
+  // A browser has six connections to a host: a page that is not seen gives its own back.
+  document.addEventListener("visibilitychange", () => {
+    if (document.hidden) { source.close(); model.connected = false; } else open();
+  });
+}
+
+export const nameOf = (number) => number === 1 ? "ground" : [...model.uavs.values()].find((one) => one.number === number)?.name ?? "node " + number;
+
+/** Where a UAV is known to be: by its last telemetry, or by the board. Null: unknown. */
+export function placeOf(one) {
+  if (one.telemetry) return {...one.telemetry.position, heading: one.telemetry.heading, v: one.telemetry.velocity, energy: one.telemetry.energy, at: one.at};
+  const board = one.board;
+  if (!board || seconds(board.located_at) === null) return null;
+  return {...board.position, heading: board.heading, v: board.velocity, energy: board.energy, at: seconds(board.located_at)};
+}
+
+// ---- requests ----
+
+let last = 0;
+export const mine = [];   // newest first: {number, who, what, state, problems}
+
+export const operator = () => document.getElementById("who").value.trim() || "operator";
+
+export async function ask(actions, what) {
+  last = Math.max(last + 1, Date.now() * 1000);
+  const request = {who: operator(), number: last, what, state: "sending", problems: [], at: now()};
+  mine.unshift(request);
+  model.version += 1;
+  try {
+    const answer = await fetch("/api/request", {
+      method: "POST", headers: {"Content-Type": "application/json"},
+      body: JSON.stringify({who: request.who, number: request.number, actions}),
+    });
+    const said = await answer.json();
+    request.state = answer.ok ? "sent" : "refused";
+    request.problems = said.problems ?? [];
+  } catch {
+    request.state = "not sent";
+    request.problems = ["the ground station does not answer"];
+  }
+  model.version += 1;
+  return request;
+}

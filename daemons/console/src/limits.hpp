@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// What browsers may use at most.
+#pragma once
+
+#include <cstddef>
+
+namespace skein::console {
+
+inline constexpr unsigned kConnections = 128;
+inline constexpr unsigned kConnectionsOfOneAddress = 96;
+inline constexpr unsigned kSecondsOfSilence = 30;  ///< of a connection that is not a stream
+inline constexpr std::size_t kStreams = 32;
+inline constexpr std::size_t kRequestBytes = 65'536;
+inline constexpr std::size_t kRequestsWaiting = 64;    ///< for the daemon to take them
+inline constexpr std::size_t kEvents = 4096;           ///< kept for who comes late
+inline constexpr std::size_t kEventBytes = 4'194'304;  ///< of these
+inline constexpr std::size_t kChunk = 65'536;          ///< [byte] written to a stream at once
+
+}  // namespace skein::console

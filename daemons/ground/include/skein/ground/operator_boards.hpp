@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the ground station tells operators of what it knows.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "skein/blackboard/wire.hpp"
+#include "skein/ground_station/ground_control.hpp"
+#include "skein/node/roster.hpp"
+
+namespace skein::ground {
+
+/// The boards that have changed since they were last told, not more often than each kPeriod, and
+/// not at all while nothing happens.
+class OperatorBoards {
+ public:
+  static constexpr Duration kPeriod = Duration::milliseconds(500);
+  /// Of a UAV's tasks that are over; the others are all told.
+  static constexpr std::size_t kTasksOver = 40;
+
+  /// `something`: an input came that may have changed a board.
+  void something_happened(bool something) { changed_ = changed_ || something; }
+  std::optional<MissionTime> next_wakeup() const;
+  bool is_due(MissionTime now) const;
+  /// Precondition: it is due.
+  std::vector<wire::Sample> news(const ground_station::GroundControl& control,
+                                 const node::Roster& roster, MissionTime now);
+
+ private:
+  void tell(wire::Sample board, std::vector<wire::Sample>& news);
+
+  bool changed_ = false;
+  std::optional<MissionTime> told_at_;
+  std::map<std::pair<wire::Slot, std::uint32_t>, wire::Sample> told_;
+};
+
+/// The answer as it goes out.
+wire::OperatorReply operator_reply(const ground_station::OperatorAnswered& answer);
+
+}  // namespace skein::ground

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/ground/operator_boards.hpp"
+
+#include <algorithm>
+
+#include "skein/translation/missions.hpp"
+#include "skein/translation/sensing.hpp"
+#include "skein/translation/tasks.hpp"
+
+namespace skein::ground {
+
+namespace {
+
+namespace gs = ground_station;
+using translation::to_wire;
+
+static_assert(static_cast<int>(wire::CommandState::kExpired) ==
+              static_cast<int>(gs::CommandState::kExpired));
+static_assert(static_cast<int>(wire::AlarmState::kInfirmed) ==
+              static_cast<int>(gs::AlarmState::kInfirmed));
+
+std::int64_t instant(const std::optional<MissionTime>& at) {
+  return at ? at->count() : wire::kNoInstant;
+}
+
+wire::CommandEntry entry_of(const gs::IssuedCommand& command) {
+  return {command.command.value(),
+          command.uav,
+          command.what,
+          command.asked_by,
+          static_cast<wire::CommandState>(command.state),
+          command.why,
+          command.issued.count(),
+          instant(command.settled)};
+}
+
+template <class Commands>
+std::vector<wire::CommandEntry> entries_of(const Commands& commands) {
+  std::vector<wire::CommandEntry> entries;
+  for (const gs::IssuedCommand& one : commands) entries.push_back(entry_of(one));
+  return entries;
+}
+
+wire::UavBoard board_of(const gs::UavOnBoard& uav, const gs::Hand& hand, std::uint32_t number) {
+  wire::UavBoard board;
+  board.header.instance = number;
+  board.uav = uav.name;
+  board.degree = static_cast<std::uint8_t>(uav.degree);
+  board.reachable = uav.reachable;
+  board.airborne = uav.airborne;
+  board.holder = hand.holder;
+  board.asker = hand.asker;
+  board.passes_at = instant(hand.passes_at);
+  if (uav.telemetry) {
+    board.located_at = uav.telemetry_at.count();
+    board.position = to_wire(uav.telemetry->position);
+    board.velocity = to_wire(uav.telemetry->velocity);
+    board.heading = uav.telemetry->heading;
+    board.energy = uav.telemetry->energy;
+  }
+  board.waiting = static_cast<std::uint32_t>(uav.commands_pending);
+  board.held = static_cast<std::uint32_t>(uav.held.size());
+  return board;
+}
+
+// All that are open, and of the others those that changed last.
+std::vector<wire::BoardTask> tasks_of(const gs::UavOnBoard& uav) {
+  std::vector<const gs::TaskOnBoard*> over;
+  for (const auto& [id, task] : uav.tasks) {
+    if (!gs::is_open(task)) over.push_back(&task);
+  }
+  const auto kept = std::min(over.size(), OperatorBoards::kTasksOver);
+  std::stable_sort(over.begin(), over.end(),
+                   [](const auto* a, const auto* b) { return a->since > b->since; });
+  over.resize(kept);
+  std::vector<wire::BoardTask> tasks;
+  for (const auto& [id, task] : uav.tasks) {
+    const bool is_told =
+        gs::is_open(task) || std::find(over.begin(), over.end(), &task) != over.end();
+    if (!is_told) continue;
+    tasks.push_back({id.value(), task.type, to_wire(task.state), task.reason, task.since.count(),
+                     task.lost, task.at_ground});
+  }
+  return tasks;
+}
+
+wire::UavTasks tasks_board_of(const gs::UavOnBoard& uav, std::uint32_t number) {
+  wire::UavTasks board;
+  board.header.instance = number;
+  board.uav = uav.name;
+  board.tasks = tasks_of(uav);
+  board.revision = uav.plan.revision;
+  board.plan = to_wire(uav.name, uav.plan).tasks;
+  for (const mission::GoalStatus& goal : uav.goals) board.goals.push_back(to_wire(goal));
+  for (const mission::Decision& one : uav.decisions) {
+    board.decisions.push_back({one.number, one.applied, one.cause, one.outcome, one.began.count()});
+  }
+  return board;
+}
+
+wire::BoardAlarm entry_of(const gs::Alarm& alarm) {
+  return {alarm.id.value(),
+          static_cast<wire::AlarmState>(alarm.state),
+          to_wire(alarm.position),
+          alarm.radius,
+          alarm.belief,
+          alarm.views,
+          alarm.first_seen.count(),
+          alarm.last_seen.count()};
+}
+
+wire::BoardAir entry_of(const world::Volume& volume) {
+  mission::ChangeWorld change;
+  change.volume = volume;
+  wire::WorldChange sent = to_wire(change);
+  return {sent.name, std::move(sent.corners), sent.floor, sent.ceiling, sent.from, sent.until};
+}
+
+wire::GroundBoard ground_board_of(const gs::GroundControl& control) {
+  wire::GroundBoard board;
+  board.phase = control.phase();
+  board.finished = control.finished();
+  board.answers = control.answers();
+  for (const gs::Alarm& alarm : control.alarms()) board.alarms.push_back(entry_of(alarm));
+  for (const auto& [name, volume] : control.closed_air()) board.air.push_back(entry_of(volume));
+  board.commands = entries_of(control.desk().commands());
+  return board;
+}
+
+}  // namespace
+
+std::optional<MissionTime> OperatorBoards::next_wakeup() const {
+  if (!changed_) return std::nullopt;
+  return told_at_ ? *told_at_ + kPeriod : MissionTime();
+}
+
+bool OperatorBoards::is_due(MissionTime now) const {
+  const auto due = next_wakeup();
+  return due && *due <= now;
+}
+
+void OperatorBoards::tell(wire::Sample board, std::vector<wire::Sample>& news) {
+  const std::pair key{wire::slot_of(board), wire::header_of(board).instance};
+  const auto [last, is_new] = told_.try_emplace(key, board);
+  if (!is_new && last->second == board) return;
+  last->second = board;
+  news.push_back(std::move(board));
+}
+
+std::vector<wire::Sample> OperatorBoards::news(const gs::GroundControl& control,
+                                               const node::Roster& roster, MissionTime now) {
+  std::vector<wire::Sample> news;
+  wire::GroundBoard ground = ground_board_of(control);
+  for (const gs::UavOnBoard& uav : control.board(now).uavs) {
+    ground.uavs.push_back(uav.name);
+    const std::uint32_t number = roster.find(uav.name)->number.value();
+    tell(board_of(uav, control.desk().hand_of(uav.name), number), news);
+    tell(tasks_board_of(uav, number), news);
+  }
+  tell(std::move(ground), news);
+  told_at_ = now;
+  changed_ = false;
+  return news;
+}
+
+wire::OperatorReply operator_reply(const gs::OperatorAnswered& answer) {
+  wire::OperatorReply reply;
+  reply.who = answer.who;
+  reply.number = answer.number;
+  reply.accepted = answer.accepted;
+  reply.complete = answer.complete;
+  reply.problems = answer.problems;
+  reply.commands = entries_of(answer.commands);
+  return reply;
+}
+
+}  // namespace skein::ground

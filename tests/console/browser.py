@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A headless Chromium by its debugging pipe: no packages but Python's own."""
+import base64
+import json
+import os
+import select
+import shutil
+import subprocess
+import tempfile
+import time
+
+
+def chromium():
+    """The program, or None."""
+    return shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+
+
+class Browser:
+    def __init__(self, width=1440, height=900):
+        to_read, self._to = os.pipe()
+        self._from, from_write = os.pipe()
+        self._folder = tempfile.mkdtemp(prefix="skein-browser-")
+
+        def give_pipe():  # as descriptors 3 and 4
+            os.dup2(to_read, 10), os.dup2(from_write, 11)
+            os.dup2(10, 3), os.dup2(11, 4)
+
+        self._process = subprocess.Popen(
+            [chromium(), "--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--no-first-run",
+             "--disable-background-networking", f"--window-size={width},{height}", f"--user-data-dir={self._folder}",
+             "about:blank"],
+            preexec_fn=give_pipe, pass_fds=(3, 4, to_read, from_write), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(to_read), os.close(from_write)
+        self._number, self._buffer, self.errors = 0, b"", []
+
+    def call(self, method, session=None, seconds=60, **parameters):
+        self._number += 1
+        message = {"id": self._number, "method": method, "params": parameters}
+        if session:
+            message["sessionId"] = session
+        os.write(self._to, json.dumps(message).encode() + b"\0")
+        until = time.monotonic() + seconds
+        while True:
+            answer = self._next(until)
+            if answer.get("id") == message["id"]:
+                if "error" in answer:
+                    raise RuntimeError(f"{method}: {answer['error']}")
+                return answer["result"]
+            if answer.get("method") == "Runtime.exceptionThrown":
+                self.errors.append(answer["params"]["exceptionDetails"].get("exception", {}).get("description", "?"))
+
+    def _next(self, until):
+        while b"\0" not in self._buffer:
+            if not select.select([self._from], [], [], max(0, until - time.monotonic()))[0]:
+                raise TimeoutError("the browser does not answer")
+            piece = os.read(self._from, 1 << 16)
+            if not piece:
+                raise RuntimeError("the browser is gone")
+            self._buffer += piece
+        one, self._buffer = self._buffer.split(b"\0", 1)
+        return json.loads(one)
+
+    def page(self, url, width=1440, height=900):
+        return Page(self, url, width, height)
+
+    def close(self):
+        self._process.terminate()
+        self._process.wait(20)
+        shutil.rmtree(self._folder, ignore_errors=True)
+
+
+class Page:
+    def __init__(self, browser, url, width, height):
+        self._browser = browser
+        self._target = browser.call("Target.createTarget", url="about:blank")["targetId"]
+        self._session = browser.call("Target.attachToTarget", targetId=self._target, flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime"):
+            self.call(domain + ".enable")
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        self.open(url)
+
+    def call(self, method, **parameters):
+        return self._browser.call(method, self._session, **parameters)
+
+    def open(self, url):
+        self.call("Page.navigate", url=url)
+
+    def says(self, script):
+        """The value of an expression; a promise is waited for."""
+        result = self.call("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
+        if "exceptionDetails" in result:
+            raise RuntimeError(result["exceptionDetails"].get("exception", {}).get("description", script))
+        return result["result"].get("value")
+
+    def until(self, script, seconds=60):
+        """Asks again until the expression is true; what it was last, if never."""
+        end = time.monotonic() + seconds
+        while True:
+            try:
+                value = self.says(script)
+            except RuntimeError as error:
+                value = None if "Cannot find context" in str(error) or "TypeError" in str(error) else error
+            if value:
+                return value
+            if time.monotonic() > end:
+                raise AssertionError(f"never came: {script}; log: {self._browser.errors}")
+            time.sleep(0.1)
+
+    def picture(self, path):
+        data = self.call("Page.captureScreenshot", format="png")["data"]
+        with open(path, "wb") as file:
+            file.write(base64.b64decode(data))
+
+    def close(self):
+        self._browser.call("Target.closeTarget", targetId=self._target)
