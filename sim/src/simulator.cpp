@@ -68,6 +68,10 @@ class Simulator::Implementation {
     if (known != positions_.end() && find(input.uav) == nullptr) known->second = input.position;
   }
 
+  void apply(const LayerForgot&, std::vector<Effect>& effects) {
+    for (Unit& unit : units_) unit.forget(now_, effects);
+  }
+
   void apply(const FunctionalRequest& input, std::vector<Effect>& effects) {
     for (Unit& unit : units_)
       if (unit.name() == input.uav) unit.handle(input.request, now_, effects);

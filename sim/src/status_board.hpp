@@ -33,6 +33,7 @@ class StatusBoard {
   void repeat(TaskId task, MissionTime at, std::vector<Effect>& effects) const {
     if (const auto& status = last_.at(task)) effects.push_back(FunctionalStatus{uav_, *status, at});
   }
+  void forget() { last_.clear(); }
   const std::string& uav() const { return uav_; }
 
  private:

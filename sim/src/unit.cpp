@@ -230,6 +230,12 @@ void Unit::handle(const ContactLost& contact, MissionTime now, std::vector<Effec
   if (contact.lost && !silent_since_) silent_since_ = now;
 }
 
+void Unit::forget(MissionTime now, std::vector<Effect>& effects) {
+  give_up("the functional layer has forgotten it", now, effects);
+  board_.forget();
+  silent_since_.reset();
+}
+
 void Unit::watch_contact(MissionTime now, std::vector<Effect>& effects) {
   if (!silent_since_ || now - *silent_since_ < patience_) return;
   give_up("contact with the decision node lost", now, effects);

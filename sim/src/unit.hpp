@@ -29,9 +29,9 @@ namespace skein::sim {
 /// | active   | it looks, and its device failed          | –        | aborted + reason  |
 /// | pending, active | interrupt, pilot has reacted      | stopping | –                 |
 /// | stopping | at rest (a landing too low: on the ground; one that looks: at once) | – | aborted |
-/// | any      | engine failure, energy out, contact lost for longer than patience, or the decision
-/// node forgot all | – | aborted + reason | | pending, active | fault of the functional layer     |
-/// –        | aborted + reason  |
+/// | any      | engine failure, energy out, contact lost for longer than patience, the decision
+/// node or the layer itself forgot all | – | aborted + reason |
+/// | pending, active | fault of the functional layer    | –        | aborted + reason  |
 ///
 /// Between tasks it holds where it is (or circles, or stays on the ground).
 class Unit {
@@ -41,6 +41,7 @@ class Unit {
   void handle(const functional::Request& request, MissionTime now, std::vector<Effect>& effects);
   void handle(const Fault& fault, MissionTime now, std::vector<Effect>& effects);
   void handle(const ContactLost& contact, MissionTime now, std::vector<Effect>& effects);
+  void forget(MissionTime now, std::vector<Effect>& effects);
   /// Advances to `now`, one step of the physics after the last.
   void step(MissionTime now, double dt, std::vector<Effect>& effects);
 

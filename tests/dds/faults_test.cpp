@@ -99,6 +99,67 @@ TEST(DdsFault, DaemonsThatComeBackWithWhatTheyKnewGoOnWithTheMission) {
   expect_nothing_left(run);
 }
 
+struct Killed {
+  const char* mission;
+  std::vector<std::string> daemons;  ///< one after the other
+};
+
+// Missions planned on board: their plans come back too.
+class DdsDeaths : public ::testing::TestWithParam<Killed> {};
+
+TEST_P(DdsDeaths, EndAsSpecifiedOrByThePoliciesOfLostContact) {
+  DdsRun run;
+  std::string faults = "\nfaults:\n";
+  double at = 40;
+  for (const std::string& daemon : GetParam().daemons) {
+    faults += "  - {at: " + std::to_string(at) + ", kill: " + daemon + ", restart_after: 5}\n";
+    at += 70;
+  }
+  run.take_scenario_of(GetParam().mission, faults);
+  run.start({"--rate", "20"});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  std::vector<std::string> resumed;
+  bool in_time = true;
+  for (const journal::Record& record : run.records()) {
+    if (record.kind() == "resumed") resumed.push_back(record.node());
+    in_time = in_time && record.kind() != "contact";
+  }
+  EXPECT_EQ(resumed, GetParam().daemons);
+  EXPECT_TRUE(!in_time || status->code == 0) << run.output();
+  expect_nothing_left(run);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Missions, DdsDeaths,
+    ::testing::Values(Killed{"karma/detection", {"karma", "sim", "ground", "karma"}},
+                      Killed{"iros2005/fire", {"marvin", "karma", "sim", "ground", "heliv"}}),
+    [](const auto& one) {
+      std::string name = one.param.mission;
+      return name.substr(0, name.find('/'));
+    });
+
+// A functional layer of its own loses all it knew, in the air; its vehicles are where they are.
+TEST(DdsFault, AFunctionalLayerThatForgetsIsAskedAndTheMissionGoesOn) {
+  DdsRun run;
+  run.take_scenario_of("karma/detection",
+                       "\nfaults: [{at: 100, kill: sim, restart_after: 5, forgets: true}]\n");
+  run.start({"--rate", "20"});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(run.count("fault", "what", "restart"), 1U);
+  std::size_t asked = 0;
+  bool down = false;
+  for (const journal::Record& record : run.records()) {
+    asked += record.text("text").find("came back without its memory") != std::string::npos ? 1 : 0;
+    if (record.kind() == "telemetry") down = !record.truth("airborne");
+  }
+  EXPECT_GE(asked, 1U);
+  EXPECT_TRUE(down);
+  EXPECT_TRUE(run.nothing_runs());  // who is killed leaves its shared memory behind
+}
+
 TEST(DdsFault, CtrlCEndsTheRunWith130) {
   DdsRun run;
   run.take_scenario("confirmed");

@@ -5,8 +5,8 @@
 
 #include <ostream>
 
+#include "skein/laws/protocol.hpp"
 #include "test_cases.hpp"
-#include "testing/journal_laws.hpp"
 #include "testing/mission.hpp"
 
 namespace skein::testing {
@@ -43,7 +43,7 @@ TEST_P(Comets, MeetsEveryExpectationAndKeepsTheLaws) {
 
   EXPECT_EQ(mission.end, End::kFinished);
   EXPECT_EQ(mission.failures(), "");
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
 }
 

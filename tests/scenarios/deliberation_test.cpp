@@ -6,9 +6,9 @@
 
 #include <ostream>
 
+#include "skein/laws/protocol.hpp"
 #include "test_cases.hpp"
 #include "testing/deliberation_laws.hpp"
-#include "testing/journal_laws.hpp"
 #include "testing/mission.hpp"
 
 namespace skein::testing {
@@ -28,9 +28,9 @@ TEST_P(Deliberation, MeetsEveryExpectationAndKeepsTheLawsWhateverTheSeed) {
 
     EXPECT_EQ(mission.end, End::kFinished) << "seed " << seed;
     EXPECT_EQ(mission.failures(), "") << "seed " << seed;
-    EXPECT_EQ(to_text(broken_laws(mission.records)), "") << "seed " << seed;
+    EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "") << "seed " << seed;
     EXPECT_EQ(mission.untrue, "") << "seed " << seed;
-    EXPECT_EQ(to_text(broken_deliberation_laws(mission.records)), "") << "seed " << seed;
+    EXPECT_EQ(laws::to_text(broken_deliberation_laws(mission.records)), "") << "seed " << seed;
   }
 }
 
@@ -53,25 +53,25 @@ INSTANTIATE_TEST_SUITE_P(Virtual, Deliberation,
                          ::testing::Values("karma/detection", "heliv-marvin/monitoring",
                                            "iros2005/fire", "handover/radio", "handover/cut",
                                            "comets/mixed", "deadlines/after-a-goal",
-                                           "deadlines/slack", "deadlines/in-parts"),
+                                           "deadlines/slack", "deadlines/in-parts",
+                                           "jacksboro/fire"),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(
     Contingencies, Deliberation,
-    ::testing::Values("contingencies/slow-goto", "contingencies/takeshot-aborted",
-                      "contingencies/refused-for-ever", "contingencies/sensor-dead",
-                      "contingencies/no-fly-appears", "contingencies/energy-short",
-                      "contingencies/urgent-mission", "contingencies/later-during-perception",
-                      "contingencies/mission-while-waiting-on-ground",
-                      "contingencies/true-when-its-turn-comes", "contingencies/partner-never-comes",
-                      "contingencies/orders-never-come", "contingencies/air-closes-around",
-                      "contingencies/air-closes-later", "contingencies/air-closes-on-perception",
-                      "contingencies/air-closes-on-circle", "contingencies/steep-home",
-                      "contingencies/closed-for-a-time", "contingencies/rung-re-refine",
-                      "contingencies/rung-drop", "contingencies/rung-shift",
-                      "contingencies/rung-replan", "contingencies/rung-absorb",
-                      "contingencies/rung-fail", "contingencies/progress-kept",
-                      "contingencies/mapping-goes-on", "contingencies/partner-gives-up",
-                      "handover/synchronised"),
+    ::testing::Values(
+        "contingencies/slow-goto", "contingencies/takeshot-aborted",
+        "contingencies/refused-for-ever", "contingencies/sensor-dead",
+        "contingencies/no-fly-appears", "contingencies/energy-short",
+        "contingencies/urgent-mission", "contingencies/later-during-perception",
+        "contingencies/mission-while-waiting-on-ground", "contingencies/true-when-its-turn-comes",
+        "contingencies/partner-never-comes", "contingencies/orders-never-come",
+        "contingencies/air-closes-around", "contingencies/air-closes-later",
+        "contingencies/air-closes-on-perception", "contingencies/air-closes-on-circle",
+        "contingencies/air-closes-while-holding", "contingencies/steep-home",
+        "contingencies/closed-for-a-time", "contingencies/rung-re-refine",
+        "contingencies/rung-drop", "contingencies/rung-shift", "contingencies/rung-replan",
+        "contingencies/rung-absorb", "contingencies/rung-fail", "contingencies/progress-kept",
+        "contingencies/mapping-goes-on", "contingencies/partner-gives-up", "handover/synchronised"),
     name_of);
 
 // What each decision of that operator came to.

@@ -3,7 +3,7 @@
 // simulator plays all vehicles.
 #include <gtest/gtest.h>
 
-#include "testing/journal_laws.hpp"
+#include "skein/laws/protocol.hpp"
 #include "testing/mission.hpp"
 
 namespace skein::testing {
@@ -40,7 +40,7 @@ TEST_P(OwnLayers, FlyTheCometsMissionAsTheSimulatorDoes) {
 
     EXPECT_EQ(shared.end, End::kFinished);
     EXPECT_EQ(shared.failures(), "");
-    EXPECT_EQ(to_text(broken_laws(shared.records)), "");
+    EXPECT_EQ(laws::to_text(laws::broken_protocol(shared.records)), "");
     EXPECT_EQ(shared.untrue, "");
     for (const scenario::UavSpec& uav : whole.uavs) {
       EXPECT_EQ(deeds(shared, uav.name), deeds(alone, uav.name)) << uav.name << " at " << degree;

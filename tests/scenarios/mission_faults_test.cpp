@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "skein/laws/protocol.hpp"
 #include "test_cases.hpp"
-#include "testing/journal_laws.hpp"
 #include "testing/mission.hpp"
 
 namespace skein::testing {
@@ -50,7 +50,7 @@ TEST_P(AtDegree, ACutShorterThanACommandsLifeDelaysTheMissionAndNoMore) {
 
   EXPECT_EQ(mission.end, End::kFinished);
   EXPECT_EQ(mission.failures(), "");
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
   const auto takeoff = mission.first(
       {{"kind", "task"}, {"uav", "heliv"}, {"type", "takeoff"}, {"state", "running"}});
@@ -69,7 +69,7 @@ TEST_P(WithAnMle, ACutLongerThanACommandsLifeLetsItExpireAndTheLogSaysSo) {
 
   const Mission mission = play(scenario);
 
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
   EXPECT_EQ(mission.count(command("heliv", "expired")), 4U);
   EXPECT_EQ(mission.count(command("heliv", "acknowledged")), 0U);
@@ -89,7 +89,7 @@ TEST_P(WithAnMle, ARendezvousWaitsForTheLinkItNeeds) {
   const Mission mission = play(scenario);
 
   EXPECT_EQ(mission.end, End::kFinished);
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
   const auto met = mission.first({{"kind", "task"}, {"type", "synchronise"}, {"state", "ended"}});
   ASSERT_TRUE(met.has_value());
@@ -114,7 +114,7 @@ TEST_P(AtDegree, OutOfContactForLongKarmaReturnsAndLands) {
 
   const Mission mission = play(scenario);
 
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
   EXPECT_EQ(mission.count({{"kind", "contact"}, {"uav", "karma"}, {"policy", "return"}}), 1U);
   const auto last = mission.find({{"kind", "telemetry"}, {"uav", "karma"}}).back();
@@ -130,7 +130,7 @@ TEST_P(AtDegree, OutOfContactForLongMarvinHoldsInTheAir) {
 
   const Mission mission = play(scenario);
 
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
   EXPECT_EQ(mission.count({{"kind", "contact"}, {"uav", "marvin"}, {"policy", "hold"}}), 1U);
   const auto telemetry = mission.find({{"kind", "telemetry"}, {"uav", "marvin"}});
@@ -149,7 +149,7 @@ TEST_P(AtDegree, ACutShorterThanThePolicysDelayCallsForNoPolicy) {
 
   const Mission mission = play(scenario);
 
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
   EXPECT_EQ(mission.count({{"kind", "contact"}}), 0U);
 }
@@ -168,7 +168,7 @@ TEST_P(WithLoss, OfThirtyPercentOfStreamsTheMissionStillMeetsItsExpectations) {
 
   EXPECT_EQ(mission.end, End::kFinished);
   EXPECT_EQ(mission.failures(), "");
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
 }
 
@@ -187,7 +187,7 @@ TEST_P(AtDegree, ADecisionNodeThatForgotAllBeforeItsTurnMakesNoDifferenceToTheMi
 
   EXPECT_EQ(mission.end, End::kFinished);
   EXPECT_EQ(mission.failures(), "");
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
   EXPECT_EQ(mission.count({{"kind", "fault"}, {"what", "restart"}, {"target", "karma"}}), 1U);
 }
@@ -198,7 +198,7 @@ TEST_P(WithAnMle, ADecisionNodeThatForgotItsPlanHasLostItAndTheGroundKnows) {
 
   const Mission mission = play(scenario);
 
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
   const auto notices = mission.find({{"kind", "notice"}, {"node", "ground"}, {"uav", "marvin"}});
   ASSERT_FALSE(notices.empty());
@@ -213,7 +213,7 @@ TEST(RestartAtDegree1, OfADecisionNodeThatForgotAllLeavesTheGroundToGoOnWithTheP
 
   const Mission mission = play(scenario);
 
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
   EXPECT_EQ(
       mission.count({{"kind", "task"}, {"uav", "marvin"}, {"task", "3"}, {"state", "aborted"}}),
@@ -230,7 +230,7 @@ TEST_P(AtDegree, ADecisionNodeThatNeverComesBackDoesNotHangTheRun) {
   const Mission mission = play(scenario);
 
   EXPECT_EQ(mission.end, End::kTimeLimit);
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
 }
 
@@ -250,7 +250,7 @@ TEST_P(DrawnFaults, LetTheRunEndAndBreakNoLaw) {
   const Mission mission = play(scenario);
 
   EXPECT_THAT(mission.end, AnyOf(Eq(End::kFinished), Eq(End::kTimeLimit)));
-  EXPECT_EQ(to_text(broken_laws(mission.records)), "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
 }
 

@@ -11,8 +11,12 @@ namespace skein::functional_tool {
 using translation::from_wire;
 using translation::to_wire;
 
-CheckNode::CheckNode(Place place, const conformance::Config& config, Tell tell)
-    : place_(std::move(place)), check_(config), tell_(std::move(tell)) {}
+CheckNode::CheckNode(Place place, const conformance::Config& config, Tell tell,
+                     std::function<void()> call_for_restart)
+    : place_(std::move(place)),
+      check_(config),
+      tell_(std::move(tell)),
+      call_for_restart_(std::move(call_for_restart)) {}
 
 node::Effects CheckNode::handle(const node::Input& input, MissionTime now) {
   node::Effects effects;
@@ -23,6 +27,7 @@ node::Effects CheckNode::handle(const node::Input& input, MissionTime now) {
         node::Send{place_.functional, to_wire(place_.uav, asked), MissionTime::max()});
   }
   for (; told_ < check_.verdicts().size(); ++told_) tell_(check_.verdicts()[told_]);
+  if (check_.wants_restart() && call_for_restart_) std::exchange(call_for_restart_, {})();
   if (!check_.done()) return effects;
   wire::MissionState state;
   state.finished = true;
@@ -36,6 +41,9 @@ std::optional<conformance::Input> CheckNode::input_of(const node::Input& input) 
   if (std::holds_alternative<node::Wakeup>(input) || std::holds_alternative<node::Started>(input)) {
     return conformance::Tick{};
   }
+  const auto* reach = std::get_if<node::Reachability>(&input);
+  if (reach != nullptr && reach->peer == place_.functional && reach->restarted)
+    return conformance::Restarted{};
   const auto* received = std::get_if<node::Received>(&input);
   if (received == nullptr || received->from != place_.functional) return std::nullopt;
   if (const auto* status = std::get_if<wire::FunctionalStatus>(&received->sample)) {

@@ -20,7 +20,9 @@ class CheckNode final : public node::Node {
   /// Tells each verdict as it is reached.
   using Tell = std::function<void(const conformance::Verdict&)>;
 
-  CheckNode(Place place, const conformance::Config& config, Tell tell);
+  /// `call_for_restart` once, when the layer is to be killed and started again.
+  CheckNode(Place place, const conformance::Config& config, Tell tell,
+            std::function<void()> call_for_restart);
 
   node::Effects handle(const node::Input& input, MissionTime now) override;
   std::optional<MissionTime> next_wakeup() const override { return check_.next_wakeup(); }
@@ -31,6 +33,7 @@ class CheckNode final : public node::Node {
   Place place_;
   conformance::Conformance check_;
   Tell tell_;
+  std::function<void()> call_for_restart_;  ///< empty once called
   std::size_t told_ = 0;
 };
 

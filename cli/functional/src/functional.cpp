@@ -20,6 +20,11 @@ namespace {
 
 /// How long the whole check may take, in mission time.
 constexpr Duration kLongest = Duration::milliseconds(3'600'000);
+/// In virtual time the layer is killed at this instant, whatever waits for it, and is back after.
+constexpr Duration kKilledAt = Duration::milliseconds(1'500'000);
+constexpr Duration kAway = Duration::milliseconds(5'000);
+/// Over DDS somebody kills it.
+constexpr Duration kPatience = Duration::milliseconds(300'000);
 
 conformance::Config config_for(const FunctionalOptions& options, const scenario::UavSpec& uav) {
   conformance::Config config;
@@ -27,6 +32,11 @@ conformance::Config config_for(const FunctionalOptions& options, const scenario:
   config.reach = options.reach;
   config.near = uav.model.hovers ? options.near : std::max(options.near, 40.0);
   config.hovers = uav.model.hovers;
+  if (options.virtual_time) {
+    config.restart_within = kKilledAt + kAway;
+  } else if (options.restarts) {
+    config.restart_within = kPatience;
+  }
   if (!uav.model.sensors.empty()) config.device = uav.model.sensors.front().device;
   return config;
 }
@@ -58,7 +68,8 @@ class Check {
   void run_virtually() {
     node::VirtualConfig config = assembly::virtual_config(scenario_);
     config.time_limit = MissionTime() + kLongest;
-    config.crashes.clear();
+    config.crashes = {
+        {MissionTime() + kKilledAt, layer_, MissionTime() + kKilledAt + kAway, false}};
     const auto make = [this](const std::string& name) {
       return name == uav_.name ? check_node() : assembly::make_node(scenario_, name);
     };
@@ -100,8 +111,13 @@ class Check {
  private:
   std::unique_ptr<node::Node> check_node() {
     const CheckNode::Place place{uav_.name, whole_.functional_of(whole_.find(uav_.name)->number)};
-    return std::make_unique<CheckNode>(place, config_for(options_, uav_),
-                                       [this](const auto& verdict) { tell(verdict); });
+    return std::make_unique<CheckNode>(
+        place, config_for(options_, uav_), [this](const auto& verdict) { tell(verdict); },
+        [this] { call_for_restart(); });
+  }
+  void call_for_restart() {
+    if (options_.virtual_time || options_.json) return;
+    out_ << "Now kill '" << layer_ << "' and start it again." << std::endl;
   }
   void tell(const conformance::Verdict& one) {
     verdicts_.push_back(one);

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "skein/store/sqlite_input_log.hpp"
+#include "temporary_folder.hpp"
 
 namespace skein::state_tool {
 namespace {
@@ -22,8 +23,6 @@ using Json = nlohmann::json;
 class State : public ::testing::Test {
  protected:
   State() {
-    std::string name = (fs::temp_directory_path() / "skein-state-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
     const auto opened = store::SqliteInputLog::open(folder_, {"karma", "detection 5"});
     wire::TaskRequest request;
     request.id = 4;
@@ -32,7 +31,6 @@ class State : public ::testing::Test {
         {MissionTime::seconds(2), node::Received{node::NodeNumber(1), request}});
     (void)opened->log->append({MissionTime::seconds(9), node::Resumed{}});
   }
-  ~State() override { fs::remove_all(folder_); }
 
   int run(StateOptions::What what, bool json = false) {
     out.str("");
@@ -43,7 +41,8 @@ class State : public ::testing::Test {
     change(*store::SqliteInputLog::open(folder_, {"karma", "detection 5"})->log);
   }
 
-  fs::path folder_;
+  const skein::testing::TemporaryFolder own_;
+  const fs::path folder_ = own_.path();
   std::ostringstream out, err;
 };
 

@@ -28,6 +28,9 @@ std::vector<Request> Conformance::nothing() {
   return {};
 }
 
+// What was asked stays what is asked about.
+std::vector<Request> Conformance::nothing_new() { return {}; }
+
 std::vector<Request> Conformance::unknown_type() { return {dispatch("no-such-task", {})}; }
 
 std::vector<Request> Conformance::unknown_parameter() {

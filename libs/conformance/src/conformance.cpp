@@ -7,6 +7,10 @@
 
 namespace skein::conformance {
 
+namespace {
+constexpr const char* kRestart = "killed and started again, it is there in a new incarnation";
+}  // namespace
+
 Conformance::Conformance(Config config) : config_(std::move(config)), points_(points_of(config_)) {}
 
 std::vector<Conformance::Point> Conformance::points_of(const Config& config) {
@@ -33,6 +37,14 @@ std::vector<Conformance::Point> Conformance::points_of(const Config& config) {
        true},
       {"a wait begins to run", &C::wait, &C::runs, answer, true},
       {"an interrupted wait is aborted", &C::interrupt, &C::aborted, answer, true}};
+  if (config.restart_within) {
+    points.push_back({"a wait runs when it is to be restarted", &C::wait, &C::runs, answer, true});
+    points.push_back({kRestart, &C::nothing_new, &C::is_back, *config.restart_within, true});
+    points.push_back({"what was under way then may be asked for again, and begins",
+                      &C::the_same_again, &C::runs, answer, true});
+    points.push_back({"and when it is interrupted the vehicle stays where it is", &C::interrupt,
+                      &C::stays, act, true});
+  }
   if (!config.device.empty()) {
     points.push_back({"a look runs, and its perceptions come", &C::look, &C::looks, act, true});
     points.push_back({"an interrupted look is aborted", &C::interrupt, &C::aborted, answer, true});
@@ -53,7 +65,8 @@ std::vector<functional::Request> Conformance::handle(const Input& input, Mission
                           if (!first_) first_ = it;
                           last_ = it;
                         },
-                        [&](const world::Perception& it) { seen_.perceptions.push_back(it); }},
+                        [&](const world::Perception& it) { seen_.perceptions.push_back(it); },
+                        [&](const Restarted&) { seen_.restarted = true; }},
              input);
   const Point& point = points_[point_];
   if (const Judgement judgement = (this->*point.judge)(now)) {
@@ -86,6 +99,10 @@ void Conformance::decide(const std::string& seen) {
 std::optional<MissionTime> Conformance::next_wakeup() const {
   if (done()) return std::nullopt;
   return begun_ ? seen_.began + points_[point_].within : seen_.began;
+}
+
+bool Conformance::wants_restart() const {
+  return !done() && begun_ && points_[point_].name == kRestart;
 }
 
 bool Conformance::is_airborne() const { return last_ && last_->state.airborne; }

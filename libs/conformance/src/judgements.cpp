@@ -141,6 +141,10 @@ Conformance::Judgement Conformance::looks(MissionTime) const {
   return seen ? Judgement("") : std::nullopt;
 }
 
+Conformance::Judgement Conformance::is_back(MissionTime) const {
+  return seen_.restarted ? Judgement("") : std::nullopt;
+}
+
 Conformance::Judgement Conformance::is_down(MissionTime) const {
   const std::vector<Status> told = of_task();
   if (has(told, TaskState::kAborted)) return "aborted: " + told.back().reason;

@@ -39,6 +39,7 @@ struct Spoilt {
   std::function<std::vector<Status>(const Status&)> out = [](const Status& it) {
     return std::vector<Status>{it};
   };
+  bool forgets = true;  ///< when it is restarted
   std::function<bool(const world::Telemetry&)> tells = [](const world::Telemetry&) { return true; };
 };
 
@@ -56,12 +57,17 @@ class Bench {
       take(simulator_.handle(sim::Tick{}, now_));
       const auto wakeup = check_.next_wakeup();
       if (wakeup && *wakeup <= now_) give(Tick{});
+      if (check_.wants_restart()) restart();
     }
     EXPECT_TRUE(check_.done());
     return check_.verdicts();
   }
 
  private:
+  void restart() {
+    if (spoilt_.forgets) (void)simulator_.handle(sim::LayerForgot{}, now_);
+    give(Restarted{});
+  }
   static sim::SimulatorConfig world_with(const world::VehicleModel& model) {
     world::TerrainSpec spec;
     spec.west = spec.south = -2000;
@@ -75,6 +81,7 @@ class Bench {
   static Config config_for(const world::VehicleModel& model) {
     Config config;
     config.hovers = model.hovers;
+    config.restart_within = Duration::seconds(60);
     config.near = model.hovers ? 10 : 40;
     config.device = model.sensors.empty() ? "" : model.sensors.front().device;
     return config;
@@ -114,11 +121,14 @@ std::vector<std::string> broken(const std::string& vehicle, Spoilt spoilt = {}) 
   return points;
 }
 
+/// The task that runs when the layer is restarted, as the check numbers them.
+constexpr std::uint64_t kWaitAtRestart = 10;
+
 class EveryVehicle : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryVehicle, OfTheSimulatorKeepsEveryPoint) {
   EXPECT_THAT(broken(GetParam()), ::testing::IsEmpty());
-  EXPECT_GE(Bench(GetParam(), {}).run().size(), 16U);
+  EXPECT_GE(Bench(GetParam(), {}).run().size(), 21U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Conformance, EveryVehicle, ::testing::Values("marvin", "heliv", "karma"),
@@ -133,6 +143,25 @@ TEST(Conformance, ALayerThatNeverAnswersKeepsNothingButItsTelemetry) {
   EXPECT_THAT(points, Contains("an unknown type is refused with a reason: no answer"));
   EXPECT_THAT(points, Contains("a takeoff runs, ends, and leaves it in the air: no answer"));
   EXPECT_THAT(points, Contains("a way is flown to its end: it is not in the air"));
+}
+
+// The vehicle goes on with what nobody knows of any more, and takes nothing else.
+TEST(Conformance, ALayerWhoseVehicleIsStillHeldByAForgottenTaskIsSeen) {
+  Spoilt held;
+  held.forgets = false;
+  std::set<functional::TaskId> waits;
+  held.in = [&waits](Request it) {
+    const bool again = it.type == "wait" && !waits.insert(it.id).second;
+    if (again) it.id = functional::TaskId(9999);
+    return std::vector<Request>{it};
+  };
+  held.out = [](Status it) {
+    if (it.id == functional::TaskId(9999)) it.id = functional::TaskId(kWaitAtRestart);
+    return std::vector<Status>{it};
+  };
+
+  EXPECT_THAT(broken("marvin", held),
+              Contains(HasSubstr("may be asked for again, and begins: aborted")));
 }
 
 TEST(Conformance, ARefusalWithoutAReasonIsSeen) {

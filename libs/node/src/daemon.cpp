@@ -58,12 +58,16 @@ class Daemon {
     host_config.seed = config_.seed;
     host_config.memory = config_.memory;
     host_config.leads_clock = config_.leads_clock;
+    host_config.forgets = config_.forgets;
     auto host = Host::open(roster_, self_, std::move(node), transport_, host_config, ports());
     if (!host) return tl::unexpected(host.error());
     host_ = std::move(*host);
+    if (config_.companion != nullptr) config_.companion->attach([this] { waker_.notify(); });
     if (config_.leads_clock) hold_where_it_was();
     introduce();
-    return loop();
+    const DaemonEnd end = loop();
+    if (config_.companion != nullptr) config_.companion->detach();
+    return end;
   }
 
  private:
@@ -80,6 +84,7 @@ class Daemon {
   void turn() {
     for (JobDone& done : jobs_.take_done()) host_->job_done(std::move(done), now());
     host_->step(now());
+    if (config_.companion != nullptr) hear_companion();
     if (listens_until_ && Waker::steady_now() >= *listens_until_) lead_again();
     // A daemon that is restarted in mid-mission must not live at mission time zero.
     const bool has_time = config_.leads_clock ? !listens_until_ : clock_heard_;
@@ -88,6 +93,17 @@ class Daemon {
     if (config_.leads_clock && !listens_until_) lead();
     flush_journal();
     host_->lines_have_left();
+    if (config_.companion != nullptr) {
+      const double rate = config_.leads_clock ? config_.rate : follower_.rate();
+      config_.companion->turn({now(), rate, phase()});
+    }
+  }
+
+  void hear_companion() {
+    const Member* from = roster_.find(config_.companion->speaks_as());
+    for (wire::Sample& sample : config_.companion->take()) {
+      if (from != nullptr) host_->say(*from, std::move(sample), now());
+    }
   }
 
   Now now() {
@@ -127,10 +143,15 @@ class Daemon {
     // The leader sees the mission state that another node publishes, or its own says so.
     ports.finish = [this] { finish(); };
     ports.world = [this](const wire::Sample& sample) { take_world(sample); };
+    if (config_.companion != nullptr) {
+      ports.witness = [this](const wire::Sample& sample) { config_.companion->sees(sample); };
+    }
     return ports;
   }
 
   void take_world(const wire::Sample& sample) {
+    const bool is_link = std::holds_alternative<wire::LinkState>(sample);
+    if (config_.companion != nullptr && is_link) config_.companion->sees(sample);
     if (const auto* clock = std::get_if<wire::Clock>(&sample)) {
       follower_.update(*clock, Waker::steady_now());
       clock_heard_ = true;
@@ -202,6 +223,7 @@ class Daemon {
   void flush_journal() {
     for (const journal::Record& record : std::exchange(unsent_records_, {})) {
       if (config_.on_record) config_.on_record(record);
+      if (config_.companion != nullptr) config_.companion->sees(record);
       wire::JournalEntry entry;
       entry.record = journal::to_json(record);
       host_->publish(entry, now());

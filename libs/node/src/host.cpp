@@ -51,6 +51,13 @@ void add_clock(std::vector<blackboard::ChannelConfig>& channels) {
   }
 }
 
+/// Of what comes over the world channel; the rest is the runtime's.
+bool is_for_nodes(wire::Slot slot) {
+  using wire::Slot;
+  return slot == Slot::kTruth || slot == Slot::kOperatorRequest || slot == Slot::kOperatorReply ||
+         slot == Slot::kUavBoard || slot == Slot::kUavTasks || slot == Slot::kGroundBoard;
+}
+
 bool is_of_the_world(const blackboard::Incoming& incoming) {
   const auto* received = std::get_if<blackboard::Received>(&incoming);
   return received != nullptr && received->channel == ChannelKind::kWorld;
@@ -78,8 +85,12 @@ Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Me
     if (!found) return tl::unexpected(found.error());
     past = std::move(*found);
   }
-  board.life = past.lives;
-  if (past.lives > 0) board.incarnation = past.incarnation;
+  if (config.forgets) {
+    board.incarnation = std::max(config.incarnation, past.incarnation + 1);
+  } else if (past.lives > 0) {
+    board.life = past.lives;
+    board.incarnation = past.incarnation;
+  }
   const std::uint64_t board_incarnation = board.incarnation;
   auto opened = blackboard::Blackboard::open(std::move(board), transport);
   if (!opened) return tl::unexpected(opened.error());
@@ -87,8 +98,8 @@ Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Me
       new Host(roster, self, std::move(node), std::move(*opened), config, std::move(ports)));
   host->config_.incarnation = board_incarnation;
   if (past.lives > 0) {
-    if (auto recalled = host->recall(std::move(past)); !recalled)
-      return tl::unexpected(recalled.error());
+    auto recalled = config.forgets ? host->recall_the_world() : host->recall(std::move(past));
+    if (!recalled) return tl::unexpected(recalled.error());
   }
   return host;
 }
@@ -111,7 +122,8 @@ Host::Host(const Roster& roster, const Member& self, std::unique_ptr<Node> node,
 void Host::start(Now now) {
   SKEIN_EXPECTS(!started_);
   started_ = true;
-  if (!resumed_from_) {
+  if (!resumed_from_ || config_.forgets) {
+    carry_out(std::exchange(left_, {}), now);
     give(Started{config_.incarnation}, now);
   } else {
     remember(Resumed{}, now);
@@ -146,6 +158,17 @@ Result<void, Failure> Host::recall(Survey past) {
   return {};
 }
 
+// Its own lines and what it sent are of no account any more: it is another life.
+Result<void, Failure> Host::recall_the_world() {
+  Recollection recollection(*node_, nullptr, {});
+  config_.memory->told(0);
+  if (auto recalled = recollection.run(*config_.memory); !recalled) return recalled;
+  resumed_from_ = recollection.until();
+  left_ = recollection.left_of_the_world();
+  node_due_ = node_->next_wakeup();
+  return {};
+}
+
 void Host::remember(LoggedInput input, Now now) {
   if (config_.memory == nullptr) return;
   const MissionTime at = std::max(now.mission, resumed_from_.value_or(now.mission));
@@ -170,6 +193,19 @@ void Host::publish(wire::Sample sample, Now now) {
   if (!sent) log_unsent(slot, "world", sent.error(), now);
 }
 
+void Host::say(const Member& from, wire::Sample sample, Now now) {
+  if (!started_) return;
+  wire::SampleHeader& header = wire::header_of(sample);
+  header.origin = from.number.value();
+  header.incarnation = config_.incarnation;
+  header.sequence_number = ++said_;
+  header.mission_time = now.mission.count();
+  if (wire::find_violation(sample)) {
+    return log_unsent(wire::slot_of(sample), self_.name, blackboard::Refusal::kMalformed, now);
+  }
+  give(Received{from.number, std::move(sample)}, now);
+}
+
 bool Host::all_peers_heard() const {
   return std::all_of(peers_.begin(), peers_.end(), [&](NodeNumber peer) {
     return heard_.count(peer) > 0 || down_.count(peer) > 0;
@@ -180,6 +216,8 @@ bool Host::all_peers_heard() const {
 void Host::give(const Input& input, Now now) {
   if (resumed_from_) now.mission = std::max(now.mission, *resumed_from_);
   if (config_.memory != nullptr) remember(logged(input), now);
+  const auto* received = std::get_if<Received>(&input);
+  if (ports_.witness && received != nullptr) ports_.witness(received->sample);
   Effects effects = node_->handle(input, now.mission);
   node_due_ = node_->next_wakeup();
   carry_out(std::move(effects), now);
@@ -188,7 +226,10 @@ void Host::give(const Input& input, Now now) {
 void Host::carry_out(Effects effects, Now now) {
   for (Effect& effect : effects) {
     std::visit(Overloaded{[&](Send& one) { send(one, now); },
-                          [&](Publish& one) { publish(std::move(one.sample), now); },
+                          [&](Publish& one) {
+                            if (ports_.witness) ports_.witness(one.sample);
+                            publish(std::move(one.sample), now);
+                          },
                           [&](Log& one) {
                             ++lines_;
                             ports_.journal(one.record);
@@ -278,8 +319,7 @@ void Host::take_received(blackboard::Received received, Now now) {
   if (const auto* link = std::get_if<wire::LinkState>(&received.sample)) apply(*link, now);
   if (received.channel == ChannelKind::kWorld) {
     if (ports_.world) ports_.world(received.sample);
-    // Where vehicles are that others play is for the node.
-    if (!started_ || !std::holds_alternative<wire::Truth>(received.sample)) return;
+    if (!started_ || !is_for_nodes(wire::slot_of(received.sample))) return;
     return give(Received{received.origin, std::move(received.sample)}, now);
   }
   const wire::Slot slot = wire::slot_of(received.sample);

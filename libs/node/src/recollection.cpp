@@ -30,12 +30,12 @@ TimeIsUp again(const JobClock& clock) {
 Result<Survey, Failure> survey(const InputLog& memory) {
   Survey found;
   const auto read = memory.recall([&](const LogEntry& entry) -> Result<void, Failure> {
-    if (found.incarnation == 0) {
-      const auto* started = std::get_if<Started>(&entry.input);
-      if (started == nullptr || started->incarnation == 0)
-        return failure("it does not begin with the start of a node");
-      found.incarnation = started->incarnation;
-      found.lives = 1;
+    if (const auto* started = std::get_if<Started>(&entry.input)) {
+      if (started->incarnation <= found.incarnation)
+        return failure("a later incarnation of it has the number of an earlier one");
+      found = {started->incarnation, 1, found.births + 1, {}};
+    } else if (found.births == 0) {
+      return failure("it does not begin with the start of a node");
     } else if (std::holds_alternative<Resumed>(entry.input)) {
       ++found.lives;
     } else if (const auto* unsent = std::get_if<Unsent>(&entry.input)) {
@@ -60,7 +60,8 @@ Result<void, Failure> Recollection::run(const InputLog& memory) {
 Result<void, Failure> Recollection::take(const LogEntry& entry) {
   if (entry.at < until_) return failure("its time goes back");
   until_ = entry.at;
-  if (blackboard_ != nullptr) tell(entry);
+  if (std::holds_alternative<Started>(entry.input)) be_born();
+  if (blackboard_ != nullptr && births_ == survey_.births) tell(entry);
   if (const auto* reach = std::get_if<Reachability>(&entry.input))
     reachable_[reach->peer] = reach->reachable;
   return std::visit(Overloaded{[&](const JobEnded& ended) { return end(ended, entry.at); },
@@ -70,6 +71,18 @@ Result<void, Failure> Recollection::take(const LogEntry& entry) {
                                [](const Unsent&) { return Result<void, Failure>(); },
                                [&](const auto& one) { return give(one, entry.at); }},
                     entry.input);
+}
+
+// An incarnation that forgot: only what it plays of the world is as before.
+void Recollection::be_born() {
+  if (births_++ == 0) return;
+  lines_ = sends_ = 0;
+  reachable_.clear();
+  states_.clear();
+  lines_left_.clear();
+  jobs_.clear();
+  stopped_.clear();
+  finished_ = false;
 }
 
 // What the blackboard did with its peers before the node was given the input.
@@ -121,18 +134,23 @@ void Recollection::follow(Effects effects, MissionTime at) {
 }
 
 void Recollection::sent(Send send, MissionTime at) {
-  if (survey_.unsent.contains(sends_++)) return;
+  if (births_ == survey_.births && survey_.unsent.contains(sends_++)) return;
   if (is_state(send.sample)) {
     const StateKey key{send.to, wire::slot_of(send.sample), wire::header_of(send.sample).instance};
     states_.insert_or_assign(key, std::move(send));
-  } else if (blackboard_ != nullptr) {
+  } else if (blackboard_ != nullptr && births_ == survey_.births) {
     blackboard_->recall_sent(std::move(send.sample), send.to, at, {send.expires});
   }
 }
 
-Effects Recollection::left() {
+Effects Recollection::left_of_the_world() {
   Effects effects;
   for (auto& [key, publish] : world_states_) effects.emplace_back(std::move(publish));
+  return effects;
+}
+
+Effects Recollection::left() {
+  Effects effects = left_of_the_world();
   for (auto& [key, send] : states_) effects.emplace_back(std::move(send));
   for (Log& line : lines_left_) effects.emplace_back(std::move(line));
   for (auto& [id, job] : jobs_) effects.emplace_back(std::move(job));

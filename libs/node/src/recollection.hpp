@@ -14,9 +14,10 @@ namespace skein::node {
 
 /// What a memory is of, seen before anything is made of it.
 struct Survey {
-  std::uint64_t incarnation = 0;   ///< 0: there is nothing in it
-  std::uint32_t lives = 0;         ///< that ended
-  std::set<std::uint64_t> unsent;  ///< see Unsent
+  std::uint64_t incarnation = 0;   ///< the last; 0: there is nothing in it
+  std::uint32_t lives = 0;         ///< of it, that ended
+  std::uint32_t births = 0;        ///< incarnations: the last one counts to the peers
+  std::set<std::uint64_t> unsent;  ///< see Unsent; of the last incarnation
 };
 Result<Survey, Failure> survey(const InputLog& memory);
 
@@ -41,6 +42,8 @@ class Recollection {
   /// The last states, of which the wire forgot the writer; lines that had not left; jobs that had
   /// not ended, and which of them nobody wants; whether the node had finished.
   Effects left();
+  /// Of that, what is said of the world: for an incarnation that forgot the rest.
+  Effects left_of_the_world();
 
  private:
   Result<void, Failure> take(const LogEntry& entry);
@@ -49,11 +52,13 @@ class Recollection {
   void follow(Effects effects, MissionTime at);
   void sent(Send send, MissionTime at);
   void tell(const LogEntry& entry);
+  void be_born();
 
   using StateKey = std::tuple<NodeNumber, wire::Slot, std::uint32_t>;
   Node& node_;
   blackboard::Blackboard* blackboard_;
   const Survey survey_;
+  std::uint32_t births_ = 0;
   MissionTime until_;
   std::uint64_t told_ = 0, lines_ = 0, sends_ = 0;
   std::map<NodeNumber, bool> reachable_;

@@ -18,7 +18,10 @@ constexpr std::uint32_t kFirstFunctional = 500;
 std::vector<Slot> world_writes_of(Role role) {
   switch (role) {
     case Role::kGround:
-      return {Slot::kDirectoryEntry, Slot::kMissionState, Slot::kJournalEntry};
+      return {Slot::kDirectoryEntry, Slot::kMissionState, Slot::kJournalEntry, Slot::kUavBoard,
+              Slot::kUavTasks,       Slot::kGroundBoard,  Slot::kOperatorReply};
+    case Role::kOperator:
+      return {Slot::kOperatorRequest};
     case Role::kDdn:
       return {Slot::kDirectoryEntry, Slot::kJournalEntry};
     case Role::kSim:
@@ -39,7 +42,8 @@ Roster::Roster(const std::vector<std::string>& uavs,
                const std::map<std::string, std::string>& functional)
     : members_{{"ground", Role::kGround, NodeNumber(1)},
                {"sim", Role::kSim, NodeNumber(2)},
-               {"runner", Role::kRunner, NodeNumber(3)}} {
+               {"runner", Role::kRunner, NodeNumber(3)},
+               {"operator", Role::kOperator, NodeNumber(4)}} {
   std::uint32_t number = kFirstUav;
   for (const std::string& uav : uavs) members_.push_back({uav, Role::kDdn, NodeNumber(number++)});
   number = kFirstFunctional;
@@ -120,8 +124,12 @@ std::vector<blackboard::ChannelConfig> Roster::channels_of(const Member& member)
 std::vector<wire::Slot> Roster::world_reads_of(wire::Role role) {
   switch (role) {
     case Role::kGround:
+      return {Slot::kClock, Slot::kLinkState, Slot::kOperatorRequest};
     case Role::kDdn:
       return {Slot::kClock, Slot::kLinkState};
+    case Role::kOperator:  // what the ground station knows, not what is
+      return {Slot::kClock,    Slot::kLinkState,   Slot::kMissionState, Slot::kUavBoard,
+              Slot::kUavTasks, Slot::kGroundBoard, Slot::kOperatorReply};
     case Role::kSim:  // where vehicles are that others play: for the radio
       return {Slot::kDirectoryEntry, Slot::kMissionState, Slot::kTruth};
     case Role::kFunctional:

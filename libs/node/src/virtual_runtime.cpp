@@ -23,11 +23,14 @@ class VirtualRun {
              const std::function<void(const journal::Record&)>& journal)
       : roster_(roster), make_node_(make_node), config_(config), journal_(journal) {
     for (const Member& member : roster.members()) {
-      if (member.role != wire::Role::kRunner) seats_.emplace_back().member = &member;
+      const bool plays = member.role == wire::Role::kOperator ? config.operators
+                                                              : member.role != wire::Role::kRunner;
+      if (plays) seats_.emplace_back().member = &member;
     }
     for (const Crash& crash : config.crashes) {
-      if (crash.remembers) {
-        seat_of(crash.node).memory = std::make_unique<MemoryInputLog>();
+      Seat& seat = seat_of(crash.node);
+      if (crash.remembers || plays_the_world(*seat.member)) {
+        seat.memory = std::make_unique<MemoryInputLog>();
       }
       plan_crash(crash);
     }
@@ -79,6 +82,11 @@ class VirtualRun {
                     [this, crash] { restart(seat_of(crash.node), crash.remembers); });
   }
 
+  /// Vehicles, and the world they fly in, are where they are, whoever forgets.
+  static bool plays_the_world(const Member& member) {
+    return member.role == wire::Role::kSim || member.role == wire::Role::kFunctional;
+  }
+
   Seat& seat_of(const std::string& name) {
     const auto found = std::find_if(seats_.begin(), seats_.end(),
                                     [&](const Seat& seat) { return seat.member->name == name; });
@@ -94,8 +102,9 @@ class VirtualRun {
   void restart(Seat& seat, bool remembers) {
     if (seat.host) return;
     log_fault(remembers ? "resume" : "restart", seat.member->name);
-    if (seat.memory && !remembers) seat.memory = std::make_unique<MemoryInputLog>();
-    start(seat);
+    const bool world = plays_the_world(*seat.member);
+    if (seat.memory && !remembers && !world) seat.memory = std::make_unique<MemoryInputLog>();
+    start(seat, !remembers && world);
   }
 
   void kill(Seat& seat) {
@@ -105,7 +114,7 @@ class VirtualRun {
     seat.transport.reset();
   }
 
-  void start(Seat& seat) {
+  void start(Seat& seat, bool forgets = false) {
     ++seat.incarnation;
     seat.transport = std::make_unique<blackboard::MemoryTransport>(hub_);
     seat.transport->on_arrival([&seat] { seat.touched = true; });
@@ -114,6 +123,7 @@ class VirtualRun {
     config.heartbeat_period = config_.heartbeat_period;
     config.seed = config_.seed;
     config.memory = seat.memory.get();
+    config.forgets = forgets;
     auto host = Host::open(roster_, *seat.member, make_node_(seat.member->name), *seat.transport,
                            config, ports_of(seat));
     SKEIN_ENSURES(host.has_value());

@@ -171,6 +171,53 @@ RC_GTEST_PROP(Memory, NothingIsLostAndNothingDoneTwice, (std::uint64_t seed)) {
     RC_ASSERT(played.answers[i] > played.answers[i - 1]);
 }
 
+// ---- who plays the world ----
+
+// Counts all that it was ever given; told by Started that it is another life.
+class World final : public Node {
+ public:
+  Effects handle(const Input& input, MissionTime now) override {
+    if (const auto* started = std::get_if<Started>(&input))
+      return {Log{Record(now, "sim", "line")
+                      .with("text", "life " + std::to_string(started->incarnation) + " at " +
+                                        std::to_string(beats_))}};
+    if (std::holds_alternative<Wakeup>(input)) ++beats_;
+    return {};
+  }
+  std::optional<MissionTime> next_wakeup() const override { return at(beats_ + 1); }
+
+ private:
+  int beats_ = 0;
+};
+
+std::vector<std::string> lives_of_the_world(const std::vector<Crash>& crashes) {
+  const Roster roster({"uav"});
+  VirtualConfig config;
+  config.time_limit = at(60);
+  config.crashes = crashes;
+  Played played;
+  run_virtual(
+      roster,
+      [&](const std::string& name) -> std::unique_ptr<Node> {
+        if (name == "sim") return std::make_unique<World>();
+        return std::make_unique<Caller>(std::vector<double>());
+      },
+      config, [&](const Record& record) { played.see(record); });
+  return played.lines;
+}
+
+TEST(Memory, TheWorldIsAsItWasWhenWhoPlaysItComesBackWithNothingItKnew) {
+  EXPECT_THAT(lives_of_the_world({{at(5.5), "sim", at(10), false}}),
+              ElementsAre("life 1 at 0", "life 2 at 5"));
+}
+
+TEST(Memory, ALifeThatForgotMayItselfBeGoneOnFrom) {
+  EXPECT_THAT(lives_of_the_world({{at(5.5), "sim", at(10), false},
+                                  {at(20.5), "sim", at(22), true},
+                                  {at(30.5), "sim", at(31), false}}),
+              ElementsAre("life 1 at 0", "life 2 at 5", "life 4 at 30"));
+}
+
 // ---- a host of its own, killed between what it keeps and what it does ----
 
 struct PowerIsGone {};

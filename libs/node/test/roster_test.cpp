@@ -28,6 +28,7 @@ TEST(Roster, NumbersFollowFromTheScenarioAlone) {
   EXPECT_EQ(roster.ground(), NodeNumber(1));
   EXPECT_EQ(roster.sim(), NodeNumber(2));
   EXPECT_EQ(roster.runner(), NodeNumber(3));
+  EXPECT_EQ(roster.operators(), NodeNumber(4));
   EXPECT_EQ(roster.find("marvin")->number, NodeNumber(10));
   EXPECT_EQ(roster.find("heliv")->number, NodeNumber(11));
   EXPECT_EQ(roster.find("heliv")->role, wire::Role::kDdn);

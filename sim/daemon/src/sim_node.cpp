@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <utility>
 
 #include "skein/foundation/contract.hpp"
 #include "skein/translation/sensing.hpp"
@@ -66,10 +68,24 @@ SimNode::SimNode(std::string name, SimulatorConfig config, node::Roster roster,
 node::Effects SimNode::handle(const node::Input& input, MissionTime now) {
   node::Effects out;
   run_due_faults(now, out);
+  const bool born = std::holds_alternative<node::Started>(input);
+  if (born && std::exchange(lived_before_, true)) {
+    begin_anew(now, out);
+    return out;
+  }
   const auto mine = input_of(input);
   const node::Effects effects = translate(simulator_.handle(mine.value_or(Input(Tick{})), now));
   out.insert(out.end(), effects.begin(), effects.end());
   return out;
+}
+
+// The event log is told what became of the tasks, as truth; the decision nodes are not.
+void SimNode::begin_anew(MissionTime now, node::Effects& out) {
+  const node::Effects effects = translate(simulator_.handle(LayerForgot{}, now));
+  std::copy_if(effects.begin(), effects.end(), std::back_inserter(out), [](const auto& effect) {
+    const auto* send = std::get_if<node::Send>(&effect);
+    return send == nullptr || !std::holds_alternative<wire::FunctionalStatus>(send->sample);
+  });
 }
 
 std::optional<MissionTime> SimNode::next_wakeup() const {

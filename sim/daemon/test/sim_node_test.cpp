@@ -418,5 +418,43 @@ TEST(SimNode, TellsADecisionNodeWhatDoesNotWork) {
   EXPECT_THAT(telemetry.back().second.failed, ElementsAre("visible"));
 }
 
+// ---- a life that forgot ----
+
+TEST(SimNode, BornAgainItsVehiclesAreWhereTheyAreAndItKnowsNoTask) {
+  Rig rig;
+  rig.give(node::Started{1}, 0);
+  rig.take_off("marvin", 1);
+  rig.run_until(4);
+  const double height = rig.sent<wire::Telemetry>().front().second.position.z;
+  ASSERT_GT(height, 0.5);
+
+  rig.give(node::Started{2}, 4.5);
+
+  EXPECT_THAT(rig.statuses(), IsEmpty());
+  const auto told = rig.records("functional");
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].text("state"), "aborted");
+  EXPECT_EQ(told[0].text("reason"), "the functional layer has forgotten it");
+  rig.run_until(20);
+  const auto told_of_both = rig.sent<wire::Telemetry>();
+  EXPECT_GT(told_of_both.at(told_of_both.size() - 2).second.position.z, 0.5);
+  wire::FunctionalRequest request;
+  request.kind = wire::FunctionalRequestKind::kInterrupt;
+  request.id = 1;
+  rig.from("marvin", request, 21);
+  EXPECT_THAT(rig.statuses(), ElementsAre("marvin 1 aborted"));
+}
+
+TEST(SimNode, WhatEndedWhileItWasDeadNobodyIsTold) {
+  Rig rig;
+  rig.give(node::Started{1}, 0);
+  rig.take_off("marvin", 1);
+
+  rig.give(node::Started{2}, 60);
+
+  EXPECT_THAT(rig.statuses(), IsEmpty());
+  EXPECT_EQ(rig.records("functional").back().text("state"), "ended");
+}
+
 }  // namespace
 }  // namespace skein::sim

@@ -87,13 +87,19 @@ void DdsRun::take_scenario(const std::string& name, const std::string& more) {
   const std::string comets = std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/";
   std::ofstream(folder_ / "scenario.yaml") << read_text(comets + name + ".yaml") << more;
   change("model: models/", "model: " + comets + "models/");
+  change("include: ../", "include: " + comets + "../");
 }
 
-void DdsRun::take_scenario_of(const std::string& name) {
+void DdsRun::take_scenario_of(const std::string& name, const std::string& more) {
   const std::string scenarios = std::string(SKEIN_SOURCE_DIR) + "/scenarios/";
-  std::ofstream(folder_ / "scenario.yaml") << read_text(scenarios + name + ".yaml");
+  const std::string text = read_text(scenarios + name + ".yaml");
+  std::ofstream(folder_ / "scenario.yaml") << text << more;
   change("model: ../", "model: " + scenarios);
+  if (text.find("model: models/") != std::string::npos)
+    change("model: models/",
+           "model: " + (fs::path(scenarios + name).parent_path() / "models/").string());
   change("domain: ../", "domain: " + scenarios);
+  change("include: ../", "include: " + scenarios);
 }
 
 void DdsRun::change(const std::string& from, const std::string& to) {

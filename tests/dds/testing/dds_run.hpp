@@ -36,7 +36,7 @@ class DdsRun {
   /// Before start(): the scenario is scenarios/comets/NAME.yaml followed by `more`.
   void take_scenario(const std::string& name, const std::string& more = "");
   /// scenarios/NAME.yaml, of a folder beside those of the models and domains: "karma/detection".
-  void take_scenario_of(const std::string& name);
+  void take_scenario_of(const std::string& name, const std::string& more = "");
   /// Replaces text of the scenario.
   void change(const std::string& from, const std::string& to);
   void start(const std::vector<std::string>& options = {});

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "entries.hpp"
 
-#include <unistd.h>
-
 #include <set>
 #include <tuple>
 
@@ -92,20 +90,9 @@ std::string to_text(const node::LogEntry& entry) {
          words_of(entry.input);
 }
 
-Folder::Folder() {
-  std::string name = (fs::temp_directory_path() / "skein-store-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for a test");
-  path_ = name;
-}
-
-Folder::~Folder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 std::string Folder::names() const {
   std::set<std::string> sorted;
-  for (const auto& entry : fs::directory_iterator(path_)) sorted.insert(entry.path().filename());
+  for (const auto& entry : fs::directory_iterator(path())) sorted.insert(entry.path().filename());
   std::string names;
   for (const std::string& name : sorted) names += name + " ";
   return names;

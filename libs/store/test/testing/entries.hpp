@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "skein/node/input_log.hpp"
+#include "temporary_folder.hpp"
 
 namespace skein::store::testing {
 
@@ -19,16 +20,12 @@ std::string to_text(const node::LogEntry& entry);
 /// Removed with what is in it at the end.
 class Folder {
  public:
-  Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder();
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return folder_.path(); }
   /// Names of the files in it, in their order, each followed by a blank.
   std::string names() const;
 
  private:
-  std::filesystem::path path_;
+  skein::testing::TemporaryFolder folder_;
 };
 
 }  // namespace skein::store::testing

@@ -61,7 +61,12 @@ struct VehicleElsewhere {
   world::Vector3 position = world::Vector3::Zero();  ///< [m] ENU
 };
 
-using Input = std::variant<Tick, FunctionalRequest, Fault, ContactLost, VehicleElsewhere>;
+/// The functional layer of every vehicle here has lost all that it knew: what it was asked, what it
+/// told. The vehicles are where they are; each task under way is over, and comes to rest.
+struct LayerForgot {};
+
+using Input =
+    std::variant<Tick, FunctionalRequest, Fault, ContactLost, VehicleElsewhere, LayerForgot>;
 
 // ---- effects, in the order they happen ----
 

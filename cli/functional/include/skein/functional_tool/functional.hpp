@@ -20,7 +20,10 @@ struct FunctionalOptions {
   double height = 30;  ///< of the flight over the ground [m]
   double reach = 60;   ///< of the flight from the start [m]
   double near = 10;    ///< of a way-point that counts as reached [m]
-  bool json = false;   ///< one JSON document instead of lines
+  /// Over DDS: also what holds after a restart; it says when somebody is to kill the layer and
+  /// start it again. In virtual time that is always checked.
+  bool restarts = false;
+  bool json = false;  ///< one JSON document instead of lines
 };
 
 /// Plays the UAV's decision node, and over DDS leads the clock, until every point is decided.

@@ -23,11 +23,17 @@ struct Config {
   Duration telemetry_within = Duration::seconds(2);  ///< between two
   Duration answer_within = Duration::seconds(10);    ///< a pilot's reaction included
   Duration act_within = Duration::seconds(300);      ///< a takeoff, a way, a landing
+  /// Until somebody has killed it and started it again; absent: nobody does, and points about that
+  /// are left out.
+  std::optional<Duration> restart_within;
 };
 
 /// Time passes.
 struct Tick {};
-using Input = std::variant<Tick, functional::Status, world::Telemetry, world::Perception>;
+/// The functional layer is heard in a new incarnation: it has lost its memory.
+struct Restarted {};
+using Input =
+    std::variant<Tick, functional::Status, world::Telemetry, world::Perception, Restarted>;
 
 /// One point of the contract (docs/functional-layer.md).
 struct Verdict {
@@ -52,6 +58,8 @@ class Conformance {
   /// When it next wants a Tick.
   std::optional<MissionTime> next_wakeup() const;
   bool done() const { return point_ >= points_.size(); }
+  /// Now is the time to kill it and start it again.
+  bool wants_restart() const;
   /// In the order of the contract; complete when done.
   const std::vector<Verdict>& verdicts() const { return verdicts_; }
 
@@ -62,6 +70,7 @@ class Conformance {
     std::vector<functional::Status> statuses;
     std::vector<world::Telemetry> telemetry;
     std::vector<world::Perception> perceptions;
+    bool restarted = false;
   };
   /// Absent: not decided yet. Empty: kept. Else what was seen instead.
   using Judgement = std::optional<std::string>;
@@ -84,6 +93,7 @@ class Conformance {
 
   // asks.cpp
   std::vector<functional::Request> nothing();
+  std::vector<functional::Request> nothing_new();
   std::vector<functional::Request> unknown_type();
   std::vector<functional::Request> unknown_parameter();
   std::vector<functional::Request> interrupt_of_nothing();
@@ -107,6 +117,7 @@ class Conformance {
   Judgement stays(MissionTime now) const;
   Judgement looks(MissionTime now) const;
   Judgement is_down(MissionTime now) const;
+  Judgement is_back(MissionTime now) const;
   std::vector<functional::Status> of_task() const;
 
   Config config_;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "skein/blackboard/network.hpp"
+#include "skein/node/companion.hpp"
 #include "skein/node/host.hpp"
 
 namespace skein::node {
@@ -23,6 +24,7 @@ struct DaemonConfig {
   /// What outlives the process, see HostConfig. A leader that comes back goes on with mission time
   /// where it is at the others.
   InputLog* memory = nullptr;
+  bool forgets = false;  ///< see HostConfig
   /// Every record of this node, beside its way to the runner over the world channel; and lines of
   /// the middleware's own log. May be empty.
   std::function<void(const journal::Record&)> on_record;
@@ -30,6 +32,7 @@ struct DaemonConfig {
   /// After every turn of the daemon's loop, several times a second as long as it lives; the first
   /// time it takes part in the domain. For a service manager. May be empty.
   std::function<void(wire::ClockPhase)> on_turn;
+  Companion* companion = nullptr;  ///< outlives the daemon; null: nobody
 };
 
 enum class DaemonEnd {

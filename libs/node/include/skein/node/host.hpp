@@ -26,6 +26,10 @@ struct HostConfig {
   /// node.
   InputLog* memory = nullptr;
   bool leads_clock = false;
+  /// The node comes back with nothing it knew, in a new incarnation. What is in the memory it is
+  /// given all the same, before it starts: for who plays the world, that does not forget. Nothing
+  /// follows from it.
+  bool forgets = false;
 };
 
 /// Where a host's output goes. All are called from step(), in the order of the effects.
@@ -35,8 +39,11 @@ struct HostPorts {
   std::function<void(StopJob)> stop_job;  ///< may be empty
   std::function<void()> finish;
   /// What comes over the world channel (clock, directory, mission state, link states, truth): for
-  /// the runtime; of it the node gets the truth only. May be empty.
+  /// the runtime; of it the node gets the truth and what operators and the ground station tell each
+  /// other. May be empty.
   std::function<void(const wire::Sample&)> world;
+  /// What is given to the node, and what it publishes. May be empty.
+  std::function<void(const wire::Sample&)> witness;
 };
 
 /// Routes samples from the blackboard to the node and the node's effects back; applies the link
@@ -47,6 +54,7 @@ struct HostPorts {
 /// host opened on what a former life left there gives its node all of that first, sends nothing of
 /// what follows from it, and then goes on as after a cut: peers get what they did not acknowledge,
 /// jobs that had not ended begin again, lines of the event log that had not left are written.
+/// Unless it forgets: then it is a new node to its peers.
 class Host {
  public:
   /// The transport must outlive the host. The failure says what the transport could not open, or
@@ -66,6 +74,9 @@ class Host {
   /// Takes what arrived, wakes the node if it is due, carries out effects. True if there was
   /// anything to do, so that a runtime can go on until all hosts are quiet.
   bool step(blackboard::Now now);
+  /// A member of the roster in this process says something on the world channel: the node gets it
+  /// as if it had come over that. Without effect before start(). A malformed sample is logged.
+  void say(const Member& from, wire::Sample sample, blackboard::Now now);
   /// A job's result.
   void job_done(JobDone done, blackboard::Now now);
   /// The lines of the event log that were handed over so far have left.
@@ -89,6 +100,7 @@ class Host {
   Host(const Roster& roster, const Member& self, std::unique_ptr<Node> node,
        blackboard::Blackboard blackboard, const HostConfig& config, HostPorts ports);
   Result<void, Failure> recall(Survey survey);
+  Result<void, Failure> recall_the_world();
   void remember(LoggedInput input, blackboard::Now now);
   void note_settled(NodeNumber peer, blackboard::Now now);
   void give(const Input& input, blackboard::Now now);
@@ -117,6 +129,7 @@ class Host {
   std::set<NodeNumber> down_;  ///< held down by the radio
   std::optional<MissionTime> resumed_from_;
   Effects left_;                                 ///< to be done by former lives
+  std::uint64_t said_ = 0;                       ///< by members in this process, in this life
   std::uint64_t lines_ = 0, sends_ = 0;          ///< of the node, in all its lives
   std::map<NodeNumber, std::uint64_t> settled_;  ///< as last remembered
   bool forgetful_ = false;                       ///< the memory takes nothing at the moment

@@ -41,7 +41,8 @@ struct Acknowledged {
 using LoggedInput = std::variant<Started, Received, Reachability, Undelivered, Wakeup, JobEnded,
                                  Resumed, Unsent, Skipped, Acknowledged>;
 
-/// `at` never decreases from entry to entry; the first one is Started.
+/// `at` never decreases from entry to entry; the first one is Started. Another Started is a new
+/// incarnation, that came back with nothing of it but the world it plays.
 struct LogEntry {
   MissionTime at;
   LoggedInput input;

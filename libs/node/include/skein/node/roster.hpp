@@ -21,14 +21,14 @@ struct Member {
 };
 
 /// All nodes of a scenario. Numbers follow from the scenario alone, so daemons started by hand on
-/// different machines agree without talking: ground 1, sim 2, runner 3, UAVs from 10 in the order
-/// of the scenario file, functional layers of their own from 500 in the order of their UAVs.
-/// Source: spec 1.3.
+/// different machines agree without talking: ground 1, sim 2, runner 3, operators (all of them) 4,
+/// UAVs from 10 in the order of the scenario file, functional layers of their own from 500 in the
+/// order of their UAVs. Source: spec 1.3.
 class Roster {
  public:
-  /// `uavs`: names of the UAVs, distinct, none of them "ground", "sim" or "runner". `functional`:
-  /// by UAV the name of the node that is its functional layer, which is none of the names before;
-  /// of those not named there the simulator is.
+  /// `uavs`: names of the UAVs, distinct, none of them "ground", "sim", "runner" or "operator".
+  /// `functional`: by UAV the name of the node that is its functional layer, which is none of the
+  /// names before; of those not named there the simulator is.
   explicit Roster(const std::vector<std::string>& uavs,
                   const std::map<std::string, std::string>& functional = {});
 
@@ -42,6 +42,7 @@ class Roster {
   NodeNumber ground() const { return NodeNumber(1); }
   NodeNumber sim() const { return NodeNumber(2); }
   NodeNumber runner() const { return NodeNumber(3); }
+  NodeNumber operators() const { return NodeNumber(4); }
   /// The functional layer of a UAV of this roster.
   NodeNumber functional_of(NodeNumber uav) const;
 

@@ -20,7 +20,8 @@ struct Crash {
   MissionTime at;
   std::string node;
   std::optional<MissionTime> restart;
-  bool remembers = false;  ///< it comes back with what it knew; else with nothing
+  bool remembers =
+      false;  ///< it comes back with what it knew; else with nothing (but the world that it plays)
 };
 
 struct VirtualConfig {
@@ -30,6 +31,7 @@ struct VirtualConfig {
   Duration job_latency = Duration::milliseconds(50);  ///< from a job's start to its result
   Duration after_finish = Duration::seconds(2);       ///< so that last messages are still handled
   std::vector<Crash> crashes;
+  bool operators = false;  ///< the roster's operators play too
 };
 
 struct VirtualOutcome {

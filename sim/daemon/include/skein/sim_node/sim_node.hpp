@@ -21,6 +21,10 @@ struct ScheduledFault {
 /// Functional requests in; functional statuses, telemetry and perceptions out to each UAV; link
 /// states and ground truth out to the world; ground truth to the event log, with what the
 /// functional layer of each vehicle really does.
+///
+/// Begun in a new incarnation after inputs of a former one, it is a functional layer that has lost
+/// its memory: the vehicles and the world are as those inputs left them, tasks that were under way
+/// are over, and nobody is told.
 class SimNode final : public node::Node {
  public:
   /// `name`: of this node, "sim" or a functional layer's. `faults` in order of time.
@@ -38,6 +42,7 @@ class SimNode final : public node::Node {
   void take(const LinkChange& link, node::Effects& out) const;
   void take(const VehicleTruth& truth, node::Effects& out) const;
   void take(const ObjectTruth& truth, node::Effects& out) const;
+  void begin_anew(MissionTime now, node::Effects& out);
   void run_due_faults(MissionTime now, node::Effects& out);
   std::optional<Input> input_of(const node::Input& input);
   void note(const FunctionalRequest& asked_for);
@@ -55,6 +60,7 @@ class SimNode final : public node::Node {
   node::Roster roster_;
   Simulator simulator_;
   std::deque<ScheduledFault> faults_;
+  bool lived_before_ = false;
   std::map<std::pair<std::string, functional::TaskId>, Asked> asked_;  ///< by UAV and task
 };
 
