@@ -102,6 +102,7 @@ void add_commands(CLI::App& app, Action& action, const LiveActions& live) {
   add_model(app, action);
   add_stn(app, action);
   add_refine(app, action, live);
+  add_terrain(app, action, live);
 }
 
 }  // namespace

@@ -34,8 +34,13 @@ int main(int argc, char** argv) {
   live.run = [argv](const auto&) { return become("skein-live", argv); };
   live.report = [argv](const auto&) { return become("skein-live", argv); };
   live.state = [argv](const auto&) { return become("skein-live", argv); };
+  live.storm = [argv](const auto&) { return become("skein-live", argv); };
   live.functional = [argv](const auto&) { return become("skein-live", argv); };
+  live.operate = [argv](const auto&) { return become("skein-live", argv); };
+  live.status = [argv](const auto&) { return become("skein-live", argv); };
   live.spy = [argv](const auto&, bool) { return become("skein-live", argv); };
   live.refine = [argv](const auto&) { return become("skein-refine", argv); };
+  live.make_terrain = [argv](const auto&) { return become("skein-refine", argv); };
+  live.show_terrain = [argv](const auto&) { return become("skein-refine", argv); };
   return skein::cli::run_command_line(argc, argv, live);
 }

@@ -99,7 +99,7 @@ function(skein_link_system target scope)
   endforeach()
 endfunction()
 
-# For tests that try more in the long form of the checks: #include "test_cases.hpp".
+# What tests share: #include "test_cases.hpp" (more in the long form of the checks), "temporary_folder.hpp".
 add_library(skein_test_cases INTERFACE)
 add_library(skein::test_cases ALIAS skein_test_cases)
 target_include_directories(skein_test_cases INTERFACE ${CMAKE_CURRENT_LIST_DIR})
@@ -147,6 +147,21 @@ function(skein_add_test name)
     set_tests_properties(${name} PROPERTIES ENVIRONMENT
       "ASAN_OPTIONS=new_delete_type_mismatch=0;TSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/cmake/tsan.supp")
   endif()
+endfunction()
+
+# skein_long_cases(NAME CASE…): what needs seconds by its nature, of a program of tests (GoogleTest
+# filters). It becomes a ctest entry of its own, NAME_long with the label `long`, and NAME leaves it
+# out; the program by itself runs everything.
+function(skein_long_cases name)
+  if(NOT TARGET ${name})
+    return()
+  endif()
+  list(JOIN ARGN ":" cases)
+  get_property(environment TEST ${name} PROPERTY ENVIRONMENT)
+  add_test(NAME ${name}_long COMMAND ${name})
+  set_tests_properties(${name}_long PROPERTIES LABELS long TIMEOUT 300 FAIL_REGULAR_EXPRESSION "Running 0 tests")
+  set_property(TEST ${name}_long PROPERTY ENVIRONMENT ${environment} "GTEST_FILTER=${cases}")
+  set_property(TEST ${name} PROPERTY ENVIRONMENT ${environment} "GTEST_FILTER=-${cases}")
 endfunction()
 
 # skein_add_bench(NAME SOURCES … DEPENDS …): a Google Benchmark program; never run as a test.

@@ -65,6 +65,10 @@ Result<void, Failure> Fleet::start(const std::string& name) {
                                    std::to_string(getpid())};
   if (program == "skein-ddn") command.insert(command.end(), {"--uav", name});
   if (program == "skein-sim") command.insert(command.end(), {"--node", name});
+  if (program == "skein-ground" && !options_.console.empty()) {
+    command.insert(command.end(), {"--console", options_.console});
+  }
+  if (forgetful_.erase(name) > 0) command.emplace_back("--forgets");
   if (!options_.keys.empty()) command.insert(command.end(), {"--security", options_.keys});
   command.insert(command.end(), options_.daemon_options.begin(), options_.daemon_options.end());
   auto process = Process::start(command, log_of(name));
@@ -78,6 +82,10 @@ Result<void, Failure> Fleet::start(const std::string& name) {
 std::string Fleet::state() const { return (fs::path(options_.folder) / "state").string(); }
 
 void Fleet::forget(const std::string& name) {
+  if (program_of(name) == "skein-sim") {
+    forgetful_.insert(name);
+    return;
+  }
   std::error_code ignored;
   for (const char* file : {".state", ".state-wal", ".state-shm", ".complete"})
     fs::remove(fs::path(state()) / (name + file), ignored);

@@ -31,7 +31,8 @@ class Fleet {
   std::vector<std::string> names() const;
   Result<void, Failure> start(const std::string& name);
   void kill(const std::string& name);
-  /// What outlives the daemon's process is gone.
+  /// What outlives the daemon's process is gone, when it starts next; but for the vehicles and the
+  /// world of one that plays them.
   void forget(const std::string& name);
   bool is_running(const std::string& name) const { return running_.count(name) > 0; }
   bool any_running() const { return !running_.empty(); }
@@ -52,6 +53,7 @@ class Fleet {
   std::string folder_;  ///< of the programs
   std::map<std::string, Process> running_;
   std::set<std::string> killed_;
+  std::set<std::string> forgetful_;  ///< when they start next
 };
 
 }  // namespace skein::run_tool

@@ -27,6 +27,8 @@ const char* name_of(wire::Role role) {
       return "sim";
     case wire::Role::kRunner:
       return "runner";
+    case wire::Role::kOperator:
+      return "operator";
     default:
       break;
   }

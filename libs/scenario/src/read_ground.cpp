@@ -147,6 +147,8 @@ Action read_message(const Reader& reader, TaskContext& context) {
   return ground_station::SendMessage{read_uav(reader, context), reader.required("text").text()};
 }
 
+}  // namespace
+
 std::optional<Action> read_action(const Reader& reader, TaskContext& context) {
   static const std::vector<MissionAction> kPlain{{"plan", read_plan},
                                                  {"abort", read_abort},
@@ -161,6 +163,8 @@ std::optional<Action> read_action(const Reader& reader, TaskContext& context) {
   if (reader.optional("finish").boolean(false)) return ground_station::Finish{};
   return std::nullopt;
 }
+
+namespace {
 
 std::vector<Action> read_actions(const Reader& reader, TaskContext& context) {
   std::vector<Action> actions;

@@ -217,8 +217,10 @@ Action read_close_air(const Reader& reader, TaskContext& context) {
 
 Action read_open_air(const Reader& reader, TaskContext& context) {
   reader.keys({"name", "uavs"});
+  const Reader name = reader.required("name");
+  const auto& volumes = context.names.volumes;
   return ground_station::OpenAir{
-      reader.required("name").name_among(context.names.volumes, "a volume of closed air"),
+      context.live ? name.text() : name.name_among(volumes, "a volume of closed air"),
       read_uavs_of(reader.optional("uavs"), context)};
 }
 

@@ -17,6 +17,10 @@ struct MissionAction {
 /// By their keys in a list of actions.
 const std::vector<MissionAction>& mission_actions();
 
+/// One action of a list; reports what it says wrongly. Nothing: it is of no kind that scripts have.
+std::optional<ground_station::Action> read_action(const config::Reader& reader,
+                                                  TaskContext& context);
+
 /// Of a mission or high-level task that must be one the script sends: see check_references.
 mission::MissionId read_mission_id(const config::Reader& reader, const std::string& uav,
                                    TaskContext& context);

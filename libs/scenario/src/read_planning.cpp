@@ -15,7 +15,7 @@ using config::Range;
 using config::Reader;
 
 constexpr Range kFraction{0, 1, ""};
-constexpr std::int64_t kGreatestFirstId = 900'000'000;  // a decision node's own tasks come later
+constexpr std::int64_t kGreatestFirstId = 400'000'000;  // a decision node's own tasks come later
 constexpr Range kLevel{-10'000, 100'000, "m"};
 
 world::RiskPeaks read_peaks(const Reader& reader) {

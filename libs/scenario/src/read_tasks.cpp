@@ -60,19 +60,27 @@ world::Vector3 at_altitude(world::Vector3 point, const Reader& altitude,
   return point;
 }
 
-Target to_points(const Reader& params, const TaskContext& context) {
-  ground_station::AtPoints at;
+}  // namespace
+
+std::vector<world::Vector3> read_points(const Reader& params, const TaskContext& context) {
+  std::vector<world::Vector3> points;
   const Reader altitude = params.optional("altitude");
   const Reader to = params.optional("to");
   const bool several = to.is_sequence() && !to.items().empty() && !to.items()[0].is_scalar();
   if (several) {
     for (const Reader& one : items_of(to)) {
-      at.points.push_back(at_altitude(read_place(one, context), altitude, context));
+      points.push_back(at_altitude(read_place(one, context), altitude, context));
     }
   } else {
-    at.points.push_back(at_altitude(read_place(to, context), altitude, context));
+    points.push_back(at_altitude(read_place(to, context), altitude, context));
   }
-  return {at, "waypoints"};
+  return points;
+}
+
+namespace {
+
+Target to_points(const Reader& params, const TaskContext& context) {
+  return {ground_station::AtPoints{read_points(params, context)}, "waypoints"};
 }
 
 Target over_zone(const Reader& reader, const TaskContext& context) {

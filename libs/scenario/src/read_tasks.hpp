@@ -30,6 +30,7 @@ struct TaskContext {
   std::set<std::pair<std::string, mission::MissionId>> missions = {};
   std::set<std::pair<std::string, mission::GoalId>> goals = {};
   std::vector<Reference> references = {};
+  bool live = false;  ///< asked while the mission runs: what was sent before is not known here
 };
 
 /// A task for a UAV; empty: for one that is not known.
@@ -38,6 +39,9 @@ ground_station::PlannedTask read_task(const config::Reader& reader, const std::s
 executive::Formula read_formula(const config::Reader& reader);
 executive::TaskId read_task_id(const config::Reader& reader);
 executive::TaskState read_task_state(const config::Reader& reader);
+/// The points [m] ENU of `to` (a place, a point, or a list of these), with `altitude`, if given,
+/// over the ground there.
+std::vector<world::Vector3> read_points(const config::Reader& params, const TaskContext& context);
 /// {bearing, distance, altitude}.
 ground_station::NearAlarm read_near_alarm(const config::Reader& reader);
 /// The number that a scalar says, in silence if it says none.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a scenario about the world, the vehicles, the radio and the faults.
+// The parts of a scenario about the vehicles, the radio and the faults.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -18,24 +18,6 @@ using config::Range;
 using config::Reader;
 
 constexpr Range kFraction{0, 1, ""};
-
-world::WorldObject read_object(const std::string& name, const Reader& reader) {
-  world::WorldObject object;
-  object.name = name;
-  reader.keys(
-      {"kind", "position", "height", "radius", "appears", "disappears", "waypoints", "speed"});
-  object.kind = reader.required("kind").text();
-  object.position = read_point_2d(reader.required("position"));
-  object.height = reader.optional("height").number(0, {0, 1000, "m"});
-  object.radius = reader.optional("radius").number(1, {0, 1000, "m"});
-  object.appears = read_instant(reader.optional("appears"));
-  object.disappears = read_instant(reader.optional("disappears"), MissionTime::max());
-  for (const Reader& point : items_of(reader.optional("waypoints"))) {
-    object.waypoints.push_back(read_point_2d(point));
-  }
-  object.speed = reader.optional("speed").number(0, {0, 200, "m/s"});
-  return object;
-}
 
 void read_model(const Reader& reader, const std::string& folder, Diagnostics& diagnostics,
                 UavSpec& uav) {
@@ -64,7 +46,7 @@ bool usable_name(const std::string& name) {
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_";
   return !name.empty() && name.size() <= 32 &&
          name.find_first_not_of(kAllowed) == std::string::npos && name != "ground" &&
-         name != "sim" && name != "runner";
+         name != "sim" && name != "runner" && name != "operator";
 }
 
 /// The name of the node that plays a UAV's vehicle: no UAV's.
@@ -73,8 +55,9 @@ std::string read_functional(const Reader& reader, const Reader& uavs) {
   const std::string name = reader.text();
   const bool is_uav = uavs.optional(name).present();
   if (name != "sim" && (!usable_name(name) || is_uav)) {
-    reader.error("'" + name + "' cannot be a functional layer's name",
-                 "sim, or 1 to 32 letters, digits, '-' or '_', and no UAV's, ground or runner");
+    reader.error(
+        "'" + name + "' cannot be a functional layer's name",
+        "sim, or 1 to 32 letters, digits, '-' or '_', and no UAV's, ground, runner or operator");
   }
   return name == "sim" ? "" : name;
 }
@@ -108,25 +91,6 @@ void at_most_one_of(const Reader& reader, std::initializer_list<const char*> key
 Duration read_seconds(const Reader& reader, Duration otherwise) {
   if (!reader.present()) return otherwise;
   return Duration::seconds(reader.number(0, {0, 1e7, "s"}));
-}
-
-void read_world(const Reader& reader, WorldSpec& world) {
-  if (!reader.keys({"origin", "terrain", "wind", "zones", "volumes", "places", "objects"})) return;
-  world.origin = world::read_geodetic(reader.required("origin"));
-  world.terrain = world::read_terrain(reader.required("terrain"));
-  world.wind = world::read_wind(reader.optional("wind"));
-  world.zones = world::read_zones(reader.optional("zones"));
-  for (const auto& [name, volume] : entries_of(reader.optional("volumes"))) {
-    if (volume.keys({"polygon", "floor", "ceiling", "from", "until"})) {
-      world.volumes.push_back(world::read_volume(name, volume));
-    }
-  }
-  for (const auto& [name, place] : entries_of(reader.optional("places"))) {
-    world.places.emplace(name, read_point(place));
-  }
-  for (const auto& [name, object] : entries_of(reader.optional("objects"))) {
-    world.objects.push_back(read_object(name, object));
-  }
 }
 
 void read_uavs(const Reader& reader, const std::string& folder, Diagnostics& diagnostics,

@@ -31,7 +31,7 @@ Names names_of(const Scenario& scenario);
 inline constexpr const char* kNoPlanning = "nothing is said of planning on board";
 inline constexpr const char* kPlanningWanted = "planning: {domain: FILE}";
 
-void read_world(const config::Reader& reader, WorldSpec& world);
+void read_world(const config::Reader& reader, Diagnostics& diagnostics, WorldSpec& world);
 void read_uavs(const config::Reader& reader, const std::string& folder, Diagnostics& diagnostics,
                std::vector<UavSpec>& uavs);
 void read_radio(const config::Reader& reader, const Names& names, RadioSpec& radio);
@@ -39,6 +39,10 @@ void read_faults(const config::Reader& reader, const Names& names, FaultSpec& fa
 /// Absent: the scenario says nothing of planning.
 std::optional<PlanningSpec> read_planning(const config::Reader& reader, const std::string& folder,
                                           const Names& names);
+/// Null: there are no models of joint tasks, or they have errors, which are added to `problems`.
+std::shared_ptr<const interaction::Library> read_interaction(const config::Reader& reader,
+                                                             const std::string& folder,
+                                                             Diagnostics& problems);
 void read_variations(const config::Reader& reader, Variations& variations);
 void read_pps(const config::Reader& reader, ground_station::PpsConfig& pps);
 void read_script(const config::Reader& ground, const Scenario& scenario,

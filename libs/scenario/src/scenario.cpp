@@ -17,11 +17,45 @@ namespace {
 
 using config::Reader;
 
+/// Of the antenna; on the ground at the origin if nothing is said. In the ground it hears nobody:
+/// measured ground is seldom at height 0.
+world::Vector3 read_antenna(const Reader& reader, const world::TerrainSpec& terrain) {
+  world::Vector3 at = read_point(reader);
+  if (!world::problems_of(terrain).empty()) return at;
+  const double ground = world::Terrain(terrain).elevation(at.x(), at.y());
+  if (!reader.present()) at.z() = ground;
+  if (at.z() > ground - 0.5) return at;
+  std::ostringstream message, expected;
+  message << std::fixed << std::setprecision(1) << "the antenna is " << ground - at.z()
+          << " m below the ground";
+  expected << std::fixed << std::setprecision(1) << "a height over " << ground << " m there";
+  reader.error(message.str(), expected.str());
+  return at;
+}
+
 void read_ground(const Reader& reader, Scenario& scenario) {
   reader.keys({"position", "pps", "script", "operator", "command_lifetime"});
-  scenario.ground.position = read_point(reader.optional("position"));
+  scenario.ground.position = read_antenna(reader.optional("position"), scenario.world.terrain);
   read_pps(reader.optional("pps"), scenario.ground.pps);
   read_script(reader, scenario, scenario.ground.script);
+}
+
+/// What the looks of each device are worth; a device of which nobody says it is an error, since its
+/// perceptions would come to nothing in silence.
+void weigh_devices(const Reader& uavs, Scenario& scenario) {
+  ground_station::PpsConfig& pps = scenario.ground.pps;
+  for (const UavSpec& uav : scenario.uavs) {
+    for (const world::SensorModel& sensor : uav.model.sensors) {
+      if (sensor.evidence) {
+        pps.models[{uav.name, sensor.device}] = *sensor.evidence;
+      } else if (!pps.devices.contains(sensor.device)) {
+        uavs.optional(uav.name).optional("model").error(
+            "what the looks of '" + sensor.device + "' are worth is not said",
+            "evidence: {reports: {fire: [0.8, 0.1]}} in the sensor's model, or evidence: {reports: "
+            "{}}");
+      }
+    }
+  }
 }
 
 // ISO 8601 in UTC, to the second: 2005-05-19T09:00:00Z.
@@ -49,7 +83,7 @@ void read_all(const Reader& reader, const std::string& folder, Diagnostics& diag
               Scenario& scenario) {
   if (!reader.present()) reader.error("nothing", "a scenario");
   if (!reader.keys({"scenario", "epoch", "duration_limit", "rate", "seed", "world", "uavs", "radio",
-                    "ground", "planning", "faults", "variations", "expect"})) {
+                    "ground", "planning", "interaction", "faults", "variations", "expect"})) {
     return;
   }
   scenario.name = reader.required("scenario").text();
@@ -57,13 +91,15 @@ void read_all(const Reader& reader, const std::string& folder, Diagnostics& diag
   scenario.duration_limit = read_instant(reader.required("duration_limit"));
   scenario.rate = reader.optional("rate").number(1, {0.01, 1000, "mission seconds per second"});
   scenario.seed = reader.optional("seed").natural(1);
-  read_world(reader.required("world"), scenario.world);
+  read_world(reader.required("world"), diagnostics, scenario.world);
   read_uavs(reader.required("uavs"), folder, diagnostics, scenario.uavs);
   const Names names = names_of(scenario);
   read_radio(reader.optional("radio"), names, scenario.radio);
   scenario.planning = read_planning(reader.optional("planning"), folder, names);
+  scenario.interaction = read_interaction(reader.optional("interaction"), folder, diagnostics);
   check_degrees(reader.required("uavs"), scenario);
   read_ground(reader.required("ground"), scenario);
+  weigh_devices(reader.required("uavs"), scenario);
   read_faults(reader.optional("faults"), names, scenario.faults);
   read_variations(reader.optional("variations"), scenario.variations);
   read_expectations(reader.optional("expect"), names, closed_air_of(scenario),

@@ -44,7 +44,7 @@ SKEIN_WRONG_FILES(
     Top,
     Wrong{"UnknownKey", "duration_limit: 600", "duration_limit: 600\nsede: 4",
           "4:7: sede: unknown key 'sede'; expected one of scenario, epoch, duration_limit, rate, "
-          "seed, world, uavs, radio, ground, planning, faults, variations, …; did you mean "
+          "seed, world, uavs, radio, ground, planning, interaction, faults, …; did you mean "
           "'seed'?\n"},
     Wrong{"MissingKey", "duration_limit: 600\n", "", "1:1: duration_limit: missing\n"},
     Wrong{"WrongType", "duration_limit: 600", "duration_limit: soon",
@@ -79,7 +79,7 @@ SKEIN_WRONG_FILES(
           "[[0, 0], [200, 0], [0, 100], [200, 100]]",
           "8:8: world.zones.Z: the edges after corner 2 and corner 4 cross or touch; expected the "
           "corners [x, y] of a simple polygon in order\n"},
-    Wrong{"PlaceOfTwoNumbers", "base: [0, 0, 0]", "base: [0, 0]",
+    Wrong{"PlaceOfOneNumber", "base: [0, 0, 0]", "base: [0]",
           "9:18: world.places.base: this is not a point; expected [x, y, z] in metres\n"},
     Wrong{"PlaceWithoutName", "aside: [50", "'': [50", "9:33: world.places.: an empty name\n"},
     Wrong{"PlaceOfNothing", "base: [0, 0, 0]", "base:",
@@ -300,7 +300,7 @@ TEST(WrongFiles, AllErrorsOfAFileAreToldAtOnce) {
   EXPECT_EQ(
       errors_of(text),
       "3:16: duration_limt: unknown key 'duration_limt'; expected one of scenario, epoch, "
-      "duration_limit, rate, seed, world, uavs, radio, ground, planning, faults, variations, "
+      "duration_limit, rate, seed, world, uavs, radio, ground, planning, interaction, faults, "
       "…; did you mean 'duration_limit'?\n"
       "1:1: duration_limit: missing\n"
       "14:61: uavs.heliv.degree: '7'; expected a whole number from 1 to 4\n"

@@ -60,7 +60,7 @@ SKEIN_WRONG_PLANNING(
         "FirstIdOfAStranger", "first_ids: {karma", "first_ids: {krama",
         "13:63: planning.first_ids.krama: no UAV 'krama'; expected a UAV; did you mean 'karma'?\n"},
     Wrong{"FirstIdOfNothing", "{karma: 100}", "{karma: 0}",
-          "13:63: planning.first_ids.karma: '0'; expected a whole number from 1 to 900000000\n"},
+          "13:63: planning.first_ids.karma: '0'; expected a whole number from 1 to 400000000\n"},
     Wrong{
         "AltitudeOfAStranger", "first_ids: {karma: 100}", "altitudes: {krama: 60}",
         "13:63: planning.altitudes.krama: no UAV 'krama'; expected a UAV; did you mean 'karma'?\n"},

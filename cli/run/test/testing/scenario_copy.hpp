@@ -58,8 +58,9 @@ inline std::string replaced(std::string text, const std::string& from, const std
 
 /// The text of scenarios/comets/NAME.yaml, readable from any folder.
 inline std::string comets_text(const std::string& name) {
-  return replaced(read_text(kComets + name + ".yaml"), "model: models/",
-                  "model: " + kComets + "models/");
+  const std::string with_models = replaced(read_text(kComets + name + ".yaml"), "model: models/",
+                                           "model: " + kComets + "models/");
+  return replaced(with_models, "include: ../", "include: " + kComets + "../");
 }
 
 }  // namespace skein::run_tool::testing

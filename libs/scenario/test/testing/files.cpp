@@ -2,7 +2,6 @@
 #include "testing/files.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -87,14 +86,9 @@ void erase_all(std::string& text, const std::string& piece) {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "skein-scenario-XXXXXX").string();
-  folder_ = mkdtemp(pattern.data());
+std::string TemporaryFolder::path(const std::string& name) const {
+  return (folder_.path() / name).string();
 }
-
-TemporaryFolder::~TemporaryFolder() { std::filesystem::remove_all(folder_); }
-
-std::string TemporaryFolder::path(const std::string& name) const { return folder_ + "/" + name; }
 
 std::string TemporaryFolder::write(const std::string& name, const std::string& text) const {
   const std::filesystem::path file = path(name);

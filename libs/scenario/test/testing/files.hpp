@@ -5,22 +5,18 @@
 #include <string>
 
 #include "skein/scenario/scenario.hpp"
+#include "temporary_folder.hpp"
 
 namespace skein::scenario::testing {
 
 class TemporaryFolder {
  public:
-  TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder();
-
   /// Gives the path of the new file; makes folders on the way.
   std::string write(const std::string& name, const std::string& text) const;
   std::string path(const std::string& name) const;
 
  private:
-  std::string folder_;
+  skein::testing::TemporaryFolder folder_;
 };
 
 /// A valid scenario with the UAVs heliv and marvin (models of the COMETS scenarios), zone Z and the

@@ -133,16 +133,18 @@ class IncrementalDc::State {
 
   std::vector<WaitEdge> waits() {
     std::vector<WaitEdge> result;
-    if (!engine_ || !result_.controllable || !derives_any()) return result;
-    const LoGraph& graph = engine_->graph();
-    for (std::uint32_t given = 0; given < network_.contingent.size(); ++given) {
-      const std::uint32_t link = graph.link_of(given);
-      if (link == kNone) continue;
-      for (const LoGraph::Edge& edge : graph.derived(link)) {
-        const Ticks delay = network_.contingent[given].max - updater().distance(link, edge.from);
-        if (delay > 0) result.push_back({edge.from, given, delay});
-      }
-    }
+    for_each_derived([&](std::uint32_t given, std::uint32_t link, const LoGraph::Edge& edge) {
+      const Ticks delay = network_.contingent[given].max - updater().distance(link, edge.from);
+      if (delay > 0) result.push_back({edge.from, given, delay});
+    });
+    return result;
+  }
+
+  std::vector<DistanceEdge> implied() const {
+    std::vector<DistanceEdge> result;
+    for_each_derived([&](std::uint32_t given, std::uint32_t, const LoGraph::Edge& edge) {
+      result.push_back({edge.from, network_.contingent[given].activation, edge.weight});
+    });
     return result;
   }
 
@@ -160,6 +162,18 @@ class IncrementalDc::State {
   LoGraph& graph_to_change() {
     updater();
     return engine_->graph();
+  }
+
+  /// Calls visit(position of the link, its number in the graph, edge); nothing unless controllable.
+  template <class Visit>
+  void for_each_derived(Visit&& visit) const {
+    if (!engine_ || !result_.controllable || !derives_any()) return;
+    const LoGraph& graph = engine_->graph();
+    for (std::uint32_t given = 0; given < network_.contingent.size(); ++given) {
+      const std::uint32_t link = graph.link_of(given);
+      if (link == kNone) continue;
+      for (const LoGraph::Edge& edge : graph.derived(link)) visit(given, link, edge);
+    }
   }
 
   bool derives_any() const {
@@ -338,6 +352,7 @@ Result<DcResult, StnuError> IncrementalDc::remove_contingent(std::uint32_t link)
 }
 
 std::vector<WaitEdge> IncrementalDc::waits() const { return state_->waits(); }
+std::vector<DistanceEdge> IncrementalDc::implied() const { return state_->implied(); }
 
 const Stnu& IncrementalDc::network() const { return state_->network(); }
 const DcResult& IncrementalDc::result() const { return state_->result(); }

@@ -211,4 +211,8 @@ std::vector<NamedWait> LiveNetwork::waits() const {
   return result;
 }
 
+std::vector<DistanceEdge> LiveNetwork::implied() const {
+  return check_ ? check_->implied() : std::vector<DistanceEdge>();
+}
+
 }  // namespace skein::temporal

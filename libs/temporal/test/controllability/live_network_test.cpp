@@ -80,6 +80,21 @@ TEST(LiveNetwork, SaysWhatWaitsForWhom) {
   EXPECT_EQ(waits.front().delay, 80);
 }
 
+// The end comes up to 6 after its activation, and at most 7 after another node: that must not come
+// more than 1 before the activation.
+TEST(LiveNetwork, SaysWhatFollowsWhateverNatureDoes) {
+  LiveNetwork network;
+  for (const std::uint64_t key : {1U, 2U, 3U}) network.add_node(node(key));
+  network.set_link(link(1), {node(1), node(2), 4, 6, true});
+  network.set_link(link(2), {node(3), node(2), kMinusInfinite, 7, false});
+
+  ASSERT_TRUE(network.settle().controllable);
+
+  EXPECT_TRUE(network.waits().empty());
+  const DistanceEdge expected{*network.index(node(3)), *network.index(node(1)), 1};
+  EXPECT_EQ(network.implied(), std::vector<DistanceEdge>{expected});
+}
+
 /// Nodes and links under names, changed at random.
 class Names {
  public:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include "skein/foundation/result.hpp"
 #include "skein/ground_station/perception_processing.hpp"
 #include "skein/ground_station/script.hpp"
+#include "skein/interaction/model.hpp"
 #include "skein/scenario/expectation.hpp"
 #include "skein/world/geodetic.hpp"
 #include "skein/world/object.hpp"
@@ -174,6 +176,8 @@ struct Scenario {
   GroundSpec ground;
   FaultSpec faults;
   std::optional<PlanningSpec> planning;
+  /// Models of joint tasks; null: there are none.
+  std::shared_ptr<const interaction::Library> interaction;
   Variations variations;
   std::vector<Expectation> expectations;
 

@@ -52,6 +52,9 @@ class IncrementalDc {
   /// (when delay > min; else in any case). Ordered by link. delay > 0. Nodes that must come after
   /// the end anyway are left out.
   std::vector<WaitEdge> waits() const;
+  /// Of a controllable network, what follows from contingent links whatever nature does: it has to
+  /// be kept to beside what was given. Ordered by link.
+  std::vector<DistanceEdge> implied() const;
 
   const Stnu& network() const;
   const DcResult& result() const;

@@ -92,6 +92,9 @@ class LiveNetwork {
   const LiveVerdict& verdict() const { return verdict_; }
   /// After settle(), of a controllable network: all that hold a node back, in the order of links.
   std::vector<NamedWait> waits() const;
+  /// After settle(), of a controllable network: bounds that follow from contingent links whatever
+  /// nature does, in the order of links.
+  std::vector<DistanceEdge> implied() const;
 
   /// As a plain value; places of removed nodes are nodes without links.
   Stnu network() const;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/scenario/operator_request.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace skein::scenario {
+namespace {
+
+using ground_station::OperatorDeed;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const char* const kComets = SKEIN_SOURCE_DIR "/scenarios/comets/confirmed.yaml";
+
+RequestReader reader() {
+  auto scenario = read_scenario(kComets);
+  if (!scenario) ADD_FAILURE() << to_text(scenario.error());
+  return RequestReader(std::make_shared<const Scenario>(std::move(*scenario)));
+}
+
+std::vector<std::string> texts_of(const std::string& request) {
+  const auto deeds = reader().read(request);
+  if (!deeds) ADD_FAILURE() << to_text(deeds.error());
+  std::vector<std::string> texts;
+  for (const OperatorDeed& deed : deeds.value_or(std::vector<OperatorDeed>())) {
+    texts.push_back(ground_station::to_text(deed));
+  }
+  return texts;
+}
+
+std::string problems_of(const std::string& request) {
+  const auto deeds = reader().read(request);
+  return deeds ? "" : to_text(deeds.error());
+}
+
+TEST(RequestReader, TakesTheActionsOfScriptsAndThoseOfPeopleInTheOrderWritten) {
+  EXPECT_THAT(texts_of(R"([{"take_in_hand": {"uav": "marvin"}}, {"ask": {"uav": "heliv"}},
+                           {"keep": {"uav": "heliv"}}, {"let_go": {"uav": "marvin", "to": "bo"}},
+                           {"answer": "end-monitoring"}, {"judge_alarm": {"alarm": 1, "as": "infirmed"}},
+                           {"abort": {"uav": "karma"}}, {"finish": true}])"),
+              ::testing::ElementsAre("take_in_hand marvin", "ask heliv", "keep heliv",
+                                     "let_go marvin to bo", "answer end-monitoring",
+                                     "judge_alarm 1 infirmed", "abort karma", "finish"));
+}
+
+TEST(RequestReader, TakesOneActionByItself) {
+  EXPECT_THAT(texts_of("give_back: {uav: karma}"), ::testing::ElementsAre("give_back karma"));
+}
+
+TEST(RequestReader, PutsAWayOverTheGroundItIsFlownOver) {
+  const auto deeds = reader().read("go: {uav: marvin, to: [[10, 20], [30, 40]], altitude: 50}");
+
+  ASSERT_TRUE(deeds) << to_text(deeds.error());
+  const auto& steer = std::get<ground_station::SteerTo>(deeds->at(0));
+  const world::Terrain terrain(read_scenario(kComets)->world.terrain);
+  ASSERT_EQ(steer.points.size(), 2U);
+  EXPECT_DOUBLE_EQ(steer.points[1].z(), terrain.elevation(30, 40) + 50);
+}
+
+TEST(RequestReader, OpensAirThatNoScriptCloses) {
+  EXPECT_THAT(texts_of("open_air: {name: drawn-by-ada}"),
+              ::testing::ElementsAre("open_air drawn-by-ada"));
+}
+
+TEST(RequestReader, GivesEveryErrorWithItsPlaceAndTheNearestName) {
+  const std::string problems = problems_of(
+      "- take_in_hand: {uav: marvn}\n"
+      "- land_now: {}\n"
+      "- judge_alarm: {alarm: 0, as: burning}\n"
+      "- go: {uav: karma}\n"
+      "- {keep: {uav: karma}, finish: true}\n");
+
+  EXPECT_THAT(problems, AllOf(HasSubstr("request:1:"), HasSubstr("did you mean 'marvin'?"),
+                              HasSubstr("land_now"), HasSubstr("judge_alarm"), HasSubstr("go.to"),
+                              HasSubstr("an action is one thing")));
+}
+
+TEST(RequestReader, RefusesWhatIsNoRequest) {
+  for (const char* text : {"", "[]", "3", "{", "[[[[", "\"a\": 1\n\t- b", "finish: maybe"}) {
+    EXPECT_NE(problems_of(text), "") << text;
+  }
+}
+
+}  // namespace
+}  // namespace skein::scenario
