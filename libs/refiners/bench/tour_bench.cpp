@@ -22,7 +22,7 @@ using skein::refiners::test::TourCase;
 using Clock = std::chrono::steady_clock;
 using Order = std::vector<std::size_t>;
 
-constexpr int kSeeds = 5;
+constexpr int kSeeds = 10;
 
 Order nearest_neighbour(const TourProblem& problem) {
   Order left(problem.stops()), order;
@@ -182,6 +182,9 @@ int main(int argc, char** argv) {
   for (const TourCase& c : skein::refiners::test::cases_like_tsplib(3, 7))
     measure(c, 0, time, made);
   print("like TSPLIB, against the best known here", made);
+  Totals heaps;
+  for (const TourCase& c : skein::refiners::test::cases_of_heaps(4, 7)) measure(c, 0, time, heaps);
+  print("heaps far apart, against the best known here", heaps);
   for (const bool symmetrical : {true, false}) measure_unbounded(symmetrical);
   for (const bool hovers : {true, false})
     for (const std::size_t stops : {12, 50, 200})

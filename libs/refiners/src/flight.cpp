@@ -92,11 +92,19 @@ StraightFlight::StraightFlight(const world::VehicleModel& vehicle, const world::
       drift_(vehicle.wind_drift * world::mean_velocity(wind).head<2>()) {}
 
 double StraightFlight::seconds(const Vector3& from, const Vector3& to) const {
-  const Leg leg = leg_of(from, to, *vehicle_);
-  const double speed = drift_.isZero(0) ? airspeed_ : ground_speed(airspeed_, drift_, leg.track);
-  const double level = time_over(leg.level, speed);
-  const Duration whole = duration_of(std::max(level, leg.vertical));
-  return whole == Duration::max() ? kNever : whole.to_seconds();
+  double whole = 0;
+  if (drift_.isZero(0)) {
+    const Vector3 step = to - from;
+    const double rate = step.z() > 0 ? vehicle_->climb_rate : vehicle_->descent_rate;
+    whole =
+        std::max(time_over(step.head<2>().norm(), airspeed_), time_over(std::abs(step.z()), rate));
+  } else {
+    const Leg leg = leg_of(from, to, *vehicle_);
+    const double speed = ground_speed(airspeed_, drift_, leg.track);
+    whole = std::max(time_over(leg.level, speed), leg.vertical);
+  }
+  // As a Duration rounds it.
+  return whole < kForever ? static_cast<double>(nearest_whole(whole * 1e9)) * 1e-9 : kNever;
 }
 
 double length_of(const Way& way) {

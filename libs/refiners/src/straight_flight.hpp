@@ -2,9 +2,17 @@
 // What straight flights take: estimate_flight for two places, for those who ask a million times.
 #pragma once
 
+#include <cstdint>
+
 #include "skein/refiners/flight.hpp"
 
 namespace skein::refiners {
+
+/// The whole number nearest to one in [0, 2^62], halves up: std::llround without a call.
+inline std::int64_t nearest_whole(double value) {
+  const auto below = static_cast<std::int64_t>(value);
+  return below + (value - static_cast<double>(below) >= 0.5 ? 1 : 0);
+}
 
 /// Reckons once what all flights have in common. The vehicle must outlive it.
 class StraightFlight {

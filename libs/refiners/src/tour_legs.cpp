@@ -15,7 +15,7 @@ constexpr std::uint32_t kCost = 30;
 
 TourCost to_cost(double seconds) {
   const double ns = seconds * 1e9;
-  return ns < static_cast<double>(kNoWay) ? std::llround(ns) : kNoWay;
+  return ns < static_cast<double>(kNoWay) ? nearest_whole(ns) : kNoWay;
 }
 
 DurationInterval sum(const DurationInterval& a, const DurationInterval& b) {

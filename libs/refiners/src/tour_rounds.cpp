@@ -10,6 +10,8 @@ namespace skein::refiners {
 namespace {
 
 constexpr std::uint64_t kNoBound = std::numeric_limits<std::uint64_t>::max();
+/// Among as many gates ways that are straight are found at once, late or not.
+constexpr std::size_t kFewGates = 60;
 
 }  // namespace
 
@@ -54,7 +56,8 @@ TourRounds::Next TourRounds::round() {
 /// Without looking for more ways.
 void TourRounds::finish(bool settled) {
   const bool more = has_bounds() && steps_left() > 0 && !setting_.budget.expired();
-  if ((settled && !more) || (best_ && setting_.budget.expired())) return;
+  const bool late = best_ || legs_.problem().gates() > kFewGates;
+  if ((settled && !more) || (late && setting_.budget.expired())) return;
   const auto known = legs_.known_only(setting_.budget);
   if (!known) return;
   TourOrder order = solve(*known, kNoBound);

@@ -3,101 +3,20 @@
 // that changed, and small double bridges to get away. Source: Lin and Kernighan 1973; Martin, Otto
 // and Felten 1991.
 #include <algorithm>
-#include <memory>
 #include <numeric>
-#include <span>
 #include <utility>
 
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/random.hpp"
 #include "tour_ring.hpp"
+#include "tour_ring_costs.hpp"
 #include "tour_search.hpp"
 
 namespace skein::refiners {
 namespace {
 
-constexpr std::size_t kNeighbours = 10;
 constexpr City kLongestBridge = 50;  // piece of a double bridge
 constexpr double kAllowance = 0.4;   // of the mean hop
-/// Keeps the start and the end of an open tour side by side on the ring.
-constexpr TourCost kBond = TourCost{1} << 57U;
-
-/// Another place and what it costs to go there.
-using Near = std::pair<TourCost, City>;
-
-/// The places of a tour as a ring: the stops, then the end unless it is the start, then the start.
-/// Stops are numbered by their places in an order that is good already, so that costs between
-/// places near each other lie near each other too: the search reads little else.
-class RingCosts {
- public:
-  RingCosts(const TourProblem& problem, const std::vector<std::size_t>& order)
-      : stops_(static_cast<City>(problem.stops())),
-        closed_(problem.from_start == problem.to_end),
-        size_(stops_ + (closed_ ? 1 : 2)),
-        count_(std::min<std::size_t>(kNeighbours, size_ - 1)),
-        cost_(std::make_unique_for_overwrite<TourCost[]>(row(size_))) {
-    neighbours_.reserve(size_ * count_);
-    keep_costs(problem, order);
-    list_neighbours(problem, order);
-  }
-
-  City size() const { return size_; }
-  City start() const { return size_ - 1; }
-  /// Where the tour ends, unless it is closed.
-  City end_place() const { return stops_; }
-  bool closed() const { return closed_; }
-  TourCost operator()(City a, City b) const {
-    return a < b ? cost_[row(b) + a] : cost_[row(a) + b];
-  }
-  /// The nearest others, nearest first.
-  std::span<const Near> near(City city) const {
-    return {neighbours_.data() + city * count_, count_};
-  }
-
- private:
-  /// Each pair once.
-  static std::size_t row(City city) { return std::size_t{city} * (std::size_t{city} + 1) / 2; }
-
-  void keep_costs(const TourProblem& problem, const std::vector<std::size_t>& order) {
-    for (City a = 0; a < stops_; ++a) {
-      for (City b = 0; b < a; ++b) cost_[row(a) + b] = problem.cost(order[a], order[b]);
-      cost_[row(start()) + a] = problem.from_start[order[a]];
-      if (!closed_) cost_[row(end_place()) + a] = problem.to_end[order[a]];
-    }
-    for (City a = 0; a < size_; ++a) cost_[row(a) + a] = 0;
-    if (!closed_) cost_[row(start()) + end_place()] = -kBond;
-  }
-
-  void list_neighbours(const TourProblem& problem, const std::vector<std::size_t>& order) {
-    std::vector<City> numbers(stops_);
-    for (City city = 0; city < stops_; ++city) numbers[order[city]] = city;
-    std::vector<Near> nearest;
-    for (City city = 0; city < size_; ++city) {
-      nearest.clear();
-      for (City gate = 0; gate < stops_; ++gate)
-        if (city < stops_ && numbers[gate] != city)
-          offer(nearest, {problem.cost(order[city], gate), numbers[gate]});
-      for (City other = city < stops_ ? stops_ : 0; other < size_; ++other)
-        if (other != city) offer(nearest, {(*this)(city, other), other});
-      neighbours_.insert(neighbours_.end(), nearest.begin(), nearest.end());
-    }
-  }
-  /// Few are nearer than those that were found already.
-  void offer(std::vector<Near>& nearest, const Near& near) const {
-    if (nearest.size() == count_) {
-      if (near >= nearest.back()) return;
-      nearest.pop_back();
-    }
-    nearest.insert(std::upper_bound(nearest.begin(), nearest.end(), near), near);
-  }
-
-  City stops_;
-  bool closed_;
-  City size_;
-  std::size_t count_;
-  std::unique_ptr<TourCost[]> cost_;
-  std::vector<Near> neighbours_;
-};
 
 class SymmetricSearch {
  public:

@@ -69,6 +69,26 @@ void expect_refused(const PatrolQuery& query, const world::World& world, Refusal
   EXPECT_EQ(refined.error().field, field);
 }
 
+/// What patrols are compared with must itself see everything: figures against a round that never
+/// sees some cells say nothing.
+TEST(LawnMower, SeesEveryCellOncePerRoundWhateverPartOfACellItsLanesAreApart) {
+  for (const std::size_t side : {34UL, 40UL})
+    for (const double footprint : {1.0, 1.5, 2.0, 2.3, 3.0, 3.3, 5.0}) {
+      world::World world = level_world(2000, 200);
+      world.ground = peaked_ground(side, 1, 0, 1);
+      const auto extent = static_cast<double>(side);
+      const double round = extent * (std::ceil(extent / (2 * footprint)) + 2);
+      const NaiveFlight flight{.speed = 1, .footprint = footprint, .from = round, .step = 0.5};
+
+      const auto figures =
+          NaivePatrol(world.ground, cells_in(world.ground.grid, square(extent)), flight)
+              .fly(lawn_mower(extent, extent, footprint, 1, 2.2 * round));
+
+      EXPECT_EQ(figures.unseen, 0U) << side << " cells, footprint " << footprint;
+      EXPECT_LT(figures.worst, 1.1 * round) << side << " cells, footprint " << footprint;
+    }
+}
+
 TEST(Potential, IsOneForWhatIsFreshAndFallsWithRiskAndIdleness) {
   EXPECT_EQ(potential(0.7, 0, 600), 1);
   EXPECT_LT(potential(0.7, 100, 600), potential(0.7, 50, 600));

@@ -175,6 +175,43 @@ inline std::vector<Place> lopsided(std::size_t count, Random& random) {
   return places;
 }
 
+/// Two columns or rows of pins each, in blocks far from each other, some joined by single pins: a
+/// place's nearest are all of its own block (pr226, pr264).
+inline std::vector<Place> in_far_blocks(std::size_t count, Random& random) {
+  std::set<Place> places;
+  while (places.size() < count) {
+    const double x = 1000.0 * static_cast<double>(random.below(16));
+    const double y = 1000.0 * static_cast<double>(random.below(12));
+    const bool across = random.chance(0.5);
+    const std::size_t length = 5 + random.below(8), width = 1 + random.below(2);
+    for (std::size_t i = 0; i < length && places.size() < count; ++i)
+      for (std::size_t j = 0; j < width && places.size() < count; ++j) {
+        const double along = 100.0 * static_cast<double>(i),
+                     beside = 100.0 * static_cast<double>(j);
+        places.emplace(x + (across ? along : beside), y + (across ? beside : along));
+      }
+    if (random.chance(0.5) && places.size() < count)
+      places.emplace(x + whole(random.uniform(-2000, 2000)),
+                     y + whole(random.uniform(-2000, 2000)));
+  }
+  return {places.begin(), places.end()};
+}
+
+/// Dense rasters in the corners of a board, each point of every other row between two of the next,
+/// and few places between them (fl417).
+inline std::vector<Place> on_a_board(std::size_t count, Random& random) {
+  std::set<Place> places;
+  const double pitch = 12;
+  for (const double left : {500.0, 1500.0})
+    for (const double top : {150.0, 2030.0})
+      for (std::size_t i = 0; i < count / 6; ++i)
+        places.emplace(left + pitch * static_cast<double>(i / 4) + (i % 2 == 0 ? 0 : pitch / 2),
+                       top + pitch / 2 * static_cast<double>(i % 4));
+  while (places.size() < count)
+    places.emplace(whole(random.uniform(500, 1900)), whole(random.uniform(500, 2000)));
+  return {places.begin(), places.end()};
+}
+
 }  // namespace detail
 
 /// Kinds of places that TSPLIB has up to 200: `each` of every kind, 60 to 200 places.
@@ -194,6 +231,19 @@ inline std::vector<TourCase> cases_like_tsplib(std::size_t each, std::uint64_t s
       const std::size_t count = i == 0 ? 200 : 60 + random.below(141);
       cases.push_back({std::string(kind) + std::to_string(count), "EUC_2D", make(count, random)});
     }
+  }
+  return cases;
+}
+
+/// Places in heaps far from each other, 180 to 300 of them.
+inline std::vector<TourCase> cases_of_heaps(std::size_t each, std::uint64_t seed) {
+  std::vector<TourCase> cases;
+  for (std::uint64_t i = seed; i < seed + each; ++i) {
+    Random random(i, "far");
+    const std::size_t count = 180 + random.below(121);
+    const std::string name = std::to_string(count) + "." + std::to_string(i);
+    cases.push_back({"blocks" + name, "EUC_2D", detail::in_far_blocks(count, random)});
+    cases.push_back({"board" + name, "EUC_2D", detail::on_a_board(count, random)});
   }
   return cases;
 }

@@ -95,10 +95,17 @@ inline std::vector<std::size_t> cells_in(const world::Grid& grid, const world::P
 
 /// The lawn mower over a rectangle of width × height from the origin: lanes there and back, at most
 /// two footprints apart, then straight to where it began, until `length` metres are flown.
-/// `cell`: the lanes end where they just perceive the corners of cells of that side.
+/// `cell`: the lanes end where they just perceive the last cells of that side, of the row farthest
+/// from its lane: with lanes that are no whole number of rows apart that is farther than half of
+/// what lies between a lane's outer rows.
 inline Way lawn_mower(double width, double height, double footprint, double cell, double length) {
   const auto lanes = static_cast<int>(std::ceil(height / (2 * footprint) - 1e-9));
-  const double spacing = height / lanes, aside = (spacing - cell) / 2;
+  const double spacing = height / lanes;
+  double aside = 0;
+  for (double y = cell / 2; y < height; y += cell) {
+    const double lane = (std::min<double>(std::floor(y / spacing), lanes - 1) + 0.5) * spacing;
+    aside = std::max(aside, std::abs(y - lane));
+  }
   const double ahead = std::sqrt(std::max(0.0, footprint * footprint - aside * aside));
   const double end = std::min(spacing / 2, cell / 2 + 0.9 * ahead);
   Way round;
