@@ -26,6 +26,8 @@ other=$!
 running+=("$other")
 until [ "$(readlink "/proc/$other/ns/net")" != "$(readlink /proc/self/ns/net)" ]; do :; done
 on_uavs() { nsenter -t "$other" -n -- "$@"; }
+# The discovery server is stopped without ceremony; what it leaves in shared memory is nobody else's.
+mount -t tmpfs none /dev/shm
 ip link set lo up
 ip link add cable type veth peer name end netns "$other"
 ip link set cable multicast off

@@ -54,6 +54,26 @@ std::set<std::string> shared_memory() {
   return names;
 }
 
+// The files in shared memory that a living process has open or mapped.
+std::set<std::string> used_shared_memory() {
+  const std::string folder = "/dev/shm/";
+  std::set<std::string> names;
+  std::error_code ignored;
+  for (const auto& process : fs::directory_iterator("/proc", ignored)) {
+    std::error_code gone;
+    for (const auto& open : fs::directory_iterator(process.path() / "fd", gone)) {
+      const std::string file = fs::read_symlink(open.path(), gone).string();
+      if (file.rfind(folder, 0) == 0) names.insert(file.substr(folder.size()));
+    }
+    std::ifstream maps(process.path() / "maps");
+    for (std::string line; std::getline(maps, line);) {
+      const std::size_t at = line.find(folder);
+      if (at != std::string::npos) names.insert(line.substr(at + folder.size()));
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
 bool holds_within(double seconds, const std::function<bool()>& condition) {
@@ -166,9 +186,14 @@ bool DdsRun::nothing_runs() {
 
 std::vector<std::string> DdsRun::left_in_shared_memory() const {
   const std::set<std::string> now = shared_memory();
+  const std::set<std::string> used = used_shared_memory();  // by others: this run is over
   std::vector<std::string> left;
-  std::set_difference(now.begin(), now.end(), shared_memory_before_.begin(),
-                      shared_memory_before_.end(), std::back_inserter(left));
+  for (const std::string& name : now) {
+    const bool older = shared_memory_before_.contains(name);
+    if (!older && !used.contains(name) && fs::exists(fs::path("/dev/shm") / name)) {
+      left.push_back(name);
+    }
+  }
   return left;
 }
 

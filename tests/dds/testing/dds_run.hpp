@@ -55,7 +55,8 @@ class DdsRun {
   void kill_daemon(const std::string& name);
   /// True once no process of this run is left; waits a while for them to be gone.
   bool nothing_runs();
-  /// Files in /dev/shm that were not there before the run and look like DDS's.
+  /// Files in /dev/shm that were not there before the run, look like DDS's and are no living
+  /// process's: other programs run at the same time. Precondition: nothing of this run lives.
   std::vector<std::string> left_in_shared_memory() const;
 
   /// All that it printed, standard output and error.
