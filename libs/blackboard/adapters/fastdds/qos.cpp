@@ -124,7 +124,11 @@ dds::DomainParticipantQos participant_qos(const FastDdsConfig& config, std::uint
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.push_back(transport);
   auto& builtin = qos.wire_protocol().builtin;
-  builtin.discovery_config.leaseDuration = milliseconds(5000);
+  // A participant that falls silent is taken for gone after its lease. Where it then comes back,
+  // the two begin their handshake anew on one side only, and Fast DDS 2.9 never ends it: with keys
+  // a loaded machine must not look like a dead one. Who is out of reach is told by heartbeats.
+  const bool secured = !config.network.keys.empty();
+  builtin.discovery_config.leaseDuration = milliseconds(secured ? 60'000 : 5000);
   builtin.discovery_config.leaseDuration_announcementperiod = milliseconds(1000);
   set_locators(qos.wire_protocol(), config, number);
   set_servers(builtin, config.network.discovery_servers);
