@@ -30,9 +30,14 @@ Database::Database(const std::string& file, Mode mode)
   database_.exec(
       "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
       "PRAGMA wal_autocheckpoint = 4000;");
-  if (version() != 0) return;
+  if (version() < kVersion) bring_up();
+}
+
+/// All of it or nothing: a file is never between two versions.
+void Database::bring_up() {
   SQLite::Transaction transaction(database_);
-  database_.exec(kTables);
+  if (version() < 1) database_.exec(kTables);
+  if (version() == 1) database_.exec("INSERT OR IGNORE INTO about VALUES ('messages', '')");
   database_.exec("PRAGMA user_version = " + std::to_string(kVersion));
   transaction.commit();
 }

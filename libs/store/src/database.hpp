@@ -13,9 +13,10 @@
 
 namespace skein::store {
 
-/// Of the format below; files of a newer one are not read, of an older one brought up to it
-/// (there is none yet).
-inline constexpr int kVersion = 1;
+/// Of the format below; files of a newer one are not read, of an older one brought up to it when
+/// they are opened to be written. 1: inputs. 2: the layout of the messages in them as well, in
+/// `about` under "messages"; empty in a file that was brought up.
+inline constexpr int kVersion = 2;
 
 /// The tables: `about` (what: value) and `inputs`.
 class Database {
@@ -40,6 +41,8 @@ class Database {
   SQLite::Database& raw() { return database_; }
 
  private:
+  void bring_up();
+
   SQLite::Database database_;
   std::optional<SQLite::Statement> insert_, told_;
 };

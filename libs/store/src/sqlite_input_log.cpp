@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "database.hpp"
+#include "skein/blackboard/wire_layout.hpp"
 
 namespace skein::store {
 
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 constexpr const char* kNode = "node";
 constexpr const char* kMission = "mission";
 constexpr const char* kOver = "over";
+constexpr const char* kMessages = "messages";
 
 struct Files {
   fs::path state, complete, lock;
@@ -71,6 +73,10 @@ std::string objection(Database& database, const Files& files, const Identity& id
   if (node != identity.node) return "of node '" + node + "'";
   if (database.about(kMission) != identity.mission) return "of another scenario";
   if (!database.about(kOver).empty()) return "of a mission that is over";
+  const std::string messages = database.about(kMessages);
+  if (!messages.empty() && messages != wire::layout_mark())
+    return "of a program with other messages (" + messages + ", this one has " +
+           wire::layout_mark() + ")";
   if (!fs::exists(files.complete)) return "incomplete: not all that was handled could be kept";
   return {};
 }
@@ -108,9 +114,11 @@ class SqliteInputLog::Impl {
 
   void begin() {
     database_.emplace(files_.state.string(), Database::Mode::kWrite);
+    const bool fresh = database_->inputs() == 0;
     SQLite::Transaction transaction(database_->raw());
     database_->set_about(kNode, identity_.node);
     database_->set_about(kMission, identity_.mission);
+    if (fresh) database_->set_about(kMessages, wire::layout_mark());
     transaction.commit();
     told_ = static_cast<std::uint64_t>(database_->lines_told());
     mark_complete();

@@ -75,6 +75,53 @@ TEST_F(StateOnDisk, TheNextLifeKnowsAllThatTheLastOneWasGivenInItsOrder) {
   EXPECT_EQ(next.log->lines_told(), 12U);
 }
 
+/// What a program of version 1 left, by its own tables.
+void leave_version_one(const fs::path& state) {
+  SQLite::Database old(state.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  old.exec(
+      "CREATE TABLE about (what TEXT PRIMARY KEY, value) WITHOUT ROWID;"
+      "CREATE TABLE inputs (number INTEGER PRIMARY KEY, at INTEGER NOT NULL, kind TEXT NOT NULL,"
+      "  peer INTEGER NOT NULL, slot TEXT NOT NULL, value INTEGER NOT NULL, extra INTEGER NOT NULL,"
+      "  flags INTEGER NOT NULL, body BLOB NOT NULL);"
+      "INSERT INTO about VALUES ('node', 'marvin'), ('mission', 'comets 1'), ('lines', 7);"
+      "INSERT INTO inputs (at, kind, peer, slot, value, extra, flags, body) VALUES"
+      "  (0, 'started', 0, '', 5, 0, 0, x''), (1000, 'wakeup', 0, '', 0, 0, 0, x'');"
+      "PRAGMA user_version = 1;");
+  std::ofstream(fs::path(state).replace_extension("complete")).put('\n');
+}
+
+int version_of(const fs::path& state) {
+  SQLite::Database file(state.string());
+  return file.execAndGet("PRAGMA user_version").getInt();
+}
+
+TEST_F(StateOnDisk, WhatTheVersionBeforeLeftIsBroughtUpAndGoneOnFrom) {
+  leave_version_one(state());
+  {
+    const Opened next = open();
+    EXPECT_EQ(next.set_aside, "");
+    EXPECT_EQ(texts(*next.log).size(), 2U);
+    EXPECT_EQ(next.log->lines_told(), 7U);
+    ASSERT_TRUE(next.log->append({MissionTime::seconds(2), node::Wakeup{}}));
+  }
+  EXPECT_EQ(version_of(state()), 2);
+  EXPECT_EQ(texts(*open().log).size(), 3U);
+}
+
+TEST_F(StateOnDisk, WhatAProgramWithOtherMessagesLeftIsSetAsideAndItSaysSo) {
+  live();
+  {
+    SQLite::Database file(state().string(), SQLite::OPEN_READWRITE);
+    file.exec("UPDATE about SET value = '0123456789abcdef' WHERE what = 'messages'");
+    ASSERT_EQ(file.getChanges(), 1);
+  }
+
+  const Opened next = open();
+
+  EXPECT_THAT(next.set_aside, HasSubstr("of a program with other messages (0123456789abcdef, "));
+  EXPECT_TRUE(texts(*next.log).empty());
+}
+
 TEST_F(StateOnDisk, LivesFollowEachOther) {
   live();
   ASSERT_TRUE(open().log->append({MissionTime::seconds(900), node::Resumed{}}));
@@ -168,8 +215,8 @@ TEST_F(SetAside, OneThatMissesSomething) {
 
 TEST_F(SetAside, OneOfANewerVersion) {
   live();
-  SQLite::Database(state().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 2");
-  expect_aside("of version 2, this program reads up to 1");
+  SQLite::Database(state().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 99");
+  expect_aside("of version 99, this program reads up to 2");
 }
 
 TEST_F(SetAside, HalfAFile) {
