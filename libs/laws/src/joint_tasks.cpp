@@ -114,22 +114,38 @@ std::vector<Violation> joint_tasks_without_end(const History& history) {
   return result;
 }
 
+/// From when its role began to when it was over.
+std::pair<double, double> played(const JointTold& told) {
+  const auto begun = std::find_if(told.phases.begin(), told.phases.end(),
+                                  [](const auto& one) { return one.phase == "running"; });
+  const double end = told.phases.back().at;
+  return {begun == told.phases.end() ? end : begun->at, end};
+}
+
+/// Of the same joint task, and not of an earlier or later attempt at it.
+bool is_same_attempt(const JointTold& one, const JointTold& other) {
+  constexpr double kTelling = 5;  // [s] by radio, that it is over and may begin again
+  const auto [from, until] = played(one);
+  const auto [from_other, until_other] = played(other);
+  return one.joint == other.joint && from + kTelling < until_other && from_other + kTelling < until;
+}
+
 std::vector<Violation> joint_tasks_apart(const History& history) {
   std::vector<Violation> result;
-  std::map<std::string, const JointTold*> ended;
-  for (const JointTold& told : history.joint.joints) {
-    if (told.phases.back().phase == "ended") ended.emplace(told.joint, &told);
-  }
   const bool excused =
       std::any_of(history.joint.joints.begin(), history.joint.joints.end(),
                   [&](const JointTold& told) { return is_excused(history, told.uav); });
   if (excused) return result;
   for (const JointTold& told : history.joint.joints) {
-    const auto other = ended.find(told.joint);
-    if (told.phases.back().phase != "aborted" || other == ended.end()) continue;
-    if (other->second->uav == told.uav || told.componels.empty()) continue;
+    if (told.phases.back().phase != "aborted" || told.componels.empty()) continue;
+    const auto other = std::find_if(history.joint.joints.begin(), history.joint.joints.end(),
+                                    [&](const JointTold& one) {
+                                      return one.phases.back().phase == "ended" &&
+                                             one.uav != told.uav && is_same_attempt(one, told);
+                                    });
+    if (other == history.joint.joints.end()) continue;
     result.push_back({"", told.phases.back().at, told.uav, 0,
-                      told.joint + " is aborted here and has ended at " + other->second->uav});
+                      told.joint + " is aborted here and has ended at " + other->uav});
   }
   return result;
 }

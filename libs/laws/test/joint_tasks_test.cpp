@@ -207,6 +207,17 @@ TEST(JointLaws, AJointTaskEndsAlikeAtAll) {
               ElementsAre(HasSubstr("has ended at marvin")));
 }
 
+TEST(JointLaws, AnAttemptThatAllAbortedIsNoneOfTheOneThatAllEnded) {
+  Told told;
+  for (const char* uav : {"marvin", "heliv"})
+    told.phase(10, uav, "running", "watch").componel(11, uav, "w1", "ended");
+  for (const char* uav : {"marvin", "heliv"}) told.phase(20, uav, "aborted", "watch", "no contact");
+  for (const char* uav : {"marvin", "heliv"})
+    told.phase(40, uav, "running", "watch", "", 8).phase(90, uav, "ended", "watch", "", 8);
+
+  EXPECT_THAT(told.broken(joint_tasks_apart), IsEmpty());
+}
+
 TEST(JointLaws, AJointTaskHasAnEndAndSaysWhy) {
   Told told;
   told.phase(10, "marvin", "running", "watch").goal(100, "marvin", "failed");
