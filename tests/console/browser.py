@@ -35,6 +35,7 @@ class Browser:
 
     def call(self, method, session=None, seconds=60, **parameters):
         self._number += 1
+        seconds += 30  # beyond what the page itself waits
         message = {"id": self._number, "method": method, "params": parameters}
         if session:
             message["sessionId"] = session
@@ -72,10 +73,11 @@ class Browser:
 class Page:
     def __init__(self, browser, url, width, height):
         self._browser = browser
-        self._target = browser.call("Target.createTarget", url="about:blank")["targetId"]
+        self._target = browser.call("Target.createTarget", url="about:blank", newWindow=True)["targetId"]
         self._session = browser.call("Target.attachToTarget", targetId=self._target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime"):
             self.call(domain + ".enable")
+        self.call("Emulation.setFocusEmulationEnabled", enabled=True)  # a page behind others is seen too
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
         self.open(url)
 
@@ -93,18 +95,25 @@ class Page:
         return result["result"].get("value")
 
     def until(self, script, seconds=60):
-        """Asks again until the expression is true; what it was last, if never."""
+        """Waits in the page until the expression is true, over loads of it too; its value, or an error with what it was last."""
         end = time.monotonic() + seconds
         while True:
+            left = max(0.0, end - time.monotonic())
             try:
-                value = self.says(script)
+                value = self.says(_WAITING % {"script": script, "ms": int(1000 * left)})
             except RuntimeError as error:
-                value = None if "Cannot find context" in str(error) or "TypeError" in str(error) else error
-            if value:
-                return value
-            if time.monotonic() > end:
-                raise AssertionError(f"never came: {script}; log: {self._browser.errors}")
-            time.sleep(0.1)
+                if left > 0 and "navigat" in str(error) or "context" in str(error):
+                    continue  # the page was loaded anew
+                raise
+            if isinstance(value, dict) and "never" in value:
+                raise AssertionError(f"never came: {script}; last: {value['never']}; log: {self._browser.errors}")
+            return value
+
+    def press(self, key, times=1):
+        """Keys as a user has them: what has the focus gets them."""
+        for _ in range(times):
+            for kind in ("keyDown", "keyUp"):
+                self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key)
 
     def picture(self, path):
         data = self.call("Page.captureScreenshot", format="png")["data"]
@@ -113,3 +122,17 @@ class Page:
 
     def close(self):
         self._browser.call("Target.closeTarget", targetId=self._target)
+
+
+# A promise of the expression's value, looked at ten times a second in the page itself.
+_WAITING = """new Promise((resolve) => {
+  const end = performance.now() + %(ms)d;
+  const look = () => {
+    let value = null, why = "";
+    try { value = (%(script)s); } catch (error) { why = String(error); }
+    if (value) resolve(value);
+    else if (performance.now() > end) resolve({never: why || String(value)});
+    else setTimeout(look, 100);
+  };
+  look();
+})"""

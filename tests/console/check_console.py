@@ -1,45 +1,74 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The operators' page in a real browser, with real daemons: check_console.py BUILD_DIR [--pictures DIR]."""
+"""The operators' page in a real browser, with real daemons.
+
+check_console.py BUILD_DIR               what the page does
+check_console.py BUILD_DIR --figures     what it costs and how fast it draws (docs/performance.md)
+check_console.py BUILD_DIR --pictures D  what it looks like
+"""
+import argparse
 import json
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
-import time
 import urllib.error
 import urllib.request
 
 from browser import Browser, chromium
+from fleet import fleet
 
 SKIPPED = 77
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
+MARKUP = '<img src=x onerror="window.hurt = 1">'
 
 
 class Mission:
-    """A scenario's run with its console, ended with the test."""
+    """A run with its console, ended with the test."""
 
-    def __init__(self, build, scenario, rate, console="0"):
+    def __init__(self, build, scenario, rate, changes=()):
         self.folder = tempfile.mkdtemp(prefix="skein-console-")
+        if isinstance(scenario, str):
+            file = pathlib.Path(self.folder) / "scenario.yaml"
+            file.write_text(scenario)
+        else:
+            file = scenario
         self.process = subprocess.Popen(
-            [f"{build}/bin/skein", "run", str(SOURCE / scenario), "--rate", str(rate), "--console", console, "--quiet",
-             "--out", self.folder], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        self.url = self._wait_for_url()
+            [f"{build}/bin/skein", "run", str(file), "--rate", str(rate), "--console", "0", "--out", self.folder + "/out", *changes],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.said = []
+        self.url = self._url()
 
-    def _wait_for_url(self):
-        log = pathlib.Path(self.folder) / "logs" / "ground.log"
-        for _ in range(600):
-            found = re.search(r"console at (http\S+)", log.read_text()) if log.exists() else None
+    def _url(self):
+        for line in self.process.stdout:
+            self.said.append(line)
+            found = re.search(r"console at (http\S+)", line)
             if found:
                 return found.group(1)
-            if self.process.poll() is not None:
-                break
-            time.sleep(0.1)
-        raise AssertionError("the ground station serves no console: " + (log.read_text() if log.exists() else "no log"))
+        raise AssertionError("the run tells no console: " + "".join(self.said))
+
+    def pid_of(self, program):
+        for entry in pathlib.Path("/proc").iterdir():
+            try:
+                words = (entry / "cmdline").read_bytes().split(b"\0")
+            except OSError:
+                continue
+            if words and words[0].endswith(program.encode()) and any(self.folder.encode() in word for word in words):
+                return int(entry.name)
+        raise AssertionError(program + " does not run")
 
     def end(self):
         self.process.terminate()
-        self.process.wait(60)
+        self.process.communicate(timeout=60)
+        shutil.rmtree(self.folder, ignore_errors=True)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.end()
 
 
 def card(uav):
@@ -50,15 +79,34 @@ def press(uav, words):
     return f"[...{card(uav)}.querySelectorAll('button')].find((one) => one.textContent === '{words}').click()"
 
 
-def check_takes_in_hand_late_and_by_several(browser, mission):
+def requests_tell(words):
+    return f"document.getElementById('requests').textContent.includes({json.dumps(words)})"
+
+
+def opened(browser, mission):
     page = browser.page(mission.url)
-    page.until("document.querySelectorAll('.card').length === 3")
     page.until("document.getElementById('news').textContent === 'live'")
+    page.until("document.querySelectorAll('.card button').length > 0")
+    return page
+
+
+def check_shows_the_mission(browser, mission):
+    page = opened(browser, mission)
+    page.until("document.getElementById('clock').textContent > '00:05'")
+    page.until("""(() => { const c = document.getElementById('map'); if (!c.width) return 0;
+        const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; const seen = new Set();
+        for (let i = 0; i < d.length; i += 4 * 97) seen.add((d[i] << 16) | (d[i + 1] << 8) | d[i + 2]); return seen.size > 200; })()""")
+    page.until("document.getElementById('phase').textContent.length > 3")
+    page.close()
+
+
+def check_takes_in_hand_late_and_by_several(browser, mission):
+    page = opened(browser, mission)
     page.says("document.getElementById('who').value = 'ada'")
     page.until(f"{card('marvin')}.textContent.includes('take in hand')")
     page.says(press("marvin", "take in hand"))
     page.until(f"{card('marvin')}.textContent.includes('in your hand')")
-    page.until("document.getElementById('requests').textContent.includes('marvin: DEGREE 1: acknowledged')")
+    page.until(requests_tell("marvin: DEGREE 1: acknowledged"))
     late = browser.page(mission.url)
     late.until(f"{card('marvin')}?.textContent.includes('in hand of ada')")
     late.says("document.getElementById('who').value = 'bo'")
@@ -77,16 +125,22 @@ def check_takes_in_hand_late_and_by_several(browser, mission):
     late.close()
 
 
-def check_shows_the_mission(browser, mission):
-    page = browser.page(mission.url)
-    page.until("document.getElementById('clock').textContent > '00:05'")
-    drawn = page.until("""(() => { const c = document.getElementById('map'); if (!c.width) return 0;
-        const d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data; const seen = new Set();
-        for (let i = 0; i < d.length; i += 4 * 97) seen.add((d[i] << 16) | (d[i + 1] << 8) | d[i + 2]); return seen.size > 200 && seen.size; })()""")
-    page.until("document.getElementById('phase').textContent.length > 3")
-    assert not browser.errors, browser.errors
+def check_names_are_text(browser, mission):
+    """What an operator calls himself is shown to all, and is no markup to any of them."""
+    page = opened(browser, mission)
+    page.says(f"document.getElementById('who').value = {json.dumps(MARKUP)}")
+    page.until(f"{card('karma')}.textContent.includes('take in hand')")
+    page.says(press("karma", "take in hand"))
+    page.until(requests_tell("karma: DEGREE 1: acknowledged"))
+    other = opened(browser, mission)
+    other.until(f"{card('karma')}.textContent.includes({json.dumps('in hand of ' + MARKUP)})")
+    for one in (page, other):
+        assert one.says("window.hurt === undefined && document.querySelectorAll('img').length === 0")
+    page.until(f"{card('karma')}.textContent.includes('give back')")
+    page.says(press("karma", "give back"))
+    other.until(f"!{card('karma')}.textContent.includes('in hand of')")
     page.close()
-    return drawn
+    other.close()
 
 
 def check_refuses_others(mission):
@@ -103,22 +157,146 @@ def check_refuses_others(mission):
     assert status("", {"Host": "evil.example"}) == 421
 
 
+def check_ends_the_mission_by_keys(browser, mission):
+    page = opened(browser, mission)
+    page.says("document.querySelector('#finish input').focus()")
+    page.press("ArrowRight", 7)
+    assert page.says("Number(document.querySelector('#finish input').value) < 97"), "seven steps are not enough"
+    page.press("ArrowRight", 2)
+    page.until("document.getElementById('news').textContent === 'mission over'")
+    page.close()
+
+
+def check_gives_a_mission_from_the_form(browser, mission):
+    page = opened(browser, mission)
+    page.says("document.getElementById('mission-button').click()")
+    page.until("document.getElementById('mission').open")
+    page.says("""(() => {
+        const kind = document.querySelector('#mission fieldset select');
+        kind.value = 'general-takeoff'; kind.dispatchEvent(new Event('change'));
+        document.querySelector('#mission-send').click(); })()""")
+    page.until("!document.getElementById('mission').open")
+    page.until(requests_tell("acknowledged"))
+    page.until(f"{card('marvin')}.textContent.includes('general-takeoff')")
+    page.until(f"{card('marvin')}.querySelector('.goals')?.textContent.includes('achieved')")
+    page.close()
+
+
+def check_replays_what_was_recorded(browser, build):
+    """A mission in virtual time, then seen on the page: at an instant, and at an earlier one."""
+    folder = tempfile.mkdtemp(prefix="skein-replay-")
+    try:
+        subprocess.run([f"{build}/bin/skein", "run", str(SOURCE / "scenarios/comets/confirmed.yaml"), "--virtual", "--quiet",
+                        "--out", folder], check=True, stdout=subprocess.DEVNULL)
+        replay = subprocess.Popen([f"{build}/bin/skein", "replay", folder, "--speed", "60"], stdout=subprocess.PIPE, text=True)
+        url = replay.stdout.readline().split()[-1]
+        page = browser.page(url)
+        page.until("document.getElementById('news').textContent === 'replay'")
+        page.until("document.getElementById('clock').textContent > '00:20'")
+        assert page.says("getComputedStyle(document.getElementById('mission-button')).display === 'none'")
+        page.says("(() => { const at = document.getElementById('at'); at.value = at.max; at.dispatchEvent(new Event('change')); })()")
+        page.until("document.getElementById('play').textContent === 'play'")
+        page.until("document.getElementById('phase').textContent.length > 3")
+        done = page.says("(async () => (await import('/feed.js')).model.uavs.get('marvin').marks.size)()")
+        assert done > 3, done
+        page.says("(() => { const at = document.getElementById('at'); at.value = 10; at.dispatchEvent(new Event('change')); })()")
+        page.until("document.getElementById('clock').textContent === '00:10'")
+        fewer = page.says("(async () => (await import('/feed.js')).model.uavs.get('marvin').marks.size)()")
+        assert fewer < done, (fewer, done)
+        page.close()
+        replay.terminate()
+        assert replay.wait(20) == 0
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def check_shows_a_cut_link(browser, mission):
+    """Seconds from the word of the simulator that the link is cut to the card that says so."""
+    page = opened(browser, mission)
+    page.until(f"{card('marvin')}.querySelector('header .chip.good')")
+    page.says("""(async () => {
+        const {model} = await import('/feed.js');
+        window.cut = null;
+        const look = () => {
+          const t = performance.now();
+          if (window.cut === null && [...model.links.values()].some((link) => link.up === false)) window.cut = {at: t};
+          if (window.cut && !window.cut.shown && document.querySelector('[data-uav="marvin"]').classList.contains('lost')) window.cut.shown = t;
+          if (!window.cut?.shown) setTimeout(look, 20);
+        };
+        look(); })()""")
+    seconds = page.until("window.cut?.shown && (window.cut.shown - window.cut.at) / 1000", 120)
+    page.close()
+    return seconds
+
+
+def processor_seconds(pid):
+    fields = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def frames(page, seconds):
+    return page.says(f"""new Promise((done) => {{ let n = 0; const begin = performance.now();
+        const step = (t) => {{ n += 1; t - begin < {1000 * seconds} ? requestAnimationFrame(step) : done(n / ((performance.now() - begin) / 1000)); }};
+        requestAnimationFrame(step); }})""")
+
+
+def tell_figures(build):
+    for uavs in (3, 20):
+        with Mission(build, fleet(uavs, SOURCE), 1) as mission:
+            ground = mission.pid_of("skein-ground")
+            for pages in (0, 1, 5):
+                browser = Browser()
+                try:
+                    shown = [opened(browser, mission) for _ in range(pages)]
+                    pause = browser.page("about:blank")
+                    before = processor_seconds(ground)
+                    pause.says("new Promise((done) => setTimeout(done, 20000))")
+                    print(f"{uavs} UAVs, {pages} pages: ground station {(processor_seconds(ground) - before) / 20 * 100:.1f} % of a processor", flush=True)
+                    if pages == 1:
+                        first = shown[0].says("performance.getEntriesByType('paint')[0]?.startTime")
+                        print(f"{uavs} UAVs: first paint {first:.0f} ms, {frames(shown[0], 10):.1f} frames/s", flush=True)
+                finally:
+                    browser.close()
+
+
+def check(build, pictures):
+    browser = Browser()
+    try:
+        with Mission(build, SOURCE / "scenarios/comets/confirmed.yaml", 3) as mission:
+            check_shows_the_mission(browser, mission)
+            check_refuses_others(mission)
+            check_takes_in_hand_late_and_by_several(browser, mission)
+            check_names_are_text(browser, mission)
+            if pictures:
+                page = opened(browser, mission)
+                page.picture(f"{pictures}/console.png")
+            check_ends_the_mission_by_keys(browser, mission)
+        with Mission(build, fleet(1, SOURCE, cut=True), 2) as mission:
+            check_gives_a_mission_from_the_form(browser, mission)
+            seconds = check_shows_a_cut_link(browser, mission)
+            assert seconds < 3, f"a cut link was shown after {seconds:.1f} s"
+            print(f"a cut link is shown after {seconds:.1f} s")
+        check_replays_what_was_recorded(browser, build)
+        assert not browser.errors, browser.errors
+    finally:
+        browser.close()
+
+
 def main():
-    build = sys.argv[1]
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build")
+    parser.add_argument("--figures", action="store_true")
+    parser.add_argument("--pictures")
+    options = parser.parse_args()
     if chromium() is None:
         print("SKIPPED: there is no chromium on this machine")
         return SKIPPED
-    mission = Mission(build, "scenarios/comets/confirmed.yaml", 3)
-    browser = Browser()
-    try:
-        check_shows_the_mission(browser, mission)
-        check_refuses_others(mission)
-        check_takes_in_hand_late_and_by_several(browser, mission)
+    if options.figures:
+        tell_figures(options.build)
+    else:
+        check(options.build, options.pictures)
         print("the console does what it should")
-        return 0
-    finally:
-        browser.close()
-        mission.end()
+    return 0
 
 
 if __name__ == "__main__":

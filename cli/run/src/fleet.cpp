@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 
 namespace skein::run_tool {
 
@@ -102,6 +103,19 @@ std::string Fleet::running_names() const {
   std::string names;
   for (const auto& [name, process] : running_) names += (names.empty() ? "" : ", ") + name;
   return names;
+}
+
+std::string Fleet::console_url() const {
+  if (options_.console.empty()) return "";
+  const std::string said = "console at ";
+  std::ifstream log(log_of("ground"));
+  for (std::string line; std::getline(log, line);) {
+    const std::size_t at = line.find(said);
+    if (at != std::string::npos)
+      return line.substr(at + said.size(),
+                         line.find_first_of(" \"", at + said.size()) - at - said.size());
+  }
+  return "";
 }
 
 void Fleet::signal_all(int signal) {

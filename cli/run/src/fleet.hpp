@@ -37,6 +37,8 @@ class Fleet {
   bool is_running(const std::string& name) const { return running_.count(name) > 0; }
   bool any_running() const { return !running_.empty(); }
   std::string running_names() const;
+  /// Where the ground station serves the operators' page, by its log; empty while it has not said.
+  std::string console_url() const;
   void signal_all(int signal);
   void kill_all();
   /// Those that ended since the last call.

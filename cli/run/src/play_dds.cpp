@@ -145,6 +145,8 @@ class DdsRun {
     } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&received.sample)) {
       if (entry->ready && ready_.insert(entry->name).second) {
         add(record("process").with("name", entry->name).with("state", "ready"));
+        if (const std::string url = fleet_.console_url(); entry->name == "ground" && !url.empty())
+          progress_.say("console at " + url);
       }
     } else if (const auto* line = std::get_if<wire::JournalEntry>(&received.sample)) {
       auto parsed = journal::parse_record(line->record);
