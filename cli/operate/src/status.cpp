@@ -133,10 +133,20 @@ void print_tables(Station& station, std::ostream& out) {
   print_links(boards, out);
 }
 
+// An instant that is absent, or never comes, is null.
+void put_nulls(Json& json) {
+  if (json.is_structured()) {
+    for (Json& element : json) put_nulls(element);
+  } else if (json == wire::kNoInstant || json == wire::kNever) {
+    json = nullptr;
+  }
+}
+
 Json as_json(const wire::Sample& sample) {
   Json json = Json::parse(wire::to_json(sample));
   json.erase("slot");
   json.erase("header");
+  put_nulls(json);
   return json;
 }
 
