@@ -8,6 +8,7 @@
 #include "network_options.hpp"
 #include "operate_commands.hpp"
 #include "skein/functional_tool/functional.hpp"
+#include "skein/replay_tool/replay.hpp"
 #include "skein/run_tool/run.hpp"
 #include "skein/spy_tool/spy.hpp"
 #include "skein/state_tool/state.hpp"
@@ -173,6 +174,26 @@ void add_state(CLI::App& app, Action& action, const LiveActions& live) {
   add("export", "Every input, one JSON object a line", What::kExport);
 }
 
+constexpr const char* kReplayExamples = R"(
+Examples:
+  skein replay out/comets-confirmed                          its address is printed; Ctrl-C ends it
+  skein replay out/comets-confirmed --speed 20 --console 8080
+Exit codes: 0 it was ended, 2 the folder cannot be read, or the address cannot be listened at.)";
+
+void add_replay(CLI::App& app, Action& action, const LiveActions& live) {
+  auto options = std::make_shared<replay_tool::ReplayOptions>();
+  CLI::App* replay = app.add_subcommand("replay", "A recorded run on the operators' page");
+  replay->add_option("folder", options->folder, "Folder of a run (out/NAME)")->required();
+  replay->add_option("--console", options->console,
+                     "ADDRESS:PORT of the page (default: a free port)");
+  replay->add_option("--speed", options->speed, "Mission seconds per second, at the start")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  replay->footer(kReplayExamples);
+  replay->callback(
+      [options, &action, &live] { action = [options, &live] { return live.replay(*options); }; });
+}
+
 constexpr const char* kStormExamples = R"(
 Examples:
   skein storm scenarios/comets/confirmed.yaml --seeds 1..100 --jobs 2    troubles in a mission of yours
@@ -217,6 +238,7 @@ void add_storm(CLI::App& app, Action& action, const LiveActions& live) {
 void add_live(CLI::App& app, std::function<int()>& action, const LiveActions& live) {
   add_run(app, action, live);
   add_report(app, action, live);
+  add_replay(app, action, live);
   add_operate(app, action, live.operate);
   add_status(app, action, live.status);
   add_spy(app, action, live);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands that meet daemons and DDS: run, report, operate, status, spy, functional, state,
-// storm.
+// The commands that meet daemons and DDS: run, report, replay, operate, status, spy, functional,
+// state, storm.
 #pragma once
 
 #include <functional>
@@ -36,6 +36,10 @@ namespace skein::state_tool {
 struct StateOptions;
 }
 
+namespace skein::replay_tool {
+struct ReplayOptions;
+}
+
 namespace skein::storm_tool {
 struct StormOptions;
 }
@@ -55,6 +59,7 @@ struct LiveActions {
   std::function<int(const operate_tool::OperateOptions&)> operate;
   std::function<int(const operate_tool::StatusOptions&)> status;
   std::function<int(const state_tool::StateOptions&)> state;
+  std::function<int(const replay_tool::ReplayOptions&)> replay;
   std::function<int(const storm_tool::StormOptions&)> storm;
 };
 

@@ -9,6 +9,7 @@
 #include "live_commands.hpp"
 #include "skein/functional_tool/functional.hpp"
 #include "skein/operate_tool/operate.hpp"
+#include "skein/replay_tool/replay.hpp"
 #include "skein/run_tool/run.hpp"
 #include "skein/spy_tool/spy.hpp"
 #include "skein/state_tool/state.hpp"
@@ -35,6 +36,9 @@ int main(int argc, char** argv) {
   };
   live.status = [](const operate_tool::StatusOptions& options) {
     return operate_tool::status(options, std::cout, std::cerr);
+  };
+  live.replay = [](const replay_tool::ReplayOptions& options) {
+    return replay_tool::replay(options, std::cout, std::cerr);
   };
   live.storm = [](storm_tool::StormOptions options) {
     options.on_terminal = isatty(STDERR_FILENO) != 0;

@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   live.run = [argv](const auto&) { return become("skein-live", argv); };
   live.report = [argv](const auto&) { return become("skein-live", argv); };
   live.state = [argv](const auto&) { return become("skein-live", argv); };
+  live.replay = [argv](const auto&) { return become("skein-live", argv); };
   live.storm = [argv](const auto&) { return become("skein-live", argv); };
   live.functional = [argv](const auto&) { return become("skein-live", argv); };
   live.operate = [argv](const auto&) { return become("skein-live", argv); };

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <system_error>
 
+#include "skein/assembly/page_world.hpp"
 #include "skein/report/report.hpp"
 
 namespace skein::run_tool {
@@ -79,7 +80,8 @@ Result<void, Failure> prepare_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(fs::path(folder) / "logs", error);
   if (error) return failure("cannot create " + folder + ": " + error.message());
-  for (const char* name : {"events.jsonl", "run.json", "report.html", "junit.xml", "result.json"}) {
+  for (const char* name :
+       {"events.jsonl", "run.json", "world.json", "report.html", "junit.xml", "result.json"}) {
     fs::remove(fs::path(folder) / name, error);
   }
   for (const auto& log : fs::directory_iterator(fs::path(folder) / "logs", error)) {
@@ -100,6 +102,8 @@ Result<std::string, Failure> write_folder(const std::string& folder,
   if (auto done = write_file(to / "run.json", report::to_json(info)); !done) {
     return tl::unexpected(done.error());
   }
+  const std::string world = assembly::page_world(scenario);
+  if (auto done = write_file(to / "world.json", world); !done) return tl::unexpected(done.error());
   if (auto done = write_file(to / "scenario.yaml", read_text(scenario.file)); !done) {
     return tl::unexpected(done.error());
   }

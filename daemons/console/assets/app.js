@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page: starts what is there and draws it.
 import {$, clockText, el, fill, slide} from "./dom.js";
-import {model, now, start} from "./feed.js";
+import {model, now, playback, start} from "./feed.js";
 import * as act from "./actions.js";
 import * as cards from "./cards.js";
 import * as map from "./map.js";
@@ -25,6 +25,7 @@ function bar() {
   const silent = (performance.now() - clockHeard) / 1000;
   const news = $("news");
   const over = model.clock.phase === "finished" || model.ground?.finished;
+  if (model.world.replay) { news.className = "chip"; news.textContent = model.connected ? "replay" : "the replay has ended"; return; }
   news.className = "chip " + (over ? "" : !model.clock.heard ? "" : !model.connected ? "bad" : silent > 3 ? "warn" : "good");
   news.textContent = over ? "mission over" : !model.clock.heard ? "connecting" : !model.connected ? "ground station lost" : silent > 3 ? `no news for ${silent.toFixed(0)} s` : "live";
   const answers = model.ground?.answers ?? [];
@@ -48,7 +49,38 @@ function tools() {
   setInterval(() => follow.setAttribute("aria-pressed", map.view.follow), 300);
   $("tools").append(el("button", {onclick: map.fit, title: "all of it (0)"}, "fit"), follow,
     ...[["plans", "plans"], ["trails", "trails"], ["looks", "looks"], ["links", "links"]].map(([name, label]) => toggle(name, label)),
-    el("button", {onclick: act.closeAir}, "close air…"));
+    el("button", {onclick: act.closeAir, className: "acts"}, "close air…"));
+}
+
+// ---- the bar of a replay ----
+
+let goingTo = null;  // while the thumb is held
+
+function playbackBar() {
+  const {until} = model.world.replay;
+  document.body.classList.add("replay");
+  const play = el("button", {id: "play", title: "space"}, "halt");
+  const speed = el("select", {id: "speed", title: "mission seconds a second"}, ...[0.5, 1, 2, 5, 10, 20, 60].map((one) => el("option", {value: one}, `× ${one}`)));
+  const at = el("input", {id: "at", type: "range", min: "0", max: String(Math.ceil(until)), step: "1", value: "0"});
+  at.setAttribute("aria-label", "mission time");
+  const playing = () => model.clock.phase === "running";
+  play.addEventListener("click", () => playback(playing() || now() < until ? {playing: !playing()} : {at: 0, playing: true}));
+  speed.addEventListener("change", () => playback({speed: Number(speed.value)}));
+  at.addEventListener("input", () => { goingTo = Number(at.value); });
+  at.addEventListener("change", () => { playback({at: Number(at.value)}); goingTo = null; });
+  document.addEventListener("keydown", (event) => {
+    if (event.key === " " && !event.target.closest("input, select, button, textarea")) { play.click(); event.preventDefault(); }
+  });
+  $("playback").append(play, speed, at, el("span", {}, clockText(until)));
+  $("playback").hidden = false;
+  document.querySelector("nav [data-tab=log]").click();  // nothing can be asked for
+  setInterval(() => {
+    play.textContent = playing() ? "halt" : "play";
+    if (goingTo === null && document.activeElement !== speed) {
+      at.value = String(now());
+      if ([...speed.options].some((one) => Number(one.value) === model.clock.rate)) speed.value = String(model.clock.rate);
+    }
+  }, 200);
 }
 
 // ---- below ----
@@ -108,6 +140,7 @@ try {
   document.title = "Skein: " + model.world.scenario;
   tools();
   tabs();
+  if (model.world.replay) playbackBar();
   map.wire(choose);
   timeline.wire();
   $("mission-button").addEventListener("click", act.missionForm);

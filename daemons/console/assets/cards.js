@@ -70,6 +70,8 @@ function thoughts(uav, parts) {
 function buttons(uav, parts) {
   const board = uav.board, me = operator(), name = uav.name;
   if (!board) return;
+  parts.degree.textContent = board.degree;
+  if (model.world.replay) return;
   const mineNow = board.holder === me, free = board.holder === "";
   const passes = seconds(board.passes_at);
   fill(parts.hand, `${board.holder} ${board.asker}`, () => free ? [] : el("span", {className: "chip in-hand"}, mineNow ? "in your hand" : "in hand of " + board.holder));
@@ -88,7 +90,6 @@ function buttons(uav, parts) {
     return [el("div", {className: "row"}, ...row), el("div", {className: "row"}, degrees, abort, board.held > 0 && button("resume plan", () => act.resume(name)))];
   });
   parts.hand.title = passes === null ? "" : `passes to ${board.asker} at ${clockText(passes)}`;
-  parts.degree.textContent = board.degree;
   parts.degree.title = ["", "1: the ground executes", "2: it executes, the ground relays", "3: it executes and synchronises", "4: it plans"][board.degree] ?? "";
 }
 

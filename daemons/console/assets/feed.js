@@ -64,9 +64,16 @@ function message(event) {
   if (said.slot) take[said.slot]?.(said);
   else if (said.mark) mark(said.mark);
   else if (said.trail) uav(said.trail.uav).trail = said.trail.points;
+  else if (said.again) forget();
   else if (said.record) { model.log.push(said.record); if (model.log.length > kLog) model.log.splice(0, 200); }
   if (said.slot !== "Clock") model.version += 1;
   model.connected = true;
+}
+
+function forget() {
+  model.log = []; model.replies.clear(); model.looks.clear(); model.links.clear();
+  model.ground = null;
+  for (const one of model.uavs.values()) Object.assign(one, {marks: new Map(), trail: [], board: undefined, tasks: undefined, telemetry: undefined});
 }
 
 let source = null;
@@ -118,6 +125,16 @@ let last = 0;
 export const mine = [];   // newest first: {number, who, what, state, problems}
 
 export const operator = () => document.getElementById("who").value.trim() || "operator";
+
+/** Of a replay: {playing, speed, at}; what is absent stays. */
+export async function playback(wish) {
+  last = Math.max(last + 1, Date.now() * 1000);
+  const answer = await fetch("/api/request", {
+    method: "POST", headers: {"Content-Type": "application/json"},
+    body: JSON.stringify({who: "viewer", number: last, actions: [{playback: wish}]}),
+  });
+  if (!answer.ok) throw new Error((await answer.json()).problems.join("; "));
+}
 
 export async function ask(actions, what) {
   last = Math.max(last + 1, Date.now() * 1000);

@@ -120,6 +120,12 @@ class Console::Impl {
     return samples;
   }
 
+  void begin_again() {
+    const std::lock_guard lock(feed_.mutex);
+    history_ = {};
+    feed_.feed.begin_again("{\"again\":true}");
+  }
+
   void sees(const wire::Sample& sample) {
     const std::lock_guard lock(feed_.mutex);
     history_.take(sample, feed_.feed);
@@ -178,6 +184,7 @@ Result<std::unique_ptr<Console>, Failure> Console::open(ConsoleConfig config) {
 
 std::uint16_t Console::port() const { return impl_->port(); }
 std::string Console::url() const { return impl_->url(); }
+void Console::begin_again() { impl_->begin_again(); }
 void Console::attach(std::function<void()> wake) { impl_->attach(std::move(wake)); }
 void Console::detach() { impl_->attach({}); }
 std::vector<wire::Sample> Console::take() { return impl_->take(); }

@@ -25,6 +25,15 @@ void Feed::add(std::string json) {
   drop_events();
 }
 
+void Feed::begin_again(std::string json) {
+  entries_.clear();
+  keys_.clear();
+  events_.clear();
+  bytes_ = 0;
+  dropped_ = 0;
+  add(std::move(json));
+}
+
 void Feed::drop_events() {
   while (events_.size() > kEvents || bytes_ > kEventBytes) {
     const auto oldest = events_.begin();

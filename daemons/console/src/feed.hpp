@@ -19,6 +19,10 @@ class Feed {
   /// Kept until there are more than kEvents, or kEventBytes of them.
   void add(std::string json);
 
+  /// Forgets all values and events; readers are told the line that says so, and what is put after
+  /// it.
+  void begin_again(std::string json);
+
   bool has_news(std::uint64_t cursor) const { return version_ > cursor; }
   /// What came after the cursor, oldest first, as server-sent events, until it is at least `most`
   /// bytes; the cursor moves on.

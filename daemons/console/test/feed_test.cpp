@@ -35,6 +35,20 @@ TEST(Feed, TellsValuesAndEventsInTheOrderInWhichTheyCame) {
   EXPECT_EQ(feed.take(cursor, kAll), "");
 }
 
+TEST(Feed, AStoryFromItsBeginningLeavesNothingOfTheOneBefore) {
+  Feed feed;
+  feed.set("a", "1");
+  feed.add("2");
+  std::uint64_t reader = 0, late = 0;
+  (void)feed.take(reader, kAll);
+
+  feed.begin_again("again");
+  feed.set("a", "1");
+
+  EXPECT_EQ(data_of(feed.take(reader, kAll)), (std::vector<std::string>{"again", "1"}));
+  EXPECT_EQ(data_of(feed.take(late, kAll)), (std::vector<std::string>{"again", "1"}));
+}
+
 TEST(Feed, WhoComesLateIsToldTheLastOfEachValueAndAllEvents) {
   Feed feed;
   for (int i = 0; i < 5; ++i) {

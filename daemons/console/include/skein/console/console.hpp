@@ -43,6 +43,9 @@ class Console final : public node::Companion {
   /// What to open in a browser; with the token when one is needed.
   std::string url() const;
 
+  /// Pages forget what they were told; what it sees from now on is a story from its beginning.
+  void begin_again();
+
   void attach(std::function<void()> wake) override;
   void detach() override;
   std::string speaks_as() const override { return "operator"; }

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines of an event log as the samples that the page knows.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "skein/blackboard/wire.hpp"
+#include "skein/journal/record.hpp"
+
+namespace skein::replay_tool {
+
+/// Gives for each line the samples that it changes; a line that says nothing the page shows gives
+/// none. Nodes are numbered as in a roster: the ground station 1, UAVs from 10 in the order given.
+/// Lines about UAVs that are not among them are passed over. Not safe to share between threads.
+class Retold {
+ public:
+  explicit Retold(const std::vector<std::string>& uavs);
+
+  std::vector<wire::Sample> see(const journal::Record& record);
+
+ private:
+  struct Uav {
+    wire::UavBoard board;
+    wire::UavTasks tasks;
+    std::map<std::uint64_t, wire::PlanEntry> plan;
+  };
+  using Teller = std::vector<wire::Sample> (Retold::*)(const journal::Record&, Uav&);
+  static const std::map<std::string, Teller, std::less<>>& tellers();
+
+  std::vector<wire::Sample> take_telemetry(const journal::Record& record, Uav& uav);
+  std::vector<wire::Sample> take_degree(const journal::Record& record, Uav& uav);
+  std::vector<wire::Sample> take_hand(const journal::Record& record, Uav& uav);
+  std::vector<wire::Sample> take_task(const journal::Record& record, Uav& uav);
+  std::vector<wire::Sample> take_goal(const journal::Record& record, Uav& uav);
+  std::vector<wire::Sample> take_plan(const journal::Record& record, Uav& uav);
+  std::vector<wire::Sample> take_planned(const journal::Record& record, Uav& uav);
+  std::vector<wire::Sample> take_decision(const journal::Record& record, Uav& uav);
+  /// Lines about no UAV; false: none of these.
+  bool take_for_all(const journal::Record& record, std::vector<wire::Sample>& news);
+  std::vector<wire::Sample> take_reach(const journal::Record& record);
+  void take_alarm(const journal::Record& record);
+  void take_command(const journal::Record& record);
+  wire::Sample link(const journal::Record& record) const;
+  std::uint32_t number_of(std::string_view node) const;
+
+  std::map<std::string, Uav, std::less<>> uavs_;
+  wire::GroundBoard ground_;
+};
+
+}  // namespace skein::replay_tool

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "retold.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace skein::replay_tool {
+namespace {
+
+using journal::Record;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+Record line(double at, const std::string& node, const std::string& kind) {
+  return {MissionTime::seconds(at), node, kind};
+}
+
+Record task(double at, int id, const char* state) {
+  return line(at, "marvin", "task")
+      .with("uav", "marvin")
+      .with("task", id)
+      .with("type", "goto")
+      .with("state", state);
+}
+
+/// The last sample of a type.
+template <class T>
+T last(const std::vector<wire::Sample>& samples) {
+  T found;
+  for (const wire::Sample& sample : samples)
+    if (const auto* one = std::get_if<T>(&sample)) found = *one;
+  return found;
+}
+
+class ARetoldRun : public ::testing::Test {
+ protected:
+  std::vector<wire::Sample> see(const Record& record) { return retold.see(record); }
+  Retold retold{{"karma", "marvin"}};
+};
+
+TEST_F(ARetoldRun, TellsWhereAUavWas) {
+  const auto news = see(line(7, "sim", "telemetry")
+                            .with("uav", "marvin")
+                            .with("position", std::vector<double>{1, 2, 30})
+                            .with("velocity", std::vector<double>{3, 0, 0})
+                            .with("heading", 0.5)
+                            .with("energy", 0.8)
+                            .with("airborne", true));
+
+  const auto telemetry = last<wire::Telemetry>(news);
+  EXPECT_EQ(telemetry.uav, "marvin");
+  EXPECT_EQ(telemetry.position, (wire::Vector3{1, 2, 30}));
+  EXPECT_EQ(telemetry.header.mission_time, 7'000'000'000);
+  const auto board = last<wire::UavBoard>(news);
+  EXPECT_EQ(board.header.instance, 11U);
+  EXPECT_EQ(board.located_at, 7'000'000'000);
+  EXPECT_TRUE(board.airborne);
+}
+
+TEST_F(ARetoldRun, TellsTheStatesOfTasksAndSinceWhen) {
+  (void)see(task(3, 100, "scheduled"));
+  const auto tasks = last<wire::UavTasks>(see(task(5, 100, "running"))).tasks;
+
+  ASSERT_EQ(tasks.size(), 1U);
+  EXPECT_EQ(tasks[0].state, wire::TaskState::kRunning);
+  EXPECT_EQ(tasks[0].since, 5'000'000'000);
+  EXPECT_FALSE(tasks[0].at_ground);
+}
+
+TEST_F(ARetoldRun, KeepsThePlanButWhatIsOver) {
+  const auto planned = [](double at, int id) {
+    return line(at, "marvin", "planned")
+        .with("uav", "marvin")
+        .with("task", id)
+        .with("type", "goto");
+  };
+  (void)see(planned(1, 100));
+  (void)see(planned(1, 101));
+  (void)see(task(4, 100, "ended"));
+  const auto plan = last<wire::UavTasks>(see(planned(5, 102))).plan;
+
+  std::vector<std::uint64_t> ids;
+  for (const auto& entry : plan) ids.push_back(entry.id);
+  EXPECT_THAT(ids, ElementsAre(101, 102));
+}
+
+TEST_F(ARetoldRun, TellsAlarmsPhaseAndTheEnd) {
+  (void)see(line(1, "ground", "phase").with("name", "Search"));
+  (void)see(line(2, "ground", "alarm")
+                .with("alarm", 1)
+                .with("state", "raised")
+                .with("position", std::vector<double>{5, 6, 0})
+                .with("belief", 0.7));
+  (void)see(line(9, "ground", "alarm").with("alarm", 1).with("state", "confirmed"));
+  const auto board =
+      last<wire::GroundBoard>(see(line(20, "ground", "mission").with("state", "finished")));
+
+  EXPECT_EQ(board.phase, "Search");
+  ASSERT_EQ(board.alarms.size(), 1U);
+  EXPECT_EQ(board.alarms[0].state, wire::AlarmState::kConfirmed);
+  EXPECT_EQ(board.alarms[0].first_seen, 2'000'000'000);
+  EXPECT_TRUE(board.finished);
+}
+
+TEST_F(ARetoldRun, ACommandIsOneEntryFromIssueToItsEnd) {
+  const auto command = [](double at, const char* state) {
+    return line(at, "ground", "command")
+        .with("uav", "marvin")
+        .with("command", 4)
+        .with("what", "DEGREE 1")
+        .with("state", state);
+  };
+  (void)see(command(1, "issued"));
+  const auto commands = last<wire::GroundBoard>(see(command(2, "acknowledged"))).commands;
+
+  ASSERT_EQ(commands.size(), 1U);
+  EXPECT_EQ(commands[0].state, wire::CommandState::kAcknowledged);
+  EXPECT_EQ(commands[0].settled, 2'000'000'000);
+}
+
+TEST_F(ARetoldRun, ACutLinkIsTold) {
+  const auto link = last<wire::LinkState>(
+      see(line(1, "sim", "link").with("from", "ground").with("to", "karma").with("up", false)));
+
+  EXPECT_EQ(link.from, 1U);
+  EXPECT_EQ(link.to, 10U);
+  EXPECT_FALSE(link.up);
+}
+
+TEST_F(ARetoldRun, WhatThePageDoesNotShowAndUavsOfOthersArePassedOver) {
+  EXPECT_THAT(see(line(1, "marvin", "sync").with("id", "s")), IsEmpty());
+  EXPECT_THAT(see(line(1, "x", "degree").with("uav", "stranger").with("degree", 2)), IsEmpty());
+}
+
+// Whatever a line says, what is told can be sent: a damaged log must not end the replay.
+RC_GTEST_PROP(RetoldLaw, WhatIsToldIsWellFormedWhateverALineSays, ()) {
+  static const std::vector<std::string> kinds = {
+      "telemetry", "degree", "hand",  "task",  "goal",    "plan",  "planned",
+      "decision",  "link",   "reach", "alarm", "command", "phase", "mission"};
+  Retold retold({"marvin"});
+  Record record = line(*rc::gen::inRange(0, 1000), "ground", *rc::gen::elementOf(kinds));
+  record.with("uav", "marvin");
+  for (const char* key : {"task", "goal", "state", "position", "degree", "number", "alarm",
+                          "command", "way", "energy", "earliest_start"}) {
+    if (*rc::gen::arbitrary<bool>()) {
+      record.with(key, *rc::gen::arbitrary<double>());
+    } else if (*rc::gen::arbitrary<bool>()) {
+      record.with(key, *rc::gen::arbitrary<std::vector<double>>());
+    } else {
+      record.with(key, *rc::gen::string<std::string>());
+    }
+  }
+  for (const wire::Sample& sample : retold.see(record)) RC_ASSERT(!wire::to_json(sample).empty());
+}
+
+}  // namespace
+}  // namespace skein::replay_tool
