@@ -209,6 +209,7 @@ std::vector<Violation> idle_without_word(const History& history) {
   for (const auto& [name, uav] : history.uavs) {
     if (history.was_killed(name)) continue;
     std::optional<double> since;
+    std::set<std::int64_t> meant;  // goals that were open meanwhile: one may give way to another
     bool told = false;
     for (const Sample& sample : uav.samples) {
       const std::set<std::int64_t> open = open_goals(uav, sample.at);
@@ -216,13 +217,15 @@ std::vector<Violation> idle_without_word(const History& history) {
                         !occupied(uav, sample.at);
       if (!idle) {
         since.reset();
+        meant.clear();
         told = false;
         continue;
       }
       if (!since) since = sample.at;
+      meant.insert(open.begin(), open.end());
       if (told || sample.at - *since < kPause) continue;
       told = true;
-      if (named(uav, open, *since - kPause, sample.at)) continue;
+      if (named(uav, meant, *since - kPause, sample.at)) continue;
       result.push_back({"", *since, name, *open.begin(),
                         "in the air with nothing under way for " + figure(kPause) + " s, goal " +
                             std::to_string(*open.begin()) +

@@ -39,12 +39,24 @@ std::optional<double> too_many(const std::vector<double>& instants, std::size_t 
   return std::nullopt;
 }
 
-void judge(const Uav& uav, std::vector<Violation>& result) {
+// What a role asked for is one request of its componel's: an attempt at a joint task that fails asks
+// for its way in and its way out.
+std::map<std::int64_t, std::string> componels_of(const History& history, const std::string& uav) {
+  std::map<std::int64_t, std::string> componels;
+  for (const RoleTaskTold& one : history.joint.tasks)
+    if (one.uav == uav) componels.emplace(one.task, " of " + one.role + " " + one.componel);
+  return componels;
+}
+
+void judge(const History& history, const Uav& uav, std::vector<Violation>& result) {
+  const std::map<std::int64_t, std::string> componels = componels_of(history, uav.name());
   std::map<std::pair<std::int64_t, std::string>, std::size_t> of_goals;
   std::map<std::string, std::vector<double>> alike;
   for (const Activity& one : uav.activities) {
     if (!refused(one) || uav.degree(one.from) != 4) continue;
-    const std::string what = one.type + ": " + without_figures(one.reason);
+    const auto componel = componels.find(one.task);
+    const std::string by = componel == componels.end() ? "" : componel->second;
+    const std::string what = one.type + by + ": " + without_figures(one.reason);
     const std::int64_t goal = uav.goal_of_task(one.task);
     alike[what].push_back(one.from);
     if (goal == 0 || ++of_goals[{goal, what}] != kOfAGoal + 1) continue;
@@ -77,7 +89,7 @@ bool is_repair(const Word& word) {
 std::vector<Violation> asked_again_and_again(const History& history) {
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
-    if (!history.was_killed(name)) judge(uav, result);
+    if (!history.was_killed(name)) judge(history, uav, result);
   }
   return result;
 }
