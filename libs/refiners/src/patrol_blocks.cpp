@@ -138,7 +138,7 @@ class Layouter {
 
   void cut_up(const std::vector<Vector2>& run, std::size_t first, Rows rows) {
     const std::size_t pieces = (run.size() + piece_ - 1) / piece_;
-    for (std::size_t i = 0; i < pieces; ++i) {
+    for (std::size_t i = 0; i < pieces && !is_late(kPlace); ++i) {
       const std::size_t from = i * run.size() / pieces, until = (i + 1) * run.size() / pieces;
       PatrolBlock block;
       block.track.assign(run.begin() + static_cast<std::ptrdiff_t>(from),
@@ -169,10 +169,10 @@ class Layouter {
   }
 
   /// Cells of the field perceived along a track, sorted, within the counted part of the footprint
-  /// where the lanes allow it.
+  /// where the lanes allow it. Not all, nor sorted, once the time is up: nothing is made of them.
   std::vector<std::uint32_t> seen_from(const std::vector<Vector2>& track, double part = 1) const {
     std::vector<std::uint32_t> seen;
-    for (std::size_t i = 0; i < track.size(); ++i) {
+    for (std::size_t i = 0; i < track.size() && !is_late(kCellSeen); ++i) {
       const Vector2& from = track[i == 0 ? 0 : i - 1];
       const Vector2& to = track[i];
       sight_.for_each_near(from, to, part * sight_.footprint(),
@@ -183,6 +183,7 @@ class Layouter {
                              if (sight_.is_unhidden(nearest, cell)) seen.push_back(slot);
                            });
     }
+    if (is_late(kCellSeen * static_cast<std::uint32_t>(seen.size()))) return seen;
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
     return seen;
@@ -226,6 +227,7 @@ class Layouter {
 
   /// Takes off both ends of a track what is not needed to perceive its cells.
   void trim(PatrolBlock& block) const {
+    if (is_late(kPlace)) return;
     std::sort(block.cells.begin(), block.cells.end());
     const auto suffices = [&](const std::vector<Vector2>& track) {
       const std::vector<std::uint32_t> seen = seen_from(track, kCounted);

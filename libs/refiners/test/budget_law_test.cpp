@@ -30,8 +30,11 @@ using world::Vector3;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr double kRoom = 0.5;  // [s]
 #else
-constexpr double kRoom = 0.1;  // [s]; on a quiet machine half of it is enough
+constexpr double kRoom = 0.05;  // [s]
 #endif
+/// The least of so many is told: what else the machine does costs processor time too, since caches
+/// and cores are shared.
+constexpr int kTries = 8;
 constexpr double kBudgets[] = {0, 0.02, 0.15};  // [s]
 
 double processor_seconds() {
@@ -50,7 +53,7 @@ template <class Query>
 void expect_in_time(const Query& query, const world::World& world, const std::string& what) {
   for (const double budget : kBudgets) {
     double late = 1e9;
-    for (int i = 0; i < 4 && late > kRoom; ++i) {
+    for (int i = 0; i < kTries && late > kRoom; ++i) {
       const double began = processor_seconds();
       Setting setting{world, {}, 1, nullptr};
       setting.budget.time_is_up = [&] { return processor_seconds() - began > budget; };
