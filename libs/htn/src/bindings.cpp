@@ -103,7 +103,13 @@ Bindings::Known Bindings::look_up(Term term, Base base, Term& out, int nesting) 
 }
 
 void Bindings::collect_unbound(Term term, Base base, std::vector<Term>& out) const {
-  std::vector<Term> rests{term};
+  const Term value = resolve(term, base);
+  if (!value.is(TermKind::kPair)) {
+    if (!plain(value) && std::find(out.begin(), out.end(), value) == out.end())
+      out.push_back(value);
+    return;
+  }
+  std::vector<Term> rests{value};
   while (!rests.empty()) {
     const Term next = resolve(rests.back(), base);
     rests.pop_back();

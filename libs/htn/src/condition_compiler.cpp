@@ -92,6 +92,7 @@ Goal atom_goal(const TermStore& store, Term pattern, Expression where) {
   goal.where = where;
   goal.flat = flat_arguments(store, pattern, goal.arguments);
   if (!goal.predicate.is(TermKind::kSymbol)) goal.arguments = store.items(store.cdr(pattern));
+  goal.positions.reserve(goal.arguments.size());
   for (std::size_t at = 0; at < std::min<std::size_t>(goal.arguments.size(), Path::kWhole); ++at) {
     const auto outer = static_cast<std::uint8_t>(at);
     goal.positions.push_back({{outer, Path::kWhole}, goal.arguments[at]});

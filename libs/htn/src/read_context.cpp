@@ -96,6 +96,7 @@ Expression next(Expression expression) { return {expression.document, (*expressi
 
 std::vector<Expression> parts(Expression list) {
   std::vector<Expression> out;
+  out.reserve(count(list));
   for (Expression at = first(list); at; at = next(at)) out.push_back(at);
   return out;
 }

@@ -94,6 +94,19 @@ std::uint32_t checked_index(std::size_t size) {
   return static_cast<std::uint32_t>(size);
 }
 
+// What stands for a number or string and all that are `equalp` to it.
+Term loose_leaf(TermStore& store, Term term) {
+  if (term.is(TermKind::kString)) return store.string(lowered(store.text(term)));
+  const Number& number = store.value(term);
+  const double exact = number.kind == NumberKind::kRatio ? to_double(number) : number.real;
+  constexpr double kExactInteger = 9007199254740992.0;
+  if (number.kind != NumberKind::kRatio && exact >= -kExactInteger && exact <= kExactInteger) {
+    const auto whole = static_cast<std::int64_t>(exact);
+    if (static_cast<double>(whole) == exact) return store.integer(whole);
+  }
+  return store.number(real(exact));
+}
+
 }  // namespace
 
 TermStore::TermStore()
@@ -178,12 +191,7 @@ Term TermStore::add_pair(Term car, Term cdr, std::size_t place) {
   pair_content_.push_back(static_cast<std::uint8_t>(content(car) | content(cdr)));
   pair_table_[place] = index + 1;
   if (pairs_.size() * 2 > pair_table_.size()) grow_pair_table();
-  const Term made{TermKind::kPair, index};
-  if ((pair_content_.back() & kHasLooseEqual) != 0) {
-    const Term representative = pair(loose(car), loose(cdr));
-    loose_pairs_.emplace(made, representative);
-  }
-  return made;
+  return {TermKind::kPair, index};
 }
 
 void TermStore::grow_pair_table() {
@@ -205,20 +213,31 @@ Term TermStore::object(std::shared_ptr<const std::any> value, std::string label)
   return {TermKind::kObject, index};
 }
 
-// Pairs know theirs from their making: no recursion into deep terms.
+// Of a pair it is worked out when it is first asked for, which few ever are, and from the inside:
+// no recursion into deep terms.
 Term TermStore::loose(Term term) {
   if ((content(term) & kHasLooseEqual) == 0) return term;
-  if (term.is(TermKind::kString)) return string(lowered(text(term)));
-  if (term.is(TermKind::kPair)) return loose_pairs_.at(term);
-  const Number& number_value = value(term);
-  if (number_value.kind == NumberKind::kRatio) return number(real(to_double(number_value)));
-  const double exact = number_value.real;
-  constexpr double kExactInteger = 9007199254740992.0;
-  if (exact >= -kExactInteger && exact <= kExactInteger) {
-    const auto whole = static_cast<std::int64_t>(exact);
-    if (static_cast<double>(whole) == exact) return integer(whole);
+  if (!term.is(TermKind::kPair)) return loose_leaf(*this, term);
+  const auto known = loose_pairs_.find(term);
+  if (known != loose_pairs_.end()) return known->second;
+  std::vector<Term> open{term};
+  const auto part = [&](Term inner) -> std::optional<Term> {
+    if ((content(inner) & kHasLooseEqual) == 0) return inner;
+    if (!inner.is(TermKind::kPair)) return loose_leaf(*this, inner);
+    const auto made = loose_pairs_.find(inner);
+    if (made != loose_pairs_.end()) return made->second;
+    open.push_back(inner);
+    return std::nullopt;
+  };
+  while (true) {
+    const Term next = open.back();
+    const std::optional<Term> head = part(car(next)), tail = part(cdr(next));
+    if (!head || !tail) continue;
+    open.pop_back();
+    const Term representative = pair(*head, *tail);
+    loose_pairs_.emplace(next, representative);
+    if (open.empty()) return representative;
   }
-  return number(real(exact));
 }
 
 std::vector<Term> TermStore::items(Term list) const {
