@@ -8,7 +8,7 @@
 //   skein_refiners_patrol_bench --risk FILE.asc…  maps of risk from files (ESRI ASCII, 0 to 1),
 //   with
 //                                                 footprints of 1, 2 and 3 cells, beside the least
-//                                                 ratios that any patrol could have
+//                                                 means that flights along lanes can have
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -146,8 +146,38 @@ world::GroundState read_risk(const char* file) {
   return ground;
 }
 
-/// Ratios to the lawn mower, and the least that any patrol could have: in ground without grain, of
-/// which a footprint passes over so much in a second. Source: notes/geometry, section 4.
+/// Cells in view at once at most: centres in a disc around any point, tried a twentieth of a cell
+/// apart.
+std::size_t most_in_view(double footprint) {
+  std::size_t most = 0;
+  const auto reach = static_cast<int>(footprint) + 2;
+  for (int x = 0; x < 20; ++x)
+    for (int y = 0; y < 20; ++y) {
+      std::size_t seen = 0;
+      for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j)
+          seen += std::hypot(i - x / 20.0, j - y / 20.0) <= footprint + 1e-9 ? 1 : 0;
+      most = std::max(most, seen);
+    }
+  return most;
+}
+
+/// What the mean idleness by risk is not below in a flight of which each second brings at most
+/// `rate` cells into view. Proof: docs/decisions/0008-refiners.md.
+double least_mean(const world::GroundState& ground, double least_risk, double footprint,
+                  double rate) {
+  double roots = 0, sum = 0;
+  for (const double risk : ground.risk) {
+    roots += std::sqrt(std::max(risk, least_risk));
+    sum += std::max(risk, least_risk);
+  }
+  roots -= static_cast<double>(most_in_view(footprint));
+  return roots * roots / (2 * rate * sum);
+}
+
+/// Ratios to the lawn mower, and the least that flights can have of which a metre brings 2 σ cells
+/// into view, as that of every lane between rows, or 2 σ + 1, as that of one along the middle of a
+/// row, which just touches the outermost.
 void run_file(const char* file, const world::GroundState& ground, double footprint) {
   const Case c{.side = ground.grid.columns,
                .cell = 1,
@@ -163,16 +193,14 @@ void run_file(const char* file, const world::GroundState& ground, double footpri
   const NaiveFigures mower =
       simulate(c, world, query, lawn_mower(extent, extent, footprint, 1, c.duration));
   const Row ours = planned(c, world, query, PatrolMode::kCommitted);
-  double roots = 0, sum = 0;
-  for (const double risk : ground.risk) {
-    roots += std::sqrt(std::max(risk, query.least_risk));
-    sum += std::max(risk, query.least_risk);
-  }
-  const double rate = 2 * footprint;
+  const auto ratio = [&](double rate) {
+    return least_mean(ground, query.least_risk, footprint, rate) / mower.mean;
+  };
   std::printf(
-      "%s, footprint %g: mean %.3f (no patrol below %.3f)  max r*idle %.3f (%.3f)  %.2f s\n", file,
-      footprint, ours.figures.mean / mower.mean, roots * roots / (2 * rate * sum) / mower.mean,
-      ours.figures.worst_risk / mower.worst_risk, sum / rate / mower.worst_risk, ours.seconds);
+      "%s, footprint %g: mean %.3f (lanes between rows not below %.3f, any lane %.3f)  max r*idle "
+      "%.3f  %.2f s\n",
+      file, footprint, ours.figures.mean / mower.mean, ratio(2 * footprint),
+      ratio(2 * footprint + 1), ours.figures.worst_risk / mower.worst_risk, ours.seconds);
   std::fflush(stdout);
 }
 
