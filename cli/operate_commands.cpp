@@ -146,7 +146,7 @@ class Verbs {
                                 if (words.interrupt) what["interrupt"] = true;
                                 if (words.hold) what["resume"] = false;
                               });
-    degree->add_option("to", words_->degree, "1 to 4")->required()->check(CLI::Range(1, 4));
+    degree->add_option("to", words_->degree, "1 to 5")->required()->check(CLI::Range(1, 5));
     degree->add_flag("--interrupt", words_->interrupt, "What runs is interrupted");
     degree->add_flag("--hold", words_->hold, "Up to 4: what was handed over stays handed over");
   }

@@ -111,7 +111,8 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
   config.pps = scenario.ground.pps;
   config.missions = mission_knowledge(scenario);
   return std::make_unique<ground::GroundNode>(config, world::Terrain(scenario.world.terrain),
-                                              roster_of(scenario), request_reader(scenario));
+                                              roster_of(scenario), request_reader(scenario),
+                                              scenario.team);
 }
 
 std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& uav) {
@@ -124,6 +125,7 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
   const world::Terrain terrain(scenario.world.terrain);
   config.home = {uav.start.x(), uav.start.y(),
                  terrain.elevation(uav.start.x(), uav.start.y()) + kHomeAltitude};
+  if (scenario.team && scenario.team->roster.number_of(uav.name)) config.team = scenario.team;
   if (scenario.planning) {
     const auto& first_ids = scenario.planning->first_ids;
     const auto first = first_ids.find(uav.name);

@@ -159,7 +159,8 @@ Diagnostics planning_problems(const Scenario& scenario) {
   for (const UavSpec& uav : scenario.uavs) {
     if (uav.degree < 4) continue;
     diagnostics.add({scenario.file, 0, 0, "",
-                     "degree 4 of " + uav.name + ": nothing is said of planning on board",
+                     "degree " + std::to_string(uav.degree) + " of " + uav.name +
+                         ": nothing is said of planning on board",
                      "planning: {domain: FILE}", ""});
   }
   return diagnostics;

@@ -14,7 +14,7 @@ namespace {
 // "marvin=1", or "2" for everybody.
 struct Assignment {
   std::optional<std::string> uav;  ///< absent: all
-  int degree = 0;                  ///< 0: it was none from 1 to 4
+  int degree = 0;                  ///< 0: it was none from 1 to 5
 };
 
 Assignment parsed(const std::string& text) {
@@ -22,7 +22,7 @@ Assignment parsed(const std::string& text) {
   Assignment result;
   if (equals != std::string::npos) result.uav = text.substr(0, equals);
   const std::string degree = equals == std::string::npos ? text : text.substr(equals + 1);
-  const bool valid = degree.size() == 1 && degree[0] >= '1' && degree[0] <= '4';
+  const bool valid = degree.size() == 1 && degree[0] >= '1' && degree[0] <= '5';
   if (valid) result.degree = degree[0] - '0';
   return result;
 }
@@ -30,14 +30,20 @@ Assignment parsed(const std::string& text) {
 void set_degree(const std::string& text, scenario::Scenario& scenario, Diagnostics& diagnostics) {
   const Assignment assignment = parsed(text);
   if (assignment.degree == 0) {
-    diagnostics.add({"", 0, 0, "--degree", "'" + text + "'", "1, 2, 3 or 4, or UAV=DEGREE", ""});
+    diagnostics.add({"", 0, 0, "--degree", "'" + text + "'", "1, 2, 3, 4 or 5, or UAV=DEGREE", ""});
     return;
   }
   bool found = false;
   for (scenario::UavSpec& uav : scenario.uavs) {
     if (assignment.uav && uav.name != *assignment.uav) continue;
-    uav.degree = assignment.degree;
     found = true;
+    if (mission::allocates(assignment.degree) &&
+        !(scenario.team && scenario.team->roster.number_of(uav.name))) {
+      diagnostics.add({"", 0, 0, "--degree", uav.name + " is in no team: '" + text + "'",
+                       "team: {members: [UAV...]} in the scenario", ""});
+      continue;
+    }
+    uav.degree = assignment.degree;
   }
   if (!found && assignment.uav) {
     diagnostics.add({"", 0, 0, "--degree", "no UAV '" + *assignment.uav + "'", "",

@@ -10,6 +10,9 @@
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
+#include "skein/translation/team.hpp"
+#include "skein/translation/team_lines.hpp"
+#include "team_lines.hpp"
 
 namespace skein::ddn {
 
@@ -43,6 +46,7 @@ DdnNode::DdnNode(DdnConfig config, node::Roster roster)
       functional_(roster_.functional_of(roster_.find(uav_)->number)),
       contact_policy_(to_text(config.contact_policy)),
       deliberation_(config.deliberation),
+      team_(config.team ? config.team->roster : team::Roster()),
       decision_(decision_config(config, roster_)) {}
 
 node::Effects DdnNode::handle(const node::Input& input, MissionTime now) {
@@ -193,6 +197,10 @@ void DdnNode::carry_out(const dn::SendNegotiation& effect) {
   send(roster_.find(effect.to)->number, to_wire(effect.message, effect.to), now_ + kSaidAgain);
 }
 
+void DdnNode::carry_out(const dn::SendTeam& effect) {
+  send(roster_.find(effect.to)->number, to_wire(effect.message), now_ + kSaidAgain);
+}
+
 void DdnNode::carry_out(const dn::JointTaskChanged& effect) {
   log(line_of(writer(), effect.status));
   const wire::JointTaskState sample = to_wire(effect.status);
@@ -241,6 +249,12 @@ void DdnNode::carry_out(const dn::PolicyCarriedOut& effect) {
 
 void DdnNode::carry_out(const dn::Notice& effect) {
   log(record("notice").with("uav", uav_).with("text", effect.text));
+}
+
+void DdnNode::carry_out(const dn::SaleNoted& effect) {
+  for (journal::Record& line : translation::sale_lines(writer(), effect.what, team_)) {
+    log(std::move(line));
+  }
 }
 
 void DdnNode::carry_out(const supervisor::GoalChanged& effect) {

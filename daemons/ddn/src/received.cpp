@@ -6,6 +6,7 @@
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
+#include "skein/translation/team.hpp"
 
 namespace skein::ddn {
 
@@ -64,6 +65,14 @@ dn::SyncMessage input_of(const wire::SyncMessage& sample) {
   return {read.id, read.from, sample.to, read.word, MissionTime::nanoseconds(sample.said)};
 }
 
+// What makes no sense is as if it had not come: it is said again.
+template <class Sample>
+std::optional<Input> team_told(const Sample& sample, const Sender& sender) {
+  auto message = from_wire(sample);
+  if (!message) return std::nullopt;
+  return dn::TeamTold{sender.name, std::move(*message)};
+}
+
 }  // namespace
 
 std::string why_not(const wire::Sample& sample, const Sender& sender) {
@@ -119,6 +128,8 @@ std::optional<Input> input_of(const wire::Sample& sample, const Sender& sender) 
             return dn::JointTaskTold{from_wire(it),
                                      MissionTime::nanoseconds(it.header.mission_time)};
           },
+          [&](const wire::TeamMessage& it) -> Result { return team_told(it, sender); },
+          [&](const wire::TeamSale& it) -> Result { return team_told(it, sender); },
           [](const wire::PerceptionReport& it) -> Result { return from_wire(it); },
           [](const auto&) -> Result { return std::nullopt; }},
       sample);

@@ -32,21 +32,28 @@ wire::AlarmState wire_state(gs::AlarmState state) {
 }  // namespace
 
 GroundNode::GroundNode(const gs::GroundConfig& config, world::Terrain terrain, node::Roster roster,
-                       ReadRequest read_request)
+                       ReadRequest read_request, std::optional<team::Config> team)
     : terrain_(std::move(terrain)),
       roster_(std::move(roster)),
       read_request_(std::move(read_request)),
-      control_(config, terrain_) {}
+      control_(config, terrain_) {
+  if (!team || !team->roster.number_of("ground")) return;
+  std::vector<std::string> uavs;
+  for (const gs::GroundUav& uav : config.uavs) uavs.push_back(uav.name);
+  team_.emplace(*team, "ground", config.missions, std::move(uavs));
+}
 
 node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
   now_ = now;
   out_.clear();
-  const auto mine = input_of(input);
-  const auto effects = control_.handle(mine.value_or(Input(gs::Tick{})), now);
-  for (const auto& effect : effects) {
-    std::visit([this](const auto& one) { carry_out(one); }, effect);
+  happened_ = false;
+  const bool of_team = hear_team(input);
+  const auto mine = of_team ? std::nullopt : input_of(input);
+  tell_control(mine.value_or(Input(gs::Tick{})));
+  if (!of_team && team_ && team_->next_wakeup() && *team_->next_wakeup() <= now) {
+    tell_team(gs::Tick{});
   }
-  boards_.something_happened(mine || !effects.empty());
+  boards_.something_happened(mine || happened_);
   if (boards_.is_due(now)) {
     for (wire::Sample& board : boards_.news(control_, roster_, now)) {
       out_.push_back(node::Publish{std::move(board)});
@@ -56,7 +63,8 @@ node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
 }
 
 std::optional<MissionTime> GroundNode::next_wakeup() const {
-  return earliest(control_.next_wakeup(), boards_.next_wakeup());
+  const auto wakeup = earliest(control_.next_wakeup(), boards_.next_wakeup());
+  return team_ ? earliest(wakeup, team_->next_wakeup()) : wakeup;
 }
 
 // ---- what comes in ----

@@ -80,7 +80,7 @@ Result<mission::Argument, std::string> argument_of(const wire::Parameter& argume
   return tl::unexpected<std::string>("'" + argument.name + "' is not a kind of argument");
 }
 
-wire::MissionTask to_wire(const mission::HighLevelTask& task) {
+wire::MissionTask wire_task(const mission::HighLevelTask& task) {
   wire::MissionTask result;
   result.id = task.id.value();
   result.name = task.name;
@@ -152,6 +152,12 @@ std::string to_text(const wire::Violation& violation) {
   return violation.field + ": " + violation.why;
 }
 
+wire::MissionTask to_wire(const mission::HighLevelTask& task) { return wire_task(task); }
+
+Read<mission::HighLevelTask> from_wire(const wire::MissionTask& task, const std::string& path) {
+  return task_of(task, path);
+}
+
 wire::RequestKind to_wire(mission::RequestKind kind) {
   return static_cast<wire::RequestKind>(kind);
 }
@@ -168,7 +174,7 @@ wire::MissionRequest to_wire(const mission::UnitMission& mission) {
   result.achieve_any = mission.any;
   result.asked_by = mission.asked_by;
   result.evaluate = mission.evaluate;
-  for (const mission::HighLevelTask& task : mission.tasks) result.tasks.push_back(to_wire(task));
+  for (const mission::HighLevelTask& task : mission.tasks) result.tasks.push_back(wire_task(task));
   return result;
 }
 
@@ -202,7 +208,7 @@ wire::DegreeCommand to_wire(const mission::ChangeDegree& change, const std::stri
 Read<mission::ChangeDegree> from_wire(const wire::DegreeCommand& command) {
   const int degree = command.degree;
   if (degree < mission::kLeastDegree || degree > mission::kGreatestDegree) {
-    return wrong("degree", std::to_string(degree) + " is not a degree from 1 to 4");
+    return wrong("degree", std::to_string(degree) + " is not a degree from 1 to 5");
   }
   return mission::ChangeDegree{degree, command.interrupt, command.resume};
 }

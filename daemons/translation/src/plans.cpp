@@ -206,7 +206,7 @@ Read<mission::HandOver> from_wire(const wire::HandOver& hand_over) {
   const int degree = hand_over.degree;
   if (degree < mission::kLeastDegree || degree > mission::kGreatestDegree) {
     return tl::unexpected<wire::Violation>(
-        {"degree", std::to_string(degree) + " is not a degree from 1 to 4"});
+        {"degree", std::to_string(degree) + " is not a degree from 1 to 5"});
   }
   mission::HandOver result;
   result.degree = degree;

@@ -6,6 +6,17 @@
 
 namespace skein::auction {
 
+std::string TeamMember::Core::name(MemberNumber member) const {
+  const auto found = setup_.names.find(member);
+  return found == setup_.names.end() ? to_text(member) : found->second;
+}
+
+std::string TeamMember::Core::names(const std::vector<MemberNumber>& members) const {
+  std::string text;
+  for (const MemberNumber member : members) text += (text.empty() ? "" : ", ") + name(member);
+  return text;
+}
+
 // The next revision; the one before stays as it was with whom has it.
 Ledger& TeamMember::Core::draft() {
   auto next = std::make_shared<Ledger>(ledger());
@@ -78,7 +89,8 @@ void TeamMember::Core::admit(const GivenMission& mission) {
 }
 
 void TeamMember::Core::end_claims(MemberNumber member, const Status& status) {
-  const auto end = [&](const Claim& claim, std::set<MemberNumber> LedgerEntry::*where) {
+  const auto end = [&](const Claim& claim, std::set<MemberNumber> LedgerEntry::*where,
+                       const std::string& why) {
     const auto found = ledger().entries.find(claim.task);
     if (found == ledger().entries.end() || found->second.sale != claim.sale) return;
     const LedgerEntry& entry = found->second;
@@ -88,14 +100,17 @@ void TeamMember::Core::end_claims(MemberNumber member, const Status& status) {
     if (entry.finished.contains(member) || entry.stopped.contains(member)) return;
     LedgerEntry& changed = change(claim.task);
     (changed.*where).insert(member);
-    settle(changed);
+    settle(changed, why);
   };
-  for (const Claim& claim : status.done) end(claim, &LedgerEntry::finished);
-  for (const Claim& claim : status.stopped) end(claim, &LedgerEntry::stopped);
+  for (const Claim& claim : status.done) end(claim, &LedgerEntry::finished, "");
+  for (std::size_t i = 0; i < status.stopped.size(); ++i) {
+    const bool told = i < status.stopped_why.size() && !status.stopped_why[i].empty();
+    end(status.stopped[i], &LedgerEntry::stopped, told ? ": " + status.stopped_why[i] : "");
+  }
 }
 
 // Once all its owners have spoken: done, or for sale again.
-void TeamMember::Core::settle(LedgerEntry& entry) {
+void TeamMember::Core::settle(LedgerEntry& entry, const std::string& why) {
   if (entry.finished.size() + entry.stopped.size() < entry.owners.size() &&
       entry.stage == Stage::kGranted) {
     return;
@@ -104,7 +119,7 @@ void TeamMember::Core::settle(LedgerEntry& entry) {
     entry.stage = Stage::kDone;
     entry.why = "done";
   } else {
-    put_up(entry, "put back by " + to_text(*entry.stopped.begin()));
+    put_up(entry, "put back by " + name(*entry.stopped.begin()) + why);
   }
 }
 
@@ -170,8 +185,8 @@ void TeamMember::Core::resell() {
   }
   for (const auto& [task, owner] : silent) {
     put_up(change(task),
-           to_text(owner) + (ledger().lost.contains(owner) ? " was declared lost"
-                                                           : " was silent beyond its lease"));
+           name(owner) + (ledger().lost.contains(owner) ? " was declared lost"
+                                                        : " was silent beyond its lease"));
   }
 }
 

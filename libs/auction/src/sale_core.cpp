@@ -101,10 +101,29 @@ void Auctioneer::Core::call(MissionTime now, SaleEffects& effects) {
   if (awaited_.empty()) finish(effects);
 }
 
+// An offer for the route and the items that were called, as far as can be seen.
+bool Auctioneer::Core::makes_sense(const Offer& offer, std::size_t member) const {
+  const auto route = without_items_.find(member);
+  if (route == without_items_.end() || offer.items.size() != items_.size()) return false;
+  const std::size_t length = route->second.tasks.size();
+  const bool between = items_.size() > 1 && offer.between.size() != items_.size() * items_.size();
+  if (between || offer.legs.size() != length + 1) return false;
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    const ItemPrice& price = offer.items[i];
+    if (price.item != items_[i]) return false;
+    for (std::size_t g = 0; g < price.gaps.size(); ++g) {
+      const std::uint32_t gap = price.gaps[g].gap;
+      const bool in_order = g == 0 || price.gaps[g - 1].gap < gap;
+      if (!in_order || gap < route->second.fixed || gap > length) return false;
+    }
+  }
+  return true;
+}
+
 void Auctioneer::Core::on_offer(const Offer& offer, MissionTime now, SaleEffects& effects) {
   const auto found = index_.find(offer.member);
   if (phase_ != Phase::kCalling || found == index_.end() || offer.round != round_) return;
-  if (awaited_.erase(found->second) == 0) return;
+  if (!makes_sense(offer, found->second) || awaited_.erase(found->second) == 0) return;
   Member& member = members_[found->second];
   Offer& kept = offers_[found->second] = offer;
   member.abilities = offer.abilities;
@@ -200,9 +219,17 @@ void Auctioneer::Core::award(Deal deal, MissionTime now, SaleEffects& effects) {
   if (deal_->awaited.empty()) close_deal(now, effects);
 }
 
+bool Auctioneer::Core::has_legs(const Answer& answer, std::size_t member) const {
+  for (std::size_t r = 0; r < deal_->routes.size(); ++r) {
+    if (deal_->routes[r] == member) return answer.legs.size() == deal_->draft.tasks(r).size() + 1;
+  }
+  return false;
+}
+
 void Auctioneer::Core::on_answer(const Answer& answer, MissionTime now, SaleEffects& effects) {
   const auto found = index_.find(answer.member);
   if (phase_ != Phase::kAwarding || found == index_.end() || answer.round != round_) return;
+  if (!answer.refusal && !has_legs(answer, found->second)) return;
   if (deal_->awaited.erase(found->second) == 0) return;
   if (answer.refusal) {
     Member& member = members_[found->second];

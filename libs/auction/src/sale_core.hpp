@@ -55,6 +55,8 @@ class Auctioneer::Core {
     Abilities abilities = 0;
   };
 
+  bool makes_sense(const Offer& offer, std::size_t member) const;
+  bool has_legs(const Answer& answer, std::size_t member) const;
   void next_round(MissionTime now, SaleEffects& effects);
   void call(MissionTime now, SaleEffects& effects);
   void decide(MissionTime now, SaleEffects& effects);

@@ -12,12 +12,6 @@ namespace {
 constexpr int kSalesOfATerm = 24;         // bits
 constexpr std::int64_t kRetryLeases = 6;  // until what nobody could do is called again
 
-std::string names(const std::vector<MemberNumber>& members) {
-  std::string text;
-  for (const MemberNumber member : members) text += (text.empty() ? "" : ", ") + to_text(member);
-  return text;
-}
-
 std::string worth(const Value& value) {
   return to_text(Duration::milliseconds(static_cast<std::int64_t>(value.first * 1e3)));
 }
@@ -32,22 +26,35 @@ class NoCraft : public Craft {
 
 }  // namespace
 
-// Who was heard lately and can do anything at all.
+// Who was heard lately and bids.
 std::set<MemberNumber> TeamMember::Core::present() const {
   std::set<MemberNumber> members = heard_since(now_ - setup_.limits.patience);
-  members.insert(setup_.self);
+  std::erase_if(members, [this](MemberNumber member) { return !known_.at(member).bids; });
+  if (bids_) members.insert(setup_.self);
   std::erase_if(members, [this](MemberNumber member) { return ledger().lost.contains(member); });
   return members;
 }
 
 // Something has no owner, or somebody is there that the last sale was without.
 bool TeamMember::Core::worth_selling(const std::set<MemberNumber>& present) const {
+  if (present.empty()) return false;
   const auto is_new = [this](MemberNumber member) { return !took_part_.contains(member); };
   const bool joined = now_ >= rest_until_ && std::any_of(present.begin(), present.end(), is_new);
   return std::any_of(ledger().entries.begin(), ledger().entries.end(), [&](const auto& each) {
     const Stage stage = each.second.stage;
     return stage == Stage::kForSale || (joined && stage == Stage::kOwned) ||
            (stage == Stage::kUnsold && (joined || now_ >= retry_at_));
+  });
+}
+
+// Who bids has been told what the tasks are: the ledger says it, calls do not.
+bool TeamMember::Core::all_know_what_is_for_sale(const std::set<MemberNumber>& present) const {
+  std::uint64_t newest = 0;
+  for (const auto& [task, entry] : ledger().entries) {
+    if (entry.stage == Stage::kForSale) newest = std::max(newest, entry.revision);
+  }
+  return std::all_of(present.begin(), present.end(), [&](MemberNumber member) {
+    return member == setup_.self || known_.at(member).revision >= newest;
   });
 }
 
@@ -99,11 +106,14 @@ Holding TeamMember::Core::holding(MemberNumber member) const {
   return holding;
 }
 
-ToAuctioneer TeamMember::Core::answer(const ToMember& call) const {
+ToAuctioneer TeamMember::Core::answer(const ToMember& call) {
   const auto& lot = std::visit([](const auto& message) { return message.lot; }, call);
   const std::unique_ptr<const Craft> craft =
       setup_.craft ? setup_.craft(lot, now_) : std::make_unique<const NoCraft>();
-  return Bidder(setup_.self, *craft).handle(call);
+  ToAuctioneer said = Bidder(setup_.self, *craft).handle(call);
+  const auto* offer = std::get_if<Offer>(&said);
+  if (offer != nullptr && offer->round == 1) effects_.emplace_back(Offered{*offer});
+  return said;
 }
 
 // One after the other: a team of one sells a whole lot without a message.
@@ -137,7 +147,7 @@ Lot TeamMember::Core::sound_lot() {
 
 void TeamMember::Core::sell() {
   const std::set<MemberNumber> here = present();
-  if (!worth_selling(here)) return;
+  if (!worth_selling(here) || !all_know_what_is_for_sale(here)) return;
   std::vector<TaskNumber> again;
   for (const auto& [task, entry] : ledger().entries) {
     if (entry.stage == Stage::kUnsold) again.push_back(task);
@@ -185,7 +195,7 @@ void TeamMember::Core::explain(const SaleEffect& effect) {
                    std::string& why = sale_->why[unsold.task];
                    why = unsold.together;
                    for (const auto& [member, reason] : unsold.reasons) {
-                     why += (why.empty() ? "" : "; ") + to_text(member) + ": " + reason;
+                     why += (why.empty() ? "" : "; ") + name(member) + ": " + reason;
                    }
                  },
                  [this](const Rejected& rejected) {

@@ -26,12 +26,15 @@ class TeamMember::Core {
   std::optional<MissionTime> next_wakeup() const;
   bool holds_token() const { return role_ == Role::kHolder; }
   const Ledger& ledger() const { return *disk_.ledger; }
+  bool has_ended(const Claim& claim) const;
 
  private:
   enum class Role { kFollower, kCandidate, kHolder };
   struct Known {
     MissionTime heard;
-    std::uint64_t revision = 0;
+    std::uint64_t revision = 0;  ///< the greatest that it had
+    std::uint64_t last = 0;      ///< as last said: less, once it forgot
+    bool bids = true;
     std::optional<Status> news;  ///< not yet looked at
   };
   // A sale held here, and what the ledger was when it began.
@@ -65,7 +68,7 @@ class TeamMember::Core {
   void take_status(MemberNumber member, const Status& status);
   void admit(const GivenMission& mission);
   void end_claims(MemberNumber member, const Status& status);
-  void settle(LedgerEntry& entry);
+  void settle(LedgerEntry& entry, const std::string& why);
   void grant();
   bool may_begin(const LedgerEntry& entry) const;
   bool all_before_done(const LedgerEntry& entry) const;
@@ -78,9 +81,10 @@ class TeamMember::Core {
   void sell();
   bool worth_selling(const std::set<MemberNumber>& present) const;
   std::set<MemberNumber> present() const;
+  bool all_know_what_is_for_sale(const std::set<MemberNumber>& present) const;
   Lot lot_for_sale() const;
   Lot sound_lot();
-  ToAuctioneer answer(const ToMember& call) const;
+  ToAuctioneer answer(const ToMember& call);
   void answer_own_calls();
   Holding holding(MemberNumber member) const;
   void take(SaleEffects effects);
@@ -96,6 +100,9 @@ class TeamMember::Core {
   void give_up_claims();
   void store() { stored_ = true; }
   void tell(MemberNumber to, TeamMessage message);
+  void put_back(const TaskPutBack& back);
+  std::string name(MemberNumber member) const;
+  std::string names(const std::vector<MemberNumber>& members) const;
 
   TeamSetup setup_;
   Disk disk_;
@@ -118,7 +125,7 @@ class TeamMember::Core {
   std::optional<MissionTime> idle_since_;
   std::map<MemberNumber, std::vector<Claim>> wants_;  ///< as last said
   std::set<MemberNumber> declared_lost_;
-  bool stored_ = false, started_ = false;
+  bool stored_ = false, started_ = false, bids_ = true;
   TeamEffects effects_;
 };
 

@@ -20,6 +20,7 @@ TeamMember::Core::Core(TeamSetup setup)
       disk_(std::move(setup_.disk)),
       random_(setup_.seed, "auction/team/" + to_text(setup_.self)) {
   if (!disk_.ledger) disk_.ledger = std::make_shared<const Ledger>();
+  bids_ = setup_.craft != nullptr;
   // What ran when it crashed has stopped.
   for (const auto& [task, sale] : disk_.started) {
     const auto done = disk_.done.find(task);
@@ -46,13 +47,8 @@ TeamEffects TeamMember::Core::handle(const TeamInput& input, MissionTime now) {
                    running_.reset();
                    store();
                  },
-                 [this](const TaskPutBack& back) {
-                   const auto entry = ledger().entries.find(back.task);
-                   if (entry == ledger().entries.end() || !mine(entry->second)) return;
-                   disk_.stopped[back.task] = entry->second.sale;
-                   if (running_ && running_->task == back.task) running_.reset();
-                   store();
-                 },
+                 [this](const TaskPutBack& back) { put_back(back); },
+                 [this](const Bids& bids) { bids_ = bids.bids && setup_.craft != nullptr; },
                  [this](const DeclaredLost& lost) { declared_lost_.insert(lost.member); },
                  [](const Tick&) {},
              },
@@ -183,7 +179,9 @@ void TeamMember::Core::hold() {
 void TeamMember::Core::beat() {
   beat_at_ = now_ + setup_.limits.beat;
   for (const MemberNumber member : others()) {
-    tell(member, Beat{disk_.term, committed_, disk_.ledger});
+    const auto known = known_.find(member);
+    const bool has = known != known_.end() && known->second.last == ledger().revision;
+    tell(member, Beat{disk_.term, committed_, has ? nullptr : disk_.ledger});
   }
 }
 
@@ -192,7 +190,7 @@ void TeamMember::Core::on(const Beat& beat, MemberNumber from) {
   adopt_term(beat.term);
   follow();
   last_beat_ = now_;
-  if (newer(beat.ledger->term, beat.ledger->revision, ledger())) {
+  if (beat.ledger && newer(beat.ledger->term, beat.ledger->revision, ledger())) {
     disk_.ledger = beat.ledger;
     std::erase_if(disk_.missions, [this](const GivenMission& mission) {
       return ledger().missions.contains(mission.number);
@@ -209,6 +207,8 @@ void TeamMember::Core::on(const Status& status, MemberNumber from) {
   if (role_ != Role::kHolder || status.term < disk_.term) return;
   Known& known = known_[from];
   known.heard = now_;
+  known.last = status.revision;
+  known.bids = status.bids;
   known.revision = std::max(known.revision, status.revision);
   known.news = status;
 }
@@ -231,8 +231,11 @@ void TeamMember::Core::commit() {
 
 void TeamMember::Core::on(const ToMember& call, MemberNumber from) { tell(from, answer(call)); }
 
-void TeamMember::Core::on(const ToAuctioneer& answer, MemberNumber) {
-  if (sale_) take(sale_->auctioneer.handle(answer, now_));
+// Nobody bids for another.
+void TeamMember::Core::on(const ToAuctioneer& answer, MemberNumber from) {
+  ToAuctioneer said = answer;
+  std::visit([from](auto& one) { one.member = from; }, said);
+  if (sale_) take(sale_->auctioneer.handle(said, now_));
 }
 
 }  // namespace skein::auction

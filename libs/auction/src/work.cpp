@@ -13,9 +13,13 @@ bool TeamMember::Core::mine(const LedgerEntry& entry) const {
 
 // Under this sale, by this member.
 bool TeamMember::Core::ended(const LedgerEntry& entry) const {
+  return has_ended({entry.task.number, entry.sale});
+}
+
+bool TeamMember::Core::has_ended(const Claim& claim) const {
   const auto is = [&](const std::map<TaskNumber, std::uint64_t>& marks) {
-    const auto mark = marks.find(entry.task.number);
-    return mark != marks.end() && mark->second >= entry.sale;
+    const auto mark = marks.find(claim.task);
+    return mark != marks.end() && mark->second >= claim.sale;
   };
   return is(disk_.done) || is(disk_.stopped);
 }
@@ -49,7 +53,8 @@ bool TeamMember::Core::all_before_done(const LedgerEntry& entry) const {
 }
 
 Status TeamMember::Core::status() const {
-  Status status{disk_.term, ledger().revision, wants(), {}, {}, disk_.missions, declared_lost_};
+  Status status{disk_.term,     ledger().revision, wants(), {}, {},
+                disk_.missions, declared_lost_,    bids_,   {}};
   for (const auto& [task, sale] : disk_.done) {
     const auto entry = ledger().entries.find(task);
     if (entry == ledger().entries.end() || entry->second.stage == Stage::kDone) continue;
@@ -59,8 +64,19 @@ Status TeamMember::Core::status() const {
     const auto entry = ledger().entries.find(task);
     if (entry == ledger().entries.end() || entry->second.sale != sale) continue;
     status.stopped.push_back({task, sale});
+    const auto why = disk_.stopped_why.find(task);
+    status.stopped_why.push_back(why == disk_.stopped_why.end() ? "" : why->second);
   }
   return status;
+}
+
+void TeamMember::Core::put_back(const TaskPutBack& back) {
+  const auto entry = ledger().entries.find(back.task);
+  if (entry == ledger().entries.end() || !mine(entry->second)) return;
+  disk_.stopped[back.task] = entry->second.sale;
+  disk_.stopped_why[back.task] = back.why;
+  if (running_ && running_->task == back.task) running_.reset();
+  store();
 }
 
 // A joint task that a partner gave up cannot be done any more.
@@ -69,6 +85,7 @@ void TeamMember::Core::give_up_claims() {
     if (entry.stopped.empty() || !mine(entry) || ended(entry)) continue;
     if (running_ && running_->task == task) continue;  // it ends by itself
     disk_.stopped[task] = entry.sale;
+    disk_.stopped_why[task] = "a partner gave it up";
     store();
   }
 }

@@ -105,6 +105,29 @@ TEST_F(AuctioneerTest, AnAnswerToAnotherSaleOrRoundHasNoEffect) {
   EXPECT_FALSE(auctioneer->handle(offer, at(0.2)).empty());
 }
 
+// As one with a defect, or with bad intentions, might answer.
+TEST_F(AuctioneerTest, AnOfferThatIsNotAboutWhatWasAskedIsAsIfItHadNotCome) {
+  const auto calls = sent(auctioneer->start(at(0)));
+  auctioneer->handle(answer(calls[0]), at(0.1));
+  const Offer sound = std::get<Offer>(answer(calls[1]));
+  std::vector<Offer> odd(6, sound);
+  odd[0].items.pop_back();
+  odd[1].items[0].item = TaskNumber(99);
+  odd[2].items[0].gaps[0].gap = 7;
+  odd[3].legs.clear();
+  odd[4].between.pop_back();
+  odd[5].items[0].gaps.push_back(odd[5].items[0].gaps[0]);
+
+  for (const Offer& offer : odd) {
+    EXPECT_THAT(auctioneer->handle(offer, at(0.2)), IsEmpty());
+  }
+  const auto awards = sent(auctioneer->handle(sound, at(0.3)));
+  ASSERT_FALSE(awards.empty());
+  Answer taken = std::get<Answer>(answer(awards[0]));
+  taken.legs.clear();
+  EXPECT_THAT(auctioneer->handle(taken, at(0.4)), IsEmpty());
+}
+
 TEST_F(AuctioneerTest, WhoHasNotAnsweredIsAskedAgainBeforeItIsDropped) {
   const auto calls = sent(auctioneer->start(at(0)));
   auctioneer->handle(answer(calls[0]), at(0.1));

@@ -277,5 +277,98 @@ TEST_F(TeamMemberTest, AHolderThatHearsNoMajorityGivesTheTokenUp) {
   EXPECT_EQ(lost, 1U);
 }
 
+// ---- taking part, and beats ----
+
+struct Plain : Craft {
+  Abilities abilities() const override { return 0; }
+  std::optional<Leg> leg(Stopover, Stopover) const override { return Leg{1, 1, 0}; }
+};
+
+// Alone, so that it holds the token at once.
+TeamMember alone() {
+  TeamSetup setup;
+  setup.self = MemberNumber(0);
+  setup.roster = {MemberNumber(0)};
+  setup.craft = [](const auto&, MissionTime) { return std::make_unique<const Plain>(); };
+  setup.names = {{MemberNumber(0), "marvin"}};
+  return TeamMember(std::move(setup));
+}
+
+Stage stage_after(bool bids) {
+  TeamMember one = alone();
+  one.handle(Bids{bids}, at(0));
+  Task task;
+  task.number = TaskNumber(5);
+  one.handle(MissionGiven{{MissionNumber(1), {{task}, {}}}}, at(0.1));
+  for (int i = 1; i < 40; ++i) one.handle(Tick{}, at(i * 0.5));
+  return one.ledger().entries.at(TaskNumber(5)).stage;
+}
+
+TEST(TeamMemberTakesPart, OnlyWhoBidsIsSoldTo) {
+  EXPECT_EQ(stage_after(true), Stage::kGranted);
+  EXPECT_EQ(stage_after(false), Stage::kForSale);
+}
+
+TEST(TeamMemberTakesPart, WhatItOffersInTheFirstRoundIsTold) {
+  TeamMember one = alone();
+  one.handle(Bids{true}, at(0));
+  Task task;
+  task.number = TaskNumber(5);
+  std::size_t offered = 0;
+  one.handle(MissionGiven{{MissionNumber(1), {{task}, {}}}}, at(0.1));
+  for (int i = 1; i < 40; ++i) {
+    for (const TeamEffect& effect : one.handle(Tick{}, at(i * 0.5))) {
+      const auto* offer = std::get_if<Offered>(&effect);
+      if (offer == nullptr) continue;
+      ++offered;
+      EXPECT_EQ(offer->offer.items.at(0).item, TaskNumber(5));
+    }
+  }
+  EXPECT_EQ(offered, 1U);
+  EXPECT_THAT(one.ledger().entries.at(TaskNumber(5)).why, ::testing::HasSubstr("to marvin for"));
+}
+
+TEST_F(TeamMemberTest, WhatIsPutBackSaysWhyUntilTheLedgerSaysSo) {
+  TeamMember one = member();
+  auto ledger = granted();
+  ledger->entries.at(TaskNumber(5)).stage = Stage::kOwned;
+  one.handle(from(1, Beat{3, 4, ledger}), at(0));
+  one.handle(TaskPutBack{TaskNumber(5), "degree 4"}, at(1));
+
+  const auto told = said<Status>(one.handle(from(1, Beat{3, 4, nullptr}), at(2)));
+
+  ASSERT_THAT(told, SizeIs(1));
+  EXPECT_THAT(told[0].stopped, ElementsAre(Claim{TaskNumber(5), 9}));
+  EXPECT_THAT(told[0].stopped_why, ElementsAre("degree 4"));
+  EXPECT_TRUE(one.has_ended({TaskNumber(5), 9}));
+  EXPECT_FALSE(one.has_ended({TaskNumber(5), 10}));
+}
+
+TEST_F(TeamMemberTest, OnlyWhoLacksTheLedgerIsSentIt) {
+  TeamMember one = member();
+  one.handle(Tick{}, at(0));
+  one.handle(Tick{}, at(5));
+  one.handle(from(1, Vote{1, true}), at(5.1));
+  const TeamEffects held = one.handle(from(1, Vote{1, false}), at(5.2));
+  const auto first = said<Beat>(held);
+  ASSERT_THAT(first, SizeIs(2));
+  ASSERT_NE(first[0].ledger, nullptr);
+  Status has;
+  has.term = 1;
+  has.revision = first[0].ledger->revision;
+  one.handle(from(1, has), at(5.3));
+
+  const auto later = said<Beat>(one.handle(Tick{}, at(6.5)));
+  has.revision = 0;  // it forgot
+  one.handle(from(1, has), at(6.6));
+  const auto again = said<Beat>(one.handle(Tick{}, at(7.5)));
+
+  ASSERT_THAT(later, SizeIs(2));
+  EXPECT_EQ(later[0].ledger, nullptr);
+  EXPECT_NE(later[1].ledger, nullptr) << "member 2 has said nothing";
+  ASSERT_THAT(again, SizeIs(2));
+  EXPECT_NE(again[0].ledger, nullptr);
+}
+
 }  // namespace
 }  // namespace skein::auction

@@ -11,11 +11,11 @@ using wire::Slot;
 
 // At degree 1 the ground station talks with the functional layer through the decision node.
 std::vector<Slot> radio_slots() {
-  return {Slot::kPlanBoard,         Slot::kAutonomyDegree,   Slot::kMissionState,
-          Slot::kRequestReply,      Slot::kTaskEvent,        Slot::kFunctionalRequest,
-          Slot::kFunctionalStatus,  Slot::kSyncMessage,      Slot::kAlarm,
-          Slot::kTelemetry,         Slot::kPerceptionReport, Slot::kJointTaskState,
-          Slot::kNegotiationMessage};
+  return {Slot::kPlanBoard,          Slot::kAutonomyDegree,   Slot::kMissionState,
+          Slot::kRequestReply,       Slot::kTaskEvent,        Slot::kFunctionalRequest,
+          Slot::kFunctionalStatus,   Slot::kSyncMessage,      Slot::kAlarm,
+          Slot::kTelemetry,          Slot::kPerceptionReport, Slot::kJointTaskState,
+          Slot::kNegotiationMessage, Slot::kTeamMessage,      Slot::kTeamSale};
 }
 
 constexpr auto kFromStation = std::to_array<Slot>(

@@ -12,12 +12,14 @@ namespace skein::decision_node {
 Autonomy::Autonomy(Core& core) : core_(core), degree_(core.config().degree) {
   SKEIN_EXPECTS(degree_ >= mission::kLeastDegree && degree_ <= mission::kGreatestDegree);
   SKEIN_EXPECTS(!mission::deliberates(degree_) || core.config().knowledge != nullptr);
+  SKEIN_EXPECTS(!mission::allocates(degree_) || core.config().team.has_value());
 }
 
 void Autonomy::start() {
   core_.bus().emit(DegreeChanged{degree_, "", std::nullopt});
   if (!mission::deliberates(degree_)) return;
-  core_.deliberation().engage(supervisor::Engage{true, "start at degree 4"});
+  core_.deliberation().engage(
+      supervisor::Engage{true, "start at degree " + std::to_string(degree_)});
 }
 
 void Autonomy::take(const Command& command) {
@@ -25,6 +27,9 @@ void Autonomy::take(const Command& command) {
   if (mission::deliberates(wanted.degree) && !core_.deliberation().possible()) {
     return core_.commands().refuse(command,
                                    "no planning domain in the scenario: degree 4 cannot be had");
+  }
+  if (mission::allocates(wanted.degree) && !core_.team().possible()) {
+    return core_.commands().refuse(command, "no team in the scenario: degree 5 cannot be had");
   }
   core_.commands().answer(command, true, "");
   change(wanted, command.asked_by);

@@ -14,12 +14,14 @@ Core::Core(Config config)
       execution_(*this),
       deliberation_(*this),
       interaction_(*this),
+      team_(*this),
       autonomy_(*this),
       safekeeping_(*this) {}
 
 Effects Core::handle(const Input& input, MissionTime now) {
   bus_.begin(now);
   std::visit([this](const auto& one) { on(one); }, input);
+  team_.settle();
   safekeeping_.time_passes();
   vehicle_.release();
   tell_board_if_changed();
@@ -35,6 +37,7 @@ std::optional<MissionTime> Core::next_wakeup() const {
 void Core::on(const Started&) {
   interaction_.start();
   autonomy_.start();
+  team_.start();
 }
 
 // ---- commands ----
@@ -111,6 +114,7 @@ void Core::on(const world::Telemetry& telemetry) {
 
 void Core::on(const Contact& contact) {
   interaction_.contact(contact);
+  team_.contact(contact);
   if (contact.ground) safekeeping_.ground_heard(contact.reachable, bus_.now());
   if (!contact.reachable) return;
   for (Component* one : components()) one->peer_in_reach(contact.peer);

@@ -14,6 +14,7 @@
 #include "own_tasks.hpp"
 #include "safekeeping.hpp"
 #include "skein/decision_node/decision_node.hpp"
+#include "team/team.hpp"
 #include "vehicle.hpp"
 
 namespace skein::decision_node {
@@ -34,6 +35,7 @@ class Core {
   Execution& execution() { return execution_; }
   Deliberation& deliberation() { return deliberation_; }
   Interaction& interaction() { return interaction_; }
+  Team& team() { return team_; }
   Autonomy& autonomy() { return autonomy_; }
   Safekeeping& safekeeping() { return safekeeping_; }
 
@@ -59,13 +61,16 @@ class Core {
   void on(const interaction::SessionMessage& message) { interaction_.hear(message); }
   void on(const PartnerSeen& seen) { interaction_.hear(seen); }
   void on(const JointTaskTold& told) { interaction_.hear(told); }
+  void on(const TeamTold& told) { team_.hear(told); }
   void on(const Tick&);
   void pass_on(const functional::Status& status);
   void tell_board_if_changed();
   /// Every one hears what happens, in this order.
-  std::array<Component*, 3> components() { return {&execution_, &deliberation_, &interaction_}; }
-  std::array<const Component*, 3> components() const {
-    return {&execution_, &deliberation_, &interaction_};
+  std::array<Component*, 4> components() {
+    return {&execution_, &deliberation_, &interaction_, &team_};
+  }
+  std::array<const Component*, 4> components() const {
+    return {&execution_, &deliberation_, &interaction_, &team_};
   }
 
   Config config_;
@@ -76,6 +81,7 @@ class Core {
   Execution execution_;
   Deliberation deliberation_;
   Interaction interaction_;
+  Team team_;
   Autonomy autonomy_;
   Safekeeping safekeeping_;
   std::optional<BoardChanged> last_board_;

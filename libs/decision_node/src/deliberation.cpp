@@ -35,20 +35,21 @@ Deliberation::Deliberation(Core& core) : core_(core), supervisor_(supervisor_of(
 // degree may go up.
 void Deliberation::take(const Command& command) {
   const std::string why = why_not_planned();
-  std::visit(Overloaded{[&](const mission::UnitMission& mission) {
-                          if (!why.empty()) return core_.commands().refuse(command, why);
-                          tell(supervisor::AddMission{mission}, command);
-                        },
-                        [&](const mission::CancelGoals& goals) {
-                          if (!supervisor_) return core_.commands().refuse(command, why);
-                          tell(supervisor::CancelMission{goals, command.asked_by}, command);
-                        },
-                        [&](const mission::ChangeWorld& change) {
-                          if (!supervisor_) return core_.commands().answer(command, true, "");
-                          tell(supervisor::WorldChanged{change}, command);
-                        },
-                        [](const auto&) {}},
-             command.request);
+  std::visit(
+      Overloaded{[&](const mission::UnitMission& mission) {
+                   if (!why.empty()) return core_.commands().refuse(command, why);
+                   tell(supervisor::AddMission{mission}, Asker{command, {}});
+                 },
+                 [&](const mission::CancelGoals& goals) {
+                   if (!supervisor_) return core_.commands().refuse(command, why);
+                   tell(supervisor::CancelMission{goals, command.asked_by}, Asker{command, {}});
+                 },
+                 [&](const mission::ChangeWorld& change) {
+                   if (!supervisor_) return core_.commands().answer(command, true, "");
+                   tell(supervisor::WorldChanged{change}, Asker{command, {}});
+                 },
+                 [](const auto&) {}},
+      command.request);
 }
 
 std::string Deliberation::why_not_planned() const {
@@ -86,6 +87,16 @@ void Deliberation::disengage(const std::string& cause) {
   tell(supervisor::Disengage{cause});
 }
 
+void Deliberation::take_for_team(const mission::UnitMission& mission) {
+  tell(supervisor::AddMission{mission}, {std::nullopt, mission.id});
+}
+
+void Deliberation::cancel_for_team(mission::GoalId goal, const std::string& why) {
+  mission::CancelGoals cancel;
+  cancel.goals = {goal};
+  tell(supervisor::CancelMission{cancel, why});
+}
+
 void Deliberation::request_answered(const executive::Reply& reply) {
   tell(supervisor::RequestAnswered{reply});
 }
@@ -98,46 +109,51 @@ void Deliberation::joint_task_due(executive::TaskId task, bool interrupt) {
 
 // ---- what the supervisor asks for ----
 
-void Deliberation::tell(supervisor::Input input, std::optional<Command> command) {
+void Deliberation::tell(supervisor::Input input, Asker asker) {
   if (!supervisor_) return;
-  core_.bus().post([this, input = std::move(input), command = std::move(command)] {
+  core_.bus().post([this, input = std::move(input), asker = std::move(asker)] {
     for (const supervisor::Effect& effect : supervisor_->handle(input, core_.bus().now())) {
-      std::visit([&](const auto& one) { carry_out(one, command); }, effect);
+      std::visit([&](const auto& one) { carry_out(one, asker); }, effect);
     }
   });
 }
 
-void Deliberation::carry_out(const supervisor::Answer& effect,
-                             const std::optional<Command>& command) {
-  if (command) core_.commands().answer(*command, effect.accepted, joined(effect.reasons, "; "));
+void Deliberation::carry_out(const supervisor::Answer& effect, const Asker& asker) {
+  const std::string why = joined(effect.reasons, "; ");
+  if (asker.command) core_.commands().answer(*asker.command, effect.accepted, why);
+  if (asker.team) core_.team().mission_answered(*asker.team, effect.accepted, why);
 }
 
-void Deliberation::carry_out(const supervisor::ToExecutive& effect, const std::optional<Command>&) {
+void Deliberation::carry_out(const supervisor::GoalChanged& effect, const Asker&) {
+  core_.bus().emit(effect);
+  core_.team().goal_changed(effect.status);
+}
+
+void Deliberation::carry_out(const supervisor::ToExecutive& effect, const Asker&) {
   core_.execution().run(effect.input, Execution::By::kSupervisor);
 }
 
-void Deliberation::carry_out(const supervisor::PlanChanged& effect, const std::optional<Command>&) {
+void Deliberation::carry_out(const supervisor::PlanChanged& effect, const Asker&) {
   for (const mission::PlannedTask& one : effect.report.tasks) {
     origins_.insert_or_assign(one.task.id, one.task.origin);
   }
   core_.bus().emit(effect);
 }
 
-void Deliberation::carry_out(const supervisor::HandedOver& effect, const std::optional<Command>&) {
+void Deliberation::carry_out(const supervisor::HandedOver& effect, const Asker&) {
   handed_over_ = effect.tasks;
 }
 
-void Deliberation::carry_out(const supervisor::LoadJointTask& effect,
-                             const std::optional<Command>&) {
+void Deliberation::carry_out(const supervisor::LoadJointTask& effect, const Asker&) {
   core_.interaction().load(effect);
 }
 
-void Deliberation::carry_out(const supervisor::Notice& effect, const std::optional<Command>&) {
+void Deliberation::carry_out(const supervisor::Notice& effect, const Asker&) {
   core_.bus().emit(Notice{effect.text});
 }
 
 template <class Other>
-void Deliberation::carry_out(const Other& effect, const std::optional<Command>&) {
+void Deliberation::carry_out(const Other& effect, const Asker&) {
   core_.bus().emit(effect);
 }
 

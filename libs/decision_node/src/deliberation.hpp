@@ -32,11 +32,16 @@ class Deliberation final : public Component {
   void disengage(const std::string& cause);
   void job_finished(const supervisor::JobFinished& done) { tell(done); }
   void request_answered(const executive::Reply& reply);
+  /// A task of the team's, as if asked by a user; team().mission_answered() hears the answer.
+  void take_for_team(const mission::UnitMission& mission);
+  void cancel_for_team(mission::GoalId goal, const std::string& why);
   void joint_task_answered(const supervisor::JointTaskAnswered& answer) { tell(answer); }
   /// The executive wants a joint task carried out, or interrupted.
   void joint_task_due(executive::TaskId task, bool interrupt);
 
   std::vector<mission::GoalStatus> goals() const;
+  /// Precondition: possible().
+  const mission::PlanReport& report() const { return supervisor_->report(); }
   /// As believed. Precondition: possible().
   std::shared_ptr<const world::World> world() const { return supervisor_->world(); }
   /// The goal that a task of the executive's serves; 0: none.
@@ -49,18 +54,24 @@ class Deliberation final : public Component {
   std::vector<mission::HeldTask> take_handed_over();
 
  private:
-  void tell(supervisor::Input input, std::optional<Command> command = std::nullopt);
+  /// Who is told the answer.
+  struct Asker {
+    std::optional<Command> command;
+    std::optional<mission::MissionId> team;  ///< a mission of the team's
+  };
+  void tell(supervisor::Input input, Asker asker = {});
   std::string why_not_planned() const;
 
-  void carry_out(const supervisor::Answer& effect, const std::optional<Command>& command);
-  void carry_out(const supervisor::ToExecutive& effect, const std::optional<Command>&);
-  void carry_out(const supervisor::PlanChanged& effect, const std::optional<Command>&);
-  void carry_out(const supervisor::HandedOver& effect, const std::optional<Command>&);
-  void carry_out(const supervisor::LoadJointTask& effect, const std::optional<Command>&);
-  void carry_out(const supervisor::Notice& effect, const std::optional<Command>&);
+  void carry_out(const supervisor::Answer& effect, const Asker& asker);
+  void carry_out(const supervisor::ToExecutive& effect, const Asker&);
+  void carry_out(const supervisor::GoalChanged& effect, const Asker&);
+  void carry_out(const supervisor::PlanChanged& effect, const Asker&);
+  void carry_out(const supervisor::HandedOver& effect, const Asker&);
+  void carry_out(const supervisor::LoadJointTask& effect, const Asker&);
+  void carry_out(const supervisor::Notice& effect, const Asker&);
   /// What is for the outside as it is.
   template <class Other>
-  void carry_out(const Other& effect, const std::optional<Command>&);
+  void carry_out(const Other& effect, const Asker&);
 
   Core& core_;
   std::optional<supervisor::Supervisor> supervisor_;

@@ -81,33 +81,38 @@ void GroundControl::wake(MissionTime now) {
 }
 
 void GroundControl::accept(const Input& input, MissionTime now, Effects& out) {
-  std::visit(Overloaded{
-                 [](const Tick&) {},
-                 [&](const PerceptionReceived& it) {
-                   for (const auto& effect : perception_.handle(it.perception, now)) {
-                     route(effect, out);
-                   }
-                 },
-                 [&](const TelemetryReceived& it) {
-                   tell_flight(it.uav, it.state.airborne);
-                   errands_.emplace_back(Monitoring::Input(it));
-                 },
-                 [&](const PlanBoardReceived& it) {
-                   tell_flight(it.uav, it.airborne);
-                   errands_.emplace_back(Monitoring::Input(it));
-                 },
-                 [&](const FunctionalStatusReceived& it) { accept_status(it, out); },
-                 [&](const SyncReceived& it) { deliver_sync(it, now, out); },
-                 [&](const PeerReachable& it) { accept_reachability(it, out); },
-                 [&](const OperatorActs& it) { errands_.emplace_back(MissionPlanning::Input(it)); },
-                 [&](const OperatorCommand& it) {
-                   errands_.emplace_back(Monitoring::Input(
-                       IssueCommand{it.uav, it.request, now + it.lifetime, "operator"}));
-                 },
-                 [&](const OperatorRequest& it) { accept(it, now, out); },
-                 [&](const auto& it) { errands_.emplace_back(Monitoring::Input(it)); },
-             },
-             input);
+  std::visit(
+      Overloaded{
+          [](const Tick&) {},
+          [&](const PerceptionReceived& it) {
+            for (const auto& effect : perception_.handle(it.perception, now)) {
+              route(effect, out);
+            }
+          },
+          [&](const TelemetryReceived& it) {
+            tell_flight(it.uav, it.state.airborne);
+            errands_.emplace_back(Monitoring::Input(it));
+          },
+          [&](const PlanBoardReceived& it) {
+            tell_flight(it.uav, it.airborne);
+            errands_.emplace_back(Monitoring::Input(it));
+          },
+          [&](const FunctionalStatusReceived& it) { accept_status(it, out); },
+          [&](const SyncReceived& it) { deliver_sync(it, now, out); },
+          [&](const PeerReachable& it) { accept_reachability(it, out); },
+          [&](const OperatorActs& it) { errands_.emplace_back(MissionPlanning::Input(it)); },
+          [&](const TeamTaskChanged& it) { errands_.emplace_back(MissionPlanning::Input(it)); },
+          [&](const GlobalMissionChanged& it) {
+            errands_.emplace_back(MissionPlanning::Input(it));
+          },
+          [&](const OperatorCommand& it) {
+            errands_.emplace_back(
+                Monitoring::Input(IssueCommand{it.uav, it.request, now + it.lifetime, "operator"}));
+          },
+          [&](const OperatorRequest& it) { accept(it, now, out); },
+          [&](const auto& it) { errands_.emplace_back(Monitoring::Input(it)); },
+      },
+      input);
 }
 
 void GroundControl::accept(const OperatorRequest& request, MissionTime now, Effects& out) {

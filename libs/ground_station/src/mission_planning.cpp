@@ -152,6 +152,14 @@ void MissionPlanning::note_autonomy(const Input& input, MissionTime now) {
     mark<OnMission>(now, [&](const OnMission& on) {
       return on.uav == mission->uav && on.mission == mission->mission && on.state == mission->stage;
     });
+  } else if (const auto* task = std::get_if<TeamTaskChanged>(&input)) {
+    mark<OnTeamTask>(now, [&](const OnTeamTask& on) {
+      return on.task == task->standing.task && on.stage == task->standing.stage;
+    });
+  } else if (const auto* all = std::get_if<GlobalMissionChanged>(&input)) {
+    mark<OnGlobalMission>(now, [&](const OnGlobalMission& on) {
+      return on.mission == all->mission && on.stage == all->stage;
+    });
   }
 }
 

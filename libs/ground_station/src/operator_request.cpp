@@ -11,11 +11,15 @@ namespace {
 
 constexpr auto kActions = std::to_array<const char*>(
     {"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
-     "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "tell_world", "finish"});
+     "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "tell_world",
+     "global_mission", "declare_lost", "finish"});
 static_assert(kActions.size() == std::variant_size_v<Action>);
 
 std::string object_of(const CloseAir& action) { return " " + action.volume.name; }
 std::string object_of(const OpenAir& action) { return " " + action.name; }
+std::string object_of(const SendGlobalMission& action) {
+  return " " + skein::to_text(action.mission.id);
+}
 std::string object_of(const SetDegree& action) {
   return " " + action.uav + " " + std::to_string(action.change.degree);
 }
@@ -52,7 +56,9 @@ std::string to_text(const OperatorDeed& deed) {
 
 std::string commanded_by(const OperatorDeed& deed) {
   const auto uav_of = [](const auto& one) -> std::string {
-    if constexpr (requires { one.uav; }) {
+    // One that is declared lost is not commanded.
+    constexpr bool lost = std::is_same_v<std::decay_t<decltype(one)>, DeclareLost>;
+    if constexpr (!lost && requires { one.uav; }) {
       return one.uav;
     } else {
       return "";

@@ -62,22 +62,52 @@ void MissionPlanning::perform(const UpdateConditions& action, const Deed& deed) 
 void MissionPlanning::perform(const SendMission& action, const Deed& deed) {
   mission::UnitMission mission = action.mission;
   if (mission.asked_by.empty()) mission.asked_by = deed.asked_by;
+  std::vector<mission::HighLevelTask*> tasks;
+  for (mission::HighLevelTask& task : mission.tasks) tasks.push_back(&task);
+  if (const std::string why = put_targets(action.targets, tasks); !why.empty()) {
+    deed.effects.emplace_back(Anomaly{
+        "mission " + skein::to_text(mission.id) + " of " + action.uav + " is not sent: " + why,
+        deed.asked_by});
+    return;
+  }
+  deed.issue(action.uav, std::move(mission));
+}
+
+void MissionPlanning::perform(const SendGlobalMission& action, const Deed& deed) {
+  team::GlobalMission mission = action.mission;
+  if (mission.asked_by.empty()) mission.asked_by = deed.asked_by;
+  std::vector<mission::HighLevelTask*> tasks;
+  for (team::GlobalTask& task : mission.tasks) tasks.push_back(&task.task);
+  if (const std::string why = put_targets(action.targets, tasks); !why.empty()) {
+    deed.effects.emplace_back(Anomaly{
+        "global mission " + skein::to_text(mission.id) + " is not given: " + why, deed.asked_by});
+    return;
+  }
   for (const ArgumentTarget& target : action.targets) {
+    team::GlobalTask& task = mission.tasks[target.task];
+    const auto& at = std::get<world::Vector3>(task.task.arguments[target.argument]);
+    task.at = {at.x(), at.y()};
+  }
+  deed.effects.emplace_back(GiveGlobalMission{std::move(mission)});
+}
+
+void MissionPlanning::perform(const DeclareLost& action, const Deed& deed) {
+  deed.effects.emplace_back(action);
+}
+
+std::string MissionPlanning::put_targets(const std::vector<ArgumentTarget>& targets,
+                                         const std::vector<mission::HighLevelTask*>& tasks) const {
+  for (const ArgumentTarget& target : targets) {
     const Target where{
         std::visit([](const auto& it) -> decltype(Target::where) { return it; }, target.where), ""};
     const auto points = resolve(where, subject(), terrain_);
-    const bool is_there = target.task < mission.tasks.size() &&
-                          target.argument < mission.tasks[target.task].arguments.size();
-    if (!points || !is_there) {
-      const std::string why = points ? "a target is for no argument" : points.error().why;
-      deed.effects.emplace_back(Anomaly{
-          "mission " + skein::to_text(mission.id) + " of " + action.uav + " is not sent: " + why,
-          deed.asked_by});
-      return;
-    }
-    mission.tasks[target.task].arguments[target.argument] = points->front();
+    if (!points) return points.error().why;
+    const bool is_there =
+        target.task < tasks.size() && target.argument < tasks[target.task]->arguments.size();
+    if (!is_there) return "a target is for no argument";
+    tasks[target.task]->arguments[target.argument] = points->front();
   }
-  deed.issue(action.uav, std::move(mission));
+  return "";
 }
 
 void MissionPlanning::perform(const CancelMission& action, const Deed& deed) {

@@ -35,6 +35,10 @@ std::vector<Violation> joint_tasks_apart(const History& history);
 std::vector<Violation> places_against_constraints(const History& history);
 // joint_truth.cpp
 std::vector<Violation> joint_tasks_not_done(const History& history);
+// team.cpp
+std::vector<Violation> team_tasks_begun_twice(const History& history);
+std::vector<Violation> team_tasks_without_owner(const History& history);
+std::vector<Violation> team_sales_unexplained(const History& history);
 // motion.cpp
 std::vector<Violation> motions_at_once(const History& history);
 std::vector<Violation> motions_under_tasks(const History& history);

@@ -34,9 +34,9 @@ int Uav::degree(double instant) const {
 }
 
 bool Uav::deliberates(double from, double until) const {
-  if (degree(from) != 4) return false;
+  if (degree(from) < 4) return false;
   return std::none_of(degrees.begin(), degrees.end(), [&](const auto& change) {
-    return change.first > from && change.first <= until && change.second != 4;
+    return change.first > from && change.first <= until && change.second < 4;
   });
 }
 
@@ -147,6 +147,7 @@ class Teller {
       history_.end = std::max(history_.end, record.at().to_seconds());
       see(record);
       history_.joint.see(record);
+      history_.team.see(record);
     }
     for (const std::string& node : waiting_) history_.resumed.erase(node);
     return std::move(history_);

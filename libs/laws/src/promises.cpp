@@ -138,7 +138,7 @@ double not_before(const Uav& uav) {
 bool is_the_grounds(const Uav& uav, const Goal& goal) {
   if (goal.state() != "handed-over") return false;
   return std::none_of(uav.degrees.begin(), uav.degrees.end(), [&](const auto& change) {
-    return change.first > goal.changes.back().at && change.second == 4;
+    return change.first > goal.changes.back().at && change.second >= 4;
   });
 }
 
@@ -148,7 +148,7 @@ std::vector<Violation> goals_without_end(const History& history) {
   constexpr double kPatience = 90;  // [s] without any work for any goal
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
-    const bool judged = !history.was_killed(name) && uav.degree(history.end) == 4;
+    const bool judged = !history.was_killed(name) && uav.degree(history.end) >= 4;
     if (!judged || works_at(uav, history.end)) continue;
     const double idle_since = std::max(last_work(uav, history.end), not_before(uav));
     if (history.end - idle_since < kPatience) continue;
@@ -213,7 +213,7 @@ std::vector<Violation> idle_without_word(const History& history) {
     bool told = false;
     for (const Sample& sample : uav.samples) {
       const std::set<std::int64_t> open = open_goals(uav, sample.at);
-      const bool idle = sample.airborne && uav.degree(sample.at) == 4 && !open.empty() &&
+      const bool idle = sample.airborne && uav.degree(sample.at) >= 4 && !open.empty() &&
                         !occupied(uav, sample.at);
       if (!idle) {
         since.reset();

@@ -82,7 +82,7 @@ bool is_clean(const scenario::Scenario& s) {
                      faults.aborts.empty() && faults.energies.empty();
   const bool quiet = s.radio.cuts.empty() && s.world.volumes.empty();
   const bool full = std::all_of(s.uavs.begin(), s.uavs.end(),
-                                [](const auto& uav) { return uav.energy >= 1 && uav.degree == 4; });
+                                [](const auto& uav) { return uav.energy >= 1 && uav.degree >= 4; });
   const auto& script = s.ground.script;
   return sound && quiet && full &&
          std::none_of(script.steps.begin(), script.steps.end(),

@@ -55,7 +55,7 @@ std::vector<Stay> stays_in(const Uav& uav, const Closing& closing) {
     const bool closed = sample.at >= closing.known && sample.at < closing.opened &&
                         sample.at < closing.volume.when.until.to_seconds();
     const double depth =
-        closed && sample.airborne && uav.degree(sample.at) == 4 && !crashed(uav, sample.at)
+        closed && sample.airborne && uav.degree(sample.at) >= 4 && !crashed(uav, sample.at)
             ? depth_in(closing.volume, sample.position)
             : 0;
     if (depth < deep) {
@@ -142,7 +142,7 @@ std::vector<Violation> energy_short(const History& history) {
     bool told = false, excused = false, was_judged = false, could_land = true;
     double before = 1;
     for (const Sample& sample : uav.samples) {
-      const bool judged = sample.airborne && uav.degree(sample.at) == 4 && !crashed(uav, sample.at);
+      const bool judged = sample.airborne && uav.degree(sample.at) >= 4 && !crashed(uav, sample.at);
       const bool sudden = before - sample.energy > 0.01 || (judged && !was_judged);
       before = sample.energy;
       was_judged = judged;

@@ -32,7 +32,7 @@ void team(std::ostream& out, const Mission& m, const std::string& scenarios) {
   std::string altitudes, ids;
   for (const Member& one : m.team) {
     out << "  " << one.name << ": {model: " << scenarios << "/comets/models/" << one.model
-        << ".yaml, " << one.more << ", degree: 4}\n";
+        << ".yaml, " << one.more << ", degree: " << (m.global.empty() ? 4 : 5) << "}\n";
     const std::string comma = altitudes.empty() ? "" : ", ";
     std::ostringstream altitude;
     altitude << one.altitude;
@@ -45,6 +45,17 @@ void team(std::ostream& out, const Mission& m, const std::string& scenarios) {
   if (m.joint) {
     out << "\ninteraction: " << scenarios << "/models/interaction/monitoring-with-relay.yaml\n";
   }
+}
+
+// What happens at once, and then the end: once the team has done all of it.
+void global_mission(std::ostream& out, const Mission& m) {
+  if (m.global.empty()) return;
+  out << "    - step: give\n      when: {time: 10}\n      do:\n        - global_mission:\n"
+         "            id: 1\n";
+  list(out, "tasks", m.global, "            ", "- ");
+  if (m.finish_after < 0) return;
+  out << "    - step: end\n      when: {global_mission: {id: 1, state: done}}\n      after: "
+      << m.finish_after << "\n      do: [{finish: true}]\n";
 }
 
 void step(std::ostream& out, const Step& s) {
@@ -107,10 +118,12 @@ std::string to_yaml(const Mission& m, const std::string& scenarios) {
       << "\n\n";
   world(out, m);
   team(out, m, scenarios);
+  if (!m.global.empty()) out << "\nteam: {lease: 10}\n";
   out << "\nradio:\n  range: 3000\n  line_of_sight: true\n  latency: 0.02\n  loss: 0\n";
   list(out, "cuts", m.cuts, "  ", "- ");
   out << "\nground:\n  position: [-20, -20, 8]\n  script:\n";
   for (const Step& one : m.steps) step(out, one);
+  global_mission(out, m);
   finish(out, m);
   if (!m.faults.empty()) out << '\n';
   list(out, "faults", m.faults, "", "- ");
@@ -123,6 +136,7 @@ std::vector<Mission> smaller(const Mission& whole) {
   without_each(whole, &Mission::steps, result);
   without_each(whole, &Mission::faults, result);
   without_each(whole, &Mission::cuts, result);
+  if (whole.global.size() > 1) without_each(whole, &Mission::global, result);
   without_each(whole, &Mission::volumes, result);
   without_each(whole, &Mission::objects, result);
   for (std::size_t s = 0; s < whole.steps.size(); ++s) {

@@ -45,6 +45,8 @@ void draw_uav_rows(Sheet& sheet);
 void draw_arrows(Sheet& sheet);
 /// Roles and blocks of joint tasks by UAV, and violations of their constraints.
 void draw_joint_rows(Sheet& sheet);
+/// Who owned each task of the team when, and why.
+void draw_team_rows(Sheet& sheet);
 void draw_links(Sheet& sheet);
 /// Altitude, energy, separation.
 void draw_profiles(Sheet& sheet);

@@ -222,6 +222,7 @@ void write_timeline(Markup& out, const Run& run) {
   const double rows_bottom = sheet.y;
   draw_arrows(sheet);
   draw_joint_rows(sheet);
+  draw_team_rows(sheet);
   draw_links(sheet);
   draw_profiles(sheet);
   const double bottom = sheet.y;

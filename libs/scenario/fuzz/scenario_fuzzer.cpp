@@ -15,7 +15,7 @@ void require(bool condition) {
 
 void look_at(const skein::scenario::Scenario& scenario) {
   require(!scenario.uavs.empty());
-  for (const auto& uav : scenario.uavs) require(uav.degree >= 1 && uav.degree <= 4);
+  for (const auto& uav : scenario.uavs) require(uav.degree >= 1 && uav.degree <= 5);
   for (const auto& cut : scenario.radio.cuts) require(cut.from < cut.until && cut.a != cut.b);
   require(skein::world::problems_of(scenario.world.terrain).empty());
   require(skein::ground_station::problems_of(scenario.ground.script).empty());

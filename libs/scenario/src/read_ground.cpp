@@ -88,7 +88,7 @@ ground_station::OnAlarm read_on_alarm(const Reader& reader) {
 
 Trigger read_trigger(const Reader& reader, TaskContext& context) {
   if (!reader.keys({"time", "alarm", "task", "mission", "goal", "degree", "operator", "step",
-                    "restart", "all", "any"})) {
+                    "restart", "team_task", "global_mission", "all", "any"})) {
     return wrong_trigger();
   }
   if (entries_of(reader).size() > 1 || reader.entries().empty()) {
@@ -106,6 +106,10 @@ Trigger read_trigger(const Reader& reader, TaskContext& context) {
   }
   if (given("all")) return {ground_station::AllOf{read_triggers(reader.optional("all"), context)}};
   if (given("any")) return {ground_station::AnyOf{read_triggers(reader.optional("any"), context)}};
+  if (given("team_task")) return {read_on_team_task(reader.optional("team_task"), context)};
+  if (given("global_mission")) {
+    return {read_on_global_mission(reader.optional("global_mission"), context)};
+  }
   return read_uav_trigger(reader, context).value_or(wrong_trigger());
 }
 
@@ -171,17 +175,18 @@ std::vector<Action> read_actions(const Reader& reader, TaskContext& context) {
   for (const Reader& item : items_of(reader)) {
     item.keys({"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
                "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "know_place",
-               "know_ground", "finish"});
-    at_most_one_of(item, {"plan", "abort", "message", "update", "mission", "cancel", "degree",
-                          "take_in_hand", "give_back", "resume_plan", "drop_plan", "close_air",
-                          "open_air", "know_place", "know_ground", "finish"});
+               "know_ground", "global_mission", "declare_lost", "finish"});
+    at_most_one_of(
+        item, {"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
+               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "know_place",
+               "know_ground", "global_mission", "declare_lost", "finish"});
     if (auto action = read_action(item, context)) {
       actions.push_back(std::move(*action));
     } else {
       item.error("an action of no kind",
                  "one of plan, abort, message, update, mission, cancel, degree, take_in_hand, "
                  "give_back, resume_plan, drop_plan, close_air, open_air, know_place, know_ground, "
-                 "finish: true");
+                 "global_mission, declare_lost, finish: true");
     }
   }
   return actions;

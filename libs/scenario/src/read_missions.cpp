@@ -47,23 +47,6 @@ std::optional<std::variant<ground_station::TheAlarm, ground_station::NearAlarm>>
   return read_near_alarm(reader.required("near_alarm"));
 }
 
-// The name of the task and its arguments; those about the alarm are known when the mission is sent.
-void read_statement(const Reader& reader, mission::HighLevelTask& task, std::size_t number,
-                    std::vector<ArgumentTarget>& targets) {
-  const std::vector<Reader> items = items_of(reader);
-  if (reader.is_sequence() && items.empty()) reader.error("no task", "[NAME, ARGUMENT...]");
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (i == 0) {
-      task.name = items[i].text();
-    } else if (const auto where = read_about_alarm(items[i])) {
-      targets.push_back({number, i - 1, *where});
-      task.arguments.emplace_back(world::Vector3(world::Vector3::Zero()));
-    } else {
-      task.arguments.push_back(items[i].is_sequence() ? read_list(items[i]) : read_word(items[i]));
-    }
-  }
-}
-
 std::optional<MissionTime> read_bound(const Reader& reader) {
   return reader.present() ? std::optional(read_instant(reader)) : std::nullopt;
 }
@@ -103,9 +86,7 @@ mission::HighLevelTask read_goal(const Reader& reader, const std::string& uav, s
              "ids that are unique for the whole mission");
   }
   read_statement(reader.required("task"), task, number, targets);
-  task.time = {read_bound(reader.optional("start_before")),
-               read_bound(reader.optional("start_after")),
-               read_bound(reader.optional("end_before")), read_bound(reader.optional("end_after"))};
+  task.time = read_time_constraints(reader);
   read_after(reader.optional("start_after_goal"), false, uav, task, context);
   read_after(reader.optional("end_after_goal"), true, uav, task, context);
   return task;
@@ -168,8 +149,11 @@ Action read_degree(const Reader& reader, TaskContext& context) {
   reader.keys({"uav", "to", "interrupt", "resume"});
   ground_station::SetDegree set{read_uav(reader, context), {}};
   set.change.degree = read_degree_number(reader.required("to"));
-  if (set.change.degree == 4 && !context.scenario.planning) {
+  if (mission::deliberates(set.change.degree) && !context.scenario.planning) {
     reader.optional("to").error(kNoPlanning, kPlanningWanted);
+  } else if (mission::allocates(set.change.degree) && !set.uav.empty() &&
+             !in_team(context.scenario, set.uav)) {
+    reader.optional("to").error(kNoTeam, kTeamWanted);
   }
   set.change.interrupt = reader.optional("interrupt").boolean(false);
   set.change.resume = reader.optional("resume").boolean(true);
@@ -267,6 +251,28 @@ AnId referred(const Reader& reader, const std::string& uav, bool is_goal, TaskCo
 
 }  // namespace
 
+// The name of the task and its arguments; those about the alarm are known when the mission is sent.
+void read_statement(const Reader& reader, mission::HighLevelTask& task, std::size_t number,
+                    std::vector<ArgumentTarget>& targets) {
+  const std::vector<Reader> items = items_of(reader);
+  if (reader.is_sequence() && items.empty()) reader.error("no task", "[NAME, ARGUMENT...]");
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i == 0) {
+      task.name = items[i].text();
+    } else if (const auto where = read_about_alarm(items[i])) {
+      targets.push_back({number, i - 1, *where});
+      task.arguments.emplace_back(world::Vector3(world::Vector3::Zero()));
+    } else {
+      task.arguments.push_back(items[i].is_sequence() ? read_list(items[i]) : read_word(items[i]));
+    }
+  }
+}
+
+mission::TimeConstraints read_time_constraints(const Reader& reader) {
+  return {read_bound(reader.optional("start_before")), read_bound(reader.optional("start_after")),
+          read_bound(reader.optional("end_before")), read_bound(reader.optional("end_after"))};
+}
+
 MissionId read_mission_id(const Reader& reader, const std::string& uav, TaskContext& context) {
   return referred<MissionId>(reader, uav, false, context);
 }
@@ -281,6 +287,15 @@ int read_degree_number(const Reader& reader) {
 
 void check_references(const TaskContext& context) {
   for (const Reference& one : context.references) {
+    if (one.uav.empty()) {
+      const bool given = one.is_goal ? context.team_tasks.contains(GoalId(one.id))
+                                     : context.global_missions.contains(MissionId(one.id));
+      if (given) continue;
+      one.at.error(std::string(one.is_goal ? "task " : "global mission ") + std::to_string(one.id) +
+                       " is never given to the team",
+                   "one that the script gives");
+      continue;
+    }
     const bool known = one.is_goal ? context.goals.contains({one.uav, GoalId(one.id)})
                                    : context.missions.contains({one.uav, MissionId(one.id)});
     if (known) continue;
@@ -291,13 +306,19 @@ void check_references(const TaskContext& context) {
 }
 
 const std::vector<MissionAction>& mission_actions() {
-  static const std::vector<MissionAction> kActions{
-      {"mission", read_mission},        {"cancel", read_cancel},
-      {"degree", read_degree},          {"take_in_hand", read_take_in_hand},
-      {"give_back", read_give_back},    {"resume_plan", read_resume_plan},
-      {"drop_plan", read_drop_plan},    {"close_air", read_close_air},
-      {"open_air", read_open_air},      {"know_place", read_know_place},
-      {"know_ground", read_know_ground}};
+  static const std::vector<MissionAction> kActions{{"mission", read_mission},
+                                                   {"cancel", read_cancel},
+                                                   {"degree", read_degree},
+                                                   {"take_in_hand", read_take_in_hand},
+                                                   {"give_back", read_give_back},
+                                                   {"resume_plan", read_resume_plan},
+                                                   {"drop_plan", read_drop_plan},
+                                                   {"close_air", read_close_air},
+                                                   {"open_air", read_open_air},
+                                                   {"know_place", read_know_place},
+                                                   {"know_ground", read_know_ground},
+                                                   {"global_mission", read_global_mission},
+                                                   {"declare_lost", read_declare_lost}};
   return kActions;
 }
 

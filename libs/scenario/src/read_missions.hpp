@@ -26,6 +26,16 @@ mission::MissionId read_mission_id(const config::Reader& reader, const std::stri
                                    TaskContext& context);
 mission::GoalId read_goal_id(const config::Reader& reader, const std::string& uav,
                              TaskContext& context);
+/// {id, task, …} of a global mission; reads what is common to all high-level tasks.
+ground_station::Action read_global_mission(const config::Reader& reader, TaskContext& context);
+ground_station::Action read_declare_lost(const config::Reader& reader, TaskContext& context);
+ground_station::OnTeamTask read_on_team_task(const config::Reader& reader, TaskContext& context);
+ground_station::OnGlobalMission read_on_global_mission(const config::Reader& reader,
+                                                       TaskContext& context);
+/// The name of the task and its arguments; those about the alarm become targets of task `number`.
+void read_statement(const config::Reader& reader, mission::HighLevelTask& task, std::size_t number,
+                    std::vector<ground_station::ArgumentTarget>& targets);
+mission::TimeConstraints read_time_constraints(const config::Reader& reader);
 int read_degree_number(const config::Reader& reader);
 
 /// Reports what was referred to and is never sent. Once all of the script is read.

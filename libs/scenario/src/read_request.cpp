@@ -15,7 +15,8 @@ using ground_station::OperatorDeed;
 
 constexpr const char* kKinds =
     "one of take_in_hand, give_back, degree, mission, cancel, plan, abort, message, update, "
-    "resume_plan, drop_plan, close_air, open_air, know_place, know_ground, finish: true, ask, "
+    "resume_plan, drop_plan, close_air, open_air, know_place, know_ground, global_mission, "
+    "declare_lost, finish: true, ask, "
     "keep, let_go, answer, judge_alarm, go";
 
 std::string read_uav(const Reader& reader, const TaskContext& context) {

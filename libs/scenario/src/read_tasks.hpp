@@ -29,6 +29,9 @@ struct TaskContext {
   /// Missions and high-level tasks sent so far, likewise.
   std::set<std::pair<std::string, mission::MissionId>> missions = {};
   std::set<std::pair<std::string, mission::GoalId>> goals = {};
+  /// Global missions and their tasks, likewise.
+  std::set<mission::MissionId> global_missions = {};
+  std::set<mission::GoalId> team_tasks = {};
   std::vector<Reference> references = {};
   bool live = false;  ///< asked while the mission runs: what was sent before is not known here
 };

@@ -31,6 +31,11 @@ Names names_of(const Scenario& scenario);
 inline constexpr const char* kNoPlanning = "nothing is said of planning on board";
 inline constexpr const char* kPlanningWanted = "planning: {domain: FILE}";
 
+// Likewise of a team.
+inline constexpr const char* kNoTeam = "it is in no team";
+inline constexpr const char* kTeamWanted = "team: {members: [UAV...]}";
+bool in_team(const Scenario& scenario, const std::string& uav);
+
 void read_world(const config::Reader& reader, Diagnostics& diagnostics, WorldSpec& world);
 void read_uavs(const config::Reader& reader, const std::string& folder, Diagnostics& diagnostics,
                std::vector<UavSpec>& uavs);
@@ -43,6 +48,9 @@ std::optional<PlanningSpec> read_planning(const config::Reader& reader, const st
 std::shared_ptr<const interaction::Library> read_interaction(const config::Reader& reader,
                                                              const std::string& folder,
                                                              Diagnostics& problems);
+/// Absent: the scenario has no team.
+std::optional<team::Config> read_team(const config::Reader& reader, const Names& names,
+                                      std::uint64_t seed);
 void read_variations(const config::Reader& reader, Variations& variations);
 void read_pps(const config::Reader& reader, ground_station::PpsConfig& pps);
 void read_script(const config::Reader& ground, const Scenario& scenario,

@@ -77,13 +77,18 @@ void check_degrees(const Reader& uavs, const Scenario& scenario) {
     if (uav.degree < 4 || scenario.planning) continue;
     uavs.optional(uav.name).optional("degree").error(kNoPlanning, kPlanningWanted);
   }
+  for (const UavSpec& uav : scenario.uavs) {
+    if (!mission::allocates(uav.degree) || in_team(scenario, uav.name)) continue;
+    uavs.optional(uav.name).optional("degree").error(kNoTeam, kTeamWanted);
+  }
 }
 
 void read_all(const Reader& reader, const std::string& folder, Diagnostics& diagnostics,
               Scenario& scenario) {
   if (!reader.present()) reader.error("nothing", "a scenario");
   if (!reader.keys({"scenario", "epoch", "duration_limit", "rate", "seed", "world", "uavs", "radio",
-                    "ground", "planning", "interaction", "faults", "variations", "expect"})) {
+                    "ground", "planning", "interaction", "team", "faults", "variations",
+                    "expect"})) {
     return;
   }
   scenario.name = reader.required("scenario").text();
@@ -97,6 +102,7 @@ void read_all(const Reader& reader, const std::string& folder, Diagnostics& diag
   read_radio(reader.optional("radio"), names, scenario.radio);
   scenario.planning = read_planning(reader.optional("planning"), folder, names);
   scenario.interaction = read_interaction(reader.optional("interaction"), folder, diagnostics);
+  scenario.team = read_team(reader.optional("team"), names, scenario.seed);
   check_degrees(reader.required("uavs"), scenario);
   read_ground(reader.required("ground"), scenario);
   weigh_devices(reader.required("uavs"), scenario);

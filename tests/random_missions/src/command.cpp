@@ -32,7 +32,7 @@ struct Options {
   std::string seeds = "1..100";
   std::vector<std::string> files, without;
   std::string save;
-  bool clean = false, deaths = false, json = false, minimise = false, verbose = false;
+  bool clean = false, deaths = false, team = false, json = false, minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -52,6 +52,10 @@ Kinds kinds_of(const Options& options) {
     if (name == "questions") kinds.questions = false;
   }
   return kinds;
+}
+
+Mission drawn(std::uint64_t seed, const Options& options) {
+  return options.team ? generate_team(seed, kinds_of(options)) : generate(seed, kinds_of(options));
 }
 
 // The models as seen from where the scenario stands.
@@ -91,11 +95,10 @@ void save(const Options& options, const Mission& mission, const Verdict& verdict
 
 int run_seeds(const Options& options, std::uint64_t first, std::uint64_t last) {
   Series series;
-  const Kinds kinds = kinds_of(options);
   std::uint64_t seed = first;
   const auto next = [&](Case& one) {
     if (seed > last) return false;
-    one = case_of(generate(seed++, kinds));
+    one = case_of(drawn(seed++, options));
     return true;
   };
   judge(next, options.judge, [&](const Case& what, const Verdict& verdict) {
@@ -110,7 +113,7 @@ int run_seeds(const Options& options, std::uint64_t first, std::uint64_t last) {
     }
     if (options.json) print_json(std::cout, what, verdict);
     if (!options.save.empty() && !verdict.violations.empty()) {
-      save(options, generate(std::stoull(what.name), kinds), verdict);
+      save(options, drawn(std::stoull(what.name), options), verdict);
     }
     if (series.missions % 50 == 0) {
       std::cerr << series.missions << " of " << last - first + 1 << ", " << series.broken
@@ -150,6 +153,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--clean", options.clean, "missions in which nothing goes wrong");
   app.add_flag("--deaths", options.deaths,
                "daemons die in them, up to three times, and come back with what they knew");
+  app.add_flag("--team", options.team, "teams at degree 5 with a global mission");
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")
       ->check(CLI::IsMember({"faults", "air", "deadlines", "changes", "degrees", "radio", "energy",
@@ -188,7 +192,7 @@ int command(int argc, char** argv) {
   }
   if (options.show) {
     for (auto seed = seeds->first; seed <= seeds->second; ++seed) {
-      std::cout << to_yaml(generate(seed, kinds_of(options)), scenarios_from("."));
+      std::cout << to_yaml(drawn(seed, options), scenarios_from("."));
     }
     return kExitOk;
   }

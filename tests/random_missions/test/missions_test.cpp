@@ -28,7 +28,8 @@ std::uint64_t missions() {
 }
 
 // Each mission that breaks a law, with its breaches.
-std::string breaches(const Kinds& kinds, std::uint64_t missions) {
+std::string breaches(const Kinds& kinds, std::uint64_t missions,
+                     Mission (*draw)(std::uint64_t, const Kinds&) = generate) {
   std::uint64_t seed = 1;
   std::string text;
   JudgeOptions options;
@@ -37,7 +38,7 @@ std::string breaches(const Kinds& kinds, std::uint64_t missions) {
   judge(
       [&](Case& next) {
         if (seed > missions) return false;
-        next = {std::to_string(seed), to_yaml(generate(seed, kinds), ".."),
+        next = {std::to_string(seed), to_yaml(draw(seed, kinds), ".."),
                 SKEIN_SOURCE_DIR "/scenarios/comets/drawn.yaml"};
         ++seed;
         return true;
@@ -67,6 +68,14 @@ TEST(RandomMissions, KeepTheLawsWhenDaemonsDieAndComeBack) {
   deaths = kClean;
   deaths.deaths = true;
   EXPECT_EQ(breaches(deaths, missions() / 6), "");
+}
+
+// At degree 5: no task begun twice, none without an owner once the network has healed.
+TEST(RandomMissions, TeamsKeepTheLawsWhenNothingGoesWrongAndWhenSomethingDoes) {
+  EXPECT_EQ(breaches(kClean, missions() / 10, generate_team), "");
+  Kinds trouble;
+  trouble.deaths = true;
+  EXPECT_EQ(breaches(trouble, missions() / 10, generate_team), "");
 }
 
 }  // namespace

@@ -160,6 +160,28 @@ Story& Story::alarm(double at, int id, world::Vector3 where) {
   return *this;
 }
 
+Story& Story::owner(double at, int task, const std::string& stage, int sale,
+                    const std::string& owners, const std::string& why) {
+  add(at, "ground", "owner")
+      .with("task", task)
+      .with("stage", stage)
+      .with("sale", sale)
+      .with("owners", owners)
+      .with("why", why);
+  return *this;
+}
+
+Story& Story::team(const std::string& uav, double at, int task, int sale, const std::string& state,
+                   const std::string& why) {
+  add(at, uav, "team-task")
+      .with("uav", uav)
+      .with("task", task)
+      .with("sale", sale)
+      .with("state", state)
+      .with("why", why);
+  return *this;
+}
+
 Story& Story::fault(double at, const std::string& what, const std::string& uav) {
   add(at, "sim", "fault").with("what", what).with("target", uav);
   return *this;

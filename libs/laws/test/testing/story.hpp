@@ -53,6 +53,12 @@ class Story {
   Story& step(double at, const std::string& name, const std::string& told);
   /// Where perceptions put an alarm.
   Story& alarm(double at, int id, world::Vector3 where);
+  /// Where a task of the team stands, as the ground has it.
+  Story& owner(double at, int task, const std::string& stage, int sale, const std::string& owners,
+               const std::string& why);
+  /// What a UAV does with one.
+  Story& team(const std::string& uav, double at, int task, int sale, const std::string& state,
+              const std::string& why = "");
   Story& fault(double at, const std::string& what, const std::string& uav);
 
   /// Sentences of what one law has to say.

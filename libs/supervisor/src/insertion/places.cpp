@@ -9,6 +9,7 @@
 #include "planning/gazetteer.hpp"
 #include "planning/terms.hpp"
 #include "skein/refiners/area_gates.hpp"
+#include "skein/supervisor/visit.hpp"
 
 namespace skein::supervisor {
 namespace {
@@ -129,6 +130,16 @@ std::vector<Gate> gates_of(const mission::HighLevelTask& goal, const PlanningReq
   if (!named.places.empty()) return pairs_of(named.places);
   if (!named.zones.empty()) return corners_of(*named.zones.front(), base);
   return {};
+}
+
+std::vector<Gate> visits_of(const mission::HighLevelTask& task,
+                            std::shared_ptr<const Knowledge> knowledge,
+                            std::shared_ptr<const world::World> world, MissionTime at) {
+  PlanningRequest base;
+  base.knowledge = std::move(knowledge);
+  base.world = std::move(world);
+  base.situation.origin = at;
+  return gates_of(task, base);
 }
 
 bool synchronises(const mission::HighLevelTask& goal, const mission::Vocabulary& vocabulary) {

@@ -50,6 +50,7 @@ class DdnNode final : public node::Node {
   void carry_out(const decision_node::ToVehicle& effect);
   void carry_out(const decision_node::SendSync& effect);
   void carry_out(const decision_node::SendNegotiation& effect);
+  void carry_out(const decision_node::SendTeam& effect);
   void carry_out(const decision_node::JointTaskChanged& effect);
   void carry_out(const decision_node::ShareTelemetry& effect);
   void carry_out(const supervisor::StartDeliberation& effect);
@@ -61,6 +62,7 @@ class DdnNode final : public node::Node {
   void carry_out(const decision_node::SyncHeard& effect);
   void carry_out(const decision_node::PolicyCarriedOut& effect);
   void carry_out(const decision_node::Notice& effect);
+  void carry_out(const decision_node::SaleNoted& effect);
   void carry_out(const supervisor::GoalChanged& effect);
 
   void send(node::NodeNumber to, wire::Sample sample, MissionTime expires = MissionTime::max());
@@ -74,6 +76,7 @@ class DdnNode final : public node::Node {
   node::NodeNumber functional_;  ///< the functional layer of its UAV
   std::string contact_policy_;
   Duration deliberation_;
+  team::Roster team_;
   decision_node::DecisionNode decision_;
   std::map<std::uint64_t, wire::PlanEntry> logged_plan_;       ///< its tasks, as last logged
   std::set<std::pair<node::NodeNumber, wire::Slot>> dropped_;  ///< already logged

@@ -12,6 +12,7 @@
 #include "skein/foundation/result.hpp"
 #include "skein/ground/operator_boards.hpp"
 #include "skein/ground_station/ground_control.hpp"
+#include "skein/ground_station/team_desk.hpp"
 #include "skein/node/node.hpp"
 #include "skein/node/roster.hpp"
 #include "skein/translation/journal_lines.hpp"
@@ -32,7 +33,8 @@ class GroundNode final : public node::Node {
 
   /// Without a reader every request of an operator is refused.
   GroundNode(const ground_station::GroundConfig& config, world::Terrain terrain,
-             node::Roster roster, ReadRequest read_request = {});
+             node::Roster roster, ReadRequest read_request = {},
+             std::optional<team::Config> team = std::nullopt);
 
   node::Effects handle(const node::Input& input, MissionTime now) override;
   std::optional<MissionTime> next_wakeup() const override;
@@ -71,6 +73,17 @@ class GroundNode final : public node::Node {
   void carry_out(const ground_station::HeldPlanChanged& effect);
   void carry_out(const ground_station::Anomaly& effect);
   void carry_out(const ground_station::MissionFinished& effect);
+  // the team
+  void tell_team(const ground_station::TeamDesk::Input& input);
+  void tell_control(const Input& input);
+  bool hear_team(const node::Input& input);
+  void carry_out(const ground_station::GiveGlobalMission& effect) { tell_team(effect); }
+  void carry_out(const ground_station::DeclareLost& effect);
+  void carry_out(const ground_station::TeamTell& effect);
+  void carry_out(const ground_station::TeamTaskChanged& effect);
+  void carry_out(const ground_station::GlobalMissionChanged& effect);
+  void carry_out(const ground_station::TeamSaleTold& effect);
+  void carry_out(const ground_station::TeamTokenChanged& effect);
 
   void send(const std::string& uav, wire::Sample sample, MissionTime expires = MissionTime::max());
   wire::Sample sample_of(const ground_station::SendRequest& effect) const;
@@ -82,12 +95,15 @@ class GroundNode final : public node::Node {
   node::Roster roster_;
   ReadRequest read_request_;
   ground_station::GroundControl control_;
+  std::optional<ground_station::TeamDesk> team_;
+  std::set<std::string> out_of_reach_;  ///< nothing of the team is said to them
   OperatorBoards boards_;
   std::map<std::uint64_t, node::NodeNumber> addressees_;       ///< of commands, by number
   std::set<std::pair<node::NodeNumber, wire::Slot>> dropped_;  ///< already logged
 
   // Of the call that is running.
   MissionTime now_;
+  bool happened_ = false;
   node::Effects out_;
 };
 

@@ -23,6 +23,10 @@ std::string to_text(const wire::Violation& violation);
 
 // ---- commands; without their numbers ----
 
+wire::MissionTask to_wire(const mission::HighLevelTask& task);
+/// `path` is where it stands, for the violation.
+Read<mission::HighLevelTask> from_wire(const wire::MissionTask& task, const std::string& path);
+
 wire::RequestKind to_wire(mission::RequestKind kind);
 mission::RequestKind from_wire(wire::RequestKind kind);
 

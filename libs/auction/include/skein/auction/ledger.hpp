@@ -65,8 +65,8 @@ struct Claim {
 /// Holder to all, regularly and whenever something changed.
 struct Beat {
   std::uint64_t term = 0;
-  std::uint64_t committed = 0;  ///< a majority has this revision
-  std::shared_ptr<const Ledger> ledger;
+  std::uint64_t committed = 0;           ///< a majority has this revision
+  std::shared_ptr<const Ledger> ledger;  ///< none: the receiver said that it has it
 };
 
 /// Member to holder, answering a beat: what it has, and everything that it wants the ledger to say.
@@ -79,6 +79,8 @@ struct Status {
   std::vector<Claim> stopped;  ///< not begun, or begun and given up
   std::vector<GivenMission> missions;
   std::set<MemberNumber> lost;
+  bool bids = true;                      ///< else it votes only, and keeps what it has begun
+  std::vector<std::string> stopped_why;  ///< of each that stopped; for people
 };
 
 /// Who would hold the token asks; `trial` asks without consequence, so that one who was cut off

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,6 +28,14 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
+/// What a task comes down to for whoever does it: opaque to the market, which passes it on.
+struct Work {
+  Work() = default;
+  Work(const Work&) = default;
+  Work& operator=(const Work&) = default;
+  virtual ~Work() = default;
+};
+
 /// A task on sale. Times are seconds from the origin of the sale. Source: spec 6.3; T VII.2.2.
 struct Task {
   TaskNumber number;
@@ -40,6 +49,7 @@ struct Task {
   std::optional<MemberNumber> pinned{};  ///< by the operator: is one of its members
   std::set<MemberNumber> forbidden{};    ///< by the operator: are none of them
   bool repeatable = false;  ///< may be done twice: is not waited for when its owner is silent
+  std::shared_ptr<const Work> work{};
 };
 
 /// `first` ends before `then` begins.

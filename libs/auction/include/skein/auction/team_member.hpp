@@ -31,6 +31,7 @@ struct Disk {
   std::map<TaskNumber, std::uint64_t> started;  ///< the last sale under which it began
   std::map<TaskNumber, std::uint64_t> done;
   std::map<TaskNumber, std::uint64_t> stopped;
+  std::map<TaskNumber, std::string> stopped_why;
   std::vector<GivenMission> missions;  ///< given here, not yet in the ledger
 };
 
@@ -44,7 +45,8 @@ struct TeamSetup {
   CraftMaker craft;                  ///< none: votes only, as the ground station does
   TeamLimits limits;
   std::uint64_t seed = 1;
-  Disk disk{};  ///< of before a restart
+  Disk disk{};                                  ///< of before a restart
+  std::map<MemberNumber, std::string> names{};  ///< of members in what is said to people
 };
 
 // What comes in.
@@ -61,6 +63,12 @@ struct TaskDone {
 /// What runs failed, or what is owned is put back on sale.
 struct TaskPutBack {
   TaskNumber task;
+  std::string why{};
+};
+/// Whether it takes part in sales from now on; at first, if it has a craft. Who does not keeps what
+/// it owns until it puts that back.
+struct Bids {
+  bool bids = true;
 };
 /// The operator says that a member will never be heard again. Said wrongly, what it was granted may
 /// be done twice.
@@ -68,7 +76,8 @@ struct DeclaredLost {
   MemberNumber member;
 };
 struct Tick {};
-using TeamInput = std::variant<Heard, MissionGiven, TaskDone, TaskPutBack, DeclaredLost, Tick>;
+using TeamInput =
+    std::variant<Heard, MissionGiven, TaskDone, TaskPutBack, Bids, DeclaredLost, Tick>;
 
 // What goes out.
 struct Tell {
@@ -89,7 +98,12 @@ struct TokenLost {};
 struct SaleTold {
   SaleEffect what;
 };
-using TeamEffect = std::variant<Tell, Store, BeginTask, TokenTaken, TokenLost, SaleTold>;
+/// What this member offered in the first round of a sale: its bids, or why it makes none.
+struct Offered {
+  Offer offer;
+};
+using TeamEffect =
+    std::variant<Tell, Store, BeginTask, TokenTaken, TokenLost, SaleTold, Offered>;
 using TeamEffects = std::vector<TeamEffect>;
 
 /// Bids, owns and, when it holds the token, sells. Without dependence on clocks that agree: a task
@@ -105,6 +119,8 @@ class TeamMember {
   TeamEffects handle(const TeamInput& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
   bool holds_token() const;
+  /// Whether its own part of the claim is over: done, or put back.
+  bool has_ended(const Claim& claim) const;
   /// As last heard; the newest part of it may not be committed.
   const Ledger& ledger() const;
 

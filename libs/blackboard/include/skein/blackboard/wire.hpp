@@ -11,6 +11,7 @@
 #include "skein/blackboard/wire_event.hpp"
 #include "skein/blackboard/wire_state.hpp"
 #include "skein/blackboard/wire_stream.hpp"
+#include "skein/blackboard/wire_team.hpp"
 
 namespace skein::wire {
 
@@ -20,8 +21,8 @@ using Sample =
                  MissionPlan, JointTaskState, UavBoard, UavTasks, GroundBoard, TaskRequest,
                  RequestReply, TaskEvent, FunctionalRequest, FunctionalStatus, SyncMessage, Alarm,
                  MissionRequest, DegreeCommand, WorldChange, MissionOutcome, HandOver, Decision,
-                 NegotiationMessage, OperatorRequest, OperatorReply, JournalEntry, Telemetry,
-                 PerceptionReport, Truth, Heartbeat>;
+                 NegotiationMessage, TeamMessage, TeamSale, OperatorRequest, OperatorReply,
+                 JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat>;
 
 enum class Slot : std::uint8_t {
   kDirectoryEntry,
@@ -49,6 +50,8 @@ enum class Slot : std::uint8_t {
   kHandOver,
   kDecision,
   kNegotiationMessage,
+  kTeamMessage,
+  kTeamSale,
   kOperatorRequest,
   kOperatorReply,
   kJournalEntry,

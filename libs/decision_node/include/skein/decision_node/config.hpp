@@ -11,13 +11,14 @@
 #include "skein/executive/executive.hpp"
 #include "skein/interaction/model.hpp"
 #include "skein/supervisor/supervisor.hpp"
+#include "skein/team/roster.hpp"
 
 namespace skein::decision_node {
 
 struct Config {
   std::string uav;
   std::vector<std::string> others = {};  ///< UAVs that it may synchronise with
-  int degree = 3;                        ///< at the start, 1 to 4; 4 needs `knowledge`
+  int degree = 3;  ///< at the start, 1 to 5; 4 needs `knowledge`, 5 also `team`
   ContactPolicy contact_policy = ContactPolicy::kContinue;
   Duration contact_after = Duration::seconds(60);
   /// Where `kReturn` goes before it lands: x, y, z [m] ENU.
@@ -29,6 +30,7 @@ struct Config {
   std::shared_ptr<const supervisor::Knowledge> knowledge;
   std::shared_ptr<const world::World> world;  ///< as at the start; null only without knowledge
   std::shared_ptr<const interaction::Library> interaction;  ///< null: no joint tasks
+  std::optional<team::Config> team = {};                    ///< it is in the roster; absent: none
   Duration horizon = Duration::seconds(15);                 ///< commitment, see supervisor::Config
   executive::TaskId first_task{1};  ///< of the supervisor's; below kFirstRoleId
 };

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "skein/auction/team_member.hpp"
 #include "skein/decision_node/contact.hpp"
 #include "skein/executive/effect.hpp"
 #include "skein/executive/executive.hpp"
@@ -90,13 +91,18 @@ struct JointTaskTold {
   interaction::JointTaskStatus status;
   MissionTime at;  ///< when it was so
 };
+/// A member of the team says something about the token, the ledger or a sale.
+struct TeamTold {
+  std::string from;
+  auction::TeamMessage message;
+};
 /// Its instant has come, or time just passes.
 struct Tick {};
 
 using Input = std::variant<Started, Command, UnreadableCommand, PlaceTold, ElementaryRequest,
                            GroundTaskSeen, StatusTold, SyncMessage, world::Telemetry,
                            world::Perception, Contact, LayerForgot, supervisor::JobFinished,
-                           interaction::SessionMessage, PartnerSeen, JointTaskTold, Tick>;
+                           interaction::SessionMessage, PartnerSeen, JointTaskTold, TeamTold, Tick>;
 
 // ---- effects, to be carried out in their order ----
 
@@ -173,7 +179,37 @@ struct ShareTelemetry {
   world::Telemetry telemetry;
 };
 
+/// To another member of the team.
+struct SendTeam {
+  std::string to;
+  auction::TeamMessage message;
+};
+
 // For the journal.
+
+/// What this UAV does with a task that it was granted: "begun", "done", "put-back", "kept".
+struct TeamTaskNoted {
+  auction::Claim claim;
+  std::string state;
+  mission::GoalId goal;  ///< as which its supervisor has it
+  std::string statement;
+  std::string why;
+};
+/// What this UAV offered for a task that had no owner.
+struct BidNoted {
+  auction::Claim claim;
+  std::optional<double> added;  ///< the time that it adds to its route [s]; none: it does not bid
+  std::string objection;
+};
+/// Of a sale that this UAV holds.
+struct SaleNoted {
+  auction::SaleEffect what;
+};
+/// The right to sell came here, or went.
+struct TokenNoted {
+  bool held = false;
+  std::uint64_t term = 0;
+};
 
 /// A block, task or coordination action of a role entered a state.
 struct ComponelChanged {
@@ -228,11 +264,12 @@ struct Notice {
 using Effect =
     std::variant<Answer, TaskChanged, StatusPassedOn, TelemetryPassedOn, PerceptionPassedOn,
                  SyncPassedOn, DegreeChanged, HandedOver, BoardChanged, ToVehicle, SendSync,
-                 SendNegotiation, JointTaskChanged, ShareTelemetry, ComponelChanged, RoleTaskGiven,
-                 PlaceComputed, ScmNoted, NegotiationNoted, RequestHandled, SyncHeard,
-                 PolicyCarriedOut, Notice, supervisor::MissionDecided,
-                 supervisor::StartDeliberation, supervisor::StopDeliberation,
-                 supervisor::PlanChanged, supervisor::GoalChanged, supervisor::Decided>;
+                 SendNegotiation, SendTeam, TeamTaskNoted, BidNoted, SaleNoted, TokenNoted,
+                 JointTaskChanged, ShareTelemetry, ComponelChanged, RoleTaskGiven, PlaceComputed,
+                 ScmNoted, NegotiationNoted, RequestHandled, SyncHeard, PolicyCarriedOut, Notice,
+                 supervisor::MissionDecided, supervisor::StartDeliberation,
+                 supervisor::StopDeliberation, supervisor::PlanChanged, supervisor::GoalChanged,
+                 supervisor::Decided>;
 using Effects = std::vector<Effect>;
 
 }  // namespace skein::decision_node

@@ -80,14 +80,17 @@ struct GroundConfig {
 /// effects. Not safe to share between threads. Source: T II.1, VI.1.1, spec 1.1, 1.2, 1.5.
 class GroundControl {
  public:
-  using Input = std::variant<Tick, PerceptionReceived, TelemetryReceived, TaskEventReceived,
-                             RequestReplyReceived, CommandUndelivered, PlanBoardReceived,
-                             FunctionalStatusReceived, SyncReceived, PeerReachable, OperatorActs,
-                             OperatorCommand, OperatorRequest, MissionPlanReceived,
-                             HandOverReceived, DecisionReceived, MissionOutcomeReceived>;
+  using Input =
+      std::variant<Tick, PerceptionReceived, TelemetryReceived, TaskEventReceived,
+                   RequestReplyReceived, CommandUndelivered, PlanBoardReceived,
+                   FunctionalStatusReceived, SyncReceived, PeerReachable, OperatorActs,
+                   OperatorCommand, OperatorRequest, MissionPlanReceived, HandOverReceived,
+                   DecisionReceived, MissionOutcomeReceived, TeamTaskChanged, GlobalMissionChanged>;
   using Effect = std::variant<
       // to be sent
       SendRequest, SendFunctional, SendSync, AlarmEvent, TellAlarm, OperatorAnswered,
+      // for the team
+      GiveGlobalMission, DeclareLost,
       // for the journal
       CommandChanged, LocalRequestAnswered, LocalTaskEvent, LocalSync, PerceptionLogged,
       PhaseEntered, StepDone, OperatorDid, OperatorAsked, HandChanged, DegreeChanged, UavRestarted,

@@ -20,6 +20,8 @@
 #include "skein/mission/elementary_plan.hpp"
 #include "skein/mission/high_level_task.hpp"
 #include "skein/mission/request.hpp"
+#include "skein/team/global_mission.hpp"
+#include "skein/team/ownership.hpp"
 #include "skein/world/telemetry.hpp"
 
 namespace skein::ground_station {
@@ -238,6 +240,27 @@ struct MissionChanged {
   std::string uav;
   mission::MissionId mission;
   MissionStage stage = MissionStage::kPlanned;
+};
+/// A task of a global mission stands elsewhere in the team's book.
+struct TeamTaskChanged {
+  team::TaskStanding standing;
+};
+enum class GlobalStage { kRefused, kGiven, kDone };
+/// "refused", "given", "done".
+std::string_view to_text(GlobalStage stage);
+/// A global mission was given to the team, or makes no sense (`why`), or all of it is done.
+struct GlobalMissionChanged {
+  mission::MissionId mission;
+  GlobalStage stage = GlobalStage::kGiven;
+  std::string why;
+};
+/// To be given to the team.
+struct GiveGlobalMission {
+  team::GlobalMission mission;
+};
+/// The operator says that a UAV will never be heard again: what it was granted is sold again.
+struct DeclareLost {
+  std::string uav;
 };
 enum class HeldState { kHeld, kResumed, kDropped };
 /// "held", "resumed", "dropped".

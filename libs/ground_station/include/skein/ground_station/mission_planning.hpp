@@ -31,10 +31,11 @@ namespace skein::ground_station {
 class MissionPlanning {
  public:
   using Input = std::variant<Tick, AlarmEvent, AlarmRefined, TaskChanged, UavRestarted,
-                             OperatorActs, DoActions, DegreeChanged, GoalChanged, MissionChanged>;
-  using Effect =
-      std::variant<IssueCommand, IssueToAll, AbortEverything, ChangeHands, ResumeHeld, DropHeld,
-                   PhaseEntered, OperatorDid, StepDone, MissionFinished, Anomaly>;
+                             OperatorActs, DoActions, DegreeChanged, GoalChanged, MissionChanged,
+                             TeamTaskChanged, GlobalMissionChanged>;
+  using Effect = std::variant<IssueCommand, IssueToAll, AbortEverything, ChangeHands, ResumeHeld,
+                              DropHeld, PhaseEntered, OperatorDid, StepDone, MissionFinished,
+                              GiveGlobalMission, DeclareLost, Anomaly>;
 
   /// Precondition: problems_of(script) is empty. The terrain must outlive this.
   MissionPlanning(Script script, const world::Terrain& terrain);
@@ -103,7 +104,12 @@ class MissionPlanning {
   void perform(const CloseAir& action, const Deed& deed);
   void perform(const OpenAir& action, const Deed& deed);
   void perform(const TellWorld& action, const Deed& deed);
+  void perform(const SendGlobalMission& action, const Deed& deed);
+  void perform(const DeclareLost& action, const Deed& deed);
   void perform(const Finish& action, const Deed& deed);
+  /// Puts what targets are resolved to in the place of their arguments; or says why not.
+  std::string put_targets(const std::vector<ArgumentTarget>& targets,
+                          const std::vector<mission::HighLevelTask*>& tasks) const;
   const Alarm* subject() const;
 
   Script script_;

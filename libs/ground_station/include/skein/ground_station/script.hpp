@@ -69,6 +69,16 @@ struct OnDegree {
   std::string uav;
   Degree degree = 1;
 };
+/// A task of a global mission came to this stage in the team's book.
+struct OnTeamTask {
+  mission::GoalId task;
+  auction::Stage stage = auction::Stage::kDone;
+};
+/// A global mission came to this.
+struct OnGlobalMission {
+  mission::MissionId mission;
+  GlobalStage stage = GlobalStage::kDone;
+};
 /// All have happened, in any order.
 struct AllOf {
   std::vector<Trigger> of;
@@ -82,7 +92,7 @@ struct AnyOf {
 /// done. AllOf nothing has happened at once, AnyOf nothing never does.
 struct Trigger {
   std::variant<AtTime, OnAlarm, OnTask, OnOperator, OnStep, OnRestart, OnMission, OnGoal, OnDegree,
-               AllOf, AnyOf>
+               OnTeamTask, OnGlobalMission, AllOf, AnyOf>
       what;
 };
 
@@ -202,12 +212,18 @@ struct TellWorld {
   mission::ChangeWorld change;
   std::vector<std::string> uavs = {};  ///< none: all
 };
+/// Gives the team a mission. Its `asked_by`, when empty, becomes the step's or the operator's name.
+/// Source: spec 6.3.
+struct SendGlobalMission {
+  team::GlobalMission mission;
+  std::vector<ArgumentTarget> targets;
+};
 /// The mission is over.
 struct Finish {};
 
 using Action = std::variant<SendPlan, AbortTasks, SendMessage, UpdateConditions, SendMission,
                             CancelMission, SetDegree, TakeInHand, GiveBack, ResumePlan, DropPlan,
-                            CloseAir, OpenAir, TellWorld, Finish>;
+                            CloseAir, OpenAir, TellWorld, SendGlobalMission, DeclareLost, Finish>;
 
 struct Step {
   std::string name;   ///< unique in the script

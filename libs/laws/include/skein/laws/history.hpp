@@ -13,6 +13,7 @@
 
 #include "skein/journal/record.hpp"
 #include "skein/laws/joint_history.hpp"
+#include "skein/laws/team_history.hpp"
 #include "skein/mission/high_level_task.hpp"
 #include "skein/scenario/scenario.hpp"
 #include "skein/world/terrain.hpp"
@@ -114,7 +115,7 @@ struct Uav {
 
   const std::string& name() const { return spec->name; }
   int degree(double at) const;
-  /// At degree 4 during all of it.
+  /// At degree 4 or 5 during all of it.
   bool deliberates(double from, double until) const;
   /// Interpolated; nothing before the first and after the last sample.
   std::optional<Sample> at(double instant) const;
@@ -134,6 +135,7 @@ struct History {
   double end = 0;
   bool finished = false;  ///< by the ground's script
   JointHistory joint = {};
+  TeamHistory team = {};
 
   /// A place of the scenario, an alarm's, or the point itself; nothing for what is none.
   std::optional<world::Vector3> place(const mission::Argument& argument) const;

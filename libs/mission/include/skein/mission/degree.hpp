@@ -8,7 +8,7 @@ namespace skein::mission {
 using Degree = int;
 
 inline constexpr Degree kLeastDegree = 1;
-inline constexpr Degree kGreatestDegree = 4;  ///< of those that are built
+inline constexpr Degree kGreatestDegree = 5;
 
 /// True at degree 1: the ground runs the plan itself and the UAV's decision node only connects it
 /// with the functional layer.
@@ -22,5 +22,8 @@ constexpr bool synchronises_directly(Degree sender, Degree receiver) {
 
 /// True when missions are planned on board.
 constexpr bool deliberates(Degree degree) { return degree >= 4; }
+
+/// True when it takes part in its team's sales of tasks.
+constexpr bool allocates(Degree degree) { return degree >= 5; }
 
 }  // namespace skein::mission

@@ -28,5 +28,8 @@ inline constexpr Kinds kClean{false, false, false, false, false, false,
 
 /// One seed and the same kinds give one mission.
 Mission generate(std::uint64_t seed, const Kinds& kinds);
+/// Likewise a team at degree 5 that is given a global mission; of the kinds, radio, deaths, degrees
+/// and faults count.
+Mission generate_team(std::uint64_t seed, const Kinds& kinds);
 
 }  // namespace skein::mission_lab

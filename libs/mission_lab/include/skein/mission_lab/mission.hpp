@@ -45,6 +45,8 @@ struct Mission {
   std::vector<std::string> cuts;  ///< "{between: [...], from: 300, until: 330}"
   std::vector<Step> steps;
   std::vector<std::string> faults;
+  /// Tasks of one global mission, at degree 5: "{id: 11, task: [perceive, P1, 20]}".
+  std::vector<std::string> global;
   bool joint = false;        ///< there are interaction models
   double finish_after = 30;  ///< [s] after the last goal is settled; negative: at the limit
 };

@@ -15,6 +15,7 @@
 #include "skein/ground_station/script.hpp"
 #include "skein/interaction/model.hpp"
 #include "skein/scenario/expectation.hpp"
+#include "skein/team/roster.hpp"
 #include "skein/world/geodetic.hpp"
 #include "skein/world/object.hpp"
 #include "skein/world/radio_model.hpp"
@@ -42,7 +43,7 @@ struct UavSpec {
   world::Vector2 start = world::Vector2::Zero();
   double heading = 0;  ///< [rad]
   double energy = 1;   ///< [0, 1]
-  int degree = 3;      ///< of decisional autonomy at the start, 1 to 4
+  int degree = 3;      ///< of decisional autonomy at the start, 1 to 5
   ContactLoss contact_loss;
   /// The node that is its functional layer; empty: the simulator.
   std::string functional;
@@ -178,6 +179,7 @@ struct Scenario {
   std::optional<PlanningSpec> planning;
   /// Models of joint tasks; null: there are none.
   std::shared_ptr<const interaction::Library> interaction;
+  std::optional<team::Config> team;  ///< who shares out global missions; absent: nobody
   Variations variations;
   std::vector<Expectation> expectations;
 

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "team/team.hpp"
+
+#include <algorithm>
+
+#include "core.hpp"
+#include "skein/mission/degree.hpp"
+#include "skein/supervisor/visit.hpp"
+#include "skein/team/global_mission.hpp"
+#include "team/team_craft.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using auction::Stage;
+
+/// Beyond what operators number their missions with; within a life of the node.
+constexpr std::uint64_t kFirstMission = 1'000'000'000;
+/// A task that comes back to the UAV is another goal.
+constexpr std::uint64_t kNextAttempt = 10'000'000'000;
+/// In the air without anything to do before it goes home.
+constexpr Duration kRest = Duration::milliseconds(10'000);
+
+}  // namespace
+
+Team::Team(Core& core) : core_(core) {
+  const Config& config = core.config();
+  if (!config.team || config.knowledge == nullptr) return;
+  auction::TeamSetup setup = setup_of(*config.team, config.uav);
+  setup.craft = [this](const std::shared_ptr<const auction::Catalogue>&, MissionTime) {
+    return std::make_unique<const TeamCraft>(vantage());
+  };
+  member_.emplace(std::move(setup));
+}
+
+void Team::start() {
+  if (!member_) return;
+  bids_ = false;
+  give(auction::Bids{false});
+}
+
+// ---- what comes in ----
+
+void Team::hear(const TeamTold& told) {
+  if (!member_) return;
+  const auto from = core_.config().team->roster.number_of(told.from);
+  if (from) give(auction::Heard{*from, told.message});
+}
+
+void Team::contact(const Contact& contact) {
+  if (contact.reachable) {
+    out_of_reach_.erase(contact.peer);
+  } else {
+    out_of_reach_.insert(contact.peer);
+  }
+}
+
+void Team::time_passes() {
+  if (member_) give(auction::Tick{});
+}
+
+std::optional<MissionTime> Team::next_wakeup() const {
+  if (!member_) return std::nullopt;
+  const auto home = idle_since_ ? std::optional(*idle_since_ + kRest) : std::nullopt;
+  return earliest(member_->next_wakeup(), home);
+}
+
+void Team::mission_answered(mission::MissionId mission, bool accepted, const std::string& why) {
+  if (job_ && job_->mission == mission && !accepted) put_back(why, true);
+}
+
+void Team::goal_changed(const mission::GoalStatus& status) {
+  if (!job_ || job_->goal != status.id) return;
+  switch (status.state) {
+    case mission::GoalState::kUnderWay:
+      job_->begun = true;
+      return;
+    case mission::GoalState::kAchieved: {
+      note("done", "");
+      const auction::TaskNumber task = job_->claim.task;
+      job_.reset();
+      return give(auction::TaskDone{task});
+    }
+    case mission::GoalState::kFailed:
+      return put_back(status.why, true);
+    case mission::GoalState::kCancelled:
+      return put_back(status.why.empty() ? "cancelled" : status.why, !job_->withdrawn);
+    case mission::GoalState::kHandedOver:
+      if (job_->begun) note("kept", "begun: the operator decides");
+      return;
+    default:
+      return;
+  }
+}
+
+// ---- what it does of its own ----
+
+void Team::settle() {
+  if (!member_) return;
+  const bool bids = mission::allocates(core_.degree()) && core_.deliberation().engaged();
+  if (bids != bids_) {
+    bids_ = bids;
+    give(auction::Bids{bids});
+    if (!bids) withdraw();
+  }
+  if (!bids_) put_back_what_waits();
+  if (!is_idle()) {
+    idle_since_.reset();
+  } else if (!idle_since_) {
+    idle_since_ = core_.bus().now();
+  } else if (core_.bus().now() >= *idle_since_ + kRest) {
+    go_home();
+  }
+}
+
+// What has begun ends, or stays in the hands of the operator.
+void Team::withdraw() {
+  if (!job_ || job_->begun) return;
+  job_->withdrawn = true;
+  core_.deliberation().cancel_for_team(job_->goal, core_.config().uav + " itself");
+}
+
+void Team::put_back_what_waits() {
+  const auto self = core_.config().team->roster.number_of(core_.config().uav);
+  std::vector<auction::TaskNumber> waiting;
+  for (const auto& [task, entry] : member_->ledger().entries) {
+    const bool open = entry.stage == Stage::kOwned || entry.stage == Stage::kGranted;
+    const bool mine =
+        std::find(entry.owners.begin(), entry.owners.end(), self) != entry.owners.end();
+    if (!open || !mine || member_->has_ended({task, entry.sale})) continue;
+    if (!job_ || job_->claim.task != task) waiting.push_back(task);
+  }
+  const std::string why = "degree " + std::to_string(core_.degree());
+  for (const auction::TaskNumber task : waiting) give(auction::TaskPutBack{task, why});
+}
+
+bool Team::is_idle() const {
+  if (!bids_ || job_ || !telemetry_.state.airborne) return false;
+  const auto self = core_.config().team->roster.number_of(core_.config().uav);
+  for (const auto& [task, entry] : member_->ledger().entries) {
+    const bool mine =
+        std::find(entry.owners.begin(), entry.owners.end(), self) != entry.owners.end();
+    if (entry.stage == Stage::kForSale) return false;
+    if (mine && (entry.stage == Stage::kOwned || entry.stage == Stage::kGranted)) return false;
+  }
+  const auto& goals = core_.deliberation().report().goals;
+  return std::all_of(goals.begin(), goals.end(),
+                     [](const auto& goal) { return is_settled(goal.state); });
+}
+
+void Team::go_home() {
+  idle_since_.reset();
+  const std::string land(supervisor::kComeDown);
+  if (!core_.config().knowledge->vocabulary.tasks.contains(land)) return;
+  mission::UnitMission mission;
+  mission.id = next_mission();
+  mission.tasks.push_back({mission::GoalId(mission.id.value()), land, {}, {}});
+  mission.asked_by = core_.config().uav + " itself: the team has nothing for it";
+  core_.deliberation().take_for_team(mission);
+}
+
+// ---- what the team asks for ----
+
+void Team::give(auction::TeamInput input) {
+  core_.bus().post([this, input = std::move(input)] {
+    for (const auction::TeamEffect& effect : member_->handle(input, core_.bus().now())) {
+      std::visit([this](const auto& one) { carry_out(one); }, effect);
+    }
+  });
+}
+
+void Team::carry_out(const auction::Tell& effect) {
+  std::string to = core_.config().team->roster.name_of(effect.to);
+  if (out_of_reach_.contains(to)) return;
+  core_.bus().emit(SendTeam{std::move(to), effect.message});
+}
+
+void Team::carry_out(const auction::BeginTask& effect) {
+  const auto entry = member_->ledger().entries.find(effect.claim.task);
+  const team::Order* order =
+      entry == member_->ledger().entries.end() ? nullptr : team::order_of(entry->second.task);
+  if (order != nullptr && bids_) return begin(effect.claim, *order);
+  give(auction::TaskPutBack{effect.claim.task, order == nullptr
+                                                   ? "it was not told what that is"
+                                                   : "degree " + std::to_string(core_.degree())});
+}
+
+void Team::begin(const auction::Claim& claim, const team::Order& order) {
+  const std::uint64_t attempt = attempts_[claim.task]++;
+  mission::UnitMission mission;
+  mission.id = next_mission();
+  mission.tasks = {order.task};
+  mission::HighLevelTask& task = mission.tasks.front();
+  task.id = mission::GoalId(claim.task.value() + attempt * kNextAttempt);
+  mission.asked_by = order.asked_by + ", by the team";
+  job_ = Job{claim, task.id, mission.id, to_text(order.task), false, false};
+  note("begun", "");
+  core_.deliberation().take_for_team(mission);
+}
+
+void Team::carry_out(const auction::TokenTaken& effect) {
+  core_.bus().emit(TokenNoted{true, effect.term});
+}
+
+void Team::carry_out(const auction::TokenLost&) { core_.bus().emit(TokenNoted{false, 0}); }
+
+void Team::carry_out(const auction::SaleTold& effect) { core_.bus().emit(SaleNoted{effect.what}); }
+
+void Team::carry_out(const auction::Offered& effect) {
+  const auction::Offer& offer = effect.offer;
+  for (const auction::ItemPrice& price : offer.items) {
+    BidNoted bid{{price.item, offer.sale.value()}, std::nullopt, price.objection};
+    for (const auction::GapPrice& gap : price.gaps) {
+      const double added = gap.in.seconds + gap.out.seconds - offer.legs[gap.gap].seconds;
+      if (!bid.added || added < *bid.added) bid.added = added;
+    }
+    core_.bus().emit(std::move(bid));
+  }
+}
+
+// ---- ends ----
+
+void Team::put_back(const std::string& why, bool failed) {
+  const auction::TaskNumber task = job_->claim.task;
+  if (failed) failed_[task] = why;
+  note("put-back", why);
+  job_.reset();
+  give(auction::TaskPutBack{task, why});
+}
+
+void Team::note(const std::string& state, const std::string& why) {
+  core_.bus().emit(TeamTaskNoted{job_->claim, state, job_->goal, job_->statement, why});
+}
+
+mission::MissionId Team::next_mission() { return mission::MissionId(kFirstMission + ++missions_); }
+
+// ---- what bids are made of ----
+
+Vantage Team::vantage() {
+  Vantage vantage;
+  vantage.knowledge = core_.config().knowledge;
+  vantage.world = core_.deliberation().world();
+  vantage.telemetry = telemetry_;
+  vantage.now = core_.bus().now();
+  vantage.failed = failed_;
+  if (visited_ != vantage.world) visits_.clear();
+  visited_ = vantage.world;
+  for (const auto& [number, entry] : member_->ledger().entries) {
+    const team::Order* order = team::order_of(entry.task);
+    if (order == nullptr) continue;
+    vantage.tasks.emplace(number, order->task);
+    if (visits_.contains(number)) continue;
+    const auto gates =
+        supervisor::visits_of(order->task, vantage.knowledge, vantage.world, vantage.now);
+    visits_[number] = gates.empty() ? std::nullopt : std::optional(gates.front());
+  }
+  vantage.visits = visits_;
+  const mission::PlanReport& report = core_.deliberation().report();
+  for (const mission::PlannedTask& planned : report.tasks) {
+    if (job_ && planned.task.origin == job_->goal) continue;
+    const Duration left = planned.dates.earliest_end - vantage.now;
+    vantage.busy = std::max(vantage.busy, left);
+  }
+  return vantage;
+}
+
+}  // namespace skein::decision_node

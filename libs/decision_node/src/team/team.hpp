@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// The UAV's part in its team: it votes at every degree; at degree 5 it bids, and does what it won.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "component.hpp"
+#include "skein/refiners/tour.hpp"
+#include "skein/team/roster.hpp"
+
+namespace skein::team {
+struct Order;
+}
+
+namespace skein::decision_node {
+
+class Core;
+struct Vantage;
+
+/// Without a team in the configuration it does nothing. A task that is granted goes to the
+/// supervisor as a goal of its own mission, one at a time; its end is told to the team, which sells
+/// again what failed. Source: spec 6.3; docs/decisions/0018-degree-5.md.
+class Team final : public Component {
+ public:
+  explicit Team(Core& core);
+
+  /// There is a team.
+  bool possible() const { return member_.has_value(); }
+  void start();
+  void hear(const TeamTold& told);
+  /// To who is out of reach nothing is said: all of it is said again.
+  void contact(const Contact& contact);
+  /// Of the supervisor's.
+  void mission_answered(mission::MissionId mission, bool accepted, const std::string& why);
+  void goal_changed(const mission::GoalStatus& status);
+  /// After what happened was carried out: it bids or does not, and goes home with nothing to do.
+  void settle();
+
+  void vehicle_told(const world::Telemetry& telemetry) override { telemetry_ = telemetry; }
+  void time_passes() override;
+  std::optional<MissionTime> next_wakeup() const override;
+
+ private:
+  /// A granted task in the hands of the supervisor.
+  struct Job {
+    auction::Claim claim;
+    mission::GoalId goal;
+    mission::MissionId mission;
+    std::string statement;
+    bool begun = false;      ///< some of it was carried out
+    bool withdrawn = false;  ///< for no fault of its own
+  };
+
+  void give(auction::TeamInput input);
+  void carry_out(const auction::Tell& effect);
+  void carry_out(const auction::BeginTask& effect);
+  void carry_out(const auction::TokenTaken& effect);
+  void carry_out(const auction::TokenLost& effect);
+  void carry_out(const auction::SaleTold& effect);
+  void carry_out(const auction::Offered& effect);
+  void carry_out(const auction::Store&) {}  // the node's memory has it
+  void begin(const auction::Claim& claim, const team::Order& order);
+  void put_back(const std::string& why, bool failed);
+  void put_back_what_waits();
+  void note(const std::string& state, const std::string& why);
+  void withdraw();
+  void go_home();
+  bool is_idle() const;
+  Vantage vantage();
+  mission::MissionId next_mission();
+
+  Core& core_;
+  std::optional<auction::TeamMember> member_;
+  world::Telemetry telemetry_;
+  bool bids_ = false;
+  std::set<std::string> out_of_reach_;
+  std::optional<Job> job_;
+  std::map<auction::TaskNumber, std::uint32_t> attempts_;
+  std::map<auction::TaskNumber, std::string> failed_;
+  std::map<auction::TaskNumber, std::optional<refiners::Gate>> visits_;
+  std::shared_ptr<const world::World> visited_;  ///< the world that they are of
+  std::optional<MissionTime> idle_since_;
+  std::uint64_t missions_ = 0;
+};
+
+}  // namespace skein::decision_node

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "team/team_craft.hpp"
+
+#include <algorithm>
+
+#include "skein/foundation/joined.hpp"
+#include "skein/mission/vocabulary.hpp"
+#include "skein/refiners/flight.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using world::Vector3;
+
+// Over its landing place.
+Vector3 over_home(const supervisor::Knowledge& knowledge) {
+  return knowledge.home + Vector3(0, 0, knowledge.altitude);
+}
+
+}  // namespace
+
+double TeamCraft::energy() const {
+  const world::EnergyModel& model = at_.knowledge->vehicle.energy;
+  return std::max(0.0, at_.telemetry.state.energy - model.reserve) * model.capacity;
+}
+
+std::optional<refiners::Gate> TeamCraft::visit(auction::TaskNumber task) const {
+  const auto found = at_.visits.find(task);
+  return found == at_.visits.end() ? std::nullopt : found->second;
+}
+
+Vector3 TeamCraft::begins_at() const {
+  const world::VehicleState& state = at_.telemetry.state;
+  return state.airborne ? state.position
+                        : Vector3(state.position + Vector3(0, 0, at_.knowledge->altitude));
+}
+
+std::optional<Vector3> TeamCraft::leaves_from(auction::Stopover from) const {
+  if (from.is_begin()) return begins_at();
+  if (from.is_end()) return over_home(*at_.knowledge);
+  const auto gate = visit(from.task());
+  return gate ? std::optional(gate->exit) : std::nullopt;
+}
+
+// A task without a place is done where the UAV is then: there is no way to it.
+std::optional<auction::Leg> TeamCraft::leg(auction::Stopover from, auction::Stopover to) const {
+  const auto begin = leaves_from(from);
+  std::optional<refiners::Gate> end = refiners::Gate{over_home(*at_.knowledge), {}, {}};
+  if (!to.is_end()) end = visit(to.task());
+  if (!begin || !end) return auction::Leg{};
+  const world::VehicleModel& vehicle = at_.knowledge->vehicle;
+  const refiners::Flight flight =
+      refiners::estimate_flight({*begin, end->entry}, vehicle, at_.world->wind);
+  if (flight.duration.expected == Duration::max()) return std::nullopt;
+  const double inside = to.is_end() ? 0 : end->inside.to_seconds();
+  const double seconds = flight.duration.expected.to_seconds() + inside;
+  const double sweep = inside * world::flight_power(vehicle, vehicle.cruise_speed, 0);
+  return auction::Leg{seconds, seconds, flight.energy * vehicle.energy.capacity + sweep};
+}
+
+double TeamCraft::energy_of(const auction::Task& task) const {
+  return task.duration * world::flight_power(at_.knowledge->vehicle, 0, 0);
+}
+
+std::optional<std::string> TeamCraft::objection(const auction::Task& task) const {
+  if (const auto failed = at_.failed.find(task.number); failed != at_.failed.end()) {
+    return "it tried: " + failed->second;
+  }
+  const auto order = at_.tasks.find(task.number);
+  if (order == at_.tasks.end()) return "it was not told what that is";
+  world::VehicleModel vehicle = at_.knowledge->vehicle;
+  const auto& broken = at_.telemetry.failed;
+  std::erase_if(vehicle.sensors, [&](const world::SensorModel& sensor) {
+    return std::find(broken.begin(), broken.end(), sensor.device) != broken.end();
+  });
+  mission::Surroundings around;
+  for (const auto& [name, place] : at_.world->places) around.places.push_back(name);
+  for (const world::Zone& zone : at_.world->zones) around.zones.push_back(zone.name);
+  around.uavs = at_.knowledge->team;
+  around.vehicle = &vehicle;
+  mission::UnitMission alone;
+  alone.id = mission::MissionId(1);
+  alone.tasks = {order->second};
+  const std::vector<std::string> problems =
+      mission::problems_of(alone, at_.knowledge->vocabulary, around, at_.now);
+  if (problems.empty()) return std::nullopt;
+  return joined(problems, "; ");
+}
+
+}  // namespace skein::decision_node

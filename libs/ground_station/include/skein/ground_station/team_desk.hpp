@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ground station's part in a team: it votes, gives missions, and sees who has what.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "skein/ground_station/messages.hpp"
+#include "skein/ground_station/mission_checks.hpp"
+
+namespace skein::ground_station {
+
+/// From a member of the team.
+struct TeamHeard {
+  std::string from;
+  auction::TeamMessage message;
+};
+struct TeamTell {
+  std::string to;
+  auction::TeamMessage message;
+};
+/// Of a sale that is held here.
+struct TeamSaleTold {
+  auction::SaleEffect what;
+};
+struct TeamTokenChanged {
+  bool held = false;
+  std::uint64_t term = 0;
+};
+
+/// A member of the team without a vehicle. What it is given it says until the team's book has it,
+/// so a mission is given even while the holder of the token is out of reach. Deterministic; not
+/// safe to share between threads. Source: spec 6.3; docs/decisions/0018-degree-5.md.
+class TeamDesk {
+ public:
+  using Input = std::variant<TeamHeard, GiveGlobalMission, DeclareLost, Tick>;
+  using Effect = std::variant<TeamTell, TeamTaskChanged, GlobalMissionChanged, TeamSaleTold,
+                              TeamTokenChanged, Anomaly>;
+
+  /// `self` is in the roster; `uavs` are those of the mission.
+  TeamDesk(const team::Config& config, const std::string& self, MissionKnowledge knowledge,
+           std::vector<std::string> uavs);
+
+  std::vector<Effect> handle(const Input& input, MissionTime now);
+  std::optional<MissionTime> next_wakeup() const { return member_.next_wakeup(); }
+  const team::Roster& roster() const { return roster_; }
+  /// As far as it is known here.
+  const std::map<mission::GoalId, team::TaskStanding>& standings() const {
+    return ownership_.known();
+  }
+
+ private:
+  using Effects = std::vector<Effect>;
+  void accept(const GiveGlobalMission& given, MissionTime now, Effects& out);
+  void accept(const DeclareLost& lost, MissionTime now, Effects& out);
+  void tell_member(const auction::TeamInput& input, MissionTime now, Effects& out);
+  void tell_news(Effects& out);
+
+  team::Roster roster_;
+  MissionKnowledge knowledge_;
+  std::vector<std::string> uavs_;
+  auction::TeamMember member_;
+  team::Ownership ownership_;
+  std::map<mission::MissionId, std::set<mission::GoalId>> open_;  ///< of missions given here
+  std::set<mission::MissionId> given_;
+  std::set<mission::GoalId> tasks_;  ///< ever given here
+};
+
+}  // namespace skein::ground_station

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ground station in a team: missions given once, and who has what.
+#include "skein/ground_station/team_desk.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace skein::ground_station {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
+
+MissionKnowledge knowledge() {
+  MissionKnowledge known;
+  known.vocabulary.emplace();
+  known.vocabulary->tasks["look"] = {"look", {mission::ParameterKind::kPlace}, {}};
+  known.places = {"P1"};
+  return known;
+}
+
+TeamDesk desk() {
+  return TeamDesk({team::Roster({"marvin", "heliv", "ground"}), {}, 1}, "ground", knowledge(),
+                  {"marvin", "heliv"});
+}
+
+GiveGlobalMission mission_of(std::uint64_t id, std::uint64_t task,
+                             const std::string& place = "P1") {
+  GiveGlobalMission give;
+  give.mission.id = mission::MissionId(id);
+  team::GlobalTask& one = give.mission.tasks.emplace_back();
+  one.task.id = mission::GoalId(task);
+  one.task.name = "look";
+  one.task.arguments = {place};
+  return give;
+}
+
+template <class Kind>
+std::vector<Kind> all(const std::vector<TeamDesk::Effect>& effects) {
+  std::vector<Kind> found;
+  for (const auto& effect : effects) {
+    if (const auto* one = std::get_if<Kind>(&effect)) found.push_back(*one);
+  }
+  return found;
+}
+
+// The book in which task 11 stands like this.
+TeamHeard beat(auction::Stage stage, std::uint64_t revision) {
+  auto ledger = std::make_shared<auction::Ledger>();
+  ledger->term = 1;
+  ledger->revision = revision;
+  ledger->missions = {auction::MissionNumber(1)};
+  auction::LedgerEntry& entry = ledger->entries[auction::TaskNumber(11)];
+  entry.task.number = auction::TaskNumber(11);
+  entry.stage = stage;
+  entry.owners = {auction::MemberNumber(0)};
+  entry.why = "sold to marvin for 12 s";
+  return {"marvin", auction::Beat{1, revision, ledger}};
+}
+
+auction::Status answer_of(const std::vector<TeamDesk::Effect>& effects) {
+  for (const TeamTell& tell : all<TeamTell>(effects)) {
+    if (const auto* status = std::get_if<auction::Status>(&tell.message)) return *status;
+  }
+  return {};
+}
+
+TEST(TeamDesk, AMissionIsSaidToTheHolderUntilItsBookHasIt) {
+  TeamDesk ground = desk();
+  EXPECT_EQ(all<GlobalMissionChanged>(ground.handle(mission_of(1, 11), at(1))).at(0).stage,
+            GlobalStage::kGiven);
+  auto empty = std::make_shared<auction::Ledger>();
+  empty->term = 1;
+  empty->revision = 1;
+
+  const auto first = ground.handle(TeamHeard{"marvin", auction::Beat{1, 1, empty}}, at(2));
+  const auto again = ground.handle(TeamHeard{"marvin", auction::Beat{1, 1, nullptr}}, at(3));
+  const auto then = ground.handle(beat(auction::Stage::kForSale, 2), at(4));
+
+  EXPECT_THAT(answer_of(first).missions, SizeIs(1));
+  EXPECT_THAT(answer_of(again).missions, SizeIs(1));
+  EXPECT_THAT(answer_of(then).missions, IsEmpty());
+  EXPECT_FALSE(answer_of(first).bids);
+}
+
+TEST(TeamDesk, AMissionGivenTwiceIsOneAndThatIsSaid) {
+  TeamDesk ground = desk();
+  ground.handle(mission_of(1, 11), at(1));
+
+  const auto effects = ground.handle(mission_of(1, 11), at(2));
+
+  ASSERT_THAT(all<GlobalMissionChanged>(effects), SizeIs(1));
+  EXPECT_THAT(all<GlobalMissionChanged>(effects)[0].why, HasSubstr("second time"));
+  auto empty = std::make_shared<auction::Ledger>();
+  empty->term = 1;
+  const auto told = ground.handle(TeamHeard{"marvin", auction::Beat{1, 0, empty}}, at(3));
+  EXPECT_THAT(answer_of(told).missions, SizeIs(1));
+}
+
+TEST(TeamDesk, AMissionThatMakesNoSenseIsRefusedWithEveryReason) {
+  TeamDesk ground = desk();
+
+  const auto refused =
+      all<GlobalMissionChanged>(ground.handle(mission_of(1, 11, "nowhere"), at(1)));
+
+  ASSERT_THAT(refused, SizeIs(1));
+  EXPECT_EQ(refused[0].stage, GlobalStage::kRefused);
+  EXPECT_THAT(refused[0].why, HasSubstr("nowhere"));
+}
+
+TEST(TeamDesk, ATaskOfAnotherMissionIsNotTakenAgain) {
+  TeamDesk ground = desk();
+  ground.handle(mission_of(1, 11), at(1));
+
+  const auto refused = all<GlobalMissionChanged>(ground.handle(mission_of(2, 11), at(2)));
+
+  ASSERT_THAT(refused, SizeIs(1));
+  EXPECT_EQ(refused[0].why, "task 11 is one of another mission");
+}
+
+TEST(TeamDesk, EveryChangeOfOwnerIsToldOnceWithItsReasonAndTheEndOfAMissionToo) {
+  TeamDesk ground = desk();
+  ground.handle(mission_of(1, 11), at(1));
+
+  const auto owned = ground.handle(beat(auction::Stage::kOwned, 1), at(2));
+  const auto again = ground.handle(beat(auction::Stage::kOwned, 1), at(3));
+  const auto done = ground.handle(beat(auction::Stage::kDone, 2), at(4));
+
+  ASSERT_THAT(all<TeamTaskChanged>(owned), SizeIs(1));
+  EXPECT_THAT(all<TeamTaskChanged>(owned)[0].standing.owners, ElementsAre("marvin"));
+  EXPECT_EQ(all<TeamTaskChanged>(owned)[0].standing.why, "sold to marvin for 12 s");
+  EXPECT_THAT(all<TeamTaskChanged>(again), IsEmpty());
+  ASSERT_THAT(all<GlobalMissionChanged>(done), SizeIs(1));
+  EXPECT_EQ(all<GlobalMissionChanged>(done)[0].stage, GlobalStage::kDone);
+  EXPECT_EQ(ground.standings().at(mission::GoalId(11)).stage, auction::Stage::kDone);
+}
+
+TEST(TeamDesk, WhoIsLostIsSaidToTheTeamAndAStrangerIsNot) {
+  TeamDesk ground = desk();
+  ground.handle(DeclareLost{"heliv"}, at(1));
+
+  const auto told = ground.handle(beat(auction::Stage::kOwned, 1), at(2));
+
+  EXPECT_THAT(answer_of(told).lost, ElementsAre(auction::MemberNumber(1)));
+  EXPECT_THAT(all<Anomaly>(ground.handle(DeclareLost{"karma"}, at(3))), SizeIs(1));
+}
+
+TEST(TeamDesk, WithoutAHolderItStandsForTheToken) {
+  TeamDesk ground = desk();
+  ground.handle(Tick{}, at(0));
+  ASSERT_TRUE(ground.next_wakeup().has_value());
+
+  EXPECT_THAT(all<TeamTell>(ground.handle(Tick{}, *ground.next_wakeup())), SizeIs(2));
+}
+
+TEST(TeamDesk, StagesOfMissionsHaveNames) {
+  EXPECT_EQ(to_text(GlobalStage::kRefused), "refused");
+  EXPECT_EQ(to_text(GlobalStage::kGiven), "given");
+  EXPECT_EQ(to_text(GlobalStage::kDone), "done");
+}
+
+}  // namespace
+}  // namespace skein::ground_station

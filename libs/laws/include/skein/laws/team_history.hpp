@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was told of the tasks that a team shares out.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "skein/journal/record.hpp"
+
+namespace skein::laws {
+
+/// A UAV at a task of its team, from when it told that it began.
+struct TeamWork {
+  std::string uav;
+  std::int64_t sale = 0;
+  double begun = 0;
+  double over = std::numeric_limits<double>::infinity();
+  std::string end;  ///< "done", "put-back"; empty while it goes on
+  std::string why;
+};
+
+/// Where a task stood in the team's book, as the ground station had it.
+struct TeamStanding {
+  double at = 0;
+  std::string stage;
+  std::string owners;  ///< with commas
+  std::int64_t sale = 0;
+  std::string why;
+};
+
+struct TeamTask {
+  std::vector<TeamWork> works;
+  std::vector<TeamStanding> standings;
+};
+
+struct TeamHistory {
+  std::map<std::int64_t, TeamTask> tasks;
+  std::vector<double> given;  ///< when a global mission was taken [s]
+  std::vector<double> done;   ///< when all of one was done
+
+  void see(const journal::Record& record);
+};
+
+}  // namespace skein::laws

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a team does with its tasks.
+#include <algorithm>
+#include <set>
+
+#include "checks.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+/// For elections, a sale and its answers over a slow radio [s].
+constexpr double kSold = 60;
+
+std::string named(std::int64_t task) { return "task " + std::to_string(task); }
+
+// What it was at had ended, as far as anybody can tell: a node that forgot tells nothing.
+bool ended_before(const History& history, const TeamWork& work, double at) {
+  return work.over <= at || history.was_killed(work.uav);
+}
+
+// When the last cut between two of the team, or the last death, was over; never, while one is not.
+double healed(const History& history) {
+  double at = 0;
+  for (const scenario::CutSpec& cut : history.scenario->radio.cuts) {
+    at = std::max(at, cut.until.to_seconds());
+  }
+  for (const scenario::KillSpec& kill : history.scenario->faults.kills) {
+    if (!kill.restart_after) return kNever;
+    at = std::max(at, (kill.at + *kill.restart_after).to_seconds());
+  }
+  return at;
+}
+
+// Somebody is there to sell to, to the end.
+bool somebody_bids(const History& history) {
+  return std::any_of(history.uavs.begin(), history.uavs.end(),
+                     [&](const auto& each) { return each.second.degree(history.end) >= 5; });
+}
+
+bool says_to_whom_for_what(const std::string& why) {
+  return why.find(" to ") != std::string::npos && why.find(" for ") != std::string::npos;
+}
+
+}  // namespace
+
+// Under one sale its owners begin it, each once; under another, nobody before those are over.
+std::vector<Violation> team_tasks_begun_twice(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [number, task] : history.team.tasks) {
+    std::set<std::int64_t> done;
+    for (std::size_t i = 0; i < task.works.size(); ++i) {
+      const TeamWork& later = task.works[i];
+      for (std::size_t j = 0; j < i; ++j) {
+        const TeamWork& earlier = task.works[j];
+        if (earlier.sale == later.sale && earlier.uav != later.uav) continue;
+        const bool again = earlier.sale == later.sale && !history.was_killed(later.uav);
+        if (again || !ended_before(history, earlier, later.begun)) {
+          result.push_back({"", later.begun, later.uav, 0,
+                            named(number) + " is begun, but " + earlier.uav + " has begun it at " +
+                                figure(earlier.begun) + " s"});
+        } else if (earlier.sale < later.sale && earlier.end == "done") {
+          done.insert(earlier.sale);
+        }
+      }
+      const bool all_done = std::any_of(done.begin(), done.end(), [&](std::int64_t sale) {
+        return std::none_of(task.works.begin(), task.works.end(), [&](const TeamWork& work) {
+          return work.sale == sale && work.end != "done";
+        });
+      });
+      if (all_done) {
+        result.push_back(
+            {"", later.begun, later.uav, 0, named(number) + " is begun although it was done"});
+      }
+    }
+  }
+  return result;
+}
+
+// Once the network has healed every task finds an owner, or is said to be for nobody.
+std::vector<Violation> team_tasks_without_owner(const History& history) {
+  std::vector<Violation> result;
+  const double whole = healed(history);
+  if (whole == kNever || !somebody_bids(history)) return result;
+  for (const auto& [number, task] : history.team.tasks) {
+    if (task.standings.empty()) continue;
+    const TeamStanding& last = task.standings.back();
+    const double since = std::max(last.at, whole);
+    if (last.stage != "for-sale" || history.end - since < kSold) continue;
+    result.push_back({"", history.end, "", 0,
+                      named(number) + " has no owner for " + figure(history.end - since) +
+                          " s after the network was whole: " + last.why});
+  }
+  const bool nothing = history.team.tasks.empty() && !history.team.given.empty() &&
+                       history.end - std::max(history.team.given.front(), whole) > kSold;
+  if (nothing) {
+    result.push_back({"", history.end, "", 0, "a global mission was given, and nobody sold it"});
+  }
+  return result;
+}
+
+// Who has a task, and why nobody has it, is said; and nobody begins what it does not own.
+std::vector<Violation> team_sales_unexplained(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [number, task] : history.team.tasks) {
+    for (const TeamStanding& one : task.standings) {
+      const bool owned = one.stage == "owned" || one.stage == "granted";
+      if (owned && !says_to_whom_for_what(one.why)) {
+        result.push_back(
+            {"", one.at, one.owners, 0, named(number) + " is sold: '" + one.why + "'"});
+      } else if (one.stage == "unsold" && one.why.empty()) {
+        result.push_back({"", one.at, "", 0, named(number) + " is for nobody, without a word"});
+      }
+    }
+    for (const TeamWork& work : task.works) {
+      const bool owns =
+          std::any_of(task.standings.begin(), task.standings.end(), [&](const TeamStanding& one) {
+            return one.sale == work.sale &&
+                   (", " + one.owners + ",").find(", " + work.uav + ",") != std::string::npos;
+          });
+      const bool told = std::any_of(task.standings.begin(), task.standings.end(),
+                                    [&](const auto& one) { return one.sale >= work.sale; });
+      if (told && !owns && healed(history) == 0) {
+        result.push_back({"", work.begun, work.uav, 0,
+                          named(number) + " is begun by one that was never said to own it"});
+      }
+      if (work.end == "put-back" && work.why.empty()) {
+        result.push_back(
+            {"", work.over, work.uav, 0, named(number) + " is put back, without a word"});
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace skein::laws

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a team may do with its tasks.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/story.hpp"
+
+namespace skein::laws::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+// Marvin is sold task 11 at 20 s, under sale 1.
+Story sold() {
+  Story story;
+  story.owner(20, 11, "owned", 1, "marvin", "sold to marvin for 12 s");
+  return story;
+}
+
+TEST(TeamOnce, ATaskThatIsBegunAndDoneOnceIsFine) {
+  Story story = sold();
+  story.team("marvin", 25, 11, 1, "begun").team("marvin", 60, 11, 1, "done");
+  EXPECT_THAT(story.broken("team-once"), IsEmpty());
+}
+
+TEST(TeamOnce, AnotherMayBeginWhatWasPutBack) {
+  Story story = sold();
+  story.team("marvin", 25, 11, 1, "begun").team("marvin", 60, 11, 1, "put-back", "no way");
+  story.team("heliv", 70, 11, 2, "begun");
+  EXPECT_THAT(story.broken("team-once"), IsEmpty());
+}
+
+TEST(TeamOnce, NobodyBeginsWhatAnotherIsAt) {
+  Story story = sold();
+  story.team("marvin", 25, 11, 1, "begun").team("heliv", 30, 11, 2, "begun");
+  EXPECT_THAT(story.broken("team-once"),
+              ElementsAre(HasSubstr("task 11 is begun, but marvin has begun it at 25.0 s")));
+}
+
+TEST(TeamOnce, NobodyBeginsWhatIsDone) {
+  Story story = sold();
+  story.team("marvin", 25, 11, 1, "begun").team("marvin", 60, 11, 1, "done");
+  story.team("heliv", 70, 11, 2, "begun");
+  EXPECT_THAT(story.broken("team-once"), ElementsAre(HasSubstr("although it was done")));
+}
+
+TEST(TeamOnce, NobodyBeginsTwiceUnderOneSale) {
+  Story story = sold();
+  story.team("marvin", 25, 11, 1, "begun").team("marvin", 60, 11, 1, "put-back", "no way");
+  story.team("marvin", 70, 11, 1, "begun");
+  EXPECT_THAT(story.broken("team-once"), SizeIs(1));
+}
+
+TEST(TeamOnce, OwnersOfAJointTaskBeginItTogether) {
+  Story story;
+  story.team("marvin", 25, 11, 1, "begun").team("heliv", 26, 11, 1, "begun");
+  EXPECT_THAT(story.broken("team-once"), IsEmpty());
+}
+
+TEST(TeamOwned, ATaskForSaleForLongWhileEverybodyIsThereIsForgotten) {
+  Story story;
+  story.degree("marvin", 0, 5).owner(20, 11, "for-sale", 0, "", "put back by heliv");
+  story.stands("marvin", 0, 60);
+  EXPECT_THAT(story.broken("team-owned"), IsEmpty());
+  story.stands("marvin", 61, 100);
+  EXPECT_THAT(story.broken("team-owned"),
+              ElementsAre(HasSubstr("task 11 has no owner for 80.0 s")));
+}
+
+TEST(TeamOwned, WithNobodyAtDegreeFiveThereIsNobodyToSellTo) {
+  Story story;
+  story.owner(20, 11, "for-sale", 0, "", "put back by heliv").stands("marvin", 0, 200);
+  EXPECT_THAT(story.broken("team-owned"), IsEmpty());
+}
+
+TEST(TeamExplained, ASaleSaysToWhomAndForWhat) {
+  EXPECT_THAT(sold().broken("team-explained"), IsEmpty());
+  Story story;
+  story.owner(20, 11, "owned", 1, "marvin", "because");
+  EXPECT_THAT(story.broken("team-explained"), ElementsAre(HasSubstr("task 11 is sold: 'because'")));
+}
+
+TEST(TeamExplained, WhatIsForNobodyAndWhatIsPutBackSaysWhy) {
+  Story story = sold();
+  story.owner(30, 12, "unsold", 0, "", "");
+  story.team("marvin", 31, 11, 1, "begun").team("marvin", 40, 11, 1, "put-back");
+  EXPECT_THAT(story.broken("team-explained"), SizeIs(2));
+}
+
+TEST(TeamExplained, NobodyBeginsWhatItDoesNotOwn) {
+  Story story = sold();
+  story.team("heliv", 31, 11, 1, "begun");
+  EXPECT_THAT(story.broken("team-explained"), ElementsAre(HasSubstr("never said to own it")));
+}
+
+}  // namespace
+}  // namespace skein::laws::testing

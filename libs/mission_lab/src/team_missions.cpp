@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Teams at degree 5 with a global mission.
+#include <cmath>
+
+#include "parts.hpp"
+#include "skein/mission_lab/generate.hpp"
+
+namespace skein::mission_lab {
+
+namespace {
+
+constexpr double kLatest = 250;  ///< of troubles [s]
+
+class TeamDrawing {
+ public:
+  TeamDrawing(std::uint64_t seed, const Kinds& kinds)
+      : random_(seed, "random team mission"), kinds_(kinds) {
+    mission_.seed = seed;
+  }
+
+  Mission draw() {
+    mission_.limit = 1500;
+    mission_.finish_after = 60;
+    mission_.wind = "toward: " + tenths(random_.uniform(0, 6.2)) +
+                    ", speed: " + tenths(random_.uniform(0, 3)) + ", gusts: 0.3";
+    draw_uavs();
+    for (std::size_t n = 2 + random_.below(4); n > 0; --n) draw_task();
+    if (kinds_.radio) draw_cuts();
+    if (kinds_.degrees && random_.chance(0.4)) draw_degree();
+    if (kinds_.faults && random_.chance(0.3)) {
+      mission_.faults.push_back(draw_refusals(random_, any().name, kLatest));
+    }
+    if (kinds_.deaths) draw_deaths();
+    return std::move(mission_);
+  }
+
+ private:
+  const Member& any() { return mission_.team[random_.below(mission_.team.size())]; }
+
+  void draw_uavs() {
+    const std::size_t count = 2 + random_.below(3);
+    for (std::size_t i = 0; i < count; ++i) {
+      Member one;
+      one.name = "uav" + std::to_string(i + 1);
+      one.model = random_.chance(0.7) ? "marvin" : "heliv";
+      one.more = "start: " + point(60.0 * static_cast<double>(i), -60 * random_.uniform(0, 2));
+      one.altitude = 35 + 20.0 * static_cast<double>(i);
+      one.first_id = 100 * static_cast<int>(i + 1);
+      mission_.team.push_back(std::move(one));
+    }
+  }
+
+  void draw_task() {
+    const std::string number = std::to_string(mission_.global.size() + 1);
+    const std::string id = std::to_string(10 + mission_.global.size() + 1);
+    mission_.places.push_back("P" + number + ": [" + whole(random_.uniform(-100, 400)) + ", " +
+                              whole(random_.uniform(-100, 400)) + ", 0]");
+    std::string task = "{id: " + id + ", task: ";
+    if (random_.chance(0.7)) {
+      task += "[perceive, P" + number + ", " + whole(random_.uniform(5, 40)) + "]";
+    } else {
+      task += "[general-gotoxyz, P" + number + "]";
+    }
+    if (!mission_.global.empty() && random_.chance(0.2)) {
+      task += ", after: [" + std::to_string(10 + mission_.global.size()) + "]";
+    }
+    if (random_.chance(0.15)) task += ", by: " + any().name;
+    mission_.global.push_back(task + "}");
+  }
+
+  void draw_cuts() {
+    for (std::size_t n = random_.below(4); n > 0; --n) {
+      const std::string one = any().name, other = any().name;
+      mission_.cuts.push_back(draw_cut(random_, one, one == other ? "ground" : other, kLatest));
+    }
+  }
+
+  // Down, and after a while up again.
+  void draw_degree() {
+    const std::string uav = any().name;
+    const std::string to = std::to_string(2 + random_.below(3));
+    Step down;
+    down.name = "down";
+    down.when = "{time: " + whole(random_.uniform(15, 120)) + "}";
+    down.action = "degree: {uav: " + uav + ", to: " + to + "}";
+    Step back;
+    back.name = "back";
+    back.when = "{degree: {uav: " + uav + ", is: " + to + "}}";
+    back.after = std::round(random_.uniform(20, 120));
+    back.action = "degree: {uav: " + uav + ", to: 5, resume: true}";
+    mission_.steps = {down, back};
+  }
+
+  void draw_deaths() {
+    std::vector<std::string> daemons{"ground"};
+    for (const Member& one : mission_.team) daemons.push_back(one.name);
+    for (std::size_t n = random_.below(3); n > 0; --n) {
+      mission_.faults.push_back(draw_death(random_, daemons, kLatest));
+    }
+  }
+
+  Random random_;
+  Kinds kinds_;
+  Mission mission_;
+};
+
+}  // namespace
+
+Mission generate_team(std::uint64_t seed, const Kinds& kinds) {
+  return TeamDrawing(seed, kinds).draw();
+}
+
+}  // namespace skein::mission_lab

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts of a scenario about its team: who is in it, and global missions.
+#include <algorithm>
+
+#include "read_missions.hpp"
+
+namespace skein::scenario {
+
+namespace {
+
+using config::Range;
+using config::Reader;
+using mission::GoalId;
+using mission::MissionId;
+
+constexpr std::int64_t kGreatestNumber = 2'000'000'000;
+
+/// In the air every round of a sale is a message and its answer on the radio.
+auction::SaleLimits sale_limits() {
+  auction::SaleLimits limits;
+  limits.trade = 3;
+  limits.patience = 8;
+  return limits;
+}
+
+std::uint64_t read_number(const Reader& reader) {
+  return static_cast<std::uint64_t>(reader.integer(1, 1, kGreatestNumber));
+}
+
+std::set<std::string> read_uavs_of(const Reader& reader, const TaskContext& context) {
+  std::set<std::string> uavs;
+  for (const Reader& one : items_of(reader)) {
+    uavs.insert(one.name_among(context.names.uavs, "a UAV"));
+  }
+  return uavs;
+}
+
+auction::Place middle_of(const world::Polygon& polygon) {
+  auction::Place middle;
+  for (const world::Vector2& corner : polygon) {
+    middle.x += corner.x() / static_cast<double>(polygon.size());
+    middle.y += corner.y() / static_cast<double>(polygon.size());
+  }
+  return middle;
+}
+
+// Of the first argument that names one.
+auction::Place place_of(const mission::HighLevelTask& task, const WorldSpec& world) {
+  for (const mission::Argument& argument : task.arguments) {
+    if (const auto* at = std::get_if<world::Vector3>(&argument)) return {at->x(), at->y()};
+    const auto* name = std::get_if<std::string>(&argument);
+    if (name == nullptr) continue;
+    if (const auto place = world.places.find(*name); place != world.places.end()) {
+      return {place->second.x(), place->second.y()};
+    }
+    const auto zone = std::find_if(world.zones.begin(), world.zones.end(),
+                                   [&](const world::Zone& one) { return one.name == *name; });
+    if (zone != world.zones.end() && !zone->polygon.empty()) return middle_of(zone->polygon);
+  }
+  return {};
+}
+
+team::GlobalTask read_team_task(const Reader& reader, std::size_t number,
+                                std::vector<ground_station::ArgumentTarget>& targets,
+                                TaskContext& context) {
+  team::GlobalTask asked;
+  if (!reader.keys({"id", "task", "members", "after", "by", "not_by", "repeatable", "start_before",
+                    "start_after", "end_before", "end_after"})) {
+    return asked;
+  }
+  const Reader id = reader.required("id");
+  asked.task.id = GoalId(read_number(id));
+  if (id.present() && !context.team_tasks.insert(asked.task.id).second) {
+    id.error("task " + to_text(asked.task.id) + " is given to the team twice",
+             "ids that are unique among all global missions");
+  }
+  read_statement(reader.required("task"), asked.task, number, targets);
+  asked.task.time = read_time_constraints(reader);
+  asked.members = static_cast<std::uint32_t>(reader.optional("members").integer(1, 1, 100));
+  for (const Reader& before : items_of(reader.optional("after"))) {
+    asked.after.emplace_back(read_number(before));
+  }
+  if (const Reader by = reader.optional("by"); by.present()) {
+    asked.by = by.name_among(context.names.uavs, "a UAV");
+  }
+  asked.not_by = read_uavs_of(reader.optional("not_by"), context);
+  asked.repeatable = reader.optional("repeatable").boolean(false);
+  asked.at = place_of(asked.task, context.scenario.world);
+  return asked;
+}
+
+}  // namespace
+
+bool in_team(const Scenario& scenario, const std::string& uav) {
+  return scenario.team && scenario.team->roster.number_of(uav).has_value();
+}
+
+std::optional<team::Config> read_team(const Reader& reader, const Names& names,
+                                      std::uint64_t seed) {
+  if (!reader.present()) return std::nullopt;
+  team::Config config;
+  config.limits.sale = sale_limits();
+  config.limits.beat = Duration::seconds(1);
+  config.limits.patience = Duration::seconds(4);
+  config.seed = seed;
+  if (!reader.keys({"members", "ground", "lease", "patience", "beat", "ahead", "equity"})) {
+    return config;
+  }
+  std::vector<std::string> members;
+  for (const Reader& one : items_of(reader.optional("members"))) {
+    const std::string uav = one.name_among(names.uavs, "a UAV");
+    if (std::find(members.begin(), members.end(), uav) != members.end()) {
+      one.error("'" + uav + "' is named twice", "each member once");
+    } else if (!uav.empty()) {
+      members.push_back(uav);
+    }
+  }
+  if (members.empty()) members = names.uavs;
+  if (reader.optional("ground").boolean(true)) members.emplace_back("ground");
+  config.roster = team::Roster(std::move(members));
+  auction::TeamLimits& limits = config.limits;
+  const auto seconds = [&](const char* key, Duration otherwise, Range range) {
+    return Duration::seconds(reader.optional(key).number(otherwise.to_seconds(), range));
+  };
+  limits.lease = seconds("lease", limits.lease, {1, 3600, "s"});
+  limits.patience = seconds("patience", limits.patience, {0.5, 600, "s"});
+  limits.beat = seconds("beat", limits.beat, {0.1, 60, "s"});
+  limits.ahead = static_cast<std::uint32_t>(reader.optional("ahead").integer(1, 1, 16));
+  limits.aim.equity = reader.optional("equity").number(limits.aim.equity, {0, 1, ""});
+  if (limits.patience < limits.beat + limits.beat) {
+    reader.error("patience is less than two beats", "patience: seconds");
+  }
+  return config;
+}
+
+ground_station::Action read_global_mission(const Reader& reader, TaskContext& context) {
+  ground_station::SendGlobalMission send;
+  if (!reader.keys({"id", "tasks"})) return send;
+  if (!context.scenario.team) reader.error("the scenario has no team", kTeamWanted);
+  send.mission.id = MissionId(read_number(reader.required("id")));
+  context.global_missions.insert(send.mission.id);
+  for (const Reader& task : items_of(reader.required("tasks"))) {
+    send.mission.tasks.push_back(
+        read_team_task(task, send.mission.tasks.size(), send.targets, context));
+  }
+  return send;
+}
+
+ground_station::Action read_declare_lost(const Reader& reader, TaskContext& context) {
+  reader.keys({"uav"});
+  if (!context.scenario.team) reader.error("the scenario has no team", kTeamWanted);
+  return ground_station::DeclareLost{
+      reader.required("uav").name_among(context.names.uavs, "a UAV")};
+}
+
+ground_station::OnTeamTask read_on_team_task(const Reader& reader, TaskContext& context) {
+  reader.keys({"id", "stage"});
+  ground_station::OnTeamTask on;
+  const Reader id = reader.required("id");
+  on.task = GoalId(read_number(id));
+  if (id.present()) context.references.push_back({id, "", on.task.value(), true});
+  on.stage = static_cast<auction::Stage>(
+      reader.required("stage").choice({"for-sale", "owned", "granted", "done", "unsold"}));
+  return on;
+}
+
+ground_station::OnGlobalMission read_on_global_mission(const Reader& reader, TaskContext& context) {
+  reader.keys({"id", "state"});
+  ground_station::OnGlobalMission on;
+  const Reader id = reader.required("id");
+  on.mission = MissionId(read_number(id));
+  if (id.present()) context.references.push_back({id, "", on.mission.value(), false});
+  on.stage = static_cast<ground_station::GlobalStage>(
+      reader.required("state").choice({"refused", "given", "done"}));
+  return on;
+}
+
+}  // namespace skein::scenario

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/team/global_mission.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace skein::team {
+
+namespace {
+
+auction::TaskNumber number_of(mission::GoalId id) {
+  return auction::TaskNumber(static_cast<std::uint32_t>(id.value()));
+}
+
+double duration_of(const mission::HighLevelTask& task, const mission::Vocabulary& vocabulary) {
+  const auto signature = vocabulary.tasks.find(task.name);
+  if (signature == vocabulary.tasks.end()) return 0;
+  const auto& kinds = signature->second.parameters;
+  double seconds = 0;
+  for (std::size_t i = 0; i < std::min(kinds.size(), task.arguments.size()); ++i) {
+    const auto* number = std::get_if<double>(&task.arguments[i]);
+    if (kinds[i] == mission::ParameterKind::kDuration && number != nullptr) seconds += *number;
+  }
+  return seconds;
+}
+
+auction::Task task_of(const GlobalTask& asked, const Roster& roster,
+                      const mission::Vocabulary& vocabulary, const std::string& asked_by) {
+  auction::Task task;
+  task.number = number_of(asked.task.id);
+  task.duration = duration_of(asked.task, vocabulary);
+  task.least_members = asked.members;
+  const mission::TimeConstraints& time = asked.task.time;
+  if (time.start_after) task.earliest = std::max(0.0, time.start_after->to_seconds());
+  if (time.end_before) task.deadline = time.end_before->to_seconds();
+  if (time.start_before) {
+    task.deadline = std::min(task.deadline, time.start_before->to_seconds() + task.duration);
+  }
+  task.at = asked.at;
+  if (asked.by) task.pinned = roster.number_of(*asked.by);
+  for (const std::string& uav : asked.not_by) {
+    if (const auto number = roster.number_of(uav)) task.forbidden.insert(*number);
+  }
+  task.repeatable = asked.repeatable;
+  task.work = std::make_shared<const Order>(asked.task, asked_by);
+  return task;
+}
+
+std::string about(const GlobalTask& task) { return "task " + to_text(task.task.id) + ": "; }
+
+void check_members(const GlobalTask& task, const Roster& roster,
+                   const mission::Surroundings& around, std::vector<std::string>& problems) {
+  const auto known = [&](const std::string& uav) {
+    const bool flies = std::find(around.uavs.begin(), around.uavs.end(), uav) != around.uavs.end();
+    return flies && roster.number_of(uav).has_value();
+  };
+  if (task.by && !known(*task.by)) problems.push_back(about(task) + "no UAV '" + *task.by + "'");
+  for (const std::string& uav : task.not_by) {
+    if (!known(uav)) problems.push_back(about(task) + "no UAV '" + uav + "'");
+  }
+  if (task.members == 0) problems.push_back(about(task) + "it has no members");
+  if (task.members > around.uavs.size()) {
+    problems.push_back(about(task) + "it wants " + std::to_string(task.members) + " of " +
+                       std::to_string(around.uavs.size()) + " UAVs");
+  }
+}
+
+void check_order(const GlobalMission& mission, std::vector<std::string>& problems) {
+  for (const GlobalTask& task : mission.tasks) {
+    if (task.task.id.value() > std::numeric_limits<std::uint32_t>::max()) {
+      problems.push_back(about(task) + "numbers end at 4294967295");
+    }
+    for (const mission::GoalId before : task.after) {
+      const bool there = std::any_of(mission.tasks.begin(), mission.tasks.end(),
+                                     [&](const auto& one) { return one.task.id == before; });
+      if (!there) problems.push_back(about(task) + "task " + to_text(before) + " is not in it");
+    }
+    if (!task.task.after.empty()) {
+      problems.push_back(about(task) + "bounds after a goal are for one UAV's mission");
+    }
+  }
+}
+
+}  // namespace
+
+const Order* order_of(const auction::Task& task) {
+  return dynamic_cast<const Order*>(task.work.get());
+}
+
+std::vector<std::string> problems_of(const GlobalMission& mission, const Roster& roster,
+                                     const mission::Vocabulary& vocabulary,
+                                     const mission::Surroundings& around, MissionTime now) {
+  mission::UnitMission as_one;
+  as_one.id = mission.id;
+  for (const GlobalTask& task : mission.tasks) as_one.tasks.push_back(task.task);
+  mission::Surroundings places = around;
+  places.vehicle = nullptr;
+  std::vector<std::string> problems = mission::problems_of(as_one, vocabulary, places, now);
+  for (const GlobalTask& task : mission.tasks) check_members(task, roster, around, problems);
+  check_order(mission, problems);
+  if (!problems.empty()) return problems;
+  for (const auction::Contradiction& one :
+       auction::contradictions(given(mission, roster, vocabulary).lot)) {
+    problems.push_back(one.why);
+  }
+  return problems;
+}
+
+auction::GivenMission given(const GlobalMission& mission, const Roster& roster,
+                            const mission::Vocabulary& vocabulary) {
+  auction::GivenMission result{auction::MissionNumber(mission.id.value()), {}};
+  for (const GlobalTask& task : mission.tasks) {
+    result.lot.tasks.push_back(task_of(task, roster, vocabulary, mission.asked_by));
+    for (const mission::GoalId before : task.after) {
+      result.lot.precedences.push_back({number_of(before), number_of(task.task.id)});
+    }
+  }
+  return result;
+}
+
+}  // namespace skein::team

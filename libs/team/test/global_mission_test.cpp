@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mission of the team as the market is given it, and what is wrong with one.
+#include "skein/team/global_mission.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace skein::team {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+mission::Vocabulary vocabulary() {
+  mission::Vocabulary words;
+  words.tasks["look"] = {
+      "look", {mission::ParameterKind::kPlace, mission::ParameterKind::kDuration}, {"sight"}};
+  return words;
+}
+
+Roster roster() { return Roster({"marvin", "heliv", "ground"}); }
+
+GlobalTask look(std::uint64_t id) {
+  GlobalTask asked;
+  asked.task.id = mission::GoalId(id);
+  asked.task.name = "look";
+  asked.task.arguments = {std::string("P1"), 20.0};
+  return asked;
+}
+
+GlobalMission mission_of(std::vector<GlobalTask> tasks) {
+  return {mission::MissionId(1), std::move(tasks), "step one"};
+}
+
+std::vector<std::string> problems(const GlobalMission& mission) {
+  return problems_of(mission, roster(), vocabulary(), {{"P1"}, {}, {"marvin", "heliv"}, nullptr},
+                     MissionTime());
+}
+
+TEST(GlobalMission, IsALotOfTasksThatLastAsLongAsTheirDurationsAndKeepTheirWords) {
+  GlobalTask first = look(11), then = look(12);
+  first.task.time.start_after = MissionTime::seconds(30);
+  first.task.time.end_before = MissionTime::seconds(90);
+  then.after = {mission::GoalId(11)};
+  then.by = "heliv";
+  then.not_by = {"marvin"};
+  then.members = 2;
+
+  const auction::GivenMission lot = given(mission_of({first, then}), roster(), vocabulary());
+
+  ASSERT_THAT(lot.lot.tasks, SizeIs(2));
+  EXPECT_EQ(lot.lot.tasks[0].duration, 20);
+  EXPECT_EQ(lot.lot.tasks[0].earliest, 30);
+  EXPECT_EQ(lot.lot.tasks[0].deadline, 90);
+  EXPECT_EQ(lot.lot.tasks[1].pinned, auction::MemberNumber(1));
+  EXPECT_THAT(lot.lot.tasks[1].forbidden, ElementsAre(auction::MemberNumber(0)));
+  EXPECT_EQ(lot.lot.tasks[1].least_members, 2U);
+  EXPECT_THAT(lot.lot.precedences,
+              ElementsAre(auction::Precedence{auction::TaskNumber(11), auction::TaskNumber(12)}));
+  ASSERT_NE(order_of(lot.lot.tasks[0]), nullptr);
+  EXPECT_EQ(order_of(lot.lot.tasks[0])->task, first.task);
+  EXPECT_EQ(order_of(lot.lot.tasks[0])->asked_by, "step one");
+  EXPECT_EQ(order_of(auction::Task()), nullptr);
+}
+
+TEST(GlobalMission, OneThatMakesSenseHasNoProblems) {
+  EXPECT_THAT(problems(mission_of({look(11), look(12)})), IsEmpty());
+}
+
+TEST(GlobalMission, WordsThatTheDomainDoesNotKnowAreAProblem) {
+  GlobalTask asked = look(11);
+  asked.task.arguments[0] = std::string("P2");
+
+  EXPECT_THAT(problems(mission_of({asked})), ElementsAre(HasSubstr("P2")));
+}
+
+TEST(GlobalMission, StrangersAreAProblemAndSoIsTheGroundStationThatCannotFly) {
+  GlobalTask asked = look(11);
+  asked.by = "ground";
+  asked.not_by = {"karma"};
+
+  EXPECT_THAT(problems(mission_of({asked})),
+              ElementsAre("task 11: no UAV 'ground'", "task 11: no UAV 'karma'"));
+}
+
+TEST(GlobalMission, MoreMembersThanThereAreAndTasksThatAreNotInItAreProblems) {
+  GlobalTask asked = look(11);
+  asked.members = 3;
+  asked.after = {mission::GoalId(99)};
+
+  EXPECT_THAT(problems(mission_of({asked})),
+              ElementsAre("task 11: it wants 3 of 2 UAVs", "task 11: task 99 is not in it"));
+}
+
+TEST(GlobalMission, TasksThatWaitForEachOtherContradictThemselves) {
+  GlobalTask one = look(11), other = look(12);
+  one.after = {mission::GoalId(12)};
+  other.after = {mission::GoalId(11)};
+
+  EXPECT_THAT(problems(mission_of({one, other})), SizeIs(1));
+}
+
+TEST(GlobalMission, OneWhoIsPinnedAndForbiddenContradictsItself) {
+  GlobalTask asked = look(11);
+  asked.by = "heliv";
+  asked.not_by = {"heliv"};
+
+  EXPECT_THAT(problems(mission_of({asked})), SizeIs(1));
+}
+
+TEST(Roster, NumbersFollowTheOrderAndStrangersHaveNone) {
+  EXPECT_EQ(roster().number_of("ground"), auction::MemberNumber(2));
+  EXPECT_EQ(roster().number_of("karma"), std::nullopt);
+  EXPECT_EQ(roster().name_of(auction::MemberNumber(1)), "heliv");
+  EXPECT_EQ(roster().name_of(auction::MemberNumber(7)), "?");
+}
+
+TEST(Roster, AMemberIsSetUpWithTheNamesOfAll) {
+  const auction::TeamSetup setup = setup_of({roster(), {}, 5}, "heliv");
+
+  EXPECT_EQ(setup.self, auction::MemberNumber(1));
+  EXPECT_THAT(setup.roster, SizeIs(3));
+  EXPECT_EQ(setup.names.at(auction::MemberNumber(0)), "marvin");
+  EXPECT_EQ(setup.seed, 5U);
+}
+
+}  // namespace
+}  // namespace skein::team
