@@ -17,12 +17,12 @@ std::string names_of(const std::vector<auction::MemberNumber>& members,
   return joined(names, ", ");
 }
 
-journal::Record record(const Writer& writer, const char* state) {
+journal::Record told(const Writer& writer, const char* state) {
   return journal::Record(writer.at, writer.node, "sale").with("state", state);
 }
 
 Lines lines_of(const Writer& writer, const auction::Sold& sold, const team::Roster& roster) {
-  journal::Record line = record(writer, sold.trade ? "traded" : "sold");
+  journal::Record line = told(writer, sold.trade ? "traded" : "sold");
   line.with("task", static_cast<std::int64_t>(sold.task.value()))
       .with("to", names_of(sold.members, roster))
       .with("value", journal::rounded(sold.value.first));
@@ -38,15 +38,14 @@ Lines lines_of(const Writer& writer, const auction::Unsold& unsold, const team::
   for (const auto& [member, why] : unsold.reasons) {
     reasons.push_back(roster.name_of(member) + ": " + why);
   }
-  return {record(writer, "unsold")
+  return {told(writer, "unsold")
               .with("task", static_cast<std::int64_t>(unsold.task.value()))
               .with("why", joined(reasons, "; "))};
 }
 
 Lines lines_of(const Writer& writer, const auction::Dropped& dropped, const team::Roster& roster) {
-  return {record(writer, "dropped")
-              .with("uav", roster.name_of(dropped.member))
-              .with("why", dropped.why)};
+  return {
+      told(writer, "dropped").with("uav", roster.name_of(dropped.member)).with("why", dropped.why)};
 }
 
 Lines lines_of(const Writer& writer, const auction::Rejected& rejected) {
@@ -55,7 +54,7 @@ Lines lines_of(const Writer& writer, const auction::Rejected& rejected) {
     std::vector<std::string> chain;
     for (const auction::TaskNumber task : one.chain) chain.push_back(to_text(task));
     lines.push_back(
-        record(writer, "rejected").with("tasks", joined(chain, " ")).with("why", one.why));
+        told(writer, "rejected").with("tasks", joined(chain, " ")).with("why", one.why));
   }
   return lines;
 }

@@ -79,18 +79,19 @@ std::shared_ptr<const Ledger> ledger() {
 }
 
 TEST(Team, ALedgerCrossesTheWireWithTheWorkOfItsTasks) {
-  const Beat beat = crossed(Beat{3, 7, ledger()});
+  const std::shared_ptr<const Ledger> truth = ledger();
+  const Beat beat = crossed(Beat{3, 7, truth});
 
   EXPECT_EQ(beat.term, 3U);
   EXPECT_EQ(beat.committed, 7U);
   ASSERT_NE(beat.ledger, nullptr);
   const Ledger& book = *beat.ledger;
-  EXPECT_EQ(book.missions, ledger()->missions);
-  EXPECT_EQ(book.precedences, ledger()->precedences);
-  EXPECT_EQ(book.routes, ledger()->routes);
-  EXPECT_EQ(book.lost, ledger()->lost);
+  EXPECT_EQ(book.missions, truth->missions);
+  EXPECT_EQ(book.precedences, truth->precedences);
+  EXPECT_EQ(book.routes, truth->routes);
+  EXPECT_EQ(book.lost, truth->lost);
   const LedgerEntry &read = book.entries.at(TaskNumber(11)),
-                    &said = ledger()->entries.at(TaskNumber(11));
+                    &said = truth->entries.at(TaskNumber(11));
   expect_same(read.task, said.task);
   EXPECT_EQ(team::order_of(read.task)->task, team::order_of(said.task)->task);
   EXPECT_EQ(team::order_of(read.task)->asked_by, "operator");

@@ -39,8 +39,8 @@ std::optional<double> too_many(const std::vector<double>& instants, std::size_t 
   return std::nullopt;
 }
 
-// What a role asked for is one request of its componel's: an attempt at a joint task that fails asks
-// for its way in and its way out.
+// What a role asked for is one request of its componel's: an attempt at a joint task that fails
+// asks for its way in and its way out.
 std::map<std::int64_t, std::string> componels_of(const History& history, const std::string& uav) {
   std::map<std::int64_t, std::string> componels;
   for (const RoleTaskTold& one : history.joint.tasks)
@@ -53,15 +53,10 @@ void judge(const History& history, const Uav& uav, std::vector<Violation>& resul
   std::map<std::pair<std::int64_t, std::string>, std::size_t> of_goals;
   std::map<std::string, std::vector<double>> alike;
   for (const Activity& one : uav.activities) {
-<<<<<<< HEAD
-    if (!refused(one) || uav.degree(one.from) != 4) continue;
+    if (!refused(one) || uav.degree(one.from) < 4) continue;
     const auto componel = componels.find(one.task);
     const std::string by = componel == componels.end() ? "" : componel->second;
     const std::string what = one.type + by + ": " + without_figures(one.reason);
-=======
-    if (!refused(one) || uav.degree(one.from) < 4) continue;
-    const std::string what = one.type + ": " + without_figures(one.reason);
->>>>>>> e9a75ac (Degree 5 flies: a global mission is shared out by the UAVs of a team (17.1))
     const std::int64_t goal = uav.goal_of_task(one.task);
     alike[what].push_back(one.from);
     if (goal == 0 || ++of_goals[{goal, what}] != kOfAGoal + 1) continue;

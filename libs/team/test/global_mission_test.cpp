@@ -52,8 +52,8 @@ TEST(GlobalMission, IsALotOfTasksThatLastAsLongAsTheirDurationsAndKeepTheirWords
 
   ASSERT_THAT(lot.lot.tasks, SizeIs(2));
   EXPECT_EQ(lot.lot.tasks[0].duration, 20);
-  EXPECT_EQ(lot.lot.tasks[0].earliest, 30);
-  EXPECT_EQ(lot.lot.tasks[0].deadline, 90);
+  EXPECT_NEAR(lot.lot.tasks[0].earliest, 30, 1e-9);
+  EXPECT_NEAR(lot.lot.tasks[0].deadline, 90, 1e-9);
   EXPECT_EQ(lot.lot.tasks[1].pinned, auction::MemberNumber(1));
   EXPECT_THAT(lot.lot.tasks[1].forbidden, ElementsAre(auction::MemberNumber(0)));
   EXPECT_EQ(lot.lot.tasks[1].least_members, 2U);

@@ -102,8 +102,7 @@ struct SaleTold {
 struct Offered {
   Offer offer;
 };
-using TeamEffect =
-    std::variant<Tell, Store, BeginTask, TokenTaken, TokenLost, SaleTold, Offered>;
+using TeamEffect = std::variant<Tell, Store, BeginTask, TokenTaken, TokenLost, SaleTold, Offered>;
 using TeamEffects = std::vector<TeamEffect>;
 
 /// Bids, owns and, when it holds the token, sells. Without dependence on clocks that agree: a task
