@@ -107,10 +107,12 @@ Holding TeamMember::Core::holding(MemberNumber member) const {
 }
 
 ToAuctioneer TeamMember::Core::answer(const ToMember& call) {
-  const auto& lot = std::visit([](const auto& message) { return message.lot; }, call);
-  const std::unique_ptr<const Craft> craft =
-      setup_.craft ? setup_.craft(lot, now_) : std::make_unique<const NoCraft>();
-  ToAuctioneer said = Bidder(setup_.self, *craft).handle(call);
+  const auto [sale, lot] =
+      std::visit([](const auto& message) { return std::pair(message.sale, message.lot); }, call);
+  if (!bidding_ || bidding_->sale != sale) {
+    bidding_ = {sale, setup_.craft ? setup_.craft(lot, now_) : std::make_unique<const NoCraft>()};
+  }
+  ToAuctioneer said = Bidder(setup_.self, *bidding_->craft).handle(call);
   const auto* offer = std::get_if<Offer>(&said);
   if (offer != nullptr && offer->round == 1) effects_.emplace_back(Offered{*offer});
   return said;

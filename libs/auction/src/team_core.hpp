@@ -120,6 +120,13 @@ class TeamMember::Core {
   std::set<MemberNumber> took_part_;  ///< in the last sale held here
   std::optional<Sale> sale_;
   std::uint64_t sales_ = 0;
+  /// With which it bids in one sale: from where it was when that began, since in flight every round
+  /// would look like a gain, and the sale would not end.
+  struct Bidding {
+    SaleNumber sale;
+    std::unique_ptr<const Craft> craft;
+  };
+  std::optional<Bidding> bidding_;
   std::deque<ToMember> own_calls_;  ///< of the sale held here
   std::optional<Claim> running_;
   std::optional<MissionTime> idle_since_;

@@ -328,6 +328,36 @@ TEST(TeamMemberTakesPart, WhatItOffersInTheFirstRoundIsTold) {
   EXPECT_THAT(one.ledger().entries.at(TaskNumber(5)).why, ::testing::HasSubstr("to marvin for"));
 }
 
+// In flight the way gets shorter all the time: that is no gain of a trade.
+TEST(TeamMemberTakesPart, InOneSaleItBidsFromWhereItWasWhenThatBegan) {
+  struct Moving : Plain {
+    explicit Moving(MissionTime now) : seconds(now.to_seconds()) {}
+    std::optional<Leg> leg(Stopover, Stopover) const override { return Leg{seconds, seconds, 0}; }
+    double seconds;
+  };
+  TeamSetup setup;
+  setup.self = MemberNumber(0);
+  setup.roster = {MemberNumber(0), MemberNumber(1)};
+  setup.craft = [](const auto&, MissionTime now) { return std::make_unique<const Moving>(now); };
+  TeamMember one(std::move(setup));
+  Task task;
+  task.number = TaskNumber(5);
+  const auto lot = std::make_shared<const Catalogue>(Lot{{task}, {}});
+  const auto price = [&](std::uint64_t sale, std::uint32_t round, double now) {
+    const Call call{SaleNumber(sale), round, lot, {}, 0, {TaskNumber(5)}, 0, false};
+    for (const TeamEffect& effect : one.handle(Heard{MemberNumber(1), ToMember(call)}, at(now))) {
+      const auto* tell = std::get_if<Tell>(&effect);
+      const auto* said = tell ? std::get_if<ToAuctioneer>(&tell->message) : nullptr;
+      if (said) return std::get<Offer>(*said).items.at(0).gaps.at(0).in.seconds;
+    }
+    return -1.0;
+  };
+
+  EXPECT_EQ(price(1, 1, 10), 10);
+  EXPECT_EQ(price(1, 2, 11), 10);
+  EXPECT_EQ(price(2, 1, 12), 12);
+}
+
 TEST_F(TeamMemberTest, WhatIsPutBackSaysWhyUntilTheLedgerSaysSo) {
   TeamMember one = member();
   auto ledger = granted();

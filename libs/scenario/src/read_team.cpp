@@ -20,6 +20,7 @@ auction::SaleLimits sale_limits() {
   auction::SaleLimits limits;
   limits.trade = 3;
   limits.patience = 8;
+  limits.most_rounds = 60;
   return limits;
 }
 
