@@ -4,6 +4,7 @@
 #   no-keys      a UAV without keys does not meet the others, and a spy without keys hears nothing
 #   expired      a certificate that ran out: its node is refused by itself, and, where that has a wrong
 #                clock, by the others (the latter only where faketime is installed)
+#   stalled      a UAV that stands still for 7 s while it shakes hands takes part afterwards
 #   other-name   a UAV with another's keys is refused
 #   other-slots  a UAV whose permissions lack a slot is refused
 set -euo pipefail
@@ -86,6 +87,15 @@ case $case in
     start karma skein-ddn --uav karma --security "$work/keys"
     never_started "$last"
     grep -q "certificate has expired" "$work/ground.log" || fail "the ground station does not say why" ;;
+  stalled)
+    start sim skein-sim --security "$work/keys/sim"
+    start ground skein-ground --security "$work/keys/ground"
+    start karma skein-ddn --uav karma --security "$work/keys/karma"
+    until [ "$(find "/proc/$last/fd" -lname 'socket:*' 2>/dev/null | wc -l)" -ge 4 ]; do :; done  # it has joined DDS
+    kill -STOP "$last"
+    timeout 7 tail -f /dev/null || true
+    kill -CONT "$last"
+    timeout 40 grep -q "mission started" <(tail -f "$work/sim.log") || fail "they did not meet" ;;
   other-name)
     refused "do not allow" skein-ground --security "$work/keys/karma" ;;
   other-slots)
