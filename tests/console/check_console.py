@@ -71,6 +71,34 @@ class Mission:
         self.end()
 
 
+class Replay:
+    """A run in virtual time, then its replay."""
+
+    def __init__(self, build, scenario, speed):
+        self.folder = tempfile.mkdtemp(prefix="skein-replay-")
+        file = scenario
+        if isinstance(scenario, str):
+            file = pathlib.Path(self.folder) / "scenario.yaml"
+            file.write_text(scenario)
+        subprocess.run([f"{build}/bin/skein", "run", str(file), "--virtual", "--quiet", "--out", self.folder + "/out"],
+                       stdout=subprocess.DEVNULL)
+        self.process = subprocess.Popen([f"{build}/bin/skein", "replay", self.folder + "/out", "--speed", str(speed)],
+                                        stdout=subprocess.PIPE, text=True)
+        self.url = self.process.stdout.readline().split()[-1]
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.terminate()
+        code = self.process.wait(20)
+        shutil.rmtree(self.folder, ignore_errors=True)
+        assert code == 0, code
+
+
+MARKS = "(async () => (await import('/feed.js')).model.uavs.get('marvin').marks.size)()"
+
+
 def card(uav):
     return f"document.querySelector('[data-uav=\"{uav}\"]')"
 
@@ -184,30 +212,21 @@ def check_gives_a_mission_from_the_form(browser, mission):
 
 def check_replays_what_was_recorded(browser, build):
     """A mission in virtual time, then seen on the page: at an instant, and at an earlier one."""
-    folder = tempfile.mkdtemp(prefix="skein-replay-")
-    try:
-        subprocess.run([f"{build}/bin/skein", "run", str(SOURCE / "scenarios/comets/confirmed.yaml"), "--virtual", "--quiet",
-                        "--out", folder], check=True, stdout=subprocess.DEVNULL)
-        replay = subprocess.Popen([f"{build}/bin/skein", "replay", folder, "--speed", "60"], stdout=subprocess.PIPE, text=True)
-        url = replay.stdout.readline().split()[-1]
-        page = browser.page(url)
+    with Replay(build, SOURCE / "scenarios/comets/confirmed.yaml", 60) as replay:
+        page = browser.page(replay.url)
         page.until("document.getElementById('news').textContent === 'replay'")
         page.until("document.getElementById('clock').textContent > '00:20'")
         assert page.says("getComputedStyle(document.getElementById('mission-button')).display === 'none'")
         page.says("(() => { const at = document.getElementById('at'); at.value = at.max; at.dispatchEvent(new Event('change')); })()")
         page.until("document.getElementById('play').textContent === 'play'")
         page.until("document.getElementById('phase').textContent.length > 3")
-        done = page.says("(async () => (await import('/feed.js')).model.uavs.get('marvin').marks.size)()")
+        done = page.says(MARKS)
         assert done > 3, done
         page.says("(() => { const at = document.getElementById('at'); at.value = 10; at.dispatchEvent(new Event('change')); })()")
         page.until("document.getElementById('clock').textContent === '00:10'")
-        fewer = page.says("(async () => (await import('/feed.js')).model.uavs.get('marvin').marks.size)()")
+        fewer = page.says(MARKS)
         assert fewer < done, (fewer, done)
         page.close()
-        replay.terminate()
-        assert replay.wait(20) == 0
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
 
 
 def check_shows_a_cut_link(browser, mission):
@@ -240,23 +259,33 @@ def frames(page, seconds):
         requestAnimationFrame(step); }})""")
 
 
-def tell_figures(build):
-    for uavs in (3, 20):
-        with Mission(build, fleet(uavs, SOURCE), 1) as mission:
-            ground = mission.pid_of("skein-ground")
-            for pages in (0, 1, 5):
-                browser = Browser()
-                try:
-                    shown = [opened(browser, mission) for _ in range(pages)]
-                    pause = browser.page("about:blank")
-                    before = processor_seconds(ground)
-                    pause.says("new Promise((done) => setTimeout(done, 20000))")
-                    print(f"{uavs} UAVs, {pages} pages: ground station {(processor_seconds(ground) - before) / 20 * 100:.1f} % of a processor", flush=True)
-                    if pages == 1:
-                        first = shown[0].says("performance.getEntriesByType('paint')[0]?.startTime")
-                        print(f"{uavs} UAVs: first paint {first:.0f} ms, {frames(shown[0], 10):.1f} frames/s", flush=True)
-                finally:
-                    browser.close()
+def tell_cost(build, uavs):
+    with Mission(build, fleet(uavs, SOURCE), 1) as mission:
+        ground = mission.pid_of("skein-ground")
+        for pages in (0, 1, 5):
+            browser = Browser()
+            try:
+                shown = [opened(browser, mission) for _ in range(pages)]
+                before = processor_seconds(ground)
+                browser.page("about:blank").says("new Promise((done) => setTimeout(done, 20000))")
+                print(f"{uavs} UAVs, {pages} pages: ground station {(processor_seconds(ground) - before) / 20 * 100:.1f} % of a processor", flush=True)
+                if pages == 1:
+                    first = shown[0].says("performance.getEntriesByType('paint')[0]?.startTime")
+                    print(f"{uavs} UAVs: first paint {first:.0f} ms, {frames(shown[0], 10):.1f} frames/s", flush=True)
+            finally:
+                browser.close()
+
+
+def tell_frames(build, uavs):
+    """Of a replay at ten times mission speed: the log has each UAV's place once a mission second."""
+    browser = Browser()
+    try:
+        with Replay(build, fleet(uavs, SOURCE, until=600), 10) as replay:
+            page = browser.page(replay.url)
+            page.until("document.getElementById('clock').textContent > '01:00'")
+            print(f"{uavs} UAVs at 10 Hz: {frames(page, 10):.1f} frames/s", flush=True)
+    finally:
+        browser.close()
 
 
 def check(build, pictures):
@@ -292,7 +321,9 @@ def main():
         print("SKIPPED: there is no chromium on this machine")
         return SKIPPED
     if options.figures:
-        tell_figures(options.build)
+        tell_frames(options.build, 20)
+        tell_cost(options.build, 3)
+        tell_cost(options.build, 8)
     else:
         check(options.build, options.pictures)
         print("the console does what it should")

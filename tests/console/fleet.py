@@ -2,7 +2,7 @@
 """Scenarios of as many helicopters as asked, which wait for their operators."""
 
 
-def fleet(count, source, cut=False):
+def fleet(count, source, cut=False, until=3500):
     names = ["marvin"] + [f"heli{number}" for number in range(2, count + 1)]
     uavs = "\n".join(f"  {name}: {{model: {source}/scenarios/comets/models/marvin.yaml, start: [{40 * (i % 5)}, {40 * (i // 5)}], degree: 4}}"
                      for i, name in enumerate(names))
@@ -31,6 +31,6 @@ radio:
   position: [-20, -20, 8]
   script:
 {script}    - step: end
-      when: {{time: 3500}}
+      when: {{time: {until}}}
       do: [{{finish: true}}]
 """
