@@ -112,14 +112,14 @@ TEST_P(EveryChange, OfAnEarlierCommandThatComesAgainIsAnsweredAsBefore) {
 }
 
 class NoDegree : public ::testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(DdnNode, NoDegree, ::testing::Values(0, 5, 9, 255));
+INSTANTIATE_TEST_SUITE_P(DdnNode, NoDegree, ::testing::Values(0, 6, 9, 255));
 
 TEST_P(NoDegree, IsRefusedWithTheReason) {
   Bench bench(Bench::at_degree(3));
 
   EXPECT_THAT(bench.from_ground(degree(9, GetParam())),
               ElementsAre("ground: reply 9 refused: degree: " + number(GetParam()) +
-                          " is not a degree from 1 to 4"));
+                          " is not a degree from 1 to 5"));
   EXPECT_THAT(bench.records("degree"), IsEmpty());
 }
 

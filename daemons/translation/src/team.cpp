@@ -314,7 +314,7 @@ wire::TeamSale sample_of(const a::ToMember& message) {
   wire::TeamSale sample;
   std::visit(Overloaded{[&](const a::Call& call) {
                           sample.word = wire::TeamSaleWord::kCall;
-                          sample.fixed = call.fixed;
+                          sample.fixed_tasks = call.fixed;
                           sample.items = values_of(call.items);
                           sample.gaps = call.gaps;
                           sample.between = call.between;
@@ -386,9 +386,9 @@ Read<a::TeamMessage> call_of(const wire::TeamSale& sample) {
   if (sample.word == wire::TeamSaleWord::kAward) {
     return a::TeamMessage(a::ToMember(a::Award{sale, sample.round, catalogue, route}));
   }
-  if (sample.fixed > route.size()) return wrong("fixed", "more than the route has");
+  if (sample.fixed_tasks > route.size()) return wrong("fixed_tasks", "more than the route has");
   return a::TeamMessage(
-      a::ToMember(a::Call{sale, sample.round, catalogue, route, sample.fixed,
+      a::ToMember(a::Call{sale, sample.round, catalogue, route, sample.fixed_tasks,
                           list_of<TaskNumber>(sample.items), sample.gaps, sample.between}));
 }
 

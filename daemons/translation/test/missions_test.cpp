@@ -218,10 +218,10 @@ TEST_P(RubbishDegree, IsRefused) {
 
   ASSERT_FALSE(read);
   EXPECT_EQ(to_text(read.error()),
-            "degree: " + std::to_string(GetParam()) + " is not a degree from 1 to 4");
+            "degree: " + std::to_string(GetParam()) + " is not a degree from 1 to 5");
 }
 
-INSTANTIATE_TEST_SUITE_P(Missions, RubbishDegree, ::testing::Values(0, 5, 9, 255));
+INSTANTIATE_TEST_SUITE_P(Missions, RubbishDegree, ::testing::Values(0, 6, 9, 255));
 
 struct BadVolume {
   std::string name;

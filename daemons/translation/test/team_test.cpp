@@ -225,13 +225,13 @@ TEST(Team, ACallAboutTasksThatAreNotInItsLotIsRefused) {
   wire::TeamSale twice = call();
   twice.items = {11};
   wire::TeamSale fixed = call();
-  fixed.fixed = 2;
+  fixed.fixed_tasks = 2;
   wire::TeamSale number = call();
   number.tasks[1].number = 11;
 
   EXPECT_EQ(from_wire(unknown).error().field, "items");
   EXPECT_EQ(from_wire(twice).error().field, "items");
-  EXPECT_EQ(from_wire(fixed).error().field, "fixed");
+  EXPECT_EQ(from_wire(fixed).error().field, "fixed_tasks");
   EXPECT_EQ(from_wire(number).error().field, "tasks[1].number");
 }
 

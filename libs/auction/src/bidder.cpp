@@ -41,6 +41,8 @@ ToAuctioneer Bidder::handle(const ToMember& message) const {
 // Empty: it may do it.
 std::string Bidder::refusal_of(const Task& task) const {
   if (task.forbidden.contains(self_)) return "the operator forbids it";
+  const bool alone = task.least_members == 1 && task.needs == 0;
+  if (alone && task.pinned && *task.pinned != self_) return "the operator gives it to another";
   if ((task.needs_each & ~craft_->abilities()) != 0) {
     return "it lacks an ability that every member needs";
   }

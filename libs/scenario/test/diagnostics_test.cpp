@@ -44,7 +44,7 @@ SKEIN_WRONG_FILES(
     Top,
     Wrong{"UnknownKey", "duration_limit: 600", "duration_limit: 600\nsede: 4",
           "4:7: sede: unknown key 'sede'; expected one of scenario, epoch, duration_limit, rate, "
-          "seed, world, uavs, radio, ground, planning, interaction, faults, …; did you mean "
+          "seed, world, uavs, radio, ground, planning, interaction, team, …; did you mean "
           "'seed'?\n"},
     Wrong{"MissingKey", "duration_limit: 600\n", "", "1:1: duration_limit: missing\n"},
     Wrong{"WrongType", "duration_limit: 600", "duration_limit: soon",
@@ -92,7 +92,7 @@ SKEIN_WRONG_FILES(
 SKEIN_WRONG_FILES(
     Uavs,
     Wrong{"DegreeOutOfRange", "degree: 2", "degree: 7",
-          "14:61: uavs.heliv.degree: '7'; expected a whole number from 1 to 4\n"},
+          "14:61: uavs.heliv.degree: '7'; expected a whole number from 1 to 5\n"},
     Wrong{"ModelThatIsNotThere", "models/marvin.yaml", "models/marvn.yaml",
           "13:19: uavs.marvin.model: model file 'models/marvn.yaml' cannot be read\n"},
     Wrong{"ModelThatIsAFolder", "models/marvin.yaml", "models",
@@ -232,7 +232,7 @@ SKEIN_WRONG_FILES(Script,
                         "30:12: ground.script[1].do[0]: an action of no kind; expected one of "
                         "plan, abort, message, update, mission, cancel, degree, take_in_hand, "
                         "give_back, resume_plan, drop_plan, close_air, open_air, know_place, "
-                        "know_ground, finish: true\n"},
+                        "know_ground, global_mission, declare_lost, finish: true\n"},
                   Wrong{"ActionOfTwoKinds", "do: [{finish: true}]",
                         "do: [{finish: true, message: {uav: heliv, text: go}}]",
                         "30:21: ground.script[1].do[0].finish: 'finish' beside 'message'; expected "
@@ -300,10 +300,10 @@ TEST(WrongFiles, AllErrorsOfAFileAreToldAtOnce) {
   EXPECT_EQ(
       errors_of(text),
       "3:16: duration_limt: unknown key 'duration_limt'; expected one of scenario, epoch, "
-      "duration_limit, rate, seed, world, uavs, radio, ground, planning, interaction, faults, "
+      "duration_limit, rate, seed, world, uavs, radio, ground, planning, interaction, team, "
       "…; did you mean 'duration_limit'?\n"
       "1:1: duration_limit: missing\n"
-      "14:61: uavs.heliv.degree: '7'; expected a whole number from 1 to 4\n"
+      "14:61: uavs.heliv.degree: '7'; expected a whole number from 1 to 5\n"
       "16:10: radio.cuts[0]: a cut between a node and itself\n"
       "26:61: ground.script[0].do[0].plan.tasks[1].params.to: unknown name 'bsae'; expected "
       "a place or [x, y, z]; did you mean 'base'?\n"

@@ -82,8 +82,8 @@ SKEIN_WRONG_PLANNING(
     Wrong{"VolumeWithAnUnknownKey", "ceiling: 90", "cieling: 90",
           "8:77: world.volumes.tower.cieling: unknown key 'cieling'; expected one of polygon, "
           "floor, ceiling, from, until; did you mean 'ceiling'?\n"},
-    Wrong{"DegreeThatIsNotBuilt", "degree: 4", "degree: 5",
-          "11:60: uavs.karma.degree: '5'; expected a whole number from 1 to 4\n"});
+    Wrong{"DegreeThatIsNone", "degree: 4", "degree: 6",
+          "11:60: uavs.karma.degree: '6'; expected a whole number from 1 to 5\n"});
 
 SKEIN_WRONG_PLANNING(
     Missions,
@@ -161,8 +161,8 @@ SKEIN_WRONG_PLANNING(
 
 SKEIN_WRONG_PLANNING(
     Degrees,
-    action("DegreeOutOfRange", "degree: {uav: karma, to: 5}",
-           "22:38: ground.script[1].do[0].degree.to: '5'; expected a whole number from 1 to 4\n"),
+    action("DegreeOutOfRange", "degree: {uav: karma, to: 6}",
+           "22:38: ground.script[1].do[0].degree.to: '6'; expected a whole number from 1 to 5\n"),
     action("DegreeWithoutOne", "degree: {uav: karma}",
            "22:21: ground.script[1].do[0].degree.to: missing\n"),
     action("TakenInHandByWhom", "take_in_hand: {uav: karm}",
@@ -206,7 +206,7 @@ SKEIN_WRONG_PLANNING(
             "21:40: ground.script[1].when.mission.id: mission 7 is never sent to karma; expected "
             "one that the script sends\n"),
     trigger("DegreeThatIsNone", "degree: {uav: karma, is: 0}",
-            "21:39: ground.script[1].when.degree.is: '0'; expected a whole number from 1 to 4\n"));
+            "21:39: ground.script[1].when.degree.is: '0'; expected a whole number from 1 to 5\n"));
 
 SKEIN_WRONG_PLANNING(
     Faults,

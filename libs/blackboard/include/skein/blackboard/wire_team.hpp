@@ -151,7 +151,7 @@ struct TeamSale {
   std::vector<TeamTask> tasks;  ///< kCall, kAward: the lot
   std::vector<TeamPrecedence> precedences;
   std::vector<std::uint32_t> route;
-  std::uint32_t fixed = 0;  ///< kCall, as the next three
+  std::uint32_t fixed_tasks = 0;  ///< kCall, as the next three
   std::vector<std::uint32_t> items;
   std::uint32_t gaps = 0;
   bool between = false;
@@ -165,7 +165,8 @@ struct TeamSale {
   std::string why;
   bool operator==(const TeamSale&) const = default;
 };
-SKEIN_WIRE_FIELDS(TeamSale, header, word, sale, round, tasks, precedences, route, fixed, items,
-                  gaps, between, abilities, free_from, energy, legs, prices, ways, refused, why)
+SKEIN_WIRE_FIELDS(TeamSale, header, word, sale, round, tasks, precedences, route, fixed_tasks,
+                  items, gaps, between, abilities, free_from, energy, legs, prices, ways, refused,
+                  why)
 
 }  // namespace skein::wire
