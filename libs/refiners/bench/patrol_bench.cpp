@@ -98,6 +98,36 @@ void print(const char* method, const Row& row, const NaiveFigures& mower, double
   std::printf("\n");
 }
 
+/// Cells in view at once at most: centres in a disc around any point, tried a twentieth of a cell
+/// apart.
+std::size_t most_in_view(double footprint) {
+  std::size_t most = 0;
+  const auto reach = static_cast<int>(footprint) + 2;
+  for (int x = 0; x < 20; ++x)
+    for (int y = 0; y < 20; ++y) {
+      std::size_t seen = 0;
+      for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j)
+          seen += std::hypot(i - x / 20.0, j - y / 20.0) <= footprint + 1e-9 ? 1 : 0;
+      most = std::max(most, seen);
+    }
+  return most;
+}
+
+/// What the mean idleness by risk is not below in a flight of which each second brings at most
+/// `rate` cells into view, with a footprint of so many cells. Proof:
+/// docs/decisions/0008-refiners.md.
+double least_mean(const world::GroundState& ground, double least_risk, double footprint,
+                  double rate) {
+  double roots = 0, sum = 0;
+  for (const double risk : ground.risk) {
+    roots += std::sqrt(std::max(risk, least_risk));
+    sum += std::max(risk, least_risk);
+  }
+  roots -= static_cast<double>(most_in_view(footprint));
+  return roots * roots / (2 * rate * sum);
+}
+
 /// True when the goals are met.
 bool run(const Case& c, bool with_gradient) {
   const world::World world = world_of(c);
@@ -117,6 +147,11 @@ bool run(const Case& c, bool with_gradient) {
               good ? "goals met" : "GOALS MISSED");
   print("lawn mower", mower, mower.figures, bound);
   print("committed", committed, mower.figures, bound);
+  if (c.peaks > 0)
+    std::printf("    lanes between rows not below mean ratio %.2f\n",
+                least_mean(world.ground, query.least_risk, c.footprint / c.cell,
+                           2 * c.footprint * c.speed / (c.cell * c.cell)) /
+                    mower.figures.mean);
   if (with_gradient)
     print("gradient", planned(c, world, query, PatrolMode::kGradient), mower.figures, bound);
   std::fflush(stdout);
@@ -144,35 +179,6 @@ world::GroundState read_risk(const char* file) {
     std::exit(2);
   }
   return ground;
-}
-
-/// Cells in view at once at most: centres in a disc around any point, tried a twentieth of a cell
-/// apart.
-std::size_t most_in_view(double footprint) {
-  std::size_t most = 0;
-  const auto reach = static_cast<int>(footprint) + 2;
-  for (int x = 0; x < 20; ++x)
-    for (int y = 0; y < 20; ++y) {
-      std::size_t seen = 0;
-      for (int i = -reach; i <= reach; ++i)
-        for (int j = -reach; j <= reach; ++j)
-          seen += std::hypot(i - x / 20.0, j - y / 20.0) <= footprint + 1e-9 ? 1 : 0;
-      most = std::max(most, seen);
-    }
-  return most;
-}
-
-/// What the mean idleness by risk is not below in a flight of which each second brings at most
-/// `rate` cells into view. Proof: docs/decisions/0008-refiners.md.
-double least_mean(const world::GroundState& ground, double least_risk, double footprint,
-                  double rate) {
-  double roots = 0, sum = 0;
-  for (const double risk : ground.risk) {
-    roots += std::sqrt(std::max(risk, least_risk));
-    sum += std::max(risk, least_risk);
-  }
-  roots -= static_cast<double>(most_in_view(footprint));
-  return roots * roots / (2 * rate * sum);
 }
 
 /// Ratios to the lawn mower, and the least that flights can have of which a metre brings 2 σ cells
