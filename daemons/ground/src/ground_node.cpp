@@ -53,7 +53,8 @@ node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
   if (!of_team && team_ && team_->next_wakeup() && *team_->next_wakeup() <= now) {
     tell_team(gs::Tick{});
   }
-  boards_.something_happened(mine || happened_);
+  const bool located = mine && std::holds_alternative<gs::TelemetryReceived>(*mine);
+  boards_.something_happened(mine || happened_, !located || happened_);
   if (boards_.is_due(now)) {
     for (wire::Sample& board : boards_.news(control_, roster_, now)) {
       out_.push_back(node::Publish{std::move(board)});

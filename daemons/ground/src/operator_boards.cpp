@@ -155,11 +155,11 @@ std::vector<wire::Sample> OperatorBoards::news(const gs::GroundControl& control,
     ground.uavs.push_back(uav.name);
     const std::uint32_t number = roster.find(uav.name)->number.value();
     tell(board_of(uav, control.desk().hand_of(uav.name), number), news);
-    tell(tasks_board_of(uav, number), news);
+    if (tasks_changed_) tell(tasks_board_of(uav, number), news);
   }
   tell(std::move(ground), news);
   told_at_ = now;
-  changed_ = false;
+  changed_ = tasks_changed_ = false;
   return news;
 }
 

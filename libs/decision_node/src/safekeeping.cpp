@@ -90,11 +90,11 @@ void Safekeeping::look_after(const world::Telemetry& telemetry) {
   seen_at_ = telemetry.state.position;
   if (!holds_) leaves_to_.reset();
   if (!holds_ || !core_.execution().airborne() || !knows_world()) return;
-  const double needed =
-      supervisor::least_to_come_home(*core_.config().knowledge, *core_.deliberation().world(),
-                                     core_.bus().now(), telemetry.state.position);
   // Of a vehicle without figures nothing is known.
-  if (!(telemetry.state.energy <= needed)) return leave_closed_air(telemetry.state.position);
+  const bool must_return = supervisor::must_come_home(
+      telemetry.state.energy, *core_.config().knowledge, *core_.deliberation().world(),
+      core_.bus().now(), telemetry.state.position);
+  if (!must_return) return leave_closed_air(telemetry.state.position);
   core_.bus().emit(PolicyCarriedOut{ContactPolicy::kReturn,
                                     "held until the energy lasts no longer than to come home"});
   holds_ = false;

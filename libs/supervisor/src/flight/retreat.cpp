@@ -24,6 +24,7 @@ constexpr double kUnforeseen = 1.12;
 constexpr double kGathering = 60;  // [s]
 constexpr double kCircles = 3;
 constexpr double kLeastClearance = 5;  // [m] over hills on the way
+constexpr double kRounding = 1e-9;     // of sums of energies
 constexpr double kClimbShare = 0.8;    // of its rates, as ways are made with
 
 double border(const world::Polygon& corners) {
@@ -143,6 +144,15 @@ double least_to_come_home(const Knowledge& knowledge, const world::World& world,
   if (knowledge.vehicle.energy.capacity <= 0) return 0;
   return Retreat(knowledge, world, now).home(from) + kSpareEnergy +
          knowledge.vehicle.energy.reserve;
+}
+
+bool must_come_home(double energy, const Knowledge& knowledge, const world::World& world,
+                    MissionTime now, const Vector3& from) {
+  const Retreat rough = Retreat(knowledge, world, now).at_most();
+  const double beside = kSpareEnergy + knowledge.vehicle.energy.reserve;
+  if (knowledge.vehicle.energy.capacity > 0 && energy > rough.home(from) + beside + kRounding)
+    return false;
+  return energy <= least_to_come_home(knowledge, world, now, from);
 }
 
 std::string percent(double fraction) {

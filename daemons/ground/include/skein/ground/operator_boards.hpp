@@ -22,8 +22,12 @@ class OperatorBoards {
   /// Of a UAV's tasks that are over; the others are all told.
   static constexpr std::size_t kTasksOver = 40;
 
-  /// `something`: an input came that may have changed a board.
-  void something_happened(bool something) { changed_ = changed_ || something; }
+  /// `something`: an input came that may have changed a board; `tasks`: it may have changed more of
+  /// a UAV than where it is.
+  void something_happened(bool something, bool tasks) {
+    changed_ = changed_ || something;
+    tasks_changed_ = tasks_changed_ || (something && tasks);
+  }
   std::optional<MissionTime> next_wakeup() const;
   bool is_due(MissionTime now) const;
   /// Precondition: it is due.
@@ -33,7 +37,7 @@ class OperatorBoards {
  private:
   void tell(wire::Sample board, std::vector<wire::Sample>& news);
 
-  bool changed_ = false;
+  bool changed_ = false, tasks_changed_ = false;
   std::optional<MissionTime> told_at_;
   std::map<std::pair<wire::Slot, std::uint32_t>, wire::Sample> told_;
 };

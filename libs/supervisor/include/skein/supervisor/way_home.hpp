@@ -11,5 +11,8 @@ namespace skein::supervisor {
 /// for a vehicle whose model has no capacity. Cost: O(terrain cells on the way + volumes).
 double least_to_come_home(const Knowledge& knowledge, const world::World& world, MissionTime now,
                           const world::Vector3& from);
+/// Whether so much is no more than that. Cost: next to nothing while there is plenty.
+bool must_come_home(double energy, const Knowledge& knowledge, const world::World& world,
+                    MissionTime now, const world::Vector3& from);
 
 }  // namespace skein::supervisor
