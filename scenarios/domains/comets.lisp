@@ -69,6 +69,9 @@
 (defun reached-before (done)
   (mapcar (lambda (one) (second one)) (remove-if-not (lambda (one) (eq (first one) 'reached)) done)))
 (defun has-met (sync done) (member (list 'synchronised sync) done :test 'equal))
+; What is left of lanes is another than it was.
+(defun with-rest (device way done)
+  (cons (cons 'rest (cons device way)) (remove-if (lambda (one) (eq (first one) 'rest)) done)))
 (defun at-most (count all) (if (and all (> count 0)) (cons (first all) (at-most (- count 1) (rest all))) nil))
 
 ; --- answers of refiners: ((destination LOC) (duration LEAST MOST) (energy E) (cost C) (params (NAME VALUE...)...))
@@ -77,6 +80,7 @@
 (defun get-duration (data)
   (interval (second (assoc 'duration data)) (third (assoc 'duration data))))
 (defun get-entry (data) (second (assoc 'way (rest (assoc 'params data)))))
+(defun get-beyond (data) (rest (assoc 'beyond data)))
 (defun get-aim (data) (second (assoc 'aim data)))
 (defun from-then-on (when) (list 'suited (interval (low when) 'unlimited)))
 (defun get-cost (data) (second (assoc 'cost data)))
@@ -96,6 +100,7 @@
   (:- (high-level-task perceive (place duration) (perception)) ())
   (:- (high-level-task perform-detection (zone place duration) (detection)) ())
   (:- (high-level-task perform-mapping (zone) (mapping)) ())
+  (:- (high-level-task map-part (zone number number) (mapping)) ())
   (:- (high-level-task perform-tour (places) ()) ())
   (:- (high-level-task perform-monitoring (place duration) (perception)) ())
   (:- (high-level-task monitor-until (place sync-id uavs sync-id uav) (perception)) ())
@@ -242,6 +247,13 @@
     ((assign ?data (compute-rest ?from ?zone ?device ?before ?way ?when)) (call consp ?data)
      (may-begin ?tc ?now) (call is-open ?data ?now))
     () ((eval-ok gotoxyz ?data)) 0)
+  ; A part of lanes that were set out before, which leaves the others to the goal.
+  (:operator (!!take-part ?part ?tc)
+    ((may-begin ?tc ?now) (call is-open ?part ?now))
+    () ((eval-ok gotoxyz ?part)) 0)
+  (:operator (!!leave-rest ?goal ?device ?part)
+    ((done-before ?goal ?done) (assign ?left (with-rest ?device (get-beyond ?part) ?done)))
+    ((progress ?goal ?done)) ((progress ?goal ?left)) 0)
   (:operator (!!lcompute-stay ?seconds)
     ((assign ?data (compute-stay ?seconds)) (call consp ?data))
     () ((eval-ok stay ?data)) 0)
@@ -623,6 +635,22 @@
       (assign ?entry (compute-sweep-entry ?from ?zone ?device ?when)) (call consp ?entry))
       ((go ?entry 0 ?tc ?origin) (!!lcompute-sweep ?from ?zone ?device ?when ?tc) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
        (shoot-along ?device () ?tc ?origin)))
+
+  ; What a mapping does before something that has no other place: that share of the lanes it would fly now, as nearly as they
+  ; can be parted. The mapping, which comes behind, has the others left.
+  (:- (lanes-of ?goal ?zone ?device ?from ?when ?lanes)
+    what-is-left
+    ((lanes-left ?goal ?before ?way)
+     (assign ?lanes (compute-rest ?from ?zone ?device ?before ?way ?when)) (call consp ?lanes))
+    all ((assign ?lanes (compute-sweep ?from ?zone ?device ?when)) (call consp ?lanes)))
+  (:method (map-part ?zone ?share ?goal ?tc ?origin)
+    part
+    (:first (uavloc ?_how ?from) (may-begin ?tc ?when) (devices-for mapping ?devices) (assign* ?device ?devices)
+      (lanes-of ?goal ?zone ?device ?from ?when ?lanes)
+      (assign ?part (compute-part ?lanes ?share)) (call consp ?part) (assign ?entry (get-entry ?part)))
+      ((go ?entry 0 ?tc ?origin) (!!take-part ?part ?tc) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)
+       (shoot-along ?device () ?tc ?origin) (!!leave-rest ?goal ?device ?part))
+    nothing-to-part () ())
 
   ; From several angles in turn.
   (:method (perform-monitoring ?place ?seconds ?tc ?origin)

@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(Virtual, Deliberation,
                                            "iros2005/fire", "handover/radio", "handover/cut",
                                            "comets/mixed", "deadlines/after-a-goal",
                                            "deadlines/slack", "deadlines/in-parts",
-                                           "jacksboro/fire"),
+                                           "deadlines/parts-planned", "jacksboro/fire"),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(
     Contingencies, Deliberation,

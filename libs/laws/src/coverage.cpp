@@ -43,12 +43,25 @@ std::optional<world::View> view_at(const Uav& uav, const Activity& look, double 
   return world::View{sample->position, axis, sensor->range, sensor->aperture};
 }
 
+/// The goal, and the parts of it that the UAV gave itself: "map-part Z2 0.5 701".
+std::vector<std::int64_t> with_parts(const Uav& uav, const Goal& goal) {
+  std::vector<std::int64_t> all{goal.id};
+  for (const auto& [id, other] : uav.goals) {
+    if (other.task.name != "map-part" || other.task.arguments.size() != 3) continue;
+    const auto whole = number_of(other.task.arguments[2]);
+    if (whole && std::llround(*whole) == goal.id) all.push_back(id);
+  }
+  return all;
+}
+
 template <class See>
 void along_looks(const History& history, const Uav& uav, const Goal& goal, const See& see) {
-  for (const Activity* look : uav.activities_of(goal.id)) {
-    if (!look->looks()) continue;
-    for (double t = look->from; t < std::min(look->until, history.end); t += kStep) {
-      if (const auto view = view_at(uav, *look, t)) see(*view);
+  for (const std::int64_t part : with_parts(uav, goal)) {
+    for (const Activity* look : uav.activities_of(part)) {
+      if (!look->looks()) continue;
+      for (double t = look->from; t < std::min(look->until, history.end); t += kStep) {
+        if (const auto view = view_at(uav, *look, t)) see(*view);
+      }
     }
   }
 }

@@ -246,6 +246,25 @@ TEST(Mapped, TheZoneWasInTheSensorsView) {
   EXPECT_THAT(mapping(110), ElementsAre(HasSubstr("% of the zone")));
 }
 
+TEST(Mapped, WhatItsOwnPartsSawCountsAndWhatThoseOfAnotherSawDoesNot) {
+  const auto mapping = [](const std::string& part) {
+    Story story;
+    story.flies("karma", 0, 40, {100, 35, 95}, {200, 35, 95})
+        .flies("karma", 41, 60, {200, 35, 95}, {200, 85, 95})
+        .flies("karma", 61, 100, {200, 85, 95}, {100, 85, 95});
+    story.goal("karma", 701, "perform-mapping Z", "received", 1);
+    story.goal("karma", 900000001, part, "received", 1);
+    story.does("karma", {100, "takeshot", 900000001, 0, 40, "aborted", "mapping"});
+    story.does("karma", {102, "takeshot", 701, 61, 100, "aborted", "mapping"});
+    story.goal("karma", 900000001, part, "achieved", 40);
+    story.goal("karma", 701, "perform-mapping Z", "achieved", 100);
+    return story.broken("mapped");
+  };
+
+  EXPECT_THAT(mapping("map-part Z 0.5 701"), IsEmpty());
+  EXPECT_THAT(mapping("map-part Z 0.5 702"), ElementsAre(HasSubstr("% of the zone")));
+}
+
 // ---- synchronisation ----
 
 Story meeting(double other_from, double other_until, const std::string& other_end) {

@@ -34,6 +34,7 @@ class Drawing {
         deaths_(seed, "random mission: deaths"),
         forgets_(seed, "random mission: what is forgotten"),
         joint_(seed, "random mission: joint tasks"),
+        amid_(seed, "random mission: amid a mapping"),
         kinds_(kinds) {
     mission_.seed = seed;
   }
@@ -61,6 +62,7 @@ class Drawing {
       mission_.faults.push_back(
           draw_refusals(last_, mission_.team[last_.below(mission_.team.size())].name, 500));
     if (kinds_.joint && joint_.chance(0.2)) draw_joint();
+    if (kinds_.deadlines && amid_.chance(0.4)) draw_amid();
     if (kinds_.deaths) add_deaths(mission_, deaths_, forgets_);
     return std::move(mission_);
   }
@@ -374,6 +376,17 @@ class Drawing {
     }
   }
 
+  // A mapping and a look that must be over about when its middle would be, asked for together.
+  void draw_amid() {
+    for (const Member& one : mission_.team) {
+      if (one.model != "karma") continue;
+      const double at = amid_.uniform(4, 60);
+      begin_mission("amid", one, "{time: " + whole(at) + "}", 0);
+      for (const auto& [words, times] : draw_look_amid_mapping(amid_, at))
+        mission_.steps.back().tasks.push_back({next_goal_[who_]++, words, times});
+    }
+  }
+
   // ---- what goes wrong ----
 
   Step plain_step(const std::string& name, const std::string& when, const std::string& action) {
@@ -468,7 +481,7 @@ class Drawing {
     mission_.cuts.push_back(mission_lab::draw_cut(random_, one, other, 500));
   }
 
-  Random random_, more_, last_, deaths_, forgets_, joint_;
+  Random random_, more_, last_, deaths_, forgets_, joint_, amid_;
   Kinds kinds_;
   Mission mission_;
   std::size_t who_ = 0;

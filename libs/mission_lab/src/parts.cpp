@@ -62,6 +62,18 @@ std::string draw_times(Random& random) {
   }
 }
 
+std::vector<std::pair<std::string, std::string>> draw_look_amid_mapping(Random& random, double at) {
+  const std::string zone = "Z" + std::to_string(1 + random.below(3));
+  const std::string place = "P" + std::to_string(1 + random.below(4));
+  const double from = at + random.uniform(80, 250);
+  std::string times = "end_before: " + whole(from + random.uniform(60, 250));
+  if (random.chance(0.4)) times = "start_after: " + whole(from) + ", " + times;
+  const bool hurried = random.chance(0.5);
+  return {{"[perform-mapping, " + zone + "]",
+           hurried ? "end_before: " + whole(at + random.uniform(350, 900)) : ""},
+          {"[perceive, " + place + ", " + whole(random.uniform(5, 40)) + "]", times}};
+}
+
 std::string draw_question_task(Random& random) {
   const std::string ground = "P" + std::to_string(1 + random.below(4));
   const std::string air = "A" + std::to_string(1 + random.below(3));

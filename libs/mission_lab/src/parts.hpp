@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "skein/foundation/random.hpp"
@@ -24,6 +25,10 @@ std::string draw_times(Random& random);
 std::string draw_question_task(Random& random);
 /// A fault: for a while, or for good, the UAV takes no task of a type.
 std::string draw_refusals(Random& random, const std::string& uav, double latest);
+
+/// Words and times of two tasks asked for at that time [s]: a mapping, and a look with a date that
+/// may be long before its end.
+std::vector<std::pair<std::string, std::string>> draw_look_amid_mapping(Random& random, double at);
 
 /// Four corners, turned a little.
 std::string draw_zone(Random& random);

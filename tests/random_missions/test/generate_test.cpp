@@ -62,6 +62,20 @@ TEST(Generate, SomeMissionsAskTwoUavsForOneJointTask) {
   EXPECT_GT(joint, 3);
 }
 
+TEST(Generate, SomeMissionsWantALookOverBeforeAMappingCouldBe) {
+  int amid = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    for (const Step& step : generate(seed, {}).steps) {
+      if (step.name != "amid") continue;
+      ++amid;
+      ASSERT_EQ(step.tasks.size(), 2U);
+      EXPECT_THAT(step.tasks[0].words, HasSubstr("perform-mapping"));
+      EXPECT_THAT(step.tasks[1].times, HasSubstr("end_before"));
+    }
+  }
+  EXPECT_GT(amid, 5);
+}
+
 TEST(Generate, EveryMissionIsAScenario) {
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     EXPECT_EQ(problems_of(text_of(seed)), "") << "seed " << seed;

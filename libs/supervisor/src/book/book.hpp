@@ -109,6 +109,11 @@ class Book {
   /// All that it waits for has come.
   bool is_due(const Entry& entry) const;
 
+  /// The parts of that mapping, in the order of their numbers.
+  std::vector<GoalId> parts_of(GoalId whole) const;
+  /// What the parts that are planned leave to their mappings, as those are planned now.
+  void note_parts();
+
   /// "goal 702 (perform-detection Z2 P2 300)".
   std::string named(GoalId goal) const;
 

@@ -65,7 +65,10 @@ struct Entry {
   Observation seen;
   std::optional<MissionTime> running;               ///< since when
   world::Vector3 seen_at = world::Vector3::Zero();  ///< where the vehicle was then
-  std::size_t passed = 0;   ///< way-points behind the first, of the motion it perceives along
+  std::size_t passed = 0;  ///< way-points behind the first, of the motion it perceives along
+  /// Of the lanes of a part of a mapping: the way-points, from its last on, that it leaves to that.
+  /// Empty: the mapping is not planned to go on there.
+  std::vector<world::Vector3> beyond = {};
   std::string why;          ///< of its interruption
   std::vector<Hold> holds;  ///< as the executive was told
   bool by_others = false;   ///< given by somebody else, with conditions of their own

@@ -66,6 +66,16 @@ class Account {
     const std::size_t passed = entry.done() ? way.size() : std::min(entry.passed, way.size());
     const auto rest = way.begin() + static_cast<std::ptrdiff_t>(passed);
     done.rest = Progress::Rest{device, {rest, way.end()}};
+    leave_beyond(*along);
+  }
+
+  // A part ends where its mapping goes on.
+  void leave_beyond(const Entry& lanes) {
+    const auto goal = book_.goals.find(lanes.task.origin);
+    if (goal == book_.goals.end() || !whole_of(goal->second.task)) return;
+    if (lanes.beyond.empty()) return done.rest.reset();
+    auto& way = done.rest->way;
+    way.insert(way.end(), lanes.beyond.begin() + (way.empty() ? 0 : 1), lanes.beyond.end());
   }
 
   Vector3 place_of(const Entry& entry) const {
@@ -80,8 +90,11 @@ class Account {
 
 Progress progress_of(const Book& book, GoalId goal, std::optional<MissionTime> until) {
   Account account(book, until);
+  const std::vector<GoalId> parts = book.parts_of(goal);
   for (const auto& [id, entry] : book.tasks) {
-    if (entry.task.origin == goal) account.add(entry);
+    const GoalId origin = entry.task.origin;
+    if (origin == goal || std::find(parts.begin(), parts.end(), origin) != parts.end())
+      account.add(entry);
   }
   return std::move(account.done);
 }

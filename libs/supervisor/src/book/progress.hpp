@@ -9,10 +9,10 @@
 
 namespace skein::supervisor {
 
-/// Of all tasks that the goal ever had, those withdrawn too, in the order of their ids. A
-/// perception counts as long as it and the motion it runs with both went on; what was lost to
-/// somebody else counts for nothing. With `until` what is under way counts up to then, without it
-/// only what is over. Cost: linear in the tasks of the book.
+/// Of all tasks that the goal and its parts ever had, those withdrawn too, in the order of their
+/// ids. A perception counts as long as it and the motion it runs with both went on; what was lost
+/// to somebody else counts for nothing. With `until` what is under way counts up to then, without
+/// it only what is over. Cost: linear in the tasks of the book.
 mission::Progress progress_of(const Book& book, GoalId goal, std::optional<MissionTime> until);
 
 /// The motion that the task perceives along: what it waits for to be running, when that flies

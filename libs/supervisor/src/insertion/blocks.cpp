@@ -3,6 +3,7 @@
 #include "insertion/blocks.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "insertion/places.hpp"
 
@@ -37,7 +38,10 @@ void append(Goals& goals, const Goals& more) {
 /// Cuts the free tasks of one list into blocks.
 class Cutter {
  public:
-  Cutter(const PlanningRequest& base, bool added) : base_(base), added_(added) {}
+  Cutter(const PlanningRequest& base, bool added, const Goals& goals) : base_(base), added_(added) {
+    for (const mission::HighLevelTask& goal : goals)
+      if (const auto whole = whole_of(goal)) parted_.insert({goal.id, *whole});
+  }
 
   void add(const mission::HighLevelTask& goal) {
     auto gates = gates_of(goal, base_);
@@ -47,13 +51,15 @@ class Cutter {
     Block& block = blocks_.back();
     block.goals.push_back(goal);
     if (placed) block.gates = std::move(gates);
-    block.synchronised = block.synchronised || synchronises(goal, base_.knowledge->vocabulary);
+    block.synchronised = block.synchronised || parted_.count(goal.id) != 0 ||
+                         synchronises(goal, base_.knowledge->vocabulary);
   }
   Blocks take() { return std::move(blocks_); }
 
  private:
   const PlanningRequest& base_;
   bool added_;
+  std::set<mission::GoalId> parted_;  ///< mappings in parts, and the parts
   Blocks blocks_;
 };
 
@@ -61,6 +67,7 @@ class Cutter {
 
 Role Roles::of(const mission::HighLevelTask& goal) {
   if (goal.name == kLeaveClosedAir) return Role::kTakesOff;
+  if (goal.name == kMapPart) return Role::kFree;
   Known& known = by_name_[goal.name];
   if (known.sure || known.failures == kMostFailures) return known.role;
   auto plan = judge_.sketch_in_the_air(goal);
@@ -79,7 +86,7 @@ Movable movable_of(const Goals& planned, const Goals& added, Roles& roles,
                    const PlanningRequest& base) {
   Movable movable;
   const auto sort = [&](const Goals& goals, bool are_added) {
-    Cutter cutter(base, are_added);
+    Cutter cutter(base, are_added, goals);
     for (const mission::HighLevelTask& goal : goals) {
       switch (roles.of(goal)) {
         case Role::kTakesOff:

@@ -41,7 +41,8 @@ class Roles {
 struct Block {
   Goals goals;
   std::vector<refiners::Gate> gates;  ///< of the one with a place; empty: none has
-  bool synchronised = false;          ///< keeps its turn among those of its list
+  /// Keeps its turn among those of its list; parts of a mapping do, too.
+  bool synchronised = false;
   bool added = false;
 };
 using Blocks = std::vector<Block>;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "insertion/orders.hpp"
+#include "insertion/parts.hpp"
 #include "insertion/relaxations.hpp"
 #include "insertion/trials.hpp"
 #include "insertion/with.hpp"
@@ -34,6 +35,8 @@ class Insertion {
   }
 
  private:
+  static constexpr int kShares = 8;  ///< that lanes are parted by
+
   void try_all() {
     from_ = trials_.all().size();
     // A mission by itself is planned as it was asked for, unless a placement is asked for, too.
@@ -41,10 +44,46 @@ class Insertion {
     const Placement wanted = request_.placement;
     if (alone && wanted != Placement::kTour) {
       trials_.run(wanted == Placement::kBest ? Placement::kLast : wanted, as_asked());
+      if (may_part()) movable_ = movable_of(request_.planned, added_, roles_, request_.base);
     } else {
       movable_ = movable_of(request_.planned, added_, roles_, request_.base);
       try_placements();
     }
+    if (may_part()) try_parts();
+  }
+
+  // ---- in parts ----
+
+  bool may_part() const {
+    const Placement wanted = request_.placement;
+    return request_.part && !trials_.best() && !request_.base.budget.over() &&
+           (wanted == Placement::kBest || wanted == Placement::kInTime) &&
+           bounded_in_time(as_asked());
+  }
+
+  void try_parts() {
+    for (const mission::HighLevelTask& mapping : whole_mappings(movable_)) {
+      int share = kShares / 2;
+      for (int step = share; step > 0 && !request_.base.budget.over();) {
+        const bool more = try_part(part_of(mapping, *request_.part, double(share) / kShares));
+        step /= 2;
+        share += more ? step : -step;
+      }
+      if (trials_.best()) return;
+    }
+  }
+
+  // What has dates where it is least late, else where it was asked for. True when more of the lanes
+  // may be before it: when that serves, or it is the mapping that is too late.
+  bool try_part(const mission::HighLevelTask& part) {
+    const Movable parted = with_part(movable_, part);
+    const Blocks asked = all_blocks(parted);
+    const Sketch sketch = sketch_of(judge_, order_of(parted, asked));
+    Goals order = order_of(parted, urgent_in_time(parted, sketch, request_.base));
+    if (!parts_stand_apart(order, part)) order = order_of(parted, rest_behind_dates(asked, part));
+    if (!parts_stand_apart(order, part)) return false;
+    const Verdict& verdict = trials_.run(Placement::kInTime, order);
+    return verdict.serves || verdict.culprit == whole_of(part);
   }
 
   // The first added task that a trial failed for, else the last that is free; then what is left may

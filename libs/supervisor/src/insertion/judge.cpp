@@ -8,6 +8,7 @@
 #include "flight/retreat.hpp"
 #include "insertion/places.hpp"
 #include "insertion/slack.hpp"
+#include "planning/plans.hpp"
 
 namespace skein::supervisor {
 namespace {
@@ -47,7 +48,9 @@ Goals without_bounds(Goals goals) {
 }  // namespace
 
 Planner real_planner() {
-  return [](const PlanningRequest& request) { return plan_tasks(request); };
+  return [plans = std::make_shared<Plans>()](const PlanningRequest& request) {
+    return plans->plan(request);
+  };
 }
 
 std::vector<mission::GoalId> ids_of(const Goals& goals) {
@@ -67,8 +70,10 @@ double Judge::usable_energy() const {
   return base_.situation.energy - knowledge().vehicle.energy.reserve;
 }
 
+// Parts of one mapping have one number, whatever their share.
 const Verdict& Judge::of(const Goals& order) {
-  auto key = ids_of(order);
+  auto key = std::make_pair(ids_of(order), 0.0);
+  for (const mission::HighLevelTask& goal : order) key.second += share_of(goal).value_or(0);
   const auto known = known_.find(key);
   if (known != known_.end()) return known->second;
   return known_.emplace(std::move(key), consider(order)).first->second;

@@ -12,9 +12,10 @@
 
 namespace skein::supervisor {
 
-/// plan_tasks, or what takes its place in tests.
+/// What gives the plans of plan_tasks, or takes its place in tests.
 using Planner =
     std::function<Result<mission::ElementaryPlan, PlanningFailure>(const PlanningRequest&)>;
+/// With what its plans have in common kept (planning/plans.hpp): for one job.
 Planner real_planner();
 
 using Goals = std::vector<mission::HighLevelTask>;
@@ -74,7 +75,7 @@ class Judge {
   const PlanningRequest& base_;
   const Standing& standing_;
   Planner planner_;
-  std::map<std::vector<mission::GoalId>, Verdict> known_;
+  std::map<std::pair<std::vector<mission::GoalId>, double>, Verdict> known_;
 };
 
 }  // namespace skein::supervisor

@@ -8,9 +8,15 @@ namespace skein::supervisor {
 
 const Verdict& Trials::run(mission::Placement placement, const Goals& order) {
   const Verdict& verdict = judge_.of(order);
-  Trial trial{placement,       ids_of(order),  verdict.serves, 0, total_of(verdict.shortened),
+  Trial trial{placement,       ids_of(order),  0, verdict.serves, 0, total_of(verdict.shortened),
               verdict.reasons, verdict.culprit};
   if (verdict.plan) trial.cost = verdict.plan->cost;
+  for (const mission::HighLevelTask& goal : order) {
+    const auto share = share_of(goal);
+    if (!share) continue;
+    trial.part = *share;
+    if (trial.culprit == goal.id) trial.culprit = whole_of(goal);
+  }
   trials_.push_back(std::move(trial));
   if (verdict.serves && (!best_ || is_better(verdict, *best_->verdict)))
     best_ = Best{placement, order, &verdict};

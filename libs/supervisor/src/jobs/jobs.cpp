@@ -52,6 +52,7 @@ InsertionRequest Jobs::insertion(const Premises& premises,
   request.added = added;
   request.placement = placement;
   request.any = any;
+  if (const auto part = own_goals_.next(kMapPart)) request.part = part->id;
   return request;
 }
 

@@ -9,6 +9,7 @@
 
 #include "book/progress.hpp"
 #include "flight/landing_place.hpp"
+#include "flight/retreat.hpp"
 #include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::supervisor {
@@ -21,6 +22,7 @@ std::string weighed(const InsertionOutcome& outcome) {
   std::string text;
   for (const Trial& trial : outcome.trials) {
     text += (text.empty() ? "; weighed: " : ", ") + std::string(mission::to_text(trial.placement));
+    if (trial.part > 0) text += " in parts from " + percent(trial.part) + " on";
     if (trial.feasible) {
       text += " " + to_text(Duration::seconds(std::round(10 * trial.cost) / 10)) + " s";
       if (trial.shortened > Duration())
@@ -42,6 +44,20 @@ std::string proposed(const std::vector<Relaxation>& relaxations) {
   for (const Relaxation& one : relaxations)
     text += (text.empty() ? "it could be planned with " : " and ") + to_text(one);
   return text;
+}
+
+// "; goal 701 in parts: 50 % of its lanes before goals 710": of the part that is not known yet.
+std::string parted(const std::vector<mission::HighLevelTask>& order, const Book& book) {
+  const auto part = std::find_if(order.begin(), order.end(), [&](const auto& goal) {
+    return whole_of(goal) && book.goals.count(goal.id) == 0;
+  });
+  if (part == order.end()) return {};
+  std::vector<GoalId> between;
+  for (auto goal = part + 1; goal != order.end() && goal->id != *whole_of(*part); ++goal)
+    between.push_back(goal->id);
+  return list_of("; goal " + to_text(*whole_of(*part)) + " in parts: " + percent(*share_of(*part)) +
+                     " of its lanes before goals",
+                 between);
 }
 
 constexpr double kElsewhere = 5;  // [m] from home
@@ -95,6 +111,7 @@ void Results::adopt(const Premises& premises, const mission::ElementaryPlan& pla
   const std::set<GoalId> anew(premises.goals.begin(), premises.goals.end());
   const std::vector<TaskId> stopped = book_.withdraw(anew);
   book_.enter(plan);
+  book_.note_parts();
   std::vector<GoalId> wanted;
   for (const mission::HighLevelTask& task : order) {
     if (book_.goals.count(task.id) == 0) continue;
@@ -236,12 +253,21 @@ void Results::refuse(const Job& job, const std::vector<std::string>& reasons,
                "refused: " + why + (proposal.empty() ? "" : "; " + proposal), pending.since});
 }
 
+// The UAV gives itself a part of a mapping.
+void Results::enter_parts(const std::vector<mission::HighLevelTask>& order) {
+  for (const mission::HighLevelTask& task : order)
+    if (whole_of(task) && book_.goals.count(task.id) == 0) own_goals_.enter(task);
+}
+
 void Results::finish(const Job& job, const InsertionOutcome& outcome) {
   const Pending* pending = agenda_.find(*job.mission);
   if (is_tried_in_parts(job, outcome, pending->placement)) return;
   if (!outcome.plan)
     return refuse(job, outcome.reasons, outcome.dropped, proposed(outcome.relaxations));
-  if (const std::string fault = fault_of(job.premises, *outcome.plan); !fault.empty()) {
+  Premises premises = job.premises;
+  for (const mission::HighLevelTask& task : outcome.order)
+    if (whole_of(task) && book_.goals.count(task.id) == 0) premises.added.push_back(task.id);
+  if (const std::string fault = fault_of(premises, *outcome.plan); !fault.empty()) {
     return refuse(job, {fault});
   }
   if (!fits_now(job.premises, *outcome.plan)) {
@@ -250,7 +276,9 @@ void Results::finish(const Job& job, const InsertionOutcome& outcome) {
     return;
   }
   const Pending mission = agenda_.take(*job.mission);
-  const std::string parts = mission.in_parts ? parts_of(job.premises) : "";
+  const std::string parts =
+      (mission.in_parts ? parts_of(job.premises) : "") + parted(outcome.order, book_);
+  enter_parts(outcome.order);
   tell_refined(job, *outcome.plan);
   adopt(job.premises, *outcome.plan, outcome.order);
   leave_out(outcome.dropped);

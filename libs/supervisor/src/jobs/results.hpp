@@ -42,6 +42,7 @@ class Results {
   mission::MissionEstimate estimate(const Evaluation& evaluation,
                                     const InsertionOutcome& outcome) const;
   std::string parts_of(const Premises& premises) const;
+  void enter_parts(const std::vector<mission::HighLevelTask>& order);
   void fail_safely(const Job& job, const std::vector<std::string>& reasons);
   static std::string fault_of(const Premises& premises, const mission::ElementaryPlan& plan);
   bool fits_now(const Premises& premises, const mission::ElementaryPlan& plan);

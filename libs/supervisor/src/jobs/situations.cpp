@@ -71,6 +71,25 @@ double Situations::energy_after(const Standing& standing, MissionTime now) const
   return std::clamp(left, 0.0, 1.0);
 }
 
+// A part that stands is over when the plan begins, and has left its mapping the rest.
+mission::Progress Situations::done_of(GoalId goal, const Standing& standing,
+                                      MissionTime now) const {
+  const std::vector<GoalId> parts = book_.parts_of(goal);
+  const auto begun = [&](GoalId id) { return book_.was_begun(id); };
+  mission::Progress done;
+  if (begun(goal) || std::any_of(parts.begin(), parts.end(), begun))
+    done = progress_of(book_, goal, now);
+  for (const mission::ElementaryTask& task : standing.tasks) {
+    const bool of_part = std::find(parts.begin(), parts.end(), task.origin) != parts.end();
+    const Entry* lanes = of_part ? flown_along(book_, book_.tasks.at(task.id)) : nullptr;
+    if (lanes == nullptr) continue;
+    done.rest.reset();
+    if (!lanes->beyond.empty())
+      done.rest = mission::Progress::Rest{task.parameters.find("device")->text, lanes->beyond};
+  }
+  return done;
+}
+
 Situation Situations::situation(const Standing& standing, const std::set<TaskId>& withdrawn,
                                 MissionTime now) const {
   Situation result = place_after(standing);
@@ -79,8 +98,8 @@ Situation Situations::situation(const Standing& standing, const std::set<TaskId>
   result.broken = beliefs_.broken();
   result.next_id = book_.next_id;
   for (const auto& [id, goal] : book_.goals) {
-    if (is_settled(goal.state) || !book_.was_begun(id)) continue;
-    mission::Progress done = progress_of(book_, id, now);
+    if (is_settled(goal.state)) continue;
+    mission::Progress done = done_of(id, standing, now);
     if (!done.none()) result.done.emplace(id, std::move(done));
   }
   place_on_timelines(standing, withdrawn, result);

@@ -35,6 +35,7 @@ class Situations {
                           Situation& result) const;
   void place_loose(const std::set<TaskId>& withdrawn, Situation& result) const;
   Timeline timeline_after(const mission::ElementaryTask& task, MissionTime now) const;
+  mission::Progress done_of(GoalId goal, const Standing& standing, MissionTime now) const;
   double energy_after(const Standing& standing, MissionTime now) const;
 
   std::shared_ptr<const Knowledge> knowledge_;

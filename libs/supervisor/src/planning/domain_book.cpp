@@ -33,15 +33,16 @@ DomainBook::DomainBook(const DomainText& text, const htn::Functions& functions) 
 }
 
 void DomainBook::read(const DomainText& text) {
-  Diagnostics warnings;
-  htn::read_definitions({text.file, text.text}, store_, no_files, definitions_, errors_, warnings);
+  htn::read_definitions({text.file, text.text}, store_, no_files, definitions_, errors_);
 }
 
 std::unique_ptr<htn::Problem> DomainBook::problem(const std::string& text) {
-  const std::size_t before = definitions_.problems.size();
-  read({"problem", text});
-  if (!errors_.empty() || definitions_.problems.size() != before + 1) return nullptr;
-  return std::make_unique<htn::Problem>(htn::make_problem(definitions_.problems.back(), store_));
+  if (domain_ != nullptr) errors_ = {};
+  // What the domain was compiled from stays where it is; of problems only the terms are needed.
+  htn::Definitions read;
+  htn::read_definitions({"problem", text}, store_, no_files, read, errors_);
+  if (!errors_.empty() || read.problems.size() != 1) return nullptr;
+  return std::make_unique<htn::Problem>(htn::make_problem(read.problems.front(), store_));
 }
 
 }  // namespace skein::supervisor

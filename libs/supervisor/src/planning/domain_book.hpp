@@ -11,8 +11,8 @@
 
 namespace skein::supervisor {
 
-/// For one search: terms are shared among domain, problem and plan. Not movable: what is compiled
-/// points into it.
+/// For searches one after another: terms are shared among domain, problems and plans. Not movable:
+/// what is compiled points into it.
 class DomainBook {
  public:
   /// What is wrong is in errors().
@@ -20,6 +20,7 @@ class DomainBook {
   DomainBook(const DomainBook&) = delete;
   DomainBook& operator=(const DomainBook&) = delete;
 
+  /// Of the domain; of one without errors those of the last problem.
   const Diagnostics& errors() const { return errors_; }
   const htn::DomainDefinition* definition() const {
     return definitions_.domains.empty() ? nullptr : &definitions_.domains.front();

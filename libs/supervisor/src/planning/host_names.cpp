@@ -26,6 +26,7 @@ double vicinity(const Gazetteer& gazetteer) {
 }
 
 Term HostNames::refuse(const std::string& why) {
+  said_.push_back(why);
   if (std::find(refusals_.begin(), refusals_.end(), why) == refusals_.end())
     refusals_.push_back(why);
   return kNil;

@@ -33,10 +33,16 @@ class HostNames {
   htn::Term refuse(const std::string& why);
   /// Each once, in the order they came.
   const std::vector<std::string>& refusals() const { return refusals_; }
+  /// Each time it was said, since the last begin().
+  const std::vector<std::string>& said() const { return said_; }
+  void begin() {
+    refusals_.clear();
+    said_.clear();
+  }
 
  private:
   Gazetteer gazetteer_;
-  std::vector<std::string> refusals_;
+  std::vector<std::string> refusals_, said_;
 };
 
 }  // namespace skein::supervisor

@@ -69,7 +69,7 @@ std::vector<Spot> spots_of(const TermStore& store, Term list) {
 }  // namespace
 
 std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
-  static constexpr std::array<Entry, 30> entries = {
+  static constexpr std::array<Entry, 31> entries = {
       {{"compute-takeoff", 2, ask<&Services::takeoff>, true, 1},
        {"compute-land", 2, ask<&Services::land>, true},
        {"compute-gotoxyz", 3, ask<&Services::gotoxyz>, true, 2},
@@ -82,6 +82,7 @@ std::span<const PlannerHost::Services::Entry> PlannerHost::Services::table() {
        {"compute-sweep", 4, ask<&Services::sweep>, true, 3},
        {"compute-sweep-entry", 4, ask<&Services::sweep_entry>, false},
        {"compute-rest", 6, ask<&Services::rest>, true, 5},
+       {"compute-part", 2, ask<&Services::part>, false},
        {"not-reached", 2, ask<&HostRelations::not_reached>, false},
        {"within-reach", 4, ask<&Services::within_reach>, false},
        {"is-open", 2, ask<&Services::is_open>, false},
@@ -115,20 +116,26 @@ PlannerHost::Services::Services(Gazetteer gazetteer, MissionTime origin, std::ui
       relations_(names_, origin) {}
 
 Value PlannerHost::Services::call(const Entry& entry, TermStore& store, Arguments arguments) {
-  Value value = kNil;
-  if (!entry.refines) {
-    value = entry.service(*this, store, arguments);
-  } else {
-    // When it is makes no difference where no air is closed for a time.
-    std::vector<Term> named(arguments.begin(), arguments.end());
-    if (entry.when != 0 && !refinery_.air.has_windows()) named[entry.when] = kNil;
-    const std::string key = std::string(entry.name) + ' ' + store.to_text(store.list(named));
-    if (const auto known = known_.find(key); known != known_.end()) return known->second;
-    value = entry.service(*this, store, arguments);
-    if (value) known_[key] = *value;
-    ++refinements_;
-  }
+  Value value =
+      entry.refines ? refined(entry, store, arguments) : entry.service(*this, store, arguments);
   if (!value) value.error().why.insert(0, std::string(entry.name) + ": ");
+  return value;
+}
+
+Value PlannerHost::Services::refined(const Entry& entry, TermStore& store, Arguments arguments) {
+  // When it is makes no difference where no air is closed for a time.
+  std::vector<Term> named = {store.symbol(entry.name)};
+  named.insert(named.end(), arguments.begin(), arguments.end());
+  if (entry.when != 0 && !refinery_.air.has_windows()) named[entry.when + 1] = kNil;
+  const Term question = store.list(named);
+  if (const auto known = known_.find(question); known != known_.end()) {
+    for (const std::string& why : known->second.said) names_.refuse(why);
+    return known->second.value;
+  }
+  const auto before = static_cast<std::ptrdiff_t>(names_.said().size());
+  Value value = entry.service(*this, store, arguments);
+  if (value) known_[question] = {*value, {names_.said().begin() + before, names_.said().end()}};
+  ++refinements_;
   return value;
 }
 
@@ -258,6 +265,21 @@ Value PlannerHost::Services::rest(TermStore& store, Arguments arguments) {
   const auto motion =
       refinery_.sweeps.rest(*from, way, *device, *before, departure(store, arguments[5]));
   return motion ? flight(store, motion, "rest") : Value(kNil);
+}
+
+/// (compute-part LANES SHARE): of the motion along lanes the first of two parts, and what it leaves
+/// as (beyond LOC…); nil when the lanes cannot be parted.
+Value PlannerHost::Services::part(TermStore& store, Arguments arguments) {
+  const auto share = number_of(store, arguments[1]);
+  if (!share || *share <= 0 || *share >= 1)
+    return wrong(store, arguments[1], "share between 0 and 1");
+  const auto parts = refinery_.sweeps.parted(way_of(store, arguments[0]), *share);
+  if (!parts) return kNil;
+  const Term first = answer(store, parts->first, {waypoints_term(store, parts->first.way)});
+  std::vector<Term> all = store.items(first), beyond;
+  for (const Vector3& point : parts->beyond) beyond.push_back(location_term(store, point));
+  all.insert(all.end() - 1, headed(store, "beyond", std::move(beyond)));
+  return store.list(all);
 }
 
 /// Where the sweep begins: the first of its way.

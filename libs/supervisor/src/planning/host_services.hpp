@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <unordered_map>
 #include <vector>
 
 #include "planning/host_relations.hpp"
@@ -52,10 +52,15 @@ class PlannerHost::Services {
 
   Value call(const Entry& entry, htn::TermStore& store, Arguments arguments);
 
+  void begin() {
+    names_.begin();
+    refinements_ = 0;
+  }
   const std::vector<std::string>& refusals() const { return names_.refusals(); }
   std::uint64_t refinements() const { return refinements_; }
 
  private:
+  Value refined(const Entry& entry, htn::TermStore& store, Arguments arguments);
   Value takeoff(htn::TermStore& store, Arguments arguments);
   Value land(htn::TermStore& store, Arguments arguments);
   Value gotoxyz(htn::TermStore& store, Arguments arguments);
@@ -70,6 +75,7 @@ class PlannerHost::Services {
   Value sweep(htn::TermStore& store, Arguments arguments);
   Value sweep_entry(htn::TermStore& store, Arguments arguments);
   Value rest(htn::TermStore& store, Arguments arguments);
+  Value part(htn::TermStore& store, Arguments arguments);
   Value within_reach(htn::TermStore& store, Arguments arguments);
   Value landing_place(htn::TermStore& store, Arguments arguments);
   Value way_out(htn::TermStore& store, Arguments arguments);
@@ -107,7 +113,12 @@ class PlannerHost::Services {
   Refinery refinery_;
   HostNames names_;
   HostRelations relations_;
-  std::map<std::string, htn::Term> known_;
+  /// What a refiner answered, and what it refused in doing so.
+  struct Known {
+    htn::Term value;
+    std::vector<std::string> said;
+  };
+  std::unordered_map<htn::Term, Known> known_;  ///< by (name argument…)
   std::uint64_t refinements_ = 0;
 };
 

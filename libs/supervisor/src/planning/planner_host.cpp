@@ -36,6 +36,7 @@ void PlannerHost::declare(htn::Functions& functions) {
   }
 }
 
+void PlannerHost::begin() { services_->begin(); }
 const std::vector<std::string>& PlannerHost::refusals() const { return services_->refusals(); }
 std::uint64_t PlannerHost::refinements() const { return services_->refinements(); }
 

@@ -6,6 +6,7 @@
 #include "book/wording.hpp"
 #include "flight/retreat.hpp"
 #include "planning/domain_book.hpp"
+#include "planning/plans.hpp"
 #include "planning/terms.hpp"
 #include "skein/htn/planner.hpp"
 #include "skein/supervisor/plan_reader.hpp"
@@ -131,33 +132,85 @@ void spell_places(mission::ElementaryPlan& plan, const world::World& world) {
 
 }  // namespace
 
+/// Planner and refiners for requests from one origin in one world.
+class Plans::Workplace {
+ public:
+  explicit Workplace(const PlanningRequest& request)
+      : world_(request.world),
+        knowledge_(request.knowledge),
+        origin_(request.situation.origin),
+        seed_(request.seed),
+        flight_(flight_of(request.situation)),
+        host_(request.knowledge, request.world, origin_, seed_,
+              {[budget = request.budget] { return budget.over(); }, kRefinerSteps}) {
+    if (flight_) host_.flies_on(flight_->first, flight_->second);
+    host_.offer(functions_);
+    book_ = std::make_unique<DomainBook>(knowledge_->domain, functions_);
+  }
+
+  bool serves(const PlanningRequest& request) const {
+    return request.knowledge == knowledge_ && request.world == world_ &&
+           request.situation.origin == origin_ && request.seed == seed_ &&
+           flight_of(request.situation) == flight_;
+  }
+  bool is_full() const { return book_->store().memory_bytes() > kMostKept; }
+
+  Result<mission::ElementaryPlan, PlanningFailure> plan(const PlanningRequest& request,
+                                                        PlanningEffort* effort) {
+    if (book_->compiled() == nullptr) return fail(sentences(book_->errors()));
+    const auto problem = book_->problem(problem_text(request, "request"));
+    if (!problem) return fail(sentences(book_->errors()));
+    host_.begin();
+    htn::Host search_host;
+    search_host.cancelled = [&budget = request.budget] { return budget.over(); };
+    const htn::Outcome outcome =
+        htn::plan(*book_->compiled(), *problem, search_options(request.budget), search_host);
+    if (effort != nullptr)
+      *effort = {outcome.statistics.expansions, outcome.statistics.inferences, host_.refinements()};
+    if (outcome.plans.empty())
+      return tl::unexpected<PlanningFailure>(explain(request, book_->store(), outcome, host_));
+    auto plan = read_plan(book_->store(), outcome.plans.front(), *knowledge_, origin_);
+    if (!plan) return fail({plan.error().why});
+    spell_places(*plan, *world_);
+    if (auto problem_with_energy = energy_problem(*plan, request))
+      return tl::unexpected<PlanningFailure>(std::move(*problem_with_energy));
+    return std::move(*plan);
+  }
+
+ private:
+  /// Of terms [bytes]; more than that is begun anew.
+  static constexpr std::size_t kMostKept = std::size_t{1} << 25U;
+
+  using Flight = std::optional<std::pair<world::Vector3, double>>;
+  static Flight flight_of(const Situation& from) {
+    return from.flies_on ? Flight({from.position, from.heading}) : std::nullopt;
+  }
+
+  std::shared_ptr<const world::World> world_;
+  std::shared_ptr<const Knowledge> knowledge_;
+  MissionTime origin_;
+  std::uint64_t seed_;
+  Flight flight_;
+  PlannerHost host_;
+  htn::Functions functions_;
+  std::unique_ptr<DomainBook> book_;
+};
+
+Plans::Plans() = default;
+Plans::~Plans() = default;
+
+Result<mission::ElementaryPlan, PlanningFailure> Plans::plan(const PlanningRequest& request,
+                                                             PlanningEffort* effort) {
+  std::erase_if(workplaces_, [](const auto& one) { return one->is_full(); });
+  for (const auto& one : workplaces_)
+    if (one->serves(request)) return one->plan(request, effort);
+  workplaces_.push_back(std::make_unique<Workplace>(request));
+  return workplaces_.back()->plan(request, effort);
+}
+
 Result<mission::ElementaryPlan, PlanningFailure> plan_tasks(const PlanningRequest& request,
                                                             PlanningEffort* effort) {
-  const Knowledge& knowledge = *request.knowledge;
-  PlannerHost host(request.knowledge, request.world, request.situation.origin, request.seed,
-                   {[budget = request.budget] { return budget.over(); }, kRefinerSteps});
-  if (request.situation.flies_on)
-    host.flies_on(request.situation.position, request.situation.heading);
-  htn::Functions functions;
-  host.offer(functions);
-  DomainBook book(knowledge.domain, functions);
-  if (book.compiled() == nullptr) return fail(sentences(book.errors()));
-  const auto problem = book.problem(problem_text(request, "request"));
-  if (!problem) return fail(sentences(book.errors()));
-  htn::Host search_host;
-  search_host.cancelled = [&budget = request.budget] { return budget.over(); };
-  const htn::Outcome outcome =
-      htn::plan(*book.compiled(), *problem, search_options(request.budget), search_host);
-  if (effort != nullptr)
-    *effort = {outcome.statistics.expansions, outcome.statistics.inferences, host.refinements()};
-  if (outcome.plans.empty())
-    return tl::unexpected<PlanningFailure>(explain(request, book.store(), outcome, host));
-  auto plan = read_plan(book.store(), outcome.plans.front(), knowledge, request.situation.origin);
-  if (!plan) return fail({plan.error().why});
-  spell_places(*plan, *request.world);
-  if (auto problem_with_energy = energy_problem(*plan, request))
-    return tl::unexpected<PlanningFailure>(std::move(*problem_with_energy));
-  return std::move(*plan);
+  return Plans().plan(request, effort);
 }
 
 }  // namespace skein::supervisor

@@ -7,6 +7,7 @@
 #include "flight/autopilot.hpp"
 #include "flight/closed_air.hpp"
 #include "refinery/zone_shapes.hpp"
+#include "skein/refiners/flight.hpp"
 
 namespace skein::supervisor {
 
@@ -44,6 +45,34 @@ double seen_part(const Polygon& zone, const std::vector<Vector3>& track, std::si
         }
     }
   return all == 0 ? 1 : static_cast<double>(seen) / static_cast<double>(all);
+}
+
+/// Where it turns by more than that it goes over to the next lane.
+constexpr double kLaneTurn = 0.5;  // [rad]
+
+bool turns_at(const Way& way, std::size_t i) {
+  const Vector2 before = (way[i] - way[i - 1]).head<2>(), after = (way[i + 1] - way[i]).head<2>();
+  const double cross = before.x() * after.y() - before.y() * after.x();
+  return std::abs(std::atan2(cross, before.dot(after))) > kLaneTurn;
+}
+
+/// Of the way-points between its ends the one nearest to that share of its length; of those at
+/// which it turns, if there are any.
+std::optional<std::size_t> cut_of(const Way& way, double share) {
+  std::optional<std::size_t> best;
+  const double wanted = share * refiners::length_of(way);
+  double length = 0, off = 0;
+  bool turning = false;
+  for (std::size_t i = 1; i + 1 < way.size(); ++i) {
+    length += (way[i] - way[i - 1]).norm();
+    const bool turns = turns_at(way, i);
+    if (best && turning && !turns) continue;
+    if (best && turning == turns && std::abs(length - wanted) >= off) continue;
+    best = i;
+    off = std::abs(length - wanted);
+    turning = turns;
+  }
+  return best;
 }
 
 }  // namespace
@@ -196,6 +225,13 @@ Answer<Motion> Sweeps::rest_in(const Counted& counted, const Way& way,
   Way with_run_in = {before_it};
   with_run_in.insert(with_run_in.end(), way.begin(), way.end());
   return ways_.flown((*air)->is_free(before_it, way[0]) ? std::move(with_run_in) : way);
+}
+
+std::optional<Sweeps::Parts> Sweeps::parted(const Way& way, double share) const {
+  const auto cut = cut_of(way, share);
+  if (!cut) return std::nullopt;
+  const auto at = way.begin() + static_cast<std::ptrdiff_t>(*cut);
+  return Parts{ways_.flown({way.begin(), at + 1}), {at, way.end()}};
 }
 
 }  // namespace skein::supervisor

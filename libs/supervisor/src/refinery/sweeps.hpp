@@ -21,6 +21,14 @@ class Sweeps {
                       const world::SensorModel& device, const world::SensorModel& before,
                       const Departure& when = {});
 
+  /// Such a motion in two: what is flown first, to where it turns next to that share of its length,
+  /// and the way-points from there on. Nothing when it has no inner way-points to be parted at.
+  struct Parts {
+    Motion first;
+    refiners::Way beyond;
+  };
+  std::optional<Parts> parted(const refiners::Way& way, double share) const;
+
  private:
   using Counted = TimedAir::Counted;
   const Gazetteer& gazetteer() const { return air_.gazetteer(); }

@@ -17,6 +17,18 @@ using mission::HighLevelTask;
 /// task less.
 constexpr double kHopeful = 1.1;
 
+/// A part of a mapping that is left out is nothing by itself.
+void add_parts(const Goals& goals, std::vector<Dropped>& dropped) {
+  for (const HighLevelTask& goal : goals) {
+    const auto whole = whole_of(goal);
+    const auto with = std::find_if(dropped.begin(), dropped.end(),
+                                   [&](const Dropped& one) { return whole && one.goal == *whole; });
+    if (with == dropped.end()) continue;
+    Dropped part{goal.id, "a part of goal " + to_text(*whole) + ", which is left out"};
+    dropped.push_back(std::move(part));
+  }
+}
+
 bool has(const std::vector<Dropped>& dropped, GoalId goal) {
   return std::any_of(dropped.begin(), dropped.end(),
                      [&](const Dropped& each) { return each.goal == goal; });
@@ -49,6 +61,7 @@ Replan::Outcome Replan::run(Goals goals) {
     outcome.reasons = attempt.verdict->reasons;
     const bool futile = is_futile(goals, roles_, judge_.base());
     std::vector<Dropped> out = leave_out(goals, attempt);
+    add_parts(goals, out);
     // What is left of a good order is in a good order: no other is tried to save energy.
     well_ordered = attempt.verdict->missing_energy > 0;
     if (well_ordered) goals = attempt.order;

@@ -107,8 +107,14 @@ std::vector<GoalId> Requests::goals_named(const mission::CancelGoals& named,
   std::vector<GoalId> result;
   for (const GoalId id : book_.order) {
     const Goal& goal = book_.goals.at(id);
-    const bool listed = std::find(named.goals.begin(), named.goals.end(), id) != named.goals.end();
-    const bool meant = all || listed || (by_mission && goal.mission == named.mission);
+    // A part of a mapping goes with it.
+    const GoalId asked = whole_of(goal.task).value_or(id);
+    const auto whole = book_.goals.find(asked);
+    const bool listed = std::any_of(named.goals.begin(), named.goals.end(),
+                                    [&](GoalId one) { return one == id || one == asked; });
+    const bool meant =
+        all || listed ||
+        (by_mission && whole != book_.goals.end() && whole->second.mission == named.mission);
     if (meant && !is_settled(goal.state)) result.push_back(id);
   }
   if (result.empty() && !all && problems.empty()) problems.push_back("all of it is over already");

@@ -143,6 +143,74 @@ TEST(SupervisorProgress, OfAWayIsFromTheLastWayPointReached) {
   EXPECT_EQ(rest->way, std::vector<world::Vector3>(way.begin() + 2, way.end()));
 }
 
+// ---- mappings in parts ----
+
+const std::vector<world::Vector3> kLanes{{0, 0, 40},  {100, 0, 40}, {100, 30, 40},
+                                         {0, 30, 40}, {0, 60, 40},  {100, 60, 40}};
+
+/// Part 900 of mapping 701, two legs of its lanes, is under way from 10 s on; goal 702 and the rest
+/// come after it.
+Desk mapping_in_parts() {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701, 702}));
+  InsertionOutcome outcome =
+      inserted({702, 701},
+               {TaskOf(100, "goto", 900).takes(300, 320).way({kLanes.begin(), kLanes.begin() + 3}),
+                TaskOf(101, "takeshot", 900).during(100).device("camera").stopped_by(100),
+                TaskOf(102, "goto", 702).after(100).takes(5, 15),
+                TaskOf(103, "goto", 701)
+                    .after(102)
+                    .takes(300, 320)
+                    .way({{100, -50, 40}, kLanes[2], kLanes[3], kLanes[4], kLanes[5]}),
+                TaskOf(104, "takeshot", 701).during(103).device("camera").stopped_by(103)});
+  outcome.order.insert(outcome.order.begin(), {GoalId{900}, "map-part", {"Z", 0.4, 701.0}, {}});
+  desk.finish(outcome);
+  desk.at(10).flies({0, 0, 40});
+  desk.runs(100);
+  desk.runs(101);
+  return desk;
+}
+
+TEST(SupervisorParts, OfAMappingAreGoalsThatItGivesItself) {
+  const Desk desk = mapping_in_parts();
+
+  EXPECT_EQ(desk.state_of(900), "under-way");
+  EXPECT_EQ(desk.state_of(701), "planned");
+  EXPECT_EQ(desk.state_of(702), "planned");
+}
+
+TEST(SupervisorParts, APartThatGoesOnLeavesItsMappingTheOtherLanesInEveryPlanBehindIt) {
+  Desk desk = mapping_in_parts();
+
+  desk.at(20).add(a_mission(2, {703}));
+
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(progress_for(desk, 701).rest->way,
+            std::vector<world::Vector3>(kLanes.begin() + 2, kLanes.end()));
+}
+
+TEST(SupervisorParts, APartThatIsInterruptedLeavesWhatItHasNotFlownAndTheOtherLanes) {
+  Desk desk = mapping_in_parts();
+  desk.flies({60, 0, 40});
+  desk.flies({99, 1, 40});
+
+  desk.at(50).aborted(101, "lens dirty");
+
+  const auto& done = desk.repair().base.situation.done;
+  EXPECT_EQ(done.at(GoalId{701}).rest->way,
+            std::vector<world::Vector3>(kLanes.begin() + 1, kLanes.end()));
+}
+
+TEST(SupervisorParts, AreCancelledWithTheirMapping) {
+  Desk desk = mapping_in_parts();
+
+  desk.at(20).give(CancelMission{{{GoalId{701}}, mission::MissionId{}, true}, "test"});
+
+  EXPECT_EQ(desk.state_of(701), "cancelled");
+  EXPECT_EQ(desk.state_of(900), "cancelled");
+  EXPECT_EQ(desk.state_of(702), "planned");
+}
+
 TEST(Ways, AreFollowedThroughWayPointsPassedBetweenTwoStates) {
   const std::vector<world::Vector3> way{{0, 0, 0}, {10, 0, 0}, {20, 0, 0}, {20, 10, 0}};
 

@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "flight/retreat.hpp"
+#include "insertion/parts.hpp"
 #include "skein/foundation/random.hpp"
 #include "skein/supervisor/repair.hpp"
 #include "testing/planning_lab.hpp"
@@ -91,6 +92,113 @@ TEST(InsertionOfScatteredTasks, OneByOneCostsAtMostThreeTenthsMoreThanTheBestOrd
 
   std::cout << "cost of one by one to the best of all: mean " << sum / layouts() << ", worst "
             << worst << '\n';
+}
+
+// ---- a mapping in parts ----
+
+mission::HighLevelTask mapping(std::uint64_t id) {
+  return {mission::GoalId(id), "perform-mapping", {"Z2"}, {}};
+}
+
+std::vector<std::string> names_of(const Goals& order) {
+  std::vector<std::string> names;
+  for (const auto& goal : order) names.push_back(goal.name);
+  return names;
+}
+
+/// Of a plan of these tasks alone, as it is foreseen: when the last of them is over at the latest.
+MissionTime end_of(const PlanningLab& lab, const Goals& goals) {
+  InsertionRequest request{lab.request(), {}, {}, goals, mission::Placement::kLast};
+  return insert_tasks(request).schedule.latest_end;
+}
+
+/// Of a mapping that must be over soon and a look in the middle of it.
+InsertionRequest amid_a_mapping(const PlanningLab& lab) {
+  const Duration whole = end_of(lab, {mapping(1)}) - MissionTime();
+  const Duration both = end_of(lab, {mapping(1), shot(2, {60, 60, 40})}) - MissionTime();
+  mission::HighLevelTask look = shot(2, {60, 60, 40});
+  look.time.start_after = MissionTime() + Duration::seconds(0.45 * whole.to_seconds());
+  look.time.end_before = MissionTime() + Duration::seconds(0.9 * whole.to_seconds());
+  mission::HighLevelTask map = mapping(1);
+  map.time.end_before = MissionTime() + both + Duration::seconds(0.3 * whole.to_seconds());
+  InsertionRequest request{lab.request(), {}, {map}, {look}, mission::Placement::kBest};
+  request.part = mission::GoalId(900);
+  return request;
+}
+
+TEST(InsertionInParts, WhatFitsNeitherBeforeNorBehindAMappingHasItsPlaceAmidIt) {
+  const InsertionRequest request = amid_a_mapping(airborne_lab());
+
+  const auto outcome = insert_tasks(request);
+
+  ASSERT_TRUE(outcome.plan) << outcome.reasons.front();
+  EXPECT_THAT(names_of(outcome.order),
+              ElementsAre("map-part", "general-combined-goto-and-takeshot", "perform-mapping"));
+  EXPECT_EQ(outcome.order.front().id, mission::GoalId(900));
+  EXPECT_EQ(whole_of(outcome.order.front()), mission::GoalId(1));
+  EXPECT_TRUE(outcome.schedule.controllable);
+  EXPECT_LE(outcome.schedule.latest_end, *request.planned[0].time.end_before);
+}
+
+TEST(InsertionInParts, IsTriedOnlyBehindAllOrdersOfTheWholeAndSaysWhatItTried) {
+  const auto outcome = insert_tasks(amid_a_mapping(airborne_lab()));
+
+  bool parts = false;
+  for (const Trial& trial : outcome.trials) {
+    EXPECT_FALSE(parts && trial.part == 0) << "a whole order behind one in parts";
+    parts = parts || trial.part > 0;
+    EXPECT_TRUE(trial.part > 0 || !trial.feasible);
+  }
+  EXPECT_TRUE(parts);
+}
+
+TEST(InsertionInParts, WithoutANumberForThePartTheMissionIsRefused) {
+  InsertionRequest request = amid_a_mapping(airborne_lab());
+  request.part.reset();
+
+  EXPECT_FALSE(insert_tasks(request).plan);
+}
+
+TEST(InsertionInParts, AMissionAskedInOneOrderHasItsLookAmidTheMapping) {
+  InsertionRequest request = amid_a_mapping(airborne_lab());
+  request.added = {request.planned[0], request.added[0]};
+  request.added[0].time = {};
+  request.added[1].time.start_after.reset();
+  request.planned.clear();
+
+  const auto outcome = insert_tasks(request);
+
+  ASSERT_TRUE(outcome.plan) << outcome.reasons.front();
+  EXPECT_THAT(names_of(outcome.order),
+              ElementsAre("map-part", "general-combined-goto-and-takeshot", "perform-mapping"));
+}
+
+TEST(InsertionInParts, WhatCannotBeInTimeEvenSoIsRefusedWithReasonsOfTheGoalsAskedFor) {
+  InsertionRequest request = amid_a_mapping(airborne_lab());
+  request.added[0].time.start_after.reset();
+  request.added[0].time.end_before = MissionTime::seconds(5);
+
+  const auto outcome = insert_tasks(request);
+
+  EXPECT_FALSE(outcome.plan);
+  for (const Dropped& one : outcome.dropped) EXPECT_NE(one.goal, mission::GoalId(900)) << one.why;
+}
+
+TEST(InsertionInParts, APartThatIsPlannedStaysBeforeItsMappingInATour) {
+  const PlanningLab lab = airborne_lab();
+  const auto first = insert_tasks(amid_a_mapping(lab));
+  ASSERT_TRUE(first.plan);
+  Goals planned = first.order;
+  for (auto& goal : planned) goal.time = {};
+  InsertionRequest request{
+      lab.request(), {}, planned, {shot(3, {-60, 20, 40})}, mission::Placement::kTour};
+
+  const auto outcome = insert_tasks(request);
+
+  ASSERT_TRUE(outcome.plan);
+  const auto names = names_of(outcome.order);
+  const auto part = std::find(names.begin(), names.end(), "map-part");
+  EXPECT_LT(part, std::find(names.begin(), names.end(), "perform-mapping"));
 }
 
 TEST(RepairOnRealGround, AClosedGoalIsDroppedAndTheRestStays) {

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/refiners/flight.hpp"
 #include "testing/planned.hpp"
 #include "testing/planning_lab.hpp"
 
@@ -149,6 +150,67 @@ TEST(PlanningProgress, AMappingOfWhichAllWasFlownIsNothingToDo) {
   lab.situation.done[mission::GoalId(7)].rest = mission::Progress::Rest{"singlecam", {}};
 
   EXPECT_THAT(planned(lab).tasks, IsEmpty());
+}
+
+// ---- in parts ----
+
+TEST(PlanningParts, OfAMappingAreTheLanesOfTheWholeBeforeAndBehindWhatIsBetween) {
+  PlanningLab whole = flying(), parts = flying();
+  whole.task(7, "perform-mapping", {"Z2"s});
+  parts.task(1, "map-part", {"Z2"s, 0.5, 7.0}).task(2, "perceive", {"P1"s, 10.0});
+  parts.task(7, "perform-mapping", {"Z2"s});
+  const std::vector<Vector3> all = planned(whole).tasks.at(1).way;
+
+  const auto plan = planned(parts);
+
+  ASSERT_THAT(names_of(plan), ElementsAre("gotoxyz", "gotoxyz", "takeshot", "gotoxyz", "perception",
+                                          "gotoxyz", "gotoxyz", "takeshot"));
+  std::vector<Vector3> both = plan.tasks[1].way;
+  const auto& rest = plan.tasks[6].way;
+  EXPECT_EQ(rest.front(), both.back()) << "it goes on where it left the lanes";
+  both.insert(both.end(), rest.begin() + 1, rest.end());
+  EXPECT_EQ(both, all);
+}
+
+TEST(PlanningParts, OfWhatIsLeftOfAMappingAreItsLanesAndTheSecondPlanKnowsTheFirst) {
+  PlanningLab lab = flying();
+  lab.task(7, "perform-mapping", {"Z2"s});
+  const std::vector<Vector3> way = planned(lab).tasks.at(1).way;
+  const std::vector<Vector3> rest(way.begin() + 2, way.end());
+  lab.situation.done[mission::GoalId(7)].rest = mission::Progress::Rest{"singlecam", rest};
+  lab.tasks.clear();
+  lab.task(1, "map-part", {"Z2"s, 0.5, 7.0}).task(7, "perform-mapping", {"Z2"s});
+
+  const auto plan = planned(lab);
+
+  ASSERT_EQ(plan.tasks.size(), 6U);
+  EXPECT_EQ(plan.tasks[1].way.front(), rest.front());
+  EXPECT_EQ(plan.tasks[4].way.back(), rest.back());
+  EXPECT_LT(plan.tasks[1].way.size(), rest.size());
+}
+
+TEST(PlanningParts, AreMoreOrLessOfTheLanesAsIsAsked) {
+  std::vector<double> lengths;
+  for (const double share : {0.125, 0.5, 0.875}) {
+    PlanningLab lab = flying();
+    lab.task(1, "map-part", {"Z2"s, share, 7.0});
+    lengths.push_back(refiners::length_of(planned(lab).tasks.at(1).way));
+  }
+
+  EXPECT_LT(lengths[0], lengths[1]);
+  EXPECT_LT(lengths[1], lengths[2]);
+}
+
+TEST(PlanningParts, OfWhatCannotBePartedAreNothingToDo) {
+  PlanningLab lab = flying();
+  lab.task(1, "map-part", {"Z2"s, 0.5, 7.0});
+  lab.situation.done[mission::GoalId(7)].rest =
+      mission::Progress::Rest{"singlecam", {{-140, 100, 40}, {160, 100, 40}}};
+
+  // The problem tells the progress of goals that are asked for.
+  lab.task(7, "perform-mapping", {"Z2"s});
+
+  EXPECT_THAT(names_of(planned(lab)), ElementsAre("gotoxyz", "gotoxyz", "takeshot"));
 }
 
 TEST(PlanningProgress, LanesOfADeviceThatSawMoreAreFlownAnew) {

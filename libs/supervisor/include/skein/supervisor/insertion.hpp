@@ -52,12 +52,15 @@ struct InsertionRequest {
   std::vector<mission::HighLevelTask> added;    ///< in the order wanted
   mission::Placement placement = mission::Placement::kBest;
   bool any = false;  ///< what of `added` cannot be planned is left out
+  /// The number that a part of a mapping would have; absent: none is flown in parts.
+  std::optional<mission::GoalId> part = {};
 };
 
 /// One order that was tried.
 struct Trial {
   mission::Placement placement = mission::Placement::kLast;
   std::vector<mission::GoalId> order;
+  double part = 0;  ///< share of a mapping's lanes that is flown before something else; 0: none is
   bool feasible = false;
   double cost = 0;                         ///< of the plan, where there is one
   Duration shortened;                      ///< what it takes from durations that may be shorter
@@ -89,7 +92,10 @@ struct InsertionOutcome {
 /// synchronise keep their order. With nothing planned the mission is planned in the order asked
 /// for, unless kTour is. A plan must also leave the energy reserve alone. What an order lacks in
 /// time or energy is taken from durations that are given as ranges, the same part of each; the
-/// order that takes least is kept before one of less cost. A job. Source: T IV.4.2 (SCD-1).
+/// order that takes least is kept before one of less cost. What kBest or kInTime find no place for
+/// otherwise because of absolute bounds may have it between two parts of a mapping that has not
+/// begun: shares of its lanes are tried by halving, to eighths, more before as long as that serves;
+/// the part is in the order as a task of its own (kMapPart). A job. Source: T IV.4.2 (SCD-1).
 InsertionOutcome insert_tasks(const InsertionRequest& request);
 
 }  // namespace skein::supervisor

@@ -13,10 +13,10 @@
 
 namespace skein::supervisor {
 
-/// The functions that docs/comets-domain.md lists (compute-gotoxyz, in-time, …), for one planning:
-/// what was refined once is not refined again, and every refusal is kept in words. The airspace is
-/// built at the first way that is asked for; volumes that are closed for a time only count all
-/// along. `budget` is that of each call of a refiner. Thread rule: one thread at a time.
+/// The functions that docs/comets-domain.md lists (compute-gotoxyz, in-time, …), for plannings from
+/// one origin: what was refined once is not refined again, and every refusal is kept in words. The
+/// airspace is built at the first way that is asked for; volumes that are closed for a time only
+/// count all along. `budget` is that of each call of a refiner. Thread rule: one thread at a time.
 class PlannerHost {
  public:
   PlannerHost(std::shared_ptr<const Knowledge> knowledge, std::shared_ptr<const world::World> world,
@@ -34,6 +34,9 @@ class PlannerHost {
   /// they fail.
   static void declare(htn::Functions& functions);
 
+  /// The next planning begins: from here on refusals and refinements count. What was refined before
+  /// is known; what was refused then is refused again with the same words.
+  void begin();
   /// Each once, in the order they came.
   const std::vector<std::string>& refusals() const;
   /// Calls of refiners that were not known from before.

@@ -26,6 +26,16 @@ namespace skein::supervisor {
 inline constexpr std::string_view kComeDown = "general-land";
 inline constexpr std::string_view kLeaveClosedAir = "leave-closed-air";
 
+/// What a domain that has both may do in two parts, with other tasks between them: the mapping of a
+/// zone; and the first of its parts, with the zone, the share of the lanes (0 to 1) and the number
+/// of the mapping, which flies the others when its turn comes.
+inline constexpr std::string_view kMapping = "perform-mapping";
+inline constexpr std::string_view kMapPart = "map-part";
+/// The mapping that a task is a part of; nothing of other tasks.
+std::optional<mission::GoalId> whole_of(const mission::HighLevelTask& task);
+/// The share of the lanes that a part of a mapping is to fly; nothing of other tasks.
+std::optional<double> share_of(const mission::HighLevelTask& task);
+
 /// A planning domain as text (docs/comets-domain.md).
 struct DomainText {
   std::string file;  ///< name for messages
