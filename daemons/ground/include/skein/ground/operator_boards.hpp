@@ -37,7 +37,8 @@ class OperatorBoards {
  private:
   void tell(wire::Sample board, std::vector<wire::Sample>& news);
 
-  bool changed_ = false, tasks_changed_ = false;
+  bool changed_ = false;
+  bool tasks_changed_ = true;  ///< none was told yet
   std::optional<MissionTime> told_at_;
   std::map<std::pair<wire::Slot, std::uint32_t>, wire::Sample> told_;
 };
