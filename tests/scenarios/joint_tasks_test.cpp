@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference example (spec 7.7, 8.6) and what may befall it, over many seeds: each draws other
-// winds, speeds, delays, losses and sensor noise.
+// The reference example of joint tasks (spec 7.7, 8.6) and what may befall it, and teams at degree
+// 5 (spec 6.3, 8.9), over many seeds: each draws other winds, speeds, delays, losses and sensor
+// noise.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,12 +13,12 @@
 namespace skein::testing {
 namespace {
 
-class JointTask : public ::testing::TestWithParam<std::string> {};
+class Teamwork : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(JointTask, MeetsEveryExpectationAndKeepsTheLawsWhateverTheSeed) {
+TEST_P(Teamwork, MeetsEveryExpectationAndKeepsTheLawsWhateverTheSeed) {
   const auto seeds = cases<std::uint64_t>(2, 500);
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const Mission mission = play(scenario_at("mref/" + GetParam(), with(seed)));
+    const Mission mission = play(scenario_at(GetParam(), with(seed)));
 
     EXPECT_EQ(mission.end, End::kFinished) << "seed " << seed;
     EXPECT_EQ(mission.failures(), "") << "seed " << seed;
@@ -26,9 +27,9 @@ TEST_P(JointTask, MeetsEveryExpectationAndKeepsTheLawsWhateverTheSeed) {
   }
 }
 
-TEST_P(JointTask, IsTheSameByteForByteForOneSeed) {
-  const std::string once = play(scenario_at("mref/" + GetParam(), with(1))).log();
-  const std::string again = play(scenario_at("mref/" + GetParam(), with(1))).log();
+TEST_P(Teamwork, IsTheSameByteForByteForOneSeed) {
+  const std::string once = play(scenario_at(GetParam(), with(1))).log();
+  const std::string again = play(scenario_at(GetParam(), with(1))).log();
 
   EXPECT_TRUE(once == again);
 }
@@ -39,11 +40,13 @@ std::string name_of(const ::testing::TestParamInfo<std::string>& one) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Mref, JointTask,
-                         ::testing::Values("nominal", "small-move", "larger-move",
-                                           "very-large-move", "relay-lost", "radio-cut",
-                                           "interrupted", "taken-in-hand"),
+INSTANTIATE_TEST_SUITE_P(JointTasks, Teamwork,
+                         ::testing::Values("mref/nominal", "mref/small-move", "mref/larger-move",
+                                           "mref/very-large-move", "mref/relay-lost",
+                                           "mref/radio-cut", "mref/interrupted",
+                                           "mref/taken-in-hand"),
                          name_of);
+INSTANTIATE_TEST_SUITE_P(Degree5, Teamwork, ::testing::Values("team/two", "team/five"), name_of);
 
 }  // namespace
 }  // namespace skein::testing
