@@ -114,12 +114,13 @@ void DdsRun::take_scenario_of(const std::string& name, const std::string& more) 
   const std::string scenarios = std::string(SKEIN_SOURCE_DIR) + "/scenarios/";
   const std::string text = read_text(scenarios + name + ".yaml");
   std::ofstream(folder_ / "scenario.yaml") << text << more;
-  change("model: ../", "model: " + scenarios);
+  const std::string beside = (fs::path(scenarios + name).parent_path() / "models/").string();
   if (text.find("model: models/") != std::string::npos)
-    change("model: models/",
-           "model: " + (fs::path(scenarios + name).parent_path() / "models/").string());
-  change("domain: ../", "domain: " + scenarios);
-  change("include: ../", "include: " + scenarios);
+    change("model: models/", "model: " + beside);
+  for (const char* key : {"model: ", "domain: ", "include: ", "interaction: "}) {
+    const std::string above = std::string(key) + "../";
+    if (text.find(above) != std::string::npos) change(above, key + scenarios);
+  }
 }
 
 void DdsRun::change(const std::string& from, const std::string& to) {
