@@ -96,8 +96,18 @@ TEST_P(BadDegrees, AreRefusedAndChangeNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Overrides, BadDegrees,
-                         ::testing::Values("0", "5", "", "three", "22", "-1", "marvin=", "marvin=9",
+                         ::testing::Values("0", "6", "", "three", "22", "-1", "marvin=", "marvin=9",
                                            "marvin=1=2", "1.0", " 1", "=", "=9"));
+
+TEST(Overrides, Degree5IsOfTeamsOnlyAndEachUavThatIsInNoneIsNamed) {
+  scenario::Scenario scenario = a_scenario();
+
+  const Diagnostics diagnostics = apply(with_degrees({"5"}), scenario);
+
+  ASSERT_EQ(diagnostics.size(), 3U);
+  EXPECT_THAT(to_text(diagnostics), HasSubstr("marvin is in no team"));
+  EXPECT_THAT(degrees_of(scenario), ElementsAre(3, 3, 3));
+}
 
 TEST(Overrides, AnEmptyNameBeforeTheDegreeIsNotEverybody) {
   scenario::Scenario scenario = a_scenario();
