@@ -87,6 +87,7 @@ std::string page_world(const Scenario& scenario) {
   }
   for (const world::Volume& volume : scenario.world.volumes) air.push_back(volume_of(volume));
   const world::Vector3& ground = scenario.ground.position;
+  const Json team = scenario.team ? Json(scenario.team->roster.names()) : Json::array();
   const Json page{{"scenario", scenario.name},
                   {"ground", {ground.x(), ground.y()}},
                   {"terrain", terrain_of(scenario.world.terrain)},
@@ -94,6 +95,7 @@ std::string page_world(const Scenario& scenario) {
                   {"places", std::move(places)},
                   {"air", std::move(air)},
                   {"uavs", std::move(uavs)},
+                  {"team", team},
                   {"tasks", tasks_of(scenario)}};
   return page.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

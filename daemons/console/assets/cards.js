@@ -83,14 +83,14 @@ function buttons(uav, parts) {
     if (mineNow) row.push(button("steer on map", () => act.steer(name), {disabled: !board.airborne}), button("give back", () => act.giveBack(name)), button("let go", () => act.letGo(name)));
     if (!mineNow && !free) row.push(board.asker === me ? el("span", {className: "chip warn"}, "asked for") : button("ask for it", () => act.askFor(name)));
     if (mineNow && board.asker) row.push(button(`keep it: ${board.asker} asks`, () => act.keep(name)));
-    const degrees = el("select", {title: "degree of autonomy", disabled: !free && !mineNow}, ...[1, 2, 3, 4].map((one) => el("option", {value: one, selected: one === board.degree, disabled: one === 4 && !model.world.tasks.length}, `degree ${one}`)));
+    const degrees = el("select", {title: "degree of autonomy", disabled: !free && !mineNow}, ...[1, 2, 3, 4, 5].map((one) => el("option", {value: one, selected: one === board.degree, disabled: (one === 4 && !model.world.tasks.length) || (one === 5 && !model.world.team?.includes(name))}, `degree ${one}`)));
     degrees.addEventListener("change", () => act.degree(name, Number(degrees.value)));
     const abort = slide("abort all", () => act.abortAll(name));
     if (!free && !mineNow) abort.classList.add("off");
     return [el("div", {className: "row"}, ...row), el("div", {className: "row"}, degrees, abort, board.held > 0 && button("resume plan", () => act.resume(name)))];
   });
   parts.hand.title = passes === null ? "" : `passes to ${board.asker} at ${clockText(passes)}`;
-  parts.degree.title = ["", "1: the ground executes", "2: it executes, the ground relays", "3: it executes and synchronises", "4: it plans"][board.degree] ?? "";
+  parts.degree.title = ["", "1: the ground executes", "2: it executes, the ground relays", "3: it executes and synchronises", "4: it plans", "5: its team shares out the work"][board.degree] ?? "";
 }
 
 export function draw(choose) {
