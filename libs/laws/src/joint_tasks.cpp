@@ -130,6 +130,15 @@ bool is_same_attempt(const JointTold& one, const JointTold& other) {
   return one.joint == other.joint && from + kTelling < until_other && from_other + kTelling < until;
 }
 
+/// Interrupted from outside on its way out, when the other had already ended.
+bool interrupted_after(const JointTold& aborted, const JointTold& ended) {
+  const auto left = std::find_if(aborted.phases.begin(), aborted.phases.end(), [](const auto& one) {
+    return one.phase == "leaving" || one.phase == "aborted";
+  });
+  return left != aborted.phases.end() && left->why == "interrupted" &&
+         left->at > ended.phases.back().at;
+}
+
 std::vector<Violation> joint_tasks_apart(const History& history) {
   std::vector<Violation> result;
   const bool excused =
@@ -138,11 +147,11 @@ std::vector<Violation> joint_tasks_apart(const History& history) {
   if (excused) return result;
   for (const JointTold& told : history.joint.joints) {
     if (told.phases.back().phase != "aborted" || told.componels.empty()) continue;
-    const auto other = std::find_if(history.joint.joints.begin(), history.joint.joints.end(),
-                                    [&](const JointTold& one) {
-                                      return one.phases.back().phase == "ended" &&
-                                             one.uav != told.uav && is_same_attempt(one, told);
-                                    });
+    const auto other = std::find_if(
+        history.joint.joints.begin(), history.joint.joints.end(), [&](const JointTold& one) {
+          return one.phases.back().phase == "ended" && one.uav != told.uav &&
+                 is_same_attempt(one, told) && !interrupted_after(told, one);
+        });
     if (other == history.joint.joints.end()) continue;
     result.push_back({"", told.phases.back().at, told.uav, 0,
                       told.joint + " is aborted here and has ended at " + other->uav});

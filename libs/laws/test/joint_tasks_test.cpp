@@ -207,6 +207,24 @@ TEST(JointLaws, AJointTaskEndsAlikeAtAll) {
               ElementsAre(HasSubstr("has ended at marvin")));
 }
 
+TEST(JointLaws, WhoIsInterruptedAfterTheOthersEndedIsNotApartFromThem) {
+  Told told;
+  told.phase(10, "marvin", "running", "watch").componel(11, "marvin", "w1", "ended");
+  told.phase(10, "heliv", "running", "relay").componel(11, "heliv", "r1", "ended");
+  told.phase(50, "marvin", "ended", "watch");
+
+  EXPECT_THAT(Told(told)
+                  .phase(57, "heliv", "leaving", "relay", "interrupted")
+                  .phase(59, "heliv", "aborted", "relay", "interrupted")
+                  .broken(joint_tasks_apart),
+              IsEmpty());
+  EXPECT_THAT(Told(told)
+                  .phase(47, "heliv", "leaving", "relay", "interrupted")
+                  .phase(59, "heliv", "aborted", "relay", "interrupted")
+                  .broken(joint_tasks_apart),
+              ElementsAre(HasSubstr("has ended at marvin")));
+}
+
 TEST(JointLaws, AnAttemptThatAllAbortedIsNoneOfTheOneThatAllEnded) {
   Told told;
   for (const char* uav : {"marvin", "heliv"})
