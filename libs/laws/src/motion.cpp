@@ -34,7 +34,9 @@ void overlapping(const Uav& uav, std::vector<Violation>& result) {
   const auto on_board = [&](const Execution* one) { return one->node == uav.name(); };
   std::vector<const Execution*> motions;
   for (const auto& [task, execution] : uav.executions) {
-    if (execution.is_motion() && execution.started != kNever) motions.push_back(&execution);
+    // What the vehicle refused in the same instant never moved it.
+    const bool flew = execution.started != kNever && execution.over > execution.started;
+    if (execution.is_motion() && flew) motions.push_back(&execution);
   }
   std::stable_sort(motions.begin(), motions.end(),
                    [](const auto* a, const auto* b) { return a->started < b->started; });
