@@ -23,8 +23,12 @@ constexpr Duration kAgain = Duration::milliseconds(1'000);
 constexpr Duration kPatience =
     Duration::milliseconds(600'000);                           // where the plan has no latest start
 constexpr Duration kSilence = Duration::milliseconds(60'000);  // then a partner is lost
-constexpr double kFarthest = 1e8;                              // [s]
-constexpr double kRoom = 1;                                    // [s] at the end of an interval
+// What is agreed must still be possible when it is agreed: a start that was not is offered so much
+// later, twice as much each time.
+constexpr Duration kAhead = Duration::milliseconds(5'000);
+constexpr Duration kFurthestAhead = Duration::milliseconds(60'000);
+constexpr double kFarthest = 1e8;  // [s]
+constexpr double kRoom = 1;        // [s] at the end of an interval
 
 }  // namespace
 
@@ -73,10 +77,12 @@ void JointTask::ask_again(executive::TaskId task, std::vector<mission::Interval>
         preferences_.begin(), preferences_.end(),
         [&](const mission::Interval& one) { return one.least <= start && start <= one.most; });
     if (keeps) {
+      ahead_ = {};
       answer();
     } else {
       phase_ = JointPhase::kLoading;
       why_ = "it cannot begin any more when it was agreed";
+      ahead_ = std::clamp(ahead_ + ahead_, kAhead, kFurthestAhead);
       negotiate_start();
     }
   }
@@ -126,8 +132,9 @@ Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms
   interaction::Rows rows;
   if (terms.modality == "time-interval") {
     for (const mission::Interval& one : preferences_) {
-      const double from = one.least.to_seconds();
       const double until = std::min(one.most.to_seconds(), kFarthest);
+      const double from = std::clamp((one.least + ahead_).to_seconds(), one.least.to_seconds(),
+                                     std::max(one.least.to_seconds(), until));
       rows.push_back({"interval", "", {from, std::max(from, until) + kRoom}});
     }
     return rows;

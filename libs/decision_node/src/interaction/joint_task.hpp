@@ -118,6 +118,7 @@ class JointTask {
   Holders holders_;
   std::string allocation_;  ///< the session in which they were agreed
   MissionTime agreed_at_;
+  Duration ahead_;  ///< of what it can do first, in the start it offers
   std::optional<MissionTime> agreed_start_;
   MissionTime start_agreed_at_;
   std::map<std::string, MissionTime> silent_since_;  ///< partners
