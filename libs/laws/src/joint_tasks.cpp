@@ -57,7 +57,8 @@ std::vector<Violation> agreements_apart(const History& history) {
   std::vector<Violation> result;
   std::map<std::string, SessionTold> first_agreed, first_failed;
   for (const SessionTold& told : history.joint.sessions) {
-    const std::string session = told.joint + " of " + told.opener + " at " + std::to_string(told.opened);
+    const std::string session =
+        told.joint + " of " + told.opener + " at " + std::to_string(told.opened);
     (told.agreed ? first_agreed : first_failed).try_emplace(session, told);
     const auto agreed = first_agreed.find(session);
     const auto failed = first_failed.find(session);

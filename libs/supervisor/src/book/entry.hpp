@@ -72,6 +72,8 @@ struct Entry {
   std::string why;          ///< of its interruption
   std::vector<Hold> holds;  ///< as the executive was told
   bool by_others = false;   ///< given by somebody else, with conditions of their own
+  bool scheduled = false;   ///< an executive said that it has it
+  bool was_held = false;    ///< it was given with something in `holds`
   bool unseen = false;      ///< lost to somebody else: nobody saw what became of it
   Tardiness told = Tardiness::kInTime;
 

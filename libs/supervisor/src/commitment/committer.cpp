@@ -129,7 +129,8 @@ void Committer::give(GoalId goal) {
   for (const TaskId id : ids) {
     Entry& entry = book_.tasks.at(id);
     entry.holds = dates_.holds_of(id);
-    if (!entry.holds.empty()) holds[id] = entry.holds;
+    entry.was_held = !entry.holds.empty();
+    if (entry.was_held) holds[id] = entry.holds;
   }
   for (executive::Input& request : to_requests(tasks, windows, book_.ending_by_order(), holds)) {
     out_.send(std::move(request));

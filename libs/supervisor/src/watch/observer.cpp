@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "book/progress.hpp"
 #include "flight/flight_times.hpp"
@@ -103,6 +104,15 @@ Duration Observer::retry_after(const Loose& loose, const std::string& why) {
   return std::max(kWaitRetry, pause_after(refusals_.count(loose.type, why, now())));
 }
 
+// The second time it comes back from another executive, with the conditions that it was handed over
+// with: what it was held for may have come true meanwhile, when nobody here could say so.
+void Observer::see_scheduled(Entry& entry) {
+  const bool came_back = std::exchange(entry.scheduled, true);
+  if (engaged() && came_back && entry.was_held && !entry.seen.started && !entry.by_others) {
+    committer_.send_preconditions(entry);
+  }
+}
+
 void Observer::see(Entry& entry, const executive::TaskEvent& event) {
   if (entry.over()) return;
   if (!entry.given()) {
@@ -115,6 +125,7 @@ void Observer::see(Entry& entry, const executive::TaskEvent& event) {
   }
   switch (event.state) {
     case TaskState::kScheduled:
+      see_scheduled(entry);
       return;
     case TaskState::kStarted:
     case TaskState::kRunning:

@@ -39,6 +39,7 @@ class Observer {
   bool engaged() const { return hand_over_.engaged(); }
   void see(Entry& entry, const executive::TaskEvent& event);
   void see_loose(const executive::TaskEvent& event);
+  void see_scheduled(Entry& entry);
   void see_started(Entry& entry);
   void see_ended(Entry& entry);
   void see_aborted(Entry& entry);
