@@ -145,8 +145,7 @@ class DdsRun {
     } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&received.sample)) {
       if (entry->ready && ready_.insert(entry->name).second) {
         add(record("process").with("name", entry->name).with("state", "ready"));
-        if (const std::string url = fleet_.console_url(); entry->name == "ground" && !url.empty())
-          progress_.say("console at " + url);
+        if (entry->name == "ground") say_console();
       }
     } else if (const auto* line = std::get_if<wire::JournalEntry>(&received.sample)) {
       auto parsed = journal::parse_record(line->record);
@@ -155,6 +154,11 @@ class DdsRun {
           time_limit_ || (parsed->kind() == "mission" && parsed->text("state") == "time-limit");
       add(std::move(*parsed));
     }
+  }
+
+  void say_console() {
+    if (const std::string url = fleet_.console_url(); !url.empty())
+      progress_.say("console at " + url);
   }
 
   void add(journal::Record record) {

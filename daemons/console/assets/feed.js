@@ -126,26 +126,24 @@ export const mine = [];   // newest first: {number, who, what, state, problems}
 
 export const operator = () => document.getElementById("who").value.trim() || "operator";
 
+const nextNumber = () => (last = Math.max(last + 1, Date.now() * 1000));
+
+const post = (who, number, actions) => fetch("/api/request", {
+  method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify({who, number, actions}),
+});
+
 /** Of a replay: {playing, speed, at}; what is absent stays. */
 export async function playback(wish) {
-  last = Math.max(last + 1, Date.now() * 1000);
-  const answer = await fetch("/api/request", {
-    method: "POST", headers: {"Content-Type": "application/json"},
-    body: JSON.stringify({who: "viewer", number: last, actions: [{playback: wish}]}),
-  });
+  const answer = await post("viewer", nextNumber(), [{playback: wish}]);
   if (!answer.ok) throw new Error((await answer.json()).problems.join("; "));
 }
 
 export async function ask(actions, what) {
-  last = Math.max(last + 1, Date.now() * 1000);
-  const request = {who: operator(), number: last, what, state: "sending", problems: [], at: now()};
+  const request = {who: operator(), number: nextNumber(), what, state: "sending", problems: [], at: now()};
   mine.unshift(request);
   model.version += 1;
   try {
-    const answer = await fetch("/api/request", {
-      method: "POST", headers: {"Content-Type": "application/json"},
-      body: JSON.stringify({who: request.who, number: request.number, actions}),
-    });
+    const answer = await post(request.who, request.number, actions);
     const said = await answer.json();
     request.state = answer.ok ? "sent" : "refused";
     request.problems = said.problems ?? [];

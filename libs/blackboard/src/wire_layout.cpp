@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "skein/blackboard/wire.hpp"
+#include "skein/foundation/fingerprint.hpp"
 
 namespace skein::wire {
 namespace {
@@ -74,10 +75,9 @@ std::string layout() { return all(std::make_index_sequence<kSlotCount>{}); }
 
 const std::string& layout_mark() {
   static const std::string mark = [] {
-    std::uint64_t hash = 0xcbf29ce484222325;
-    for (const char c : layout()) hash = (hash ^ static_cast<std::uint8_t>(c)) * 0x100000001b3;
+    const auto hash = static_cast<unsigned long long>(Fingerprint().put(layout()).value());
     std::array<char, 17> digits{};
-    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
+    std::snprintf(digits.data(), digits.size(), "%016llx", hash);
     return std::string(digits.data());
   }();
   return mark;

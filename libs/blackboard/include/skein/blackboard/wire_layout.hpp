@@ -10,7 +10,7 @@ namespace skein::wire {
 /// "Clock {header {origin u32; …} time i64; …}", a line a slot.
 std::string layout();
 
-/// Sixteen hexadecimal digits that differ when the layout does (FNV-1a, 64 bits).
+/// Sixteen hexadecimal digits that differ when the layout does.
 const std::string& layout_mark();
 
 }  // namespace skein::wire
