@@ -47,12 +47,12 @@ class Cutter {
     auto gates = gates_of(goal, base_);
     const bool placed = !gates.empty();
     if (blocks_.empty() || (placed && !blocks_.back().gates.empty()))
-      blocks_.push_back({.goals = {}, .gates = {}, .synchronised = false, .added = added_});
+      blocks_.push_back({.goals = {}, .gates = {}, .shared = false, .added = added_});
     Block& block = blocks_.back();
     block.goals.push_back(goal);
     if (placed) block.gates = std::move(gates);
-    block.synchronised = block.synchronised || parted_.count(goal.id) != 0 ||
-                         synchronises(goal, base_.knowledge->vocabulary);
+    block.shared =
+        block.shared || parted_.count(goal.id) != 0 || is_shared(goal, base_.knowledge->vocabulary);
   }
   Blocks take() { return std::move(blocks_); }
 
@@ -116,6 +116,19 @@ Goals order_of(const Movable& movable, const Blocks& blocks) {
   append(order, movable.waits);
   append(order, movable.landings);
   return order;
+}
+
+void keep_shared(Blocks& order, const Blocks& list) {
+  std::set<mission::GoalId> there;
+  for (const Block& block : order) there.insert(block.goals.front().id);
+  auto next = list.begin();
+  for (Block& block : order) {
+    if (!block.shared || list.empty() || block.added != list.front().added) continue;
+    next = std::find_if(next, list.end(), [&](const Block& one) {
+      return one.shared && there.count(one.goals.front().id) != 0;
+    });
+    block = *next++;
+  }
 }
 
 Blocks all_blocks(const Movable& movable) {

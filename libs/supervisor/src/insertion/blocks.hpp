@@ -41,8 +41,9 @@ class Roles {
 struct Block {
   Goals goals;
   std::vector<refiners::Gate> gates;  ///< of the one with a place; empty: none has
-  /// Keeps its turn among those of its list; parts of a mapping do, too.
-  bool synchronised = false;
+  /// Done with other UAVs, which may be asked for the same in the same order: keeps its turn among
+  /// those of its list; parts of a mapping do, too.
+  bool shared = false;
   bool added = false;
 };
 using Blocks = std::vector<Block>;
@@ -59,6 +60,8 @@ Movable movable_of(const Goals& planned, const Goals& added, Roles& roles,
 
 /// Takeoffs, blocks, waits, landings.
 Goals order_of(const Movable& movable, const Blocks& blocks);
+/// Those of one list that are shared take the turns that an order gave them in their own order.
+void keep_shared(Blocks& order, const Blocks& list);
 /// The planned ones, then those added.
 Blocks all_blocks(const Movable& movable);
 

@@ -134,7 +134,9 @@ Blocks urgent_in_time(const Movable& movable, const Sketch& sketch, const Planni
     (bounded_in_time(block.goals) ? split.added : split.planned).push_back(block);
   std::stable_sort(split.added.begin(), split.added.end(),
                    [](const Block& a, const Block& b) { return bound_of(a) < bound_of(b); });
-  return merge_in_time(split, sketch, base);
+  Blocks order = merge_in_time(split, sketch, base);
+  for (const Blocks* list : {&movable.planned, &movable.added}) keep_shared(order, *list);
+  return order;
 }
 
 bool bounded_in_time(const Goals& goals) {

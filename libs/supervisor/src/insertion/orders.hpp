@@ -13,11 +13,11 @@ namespace skein::supervisor {
 Blocks merge_in_time(const Movable& movable, const Sketch& sketch, const PlanningRequest& base);
 
 /// Likewise for one list alone: the blocks that have constraints, by the date that bounds them,
-/// among those that have none.
+/// among those that have none; shared ones keep their turn.
 Blocks urgent_in_time(const Movable& movable, const Sketch& sketch, const PlanningRequest& base);
 
 /// (c) All blocks in the order of a tour over their places, from where the UAV is, to its landing
-/// place when it is to land. Blocks without a place, and those that synchronise, keep their turn.
+/// place when it is to land. Blocks without a place, and shared ones, keep their turn.
 /// Where no tour can be flown the blocks are ordered by straight flights. Exact for up to twelve
 /// places, turns apart. Cost: a tour (refiners/tour.hpp).
 Blocks tour_over(const Movable& movable, const PlanningRequest& base);

@@ -38,7 +38,7 @@ Blocks with_part(const Blocks& blocks, const HighLevelTask& part) {
     before.goals.assign(block.goals.begin(), mapping);
     before.goals.push_back(part);
     after.goals.assign(mapping, block.goals.end());
-    before.synchronised = after.synchronised = true;
+    before.shared = after.shared = true;
     result.push_back(std::move(before));
     result.push_back(std::move(after));
   }

@@ -142,11 +142,13 @@ std::vector<Gate> visits_of(const mission::HighLevelTask& task,
   return gates_of(task, base);
 }
 
-bool synchronises(const mission::HighLevelTask& goal, const mission::Vocabulary& vocabulary) {
+bool is_shared(const mission::HighLevelTask& goal, const mission::Vocabulary& vocabulary) {
   const auto signature = vocabulary.tasks.find(goal.name);
   if (signature == vocabulary.tasks.end()) return false;
   const auto& kinds = signature->second.parameters;
-  return std::find(kinds.begin(), kinds.end(), ParameterKind::kSyncId) != kinds.end();
+  return std::any_of(kinds.begin(), kinds.end(), [](ParameterKind kind) {
+    return kind == ParameterKind::kSyncId || kind == ParameterKind::kUavs;
+  });
 }
 
 }  // namespace skein::supervisor

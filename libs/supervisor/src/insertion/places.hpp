@@ -22,7 +22,8 @@ world::Vector3 over_home(const PlanningRequest& base);
 std::vector<refiners::Gate> gates_of(const mission::HighLevelTask& goal,
                                      const PlanningRequest& base);
 
-/// True when it has a parameter that is common to UAVs that synchronise.
-bool synchronises(const mission::HighLevelTask& goal, const mission::Vocabulary& vocabulary);
+/// True of what is done with other UAVs: synchronisations and joint tasks. Who waits for a partner
+/// in one of them while the partner waits in another waits for ever.
+bool is_shared(const mission::HighLevelTask& goal, const mission::Vocabulary& vocabulary);
 
 }  // namespace skein::supervisor

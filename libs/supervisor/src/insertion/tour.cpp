@@ -70,17 +70,6 @@ std::vector<std::size_t> visits_of(const refiners::TourQuery& query, const Plann
   return stops;
 }
 
-/// Those of one list that synchronise take the turns the tour gave them in their own order.
-void keep_synchronised(Blocks& toured, const Blocks& list) {
-  auto next = list.begin();
-  for (Block& block : toured) {
-    if (!block.synchronised || block.added != list.front().added) continue;
-    next = std::find_if(next, list.end(),
-                        [](const Block& b) { return b.synchronised && !b.gates.empty(); });
-    block = *next++;
-  }
-}
-
 }  // namespace
 
 Blocks tour_over(const Movable& movable, const PlanningRequest& base) {
@@ -96,8 +85,7 @@ Blocks tour_over(const Movable& movable, const PlanningRequest& base) {
     Blocks toured;
     for (const std::size_t stop : visits_of(query_over(placed, movable, base), base))
       toured.push_back(placed[stop]);
-    for (const Blocks* list : {&movable.planned, &movable.added})
-      if (!list->empty()) keep_synchronised(toured, *list);
+    for (const Blocks* list : {&movable.planned, &movable.added}) keep_shared(toured, *list);
     order.insert(order.end(), toured.begin(), toured.end());
   }
   order.insert(order.end(), behind.begin(), behind.end());

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+#include "insertion/orders.hpp"
+#include "insertion/trials.hpp"
 #include "insertion/with.hpp"
 #include "testing/straight_planner.hpp"
 
@@ -201,6 +203,31 @@ TEST(Insertion, TasksThatSynchroniseKeepTheirOrder) {
                               {Lab::visit(3, "B")}, Placement::kTour);
 
   EXPECT_THAT(ids(outcome.order), ElementsAre(1, 3, 2));
+}
+
+// The partner was asked for them in that order, and waits in the first for this UAV.
+TEST(Insertion, WhatIsDoneWithOthersKeepsItsOrderInATour) {
+  Lab lab = eastern();
+
+  const auto outcome = insert(lab, {Lab::meet(1, 551, "C"), Lab::join(2, "A")},
+                              {Lab::visit(3, "B")}, Placement::kTour);
+
+  EXPECT_THAT(ids(outcome.order), ElementsAre(1, 3, 2));
+}
+
+TEST(Insertion, WhatIsDoneWithOthersKeepsItsOrderWhateverItsDeadlines) {
+  Lab lab = eastern();
+  const Goals goals = {Lab::join(1, "C"), Lab::visit(2, "B"),
+                       Lab::meet(3, 551, "A", ends_before(60))};
+  const PlanningRequest base = lab.base();
+  const Standing standing;
+  Judge judge(base, standing, lab.straight.planner());
+  Roles roles(judge);
+  const Movable movable = movable_of(goals, {}, roles, base);
+
+  const Blocks order = urgent_in_time(movable, sketch_of(judge, goals), base);
+
+  EXPECT_THAT(ids(order_of(movable, order)), ElementsAre(1, 3, 2));
 }
 
 TEST(Insertion, TheTourEndsWhereTheUavLands) {

@@ -112,8 +112,9 @@ std::string do_goal(const HighLevelTask& goal, const PlanningRequest& request, C
     const auto range = mission::duration_range_of(goal.arguments[0]);
     course.stay(goal, range ? range->most : std::get<double>(goal.arguments[0]));
   }
-  if (goal.name != "visit" && goal.name != "meet") return {};
-  const auto& name = std::get<std::string>(goal.arguments[goal.name == "meet" ? 1 : 0]);
+  const bool shared = goal.name == "meet" || goal.name == "join";
+  if (goal.name != "visit" && !shared) return {};
+  const auto& name = std::get<std::string>(goal.arguments[shared ? 1 : 0]);
   if (blocked.contains(name)) return name + " is closed";
   if (goal.name == "visit" && request.situation.broken.contains("camera")) return "no camera works";
   const Vector3& place = request.world->places.at(name);
@@ -176,6 +177,7 @@ InsertionLab::InsertionLab() : world(flat_world()) {
   declare("visit", {ParameterKind::kPlace});
   declare("stay", {ParameterKind::kDuration});
   declare("meet", {ParameterKind::kSyncId, ParameterKind::kPlace});
+  declare("join", {ParameterKind::kUavs, ParameterKind::kPlace});
   declare("map", {ParameterKind::kZone});
   declare("tour", {ParameterKind::kPlaces});
   declare("await-orders", {});
@@ -205,8 +207,13 @@ HighLevelTask InsertionLab::simple(std::uint64_t id, const std::string& name) {
 HighLevelTask InsertionLab::stay(std::uint64_t id, double seconds) {
   return {mission::GoalId(id), "stay", {seconds}, {}};
 }
-HighLevelTask InsertionLab::meet(std::uint64_t id, double sync, const std::string& place) {
-  return {mission::GoalId(id), "meet", {sync, place}, {}};
+HighLevelTask InsertionLab::meet(std::uint64_t id, double sync, const std::string& place,
+                                 mission::TimeConstraints time) {
+  return {mission::GoalId(id), "meet", {sync, place}, time};
+}
+HighLevelTask InsertionLab::join(std::uint64_t id, const std::string& place,
+                                 mission::TimeConstraints time) {
+  return {mission::GoalId(id), "join", {std::vector<std::string>{"uav", "other"}, place}, time};
 }
 
 PlanningRequest InsertionLab::base() const {

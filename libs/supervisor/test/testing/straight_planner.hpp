@@ -14,6 +14,7 @@
 namespace skein::supervisor::testing {
 
 /// Tasks: take-off; land; visit PLACE SECONDS (with a camera); stay SECONDS; meet SYNC PLACE;
+/// join UAVS PLACE (a joint task);
 /// map ZONE; tour PLACES; await-orders.
 class StraightPlanner {
  public:
@@ -40,7 +41,10 @@ class InsertionLab {
                                       mission::TimeConstraints time = {});
   static mission::HighLevelTask simple(std::uint64_t id, const std::string& name);
   static mission::HighLevelTask stay(std::uint64_t id, double seconds);
-  static mission::HighLevelTask meet(std::uint64_t id, double sync, const std::string& place);
+  static mission::HighLevelTask meet(std::uint64_t id, double sync, const std::string& place,
+                                     mission::TimeConstraints time = {});
+  static mission::HighLevelTask join(std::uint64_t id, const std::string& place,
+                                     mission::TimeConstraints time = {});
 
   PlanningRequest base() const;
   InsertionRequest insertion(Goals planned, Goals added,
