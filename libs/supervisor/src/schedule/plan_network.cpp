@@ -301,7 +301,8 @@ void PlanNetwork::hold_after_goals(const LiveStn& windows) {
     if (known.bounds.empty() || known.seen.started || known.seen.over) continue;
     const Ticks from = windows.earliest(known.start);
     set_hold(kHeldUntil | known.start, {0, known.start, from, kInfinite}, from);
-    const bool stopped = ends_with_its_like(known);
+    // Nor does its start say when a wait for orders ends.
+    const bool stopped = known.endless || ends_with_its_like(known);
     std::optional<MissionTime> date;
     for (const TaskBound& one : known.bounds) {
       if (one.bound.on_end && stopped) continue;
