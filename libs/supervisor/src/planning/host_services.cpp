@@ -123,10 +123,14 @@ Value PlannerHost::Services::call(const Entry& entry, TermStore& store, Argument
 }
 
 Value PlannerHost::Services::refined(const Entry& entry, TermStore& store, Arguments arguments) {
-  // When it is makes no difference where no air is closed for a time.
+  // When it is makes no difference where no air is closed for a time, but to what begins in flight.
   std::vector<Term> named = {store.symbol(entry.name)};
   named.insert(named.end(), arguments.begin(), arguments.end());
-  if (entry.when != 0 && !refinery_.air.has_windows()) named[entry.when + 1] = kNil;
+  if (entry.when != 0 && !refinery_.air.has_windows()) {
+    Term& when = named[entry.when + 1];
+    when =
+        refinery_.air.begins_in_flight(departure(store, when)) ? store.symbol("in-flight") : kNil;
+  }
   const Term question = store.list(named);
   if (const auto known = known_.find(question); known != known_.end()) {
     for (const std::string& why : known->second.said) names_.refuse(why);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "flight/closed_air.hpp"
 #include "flight/crossing.hpp"
@@ -55,8 +56,13 @@ void TimedAir::flies_on(const Vector3& from, double heading) {
         {from + seconds * vehicle().cruise_speed * ahead, heading, vehicle().cruise_speed});
 }
 
+bool TimedAir::begins_in_flight(const Departure& when) const {
+  return !in_flight_.empty() && when.least <= kUntilBegun.back();
+}
+
 std::vector<Pose> TimedAir::poses(const Vector3& from) const {
-  const bool flies = !in_flight_.empty() && (from - in_flight_.front().at).norm() < kSamePlace;
+  const bool flies =
+      in_flight_now_ && !in_flight_.empty() && (from - in_flight_.front().at).norm() < kSamePlace;
   return flies ? in_flight_ : poses_at(from, vehicle());
 }
 
@@ -204,7 +210,15 @@ bool TimedAir::stays_open(const Way& way, const Departure& when) const {
 }
 
 Answer<Motion> TimedAir::kept_clear(const Vector3& from, const Departure& when, double seconds,
-                                    const Planner& plan) const {
+                                    const Planner& plan) {
+  const bool before = std::exchange(in_flight_now_, begins_in_flight(when));
+  auto motion = clear_of_all(from, when, seconds, plan);
+  in_flight_now_ = before;
+  return motion;
+}
+
+Answer<Motion> TimedAir::clear_of_all(const Vector3& from, const Departure& when, double seconds,
+                                      const Planner& plan) const {
   Counted counts = counted(when, seconds);
   while (true) {
     auto motion = plan(counts);

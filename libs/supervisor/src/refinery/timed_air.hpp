@@ -25,8 +25,11 @@ class TimedAir {
     return {gazetteer_.of(uav), origin_, seed_, budget_};
   }
 
-  /// What begins there begins in flight, with that heading [rad], up to some seconds later.
+  /// What begins there, and at once, begins in flight with that heading [rad], or some seconds
+  /// later.
   void flies_on(const world::Vector3& from, double heading);
+  /// Whether something does that begins then, if it is there: later it circles there before.
+  bool begins_in_flight(const Departure& when) const;
 
   const Gazetteer& gazetteer() const { return gazetteer_; }
   const world::World& world() const { return gazetteer_.world(); }
@@ -91,9 +94,11 @@ class TimedAir {
   /// what sets out `from` somewhere else flies to it first.
   using Planner = std::function<Answer<Motion>(const Counted&)>;
   Answer<Motion> kept_clear(const world::Vector3& from, const Departure& when, double seconds,
-                            const Planner& plan) const;
+                            const Planner& plan);
 
  private:
+  Answer<Motion> clear_of_all(const world::Vector3& from, const Departure& when, double seconds,
+                              const Planner& plan) const;
   bool comes_near(const refiners::Way& way, const Volumes& volumes) const;
   double longest(const refiners::Way& way) const;
   std::vector<Pose> poses(const world::Vector3& from) const;
@@ -105,6 +110,7 @@ class TimedAir {
   refiners::Budget budget_;
   bool has_windows_ = false;
   std::vector<Pose> in_flight_;  ///< in which what begins where it flies now may begin
+  bool in_flight_now_ = true;    ///< what is planned now may begin so
   std::map<Counted, world::Airspace> airspaces_;
 };
 

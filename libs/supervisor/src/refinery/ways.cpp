@@ -20,9 +20,10 @@ using world::Vector3;
 
 namespace {
 
-constexpr double kTurnTolerance = 0.5;                  // [m]
-constexpr std::array<double, 2> kTurningRoom = {3, 5};  // turn radii to the side, for a turn
-constexpr double kOutStep = 10, kFarthestOut = 600;     // [m] out of closed air
+constexpr double kTurnTolerance = 0.5;                        // [m]
+constexpr std::array<double, 2> kTurningRoom = {3, 5};        // turn radii to the side, for a turn
+constexpr double kOutStep = 10, kFarthestOut = 600;           // [m] out of closed air,
+constexpr std::array<double, 4> kOutAndUp = {0, 10, 20, 40};  // [m] from where it flies low
 constexpr double kRoomOfOne = 46;      // [m] kept from where another waits, if there is room
 constexpr double kRoomBelow = 15;      // [m] and over it
 constexpr double kFarthestRoom = 160;  // [m] from where another waits: out of its room
@@ -292,11 +293,12 @@ Answer<Motion> Ways::way_out(const Vector3& from) {
   for (double far = kOutStep; far <= kFarthestOut; far += kOutStep) {
     consider(from + Vector3(0, 0, far), far / vehicle().climb_rate);
     consider(from - Vector3(0, 0, far), far / vehicle().descent_rate);
-    for (int i = 0; i < kDirections; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kDirections;
-      consider(from + far * Vector3(std::cos(angle), std::sin(angle), 0),
-               far / vehicle().cruise_speed);
-    }
+    for (const double up : kOutAndUp)
+      for (int i = 0; i < kDirections; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kDirections;
+        consider(from + Vector3(far * std::cos(angle), far * std::sin(angle), up),
+                 std::max(far / vehicle().cruise_speed, up / vehicle().climb_rate));
+      }
   }
   if (!out) return no("it begins in closed air, and no free air is near");
   return flown({from, *out});

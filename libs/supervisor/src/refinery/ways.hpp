@@ -31,7 +31,8 @@ class Ways {
   /// (meetings.hpp). Who begins where one of them may wait leaves it first.
   Answer<Motion> path_among(const world::Vector3& from, const world::Vector3& to,
                             const std::vector<Spot>& others, const Departure& when);
-  /// Out of closed air by the shortest straight way, level, up or down, to where it may stay.
+  /// Out of closed air by the shortest straight way to where it may stay: up, down, level, or level
+  /// and up.
   Answer<Motion> way_out(const world::Vector3& from);
   Answer<refiners::Way> through(const world::Airspace& air, const world::Vector3& from,
                                 const world::Vector3& to) const;

@@ -235,6 +235,20 @@ TEST(ClosedAir, ThatIsFlatIsLeftUpOrDown) {
   EXPECT_GT(plan->tasks[0].way.back().z(), 60);
 }
 
+// A joint task may have led it lower than any way is planned.
+TEST(ClosedAir, IsLeftUpwardsFromLowOverTheGround) {
+  PlanningLab lab = lab_of("marvin");
+  lab.world.volumes = {wall(-50, 150, -200, 200)};
+  lab.flying_at({120, 0, 6}).task(1, "leave-closed-air");
+
+  const auto plan = lab.plan();
+
+  ASSERT_TRUE(plan) << lab.reasons();
+  const auto& way = plan->tasks[0].way;
+  EXPECT_GT(way.back().x(), 151);
+  EXPECT_GT(way.back().z(), 6);
+}
+
 TEST(ClosedAir, OneThatCannotHoverLeavesWithItsCircle) {
   PlanningLab lab = lab_of("karma");
   lab.world.volumes = {wall(-50, 150, -200, 200)};

@@ -7,6 +7,7 @@
 
 #include "flight/autopilot.hpp"
 #include "flight/closed_air.hpp"
+#include "flight/flights_met.hpp"
 #include "skein/foundation/random.hpp"
 #include "testing/planned.hpp"
 #include "testing/planning_lab.hpp"
@@ -57,6 +58,27 @@ TEST(InFlight, AWayHomeBesideSmokeIsOneThatItCanTurnInto) {
 
   for (const double later : {0.0, 1.0, 2.0})
     EXPECT_FALSE(flies_into(lab, plan.tasks.front().way, later)) << later;
+}
+
+// By then it circles there, and leaves its circle anywhere.
+TEST(InFlight, AWayThatIsFlownAfterAWaitIsJudgedFromTheCircle) {
+  PlanningLab lab;
+  lab.vehicle(testing::vehicle_of(kKarma)).flying_at({90, 188, 90}).first_id(1);
+  lab.knowledge.home = {0, -300, 0};
+  lab.knowledge.altitude = 90;
+  lab.situation.heading = 0.98;
+  lab.situation.flies_on = true;
+  lab.world.places["there"] = {203, 58, 90};
+  lab.world.volumes.push_back(
+      {"smoke", {{2, 56}, {134, 56}, {134, 132}, {2, 132}}, 0, 500, {}});
+  lab.task(1, "general-wait", {60.0}).task(2, "general-gotoxyz", {"there"});
+
+  const Way way = planned(lab).tasks.back().way;
+
+  const world::VehicleModel& karma = lab.knowledge.vehicle;
+  ASSERT_EQ(way.front(), lab.situation.position);
+  EXPECT_FALSE(flights_meet(way, lab.world.volumes, karma, lab.world.wind, {2, 0},
+                            poses_at(way.front(), karma)));
 }
 
 TEST(InFlight, WhoeverHasTurningRoomComesHomeBesideSmoke) {
