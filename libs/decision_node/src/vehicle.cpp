@@ -38,6 +38,7 @@ void Vehicle::told(const functional::Status& status) {
   holding_.erase(status.id);
   ending_.erase(status.id);
   under_way_.erase(status.id);
+  std::erase_if(waiting_, [&](const auto& request) { return request.id == status.id; });
 }
 
 std::vector<functional::TaskId> Vehicle::under_way() const {
@@ -68,11 +69,13 @@ void Vehicle::stop(functional::TaskId task) {
 std::optional<functional::Status> Vehicle::interrupt(functional::TaskId task) {
   const auto waits = std::find_if(waiting_.begin(), waiting_.end(),
                                   [&](const auto& request) { return request.id == task; });
-  if (waits == waiting_.end()) {
+  const bool waited = waits != waiting_.end();
+  if (waited) waiting_.erase(waits);
+  // What is given back while it still ends there waited for itself.
+  if (!waited || under_way_.contains(task)) {
     stop(task);
     return std::nullopt;
   }
-  waiting_.erase(waits);
   return functional::Status{task, functional::TaskState::kAborted, "interrupted before it began"};
 }
 

@@ -69,6 +69,23 @@ TEST(Vehicle, WhatWaitsCanBeInterruptedItself) {
   EXPECT_THAT(dispatched(node.give(status(12, TaskState::kAborted))), IsEmpty());
 }
 
+// The ground gives it back while the vehicle still brakes: what comes next waits for that.
+TEST(Vehicle, WhatIsInterruptedAndAskedForAgainEndsWhenTheVehicleSaysSo) {
+  FlownNode node(1);
+  node.give(dispatch(12, "goto"));
+  node.give(status(12, TaskState::kRunning));
+  node.give(interrupt(12));
+  node.give(dispatch(21, "wait"));
+
+  const auto again = node.give(dispatch(12, "goto"));
+  const auto stopped = node.give(interrupt(12));
+
+  EXPECT_THAT(dispatched(again), IsEmpty());
+  EXPECT_THAT(testing::all<StatusPassedOn>(stopped), IsEmpty());
+  EXPECT_THAT(dispatched(stopped), IsEmpty());
+  EXPECT_THAT(dispatched(node.give(status(12, TaskState::kAborted))), ElementsAre(21U));
+}
+
 // ---- a functional layer that has lost its memory ----
 
 std::vector<std::uint64_t> interrupted(const Effects& effects) {

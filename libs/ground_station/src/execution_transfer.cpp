@@ -7,6 +7,7 @@
 
 namespace skein::ground_station {
 
+using mission::GoalId;
 using mission::HeldTask;
 
 std::string_view to_text(HeldState state) {
@@ -64,6 +65,9 @@ void GroundControl::take_over(const HandedOver& hand_over, MissionTime now, Effe
   for (const auto& [key, last] : syncs_[uav]) {
     do_errand(LocalInput{uav, last, std::nullopt}, now, out);
   }
+  for (const HeldTask& task : executed) {
+    if (task.origin != GoalId()) local(uav).origins[task.task.id] = task.origin;
+  }
   for (const Request& request : requests_for(uav, std::move(executed))) {
     do_errand(LocalInput{uav, *to_executive(request), std::nullopt}, now, out);
   }
@@ -115,6 +119,19 @@ void GroundControl::resume(const ResumeHeld& request, Effects& out) {
   for (Request& start : requests_for(request.uav, std::move(tasks))) {
     errands_.emplace_back(Monitoring::Input(
         IssueCommand{request.uav, std::move(start), request.expires, request.asked_by}));
+  }
+}
+
+// The UAV cannot stop what is carried out here, or held.
+void GroundControl::give_up(const std::string& uav, GoalId goal, Effects& out) {
+  const std::size_t count = held_.drop(uav, goal);
+  if (count > 0) out.emplace_back(HeldPlanChanged{uav, count, HeldState::kDropped});
+  const auto mle = local_.find(uav);
+  if (mle == local_.end()) return;
+  for (const auto& [task, origin] : mle->second.origins) {
+    const auto view = mle->second.executive.find(task);
+    if (origin == goal && view && !executive::is_terminal(view->state))
+      errands_.emplace_back(LocalInput{uav, executive::Abort{task}, std::nullopt});
   }
 }
 

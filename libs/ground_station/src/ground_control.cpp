@@ -221,7 +221,10 @@ void GroundControl::route(const Monitoring::Effect& effect, MissionTime now, Eff
                  },
                  [&](const Anomaly& it) { report(it, out); },
                  [&](const TaskChanged& it) { tell_planning(it); },
-                 [&](const GoalChanged& it) { tell_planning(it); },
+                 [&](const GoalChanged& it) {
+                   if (it.state == mission::GoalState::kCancelled) give_up(it.uav, it.goal, out);
+                   tell_planning(it);
+                 },
                  [&](const MissionChanged& it) { tell_planning(it); },
                  [&](const UavRestarted& it) {
                    out.emplace_back(it);

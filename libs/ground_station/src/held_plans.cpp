@@ -67,6 +67,16 @@ std::size_t HeldPlans::drop(const std::string& uav) {
   return count;
 }
 
+std::size_t HeldPlans::drop(const std::string& uav, mission::GoalId goal) {
+  std::size_t count = 0;
+  for (const mission::HeldTask& task : of(uav)) {
+    if (task.origin != goal) continue;
+    discard(plans_[uav], task.task.id);
+    ++count;
+  }
+  return count;
+}
+
 void HeldPlans::discard(Plan& plan, TaskId id) {
   const auto found = plan.find(id);
   if (found == plan.end()) return;

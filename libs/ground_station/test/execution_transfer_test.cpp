@@ -112,6 +112,28 @@ TEST(ExecutionTransfer, CommandsGoToWhoeverHoldsTheTask) {
   EXPECT_THAT(ground.board(at(6)).uavs[0].held, IsEmpty());
 }
 
+// The UAV's executive knows nothing of them.
+TEST(ExecutionTransfer, WhatIsCancelledOnBoardStopsAtTheGround) {
+  GroundControl ground = control(3);
+  HandOverReceived plan = plan_of_three(1);
+  for (const std::size_t of_700 : {0, 2})
+    plan.hand_over.tasks[of_700].origin = mission::GoalId(700);
+  ground.handle(plan, at(5));
+  ground.handle(status(5, TaskState::kRunning), at(6));
+  MissionPlanReceived told{"marvin", {}, at(7)};
+  told.plan.revision = 1;
+  told.plan.goals = {{mission::GoalId(700), mission::MissionId(1), "watch P1",
+                      mission::GoalState::kCancelled, "", "step one"}};
+
+  const Effects effects = ground.handle(told, at(7));
+
+  const SendFunctional interrupt = only<SendFunctional>(effects).at(0);
+  EXPECT_EQ(interrupt.request.verb, functional::Verb::kInterrupt);
+  EXPECT_EQ(interrupt.request.id, id(5));
+  EXPECT_THAT(only<SendFunctional>(effects), SizeIs(1)) << "6 is of no cancelled task";
+  EXPECT_THAT(ground.board(at(7)).uavs[0].held, IsEmpty()) << "7 was";
+}
+
 TEST(ExecutionTransfer, CommandsThatWaitForTheHandOverFindTheTaskAtTheGround) {
   GroundControl ground = control(3);
   ground.handle(command(ChangeDegree{1, false, true}), at(1));

@@ -71,6 +71,20 @@ TEST(HeldPlans, WhatWaitedForADiscardedTaskWaitsForWhatThatWaitedFor) {
   EXPECT_THAT(plans.of("marvin"), IsEmpty());
 }
 
+TEST(HeldPlans, TheTasksOfOneHighLevelTaskAreDropped) {
+  HeldPlans plans;
+  HeldTask first = after(11, {}), second = after(12, {11}), other = after(13, {12});
+  first.origin = second.origin = mission::GoalId(700);
+  other.origin = mission::GoalId(701);
+  plans.hold("marvin", {first, second, other});
+
+  EXPECT_EQ(plans.drop("marvin", mission::GoalId(700)), 2U);
+  EXPECT_EQ(plans.drop("heliv", mission::GoalId(700)), 0U);
+
+  ASSERT_THAT(ids(plans.of("marvin")), ElementsAre(13));
+  EXPECT_THAT(plans.of("marvin")[0].task.preconditions, IsEmpty());
+}
+
 TEST(HeldPlans, AnAlternativeToADiscardedTaskStays) {
   HeldPlans plans;
   HeldTask either = after(13, {12});

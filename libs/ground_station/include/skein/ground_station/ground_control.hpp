@@ -124,7 +124,8 @@ class GroundControl {
   };
   struct LocalMle {
     executive::Executive executive;
-    std::optional<bool> airborne;  ///< as last told to it
+    std::optional<bool> airborne;                               ///< as last told to it
+    std::map<executive::TaskId, mission::GoalId> origins = {};  ///< of what came from on board
   };
   /// What is still to be handed to a component.
   using Errand = std::variant<Monitoring::Input, MissionPlanning::Input, LocalInput>;
@@ -161,6 +162,7 @@ class GroundControl {
   void send_up(const std::string& uav, MissionTime now, Effects& out);
   void resume(const ResumeHeld& request, Effects& out);
   void drop(const std::string& uav, Effects& out);
+  void give_up(const std::string& uav, mission::GoalId goal, Effects& out);
   Request for_receiver(const SendRequest& request, bool is_here) const;
   std::vector<Request> requests_for(const std::string& uav,
                                     std::vector<mission::HeldTask> tasks) const;

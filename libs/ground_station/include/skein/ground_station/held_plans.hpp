@@ -26,6 +26,8 @@ class HeldPlans {
                                       const std::vector<executive::TaskId>& without);
   /// Discards all; gives how many there were.
   std::size_t drop(const std::string& uav);
+  /// Discards the tasks of one high-level task, as `take` does; gives how many there were.
+  std::size_t drop(const std::string& uav, mission::GoalId goal);
 
   struct Answer {
     bool accepted = true;
