@@ -26,6 +26,15 @@ void refused_at_once(const Uav& uav, std::vector<Violation>& result) {
   }
 }
 
+// When the vehicle begins with it: what is to hold it waits, on board, until what was interrupted
+// is over. Never, if it was given up before.
+double begun(const Uav& uav, const Execution& motion) {
+  const auto real = std::find_if(
+      uav.activities.begin(), uav.activities.end(),
+      [&](const Activity& one) { return one.task == motion.task && one.from < one.until; });
+  return real == uav.activities.end() ? kNever : std::max(motion.started, real->from);
+}
+
 // In the executive on board: the ground's, at degree 1, may not know yet what a UAV out of contact
 // does by itself, and the vehicle refuses a second motion anyway.
 void overlapping(const Uav& uav, std::vector<Violation>& result) {
@@ -41,7 +50,8 @@ void overlapping(const Uav& uav, std::vector<Violation>& result) {
   std::stable_sort(motions.begin(), motions.end(),
                    [](const auto* a, const auto* b) { return a->started < b->started; });
   for (const Execution* one : motions) {
-    if (last != nullptr && on_board(one) && on_board(last) && one->started + kMoment < last->over) {
+    if (last != nullptr && on_board(one) && on_board(last) &&
+        begun(uav, *one) + kMoment < last->over) {
       result.push_back({"", one->started, uav.name(), uav.goal_of_task(one->task),
                         named(uav, one->task, one->type) + " begins while " +
                             named(uav, last->task, last->type) + " is under way"});

@@ -351,6 +351,14 @@ TEST(OneMotion, OneAfterTheOtherIsFine) {
   EXPECT_THAT(story.broken("one-motion"), IsEmpty());
 }
 
+TEST(OneMotion, WhatTheVehicleBeginsWithLaterIsFine) {
+  Story story;
+  story.does("marvin", {100, "land", 701, 5, 60, "aborted"})
+      .does("marvin", {101, "wait", 0, 50, 90, "ended", "", {}, "", 60});
+
+  EXPECT_THAT(story.broken("one-motion"), IsEmpty());
+}
+
 TEST(Held, NoMotionBeginsUnderAPerceptionOfAnotherGoal) {
   Story story;
   story.does("marvin", {100, "takeshot", 701, 5, 125, "ended", "visible"})

@@ -91,7 +91,7 @@ Story& Story::does(const std::string& uav, const Doing& what) {
     if (!what.reason.empty() && state == what.end) one.with("reason", what.reason);
   };
   line(what.from, uav, "task", "started");
-  if (what.until > what.from) truth(what.from, "running");
+  if (what.until > what.from) truth(std::max(what.begins, what.from), "running");
   truth(what.until, what.end);
   line(what.until, uav, "task", what.end);
   return *this;

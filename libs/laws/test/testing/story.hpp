@@ -19,6 +19,7 @@ struct Doing {
   std::string device = "";
   std::vector<double> target = {};
   std::string reason = "";
+  double begins = 0;  ///< when the vehicle begins with it; 0: at once
 };
 /// What became of a mission; with figures, what it was said to take.
 struct Answered {
