@@ -15,6 +15,7 @@
 #include "model_commands.hpp"
 #include "plan_commands.hpp"
 #include "refine_commands.hpp"
+#include "series_commands.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/mle_tool/mle.hpp"
 #include "stn_commands.hpp"
@@ -96,6 +97,7 @@ Action quick_plan(int argc, char** argv) {
 void add_commands(CLI::App& app, Action& action, const LiveActions& live) {
   add_allocate(app, action);
   add_live(app, action, live);
+  add_series(app, action, live);
   add_mle(app, action);
   add_plan(app, action);
   add_mastn(app, action);

@@ -44,6 +44,18 @@ namespace skein::storm_tool {
 struct StormOptions;
 }
 
+namespace skein::batch_tool {
+struct BatchOptions;
+}
+
+namespace skein::compare_tool {
+struct CompareOptions;
+}
+
+namespace skein::series_tool {
+struct SeriesOptions;
+}
+
 namespace skein::cli {
 
 /// What the commands that other programs carry out do with their options; each returns an exit
@@ -61,6 +73,9 @@ struct LiveActions {
   std::function<int(const state_tool::StateOptions&)> state;
   std::function<int(const replay_tool::ReplayOptions&)> replay;
   std::function<int(const storm_tool::StormOptions&)> storm;
+  std::function<int(const batch_tool::BatchOptions&)> batch;
+  std::function<int(const compare_tool::CompareOptions&)> compare;
+  std::function<int(const series_tool::SeriesOptions&)> series;
 };
 
 /// Adds the commands. `action` and `live` must outlive the parsing and the action.

@@ -7,10 +7,13 @@
 
 #include "commands.hpp"
 #include "live_commands.hpp"
+#include "skein/batch_tool/batch.hpp"
+#include "skein/compare_tool/compare.hpp"
 #include "skein/functional_tool/functional.hpp"
 #include "skein/operate_tool/operate.hpp"
 #include "skein/replay_tool/replay.hpp"
 #include "skein/run_tool/run.hpp"
+#include "skein/series_tool/series.hpp"
 #include "skein/spy_tool/spy.hpp"
 #include "skein/state_tool/state.hpp"
 #include "skein/storm_tool/storm.hpp"
@@ -43,6 +46,16 @@ int main(int argc, char** argv) {
   live.storm = [](storm_tool::StormOptions options) {
     options.on_terminal = isatty(STDERR_FILENO) != 0;
     return storm_tool::storm(options, std::cout, std::cerr);
+  };
+  live.batch = [](batch_tool::BatchOptions options) {
+    options.on_terminal = isatty(STDERR_FILENO) != 0;
+    return batch_tool::batch(options, std::cout, std::cerr);
+  };
+  live.compare = [](const compare_tool::CompareOptions& options) {
+    return compare_tool::compare(options, std::cout, std::cerr);
+  };
+  live.series = [](const series_tool::SeriesOptions& options) {
+    return series_tool::series(options, std::cout, std::cerr);
   };
   live.spy = [](const spy_tool::SpyOptions& options, bool echo) {
     return echo ? spy_tool::echo(options, std::cout, std::cerr)

@@ -35,6 +35,9 @@ int main(int argc, char** argv) {
   live.report = [argv](const auto&) { return become("skein-live", argv); };
   live.state = [argv](const auto&) { return become("skein-live", argv); };
   live.replay = [argv](const auto&) { return become("skein-live", argv); };
+  live.batch = [argv](const auto&) { return become("skein-live", argv); };
+  live.compare = [argv](const auto&) { return become("skein-live", argv); };
+  live.series = [argv](const auto&) { return become("skein-live", argv); };
   live.storm = [argv](const auto&) { return become("skein-live", argv); };
   live.functional = [argv](const auto&) { return become("skein-live", argv); };
   live.operate = [argv](const auto&) { return become("skein-live", argv); };

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Does what docs/tutorial.md says, in a folder of its own: writes the files it shows, gives its commands, and looks
+"""Does what a page of docs/ says, in a folder of its own: writes the files it shows, gives its commands, and looks
 for the lines that it shows after them.
 
-    check_tutorial.py SOURCE PROGRAMS
+    check_tutorial.py SOURCE PROGRAMS PAGE
 """
 import pathlib
 import re
@@ -42,10 +42,10 @@ def follow(folder, blocks):
 
 
 def main():
-    source, programs = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    blocks = blocks_of((source / "docs/tutorial.md").read_text())
+    source, programs, page = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
+    blocks = blocks_of((source / "docs" / page).read_text())
     if len([kind for kind, _, _ in blocks if kind == "sh"]) < 5:
-        sys.exit("docs/tutorial.md: its commands are not found")
+        sys.exit(f"docs/{page}: its commands are not found")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "build").mkdir()

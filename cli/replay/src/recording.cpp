@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recording.hpp"
 
-#include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+
+#include "skein/recording/run.hpp"
 
 namespace skein::replay_tool {
 
@@ -12,13 +14,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::uintmax_t kMostBytes = 1'000'000'000;  ///< of a file
-
 Result<void, Failure> check(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error))
     return failure(file.string() + " is not there: not the folder of a run of this version");
-  if (fs::file_size(file, error) > kMostBytes)
+  if (fs::file_size(file, error) > recording::kMostBytes)
     return failure(file.string() + " is greater than a gigabyte");
   return {};
 }
@@ -39,19 +39,12 @@ Result<void, Failure> read_world(const fs::path& file, Json& world, Recording& r
 
 Result<void, Failure> read_events(const fs::path& file, Recording& recording) {
   if (auto good = check(file); !good) return good;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty()) continue;
-    auto record = journal::parse_record(line);
-    if (record) {
-      recording.records.push_back(std::move(*record));
-    } else {
-      ++recording.unreadable;
-    }
-  }
+  std::ifstream in(file, std::ios::binary);
+  Diagnostics damaged;
+  recording.records =
+      recording::read_events({std::istreambuf_iterator<char>(in), {}}, file.string(), damaged);
+  recording.unreadable = damaged.size();
   if (recording.records.empty()) return failure(file.string() + " has no line that can be read");
-  std::stable_sort(recording.records.begin(), recording.records.end(),
-                   [](const auto& a, const auto& b) { return a.at() < b.at(); });
   return {};
 }
 

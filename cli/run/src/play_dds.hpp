@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "played.hpp"
 #include "progress.hpp"
+#include "skein/run_tool/played.hpp"
 #include "skein/scenario/scenario.hpp"
 
 namespace skein::run_tool {

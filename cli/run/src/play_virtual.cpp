@@ -2,38 +2,13 @@
 #include "play_virtual.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 
 #include "skein/assembly/assembly.hpp"
+#include "skein/run_tool/interrupt_guard.hpp"
 
 namespace skein::run_tool {
 
 namespace {
-
-std::atomic<bool> interrupted{false};
-
-// While it lives, Ctrl-C asks the run to stop instead of ending the program.
-class InterruptGuard {
- public:
-  InterruptGuard() {
-    interrupted = false;
-    struct sigaction action {};
-    action.sa_handler = [](int) { interrupted = true; };
-    sigaction(SIGINT, &action, &old_int_);
-    sigaction(SIGTERM, &action, &old_term_);
-  }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-  ~InterruptGuard() {
-    sigaction(SIGINT, &old_int_, nullptr);
-    sigaction(SIGTERM, &old_term_, nullptr);
-  }
-
- private:
-  struct sigaction old_int_ {};
-  struct sigaction old_term_ {};
-};
 
 Played::End end_of(node::VirtualOutcome::End end) {
   switch (end) {
@@ -62,7 +37,7 @@ Played play_virtual(const scenario::Scenario& scenario, Progress& progress) {
   };
   const auto keep_going = [&](MissionTime now) {
     progress.show(now);
-    return !interrupted;
+    return !InterruptGuard::interrupted();
   };
   const node::VirtualOutcome outcome = node::run_virtual(
       roster, [&](const std::string& name) { return assembly::make_node(scenario, name); },

@@ -2,8 +2,8 @@
 // Plays a scenario in virtual time.
 #pragma once
 
-#include "played.hpp"
 #include "progress.hpp"
+#include "skein/run_tool/played.hpp"
 #include "skein/scenario/scenario.hpp"
 
 namespace skein::run_tool {

@@ -13,6 +13,7 @@
 #include "skein/assembly/assembly.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/report/explain.hpp"
+#include "skein/run_tool/whole_run.hpp"
 
 namespace skein::run_tool {
 
@@ -24,34 +25,6 @@ using scenario::Verdict;
 Progress::Style progress_style(const RunOptions& options) {
   if (options.json || options.quiet) return Progress::Style::kNone;
   return isatty(STDERR_FILENO) != 0 ? Progress::Style::kTerminal : Progress::Style::kLines;
-}
-
-// The verdicts become the last records of the event log.
-void append_verdicts(const std::vector<Verdict>& verdicts, std::vector<journal::Record>& records) {
-  const MissionTime at = records.empty() ? MissionTime() : records.back().at();
-  for (const Verdict& verdict : verdicts) {
-    records.emplace_back(at, "runner", "expectation")
-        .with("name", verdict.name)
-        .with("passed", verdict.passed)
-        .with("seen", verdict.seen);
-  }
-}
-
-// A run that did not come to its mission's end says nothing for the mission, unless an expectation
-// does.
-bool ended_unjudged(const Played& played, const std::vector<Verdict>& verdicts) {
-  return verdicts.empty() &&
-         (played.end == Played::End::kTimeLimit || played.end == Played::End::kIdle);
-}
-
-int exit_code(const Played& played, const std::vector<Verdict>& verdicts) {
-  if (played.end == Played::End::kInterrupted) return kExitInterrupted;
-  if (played.end == Played::End::kFailed) return played.timed_out ? kExitTimeout : kExitSystem;
-  if (ended_unjudged(played, verdicts)) return kExitNegative;
-  for (const Verdict& verdict : verdicts) {
-    if (!verdict.passed) return kExitNegative;
-  }
-  return kExitOk;
 }
 
 // Why a run came to no proper end; empty if it did.
@@ -67,8 +40,8 @@ std::string early_end(const Played& played) {
   return "";
 }
 
-void print_summary(const std::vector<Verdict>& verdicts, const Played& played,
-                   const std::string& folder, std::ostream& out) {
+void print_summary(const WholeRun& run, const std::string& folder, std::ostream& out) {
+  const auto& [played, verdicts] = run;
   const std::string early = early_end(played);
   if (!early.empty()) out << early << (early.back() == '\n' ? "" : "\n");
   std::size_t passed = 0;
@@ -82,7 +55,7 @@ void print_summary(const std::vector<Verdict>& verdicts, const Played& played,
     out << "the time limit came before the mission's end\n";
   if (played.end == Played::End::kIdle)
     out << "nothing was left to happen before the mission's end\n";
-  if (ended_unjudged(played, verdicts))
+  if (ended_unjudged(run))
     out << "FAILED  the mission did not end, and the scenario expects nothing else\n";
   out << passed << " of " << verdicts.size() << " expectations met; report: " << folder
       << "/report.html\n";
@@ -135,12 +108,11 @@ int play(const Scenario& scenario, const RunOptions& options, const std::string&
                      progress);
   progress.finish();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  const std::vector<Verdict> verdicts = scenario::check(scenario.expectations, played.records);
-  append_verdicts(verdicts, played.records);
+  const WholeRun whole = judged(scenario, std::move(played));
   // Virtual time knows no wall clock: the same seed gives the same folder, byte for byte.
   const report::RunInfo info =
       run_info(scenario, options.virtual_time, options.virtual_time ? 0 : wall.count());
-  const auto summary = write_folder(folder, scenario, info, played.records);
+  const auto summary = write_folder(folder, scenario, info, whole.played.records);
   if (!summary) {
     err << summary.error().why << '\n';
     return kExitSystem;
@@ -148,9 +120,9 @@ int play(const Scenario& scenario, const RunOptions& options, const std::string&
   if (options.json) {
     out << *summary;
   } else {
-    print_summary(verdicts, played, folder, out);
+    print_summary(whole, folder, out);
   }
-  return explain_all(folder, options.explain, exit_code(played, verdicts), out, err);
+  return explain_all(folder, options.explain, exit_code_of(whole), out, err);
 }
 
 }  // namespace

@@ -93,7 +93,8 @@ Result<void, Failure> prepare_folder(const std::string& folder) {
 Result<std::string, Failure> write_folder(const std::string& folder,
                                           const scenario::Scenario& scenario,
                                           const report::RunInfo& info,
-                                          const std::vector<journal::Record>& records) {
+                                          const std::vector<journal::Record>& records,
+                                          const std::optional<std::string>& text) {
   std::string events;
   for (const journal::Record& record : records) events += journal::to_json(record) + "\n";
   const fs::path to(folder);
@@ -104,7 +105,8 @@ Result<std::string, Failure> write_folder(const std::string& folder,
   }
   const std::string world = assembly::page_world(scenario);
   if (auto done = write_file(to / "world.json", world); !done) return tl::unexpected(done.error());
-  if (auto done = write_file(to / "scenario.yaml", read_text(scenario.file)); !done) {
+  if (auto done = write_file(to / "scenario.yaml", text.value_or(read_text(scenario.file)));
+      !done) {
     return tl::unexpected(done.error());
   }
   return write_report(folder);

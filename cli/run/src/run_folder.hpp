@@ -2,11 +2,12 @@
 // The folder a run leaves behind.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "played.hpp"
 #include "skein/foundation/result.hpp"
+#include "skein/journal/record.hpp"
 #include "skein/report/journal.hpp"
 #include "skein/report/run_info.hpp"
 #include "skein/scenario/scenario.hpp"
@@ -21,11 +22,13 @@ report::RunInfo run_info(const scenario::Scenario& scenario, bool virtual_time,
 Result<void, Failure> prepare_folder(const std::string& folder);
 
 /// Writes events.jsonl, run.json, scenario.yaml (a copy), and from them report.html, junit.xml and
-/// result.json. Gives the text of result.json.
+/// result.json. Gives the text of result.json. `text` is that of the scenario, if it is not the
+/// one in its file.
 Result<std::string, Failure> write_folder(const std::string& folder,
                                           const scenario::Scenario& scenario,
                                           const report::RunInfo& info,
-                                          const std::vector<journal::Record>& records);
+                                          const std::vector<journal::Record>& records,
+                                          const std::optional<std::string>& text = {});
 
 /// Writes report.html, junit.xml and result.json from events.jsonl and run.json.
 Result<std::string, Failure> write_report(const std::string& folder);

@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/storm_tool/judge.hpp"
 
-#include <poll.h>
-#include <signal.h>
-#include <sys/time.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <optional>
 #include <sstream>
 
 #include "skein/assembly/assembly.hpp"
 #include "skein/assembly/overrides.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/laws/protocol.hpp"
+#include "skein/workers/workers.hpp"
 
 namespace skein::storm_tool {
 
@@ -133,64 +127,15 @@ Verdict verdict_from(const std::string& report) {
   return verdict;
 }
 
-struct Child {
-  Case what;
-  pid_t pid = -1;
-  int pipe = -1;
-  std::string text;
-};
-
-void write_all(int to, const std::string& text) {
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t n = ::write(to, text.data() + done, text.size() - done);
-    if (n <= 0) return;
-    done += static_cast<std::size_t>(n);
-  }
+workers::Work work_of(Case one, const JudgeOptions& options) {
+  return [one = std::move(one), &options] { return report_of(one, options); };
 }
 
-Child start(Case what, const JudgeOptions& options) {
-  int ends[2];
-  if (::pipe(ends) != 0) std::abort();
-  std::fflush(nullptr);
-  const pid_t pid = ::fork();
-  if (pid < 0) std::abort();
-  if (pid == 0) {
-    ::close(ends[0]);
-    // The machine may do much else: the time is the process's own.
-    const itimerval patience{{}, {options.patience, 0}};
-    ::setitimer(ITIMER_PROF, &patience, nullptr);
-    write_all(ends[1], report_of(what, options));
-    ::_exit(0);
-  }
-  ::close(ends[1]);
-  return {std::move(what), pid, ends[0], ""};
-}
-
-// Reads what there is; false when the child has said all.
-bool read_some(Child& child) {
-  char buffer[4096];
-  const ssize_t n = ::read(child.pipe, buffer, sizeof buffer);
-  if (n <= 0) return false;
-  child.text.append(buffer, static_cast<std::size_t>(n));
-  return true;
-}
-
-Verdict finish(Child& child, const JudgeOptions& options) {
-  int status = 0;
-  ::close(child.pipe);
-  ::waitpid(child.pid, &status, 0);
-  Verdict verdict = verdict_from(child.text);
-  const bool wanted = wants(options, "crash");
-  if (!WIFSIGNALED(status) && WEXITSTATUS(status) == 0) return verdict;
-  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  const bool hangs = signal == SIGPROF;
-  if (wanted) {
-    verdict.violations.push_back(
-        {hangs ? "hang" : "crash", 0, "", 0,
-         hangs ? "not done after " + std::to_string(options.patience) + " s of processor time"
-               : "the process died: " + std::string(signal != 0 ? strsignal(signal) : "exit")});
-  }
+Verdict verdict_of(const workers::Outcome& outcome, const JudgeOptions& options) {
+  Verdict verdict = verdict_from(outcome.said);
+  if (outcome.end == workers::Outcome::End::kDone || !wants(options, "crash")) return verdict;
+  const bool hangs = outcome.end == workers::Outcome::End::kHung;
+  verdict.violations.push_back({hangs ? "hang" : "crash", 0, "", 0, outcome.why});
   return verdict;
 }
 
@@ -198,33 +143,23 @@ Verdict finish(Child& child, const JudgeOptions& options) {
 
 void judge(const std::function<bool(Case&)>& next, const JudgeOptions& options,
            const std::function<void(const Case&, const Verdict&)>& tell) {
-  std::vector<Child> running;
-  bool more = true;
-  while (more || !running.empty()) {
-    while (more && running.size() < static_cast<std::size_t>(options.jobs)) {
-      Case one;
-      more = next(one);
-      if (more) running.push_back(start(std::move(one), options));
-    }
-    std::vector<pollfd> ends;
-    for (const Child& child : running) ends.push_back({child.pipe, POLLIN, 0});
-    if (ends.empty()) break;
-    ::poll(ends.data(), ends.size(), -1);
-    for (std::size_t i = ends.size(); i-- > 0;) {
-      if (ends[i].revents == 0 || read_some(running[i])) continue;
-      const Verdict verdict = finish(running[i], options);
-      const Case what = std::move(running[i].what);
-      running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
-      tell(what, verdict);
-    }
-  }
+  std::map<std::uint64_t, Case> cases;  // those under way
+  std::uint64_t given = 0;
+  const auto next_work = [&]() -> std::optional<workers::Work> {
+    Case one;
+    if (!next(one)) return std::nullopt;
+    cases.emplace(given++, one);
+    return work_of(std::move(one), options);
+  };
+  workers::do_apart(next_work, {options.jobs, options.patience},
+                    [&](std::uint64_t number, const workers::Outcome& outcome) {
+                      const Case one = std::move(cases.extract(number).mapped());
+                      tell(one, verdict_of(outcome, options));
+                    });
 }
 
 Verdict judge_one(const Case& one, const JudgeOptions& options) {
-  Child child = start(one, options);
-  while (read_some(child)) {
-  }
-  return finish(child, options);
+  return verdict_of(workers::do_apart(work_of(one, options), {1, options.patience}), options);
 }
 
 }  // namespace skein::storm_tool

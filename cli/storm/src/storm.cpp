@@ -17,6 +17,7 @@
 #include "skein/storm_tool/scenario_text.hpp"
 #include "skein/storm_tool/series.hpp"
 #include "skein/storm_tool/shrink.hpp"
+#include "skein/workers/seeds.hpp"
 
 namespace skein::storm_tool {
 
@@ -71,7 +72,7 @@ std::string shipped_scenarios() {
 class Storm {
  public:
   Storm(const StormOptions& options, std::ostream& out, std::ostream& err)
-      : options_(options), out_(out), err_(err), seeds_(*seeds_of(options.seeds)) {}
+      : options_(options), out_(out), err_(err), seeds_(*workers::seeds_of(options.seeds)) {}
 
   int run() {
     if (const int bad = options_.scenarios.empty() ? find_models() : read_scenarios();
@@ -263,21 +264,9 @@ int list_laws(std::ostream& out) {
 
 }  // namespace
 
-std::optional<std::pair<std::uint64_t, std::uint64_t>> seeds_of(const std::string& text) {
-  const std::size_t dots = text.find("..");
-  std::istringstream first(text.substr(0, dots));
-  std::istringstream last(dots == std::string::npos ? text : text.substr(dots + 2));
-  std::uint64_t a = 0, b = 0;
-  if (text.find('-') != std::string::npos) return std::nullopt;
-  if (!(first >> a) || !(last >> b) || a > b || !(first >> std::ws).eof() ||
-      !(last >> std::ws).eof())
-    return std::nullopt;
-  return std::pair(a, b);
-}
-
 int storm(const StormOptions& options, std::ostream& out, std::ostream& err) {
   if (options.list_laws) return list_laws(out);
-  if (!seeds_of(options.seeds)) {
+  if (!workers::seeds_of(options.seeds)) {
     err << "--seeds: '" << options.seeds << "', expected A..B, as in 1..300\n";
     return kExitBadInput;
   }

@@ -39,13 +39,6 @@ StormOptions karma(const std::string& seeds) {
   return options;
 }
 
-TEST(SeedsOf, AreARangeOrOne) {
-  EXPECT_EQ(seeds_of("3..17"), std::pair(std::uint64_t{3}, std::uint64_t{17}));
-  EXPECT_EQ(seeds_of("3"), std::pair(std::uint64_t{3}, std::uint64_t{3}));
-  for (const char* none : {"", "x", "5..3", "1..", "..4", "1..2x", "-1..3"})
-    EXPECT_EQ(seeds_of(none), std::nullopt) << none;
-}
-
 TEST(Storm, PlaysAScenarioOnceASeedAndKeepsTheLaws) {
   const Told told = run(karma("1..4"));
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measures.hpp"
 #include "skein/foundation/rounded_seconds.hpp"
+#include "skein/scenario/measures.hpp"
 
 namespace skein::scenario {
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "measures.hpp"
-#include "skein/foundation/rounded_seconds.hpp"
+#include "skein/scenario/measures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
+
+#include "reading.hpp"
+#include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::scenario {
 
@@ -167,6 +170,59 @@ tl::expected<Measured, std::string> measure(const ExpectMeasure& wanted, const R
       break;
   }
   return energy_left(wanted.uavs, records);
+}
+
+namespace {
+
+using Quantity = ExpectMeasure::Quantity;
+
+struct About {
+  std::string_view name, unit;
+};
+
+About about(Quantity quantity) {
+  static constexpr std::array<About, 5> kAll{{{"minimum-separation", "m"},
+                                              {"distance-flown", "m"},
+                                              {"mission-duration", "s"},
+                                              {"energy-left", ""},
+                                              {"time-in-volume", "s"}}};
+  return kAll.at(static_cast<std::size_t>(quantity));
+}
+
+NamedMeasure of_all(Quantity quantity) {
+  ExpectMeasure what;
+  what.quantity = quantity;
+  return {std::string(name_of(quantity)), std::move(what)};
+}
+
+}  // namespace
+
+std::string_view name_of(Quantity quantity) { return about(quantity).name; }
+
+std::string_view unit_of(Quantity quantity) { return about(quantity).unit; }
+
+std::vector<NamedMeasure> measures_of_any_run() {
+  return {of_all(Quantity::kMissionDuration), of_all(Quantity::kDistanceFlown),
+          of_all(Quantity::kEnergyLeft), of_all(Quantity::kMinimumSeparation)};
+}
+
+std::vector<NamedMeasure> measures_of(const Scenario& scenario) {
+  std::vector<NamedMeasure> all = measures_of_any_run();
+  const std::vector<ClosedAir> air = closed_air_of(scenario);
+  if (!air.empty()) {
+    all.push_back(of_all(Quantity::kTimeInVolume));
+    all.back().what.air = air;
+  }
+  for (const Expectation& expectation : scenario.expectations) {
+    const auto* measure = std::get_if<ExpectMeasure>(&expectation.what);
+    if (measure == nullptr) continue;
+    NamedMeasure one{std::string(name_of(measure->quantity)), *measure};
+    for (const std::string& uav : measure->uavs) one.name += " " + uav;
+    const bool known = std::any_of(
+        all.begin(), all.end(), [&](const NamedMeasure& other) { return other.name == one.name; });
+    if (!known) all.push_back(std::move(one));
+  }
+  return all;
 }
 
 }  // namespace skein::scenario

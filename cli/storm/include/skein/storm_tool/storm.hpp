@@ -2,11 +2,8 @@
 // `skein storm`: seeded missions in which things go wrong, judged by laws that know no plan.
 #pragma once
 
-#include <cstdint>
 #include <iosfwd>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "skein/storm_tool/judge.hpp"
@@ -25,9 +22,6 @@ struct StormOptions {
   std::string models;        ///< folder scenarios/ of Skein, for missions drawn; empty: found
   JudgeOptions judge;
 };
-
-/// "3..17" or "3"; nothing for what is no range.
-std::optional<std::pair<std::uint64_t, std::uint64_t>> seeds_of(const std::string& text);
 
 /// Each scenario is played once as it is, and then once a seed with troubles drawn from it: daemons
 /// that die and come back, cuts and losses of the radio, faults of vehicles and devices. Of each

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs that differ in nothing but their seeds, counted together.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "row.hpp"
+
+namespace skein::batch_tool {
+
+struct Series {
+  std::string scenario;
+  Combination combination;
+  std::size_t runs = 0, passed = 0, lawless = 0;
+  struct Share {
+    std::string name;
+    std::size_t met = 0, judged = 0;
+  };
+  std::vector<Share> expectations;
+  /// Figures of each measure, in the order of the seeds; of runs in which it could be measured.
+  std::vector<std::pair<std::string, std::vector<double>>> measures;
+  std::vector<Row> bad;  ///< that did not pass, or broke a law
+
+  std::string label() const;  ///< "confirmed, radio.loss=0.1"
+};
+
+/// In the order of the rows. Rows of interrupted runs count for nothing.
+std::vector<Series> series_of(const std::vector<Row>& rows);
+
+/// Tables for people; of runs that did not pass the first `examples`.
+void print(std::ostream& out, const std::vector<Series>& all, std::size_t examples);
+
+/// One JSON document with the same figures.
+std::string summary_json(const std::vector<Series>& all);
+
+/// An SVG document: each measure of all series (report::distributions_svg).
+std::string summary_svg(const std::vector<Series>& all);
+
+}  // namespace skein::batch_tool

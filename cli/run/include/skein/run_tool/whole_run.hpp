@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scenario played to its end in virtual time and judged: `skein run --virtual` without what it
+// says.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "skein/foundation/result.hpp"
+#include "skein/run_tool/played.hpp"
+#include "skein/scenario/scenario.hpp"
+
+namespace skein::run_tool {
+
+struct WholeRun {
+  Played played;  ///< with the verdicts as its last records
+  std::vector<scenario::Verdict> verdicts;
+};
+
+/// Adds the verdicts to what was played.
+WholeRun judged(const scenario::Scenario& scenario, Played played);
+
+/// Of a scenario whose overrides are applied. Ctrl-C ends it early.
+WholeRun play_whole(const scenario::Scenario& scenario);
+
+/// That of `skein run`; kExitOk: everything is as expected.
+int exit_code_of(const WholeRun& run);
+
+/// It did not come to its mission's end, and nothing is expected of it.
+bool ended_unjudged(const WholeRun& run);
+
+/// Leaves the folder that `skein run --virtual` leaves; `text` is that of the scenario.
+Result<void, Failure> keep_run(const std::string& folder, const scenario::Scenario& scenario,
+                               const std::string& text, const WholeRun& run);
+
+}  // namespace skein::run_tool

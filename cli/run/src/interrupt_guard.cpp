@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/run_tool/interrupt_guard.hpp"
+
+#include <atomic>
+
+namespace skein::run_tool {
+
+namespace {
+
+std::atomic<bool> was_interrupted{false};
+
+}  // namespace
+
+InterruptGuard::InterruptGuard() {
+  was_interrupted = false;
+  struct sigaction action {};
+  action.sa_handler = [](int) { was_interrupted = true; };
+  sigaction(SIGINT, &action, &old_int_);
+  sigaction(SIGTERM, &action, &old_term_);
+}
+
+InterruptGuard::~InterruptGuard() {
+  sigaction(SIGINT, &old_int_, nullptr);
+  sigaction(SIGTERM, &old_term_, nullptr);
+}
+
+bool InterruptGuard::interrupted() { return was_interrupted; }
+
+}  // namespace skein::run_tool

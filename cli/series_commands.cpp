@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "series_commands.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "argument_checks.hpp"
+#include "live_commands.hpp"
+#include "skein/batch_tool/batch.hpp"
+#include "skein/compare_tool/compare.hpp"
+#include "skein/series_tool/series.hpp"
+
+namespace skein::cli {
+
+namespace {
+
+using Action = std::function<int()>;
+
+constexpr const char* kBatchExamples = R"(
+Examples:
+  skein batch scenarios/comets/confirmed.yaml --seeds 1..100 --jobs 2    a table; out/batch/runs.csv, summary.svg
+  skein batch my.yaml --seeds 1..50 --set radio.loss=0,0.1,0.3           a sweep: 150 runs
+  skein batch a.yaml b.yaml --seeds 1..20 --csv runs.csv --out out/ab --keep
+Exit codes: 0 all runs passed, 1 some did not or broke a law, 2 wrong input, 3 it cannot be written, 130 Ctrl-C.)";
+
+void add_batch(CLI::App& app, Action& action, const LiveActions& live) {
+  auto options = std::make_shared<batch_tool::BatchOptions>();
+  CLI::App* batch =
+      app.add_subcommand("batch", "Scenarios by seeds, in virtual time: table, CSV and picture");
+  batch->add_option("scenarios", options->scenarios, "Scenario files (YAML)")->required();
+  batch->add_option("--seeds", options->seeds, "A..B: so many runs of each scenario")
+      ->capture_default_str();
+  batch->add_option("--jobs", options->limits.jobs, "How many at once")->check(CLI::Range(1, 256));
+  batch
+      ->add_option("--set", options->sets,
+                   "PATH=VALUE[,VALUE...]: a key of the scenario, and what it is in turn; may be "
+                   "repeated: every combination is played")
+      ->allow_extra_args(false);
+  batch->add_option("--degree", options->degrees, "As of `skein run`; may be repeated")
+      ->allow_extra_args(false);
+  batch->add_option("--out", options->out, "Folder of runs.csv, summary.json and summary.svg")
+      ->capture_default_str();
+  batch->add_option("--csv", options->csv, "File for the CSV (default: runs.csv in that folder)");
+  batch->add_flag("--keep", options->keep, "Also the folder of each run, as `skein run` leaves it");
+  batch->add_option("--patience", options->limits.patience, "Seconds of processor time for one run")
+      ->check(CLI::Range(1, 3600))
+      ->capture_default_str();
+  batch->add_flag("--json", options->json, "One JSON document, no progress");
+  batch->add_flag("--quiet", options->quiet, "No progress");
+  batch->footer(kBatchExamples);
+  batch->callback(
+      [options, &action, &live] { action = [options, &live] { return live.batch(*options); }; });
+}
+
+constexpr const char* kCompareExamples = R"(
+Examples:
+  skein compare out/a out/b                 what differs, and where the event logs part
+  skein compare out/a out/b --within 2      runs over DDS: times that differ by less than 2 s do not count
+Exit codes: 0 the same, 1 something differs, 2 a folder cannot be read.)";
+
+void add_compare(CLI::App& app, Action& action, const LiveActions& live) {
+  auto options = std::make_shared<compare_tool::CompareOptions>();
+  CLI::App* compare = app.add_subcommand("compare", "What differs between two recorded runs");
+  compare->add_option("first", options->first, "Folder of a run (out/NAME)")->required();
+  compare->add_option("second", options->second, "Folder of another")->required();
+  compare->add_option("--within", options->within, "Seconds: times that are nearer are the same")
+      ->check(positive_problem);
+  compare->add_flag("--all", options->all, "Every difference, not the first of each section");
+  compare->add_flag("--json", options->json, "One JSON document");
+  compare->footer(kCompareExamples);
+  compare->callback(
+      [options, &action, &live] { action = [options, &live] { return live.compare(*options); }; });
+}
+
+constexpr const char* kSeriesExamples = R"(
+Examples:
+  skein series out/comets-confirmed --of x,y,z,energy --uav marvin --every 0.5 --csv marvin.csv
+  skein series out/comets-confirmed --of distance,least-distance > apart.csv
+  skein series out/comets-confirmed --measures
+Exit codes: 0, 2 wrong options or a folder that cannot be read, 3 the file cannot be written.)";
+
+void add_time_series(CLI::App& app, Action& action, const LiveActions& live) {
+  auto options = std::make_shared<series_tool::SeriesOptions>();
+  CLI::App* series = app.add_subcommand("series", "Quantities of a recorded run over time, as CSV");
+  series->add_option("folder", options->folder, "Folder of a run (out/NAME)");
+  series
+      ->add_option("--of", options->of,
+                   "Quantities, parted by commas (default: x,y,z,energy); --list tells all")
+      ->allow_extra_args(false);
+  series->add_option("--uav", options->uavs, "Only of these UAVs; may be repeated")
+      ->allow_extra_args(false);
+  series->add_option("--every", options->every, "Seconds between two lines")
+      ->check(positive_problem)
+      ->capture_default_str();
+  series->add_option("--csv", options->csv, "File (default: standard output)");
+  series->add_flag("--measures", options->measures, "Instead: figures of the whole run");
+  series->add_flag("--list", options->list, "Say what quantities there are");
+  series->footer(kSeriesExamples);
+  series->callback(
+      [options, &action, &live] { action = [options, &live] { return live.series(*options); }; });
+}
+
+}  // namespace
+
+void add_series(CLI::App& app, Action& action, const LiveActions& live) {
+  add_batch(app, action, live);
+  add_compare(app, action, live);
+  add_time_series(app, action, live);
+}
+
+}  // namespace skein::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands about many runs and about what runs left: batch, compare, series.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace skein::cli {
+
+struct LiveActions;
+
+/// Adds the commands. `action` and `live` must outlive the parsing and the action.
+void add_series(CLI::App& app, std::function<int()>& action, const LiveActions& live);
+
+}  // namespace skein::cli
