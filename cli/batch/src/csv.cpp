@@ -23,9 +23,10 @@ const Value* found(const std::vector<std::pair<std::string, Value>>& all, const 
 }
 
 std::string line_of(const std::vector<std::string>& fields) {
-  std::vector<std::string> quoted;
-  for (const std::string& field : fields) quoted.push_back(csv_field(field));
-  return joined(quoted, ",") + "\n";
+  std::string line;
+  for (const std::string& field : fields) line += csv_field(field) + ",";
+  line.back() = '\n';
+  return line;
 }
 
 std::vector<std::string> fields_of(const Row& row, const std::vector<std::string>& keys,
