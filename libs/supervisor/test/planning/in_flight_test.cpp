@@ -69,8 +69,7 @@ TEST(InFlight, AWayThatIsFlownAfterAWaitIsJudgedFromTheCircle) {
   lab.situation.heading = 0.98;
   lab.situation.flies_on = true;
   lab.world.places["there"] = {203, 58, 90};
-  lab.world.volumes.push_back(
-      {"smoke", {{2, 56}, {134, 56}, {134, 132}, {2, 132}}, 0, 500, {}});
+  lab.world.volumes.push_back({"smoke", {{2, 56}, {134, 56}, {134, 132}, {2, 132}}, 0, 500, {}});
   lab.task(1, "general-wait", {60.0}).task(2, "general-gotoxyz", {"there"});
 
   const Way way = planned(lab).tasks.back().way;
