@@ -120,6 +120,7 @@ Verdict Judge::consider_as_it_is(const Goals& order) const {
     return verdict;
   }
   check_dates(verdict);
+  check_order(order, verdict);
   check_energy(verdict);
   verdict.serves = verdict.reasons.empty();
   return verdict;
@@ -144,6 +145,25 @@ void Judge::check_dates(Verdict& verdict) const {
     if (task != verdict.plan->tasks.end() && !verdict.culprit) verdict.culprit = task->origin;
   }
   if (verdict.reasons.empty()) verdict.reasons.emplace_back("its dates cannot be kept to");
+}
+
+// What comes true without a task of its own has no place in the network.
+void Judge::check_order(const Goals& order, Verdict& verdict) const {
+  const auto& tasks = verdict.plan->tasks;
+  for (auto one = order.begin(); one != order.end(); ++one) {
+    const auto bounds = standing_.bounds.of.find(one->id);
+    if (bounds == standing_.bounds.of.end()) continue;
+    for (const mission::GoalBound& bound : bounds->second) {
+      const auto behind =
+          std::find_if(one, order.end(), [&](const auto& other) { return other.id == bound.goal; });
+      const bool flown = std::any_of(tasks.begin(), tasks.end(),
+                                     [&](const auto& task) { return task.origin == bound.goal; });
+      if (behind == order.end() || flown) continue;
+      verdict.reasons.push_back("goal " + to_text(one->id) + " is to come after goal " +
+                                to_text(bound.goal) + ", which comes true behind it");
+      if (!verdict.culprit) verdict.culprit = one->id;
+    }
+  }
 }
 
 // What is left of a flight at its end is least there: from each point before, the plan itself is a

@@ -70,6 +70,7 @@ class Judge {
   Verdict consider(const Goals& order) const;
   Verdict consider_as_it_is(const Goals& order) const;
   void check_dates(Verdict& verdict) const;
+  void check_order(const Goals& order, Verdict& verdict) const;
   void check_energy(Verdict& verdict) const;
 
   const PlanningRequest& base_;

@@ -230,6 +230,21 @@ TEST(Insertion, WhatIsDoneWithOthersKeepsItsOrderWhateverItsDeadlines) {
   EXPECT_THAT(ids(order_of(movable, order)), ElementsAre(1, 3, 2));
 }
 
+// One that takes a landing for done on the ground: it comes true where another leads to.
+TEST(Insertion, WhatComesTrueBehindAGoalThatIsToFollowItIsNoOrder) {
+  Lab lab = eastern();
+  InsertionRequest request =
+      lab.insertion({}, {Lab::visit(1, "A"), Lab::simple(2, "land"), Lab::simple(3, "land")});
+  mission::GoalBound after;
+  after.goal = mission::GoalId(3);
+  request.standing.bounds.of[mission::GoalId(1)] = {after};
+
+  const auto outcome = insert_tasks(request, lab.straight.planner());
+
+  EXPECT_FALSE(outcome.plan);
+  EXPECT_THAT(outcome.reasons, Contains(HasSubstr("goal 1 is to come after goal 3")));
+}
+
 TEST(Insertion, TheTourEndsWhereTheUavLands) {
   Lab lab;
   lab.flying().place("near", -50, 10).place("far", 500, 0);
