@@ -35,6 +35,17 @@ const Entry* companion_of(const Book& book, const Entry& entry) {
   return nullptr;
 }
 
+/// The time that a detection is to look for, the least of a range; nothing of other tasks.
+std::optional<Duration> asked_of(const mission::HighLevelTask& task) {
+  if (task.name != kDetection) return std::nullopt;
+  for (const mission::Argument& argument : task.arguments) {
+    if (const auto range = mission::duration_range_of(argument))
+      return Duration::seconds(range->least);
+    if (const auto* seconds = std::get_if<double>(&argument)) return Duration::seconds(*seconds);
+  }
+  return std::nullopt;
+}
+
 class Account {
  public:
   Account(const Book& book, std::optional<MissionTime> until) : book_(book), until_(until) {}
@@ -59,14 +70,30 @@ class Account {
       if (!other) return;
       span = {std::max(span.from, other->from), std::min(span.until, other->until)};
     }
-    if (span.length() > Duration()) done.looks.push_back({device, place_of(entry), span.length()});
     const Entry* along = flown_along(book_, entry);
+    const Duration looked = along == nullptr ? span.length() : in_view(*along, span.length());
+    if (looked > Duration()) done.looks.push_back({device, place_of(entry), looked});
     if (along == nullptr) return;
     const auto& way = along->task.way;
     const std::size_t passed = entry.done() ? way.size() : std::min(entry.passed, way.size());
     const auto rest = way.begin() + static_cast<std::ptrdiff_t>(passed);
     done.rest = Progress::Rest{device, {rest, way.end()}};
     leave_beyond(*along);
+  }
+
+  // A patrol is as long as it takes to have its zone in view for the time that was asked for: of a
+  // part of it that much in proportion.
+  Duration in_view(const Entry& patrol, Duration flown) {
+    const auto goal = book_.goals.find(patrol.task.origin);
+    const auto asked = goal == book_.goals.end() ? std::nullopt : asked_of(goal->second.task);
+    const double whole = patrol.task.duration.least.to_seconds();
+    if (!asked || whole <= 0) return flown;
+    const double missing = std::max(asked->to_seconds() - viewed_.to_seconds(), 0.0);
+    const double share = std::min(1.0, missing / whole);
+    Duration viewed = Duration::seconds(share * flown.to_seconds());
+    if (patrol.done()) viewed = std::max(viewed, std::min(flown, Duration::seconds(missing)));
+    viewed_ = viewed_ + viewed;
+    return viewed;
   }
 
   // A part ends where its mapping goes on.
@@ -84,6 +111,7 @@ class Account {
 
   const Book& book_;
   std::optional<MissionTime> until_;
+  Duration viewed_;  ///< by its patrols so far
 };
 
 }  // namespace

@@ -32,9 +32,10 @@ Desk perceiving() {
 }
 
 /// Goal 701: a wait 100 from 10 s on, and pictures 101 along it.
-Desk shooting_along(std::vector<world::Vector3> way) {
-  Desk desk = Desk::engaged();
-  desk.add(a_mission(1, {701}));
+Desk shooting_along(std::vector<world::Vector3> way, mission::UnitMission mission,
+                    Config config = config_for_tests()) {
+  Desk desk = Desk::engaged(std::move(config));
+  desk.add(std::move(mission));
   desk.finish(
       inserted({701}, {TaskOf(100, "goto", 701).takes(300, 320).way(std::move(way)),
                        TaskOf(101, "takeshot", 701).during(100).device("camera").stopped_by(100)}));
@@ -42,6 +43,10 @@ Desk shooting_along(std::vector<world::Vector3> way) {
   desk.runs(100);
   desk.runs(101);
   return desk;
+}
+
+Desk shooting_along(std::vector<world::Vector3> way) {
+  return shooting_along(std::move(way), a_mission(1, {701}));
 }
 
 mission::Progress progress_for(const Desk& desk, std::uint64_t goal) {
@@ -125,6 +130,23 @@ TEST(SupervisorProgress, OfPicturesAlongAMotionIsTheTimeThatBothWentOn) {
   desk.at(55).aborted(101, "abort requested");
 
   EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(40));
+}
+
+// Of the 300 s that the patrol takes its zone is in view for 100.
+TEST(SupervisorProgress, OfAPatrolIsTheTimeInWhichItsZoneIsInViewInProportion) {
+  mission::UnitMission mission = a_mission(1, {701});
+  mission.tasks[0].name = kDetection;
+  mission.tasks[0].arguments = {100.0};
+  Config config = config_for_tests();
+  Knowledge knowledge = *config.knowledge;
+  knowledge.vocabulary.tasks[std::string(kDetection)] = {
+      std::string(kDetection), {mission::ParameterKind::kDuration}, {}};
+  config.knowledge = std::make_shared<Knowledge>(knowledge);
+  Desk desk = shooting_along({{0, 0, 40}, {1000, 0, 40}}, mission, config);
+  desk.at(160).aborted(100, "engine trouble");
+  desk.at(165).aborted(101, "abort requested");
+
+  EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(50));
 }
 
 TEST(SupervisorProgress, OfAWayIsFromTheLastWayPointReached) {

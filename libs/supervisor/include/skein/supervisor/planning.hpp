@@ -26,6 +26,9 @@ namespace skein::supervisor {
 inline constexpr std::string_view kComeDown = "general-land";
 inline constexpr std::string_view kLeaveClosedAir = "leave-closed-air";
 
+/// What looks over a zone for a time, by a patrol that has it in view for so long in all.
+inline constexpr std::string_view kDetection = "perform-detection";
+
 /// What a domain that has both may do in two parts, with other tasks between them: the mapping of a
 /// zone; and the first of its parts, with the zone, the share of the lanes (0 to 1) and the number
 /// of the mapping, which flies the others when its turn comes.
