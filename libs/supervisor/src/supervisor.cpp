@@ -95,6 +95,7 @@ void Supervisor::Core::on(const VehicleSeen& input) {
   if (!engaged()) return;
   if (!newly.empty()) contingencies_.check_devices(newly);
   energy_.check();
+  air_.look();
 }
 
 void Supervisor::Core::on(const JointTaskAnswered& input) {

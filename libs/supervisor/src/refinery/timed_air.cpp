@@ -49,11 +49,17 @@ TimedAir::TimedAir(Gazetteer gazetteer, MissionTime origin, std::uint64_t seed,
 }
 
 void TimedAir::flies_on(const Vector3& from, double heading) {
-  const Vector3 ahead(std::cos(heading), std::sin(heading), 0);
+  const double speed = vehicle().cruise_speed;
+  const auto after = [&](double seconds, double turn) {
+    const double mean = heading + turn / 2;  // of the arc's chord
+    const Vector3 there = from + seconds * speed * Vector3(std::cos(mean), std::sin(mean), 0);
+    in_flight_.push_back({there, heading + turn, speed});
+  };
   in_flight_.clear();
-  for (const double seconds : kUntilBegun)
-    in_flight_.push_back(
-        {from + seconds * vehicle().cruise_speed * ahead, heading, vehicle().cruise_speed});
+  for (const double seconds : kUntilBegun) after(seconds, 0);
+  // It may have begun with a circle.
+  const double turned = kUntilBegun.back() * speed / vehicle().min_turn_radius;
+  for (const double side : {-1.0, 1.0}) after(kUntilBegun.back(), side * turned);
 }
 
 bool TimedAir::begins_in_flight(const Departure& when) const {

@@ -2,6 +2,7 @@
 #include "safety/air_watch.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "flight/crossing.hpp"
@@ -17,6 +18,10 @@ namespace {
 /// What closes within this is met: a little more, so that what is looked at when the warning is due
 /// counts.
 constexpr Duration kAhead = Duration::milliseconds(65'000);
+/// What stands still is no faster [m/s]: gusts shake it.
+constexpr double kAtRest = 1;
+/// When it could not leave.
+constexpr Duration kLookAgain = Duration::milliseconds(60'000);
 /// A descent that is over sooner goes on [s].
 constexpr double kNearlyDown = 15;
 
@@ -64,6 +69,28 @@ void AirWatch::watch() {
   check("volume " + names + " about to close");
 }
 
+void AirWatch::look() {
+  const world::VehicleState& vehicle = beliefs_.vehicle();
+  if (!vehicle.airborne || beliefs_.world().volumes.empty() || now() < looked_ + kLookAgain) return;
+  const bool hovers = beliefs_.model().hovers;
+  const bool stands =
+      hovers ? vehicle.velocity.norm() <= kAtRest : circled(book_, beliefs_).has_value();
+  const bool moves = std::any_of(book_.tasks.begin(), book_.tasks.end(), [](const auto& one) {
+    const Entry& entry = one.second;
+    return entry.in_hand() && mission::type_of(entry.task).motion == functional::Motion::kMoves;
+  });
+  if (!stands || moves || agenda_.needed() || is_leaving()) return;
+  const world::Vector3& at = vehicle.position;
+  const auto& volumes = beliefs_.world().volumes;
+  const bool inside = std::any_of(volumes.begin(), volumes.end(), [&](const auto& volume) {
+    return volume.when.overlaps({now(), now() + kAhead}) && at.z() > volume.floor &&
+           at.z() < volume.ceiling && world::contains(volume.polygon, at.head<2>());
+  });
+  if (!inside && (hovers || closed_around(false) == nullptr)) return;
+  looked_ = now();
+  check("it is in closed air");
+}
+
 // ---- what ----
 
 bool AirWatch::goes_through(const Entry& entry, const world::Volume& volume) const {
@@ -72,8 +99,9 @@ bool AirWatch::goes_through(const Entry& entry, const world::Volume& volume) con
   if (!volume.when.overlaps({from, entry.dates.latest_end})) return false;
   const double margin = beliefs_.model().body_radius;
   if (entry.under_way()) {
-    return leads_in(volume, margin, rest_of(entry.task.way, beliefs_.vehicle().position)) ||
-           circles_into(entry.task.way.back(), volume);
+    const auto rest = rest_of(entry.task.way, beliefs_.vehicle().position);
+    return leads_in(volume, margin, rest) || circles_into(rest.back(), volume) ||
+           swings_into(rest, volume);
   }
   return leads_in(volume, margin, entry.task.way) || strays_into(entry.task.way, volume);
 }
@@ -98,6 +126,20 @@ bool AirWatch::strays_into(const std::vector<world::Vector3>& way,
   if (!level || crosses(volume, stray, way.front(), way.front())) return false;
   return crosses(volume, stray + turns, way) &&
          flights_meet(way, {volume}, vehicle, wind, {stray / 2, 0});
+}
+
+// From where it is, as fast as it is, one that hovers is carried past corners. Half of what a way
+// is looked at with before it begins.
+bool AirWatch::swings_into(const std::vector<world::Vector3>& rest,
+                           const world::Volume& volume) const {
+  const world::VehicleModel& vehicle = beliefs_.model();
+  const world::Wind& wind = beliefs_.world().wind;
+  const double stray = arrival_distance(vehicle, wind);
+  const double braking = vehicle.cruise_speed * vehicle.cruise_speed / (2 * vehicle.acceleration);
+  if (!vehicle.hovers || !crosses(volume, stray + braking, rest)) return false;
+  const world::Vector3& velocity = beliefs_.vehicle().velocity;
+  const Pose pose{rest.front(), std::atan2(velocity.y(), velocity.x()), velocity.head<2>().norm()};
+  return flights_meet(rest, {volume}, vehicle, wind, {stray / 4, 0}, {pose});
 }
 
 // One that has no end counts as far as it can be foreseen; it is looked at again before more

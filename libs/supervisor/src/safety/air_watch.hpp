@@ -22,6 +22,9 @@ class AirWatch {
   /// Every goal that would meet closed air is stopped; the first of them counts as failed. A UAV in
   /// closed air stops all that it does and leaves first.
   void check(const std::string& cause);
+  /// Likewise, when it has come to stay in closed air: carried there by what it stopped, or on a
+  /// circle that was far from it. Once a minute.
+  void look();
   /// Likewise, when air is to close so soon that what is in it must leave.
   void watch();
   /// The next instant at which it is.
@@ -33,6 +36,7 @@ class AirWatch {
   bool goes_through(const Entry& entry, const world::Volume& volume) const;
   bool circles_into(const world::Vector3& end, const world::Volume& volume) const;
   bool strays_into(const std::vector<world::Vector3>& way, const world::Volume& volume) const;
+  bool swings_into(const std::vector<world::Vector3>& rest, const world::Volume& volume) const;
   bool stays_in(const Entry& entry, const world::Volume& volume) const;
   const world::Volume* met_by(const Entry& entry) const;
   const world::Volume* closed_around(bool stops) const;
@@ -46,7 +50,8 @@ class AirWatch {
   Agenda& agenda_;
   Outbox& out_;
   Book& book_;
-  MissionTime watched_;  ///< closings before this have been dealt with
+  MissionTime looked_ = MissionTime::seconds(-1000);  ///< when it last was found in closed air
+  MissionTime watched_;                               ///< closings before this have been dealt with
 };
 
 }  // namespace skein::supervisor

@@ -49,6 +49,33 @@ TEST(SupervisorWorld, ClosedAheadStopsWhatFliesThere) {
   EXPECT_EQ(desk.repair().base.world->volumes.size(), 1U);
 }
 
+// It brakes for the corner, and is carried beyond it all the same.
+TEST(SupervisorWorld, ClosedJustBeyondACornerStopsWhatFliesThere) {
+  const auto stopped_by = [](double edge) {
+    Config config = config_for_tests();
+    Knowledge slow = *config.knowledge;
+    slow.vehicle.cruise_speed = 8;
+    slow.vehicle.acceleration = 1;
+    config.knowledge = std::make_shared<Knowledge>(slow);
+    Desk desk = Desk::engaged(std::move(config));
+    desk.add(a_mission(1, {701}));
+    desk.finish(inserted({701}, {TaskOf(100, "goto", 701)
+                                     .takes(100, 120)
+                                     .way({{0, 0, 40}, {200, 0, 40}, {200, 200, 40}})}));
+    desk.runs(100);
+    world::VehicleState state;
+    state.position = {190, 0, 40};
+    state.velocity = {8, 0, 0};
+    state.airborne = true;
+    desk.give(VehicleSeen{state, {}});
+    desk.at(30).give(closed("fire", {{edge, -50}, {300, -50}, {300, 50}, {edge, 50}}));
+    return desk.job_started();
+  };
+
+  EXPECT_TRUE(stopped_by(202));
+  EXPECT_FALSE(stopped_by(240));
+}
+
 TEST(SupervisorWorld, ClosedWhereItHasBeenOrBeforeItComesStopsNothing) {
   Desk desk = flying();
   desk.flies({350, 0, 40});
@@ -92,6 +119,19 @@ TEST(SupervisorWorld, ClosedAroundAUavThatWaitsIsLeftFirst) {
   ASSERT_EQ(desk.repair().remaining.size(), 1U);
   EXPECT_EQ(desk.repair().remaining[0].name, "leave-closed-air");
   EXPECT_EQ(desk.repair().failed_at, 1U);
+}
+
+// It braked towards it when it closed, and has come to rest inside.
+TEST(SupervisorWorld, ThatItWasCarriedIntoIsLeft) {
+  Desk desk = waiting();
+  desk.at(30).give(closed("fire", kAhead));
+  ASSERT_FALSE(desk.job_started());
+
+  desk.at(40).flies({210, 0, 40});
+
+  EXPECT_THAT(desk.notices(), Contains(HasSubstr("it leaves at once")));
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().remaining[0].name, "leave-closed-air");
 }
 
 TEST(SupervisorWorld, ClosedOverAWaitElsewhereConcernsThatGoalOnly) {
