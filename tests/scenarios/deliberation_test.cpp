@@ -71,8 +71,9 @@ INSTANTIATE_TEST_SUITE_P(
         "contingencies/closed-for-a-time", "contingencies/rung-re-refine",
         "contingencies/rung-drop", "contingencies/rung-shift", "contingencies/rung-replan",
         "contingencies/rung-absorb", "contingencies/rung-fail", "contingencies/progress-kept",
-        "contingencies/mapping-goes-on", "contingencies/partner-gives-up", "handover/held-tasks",
-        "handover/synchronised", "handover/cancelled-at-ground", "deadlines/orders-after-a-goal"),
+        "contingencies/mapping-goes-on", "contingencies/partner-gives-up",
+        "contingencies/landing-given-up", "handover/held-tasks", "handover/synchronised",
+        "handover/cancelled-at-ground", "deadlines/orders-after-a-goal"),
     name_of);
 
 // What each decision of that operator came to.

@@ -81,7 +81,7 @@ void Execution::handle(const Asked& asked) {
 void Execution::carry_out(const executive::TaskEvent& event, const Asked&) {
   const auto task = executive_.find(event.id);
   core_.bus().emit(TaskChanged{event, task ? task->parameters : functional::Parameters()});
-  if (core_.own_tasks().see(event)) core_.safekeeping().own_task_over();
+  if (core_.own_tasks().see(event)) core_.safekeeping().own_task_over(event);
   core_.tell_task(event);
   if (is_terminal(event.state)) note_over(event.id);
 }

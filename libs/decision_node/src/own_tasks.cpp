@@ -26,12 +26,16 @@ void OwnTasks::abort_all() {
 
 bool OwnTasks::see(const executive::TaskEvent& event) {
   if (!is_own(event.id) || event.id >= functional::kFirstBackgroundId) return false;
-  if (is_terminal(event.state)) {
-    open_.erase(event.id);
-    return true;
+  if (event.state == executive::TaskState::kStarted) under_way_.insert(event.id);
+  if (event.state == executive::TaskState::kAborting) under_way_.erase(event.id);
+  if (!is_terminal(event.state)) {
+    open_.insert(event.id);
+    return false;
   }
-  open_.insert(event.id);
-  return false;
+  open_.erase(event.id);
+  const bool unasked = under_way_.erase(event.id) > 0;
+  given_up_ = unasked && event.state == executive::TaskState::kAborted;
+  return true;
 }
 
 }  // namespace skein::decision_node

@@ -29,11 +29,14 @@ class OwnTasks {
   bool see(const executive::TaskEvent& event);
   /// None that is not terminal.
   bool none_open() const { return open_.empty(); }
+  /// The one that ended last: by the vehicle, without having been asked to stop.
+  bool given_up() const { return given_up_; }
 
  private:
   Bus& bus_;
   Execution& execution_;
-  std::set<functional::TaskId> open_;
+  std::set<functional::TaskId> open_, under_way_;
+  bool given_up_ = false;
   std::uint64_t next_ = functional::kFirstOwnId.value();
 };
 

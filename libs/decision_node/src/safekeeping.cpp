@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "safekeeping.hpp"
 
+#include <algorithm>
+
 #include "core.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/supervisor/own_ways.hpp"
@@ -8,11 +10,23 @@
 
 namespace skein::decision_node {
 
+namespace {
+
+constexpr Duration kFirstPause = Duration::milliseconds(10'000);
+constexpr Duration kLongestPause = Duration::milliseconds(60'000);
+
+}  // namespace
+
 Safekeeping::Safekeeping(Core& core)
     : core_(core), contact_(core.config().contact_policy, core.config().contact_after) {}
 
 void Safekeeping::time_passes() {
   if (contact_.due(core_.bus().now())) carry_out_policy();
+  if (again_at_ && core_.bus().now() >= *again_at_) come_home_again();
+}
+
+std::optional<MissionTime> Safekeeping::next_wakeup() const {
+  return earliest(contact_.next_wakeup(), again_at_);
 }
 
 // What is planned, or being synchronised, is given up and what flies the vehicle is interrupted, so
@@ -40,6 +54,8 @@ void Safekeeping::carry_out_policy() {
 
 void Safekeeping::keep(ContactPolicy how) {
   pending_ = how;
+  again_at_.reset();
+  pause_ = kFirstPause;
   start_pending();
 }
 
@@ -84,7 +100,26 @@ void Safekeeping::come_home() {
   core_.own_tasks().start("land", {}, executive::InsertionMode::kNut);
 }
 
-void Safekeeping::own_task_over() { holds_ = holds_ && !core_.own_tasks().none_open(); }
+// A landing that the vehicle gave up is not its last: nobody else would bring it down.
+void Safekeeping::own_task_over(const executive::TaskEvent& event) {
+  const bool over = core_.own_tasks().none_open();
+  holds_ = holds_ && !over;
+  if (!over || event.type != "land" || !core_.own_tasks().given_up()) return;
+  again_at_ = core_.bus().now() + pause_;
+  core_.bus().emit(Notice{"in the air without a task: the vehicle gave its landing up (" +
+                          event.reason + "); once more in " + to_text(pause_)});
+  pause_ = std::min(pause_ + pause_, kLongestPause);
+}
+
+void Safekeeping::come_home_again() {
+  again_at_.reset();
+  const bool flies = core_.execution().airborne() && !core_.deliberation().engaged();
+  if (!flies || !core_.own_tasks().none_open() || !core_.execution().held().empty() ||
+      !core_.vehicle().of_ground().empty())
+    return;
+  core_.bus().emit(PolicyCarriedOut{ContactPolicy::kReturn, "it has not come down: once more"});
+  come_home();
+}
 
 void Safekeeping::look_after(const world::Telemetry& telemetry) {
   seen_at_ = telemetry.state.position;

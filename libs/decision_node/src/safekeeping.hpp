@@ -19,13 +19,13 @@ class Safekeeping {
   void ground_heard(bool reachable, MissionTime now) { contact_.ground_heard(reachable, now); }
   /// Carries out the contact-loss policy when its instant has come.
   void time_passes();
-  std::optional<MissionTime> next_wakeup() const { return contact_.next_wakeup(); }
+  std::optional<MissionTime> next_wakeup() const;
 
   /// Makes the vehicle hold, or come home, as soon as nothing of the ground's is under way.
   void keep(ContactPolicy how);
   /// Something of the ground's may be over.
   void start_pending();
-  void own_task_over();
+  void own_task_over(const executive::TaskEvent& event);
   /// A hold ends before the vehicle cannot come home any more, and air that closes around it is
   /// left: the ground may be silent, or have forgotten it.
   void look_after(const world::Telemetry& telemetry);
@@ -34,6 +34,7 @@ class Safekeeping {
   void carry_out_policy();
   void hold();
   void come_home();
+  void come_home_again();
   void leave_closed_air(const world::Vector3& at);
   bool knows_world() const;
   void go(const std::vector<world::Vector3>& way);
@@ -42,6 +43,9 @@ class Safekeeping {
   ContactWatch contact_;
   std::optional<world::Vector3> seen_at_, leaves_to_;
   std::optional<ContactPolicy> pending_;  ///< until nothing of the ground's is under way
+  /// When its own way home is tried again, after the vehicle gave it up: with growing pauses.
+  std::optional<MissionTime> again_at_;
+  Duration pause_;
   bool holds_ = false;  ///< by itself, as long as the energy lasts to come home after it
 };
 
