@@ -23,8 +23,8 @@ std::vector<Violation> mappings_not_done(const History& history);
 // synchronisation.cpp
 std::vector<Violation> synchronisations_apart(const History& history);
 std::vector<Violation> partners_too_near(const History& history);
-/// A partner failed to come to the meeting of a goal: its own goal for it failed.
-bool partner_failed(const History& history, const Uav& uav, const Goal& goal);
+/// A partner does not come to the meeting of a goal: its own goal for it failed, or it has none.
+bool partner_never_comes(const History& history, const Uav& uav, const Goal& goal);
 // joint_tasks.cpp
 std::vector<Violation> roles_held_twice(const History& history);
 std::vector<Violation> agreements_apart(const History& history);

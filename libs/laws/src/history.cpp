@@ -181,7 +181,6 @@ class Teller {
     if (kind == "degree") uav.degrees.emplace_back(at, static_cast<int>(record.number("degree")));
     if (kind == "notice") uav.words.push_back({at, text(record, "text")});
     if (kind == "answer") see_answer(uav, record);
-    if (kind == "request") uav.orders.push_back(at);
     if (kind == "contact") uav.words.push_back({at, "contact: " + text(record, "policy")});
     if (kind == "decision") {
       uav.words.push_back({at, text(record, "operator") + ": " + text(record, "cause") + ": " +

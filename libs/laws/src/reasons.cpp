@@ -112,7 +112,7 @@ bool equipped(const Uav& uav, const Goal& goal) {
 // Whose fault that is, the partner's own goal tells.
 bool waited_as_long_as_it_may(const History& history, const Uav& uav, const Goal& goal) {
   if (goal.state() != "failed" || !says(goal.changes.back().why, "waits no longer")) return false;
-  return goal.task.name == "wait-for-orders" || partner_failed(history, uav, goal);
+  return goal.task.name == "wait-for-orders" || partner_never_comes(history, uav, goal);
 }
 
 // From when on its energy is what such a wait has left.

@@ -2,6 +2,7 @@
 // What is refused is not asked for again and again.
 #include <algorithm>
 #include <cctype>
+#include <functional>
 #include <iterator>
 #include <map>
 
@@ -31,10 +32,14 @@ bool refused(const Activity& one) {
   return one.end == "aborted" && one.until <= one.from && !busy;
 }
 
-// The first instant at which more than `most` of these, in order, lie within a minute.
-std::optional<double> too_many(const std::vector<double>& instants, std::size_t most) {
+// The first instant at which more than `most` of these, in order, lie within a minute, and as many
+// more as `excused` says of that minute.
+std::optional<double> too_many(
+    const std::vector<double>& instants, std::size_t most,
+    const std::function<std::size_t(double)>& excused = [](double) { return std::size_t{0}; }) {
   for (std::size_t i = most; i < instants.size(); ++i) {
-    if (instants[i] - instants[i - most] < kMinute) return instants[i];
+    const std::size_t allowed = most + excused(instants[i]);
+    if (i >= allowed && instants[i] - instants[i - allowed] < kMinute) return instants[i];
   }
   return std::nullopt;
 }
@@ -58,14 +63,24 @@ void judge(const History& history, const Uav& uav, std::vector<Violation>& resul
     const std::string by = componel == componels.end() ? "" : componel->second;
     const std::string what = one.type + by + ": " + without_figures(one.reason);
     const std::int64_t goal = uav.goal_of_task(one.task);
+    // What comes behind it in the executive is dispatched in the same instant: nobody could know.
+    const bool follows = !alike[what].empty() && alike[what].back() == one.from;
     alike[what].push_back(one.from);
-    if (goal == 0 || ++of_goals[{goal, what}] != kOfAGoal + 1) continue;
+    if (goal == 0 || follows || ++of_goals[{goal, what}] != kOfAGoal + 1) continue;
     result.push_back({"", one.from, uav.name(), goal,
                       one.type + " is asked for and refused for the " +
                           std::to_string(kOfAGoal + 1) + "th time: " + one.reason});
   }
+  // An operator's order is a reason to ask once more.
+  const auto ordered = [&](double at) {
+    return static_cast<std::size_t>(
+        std::count_if(uav.words.begin(), uav.words.end(), [&](const Word& word) {
+          return word.text.rfind("0 user request: ", 0) == 0 && word.at <= at &&
+                 word.at > at - kMinute;
+        }));
+  };
   for (const auto& [what, instants] : alike) {
-    if (const auto at = too_many(instants, kInAMinute))
+    if (const auto at = too_many(instants, kInAMinute, ordered))
       result.push_back({"", *at, uav.name(), 0,
                         "more than " + std::to_string(kInAMinute) +
                             " requests in a minute are refused alike: " + what});

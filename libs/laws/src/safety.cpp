@@ -42,6 +42,14 @@ double time_to_leave(const Uav& uav, double depth) {
   return kReaction + turn + 2 * depth / (0.5 * model.cruise_speed);
 }
 
+// One that cannot hover climbs in circles over its pad: once off the ground it has no other way.
+bool climbed_then(const Uav& uav, double at, double closed) {
+  return !uav.spec->model.hovers &&
+         std::any_of(uav.activities.begin(), uav.activities.end(), [&](const Activity& one) {
+           return one.type == "takeoff" && one.from <= closed && at <= one.until;
+         });
+}
+
 struct Stay {
   double from = 0, until = 0, deepest = 0;
 };
@@ -79,7 +87,8 @@ std::vector<Violation> in_closed_air(const History& history) {
     if (history.was_killed(name)) continue;
     for (const Closing& closing : uav.closings) {
       for (const Stay& stay : stays_in(uav, closing)) {
-        const bool caught = stay.from <= closing.known + kNoChoice;
+        const bool caught =
+            stay.from <= closing.known + kNoChoice || climbed_then(uav, stay.from, closing.known);
         const double allowed = caught ? time_to_leave(uav, stay.deepest) : 0;
         const bool short_enough = caught && stay.until - stay.from <= allowed;
         if (short_enough) continue;

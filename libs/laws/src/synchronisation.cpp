@@ -73,16 +73,20 @@ bool together(const Uav& uav, const Goal& goal, const Uav& other, double id) {
 
 }  // namespace
 
-bool partner_failed(const History& history, const Uav& uav, const Goal& goal) {
+bool partner_never_comes(const History& history, const Uav& uav, const Goal& goal) {
   const auto meeting = meeting_of(uav, goal.task);
   if (!meeting) return false;
   for (const std::string& name : meeting->partners) {
     const auto partner = history.uavs.find(name);
     if (name == uav.name() || partner == history.uavs.end()) continue;
+    bool asked = false;
     for (const auto& [id, theirs] : partner->second.goals) {
       const auto other = meeting_of(partner->second, theirs.task);
-      if (other && other->id == meeting->id && theirs.state() == "failed") return true;
+      if (!other || other->id != meeting->id) continue;
+      asked = true;
+      if (theirs.state() == "failed") return true;
     }
+    if (!asked) return true;
   }
   return false;
 }

@@ -66,5 +66,19 @@ TEST(Feasible, APartnerWhoseOwnGoalFailedIsNotWaitedForUntilItFalls) {
   EXPECT_THAT(broken("achieved"), SizeIs(2));
 }
 
+TEST(Feasible, APartnerWhoWasNotAskedIsNotWaitedForUntilItFalls) {
+  const auto broken = [](const std::string& theirs) {
+    Story story;
+    story.goal("marvin", 701, "wait-until-synchro 500 (heliv marvin) (heliv marvin)", "received", 1)
+        .goal("heliv", 801, theirs, "received", 1);
+    story.goal("marvin", 701, "wait-until-synchro 500 (heliv marvin) (heliv marvin)", "failed",
+               3000, "energy short; goal 701 waits no longer");
+    return story.broken("feasible");
+  };
+
+  EXPECT_THAT(broken("perceive P1 60"), IsEmpty());
+  EXPECT_THAT(broken("wait-until-synchro 500 (heliv marvin) (heliv marvin)"), SizeIs(1));
+}
+
 }  // namespace
 }  // namespace skein::laws::testing

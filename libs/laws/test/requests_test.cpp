@@ -51,6 +51,19 @@ TEST(Asked, GoalsTogetherAskEightTimesAMinute) {
   EXPECT_THAT(every(7), ElementsAre(HasSubstr("more than 8 requests in a minute")));
 }
 
+TEST(Asked, AnOrderIsAReasonToAskOnceMore) {
+  const auto ordered_at = [](double at) {
+    Story story;
+    for (int i = 0; i < 9; ++i)
+      story.does("marvin", refused(100 + i, 701 + i, 10 + 7 * i, "no", "land"));
+    story.decides("marvin", at, "0 user request", "mission 2 of an operator", "accepted");
+    return story.broken("asked");
+  };
+
+  EXPECT_THAT(ordered_at(60), IsEmpty());
+  EXPECT_THAT(ordered_at(70), ::testing::SizeIs(1)) << "it came later";
+}
+
 TEST(Asked, WhatRanAndWasLeftOffIsNotRefused) {
   Story story;
   for (int i = 0; i < 5; ++i) {

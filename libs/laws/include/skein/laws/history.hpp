@@ -110,7 +110,6 @@ struct Uav {
   std::vector<Word> words;
   std::vector<std::pair<double, std::string>> faults;
   std::vector<std::pair<double, std::int64_t>> syncs_heard;  ///< synchronisation messages, by id
-  std::vector<double> orders;  ///< when requests of the ground reached it [s]
   std::vector<Answer> answers;
 
   const std::string& name() const { return spec->name; }
