@@ -15,6 +15,7 @@
 #include "skein/storm_tool/series.hpp"
 #include "skein/storm_tool/shrink.hpp"
 #include "skein/storm_tool/storm.hpp"
+#include "skein/workers/seeds.hpp"
 
 namespace skein::mission_lab {
 
@@ -185,7 +186,7 @@ int command(int argc, char** argv) {
     return kExitOk;
   }
   if (!options.files.empty()) return run_files(options);
-  const auto seeds = storm_tool::seeds_of(options.seeds);
+  const auto seeds = workers::seeds_of(options.seeds);
   if (!seeds) {
     std::cerr << "--seeds: '" << options.seeds << "', expected A..B, as in 1..300\n";
     return kExitBadInput;
