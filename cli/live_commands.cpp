@@ -10,6 +10,7 @@
 #include "skein/functional_tool/functional.hpp"
 #include "skein/replay_tool/replay.hpp"
 #include "skein/run_tool/run.hpp"
+#include "skein/spy_tool/record.hpp"
 #include "skein/spy_tool/spy.hpp"
 #include "skein/state_tool/state.hpp"
 #include "skein/storm_tool/storm.hpp"
@@ -59,6 +60,8 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
   run->add_option(
       "--console", options->console,
       "Serve the operators' page meanwhile: ADDRESS:PORT, or PORT of this machine alone");
+  run->add_option("--mcap", options->mcap,
+                  "Also write the run as an MCAP file, for Foxglove or PlotJuggler");
   run->footer(kRunExamples);
   run->callback(
       [options, &action, &live] { action = [options, &live] { return live.run(*options); }; });
@@ -86,7 +89,45 @@ Examples:
   skein spy --domain 1 echo TaskEvent SyncMessage    samples of two slots as they come
   skein spy --domain 1 echo Telemetry --from marvin --json -n 10
   skein spy --domain 1 --partition 'radio/marvin>ground'
+  skein spy --domain 1 record flight.mcap            everything, byte for byte, until Ctrl-C
+  skein spy --domain 5 play flight.mcap --rate 10
 Exit codes: 0, 2 wrong options, 3 DDS refused, 4 nothing heard.)";
+
+void add_spy_record(CLI::App& spy, Action& action, const LiveActions& live,
+                    const std::shared_ptr<spy_tool::SpyOptions>& common) {
+  auto options = std::make_shared<spy_tool::RecordOptions>();
+  CLI::App* record = spy.add_subcommand("record", "Write samples to an MCAP file as they come");
+  record->add_option("file", options->file, "The file")->required();
+  record->add_option("slots", common->slots, "Slots to record (default: all)");
+  record->add_option("-n,--count", common->count, "Stop after so many samples");
+  record->add_flag("--with-json", options->with_json, "Each sample as JSON too: opens everywhere");
+  record->callback([options, common, &action, &live] {
+    action = [options, common, &live] {
+      options->spy = *common;
+      return live.record(*options);
+    };
+  });
+}
+
+void add_spy_play(CLI::App& spy, Action& action, const LiveActions& live,
+                  const std::shared_ptr<spy_tool::SpyOptions>& common) {
+  auto options = std::make_shared<spy_tool::PlayOptions>();
+  CLI::App* play = spy.add_subcommand("play", "Write the samples of a recording again");
+  play->add_option("file", options->file, "Made by skein spy record")->required();
+  play->add_option("--rate", options->rate, "Seconds of the recording per second")
+      ->check(positive_problem)
+      ->capture_default_str();
+  play->add_option("--wait", options->wait, "Seconds in which readers find the writers, at first")
+      ->check(CLI::Range(0.0, 60.0))
+      ->capture_default_str();
+  play->callback([options, common, &action, &live] {
+    action = [options, common, &live] {
+      options->domain = common->domain;
+      options->network = common->network;
+      return live.play(*options);
+    };
+  });
+}
 
 void add_spy(CLI::App& app, Action& action, const LiveActions& live) {
   auto options = std::make_shared<spy_tool::SpyOptions>();
@@ -107,8 +148,11 @@ void add_spy(CLI::App& app, Action& action, const LiveActions& live) {
   echo->add_option("slots", options->slots, "Slots to print (default: all)");
   echo->add_option("-n,--count", options->count, "Stop after so many samples");
   spy->callback([options, echo, &action, &live] {
+    if (action) return;  // of record or play
     action = [options, echoes = echo->parsed(), &live] { return live.spy(*options, echoes); };
   });
+  add_spy_record(*spy, action, live, options);
+  add_spy_play(*spy, action, live, options);
 }
 
 constexpr const char* kFunctionalExamples = R"(

@@ -25,6 +25,12 @@ struct ShowOptions;
 }  // namespace skein::terrain_tool
 namespace skein::spy_tool {
 struct SpyOptions;
+struct RecordOptions;
+struct PlayOptions;
+}  // namespace skein::spy_tool
+
+namespace skein::export_tool {
+struct ExportOptions;
 }
 
 namespace skein::operate_tool {
@@ -64,6 +70,8 @@ struct LiveActions {
   std::function<int(const run_tool::RunOptions&)> run;
   std::function<int(const run_tool::ReportOptions&)> report;
   std::function<int(const spy_tool::SpyOptions&, bool echo)> spy;
+  std::function<int(const spy_tool::RecordOptions&)> record;
+  std::function<int(const spy_tool::PlayOptions&)> play;
   std::function<int(const refine_tool::RefineOptions&)> refine;
   std::function<int(const terrain_tool::MakeOptions&)> make_terrain;
   std::function<int(const terrain_tool::ShowOptions&)> show_terrain;
@@ -76,6 +84,7 @@ struct LiveActions {
   std::function<int(const batch_tool::BatchOptions&)> batch;
   std::function<int(const compare_tool::CompareOptions&)> compare;
   std::function<int(const series_tool::SeriesOptions&)> series;
+  std::function<int(const export_tool::ExportOptions&)> export_run;
 };
 
 /// Adds the commands. `action` and `live` must outlive the parsing and the action.

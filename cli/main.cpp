@@ -43,6 +43,9 @@ int main(int argc, char** argv) {
   live.operate = [argv](const auto&) { return become("skein-live", argv); };
   live.status = [argv](const auto&) { return become("skein-live", argv); };
   live.spy = [argv](const auto&, bool) { return become("skein-live", argv); };
+  live.record = [argv](const auto&) { return become("skein-live", argv); };
+  live.play = [argv](const auto&) { return become("skein-live", argv); };
+  live.export_run = [argv](const auto&) { return become("skein-live", argv); };
   live.refine = [argv](const auto&) { return become("skein-refine", argv); };
   live.make_terrain = [argv](const auto&) { return become("skein-refine", argv); };
   live.show_terrain = [argv](const auto&) { return become("skein-refine", argv); };

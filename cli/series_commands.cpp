@@ -5,9 +5,11 @@
 #include <memory>
 
 #include "argument_checks.hpp"
+#include "choice_option.hpp"
 #include "live_commands.hpp"
 #include "skein/batch_tool/batch.hpp"
 #include "skein/compare_tool/compare.hpp"
+#include "skein/export_tool/export.hpp"
 #include "skein/series_tool/series.hpp"
 
 namespace skein::cli {
@@ -100,12 +102,34 @@ void add_time_series(CLI::App& app, Action& action, const LiveActions& live) {
       [options, &action, &live] { action = [options, &live] { return live.series(*options); }; });
 }
 
+constexpr const char* kExportExamples = R"(
+Examples:
+  skein export out/comets-confirmed --mcap comets.mcap      Foxglove, PlotJuggler: docs/recordings.md
+Exit codes: 0, 2 the folder cannot be read, 3 the file cannot be written.)";
+
+void add_export(CLI::App& app, Action& action, const LiveActions& live) {
+  auto options = std::make_shared<export_tool::ExportOptions>();
+  CLI::App* command = app.add_subcommand("export", "A recorded run for other programs");
+  command->add_option("folder", options->folder, "Folder of a run (out/NAME)")->required();
+  command->add_option("--mcap", options->mcap, "The MCAP file to write")->required();
+  add_choice(*command, "--compression", options->compression,
+             {{"none", mcap::Compression::kNone},
+              {"lz4", mcap::Compression::kLz4},
+              {"zstd", mcap::Compression::kZstd}},
+             "Of its chunks");
+  command->footer(kExportExamples);
+  command->callback([options, &action, &live] {
+    action = [options, &live] { return live.export_run(*options); };
+  });
+}
+
 }  // namespace
 
 void add_series(CLI::App& app, Action& action, const LiveActions& live) {
   add_batch(app, action, live);
   add_compare(app, action, live);
   add_time_series(app, action, live);
+  add_export(app, action, live);
 }
 
 }  // namespace skein::cli

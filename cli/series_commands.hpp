@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands about many runs and about what runs left: batch, compare, series.
+// The commands about many runs and about what runs left: batch, compare, series, export.
 #pragma once
 
 #include <functional>

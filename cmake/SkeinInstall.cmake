@@ -22,6 +22,7 @@ set(SKEIN_PACKAGES
   "Eigen3::Eigen|Eigen3|eigen3|-|libeigen3-dev" "EXPAT::EXPAT|EXPAT|expat|-|libexpat1-dev"
   "tsl::robin_map|tsl-robin-map|-|-|robin-map-dev" "fmt::fmt|fmt|fmt|-|libfmt-dev"
   "SQLiteCpp|SQLiteCpp|-|-lSQLiteCpp|libsqlitecpp-dev"
+  "ZLIB::ZLIB|ZLIB|zlib|-|zlib1g-dev"
   "PNG::PNG|PNG|libpng|-|libpng-dev" "Threads::Threads|Threads|-|-pthread|-"
   "fastrtps|fastrtps|-|-lfastrtps|libfastrtps-dev" "fastcdr|fastcdr|-|-lfastcdr|libfastcdr-dev"
   "GDAL::GDAL|GDAL|gdal|-|libgdal-dev" "yaml-cpp|yaml-cpp|yaml-cpp|-|libyaml-cpp-dev"

@@ -11,6 +11,7 @@
 #include "play_virtual.hpp"
 #include "run_folder.hpp"
 #include "skein/assembly/assembly.hpp"
+#include "skein/export_tool/export.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/report/explain.hpp"
 #include "skein/run_tool/whole_run.hpp"
@@ -111,7 +112,8 @@ int play(const Scenario& scenario, const RunOptions& options, const std::string&
   const WholeRun whole = judged(scenario, std::move(played));
   // Virtual time knows no wall clock: the same seed gives the same folder, byte for byte.
   const report::RunInfo info =
-      run_info(scenario, options.virtual_time, options.virtual_time ? 0 : wall.count());
+      run_info(scenario, options.virtual_time, options.virtual_time ? 0 : wall.count(),
+               whole.played.records);
   const auto summary = write_folder(folder, scenario, info, whole.played.records);
   if (!summary) {
     err << summary.error().why << '\n';
@@ -121,6 +123,13 @@ int play(const Scenario& scenario, const RunOptions& options, const std::string&
     out << *summary;
   } else {
     print_summary(whole, folder, out);
+  }
+  if (!options.mcap.empty()) {
+    const auto written = export_tool::write_mcap(info, whole.played.records, options.mcap);
+    if (!written) {
+      err << written.error().why << '\n';
+      return kExitSystem;
+    }
   }
   return explain_all(folder, options.explain, exit_code_of(whole), out, err);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "run_folder.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -8,6 +9,7 @@
 
 #include "skein/assembly/page_world.hpp"
 #include "skein/report/report.hpp"
+#include "skein/scenario/measures.hpp"
 
 namespace skein::run_tool {
 
@@ -47,10 +49,25 @@ report::TerrainGrid terrain_grid(const world::TerrainSpec& spec) {
   return grid;
 }
 
+std::vector<report::GroundPoint> corners_of(const world::Polygon& polygon) {
+  std::vector<report::GroundPoint> corners;
+  for (const auto& corner : polygon) corners.push_back({corner.x(), corner.y()});
+  return corners;
+}
+
+report::ClosedAir closed_air(const scenario::Closure& closure) {
+  report::ClosedAir air{closure.volume.name,
+                        corners_of(closure.volume.polygon),
+                        std::max(0.0, closure.when.from.to_seconds()),
+                        {}};
+  if (closure.when.until < MissionTime::max()) air.until = closure.when.until.to_seconds();
+  return air;
+}
+
 }  // namespace
 
-report::RunInfo run_info(const scenario::Scenario& scenario, bool virtual_time,
-                         double wall_seconds) {
+report::RunInfo run_info(const scenario::Scenario& scenario, bool virtual_time, double wall_seconds,
+                         const std::vector<journal::Record>& records) {
   report::RunInfo info;
   info.scenario = scenario.name;
   info.epoch = scenario.epoch;
@@ -59,14 +76,18 @@ report::RunInfo run_info(const scenario::Scenario& scenario, bool virtual_time,
   info.seed = scenario.seed;
   info.wall_seconds = wall_seconds;
   info.version = kVersion;
+  const world::GeodeticOrigin& origin = scenario.world.origin;
+  info.origin = report::Origin{origin.latitude_degrees, origin.longitude_degrees, origin.altitude};
   const world::TerrainSpec& terrain = scenario.world.terrain;
   info.extents = report::Extents{terrain.west, terrain.south, terrain.east, terrain.north};
   info.terrain = terrain_grid(terrain);
   for (const world::Zone& zone : scenario.world.zones) {
     report::Zone& one = info.zones.emplace_back();
     one.name = zone.name;
-    for (const auto& corner : zone.polygon) one.polygon.push_back({corner.x(), corner.y()});
+    one.polygon = corners_of(zone.polygon);
   }
+  for (const scenario::Closure& closure : scenario::closures_of(scenario, records))
+    if (closure.when.from < MissionTime::max()) info.air.push_back(closed_air(closure));
   for (const auto& [name, place] : scenario.world.places) {
     info.places.push_back({name, {place.x(), place.y(), place.z()}});
   }

@@ -14,9 +14,9 @@
 
 namespace skein::run_tool {
 
-/// What the report needs to know of the scenario.
-report::RunInfo run_info(const scenario::Scenario& scenario, bool virtual_time,
-                         double wall_seconds);
+/// What the report needs to know of the scenario, and what air was closed in the run.
+report::RunInfo run_info(const scenario::Scenario& scenario, bool virtual_time, double wall_seconds,
+                         const std::vector<journal::Record>& records = {});
 
 /// Creates the folder (and its parents) if needed and empties it of the results of an earlier run.
 Result<void, Failure> prepare_folder(const std::string& folder);

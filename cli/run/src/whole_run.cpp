@@ -55,8 +55,8 @@ int exit_code_of(const WholeRun& run) {
 Result<void, Failure> keep_run(const std::string& folder, const scenario::Scenario& scenario,
                                const std::string& text, const WholeRun& run) {
   if (auto prepared = prepare_folder(folder); !prepared) return prepared;
-  const auto written =
-      write_folder(folder, scenario, run_info(scenario, true, 0), run.played.records, text);
+  const auto written = write_folder(
+      folder, scenario, run_info(scenario, true, 0, run.played.records), run.played.records, text);
   if (!written) return tl::unexpected(written.error());
   return {};
 }

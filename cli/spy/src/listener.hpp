@@ -21,8 +21,11 @@ struct Heard {
 
 class Listener {
  public:
-  /// Wrong slots are errors of the options.
-  explicit Listener(const SpyOptions& options) : options_(options) {}
+  using Tap = std::function<void(const blackboard::RawSample&)>;
+
+  /// Wrong slots are errors of the options. `tap`: as in FastDdsConfig.
+  explicit Listener(const SpyOptions& options, Tap tap = {})
+      : options_(options), tap_(std::move(tap)) {}
 
   /// Slots that are no slots, with the nearest that are.
   Diagnostics check() const;
@@ -33,13 +36,14 @@ class Listener {
   /// The node's name if its directory entry was heard, else "node 7".
   std::string name_of(std::uint32_t number) const;
   const std::map<std::uint32_t, wire::DirectoryEntry>& directory() const { return directory_; }
+  bool wanted(wire::Slot slot) const;
   bool interrupted() const { return waker_.stop_requested(); }
 
  private:
-  bool wanted(wire::Slot slot) const;
   bool hear(const blackboard::Arrival& arrival, const std::function<bool(const Heard&)>& use);
 
   const SpyOptions& options_;
+  Tap tap_;
   node::Waker waker_;
   std::optional<blackboard::FastDdsTransport> transport_;
   std::map<std::uint32_t, wire::DirectoryEntry> directory_;

@@ -34,6 +34,13 @@ Json to_json_value(const Zone& zone) {
   return {{"name", zone.name}, {"polygon", std::move(points)}};
 }
 
+Json to_json_value(const ClosedAir& air) {
+  Json json = to_json_value(Zone{air.name, air.polygon});
+  json["from"] = finite(air.from);
+  if (air.until) json["until"] = finite(*air.until);
+  return json;
+}
+
 Json to_json_value(const Place& place) {
   const Position& p = place.position;
   return {{"name", place.name}, {"position", Json::array({finite(p.x), finite(p.y), finite(p.z)})}};
@@ -108,6 +115,30 @@ std::optional<Extents> read_extents(const nlohmann::json& document, Diagnostic w
   where.path = "extents";
   FieldReader f(*it, where, faults);
   return Extents{f.number("west"), f.number("south"), f.number("east"), f.number("north")};
+}
+
+std::optional<Origin> read_origin(const nlohmann::json& document, Diagnostic where,
+                                  Diagnostics& faults) {
+  const auto it = document.find("origin");
+  if (it == document.end() || !it->is_object()) return std::nullopt;
+  where.path = "origin";
+  FieldReader f(*it, where, faults);
+  const Origin origin{f.number("latitude"), f.number("longitude"), f.number("altitude")};
+  if (std::abs(origin.latitude) <= 90 && std::abs(origin.longitude) <= 180) return origin;
+  where.message = "not on Earth";
+  where.expected = "latitude and longitude in degrees";
+  faults.add(where);
+  return std::nullopt;
+}
+
+void read_air(const nlohmann::json& document, const Diagnostic& where, Diagnostics& faults,
+              RunInfo& info) {
+  read_list(document, "air", where, faults,
+            [&](FieldReader& f, const nlohmann::json& air, const Diagnostic& at) {
+              ClosedAir one{f.name("name"), read_polygon(air, at, faults), f.number("from"), {}};
+              if (air.contains("until")) one.until = f.number("until");
+              info.air.push_back(std::move(one));
+            });
 }
 
 std::optional<TerrainGrid> read_terrain(const nlohmann::json& document, Diagnostic where,
@@ -185,7 +216,13 @@ std::string to_json(const RunInfo& info) {
                     {"east", finite(info.extents->east)},
                     {"north", finite(info.extents->north)}};
   }
+  if (info.origin) {
+    j["origin"] = {{"latitude", finite(info.origin->latitude)},
+                   {"longitude", finite(info.origin->longitude)},
+                   {"altitude", finite(info.origin->altitude)}};
+  }
   j["zones"] = to_json_list(info.zones);
+  if (!info.air.empty()) j["air"] = to_json_list(info.air);
   j["places"] = to_json_list(info.places);
   j["uavs"] = to_json_list(info.uavs);
   if (info.terrain) j["terrain"] = to_json_value(*info.terrain);
@@ -205,9 +242,11 @@ Result<RunInfo, Diagnostics> run_info_from_json(std::string_view text, std::stri
   RunInfo info;
   FieldReader fields(*document, where, faults);
   read_head(fields, info);
+  info.origin = read_origin(*document, where, faults);
   info.extents = read_extents(*document, where, faults);
   info.terrain = read_terrain(*document, where, faults);
   read_lists(*document, where, faults, info);
+  read_air(*document, where, faults, info);
   if (!faults.empty()) return tl::unexpected<Diagnostics>(std::move(faults));
   return info;
 }

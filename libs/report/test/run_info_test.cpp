@@ -19,6 +19,9 @@ RunInfo full() {
   info.seed = 18446744073709551615ULL;
   info.wall_seconds = 75.25;
   info.version = "0.1.0";
+  info.origin = Origin{40.5, -8.25, 200};
+  info.air = {{"tower", {{0, 0}, {1, 0}, {1, 1}}, 0, {}},
+              {"fire", {{0, 0}, {1, 0}, {1, 1}}, 5, 8.5}};
   info.extents = Extents{-1, -2, 3, 4};
   info.terrain = TerrainGrid{-10, -20, 5, 2, 3, {0, 1, 2, 3, 4, 5.25}};
   info.zones = {{"Z", {{0, 0}, {1, 0}, {1, 1}}}};
@@ -51,6 +54,16 @@ TEST(RunInfo, TheSyntheticMissionGoesThroughJson) {
   ASSERT_TRUE(read) << to_text(read.error());
   EXPECT_EQ(read->zones, info.zones);
   EXPECT_EQ(read->terrain->values.size(), info.terrain->values.size());
+}
+
+TEST(RunInfo, AnOriginThatIsNotOnEarthIsRefused) {
+  RunInfo info = full();
+  info.origin->latitude = 91;
+
+  const auto read = run_info_from_json(to_json(info), "run.json");
+
+  ASSERT_FALSE(read);
+  EXPECT_NE(to_text(read.error()).find("origin: not on Earth"), std::string::npos);
 }
 
 TEST(RunInfo, NumbersThatAreNotFiniteAreWrittenAsZero) {

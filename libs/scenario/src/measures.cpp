@@ -100,16 +100,11 @@ tl::expected<Measured, std::string> mission_duration(const Records& records) {
   return tl::unexpected<std::string>("the mission did not finish");
 }
 
-// A volume with the time for which it is closed.
-struct Closure {
-  const world::Volume& volume;
-  world::TimeWindow when;
-
-  bool holds(MissionTime at, const Position& p) const {
-    return at >= when.from && at < when.until && p[2] >= volume.floor && p[2] < volume.ceiling &&
-           world::contains(volume.polygon, {p[0], p[1]});
-  }
-};
+bool holds(const Closure& closure, MissionTime at, const Position& p) {
+  const world::Volume& volume = closure.volume;
+  return at >= closure.when.from && at < closure.when.until && p[2] >= volume.floor &&
+         p[2] < volume.ceiling && world::contains(volume.polygon, {p[0], p[1]});
+}
 
 std::vector<Closure> closures_of(const std::vector<ClosedAir>& air, const Records& records) {
   std::vector<Closure> closures;
@@ -141,7 +136,7 @@ tl::expected<Measured, std::string> time_in_volume(const ExpectMeasure& wanted,
     if (!record.truth("airborne")) return;
     const Position position = record.numbers("position");
     for (const Closure& closure : closures) {
-      if (!closure.holds(record.at(), position)) continue;
+      if (!holds(closure, record.at(), position)) continue;
       since = record.at();
       if (sum.context == " s") {
         sum.context +=
@@ -170,6 +165,10 @@ tl::expected<Measured, std::string> measure(const ExpectMeasure& wanted, const R
       break;
   }
   return energy_left(wanted.uavs, records);
+}
+
+std::vector<Closure> closures_of(const Scenario& scenario, const Records& records) {
+  return closures_of(closed_air_of(scenario), records);
 }
 
 namespace {

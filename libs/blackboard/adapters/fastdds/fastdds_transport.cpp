@@ -5,6 +5,7 @@
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
@@ -66,17 +67,40 @@ class Mailbox {
   std::function<void()> notify_;
 };
 
+/// Where writers are, as they say when they are found.
+class Partitions final : public dds::DomainParticipantListener {
+ public:
+  void on_publisher_discovery(dds::DomainParticipant* /*participant*/,
+                              eprosima::fastrtps::rtps::WriterDiscoveryInfo&& found) override {
+    const std::vector<std::string> names = found.info.m_qos.m_partition.names();
+    const std::lock_guard lock(mutex_);
+    of_[found.info.guid()] = names.empty() ? "" : names.front();
+  }
+  std::string of(const eprosima::fastrtps::rtps::GUID_t& writer) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = of_.find(writer);
+    return found == of_.end() ? "" : found->second;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::map<eprosima::fastrtps::rtps::GUID_t, std::string> of_;
+};
+
 /// Takes what a reader has, at once, in the middleware's thread.
 class Listener final : public dds::DataReaderListener {
  public:
-  /// `identities`: of a secured domain, else null; `names` as in FastDdsConfig. Both outlive it.
+  /// `identities`: of a secured domain, else null. All references outlive it.
   Listener(Mailbox& mailbox, std::size_t channel, NodeNumber self,
-           const fastdds::Identities* identities, const std::map<NodeNumber, std::string>& names)
+           const fastdds::Identities* identities, const FastDdsConfig& config,
+           const Partitions& partitions)
       : mailbox_(mailbox),
         channel_(channel),
         self_(self.value()),
         identities_(identities),
-        names_(names) {}
+        names_(config.names),
+        tap_(config.tap),
+        partitions_(partitions) {}
 
   void on_data_available(dds::DataReader* reader) override {
     bool any = false;
@@ -84,6 +108,7 @@ class Listener final : public dds::DataReaderListener {
     dds::SampleInfo info;
     while (reader->take_next_sample(&cargo, &info) == ReturnCode_t::RETCODE_OK) {
       if (!info.valid_data || is_own(cargo)) continue;
+      if (tap_) tell_tap(cargo, info);
       check_writer(cargo, info);
       mailbox_.put({channel_, std::move(cargo.incoming)});
       any = true;
@@ -92,6 +117,14 @@ class Listener final : public dds::DataReaderListener {
   }
 
  private:
+  void tell_tap(const Cargo& cargo, const dds::SampleInfo& info) const {
+    const auto* sample = std::get_if<wire::Sample>(&cargo.incoming);
+    const wire::Slot slot =
+        sample != nullptr ? wire::slot_of(*sample) : std::get<Malformed>(cargo.incoming).slot;
+    tap_({slot, partitions_.of(info.sample_identity.writer_guid()), info.source_timestamp.to_ns(),
+          cargo.bytes});
+  }
+
   /// The header of a forged sample is all zero: it has no place in the session of him it names.
   void check_writer(Cargo& cargo, const dds::SampleInfo& info) const {
     const auto* sample = std::get_if<wire::Sample>(&cargo.incoming);
@@ -115,6 +148,8 @@ class Listener final : public dds::DataReaderListener {
   std::uint32_t self_;
   const fastdds::Identities* identities_;
   const std::map<NodeNumber, std::string>& names_;
+  const std::function<void(const RawSample&)>& tap_;
+  const Partitions& partitions_;
 };
 
 /// No profile file on the way to a participant may change what this process does.
@@ -172,6 +207,7 @@ class FastDdsTransport::Impl {
   std::optional<fastdds::NamedLock> number_;
   std::optional<fastdds::Identities> identities_;  ///< in a secured domain
   Mailbox mailbox_;
+  Partitions partitions_;
   dds::DomainParticipant* participant_ = nullptr;
   std::map<wire::Slot, dds::Topic*> topics_;
   std::vector<Channel> channels_;
@@ -225,8 +261,8 @@ Result<void, Failure> FastDdsTransport::Impl::join() {
     if (!identities) return tl::unexpected(identities.error());
     identities_ = std::move(*identities);
   }
-  participant_ =
-      factory().create_participant(config_.domain, qos, nullptr, dds::StatusMask::none());
+  participant_ = factory().create_participant(
+      config_.domain, qos, config_.tap ? &partitions_ : nullptr, dds::StatusMask::none());
   if (participant_ != nullptr) return {};
   return failure("no DDS participant in domain " + domain +
                  (keys.empty() ? " (no such interface, or its ports are taken?)"
@@ -276,8 +312,9 @@ Result<void, Failure> FastDdsTransport::Impl::open_channel(std::size_t index,
     qos.partition().push_back(channel.config.partition.c_str());
     channel.subscriber = participant_->create_subscriber(qos, nullptr, dds::StatusMask::none());
     good = good && channel.subscriber != nullptr;
-    listeners_.push_back(std::make_unique<Listener>(
-        mailbox_, index, plan.self, checks_writers() ? &*identities_ : nullptr, config_.names));
+    listeners_.push_back(std::make_unique<Listener>(mailbox_, index, plan.self,
+                                                    checks_writers() ? &*identities_ : nullptr,
+                                                    config_, partitions_));
     for (const wire::Slot slot : world ? plan.world_reads : slots) {
       good = good && add_reader(channel, slot, *listeners_.back());
     }
@@ -293,7 +330,7 @@ Result<void, Failure> FastDdsTransport::Impl::open_channel(std::size_t index,
 dds::Topic* FastDdsTransport::Impl::topic(wire::Slot slot) {
   dds::Topic*& topic = topics_[slot];
   if (topic == nullptr) {
-    const dds::TypeSupport type(new fastdds::SampleType(slot));
+    const dds::TypeSupport type(new fastdds::SampleType(slot, static_cast<bool>(config_.tap)));
     if (type.register_type(participant_) != ReturnCode_t::RETCODE_OK) return nullptr;
     topic = participant_->create_topic(std::string(wire::slot_name(slot)), type.get_type_name(),
                                        dds::TopicQos{}, nullptr, dds::StatusMask::none());

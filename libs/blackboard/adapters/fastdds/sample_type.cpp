@@ -30,7 +30,7 @@ const wire::SampleHeader& header_of(const Cargo& cargo) {
 
 }  // namespace
 
-SampleType::SampleType(wire::Slot slot) : slot_(slot) {
+SampleType::SampleType(wire::Slot slot, bool keeps_bytes) : slot_(slot), keeps_bytes_(keeps_bytes) {
   setName(("skein::idl::" + std::string(wire::slot_name(slot))).c_str());
   m_typeSize = kTypicalSize;
   m_isGetKeyDefined = true;
@@ -47,7 +47,9 @@ bool SampleType::serialize(void* data, SerializedPayload_t* payload) {
 }
 
 bool SampleType::deserialize(SerializedPayload_t* payload, void* data) {
-  static_cast<Cargo*>(data)->incoming = decode(slot_, {payload->data, payload->length});
+  auto& cargo = *static_cast<Cargo*>(data);
+  cargo.incoming = decode(slot_, {payload->data, payload->length});
+  if (keeps_bytes_) cargo.bytes.assign(payload->data, payload->data + payload->length);
   return true;
 }
 

@@ -23,6 +23,7 @@ struct RunOptions {
   std::optional<std::uint32_t> domain;  ///< DDS domain; absent: a free one
   std::vector<std::string> without;     ///< nodes that somebody else starts, over DDS
   std::string security;                 ///< folder of make-keys, over DDS; empty: none
+  std::string mcap;                     ///< file for the run as MCAP; empty: none
   std::string console;                  ///< ADDRESS:PORT of the operators' page; empty: none
 };
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,14 @@
 #include "skein/blackboard/transport.hpp"
 
 namespace skein::blackboard {
+
+/// A sample as it came, malformed or not.
+struct RawSample {
+  wire::Slot slot = wire::Slot::kHeartbeat;
+  std::string partition;                ///< of its writer; empty if it is in none
+  std::int64_t source_time = 0;         ///< of its writer [ns since 1970]
+  std::span<const std::uint8_t> bytes;  ///< CDR behind its 4-byte header
+};
 
 struct FastDdsConfig {
   std::uint32_t domain = 0;      ///< 0 to 100, so that its ports stay below the ephemeral ones
@@ -24,6 +33,9 @@ struct FastDdsConfig {
   /// With keys: who has which number. A sample that says it is of a node whose certificate its
   /// writer does not have is malformed. Empty: that is not checked (a spy).
   std::map<NodeNumber, std::string> names = {};
+  /// Told of every sample that is taken from a reader, from any of the middleware's threads: for
+  /// recorders.
+  std::function<void(const RawSample&)> tap = {};
 };
 
 /// One participant over UDP; each channel has its own publisher and subscriber, and cutting it

@@ -49,6 +49,23 @@ struct Zone {
   bool operator==(const Zone&) const = default;
 };
 
+/// Where on Earth the local frame has its origin (WGS 84): degrees, degrees, metres.
+struct Origin {
+  double latitude = 0.0;
+  double longitude = 0.0;
+  double altitude = 0.0;
+  bool operator==(const Origin&) const = default;
+};
+
+/// Air that was closed from an instant on, until another or the end of the run [s].
+struct ClosedAir {
+  std::string name;
+  std::vector<GroundPoint> polygon;
+  double from = 0.0;
+  std::optional<double> until;
+  bool operator==(const ClosedAir&) const = default;
+};
+
 struct Place {
   std::string name;
   Position position;
@@ -70,9 +87,11 @@ struct RunInfo {
   std::uint64_t seed = 0;
   double wall_seconds = 0.0;
   std::string version;  ///< of Skein
+  std::optional<Origin> origin;
   std::optional<Extents> extents;
   std::optional<TerrainGrid> terrain;
   std::vector<Zone> zones;
+  std::vector<ClosedAir> air;
   std::vector<Place> places;
   std::vector<UavInfo> uavs;  ///< their order is the order of the report's rows and colours
   bool operator==(const RunInfo&) const = default;

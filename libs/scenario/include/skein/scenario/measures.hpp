@@ -23,6 +23,17 @@ struct Measured {
 tl::expected<Measured, std::string> measure(const ExpectMeasure& wanted,
                                             const std::vector<journal::Record>& records);
 
+/// A volume with the time for which it was closed.
+struct Closure {
+  world::Volume volume;
+  world::TimeWindow when;
+};
+
+/// What air was closed in a run of a scenario: known from the start, or by its script. What
+/// operators close while it runs is not told.
+std::vector<Closure> closures_of(const Scenario& scenario,
+                                 const std::vector<journal::Record>& records);
+
 /// As in scenario files: "energy-left".
 std::string_view name_of(ExpectMeasure::Quantity quantity);
 /// "m", "s", or nothing.

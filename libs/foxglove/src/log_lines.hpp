@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Records in words.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "skein/journal/record.hpp"
+
+namespace skein::foxglove {
+
+/// As foxglove.LogLevel counts them.
+enum class Level { kDebug = 1, kInfo = 2, kWarning = 3, kError = 4 };
+
+struct LogLine {
+  Level level = Level::kInfo;
+  std::string text;
+};
+
+/// Of a record that is worth a line: decisions, refusals, degrees, goals, alarms, phases, faults,
+/// verdicts, notices, who got which task of the team.
+std::optional<LogLine> log_line_of(const journal::Record& record);
+
+}  // namespace skein::foxglove
