@@ -61,6 +61,8 @@ std::vector<Violation> winds_off(const History& history);
 // safety.cpp
 std::vector<Violation> in_closed_air(const History& history);
 std::vector<Violation> energy_short(const History& history);
+// separation.cpp
+std::vector<Violation> too_near_in_the_air(const History& history);
 
 /// Calls `check` with each UAV and each of its goals that was achieved, and when.
 void for_achieved(const History& history,

@@ -48,6 +48,8 @@ const std::vector<Law>& all_laws() {
       {"evaluated", "a mission takes what its evaluation said", evaluations_off},
       {"wind", "the wind that is felt blows", winds_off},
       {"closed-air", "not in closed air but on the way out", in_closed_air},
+      {"separation", "where it is asked for, UAVs in the air keep the separation of their models",
+       too_near_in_the_air},
       {"energy", "never below the reserve in the air", energy_short}};
   return kLaws;
 }

@@ -119,6 +119,7 @@ std::string to_yaml(const Mission& m, const std::string& scenarios) {
   world(out, m);
   team(out, m, scenarios);
   if (!m.global.empty()) out << "\nteam: {lease: 10}\n";
+  if (!m.separation.empty()) out << "\nseparation: " << m.separation << '\n';
   out << "\nradio:\n  range: 3000\n  line_of_sight: true\n  latency: 0.02\n  loss: 0\n";
   list(out, "cuts", m.cuts, "  ", "- ");
   out << "\nground:\n  position: [-20, -20, 8]\n  script:\n";

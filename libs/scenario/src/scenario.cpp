@@ -83,12 +83,20 @@ void check_degrees(const Reader& uavs, const Scenario& scenario) {
   }
 }
 
+std::optional<SeparationSpec> read_separation(const Reader& reader) {
+  if (!reader.present()) return std::nullopt;
+  reader.keys({"merge"});
+  const Reader merge = reader.optional("merge");
+  if (merge.boolean(false)) merge.error("no UAV merges its ways yet", "merge: false");
+  return SeparationSpec{false};
+}
+
 void read_all(const Reader& reader, const std::string& folder, Diagnostics& diagnostics,
               Scenario& scenario) {
   if (!reader.present()) reader.error("nothing", "a scenario");
   if (!reader.keys({"scenario", "epoch", "duration_limit", "rate", "seed", "world", "uavs", "radio",
-                    "ground", "planning", "interaction", "team", "faults", "variations",
-                    "expect"})) {
+                    "ground", "planning", "interaction", "team", "separation", "faults",
+                    "variations", "expect"})) {
     return;
   }
   scenario.name = reader.required("scenario").text();
@@ -103,6 +111,7 @@ void read_all(const Reader& reader, const std::string& folder, Diagnostics& diag
   scenario.planning = read_planning(reader.optional("planning"), folder, names);
   scenario.interaction = read_interaction(reader.optional("interaction"), folder, diagnostics);
   scenario.team = read_team(reader.optional("team"), names, scenario.seed);
+  scenario.separation = read_separation(reader.optional("separation"));
   check_degrees(reader.required("uavs"), scenario);
   read_ground(reader.required("ground"), scenario);
   weigh_devices(reader.required("uavs"), scenario);

@@ -33,7 +33,8 @@ struct Options {
   std::string seeds = "1..100";
   std::vector<std::string> files, without;
   std::string save;
-  bool clean = false, deaths = false, team = false, json = false, minimise = false, verbose = false;
+  bool clean = false, deaths = false, team = false, crossing = false, json = false,
+       minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -56,6 +57,7 @@ Kinds kinds_of(const Options& options) {
 }
 
 Mission drawn(std::uint64_t seed, const Options& options) {
+  if (options.crossing) return generate_crossing(seed, kinds_of(options));
   return options.team ? generate_team(seed, kinds_of(options)) : generate(seed, kinds_of(options));
 }
 
@@ -155,6 +157,7 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--deaths", options.deaths,
                "daemons die in them, up to three times, and come back with what they knew");
   app.add_flag("--team", options.team, "teams at degree 5 with a global mission");
+  app.add_flag("--crossing", options.crossing, "teams at degree 4 whose ways cross");
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")
       ->check(CLI::IsMember({"faults", "air", "deadlines", "changes", "degrees", "radio", "energy",

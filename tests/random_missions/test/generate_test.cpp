@@ -46,6 +46,20 @@ TEST(Generate, DeathsOfDaemonsAreAddedToTheSameMission) {
     EXPECT_NE(daemons.find(daemon), std::string::npos) << daemon;
 }
 
+TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
+  int shared = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Mission mission = generate_crossing(seed, {});
+    EXPECT_THAT(problems_of(to_yaml(mission, "..")), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(to_yaml(generate_crossing(seed, {}), ".."), to_yaml(mission, ".."));
+    EXPECT_THAT(to_yaml(mission, ".."), HasSubstr("separation: {merge: false}"));
+    ASSERT_GE(mission.team.size(), 2U);
+    ASSERT_LE(mission.team.size(), 8U);
+    shared += mission.shared_pads;
+  }
+  EXPECT_GT(shared, 10);
+}
+
 TEST(Generate, SomeMissionsAskTwoUavsForOneJointTask) {
   int joint = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {

@@ -31,5 +31,8 @@ Mission generate(std::uint64_t seed, const Kinds& kinds);
 /// Likewise a team at degree 5 that is given a global mission; of the kinds, radio, deaths, degrees
 /// and faults count.
 Mission generate_team(std::uint64_t seed, const Kinds& kinds);
+/// Likewise two to eight UAVs at degree 4 whose ways cross, with wind, some from shared pads; of
+/// the kinds, radio counts.
+Mission generate_crossing(std::uint64_t seed, const Kinds& kinds);
 
 }  // namespace skein::mission_lab

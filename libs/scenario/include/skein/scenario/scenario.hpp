@@ -149,6 +149,12 @@ struct PlanningSpec {
   std::map<std::string, executive::TaskId> first_ids;
 };
 
+/// Ways that do not cross. That the key is there asks for separation to be judged; `merge`, that
+/// UAVs reserve the air of their ways before they fly them. Source: spec 6.4.
+struct SeparationSpec {
+  bool merge = true;
+};
+
 /// Bounds of what is drawn from the seed at each run; what is absent stays as written.
 struct Variations {
   struct Range {
@@ -179,7 +185,8 @@ struct Scenario {
   std::optional<PlanningSpec> planning;
   /// Models of joint tasks; null: there are none.
   std::shared_ptr<const interaction::Library> interaction;
-  std::optional<team::Config> team;  ///< who shares out global missions; absent: nobody
+  std::optional<team::Config> team;          ///< who shares out global missions; absent: nobody
+  std::optional<SeparationSpec> separation;  ///< absent: nobody asks for it
   Variations variations;
   std::vector<Expectation> expectations;
 

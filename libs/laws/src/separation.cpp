@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+// UAVs in the air keep apart, by where they really were.
+#include "skein/world/separation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "checks.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+constexpr int kParts = 10;  // of the second between two samples
+
+// A vehicle that comes down by itself asks nobody.
+bool out_of_control(const Uav& uav, double at) {
+  return uav.had_fault("engine", at) ||
+         std::any_of(uav.activities.begin(), uav.activities.end(), [&](const Activity& one) {
+           return one.until <= at &&
+                  (one.reason == "engine failure" || one.reason == "energy used up");
+         });
+}
+
+struct Encounter {
+  double share = kNever, at = 0;
+  world::Vector3 apart = world::Vector3::Zero();
+};
+
+// From when they are too near until they are apart again: the nearest of it.
+class Watch {
+ public:
+  Watch(const Uav& first, const Uav& second, std::vector<Violation>& result)
+      : first_(first),
+        second_(second),
+        both_(world::separation_share(first.spec->model) +
+              world::separation_share(second.spec->model)),
+        result_(result) {}
+
+  void see(double at) {
+    const auto one = first_.at(at), other = second_.at(at);
+    const bool fly = one && other && one->airborne && other->airborne;
+    if (!fly || out_of_control(first_, at) || out_of_control(second_, at)) return end();
+    const double share = world::kept_share(both_, one->position, other->position);
+    if (share >= 1) return end();
+    if (share < nearest_.share) nearest_ = {share, at, one->position - other->position};
+  }
+
+  void end() {
+    if (nearest_.share == kNever) return;
+    result_.push_back({"", nearest_.at, first_.name(), 0,
+                       figure(nearest_.apart.head<2>().norm()) + " m level and " +
+                           figure(std::abs(nearest_.apart.z())) + " m in height from " +
+                           second_.name() + ", which is to be " + figure(both_.level) + " or " +
+                           figure(both_.height)});
+    nearest_ = {};
+  }
+
+ private:
+  const Uav& first_;
+  const Uav& second_;
+  world::Separation both_;
+  std::vector<Violation>& result_;
+  Encounter nearest_;
+};
+
+}  // namespace
+
+std::vector<Violation> too_near_in_the_air(const History& history) {
+  std::vector<Violation> result;
+  if (!history.scenario->separation) return result;
+  for (auto a = history.uavs.begin(); a != history.uavs.end(); ++a) {
+    for (auto b = std::next(a); b != history.uavs.end(); ++b) {
+      Watch watch(a->second, b->second, result);
+      for (const Sample& sample : a->second.samples) {
+        for (int i = 0; i < kParts; ++i) watch.see(sample.at + static_cast<double>(i) / kParts);
+      }
+      watch.end();
+    }
+  }
+  return result;
+}
+
+}  // namespace skein::laws

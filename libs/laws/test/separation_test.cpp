@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// UAVs in the air keep the separation of their models, where the scenario asks for it. Marvin and
+// Heliv: 1.6 and 6.8 m level, 2.3 and 4.9 m in height.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/story.hpp"
+
+namespace skein::laws::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using world::Vector3;
+
+Story asked() {
+  return Story("", "    - {step: end, when: {time: 1999}, do: [{finish: true}]}\nseparation: {}\n");
+}
+
+TEST(SeparationLaw, WaysThatCrossAtOneInstantBreakItBetweenSamplesToo) {
+  Story story = asked();
+  story.flies("marvin", 0, 9, {0, 50, 40}, {126, 50, 40});
+  story.flies("heliv", 0, 9, {63, -13, 40}, {63, 113, 40});
+
+  EXPECT_THAT(story.broken("separation"),
+              ElementsAre(HasSubstr("0.0 m level and 0.0 m in height")));
+}
+
+TEST(SeparationLaw, OneAfterTheOtherIsFine) {
+  Story story = asked();
+  story.flies("marvin", 0, 9, {0, 50, 40}, {126, 50, 40});
+  story.flies("heliv", 6, 15, {63, -13, 40}, {63, 113, 40});
+
+  EXPECT_THAT(story.broken("separation"), IsEmpty());
+}
+
+TEST(SeparationLaw, OneOverTheOtherIsFine) {
+  Story story = asked();
+  story.stands("marvin", 0, 20, {50, 50, 40}).stands("heliv", 0, 20, {50, 50, 47.5});
+
+  EXPECT_THAT(story.broken("separation"), IsEmpty());
+}
+
+TEST(SeparationLaw, OnTheGroundNobodyIsTooNear) {
+  Story story = asked();
+  story.stands("marvin", 0, 20, {50, 50, 0}).stands("heliv", 0, 20, {50, 52, 3});
+
+  EXPECT_THAT(story.broken("separation"), IsEmpty());
+}
+
+TEST(SeparationLaw, WhoFallsIsExcused) {
+  Story story = asked();
+  story.stands("marvin", 0, 20, {50, 50, 40}).stands("heliv", 0, 20, {50, 52, 42});
+  story.fault(0, "engine", "heliv");
+
+  EXPECT_THAT(story.broken("separation"), IsEmpty());
+}
+
+TEST(SeparationLaw, WhereNobodyAsksNothingIsJudged) {
+  Story story;
+  story.stands("marvin", 0, 20, {50, 50, 40}).stands("heliv", 0, 20, {50, 50, 40});
+
+  EXPECT_THAT(story.broken("separation"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace skein::laws::testing

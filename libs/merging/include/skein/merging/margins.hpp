@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much air a vehicle takes around what it means to fly.
+#pragma once
+
+#include "skein/world/vehicle_model.hpp"
+#include "skein/world/wind.hpp"
+
+namespace skein::merging {
+
+/// Distances from what is meant [m], each with half of the separation that two vehicles keep
+/// (world::separation_share): where volumes of two do not overlap, they keep all of it.
+struct Margins {
+  bool hovers = true;
+  double hold = 0;     ///< level, around a place where it holds or circles, rises or lands
+  double way = 0;      ///< level, around a line it flies along, and may stop on
+  double settled = 0;  ///< it is this near [m] to where it holds: `hold` is enough
+  double level = 0;    ///< in height, where it flies level or holds
+  double slope = 0;    ///< in height, where its way rises or falls
+  double stretch = 0;  ///< longest piece [m] of a way without a way-point, > 0: wind carries it off
+};
+
+/// At a speed through the air [m/s]. Wind: its mean and three deviations of its gusts count.
+/// The figures follow how a vehicle is steered at a point and not along a line; tests/corridor
+/// flies the simulator's vehicles against them.
+Margins margins_of(const world::VehicleModel& model, const world::Wind& wind, double speed);
+
+}  // namespace skein::merging

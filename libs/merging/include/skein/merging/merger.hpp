@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// One UAV's part in merging ways.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "skein/foundation/time.hpp"
+#include "skein/merging/message.hpp"
+
+namespace skein::merging {
+
+// ---- inputs ----
+
+/// A message of another member.
+struct Heard {
+  std::string from;
+  Message message;
+};
+/// Whether another member can be spoken to; until told, it can.
+struct InReach {
+  std::string peer;
+  bool reachable = true;
+};
+/// It wants one of these, the first that it can have; before, it wants something else or nothing.
+/// Each is taken as a whole, in addition to what it holds.
+struct Want {
+  std::vector<Volumes> choices;
+};
+/// It wants nothing any more.
+struct Withdraw {};
+/// What it holds from now on: no more than it was granted, or where it is anyway.
+struct Hold {
+  Volumes volumes;
+};
+/// Time passes.
+struct Tick {};
+using Input = std::variant<Heard, InReach, Want, Withdraw, Hold, Tick>;
+
+// ---- effects, in their order ----
+
+struct Tell {
+  std::string to;
+  Message message;
+};
+/// It has this choice of what it wanted, and wants nothing more. It stays so whatever becomes of
+/// the radio, until it holds less.
+struct Granted {
+  std::size_t choice = 0;
+};
+/// It waits, for these, when that is not as it was.
+struct Waits {
+  struct Why {
+    std::string peer;
+    std::string why;  ///< "to leave", "to answer: it is out of reach", …
+    bool operator==(const Why&) const = default;
+  };
+  std::vector<Why> whys;
+};
+/// They wait for each other in a circle, and it is this one that has to get out of the way: it
+/// wants something else, and then what it wanted again.
+struct MoveAside {
+  std::vector<std::string> circle;  ///< from itself on
+};
+using Effect = std::variant<Tell, Granted, Waits, MoveAside>;
+using Effects = std::vector<Effect>;
+
+struct Limits {
+  Duration patience = Duration::milliseconds(2'000);  ///< for an answer
+  Duration repeat = Duration::milliseconds(300);      ///< who has not answered is asked again
+  Duration again = Duration::milliseconds(250);       ///< after a refusal
+  Duration beat = Duration::milliseconds(1'000);      ///< what is held or wanted is said again
+  Duration circle = Duration::milliseconds(400);      ///< a circle is one when it has stood so long
+  Duration next = Duration::milliseconds(4'000);      ///< until the next of a circle has to move
+};
+
+/// Reserves air so that no two members ever have the same. In every pair of members the earlier in
+/// the roster decides between the two: it takes what it has not granted the later, and grants the
+/// later what it neither has nor asks for; the later asks it. A way is taken as a whole or not at
+/// all, and what has been refused by one is given back to all, so nobody waits with half of
+/// something: who flies never waits, and only those who stay somewhere can wait in a circle.
+///
+/// Holds for any delay, loss, order and repetition of messages, and for any cuts: what is held, and
+/// what was granted the later, changes by the word of its owner only. A cut between two keeps the
+/// later from new ways (what it has it keeps), never the earlier. A member that comes back without
+/// what it knew takes nothing until all have told what they have. One that never comes at all is
+/// waited for.
+///
+/// `now` never decreases. Deterministic. Cost of an input: O(volumes held × volumes wanted).
+/// Source: I III.B.3 (Alami et al. 1995, 1997: plan merging); the mutual exclusion is by pairs, not
+/// by a token, so that it outlives cuts. docs/decisions/0019-plan-merging.md.
+class Merger {
+ public:
+  /// Precondition: `self` is in `members`, nobody is twice; the same roster for all.
+  Merger(std::vector<std::string> members, const std::string& self, Limits limits = {});
+
+  Effects handle(const Input& input, MissionTime now);
+  std::optional<MissionTime> next_wakeup() const;
+
+  const Volumes& held() const { return held_; }
+  bool waits() const { return !choices_.empty(); }
+  /// What others hold, were granted, or want (with a request or not), as far as it knows.
+  Volumes others() const;
+  /// The same of what they hold or were granted.
+  bool is_free(const Volumes& volumes) const;
+
+ private:
+  struct Peer {
+    bool earlier = false;  ///< it decides
+    bool reachable = true;
+    bool heard = false;
+    std::uint64_t number = 0;  ///< of its last message
+    Claim claim;
+    std::uint64_t answered = 0;  ///< the last of its requests that was answered
+    bool granted = false;
+    bool agreed = false;  ///< to the request that is open
+  };
+
+  void on(const Heard& heard);
+  void on(const InReach& reach);
+  void on(const Want& want);
+  void on(const Withdraw&);
+  void on(const Hold& hold);
+  void on(const Tick&) {}
+  void answer(Peer& peer);
+  void advance();
+  bool ask();
+  void close(Duration pause);
+  void grant();
+  std::vector<Waits::Why> whys() const;
+  void say_waits();
+  void look_for_circle();
+  std::vector<std::string> circle() const;
+  bool has(const Peer& peer, const Volumes& volumes) const;
+  bool asks_for(const Peer& peer, const Volumes& volumes) const;
+  void tell(const std::string& name, bool asks);
+  void tell_all();
+  void ask_again();
+  Claim claim() const;
+
+  std::vector<std::string> members_;
+  std::string self_;
+  std::size_t place_ = 0;
+  Limits limits_;
+  std::map<std::string, Peer> peers_;
+
+  Volumes held_;
+  std::vector<Volumes> choices_;
+  std::uint64_t request_ = 0, last_request_ = 0;
+  std::size_t choice_ = 0;        ///< that it asks for
+  MissionTime deadline_;          ///< of the request
+  MissionTime pause_;             ///< it asks for nothing before
+  std::vector<Waits::Why> told_;  ///< why it waits
+  std::optional<MissionTime> circle_since_;
+  MissionTime moved_aside_;  ///< it is not asked to again before
+
+  bool changed_ = false;  ///< what it claims, since it was told
+  std::uint64_t number_ = 0;
+  MissionTime now_, said_, asked_;
+  Effects out_;
+};
+
+}  // namespace skein::merging

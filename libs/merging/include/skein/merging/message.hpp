@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// What UAVs that merge their ways tell each other.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "skein/merging/volume.hpp"
+
+namespace skein::merging {
+
+/// What one has and wants, whole: whoever hears the last needs none before.
+struct Claim {
+  Volumes held;                        ///< nobody else may be there
+  std::uint64_t request = 0;           ///< rises; 0: it asks for nothing now
+  Volumes wanted;                      ///< with a request: that; without: what it would ask for
+  std::vector<std::string> waits_for;  ///< who has what it wants
+  bool operator==(const Claim&) const = default;
+};
+
+/// From one to another.
+struct Message {
+  std::uint64_t number = 0;  ///< rises, over restarts too: an older one is not heard after a newer
+  Claim claim;
+  std::uint64_t answered = 0;  ///< the last request of the receiver's that was answered; 0: none
+  bool granted = false;
+  bool asks = false;  ///< to be answered by a message
+  bool operator==(const Message&) const = default;
+};
+
+}  // namespace skein::merging

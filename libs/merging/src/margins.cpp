@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/merging/margins.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/world/separation.hpp"
+
+namespace skein::merging {
+
+namespace {
+
+constexpr double kStretch = 50;        // [m]
+constexpr double kPositionGain = 0.5;  // [1/s] of steering at a point
+constexpr double kMargin = 1.5;        // [m] for what is overshot
+
+/// How far beyond a bend a vehicle is carried [m], at the worst bend: it takes it at the speed
+/// v (1 + cos) / 2 and turns what of that is across with all of its acceleration.
+double carried_at_bends(const world::VehicleModel& model, double speed) {
+  constexpr double kWorst = 0.42;  // of ((1 + cos) / 2 · sin)²
+  return kWorst * speed * speed / (2 * model.acceleration);
+}
+
+/// Who steers at the point ahead in a side wind is carried off the line by w/v · L/e at the most.
+double carried_by_wind(double drift, double speed) { return 0.37 * kStretch * drift / speed; }
+
+}  // namespace
+
+Margins margins_of(const world::VehicleModel& model, const world::Wind& wind, double speed) {
+  const world::Separation share = world::separation_share(model);
+  const double spread = world::tracking_spread(model);
+  const double drift = model.wind_drift * (wind.speed + 3 * wind.gusts);
+  // Errors are cut at two deviations of each of two axes; in height half as large.
+  // Who circles overshoots its height and its circle when it begins to.
+  const double overshoots = model.hovers ? kMargin : 2 * kMargin;
+  const double wavers = 2 * std::sqrt(2.0) * spread + overshoots;
+  const double wavers_up = spread + overshoots;
+  const double reached = 1 + 3 * spread + (model.hovers ? drift / kPositionGain : 0);
+  Margins margins;
+  margins.hovers = model.hovers;
+  margins.stretch = kStretch;
+  margins.level = wavers_up + share.height;
+  margins.slope = reached + wavers_up + share.height;
+  if (model.hovers) {
+    const double held = drift / kPositionGain;
+    margins.settled = wavers + held;
+    margins.hold = wavers + held + share.level;
+    margins.way = std::max(reached, carried_at_bends(model, speed)) +
+                  carried_by_wind(drift, speed) + wavers + held + share.level;
+  } else {
+    const double circle = model.orbit_radius + 2 * drift;
+    margins.settled = circle + wavers;
+    margins.hold = 1.6 * circle + wavers + share.level;
+    margins.way = 1.1 * circle + 3 * model.min_turn_radius + carried_by_wind(drift, speed) +
+                  wavers + reached + share.level;
+  }
+  return margins;
+}
+
+}  // namespace skein::merging

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/merging/merger.hpp"
+
+#include <algorithm>
+
+#include "skein/foundation/contract.hpp"
+
+namespace skein::merging {
+
+namespace {
+
+constexpr const char* kToLeave = "to leave";
+constexpr const char* kToBeAnswered = "to be answered itself";
+
+/// Numbers go on rising in the life after one that is forgotten.
+std::uint64_t milliseconds(MissionTime now) {
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(now.count(), 0)) / 1'000'000;
+}
+
+}  // namespace
+
+Merger::Merger(std::vector<std::string> members, const std::string& self, Limits limits)
+    : members_(std::move(members)), self_(self), limits_(limits) {
+  const auto at = std::find(members_.begin(), members_.end(), self_);
+  SKEIN_EXPECTS(at != members_.end());
+  place_ = static_cast<std::size_t>(at - members_.begin());
+  for (std::size_t i = 0; i < members_.size(); ++i) {
+    if (i != place_) peers_[members_[i]].earlier = i < place_;
+  }
+}
+
+Effects Merger::handle(const Input& input, MissionTime now) {
+  now_ = now;
+  out_.clear();
+  std::visit([this](const auto& one) { on(one); }, input);
+  advance();
+  const bool says = !held_.empty() || waits();
+  if (changed_ || (says && now_ >= said_ + limits_.beat)) tell_all();
+  if (request_ != 0 && now_ >= asked_ + limits_.repeat) ask_again();
+  return std::move(out_);
+}
+
+std::optional<MissionTime> Merger::next_wakeup() const {
+  std::optional<MissionTime> next;
+  if (!held_.empty() || waits()) next = said_ + limits_.beat;
+  if (request_ != 0) return earliest(next, std::min(deadline_, asked_ + limits_.repeat));
+  if (!waits()) return next;
+  if (pause_ > now_) next = earliest(next, pause_);
+  if (circle_since_) next = earliest(next, std::max(now_, *circle_since_) + limits_.circle);
+  return next;
+}
+
+// ---- what comes in ----
+
+void Merger::on(const Heard& heard) {
+  const auto found = peers_.find(heard.from);
+  if (found == peers_.end()) return;
+  Peer& peer = found->second;
+  const Message& message = heard.message;
+  if (message.number <= peer.number) return;
+  const bool is_new = !peer.heard;
+  peer.number = message.number;
+  peer.heard = true;
+  peer.claim = message.claim;
+  const bool answers = peer.earlier && request_ != 0 && message.answered == request_;
+  if (answers && message.granted) peer.agreed = true;
+  if (answers && !message.granted) close(limits_.again);
+  answer(peer);
+  if (is_new || message.asks) tell(heard.from, false);
+}
+
+/// Between this and a later one: yes to what this one neither has nor asks for. Said once for each
+/// request, since who is refused gives the request up.
+void Merger::answer(Peer& peer) {
+  const std::uint64_t request = peer.claim.request;
+  if (peer.earlier || request == 0 || request == peer.answered) return;
+  const bool mine = overlap(held_, peer.claim.wanted) ||
+                    (request_ != 0 && overlap(choices_[choice_], peer.claim.wanted));
+  peer.answered = request;
+  peer.granted = !mine;
+}
+
+void Merger::on(const InReach& reach) {
+  const auto found = peers_.find(reach.peer);
+  if (found == peers_.end()) return;
+  const bool back = reach.reachable && !found->second.reachable;
+  found->second.reachable = reach.reachable;
+  if (back || (reach.reachable && !found->second.heard)) tell(reach.peer, true);
+}
+
+void Merger::on(const Want& want) {
+  on(Withdraw{});
+  choices_ = want.choices;
+  pause_ = now_;
+  changed_ = true;
+}
+
+void Merger::on(const Withdraw&) {
+  if (request_ != 0) close(Duration());
+  if (waits()) changed_ = true;
+  choices_.clear();
+  told_.clear();
+  circle_since_.reset();
+}
+
+void Merger::on(const Hold& hold) {
+  if (held_ == hold.volumes) return;
+  held_ = hold.volumes;
+  changed_ = true;
+}
+
+// ---- what it wants ----
+
+bool Merger::has(const Peer& peer, const Volumes& volumes) const {
+  if (overlap(volumes, peer.claim.held)) return true;
+  const bool granted = !peer.earlier && peer.granted && peer.claim.request != 0 &&
+                       peer.answered == peer.claim.request;
+  return granted && overlap(volumes, peer.claim.wanted);
+}
+
+bool Merger::asks_for(const Peer& peer, const Volumes& volumes) const {
+  return peer.earlier && peer.claim.request != 0 && overlap(volumes, peer.claim.wanted);
+}
+
+bool Merger::is_free(const Volumes& volumes) const {
+  return std::none_of(peers_.begin(), peers_.end(),
+                      [&](const auto& one) { return has(one.second, volumes); });
+}
+
+Volumes Merger::others() const {
+  Volumes all;
+  for (const auto& [name, peer] : peers_) {
+    all.insert(all.end(), peer.claim.held.begin(), peer.claim.held.end());
+    all.insert(all.end(), peer.claim.wanted.begin(), peer.claim.wanted.end());
+  }
+  return all;
+}
+
+void Merger::advance() {
+  if (!waits()) return;
+  if (request_ != 0) {
+    const bool all = std::all_of(peers_.begin(), peers_.end(), [](const auto& one) {
+      return !one.second.earlier || one.second.agreed;
+    });
+    if (all) return grant();
+    if (now_ < deadline_) return;
+    close(limits_.patience);
+  }
+  if (now_ >= pause_ && ask()) return;
+  say_waits();
+  look_for_circle();
+}
+
+/// Asks for the first choice that nobody it knows of has; at once granted where nobody is earlier.
+bool Merger::ask() {
+  const bool possible = std::all_of(peers_.begin(), peers_.end(), [](const auto& one) {
+    return one.second.heard && (!one.second.earlier || one.second.reachable);
+  });
+  if (!possible) return false;
+  for (choice_ = 0; choice_ < choices_.size(); ++choice_) {
+    const Volumes& volumes = choices_[choice_];
+    const bool free = std::none_of(peers_.begin(), peers_.end(), [&](const auto& one) {
+      return has(one.second, volumes) || asks_for(one.second, volumes);
+    });
+    if (free) break;
+  }
+  if (choice_ == choices_.size()) return false;
+  if (place_ == 0) {
+    grant();
+    return true;
+  }
+  request_ = last_request_ = std::max(last_request_ + 1, milliseconds(now_));
+  deadline_ = now_ + limits_.patience;
+  for (auto& [name, peer] : peers_) peer.agreed = false;
+  changed_ = true;
+  return true;
+}
+
+/// The request is given up, by all who have granted it too: they hear that there is none.
+void Merger::close(Duration pause) {
+  request_ = 0;
+  pause_ = now_ + pause;
+  changed_ = true;
+}
+
+void Merger::grant() {
+  const Volumes& volumes = choices_[choice_];
+  held_.insert(held_.end(), volumes.begin(), volumes.end());
+  request_ = 0;
+  choices_.clear();
+  told_.clear();
+  circle_since_.reset();
+  changed_ = true;
+  out_.push_back(Granted{choice_});
+}
+
+// ---- what it waits for ----
+
+std::vector<Waits::Why> Merger::whys() const {
+  std::vector<Waits::Why> result;
+  const Volumes& first = choices_.front();
+  for (const auto& [name, peer] : peers_) {
+    if (has(peer, first)) {
+      result.push_back({name, kToLeave});
+    } else if (!peer.heard || (peer.earlier && !peer.reachable)) {
+      result.push_back({name, peer.reachable ? "to tell what it has" : "to come into reach"});
+    } else if (asks_for(peer, first)) {
+      result.push_back({name, kToBeAnswered});
+    }
+  }
+  return result;
+}
+
+void Merger::say_waits() {
+  const std::vector<Waits::Why> now = whys();
+  if (now == told_ || now.empty()) return;
+  told_ = now;
+  changed_ = true;
+  out_.push_back(Waits{now});
+}
+
+/// From itself along who waits for whom, back to itself; empty: there is none.
+std::vector<std::string> Merger::circle() const {
+  std::vector<std::string> way;
+  std::map<std::string, bool> seen;
+  const auto walk = [&](const auto& self, const std::string& name,
+                        const std::vector<std::string>& next) -> bool {
+    way.push_back(name);
+    for (const std::string& one : next) {
+      if (one == self_) return true;
+      const auto peer = peers_.find(one);
+      if (peer == peers_.end() || seen[one]) continue;
+      seen[one] = true;
+      if (self(self, one, peer->second.claim.waits_for)) return true;
+    }
+    way.pop_back();
+    return false;
+  };
+  walk(walk, self_, claim().waits_for);
+  return way;
+}
+
+/// The last of the roster has to move first; when that does not help, the one before.
+void Merger::look_for_circle() {
+  const std::vector<std::string> found = circle();
+  if (found.empty()) return circle_since_.reset();
+  if (!circle_since_) circle_since_ = now_;
+  std::int64_t later = 0;
+  for (const std::string& one : found) {
+    const auto peer = peers_.find(one);
+    if (peer != peers_.end() && !peer->second.earlier) ++later;
+  }
+  const Duration patience = limits_.circle + Duration::nanoseconds(later * limits_.next.count());
+  if (now_ < *circle_since_ + patience || now_ < moved_aside_) return;
+  moved_aside_ = now_ + limits_.next;
+  out_.push_back(MoveAside{found});
+}
+
+// ---- what it says ----
+
+Claim Merger::claim() const {
+  Claim claim{held_, request_, {}, {}};
+  if (!waits()) return claim;
+  claim.wanted = choices_[request_ != 0 ? choice_ : 0];
+  for (const Waits::Why& why : told_) {
+    if (why.why == kToLeave) claim.waits_for.push_back(why.peer);
+  }
+  return claim;
+}
+
+void Merger::tell(const std::string& name, bool asks) {
+  const Peer& peer = peers_.at(name);
+  if (!peer.reachable) return;
+  number_ = std::max(number_ + 1, milliseconds(now_));
+  out_.push_back(Tell{name, Message{number_, claim(), peer.answered, peer.granted, asks}});
+}
+
+void Merger::tell_all() {
+  changed_ = false;
+  said_ = asked_ = now_;
+  // Whoever has left may have said so when it was not heard, and says no more.
+  for (const auto& [name, peer] : peers_) tell(name, waits());
+}
+
+void Merger::ask_again() {
+  asked_ = now_;
+  for (const auto& [name, peer] : peers_) {
+    if (peer.earlier && !peer.agreed) tell(name, true);
+  }
+}
+
+}  // namespace skein::merging

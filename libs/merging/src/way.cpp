@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/merging/way.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "skein/foundation/contract.hpp"
+
+namespace skein::merging {
+
+namespace {
+
+using world::Vector3;
+
+constexpr double kNear = 10;    // [m] a bend is taken within it, or half of what the way takes
+constexpr double kLevel = 0.5;  // [m] of height that a level piece may gain
+
+std::vector<Vector3> stretched(const std::vector<Vector3>& points, double longest) {
+  std::vector<Vector3> result{points.front()};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Vector3 from = points[i - 1], along = points[i] - from;
+    const double pieces = std::max(1.0, std::ceil(along.head<2>().norm() / longest));
+    for (double n = 1; n <= pieces; ++n) result.push_back(from + n / pieces * along);
+  }
+  return result;
+}
+
+bool slopes(const Vector3& from, const Vector3& to) { return std::abs(from.z() - to.z()) > kLevel; }
+
+}  // namespace
+
+Volume stay_at(const Vector3& place, const Margins& margins) {
+  return column(place.head<2>(), place.z(), place.z(), margins);
+}
+
+Volume column(const world::Vector2& place, double low, double high, const Margins& margins) {
+  return {place, place, margins.hold, low - margins.level, high + margins.level};
+}
+
+Way::Way(const std::vector<Vector3>& points, const Margins& margins)
+    : hovers_(margins.hovers), near_(std::max(kNear, margins.way / 2)) {
+  SKEIN_EXPECTS(points.size() >= 2);
+  points_ = stretched(points, margins.stretch);
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    const Vector3 &from = points_[i - 1], &to = points_[i];
+    // A bend is taken before it is reached, so a slope goes on into the pieces beside it.
+    const bool steep = slopes(from, to) || (i >= 2 && slopes(points_[i - 2], from)) ||
+                       (i + 1 < points_.size() && slopes(to, points_[i + 1]));
+    const double height = steep ? margins.slope : margins.level;
+    volumes_.push_back({from.head<2>(), to.head<2>(), margins.way,
+                        std::min(from.z(), to.z()) - height, std::max(from.z(), to.z()) + height});
+  }
+  volumes_.push_back(stay_at(points_.back(), margins));
+}
+
+bool Way::passed(const Vector3& position) {
+  const std::size_t before = piece_;
+  while (hovers_ && piece_ + 2 < points_.size()) {
+    const Vector3 along = points_[piece_ + 1] - points_[piece_];
+    const Vector3 off = position - points_[piece_ + 1];
+    if (off.norm() > near_ && off.dot(along) < 0) break;
+    ++piece_;
+  }
+  return piece_ != before;
+}
+
+Volumes Way::left() const {
+  const std::size_t first = piece_ == 0 ? 0 : piece_ - 1;
+  return {volumes_.begin() + static_cast<std::ptrdiff_t>(first), volumes_.end()};
+}
+
+}  // namespace skein::merging

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nobody has the same air as another, whatever the radio does, and nobody waits for ever for one
+// that leaves.
+#include "skein/merging/merger.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "testing/net.hpp"
+
+namespace skein::merging {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::Net;
+using testing::Radio;
+
+const std::string kA = "a", kB = "b", kC = "c";
+
+/// A stretch of one street, 10 m wide.
+Volume stretch(double from, double to) { return {{from, 0}, {to, 0}, 5, 30, 50}; }
+Volume place(double at) { return stretch(at, at); }
+
+void expect_why(const Net& net, const std::string& who, const std::string& peer,
+                const std::string& why) {
+  EXPECT_THAT(net.whys(who), ElementsAre(Waits::Why{peer, why}));
+}
+
+TEST(Merger, FreeAirIsHadWithinTwoMessages) {
+  Net net({kA, kB, kC});
+  net.run_for(0.1);
+  net.wants(kC, {{stretch(0, 100)}});
+  net.run_for(0.06);
+  EXPECT_TRUE(net.has_what_it_wanted(kC));
+}
+
+TEST(Merger, WhoComesSecondWaitsUntilTheFirstHasLeft) {
+  for (const auto& [first, second] : {std::pair(kA, kB), std::pair(kB, kA)}) {
+    Net net({kA, kB});
+    net.run_for(0.1);
+    net.wants(first, {{stretch(0, 50), stretch(50, 100)}});
+    net.run_for(0.5);
+    net.wants(second, {{stretch(20, 30)}});
+    net.run_for(5);
+    EXPECT_TRUE(net.has_what_it_wanted(first));
+    EXPECT_FALSE(net.has_what_it_wanted(second));
+    expect_why(net, second, first, "to leave");
+
+    net.give(first, Hold{{stretch(50, 100)}});
+    net.run_for(0.5);
+    EXPECT_TRUE(net.has_what_it_wanted(second)) << second;
+  }
+}
+
+TEST(Merger, OfThoseWhoAskAtOnceOneHasIt) {
+  for (int seed = 1; seed < 50; ++seed) {
+    Net net({kA, kB, kC}, {0.02, 0.2}, static_cast<std::uint64_t>(seed));
+    net.run_for(1);
+    for (const auto& name : {kC, kB, kA}) net.wants(name, {{stretch(0, 100)}});
+    net.run_for(5);
+    int have = 0;
+    for (const auto& name : {kA, kB, kC}) have += net.has_what_it_wanted(name) ? 1 : 0;
+    EXPECT_EQ(have, 1);
+    EXPECT_EQ(net.both(), "");
+  }
+}
+
+TEST(Merger, TheFirstChoiceThatIsFreeIsTaken) {
+  Net net({kA, kB});
+  net.stands(kA, place(10));
+  net.run_for(0.1);
+  net.wants(kB, {{stretch(0, 20)}, {stretch(100, 120)}, {stretch(200, 220)}});
+  net.run_for(0.5);
+  ASSERT_TRUE(net.has_what_it_wanted(kB));
+  EXPECT_EQ(net.choice_of(kB), 1U);
+}
+
+TEST(Merger, ThreeInARowLeaveNobodyWaitingForTwo) {
+  Net net({kA, kB, kC});
+  net.stands(kA, place(0));
+  net.stands(kB, place(50));
+  net.run_for(0.1);
+  net.wants(kC, {{stretch(0, 50)}});
+  net.run_for(3);
+  EXPECT_EQ(net.whys(kC).size(), 2U);
+  net.give(kA, Hold{});
+  net.give(kB, Hold{});
+  net.run_for(0.5);
+  EXPECT_TRUE(net.has_what_it_wanted(kC));
+}
+
+// ---- the radio ----
+
+TEST(Merger, ACutKeepsTheLaterFromNewAirAndTheEarlierFromNothing) {
+  Net net({kA, kB});
+  net.run_for(0.1);
+  net.wants(kB, {{stretch(0, 10)}});
+  net.run_for(0.5);
+  ASSERT_TRUE(net.has_what_it_wanted(kB));
+  net.cut(kA, kB);
+  net.wants(kB, {{stretch(100, 110)}});
+  net.wants(kA, {{stretch(200, 210)}});
+  net.run_for(10);
+  EXPECT_TRUE(net.has_what_it_wanted(kA));
+  EXPECT_FALSE(net.has_what_it_wanted(kB));
+  expect_why(net, kB, kA, "to come into reach");
+  EXPECT_FALSE(net.member(kB).held().empty()) << "what it has it keeps";
+
+  net.wants(kA, {{stretch(0, 10)}});
+  net.run_for(10);
+  EXPECT_FALSE(net.has_what_it_wanted(kA)) << "what the other has outlives the cut";
+
+  net.cut(kA, kB, false);
+  net.run_for(0.5);
+  EXPECT_TRUE(net.has_what_it_wanted(kB));
+}
+
+TEST(Merger, WhoForgotAsksBeforeItTakes) {
+  Net net({kA, kB});
+  net.run_for(0.1);
+  net.wants(kB, {{stretch(0, 10)}});
+  net.run_for(0.5);
+  ASSERT_TRUE(net.has_what_it_wanted(kB));
+  net.forget(kA);
+  net.wants(kA, {{stretch(5, 20)}});
+  net.run_for(5);
+  EXPECT_FALSE(net.has_what_it_wanted(kA));
+  EXPECT_EQ(net.both(), "");
+}
+
+// ---- circles ----
+
+TEST(Merger, OfTwoWhoWantEachOthersPlaceTheLaterIsAskedToMove) {
+  Net net({kA, kB});
+  net.stands(kA, place(0));
+  net.stands(kB, place(100));
+  net.run_for(0.1);
+  net.wants(kA, {{stretch(0, 100)}});
+  net.wants(kB, {{stretch(0, 100)}});
+  net.run_for(1);
+  EXPECT_THAT(net.asked_aside(), ElementsAre(kB));
+
+  net.wants(kB, {{{{100, 0}, {100, 30}, 5, 30, 50}}});  // aside
+  net.run_for(0.5);
+  ASSERT_TRUE(net.has_what_it_wanted(kB));
+  net.give(kB, Hold{{{{100, 30}, {100, 30}, 5, 30, 50}}});
+  net.wants(kB, {{stretch(0, 100)}});
+  net.run_for(0.5);
+  EXPECT_TRUE(net.has_what_it_wanted(kA));
+  EXPECT_EQ(net.both(), "");
+}
+
+TEST(Merger, WhenTheLaterCannotMoveTheOneBeforeIsAsked) {
+  Net net({kA, kB});
+  net.stands(kA, place(0));
+  net.stands(kB, place(100));
+  net.run_for(0.1);
+  net.wants(kA, {{stretch(0, 100)}});
+  net.wants(kB, {{stretch(0, 100)}});
+  net.run_for(6);
+  EXPECT_THAT(net.asked_aside(), ::testing::Contains(kA));
+}
+
+TEST(Merger, WaitingForOneThatOnlyStaysIsNoCircle) {
+  Net net({kA, kB});
+  net.stands(kA, place(0));
+  net.stands(kB, place(100));
+  net.run_for(0.1);
+  net.wants(kA, {{stretch(0, 100)}});
+  net.run_for(20);
+  EXPECT_THAT(net.asked_aside(), IsEmpty());
+}
+
+// ---- whatever happens ----
+
+Radio any_radio(Random& random) {
+  return {random.uniform(0.01, 0.3), random.uniform(0, 0.5), random.uniform(0, 0.4),
+          random.uniform(0, 0.3)};
+}
+
+// Members fly stretches of one street in random order, over a radio that does what it likes; who
+// has a stretch leaves it piece by piece. Nobody is in another's air at any instant; once the radio
+// works, everybody gets what it wants.
+RC_GTEST_PROP(MergerProperty, NobodyHasTheAirOfAnother, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  Random random(seed);
+  std::vector<std::string> names;
+  for (std::size_t i = 2 + random.below(4); i > 0; --i) names.push_back("u" + std::to_string(i));
+  Net net(names, any_radio(random), seed);
+  std::map<std::string, int> wanted, had;
+  for (int hundredths = 0; hundredths < 16'000; ++hundredths) {
+    net.step();
+    RC_ASSERT(net.both() == "");
+    const std::string& name = names[random.below(names.size())];
+    const std::string& peer = names[random.below(names.size())];
+    if (random.chance(0.002) && name != peer) net.cut(name, peer, hundredths < 8'000);
+    if (hundredths == 8'000) {
+      for (const auto& one : names) {
+        for (const auto& other : names)
+          if (one != other) net.cut(one, other, false);
+      }
+    }
+    if (random.chance(0.0005) && hundredths < 8'000) {
+      net.give(name, Withdraw{});
+      if (wanted[name] > had[name]) --wanted[name];
+    }
+    const bool idle = wanted[name] == had[name];
+    if (idle && net.member(name).held().empty() && hundredths < 8'000) {
+      const double from = random.uniform(0, 150), to = from + random.uniform(5, 60);
+      net.wants(name, {{stretch(from, (from + to) / 2), stretch((from + to) / 2, to)}});
+      ++wanted[name];
+    } else if (net.has_what_it_wanted(name) && random.chance(0.02)) {
+      const Volumes& held = net.member(name).held();
+      if (!held.empty()) net.give(name, Hold{{held.begin() + 1, held.end()}});
+      if (net.member(name).held().empty() && wanted[name] > had[name]) ++had[name];
+    }
+  }
+  RC_ASSERT(wanted == had);
+}
+
+TEST(Merger, SaysAllWithinTheBeatAndNoMore) {
+  Net net({kA, kB, kC});
+  net.stands(kA, place(0));
+  net.run_for(1);
+  const std::size_t before = net.messages();
+  net.run_for(60);
+  EXPECT_NEAR(static_cast<double>(net.messages() - before), 2 * 60, 10);
+}
+
+}  // namespace
+}  // namespace skein::merging

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// The air of a way, and what of it is left.
+#include "skein/merging/way.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "skein/foundation/random.hpp"
+
+namespace skein::merging {
+namespace {
+
+using world::Vector3;
+
+const Margins kHovers{true, 5, 8, 3, 2, 6, 50};
+
+bool is_in(const Volumes& volumes, const Vector3& at) {
+  return overlap(volumes, {{at.head<2>(), at.head<2>(), 1e-6, at.z() - 1e-6, at.z() + 1e-6}});
+}
+
+TEST(Way, LongPiecesGetWayPointsInBetween) {
+  const Way way({{0, 0, 40}, {120, 0, 40}}, kHovers);
+  ASSERT_EQ(way.points().size(), 4U);
+  EXPECT_TRUE(way.points()[1].isApprox(Vector3(40, 0, 40)));
+}
+
+TEST(Way, EndsByStaying) {
+  const Way way({{0, 0, 40}, {40, 0, 40}}, kHovers);
+  EXPECT_EQ(way.volumes().back(), stay_at({40, 0, 40}, kHovers));
+}
+
+TEST(Way, TakesMoreHeightWhereItRisesAndBesideThat) {
+  const Way way({{0, 0, 40}, {40, 0, 40}, {80, 0, 60}, {120, 0, 60}, {160, 0, 60}}, kHovers);
+  EXPECT_EQ(way.volumes()[0].floor, 34);
+  EXPECT_EQ(way.volumes()[1].floor, 34);
+  EXPECT_EQ(way.volumes()[1].ceiling, 66);
+  EXPECT_EQ(way.volumes()[2].ceiling, 66);
+  EXPECT_EQ(way.volumes()[3].ceiling, 62);
+}
+
+TEST(Way, IsLeftPieceByPieceWithOnePieceKeptBehind) {
+  Way way({{0, 0, 40}, {150, 0, 40}, {150, 100, 40}}, kHovers);
+  EXPECT_FALSE(way.passed({30, 2, 40}));
+  EXPECT_EQ(way.left().size(), way.volumes().size());
+  EXPECT_TRUE(way.passed({110, 2, 40}));
+  EXPECT_EQ(way.left().size(), way.volumes().size() - 1);
+  EXPECT_FALSE(is_in(way.left(), {20, 0, 40}));
+  EXPECT_TRUE(is_in(way.left(), {60, 0, 40}));
+}
+
+TEST(Way, ABendTakenBeforeItIsReachedIsPassed) {
+  Way way({{0, 0, 40}, {50, 0, 40}, {0, 5, 40}}, kHovers);
+  EXPECT_TRUE(way.passed({42, 2, 40}));
+}
+
+TEST(Way, WhoCannotHoverLeavesNothingBeforeTheEnd) {
+  Margins circles = kHovers;
+  circles.hovers = false;
+  Way way({{0, 0, 40}, {150, 0, 40}}, circles);
+  EXPECT_FALSE(way.passed({140, 0, 40}));
+  EXPECT_EQ(way.left().size(), way.volumes().size());
+}
+
+// Flown within its margins, seen once a second, it never leaves what is not left.
+RC_GTEST_PROP(WayProperty, WhoFliesItIsInWhatIsLeftOfIt, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  std::vector<Vector3> points{{0, 0, 40}};
+  for (std::size_t n = 1 + random.below(5); n > 0; --n) {
+    points.emplace_back(random.uniform(-200, 200), random.uniform(-200, 200),
+                        random.uniform(30, 60));
+  }
+  Way way(points, kHovers);
+  const std::vector<Vector3> corners = way.points();
+  double seen = 0;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const Vector3 along = corners[i] - corners[i - 1];
+    for (double flown = 0; flown < along.norm(); flown += 0.5) {
+      const Vector3 off(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-1.5, 1.5));
+      const Vector3 at = corners[i - 1] + flown / along.norm() * along + off;
+      RC_ASSERT(is_in(way.left(), at));
+      seen += 0.5;
+      if (seen < 8) continue;
+      seen = 0;
+      way.passed(at);
+      RC_ASSERT(is_in(way.left(), at));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace skein::merging
