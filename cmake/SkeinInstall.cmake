@@ -115,7 +115,7 @@ endfunction()
 # The programs find each other beside themselves; scenarios and wire types are data. OPTIONAL: who builds
 # one daemon for a companion computer installs what is there.
 function(skein_install_programs)
-  foreach(program skein skein-live skein-ground skein-ddn skein-sim skein-refine)
+  foreach(program skein skein-live skein-ground skein-ddn skein-sim skein-mavlink skein-refine)
     set(component runtime)
     if(program STREQUAL "skein-refine")
       set(component maps)
@@ -129,7 +129,7 @@ function(skein_install_programs)
           PATTERN "*.cmake" EXCLUDE)
   install(FILES cli/completion/skein DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
           COMPONENT runtime)
-  install(FILES README.md CHANGELOG.md LICENSE docs/deploy.md docs/daemons.md docs/threats.md docs/exit-codes.md
+  install(FILES README.md CHANGELOG.md LICENSE docs/deploy.md docs/daemons.md docs/mavlink.md docs/threats.md docs/exit-codes.md
           DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
   install(DIRECTORY daemons/service/ DESTINATION lib/systemd/system COMPONENT runtime FILES_MATCHING PATTERN "*.service")
   # /etc belongs to /usr, as GNUInstallDirs has it, but what the prefix is shows only at installation.

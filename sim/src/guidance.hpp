@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "skein/elementary/task_checks.hpp"
 #include "skein/world/terrain.hpp"
 #include "skein/world/wind.hpp"
 #include "vehicle.hpp"
@@ -41,10 +42,9 @@ struct Brake {
   std::optional<world::Vector3> centre = {};  ///< where it will wait
   double at_rest = 0;                         ///< for how long [s]
 };
-using Goal = std::variant<Stay, Hold, Rise, Descend, Fly, Brake>;
+using elementary::kLeastHeight;
 
-/// Least height above the ground of any way-point [m].
-inline constexpr double kLeastHeight = 2;
+using Goal = std::variant<Stay, Hold, Rise, Descend, Fly, Brake>;
 
 /// How near a way-point counts as reached, horizontally and vertically each [m]: three deviations
 /// of its tracking, what the wind displaces it, and a metre.

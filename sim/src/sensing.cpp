@@ -62,19 +62,6 @@ Vector3 imagined_place(const world::View& view, const world::Terrain& terrain, R
 
 }  // namespace
 
-world::View view_of(const world::SensorModel& sensor, const world::VehicleState& state,
-                    const std::optional<Vector3>& target, double pointing_error) {
-  world::View view{state.position, world::direction_of(state.heading, sensor.boresight_pitch),
-                   sensor.range, sensor.aperture};
-  if (!sensor.gimballed || !target) return view;
-  const Vector3 offset = *target - state.position;
-  const double distance = offset.norm();
-  if (distance < 1e-6) return view;
-  const double heading = std::atan2(offset.y(), offset.x()) + pointing_error;
-  view.direction = world::direction_of(heading, std::asin(offset.z() / distance));
-  return view;
-}
-
 bool is_visible(const world::View& view, const world::WorldObject& object, MissionTime at,
                 const world::Terrain& terrain) {
   if (!world::is_active(object, at)) return false;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "skein/elementary/view_of.hpp"
 #include "skein/foundation/random.hpp"
 #include "skein/world/object.hpp"
 #include "skein/world/perception.hpp"
@@ -13,16 +14,13 @@
 
 namespace skein::sim {
 
+using elementary::view_of;
+
 /// What there is to see.
 struct Scene {
   const world::Terrain& terrain;
   const std::vector<world::WorldObject>& objects;
 };
-
-/// The cone the sensor looks through: at the target if it is gimballed and has one (turned aside by
-/// `pointing_error` [rad]), else ahead of the vehicle at its pitch.
-world::View view_of(const world::SensorModel& sensor, const world::VehicleState& state,
-                    const std::optional<world::Vector3>& target, double pointing_error);
 
 /// True when the object is there, in view, and the terrain does not hide its top.
 bool is_visible(const world::View& view, const world::WorldObject& object, MissionTime at,

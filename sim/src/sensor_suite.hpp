@@ -8,10 +8,12 @@
 #include <string>
 
 #include "sensing.hpp"
+#include "skein/elementary/task_checks.hpp"
 #include "status_board.hpp"
-#include "task_checks.hpp"
 
 namespace skein::sim {
+
+using elementary::TakeshotTask;
 
 /// Each device runs at most one task. A task looks at once, then at each period of its device,
 /// until it is interrupted, or has its duration or its number of shots.

@@ -9,6 +9,12 @@
 namespace skein::sim {
 namespace {
 
+using elementary::ElementaryTask;
+using elementary::GotoTask;
+using elementary::LandTask;
+using elementary::PerceiveTask;
+using elementary::TakeoffTask;
+using elementary::WaitTask;
 using world::Vector2;
 using world::Vector3;
 
@@ -66,8 +72,9 @@ void Unit::dispatch(const functional::Request& request, MissionTime now,
   const auto refuse = [&](const std::string& why) {
     board_.tell(request.id, TaskState::kAborted, why, now, effects);
   };
-  auto task = checked_task(request.type, request.parameters,
-                           {model_, scene_.terrain, vehicle_.state(), vehicle_.engine_works()});
+  auto task =
+      elementary::checked_task(request.type, request.parameters,
+                               {model_, scene_.terrain, vehicle_.state(), vehicle_.engine_works()});
   if (!task) return refuse(task.error().why);
   if (auto* shot = std::get_if<TakeshotTask>(&*task)) {
     if (const auto why = sensors_.refusal(shot->device)) return refuse(*why);

@@ -55,7 +55,7 @@ class Unit {
     enum class Phase { kPending, kActive, kStopping };
     TaskId id;
     std::string type;
-    ElementaryTask task;
+    elementary::ElementaryTask task;
     Phase phase = Phase::kPending;
     MissionTime begins = {};                ///< kPending: when the pilot has reacted
     std::optional<MissionTime> stops = {};  ///< when the pilot reacts to an interrupt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "task_checks.hpp"
+#include "skein/elementary/task_checks.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,6 +9,8 @@
 namespace skein::sim {
 namespace {
 
+using elementary::checked_task;
+using elementary::TakeoffTask;
 using testing::altitude;
 using testing::at;
 using testing::device;

@@ -42,12 +42,15 @@ said "$(tail -n 1 "$log")"
 for daemon in ground sim; do
   inside "skein-$daemon" --config "/etc/skein/$daemon.yaml" --show-config || fail "/etc/skein/$daemon.yaml"
 done
-inside skein-ddn --config /etc/skein/ddn.yaml --uav marvin --show-config || fail /etc/skein/ddn.yaml
+for daemon in ddn mavlink; do
+  inside "skein-$daemon" --config "/etc/skein/$daemon.yaml" --uav marvin --show-config || fail "/etc/skein/$daemon.yaml"
+done
 
 if command -v systemd-analyze >/dev/null; then
   cp -r "$root/usr/lib/systemd/system" "$work/units"
   cp "$work/units/skein-ddn@.service" "$work/units/skein-ddn@marvin.service"
-  for unit in skein-ground skein-sim skein-ddn@marvin; do
+  cp "$work/units/skein-mavlink@.service" "$work/units/skein-mavlink@marvin.service"
+  for unit in skein-ground skein-sim skein-ddn@marvin skein-mavlink@marvin; do
     # Its commands stand in the clean root, not here.
     sed -i "s|^ExecStart=skein-|ExecStart=$root/usr/bin/skein-|" "$work/units/$unit.service"
     SYSTEMD_LOG_LEVEL=warning systemd-analyze verify --man=no "$work/units/$unit.service" >"$log" 2>&1 || fail "$unit"

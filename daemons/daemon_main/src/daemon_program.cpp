@@ -97,6 +97,30 @@ Result<std::unique_ptr<console::Console>, Failure> open_console(
   return console::Console::open(std::move(config));
 }
 
+/// Who this daemon is; null, and said why, when the scenario has no place for it. A program that
+/// makes its node itself does so here.
+const node::Member* find_self(const DaemonProgram& program, const Options& options,
+                              const scenario::Scenario& scenario, const node::Roster& roster,
+                              Crew& crew) {
+  const std::string name = options.node.empty() ? program.node : options.node;
+  const node::Member* self = roster.find(name);
+  if (self == nullptr || !can_be(program, self->role)) {
+    const char* what = program.plays_vehicles ? "functional layer" : "UAV";
+    const std::string nearest = nearest_name(name, candidates(program, scenario));
+    std::cerr << options.scenario << ": no " << what << " '" << name << "' in this scenario"
+              << (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") << '\n';
+    return nullptr;
+  }
+  if (!program.crew) return self;
+  auto made = program.crew(scenario, name);
+  if (!made) {
+    std::cerr << options.scenario << ": " << made.error().why << '\n';
+    return nullptr;
+  }
+  crew = std::move(*made);
+  return roster.find(crew.name);
+}
+
 int run(const DaemonProgram& program, const Options& options) {
   const auto scenario = assembly::load_scenario(options.scenario, options.overrides);
   if (!scenario) {
@@ -108,15 +132,10 @@ int run(const DaemonProgram& program, const Options& options) {
     std::cout << rights_of(roster);
     return kExitOk;
   }
-  const std::string name = options.node.empty() ? program.node : options.node;
-  const node::Member* self = roster.find(name);
-  if (self == nullptr || !can_be(program, self->role)) {
-    const char* what = program.plays_vehicles ? "functional layer" : "UAV";
-    const std::string nearest = nearest_name(name, candidates(program, *scenario));
-    std::cerr << options.scenario << ": no " << what << " '" << name << "' in this scenario"
-              << (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") << '\n';
-    return kExitBadInput;
-  }
+  Crew crew;
+  const node::Member* self = find_self(program, options, *scenario, roster, crew);
+  if (self == nullptr) return kExitBadInput;
+  const std::string& name = self->name;
   const std::string stamp = "%Y-%m-%dT%H:%M:%S.%eZ %^%-5l%$ " + name + " ";
   spdlog::set_pattern(options.log_json ? "%v" : stamp + "%v", spdlog::pattern_time_type::utc);
   ServiceManager manager;
@@ -146,7 +165,9 @@ int run(const DaemonProgram& program, const Options& options) {
         journal::Record({}, name, "notice").with("text", "console at " + console->url()));
   }
   config.forgets = options.forgets;
-  const auto end = node::run_daemon(roster, *self, make_node(), config);
+  if (crew.companion) config.companion = crew.companion.get();
+  auto node = crew.node ? std::move(crew.node) : make_node();
+  const auto end = node::run_daemon(roster, *self, std::move(node), config);
   if (end == node::DaemonEnd::kFinished && memory.log) memory.log->conclude();
   if (!end) {
     spdlog::error("{}", end.error().why);

@@ -33,7 +33,7 @@ void declare_console(CLI::App& app, Options& options) {
       ->delimiter(',');
 }
 
-void declare_run(CLI::App& app, Options& options) {
+void declare_run(CLI::App& app, Options& options, bool remembers) {
   app.add_option("--rate", options.overrides.rate,
                  "Mission seconds per second, for the scenario's");
   app.add_option("--seed", options.overrides.seed, "Seed, for the scenario's");
@@ -41,9 +41,10 @@ void declare_run(CLI::App& app, Options& options) {
                  "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated")
       ->allow_extra_args(false)
       ->delimiter(',');
-  app.add_option("--state", options.state,
-                 "Folder for what outlives the process: started again with it, the daemon goes on "
-                 "where it was; none: nothing does");
+  if (remembers)
+    app.add_option("--state", options.state,
+                   "Folder for what outlives the process: started again with it, the daemon goes "
+                   "on where it was; none: nothing does");
   app.add_option("--log-level", options.log_level, "error, warn, info or debug")
       ->check(CLI::IsMember({"error", "warn", "info", "debug"}));
   app.add_flag("--log-json", options.log_json, "Records as JSON, one a line, instead of sentences")
@@ -73,7 +74,8 @@ void declare(CLI::App& app, Options& options, const DaemonProgram& program) {
                  "Be one that lost its memory: of --state only vehicles and world count");
   app.add_option("--domain", options.domain, "DDS domain id")->check(CLI::Range(0, 100));
   declare_network(app, options.network);
-  declare_run(app, options);
+  declare_run(app, options, !program.crew);
+  for (const OwnOption& own : program.options) app.add_option(own.name, *own.value, own.help);
   if (!program.node.empty() && !program.plays_vehicles) declare_console(app, options);
   app.add_option("--exit-with-parent", options.parent,
                  "Stop when the process of this id, which started this one, ends");

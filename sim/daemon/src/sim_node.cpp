@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "skein/foundation/contract.hpp"
+#include "skein/translation/functional_layer.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
 
@@ -33,27 +34,6 @@ std::string what_of(const Fault& fault) {
       break;
   }
   return "energy";
-}
-
-Record functional_line(const std::string& node, const FunctionalStatus& status,
-                       const std::string& type, const std::string& device,
-                       const std::vector<double>& target) {
-  Record line(status.at, node, "functional");
-  line.with("uav", status.uav)
-      .with("task", status.status.id.value())
-      .with("type", type)
-      .with("state", to_text(status.status.state));
-  if (!device.empty()) line.with("device", device);
-  if (!target.empty()) line.with("target", target);
-  if (!status.status.reason.empty()) line.with("reason", status.status.reason);
-  return line;
-}
-
-// Wire instances are 32 bits: a truth's is a fixed hash of its name.
-std::uint32_t instance_of(const std::string& name) {
-  std::uint32_t hash = 2166136261U;
-  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
-  return hash;
 }
 
 }  // namespace
@@ -101,7 +81,7 @@ std::optional<Input> SimNode::input_of(const node::Input& input) {
     const node::Member* from = roster_.find(received->from);
     if (request != nullptr && from != nullptr) {
       FunctionalRequest mine{from->name, from_wire(*request)};
-      note(mine);
+      lines_.note(mine.uav, mine.request);
       return mine;
     }
     if (const auto* truth = std::get_if<wire::Truth>(&received->sample)) {
@@ -112,19 +92,6 @@ std::optional<Input> SimNode::input_of(const node::Input& input) {
     return ContactLost{roster_.name_of(reach->peer), !reach->reachable, reach->restarted};
   }
   return std::nullopt;
-}
-
-// What is asked for twice is one task.
-void SimNode::note(const FunctionalRequest& asked_for) {
-  const functional::Request& request = asked_for.request;
-  if (request.verb != functional::Verb::kDispatch) return;
-  Asked asked;
-  asked.type = request.type;
-  if (const auto* device = request.parameters.find("device")) asked.device = device->text;
-  if (const auto* target = request.parameters.find("target")) {
-    asked.target = journal::rounded(target->numbers);
-  }
-  asked_.try_emplace({asked_for.uav, request.id}, std::move(asked));
 }
 
 void SimNode::run_due_faults(MissionTime now, node::Effects& out) {
@@ -148,13 +115,8 @@ node::Effects SimNode::translate(const std::vector<Effect>& effects) {
 }
 
 void SimNode::take(const FunctionalStatus& status, node::Effects& out) {
-  Asked& asked = asked_[{status.uav, status.status.id}];
-  const std::string state(to_text(status.status.state));
-  if (asked.told != state) {
-    asked.told = state;
-    out.push_back(
-        node::Log{functional_line(name_, status, asked.type, asked.device, asked.target)});
-  }
+  if (auto line = lines_.line_of(status.at, name_, status.uav, status.status))
+    out.push_back(node::Log{std::move(*line)});
   wire::FunctionalStatus sample = to_wire(status.uav, status.status);
   out.push_back(node::Send{number_of(status.uav), std::move(sample), MissionTime::max()});
 }
@@ -184,29 +146,13 @@ void SimNode::take(const LinkChange& link, node::Effects& out) const {
 }
 
 void SimNode::take(const VehicleTruth& truth, node::Effects& out) const {
-  const world::VehicleState& state = truth.state;
-  wire::Truth sample;
-  sample.header.instance = instance_of(truth.uav);
-  sample.name = truth.uav;
-  sample.kind = "uav";
-  sample.position = to_wire(state.position);
-  sample.velocity = to_wire(state.velocity);
-  sample.heading = state.heading;
-  sample.energy = state.energy;
-  sample.active = state.airborne;
-  out.push_back(node::Publish{sample});
-  out.push_back(node::Log{Record(truth.at, name_, "telemetry")
-                              .with("uav", truth.uav)
-                              .with("position", for_journal(state.position))
-                              .with("velocity", for_journal(state.velocity))
-                              .with("heading", journal::rounded(state.heading))
-                              .with("energy", journal::rounded(state.energy))
-                              .with("airborne", state.airborne)});
+  out.push_back(node::Publish{translation::truth_of(truth.uav, truth.state)});
+  out.push_back(node::Log{translation::telemetry_line(truth.at, name_, truth.uav, truth.state)});
 }
 
 void SimNode::take(const ObjectTruth& truth, node::Effects& out) const {
   wire::Truth sample;
-  sample.header.instance = instance_of(truth.name);
+  sample.header.instance = translation::truth_instance(truth.name);
   sample.name = truth.name;
   sample.kind = truth.kind;
   sample.position = to_wire(truth.position);

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <deque>
-#include <map>
 #include <memory>
 
 #include "skein/node/node.hpp"
 #include "skein/node/roster.hpp"
 #include "skein/sim/simulator.hpp"
+#include "skein/translation/functional_layer.hpp"
 
 namespace skein::sim {
 
@@ -45,23 +45,14 @@ class SimNode final : public node::Node {
   void begin_anew(MissionTime now, node::Effects& out);
   void run_due_faults(MissionTime now, node::Effects& out);
   std::optional<Input> input_of(const node::Input& input);
-  void note(const FunctionalRequest& asked_for);
   node::NodeNumber number_of(const std::string& name) const;
-
-  /// A task as it was asked for, and what was last logged of it.
-  struct Asked {
-    std::string type;
-    std::string device;          ///< of a perception
-    std::vector<double> target;  ///< that the device is aimed at [m] ENU
-    std::string told;            ///< its last state
-  };
 
   std::string name_;
   node::Roster roster_;
   Simulator simulator_;
   std::deque<ScheduledFault> faults_;
   bool lived_before_ = false;
-  std::map<std::pair<std::string, functional::TaskId>, Asked> asked_;  ///< by UAV and task
+  translation::FunctionalLines lines_;
 };
 
 }  // namespace skein::sim

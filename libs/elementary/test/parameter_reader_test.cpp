@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "parameter_reader.hpp"
+#include "skein/elementary/parameter_reader.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace skein::sim {
+namespace skein::elementary {
 namespace {
 
 using functional::Parameters;
@@ -61,4 +61,4 @@ TEST(Figure, IsShort) {
 }
 
 }  // namespace
-}  // namespace skein::sim
+}  // namespace skein::elementary

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "task_checks.hpp"
+#include "skein/elementary/task_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
 
-#include "guidance.hpp"
-#include "parameter_reader.hpp"
+#include "skein/elementary/parameter_reader.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/world/landing_ground.hpp"
 #include "skein/world/way_energy.hpp"
 
-namespace skein::sim {
+namespace skein::elementary {
 namespace {
 
 using world::Vector3;
@@ -209,4 +208,4 @@ Result<ElementaryTask, Failure> checked_task(const std::string& type,
   return task;
 }
 
-}  // namespace skein::sim
+}  // namespace skein::elementary

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "skein/geodata/geodetic_frame.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 
 #include <GeographicLib/LocalCartesian.hpp>
 #include <cmath>
 
 #include "skein/foundation/contract.hpp"
 
-namespace skein::geodata {
+namespace skein::geodesy {
 namespace {
 
 using Frame = GeographicLib::LocalCartesian;
@@ -37,4 +37,4 @@ world::GeodeticPoint GeodeticFrame::to_geodetic(const world::Vector3& local) con
   return point;
 }
 
-}  // namespace skein::geodata
+}  // namespace skein::geodesy

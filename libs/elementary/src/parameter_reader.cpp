@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "parameter_reader.hpp"
+#include "skein/elementary/parameter_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "skein/foundation/nearest.hpp"
 
-namespace skein::sim {
+namespace skein::elementary {
 
 void ParameterReader::names(const std::vector<std::string>& known) {
   std::set<std::string> seen;
@@ -70,4 +70,4 @@ std::string figure(double value) {
   return figure == "-0" ? "0" : figure;
 }
 
-}  // namespace skein::sim
+}  // namespace skein::elementary

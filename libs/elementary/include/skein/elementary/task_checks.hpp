@@ -4,15 +4,20 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "skein/foundation/result.hpp"
 #include "skein/foundation/time.hpp"
-#include "skein/sim/messages.hpp"
+#include "skein/functional/parameters.hpp"
 #include "skein/world/terrain.hpp"
 #include "skein/world/vehicle_model.hpp"
+#include "skein/world/vehicle_state.hpp"
 
-namespace skein::sim {
+namespace skein::elementary {
+
+/// Least height above the ground of any way-point [m].
+inline constexpr double kLeastHeight = 2;
 
 struct TakeoffTask {
   double height;  ///< to reach, ENU z [m]
@@ -52,4 +57,4 @@ Result<ElementaryTask, Failure> checked_task(const std::string& type,
                                              const functional::Parameters& parameters,
                                              const Situation& situation);
 
-}  // namespace skein::sim
+}  // namespace skein::elementary

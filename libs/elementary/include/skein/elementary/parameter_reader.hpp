@@ -9,7 +9,7 @@
 #include "skein/functional/parameters.hpp"
 #include "skein/world/geometry.hpp"
 
-namespace skein::sim {
+namespace skein::elementary {
 
 /// Lifetime: the parameters must outlive it.
 class ParameterReader {
@@ -38,4 +38,4 @@ class ParameterReader {
 /// A figure for a sentence: at most two decimals, no trailing zeros.
 std::string figure(double value);
 
-}  // namespace skein::sim
+}  // namespace skein::elementary

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "skein/geodata/geodetic_frame.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace skein::geodata {
+namespace skein::geodesy {
 namespace {
 
 using world::GeodeticPoint;
@@ -88,4 +88,4 @@ RC_GTEST_PROP(GeodeticFrame, KeepsDistancesOfTheTextbook, ()) {
 }
 
 }  // namespace
-}  // namespace skein::geodata
+}  // namespace skein::geodesy

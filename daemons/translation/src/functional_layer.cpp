@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/translation/functional_layer.hpp"
+
+#include "skein/translation/sensing.hpp"
+
+namespace skein::translation {
+
+std::uint32_t truth_instance(const std::string& name) {
+  std::uint32_t hash = 2166136261U;
+  for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  return hash;
+}
+
+wire::Truth truth_of(const std::string& uav, const world::VehicleState& state) {
+  wire::Truth sample;
+  sample.header.instance = truth_instance(uav);
+  sample.name = uav;
+  sample.kind = "uav";
+  sample.position = to_wire(state.position);
+  sample.velocity = to_wire(state.velocity);
+  sample.heading = state.heading;
+  sample.energy = state.energy;
+  sample.active = state.airborne;
+  return sample;
+}
+
+journal::Record telemetry_line(MissionTime at, const std::string& node, const std::string& uav,
+                               const world::VehicleState& state) {
+  return std::move(journal::Record(at, node, "telemetry")
+                       .with("uav", uav)
+                       .with("position", for_journal(state.position))
+                       .with("velocity", for_journal(state.velocity))
+                       .with("heading", journal::rounded(state.heading))
+                       .with("energy", journal::rounded(state.energy))
+                       .with("airborne", state.airborne));
+}
+
+void FunctionalLines::note(const std::string& uav, const functional::Request& asked) {
+  if (asked.verb != functional::Verb::kDispatch) return;
+  Asked task;
+  task.type = asked.type;
+  if (const auto* device = asked.parameters.find("device")) task.device = device->text;
+  if (const auto* target = asked.parameters.find("target")) {
+    task.target = journal::rounded(target->numbers);
+  }
+  asked_.try_emplace({uav, asked.id}, std::move(task));
+}
+
+std::optional<journal::Record> FunctionalLines::line_of(MissionTime at, const std::string& node,
+                                                        const std::string& uav,
+                                                        const functional::Status& status) {
+  Asked& asked = asked_[{uav, status.id}];
+  const std::string state(to_text(status.state));
+  if (asked.told == state) return std::nullopt;
+  asked.told = state;
+  journal::Record line(at, node, "functional");
+  line.with("uav", uav).with("task", status.id.value()).with("type", asked.type);
+  line.with("state", state);
+  if (!asked.device.empty()) line.with("device", asked.device);
+  if (!asked.target.empty()) line.with("target", asked.target);
+  if (!status.reason.empty()) line.with("reason", status.reason);
+  return line;
+}
+
+}  // namespace skein::translation

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was told of each task.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "outbox.hpp"
+
+namespace skein::autopilot {
+
+using functional::TaskId;
+using functional::TaskState;
+
+/// A request that comes twice is answered twice and carried out once.
+class StatusBoard {
+ public:
+  void tell(TaskId task, TaskState state, std::string reason, Outbox& out) {
+    functional::Status status{task, state, std::move(reason)};
+    told_.insert_or_assign(task, status);
+    out.add(std::move(status));
+  }
+  /// Taken on, though nothing can be told yet.
+  void note(TaskId task) { told_.try_emplace(task); }
+  bool knows(TaskId task) const { return told_.contains(task); }
+  void repeat(TaskId task, Outbox& out) const {
+    if (const auto& status = told_.at(task)) out.add(*status);
+  }
+
+ private:
+  std::map<TaskId, std::optional<functional::Status>> told_;
+};
+
+}  // namespace skein::autopilot
