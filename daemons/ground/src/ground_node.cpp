@@ -241,6 +241,7 @@ void GroundNode::carry_out(const gs::TellAlarm& effect) {
     const bool meant = effect.uav.empty() || member.name == effect.uav;
     if (member.role == wire::Role::kDdn && meant) send(member.name, sample);
   }
+  if (team_) tell_team(gs::PlaceKnown{mission::name_of_alarm(alarm.id.value())});
 }
 
 void GroundNode::carry_out(const gs::AlarmEvent& effect) {

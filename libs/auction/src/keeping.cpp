@@ -74,7 +74,10 @@ void TeamMember::Core::admit(const GivenMission& mission) {
   if (ledger().missions.contains(mission.number)) return;
   Ledger& next = draft();
   next.missions.insert(mission.number);
-  if (auto wrong = contradictions(mission.lot); !wrong.empty()) {
+  Lot alone = mission.lot;  // what it comes after may have been given before
+  std::erase_if(alone.precedences,
+                [&](const Precedence& p) { return ledger().entries.contains(p.first); });
+  if (auto wrong = contradictions(alone); !wrong.empty()) {
     effects_.emplace_back(SaleTold{Rejected{std::move(wrong)}});
     return;
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/ground_station/team_desk.hpp"
 
+#include <algorithm>
+
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/overloaded.hpp"
 
@@ -65,10 +67,60 @@ void TeamDesk::accept(const GiveGlobalMission& given, MissionTime now, Effects& 
     open_[mission.id].insert(task.task.id);
     tasks_.insert(task.task.id);
   }
+  waiting_[mission.id] = mission;
+  give_what_may(mission.id, now, out);
+  const auto rest = waiting_.find(mission.id);
+  if (rest == waiting_.end()) return;
+  for (const team::GlobalTask& task : rest->second.tasks) {
+    out.emplace_back(TeamTaskChanged{{task.task.id,
+                                      skein::mission::to_text(task.task),
+                                      auction::Stage::kUnsold,
+                                      {},
+                                      0,
+                                      "waits at the ground station for an alarm"}});
+  }
+}
+
+void TeamDesk::accept(const PlaceKnown& known, MissionTime now, Effects& out) {
+  if (!alarms_.insert(known.name).second) return;
+  std::vector<mission::MissionId> missions;
+  for (const auto& [id, mission] : waiting_) missions.push_back(id);
+  for (const mission::MissionId id : missions) give_what_may(id, now, out);
+}
+
+std::set<mission::GoalId> TeamDesk::not_yet(const team::GlobalMission& mission) const {
+  std::set<mission::GoalId> waits;
+  const auto waits_too = [&](const team::GlobalTask& task) {
+    const std::vector<std::string> alarms = team::alarms_in(task.task);
+    return std::any_of(alarms.begin(), alarms.end(),
+                       [&](const auto& alarm) { return !alarms_.contains(alarm); }) ||
+           std::any_of(task.after.begin(), task.after.end(),
+                       [&](mission::GoalId before) { return waits.contains(before); });
+  };
+  for (std::size_t before = waits.size() + 1; before != waits.size();) {
+    before = waits.size();
+    for (const team::GlobalTask& task : mission.tasks)
+      if (waits_too(task)) waits.insert(task.task.id);
+  }
+  return waits;
+}
+
+// The market knows each part as a mission of its own; what comes after tasks of an earlier part
+// waits for those.
+void TeamDesk::give_what_may(mission::MissionId id, MissionTime now, Effects& out) {
+  constexpr std::uint64_t kNextLot = std::uint64_t{1} << 32U;
+  team::GlobalMission part = waiting_.at(id);
+  const std::set<mission::GoalId> waits = not_yet(part);
+  const auto is_waiting = [&](const auto& task) { return waits.contains(task.task.id); };
+  std::erase_if(waiting_.at(id).tasks, [&](const auto& task) { return !is_waiting(task); });
+  if (waiting_.at(id).tasks.empty()) waiting_.erase(id);
+  std::erase_if(part.tasks, is_waiting);
+  if (part.tasks.empty()) return;
   const auto& vocabulary = knowledge_.vocabulary;
-  tell_member(auction::MissionGiven{team::given(mission, roster_,
-                                                vocabulary ? *vocabulary : mission::Vocabulary())},
-              now, out);
+  auction::GivenMission lot =
+      team::given(part, roster_, vocabulary ? *vocabulary : mission::Vocabulary());
+  lot.number = auction::MissionNumber(id.value() + kNextLot * lots_[id]++);
+  tell_member(auction::MissionGiven{std::move(lot)}, now, out);
 }
 
 void TeamDesk::accept(const DeclareLost& lost, MissionTime now, Effects& out) {

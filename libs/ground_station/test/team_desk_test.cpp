@@ -139,6 +139,51 @@ TEST(TeamDesk, EveryChangeOfOwnerIsToldOnceWithItsReasonAndTheEndOfAMissionToo) 
   EXPECT_EQ(ground.standings().at(mission::GoalId(11)).stage, auction::Stage::kDone);
 }
 
+// What this member still has to say to the holder, by numbers of tasks.
+std::vector<std::vector<std::uint64_t>> lots_of(const auction::Status& status) {
+  std::vector<std::vector<std::uint64_t>> lots;
+  for (const auction::GivenMission& mission : status.missions) {
+    std::vector<std::uint64_t>& tasks = lots.emplace_back();
+    for (const auction::Task& task : mission.lot.tasks) tasks.push_back(task.number.value());
+  }
+  return lots;
+}
+
+// 11 now, 12 about the first alarm, 13 after 12, 14 about the second.
+TEST(TeamDesk, WhatNamesAnAlarmWaitsForItWithAllThatComesAfter) {
+  TeamDesk ground = desk();
+  GiveGlobalMission give = mission_of(1, 11);
+  for (const std::uint64_t task : {12, 13, 14}) {
+    give.mission.tasks.push_back(give.mission.tasks[0]);
+    give.mission.tasks.back().task.id = mission::GoalId(task);
+  }
+  give.mission.tasks[1].task.arguments = {std::string("alarm:1")};
+  give.mission.tasks[2].after = {mission::GoalId(12)};
+  give.mission.tasks[3].task.arguments = {std::string("alarm:2")};
+  auto empty = std::make_shared<auction::Ledger>();
+  empty->term = 1;
+  const auto told = [&](std::uint64_t revision) {
+    empty->revision = revision;
+    return lots_of(
+        answer_of(ground.handle(TeamHeard{"marvin", auction::Beat{1, revision, empty}}, at(2))));
+  };
+
+  const auto given = ground.handle(give, at(1));
+  const auto first = told(1);
+  ground.handle(PlaceKnown{"alarm:1"}, at(3));
+  const auto then = told(2);
+  ground.handle(PlaceKnown{"alarm:1"}, at(4));
+  ground.handle(PlaceKnown{"alarm:2"}, at(5));
+  const auto last = told(3);
+
+  const auto waiting = all<TeamTaskChanged>(given);
+  ASSERT_THAT(waiting, SizeIs(3));
+  EXPECT_THAT(waiting[0].standing.why, HasSubstr("waits at the ground station"));
+  EXPECT_THAT(first, ElementsAre(ElementsAre(11)));
+  EXPECT_THAT(then, ElementsAre(ElementsAre(11), ElementsAre(12, 13)));
+  EXPECT_THAT(last, ElementsAre(ElementsAre(11), ElementsAre(12, 13), ElementsAre(14)));
+}
+
 TEST(TeamDesk, WhoIsLostIsSaidToTheTeamAndAStrangerIsNot) {
   TeamDesk ground = desk();
   ground.handle(DeclareLost{"heliv"}, at(1));

@@ -2,6 +2,7 @@
 #include "skein/team/global_mission.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 
 namespace skein::team {
@@ -46,6 +47,27 @@ auction::Task task_of(const GlobalTask& asked, const Roster& roster,
   return task;
 }
 
+// Numbers as the ground station gives them.
+bool is_alarm(const std::string& name) {
+  constexpr std::string_view kPrefix = "alarm:";
+  return name.size() > kPrefix.size() && name.rfind(kPrefix, 0) == 0 &&
+         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(kPrefix.size()), name.end(),
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+bool names_members(const mission::HighLevelTask& task) {
+  return std::any_of(task.arguments.begin(), task.arguments.end(), [](const auto& argument) {
+    const auto* word = std::get_if<std::string>(&argument);
+    return word != nullptr && *word == kMembers;
+  });
+}
+
+// Whoever they will be.
+mission::HighLevelTask for_some(const GlobalTask& task, const std::vector<std::string>& uavs) {
+  const std::size_t count = std::min<std::size_t>(task.members, uavs.size());
+  return for_members(task.task, {uavs.begin(), uavs.begin() + static_cast<std::ptrdiff_t>(count)});
+}
+
 std::string about(const GlobalTask& task) { return "task " + to_text(task.task.id) + ": "; }
 
 void check_members(const GlobalTask& task, const Roster& roster,
@@ -59,6 +81,9 @@ void check_members(const GlobalTask& task, const Roster& roster,
     if (!known(uav)) problems.push_back(about(task) + "no UAV '" + uav + "'");
   }
   if (task.members == 0) problems.push_back(about(task) + "it has no members");
+  if (task.members == 1 && names_members(task.task)) {
+    problems.push_back(about(task) + "it is for several, and says 'members: 1'");
+  }
   if (task.members > around.uavs.size()) {
     problems.push_back(about(task) + "it wants " + std::to_string(task.members) + " of " +
                        std::to_string(around.uavs.size()) + " UAVs");
@@ -87,14 +112,39 @@ const Order* order_of(const auction::Task& task) {
   return dynamic_cast<const Order*>(task.work.get());
 }
 
+mission::HighLevelTask for_members(mission::HighLevelTask task,
+                                   const std::vector<std::string>& members) {
+  for (mission::Argument& argument : task.arguments) {
+    const auto* word = std::get_if<std::string>(&argument);
+    if (word != nullptr && *word == kMembers) argument = members;
+  }
+  return task;
+}
+
+std::vector<std::string> alarms_in(const mission::HighLevelTask& task) {
+  std::vector<std::string> alarms;
+  const auto add = [&](const std::string& name) {
+    if (is_alarm(name)) alarms.push_back(name);
+  };
+  for (const mission::Argument& argument : task.arguments) {
+    if (const auto* name = std::get_if<std::string>(&argument)) add(*name);
+    if (const auto* names = std::get_if<std::vector<std::string>>(&argument))
+      std::for_each(names->begin(), names->end(), add);
+  }
+  return alarms;
+}
+
 std::vector<std::string> problems_of(const GlobalMission& mission, const Roster& roster,
                                      const mission::Vocabulary& vocabulary,
                                      const mission::Surroundings& around, MissionTime now) {
   mission::UnitMission as_one;
   as_one.id = mission.id;
-  for (const GlobalTask& task : mission.tasks) as_one.tasks.push_back(task.task);
   mission::Surroundings places = around;
   places.vehicle = nullptr;
+  for (const GlobalTask& task : mission.tasks) {
+    as_one.tasks.push_back(for_some(task, around.uavs));
+    for (std::string& alarm : alarms_in(task.task)) places.places.push_back(std::move(alarm));
+  }
   std::vector<std::string> problems = mission::problems_of(as_one, vocabulary, places, now);
   for (const GlobalTask& task : mission.tasks) check_members(task, roster, around, problems);
   check_order(mission, problems);

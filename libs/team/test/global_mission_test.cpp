@@ -126,5 +126,56 @@ TEST(Roster, AMemberIsSetUpWithTheNamesOfAll) {
   EXPECT_EQ(setup.seed, 5U);
 }
 
+// ---- for several, and about what is not known yet ----
+
+GlobalTask together(std::uint32_t members) {
+  GlobalTask asked;
+  asked.task.id = mission::GoalId(11);
+  asked.task.name = "meet";
+  asked.task.arguments = {std::string(kMembers), std::string("P1")};
+  asked.members = members;
+  return asked;
+}
+
+std::vector<std::string> problems_of_meeting(const GlobalTask& task) {
+  mission::Vocabulary words;
+  words.tasks["meet"] = {
+      "meet", {mission::ParameterKind::kUavs, mission::ParameterKind::kPlace}, {}};
+  return problems_of(mission_of({task}), roster(), words,
+                     {{"P1"}, {}, {"marvin", "heliv"}, nullptr}, MissionTime());
+}
+
+TEST(GlobalMission, TheWordMembersStandsForWhoItIsSoldTo) {
+  const mission::HighLevelTask task = for_members(together(2).task, {"heliv", "karma"});
+
+  EXPECT_EQ(std::get<std::vector<std::string>>(task.arguments[0]),
+            (std::vector<std::string>{"heliv", "karma"}));
+  EXPECT_EQ(std::get<std::string>(task.arguments[1]), "P1");
+  EXPECT_THAT(problems_of_meeting(together(2)), IsEmpty());
+}
+
+TEST(GlobalMission, WhatIsForSeveralWantsTwoAtLeast) {
+  EXPECT_THAT(problems_of_meeting(together(1)),
+              ElementsAre(HasSubstr("task 11: it is for several, and says 'members: 1'")));
+}
+
+TEST(GlobalMission, AnAlarmNeedNotBeKnown) {
+  GlobalTask task = look(11);
+  task.task.arguments[0] = std::string("alarm:3");
+
+  EXPECT_THAT(alarms_in(task.task), ElementsAre("alarm:3"));
+  EXPECT_THAT(problems(mission_of({task})), IsEmpty());
+}
+
+TEST(GlobalMission, WhatOnlyLooksLikeAnAlarmIsAPlaceThatNobodyKnows) {
+  for (const char* name : {"alarm:", "alarm:x", "alarm", "alarms:1"}) {
+    GlobalTask task = look(11);
+    task.task.arguments[0] = std::string(name);
+
+    EXPECT_THAT(alarms_in(task.task), IsEmpty()) << name;
+    EXPECT_THAT(problems(mission_of({task})), SizeIs(1)) << name;
+  }
+}
+
 }  // namespace
 }  // namespace skein::team

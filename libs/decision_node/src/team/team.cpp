@@ -188,13 +188,16 @@ void Team::carry_out(const auction::BeginTask& effect) {
 
 void Team::begin(const auction::Claim& claim, const team::Order& order) {
   const std::uint64_t attempt = attempts_[claim.task]++;
+  std::vector<std::string> members;
+  for (const auction::MemberNumber owner : member_->ledger().entries.at(claim.task).owners)
+    members.push_back(core_.config().team->roster.name_of(owner));
   mission::UnitMission mission;
   mission.id = next_mission();
-  mission.tasks = {order.task};
+  mission.tasks = {team::for_members(order.task, members)};
   mission::HighLevelTask& task = mission.tasks.front();
   task.id = mission::GoalId(claim.task.value() + attempt * kNextAttempt);
   mission.asked_by = order.asked_by + ", by the team";
-  job_ = Job{claim, task.id, mission.id, to_text(order.task), false, false};
+  job_ = Job{claim, task.id, mission.id, to_text(task), false, false};
   note("begun", "");
   core_.deliberation().take_for_team(mission);
 }
@@ -237,6 +240,15 @@ mission::MissionId Team::next_mission() { return mission::MissionId(kFirstMissio
 
 // ---- what bids are made of ----
 
+// With some of the team: who they will be the sale says.
+mission::HighLevelTask Team::as_bid_for(const mission::HighLevelTask& task,
+                                        std::uint32_t members) const {
+  std::vector<std::string> some = {core_.config().uav};
+  for (const std::string& uav : core_.config().knowledge->team)
+    if (uav != some.front() && some.size() < members) some.push_back(uav);
+  return team::for_members(task, some);
+}
+
 Vantage Team::vantage() {
   Vantage vantage;
   vantage.knowledge = core_.config().knowledge;
@@ -249,10 +261,10 @@ Vantage Team::vantage() {
   for (const auto& [number, entry] : member_->ledger().entries) {
     const team::Order* order = team::order_of(entry.task);
     if (order == nullptr) continue;
-    vantage.tasks.emplace(number, order->task);
+    const mission::HighLevelTask task = as_bid_for(order->task, entry.task.least_members);
+    vantage.tasks.emplace(number, task);
     if (visits_.contains(number)) continue;
-    const auto gates =
-        supervisor::visits_of(order->task, vantage.knowledge, vantage.world, vantage.now);
+    const auto gates = supervisor::visits_of(task, vantage.knowledge, vantage.world, vantage.now);
     visits_[number] = gates.empty() ? std::nullopt : std::optional(gates.front());
   }
   vantage.visits = visits_;

@@ -71,6 +71,8 @@ class Team final : public Component {
   void go_home();
   bool is_idle() const;
   Vantage vantage();
+  mission::HighLevelTask as_bid_for(const mission::HighLevelTask& task,
+                                    std::uint32_t members) const;
   mission::MissionId next_mission();
 
   Core& core_;

@@ -32,12 +32,18 @@ struct TeamTokenChanged {
   std::uint64_t term = 0;
 };
 
+/// A place that tasks may name is known from now on: that of an alarm.
+struct PlaceKnown {
+  std::string name;
+};
+
 /// A member of the team without a vehicle. What it is given it says until the team's book has it,
-/// so a mission is given even while the holder of the token is out of reach. Deterministic; not
-/// safe to share between threads. Source: spec 6.3; docs/decisions/0018-degree-5.md.
+/// so a mission is given even while the holder of the token is out of reach. Tasks that name an
+/// alarm wait here until it is raised. Deterministic; not safe to share between threads. Source:
+/// spec 6.3; docs/decisions/0018-degree-5.md.
 class TeamDesk {
  public:
-  using Input = std::variant<TeamHeard, GiveGlobalMission, DeclareLost, Tick>;
+  using Input = std::variant<TeamHeard, GiveGlobalMission, DeclareLost, PlaceKnown, Tick>;
   using Effect = std::variant<TeamTell, TeamTaskChanged, GlobalMissionChanged, TeamSaleTold,
                               TeamTokenChanged, Anomaly>;
 
@@ -57,6 +63,9 @@ class TeamDesk {
   using Effects = std::vector<Effect>;
   void accept(const GiveGlobalMission& given, MissionTime now, Effects& out);
   void accept(const DeclareLost& lost, MissionTime now, Effects& out);
+  void accept(const PlaceKnown& known, MissionTime now, Effects& out);
+  std::set<mission::GoalId> not_yet(const team::GlobalMission& mission) const;
+  void give_what_may(mission::MissionId id, MissionTime now, Effects& out);
   void tell_member(const auction::TeamInput& input, MissionTime now, Effects& out);
   void tell_news(Effects& out);
 
@@ -67,7 +76,11 @@ class TeamDesk {
   team::Ownership ownership_;
   std::map<mission::MissionId, std::set<mission::GoalId>> open_;  ///< of missions given here
   std::set<mission::MissionId> given_;
-  std::set<mission::GoalId> tasks_;  ///< ever given here
+  /// What of them names alarms that are not known yet, and what comes after that.
+  std::map<mission::MissionId, team::GlobalMission> waiting_;
+  std::map<mission::MissionId, std::uint64_t> lots_;  ///< given of each
+  std::set<mission::GoalId> tasks_;                   ///< ever given here
+  std::set<std::string> alarms_;                      ///< that are known
 };
 
 }  // namespace skein::ground_station

@@ -14,6 +14,9 @@
 
 namespace skein::team {
 
+/// Stands in a statement for the UAVs that the task is sold to, where it wants a list of them.
+inline constexpr std::string_view kMembers = "members";
+
 /// A high-level task that the team shares out.
 struct GlobalTask {
   mission::HighLevelTask task;           ///< its id is unique among those of all global missions
@@ -33,6 +36,12 @@ struct GlobalMission {
   std::string asked_by;
 };
 
+/// The task as these UAVs are asked for it, in their order.
+mission::HighLevelTask for_members(mission::HighLevelTask task,
+                                   const std::vector<std::string>& members);
+/// The alarms that it names (mission::name_of_alarm), whether known or not.
+std::vector<std::string> alarms_in(const mission::HighLevelTask& task);
+
 /// What a task of the market comes down to.
 struct Order : auction::Work {
   Order(mission::HighLevelTask asked, std::string by)
@@ -46,14 +55,15 @@ const Order* order_of(const auction::Task& task);
 /// Every reason why the mission makes no sense whoever does it, in sentences: what
 /// mission::problems_of says of its tasks (devices apart), numbers that the market has no room for,
 /// tasks before it that are not in it, UAVs that are not in the team, pinned and forbidden, more
-/// members than UAVs, tasks that contradict each other in time. `around.uavs` are those of the
-/// team.
+/// members than UAVs, or fewer than two where its statement has several, tasks that contradict each
+/// other in time. Alarms need not be known. `around.uavs` are those of the team.
 std::vector<std::string> problems_of(const GlobalMission& mission, const Roster& roster,
                                      const mission::Vocabulary& vocabulary,
                                      const mission::Surroundings& around, MissionTime now);
 
 /// As the market is given it. A task lasts as long as its durations say together; windows come from
-/// its time constraints. Precondition: no problems.
+/// its time constraints. What comes after tasks that are not in it waits for those all the same.
+/// Precondition: no problems.
 auction::GivenMission given(const GlobalMission& mission, const Roster& roster,
                             const mission::Vocabulary& vocabulary);
 
