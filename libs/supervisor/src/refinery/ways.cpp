@@ -64,8 +64,10 @@ Answer<Motion> Ways::takeoff(const Vector3& from, const Departure& when) const {
   const Vector3 to = gazetteer().above(from);
   Motion motion{{from, to}, {}, 0, {}};
   motion.times = takeoff_times(to.z() - gazetteer().ground(from), vehicle(), world().wind);
+  // One that cannot hover climbs in circles.
+  const double around = vehicle().body_radius + (vehicle().hovers ? 0 : vehicle().orbit_radius);
   for (const world::Volume& volume : air_.closed(air_.counted(when, motion.times.most)))
-    if (crosses(volume, vehicle().body_radius, from, to))
+    if (crosses(volume, around, from, to))
       return no("the air over it is closed (volume '" + volume.name + "')");
   motion.energy = motion.times.expected * world::flight_power(vehicle(), 0, vehicle().climb_rate) /
                   vehicle().energy.capacity;

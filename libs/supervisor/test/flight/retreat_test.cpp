@@ -268,6 +268,16 @@ TEST(ClosedAir, IsNotThereNothingIsToBeDone) {
   EXPECT_TRUE(lab.plan()->tasks.empty());
 }
 
+TEST(ClosedAir, BesideATakeoffRefusesItToOneThatClimbsInCircles) {
+  for (const char* uav : {"marvin", "karma"}) {
+    PlanningLab lab = lab_of(uav);
+    lab.world.volumes = {wall(30, 90, -50, 50)};
+    lab.task(1, "general-takeoff");
+
+    EXPECT_EQ(lab.plan().has_value(), lab.knowledge.vehicle.hovers) << uav;
+  }
+}
+
 TEST(ClosedAir, OverATakeoffRefusesIt) {
   PlanningLab lab = lab_of("marvin");
   lab.world.volumes = {wall(-50, 50, -50, 50)};
