@@ -64,7 +64,7 @@ void expect_same_key(const T& value) {
   const wire::Sample sample = value;
   fastdds::Cargo cargo;
   cargo.outgoing = &sample;
-  fastdds::SampleType ours(wire::slot_of(sample));
+  fastdds::SampleType ours(wire::slot_of(sample), false);
   Type theirs;
   for (const bool force_md5 : {false, true}) {
     InstanceHandle_t our_key;
