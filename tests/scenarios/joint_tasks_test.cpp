@@ -46,8 +46,9 @@ INSTANTIATE_TEST_SUITE_P(JointTasks, Teamwork,
                                            "mref/radio-cut", "mref/interrupted",
                                            "mref/taken-in-hand"),
                          name_of);
-INSTANTIATE_TEST_SUITE_P(Degree5, Teamwork, ::testing::Values("team/two", "team/five", "team/comets",
-                                                             "team/mixed"), name_of);
+INSTANTIATE_TEST_SUITE_P(Degree5, Teamwork,
+                         ::testing::Values("team/two", "team/five", "team/comets", "team/mixed"),
+                         name_of);
 
 }  // namespace
 }  // namespace skein::testing
