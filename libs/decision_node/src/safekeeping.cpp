@@ -38,6 +38,7 @@ void Safekeeping::carry_out_policy() {
   Deliberation& deliberation = core_.deliberation();
   const bool deliberated = deliberation.engaged();
   deliberation.disengage("contact lost: " + std::string(to_text(policy)));
+  owed_ = !core_.execution().airborne();
   if (core_.execution().airborne()) {
     const auto passed = core_.vehicle().of_ground();
     for (const auto& [task, type] : passed) core_.interrupt(task);
@@ -70,6 +71,14 @@ void Safekeeping::start_pending() {
   }
   holds_ = how == ContactPolicy::kHold;
   holds_ ? hold() : come_home();
+}
+
+bool Safekeeping::is_idle() const {
+  const std::vector<executive::TaskStatus> tasks = core_.execution().tasks();
+  return core_.vehicle().of_ground().empty() &&
+         std::none_of(tasks.begin(), tasks.end(), [](const executive::TaskStatus& task) {
+           return executive::is_active(task.state);
+         });
 }
 
 bool Safekeeping::knows_world() const {
@@ -124,6 +133,7 @@ void Safekeeping::come_home_again() {
 void Safekeeping::look_after(const world::Telemetry& telemetry) {
   seen_at_ = telemetry.state.position;
   if (!holds_) leaves_to_.reset();
+  if (owed_ && core_.execution().airborne() && is_idle()) carry_out_policy();
   if (!holds_ || !core_.execution().airborne() || !knows_world()) return;
   // Of a vehicle without figures nothing is known.
   const bool must_return = supervisor::must_come_home(

@@ -16,7 +16,10 @@ class Safekeeping {
  public:
   explicit Safekeeping(Core& core);
 
-  void ground_heard(bool reachable, MissionTime now) { contact_.ground_heard(reachable, now); }
+  void ground_heard(bool reachable, MissionTime now) {
+    contact_.ground_heard(reachable, now);
+    owed_ = owed_ && !reachable;
+  }
   /// Carries out the contact-loss policy when its instant has come.
   void time_passes();
   std::optional<MissionTime> next_wakeup() const;
@@ -36,6 +39,7 @@ class Safekeeping {
   void come_home();
   void come_home_again();
   void leave_closed_air(const world::Vector3& at);
+  bool is_idle() const;
   bool knows_world() const;
   void go(const std::vector<world::Vector3>& way);
 
@@ -46,6 +50,8 @@ class Safekeeping {
   /// When its own way home is tried again, after the vehicle gave it up: with growing pauses.
   std::optional<MissionTime> again_at_;
   Duration pause_;
+  /// The policy's instant came on the ground; a takeoff that was given before may come after it.
+  bool owed_ = false;
   bool holds_ = false;  ///< by itself, as long as the energy lasts to come home after it
 };
 
