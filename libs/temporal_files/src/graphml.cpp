@@ -45,7 +45,7 @@ class GraphmlReader {
 
   Stnu read(const XmlElement& root) {
     if (root.name != "graphml") {
-      problems_.add(root.place(), "the root element is " + in_quotes(root.name), "<graphml>");
+      problems_.add(place_of(root), "the root element is " + in_quotes(root.name), "<graphml>");
       return {};
     }
     for (const XmlElement& child : root.children) {
@@ -53,12 +53,13 @@ class GraphmlReader {
     }
     const XmlElement* graph = nullptr;
     for (const XmlElement& child : root.children) {
-      if (child.name == "graph" && graph != nullptr) problems_.add(child.place(), "a second graph");
+      if (child.name == "graph" && graph != nullptr)
+        problems_.add(place_of(child), "a second graph");
       if (child.name == "graph") graph = &child;
       if (child.name != "graph" && child.name != "key") unknown(child, {"key", "graph"});
     }
     if (graph == nullptr) {
-      problems_.add(root.place(), "no graph", "an element <graph>");
+      problems_.add(place_of(root), "no graph", "an element <graph>");
       return {};
     }
     return read_graph(*graph);
@@ -67,13 +68,13 @@ class GraphmlReader {
  private:
   void unknown(const XmlElement& element, const std::vector<std::string>& known) {
     if (element.name == "desc") return;
-    problems_.add_unknown(element.place(), "element", element.name, known);
+    problems_.add_unknown(place_of(element), "element", element.name, known);
   }
 
   const std::string* required(const XmlElement& element, std::string_view attribute) {
     const std::string* value = element.attribute(attribute);
     if (value == nullptr) {
-      problems_.add(element.place(),
+      problems_.add(place_of(element),
                     "<" + element.name + "> without the attribute " + in_quotes(attribute));
     }
     return value;
@@ -88,7 +89,8 @@ class GraphmlReader {
     const std::string* domain = key.attribute("for");
     const KeyId key_id{domain == nullptr ? kAllDomains : *domain, *id};
     if (!meaning_of_.emplace(key_id, name == nullptr ? *id : *name).second) {
-      problems_.add(key.place(), "key " + in_quotes(*id) + " is there twice for the same elements");
+      problems_.add(place_of(key),
+                    "key " + in_quotes(*id) + " is there twice for the same elements");
     }
     for (const XmlElement& child : key.children) {
       if (child.name != "default") unknown(child, {"default"});
@@ -111,7 +113,7 @@ class GraphmlReader {
       if (key == nullptr) continue;
       const std::string& name = meaning_of(element.name, *key);
       if (!data.emplace(name, trimmed(child.text)).second) {
-        problems_.add(child.place(), "data " + in_quotes(name) + " is there twice");
+        problems_.add(place_of(child), "data " + in_quotes(name) + " is there twice");
       }
     }
     return data;
@@ -120,12 +122,12 @@ class GraphmlReader {
   Stnu read_graph(const XmlElement& graph) {
     const std::string* direction = graph.attribute("edgedefault");
     if (direction != nullptr && *direction != "directed") {
-      problems_.add(graph.place(), "edgedefault is " + in_quotes(*direction), "'directed'");
+      problems_.add(place_of(graph), "edgedefault is " + in_quotes(*direction), "'directed'");
     }
     const Data data = data_of(graph);
     const auto type = data.find("NetworkType");
     if (type != data.end() && type->second != "STNU" && type->second != "STN") {
-      problems_.add(graph.place(), "the network is of type " + in_quotes(type->second),
+      problems_.add(place_of(graph), "the network is of type " + in_quotes(type->second),
                     "STN or STNU");
     }
     for (const XmlElement& child : graph.children) {
@@ -144,13 +146,13 @@ class GraphmlReader {
     const std::string* id = required(node, "id");
     if (id == nullptr) return;
     const std::string problem = name_problem(*id);
-    if (!problem.empty()) return problems_.add(node.place(), problem);
-    nodes_.add(*id, node.place());
+    if (!problem.empty()) return problems_.add(place_of(node), problem);
+    nodes_.add(*id, place_of(node));
     const Data data = data_of(node);
     for (const char* conditional : {"Obs", "Label"}) {
       const auto found = data.find(conditional);
       if (found == data.end() || found->second.empty() || found->second == "⊡") continue;
-      problems_.add(node.place(),
+      problems_.add(place_of(node),
                     std::string("a node with ") + conditional + " " + in_quotes(found->second) +
                         ": the network is conditional",
                     "an STN or STNU");
@@ -161,8 +163,8 @@ class GraphmlReader {
     const std::string* source_name = required(edge, "source");
     const std::string* target_name = required(edge, "target");
     if (source_name == nullptr || target_name == nullptr) return;
-    const std::optional<NodeIndex> source = nodes_.find(*source_name, edge.place());
-    const std::optional<NodeIndex> target = nodes_.find(*target_name, edge.place());
+    const std::optional<NodeIndex> source = nodes_.find(*source_name, place_of(edge));
+    const std::optional<NodeIndex> target = nodes_.find(*target_name, place_of(edge));
     if (!source || !target) return;
     const Data data = data_of(edge);
     const auto found = data.find("Type");
@@ -171,9 +173,9 @@ class GraphmlReader {
     if (!ordinary && type != "contingent") {
       std::vector<std::string> known(kOrdinary.begin(), kOrdinary.end());
       known.emplace_back("contingent");
-      return problems_.add_unknown(edge.place(), "type of edge", type, known);
+      return problems_.add_unknown(place_of(edge), "type of edge", type, known);
     }
-    HalfLink half{*source, *target, value_of(data, edge.place()), {}, {}, edge.place()};
+    HalfLink half{*source, *target, value_of(data, place_of(edge)), {}, {}, place_of(edge)};
     if (!read_labels(data, type == "contingent", half)) return;
     if (type == "contingent") return add_half(half);
     add_ordinary(half, type);

@@ -1,35 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// An XML text as elements that know where they stand. No document type, so no entities to expand.
+// An XML text as elements, with the problems of a reading.
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "problems.hpp"
+#include "skein/xml/element.hpp"
 
 namespace skein::temporal {
 
-struct XmlElement {
-  std::string name;
-  std::vector<std::pair<std::string, std::string>> attributes;
-  std::string text;  ///< all of it that stands directly in the element
-  std::vector<XmlElement> children;
-  int line = 0;
-  int column = 0;
+using XmlElement = xml::Element;
+using XmlEncoding = xml::Encoding;
 
-  /// Null when it is missing.
-  const std::string* attribute(std::string_view attribute_name) const;
-  Place place() const { return {line, column, ""}; }
-};
+inline Place place_of(const XmlElement& element) { return {element.line, element.column, ""}; }
 
-/// Whether the text is in the encoding that it declares, or in UTF-8 whatever it declares.
-enum class XmlEncoding { kDeclared, kUtf8 };
-
-/// The root; nothing, and problems, when the text is not well formed, has a document type, nests
-/// more than 16 deep or has more than a million elements.
+/// The root; nothing, and a problem, when there is none (xml::parse).
 std::optional<XmlElement> parse_xml(std::string_view text, Problems& problems,
                                     XmlEncoding encoding = XmlEncoding::kDeclared);
 
