@@ -10,6 +10,7 @@
 
 #include "allocate_commands.hpp"
 #include "argument_checks.hpp"
+#include "import_commands.hpp"
 #include "live_commands.hpp"
 #include "mastn_commands.hpp"
 #include "model_commands.hpp"
@@ -98,6 +99,7 @@ void add_commands(CLI::App& app, Action& action, const LiveActions& live) {
   add_allocate(app, action);
   add_live(app, action, live);
   add_series(app, action, live);
+  add_import(app, action, live);
   add_mle(app, action);
   add_plan(app, action);
   add_mastn(app, action);

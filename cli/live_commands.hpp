@@ -33,6 +33,10 @@ namespace skein::export_tool {
 struct ExportOptions;
 }
 
+namespace skein::import_tool {
+struct ImportOptions;
+}
+
 namespace skein::operate_tool {
 struct OperateOptions;
 struct StatusOptions;
@@ -85,6 +89,7 @@ struct LiveActions {
   std::function<int(const compare_tool::CompareOptions&)> compare;
   std::function<int(const series_tool::SeriesOptions&)> series;
   std::function<int(const export_tool::ExportOptions&)> export_run;
+  std::function<int(const import_tool::ImportOptions&)> import_mission;
 };
 
 /// Adds the commands. `action` and `live` must outlive the parsing and the action.

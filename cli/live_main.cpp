@@ -11,6 +11,7 @@
 #include "skein/compare_tool/compare.hpp"
 #include "skein/export_tool/export.hpp"
 #include "skein/functional_tool/functional.hpp"
+#include "skein/import_tool/import.hpp"
 #include "skein/operate_tool/operate.hpp"
 #include "skein/replay_tool/replay.hpp"
 #include "skein/run_tool/run.hpp"
@@ -37,6 +38,9 @@ void add_recordings(skein::cli::LiveActions& live) {
   };
   live.export_run = [](const export_tool::ExportOptions& options) {
     return export_tool::export_run(options, std::cout, std::cerr);
+  };
+  live.import_mission = [](const import_tool::ImportOptions& options) {
+    return import_tool::import_mission(options, std::cout, std::cerr);
   };
   live.record = [](const spy_tool::RecordOptions& options) {
     return spy_tool::record(options, std::cout, std::cerr);

@@ -18,6 +18,7 @@
 #include "skein/storm_tool/series.hpp"
 #include "skein/storm_tool/shrink.hpp"
 #include "skein/workers/seeds.hpp"
+#include "skein/workers/shipped.hpp"
 
 namespace skein::storm_tool {
 
@@ -59,16 +60,6 @@ std::string text_of_file(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Where Skein's models are: beside an installed program, or in the tree that it was built from.
-std::string shipped_scenarios() {
-  std::error_code none;
-  const fs::path self = fs::read_symlink("/proc/self/exe", none).parent_path();
-  for (const char* there : {"../share/skein/scenarios", "../../scenarios"}) {
-    if (fs::exists(self / there / "models", none)) return fs::canonical(self / there).string();
-  }
-  return "";
-}
-
 class Storm {
  public:
   Storm(const StormOptions& options, std::ostream& out, std::ostream& err)
@@ -93,7 +84,7 @@ class Storm {
   // ---- what is played ----
 
   int find_models() {
-    models_ = options_.models.empty() ? shipped_scenarios() : options_.models;
+    models_ = options_.models.empty() ? workers::shipped_scenarios() : options_.models;
     if (fs::exists(fs::path(models_) / "models")) return kExitOk;
     err_ << (models_.empty() ? "no models of vehicles found"
                              : models_ + ": no folder models/ in it")

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a mission is flown: the scenario's frame and ground, and home in it.
+#pragma once
+
+#include <optional>
+
+#include "log.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
+#include "skein/mission_files/contents.hpp"
+#include "skein/world/terrain.hpp"
+
+namespace skein::import_tool {
+
+/// Least height of a way-point over the ground, as vehicles have it [m].
+inline constexpr double kLeastHeight = 2;
+
+/// Heights of files, which count from home, the ground or sea level, in the local frame.
+class Site {
+ public:
+  /// `home_over_sea`: of the file; `geoid`: of sea level over the ellipsoid, which counts before
+  /// it. [m]
+  Site(const world::GeodeticOrigin& origin, world::TerrainSpec terrain,
+       const mission_files::LatLon& home, std::optional<double> home_over_sea,
+       std::optional<double> geoid);
+
+  const world::Terrain& terrain() const { return terrain_; }
+  /// On the ground.
+  const world::Vector3& home() const { return home_; }
+  world::Vector2 on_ground(const mission_files::LatLon& at) const;
+  double ground_at(const world::Vector3& point) const {
+    return terrain_.elevation(point.x(), point.y());
+  }
+  /// Nothing for a height over sea level where it is not known how high the sea is.
+  std::optional<world::Vector3> at(const mission_files::LatLon& at,
+                                   const mission_files::Height& height) const;
+  /// The z of a height over (or under) a point [m]; nothing likewise.
+  std::optional<double> height_at(const world::Vector3& point,
+                                  const mission_files::Height& height) const;
+
+ private:
+  geodesy::GeodeticFrame frame_;
+  world::Terrain terrain_;
+  world::Vector3 home_;
+  double home_over_ellipsoid_ = 0;
+  /// Of sea level over the ellipsoid, as far as it is known.
+  std::optional<double> sea_;
+};
+
+/// A rectangle of the local frame [m].
+struct Sides {
+  double west = 0, south = 0, east = 0, north = 0;
+  void include(const world::Vector2& point);
+};
+
+}  // namespace skein::import_tool
