@@ -105,13 +105,21 @@ void add_time_series(CLI::App& app, Action& action, const LiveActions& live) {
 constexpr const char* kExportExamples = R"(
 Examples:
   skein export out/comets-confirmed --mcap comets.mcap      Foxglove, PlotJuggler: docs/recordings.md
+  skein export out/comets-confirmed --kml comets.kml --gpx comets.gpx --geoid 54
 Exit codes: 0, 2 the folder cannot be read, 3 the file cannot be written.)";
 
 void add_export(CLI::App& app, Action& action, const LiveActions& live) {
   auto options = std::make_shared<export_tool::ExportOptions>();
   CLI::App* command = app.add_subcommand("export", "A recorded run for other programs");
   command->add_option("folder", options->folder, "Folder of a run (out/NAME)")->required();
-  command->add_option("--mcap", options->mcap, "The MCAP file to write")->required();
+  command->add_option("--mcap", options->mcap, "MCAP file, for Foxglove and PlotJuggler");
+  command->add_option("--kml", options->kml, "KML file, for Google Earth and maps");
+  command->add_option("--gpx", options->gpx, "GPX file, for GPS programs");
+  command
+      ->add_option("--geoid", options->geoid,
+                   "Height of the sea over the ellipsoid there [m], for heights of KML and GPX")
+      ->check(finite_problem)
+      ->capture_default_str();
   add_choice(*command, "--compression", options->compression,
              {{"none", mcap::Compression::kNone},
               {"lz4", mcap::Compression::kLz4},

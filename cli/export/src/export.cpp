@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/export_tool/export.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <ostream>
 
@@ -8,6 +9,7 @@
 #include "skein/foxglove/export.hpp"
 #include "skein/mcap/writer.hpp"
 #include "skein/recording/run.hpp"
+#include "skein/track_files/tracks.hpp"
 
 namespace skein::export_tool {
 
@@ -28,22 +30,68 @@ Result<std::uint64_t, Failure> write_mcap(const report::RunInfo& info,
   return writer.messages();
 }
 
-int export_run(const ExportOptions& options, std::ostream& out, std::ostream& err) {
-  const auto run = recording::read_run(options.folder);
-  if (!run) {
-    err << to_text(run.error());
-    return kExitBadInput;
+namespace {
+
+/// As an exit code.
+int write_file(const std::string& file, const std::string& text, std::ostream& out,
+               std::ostream& err) {
+  std::ofstream to(file, std::ios::binary | std::ios::trunc);
+  to << text;
+  to.close();
+  if (to) {
+    out << file << ": " << text.size() << " bytes\n";
+    return kExitOk;
   }
-  err << to_text(run->damaged);  // the rest is still worth a file
-  if (!run->info.origin)
+  err << "cannot write " << file << '\n';
+  return kExitSystem;
+}
+
+int write_mcap_file(const ExportOptions& options, const recording::Run& run, std::ostream& out,
+                    std::ostream& err) {
+  if (options.mcap.empty()) return kExitOk;
+  if (!run.info.origin)
     err << options.folder << ": of a version that did not say where on Earth it was: no map\n";
-  const auto written = write_mcap(run->info, run->records, options.mcap, options.compression);
+  const auto written = write_mcap(run.info, run.records, options.mcap, options.compression);
   if (!written) {
     err << written.error().why << '\n';
     return kExitSystem;
   }
   out << options.mcap << ": " << *written << " messages\n";
   return kExitOk;
+}
+
+int write_tracks(const ExportOptions& options, const recording::Run& run, std::ostream& out,
+                 std::ostream& err) {
+  if (options.kml.empty() && options.gpx.empty()) return kExitOk;
+  if (!run.info.origin) {
+    err << options.folder << ": of a version that did not say where on Earth it was: no tracks\n";
+    return kExitBadInput;
+  }
+  const track_files::TrackOptions how{options.geoid};
+  int code = kExitOk;
+  if (!options.kml.empty())
+    code = write_file(options.kml, track_files::to_kml(run.info, run.records, how), out, err);
+  if (!options.gpx.empty())
+    code = std::max(
+        code, write_file(options.gpx, track_files::to_gpx(run.info, run.records, how), out, err));
+  return code;
+}
+
+}  // namespace
+
+int export_run(const ExportOptions& options, std::ostream& out, std::ostream& err) {
+  if (options.mcap.empty() && options.kml.empty() && options.gpx.empty()) {
+    err << "no file to write; expected: --mcap, --kml or --gpx\n";
+    return kExitBadInput;
+  }
+  const auto run = recording::read_run(options.folder);
+  if (!run) {
+    err << to_text(run.error());
+    return kExitBadInput;
+  }
+  err << to_text(run->damaged);  // the rest is still worth a file
+  const int mcap = write_mcap_file(options, *run, out, err);
+  return std::max(mcap, write_tracks(options, *run, out, err));
 }
 
 }  // namespace skein::export_tool

@@ -81,6 +81,42 @@ TEST_F(Export, OfALogThatWasCutOffWritesWhatThereIs) {
   EXPECT_THAT(err_.str(), HasSubstr("events.jsonl:2"));
 }
 
+TEST_F(Export, WritesTracksForMapsAndGpsPrograms) {
+  keep(kTelemetry +
+       "{\"at\":2,\"node\":\"sim\",\"kind\":\"telemetry\",\"uav\":\"marvin\","
+       "\"position\":[20,20,30]}\n");
+  options_.mcap.clear();
+  options_.kml = (folder_.path() / "run.kml").string();
+  options_.gpx = (folder_.path() / "run.gpx").string();
+  options_.geoid = 50;
+
+  EXPECT_EQ(run(), kExitOk) << err_.str();
+
+  const auto text = [](const std::string& file) {
+    std::ifstream in(file);
+    return std::string{std::istreambuf_iterator<char>(in), {}};
+  };
+  EXPECT_THAT(text(options_.kml), HasSubstr("<name>marvin</name>"));
+  EXPECT_THAT(text(options_.gpx), HasSubstr("<ele>80.000</ele><time>2026-01-01T00:00:01Z</time>"));
+}
+
+TEST_F(Export, OfARunThatIsNowhereOnEarthThereAreNoTracks) {
+  info_.origin.reset();
+  keep(kTelemetry);
+  options_.gpx = (folder_.path() / "run.gpx").string();
+
+  EXPECT_EQ(run(), kExitBadInput);
+  EXPECT_THAT(err_.str(), HasSubstr("no tracks"));
+}
+
+TEST_F(Export, WithoutAFileToWriteSaysWhichThereAre) {
+  keep(kTelemetry);
+  options_.mcap.clear();
+
+  EXPECT_EQ(run(), kExitBadInput);
+  EXPECT_THAT(err_.str(), HasSubstr("--mcap, --kml or --gpx"));
+}
+
 TEST_F(Export, RefusesAFolderOfNoRun) {
   options_.folder = "/no/such/run";
 

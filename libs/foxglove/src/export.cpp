@@ -9,9 +9,9 @@
 #include <set>
 
 #include "channels.hpp"
-#include "log_lines.hpp"
 #include "map_features.hpp"
-#include "unix_time.hpp"
+#include "skein/foundation/unix_time.hpp"
+#include "skein/journal/log_line.hpp"
 
 namespace skein::foxglove {
 
@@ -51,7 +51,7 @@ class Export {
 
  private:
   void see(const Record& record) {
-    if (const auto line = log_line_of(record)) say(record, *line);
+    if (const auto line = journal::log_line_of(record)) say(record, *line);
     if (!frame_) return;
     const std::string uav(record.text("uav"));
     if (record.kind() == "telemetry") locate(record, uav);
@@ -63,7 +63,7 @@ class Export {
                       alarms_geojson(alarms_, *frame_));
   }
 
-  void say(const Record& record, const LogLine& line) {
+  void say(const Record& record, const journal::LogLine& line) {
     const std::uint64_t time = unix_time(epoch_, record.at());
     const Json json{{"timestamp", Json::parse(timestamp_json(time))},
                     {"level", static_cast<int>(line.level)},

@@ -15,7 +15,10 @@ namespace skein::export_tool {
 
 struct ExportOptions {
   std::string folder;  ///< of a run
-  std::string mcap;    ///< the file
+  std::string mcap;    ///< file for Foxglove and PlotJuggler; empty: none
+  std::string kml;     ///< file for maps and Google Earth; empty: none
+  std::string gpx;     ///< file for GPS programs; empty: none
+  double geoid = 0;    ///< of the sea over the ellipsoid there [m], for heights of KML and GPX
   mcap::Compression compression = mcap::Compression::kZstd;
 };
 

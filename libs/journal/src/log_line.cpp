@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "log_lines.hpp"
+#include "skein/journal/log_line.hpp"
 
 #include <functional>
 #include <map>
 
-namespace skein::foxglove {
+namespace skein::journal {
 
 namespace {
-
-using journal::Record;
 
 std::string text(const Record& record, std::string_view key) {
   return std::string(record.text(key));
@@ -128,4 +126,4 @@ std::optional<LogLine> log_line_of(const Record& record) {
   return teller == tellers().end() ? std::nullopt : teller->second(record);
 }
 
-}  // namespace skein::foxglove
+}  // namespace skein::journal

@@ -7,9 +7,9 @@
 
 #include "skein/journal/record.hpp"
 
-namespace skein::foxglove {
+namespace skein::journal {
 
-/// As foxglove.LogLevel counts them.
+/// Counted as Foxglove does (foxglove.LogLevel).
 enum class Level { kDebug = 1, kInfo = 2, kWarning = 3, kError = 4 };
 
 struct LogLine {
@@ -19,6 +19,6 @@ struct LogLine {
 
 /// Of a record that is worth a line: decisions, refusals, degrees, goals, alarms, phases, faults,
 /// verdicts, notices, who got which task of the team.
-std::optional<LogLine> log_line_of(const journal::Record& record);
+std::optional<LogLine> log_line_of(const Record& record);
 
-}  // namespace skein::foxglove
+}  // namespace skein::journal

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Records in words.
-#include "log_lines.hpp"
+#include "skein/journal/log_line.hpp"
 
 #include <gtest/gtest.h>
 
-namespace skein::foxglove {
+namespace skein::journal {
 namespace {
 
-journal::Record line(const std::string& kind) { return {MissionTime::seconds(1), "marvin", kind}; }
+Record line(const std::string& kind) { return {MissionTime::seconds(1), "marvin", kind}; }
 
-std::string said(const journal::Record& record) {
+std::string said(const Record& record) {
   const auto line = log_line_of(record);
   return line ? line->text : "nothing";
 }
@@ -54,4 +54,4 @@ TEST(LogLine, OfATaskIsThereWhenItWasAborted) {
 }
 
 }  // namespace
-}  // namespace skein::foxglove
+}  // namespace skein::journal

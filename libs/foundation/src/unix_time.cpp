@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "unix_time.hpp"
+#include "skein/foundation/unix_time.hpp"
 
 #include <chrono>
 #include <ctime>
 #include <iomanip>
 #include <sstream>
 
-namespace skein::foxglove {
+namespace skein {
 
 std::uint64_t epoch_of(const std::string& iso) {
   std::tm parts{};
@@ -29,4 +29,26 @@ std::uint64_t unix_time(std::uint64_t epoch, MissionTime at) {
   return before > epoch ? 0 : epoch - before;
 }
 
-}  // namespace skein::foxglove
+std::string utc_text(std::uint64_t nanoseconds) {
+  using namespace std::chrono;  // NOLINT(google-build-using-namespace): its units
+  const auto thousandths =
+      floor<milliseconds>(std::chrono::nanoseconds(static_cast<std::int64_t>(nanoseconds)));
+  const auto days = floor<std::chrono::days>(thousandths);
+  const year_month_day date{sys_days(days)};
+  const hh_mm_ss time(thousandths - days);
+  std::ostringstream text;
+  const auto two = [&](auto value) -> std::ostream& {
+    return text << std::setw(2) << std::setfill('0') << value;
+  };
+  text << std::setw(4) << std::setfill('0') << static_cast<int>(date.year()) << '-';
+  two(static_cast<unsigned>(date.month())) << '-';
+  two(static_cast<unsigned>(date.day())) << 'T';
+  two(time.hours().count()) << ':';
+  two(time.minutes().count()) << ':';
+  two(time.seconds().count());
+  if (const auto rest = time.subseconds().count(); rest != 0)
+    text << '.' << std::setw(3) << std::setfill('0') << rest;
+  return text.str() + 'Z';
+}
+
+}  // namespace skein

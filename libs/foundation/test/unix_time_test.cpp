@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Instants of a run as the rest of the world counts them.
-#include "unix_time.hpp"
+#include "skein/foundation/unix_time.hpp"
 
 #include <gtest/gtest.h>
 
-namespace skein::foxglove {
+namespace skein {
 namespace {
 
 // date -u -d 2005-05-19T09:00:00Z +%s
@@ -24,5 +24,15 @@ TEST(UnixTime, CountsFromTheEpochAndNeverBeforeTheBeginning) {
   EXPECT_EQ(unix_time(0, MissionTime::nanoseconds(-5)), 0U);
 }
 
+TEST(UtcText, IsReadBackByEpochOf) {
+  for (const char* text : {"2005-05-19T09:00:00Z", "1970-01-01T00:00:00Z", "2026-12-31T23:59:59Z"})
+    EXPECT_EQ(utc_text(epoch_of(text)), text);
+}
+
+// date -u -d @1116493201.25 +%FT%T.%3NZ
+TEST(UtcText, HasThousandthsWhereThereAreSome) {
+  EXPECT_EQ(utc_text(1116493201ULL * 1'000'000'000 + 250'999'999), "2005-05-19T09:00:01.250Z");
+}
+
 }  // namespace
-}  // namespace skein::foxglove
+}  // namespace skein
