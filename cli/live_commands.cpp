@@ -34,7 +34,8 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
   auto options = std::make_shared<run_tool::RunOptions>();
   CLI::App* run = app.add_subcommand("run", "Play a scenario, check it, write its report");
   run->add_option("scenario", options->scenario, "Scenario file (YAML)")->required();
-  run->add_flag("--virtual", options->virtual_time, "In virtual time, in this process");
+  CLI::Option* in_virtual_time =
+      run->add_flag("--virtual", options->virtual_time, "In virtual time, in this process");
   run->add_option("--rate", options->overrides.rate, "Mission seconds per second");
   run->add_option("--seed", options->overrides.seed, "Seed of everything random");
   run->add_option("--degree", options->overrides.degrees,
@@ -60,6 +61,10 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
   run->add_option(
       "--console", options->console,
       "Serve the operators' page meanwhile: ADDRESS:PORT, or PORT of this machine alone");
+  run->add_option("--mavlink-out", options->mavlink_out,
+                  "Over DDS: tell a MAVLink ground station where everybody is, "
+                  "udp:127.0.0.1:14550 for instance")
+      ->excludes(in_virtual_time);
   run->add_option("--mcap", options->mcap,
                   "Also write the run as an MCAP file, for Foxglove or PlotJuggler");
   run->footer(kRunExamples);

@@ -21,6 +21,7 @@ struct DdsOptions {
   std::vector<std::string> without = {};    ///< nodes that somebody else starts
   std::string keys = {};                    ///< folder of make-keys; empty: no security
   std::string console = {};                 ///< of the ground station; empty: none
+  std::string mavlink_out = {};             ///< of the ground station; empty: none
 };
 
 /// Starts the daemons, follows the run over the world channel, kills and restarts daemons as the

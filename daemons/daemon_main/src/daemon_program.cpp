@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "companions.hpp"
 #include "log_line.hpp"
 #include "memory.hpp"
 #include "options.hpp"
@@ -21,6 +22,8 @@
 #include "skein/console/console.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/nearest.hpp"
+#include "skein/manual/pages.hpp"
+#include "skein/mavlink_out/mavlink_out.hpp"
 #include "skein/node/waker.hpp"
 
 namespace skein::daemon_main {
@@ -97,6 +100,32 @@ Result<std::unique_ptr<console::Console>, Failure> open_console(
   return console::Console::open(std::move(config));
 }
 
+struct OpenCompanions {
+  Companions all;
+  std::vector<std::string> notices;
+};
+
+/// The page and the station of others, as far as they are asked for.
+Result<OpenCompanions, Failure> open_companions(const Options& options,
+                                                const scenario::Scenario& scenario) {
+  OpenCompanions opened;
+  if (!options.console.empty()) {
+    auto console = open_console(options, scenario);
+    if (!console) return failure("--console: " + console.error().why);
+    opened.notices.push_back("console at " + (*console)->url());
+    opened.all.add(std::move(*console));
+  }
+  if (!options.mavlink_out.empty()) {
+    auto config = mavlink_out::announcer_config_of(scenario, options.geoid);
+    if (!config) return failure("--mavlink-out: " + config.error().why);
+    auto out = mavlink_out::MavlinkOut::open(options.mavlink_out, std::move(*config));
+    if (!out) return failure("--mavlink-out: " + out.error().why);
+    opened.notices.push_back("telemetry by MAVLink to " + options.mavlink_out);
+    opened.all.add(std::move(*out));
+  }
+  return opened;
+}
+
 /// Who this daemon is; null, and said why, when the scenario has no place for it. A program that
 /// makes its node itself does so here.
 const node::Member* find_self(const DaemonProgram& program, const Options& options,
@@ -152,20 +181,16 @@ int run(const DaemonProgram& program, const Options& options) {
   for (const std::string& notice : memory.notices)
     config.on_record(journal::Record({}, name, "notice").with("text", notice));
   config.memory = memory.log.get();
-  std::unique_ptr<console::Console> console;
-  if (!options.console.empty()) {
-    auto opened = open_console(options, *scenario);
-    if (!opened) {
-      std::cerr << "--console: " << opened.error().why << '\n';
-      return kExitBadInput;
-    }
-    console = std::move(*opened);
-    config.companion = console.get();
-    config.on_record(
-        journal::Record({}, name, "notice").with("text", "console at " + console->url()));
+  auto companions = open_companions(options, *scenario);
+  if (!companions) {
+    std::cerr << companions.error().why << '\n';
+    return kExitBadInput;
   }
+  for (const std::string& notice : companions->notices)
+    config.on_record(journal::Record({}, name, "notice").with("text", notice));
+  companions->all.add(std::move(crew.companion));
+  if (!companions->all.empty()) config.companion = &companions->all;
   config.forgets = options.forgets;
-  if (crew.companion) config.companion = crew.companion.get();
   auto node = crew.node ? std::move(crew.node) : make_node();
   const auto end = node::run_daemon(roster, *self, std::move(node), config);
   if (end == node::DaemonEnd::kFinished && memory.log) memory.log->conclude();
@@ -186,6 +211,13 @@ int run_daemon_program(const DaemonProgram& program, int argc, char** argv) try 
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kExitOk : kExitBadInput;
+  }
+  if (!options.manual.empty()) {
+    const manual::Command command = manual::command_of(app);
+    std::cout << (options.manual == "man"
+                      ? manual::man_pages(command, "skein " SKEIN_VERSION, 8).front().text
+                      : manual::completion(command, options.manual));
+    return kExitOk;
   }
   std::string shown;
   const Diagnostics problems = complete(app, options, program, shown);

@@ -33,6 +33,15 @@ void declare_console(CLI::App& app, Options& options) {
       ->delimiter(',');
 }
 
+void declare_mavlink_out(CLI::App& app, Options& options) {
+  app.add_option("--mavlink-out", options.mavlink_out,
+                 "Tell a ground station that speaks MAVLink where everybody is: "
+                 "udp:ADDRESS:PORT, udpin:PORT or serial:DEVICE:BAUD");
+  app.add_option("--geoid", options.geoid,
+                 "Height of the sea over the ellipsoid there [m], for heights of --mavlink-out")
+      ->check(CLI::Range(-200.0, 200.0));
+}
+
 void declare_run(CLI::App& app, Options& options, bool remembers) {
   app.add_option("--rate", options.overrides.rate,
                  "Mission seconds per second, for the scenario's");
@@ -59,6 +68,9 @@ void declare(CLI::App& app, Options& options, const DaemonProgram& program) {
                  "YAML file with values of the options below; also as SKEIN_CONFIG");
   app.add_flag("--show-config", options.show_config,
                "Print the value of every option and where it comes from, and end");
+  app.add_option("--manual", options.manual, "Print its manual page, or completion of a shell")
+      ->check(CLI::IsMember({"man", "bash", "zsh", "fish"}))
+      ->group("");
   if (!program.node.empty() && !program.plays_vehicles)
     app.add_flag("--show-rights", options.show_rights,
                  "Print what each node of the scenario may write and read, and end");
@@ -76,7 +88,10 @@ void declare(CLI::App& app, Options& options, const DaemonProgram& program) {
   declare_network(app, options.network);
   declare_run(app, options, !program.crew);
   for (const OwnOption& own : program.options) app.add_option(own.name, *own.value, own.help);
-  if (!program.node.empty() && !program.plays_vehicles) declare_console(app, options);
+  if (!program.node.empty() && !program.plays_vehicles) {
+    declare_console(app, options);
+    declare_mavlink_out(app, options);
+  }
   app.add_option("--exit-with-parent", options.parent,
                  "Stop when the process of this id, which started this one, ends");
   app.footer(
@@ -89,8 +104,8 @@ Diagnostics complete(CLI::App& app, Options& options, const DaemonProgram& progr
                      std::string& shown) {
   const char* const file = std::getenv("SKEIN_CONFIG");
   if (options.config.empty() && file != nullptr) options.config = file;
-  Settings settings(
-      app, {"help", "config", "show-config", "show-rights", "exit-with-parent", "forgets"});
+  Settings settings(app, {"help", "config", "show-config", "show-rights", "manual",
+                          "exit-with-parent", "forgets"});
   Diagnostics problems =
       settings.complete([](const char* name) { return std::getenv(name); }, options.config);
   const auto require = [&](const std::string& value, const char* name, const char* variable) {

@@ -17,6 +17,7 @@ struct Options {
   std::string config;  ///< file with the others; empty: none
   bool show_config = false;
   bool show_rights = false;
+  std::string manual;  ///< to print instead of running: "man", or the name of a shell
   std::string scenario;
   std::string node;  ///< empty: that of the program
   std::uint32_t domain = 0;
@@ -25,6 +26,8 @@ struct Options {
   std::string state;    ///< empty: nothing outlives the process
   std::string console;  ///< ADDRESS:PORT of the operators' page; empty: none
   std::vector<std::string> console_names;
+  std::string mavlink_out;  ///< address of a station that speaks MAVLink; empty: none
+  double geoid = 0;         ///< of the sea over the ellipsoid, for it [m]
   std::string log_level = "info";
   bool log_json = false;
   bool forgets = false;  ///< of what is there it takes only where its vehicles are

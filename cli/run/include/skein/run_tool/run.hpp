@@ -25,6 +25,7 @@ struct RunOptions {
   std::string security;                 ///< folder of make-keys, over DDS; empty: none
   std::string mcap;                     ///< file for the run as MCAP; empty: none
   std::string console;                  ///< ADDRESS:PORT of the operators' page; empty: none
+  std::string mavlink_out;              ///< address of a MAVLink station, over DDS; empty: none
 };
 
 /// Runs to the end; returns the exit code (docs/exit-codes.md). Results go to `out`, everything
