@@ -12,6 +12,7 @@
 #include "argument_checks.hpp"
 #include "import_commands.hpp"
 #include "live_commands.hpp"
+#include "manual_commands.hpp"
 #include "mastn_commands.hpp"
 #include "model_commands.hpp"
 #include "plan_commands.hpp"
@@ -98,8 +99,8 @@ Action quick_plan(int argc, char** argv) {
 void add_commands(CLI::App& app, Action& action, const LiveActions& live) {
   add_allocate(app, action);
   add_live(app, action, live);
-  add_series(app, action, live);
   add_import(app, action, live);
+  add_series(app, action, live);
   add_mle(app, action);
   add_plan(app, action);
   add_mastn(app, action);
@@ -107,6 +108,7 @@ void add_commands(CLI::App& app, Action& action, const LiveActions& live) {
   add_stn(app, action);
   add_refine(app, action, live);
   add_terrain(app, action, live);
+  add_manual(app, action);
 }
 
 }  // namespace

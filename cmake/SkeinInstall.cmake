@@ -127,8 +127,17 @@ function(skein_install_programs)
   install(PROGRAMS scripts/make-keys DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME skein-make-keys COMPONENT runtime)
   install(DIRECTORY scenarios idl DESTINATION ${CMAKE_INSTALL_DATADIR}/skein COMPONENT runtime
           PATTERN "*.cmake" EXCLUDE)
-  install(FILES cli/completion/skein DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
-          COMPONENT runtime)
+  set(guides ${CMAKE_BINARY_DIR}/guides)  # cli/CMakeLists.txt makes them
+  foreach(section 1 8)
+    install(DIRECTORY ${guides}/man${section} DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT runtime OPTIONAL)
+  endforeach()
+  install(DIRECTORY ${guides}/bash/ DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT runtime OPTIONAL)
+  foreach(program skein skein-ground skein-ddn skein-sim skein-mavlink)
+    install(FILES ${guides}/zsh/${program} DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions
+            RENAME _${program} COMPONENT runtime OPTIONAL)
+    install(FILES ${guides}/fish/${program} DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
+            RENAME ${program}.fish COMPONENT runtime OPTIONAL)
+  endforeach()
   install(FILES README.md CHANGELOG.md LICENSE docs/deploy.md docs/daemons.md docs/mavlink.md docs/threats.md docs/exit-codes.md
           DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
   install(DIRECTORY daemons/service/ DESTINATION lib/systemd/system COMPONENT runtime FILES_MATCHING PATTERN "*.service")
