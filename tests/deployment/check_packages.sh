@@ -33,6 +33,13 @@ inside() { # COMMAND…: in the clean root, as the daemons' account, with a netw
 }
 said "installed with $(chroot "$root" dpkg-query -W -f '${Installed-Size} kB' skein), the root has $(du -sm "$root" | cut -f1) MB"
 
+for guide in man/man1/skein-run.1 man/man8/skein-ground.8 bash-completion/completions/skein \
+             zsh/vendor-completions/_skein fish/vendor_completions.d/skein.fish; do
+  [ -s "$root/usr/share/$guide" ] || fail "no /usr/share/$guide"
+done
+inside bash -c 'source /usr/share/bash-completion/completions/skein; COMP_WORDS=(skein run --virt) COMP_CWORD=2; _skein; echo "$COMPREPLY"'
+grep -qx -- --virtual "$log" || fail "completion"
+said "manual pages and completion are there"
 inside skein run /usr/share/skein/scenarios/comets/confirmed.yaml --virtual --out /tmp/virtual || fail "a mission in virtual time"
 said "$(tail -n 1 "$log")"
 inside skein run /usr/share/skein/scenarios/comets/confirmed.yaml --rate 60 --out /tmp/dds || fail "a mission over DDS"
