@@ -170,7 +170,7 @@ class ItemReader {
   }
 
   void take_off() {
-    leave_out_given({{1, "a pitch"}, {4, "a heading"}});
+    leave_out_given({{4, "a heading"}});  // parameter 1, a pitch, is of aeroplanes
     if (const auto over = height()) add(TakeOff{*over});
   }
 

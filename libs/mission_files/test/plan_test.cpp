@@ -71,11 +71,10 @@ TEST(Plan, AMissionIsReadStepByStep) {
 }
 
 TEST(Plan, WhatATakeoffAsksBesidesItsHeightIsTold) {
-  const Contents contents = contents_of(plan(item(22, 3, "15, 0, 0, null, 47.5, 8.25, 30")));
+  const Contents contents = contents_of(plan(item(22, 3, "15, 0, 0, 90, 47.5, 8.25, 30")));
 
-  ASSERT_EQ(contents.left_out.size(), 1U);
   EXPECT_EQ(to_text(contents.left_out),
-            "test.plan:9: mission.items[0]: NAV_TAKEOFF (22): a pitch (parameter 1)\n");
+            "test.plan:9: mission.items[0]: NAV_TAKEOFF (22): a heading (parameter 4)\n");
 }
 
 TEST(Plan, HeightsCountFromWhatTheirFrameSays) {
