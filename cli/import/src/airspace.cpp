@@ -22,6 +22,10 @@ using world::Vector2;
 using world::Volume;
 
 constexpr int kCircleCorners = 32;
+/// So that whatever flies can be held against all of it.
+constexpr std::size_t kMostClosed = 500;
+/// Of all areas together: scenarios have no more room.
+constexpr std::size_t kMostCornersInAll = 200'000;
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -51,12 +55,19 @@ class Reader {
   }
 
   void area(const Area& area) {
+    corners_ += area.ring.size();
+    if (corners_ > kMostCornersInAll) {
+      if (corners_ - area.ring.size() <= kMostCornersInAll)
+        log_.wrong(area.mark, "more than " + std::to_string(kMostCornersInAll) + " corners");
+      return;
+    }
     const Polygon polygon = ring(area.ring);
     if (!is_simple(polygon, area.mark)) return;
     if (!is_closed(area)) {
       made_.zones.push_back({names_.make(area.name, "zone"), polygon});
       return;
     }
+    if (!has_room(area.mark)) return;
     Volume volume;
     volume.name = names_.make(area.name, "closed");
     volume.polygon = polygon;
@@ -92,6 +103,13 @@ class Reader {
     return !problem;
   }
 
+  bool has_room(const mission_files::Mark& mark) {
+    if (made_.closed.size() == kMostClosed && !full_)
+      log_.wrong(mark, "more than " + std::to_string(kMostClosed) + " pieces of closed air");
+    full_ = made_.closed.size() >= kMostClosed;
+    return !full_;
+  }
+
   bool is_closed(const Area& area) const {
     const auto counts = [&](const std::string& name) {
       return closed_names_.contains(lower(name));
@@ -120,9 +138,16 @@ class Reader {
   double highest_ground(const Polygon& polygon) const {
     const world::TerrainSpec& spec = site_.terrain().spec();
     const world::TerrainCorners corners = world::corners_of(spec);
+    const Sides around = sides_of(polygon);
+    const auto index = [&](double at, double begin, std::size_t count) {
+      return static_cast<std::size_t>(
+          std::clamp((at - begin) / spec.cell, 0.0, static_cast<double>(count)));
+    };
     double highest = -1e9;
-    for (std::size_t row = 0; row < corners.rows; ++row)
-      for (std::size_t column = 0; column < corners.columns; ++column)
+    for (std::size_t row = index(around.south, spec.south, corners.rows);
+         row < index(around.north + spec.cell, spec.south, corners.rows); ++row)
+      for (std::size_t column = index(around.west, spec.west, corners.columns);
+           column < index(around.east + spec.cell, spec.west, corners.columns); ++column)
         if (world::contains(polygon, {spec.west + static_cast<double>(column) * spec.cell,
                                       spec.south + static_cast<double>(row) * spec.cell}))
           highest = std::max(highest, site_.terrain().corner(column, row));
@@ -134,7 +159,7 @@ class Reader {
     const Polygon polygon = circle != nullptr ? circle_polygon(site_.on_ground(circle->centre),
                                                                circle->radius, !fence.inclusion)
                                               : ring(std::get<std::vector<LatLon>>(fence.shape));
-    if (!is_simple(polygon, fence.mark)) return;
+    if (!is_simple(polygon, fence.mark) || !has_room(fence.mark)) return;
     if (!fence.inclusion) return close(names_.make("fence", "fence"), polygon);
     const std::string name = names_.make("outside", "outside");
     const auto parts = outside_of(polygon, sides_);
@@ -155,6 +180,8 @@ class Reader {
   Log& log_;
   std::set<std::string> closed_names_;
   Airspace made_;
+  std::size_t corners_ = 0;
+  bool full_ = false;
 };
 
 }  // namespace

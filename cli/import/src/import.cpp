@@ -32,6 +32,8 @@ using mission_files::LatLon;
 constexpr double kMargin = 500;
 /// No mission is farther across [m].
 constexpr double kFarthest = 100'000;
+/// To fly to: scenarios have no more room.
+constexpr std::size_t kMostPoints = 50'000;
 /// Beyond the ground, of the air outside of an inclusion [m].
 constexpr double kBeyond = 1000;
 
@@ -153,7 +155,11 @@ class Import {
     auto closed = parts_.airspace.closed;
     closed.insert(closed.end(), world.volumes.begin(), world.volumes.end());
     const FlightOptions how{options_.camera, options_.altitude};
-    parts_.flight = flight_of(all_items(), how, site, empty.uavs.front().model, closed, log_);
+    const std::vector<Item> items = all_items();
+    if (items.size() > kMostPoints)
+      return refuse("", std::to_string(items.size()) + " points to fly to",
+                    "at most " + std::to_string(kMostPoints));
+    parts_.flight = flight_of(items, how, site, empty.uavs.front().model, closed, log_);
     parts_.start = site.home();
     return finish();
   }

@@ -49,4 +49,11 @@ void Sides::include(const Vector2& point) {
   north = std::max(north, point.y());
 }
 
+Sides sides_of(const world::Polygon& polygon) {
+  const Vector2& first = polygon.front();
+  Sides sides{first.x(), first.y(), first.x(), first.y()};
+  for (const Vector2& corner : polygon) sides.include(corner);
+  return sides;
+}
+
 }  // namespace skein::import_tool

@@ -51,5 +51,7 @@ struct Sides {
   double west = 0, south = 0, east = 0, north = 0;
   void include(const world::Vector2& point);
 };
+/// Around a polygon. Precondition: it has a corner.
+Sides sides_of(const world::Polygon& polygon);
 
 }  // namespace skein::import_tool

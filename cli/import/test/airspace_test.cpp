@@ -60,6 +60,17 @@ std::string placemark(const std::string& name, const std::string& more = "",
          "</coordinates></LinearRing></outerBoundaryIs></Polygon></Placemark>";
 }
 
+mission_files::Contents fences(std::vector<mission_files::Fence> all) {
+  mission_files::Contents contents;
+  contents.fences = std::move(all);
+  return contents;
+}
+
+Airspace read_fences(std::vector<mission_files::Fence> all, Log& log) {
+  Names names;
+  return airspace_of(fences(std::move(all)), {}, site(), kSides, names, log);
+}
+
 TEST(Airspace, AnAreaIsAZoneUnlessItsNameOrItsFolderSaysThatItIsClosed) {
   const Read read = read_kml(placemark("field") + placemark("No-Fly") +
                              "<Folder><name>Fences</name>" + placemark("mast") + "</Folder>");
@@ -85,6 +96,57 @@ TEST(Airspace, WhatStandsOnTheGroundIsClosedUpToItsTop) {
   ASSERT_THAT(read.air.closed, SizeIs(1));
   EXPECT_NEAR(read.air.closed[0].ceiling, 60, 0.01);
   EXPECT_TRUE(std::isinf(read.air.closed[0].floor));
+}
+
+TEST(Airspace, ATopOverTheGroundCountsFromTheHighestGroundInside) {
+  world::TerrainSpec spec = level();
+  spec.hills = {{{300, 300}, 80, 100}};
+  const Site hilly(kOrigin, spec, {47.5, 8.25}, 430.0, std::nullopt);
+  const auto contents = mission_files::read_text(
+      "<kml>" +
+          placemark("fence", "<extrude>1</extrude><altitudeMode>relativeToGround</altitudeMode>",
+                    "8.252,47.501,60 8.256,47.501,60 8.256,47.505,60 8.252,47.505,60") +
+          "</kml>",
+      "a.kml");
+  ASSERT_TRUE(contents);
+  Log log("test");
+  Names names;
+
+  const Airspace air = airspace_of(*contents, {}, hilly, kSides, names, log);
+
+  ASSERT_THAT(air.closed, SizeIs(1));
+  EXPECT_NEAR(air.closed[0].ceiling, 140, 3) << "the hill's top is between corners of the grid";
+}
+
+TEST(Airspace, MorePiecesOfClosedAirThanCanBeHeldAgainstAFlightAreRefused) {
+  std::vector<mission_files::Fence> many;
+  for (int i = 0; i < 600; ++i)
+    many.push_back({mission_files::Circle{{47.5, 8.25}, 10}, false, {i, ""}});
+  Log log("test");
+
+  const Airspace air = read_fences(many, log);
+
+  EXPECT_THAT(air.closed, SizeIs(500));
+  EXPECT_EQ(to_text(log.errors()), "test:500: more than 500 pieces of closed air\n");
+}
+
+TEST(Airspace, MoreCornersThanAScenarioHasRoomForAreRefusedOnce) {
+  mission_files::Contents contents;
+  mission_files::Area area;
+  for (int i = 0; i < 1500; ++i) {
+    const double angle = 2 * std::numbers::pi * i / 1500;
+    area.ring.push_back({47.5 + 0.01 * std::sin(angle), 8.25 + 0.01 * std::cos(angle)});
+  }
+  for (int i = 0; i < 140; ++i) {
+    area.mark.line = i + 1;
+    contents.areas.push_back(area);
+  }
+  Log log("test");
+  Names names;
+
+  airspace_of(contents, {}, site(), kSides, names, log);
+
+  EXPECT_EQ(to_text(log.errors()), "test:134: more than 200000 corners\n");
 }
 
 TEST(Airspace, HeightsOverTheSeaCountFromHomesHeight) {
@@ -122,17 +184,6 @@ TEST(Airspace, CornersLieWhereGdalPutsThem) {
   ASSERT_EQ(ours.size(), theirs->at(0).outer.size());
   for (std::size_t i = 0; i < ours.size(); ++i)
     EXPECT_LT((ours[i] - theirs->at(0).outer[i]).norm(), 1e-3) << "corner " << i;
-}
-
-mission_files::Contents fences(std::vector<mission_files::Fence> all) {
-  mission_files::Contents contents;
-  contents.fences = std::move(all);
-  return contents;
-}
-
-Airspace read_fences(std::vector<mission_files::Fence> all, Log& log) {
-  Names names;
-  return airspace_of(fences(std::move(all)), {}, site(), kSides, names, log);
 }
 
 TEST(Airspace, AnExclusionIsClosedAndACircleWithAllThatIsInIt) {
