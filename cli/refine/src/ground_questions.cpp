@@ -25,7 +25,7 @@ Duration read_duration(const Reader& reader, Duration otherwise = {}) {
 refiners::Member read_member(const std::string& name, const Reader& reader, const Terms& terms) {
   refiners::Member member;
   member.uav = name;
-  reader.keys({"vehicle", "start", "swath", "device", "altitude", "speed", "share"});
+  reader.keys({"vehicle", "start", "swath", "device", "altitude", "speed", "busy", "share"});
   member.vehicle = terms.vehicle(reader.required("vehicle"));
   const Reader start = reader.required("start");
   member.start = start.is_sequence() && start.items().size() == 2
@@ -34,6 +34,7 @@ refiners::Member read_member(const std::string& name, const Reader& reader, cons
   member.altitude = metres(reader.required("altitude"));
   member.swath = terms.swath(reader, member.vehicle, member.altitude);
   member.speed = speed(reader.optional("speed"));
+  member.busy = read_duration(reader.optional("busy")).to_seconds();
   if (const Reader share = reader.optional("share"); share.present())
     member.share = share.number(1, {-1e9, 1e9, ""});
   return member;

@@ -213,7 +213,8 @@ TEST(QueryReader, AConstraintHasOneKind) {
 
 TEST(QueryReader, MembersOfAPartitionHaveTheirOwnVehicles) {
   const std::string member =
-      R"({"start": [10, 20], "swath": 40, "altitude": 60, "share": 2, )" + testing::kVehicle + "}";
+      R"({"start": [10, 20], "swath": 40, "altitude": 60, "busy": 30, "share": 2, )" +
+      testing::kVehicle + "}";
   const auto query =
       read_query("{\"service\": \"partition\", " + testing::kWorld +
                      R"(, "area": "field", "mode": "balanced", "members": {"m": )" + member + "}}",
@@ -224,6 +225,7 @@ TEST(QueryReader, MembersOfAPartitionHaveTheirOwnVehicles) {
   EXPECT_EQ(partition.mode, refiners::ShareMode::kBalanced);
   ASSERT_THAT(partition.members, SizeIs(1));
   EXPECT_EQ(partition.members[0].start, Vector2(10, 20));
+  EXPECT_EQ(partition.members[0].busy, 30);
   EXPECT_EQ(partition.members[0].share, 2);
 }
 

@@ -38,6 +38,8 @@ std::optional<Refusal> check_member(const Member& member, const std::string& fie
   if (auto problem = check_positive(member.altitude, field + ".altitude")) return problem;
   if (!(member.speed >= 0 && std::isfinite(member.speed)))
     return bad(field + ".speed", "a speed is a finite number, at least 0");
+  if (!(member.busy >= 0 && std::isfinite(member.busy)))
+    return bad(field + ".busy", "a time is a finite number, at least 0");
   if (auto problem = check_vehicle(member.vehicle)) {
     problem->field = field + "." + problem->field;
     return problem;

@@ -27,6 +27,10 @@ double speed_of(const Member& member) {
   return member.speed > 0 ? member.speed : member.vehicle.cruise_speed;
 }
 
+Duration later(Duration duration, double seconds) {
+  return duration == Duration::max() ? duration : duration + Duration::seconds(seconds);
+}
+
 }  // namespace
 
 double usable(const Member& member) { return 1 - member.vehicle.energy.reserve; }
@@ -93,6 +97,10 @@ Outcome<Coverage> Planner::sweep(const Member& member, double altitude,
   auto swept = refine(query, setting);
   if (!swept) return swept;
   swept->task.energy *= kPlenty;
+  swept->cost += member.busy;
+  DurationInterval& duration = swept->duration;
+  duration = {later(duration.least, member.busy), later(duration.expected, member.busy),
+              later(duration.most, member.busy)};
   effort_.cut_short = effort_.cut_short || swept->effort.cut_short;
   return swept;
 }
@@ -105,7 +113,7 @@ bool Planner::has_energy(const Trial& trial) const {
 
 double Planner::seconds_to(const Member& member, const Refined<Coverage>& sweep) const {
   const double distance = (sweep.task.lanes.front().from - member.start).norm();
-  return std::min(distance / speed_of(member), sweep.cost);
+  return std::min(member.busy + distance / speed_of(member), sweep.cost);
 }
 
 void Planner::learn_limits(const Trial& trial, std::vector<Ability>& abilities) const {
@@ -114,8 +122,8 @@ void Planner::learn_limits(const Trial& trial, std::vector<Ability>& abilities) 
     const Refined<Coverage>& sweep = trial.sweeps[i];
     if (sweep.task.energy <= usable(member)) continue;
     // What is drawn on the way there is drawn for any area.
-    const double on_the_way =
-        sweep.task.energy * seconds_to(member, sweep) / std::max(sweep.cost, 1e-9);
+    const double on_the_way = sweep.task.energy * (seconds_to(member, sweep) - member.busy) /
+                              std::max(sweep.cost - member.busy, 1e-9);
     const double left = std::max(0.0, usable(member) - on_the_way);
     const double taken = std::max(sweep.task.energy - on_the_way, 1e-9);
     abilities[i].limit = kCaution * trial.areas[i] * left / taken;

@@ -132,6 +132,21 @@ TEST(Partition, BalancingIsNeverLaterAndMeetsItsGoals) {
   EXPECT_LE(ratios[ratios.size() / 2], 0.92);
 }
 
+TEST(Partition, WhoIsBusyFirstGetsLessAndEndsWithTheOthers) {
+  PartitionQuery query = annex_b();
+  query.mode = ShareMode::kBalanced;
+  const auto free = ask(query);
+  query.members[2].busy = 300;
+  const auto busy = ask(query);
+
+  ASSERT_TRUE(free && busy);
+  EXPECT_LT(busy->task.parts[2].share, free->task.parts[2].share);
+  EXPECT_LT(busy->task.spread, 0.08);
+  const Part& last = busy->task.parts[2];
+  EXPECT_GT(last.duration.expected, Duration::seconds(300));
+  EXPECT_GT(last.duration.least, Duration::seconds(300));
+}
+
 TEST(Partition, TheSameQueryGivesTheSameAnswer) {
   PartitionQuery query = annex_b();
   query.mode = ShareMode::kBalanced;
@@ -251,6 +266,7 @@ TEST(Partition, EachFaultOfAQueryIsNamed) {
   EXPECT_EQ(with([](auto& q) { q.members[1].swath = 0; }), "members.1.swath");
   EXPECT_EQ(with([&](auto& q) { q.members[1].altitude = nan; }), "members.1.altitude");
   EXPECT_EQ(with([](auto& q) { q.members[2].speed = -1; }), "members.2.speed");
+  EXPECT_EQ(with([](auto& q) { q.members[2].busy = -1; }), "members.2.busy");
   EXPECT_EQ(with([&](auto& q) { q.members[0].start.y() = nan; }), "members.0.start");
   EXPECT_EQ(with([](auto& q) { q.members[0].share = 1; }), "members.1.share");
   EXPECT_EQ(with([](auto& q) {

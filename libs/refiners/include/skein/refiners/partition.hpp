@@ -23,6 +23,7 @@ struct Member {
   double swath = 0;                               ///< [m], > 0
   double altitude = 0;                            ///< over the ground [m], > 0
   double speed = 0;                               ///< [m/s]; 0: cruise
+  double busy = 0;              ///< until it is at its start and can set out [s], >= 0
   std::optional<double> share;  ///< asked for, > 0, relative to the others'; all or none have one
 };
 
@@ -46,7 +47,7 @@ struct Part {
   world::Vector2 anchor = world::Vector2::Zero();
   double altitude = 0;  ///< of the lanes over the ground: the member's, or raised [m]
   Coverage coverage;
-  DurationInterval duration;  ///< of reaching it from the start and sweeping it
+  DurationInterval duration;  ///< until it is swept: being busy, coming from the start, sweeping
 };
 
 struct Partition {
