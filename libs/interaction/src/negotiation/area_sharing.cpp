@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 
 #include "row_words.hpp"
+#include "skein/interaction/negotiation/area_offer.hpp"
 #include "skein/refiners/checks.hpp"
 #include "skein/refiners/partition.hpp"
+#include "skein/world/segment.hpp"
 #include "standard_modalities.hpp"
 
 namespace skein::interaction {
@@ -14,13 +18,8 @@ namespace {
 using world::Polygon;
 using world::Vector2;
 
-Polygon polygon_of(const Row& row) {
-  Polygon polygon;
-  for (std::size_t i = 0; i + 1 < row.numbers.size(); i += 2) {
-    polygon.emplace_back(row.numbers[i], row.numbers[i + 1]);
-  }
-  return polygon;
-}
+/// Sweeps planned for one division, by which all have the same whatever their clocks.
+constexpr std::uint64_t kSteps = 600;
 
 bool is_convex(const Polygon& polygon) {
   bool left = false, right = false;
@@ -39,32 +38,74 @@ double distance_to(const Polygon& polygon, const Vector2& point) {
   if (world::contains(polygon, point)) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vector2& a = polygon[i];
-    const Vector2 side = polygon[(i + 1) % polygon.size()] - a;
-    const double along = std::clamp((point - a).dot(side) / side.squaredNorm(), 0.0, 1.0);
-    least = std::min(least, (point - a - along * side).norm());
+    least =
+        std::min(least, world::to_segment(point, polygon[i], polygon[(i + 1) % polygon.size()]));
   }
   return least;
 }
 
-/// Who sweeps, how fast, from when on.
-struct Sweeper {
-  Vector2 start = Vector2::Zero();
+/// How fast one sweeps at best, from when on.
+struct Helper {
+  std::string uav;
   double rate = 0, arrival = 0;
 };
 
-/// When together they have swept so much: what each sweeps until then adds up to it.
-double common_end(std::vector<Sweeper> sweepers, double area) {
-  std::sort(sweepers.begin(), sweepers.end(),
-            [](const Sweeper& a, const Sweeper& b) { return a.arrival < b.arrival; });
-  double rates = 0, before = 0, end = 0;
-  for (std::size_t i = 0; i < sweepers.size(); ++i) {
-    rates += sweepers[i].rate;
-    before += sweepers[i].rate * sweepers[i].arrival;
-    end = (area + before) / rates;
-    if (i + 1 < sweepers.size() && end <= sweepers[i + 1].arrival) return end;
+Helper helper(const std::string& uav, const Sweeper& sweeper, const Polygon& area) {
+  const double speed = sweeper.vehicle.cruise_speed;
+  return {uav, speed * sweeper.swath, sweeper.busy + distance_to(area, sweeper.start) / speed};
+}
+
+/// Who is there before the others could have swept all.
+std::vector<std::string> of_help(std::vector<Helper> helpers, double area) {
+  std::sort(helpers.begin(), helpers.end(), [](const Helper& a, const Helper& b) {
+    return a.arrival != b.arrival ? a.arrival < b.arrival : a.uav < b.uav;
+  });
+  std::vector<std::string> names;
+  double rates = 0, before = 0;
+  for (const Helper& one : helpers) {
+    if (!names.empty() && (area + before) / rates <= one.arrival) break;
+    names.push_back(one.uav);
+    rates += one.rate;
+    before += one.rate * one.arrival;
   }
-  return end;
+  return names;
+}
+
+/// Level ground around all of it: what is reckoned is the same for everybody.
+world::World level_world(const Polygon& area, const std::map<std::string, Sweeper>& sweepers) {
+  constexpr double kAround = 1000, kCells = 20;
+  Vector2 low = area.front(), high = area.front();
+  double ceiling = 0;
+  const auto hold = [&](const Vector2& point) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  };
+  for (const Vector2& corner : area) hold(corner);
+  for (const auto& [uav, one] : sweepers) {
+    hold(one.start);
+    ceiling = std::max(ceiling, one.altitude);
+  }
+  world::TerrainSpec spec;
+  spec.west = low.x() - kAround;
+  spec.south = low.y() - kAround;
+  spec.east = high.x() + kAround;
+  spec.north = high.y() + kAround;
+  spec.cell = std::max(spec.east - spec.west, spec.north - spec.south) / kCells;
+  const auto voxels = [&](double length) {
+    return static_cast<std::int32_t>(std::ceil(length / spec.cell));
+  };
+  return {.origin = {},
+          .terrain = world::Terrain(spec),
+          .wind = {},
+          .airspace = {.origin = {spec.west, spec.south, 0},
+                       .voxel = spec.cell,
+                       .size = {voxels(spec.east - spec.west), voxels(spec.north - spec.south),
+                                voxels(ceiling) + 1}},
+          .volumes = {},
+          .ground = {},
+          .radio = {},
+          .zones = {},
+          .places = {}};
 }
 
 class AreaSharing : public NegotiationModality {
@@ -73,55 +114,71 @@ class AreaSharing : public NegotiationModality {
 
  private:
   std::optional<std::string> do_check(const Terms& terms) const override {
-    const Row* row = only_row(terms.parameters, "area");
-    if (row == nullptr || row->numbers.size() % 2 != 0) return "not one 'area' of corners x, y";
-    const Polygon polygon = polygon_of(*row);
-    if (auto refusal = refiners::check_polygon(polygon, "area")) return refusal->why;
-    if (!is_convex(polygon)) return "the area is not convex";
+    if (terms.parameters.empty()) return "no areas";
+    for (const Row& row : terms.parameters) {
+      if (row.name != "area" || row.numbers.size() % 2 != 0)
+        return "'" + row.name + "' is no area of corners x, y";
+      const Polygon polygon = polygon_of(row);
+      if (auto refusal = refiners::check_polygon(polygon, "area")) return refusal->why;
+      if (!is_convex(polygon)) return "the area is not convex";
+    }
     return std::nullopt;
   }
 
   std::optional<std::string> do_check_offer(const Terms&, const Rows& offer) const override {
-    if (auto missing = missing_row(offer, "start", 2)) return missing;
-    for (const char* name : {"rate", "speed"}) {
-      if (auto missing = missing_row(offer, name, 1)) return missing;
-      if (!(only_row(offer, name)->numbers[0] > 0)) return std::string(name) + " is not above 0";
-    }
-    return std::nullopt;
+    const auto sweeper = sweeper_of(offer);
+    return sweeper ? std::nullopt : std::optional(sweeper.error());
   }
 
   Result<Rows, Failure> do_settle(const Terms& terms, const Offers& offers) const override {
-    const Polygon area = polygon_of(*only_row(terms.parameters, "area"));
-    std::vector<Sweeper> sweepers;
-    for (const std::string& uav : terms.members) sweepers.push_back(sweeper(area, offers.at(uav)));
-    const double end = common_end(sweepers, world::area(area));
-    std::vector<Vector2> anchors;
-    std::vector<double> shares;
+    std::map<std::string, Sweeper> sweepers;
+    for (const auto& [uav, offer] : offers) sweepers.emplace(uav, sweeper_of(offer).value());
     Rows result;
-    std::vector<std::size_t> takers;
-    for (std::size_t i = 0; i < sweepers.size(); ++i) {
-      result.push_back({terms.members[i], "", {}});
-      const double share = sweepers[i].rate * (end - sweepers[i].arrival);
-      if (share <= 0) continue;
-      takers.push_back(i);
-      anchors.push_back(sweepers[i].start);
-      shares.push_back(share);
-    }
-    const std::vector<Polygon> parts = refiners::divide(area, anchors, shares);
-    for (std::size_t i = 0; i < takers.size(); ++i) {
-      for (const Vector2& corner : parts[i]) {
-        auto& numbers = result[takers[i]].numbers;
-        numbers.insert(numbers.end(), {corner.x(), corner.y()});
+    for (const Row& row : terms.parameters) {
+      const auto parts = shared(polygon_of(row), sweepers);
+      if (!parts) return tl::unexpected(parts.error());
+      for (const std::string& uav : terms.members) {
+        const auto part = parts->find(uav);
+        result.push_back(part == parts->end() ? Row{uav, "", {}} : row_of(uav, part->second));
       }
     }
     return result;
   }
 
-  static Sweeper sweeper(const Polygon& area, const Rows& offer) {
-    const auto& start = only_row(offer, "start")->numbers;
-    Sweeper one{{start[0], start[1]}, only_row(offer, "rate")->numbers[0], 0};
-    one.arrival = distance_to(area, one.start) / only_row(offer, "speed")->numbers[0];
-    return one;
+  /// Who takes what; of whom there is nothing, it is of no help. They are at the ends of their
+  /// sweeps afterwards.
+  static Result<std::map<std::string, Polygon>, Failure> shared(
+      const Polygon& area, std::map<std::string, Sweeper>& sweepers) {
+    std::vector<Helper> helpers;
+    for (const auto& [uav, one] : sweepers) helpers.push_back(helper(uav, one, area));
+    refiners::PartitionQuery query;
+    query.area = area;
+    query.mode = refiners::ShareMode::kBalanced;
+    query.apart = 0;
+    for (const std::string& uav : of_help(std::move(helpers), world::area(area))) {
+      const Sweeper& one = sweepers.at(uav);
+      refiners::Member member;
+      member.uav = uav;
+      member.vehicle = one.vehicle;
+      member.start = one.start;
+      member.swath = one.swath;
+      member.altitude = one.altitude;
+      member.busy = one.busy;
+      query.members.push_back(std::move(member));
+    }
+    const world::World world = level_world(area, sweepers);
+    refiners::Setting setting{world, {}};
+    setting.budget.steps = kSteps;
+    const auto partition = refine(query, setting);
+    if (!partition) return failure(partition.error().why);
+    std::map<std::string, Polygon> parts;
+    for (const refiners::Part& part : partition->task.parts) {
+      Sweeper& one = sweepers.at(part.uav);
+      one.start = part.coverage.way.back().head<2>();
+      one.busy = part.duration.expected.to_seconds();
+      parts.emplace(part.uav, part.polygon);
+    }
+    return parts;
   }
 };
 

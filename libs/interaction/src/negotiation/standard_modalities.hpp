@@ -20,10 +20,11 @@ std::unique_ptr<NegotiationModality> role_allocation();
 /// Source: T V.3.3.
 std::unique_ptr<NegotiationModality> time_interval();
 
-/// Parameters: `area`, the corners of a convex polygon, x and y each [m, ENU]. Offer: `start`, x
-/// and y; `rate` [m²/s] > 0; `speed` [m/s] > 0. Result: a row for each member in order, its name,
-/// numbers the corners of its part, convex, such that the way straight to the area and its part at
-/// the rate take all the same time; none for who is too far to be of help. Source: annex B.
+/// Parameters: rows `area`, the corners of a convex polygon each, x and y [m, ENU]. Offer: what
+/// area_offer.hpp says. Result: for each area a row for each member in order, its name, numbers the
+/// corners of its part, convex, such that all are done with theirs at about the same time as the
+/// partition refiner reckons it over level ground without wind, areas one after the other; none for
+/// who is too far or too busy to be of help. Source: annex B.
 std::unique_ptr<NegotiationModality> area_sharing();
 
 /// For up to 8 members. Parameters: `directions`, how many there are around the target,

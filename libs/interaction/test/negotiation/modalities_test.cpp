@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "skein/foundation/random.hpp"
-#include "skein/world/geometry.hpp"
+#include "skein/interaction/negotiation/area_offer.hpp"
 #include "testing/negotiating_team.hpp"
 
 namespace skein::interaction {
@@ -320,55 +320,16 @@ TEST(RelayChain, IsFormedAnewByThoseWhoAreLeft) {
   EXPECT_EQ(*left, (Rows{row("a", {0}), row("c", {1})}));
 }
 
-world::Polygon polygon_of(const Row& one) {
-  world::Polygon polygon;
-  for (std::size_t i = 0; i + 1 < one.numbers.size(); i += 2)
-    polygon.emplace_back(one.numbers[i], one.numbers[i + 1]);
-  return polygon;
-}
-
-TEST(AreaSharing, AllSweepTheirPartsUntilTheSameTime) {
-  Random random(3);
-  for (int round = 0; round < 60; ++round) {
-    const std::size_t n = 2 + random.below(3);
-    const double width = random.uniform(300, 900), height = random.uniform(300, 900);
-    const Terms terms = terms_of(n, {row("area", {0, 0, width, 0, width, height, 0, height})});
-    Offers offers;
-    for (const std::string& uav : terms.members) {
-      offers[uav] = {row("start", {random.uniform(-200, width), random.uniform(-200, -1)}),
-                     row("rate", {random.uniform(100, 800)}),
-                     row("speed", {random.uniform(5, 20)})};
-    }
-
-    const auto result = modality("area-sharing").settle(terms, offers);
-
-    ASSERT_TRUE(result);
-    double whole = 0, earliest = kNone, latest = 0;
-    for (const Row& part : *result) {
-      if (part.numbers.empty()) continue;
-      const Rows& offer = offers[part.name];
-      const double x = std::clamp(offer[0].numbers[0], 0.0, width);
-      const double away = std::hypot(offer[0].numbers[0] - x, offer[0].numbers[1]);
-      const double area = world::area(polygon_of(part));
-      const double end = away / offer[2].numbers[0] + area / offer[1].numbers[0];
-      whole += area;
-      earliest = std::min(earliest, end);
-      latest = std::max(latest, end);
-    }
-    EXPECT_NEAR(whole, width * height, 1e-3 * width * height) << round;
-    EXPECT_LT(latest - earliest, 0.01 * latest) << round;
-  }
-}
-
-TEST(AreaSharing, WhoIsTooFarIsNotWaitedFor) {
-  const Terms terms = terms_of(2, {row("area", {0, 0, 100, 0, 100, 100, 0, 100})});
-  const Rows near{row("start", {0, 0}), row("rate", {100}), row("speed", {10})};
-  const Rows far{row("start", {90000, 0}), row("rate", {100}), row("speed", {10})};
-
-  const auto result = modality("area-sharing").settle(terms, {{"a", near}, {"b", far}});
-
-  EXPECT_NEAR(world::area(polygon_of((*result)[0])), 10000, 1e-6);
-  EXPECT_TRUE((*result)[1].numbers.empty());
+Rows offer_with(void (*change)(Sweeper&)) {
+  Sweeper one;
+  one.vehicle.cruise_speed = one.vehicle.max_speed = 10;
+  one.vehicle.climb_rate = one.vehicle.descent_rate = 3;
+  one.vehicle.acceleration = 2;
+  one.vehicle.yaw_rate = 1;
+  one.vehicle.ceiling = 300;
+  one.altitude = one.swath = 50;
+  change(one);
+  return offer_of(one);
 }
 
 struct Wrong {
@@ -426,19 +387,23 @@ INSTANTIATE_TEST_SUITE_P(
               kDuration,
               {row("interval", {5, 5})},
               "an interval ends before it begins"},
-        Wrong{"area-sharing", {row("area", {0, 0, 1})}, {}, "not one 'area' of corners x, y"},
+        Wrong{"area-sharing", {row("area", {0, 0, 1})}, {}, "'area' is no area of corners x, y"},
+        Wrong{"area-sharing", {}, {}, "no areas"},
+        Wrong{"area-sharing",
+              {row("zone", {0, 0, 1, 0, 1, 1})},
+              {},
+              "'zone' is no area of corners x, y"},
         Wrong{"area-sharing",
               {row("area", {0, 0, 100, 0, 50, 10, 100, 100})},
               {},
               "the area is not convex"},
+        Wrong{"area-sharing", kArea, {row("speed", {1})}, "not one 'start' with 2 numbers"},
         Wrong{"area-sharing",
               kArea,
-              {row("rate", {1}), row("speed", {1})},
-              "not one 'start' with 2 numbers"},
-        Wrong{"area-sharing",
-              kArea,
-              {row("start", {1, 1}), row("rate", {0}), row("speed", {1})},
-              "rate is not above 0"},
+              {row("start", {1, 1}), row("sweep", {50, 40, 0}), row("vehicle", {1})},
+              "not one 'vehicle' with 17 numbers"},
+        Wrong{"area-sharing", kArea, offer_with([](Sweeper& one) { one.busy = -1; }),
+              "busy: a time is at least 0"},
         Wrong{"perception-positions",
               {row("directions", {2})},
               {},

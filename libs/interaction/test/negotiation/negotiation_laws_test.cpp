@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "skein/foundation/random.hpp"
+#include "skein/interaction/negotiation/area_offer.hpp"
 #include "testing/explored_team.hpp"
 #include "testing/negotiating_team.hpp"
 
@@ -183,6 +184,143 @@ TEST(ACrashAtAnyTime, KeepsTheLaws) {
         }
       }
     }
+  }
+}
+
+/// A member goes down when the k-th message is sent, which is lost with it or still arrives.
+struct CrashAt {
+  std::size_t members = 2, who = 0, message = 0;
+  bool arrives = false, comes_back = false;
+};
+
+class CrashingTeam {
+ public:
+  explicit CrashingTeam(const CrashAt& crash)
+      : crash_(crash),
+        team_(crash.members, [this](auto, auto, MissionTime at) { return link(at); }) {}
+
+  Team& run() {
+    const BeginNegotiation begin = begin_roles(crash_.members);
+    for (std::size_t i = 0; i < crash_.members; ++i) team_.begin_when_invited(i, begin);
+    team_.set_job_time(Duration::milliseconds(70));
+    team_.begin(crash_.members - 1, begin);
+    team_.run_until(MissionTime::seconds(40));
+    return team_;
+  }
+  bool has_crashed() const { return has_crashed_; }
+
+ private:
+  std::optional<Duration> link(MissionTime at) {
+    if (count_++ != crash_.message) return Duration::milliseconds(90);
+    has_crashed_ = true;
+    team_.at(at, [this] { team_.crash(crash_.who); });
+    if (crash_.comes_back)
+      team_.at(at + Duration::seconds(1), [this] { team_.restart(crash_.who); });
+    return crash_.arrives ? std::optional(Duration::milliseconds(90)) : std::nullopt;
+  }
+
+  CrashAt crash_;
+  std::size_t count_ = 0;
+  bool has_crashed_ = false;
+  Team team_;
+};
+
+/// Every member, at every message, whatever becomes of it; how many that are.
+std::size_t crashes_of(std::size_t members) {
+  std::size_t crashes = 0;
+  for (std::size_t who = 0; who < members; ++who) {
+    for (const bool arrives : {false, true}) {
+      for (const bool comes_back : {false, true}) {
+        for (std::size_t message = 0;; ++message, ++crashes) {
+          CrashingTeam crash({members, who, message, arrives, comes_back});
+          Team& team = crash.run();
+          if (!crash.has_crashed()) break;
+          EXPECT_EQ(team.outcomes().breaks(), "")
+              << name_of(who) << " at message " << message << "\n"
+              << team.outcomes().text();
+        }
+      }
+    }
+  }
+  return crashes;
+}
+
+TEST(ACrashAtEveryMessage, KeepsTheLaws) {
+  EXPECT_GT(crashes_of(2), 40U);
+  EXPECT_GT(crashes_of(3), 100U);
+}
+
+// ---- the protocol knows nothing of what is negotiated ----
+
+struct Subject {
+  std::string modality;
+  Rows parameters;
+  std::vector<Rows> offers;  ///< of each member
+};
+
+Rows sweeper_at(double x, double speed) {
+  Sweeper one;
+  one.vehicle.cruise_speed = speed;
+  one.vehicle.max_speed = 20;
+  one.vehicle.climb_rate = one.vehicle.descent_rate = 3;
+  one.vehicle.acceleration = 2;
+  one.vehicle.yaw_rate = 0.8;
+  one.vehicle.ceiling = 200;
+  one.vehicle.energy = {1e8, 100, 1700, 1500, 400, 0.1};
+  one.start = {x, -50};
+  one.altitude = 50;
+  one.swath = 80;
+  return offer_of(one);
+}
+
+std::vector<Subject> subjects() {
+  return {
+      {"time-interval",
+       {{"duration", "", {60}}},
+       {{{"interval", "", {0, 100}}}, {{"interval", "", {20, 90}}, {"interval", "", {0, 200}}}}},
+      {"area-sharing",
+       {{"area", "", {0, 0, 400, 0, 400, 300, 0, 300}}},
+       {sweeper_at(0, 8), sweeper_at(400, 12)}},
+      {"perception-positions",
+       {{"directions", "", {8}}},
+       {{{"direction", "", {0, 5}}, {"direction", "", {3, 1}}},
+        {{"direction", "", {4, 2}}, {"direction", "", {7, 0}}}}},
+      {"relay-chain",
+       {{"link", "", {0, 0, 50}}, {"link", "", {300, 0, 50}}},
+       {{{"link", "", {0, 4}}, {"link", "", {1, 9}}},
+        {{"link", "", {0, 3}}, {"link", "", {1, 2}}}}}};
+}
+
+/// Two agree about it while all links are cut for so long from the k-th message on.
+void expect_laws(const Subject& subject, Duration lasts) {
+  std::size_t agreed = 0;
+  for (std::size_t first = 0;; ++first) {
+    std::size_t count = 0;
+    std::optional<MissionTime> since;
+    Team team(2, [&](auto, auto, MissionTime at) -> std::optional<Duration> {
+      if (count++ == first) since = at;
+      if (since && at < *since + lasts) return std::nullopt;
+      return Duration::milliseconds(80);
+    });
+    const BeginNegotiation begin{"s",          subject.modality,   testing::names(2),
+                                 ModelHash{7}, subject.parameters, Duration::seconds(10)};
+    for (std::size_t i = 0; i < 2; ++i) {
+      team.begin_when_invited(i, begin);
+      team.set_offer(i, subject.offers[i]);
+    }
+    team.begin(1, begin);
+    team.run_until(MissionTime::seconds(11));
+    EXPECT_EQ(team.outcomes().breaks(), "") << subject.modality << " cut at " << first;
+    for (const auto& [member, end] : team.ends()) agreed += end.kind == Kind::kAgreed ? 1 : 0;
+    if (!since) break;
+  }
+  EXPECT_GT(agreed, 1U) << subject.modality << ": else the laws hold because nothing happens";
+}
+
+TEST(EveryModality, KeepsTheLawsAtEveryCut) {
+  for (const Subject& subject : subjects()) {
+    expect_laws(subject, Duration::seconds(1));
+    expect_laws(subject, Duration::seconds(100));
   }
 }
 

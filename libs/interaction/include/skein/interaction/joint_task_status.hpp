@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "skein/foundation/time.hpp"
-#include "skein/interaction/model_hash.hpp"
+#include "skein/interaction/negotiation/terms.hpp"
 
 namespace skein::interaction {
 
@@ -41,6 +41,9 @@ struct JointTaskStatus {
   std::vector<std::string> active_blocks;      ///< of its role, in document order
   std::vector<std::string> violated;           ///< SCMs
   std::optional<MissionTime> agreed_start;
+  /// Of its share of an area, once one is agreed: `round`, how many times it was shared; a row
+  /// `left` for each convex piece that it has still to map, its corners.
+  Rows left;
   bool operator==(const JointTaskStatus&) const = default;
 };
 
