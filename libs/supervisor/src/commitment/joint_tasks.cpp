@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commitment/joint_tasks.hpp"
 
+#include <algorithm>
+
 #include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::supervisor {
@@ -93,6 +95,10 @@ bool JointTasks::answered(const JointTaskAnswered& input) {
   entry->task.time.start_after = MissionTime() + input.agreed.least;
   if (input.agreed.most != Duration::max()) {
     entry->task.time.start_before = MissionTime() + input.agreed.most;
+  }
+  if (input.takes) {
+    entry->task.energy = input.takes->energy;
+    entry->task.duration.most = std::max(entry->task.duration.most, input.takes->expected);
   }
   return true;
 }

@@ -77,6 +77,10 @@ std::optional<std::size_t> cut_of(const Way& way, double share) {
 
 }  // namespace
 
+double swath_of(double footprint, const world::VehicleModel& vehicle, double overlap) {
+  return 2 * std::max(footprint / 2, footprint - overlap * world::tracking_spread(vehicle));
+}
+
 /// Lanes as they are flown: by a vehicle that cannot hover from a place behind the first, which it
 /// comes to from anywhere; each from a little before to a little beyond the zone, since way-points
 /// count as reached a little before, and with points in between that keep it on its lane.
@@ -89,7 +93,7 @@ Answer<Sweeps::Lanes> Sweeps::planned(const world::World& world, const Vector3& 
   query.altitude = std::min(gazetteer().knowledge().altitude, vehicle().ceiling);
   const auto width = footprint(device, query.altitude);
   if (!width) return no(width.error());
-  query.swath = 2 * std::max(*width / 2, *width - overlap * world::tracking_spread(vehicle()));
+  query.swath = swath_of(*width, vehicle(), overlap);
   query.start = gazetteer().flown_to(from);
   query.depart = air_.origin();
   auto refined = refine(query, air_.setting(world));

@@ -7,6 +7,10 @@
 
 namespace skein::supervisor {
 
+/// Between two lanes of a vehicle whose device sees so far to each side, so that what lies between
+/// is seen in spite of what it strays [m]; `overlap`: for how many deviations.
+double swath_of(double footprint, const world::VehicleModel& vehicle, double overlap = 1);
+
 class Sweeps {
  public:
   Sweeps(TimedAir& air, const Ways& ways) : air_(air), ways_(ways) {}

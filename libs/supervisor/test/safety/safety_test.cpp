@@ -212,6 +212,23 @@ TEST(SupervisorJoint, AgreedIntervalBecomesItsConditions) {
   EXPECT_EQ(desk.supervisor.report().tasks[0].dates.earliest_start, at(50));
 }
 
+TEST(SupervisorJoint, WhatItsRoleTakesCountsInThePlan) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  desk.finish(inserted({701}, {TaskOf(100, "joint:track", 701)}));
+  const Duration longest = desk.supervisor.report().tasks[0].task.duration.most;
+
+  desk.give(JointTaskAnswered{TaskId{100},
+                              true,
+                              {secs(50), secs(60)},
+                              "",
+                              JointTaskAnswered::Takes{longest + secs(100), 0.25}});
+
+  const mission::ElementaryTask& task = desk.supervisor.report().tasks[0].task;
+  EXPECT_EQ(task.energy, 0.25);
+  EXPECT_EQ(task.duration.most, longest + secs(100));
+}
+
 // Each would wait for the other for ever.
 TEST(SupervisorJoint, ToldAgainItDoesNotWaitForTheWaitForOrdersBehindIt) {
   Desk desk = Desk::engaged();

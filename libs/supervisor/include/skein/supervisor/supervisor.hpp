@@ -74,6 +74,12 @@ struct JointTaskAnswered {
   bool loaded = false;
   mission::Interval agreed;  ///< when it is to start, relative to mission time zero
   std::string why;           ///< not
+  /// What its role takes along its nominal path.
+  struct Takes {
+    Duration expected;
+    double energy = 0;  ///< expected, as a fraction of what is held when full
+  };
+  std::optional<Takes> takes = {};
 };
 struct Tick {};
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sweep of an area as planning has it, for who carries it out without a plan: roles of joint
+// tasks.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include "skein/foundation/result.hpp"
+#include "skein/refiners/flight.hpp"
+#include "skein/supervisor/planning.hpp"
+
+namespace skein::supervisor {
+
+struct AreaSweep {
+  refiners::Way way;      ///< from where it sets out [m, ENU]
+  std::size_t lanes = 0;  ///< place in the way of the first point that is swept from
+  double seconds = 0;     ///< expected
+  double energy = 0;      ///< expected, as a fraction of what is held when full
+  double reach = 0;       ///< how far to each side of a lane it sees [m]
+};
+
+/// The way to the area and over it, as the autopilot flies it, clear of closed air. Refused, with a
+/// sentence: the UAV has no such device, or the refiners find no way. Cost: that of planning a
+/// mapping, some milliseconds.
+Result<AreaSweep, std::string> sweep_of(const std::shared_ptr<const Knowledge>& knowledge,
+                                        const std::shared_ptr<const world::World>& world,
+                                        MissionTime now, const world::Vector3& from,
+                                        const world::Polygon& area, const std::string& device);
+
+/// Between two lanes of such a sweep [m]; refused: no such device, or it sees nothing from there.
+Result<double, std::string> swath_of(const Knowledge& knowledge, const std::string& device);
+
+}  // namespace skein::supervisor

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/supervisor/area_sweep.hpp"
+
+#include "refinery/refinery.hpp"
+#include "refinery/zone_shapes.hpp"
+
+namespace skein::supervisor {
+
+using world::Vector3;
+
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+
+Answer<const world::SensorModel*> device_of(const Knowledge& knowledge, const std::string& name) {
+  const world::SensorModel* device = world::find_sensor(knowledge.vehicle, name);
+  if (device == nullptr) return no(knowledge.uav + " has no device '" + name + "'");
+  return device;
+}
+
+double height_of(const Knowledge& knowledge) {
+  return std::min(knowledge.altitude, knowledge.vehicle.ceiling);
+}
+
+}  // namespace
+
+Result<AreaSweep, std::string> sweep_of(const std::shared_ptr<const Knowledge>& knowledge,
+                                        const std::shared_ptr<const world::World>& world,
+                                        MissionTime now, const Vector3& from,
+                                        const world::Polygon& area, const std::string& device) {
+  const auto sensor = device_of(*knowledge, device);
+  if (!sensor) return no(sensor.error());
+  const auto reach = footprint(**sensor, height_of(*knowledge));
+  if (!reach) return no(reach.error());
+  Refinery refinery(Gazetteer(knowledge, world), now, kSeed);
+  const auto lanes = refinery.sweeps.over(from, {"", area}, **sensor);
+  if (!lanes) return no(lanes.error());
+  const auto there = refinery.ways.path(from, lanes->way.front());
+  if (!there) return no(there.error());
+  AreaSweep sweep;
+  sweep.way = there->way;
+  sweep.lanes = sweep.way.empty() ? 0 : sweep.way.size() - 1;
+  if (!sweep.way.empty()) sweep.way.pop_back();
+  sweep.way.insert(sweep.way.end(), lanes->way.begin(), lanes->way.end());
+  sweep.seconds = there->times.expected + lanes->times.expected;
+  sweep.energy = there->energy + lanes->energy;
+  sweep.reach = *reach;
+  return sweep;
+}
+
+Result<double, std::string> swath_of(const Knowledge& knowledge, const std::string& device) {
+  const auto sensor = device_of(knowledge, device);
+  if (!sensor) return no(sensor.error());
+  const auto reach = footprint(**sensor, height_of(knowledge));
+  if (!reach) return no(reach.error());
+  return swath_of(*reach, knowledge.vehicle);
+}
+
+}  // namespace skein::supervisor
