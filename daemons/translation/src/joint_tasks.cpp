@@ -84,6 +84,7 @@ wire::JointTaskState to_wire(const interaction::JointTaskStatus& status) {
   result.active_blocks = status.active_blocks;
   result.violated = status.violated;
   if (status.agreed_start) result.agreed_start = status.agreed_start->count();
+  result.left = to_wire(status.left);
   return result;
 }
 
@@ -103,6 +104,7 @@ interaction::JointTaskStatus from_wire(const wire::JointTaskState& sample) {
   if (sample.agreed_start != wire::kNoInstant) {
     status.agreed_start = MissionTime::nanoseconds(sample.agreed_start);
   }
+  status.left = from_wire(sample.left);
   return status;
 }
 

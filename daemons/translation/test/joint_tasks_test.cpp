@@ -67,6 +67,7 @@ RC_GTEST_PROP(JointTasks, AStateOfAJointTaskCrossesTheWire, ()) {
   status.active_blocks = some(text);
   status.violated = some(text);
   if (*rc::gen::arbitrary<bool>()) status.agreed_start = instant();
+  status.left = rows();
 
   RC_ASSERT(from_wire(to_wire(status)) == status);
 }

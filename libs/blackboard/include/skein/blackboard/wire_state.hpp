@@ -71,16 +71,25 @@ struct TaskEntry {
 };
 SKEIN_WIRE_FIELDS(TaskEntry, id, type, state, reason)
 
+/// Which version of an interaction model a node has. Source: spec 7.3.
+struct ModelVersion {
+  std::string model;  ///< type of the joint task
+  std::uint64_t version = 0;
+  bool operator==(const ModelVersion&) const = default;
+};
+SKEIN_WIRE_FIELDS(ModelVersion, model, version)
+
 /// The plan a UAV holds, with the state of each task.
 struct PlanBoard {
   SampleHeader header;
   std::string uav;
   std::uint8_t degree = 0;
   bool airborne = false;
-  std::vector<TaskEntry> tasks;  ///< by id
+  std::vector<TaskEntry> tasks;      ///< by id
+  std::vector<ModelVersion> models;  ///< of joint tasks
   bool operator==(const PlanBoard&) const = default;
 };
-SKEIN_WIRE_FIELDS(PlanBoard, header, uav, degree, airborne, tasks)
+SKEIN_WIRE_FIELDS(PlanBoard, header, uav, degree, airborne, tasks, models)
 
 /// The degree of decisional autonomy of a UAV and what it does out of contact. Source: spec 1.2.
 struct AutonomyDegree {
@@ -171,10 +180,11 @@ struct JointTaskState {
   std::vector<std::string> active_blocks;  ///< of its role
   std::vector<std::string> violated;       ///< spatial constraint models
   std::int64_t agreed_start = kNoInstant;  ///< [ns]
+  std::vector<Parameter> left;             ///< of its share of an area
   bool operator==(const JointTaskState&) const = default;
 };
 SKEIN_WIRE_FIELDS(JointTaskState, header, uav, subject, task, model, variant, model_hash, phase,
-                  why, holders, active_blocks, violated, agreed_start)
+                  why, holders, active_blocks, violated, agreed_start, left)
 
 struct BoardTask {
   std::uint64_t id = 0;
