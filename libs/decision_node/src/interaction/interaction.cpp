@@ -33,7 +33,8 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
   auto joint =
       joint_of(asked.task, core_.config().interaction, core_.config().uav, core_.config().others);
   if (!joint) {
-    return core_.deliberation().joint_task_answered({asked.task.id, false, {}, joint.error().why});
+    return core_.deliberation().joint_task_answered(
+        {asked.task.id, false, {}, joint.error().why, {}});
   }
   // Later than foreseen is better than not at all, where nothing forbids it.
   std::vector<mission::Interval> preferences = asked.preferences;

@@ -25,6 +25,10 @@ bool holds_vehicle(const std::string& type) {
   return functional::TaskTypes::shipped().of(type).holds_vehicle();
 }
 
+bool is_mapping(const interaction::Automaton& automaton, const std::string& componel) {
+  return automaton[*automaton.find(componel)].task()->type == kMapArea;
+}
+
 }  // namespace
 
 // ---- the role ----
@@ -48,6 +52,8 @@ void JointTask::play(const std::string& role) {
   tasks_.clear();
   failed_.clear();
   actions_.clear();
+  looks_.clear();
+  sharing_again_.reset();
   play_.emplace(joint_, role, holders_, self());
   tell(interaction::Start{});
 }
@@ -86,6 +92,9 @@ void JointTask::carry_out(const interaction::StateChanged& effect) {
 
 void JointTask::carry_out(const interaction::Compute& effect) {
   const RolePlay::Local local = play_->local(effect.parameter);
+  if (const auto text = text_of(call_of(local.initialiser), *joint_.library, play_->scope())) {
+    return play_->know(effect.parameter, *text);
+  }
   PlaceQuery query;
   query.call = call_of(local.initialiser);
   query.scope = play_->scope();
@@ -114,6 +123,7 @@ void JointTask::carry_out(const interaction::Compute& effect) {
 void JointTask::carry_out(const interaction::Run& effect) {
   const interaction::Automaton& automaton = play_->automaton();
   const interaction::Componel& componel = automaton[*automaton.find(effect.task)];
+  if (componel.task()->type == kMapArea) return map_area(effect.task);
   const Duration done = done_[effect.task];
   const Duration wanted = duration_of(*componel.task(), *play_);
   if (wanted > Duration() && wanted - done < kNothing) {
@@ -127,20 +137,33 @@ void JointTask::carry_out(const interaction::Run& effect) {
     failed_[effect.task] = task.error().why;
     return tell_status(effect.task, Word::kAborted);
   }
-  task->id = core_.interaction().next_id();
+  give(effect.task, std::move(*task));
+}
+
+// Motions wait for each other; what looks along one does not count.
+executive::TaskId JointTask::give(const std::string& componel, executive::Task task,
+                                  std::optional<executive::TaskId> along) {
+  task.id = core_.interaction().next_id();
   for (const auto& [other, id] : tasks_) {
-    if (!holds_vehicle(task->type)) continue;
+    if (!holds_vehicle(task.type)) continue;
     const executive::Literal over{executive::TaskInState{other, executive::TaskState::kEnded},
                                   false, executive::Modality::kOptional};
-    task->preconditions.push_back({over});
+    task.preconditions.push_back({over});
   }
-  tasks_[task->id] = effect.task;
-  core_.deliberation().serves(task->id, joint_.task);
-  const std::string block = automaton[componel.parent].id;
-  const interaction::Formula& pre = automaton[componel.parent].block()->precondition;
-  core_.bus().emit(RoleTaskGiven{joint_.subject, play_->role(), block, effect.task, task->id,
-                                 joint_.task, task->type, joined(describe(pre, automaton), " ")});
-  core_.execution().run(executive::Start{std::move(*task), executive::InsertionMode::kSeq});
+  const interaction::Automaton& automaton = play_->automaton();
+  const interaction::Componel& around = automaton[automaton[*automaton.find(componel)].parent];
+  if (along) {
+    looks_[task.id] = *along;
+  } else {
+    tasks_[task.id] = componel;
+  }
+  core_.deliberation().serves(task.id, joint_.task);
+  core_.bus().emit(RoleTaskGiven{joint_.subject, play_->role(), around.id, componel, task.id,
+                                 joint_.task, task.type,
+                                 joined(describe(around.block()->precondition, automaton), " ")});
+  const executive::TaskId id = task.id;
+  core_.execution().run(executive::Start{std::move(task), executive::InsertionMode::kSeq});
+  return id;
 }
 
 void JointTask::carry_out(const interaction::Interrupt& effect) {
@@ -157,7 +180,7 @@ void JointTask::task_changed(const executive::TaskEvent& event) {
     return leave(event.reason.empty() ? "aborted" : event.reason);
   }
   const auto found = tasks_.find(event.id);
-  if (found == tasks_.end()) return;
+  if (found == tasks_.end()) return look_changed(event);
   const std::string componel = found->second;
   if (event.state == executive::TaskState::kRunning) {
     running_since_[componel] = now();
@@ -167,7 +190,9 @@ void JointTask::task_changed(const executive::TaskEvent& event) {
   note_done(componel);
   tasks_.erase(found);
   const bool ended = event.state == executive::TaskState::kEnded;
-  if (!ended && interrupted_.erase(event.id) == 0) failed_[componel] = event.reason;
+  const bool asked = interrupted_.erase(event.id) > 0;
+  if (!ended && !asked) failed_.try_emplace(componel, event.reason);
+  if (ended && is_mapping(play_->automaton(), componel)) share_.flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);
 }
 
@@ -181,6 +206,7 @@ void JointTask::note_done(const std::string& componel) {
 void JointTask::watch() {
   if (phase_ != JointPhase::kRunning || !play_ || sightings_.own() == nullptr) return;
   const auto own = position_of(sightings_.own()->state.position);
+  share_.fly(sightings_.own()->state.position, passing_distance());
   for (const interaction::ScmFound& found : play_->watch(own, outlook().observer, now())) {
     core_.bus().emit(ScmNoted{joint_.subject, play_->role(), found});
     tell(found.report);
@@ -205,6 +231,7 @@ std::vector<std::string> JointTask::parties_of(const std::string& action) const 
 void JointTask::carry_out(const interaction::Negotiate& effect) {
   const interaction::Automaton& automaton = play_->automaton();
   const auto& action = *automaton[*automaton.find(effect.action)].action();
+  if (action.modality == kAreaSharing) return share_area(effect.action);
   if (action.modality != "role-allocation") {
     core_.bus().emit(Notice{joint_.subject + ": nobody negotiates '" + action.modality + "'"});
     return tell_status(effect.action, Word::kAborted);
@@ -231,6 +258,7 @@ void JointTask::carry_out(const interaction::Withdraw& effect) {
     core_.interaction().withdraw(negotiated->second, why_.empty() ? "left" : why_);
     actions_.erase(negotiated);
   }
+  if (sharing_again_ && sharing_again_->action == effect.action) sharing_again_.reset();
   tell_status(effect.action, Word::kAborted);
 }
 
@@ -239,6 +267,7 @@ void JointTask::reallocated(const interaction::Terms& terms,
                             const interaction::NegotiationOutcome& outcome) {
   using Kind = interaction::NegotiationOutcome::Kind;
   if (phase_ != JointPhase::kRunning || outcome.kind == Kind::kUndecided) return;
+  if (terms.modality == kAreaSharing) return area_shared(terms, outcome);
   Holders agreed = holders_;
   if (outcome.kind == Kind::kAgreed) {
     for (const interaction::Row& row : outcome.result) agreed[row.name] = row.text;

@@ -29,6 +29,7 @@ constexpr Duration kAhead = Duration::milliseconds(5'000);
 constexpr Duration kFurthestAhead = Duration::milliseconds(60'000);
 constexpr double kFarthest = 1e8;  // [s]
 constexpr double kRoom = 1;        // [s] at the end of an interval
+constexpr const char* kMemberLost = "member lost";
 
 }  // namespace
 
@@ -37,7 +38,8 @@ JointTask::JointTask(Core& core, Joint joint, std::vector<mission::Interval> pre
     : core_(core),
       joint_(std::move(joint)),
       preferences_(std::move(preferences)),
-      sightings_(sightings) {}
+      sightings_(sightings),
+      share_(core.config().uav) {}
 
 MissionTime JointTask::now() const { return core_.bus().now(); }
 const std::string& JointTask::self() const { return core_.config().uav; }
@@ -140,13 +142,18 @@ Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms
     return rows;
   }
   if (sightings_.own() == nullptr) return failure("it does not know where it is");
+  if (terms.modality == kAreaSharing) {
+    const auto own = holders_.find(self());
+    if (own == holders_.end()) return failure("it holds no role");
+    return share_.offer(sweep_setting(own->second));
+  }
   const Outlook outlook = this->outlook();
   std::vector<std::string> reasons;
   for (const interaction::Row& role : terms.parameters) {
     if (!joint_.library->roles.contains(role.name)) return failure("no role '" + role.name + "'");
     const auto cost = cost_of(joint_, role.name, sightings_.own()->state, outlook);
     if (cost) {
-      rows.push_back({role.name, "", {*cost}});
+      rows.push_back({role.name, "", {cost->seconds}});
     } else {
       reasons.push_back(role.name + ": " + cost.error().why);
     }
@@ -196,8 +203,14 @@ void JointTask::start_agreed(const interaction::Rows& result) {
 // Who cannot begin by then begins later: the others wait for it where their roles meet first.
 void JointTask::answer() {
   answered_ = true;
-  core_.deliberation().joint_task_answered(
-      {joint_.task, true, {*agreed_start_ - MissionTime(), Duration::max()}, ""});
+  supervisor::JointTaskAnswered answer{
+      joint_.task, true, {*agreed_start_ - MissionTime(), Duration::max()}, "", {}};
+  if (sightings_.own() != nullptr) {
+    const auto cost =
+        cost_of(joint_, holders_.at(self()), sightings_.own()->state, this->outlook());
+    if (cost) answer.takes = {Duration::seconds(cost->seconds), cost->energy};
+  }
+  core_.deliberation().joint_task_answered(answer);
 }
 
 void JointTask::not_agreed(const std::string& why) {
@@ -210,7 +223,7 @@ void JointTask::not_loaded(const std::string& why) {
   why_ = why.empty() ? "nothing was agreed" : why;
   if (answered_) return finish(JointPhase::kAborted);
   phase_ = JointPhase::kNotLoaded;
-  core_.deliberation().joint_task_answered({joint_.task, false, {}, why_});
+  core_.deliberation().joint_task_answered({joint_.task, false, {}, why_, {}});
 }
 
 // ---- partners ----
@@ -231,6 +244,11 @@ void JointTask::invited(const interaction::Terms& terms) {
     return core_.bus().post([this] { negotiate_start(); });
   }
   if (phase_ != JointPhase::kRunning) return;
+  // Whom the others do not count on any more is lost here too.
+  for (const auto& [uav, role] : Holders(holders_)) {
+    const bool in = std::count(terms.members.begin(), terms.members.end(), uav) > 0;
+    if (terms.modality == kAreaSharing && !in) lost(uav, "the others go on without it");
+  }
   tell(interaction::Message{terms.modality + " invitation"});
   announce();
 }
@@ -239,9 +257,11 @@ void JointTask::partner_told(const interaction::JointTaskStatus& status, Mission
   const bool gone = status.phase == JointPhase::kLeaving || status.phase == JointPhase::kAborted ||
                     status.phase == JointPhase::kNotLoaded;
   // What it said before the roles were agreed is about an attempt before this one.
-  if (!gone || !roles_known_ || at <= agreed_at_) return;
+  if (!roles_known_ || at <= agreed_at_) return;
+  share_.told(status.uav, status.left);
+  if (!gone) return;
   const std::string why = "'" + status.uav + "' left: " + status.why;
-  if (phase_ == JointPhase::kRunning) return leave(why);
+  if (phase_ == JointPhase::kRunning) return lost(status.uav, why);
   if (phase_ == JointPhase::kLoading || phase_ == JointPhase::kLoaded) load_again(why);
 }
 
@@ -254,6 +274,19 @@ void JointTask::load_again(const std::string& why) {
   holders_.clear();
   agreed_start_.reset();
   again_at_ = now() + kAgain;
+  announce();
+}
+
+// It runs: without one that left, if the role can do without.
+void JointTask::lost(const std::string& uav, const std::string& why) {
+  silent_since_.erase(uav);
+  if (!holders_.contains(uav) || uav == self()) return;
+  if (!play_ || !play_->listens_to(kMemberLost)) return leave(why);
+  core_.bus().emit(Notice{joint_.subject + ": " + why + "; it goes on without"});
+  holders_.erase(uav);
+  play_->lose(uav);
+  share_.lose(uav);
+  tell(interaction::Message{kMemberLost});
   announce();
 }
 
@@ -279,8 +312,9 @@ void JointTask::time_passes() {
   begin_if_due();
   if (phase_ == JointPhase::kRunning) {
     for (const auto& [uav, since] : std::map(silent_since_)) {
-      if (since + kSilence <= now()) leave("no contact with '" + uav + "'");
+      if (since + kSilence <= now()) lost(uav, "no contact with '" + uav + "'");
     }
+    if (sharing_again_ && sharing_again_->at <= now()) share_area(sharing_again_->action);
   }
   const auto next = play_ ? play_->next_wakeup() : std::nullopt;
   if (next && *next <= now()) tell(interaction::Tick{});
@@ -294,6 +328,7 @@ std::optional<MissionTime> JointTask::next_wakeup() const {
   if (phase_ == JointPhase::kLoaded && dispatched_) next = earliest(next, agreed_start_);
   if (phase_ == JointPhase::kRunning) {
     for (const auto& [uav, since] : silent_since_) next = earliest(next, since + kSilence);
+    if (sharing_again_) next = earliest(next, sharing_again_->at);
   }
   return next;
 }
@@ -351,6 +386,7 @@ void JointTask::announce() {
     status.violated = play_->violated();
   }
   status.agreed_start = agreed_start_;
+  status.left = share_.left();
   if (told_ == status) return;
   told_ = status;
   core_.bus().emit(JointTaskChanged{std::move(status), partners()});

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "interaction/area_share.hpp"
 #include "interaction/places.hpp"
 #include "interaction/role_play.hpp"
 #include "interaction/sightings.hpp"
@@ -20,6 +21,8 @@ namespace skein::decision_node {
 
 class Core;
 
+inline constexpr const char* kAreaSharing = "area-sharing";
+
 ///   from      on                                                   to
 ///   loading   roles and start are agreed                           loaded
 ///   loading   neither is agreed when it is to start at the latest  not-loaded
@@ -27,6 +30,8 @@ class Core;
 ///   loaded    the executive wants it carried out                   running
 ///   running   its role ends                                        ended
 ///   any       interrupted, a partner left or is lost               leaving, aborted
+///
+/// A role that listens to "member lost" goes on without a partner that left or is lost.
 ///
 /// What failed to be agreed is negotiated again until it is to start at the latest. Roles that are
 /// agreed to be others while it runs are begun anew, once what runs of the old one is over. Source:
@@ -72,6 +77,7 @@ class JointTask {
  private:
   MissionTime now() const;
   Outlook outlook() const;
+  SweepSetting sweep_setting(const std::string& role) const;
   const std::string& self() const;
 
   void wait_for_partners();
@@ -89,6 +95,9 @@ class JointTask {
   void play(const std::string& role);
   void tell(const interaction::Input& input);
   void tell_status(const std::string& componel, interaction::Status::Word word);
+  /// Its number.
+  executive::TaskId give(const std::string& componel, executive::Task task,
+                         std::optional<executive::TaskId> along = {});
   void carry_out(const interaction::StateChanged& effect);
   void carry_out(const interaction::Compute& effect);
   void carry_out(const interaction::Run& effect);
@@ -98,6 +107,14 @@ class JointTask {
   void carry_out(const interaction::Read&) {}
   void carry_out(const interaction::ModelOver& effect);
   std::vector<std::string> parties_of(const std::string& action) const;
+  void lost(const std::string& uav, const std::string& why);
+  // joint_sharing.cpp
+  void share_area(const std::string& action);
+  void area_shared(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);
+  std::vector<world::Polygon> areas_to_share(const std::string& action) const;
+  void map_area(const std::string& componel);
+  void look_changed(const executive::TaskEvent& event);
+  double passing_distance() const;
   void finish(interaction::JointPhase phase);
   void note_done(const std::string& componel);
   void forget_failures_in(const std::string& componel);
@@ -131,7 +148,14 @@ class JointTask {
   std::map<std::string, MissionTime> running_since_;
   std::map<std::string, std::string> actions_;  ///< subject by action, negotiated now
   std::set<executive::TaskId> interrupted_;     ///< as the role asked
-  std::map<std::string, std::string> failed_;   ///< why, by task of the role; not done since
+  AreaShare share_;
+  struct SharingAgain {
+    std::string action;
+    MissionTime at, until;
+  };
+  std::optional<SharingAgain> sharing_again_;  ///< what was not agreed is negotiated again
+  std::map<executive::TaskId, executive::TaskId> looks_;  ///< the flight of each that is not over
+  std::map<std::string, std::string> failed_;  ///< why, by task of the role; not done since
   std::optional<interaction::JointTaskStatus> told_;
 };
 

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
+#include "interaction/role_tasks.hpp"
 #include "interaction/sightings.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/interaction/describe.hpp"
 #include "skein/interaction/role_fit.hpp"
 #include "skein/interaction/role_places.hpp"
 #include "skein/refiners/flight.hpp"
+#include "skein/supervisor/area_sweep.hpp"
 
 namespace skein::decision_node {
 
@@ -114,6 +116,17 @@ Call call_of(const std::string& initialiser) {
   return call;
 }
 
+std::optional<Argument> text_of(const Call& call, const interaction::Library& library,
+                                const Arguments& scope) {
+  const auto function = library.functions.find(call.function);
+  if (function == library.functions.end() || call.arguments.size() != 1 ||
+      function->second.gives != interaction::ParameterType::kText) {
+    return std::nullopt;
+  }
+  const auto value = scope.find(call.arguments.front());
+  return value == scope.end() ? std::nullopt : std::optional(value->second);
+}
+
 // The place nearest to the refiner's best where the SCMs hold by their margins. Where it finds none
 // under the SCMs, any that keeps them will do.
 Result<Position, Failure> place_of(const PlaceQuery& query, const Outlook& outlook) {
@@ -205,15 +218,16 @@ class Walk {
             joint, role, {}, outlook.knowledge.uav,
             [&](const auto& instance, const auto&) { return is_about_places(joint, instance); })) {}
 
-  Result<double, Failure> seconds() {
-    double all = 0;
+  Result<RoleCost, Failure> cost() {
+    RoleCost all;
     for (const interaction::NominalStep& step : nominal_path(role_.automaton)) {
       for (const std::string& local : step.computed) {
         if (auto why = compute(local)) return failure(*why);
       }
-      const auto took = time_of(*role_.automaton[*role_.automaton.find(step.task)].task());
-      if (!took) return took;
-      all += *took;
+      const auto took = cost_of_task(*role_.automaton[*role_.automaton.find(step.task)].task());
+      if (!took) return tl::unexpected(took.error());
+      all.seconds += took->seconds;
+      all.energy += took->energy;
     }
     return all;
   }
@@ -224,9 +238,13 @@ class Walk {
       if (one.block() == nullptr) continue;
       for (const interaction::LocalParameter& parameter : one.block()->locals) {
         if (parameter.name != local) continue;
-        const auto place = place_of({call_of(parameter.initialiser), scope_, at_,
-                                     device_of(role_, outlook_.knowledge.vehicle), scms_},
-                                    outlook_);
+        const Call call = call_of(parameter.initialiser);
+        if (const auto text = text_of(call, *joint_.library, scope_)) {
+          scope_[local] = *text;
+          continue;
+        }
+        const auto place = place_of(
+            {call, scope_, at_, device_of(role_, outlook_.knowledge.vehicle), scms_}, outlook_);
         if (!place) return place.error().why;
         scope_[local] = *place;
       }
@@ -234,13 +252,36 @@ class Walk {
     return std::nullopt;
   }
 
-  Result<double, Failure> time_of(const interaction::Task& task) {
+  RoleCost staying(double seconds) const {
+    return {seconds, drawn(outlook_.knowledge.vehicle.energy.hover_power, seconds)};
+  }
+  double drawn(double power, double seconds) const {
+    const double capacity = outlook_.knowledge.vehicle.energy.capacity;
+    return capacity > 0 ? power * seconds / capacity : 0;
+  }
+
+  // How it is shared is not known yet: equal parts.
+  Result<RoleCost, Failure> cost_of_mapping(const interaction::Task& task) {
+    const config::Value* named = task.parameters.find("area");
+    const auto zone = named == nullptr ? std::nullopt : zone_of(*named, scope_, outlook_.world);
+    if (!zone) return failure("there is no zone that it could map");
+    const world::VehicleModel& vehicle = outlook_.knowledge.vehicle;
+    const auto swath = supervisor::swath_of(outlook_.knowledge, device_of(role_, vehicle));
+    if (!swath) return failure(swath.error());
+    const double part = world::area(*zone) / static_cast<double>(joint_.members.size());
+    const double seconds = part / (*swath * vehicle.cruise_speed);
+    return RoleCost{seconds, drawn(vehicle.energy.cruise_power, seconds)};
+  }
+
+  Result<RoleCost, Failure> cost_of_task(const interaction::Task& task) {
+    if (task.type == kMapArea) return cost_of_mapping(task);
     if (const config::Value* duration = task.parameters.find("duration")) {
       const auto seconds = value_of(*duration, scope_);
-      if (seconds && std::holds_alternative<double>(*seconds)) return std::get<double>(*seconds);
+      if (seconds && std::holds_alternative<double>(*seconds))
+        return staying(std::get<double>(*seconds));
     }
     const config::Value* to = task.parameters.find("to");
-    if (to == nullptr) return 0.0;
+    if (to == nullptr) return RoleCost{};
     const auto value = value_of(*to, scope_);
     if (!value) return tl::unexpected(value.error());
     const auto aim = aim_of(*value, outlook_);
@@ -248,7 +289,7 @@ class Walk {
     const auto flight = refiners::estimate_flight({vector_of(at_), vector_of(*aim)},
                                                   outlook_.knowledge.vehicle, outlook_.world.wind);
     at_ = *aim;
-    return flight.duration.expected.to_seconds();
+    return RoleCost{flight.duration.expected.to_seconds(), flight.energy};
   }
 
   const Joint& joint_;
@@ -261,8 +302,8 @@ class Walk {
 
 }  // namespace
 
-Result<double, Failure> cost_of(const Joint& joint, const std::string& role,
-                                const world::VehicleState& state, const Outlook& outlook) {
+Result<RoleCost, Failure> cost_of(const Joint& joint, const std::string& role,
+                                  const world::VehicleState& state, const Outlook& outlook) {
   const auto missing =
       unmet(joint.library->roles.at(role), capabilities_of(outlook.knowledge.vehicle, state));
   if (!missing.empty()) {
@@ -270,7 +311,7 @@ Result<double, Failure> cost_of(const Joint& joint, const std::string& role,
     for (const interaction::Requirement& one : missing) all.push_back(describe(one));
     return failure("it lacks " + joined(all, ", "));
   }
-  return Walk(joint, role, position_of(state.position), outlook).seconds();
+  return Walk(joint, role, position_of(state.position), outlook).cost();
 }
 
 }  // namespace skein::decision_node

@@ -2,6 +2,7 @@
 // What local parameters of roles are computed to be, and what a role costs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct Call {
   std::vector<std::string> arguments;
 };
 Call call_of(const std::string& initialiser);
+
+/// The value of a call that gives a text: "whole-area(area)" is the area that it names. Nothing: it
+/// gives no text, or its argument has no value.
+std::optional<Argument> text_of(const Call& call, const interaction::Library& library,
+                                const Arguments& scope);
 
 /// Where a role is to go.
 struct PlaceQuery {
@@ -52,9 +58,14 @@ std::vector<interaction::ActiveScm> scms_of(
     const std::function<bool(const interaction::ScmInstance&, const std::vector<std::string>&)>&
         counts);
 
-/// Seconds that the role takes if all goes well, from where the UAV is; or why it cannot play it:
-/// what it lacks, no place for it.
-Result<double, Failure> cost_of(const Joint& joint, const std::string& role,
-                                const world::VehicleState& state, const Outlook& outlook);
+/// What a role takes if all goes well.
+struct RoleCost {
+  double seconds = 0;
+  double energy = 0;  ///< as a fraction of what is held when full
+};
+
+/// From where the UAV is; or why it cannot play it: what it lacks, no place for it.
+Result<RoleCost, Failure> cost_of(const Joint& joint, const std::string& role,
+                                  const world::VehicleState& state, const Outlook& outlook);
 
 }  // namespace skein::decision_node

@@ -36,6 +36,22 @@ Result<interaction::Effects, Failure> RolePlay::tell(const interaction::Input& i
   return effects;
 }
 
+bool RolePlay::listens_to(const std::string& message) const {
+  const auto names = [&](const interaction::Formula& formula) {
+    for (const interaction::Clause& clause : formula) {
+      for (const interaction::Literal& literal : clause) {
+        const auto* pending = std::get_if<interaction::MessagePending>(&literal.condition);
+        if (pending != nullptr && pending->message == message) return true;
+      }
+    }
+    return false;
+  };
+  const auto& all = automaton().componels();
+  return std::any_of(all.begin(), all.end(), [&](const interaction::Componel& one) {
+    return one.block() != nullptr && (names(one.block()->precondition) || names(one.block()->exit));
+  });
+}
+
 void RolePlay::forget_monitors_of_restarted(const interaction::Effects& effects) {
   for (const interaction::Effect& effect : effects) {
     const auto* changed = std::get_if<interaction::StateChanged>(&effect.what);

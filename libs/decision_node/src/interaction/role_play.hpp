@@ -21,13 +21,18 @@ class RolePlay {
   const interaction::Role& model() const { return joint_.library->roles.at(role_); }
   /// What names of its expressions stand for: parameters, and places that were computed.
   const Arguments& scope() const { return scope_; }
-  void know(const std::string& local, const interaction::Position& at) { scope_[local] = at; }
+  void know(const std::string& local, Argument value) { scope_[local] = std::move(value); }
   void forget(const std::string& local) { scope_.erase(local); }
 
   /// Refused as the engine refuses.
   Result<interaction::Effects, Failure> tell(const interaction::Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const { return engine_.next_wakeup(); }
   bool is_over() const { return engine_.is_over(); }
+  /// Some condition of the role is about this message.
+  bool listens_to(const std::string& message) const;
+  /// It plays no role any more.
+  void lose(const std::string& uav) { holders_.erase(uav); }
+  const Holders& holders() const { return holders_; }
 
   /// What changed of the SCMs of active blocks. Of one whose loop begins anew, what still is counts
   /// as a change.

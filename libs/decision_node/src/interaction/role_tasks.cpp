@@ -38,19 +38,13 @@ Result<executive::Task, Failure> goto_of(const interaction::Task& role,
   query.to = vector_of(*aim);
   query.clearance = kLeastClearance;
   query.depart = context.outlook.now;
-  executive::Task task;
-  task.type = "goto";
-  std::vector<double> flat;
-  const auto add = [&](const world::Vector3& p) { flat.insert(flat.end(), {p.x(), p.y(), p.z()}); };
-  if ((query.to - query.from).norm() < kNear) {
-    add(query.to);
-  } else {
+  refiners::Way way{query.to};
+  if ((query.to - query.from).norm() >= kNear) {
     const auto path = refine(query, refiners::Setting{context.outlook.world, {}});
     if (!path) return failure("no way there: " + path.error().why);
-    const refiners::Way& way = path->task.way;
-    std::for_each(way.begin() + 1, way.end(), add);
+    way.assign(path->task.way.begin() + 1, path->task.way.end());
   }
-  task.parameters.add("waypoints", std::move(flat));
+  executive::Task task = flight_along(way);
   if (const auto speed = argument(role, "speed", context.play);
       speed && std::holds_alternative<double>(*speed)) {
     task.parameters.add("speed", std::get<double>(*speed));
@@ -108,7 +102,7 @@ Result<executive::Task, Failure> meeting_of(const interaction::Componel& compone
   task.type = "rendezvous";
   executive::Synchronisation& sync = task.synchronisation.emplace();
   const std::size_t rank = rank_of(componel.id, context.play.automaton());
-  sync.id = number_of(subject + "/" + context.allocation + "/" + std::to_string(rank));
+  const Holders& holders = context.play.holders();
   for (const auto& [name, into] :
        {std::pair("senders", &sync.senders), std::pair("receivers", &sync.receivers)}) {
     const auto uavs = argument(*componel.task(), name, context.play);
@@ -116,7 +110,11 @@ Result<executive::Task, Failure> meeting_of(const interaction::Componel& compone
     const auto* names = std::get_if<std::vector<std::string>>(&*uavs);
     if (names == nullptr) return failure("its " + std::string(name) + " are no UAVs");
     *into = *names;
+    std::erase_if(*into, [&](const std::string& uav) { return !holders.contains(uav); });
   }
+  std::string who;
+  for (const auto& [uav, role] : holders) who += "/" + uav;
+  sync.id = number_of(subject + "/" + context.allocation + "/" + std::to_string(rank) + who);
   return task;
 }
 
@@ -124,6 +122,39 @@ Result<executive::Task, Failure> meeting_of(const interaction::Componel& compone
 
 bool can_make(const std::string& type) {
   return type == "goto" || type == "takeshot-while-waiting" || meets(type);
+}
+
+std::optional<world::Polygon> zone_of(const config::Value& named, const Arguments& scope,
+                                      const world::World& world) {
+  const auto value = value_of(named, scope);
+  const auto* name = value ? std::get_if<std::string>(&*value) : nullptr;
+  if (name == nullptr) return std::nullopt;
+  const auto found = std::find_if(world.zones.begin(), world.zones.end(),
+                                  [&](const world::Zone& zone) { return zone.name == *name; });
+  return found == world.zones.end() ? std::nullopt : std::optional(found->polygon);
+}
+
+executive::Task flight_along(const refiners::Way& way) {
+  executive::Task task;
+  task.type = "goto";
+  std::vector<double> flat;
+  for (const world::Vector3& p : way) flat.insert(flat.end(), {p.x(), p.y(), p.z()});
+  task.parameters.add("waypoints", std::move(flat));
+  return task;
+}
+
+executive::Task look_along(executive::TaskId flight, const std::string& device) {
+  using executive::TaskInState;
+  using executive::TaskState;
+  const auto when = [&](TaskState state) {
+    return executive::Literal{TaskInState{flight, state}, false, executive::Modality::kMandatory};
+  };
+  executive::Task task;
+  task.type = "takeshot";
+  task.parameters.add("device", device);
+  task.preconditions = {{when(TaskState::kRunning)}};
+  task.exit = {{when(TaskState::kEnded), when(TaskState::kAborted)}};
+  return task;
 }
 
 Duration duration_of(const interaction::Task& task, const RolePlay& play) {

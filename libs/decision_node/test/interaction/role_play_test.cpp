@@ -91,7 +91,7 @@ TEST_F(Watching, APlaceIsLookedForUnderWhatHoldsThereAndWhatIsToCome) {
 }
 
 TEST_F(Watching, WhatIsKnownOfAPlaceCanBeForgotten) {
-  play_.know("place", {1, 2, 3});
+  play_.know("place", Position{1, 2, 3});
   EXPECT_TRUE(play_.scope().contains("place"));
 
   play_.forget("place");
@@ -129,7 +129,7 @@ struct Flat {
 
 TEST_F(Watching, MeetingsOfTwoRolesBelongTogetherByTheirRank) {
   const Joint theirs = testing::joint("heliv");
-  const RolePlay relay(theirs, "relay", {}, "heliv");
+  const RolePlay relay(theirs, "relay", {{"heliv", "relay"}, {"marvin", "watch"}}, "heliv");
   const Flat flat;
   const Outlook outlook = flat.outlook();
   const auto sync_of = [&](const RolePlay& play, const std::string& id, const char* allocation) {

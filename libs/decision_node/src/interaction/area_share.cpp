@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interaction/area_share.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "skein/supervisor/area_sweep.hpp"
+#include "skein/supervisor/way_home.hpp"
+#include "skein/world/segment.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using interaction::Row;
+using interaction::Rows;
+using world::Polygon;
+using world::Vector2;
+using world::Vector3;
+
+constexpr const char* kRound = "round";
+constexpr const char* kLeft = "left";
+constexpr std::size_t kLookAhead = 3;  // way-points, some of which may lie within one step
+constexpr double kNothing = 1;         // [m²]
+
+/// One side of a line.
+Polygon below(const Polygon& polygon, const Vector2& normal, double highest) {
+  Polygon kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double over_a = a.dot(normal) - highest, over_b = b.dot(normal) - highest;
+    if (over_a <= 0) kept.push_back(a);
+    if ((over_a < 0 && over_b > 0) || (over_a > 0 && over_b < 0))
+      kept.push_back(a + (b - a) * (over_a / (over_a - over_b)));
+  }
+  return kept;
+}
+
+/// Across its longest leg from a point on.
+Vector2 across(const refiners::Way& way, std::size_t from) {
+  Vector2 longest = Vector2::UnitX();
+  double length = 0;
+  for (std::size_t i = from; i + 1 < way.size(); ++i) {
+    const Vector2 leg = (way[i + 1] - way[i]).head<2>();
+    if (leg.norm() <= length) continue;
+    length = leg.norm();
+    longest = leg / length;
+  }
+  return {-longest.y(), longest.x()};
+}
+
+/// Sweeps of pieces one after the other.
+struct Sweeps {
+  std::vector<supervisor::AreaSweep> all;
+  double seconds = 0, energy = 0;
+  Vector3 end;
+};
+
+Result<Sweeps, Failure> sweeps_over(const std::vector<Polygon>& areas,
+                                    const SweepSetting& setting) {
+  Sweeps sweeps{{}, 0, 0, setting.state.position};
+  for (const Polygon& area : areas) {
+    auto sweep = supervisor::sweep_of(setting.knowledge, setting.world, setting.now, sweeps.end,
+                                      area, setting.device);
+    if (!sweep) return failure("its part cannot be swept: " + sweep.error());
+    sweeps.seconds += sweep->seconds;
+    sweeps.energy += sweep->energy;
+    sweeps.end = sweep->way.back();
+    sweeps.all.push_back(std::move(*sweep));
+  }
+  return sweeps;
+}
+
+}  // namespace
+
+Polygon between(const Polygon& polygon, const Vector2& normal, double lowest, double highest) {
+  return below(below(polygon, normal, highest), -normal, -lowest);
+}
+
+// ---- what is left ----
+
+// Lanes come beside each other, as a rule in their order: what those still to be flown see.
+Polygon AreaShare::Piece::left() const {
+  if (passed <= 1) return area;
+  if (passed == lanes.size()) return {};
+  const Vector2 normal = across(lanes, passed - 1);
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (std::size_t i = passed - 1; i < lanes.size(); ++i) {
+    const double off = lanes[i].head<2>().dot(normal);
+    lowest = std::min(lowest, off);
+    highest = std::max(highest, off);
+  }
+  return between(area, normal, lowest - reach, highest + reach);
+}
+
+std::vector<Polygon> AreaShare::own_left() const {
+  std::vector<Polygon> all;
+  for (const Piece& piece : own_) {
+    Polygon left = piece.left();
+    if (world::area(left) > kNothing) all.push_back(std::move(left));
+  }
+  return all;
+}
+
+Rows AreaShare::left() const {
+  if (!agreed()) return {};
+  Rows rows{{kRound, "", {static_cast<double>(round_)}}};
+  for (const Polygon& polygon : own_left()) rows.push_back(interaction::row_of(kLeft, polygon));
+  return rows;
+}
+
+double AreaShare::area_left() const {
+  double sum = 0;
+  for (const Polygon& polygon : own_left()) sum += world::area(polygon);
+  return sum;
+}
+
+// ---- who has what ----
+
+void AreaShare::agree(const Rows& result) {
+  ++round_;
+  nobodys_.clear();
+  for (const Row& row : result) {
+    if (row.numbers.empty()) continue;
+    if (row.name == self_)
+      own_.push_back({polygon_of(row)});
+    else
+      others_[row.name].push_back(polygon_of(row));
+  }
+}
+
+void AreaShare::take(const std::vector<Polygon>& areas) {
+  ++round_;
+  for (const Polygon& area : areas) own_.push_back({area});
+  nobodys_.clear();
+}
+
+void AreaShare::lose(const std::string& uav) {
+  const auto theirs = others_.extract(uav);
+  if (theirs.empty()) return;
+  nobodys_.insert(nobodys_.end(), theirs.mapped().begin(), theirs.mapped().end());
+}
+
+void AreaShare::told(const std::string& uav, const Rows& left) {
+  const auto theirs = others_.find(uav);
+  if (theirs == others_.end() || left.empty() || left.front().name != kRound ||
+      left.front().numbers.size() != 1 || left.front().numbers[0] < round_) {
+    return;
+  }
+  theirs->second.clear();
+  for (const Row& row : left) {
+    if (row.name == kLeft && row.numbers.size() >= 6) theirs->second.push_back(polygon_of(row));
+  }
+}
+
+// ---- flights ----
+
+Result<Rows, Failure> AreaShare::offer(const SweepSetting& setting) const {
+  const supervisor::Knowledge& knowledge = *setting.knowledge;
+  const auto swath = supervisor::swath_of(knowledge, setting.device);
+  if (!swath) return failure(swath.error());
+  const auto before = sweeps_over(own_left(), setting);
+  if (!before) return tl::unexpected(before.error());
+  const double home = supervisor::least_to_come_home(knowledge, *setting.world, setting.now,
+                                                     setting.state.position);
+  const double spare = setting.state.energy - before->energy - home;
+  if (spare <= 0) return failure("it has no energy for more");
+  interaction::Sweeper sweeper;
+  sweeper.vehicle = knowledge.vehicle;
+  sweeper.vehicle.energy.capacity *= spare;
+  sweeper.vehicle.energy.reserve = 0;
+  sweeper.start = before->end.head<2>();
+  sweeper.altitude = std::min(knowledge.altitude, knowledge.vehicle.ceiling);
+  sweeper.swath = *swath;
+  sweeper.busy = before->seconds;
+  return offer_of(sweeper);
+}
+
+Result<refiners::Way, Failure> AreaShare::set_out(const SweepSetting& setting) {
+  const std::vector<Polygon> areas = own_left();
+  auto sweeps = sweeps_over(areas, setting);
+  if (!sweeps) return tl::unexpected(sweeps.error());
+  own_.clear();
+  refiners::Way way;
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const supervisor::AreaSweep& sweep = sweeps->all[i];
+    const auto first = sweep.way.begin() + static_cast<std::ptrdiff_t>(sweep.lanes);
+    own_.push_back({areas[i], {first, sweep.way.end()}, 0, sweep.reach});
+    way.insert(way.end(), sweep.way.begin() + 1, sweep.way.end());
+  }
+  at_ = {setting.state.position};
+  return way;
+}
+
+void AreaShare::fly(const Vector3& to, double reach) {
+  const Vector3 from = at_.empty() ? to : at_.front();
+  at_ = {to};
+  const auto current = std::find_if(own_.begin(), own_.end(), [](const Piece& piece) {
+    return piece.passed < piece.lanes.size();
+  });
+  if (current == own_.end()) return;
+  const refiners::Way& lanes = current->lanes;
+  // It comes to where they begin from anywhere.
+  const std::size_t beyond = current->passed + (current->passed == 0 ? 1 : kLookAhead);
+  for (std::size_t next = current->passed; next < std::min(lanes.size(), beyond); ++next) {
+    if (world::to_segment(lanes[next], from, to) <= reach) current->passed = next + 1;
+  }
+}
+
+void AreaShare::flown() { own_.clear(); }
+
+}  // namespace skein::decision_node

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// A joint task that shares an area: who maps what, and the flights over it.
+#include <algorithm>
+
+#include "core.hpp"
+#include "interaction/joint_task.hpp"
+#include "interaction/role_tasks.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using Kind = interaction::NegotiationOutcome::Kind;
+using Word = interaction::Status::Word;
+
+constexpr Duration kSharing = Duration::milliseconds(40'000);  // a session
+constexpr Duration kAgain = Duration::milliseconds(1'000);
+constexpr Duration kPatience = Duration::milliseconds(240'000);  // then it is not shared
+
+}  // namespace
+
+SweepSetting JointTask::sweep_setting(const std::string& role) const {
+  const auto& knowledge = core_.config().knowledge;
+  return {knowledge, core_.deliberation().world(), now(), sightings_.own()->state,
+          device_of(joint_.library->roles.at(role), knowledge->vehicle)};
+}
+
+/// Way-points are passed within that [m].
+double JointTask::passing_distance() const {
+  const world::VehicleModel& vehicle = core_.config().knowledge->vehicle;
+  const world::Wind& wind = core_.deliberation().world()->wind;
+  return 5 + 6 * world::tracking_spread(vehicle) + vehicle.wind_drift * wind.speed;
+}
+
+// ---- who maps what ----
+
+// At first the area that the action names, then what is nobody's any more.
+std::vector<world::Polygon> JointTask::areas_to_share(const std::string& action) const {
+  if (share_.agreed()) return share_.nobodys();
+  const interaction::Automaton& automaton = play_->automaton();
+  const config::Value* named = automaton[*automaton.find(action)].action()->in.find("area");
+  const auto world = core_.deliberation().world();
+  const auto zone = named == nullptr ? std::nullopt : zone_of(*named, play_->scope(), *world);
+  std::vector<world::Polygon> areas;
+  if (zone) areas.push_back(*zone);
+  return areas;
+}
+
+void JointTask::share_area(const std::string& action) {
+  const std::vector<world::Polygon> areas = areas_to_share(action);
+  const MissionTime until = sharing_again_ ? sharing_again_->until : now() + kPatience;
+  sharing_again_.reset();
+  interaction::BeginNegotiation begin;
+  begin.subject = joint_.subject + "/" + kAreaSharing;
+  begin.modality = kAreaSharing;
+  begin.members = parties_of(action);
+  begin.within = kSharing;
+  for (const world::Polygon& area : areas)
+    begin.parameters.push_back(interaction::row_of("area", area));
+  if (begin.members.size() == 1) {
+    share_.take(areas);
+    return tell_status(action, Word::kEnded);
+  }
+  if (now() >= until) return leave("the area could not be shared: " + why_);
+  actions_[action] = begin.subject;
+  if (core_.interaction().begin(joint_, std::move(begin))) {
+    sharing_again_ = SharingAgain{action, MissionTime::max(), until};
+    return;
+  }
+  actions_.erase(action);
+  // Nothing was left to whoever was lost, and nobody asks for more.
+  if (areas.empty() && share_.agreed()) return tell_status(action, Word::kEnded);
+  failed_[action] = "the area cannot be shared";
+  tell_status(action, Word::kAborted);
+}
+
+void JointTask::area_shared(const interaction::Terms& terms,
+                            const interaction::NegotiationOutcome& outcome) {
+  const auto asked = std::find_if(actions_.begin(), actions_.end(),
+                                  [&](const auto& one) { return one.second == terms.subject; });
+  if (outcome.kind == Kind::kAgreed) share_.agree(outcome.result);
+  if (asked == actions_.end()) return;
+  const std::string action = asked->first;
+  if (outcome.kind == Kind::kAgreed) {
+    actions_.erase(asked);
+    sharing_again_.reset();
+    return tell_status(action, Word::kEnded);
+  }
+  core_.bus().emit(Notice{joint_.subject + ": the area is not shared yet: " + outcome.why});
+  if (sharing_again_) sharing_again_->at = now() + kAgain;
+}
+
+// ---- flights ----
+
+void JointTask::map_area(const std::string& componel) {
+  const auto fails = [&](const std::string& why) {
+    core_.bus().emit(Notice{joint_.subject + ": " + componel + ": " + why});
+    failed_[componel] = why;
+    tell_status(componel, Word::kAborted);
+  };
+  if (!share_.agreed()) return fails("the area is not shared");
+  const SweepSetting setting = sweep_setting(play_->role());
+  const auto way = share_.set_out(setting);
+  if (!way) return fails(way.error().why);
+  if (way->empty()) return tell_status(componel, Word::kEnded);
+  const executive::TaskId flight = give(componel, flight_along(*way));
+  give(componel, look_along(flight, setting.device), flight);
+}
+
+// Without its device a flight maps nothing.
+void JointTask::look_changed(const executive::TaskEvent& event) {
+  const auto look = looks_.find(event.id);
+  if (look == looks_.end() || !is_terminal(event.state)) return;
+  const executive::TaskId flight = look->second;
+  looks_.erase(look);
+  const auto flown = tasks_.find(flight);
+  if (flown == tasks_.end() || event.state == executive::TaskState::kEnded) return;
+  failed_[flown->second] = event.reason;
+  core_.execution().run(executive::Abort{flight});
+}
+
+}  // namespace skein::decision_node

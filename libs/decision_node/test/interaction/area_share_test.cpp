@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interaction/area_share.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "skein/world/world_builder.hpp"
+
+namespace skein::decision_node {
+namespace {
+
+using interaction::Row;
+using interaction::Rows;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using world::Polygon;
+using world::Vector2;
+
+const Polygon kWest = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
+const Polygon kEast = {{200, 0}, {400, 0}, {400, 200}, {200, 200}};
+
+double area_of(const Rows& left) {
+  double sum = 0;
+  for (const Row& row : left) {
+    if (row.name == "left") sum += world::area(interaction::polygon_of(row));
+  }
+  return sum;
+}
+
+Rows agreed(const Polygon& heron, const Polygon& wren) {
+  return {interaction::row_of("heron", heron), interaction::row_of("wren", wren)};
+}
+
+/// Heron over level ground, with a camera that looks 30 m to each side from 60 m up.
+SweepSetting setting_at(const world::Vector3& position, double energy = 1) {
+  world::WorldFile file;
+  file.origin = world::GeodeticOrigin{};
+  world::TerrainSpec ground;
+  ground.west = ground.south = -1000;
+  ground.east = ground.north = 1000;
+  file.terrain = ground;
+  file.airspace.ceiling = 150;
+  file.radio.range = 1000;
+  supervisor::Knowledge knowledge;
+  knowledge.uav = "heron";
+  knowledge.altitude = 60;
+  world::VehicleModel& vehicle = knowledge.vehicle;
+  vehicle.cruise_speed = 8;
+  vehicle.max_speed = 14;
+  vehicle.climb_rate = vehicle.descent_rate = 3;
+  vehicle.acceleration = 2;
+  vehicle.yaw_rate = 0.8;
+  vehicle.ceiling = 200;
+  vehicle.energy = {6.5e6, 100, 1700, 1500, 400, 0.1};
+  vehicle.sensors.push_back({});
+  vehicle.sensors.back().device = "mapping";
+  vehicle.sensors.back().aperture = std::atan(0.5);
+  vehicle.sensors.back().boresight_pitch = -1.5708;
+  vehicle.sensors.back().range = 200;
+  vehicle.sensors.back().period = Duration::seconds(1);
+  SweepSetting setting{
+      std::make_shared<const supervisor::Knowledge>(knowledge),
+      std::make_shared<const world::World>(world::build_world(std::move(file)).value()),
+      MissionTime(),
+      {},
+      "mapping"};
+  setting.state.position = position;
+  setting.state.energy = energy;
+  setting.state.airborne = true;
+  return setting;
+}
+
+TEST(Between, KeepsWhatLiesBetweenTwoLines) {
+  const Polygon strip = between(kWest, Vector2::UnitX(), 50, 80);
+
+  EXPECT_NEAR(world::area(strip), 30 * 200, 1e-9);
+  for (const Vector2& corner : strip) {
+    EXPECT_GE(corner.x(), 50 - 1e-9);
+    EXPECT_LE(corner.x(), 80 + 1e-9);
+  }
+  EXPECT_NEAR(world::area(between(kWest, Vector2::UnitX(), -10, 500)), 40000, 1e-9);
+  EXPECT_LT(world::area(between(kWest, Vector2::UnitX(), 300, 400)), 1e-9);
+}
+
+TEST(AreaShare, TellsNothingBeforeItIsAgreed) {
+  const AreaShare share("heron");
+
+  EXPECT_FALSE(share.agreed());
+  EXPECT_THAT(share.left(), IsEmpty());
+}
+
+TEST(AreaShare, AllOfItsPartIsLeftUntilSomeIsFlown) {
+  AreaShare share("heron");
+
+  share.agree(agreed(kWest, kEast));
+
+  EXPECT_TRUE(share.agreed());
+  EXPECT_NEAR(area_of(share.left()), 40000, 1e-6);
+  EXPECT_NEAR(share.area_left(), 40000, 1e-6);
+}
+
+TEST(AreaShare, WhatIsFlownIsNotLeftAndWhatIsLeftIsNeverLess) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+  const auto way = share.set_out(setting_at({-50, -20, 60}));
+  ASSERT_TRUE(way) << way.error().why;
+
+  double before = share.area_left(), flown = 0;
+  std::vector<double> lefts;
+  for (std::size_t i = 0; i + 1 < way->size(); ++i) {
+    const world::Vector3 leg = (*way)[i + 1] - (*way)[i];
+    for (int step = 0; step <= 20; ++step) share.fly((*way)[i] + step / 20.0 * leg, 5);
+    flown += leg.norm();
+    EXPECT_LE(share.area_left(), before + 1e-6);
+    // A swath of 60 m: no more can be done than that.
+    EXPECT_GE(share.area_left(), 40000 - 60 * flown);
+    before = share.area_left();
+    lefts.push_back(before);
+  }
+
+  EXPECT_LT(lefts[lefts.size() / 2], 30000);
+  EXPECT_NEAR(lefts.back(), 0, 1e-6);
+}
+
+TEST(AreaShare, WhoSetsOutAgainSweepsOnlyWhatIsLeft) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+  const auto all = share.set_out(setting_at({-50, -20, 60}));
+  ASSERT_TRUE(all);
+  for (std::size_t i = 0; 2 * i < all->size(); ++i) share.fly((*all)[i], 5);
+  const double left = share.area_left();
+  ASSERT_GT(left, 5000);
+  ASSERT_LT(left, 35000);
+
+  const auto rest = share.set_out(setting_at((*all)[all->size() / 2]));
+
+  ASSERT_TRUE(rest);
+  EXPECT_LT(refiners::length_of(*rest), 0.8 * refiners::length_of(*all));
+  EXPECT_NEAR(share.area_left(), left, 1e-6);
+}
+
+TEST(AreaShare, WhatALostPartnerHadLeftIsNobodys) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+  share.told("wren",
+             {{"round", "", {1}}, interaction::row_of("left", between(kEast, {1, 0}, 300, 400))});
+
+  share.lose("wren");
+
+  ASSERT_THAT(share.nobodys(), SizeIs(1));
+  EXPECT_NEAR(world::area(share.nobodys().front()), 20000, 1e-6);
+  share.lose("wren");
+  EXPECT_THAT(share.nobodys(), SizeIs(1));
+}
+
+TEST(AreaShare, OfAPartnerThatToldNothingAllItsPartIsNobodys) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+
+  share.lose("wren");
+
+  ASSERT_THAT(share.nobodys(), SizeIs(1));
+  EXPECT_NEAR(world::area(share.nobodys().front()), 40000, 1e-6);
+}
+
+TEST(AreaShare, WhatWasToldBeforeItWasSharedAgainDoesNotCount) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+  share.agree(agreed({}, {{400, 0}, {500, 0}, {500, 100}, {400, 100}}));
+
+  share.told("wren", {{"round", "", {1}}});
+  share.lose("wren");
+
+  EXPECT_THAT(share.nobodys(), SizeIs(2));
+}
+
+TEST(AreaShare, WhatIsSharedAgainComesToWhatIsLeft) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+  share.lose("wren");
+
+  share.agree({interaction::row_of("heron", kEast)});
+
+  EXPECT_THAT(share.nobodys(), IsEmpty());
+  EXPECT_NEAR(share.area_left(), 80000, 1e-6);
+}
+
+TEST(AreaShare, TheLastWhoIsThereTakesAll) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+  share.lose("wren");
+
+  share.take(share.nobodys());
+
+  EXPECT_THAT(share.nobodys(), IsEmpty());
+  EXPECT_NEAR(share.area_left(), 80000, 1e-6);
+}
+
+TEST(AreaShare, AnOfferSaysWhatItCanDoAndHowLongItIsBusy) {
+  AreaShare share("heron");
+  const auto free = share.offer(setting_at({-50, -20, 60}));
+  share.agree(agreed(kWest, kEast));
+  const auto busy = share.offer(setting_at({-50, -20, 60}));
+
+  ASSERT_TRUE(free && busy);
+  const auto first = interaction::sweeper_of(*free), then = interaction::sweeper_of(*busy);
+  ASSERT_TRUE(first && then) << first.error();
+  EXPECT_EQ(first->busy, 0);
+  EXPECT_EQ(first->start, Vector2(-50, -20));
+  EXPECT_NEAR(first->swath, 60, 3);
+  // 40,000 m² at 60 m and 8 m/s take 83 s without turns.
+  EXPECT_GT(then->busy, 83);
+  EXPECT_LT(then->busy, 250);
+  EXPECT_LT(then->vehicle.energy.capacity, first->vehicle.energy.capacity);
+}
+
+TEST(AreaShare, WhoHasNoEnergyOrNoDeviceOffersNothing) {
+  const AreaShare share("heron");
+  SweepSetting blind = setting_at({-50, -20, 60});
+  blind.device = "radar";
+
+  const auto spent = share.offer(setting_at({-50, -20, 60}, 0.05)), unseeing = share.offer(blind);
+
+  ASSERT_FALSE(spent);
+  EXPECT_EQ(spent.error().why, "it has no energy for more");
+  ASSERT_FALSE(unseeing);
+  EXPECT_EQ(unseeing.error().why, "heron has no device 'radar'");
+}
+
+TEST(AreaShare, NothingLeftIsNoWay) {
+  AreaShare share("heron");
+  share.agree(agreed(kWest, kEast));
+  share.flown();
+
+  const auto way = share.set_out(setting_at({0, 0, 60}));
+
+  ASSERT_TRUE(way);
+  EXPECT_THAT(*way, IsEmpty());
+  EXPECT_THAT(share.left(), SizeIs(1));
+}
+
+}  // namespace
+}  // namespace skein::decision_node
