@@ -7,6 +7,7 @@
 #include "skein/ddn/ddn_node.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/ground/ground_node.hpp"
+#include "skein/interaction/model_hash.hpp"
 #include "skein/scenario/operator_request.hpp"
 #include "skein/sim_node/sim_node.hpp"
 
@@ -81,6 +82,11 @@ ground_station::MissionKnowledge mission_knowledge(const Scenario& scenario) {
   for (const auto& [name, place] : scenario.world.places) knowledge.places.push_back(name);
   for (const world::Zone& zone : scenario.world.zones) knowledge.zones.push_back(zone.name);
   for (const UavSpec& uav : scenario.uavs) knowledge.vehicles.emplace(uav.name, uav.model);
+  if (scenario.interaction != nullptr) {
+    for (const auto& [type, model] : scenario.interaction->models) {
+      knowledge.joint_tasks[type] = hash_of(*scenario.interaction, type).value;
+    }
+  }
   return knowledge;
 }
 

@@ -6,6 +6,7 @@
 #include "deliberation_lines.hpp"
 #include "joint_lines.hpp"
 #include "received.hpp"
+#include "skein/interaction/model_hash.hpp"
 #include "skein/translation/joint_tasks.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
@@ -40,6 +41,20 @@ wire::SyncMessage to_wire(const dn::SyncMessage& message) {
 
 }  // namespace
 
+namespace {
+
+std::vector<wire::ModelVersion> versions_of(
+    const std::shared_ptr<const interaction::Library>& library) {
+  std::vector<wire::ModelVersion> versions;
+  if (library == nullptr) return versions;
+  for (const auto& [type, model] : library->models) {
+    versions.push_back({type, hash_of(*library, type).value});
+  }
+  return versions;
+}
+
+}  // namespace
+
 DdnNode::DdnNode(DdnConfig config, node::Roster roster)
     : uav_(config.uav),
       roster_(std::move(roster)),
@@ -47,6 +62,7 @@ DdnNode::DdnNode(DdnConfig config, node::Roster roster)
       contact_policy_(to_text(config.contact_policy)),
       deliberation_(config.deliberation),
       team_(config.team ? config.team->roster : team::Roster()),
+      models_(versions_of(config.interaction)),
       decision_(decision_config(config, roster_)) {}
 
 node::Effects DdnNode::handle(const node::Input& input, MissionTime now) {
@@ -148,6 +164,7 @@ void DdnNode::carry_out(const dn::BoardChanged& effect) {
   for (const executive::TaskStatus& task : effect.tasks) {
     board.tasks.push_back({task.id.value(), task.type, to_wire(task.state), task.reason});
   }
+  board.models = models_;
   send_to_ground(board);
 }
 

@@ -191,10 +191,12 @@ GroundNode::Input GroundNode::input_of(const wire::PlanBoard& board) const {
                                board.degree,
                                board.airborne,
                                {},
-                               MissionTime::nanoseconds(board.header.mission_time)};
+                               MissionTime::nanoseconds(board.header.mission_time),
+                               {}};
   for (const wire::TaskEntry& task : board.tasks) {
     result.tasks.push_back({executive::TaskId(task.id), task.type, from_wire(task.state)});
   }
+  for (const wire::ModelVersion& one : board.models) result.models[one.model] = one.version;
   return result;
 }
 

@@ -3,6 +3,8 @@
 #include "skein/ground_station/mission_checks.hpp"
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 
 namespace skein::ground_station {
 namespace {
@@ -16,6 +18,20 @@ Problems problems(const mission::ChangeDegree& change) {
   return {"there is no degree " + std::to_string(change.degree) + ": they go from " +
           std::to_string(mission::kLeastDegree) + " to " +
           std::to_string(mission::kGreatestDegree)};
+}
+
+/// As interaction models' versions are told.
+std::string version_text(std::uint64_t version) {
+  std::ostringstream text;
+  text << std::hex << std::setw(16) << std::setfill('0') << version;
+  return text.str();
+}
+
+const std::vector<std::string>* members_of(const mission::HighLevelTask& task) {
+  for (const mission::Argument& argument : task.arguments) {
+    if (const auto* members = std::get_if<std::vector<std::string>>(&argument)) return members;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -49,6 +65,9 @@ Problems MissionChecks::problems(const mission::UnitMission& mission, const Addr
                     " is known already: " + goal.statement);
     }
   }
+  for (const mission::HighLevelTask& task : mission.tasks) {
+    for (std::string& problem : joint_problems(task, to)) out.push_back(std::move(problem));
+  }
   if (!knowledge_.vocabulary) return out;
   const auto vehicle = knowledge_.vehicles.find(to.name);
   const mission::Surroundings surroundings{
@@ -57,6 +76,36 @@ Problems MissionChecks::problems(const mission::UnitMission& mission, const Addr
   for (std::string& problem :
        mission::problems_of(mission, *knowledge_.vocabulary, surroundings, now)) {
     out.push_back(std::move(problem));
+  }
+  return out;
+}
+
+// Names that are no UAVs are the vocabulary's business.
+Problems MissionChecks::joint_problems(const mission::HighLevelTask& task,
+                                       const Addressee& to) const {
+  const auto model = knowledge_.joint_tasks.find(task.name);
+  const std::vector<std::string>* members = members_of(task);
+  if (model == knowledge_.joint_tasks.end() || members == nullptr) return {};
+  Problems out;
+  const auto say = [&](const std::string& what) { out.push_back(task.name + ": " + what); };
+  if (std::find(members->begin(), members->end(), to.name) == members->end()) {
+    say(to.name + " is not among its members");
+  }
+  for (const std::string& name : *members) {
+    const auto mate = to.team.find(name);
+    if (mate == to.team.end()) continue;
+    const auto& [degree, models] = mate->second;
+    if (name != to.name && !mission::deliberates(degree)) {
+      say(name + " is at degree " + std::to_string(degree) + " and does not deliberate");
+    }
+    const auto version = models.find(task.name);
+    if (models.empty()) continue;
+    if (version == models.end()) {
+      say(name + " has no model of it");
+    } else if (version->second != model->second) {
+      say(name + " has version " + version_text(version->second) +
+          " of its model, the ground station " + version_text(model->second));
+    }
   }
   return out;
 }

@@ -138,6 +138,7 @@ void Monitoring::on(const PlanBoardReceived& input, MissionTime now, Effects& ef
   Record* record = find(input.uav, "plan board", effects);
   if (record == nullptr) return;
   record->board.airborne = input.airborne;
+  record->models = input.models;
   const bool is_stale = input.at && record->degree_at && *input.at <= *record->degree_at;
   if (!is_stale) {
     record->degree_at = input.at;

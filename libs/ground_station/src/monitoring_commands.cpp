@@ -62,7 +62,8 @@ void Monitoring::send(CommandNumber number, MissionTime now, Effects& effects) {
     return close(number, CommandState::kExpired, "it waited for a change of degree", effects);
   }
   Record& record = uavs_.at(pending.uav);
-  const Addressee to{pending.uav, record.board.degree, record.board.goals};
+  Addressee to{pending.uav, record.board.degree, record.board.goals};
+  for (const auto& [name, other] : uavs_) to.team[name] = {other.board.degree, other.models};
   if (const auto problems = checks_.problems_of(pending.request, to, now); !problems.empty()) {
     return close(number, CommandState::kRefused, joined(problems, "; "), effects);
   }

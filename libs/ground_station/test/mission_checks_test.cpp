@@ -51,6 +51,43 @@ TEST(MissionChecks, EveryReasonIsGivenAtOnce) {
   EXPECT_THAT(reasons[1] + reasons[2], HasSubstr("P9"));
 }
 
+/// A ground station that has version 0xabc of "lift"; of the board, Marvin and Heliv.
+std::vector<std::string> joint_problems(const Teammate& marvin, const Teammate& heliv,
+                                        std::vector<std::string> members) {
+  MissionKnowledge knowledge;
+  knowledge.joint_tasks = {{"lift", 0xabc}};
+  mission::UnitMission lift;
+  lift.id = mission::MissionId(2);
+  lift.tasks.push_back({mission::GoalId(701), "lift", {std::move(members)}, {}});
+  const std::vector<mission::GoalStatus> none;
+  const Addressee to{"marvin", 4, none, {{"marvin", marvin}, {"heliv", heliv}}};
+  return MissionChecks(knowledge, {"marvin", "heliv"}).problems_of(lift, to, at(10));
+}
+
+const ModelVersions kSame = {{"lift", 0xabc}};
+
+TEST(MissionChecks, AJointTaskOfWhoDeliberatesWithOneVersionMayBeSent) {
+  EXPECT_THAT(joint_problems({4, kSame}, {5, kSame}, {"marvin", "heliv"}), IsEmpty());
+  // Who told nothing yet is believed.
+  EXPECT_THAT(joint_problems({4, kSame}, {4, {}}, {"marvin", "heliv"}), IsEmpty());
+}
+
+TEST(MissionChecks, AJointTaskOfAnotherVersionIsRefusedNamingBoth) {
+  EXPECT_THAT(joint_problems({4, kSame}, {4, {{"lift", 0x123}}}, {"marvin", "heliv"}),
+              ElementsAre("lift: heliv has version 0000000000000123 of its model, the ground "
+                          "station 0000000000000abc"));
+  EXPECT_THAT(joint_problems({4, {{"lift", 1}}}, {4, kSame}, {"marvin", "heliv"}),
+              ElementsAre(HasSubstr("lift: marvin has version 0000000000000001")));
+  EXPECT_THAT(joint_problems({4, kSame}, {4, {{"watch", 1}}}, {"marvin", "heliv"}),
+              ElementsAre("lift: heliv has no model of it"));
+}
+
+TEST(MissionChecks, WhoTakesPartInAJointTaskDeliberates) {
+  EXPECT_THAT(joint_problems({4, kSame}, {2, kSame}, {"marvin", "heliv"}),
+              ElementsAre("lift: heliv is at degree 2 and does not deliberate"));
+  EXPECT_THAT(joint_problems({4, kSame}, {3, {{"lift", 0x123}}}, {"heliv"}), SizeIs(3));
+}
+
 TEST(MissionChecks, APlaceMayBeNamedOnceItIsKnown) {
   MissionChecks checking = checks();
   const std::vector<mission::GoalStatus> none;

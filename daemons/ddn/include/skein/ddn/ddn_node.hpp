@@ -77,6 +77,7 @@ class DdnNode final : public node::Node {
   std::string contact_policy_;
   Duration deliberation_;
   team::Roster team_;
+  std::vector<wire::ModelVersion> models_;  ///< of joint tasks, that it has
   decision_node::DecisionNode decision_;
   std::map<std::uint64_t, wire::PlanEntry> logged_plan_;       ///< its tasks, as last logged
   std::set<std::pair<node::NodeNumber, wire::Slot>> dropped_;  ///< already logged

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -79,6 +80,9 @@ struct PlannedTaskStatus {
   std::string type;
   executive::TaskState state = executive::TaskState::kScheduled;
 };
+/// Versions of interaction models, by type of joint task. Source: spec 7.3.
+using ModelVersions = std::map<std::string, std::uint64_t>;
+
 /// The plan a UAV's decision node holds. Repairs what events have not told; degree 1 nodes hold
 /// none.
 struct PlanBoardReceived {
@@ -88,6 +92,7 @@ struct PlanBoardReceived {
   std::vector<PlannedTaskStatus> tasks;
   /// When it was so. Absent: taken as now.
   std::optional<MissionTime> at = std::nullopt;
+  ModelVersions models = {};  ///< that it has
 };
 /// The plan of a UAV at degree 4, and where its high-level tasks stand.
 struct MissionPlanReceived {

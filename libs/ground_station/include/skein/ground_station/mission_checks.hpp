@@ -21,6 +21,14 @@ struct MissionKnowledge {
   std::vector<std::string> places = {}, zones = {};
   /// By UAV; the devices of one that is not here are not checked.
   std::map<std::string, world::VehicleModel> vehicles = {};
+  /// Joint tasks and the versions of their interaction models that the ground has.
+  ModelVersions joint_tasks = {};
+};
+
+/// Another UAV, as the board has it.
+struct Teammate {
+  Degree degree = 3;
+  ModelVersions models = {};  ///< that it told to have; none: it told nothing yet
 };
 
 /// The request's addressee, as the board has it.
@@ -28,6 +36,7 @@ struct Addressee {
   std::string name;
   Degree degree = 3;
   const std::vector<mission::GoalStatus>& goals;
+  std::map<std::string, Teammate> team = {};  ///< it is among them; empty: nothing is known
 };
 
 /// Refuses at the ground what no UAV could accept, so that an operator has every reason at once and
@@ -51,6 +60,8 @@ class MissionChecks {
  private:
   std::vector<std::string> problems(const mission::UnitMission& mission, const Addressee& to,
                                     MissionTime now) const;
+  std::vector<std::string> joint_problems(const mission::HighLevelTask& task,
+                                          const Addressee& to) const;
 
   MissionKnowledge knowledge_;
   std::vector<std::string> team_;

@@ -150,6 +150,7 @@ class Monitoring {
     std::optional<mission::ChangeDegree> unanswered;
     std::deque<CommandNumber> waiting;  ///< for the change, in order
     std::set<std::string> messages;     ///< that it has processed
+    ModelVersions models;               ///< of joint tasks, as it told
   };
   using Effects = std::vector<Effect>;
 
