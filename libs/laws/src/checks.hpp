@@ -20,6 +20,15 @@ std::vector<Violation> done_twice(const History& history);
 std::optional<double> seconds_detected(const History& history, const Uav& uav, const Goal& goal);
 std::vector<Violation> detections_not_done(const History& history);
 std::vector<Violation> mappings_not_done(const History& history);
+inline constexpr double kMapPart = 0.99;  ///< of a zone that is mapped
+/// A UAV with a device on.
+struct Look {
+  const Uav* uav = nullptr;
+  const Activity* look = nullptr;
+};
+/// The part of a zone that was in view of one of them at some time, [0, 1].
+double part_in_view(const History& history, const std::vector<Look>& looks,
+                    const world::Polygon& zone);
 // synchronisation.cpp
 std::vector<Violation> synchronisations_apart(const History& history);
 std::vector<Violation> partners_too_near(const History& history);

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kStep = 0.5;         ///< [s]
 constexpr double kDetectPart = 0.85;  ///< of the time asked: turns beyond the zone's edge count not
-constexpr double kMapPart = 0.99;     ///< of the zone's cells
 
 /// The middle points of square cells over a zone, on the ground.
 std::vector<world::Vector3> cells_of(const History& history, const world::Polygon& zone,
@@ -54,14 +53,21 @@ std::vector<std::int64_t> with_parts(const Uav& uav, const Goal& goal) {
   return all;
 }
 
-template <class See>
-void along_looks(const History& history, const Uav& uav, const Goal& goal, const See& see) {
+std::vector<Look> looks_of(const Uav& uav, const Goal& goal) {
+  std::vector<Look> looks;
   for (const std::int64_t part : with_parts(uav, goal)) {
     for (const Activity* look : uav.activities_of(part)) {
-      if (!look->looks()) continue;
-      for (double t = look->from; t < std::min(look->until, history.end); t += kStep) {
-        if (const auto view = view_at(uav, *look, t)) see(*view);
-      }
+      if (look->looks()) looks.push_back({&uav, look});
+    }
+  }
+  return looks;
+}
+
+template <class See>
+void along(const History& history, const std::vector<Look>& looks, const See& see) {
+  for (const auto& [uav, look] : looks) {
+    for (double t = look->from; t < std::min(look->until, history.end); t += kStep) {
+      if (const auto view = view_at(*uav, *look, t)) see(*view);
     }
   }
 }
@@ -69,7 +75,7 @@ void along_looks(const History& history, const Uav& uav, const Goal& goal, const
 double seconds_over(const History& history, const Uav& uav, const Goal& goal,
                     const std::vector<world::Vector3>& cells) {
   double seconds = 0;
-  along_looks(history, uav, goal, [&](const world::View& view) {
+  along(history, looks_of(uav, goal), [&](const world::View& view) {
     const bool sees = std::any_of(cells.begin(), cells.end(), [&](const world::Vector3& cell) {
       return world::in_view(view, cell);
     });
@@ -78,10 +84,14 @@ double seconds_over(const History& history, const Uav& uav, const Goal& goal,
   return seconds;
 }
 
-double part_seen(const History& history, const Uav& uav, const Goal& goal,
-                 const std::vector<world::Vector3>& cells) {
+}  // namespace
+
+double part_in_view(const History& history, const std::vector<Look>& looks,
+                    const world::Polygon& zone) {
+  const double side = std::max(3.0, std::sqrt(world::area(zone) / 1500));
+  const std::vector<world::Vector3> cells = cells_of(history, zone, side);
   std::vector<bool> seen(cells.size(), false);
-  along_looks(history, uav, goal, [&](const world::View& view) {
+  along(history, looks, [&](const world::View& view) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (!seen[i] && world::in_view(view, cells[i])) seen[i] = true;
     }
@@ -89,8 +99,6 @@ double part_seen(const History& history, const Uav& uav, const Goal& goal,
   const auto count = std::count(seen.begin(), seen.end(), true);
   return cells.empty() ? 1 : static_cast<double>(count) / static_cast<double>(cells.size());
 }
-
-}  // namespace
 
 std::optional<double> seconds_detected(const History& history, const Uav& uav, const Goal& goal) {
   if (goal.task.name != "perform-detection" || goal.task.arguments.size() < 3) return std::nullopt;
@@ -119,8 +127,7 @@ std::vector<Violation> mappings_not_done(const History& history) {
     if (goal.task.name != "perform-mapping" || goal.task.arguments.empty()) return;
     const world::Zone* zone = history.zone(goal.task.arguments[0]);
     if (zone == nullptr) return;
-    const double side = std::max(3.0, std::sqrt(world::area(zone->polygon) / 1500));
-    const double part = part_seen(history, uav, goal, cells_of(history, zone->polygon, side));
+    const double part = part_in_view(history, looks_of(uav, goal), zone->polygon);
     if (part >= kMapPart) return;
     result.push_back({"", at, uav.name(), goal.id,
                       mission::to_text(goal.task) + " is achieved: " + figure(100 * part) +

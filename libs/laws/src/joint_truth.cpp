@@ -176,6 +176,47 @@ std::string not_watched(const History& history, const std::string& joint,
   return "";
 }
 
+// ---- what was mapped ----
+
+/// The areas that members of the variant share: parameters of the model that an action of area
+/// sharing names.
+std::set<std::string> shared_areas(const History& history, const interaction::Variant& variant) {
+  std::set<std::string> areas;
+  for (const std::string& name : variant.roles) {
+    const auto table = variant.table.parameters.find(name);
+    const interaction::Role& role = history.scenario->interaction->roles.at(name);
+    for (const interaction::Componel& one : role.automaton.componels()) {
+      if (one.action() == nullptr || one.action()->modality != "area-sharing") continue;
+      const config::Value* area = one.action()->in.find("area");
+      if (area == nullptr || table == variant.table.parameters.end()) continue;
+      if (table->second.contains(area->scalar)) areas.insert(table->second.at(area->scalar));
+    }
+  }
+  return areas;
+}
+
+/// By all members together.
+std::string not_mapped(const History& history, const std::string& joint,
+                       const interaction::Variant& variant) {
+  const std::set<std::string> areas = shared_areas(history, variant);
+  std::vector<Look> looks;
+  for (const RoleTaskTold& task : history.joint.tasks) {
+    if (task.joint != joint || areas.empty()) continue;
+    const Uav& uav = history.uavs.at(task.uav);
+    for (const Activity& look : uav.activities) {
+      if (look.task == task.task && look.looks()) looks.push_back({&uav, &look});
+    }
+  }
+  const auto arguments = arguments_of(joint, variant);
+  for (const std::string& area : areas) {
+    const world::Zone* zone = history.zone(arguments.at(area));
+    if (zone == nullptr) continue;
+    const double part = part_in_view(history, looks, zone->polygon);
+    if (part < kMapPart) return figure(100 * part) + " % of " + zone->name + " was in view";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::vector<Violation> joint_tasks_not_done(const History& history) {
@@ -193,6 +234,7 @@ std::vector<Violation> joint_tasks_not_done(const History& history) {
     const interaction::Variant* variant = variant_of(history, *told);
     if (variant == nullptr) return broken("it names no variant of its model");
     if (const auto why = roles_missing(history, told->joint, *variant); !why.empty()) broken(why);
+    if (const auto why = not_mapped(history, told->joint, *variant); !why.empty()) broken(why);
     if (const auto why = not_watched(history, told->joint, *variant); !why.empty()) broken(why);
   });
   return result;

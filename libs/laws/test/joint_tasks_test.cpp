@@ -95,6 +95,30 @@ class Told {
                    .with("componel", std::string("w1"))
                    .with("task", task));
   }
+  /// Who watches shares P1, an area, with the others; all look down.
+  Told& shares(const world::Polygon& field) {
+    interaction::Library library = *scenario_.interaction;
+    interaction::CoordinationAction sharing{"area-sharing", {}, {}};
+    sharing.in.kind = config::Value::Kind::kMap;
+    config::Value area;
+    area.kind = config::Value::Kind::kScalar;
+    area.scalar = "field";
+    sharing.in.entries.push_back({"area", area});
+    library.roles["watch"].automaton.add({"a1", 0, sharing, "", 0});
+    library.models["watching"].variants.front().table.parameters["watch"]["field"] = "front";
+    scenario_.interaction = std::make_shared<const interaction::Library>(library);
+    scenario_.world.zones.push_back({"P1", field});
+    for (scenario::UavSpec& spec : scenario_.uavs) {
+      world::SensorModel sensor;
+      sensor.device = "visible";
+      sensor.boresight_pitch = -1.5708;
+      sensor.aperture = 0.9;
+      sensor.range = 200;
+      spec.model.sensors = {sensor};
+    }
+    airborne_ = true;
+    return *this;
+  }
   Told& goal(double at, const std::string& uav, const std::string& state) {
     Goal& one = goals_[uav];
     one.id = 70;
@@ -117,7 +141,10 @@ class Told {
       if (goals_.contains(spec.name)) uav.goals[70] = goals_.at(spec.name);
       const auto at = at_.find(spec.name);
       if (at == at_.end()) continue;
-      for (const double instant : {0.0, 1000.0}) uav.samples.push_back({instant, at->second});
+      for (const double instant : {0.0, 1000.0}) {
+        uav.samples.push_back({instant, at->second});
+        uav.samples.back().airborne = airborne_;
+      }
     }
     std::vector<std::string> sentences;
     for (const Violation& one : law(history)) sentences.push_back(one.sentence);
@@ -151,6 +178,7 @@ class Told {
   std::map<std::string, std::vector<Activity>> activities_;
   std::map<std::string, Goal> goals_;
   std::map<std::string, world::Vector3> at_;
+  bool airborne_ = false;
   JointHistory joint_;
 };
 
@@ -281,6 +309,17 @@ TEST(JointLaws, WhatIsAchievedTogetherWasPerceivedForAsLongAsAskedFromWhereItMay
               ElementsAre(HasSubstr("for 0.0 of 60.0 s")));
 }
 
+/// 160 m by 80 m, of which each sees what is within 75 m from below it.
+Told mapped(const world::Vector3& marvin, const world::Vector3& heliv) {
+  Told told;
+  told.shares({{-30, -40}, {130, -40}, {130, 40}, {-30, 40}});
+  told.phase(10, "marvin", "running", "watch").phase(12, "heliv", "running", "relay");
+  told.perceives("marvin", 9, 20, 80).is_at("marvin", marvin);
+  told.perceives("heliv", 19, 20, 80).is_at("heliv", heliv);
+  told.phase(90, "marvin", "ended", "watch").phase(91, "heliv", "ended", "relay");
+  return told.goal(92, "marvin", "achieved");
+}
+
 TEST(JointLaws, WhatIsPerceivedByOneAfterTheOtherAddsUp) {
   Told told = watched(30, {0, 0, 40});
   told.perceives("heliv", 19, 55, 85).is_at("heliv", {0, 30, 40});
@@ -298,6 +337,12 @@ TEST(JointLaws, WhatIsAchievedTogetherWasDoneByAllAtOneTime) {
 
   alone.phase(200, "heliv", "running", "relay").phase(220, "heliv", "ended", "relay");
   EXPECT_THAT(alone.broken(joint_tasks_not_done), ElementsAre(HasSubstr("never took part")));
+}
+
+TEST(JointLaws, AnAreaThatIsSharedWasInViewOfAllTogether) {
+  EXPECT_THAT(mapped({0, 0, 60}, {100, 0, 60}).broken(joint_tasks_not_done), IsEmpty());
+  EXPECT_THAT(mapped({0, 0, 60}, {0, 0, 60}).broken(joint_tasks_not_done),
+              ElementsAre(HasSubstr("% of P1 was in view")));
 }
 
 TEST(JointLaws, NoGoalIsAchievedOfWhichNoJointTaskEnded) {
