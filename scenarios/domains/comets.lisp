@@ -111,6 +111,7 @@
   (:- (high-level-task general-wait (duration) ()) ())
   (:- (high-level-task wait-for-orders () ()) ())
   (:- (high-level-task monitoring-with-relay (place place place duration uavs) ()) ())
+  (:- (high-level-task cooperative-mapping (zone place place duration uavs) ()) ())
 
   ; ================ which device serves what, and which is better for it
 
@@ -457,21 +458,21 @@
 
   ; What needs others is refined with them, when it is loaded: the roles are not known yet, so whoever takes part reckons
   ; with what the longest of them takes. The vehicle is over ?to then.
-  (:operator (!task-monitoring-with-relay ?id ?dependences ?params ?start ?duration ?tc ?origin)
-    ((uavloc flying ?from) (task-id ?id) (joint ?about ?duration ?to) (eval-ok stay ?data)
+  (:operator (!task-joint ?id ?dependences ?params ?start ?duration ?tc ?origin)
+    ((uavloc flying ?from) (task-id ?id) (joint ?type ?about ?duration ?to) (eval-ok stay ?data)
      (move-after ?earliest ?dependences)
-     (assign ?params (append (list (list 'type "joint:monitoring-with-relay") (assoc 'energy ?data)) ?about))
+     (assign ?params (append (list (list 'type ?type) (assoc 'energy ?data)) ?about))
      (assign ?start (not-before ?earliest ?duration ?tc))
-     (call in-time 'monitoring-with-relay ?origin ?start ?duration ?tc)
+     (call in-time ?type ?origin ?start ?duration ?tc)
      (assign ?end (after ?start ?duration))
      (assign ?next (+ ?id 1))
      (my-write-time uavloc ?w ?we ?wt))
-    ((uavloc flying ?from) (task-id ?id) (joint ?about ?duration ?to) (eval-ok stay ?data)
+    ((uavloc flying ?from) (task-id ?id) (joint ?type ?about ?duration ?to) (eval-ok stay ?data)
      (my-write-time uavloc ?w ?we ?wt)
      (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt))))
     ((uavloc flying ?to) (task-id ?next) (my-write-time uavloc ?end end ?id))
     0)
-  (:operator (!!join ?about ?duration ?to) () () ((joint ?about ?duration ?to)) 0)
+  (:operator (!!join ?type ?about ?duration ?to) () () ((joint ?type ?about ?duration ?to)) 0)
 
   ; ================ methods: motion
 
@@ -743,6 +744,22 @@
       (assign ?expected (+ ?seconds ?ways)) (assign ?most (+ ?expected ?ways 600))
       (assign ?about (list (list 'p0 ?front) (list 'p1 ?center) (list 'p2 ?control) (list 'p3 ?seconds) (list 'p4 ?uavs)))
       (assign ?duration (interval ?seconds ?most)) (assign ?to (get-destination ?back)))
-      ((!!lcompute-stay ?expected) (!!join ?about ?duration ?to)
-       (!task-monitoring-with-relay ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+      ((!!lcompute-stay ?expected) (!!join "joint:monitoring-with-relay" ?about ?duration ?to)
+       (!task-joint ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+
+  ; How long it takes follows from who takes part, and is agreed when it begins: ?seconds is what is reckoned with.
+  (:method (cooperative-mapping ?area ?center ?home ?seconds ?uavs ?tc ?origin)
+    take-off-first ((uavloc grounded ?_place))
+      ((take-off ?tc ?origin) (cooperative-mapping ?area ?center ?home ?seconds ?uavs ?tc ?origin))
+    cooperative-mapping
+    ((uavloc flying ?from) (may-begin ?tc ?when)
+      (assign ?there (compute-gotoxyz ?from ?center ?when)) (call consp ?there)
+      (assign ?back (compute-gotoxyz ?from ?home ?when)) (call consp ?back)
+      (assign ?ways (+ (high (get-duration ?there)) (high (get-duration ?back))))
+      (assign ?expected (+ ?seconds ?ways)) (assign ?most (+ ?expected ?expected 600))
+      (assign ?about
+        (list (list 'area ?area) (list 'center ?center) (list 'home ?home) (list 'duration ?seconds) (list 'uavs ?uavs)))
+      (assign ?duration (interval 10 ?most)) (assign ?to (get-destination ?back)))
+      ((!!lcompute-stay ?expected) (!!join "joint:cooperative-mapping" ?about ?duration ?to)
+       (!task-joint ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
   ))

@@ -46,6 +46,11 @@ INSTANTIATE_TEST_SUITE_P(JointTasks, Teamwork,
                                            "mref/radio-cut", "mref/interrupted",
                                            "mref/taken-in-hand"),
                          name_of);
+INSTANTIATE_TEST_SUITE_P(AreaSharing, Teamwork,
+                         ::testing::Values("area-sharing/negotiated", "area-sharing/one-leaves",
+                                           "area-sharing/one-lost", "area-sharing/central",
+                                           "area-sharing/proportional", "area-sharing/alone"),
+                         name_of);
 INSTANTIATE_TEST_SUITE_P(Degree5, Teamwork,
                          ::testing::Values("team/two", "team/five", "team/comets", "team/mixed"),
                          name_of);

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Area sharing (annex B of the thesis, spec 8.7): three unlike UAVs map one area, divided on the
+// ground or by negotiation. That all of it was in view is a law that every run keeps
+// (joint_tasks_test.cpp); here is who is done when.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <iomanip>
+#include <sstream>
+
+#include "skein/assembly/knowledge.hpp"
+#include "skein/refiners/partition.hpp"
+#include "skein/supervisor/area_sweep.hpp"
+#include "test_cases.hpp"
+#include "testing/mapping_ends.hpp"
+#include "testing/mission.hpp"
+
+namespace skein::testing {
+namespace {
+
+constexpr double kTogether = 0.05;
+
+Mission mission(const std::string& name, std::uint64_t seed) {
+  return play(scenario_at("area-sharing/" + name, with(seed)));
+}
+
+class InCalmAir : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(InCalmAir, AllThreeAreDoneWithinFivePerCentOfEachOther) {
+  const auto seeds = cases<std::uint64_t>(2, 50);
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const MappingEnds ends = mapping_ends(mission(GetParam(), seed).records);
+
+    ASSERT_EQ(ends.ends.size(), 3U);
+    EXPECT_LE(ends.spread(), kTogether) << "seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AreaSharing, InCalmAir, ::testing::Values("central", "negotiated"));
+
+TEST(AreaSharing, ThreeAreDoneBeforeOneAloneAndBeforeSharesInProportion) {
+  const double negotiated = mapping_ends(mission("negotiated", 1).records).makespan();
+  const double central = mapping_ends(mission("central", 1).records).makespan();
+  const double proportional = mapping_ends(mission("proportional", 1).records).makespan();
+  const double alone = mapping_ends(mission("alone", 1).records).makespan();
+
+  EXPECT_LT(negotiated, 0.75 * alone);
+  EXPECT_LT(negotiated, proportional);
+  EXPECT_LT(central, proportional);
+  EXPECT_NEAR(negotiated, central, 0.1 * central);
+}
+
+TEST(AreaSharing, WhatOneLeavesTheOthersFinishTogether) {
+  const auto seeds = cases<std::uint64_t>(2, 50);
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const MappingEnds ends = mapping_ends(mission("one-leaves", seed).records);
+
+    EXPECT_LE(ends.spread({"heron", "wren"}), 2 * kTogether) << "seed " << seed;
+  }
+}
+
+/// The partition that partition.json asks `skein refine` for, from what the scenario says.
+refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareMode mode) {
+  refiners::PartitionQuery query;
+  query.mode = mode;
+  query.apart = 0;
+  for (const world::Zone& zone : scenario.world.zones) {
+    if (zone.name == "field") query.area = zone.polygon;
+  }
+  for (const scenario::UavSpec& uav : scenario.uavs) {
+    const supervisor::Knowledge knowledge = assembly::knowledge_of(scenario, uav);
+    refiners::Member member;
+    member.uav = uav.name;
+    member.vehicle = uav.model;
+    member.start = uav.start.head<2>();
+    member.altitude = knowledge.altitude;
+    member.swath = supervisor::swath_of(knowledge, "mapping").value();
+    member.busy = knowledge.altitude / uav.model.climb_rate;
+    query.members.push_back(std::move(member));
+  }
+  const world::World world = assembly::world_of(scenario).value();
+  return refine(query, refiners::Setting{world, {}}).value().task;
+}
+
+/// As a zone is written in a scenario.
+std::string text_of(const world::Polygon& polygon) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1);
+  for (const world::Vector2& corner : polygon)
+    text << (text.tellp() > 0 ? ", [" : "[") << corner.x() << ", " << corner.y() << "]";
+  return text.str();
+}
+
+TEST(AreaSharing, TheZonesOfTheCentralScenariosAreWhatThePartitionRefinerGives) {
+  for (const auto& [name, mode] :
+       {std::pair("area-sharing/central", refiners::ShareMode::kBalanced),
+        std::pair("area-sharing/proportional", refiners::ShareMode::kProportional)}) {
+    const scenario::Scenario scenario = scenario_at(name);
+    for (const refiners::Part& part : divided(scenario, mode).parts) {
+      for (const world::Zone& zone : scenario.world.zones) {
+        if (zone.name != "part-" + part.uav) continue;
+        EXPECT_EQ(text_of(zone.polygon), text_of(part.polygon)) << name << " " << zone.name;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace skein::testing
