@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <sstream>
 #include <tuple>
 
 #include "field_reader.hpp"
@@ -47,6 +49,7 @@ class Teller {
     if (kind == "joint") see_joint(line);
     if (kind == "scm") see_scm(line);
     if (kind == "negotiation") see_negotiation(line);
+    if (kind == "place") see_place(line);
   }
 
   void finish() {
@@ -107,6 +110,32 @@ class Teller {
          {line.t, line.t}});
   }
 
+  void see_place(const Line& line) {
+    const auto at = line.keys.find("position");
+    if (at == line.keys.end() || !at->is_array() || at->size() != 3) return;
+    Position position;
+    double* const figures[] = {&position.x, &position.y, &position.z};
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(*at)[i].is_number()) return;
+      *figures[i] = (*at)[i].get<double>();
+    }
+    told_.places.push_back({line.t, line.text("uav"), line.text("role"), line.text("parameter"),
+                            line.text("by"), line.text("scms"), position});
+  }
+
+  // "heron 150 60 900 -40 …, wren …": a name and corners each. All members tell the same.
+  void see_parts(const Line& line) {
+    std::istringstream rows(line.text("rows"));
+    for (std::string row; std::getline(rows, row, ',');) {
+      std::istringstream words(row);
+      PartStory part;
+      part.t = line.t;
+      words >> part.uav;
+      for (GroundPoint corner; words >> corner.x >> corner.y;) part.corners.push_back(corner);
+      if (part.corners.size() >= 3) told_.parts.push_back(std::move(part));
+    }
+  }
+
   void see_negotiation(const Line& line) {
     const std::tuple key{line.text("joint"), line.text("opener"), line.number("opened")};
     auto known = sessions_.find(key);
@@ -121,6 +150,8 @@ class Teller {
                                 {}});
     }
     SessionStory& session = told_.sessions[known->second];
+    const bool shares = session.modality == "area-sharing" && line.text("state") == "agreed";
+    if (shares && shared_.insert(key).second) see_parts(line);
     const std::string uav = line.text("uav"), rows = line.text("rows");
     auto& members = session.members;
     const auto place = std::lower_bound(members.begin(), members.end(), uav);
@@ -146,6 +177,7 @@ class Teller {
   JointTasks& told_;
   std::map<std::pair<std::string, std::string>, std::size_t> open_joints_, open_violations_;
   std::map<std::tuple<std::string, std::string, double>, std::size_t> sessions_;
+  std::set<std::tuple<std::string, std::string, double>> shared_;
 };
 
 }  // namespace
@@ -154,7 +186,8 @@ JointTasks tell_joint_tasks(const Journal& journal, const Chronology& story) {
   JointTasks told;
   Teller teller(story, told);
   for (const OtherRecord& record : journal.others) {
-    if (record.kind != "joint" && record.kind != "scm" && record.kind != "negotiation") continue;
+    static const std::set<std::string> kinds{"joint", "scm", "negotiation", "place"};
+    if (!kinds.contains(record.kind)) continue;
     if (const auto line = line_of(record)) teller.see(record.kind, *line);
   }
   teller.finish();

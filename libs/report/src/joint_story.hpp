@@ -31,6 +31,22 @@ struct ViolationStory {
   Span span;
 };
 
+/// Where a role was sent, and under which constraints.
+struct RolePlaceStory {
+  double t = 0.0;
+  std::string uav, role, parameter;
+  std::string by;    ///< "best-view(front, center)"
+  std::string scms;  ///< "mcs1 mcs2"
+  Position position;
+};
+
+/// Who maps which part of an area that was shared.
+struct PartStory {
+  double t = 0.0;
+  std::string uav;
+  std::vector<GroundPoint> corners;
+};
+
 struct SessionStep {
   double t = 0.0;
   std::string uav;
@@ -51,6 +67,8 @@ struct JointTasks {
   std::vector<JointStory> stories;  ///< by UAV
   std::vector<ViolationStory> violations;
   std::vector<SessionStory> sessions;  ///< in the order in which they were opened
+  std::vector<RolePlaceStory> places;  ///< time order
+  std::vector<PartStory> parts;        ///< time order
 };
 
 /// Lines that lack what is needed are left out. Precondition: the journal is in time order.

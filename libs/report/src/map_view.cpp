@@ -148,6 +148,7 @@ void write_map(Markup& out, const Run& run, const MapFrame& f) {
   for (std::size_t i = 0; i < run.story.uavs.size(); ++i) {
     write_track(out, run.story.uavs[i], i, most, f);
   }
+  write_joint_map(out, run, f);
   write_map_marks(out, run, f);
   write_scale_and_north(out, f);
   write_live_markers(out, run, f);

@@ -12,8 +12,9 @@ namespace {
 using testing::count;
 using testing::salvage;
 
-constexpr const char* kLog =
-    R"({"at":0,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,0],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":false}
+constexpr const char *
+    kLog =
+       R"({"at":0,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,0],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":false}
 {"at":5,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"loading"}
 {"at":5,"node":"uav1","kind":"negotiation","uav":"uav1","joint":"watch(P1) of uav1, uav2/roles","modality":"role-allocation","opener":"uav1","opened":5,"state":"offered","rows":"perceive 3"}
 {"at":5.1,"node":"uav1","kind":"message","slot":"NegotiationMessage","from":"uav1","to":"uav2","sequence":1,"direction":"sent"}
@@ -23,7 +24,14 @@ constexpr const char* kLog =
 {"at":10,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"running","role":"perceive","blocks":"b10"}
 {"at":20,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"running","role":"perceive","blocks":"b10 b12"}
 {"at":30,"node":"uav1","kind":"scm","uav":"uav1","joint":"watch(P1) of uav1, uav2","role":"perceive","scm":"mcs2","state":"violated","place":"P1","relation":"<","measured":61.5,"required":50}
+{"at":30,"node":"sim","kind":"telemetry","uav":"uav1","position":[30,0,20],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
+{"at":31,"node":"uav1","kind":"place","uav":"uav1","joint":"watch(P1) of uav1, uav2","role":"perceive","parameter":"pl15","by":"valid-position()",
+   "position" : [ 25, 10, 20 ], "scms" : "mcs1 mcs2"
+}
+{"at":34,"node":"sim","kind":"telemetry","uav":"uav1","position":[34,0,20],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
 {"at":35,"node":"uav1","kind":"scm","uav":"uav1","joint":"watch(P1) of uav1, uav2","role":"perceive","scm":"mcs2","state":"satisfied"}
+{"at":36,"node":"uav1","kind":"negotiation","uav":"uav1","joint":"map(Z) of uav1, uav2/area-sharing","modality":"area-sharing","opener":"uav1","opened":35.5,"state":"agreed","rows":"uav1 0 0 10 0 10 10, uav2"}
+{"at":36.1,"node":"uav2","kind":"negotiation","uav":"uav2","joint":"map(Z) of uav1, uav2/area-sharing","modality":"area-sharing","opener":"uav1","opened":35.5,"state":"agreed","rows":"uav1 0 0 10 0 10 10, uav2"}
 {"at":40,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"aborted","role":"perceive","why":"no contact"}
 )";
 
@@ -70,7 +78,7 @@ TEST_F(JointView, AViolationLastsUntilTheConstraintHoldsAgain) {
 TEST_F(JointView, ASessionHasItsMembersStepsAndMessages) {
   const std::vector<SessionStory> sessions = told().sessions;
 
-  ASSERT_EQ(sessions.size(), 1U);
+  ASSERT_EQ(sessions.size(), 2U);
   EXPECT_EQ(sessions[0].members, (std::vector<std::string>{"uav1", "uav2"}));
   EXPECT_EQ(sessions[0].steps.size(), 2U);
   ASSERT_EQ(sessions[0].messages.size(), 2U);
@@ -91,11 +99,40 @@ TEST_F(JointView, TheTimelineShowsRolesBlocksAndViolations) {
 TEST_F(JointView, ANegotiationIsASequenceDiagramWithWhatWasLost) {
   const std::string page = written(write_negotiations);
 
-  EXPECT_EQ(count(page, "<svg class=\"sequence\""), 1U);
-  EXPECT_EQ(count(page, "class=\"life\""), 2U);
+  EXPECT_EQ(count(page, "<svg class=\"sequence\""), 2U);
+  EXPECT_EQ(count(page, "class=\"life\""), 4U);
   EXPECT_EQ(count(page, "class=\"message\""), 1U);
   EXPECT_EQ(count(page, "class=\"message cut\""), 1U);
   EXPECT_EQ(count(page, "agreed: uav1 perceive"), 2U);  // as text, and when it is pointed at
+}
+
+TEST_F(JointView, PlacesOfRolesAreToldWithTheirConstraints) {
+  const std::vector<RolePlaceStory> places = told().places;
+
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_EQ(places[0].parameter, "pl15");
+  EXPECT_EQ(places[0].scms, "mcs1 mcs2");
+  EXPECT_EQ(places[0].position.y, 10);
+}
+
+TEST_F(JointView, ASharedAreaIsToldOnceWhoeverTellsIt) {
+  const std::vector<PartStory> parts = told().parts;
+
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_EQ(parts[0].uav, "uav1");
+  EXPECT_EQ(parts[0].corners.size(), 3U);
+}
+
+TEST_F(JointView, TheMapShowsPartsPlacesAndWhereAConstraintWasViolated) {
+  const std::string map = written([](Markup& out, const skein::report::Run& run) {
+    write_joint_map(out, run, MapFrame{{-100, -100, 100, 100}, 400, 400, 2});
+  });
+
+  EXPECT_EQ(count(map, "class=\"part u0\""), 1U);
+  EXPECT_EQ(count(map, "class=\"role-place u0\""), 1U);
+  EXPECT_EQ(count(map, "under mcs1 mcs2"), 1U);
+  // From (30, 0) to (34, 0) at two pixels a metre.
+  EXPECT_EQ(count(map, "class=\"violated-stretch\" d=\"M260 200L268 200"), 1U) << map;
 }
 
 TEST_F(JointView, WithoutJointTasksThereIsNothing) {
