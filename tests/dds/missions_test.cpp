@@ -64,8 +64,6 @@ void expect_all_met(const std::string& scenario, const std::string& rate) {
 
 TEST(DdsMission, AJointTaskIsNegotiatedAndPlayed) { expect_all_met("mref/nominal", "20"); }
 
-TEST(DdsMission, AnAreaIsSharedByNegotiation) { expect_all_met("area-sharing/negotiated", "20"); }
-
 TEST(DdsMission, ATeamAtDegree5SharesOutAGlobalMission) { expect_all_met("team/two", "10"); }
 
 }  // namespace
