@@ -34,7 +34,8 @@ refiners::Member read_member(const std::string& name, const Reader& reader, cons
   member.altitude = metres(reader.required("altitude"));
   member.swath = terms.swath(reader, member.vehicle, member.altitude);
   member.speed = speed(reader.optional("speed"));
-  member.busy = read_duration(reader.optional("busy")).to_seconds();
+  if (const Reader busy = reader.optional("busy"); busy.present())
+    member.busy = busy.number(0, {-1e7, 1e7, "s"});
   if (const Reader share = reader.optional("share"); share.present())
     member.share = share.number(1, {-1e9, 1e9, ""});
   return member;
