@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "query_reader.hpp"
-#include "skein/geodata/geodetic_frame.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 #include "skein/refiners/flight.hpp"
 
 namespace skein::refine_tool {
@@ -62,7 +62,7 @@ class Terms {
   const References& references_;
   Diagnostics& diagnostics_;
   std::vector<std::string>& notes_;
-  geodata::GeodeticFrame frame_;
+  geodesy::GeodeticFrame frame_;
 };
 
 // Ranges of figures, all services alike. Zero and negative speeds are left to the refiners, which

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "skein/foundation/exit_code.hpp"
-#include "skein/geodata/geodetic_frame.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 #include "skein/world/terrain_file.hpp"
 #include "temporary_folder.hpp"
 
@@ -67,7 +67,7 @@ std::vector<world::Vector3> posts_of_jacksboro(const world::GeodeticOrigin& orig
   std::size_t columns = 0, rows = 0;
   double west = 0, south = 0, cell = 0, none = 0, elevation = 0;
   in >> key >> columns >> key >> rows >> key >> west >> key >> south >> key >> cell >> key >> none;
-  const geodata::GeodeticFrame frame(origin);
+  const geodesy::GeodeticFrame frame(origin);
   std::vector<world::Vector3> posts;
   for (std::size_t row = 0; row < rows; ++row)
     for (std::size_t column = 0; column < columns && in >> elevation; ++column)

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 std::optional<Frame> frame_of(const report::RunInfo& info) {
   if (!info.origin) return std::nullopt;
-  return Frame(info.origin->latitude, info.origin->longitude, info.origin->altitude);
+  return Frame({info.origin->latitude, info.origin->longitude, info.origin->altitude});
 }
 
 class Export {
@@ -79,14 +79,14 @@ class Export {
     const auto at = record.numbers("position"), velocity = record.numbers("velocity");
     if (at.size() != 3) return;
     const std::uint64_t time = unix_time(epoch_, record.at());
-    const OnEarth place = on_earth(*frame_, at[0], at[1], at[2]);
+    const world::GeodeticPoint place = frame_->to_geodetic({at[0], at[1], at[2]});
     const auto colour = colours_[uav];
     // Its headings are clockwise from north, ours counter-clockwise from east.
     const double heading = std::numbers::pi / 2 - record.number("heading");
     Json json{{"timestamp", Json::parse(timestamp_json(time))},
               {"frame_id", uav},
-              {"latitude", place.latitude},
-              {"longitude", place.longitude},
+              {"latitude", place.latitude_degrees},
+              {"longitude", place.longitude_degrees},
               {"altitude", place.altitude},
               {"position_covariance", std::vector<double>(9, 0)},
               {"position_covariance_type", 0},

@@ -15,8 +15,9 @@ using Json = nlohmann::ordered_json;
 double rounded(double degrees) { return std::round(degrees * 1e9) / 1e9; }
 
 Json point(const Frame& frame, double x, double y, double z) {
-  const OnEarth at = on_earth(frame, x, y, z);
-  return {rounded(at.longitude), rounded(at.latitude), std::round(at.altitude * 1000) / 1000};
+  const world::GeodeticPoint at = frame.to_geodetic({x, y, z});
+  return {rounded(at.longitude_degrees), rounded(at.latitude_degrees),
+          std::round(at.altitude * 1000) / 1000};
 }
 
 Json ring(const Frame& frame, const std::vector<report::GroundPoint>& polygon) {
@@ -38,12 +39,6 @@ std::string collection(Json features) {
 }
 
 }  // namespace
-
-OnEarth on_earth(const Frame& frame, double x, double y, double z) {
-  OnEarth at;
-  frame.Reverse(x, y, z, at.latitude, at.longitude, at.altitude);
-  return at;
-}
 
 std::array<double, 3> colour_of(std::size_t uav) {
   static constexpr std::array<std::array<double, 3>, 7> kAll{{{0.00, 0.45, 0.70},

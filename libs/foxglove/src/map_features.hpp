@@ -2,26 +2,19 @@
 // What lies on the map, as GeoJSON with the styles that Foxglove's map knows.
 #pragma once
 
-#include <GeographicLib/LocalCartesian.hpp>
 #include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "skein/geodesy/geodetic_frame.hpp"
 #include "skein/journal/record.hpp"
 #include "skein/report/run_info.hpp"
 
 namespace skein::foxglove {
 
-/// The local frame on WGS 84: x east, y north, z up of the origin [m].
-using Frame = GeographicLib::LocalCartesian;
-
-struct OnEarth {
-  double latitude = 0, longitude = 0;  ///< [degree]
-  double altitude = 0;                 ///< [m]
-};
-OnEarth on_earth(const Frame& frame, double x, double y, double z);
+using Frame = geodesy::GeodeticFrame;
 
 /// Red, green, blue in [0, 1]; for the n-th UAV (Okabe and Ito 2008).
 std::array<double, 3> colour_of(std::size_t uav);

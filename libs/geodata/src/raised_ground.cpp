@@ -26,7 +26,7 @@ constexpr double kEnough = 1e-6;  // [m]
 /// Where the posts of one row are in the local frame; NaN without data.
 class PostRow {
  public:
-  PostRow(const RasterSampler& sampler, const Raster& raster, const GeodeticFrame& frame)
+  PostRow(const RasterSampler& sampler, const Raster& raster, const geodesy::GeodeticFrame& frame)
       : sampler_(sampler), raster_(raster), frame_(frame) {}
 
   std::vector<Vector3> at(int row) const {
@@ -56,7 +56,7 @@ class PostRow {
  private:
   const RasterSampler& sampler_;
   const Raster& raster_;
-  const GeodeticFrame& frame_;
+  const geodesy::GeodeticFrame& frame_;
 };
 
 class Raiser {
@@ -113,7 +113,7 @@ class Raiser {
 }  // namespace
 
 Raised raise_above(TerrainSpec& terrain, const RasterSampler& sampler, const Raster& raster,
-                   const GeodeticFrame& frame) {
+                   const geodesy::GeodeticFrame& frame) {
   const std::vector<double> sampled = terrain.elevations;
   const PostRow row(sampler, raster, frame);
   Raiser raiser(terrain);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "raster.hpp"
-#include "skein/geodata/geodetic_frame.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 #include "skein/world/terrain.hpp"
 
 namespace skein::geodata {
@@ -21,6 +21,6 @@ struct Raised {
 /// where the grid lies along the raster's, it is nowhere below the raster's own bilinear surface.
 /// Cost: some 20 ns for each post. Precondition: as many elevations as corners.
 Raised raise_above(world::TerrainSpec& terrain, const RasterSampler& sampler, const Raster& raster,
-                   const GeodeticFrame& frame);
+                   const geodesy::GeodeticFrame& frame);
 
 }  // namespace skein::geodata

@@ -8,7 +8,7 @@
 #include "raised_ground.hpp"
 #include "raster.hpp"
 #include "raster_sampler.hpp"
-#include "skein/geodata/geodetic_frame.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 #include "skein/world/world_builder.hpp"
 
 namespace skein::geodata {
@@ -29,7 +29,7 @@ tl::unexpected<Diagnostics> refused(const std::string& path, const RasterProblem
 }
 
 /// The middles of the cells along one side of a raster, in the local frame.
-std::vector<Vector3> along(const Raster& raster, const GeodeticFrame& frame, Vector2 from,
+std::vector<Vector3> along(const Raster& raster, const geodesy::GeodeticFrame& frame, Vector2 from,
                            Vector2 to) {
   constexpr int kSteps = 64;
   std::vector<Vector2> places;
@@ -44,7 +44,7 @@ std::vector<Vector3> along(const Raster& raster, const GeodeticFrame& frame, Vec
 
 /// The rectangle between the sides: whichever side of the raster is which, each bounds the
 /// direction in which it lies from the middle.
-Extent covered_extent(const Raster& raster, const GeodeticFrame& frame) {
+Extent covered_extent(const Raster& raster, const geodesy::GeodeticFrame& frame) {
   const double right = raster.columns() - 1, bottom = raster.rows() - 1;
   const Vector2 nw(0, 0), ne(right, 0), sw(0, bottom), se(right, bottom);
   const Vector3 middle = along(raster, frame, Vector2(right / 2, bottom / 2), nw).front();
@@ -65,7 +65,7 @@ Extent covered_extent(const Raster& raster, const GeodeticFrame& frame) {
 }
 
 /// The mean distance of neighbours in the middle of the raster, in whole metres where that is near.
-double natural_cell(const Raster& raster, const GeodeticFrame& frame) {
+double natural_cell(const Raster& raster, const geodesy::GeodeticFrame& frame) {
   const Vector2 middle(raster.columns() / 2.0 - 0.5, raster.rows() / 2.0 - 0.5);
   const auto east = along(raster, frame, middle, middle + Vector2(1, 0));
   const auto south = along(raster, frame, middle, middle + Vector2(0, 1));
@@ -84,7 +84,7 @@ GeodeticOrigin middle_of(const Raster& raster) {
 
 /// Elevations of one row of corners: the height over the ellipsoid at which a vertical of the local
 /// frame meets the ground of the raster, by iteration from `z`, which becomes the answer.
-void settle_row(const Raster& raster, RasterSampler& sampler, const GeodeticFrame& frame,
+void settle_row(const Raster& raster, RasterSampler& sampler, const geodesy::GeodeticFrame& frame,
                 std::vector<Vector3>& corners) {
   constexpr int kMostRounds = 12;
   constexpr double kSettled = 1e-5;  // [m]
@@ -104,7 +104,7 @@ void settle_row(const Raster& raster, RasterSampler& sampler, const GeodeticFram
 }
 
 std::vector<double> elevations(const Raster& raster, RasterSampler& sampler,
-                               const GeodeticFrame& frame, const TerrainSpec& terrain) {
+                               const geodesy::GeodeticFrame& frame, const TerrainSpec& terrain) {
   const world::TerrainCorners count = world::corners_of(terrain);
   std::vector<double> all;
   all.reserve(count.count());
@@ -132,7 +132,8 @@ double coarse_enough(double cell, const Extent& extent) {
 }
 
 /// Without an extent given, corners lie at whole multiples of the cell from the origin.
-Result<TerrainSpec, RasterProblem> shape_of(const Raster& raster, const GeodeticFrame& frame,
+Result<TerrainSpec, RasterProblem> shape_of(const Raster& raster,
+                                            const geodesy::GeodeticFrame& frame,
                                             const ElevationOptions& options) {
   TerrainSpec terrain;
   Extent extent = options.extent ? *options.extent : covered_extent(raster, frame);
@@ -182,7 +183,7 @@ Result<Elevation, RasterProblem> elevation_of(const std::string& path,
   const auto raster = Raster::open(path, options.crs, session);
   if (!raster) return tl::make_unexpected(raster.error());
   GeodeticOrigin origin = options.origin ? *options.origin : middle_of(*raster);
-  const GeodeticFrame level(origin);
+  const geodesy::GeodeticFrame level(origin);
   auto terrain = shape_of(*raster, level, options);
   if (!terrain) return tl::make_unexpected(terrain.error());
   const Extent extent{terrain->west, terrain->south, terrain->east, terrain->north};
@@ -190,10 +191,11 @@ Result<Elevation, RasterProblem> elevation_of(const std::string& path,
       RasterSampler::over(*raster, level, extent, {true, options.no_data, options.most_posts});
   if (!sampler) return tl::make_unexpected(sampler.error());
   if (!options.origin && std::isfinite(sampler->lowest())) origin.altitude = sampler->lowest();
-  terrain->elevations = elevations(*raster, *sampler, GeodeticFrame(origin), *terrain);
+  terrain->elevations = elevations(*raster, *sampler, geodesy::GeodeticFrame(origin), *terrain);
   if (const auto absent = sampler->absences()) return tl::make_unexpected(*absent);
   Raised raised;
-  if (options.above_posts) raised = raise_above(*terrain, *sampler, *raster, GeodeticFrame(origin));
+  if (options.above_posts)
+    raised = raise_above(*terrain, *sampler, *raster, geodesy::GeodeticFrame(origin));
   const auto problems = world::problems_of(*terrain);
   if (!problems.empty()) return tl::make_unexpected(RasterProblem{problems.front(), ""});
   return Elevation{std::move(*terrain), origin, raised.most, raised.mean, sampler->factor()};
@@ -205,7 +207,7 @@ Result<std::vector<double>, RasterProblem> risk_of(const std::string& path, cons
   GdalSession session;
   const auto raster = Raster::open(path, options.crs, session);
   if (!raster) return tl::make_unexpected(raster.error());
-  const GeodeticFrame frame(origin);
+  const geodesy::GeodeticFrame frame(origin);
   const Vector2 last = grid.centre(grid.size() - 1);
   const Extent extent{grid.west + grid.cell / 2, grid.south + grid.cell / 2, last.x(), last.y()};
   auto sampler = RasterSampler::over(*raster, frame, extent, {false, options.no_data});

@@ -23,7 +23,7 @@ constexpr float kDeepest = -12'000, kSummit = 10'000;
 constexpr float kUndeclared = -9999;
 
 /// Points along the border of a rectangle, as they are on Earth at some altitude.
-std::vector<GeodeticPoint> border(const GeodeticFrame& frame, const Extent& extent,
+std::vector<GeodeticPoint> border(const geodesy::GeodeticFrame& frame, const Extent& extent,
                                   double altitude) {
   constexpr int kSteps = 64;
   const double z = altitude - frame.origin().altitude;
@@ -65,7 +65,8 @@ struct Bounds {
   }
 };
 
-Result<PixelWindow, RasterProblem> window_over(const Raster& raster, const GeodeticFrame& frame,
+Result<PixelWindow, RasterProblem> window_over(const Raster& raster,
+                                               const geodesy::GeodeticFrame& frame,
                                                const Extent& extent) {
   Bounds bounds;
   const auto level = border(frame, extent, frame.origin().altitude);
@@ -117,7 +118,7 @@ RasterSampler::RasterSampler(const Raster& raster, const PixelWindow& window, in
       rows_(posts_over(window.rows, factor)) {}
 
 Result<RasterSampler, RasterProblem> RasterSampler::over(const Raster& raster,
-                                                         const GeodeticFrame& frame,
+                                                         const geodesy::GeodeticFrame& frame,
                                                          const Extent& extent,
                                                          const Options& options) {
   const auto window = window_over(raster, frame, extent);

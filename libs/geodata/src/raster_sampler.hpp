@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "raster.hpp"
-#include "skein/geodata/geodetic_frame.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 #include "skein/world/world_file.hpp"
 
 namespace skein::geodata {
@@ -23,7 +23,8 @@ class RasterSampler {
     std::optional<double> no_data;  ///< what cells without data become
     std::size_t most_posts = kMostPixels;  ///< that are held
   };
-  static Result<RasterSampler, RasterProblem> over(const Raster& raster, const GeodeticFrame& frame,
+  static Result<RasterSampler, RasterProblem> over(const Raster& raster,
+                                                   const geodesy::GeodeticFrame& frame,
                                                    const world::Extent& extent,
                                                    const Options& options);
 

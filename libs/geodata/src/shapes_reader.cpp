@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "gdal_session.hpp"
-#include "skein/geodata/geodetic_frame.hpp"
 #include "skein/geodata/shapes.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 #include "skein/world/polygon_rings.hpp"
 #include "vector_file.hpp"
 
@@ -45,7 +45,7 @@ class ToLocal {
   }
 
  private:
-  GeodeticFrame frame_;
+  geodesy::GeodeticFrame frame_;
   bool local_;
   std::unique_ptr<OGRCoordinateTransformation> to_degrees_;
 };

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "gdal_session.hpp"
-#include "skein/geodata/geodetic_frame.hpp"
 #include "skein/geodata/shapes.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 #include "vector_file.hpp"
 
 namespace skein::geodata {
@@ -20,7 +20,7 @@ using world::Vector3;
 class Written {
  public:
   /// Null: local ones.
-  explicit Written(const GeodeticFrame* frame) : frame_(frame) {}
+  explicit Written(const geodesy::GeodeticFrame* frame) : frame_(frame) {}
   OGRPoint operator()(const Vector3& at) const {
     if (frame_ == nullptr) return {at.x(), at.y(), at.z()};
     const world::GeodeticPoint point = frame_->to_geodetic(at);
@@ -28,7 +28,7 @@ class Written {
   }
 
  private:
-  const GeodeticFrame* frame_;
+  const geodesy::GeodeticFrame* frame_;
 };
 
 std::unique_ptr<OGRGeometry> geometry_of(const Feature& feature, const Written& written) {
@@ -85,7 +85,7 @@ Result<void, Diagnostics> write_dataset(const std::string& path, const char* nam
   OGRFieldDefn field("name", OFTString);
   if (layer == nullptr || layer->CreateField(&field) != OGRERR_NONE)
     return not_written(path, session);
-  const GeodeticFrame frame(origin);
+  const geodesy::GeodeticFrame frame(origin);
   for (const Feature& one : features) {
     OGRFeature feature(layer->GetLayerDefn());
     feature.SetField(0, one.name.c_str());

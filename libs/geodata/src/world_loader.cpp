@@ -6,8 +6,8 @@
 #include <iterator>
 #include <utility>
 
-#include "skein/geodata/geodetic_frame.hpp"
 #include "skein/geodata/raster_reader.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 #include "skein/world/world_builder.hpp"
 #include "skein/world/world_reader.hpp"
 
@@ -57,7 +57,7 @@ Result<void, Diagnostics> resolve_risk(WorldFile& file, const std::string& folde
 }
 
 void resolve_places(WorldFile& file) {
-  const GeodeticFrame frame(*file.origin);
+  const geodesy::GeodeticFrame frame(*file.origin);
   for (auto& [name, place] : file.places)
     if (const auto* point = std::get_if<world::GeodeticPoint>(&place.at))
       place.at = frame.to_local(*point);

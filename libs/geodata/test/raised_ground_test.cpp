@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "raster_files.hpp"
-#include "skein/geodata/geodetic_frame.hpp"
 #include "skein/geodata/raster_reader.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 
 namespace skein::geodata {
 namespace {
@@ -52,7 +52,7 @@ struct Walked {
 
 /// At every post and, in its part in the middle, at quarters between.
 Walked walk(const Posts& posts, const Elevation& elevation) {
-  const GeodeticFrame frame(elevation.origin);
+  const geodesy::GeodeticFrame frame(elevation.origin);
   const world::Terrain ground(elevation.terrain);
   Walked walked;
   double count = 0;
@@ -115,7 +115,7 @@ TEST(RaisedGround, ASpikeBetweenTheCornersIsCovered) {
   const auto elevation = read_elevation(path, options);
   ASSERT_TRUE(elevation) << to_text(elevation.error());
 
-  const GeodeticFrame frame(elevation->origin);
+  const geodesy::GeodeticFrame frame(elevation->origin);
   const Vector3 top = frame.to_local({37.02 - 15.5 * 0.001, -6.02 + 20.5 * 0.001, 180});
 
   EXPECT_GE(world::Terrain(elevation->terrain).elevation(top.x(), top.y()), top.z() - 0.01);
@@ -155,7 +155,7 @@ TEST(RaisedGround, OfADecimatedRasterIsTheGreatestAroundEachPlace) {
   ASSERT_TRUE(elevation) << to_text(elevation.error());
   EXPECT_EQ(elevation->decimated, 4);
 
-  const GeodeticFrame frame(elevation->origin);
+  const geodesy::GeodeticFrame frame(elevation->origin);
   const world::Terrain ground(elevation->terrain);
   for (int row = 1; row < spec.rows - 1; ++row)
     for (int column = 1; column < spec.columns - 1; ++column) {

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "raster_files.hpp"
-#include "skein/geodata/geodetic_frame.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 
 namespace skein::geodata {
 namespace {
@@ -33,7 +33,7 @@ Elevation read(const std::string& path, const ElevationOptions& options = {}) {
 double worst_error(const Elevation& elevation,
                    const std::function<double(const GeodeticPoint&)>& expected) {
   const TerrainSpec& terrain = elevation.terrain;
-  const GeodeticFrame frame(elevation.origin);
+  const geodesy::GeodeticFrame frame(elevation.origin);
   const TerrainCorners corners = corners_of(terrain);
   double worst = 0;
   for (std::size_t row = 0; row < corners.rows; ++row)
@@ -259,7 +259,7 @@ TEST(ReadRisk, IsTheRiskAtTheMiddleOfEachCell) {
   const auto risk = read_risk(path, grid, origin);
 
   ASSERT_TRUE(risk) << to_text(risk.error());
-  const GeodeticFrame frame(origin);
+  const geodesy::GeodeticFrame frame(origin);
   for (std::size_t i = 0; i < grid.size(); ++i) {
     const GeodeticPoint at = frame.to_geodetic({grid.centre(i).x(), grid.centre(i).y(), 0});
     EXPECT_NEAR((*risk)[i], ((at.longitude_degrees + 6.02) / 0.001 - 0.5) / 100, 1e-6);

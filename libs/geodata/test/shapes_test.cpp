@@ -10,7 +10,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "skein/geodata/geodetic_frame.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 
 namespace skein::geodata {
 namespace {

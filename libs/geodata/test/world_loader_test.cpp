@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "raster_files.hpp"
-#include "skein/geodata/geodetic_frame.hpp"
+#include "skein/geodesy/geodetic_frame.hpp"
 #include "skein/world/polygon_check.hpp"
 
 namespace skein::geodata {
@@ -48,7 +48,8 @@ TEST(WorldLoader, JacksboroIsRealGround) {
   ASSERT_EQ(world.volumes.size(), 2u);
   EXPECT_EQ(world.volumes[1].when.from, MissionTime::seconds(900));
   EXPECT_TRUE(world.radio.budget);
-  const world::Vector3 lookout = GeodeticFrame(world.origin).to_local({36.601, -84.268, 900});
+  const world::Vector3 lookout =
+      geodesy::GeodeticFrame(world.origin).to_local({36.601, -84.268, 900});
   EXPECT_EQ(world.places.at("lookout"), lookout);
   EXPECT_TRUE(world::problems_of(world.airspace).empty());
   for (const auto& [name, place] : world.places)
