@@ -6,13 +6,14 @@
 #include <numbers>
 #include <utility>
 
+#include "skein/world/steering.hpp"
+
 namespace skein::sim {
 namespace {
 
 using world::Vector2;
 using world::Vector3;
 
-constexpr double kPositionGain = 0.5;   // [1/s] velocity asked per metre of error
 constexpr double kRestSpeed = 0.3;      // [m/s] at rest below it
 constexpr double kRestTime = 1;         // [s]
 constexpr double kArrivalSpeed = 1;     // [m/s] at the last way-point, of one that hovers
@@ -32,7 +33,7 @@ double bearing(const Vector2& from, const Vector2& to) {
 
 /// The speed from which it can still stop in `distance` with half its acceleration.
 double stopping_speed(double acceleration, double distance) {
-  return std::min(std::sqrt(acceleration * distance), kPositionGain * distance);
+  return std::min(std::sqrt(acceleration * distance), world::kPositionGain * distance);
 }
 
 /// Stops where the way turns back, keeps its speed where it goes straight on.
@@ -46,15 +47,9 @@ double corner_speed(const Fly& goal) {
 
 }  // namespace
 
-double arrival_tolerance(const world::VehicleModel& model, const world::Wind& wind) {
-  const double displaced =
-      model.hovers ? model.wind_drift * (wind.speed + 3 * wind.gusts) / kPositionGain : 0;
-  return 1 + 3 * world::tracking_spread(model) + displaced;
-}
-
 Guidance::Guidance(const world::VehicleModel& model, const world::Terrain& terrain,
                    const world::Wind& wind)
-    : model_(model), terrain_(&terrain), tolerance_(arrival_tolerance(model, wind)) {}
+    : model_(model), terrain_(&terrain), tolerance_(world::reaching_distance(model, wind)) {}
 
 void Guidance::set(Goal goal) {
   goal_ = std::move(goal);

@@ -46,10 +46,6 @@ using elementary::kLeastHeight;
 
 using Goal = std::variant<Stay, Hold, Rise, Descend, Fly, Brake>;
 
-/// How near a way-point counts as reached, horizontally and vertically each [m]: three deviations
-/// of its tracking, what the wind displaces it, and a metre.
-double arrival_tolerance(const world::VehicleModel& model, const world::Wind& wind);
-
 /// The feedback laws of one vehicle.
 ///
 /// | goal    | done when                                       | then        |

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "skein/world/steering.hpp"
 #include "testing.hpp"
 
 namespace skein::sim {
@@ -65,7 +66,7 @@ rc::Gen<Vector3> any_waypoint() {
 
 RC_GTEST_PROP(Guidance, PassesEveryWaypointInOrderAndArrivesWithinTolerance, ()) {
   Flown f(*rc::gen::element<std::string>("marvin", "heliv", "karma"));
-  const double tolerance = arrival_tolerance(f.model, f.wind);
+  const double tolerance = world::reaching_distance(f.model, f.wind);
   f.guidance.set(Rise{{0, 0}, 50});
   while (!f.guidance.done() && f.time < 200) f.step();
   const auto count = *rc::gen::inRange<std::size_t>(1, 5);
@@ -132,7 +133,7 @@ TEST(Guidance, TheWindDisplacesAHoldByNoMoreThanTheTolerance) {
 
   const double displaced = (f.vehicle.state().position - meant).head<2>().norm();
   EXPECT_GT(displaced, 0.5);
-  EXPECT_LT(displaced, arrival_tolerance(f.model, f.wind));
+  EXPECT_LT(displaced, world::reaching_distance(f.model, f.wind));
 }
 
 TEST(Guidance, ABlimpWaitsOnItsCircle) {
@@ -263,9 +264,10 @@ TEST(Guidance, RisingGroundAheadMakesItClimb) {
 }
 
 TEST(Guidance, ToleranceGrowsWithImprecisionAndWind) {
-  EXPECT_LT(arrival_tolerance(model_of("marvin"), {}), arrival_tolerance(model_of("heliv"), {}));
-  EXPECT_LT(arrival_tolerance(model_of("heliv"), {}),
-            arrival_tolerance(model_of("heliv"), {0, 5, 1}));
+  EXPECT_LT(world::reaching_distance(model_of("marvin"), {}),
+            world::reaching_distance(model_of("heliv"), {}));
+  EXPECT_LT(world::reaching_distance(model_of("heliv"), {}),
+            world::reaching_distance(model_of("heliv"), {0, 5, 1}));
 }
 
 TEST(Guidance, SaysWhatItDoes) {

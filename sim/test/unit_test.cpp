@@ -7,6 +7,7 @@
 
 #include <map>
 
+#include "skein/world/steering.hpp"
 #include "testing.hpp"
 
 namespace skein::sim {
@@ -27,7 +28,8 @@ TEST(Unit, ATaskRunsThenEnds) {
   flight.take_off("marvin", 1, 40);
 
   EXPECT_EQ(flight.history(1), "running ended");
-  EXPECT_NEAR(flight.state("marvin").position.z(), 40, arrival_tolerance(model_of("marvin"), {}));
+  EXPECT_NEAR(flight.state("marvin").position.z(), 40,
+              world::reaching_distance(model_of("marvin"), {}));
   EXPECT_TRUE(flight.state("marvin").airborne);
 }
 
@@ -47,7 +49,7 @@ TEST(Unit, AWholeSortieOfEachVehicle) {
 
     EXPECT_EQ(flight.history(2), "running ended") << flight.reason(2);
     EXPECT_EQ(flight.history(3), "running ended") << flight.reason(3);
-    EXPECT_LE(missed, arrival_tolerance(model_of(name), {0.6, 2, 0.5})) << name;
+    EXPECT_LE(missed, world::reaching_distance(model_of(name), {0.6, 2, 0.5})) << name;
     EXPECT_FALSE(flight.state(name).airborne);
     EXPECT_EQ(flight.state(name).activity, "on the ground");
   }
@@ -143,7 +145,7 @@ RC_GTEST_PROP(Unit, ArrivesWithinToleranceInAnyWindWithAllItsErrors, ()) {
     RC_ASSERT(flight.run_to_end_of(task, 900));
     RC_ASSERT(flight.history(task) == "running ended");
     const Vector3 missed = flight.state(name).position - there;
-    const double tolerance = arrival_tolerance(model_of(name), wind) + 1e-9;
+    const double tolerance = world::reaching_distance(model_of(name), wind) + 1e-9;
     RC_ASSERT(missed.head<2>().norm() <= tolerance);
     RC_ASSERT(std::abs(missed.z()) <= tolerance);
   }
@@ -161,7 +163,7 @@ TEST(Unit, LandingIsNearWhereItWasAsked) {
 
     const world::VehicleModel model = model_of(name);
     const double off = (flight.state(name).position.head<2>() - Vector2(150, 100)).norm();
-    EXPECT_LE(off, arrival_tolerance(model, {}) + 1.3 * model.orbit_radius) << name;
+    EXPECT_LE(off, world::reaching_distance(model, {}) + 1.3 * model.orbit_radius) << name;
   }
 }
 
@@ -252,7 +254,7 @@ TEST(Unit, AnInterruptedWaitDoesNotMoveTheCircle) {
 
   const world::VehicleModel model = model_of("karma");
   const double radius = (flight.state("karma").position.head<2>() - centre).norm();
-  EXPECT_NEAR(radius, model.orbit_radius, arrival_tolerance(model, {}));
+  EXPECT_NEAR(radius, model.orbit_radius, world::reaching_distance(model, {}));
 }
 
 TEST(Unit, EveryInterruptIsAnswered) {

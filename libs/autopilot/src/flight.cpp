@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "skein/foundation/overloaded.hpp"
+#include "skein/world/steering.hpp"
 
 namespace skein::autopilot {
 
@@ -29,7 +30,7 @@ bool needs_motors(const Goal& goal) {
 }  // namespace
 
 Flight::Flight(const world::VehicleModel& model)
-    : tolerance_(std::max(kLeastTolerance, 1 + 3 * world::tracking_spread(model))) {}
+    : tolerance_(std::max(kLeastTolerance, world::reaching_distance(model, {}))) {}
 
 void Flight::begin(std::deque<Step> steps) {
   steps_ = std::move(steps);

@@ -4,6 +4,7 @@
 
 #include "flight.hpp"
 #include "mav.hpp"
+#include "skein/world/steering.hpp"
 
 namespace skein::autopilot {
 
@@ -94,7 +95,7 @@ std::deque<Step> Pilotage::land() const {
 std::deque<Step> Pilotage::come_to_rest() const {
   const world::VehicleState& state = picture_.state();
   const double speed = state.velocity.norm();
-  const double way = speed * speed / (2 * config_.model.acceleration);
+  const double way = world::braking_distance(config_.model, speed);
   const Vector3 at =
       speed > 0 ? Vector3(state.position + state.velocity * (way / speed)) : state.position;
   return {Step{reposition(at, kOwnSpeed),

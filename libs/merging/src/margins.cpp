@@ -5,20 +5,20 @@
 #include <cmath>
 
 #include "skein/world/separation.hpp"
+#include "skein/world/steering.hpp"
 
 namespace skein::merging {
 
 namespace {
 
-constexpr double kStretch = 50;        // [m]
-constexpr double kPositionGain = 0.5;  // [1/s] of steering at a point
-constexpr double kMargin = 1.5;        // [m] for what is overshot
+constexpr double kStretch = 50;  // [m]
+constexpr double kMargin = 1.5;  // [m] for what is overshot
 
 /// How far beyond a bend a vehicle is carried [m], at the worst bend: it takes it at the speed
 /// v (1 + cos) / 2 and turns what of that is across with all of its acceleration.
 double carried_at_bends(const world::VehicleModel& model, double speed) {
   constexpr double kWorst = 0.42;  // of ((1 + cos) / 2 · sin)²
-  return kWorst * speed * speed / (2 * model.acceleration);
+  return kWorst * world::braking_distance(model, speed);
 }
 
 /// Who steers at the point ahead in a side wind is carried off the line by w/v · L/e at the most.
@@ -35,14 +35,14 @@ Margins margins_of(const world::VehicleModel& model, const world::Wind& wind, do
   const double overshoots = model.hovers ? kMargin : 2 * kMargin;
   const double wavers = 2 * std::sqrt(2.0) * spread + overshoots;
   const double wavers_up = spread + overshoots;
-  const double reached = 1 + 3 * spread + (model.hovers ? drift / kPositionGain : 0);
+  const double reached = world::reaching_distance(model, wind);
   Margins margins;
   margins.hovers = model.hovers;
   margins.stretch = kStretch;
   margins.level = wavers_up + share.height;
   margins.slope = reached + wavers_up + share.height;
   if (model.hovers) {
-    const double held = drift / kPositionGain;
+    const double held = drift / world::kPositionGain;
     margins.settled = wavers + held;
     margins.hold = wavers + held + share.level;
     margins.way = std::max(reached, carried_at_bends(model, speed)) +

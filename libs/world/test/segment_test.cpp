@@ -16,5 +16,16 @@ TEST(ToSegment, OfAPointIsToThat) {
   EXPECT_DOUBLE_EQ(to_segment(Vector2(3, 4), Vector2(0, 0), Vector2(0, 0)), 5);
 }
 
+TEST(BetweenSegments, IsNothingWhereTheyCrossOrTouch) {
+  EXPECT_EQ(between_segments({-9, 0}, {9, 0}, {0, -9}, {0, 9}), 0);
+  EXPECT_EQ(between_segments({-9, 0}, {9, 0}, {4, 0}, {4, 9}), 0);
+}
+
+TEST(BetweenSegments, IsFromAnEndToTheOtherWhereTheyDoNot) {
+  EXPECT_DOUBLE_EQ(between_segments({0, 0}, {10, 0}, {5, 2}, {5, 9}), 2);
+  EXPECT_DOUBLE_EQ(between_segments({0, 0}, {10, 0}, {3, 4}, {30, 4}), 4);
+  EXPECT_DOUBLE_EQ(between_segments({0, 0}, {0, 0}, {3, 4}, {3, 4}), 5);
+}
+
 }  // namespace
 }  // namespace skein::world

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "skein/foundation/random.hpp"
+#include "skein/world/steering.hpp"
 
 namespace skein::supervisor {
 namespace {
@@ -16,7 +17,6 @@ using world::Vector3;
 using world::VehicleModel;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kGain = 0.5;        // [1/s] speed asked per metre of error
 constexpr double kArrivalSpeed = 1;  // [m/s] at the last way-point, of one that hovers
 constexpr double kOrbitGain = 1.5;   // how sharply a circle is joined
 constexpr double kNear = 0.05;       // [m]
@@ -30,7 +30,7 @@ Vector2 facing(double heading) { return {std::cos(heading), std::sin(heading)}; 
 
 /// From which it can still stop in `distance` with half its acceleration.
 double stopping_speed(double acceleration, double distance) {
-  return std::min(std::sqrt(acceleration * distance), kGain * distance);
+  return std::min(std::sqrt(acceleration * distance), world::kPositionGain * distance);
 }
 
 /// Stops where the way turns back, keeps its speed where it goes straight on.
@@ -211,16 +211,10 @@ FlownWay fly_exactly(const Pose& from, const Way& way, const VehicleModel& vehic
 
 }  // namespace
 
-double reaching_distance(const VehicleModel& vehicle, const world::Wind& wind) {
-  const double displaced =
-      vehicle.hovers ? vehicle.wind_drift * (wind.speed + 3 * wind.gusts) / kGain : 0;
-  return 1 + 3 * world::tracking_spread(vehicle) + displaced;
-}
-
 FlownWay fly_way(const Pose& from, const Way& way, const VehicleModel& vehicle,
                  const world::Wind& wind, std::uint64_t trial) {
   if (has_no_inertia(vehicle)) return fly_exactly(from, way, vehicle, wind);
-  const double tolerance = reaching_distance(vehicle, wind);
+  const double tolerance = world::reaching_distance(vehicle, wind);
   // What the drift leaves of a vehicle that stands still in the wind is not a speed of its own.
   const double slow = kArrivalSpeed + vehicle.wind_drift * wind.speed;
   Flyer flyer(from, vehicle, wind);

@@ -29,10 +29,6 @@ inline constexpr double kTrackStep = 0.1;  ///< [s]
 /// Room is made until a turn this much wider than the tightest leads to a point.
 inline constexpr double kRoomMargin = 1.5;
 
-/// How near a way-point counts as reached, horizontally and vertically each [m]: three deviations
-/// of its tracking, what the wind displaces one that hovers, and a metre.
-double reaching_distance(const world::VehicleModel& vehicle, const world::Wind& wind);
-
 /// The feedback laws that autopilots and pilots fly by: one
 /// that hovers goes straight at each point, braking for corners and at the end; one that does not
 /// steers at the next point within its turns, and flies straight on first to make room where a

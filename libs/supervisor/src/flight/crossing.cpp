@@ -14,16 +14,6 @@ namespace {
 using world::Vector2;
 using world::Vector3;
 
-double side(const Vector2& a, const Vector2& b, const Vector2& p) {
-  return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
-}
-
-double distance(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
-  if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return 0;
-  return std::min({world::to_segment(a, c, d), world::to_segment(b, c, d),
-                   world::to_segment(c, a, b), world::to_segment(d, a, b)});
-}
-
 // The part [first, last] of the segment, as fractions, that is between the two levels.
 bool clip(double from, double to, double low, double high, double& first, double& last) {
   const double rise = to - from;
@@ -46,7 +36,8 @@ bool crosses(const world::Volume& volume, double margin, const Vector3& from, co
   const world::Polygon& corners = volume.polygon;
   if (world::contains(corners, a) || world::contains(corners, b)) return true;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (distance(a, b, corners[i], corners[(i + 1) % corners.size()]) <= margin) return true;
+    const Vector2& next = corners[(i + 1) % corners.size()];
+    if (world::between_segments(a, b, corners[i], next) <= margin) return true;
   }
   return false;
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "flight/autopilot.hpp"
+#include "skein/world/steering.hpp"
 
 namespace skein::supervisor {
 
@@ -104,7 +105,7 @@ double missed_seconds(const Way& way, double flight, const VehicleModel& vehicle
   if (flight >= kLongFlight || !is_tight(way, vehicle)) return circle_seconds(vehicle);
   const double slowest = vehicle.cruise_speed - vehicle.wind_drift * (wind.speed + wind.gusts);
   const double round = 2 * std::numbers::pi * kRoomMargin * vehicle.min_turn_radius +
-                       2 * reaching_distance(vehicle, wind);
+                       2 * world::reaching_distance(vehicle, wind);
   return round / std::max(slowest, vehicle.cruise_speed / 2);
 }
 
@@ -169,7 +170,7 @@ Times flight_times(const Way& way, const VehicleModel& vehicle, const Wind& wind
   if (is_exact) return rounded(span.least, span.expected, span.most);
   const double share = gust_share(span.expected, vehicle, wind);
   const double speed = vehicle.cruise_speed, near = stray_distance(vehicle, wind) / speed;
-  const double reached = reaching_distance(vehicle, wind) / speed;
+  const double reached = world::reaching_distance(vehicle, wind) / speed;
   const double corners = vehicle.hovers ? corner_seconds(way.size() - 1, vehicle) : 0;
   const double slowest = (1 + share) * span.most, quickest = (1 - share) * span.least;
   // A way that the autopilot does not come to the end of takes for ever.

@@ -9,6 +9,7 @@
 #include "flight/closed_air.hpp"
 #include "refinery/zone_shapes.hpp"
 #include "skein/refiners/patrol.hpp"
+#include "skein/world/steering.hpp"
 
 namespace skein::supervisor {
 
@@ -168,7 +169,7 @@ std::optional<Way> Patrols::filled(const Way& way, const world::Zone& zone, cons
 std::vector<Way> Patrols::rounds(const Vector3& from, const world::Zone& zone, double footprint,
                                  const Counted& air) const {
   const double radius =
-      vehicle().hovers ? 2 * reaching_distance(vehicle(), world().wind)
+      vehicle().hovers ? 2 * world::reaching_distance(vehicle(), world().wind)
                        : std::clamp(kInSight * footprint, kTightest * vehicle().min_turn_radius,
                                     vehicle().orbit_radius);
   const Vector2 middle = middle_of(zone.polygon);

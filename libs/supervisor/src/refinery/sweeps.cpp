@@ -8,6 +8,7 @@
 #include "flight/closed_air.hpp"
 #include "refinery/zone_shapes.hpp"
 #include "skein/refiners/flight.hpp"
+#include "skein/world/steering.hpp"
 
 namespace skein::supervisor {
 
@@ -116,7 +117,7 @@ Way Sweeps::lanes_flown(const refiners::Coverage& task, const world::World& worl
            std::none_of(world.volumes.begin(), world.volumes.end(),
                         [&](const auto& volume) { return is_near(volume, at, 1e-3); });
   };
-  const double beyond = reaching_distance(vehicle(), world.wind);
+  const double beyond = world::reaching_distance(vehicle(), world.wind);
   const double spacing = kLaneSpacing * vehicle().min_turn_radius;
   const auto same = [](const Vector3& at, const Vector2& end) {
     return (at.head<2>() - end).norm() < 1e-6;

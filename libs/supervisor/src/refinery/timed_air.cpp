@@ -12,6 +12,7 @@
 #include "flight/flights_met.hpp"
 #include "refinery/zone_shapes.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
+#include "skein/world/steering.hpp"
 
 namespace skein::supervisor {
 
@@ -162,7 +163,7 @@ const world::Volume* TimedAir::taking_room(const Vector3& at, const Volumes& vol
 // One that hovers brakes for corners, and is carried beyond them all the same.
 double TimedAir::swing() const {
   if (!vehicle().hovers) return 2 * vehicle().min_turn_radius;
-  return vehicle().cruise_speed * vehicle().cruise_speed / (2 * vehicle().acceleration);
+  return world::braking_distance(vehicle(), vehicle().cruise_speed);
 }
 
 /// As near as corners, and a wind across its longest leg, may carry one that hovers.

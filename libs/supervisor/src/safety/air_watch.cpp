@@ -5,10 +5,12 @@
 #include <cmath>
 #include <set>
 
+#include "flight/closed_air.hpp"
 #include "flight/crossing.hpp"
 #include "flight/flight_times.hpp"
 #include "flight/flights_met.hpp"
 #include "safety/warning.hpp"
+#include "skein/world/steering.hpp"
 #include "watch/stand.hpp"
 
 namespace skein::supervisor {
@@ -83,8 +85,7 @@ void AirWatch::look() {
   const world::Vector3& at = vehicle.position;
   const auto& volumes = beliefs_.world().volumes;
   const bool inside = std::any_of(volumes.begin(), volumes.end(), [&](const auto& volume) {
-    return volume.when.overlaps({now(), now() + kAhead}) && at.z() > volume.floor &&
-           at.z() < volume.ceiling && world::contains(volume.polygon, at.head<2>());
+    return volume.when.overlaps({now(), now() + kAhead}) && is_near(volume, at, 0);
   });
   if (!inside && (hovers || closed_around(false) == nullptr)) return;
   looked_ = now();
@@ -135,7 +136,7 @@ bool AirWatch::swings_into(const std::vector<world::Vector3>& rest,
   const world::VehicleModel& vehicle = beliefs_.model();
   const world::Wind& wind = beliefs_.world().wind;
   const double stray = arrival_distance(vehicle, wind);
-  const double braking = vehicle.cruise_speed * vehicle.cruise_speed / (2 * vehicle.acceleration);
+  const double braking = world::braking_distance(vehicle, vehicle.cruise_speed);
   if (!vehicle.hovers || !crosses(volume, stray + braking, rest)) return false;
   const world::Vector3& velocity = beliefs_.vehicle().velocity;
   const Pose pose{rest.front(), std::atan2(velocity.y(), velocity.x()), velocity.head<2>().norm()};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a point is from a straight piece of a way or of a border, in the plane or in space.
+// How far a point, or another piece, is from a straight piece of a way or of a border.
 #pragma once
 
 #include <algorithm>
@@ -16,5 +16,9 @@ double to_segment(const Vector& point, const Vector& a, const Vector& b) {
   const double at = length > 0 ? std::clamp((point - a).dot(along) / length, 0.0, 1.0) : 0.0;
   return (point - (a + at * along)).norm();
 }
+
+/// Between the nearest points of two segments in the plane [m]; 0 where they cross. Either may be
+/// a point.
+double between_segments(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d);
 
 }  // namespace skein::world
