@@ -68,6 +68,8 @@ std::vector<Violation> asked_again_and_again(const History& history);
 std::vector<Violation> evaluations_off(const History& history);
 std::vector<Violation> winds_off(const History& history);
 // safety.cpp
+/// It comes down by itself, or did.
+bool out_of_control(const Uav& uav, double at);
 std::vector<Violation> in_closed_air(const History& history);
 std::vector<Violation> energy_short(const History& history);
 // separation.cpp

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/laws/history.hpp"
+#include "skein/mission/alarm_name.hpp"
 
 #include <algorithm>
 #include <cmath>

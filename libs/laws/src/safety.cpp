@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "checks.hpp"
+#include "skein/world/segment.hpp"
 
 namespace skein::laws {
 
@@ -16,22 +17,10 @@ double depth_in(const world::Volume& volume, const world::Vector3& at) {
   if (!world::contains(volume.polygon, here)) return 0;
   double edge = kNever;
   for (std::size_t i = 0; i < volume.polygon.size(); ++i) {
-    const world::Vector2& a = volume.polygon[i];
-    const world::Vector2 side = volume.polygon[(i + 1) % volume.polygon.size()] - a;
-    const double part = std::clamp((here - a).dot(side) / side.squaredNorm(), 0.0, 1.0);
-    edge = std::min(edge, (here - a - part * side).norm());
+    const world::Vector2& next = volume.polygon[(i + 1) % volume.polygon.size()];
+    edge = std::min(edge, world::to_segment(here, volume.polygon[i], next));
   }
   return std::min({edge, at.z() - volume.floor, volume.ceiling - at.z()});
-}
-
-bool crashed(const Uav& uav, double at) {
-  const bool broken =
-      std::any_of(uav.activities.begin(), uav.activities.end(), [&](const auto& one) {
-        return one.until <= at &&
-               (one.reason == "engine failure" || one.reason == "energy used up" ||
-                one.reason == "the vehicle met the ground");
-      });
-  return broken || uav.had_fault("engine", at);
 }
 
 /// In how many seconds it is out of a volume that was closed around it, at the latest.
@@ -63,7 +52,7 @@ std::vector<Stay> stays_in(const Uav& uav, const Closing& closing) {
     const bool closed = sample.at >= closing.known && sample.at < closing.opened &&
                         sample.at < closing.volume.when.until.to_seconds();
     const double depth =
-        closed && sample.airborne && uav.degree(sample.at) >= 4 && !crashed(uav, sample.at)
+        closed && sample.airborne && uav.degree(sample.at) >= 4 && !out_of_control(uav, sample.at)
             ? depth_in(closing.volume, sample.position)
             : 0;
     if (depth < deep) {
@@ -79,6 +68,16 @@ std::vector<Stay> stays_in(const Uav& uav, const Closing& closing) {
 }
 
 }  // namespace
+
+bool out_of_control(const Uav& uav, double at) {
+  const bool broken =
+      std::any_of(uav.activities.begin(), uav.activities.end(), [&](const auto& one) {
+        return one.until <= at &&
+               (one.reason == "engine failure" || one.reason == "energy used up" ||
+                one.reason == "the vehicle met the ground");
+      });
+  return broken || uav.had_fault("engine", at);
+}
 
 std::vector<Violation> in_closed_air(const History& history) {
   constexpr double kNoChoice = 12;  // [s] in which what comes across its way cannot be avoided
@@ -151,7 +150,8 @@ std::vector<Violation> energy_short(const History& history) {
     bool told = false, excused = false, was_judged = false, could_land = true;
     double before = 1;
     for (const Sample& sample : uav.samples) {
-      const bool judged = sample.airborne && uav.degree(sample.at) >= 4 && !crashed(uav, sample.at);
+      const bool judged =
+          sample.airborne && uav.degree(sample.at) >= 4 && !out_of_control(uav, sample.at);
       const bool sudden = before - sample.energy > 0.01 || (judged && !was_judged);
       before = sample.energy;
       was_judged = judged;

@@ -13,15 +13,6 @@ namespace {
 
 constexpr int kParts = 10;  // of the second between two samples
 
-// A vehicle that comes down by itself asks nobody.
-bool out_of_control(const Uav& uav, double at) {
-  return uav.had_fault("engine", at) ||
-         std::any_of(uav.activities.begin(), uav.activities.end(), [&](const Activity& one) {
-           return one.until <= at &&
-                  (one.reason == "engine failure" || one.reason == "energy used up");
-         });
-}
-
 struct Encounter {
   double share = kNever, at = 0;
   world::Vector3 apart = world::Vector3::Zero();
