@@ -2,9 +2,9 @@
 #include "csv.hpp"
 
 #include <algorithm>
-#include <charconv>
 
 #include "skein/foundation/joined.hpp"
+#include "skein/foundation/shortest_text.hpp"
 
 namespace skein::batch_tool {
 
@@ -39,12 +39,12 @@ std::vector<std::string> fields_of(const Row& row, const std::vector<std::string
   const auto met = std::count_if(row.expectations.begin(), row.expectations.end(),
                                  [](const auto& one) { return one.second; });
   fields.insert(fields.end(), {std::to_string(row.seed), row.outcome, row.reason,
-                               csv_number(row.duration), std::to_string(row.goals),
+                               shortest_text(row.duration), std::to_string(row.goals),
                                std::to_string(row.achieved), std::to_string(row.failed),
                                std::to_string(met), std::to_string(row.expectations.size())});
   for (const std::string& name : measures) {
     const auto* value = found(row.measures, name);
-    fields.push_back(value != nullptr && *value ? csv_number(**value) : "");
+    fields.push_back(value != nullptr && *value ? shortest_text(**value) : "");
   }
   fields.push_back(joined(row.laws, " "));
   return fields;
@@ -57,12 +57,6 @@ std::string csv_field(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";
-}
-
-std::string csv_number(double value) {
-  char text[40];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return {text, end};
 }
 
 std::string to_csv(const std::vector<Row>& rows) {

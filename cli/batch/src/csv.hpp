@@ -12,9 +12,6 @@ namespace skein::batch_tool {
 /// A field of a line of CSV, quoted where it must be (RFC 4180).
 std::string csv_field(const std::string& text);
 
-/// A number as it reads back: the shortest such text, "1700".
-std::string csv_number(double value);
-
 /// A line of names, then one a run: scenario, a column for each key of the sweep, seed, outcome,
 /// reason, duration, goals, goals_achieved, goals_failed, expectations_met, expectations, every
 /// measure that any run has, and the laws broken, parted by blanks. What could not be measured is

@@ -2,7 +2,6 @@
 #include "skein/series_tool/series.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <ostream>
@@ -11,6 +10,7 @@
 #include "quantities.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/nearest.hpp"
+#include "skein/foundation/shortest_text.hpp"
 #include "skein/recording/run.hpp"
 #include "skein/scenario/measures.hpp"
 
@@ -22,12 +22,8 @@ using recording::Run;
 
 constexpr double kMostLines = 50'000'000;
 
-/// The shortest text that reads back the same; empty for what is not known.
-std::string number(double value) {
-  if (!std::isfinite(value)) return "";
-  char text[40];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
+/// Empty for what is not known.
+std::string number(double value) { return std::isfinite(value) ? shortest_text(value) : ""; }
 
 std::vector<std::string> parted(const std::vector<std::string>& texts) {
   std::vector<std::string> parts;

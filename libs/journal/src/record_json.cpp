@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Records to and from JSON lines.
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "skein/foundation/shortest_text.hpp"
 #include "skein/journal/record.hpp"
 
 namespace skein::journal {
@@ -22,9 +22,7 @@ void append_number(std::string& line, double x) {
     line += "null";
     return;
   }
-  char text[40];
-  const auto end = std::to_chars(text, text + sizeof text, x == 0 ? 0.0 : x).ptr;
-  line.append(text, end);
+  line += shortest_text(x);
 }
 
 void append_value(std::string& line, const Value& value) {

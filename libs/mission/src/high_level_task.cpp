@@ -2,9 +2,8 @@
 // High-level tasks in words, and the words of the enumerations around them.
 #include "skein/mission/high_level_task.hpp"
 
-#include <charconv>
-
 #include "skein/foundation/overloaded.hpp"
+#include "skein/foundation/shortest_text.hpp"
 #include "words.hpp"
 
 namespace skein::mission {
@@ -27,10 +26,11 @@ static_assert(kGoalStates.size() == static_cast<std::size_t>(GoalState::kCount))
 
 std::string text_of(const Argument& argument) {
   return std::visit(Overloaded{[](const std::string& name) { return name; },
-                               [](double number) { return number_text(number); },
+                               [](double number) { return shortest_text(number); },
                                [](const world::Vector3& point) {
-                                 return "(" + number_text(point.x()) + " " +
-                                        number_text(point.y()) + " " + number_text(point.z()) + ")";
+                                 return "(" + shortest_text(point.x()) + " " +
+                                        shortest_text(point.y()) + " " + shortest_text(point.z()) +
+                                        ")";
                                },
                                [](const std::vector<std::string>& names) {
                                  std::string text = "(";
@@ -67,12 +67,6 @@ std::string text_of(const TimeConstraints& time, const std::vector<GoalBound>& a
 }
 
 }  // namespace
-
-std::string number_text(double number) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, number == 0 ? 0.0 : number).ptr;
-  return std::string(text, end);
-}
 
 std::string to_text(const HighLevelTask& task) {
   std::string text = task.name;

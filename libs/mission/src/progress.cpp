@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "words.hpp"
+#include "skein/foundation/shortest_text.hpp"
 
 namespace skein::mission {
 
@@ -17,7 +17,7 @@ std::string to_text(const Progress& progress) {
   std::string text;
   const auto say = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   const auto seconds = [](Duration time) {
-    return number_text(std::round(10 * time.to_seconds()) / 10) + " s";
+    return shortest_text(std::round(10 * time.to_seconds()) / 10) + " s";
   };
   if (progress.looked() > Duration()) say("perceived " + seconds(progress.looked()));
   if (progress.waited > Duration()) say("waited " + seconds(progress.waited));

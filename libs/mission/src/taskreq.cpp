@@ -4,8 +4,8 @@
 #include <cctype>
 #include <map>
 
+#include "skein/foundation/shortest_text.hpp"
 #include "skein/mission/elementary_plan.hpp"
-#include "words.hpp"
 
 namespace skein::mission {
 
@@ -63,7 +63,7 @@ std::string way_points(const std::vector<double>& numbers) {
   std::string list;
   for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
     list += (i == 0 ? "(TERM" : " (TERM");
-    for (std::size_t k = i; k < i + 3; ++k) list += " " + number_text(numbers[k]);
+    for (std::size_t k = i; k < i + 3; ++k) list += " " + shortest_text(numbers[k]);
     list += ")";
   }
   return " (WPLIST (" + list + "))";
@@ -75,7 +75,7 @@ std::string parameter(const executive::Parameter& one) {
   }
   std::string text = " (" + (is_plain(one.name) ? upper(one.name) : symbol(one.name));
   if (!one.text.empty()) text += " " + symbol(one.text);
-  for (const double number : one.numbers) text += " " + number_text(number);
+  for (const double number : one.numbers) text += " " + shortest_text(number);
   return text + ")";
 }
 

@@ -8,6 +8,7 @@
 
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
+#include "skein/foundation/shortest_text.hpp"
 #include "skein/mission/duration_range.hpp"
 #include "words.hpp"
 
@@ -218,7 +219,7 @@ class Check {
 
   void wrong(ParameterKind kind) { say(nth() + " must be " + std::string(description(kind))); }
   void wrong(ParameterKind kind, double number) {
-    say(nth() + " must be " + std::string(description(kind)) + ", not " + number_text(number));
+    say(nth() + " must be " + std::string(description(kind)) + ", not " + shortest_text(number));
   }
   std::string nth() const { return "argument " + std::to_string(position_); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words that stand for the values of an enumeration, both ways; and numbers for people.
+// The words that stand for the values of an enumeration, both ways.
 #pragma once
 
 #include <array>
@@ -29,8 +29,5 @@ constexpr std::optional<E> value_of(const Words<E, N>& words, std::string_view t
   }
   return std::nullopt;
 }
-
-/// The shortest text that reads back as the same number: "300", "0.1", "1e+30", "nan".
-std::string number_text(double number);
 
 }  // namespace skein::mission

@@ -10,6 +10,7 @@
 #include "skein/config/parse.hpp"
 #include "skein/config/reader.hpp"
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/shortest_text.hpp"
 #include "skein/world/environment_reader.hpp"
 
 namespace skein::world {
@@ -19,12 +20,6 @@ constexpr std::string_view kRule = "---\n";
 constexpr std::int64_t kVersion = 1;
 constexpr std::size_t kMostErrors = 20;
 constexpr double kGreatestElevation = 1e5;
-
-/// The shortest text that is read as the same number.
-std::string shortest(double number) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, number == 0 ? 0.0 : number).ptr};
-}
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";
@@ -42,23 +37,23 @@ void append_head(const MeasuredTerrain& measured, std::string& text) {
       "east, y north.\n";
   text += "skein_terrain: " + std::to_string(kVersion) + '\n';
   text += "source: " + quoted(measured.source) + '\n';
-  text += "origin: {latitude: " + shortest(measured.origin.latitude_degrees) +
-          ", longitude: " + shortest(measured.origin.longitude_degrees) +
-          ", altitude: " + shortest(measured.origin.altitude) + "}\n";
+  text += "origin: {latitude: " + shortest_text(measured.origin.latitude_degrees) +
+          ", longitude: " + shortest_text(measured.origin.longitude_degrees) +
+          ", altitude: " + shortest_text(measured.origin.altitude) + "}\n";
   const std::pair<const char*, double> lengths[] = {{"west", terrain.west},
                                                     {"south", terrain.south},
                                                     {"east", terrain.east},
                                                     {"north", terrain.north},
                                                     {"cell", terrain.cell}};
   for (const auto& [key, length] : lengths)
-    text += std::string(key) + ": " + shortest(length) + '\n';
+    text += std::string(key) + ": " + shortest_text(length) + '\n';
   text += kRule;
 }
 
 /// Up to the next centimetre, without digits that say nothing.
 void append_elevation(double elevation, std::string& text) {
   const double centimetres = std::ceil(elevation * 100 - 1e-6);
-  text += shortest(centimetres / 100);
+  text += shortest_text(centimetres / 100);
 }
 
 /// Complains about the rows below the head, but not without end.
