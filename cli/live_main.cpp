@@ -23,30 +23,18 @@
 
 namespace {
 
-// The commands about many runs, and about what runs and slots left.
-void add_recordings(skein::cli::LiveActions& live) {
-  using namespace skein;  // NOLINT(google-build-using-namespace): as below
-  live.batch = [](batch_tool::BatchOptions options) {
+/// A command that writes its data to stdout and its messages to stderr.
+template <class Options>
+auto on_streams(int (*command)(const Options&, std::ostream&, std::ostream&)) {
+  return [command](const Options& options) { return command(options, std::cout, std::cerr); };
+}
+
+/// One that also shows how far it is, to people.
+template <class Options>
+auto with_progress(int (*command)(const Options&, std::ostream&, std::ostream&)) {
+  return [command](Options options) {
     options.on_terminal = isatty(STDERR_FILENO) != 0;
-    return batch_tool::batch(options, std::cout, std::cerr);
-  };
-  live.compare = [](const compare_tool::CompareOptions& options) {
-    return compare_tool::compare(options, std::cout, std::cerr);
-  };
-  live.series = [](const series_tool::SeriesOptions& options) {
-    return series_tool::series(options, std::cout, std::cerr);
-  };
-  live.export_run = [](const export_tool::ExportOptions& options) {
-    return export_tool::export_run(options, std::cout, std::cerr);
-  };
-  live.import_mission = [](const import_tool::ImportOptions& options) {
-    return import_tool::import_mission(options, std::cout, std::cerr);
-  };
-  live.record = [](const spy_tool::RecordOptions& options) {
-    return spy_tool::record(options, std::cout, std::cerr);
-  };
-  live.play = [](const spy_tool::PlayOptions& options) {
-    return spy_tool::play(options, std::cout, std::cerr);
+    return command(options, std::cout, std::cerr);
   };
 }
 
@@ -56,35 +44,23 @@ int main(int argc, char** argv) {
   using namespace skein;  // NOLINT(google-build-using-namespace): the whole program is this
                           // function
   cli::LiveActions live;
-  live.run = [](const run_tool::RunOptions& options) {
-    return run_tool::run(options, std::cout, std::cerr);
-  };
-  live.report = [](const run_tool::ReportOptions& options) {
-    return run_tool::report(options, std::cout, std::cerr);
-  };
-  live.functional = [](const functional_tool::FunctionalOptions& options) {
-    return functional_tool::check(options, std::cout, std::cerr);
-  };
-  live.state = [](const state_tool::StateOptions& options) {
-    return state_tool::state(options, std::cout, std::cerr);
-  };
-  live.operate = [](const operate_tool::OperateOptions& options) {
-    return operate_tool::operate(options, std::cout, std::cerr);
-  };
-  live.status = [](const operate_tool::StatusOptions& options) {
-    return operate_tool::status(options, std::cout, std::cerr);
-  };
-  live.replay = [](const replay_tool::ReplayOptions& options) {
-    return replay_tool::replay(options, std::cout, std::cerr);
-  };
-  live.storm = [](storm_tool::StormOptions options) {
-    options.on_terminal = isatty(STDERR_FILENO) != 0;
-    return storm_tool::storm(options, std::cout, std::cerr);
-  };
-  add_recordings(live);
+  live.run = on_streams(run_tool::run);
+  live.report = on_streams(run_tool::report);
+  live.functional = on_streams(functional_tool::check);
+  live.state = on_streams(state_tool::state);
+  live.operate = on_streams(operate_tool::operate);
+  live.status = on_streams(operate_tool::status);
+  live.replay = on_streams(replay_tool::replay);
+  live.storm = with_progress(storm_tool::storm);
+  live.batch = with_progress(batch_tool::batch);
+  live.compare = on_streams(compare_tool::compare);
+  live.series = on_streams(series_tool::series);
+  live.export_run = on_streams(export_tool::export_run);
+  live.import_mission = on_streams(import_tool::import_mission);
+  live.record = on_streams(spy_tool::record);
+  live.play = on_streams(spy_tool::play);
   live.spy = [](const spy_tool::SpyOptions& options, bool echo) {
-    return echo ? spy_tool::echo(options, std::cout, std::cerr)
-                : spy_tool::list(options, std::cout, std::cerr);
+    return on_streams(echo ? spy_tool::echo : spy_tool::list)(options);
   };
   return cli::run_command_line(argc, argv, live);
 }

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "skein/report/distributions.hpp"
+#include "skein/scenario/measures.hpp"
 
 namespace skein::batch_tool {
 
@@ -45,12 +46,6 @@ void add(Series& series, const Row& row) {
   if (!row.good()) series.bad.push_back(row);
 }
 
-std::string unit_of(const std::string& measure) {
-  const std::string first = measure.substr(0, measure.find(' '));
-  if (first == "minimum-separation" || first == "distance-flown") return "m";
-  return first == "energy-left" ? "" : "s";
-}
-
 std::string number(double value) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(std::abs(value) < 10 ? 3 : 1) << value;
@@ -60,13 +55,13 @@ std::string number(double value) {
 void print_measures(std::ostream& out, const Series& series) {
   std::size_t width = 20;
   for (const auto& [name, figures] : series.measures)
-    width = std::max(width, name.size() + unit_of(name).size() + 5);
+    width = std::max(width, name.size() + scenario::unit_of(name).size() + 5);
   out << "  " << std::left << std::setw(static_cast<int>(width)) << "MEASURE" << std::right;
   for (const char* head : {"RUNS", "MEAN", "SD", "MIN", "MEDIAN", "P95", "MAX"})
     out << std::setw(11) << head;
   out << '\n';
   for (const auto& [name, figures] : series.measures) {
-    const std::string unit = unit_of(name);
+    const std::string unit(scenario::unit_of(name));
     const Spread of = report::spread_of(figures);
     out << "  " << std::left << std::setw(static_cast<int>(width))
         << name + (unit.empty() ? "" : " [" + unit + "]") << std::right << std::setw(11)
@@ -174,7 +169,8 @@ std::string summary_svg(const std::vector<Series>& all) {
     for (const auto& [name, figures] : series.measures) {
       auto panel = std::find_if(panels.begin(), panels.end(),
                                 [&](const auto& one) { return one.name == name; });
-      if (panel == panels.end()) panel = panels.insert(panels.end(), {name, unit_of(name), {}});
+      if (panel == panels.end())
+        panel = panels.insert(panels.end(), {name, std::string(scenario::unit_of(name)), {}});
       panel->rows.push_back({series.label(), figures});
     }
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/ground/ground_node.hpp"
+#include "skein/mission/alarm_name.hpp"
 
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/fingerprint.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the ground asks of a UAV beyond elementary tasks: missions, degrees, closed air.
 #include "skein/translation/missions.hpp"
+#include "skein/mission/alarm_name.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Routing between the ground station's components.
 #include "skein/ground_station/ground_control.hpp"
+#include "skein/mission/alarm_name.hpp"
 
 #include <algorithm>
 

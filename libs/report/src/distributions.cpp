@@ -18,7 +18,8 @@ constexpr double kTop = 48, kHead = 26, kRow = 30, kFoot = 38;
 constexpr std::array<const char*, 7> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                               "#56b4e9", "#e69f00", "#6b6b6b"};
 
-double quantile(const std::vector<double>& sorted, double share) {
+/// Between the two nearest of the series.
+double interpolated_quantile(const std::vector<double>& sorted, double share) {
   const double rank = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(rank);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
@@ -144,10 +145,10 @@ Spread spread_of(std::vector<double> values) {
   for (const double value : values) squares += (value - spread.mean) * (value - spread.mean);
   spread.deviation = values.size() > 1 ? std::sqrt(squares / (count - 1)) : 0;
   spread.minimum = values.front();
-  spread.lower_quartile = quantile(values, 0.25);
-  spread.median = quantile(values, 0.5);
-  spread.upper_quartile = quantile(values, 0.75);
-  spread.p95 = quantile(values, 0.95);
+  spread.lower_quartile = interpolated_quantile(values, 0.25);
+  spread.median = interpolated_quantile(values, 0.5);
+  spread.upper_quartile = interpolated_quantile(values, 0.75);
+  spread.p95 = interpolated_quantile(values, 0.95);
   spread.maximum = values.back();
   return spread;
 }

@@ -179,14 +179,13 @@ struct About {
   std::string_view name, unit;
 };
 
-About about(Quantity quantity) {
-  static constexpr std::array<About, 5> kAll{{{"minimum-separation", "m"},
-                                              {"distance-flown", "m"},
-                                              {"mission-duration", "s"},
-                                              {"energy-left", ""},
-                                              {"time-in-volume", "s"}}};
-  return kAll.at(static_cast<std::size_t>(quantity));
-}
+constexpr std::array<About, 5> kAll{{{"minimum-separation", "m"},
+                                     {"distance-flown", "m"},
+                                     {"mission-duration", "s"},
+                                     {"energy-left", ""},
+                                     {"time-in-volume", "s"}}};
+
+const About& about(Quantity quantity) { return kAll.at(static_cast<std::size_t>(quantity)); }
 
 NamedMeasure of_all(Quantity quantity) {
   ExpectMeasure what;
@@ -199,6 +198,13 @@ NamedMeasure of_all(Quantity quantity) {
 std::string_view name_of(Quantity quantity) { return about(quantity).name; }
 
 std::string_view unit_of(Quantity quantity) { return about(quantity).unit; }
+
+std::string_view unit_of(const std::string& measure) {
+  const std::string_view quantity = std::string_view(measure).substr(0, measure.find(' '));
+  const auto* found = std::find_if(kAll.begin(), kAll.end(),
+                                   [&](const About& one) { return one.name == quantity; });
+  return found == kAll.end() ? std::string_view() : found->unit;
+}
 
 std::vector<NamedMeasure> measures_of_any_run() {
   return {of_all(Quantity::kMissionDuration), of_all(Quantity::kDistanceFlown),

@@ -58,5 +58,12 @@ TEST(MeasuresOf, AScenarioHaveUnits) {
   EXPECT_EQ(unit_of(Quantity::kEnergyLeft), "");
 }
 
+TEST(MeasuresOf, SingleUavsHaveTheUnitOfTheirQuantity) {
+  EXPECT_EQ(unit_of("minimum-separation marvin heliv"), "m");
+  EXPECT_EQ(unit_of("mission-duration"), "s");
+  EXPECT_EQ(unit_of("energy-left karma"), "");
+  EXPECT_EQ(unit_of("something else"), "");
+}
+
 }  // namespace
 }  // namespace skein::scenario

@@ -2,8 +2,9 @@
 #include "skein/team/global_mission.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
+
+#include "skein/mission/alarm_name.hpp"
 
 namespace skein::team {
 
@@ -45,14 +46,6 @@ auction::Task task_of(const GlobalTask& asked, const Roster& roster,
   task.repeatable = asked.repeatable;
   task.work = std::make_shared<const Order>(asked.task, asked_by);
   return task;
-}
-
-// Numbers as the ground station gives them.
-bool is_alarm(const std::string& name) {
-  constexpr std::string_view kPrefix = "alarm:";
-  return name.size() > kPrefix.size() && name.rfind(kPrefix, 0) == 0 &&
-         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(kPrefix.size()), name.end(),
-                     [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
 bool names_members(const mission::HighLevelTask& task) {
@@ -124,7 +117,7 @@ mission::HighLevelTask for_members(mission::HighLevelTask task,
 std::vector<std::string> alarms_in(const mission::HighLevelTask& task) {
   std::vector<std::string> alarms;
   const auto add = [&](const std::string& name) {
-    if (is_alarm(name)) alarms.push_back(name);
+    if (mission::is_name_of_alarm(name)) alarms.push_back(name);
   };
   for (const mission::Argument& argument : task.arguments) {
     if (const auto* name = std::get_if<std::string>(&argument)) add(*name);

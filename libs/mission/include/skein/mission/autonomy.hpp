@@ -51,9 +51,6 @@ struct KnownPlace {
   bool operator==(const KnownPlace&) const = default;
 };
 
-/// How missions name an alarm of the ground station's.
-inline std::string name_of_alarm(std::uint64_t id) { return "alarm:" + std::to_string(id); }
-
 /// Cells of the ground are not as they were thought to be. What is absent stays.
 struct KnownGround {
   std::string name;                 ///< for people

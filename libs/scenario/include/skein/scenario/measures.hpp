@@ -38,6 +38,8 @@ std::vector<Closure> closures_of(const Scenario& scenario,
 std::string_view name_of(ExpectMeasure::Quantity quantity);
 /// "m", "s", or nothing.
 std::string_view unit_of(ExpectMeasure::Quantity quantity);
+/// Of a NamedMeasure by its name; nothing for other names.
+std::string_view unit_of(const std::string& measure);
 
 /// A measure as a column of a table.
 struct NamedMeasure {
