@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "flight/crossing.hpp"
 #include "flight/flight_times.hpp"
+#include "skein/world/crossing.hpp"
 #include "skein/world/landing_ground.hpp"
 
 namespace skein::supervisor {

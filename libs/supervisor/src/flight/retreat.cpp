@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
-#include "flight/crossing.hpp"
 #include "flight/flight_times.hpp"
 #include "flight/landing_place.hpp"
 #include "skein/supervisor/way_home.hpp"
+#include "skein/world/crossing.hpp"
 #include "skein/world/way_energy.hpp"
 
 namespace skein::supervisor {

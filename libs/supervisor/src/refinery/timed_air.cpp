@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "flight/closed_air.hpp"
-#include "flight/crossing.hpp"
 #include "flight/flights_met.hpp"
 #include "refinery/zone_shapes.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
+#include "skein/world/crossing.hpp"
 #include "skein/world/steering.hpp"
 
 namespace skein::supervisor {

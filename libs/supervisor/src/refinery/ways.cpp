@@ -7,10 +7,10 @@
 #include <numbers>
 
 #include "flight/closed_air.hpp"
-#include "flight/crossing.hpp"
 #include "flight/landing_place.hpp"
 #include "skein/refiners/flyable.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
+#include "skein/world/crossing.hpp"
 #include "skein/world/segment.hpp"
 
 namespace skein::supervisor {

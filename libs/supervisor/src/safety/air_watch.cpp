@@ -6,10 +6,10 @@
 #include <set>
 
 #include "flight/closed_air.hpp"
-#include "flight/crossing.hpp"
 #include "flight/flight_times.hpp"
 #include "flight/flights_met.hpp"
 #include "safety/warning.hpp"
+#include "skein/world/crossing.hpp"
 #include "skein/world/steering.hpp"
 #include "watch/stand.hpp"
 
@@ -100,7 +100,7 @@ bool AirWatch::goes_through(const Entry& entry, const world::Volume& volume) con
   if (!volume.when.overlaps({from, entry.dates.latest_end})) return false;
   const double margin = beliefs_.model().body_radius;
   if (entry.under_way()) {
-    const auto rest = rest_of(entry.task.way, beliefs_.vehicle().position);
+    const auto rest = world::rest_of(entry.task.way, beliefs_.vehicle().position);
     return leads_in(volume, margin, rest) || circles_into(rest.back(), volume) ||
            swings_into(rest, volume);
   }

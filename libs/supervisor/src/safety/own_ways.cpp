@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "flight/crossing.hpp"
 #include "flight/flight_times.hpp"
 #include "refinery/refinery.hpp"
 #include "safety/warning.hpp"
+#include "skein/world/crossing.hpp"
 
 namespace skein::supervisor {
 

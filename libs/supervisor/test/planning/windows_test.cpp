@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "flight/crossing.hpp"
+#include "skein/world/crossing.hpp"
 #include "testing/planned.hpp"
 #include "testing/planning_lab.hpp"
 

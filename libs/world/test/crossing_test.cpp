@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "flight/crossing.hpp"
+#include "skein/world/crossing.hpp"
 
 #include <rapidcheck/gtest.h>
 
 #include "skein/foundation/random.hpp"
 
-namespace skein::supervisor {
+namespace skein::world {
 namespace {
 
-using world::Vector3;
-
-const world::Volume kBox{"box", {{0, 0}, {100, 0}, {100, 100}, {0, 100}}, 20, 60, {}};
+const Volume kBox{"box", {{0, 0}, {100, 0}, {100, 100}, {0, 100}}, 20, 60, {}};
 
 TEST(Crossing, IsThroughASideOrFromAbove) {
   EXPECT_TRUE(crosses(kBox, 0, Vector3(-50, 50, 40), Vector3(150, 50, 40)));
@@ -49,7 +47,7 @@ RC_GTEST_PROP(Crossing, AgreesWithSamples, (std::uint64_t seed)) {
   bool inside = false;
   for (int i = 0; i <= 400; ++i) {
     const Vector3 p = a + (b - a) * (i / 400.0);
-    inside = inside || (world::contains(kBox.polygon, p.head<2>()) && p.z() >= 20 && p.z() <= 60);
+    inside = inside || (contains(kBox.polygon, p.head<2>()) && p.z() >= 20 && p.z() <= 60);
   }
 
   if (inside) RC_ASSERT(crosses(kBox, 0, a, b));
@@ -57,4 +55,4 @@ RC_GTEST_PROP(Crossing, AgreesWithSamples, (std::uint64_t seed)) {
 }
 
 }  // namespace
-}  // namespace skein::supervisor
+}  // namespace skein::world

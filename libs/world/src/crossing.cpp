@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "flight/crossing.hpp"
+#include "skein/world/crossing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,9 @@
 
 #include "skein/world/segment.hpp"
 
-namespace skein::supervisor {
+namespace skein::world {
 
 namespace {
-
-using world::Vector2;
-using world::Vector3;
 
 // The part [first, last] of the segment, as fractions, that is between the two levels.
 bool clip(double from, double to, double low, double high, double& first, double& last) {
@@ -26,23 +23,23 @@ bool clip(double from, double to, double low, double high, double& first, double
 
 }  // namespace
 
-bool crosses(const world::Volume& volume, double margin, const Vector3& from, const Vector3& to) {
+bool crosses(const Volume& volume, double margin, const Vector3& from, const Vector3& to) {
   double first = 0, last = 1;
   if (!clip(from.z(), to.z(), volume.floor - margin, volume.ceiling + margin, first, last)) {
     return false;
   }
   const Vector2 a = (from + first * (to - from)).head<2>();
   const Vector2 b = (from + last * (to - from)).head<2>();
-  const world::Polygon& corners = volume.polygon;
-  if (world::contains(corners, a) || world::contains(corners, b)) return true;
+  const Polygon& corners = volume.polygon;
+  if (contains(corners, a) || contains(corners, b)) return true;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector2& next = corners[(i + 1) % corners.size()];
-    if (world::between_segments(a, b, corners[i], next) <= margin) return true;
+    if (between_segments(a, b, corners[i], next) <= margin) return true;
   }
   return false;
 }
 
-bool crosses(const world::Volume& volume, double margin, const std::vector<Vector3>& way) {
+bool crosses(const Volume& volume, double margin, const std::vector<Vector3>& way) {
   if (way.size() == 1) return crosses(volume, margin, way[0], way[0]);
   for (std::size_t i = 1; i < way.size(); ++i) {
     if (crosses(volume, margin, way[i - 1], way[i])) return true;
@@ -55,7 +52,7 @@ std::vector<Vector3> rest_of(const std::vector<Vector3>& way, const Vector3& pos
   std::size_t next = 0;
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < way.size(); ++i) {
-    const double off = world::to_segment(position, way[i - 1], way[i]);
+    const double off = to_segment(position, way[i - 1], way[i]);
     if (off < best) {
       best = off;
       next = i;
@@ -65,4 +62,4 @@ std::vector<Vector3> rest_of(const std::vector<Vector3>& way, const Vector3& pos
   return rest;
 }
 
-}  // namespace skein::supervisor
+}  // namespace skein::world

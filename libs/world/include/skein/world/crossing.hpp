@@ -6,20 +6,18 @@
 
 #include "skein/world/volume.hpp"
 
-namespace skein::supervisor {
+namespace skein::world {
 
 /// True when the straight segment comes closer than `margin` [m] to the volume: horizontally to
 /// its polygon where it is between floor and ceiling, both widened by the margin. A volume whose
 /// window does not matter here is the caller's business. Cost: O(corners).
-bool crosses(const world::Volume& volume, double margin, const world::Vector3& from,
-             const world::Vector3& to);
+bool crosses(const Volume& volume, double margin, const Vector3& from, const Vector3& to);
 
 /// Any piece of the way, or its only point.
-bool crosses(const world::Volume& volume, double margin, const std::vector<world::Vector3>& way);
+bool crosses(const Volume& volume, double margin, const std::vector<Vector3>& way);
 
 /// What is left of a way for who is at `position`: from there to the end of the nearest piece, and
 /// on.
-std::vector<world::Vector3> rest_of(const std::vector<world::Vector3>& way,
-                                    const world::Vector3& position);
+std::vector<Vector3> rest_of(const std::vector<Vector3>& way, const Vector3& position);
 
-}  // namespace skein::supervisor
+}  // namespace skein::world
