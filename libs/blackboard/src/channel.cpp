@@ -15,7 +15,8 @@ std::vector<Slot> radio_slots() {
           Slot::kRequestReply,       Slot::kTaskEvent,        Slot::kFunctionalRequest,
           Slot::kFunctionalStatus,   Slot::kSyncMessage,      Slot::kAlarm,
           Slot::kTelemetry,          Slot::kPerceptionReport, Slot::kJointTaskState,
-          Slot::kNegotiationMessage, Slot::kTeamMessage,      Slot::kTeamSale};
+          Slot::kNegotiationMessage, Slot::kTeamMessage,      Slot::kTeamSale,
+          Slot::kMergeMessage};
 }
 
 constexpr auto kFromStation = std::to_array<Slot>(

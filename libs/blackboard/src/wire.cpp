@@ -7,40 +7,16 @@
 namespace skein::wire {
 namespace {
 
-constexpr auto kNames = std::to_array<std::string_view>({"DirectoryEntry",
-                                                         "Clock",
-                                                         "LinkState",
-                                                         "PlanBoard",
-                                                         "AutonomyDegree",
-                                                         "MissionState",
-                                                         "MissionPlan",
-                                                         "JointTaskState",
-                                                         "UavBoard",
-                                                         "UavTasks",
-                                                         "GroundBoard",
-                                                         "TaskRequest",
-                                                         "RequestReply",
-                                                         "TaskEvent",
-                                                         "FunctionalRequest",
-                                                         "FunctionalStatus",
-                                                         "SyncMessage",
-                                                         "Alarm",
-                                                         "MissionRequest",
-                                                         "DegreeCommand",
-                                                         "WorldChange",
-                                                         "MissionOutcome",
-                                                         "HandOver",
-                                                         "Decision",
-                                                         "NegotiationMessage",
-                                                         "TeamMessage",
-                                                         "TeamSale",
-                                                         "OperatorRequest",
-                                                         "OperatorReply",
-                                                         "JournalEntry",
-                                                         "Telemetry",
-                                                         "PerceptionReport",
-                                                         "Truth",
-                                                         "Heartbeat"});
+constexpr auto kNames = std::to_array<std::string_view>(
+    {"DirectoryEntry",     "Clock",          "LinkState",         "PlanBoard",
+     "AutonomyDegree",     "MissionState",   "MissionPlan",       "JointTaskState",
+     "UavBoard",           "UavTasks",       "GroundBoard",       "TaskRequest",
+     "RequestReply",       "TaskEvent",      "FunctionalRequest", "FunctionalStatus",
+     "SyncMessage",        "Alarm",          "MissionRequest",    "DegreeCommand",
+     "WorldChange",        "MissionOutcome", "HandOver",          "Decision",
+     "NegotiationMessage", "TeamMessage",    "TeamSale",          "MergeMessage",
+     "OperatorRequest",    "OperatorReply",  "JournalEntry",      "Telemetry",
+     "PerceptionReport",   "Truth",          "Heartbeat"});
 static_assert(kNames.size() == kSlotCount);
 
 }  // namespace

@@ -120,6 +120,7 @@ SKEIN_CONFORMANCE_TEST(NegotiationMessage)
 // Not TeamMessage: what fastddsgen makes of sequences nested five deep counts its greatest size for
 // hours. Cyclone's image of it is compared.
 SKEIN_CONFORMANCE_TEST(TeamSale)
+SKEIN_CONFORMANCE_TEST(MergeMessage)
 SKEIN_CONFORMANCE_TEST(OperatorRequest)
 SKEIN_CONFORMANCE_TEST(OperatorReply)
 SKEIN_CONFORMANCE_TEST(UavBoard)

@@ -37,6 +37,7 @@ TEST(Slot, ClassesAreThoseOfTheSpecification) {
   EXPECT_EQ(slot_class(Slot::kNegotiationMessage), SlotClass::kEvent);
   EXPECT_EQ(slot_class(Slot::kTeamMessage), SlotClass::kEvent);
   EXPECT_EQ(slot_class(Slot::kTeamSale), SlotClass::kEvent);
+  EXPECT_EQ(slot_class(Slot::kMergeMessage), SlotClass::kEvent);
   EXPECT_EQ(slot_class(Slot::kOperatorRequest), SlotClass::kEvent);
   EXPECT_EQ(slot_class(Slot::kJournalEntry), SlotClass::kEvent);
   EXPECT_EQ(slot_class(Slot::kTelemetry), SlotClass::kStream);

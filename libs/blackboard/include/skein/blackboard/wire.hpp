@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "skein/blackboard/wire_event.hpp"
+#include "skein/blackboard/wire_merging.hpp"
 #include "skein/blackboard/wire_state.hpp"
 #include "skein/blackboard/wire_stream.hpp"
 #include "skein/blackboard/wire_team.hpp"
@@ -21,8 +22,8 @@ using Sample =
                  MissionPlan, JointTaskState, UavBoard, UavTasks, GroundBoard, TaskRequest,
                  RequestReply, TaskEvent, FunctionalRequest, FunctionalStatus, SyncMessage, Alarm,
                  MissionRequest, DegreeCommand, WorldChange, MissionOutcome, HandOver, Decision,
-                 NegotiationMessage, TeamMessage, TeamSale, OperatorRequest, OperatorReply,
-                 JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat>;
+                 NegotiationMessage, TeamMessage, TeamSale, MergeMessage, OperatorRequest,
+                 OperatorReply, JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat>;
 
 enum class Slot : std::uint8_t {
   kDirectoryEntry,
@@ -52,6 +53,7 @@ enum class Slot : std::uint8_t {
   kNegotiationMessage,
   kTeamMessage,
   kTeamSale,
+  kMergeMessage,
   kOperatorRequest,
   kOperatorReply,
   kJournalEntry,

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The slot of class event by which UAVs merge their ways (idl/event.idl). What the fields mean is
+// said where they come from: skein/merging/message.hpp. Source: spec 6.4.
+#pragma once
+
+#include "skein/blackboard/wire_common.hpp"
+
+namespace skein::wire {
+
+/// [m] ENU.
+struct AirVolume {
+  double from_x = 0, from_y = 0;
+  double to_x = 0, to_y = 0;
+  double radius = 0;
+  double floor_z = 0, ceiling_z = 0;
+  bool operator==(const AirVolume&) const = default;
+};
+SKEIN_WIRE_FIELDS(AirVolume, from_x, from_y, to_x, to_y, radius, floor_z, ceiling_z)
+
+/// What one UAV has of the air and wants, to one other.
+struct MergeMessage {
+  SampleHeader header;
+  std::uint64_t number = 0;
+  std::vector<AirVolume> held;
+  std::uint64_t request = 0;
+  std::vector<AirVolume> wanted;
+  std::vector<std::string> waits_for;
+  std::uint64_t answered = 0;
+  bool granted = false;
+  bool asks = false;
+  bool operator==(const MergeMessage&) const = default;
+};
+SKEIN_WIRE_FIELDS(MergeMessage, header, number, held, request, wanted, waits_for, answered, granted,
+                  asks)
+
+}  // namespace skein::wire
