@@ -123,6 +123,7 @@ bool Executive::Core::step() {
 // --- inputs that are not requests ----------------------------------------------------------------
 
 // from               status             to
+// started            started            started, and the answer may take as long again
 // started            running            running
 // started, running   ended              ended
 // started, running   aborted            aborted
@@ -132,8 +133,10 @@ void Executive::Core::on(const FunctionalStatus& status) {
   const std::string what = "status '" + std::string(to_text(status.state)) + "' of ";
   const std::optional<Slot> slot = plan_.find(status.id);
   if (!slot) return notice(what + "unknown task " + to_text(status.id));
-  const TaskRecord& record = plan_[*slot];
+  TaskRecord& record = plan_[*slot];
   const TaskState from = record.state;
+  if (status.state == TaskState::kStarted && from == TaskState::kStarted && !record.synchronisation)
+    return expect_answer(record);
   const bool fits = !record.synchronisation && is_active(from) &&
                     (is_terminal(status.state) ||
                      (status.state == TaskState::kRunning && from == TaskState::kStarted));

@@ -371,6 +371,16 @@ TEST(Executive, AbortsATaskWhoseDispatchIsNotAnsweredInTime) {
   EXPECT_THAT(mission.reason_of(1), HasSubstr("time-out"));
 }
 
+TEST(Executive, IsPatientWithATaskThatIsSaidToCome) {
+  Mission mission(impatient());
+  mission.start(TaskOf(1, "goto"));
+
+  EXPECT_THAT(mission.at(2).status(1, TaskState::kStarted), IsEmpty());
+  EXPECT_THAT(mission.notices, IsEmpty());
+  EXPECT_THAT(mission.at(4.9).tick(), IsEmpty());
+  EXPECT_THAT(mission.at(5).tick(), ElementsAre("1 aborted"));
+}
+
 TEST(Executive, AbortsATaskWhoseInterruptionIsNotAnsweredInTime) {
   Mission mission(impatient());
   mission.start(TaskOf(1, "goto"));

@@ -404,6 +404,8 @@ class NaiveExecutive {
       go(*e, e->state == TaskState::kAborting ? TaskState::kAborted : s.state);
     } else if (s.state == TaskState::kRunning && e->state == TaskState::kStarted) {
       go(*e, TaskState::kRunning);
+    } else if (s.state == TaskState::kStarted && e->state == TaskState::kStarted) {
+      expect_answer(*e);
     }
   }
   void on(const SyncReceived& m) {

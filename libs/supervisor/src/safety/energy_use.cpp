@@ -10,12 +10,12 @@ namespace {
 // Fraction of its expected use that a task has still to take. Range: [0, 1].
 double energy_share(const Entry& entry, MissionTime now) {
   if (entry.over()) return 0;
-  if (!entry.seen.started) return 1;
+  if (!entry.running) return 1;  // it may wait for its air
   const mission::Interval& d = entry.task.duration;
   const double most = d.most == Duration::max() ? d.least.to_seconds() : d.most.to_seconds();
   const double mean = (d.least.to_seconds() + most) / 2;
   if (mean <= 0) return 1;
-  return std::clamp(1 - (now - *entry.seen.started).to_seconds() / mean, 0.0, 1.0);
+  return std::clamp(1 - (now - *entry.running).to_seconds() / mean, 0.0, 1.0);
 }
 
 }  // namespace

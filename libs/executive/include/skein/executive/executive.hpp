@@ -59,6 +59,7 @@ struct TaskView {
 ///   started, running  ended from who carries it out                  ended
 ///   started, running  aborted from who carries it out                aborted
 ///   started           no answer within functional_timeout            aborted
+///   started           started: it waits                              started, time-out begins anew
 ///   started, running  Ξ satisfied, ABORT, VUT of an incompatible     aborting
 ///   aborting          ended or aborted; no answer within time-out    aborted
 ///

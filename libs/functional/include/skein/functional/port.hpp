@@ -23,8 +23,9 @@ struct Request {
   bool operator==(const Request&) const = default;
 };
 
-/// Where a task stands: only running, ended and aborted mean anything; an `aborted` that answers a
-/// dispatch is a rejection.
+/// Where a task stands: running, ended or aborted; an `aborted` that answers a dispatch is a
+/// rejection; `started`: not yet, but it will come (a decision node's, of a motion that waits for
+/// its air).
 struct Status {
   TaskId id;
   TaskState state = TaskState::kRunning;
