@@ -59,10 +59,13 @@ Sortie drawn(const std::string& name, Random& random) {
 
 std::vector<Vector3> points_from(const Vector3& start, Random& random) {
   std::vector<Vector3> points{start};
+  const bool raised = random.chance(0.4);
+  if (raised) points.push_back(start + Vector3(0, 0, random.uniform(10, 60)));
   for (std::size_t n = 1 + random.below(4); n > 0; --n) {
-    points.emplace_back(random.uniform(-300, 500), random.uniform(-300, 500), start.z());
+    points.emplace_back(random.uniform(-300, 500), random.uniform(-300, 500), points.back().z());
     if (random.chance(0.3)) points.back().z() += random.uniform(-10, 20);
   }
+  if (raised) points.push_back({points.back().x(), points.back().y(), start.z()});
   return points;
 }
 

@@ -44,13 +44,16 @@ Margins margins_of(const world::VehicleModel& model, const world::Wind& wind, do
   if (model.hovers) {
     const double held = drift / world::kPositionGain;
     margins.settled = wavers + held;
-    margins.hold = wavers + held + share.level;
+    const double rising = carried_by_wind(drift, model.climb_rate);
+    margins.hold = wavers + held + share.level + rising;
     margins.way = std::max(reached, carried_at_bends(model, speed)) +
-                  carried_by_wind(drift, speed) + wavers + held + share.level;
+                  carried_by_wind(drift, speed) + margins.hold;
   } else {
     const double circle = model.orbit_radius + 2 * drift;
     margins.settled = circle + wavers;
-    margins.hold = 1.6 * circle + wavers + share.level;
+    // It comes off its circle when it rises, and circles elsewhere when it is stopped.
+    const double rising = reached + model.min_turn_radius;
+    margins.hold = 1.6 * circle + wavers + share.level + rising;
     margins.way = 1.1 * circle + 3 * model.min_turn_radius + carried_by_wind(drift, speed) +
                   wavers + reached + share.level;
   }

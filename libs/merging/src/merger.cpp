@@ -136,6 +136,15 @@ Volumes Merger::others() const {
   return all;
 }
 
+Volumes Merger::ends() const {
+  Volumes all;
+  for (const auto& [name, peer] : peers_) {
+    const Volumes& last = peer.claim.wanted.empty() ? peer.claim.held : peer.claim.wanted;
+    if (!last.empty()) all.push_back(last.back());
+  }
+  return all;
+}
+
 void Merger::advance() {
   if (!waits()) return;
   if (request_ != 0) {

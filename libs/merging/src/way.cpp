@@ -13,7 +13,11 @@ namespace {
 using world::Vector3;
 
 constexpr double kNear = 10;    // [m] a bend is taken within it, or half of what the way takes
-constexpr double kLevel = 0.5;  // [m] of height that a level piece may gain
+constexpr double kLevel = 0.5;  // [m] of height that a level piece may gain, or the reverse
+
+bool is_upright(const Vector3& from, const Vector3& to) {
+  return (to - from).head<2>().norm() <= kLevel;
+}
 
 std::vector<Vector3> stretched(const std::vector<Vector3>& points, double longest) {
   std::vector<Vector3> result{points.front()};
@@ -23,6 +27,17 @@ std::vector<Vector3> stretched(const std::vector<Vector3>& points, double longes
     for (double n = 1; n <= pieces; ++n) result.push_back(from + n / pieces * along);
   }
   return result;
+}
+
+/// A first piece that is left along with less than a way takes, long enough that what follows does
+/// not reach back to where it begins.
+bool leaves_narrowly(std::vector<Vector3>& points, const Margins& margins) {
+  const double length = 2 * margins.way;
+  const Vector3 along = points[1] - points[0];
+  const bool level = std::abs(along.z()) <= kLevel;
+  if (!level || along.norm() < 1.5 * length) return false;
+  points.insert(points.begin() + 1, points[0] + length / along.norm() * along);
+  return true;
 }
 
 bool slopes(const Vector3& from, const Vector3& to) { return std::abs(from.z() - to.z()) > kLevel; }
@@ -41,8 +56,16 @@ Way::Way(const std::vector<Vector3>& points, const Margins& margins)
     : hovers_(margins.hovers), near_(std::max(kNear, margins.way / 2)) {
   SKEIN_EXPECTS(points.size() >= 2);
   points_ = stretched(points, margins.stretch);
+  const bool narrow = leaves_narrowly(points_, margins);
+  bool rises = true;  // from where it rests
   for (std::size_t i = 1; i < points_.size(); ++i) {
     const Vector3 &from = points_[i - 1], &to = points_[i];
+    rises = rises && is_upright(from, to);
+    if (rises) {
+      volumes_.push_back(
+          column(to.head<2>(), std::min(from.z(), to.z()), std::max(from.z(), to.z()), margins));
+      continue;
+    }
     // A bend is taken before it is reached, so a slope goes on into the pieces beside it.
     const bool steep = slopes(from, to) || (i >= 2 && slopes(points_[i - 2], from)) ||
                        (i + 1 < points_.size() && slopes(to, points_[i + 1]));
@@ -50,6 +73,7 @@ Way::Way(const std::vector<Vector3>& points, const Margins& margins)
     volumes_.push_back({from.head<2>(), to.head<2>(), margins.way,
                         std::min(from.z(), to.z()) - height, std::max(from.z(), to.z()) + height});
   }
+  if (narrow) volumes_.front().radius = margins.hold;
   volumes_.push_back(stay_at(points_.back(), margins));
 }
 

@@ -20,8 +20,21 @@ bool is_in(const Volumes& volumes, const Vector3& at) {
 
 TEST(Way, LongPiecesGetWayPointsInBetween) {
   const Way way({{0, 0, 40}, {120, 0, 40}}, kHovers);
-  ASSERT_EQ(way.points().size(), 4U);
-  EXPECT_TRUE(way.points()[1].isApprox(Vector3(40, 0, 40)));
+  ASSERT_EQ(way.points().size(), 5U);
+  EXPECT_TRUE(way.points()[2].isApprox(Vector3(40, 0, 40)));
+}
+
+TEST(Way, IsLeftByNoMoreThanItTakesToHold) {
+  const Way way({{0, 0, 40}, {120, 0, 40}}, kHovers);
+  EXPECT_EQ(way.volumes()[0].radius, kHovers.hold);
+  EXPECT_EQ(way.volumes()[1].radius, kHovers.way);
+  EXPECT_EQ(way.volumes()[0].to.x(), 2 * kHovers.way);
+}
+
+TEST(Way, StraightUpFromWhereItHoldsTakesNoMoreThanThat) {
+  const Way way({{0, 0, 40}, {0, 0, 64}, {120, 0, 64}}, kHovers);
+  EXPECT_EQ(way.volumes()[0], column({0, 0}, 40, 64, kHovers));
+  EXPECT_EQ(way.volumes()[1].radius, kHovers.way);
 }
 
 TEST(Way, EndsByStaying) {
@@ -31,21 +44,22 @@ TEST(Way, EndsByStaying) {
 
 TEST(Way, TakesMoreHeightWhereItRisesAndBesideThat) {
   const Way way({{0, 0, 40}, {40, 0, 40}, {80, 0, 60}, {120, 0, 60}, {160, 0, 60}}, kHovers);
-  EXPECT_EQ(way.volumes()[0].floor, 34);
+  EXPECT_EQ(way.volumes()[0].floor, 38);
   EXPECT_EQ(way.volumes()[1].floor, 34);
-  EXPECT_EQ(way.volumes()[1].ceiling, 66);
+  EXPECT_EQ(way.volumes()[2].floor, 34);
   EXPECT_EQ(way.volumes()[2].ceiling, 66);
-  EXPECT_EQ(way.volumes()[3].ceiling, 62);
+  EXPECT_EQ(way.volumes()[3].ceiling, 66);
+  EXPECT_EQ(way.volumes()[4].ceiling, 62);
 }
 
 TEST(Way, IsLeftPieceByPieceWithOnePieceKeptBehind) {
   Way way({{0, 0, 40}, {150, 0, 40}, {150, 100, 40}}, kHovers);
-  EXPECT_FALSE(way.passed({30, 2, 40}));
+  EXPECT_FALSE(way.passed({4, 2, 40}));
   EXPECT_EQ(way.left().size(), way.volumes().size());
   EXPECT_TRUE(way.passed({110, 2, 40}));
-  EXPECT_EQ(way.left().size(), way.volumes().size() - 1);
-  EXPECT_FALSE(is_in(way.left(), {20, 0, 40}));
-  EXPECT_TRUE(is_in(way.left(), {60, 0, 40}));
+  EXPECT_EQ(way.left().size(), way.volumes().size() - 3);
+  EXPECT_FALSE(is_in(way.left(), {60, 0, 40}));
+  EXPECT_TRUE(is_in(way.left(), {80, 0, 40}));
 }
 
 TEST(Way, ABendTakenBeforeItIsReachedIsPassed) {
@@ -75,7 +89,9 @@ RC_GTEST_PROP(WayProperty, WhoFliesItIsInWhatIsLeftOfIt, ()) {
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const Vector3 along = corners[i] - corners[i - 1];
     for (double flown = 0; flown < along.norm(); flown += 0.5) {
-      const Vector3 off(random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-1.5, 1.5));
+      const double most = i == 1 ? 3.5 : 5;  // of each of two, within hold and way
+      const Vector3 off(random.uniform(-most, most), random.uniform(-most, most),
+                        random.uniform(-1.5, 1.5));
       const Vector3 at = corners[i - 1] + flown / along.norm() * along + off;
       RC_ASSERT(is_in(way.left(), at));
       seen += 0.5;

@@ -11,7 +11,9 @@ namespace skein::merging {
 /// (world::separation_share): where volumes of two do not overlap, they keep all of it.
 struct Margins {
   bool hovers = true;
-  double hold = 0;     ///< level, around a place where it holds or circles, rises or lands
+  /// Level, around a place where it holds or circles, rises or lands, and around a line on which it
+  /// leaves: so that whoever holds can always go up.
+  double hold = 0;
   double way = 0;      ///< level, around a line it flies along, and may stop on
   double settled = 0;  ///< it is this near [m] to where it holds: `hold` is enough
   double level = 0;    ///< in height, where it flies level or holds

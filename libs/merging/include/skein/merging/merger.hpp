@@ -105,7 +105,9 @@ class Merger {
   bool waits() const { return !choices_.empty(); }
   /// What others hold, were granted, or want (with a request or not), as far as it knows.
   Volumes others() const;
-  /// The same of what they hold or were granted.
+  /// Where each of them will stay, or stays, as far as it knows.
+  Volumes ends() const;
+  /// Whether none of them holds it or was granted it.
   bool is_free(const Volumes& volumes) const;
 
  private:
