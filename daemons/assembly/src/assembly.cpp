@@ -141,6 +141,10 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
     config.horizon = scenario.planning->horizon;
     if (first != first_ids.end()) config.first_task = first->second;
   }
+  if (scenario.separation && scenario.separation->merge) {
+    config.merging = {scenario.uav_names(), uav.model, scenario.world.wind,
+                      std::make_shared<world::Terrain>(terrain), scenario.world.volumes};
+  }
   return std::make_unique<ddn::DdnNode>(config, roster_of(scenario));
 }
 

@@ -5,9 +5,11 @@
 
 #include "deliberation_lines.hpp"
 #include "joint_lines.hpp"
+#include "merging_lines.hpp"
 #include "received.hpp"
 #include "skein/interaction/model_hash.hpp"
 #include "skein/translation/joint_tasks.hpp"
+#include "skein/translation/merging.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
@@ -215,6 +217,10 @@ void DdnNode::carry_out(const dn::SendNegotiation& effect) {
 }
 
 void DdnNode::carry_out(const dn::SendTeam& effect) {
+  send(roster_.find(effect.to)->number, to_wire(effect.message), now_ + kSaidAgain);
+}
+
+void DdnNode::carry_out(const dn::SendMerge& effect) {
   send(roster_.find(effect.to)->number, to_wire(effect.message), now_ + kSaidAgain);
 }
 

@@ -3,6 +3,7 @@
 
 #include "skein/foundation/overloaded.hpp"
 #include "skein/translation/joint_tasks.hpp"
+#include "skein/translation/merging.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
@@ -73,6 +74,12 @@ std::optional<Input> team_told(const Sample& sample, const Sender& sender) {
   return dn::TeamTold{sender.name, std::move(*message)};
 }
 
+std::optional<Input> merge_told(const wire::MergeMessage& sample, const Sender& sender) {
+  auto message = from_wire(sample);
+  if (!message) return std::nullopt;
+  return dn::MergeTold{sender.name, std::move(*message)};
+}
+
 }  // namespace
 
 std::string why_not(const wire::Sample& sample, const Sender& sender) {
@@ -130,6 +137,7 @@ std::optional<Input> input_of(const wire::Sample& sample, const Sender& sender) 
           },
           [&](const wire::TeamMessage& it) -> Result { return team_told(it, sender); },
           [&](const wire::TeamSale& it) -> Result { return team_told(it, sender); },
+          [&](const wire::MergeMessage& it) -> Result { return merge_told(it, sender); },
           [](const wire::PerceptionReport& it) -> Result { return from_wire(it); },
           [](const auto&) -> Result { return std::nullopt; }},
       sample);

@@ -10,7 +10,8 @@ Core::Core(Config config)
     : config_(std::move(config)),
       commands_(bus_),
       own_tasks_(bus_, execution_),
-      vehicle_(bus_, own_tasks_),
+      vehicle_(bus_, own_tasks_, merging_),
+      merging_(*this),
       execution_(*this),
       deliberation_(*this),
       interaction_(*this),
@@ -80,9 +81,14 @@ void Core::interrupt(functional::TaskId task) {
   if (const auto status = vehicle_.interrupt(task)) on(StatusTold{*status});
 }
 
+void Core::post_status(functional::Status status) {
+  bus_.post([this, status = std::move(status)] { on(StatusTold{status}); });
+}
+
 void Core::on(const StatusTold& told) {
   const functional::TaskId id = told.status.id;
   vehicle_.told(told.status);
+  if (merging_.told(told.status)) return;
   const bool ground_runs_it =
       vehicle_.is_of_ground(id) || (mission::runs_at_ground(degree()) && !is_own(id));
   if (!execution_.holds(id) && ground_runs_it) return pass_on(told.status);
@@ -92,7 +98,8 @@ void Core::on(const StatusTold& told) {
 // The supervisor goes on hearing of tasks that were its own.
 void Core::pass_on(const functional::Status& status) {
   const std::string type = vehicle_.pass_on(status);
-  if (!type.empty()) tell_task({status.id, type, status.state, status.reason});
+  const bool waits = status.state == functional::TaskState::kStarted;
+  if (!type.empty() && !waits) tell_task({status.id, type, status.state, status.reason});
   safekeeping_.start_pending();
 }
 
@@ -115,6 +122,7 @@ void Core::on(const world::Telemetry& telemetry) {
 void Core::on(const Contact& contact) {
   interaction_.contact(contact);
   team_.contact(contact);
+  merging_.contact(contact);
   if (contact.ground) safekeeping_.ground_heard(contact.reachable, bus_.now());
   if (!contact.reachable) return;
   for (Component* one : components()) one->peer_in_reach(contact.peer);

@@ -11,6 +11,7 @@
 #include "deliberation.hpp"
 #include "execution.hpp"
 #include "interaction/interaction.hpp"
+#include "merging/merging.hpp"
 #include "own_tasks.hpp"
 #include "safekeeping.hpp"
 #include "skein/decision_node/decision_node.hpp"
@@ -36,6 +37,7 @@ class Core {
   Deliberation& deliberation() { return deliberation_; }
   Interaction& interaction() { return interaction_; }
   Team& team() { return team_; }
+  Merging& merging() { return merging_; }
   Autonomy& autonomy() { return autonomy_; }
   Safekeeping& safekeeping() { return safekeeping_; }
 
@@ -43,6 +45,8 @@ class Core {
   void tell_task(const executive::TaskEvent& event);
   /// Of what the functional layer was given.
   void interrupt(functional::TaskId task);
+  /// Said in the functional layer's place, after all that was asked before.
+  void post_status(functional::Status status);
 
  private:
   void on(const Started&);
@@ -62,15 +66,16 @@ class Core {
   void on(const PartnerSeen& seen) { interaction_.hear(seen); }
   void on(const JointTaskTold& told) { interaction_.hear(told); }
   void on(const TeamTold& told) { team_.hear(told); }
+  void on(const MergeTold& told) { merging_.hear(told); }
   void on(const Tick&);
   void pass_on(const functional::Status& status);
   void tell_board_if_changed();
   /// Every one hears what happens, in this order.
-  std::array<Component*, 4> components() {
-    return {&execution_, &deliberation_, &interaction_, &team_};
+  std::array<Component*, 5> components() {
+    return {&merging_, &execution_, &deliberation_, &interaction_, &team_};
   }
-  std::array<const Component*, 4> components() const {
-    return {&execution_, &deliberation_, &interaction_, &team_};
+  std::array<const Component*, 5> components() const {
+    return {&merging_, &execution_, &deliberation_, &interaction_, &team_};
   }
 
   Config config_;
@@ -78,6 +83,7 @@ class Core {
   Commands commands_;
   OwnTasks own_tasks_;
   Vehicle vehicle_;
+  Merging merging_;
   Execution execution_;
   Deliberation deliberation_;
   Interaction interaction_;

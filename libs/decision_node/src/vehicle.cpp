@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "merging/merging.hpp"
 #include "own_tasks.hpp"
 #include "skein/functional/after_loss.hpp"
 #include "skein/functional/task_types.hpp"
@@ -24,17 +25,22 @@ bool Vehicle::must_wait(const functional::Request& request) const {
 
 void Vehicle::dispatch(functional::Request request) {
   if (!must_wait(request)) {
-    if (holds_vehicle(request.type)) holding_.insert(request.id);
-    under_way_.insert_or_assign(request.id, UnderWay{request});
-    return bus_.emit(ToVehicle{std::move(request)});
+    if (!merging_.takes(request)) begin(std::move(request));
+    return;
   }
   const bool own = is_own(request.id);
   waiting_.push_back(std::move(request));
   if (!own) own_tasks_.abort_all();
 }
 
+void Vehicle::begin(functional::Request request) {
+  if (holds_vehicle(request.type)) holding_.insert(request.id);
+  under_way_.insert_or_assign(request.id, UnderWay{request});
+  bus_.emit(ToVehicle{std::move(request)});
+}
+
 void Vehicle::told(const functional::Status& status) {
-  if (status.state == functional::TaskState::kRunning) return;
+  if (!functional::is_terminal(status.state)) return;
   holding_.erase(status.id);
   ending_.erase(status.id);
   under_way_.erase(status.id);
@@ -69,8 +75,8 @@ void Vehicle::stop(functional::TaskId task) {
 std::optional<functional::Status> Vehicle::interrupt(functional::TaskId task) {
   const auto waits = std::find_if(waiting_.begin(), waiting_.end(),
                                   [&](const auto& request) { return request.id == task; });
-  const bool waited = waits != waiting_.end();
-  if (waited) waiting_.erase(waits);
+  const bool waited = waits != waiting_.end() || merging_.drop(task);
+  if (waits != waiting_.end()) waiting_.erase(waits);
   // What is given back while it still ends there waited for itself.
   if (!waited || under_way_.contains(task)) {
     stop(task);
@@ -96,9 +102,7 @@ bool Vehicle::ground_has(functional::TaskId task, const std::string& type) {
 std::string Vehicle::pass_on(const functional::Status& status) {
   const auto known = of_ground_.find(status.id);
   const std::string type = known == of_ground_.end() ? "" : known->second;
-  if (known != of_ground_.end() && status.state != functional::TaskState::kRunning) {
-    of_ground_.erase(known);
-  }
+  if (known != of_ground_.end() && functional::is_terminal(status.state)) of_ground_.erase(known);
   bus_.emit(StatusPassedOn{status});
   return type;
 }

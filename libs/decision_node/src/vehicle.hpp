@@ -11,15 +11,20 @@
 
 namespace skein::decision_node {
 
+class Merging;
 class OwnTasks;
 
 /// The functional layer moves for one task at a time: what is to hold the vehicle waits until own
-/// tasks, which give way, and tasks that were interrupted are over.
+/// tasks, which give way, and tasks that were interrupted are over. What moves it then waits for
+/// its air, where ways are merged.
 class Vehicle {
  public:
-  Vehicle(Bus& bus, OwnTasks& own_tasks) : bus_(bus), own_tasks_(own_tasks) {}
+  Vehicle(Bus& bus, OwnTasks& own_tasks, Merging& merging)
+      : bus_(bus), own_tasks_(own_tasks), merging_(merging) {}
 
   void dispatch(functional::Request request);
+  /// It has all that it waited for.
+  void begin(functional::Request request);
   /// The status to take when the task had not been dispatched yet; else the functional layer is
   /// asked, and answers.
   std::optional<functional::Status> interrupt(functional::TaskId task);
@@ -55,6 +60,7 @@ class Vehicle {
 
   Bus& bus_;
   OwnTasks& own_tasks_;
+  Merging& merging_;
   std::vector<functional::Request> waiting_;
   std::map<functional::TaskId, UnderWay> under_way_;
   std::set<functional::TaskId> holding_;  ///< tasks that hold the vehicle, under way there

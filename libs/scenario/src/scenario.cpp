@@ -86,9 +86,7 @@ void check_degrees(const Reader& uavs, const Scenario& scenario) {
 std::optional<SeparationSpec> read_separation(const Reader& reader) {
   if (!reader.present()) return std::nullopt;
   reader.keys({"merge"});
-  const Reader merge = reader.optional("merge");
-  if (merge.boolean(false)) merge.error("no UAV merges its ways yet", "merge: false");
-  return SeparationSpec{false};
+  return SeparationSpec{reader.optional("merge").boolean(true)};
 }
 
 void read_all(const Reader& reader, const std::string& folder, Diagnostics& diagnostics,

@@ -12,8 +12,21 @@
 #include "skein/interaction/model.hpp"
 #include "skein/supervisor/supervisor.hpp"
 #include "skein/team/roster.hpp"
+#include "skein/world/terrain.hpp"
+#include "skein/world/vehicle_model.hpp"
+#include "skein/world/volume.hpp"
+#include "skein/world/wind.hpp"
 
 namespace skein::decision_node {
+
+/// What a UAV has to know to merge its ways. Source: spec 6.4.
+struct MergingConfig {
+  std::vector<std::string> members;  ///< the UAVs, this one too; the same order for all
+  world::VehicleModel model;
+  world::Wind wind;  ///< as at the start
+  std::shared_ptr<const world::Terrain> terrain;
+  std::vector<world::Volume> volumes;  ///< no-fly, as at the start; with `knowledge` as believed
+};
 
 struct Config {
   std::string uav;
@@ -31,6 +44,7 @@ struct Config {
   std::shared_ptr<const world::World> world;  ///< as at the start; null only without knowledge
   std::shared_ptr<const interaction::Library> interaction;  ///< null: no joint tasks
   std::optional<team::Config> team = {};                    ///< it is in the roster; absent: none
+  std::optional<MergingConfig> merging = {};                ///< absent: ways are flown unasked
   Duration horizon = Duration::seconds(15);                 ///< commitment, see supervisor::Config
   executive::TaskId first_task{1};  ///< of the supervisor's; below kFirstRoleId
 };

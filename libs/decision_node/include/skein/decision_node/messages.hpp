@@ -18,6 +18,7 @@
 #include "skein/interaction/joint_task_status.hpp"
 #include "skein/interaction/negotiation/terms.hpp"
 #include "skein/interaction/scm_monitor.hpp"
+#include "skein/merging/message.hpp"
 #include "skein/mission/request.hpp"
 #include "skein/supervisor/supervisor.hpp"
 #include "skein/world/perception.hpp"
@@ -96,13 +97,19 @@ struct TeamTold {
   std::string from;
   auction::TeamMessage message;
 };
+/// Another UAV says what it has of the air, and what it wants.
+struct MergeTold {
+  std::string from;
+  merging::Message message;
+};
 /// Its instant has come, or time just passes.
 struct Tick {};
 
-using Input = std::variant<Started, Command, UnreadableCommand, PlaceTold, ElementaryRequest,
-                           GroundTaskSeen, StatusTold, SyncMessage, world::Telemetry,
-                           world::Perception, Contact, LayerForgot, supervisor::JobFinished,
-                           interaction::SessionMessage, PartnerSeen, JointTaskTold, TeamTold, Tick>;
+using Input =
+    std::variant<Started, Command, UnreadableCommand, PlaceTold, ElementaryRequest, GroundTaskSeen,
+                 StatusTold, SyncMessage, world::Telemetry, world::Perception, Contact, LayerForgot,
+                 supervisor::JobFinished, interaction::SessionMessage, PartnerSeen, JointTaskTold,
+                 TeamTold, MergeTold, Tick>;
 
 // ---- effects, to be carried out in their order ----
 
@@ -185,7 +192,24 @@ struct SendTeam {
   auction::TeamMessage message;
 };
 
+/// To another UAV that merges its ways.
+struct SendMerge {
+  std::string to;
+  merging::Message message;
+};
+
 // For the journal.
+
+/// Where a motion stands that needs air: "waits", "had" (it begins), "unasked" (it begins without,
+/// since the energy lasts no longer), "aside" (the UAV gets out of a circle of waits).
+struct AirNoted {
+  functional::TaskId task;
+  std::string type, state;
+  std::vector<std::string> waits_for;  ///< "heliv to leave"
+  double raised = 0;                   ///< flown so much higher than it was asked for [m]
+  Duration waited;
+  merging::Volumes air;  ///< that it has for the motion
+};
 
 /// What this UAV does with a task that it was granted: "begun", "done", "put-back", "kept".
 struct TeamTaskNoted {
@@ -264,12 +288,12 @@ struct Notice {
 using Effect =
     std::variant<Answer, TaskChanged, StatusPassedOn, TelemetryPassedOn, PerceptionPassedOn,
                  SyncPassedOn, DegreeChanged, HandedOver, BoardChanged, ToVehicle, SendSync,
-                 SendNegotiation, SendTeam, TeamTaskNoted, BidNoted, SaleNoted, TokenNoted,
-                 JointTaskChanged, ShareTelemetry, ComponelChanged, RoleTaskGiven, PlaceComputed,
-                 ScmNoted, NegotiationNoted, RequestHandled, SyncHeard, PolicyCarriedOut, Notice,
-                 supervisor::MissionDecided, supervisor::StartDeliberation,
-                 supervisor::StopDeliberation, supervisor::PlanChanged, supervisor::GoalChanged,
-                 supervisor::Decided>;
+                 SendNegotiation, SendTeam, SendMerge, AirNoted, TeamTaskNoted, BidNoted, SaleNoted,
+                 TokenNoted, JointTaskChanged, ShareTelemetry, ComponelChanged, RoleTaskGiven,
+                 PlaceComputed, ScmNoted, NegotiationNoted, RequestHandled, SyncHeard,
+                 PolicyCarriedOut, Notice, supervisor::MissionDecided,
+                 supervisor::StartDeliberation, supervisor::StopDeliberation,
+                 supervisor::PlanChanged, supervisor::GoalChanged, supervisor::Decided>;
 using Effects = std::vector<Effect>;
 
 }  // namespace skein::decision_node

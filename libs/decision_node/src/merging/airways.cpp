@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "merging/airways.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "skein/elementary/task_checks.hpp"
+#include "skein/foundation/overloaded.hpp"
+#include "skein/functional/task_types.hpp"
+#include "skein/world/crossing.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using merging::Margins;
+using merging::Way;
+using world::Vector3;
+
+constexpr double kStep = 12;            // [m] between heights
+constexpr int kSteps = 5;               // heights above the one that was asked for
+constexpr double kUnderground = -1000;  // [m] below all ground: landings end anywhere above
+constexpr int kDirections = 8;
+constexpr std::array kRings{2, 4, 6, 8, 12, 18, 26};  // of what it takes to hold
+constexpr double kAhead = 600;  // [s] in which air must not close on a way that nobody asked for
+
+elementary::Situation seen_by_vehicle(const MergingConfig& config,
+                                      const AirwaySituation& situation) {
+  return {config.model, *config.terrain, situation.state, true};
+}
+
+/// Flown from where it holds or circles, if it is there.
+Vector3 start_of(const AirwaySituation& situation, const Margins& margins) {
+  const Vector3& at = situation.state.position;
+  const bool rests = situation.rest && (*situation.rest - at).norm() <= margins.settled;
+  return rests || (situation.rest && !margins.hovers) ? *situation.rest : at;
+}
+
+functional::Request along(functional::Request request, const Way& way) {
+  std::vector<double> flat;
+  for (std::size_t i = 1; i < way.points().size(); ++i) {
+    const Vector3& point = way.points()[i];
+    flat.insert(flat.end(), {point.x(), point.y(), point.z()});
+  }
+  functional::Parameters parameters{{"waypoints", "", std::move(flat)}};
+  for (const functional::Parameter& one : request.parameters.all())
+    if (one.name != "waypoints") parameters.add(one);
+  request.parameters = std::move(parameters);
+  return request;
+}
+
+Airway flight(const functional::Request& request, const std::vector<Vector3>& points,
+              const Margins& margins, double raised) {
+  const Way way(points, margins);
+  return {along(request, way), way, way.volumes(), way.points().back(), raised};
+}
+
+/// Straight up, over, and straight down again.
+std::vector<Vector3> raised_by(const std::vector<Vector3>& points, double height) {
+  const Vector3 up(0, 0, height);
+  std::vector<Vector3> result{points.front()};
+  for (const Vector3& point : points) result.push_back(point + up);
+  result.push_back(points.back());
+  return result;
+}
+
+/// From where it got out of the way upwards it comes down where it begins what it was sent for.
+std::vector<Vector3> from_aside(const std::vector<Vector3>& points) {
+  if (points[0].z() < points[1].z() + kStep / 2) return points;
+  std::vector<Vector3> result = points;
+  result.insert(result.begin() + 1, {points[1].x(), points[1].y(), points[0].z()});
+  return result;
+}
+
+bool is_clear(const std::vector<Vector3>& points, double margin, const AirwaySituation& situation) {
+  const world::TimeWindow ahead{situation.now, situation.now + Duration::seconds(kAhead)};
+  return std::none_of(situation.volumes.begin(), situation.volumes.end(), [&](const auto& volume) {
+    return volume.when.overlaps(ahead) && world::crosses(volume, margin, points);
+  });
+}
+
+bool can_fly(const Airway& airway, const MergingConfig& config, const AirwaySituation& situation) {
+  return elementary::checked_task(airway.request.type, airway.request.parameters,
+                                  seen_by_vehicle(config, situation))
+      .has_value();
+}
+
+Airways flights(const functional::Request& request, const elementary::GotoTask& task,
+                bool at_any_height, const MergingConfig& config, const AirwaySituation& situation) {
+  const Margins margins = merging::margins_of(config.model, config.wind, task.speed);
+  std::vector<Vector3> points{start_of(situation, margins)};
+  points.insert(points.end(), task.waypoints.begin(), task.waypoints.end());
+  const std::vector<Vector3> level = situation.aside ? from_aside(points) : points;
+  Airways all;
+  if (level != points && is_clear(level, margins.way, situation))
+    all.push_back(flight(request, level, margins, 0));
+  all.push_back(flight(request, points, margins, 0));
+  if (!at_any_height) return all;
+  for (int step = 1; step <= kSteps; ++step) {
+    Airway higher = flight(request, raised_by(points, step * kStep), margins, step * kStep);
+    if (is_clear(higher.way->points(), margins.way, situation) &&
+        can_fly(higher, config, situation))
+      all.push_back(std::move(higher));
+  }
+  return all;
+}
+
+Airway column_of(const functional::Request& request, double low, double high,
+                 std::optional<Vector3> end, const MergingConfig& config,
+                 const AirwaySituation& situation) {
+  const Margins margins = merging::margins_of(config.model, config.wind, config.model.cruise_speed);
+  const Vector3 at = end ? *end : start_of(situation, margins);
+  return {request, std::nullopt, {column(at.head<2>(), low, high, margins)}, end, 0};
+}
+
+}  // namespace
+
+bool needs_air(const functional::Request& request) {
+  return functional::TaskTypes::shipped().of(request.type).motion == functional::Motion::kMoves;
+}
+
+Result<Airways, Failure> airways_of(const functional::Request& request, bool at_any_height,
+                                    const MergingConfig& config, const AirwaySituation& situation) {
+  const auto task = elementary::checked_task(request.type, request.parameters,
+                                             seen_by_vehicle(config, situation));
+  if (!task) return tl::unexpected(task.error());
+  const Vector3& at = situation.state.position;
+  return std::visit(
+      Overloaded{[&](const elementary::TakeoffTask& it) -> Airways {
+                   const Vector3 top(at.x(), at.y(), it.height);
+                   return {column_of(request, at.z(), it.height, top, config, situation)};
+                 },
+                 [&](const elementary::LandTask&) -> Airways {
+                   return {column_of(request, kUnderground, at.z(), {}, config, situation)};
+                 },
+                 [&](const elementary::GotoTask& it) -> Airways {
+                   if (it.waypoints.empty()) return {{request, {}, {}, {}, 0}};
+                   return flights(request, it, at_any_height, config, situation);
+                 },
+                 [&](const auto&) -> Airways {
+                   return {{request, {}, {}, {}, 0}};
+                 }},
+      *task);
+}
+
+Airways ways_aside(functional::TaskId id, const merging::Volumes& others,
+                   const MergingConfig& config, const AirwaySituation& situation) {
+  const Margins margins = merging::margins_of(config.model, config.wind, config.model.cruise_speed);
+  const Vector3 from = start_of(situation, margins);
+  std::vector<Vector3> places;
+  for (int step = 1; step <= kSteps; ++step) places.push_back(from + Vector3(0, 0, step * kStep));
+  for (const int ring : kRings) {
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kDirections;
+      const double radius = ring * margins.hold;
+      places.push_back(from + radius * Vector3(std::cos(angle), std::sin(angle), 0));
+    }
+  }
+  Airways all;
+  for (const Vector3& place : places) {
+    Airway one = flight({functional::Verb::kDispatch, id, "goto", {}}, {from, place}, margins, 0);
+    const bool free = !overlap({one.air.back()}, others);
+    if (free && is_clear(one.way->points(), margins.way, situation) &&
+        can_fly(one, config, situation))
+      all.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace skein::decision_node

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// The air that a motion of the vehicle takes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/decision_node/config.hpp"
+#include "skein/foundation/result.hpp"
+#include "skein/functional/port.hpp"
+#include "skein/merging/way.hpp"
+#include "skein/world/vehicle_state.hpp"
+#include "skein/world/volume.hpp"
+
+namespace skein::decision_node {
+
+/// A motion as it would be flown, one of several ways to do it.
+struct Airway {
+  functional::Request request;        ///< for the vehicle
+  std::optional<merging::Way> way;    ///< of a flight; takeoffs and landings have none
+  merging::Volumes air;               ///< that it takes, at last where it stays
+  std::optional<world::Vector3> end;  ///< where it comes to rest in the air
+  double raised = 0;                  ///< above what was asked for [m]
+};
+using Airways = std::vector<Airway>;
+
+/// What is known of the vehicle and of closed air when a way is made.
+struct AirwaySituation {
+  world::VehicleState state;
+  std::optional<world::Vector3> rest;  ///< where it holds or circles
+  bool aside = false;                  ///< it is there because it got out of the way
+  std::vector<world::Volume> volumes;  ///< no-fly
+  MissionTime now;
+};
+
+/// Does the motion move the vehicle, so that it needs air?
+bool needs_air(const functional::Request& request);
+
+/// The motion as it was asked for, and then, when it may be flown at any height, higher ones that
+/// meet no closed air. An error: why the vehicle cannot do it, in all its reasons.
+Result<Airways, Failure> airways_of(const functional::Request& request, bool at_any_height,
+                                    const MergingConfig& config, const AirwaySituation& situation);
+
+/// Short flights from where it rests to places that are free of `others`, the nearest first: up,
+/// then beside. Not the way there: where it is now is what others want. Precondition: it rests in
+/// the air.
+Airways ways_aside(functional::TaskId id, const merging::Volumes& others,
+                   const MergingConfig& config, const AirwaySituation& situation);
+
+}  // namespace skein::decision_node

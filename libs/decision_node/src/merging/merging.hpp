@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// The UAV's part in merging ways: no motion goes to the vehicle before it has its air.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "component.hpp"
+#include "merging/airways.hpp"
+#include "skein/merging/merger.hpp"
+
+namespace skein::decision_node {
+
+class Core;
+
+/// Between whoever has a motion (executive, ground station, own tasks) and the vehicle. A motion
+/// waits until it has all of its air; meanwhile it is to its executive a task that was dispatched
+/// and is not running yet, and the executive is told again and again that it will come. What the
+/// vehicle does not need any more is given back, piece by piece. Without `merging` in the
+/// configuration every motion goes at once. Source: spec 6.4;
+/// docs/decisions/0019-plan-merging.md.
+class Merging final : public Component {
+ public:
+  explicit Merging(Core& core);
+
+  /// The motion waits here, or goes to the vehicle when it has its air. False: it needs none.
+  bool takes(const functional::Request& request);
+  /// A motion that waits here does so no more. False: it does not wait here.
+  bool drop(functional::TaskId task);
+  /// Of what was asked of the vehicle. True: nobody else is to hear of it.
+  bool told(const functional::Status& status);
+  void hear(const MergeTold& told);
+  void contact(const Contact& contact);
+
+  void vehicle_told(const world::Telemetry& telemetry) override;
+  void time_passes() override;
+  std::optional<MissionTime> next_wakeup() const override;
+
+ private:
+  struct Waiting {
+    functional::Request request;
+    MissionTime since;
+    MissionTime said;      ///< to the executive, that it will come
+    Airways airways;       ///< that it asks for; none: not yet, or it is to be asked for again
+    bool aside = false;    ///< it asks for these to get out of the way, before it wants its own
+    MissionTime aside_at;  ///< since when
+    std::vector<std::string> waits_for;
+    bool was_aside = false;  ///< it has got out of the way
+    MissionTime noted;       ///< that it waits, for these
+    std::vector<std::string> noted_for;
+    std::string why_not;  ///< the vehicle cannot, as it seemed at the last look
+  };
+  /// What the vehicle flies, or has flown last and has not come to rest from.
+  struct Flown {
+    functional::TaskId task;
+    Airway airway;
+    bool over = false, ended = false;
+  };
+
+  void give(const merging::Input& input);
+  void carry_out(const merging::Tell& tell);
+  void carry_out(const merging::Granted& granted);
+  void carry_out(const merging::Waits& waits);
+  void carry_out(const merging::MoveAside& aside);
+  void ask();
+  void begin(const Airway& airway, const std::string& state);
+  void look_at_energy();
+  void note_waits();
+  void say_it_waits();
+  void refuse(const std::string& why);
+  void come_to_rest();
+  void hold();
+  bool leads_on(const Airway& aside, const merging::Volumes& ends) const;
+  bool at_any_height(const functional::Request& request) const;
+  AirwaySituation situation() const;
+  void note(const std::string& state, const Airway* airway);
+
+  Core& core_;
+  std::optional<merging::Merger> merger_;
+  world::Telemetry seen_;
+  bool has_seen_ = false;
+  std::optional<world::Vector3> rest_;  ///< where it holds or circles in the air
+  std::optional<Flown> flown_;
+  std::optional<Waiting> waiting_;
+  std::uint64_t aside_ = 0;  ///< of flights out of the way, so far
+};
+
+}  // namespace skein::decision_node

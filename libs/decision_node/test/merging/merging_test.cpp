@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// No motion goes to the vehicle before it has its air.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/merged_team.hpp"
+
+namespace skein::decision_node {
+namespace {
+
+using executive::TaskState;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using testing::goto_of;
+using ::testing::IsEmpty;
+using testing::MergedTeam;
+using testing::takeoff_of;
+
+std::vector<std::string> states(const std::vector<AirNoted>& notes) {
+  std::vector<std::string> result;
+  for (const AirNoted& one : notes) result.push_back(one.state);
+  return result;
+}
+
+const AirNoted& last_had(const std::vector<AirNoted>& notes) {
+  return *std::find_if(notes.rbegin(), notes.rend(),
+                       [](const AirNoted& one) { return one.state == "had"; });
+}
+
+// Along y = 0, one from each side, at one height.
+MergedTeam opposite() { return MergedTeam({{"marvin", {-100, 0, 40}}, {"heliv", {100, 0, 40}}}); }
+
+// A goto that something is looked at along.
+void give_sweep(MergedTeam& team, const std::string& uav, executive::Start motion) {
+  executive::Start look = testing::start_of(motion.task.id.value() + 1, "takeshot");
+  look.task.preconditions = {{{executive::TaskInState{motion.task.id, TaskState::kRunning}}}};
+  motion.task.preconditions = {{{executive::MessageReceived{"go"}}}};
+  team.command(uav, motion);
+  team.command(uav, look);
+  team.command(uav, executive::ProcessMessage{"go"});
+}
+
+TEST(Merging, AWayThroughFreeAirIsFlownAtOnce) {
+  MergedTeam team = opposite();
+  team.command("heliv", goto_of(7, {100, 200, 40}));
+  team.run(1);
+  EXPECT_THAT(team.begun("heliv"), ElementsAre(7U));
+  EXPECT_EQ(last_had(team.notes("heliv")).raised, 0);
+}
+
+TEST(Merging, WhoStaysInTheWayIsFlownOver) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}});
+  team.command("heliv", goto_of(7, {-100, 0, 40}));
+  team.run(60);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+  EXPECT_EQ(last_had(team.notes("heliv")).raised, 12);
+  EXPECT_NEAR(team.highest("heliv"), 52, 0.5);
+  EXPECT_NEAR(team.state("heliv").position.z(), 40, 0.5);
+}
+
+TEST(Merging, AWayThatSomethingIsLookedAtAlongIsNotRaised) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}});
+  give_sweep(team, "heliv", goto_of(7, {-100, 0, 40}));
+  team.run(30);
+  EXPECT_THAT(team.begun("heliv"), IsEmpty());
+  const auto notes = team.notes("heliv");
+  ASSERT_FALSE(notes.empty());
+  EXPECT_THAT(notes.back().waits_for, ElementsAre("marvin to leave"));
+
+  team.command("marvin", goto_of(3, {0, 200, 40}));
+  team.run(60);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+  EXPECT_NEAR(team.highest("heliv"), 40, 0.5);
+}
+
+// The time-out of the executive is 120 s.
+TEST(Merging, AMotionThatWaitsIsNotRunningAndItsExecutiveIsPatient) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}});
+  give_sweep(team, "heliv", goto_of(7, {-100, 0, 40}));
+  team.run(400);
+  std::vector<TaskState> seen;
+  for (const auto& event : team.events("heliv"))
+    if (event.id.value() == 7) seen.push_back(event.state);
+  EXPECT_THAT(seen, ElementsAre(TaskState::kScheduled, TaskState::kStarted));
+}
+
+TEST(Merging, WhatWaitsIsInterruptedBeforeItBegins) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}});
+  give_sweep(team, "heliv", goto_of(7, {-100, 0, 40}));
+  team.run(5);
+  team.command("heliv", executive::Abort{executive::TaskId(7)});
+  team.command("marvin", goto_of(3, {0, 200, 40}));
+  team.run(60);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+  EXPECT_THAT(team.begun("heliv"), IsEmpty());
+}
+
+// The later in the roster moves aside; both come to where they were sent.
+TEST(Merging, TwoThatAreToChangePlacesDoSo) {
+  MergedTeam team = opposite();
+  give_sweep(team, "marvin", goto_of(7, {100, 0, 40}));
+  give_sweep(team, "heliv", goto_of(7, {-100, 0, 40}));
+  team.run(150);
+  EXPECT_TRUE(team.is_over("marvin", 7));
+  EXPECT_TRUE(team.is_over("heliv", 7));
+  EXPECT_THAT(states(team.notes("heliv")), Contains("aside"));
+  EXPECT_NEAR((team.state("heliv").position - world::Vector3(-100, 0, 40)).norm(), 0, 0.5);
+}
+
+TEST(Merging, ATakeoffWaitsForWhoIsOverTheGround) {
+  MergedTeam team({{"marvin", {0, 0, 30}}, {"heliv", {0, 5, 0}}});
+  team.command("heliv", takeoff_of(7, 40));
+  team.run(20);
+  EXPECT_THAT(team.begun("heliv"), IsEmpty());
+  team.command("marvin", goto_of(3, {200, 0, 30}));
+  team.run(60);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+}
+
+TEST(Merging, WhoHasLandedLeavesItsAirToOthers) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}});
+  team.command("marvin", testing::start_of(3, "land"));
+  team.run(30);
+  ASSERT_TRUE(team.is_over("marvin", 3));
+  give_sweep(team, "heliv", goto_of(7, {-100, 0, 40}));
+  team.run(60);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+}
+
+// What it has is its own, whatever becomes of the radio; new air it is not given.
+TEST(Merging, ACutLeavesWhoFliesItsWayAndKeepsTheLaterFromAnother) {
+  MergedTeam team = opposite();
+  team.command("heliv", goto_of(7, {100, 200, 40}));
+  team.run(1);
+  team.cut("marvin", "heliv");
+  team.command("heliv", goto_of(9, {100, 0, 40}));
+  team.command("marvin", goto_of(7, {-100, 200, 40}));
+  team.run(90);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+  EXPECT_THAT(team.begun("heliv"), ElementsAre(7U));
+  EXPECT_TRUE(team.is_over("marvin", 7));
+  EXPECT_THAT(team.notes("heliv").back().waits_for, ElementsAre("marvin to come into reach"));
+}
+
+TEST(Merging, WhatTheVehicleCannotDoIsRefusedWithItsReasons) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 0}}});
+  team.command("heliv", goto_of(7, {-100, 0, 40}));
+  team.run(6);
+  ASSERT_TRUE(team.is_over("heliv", 7));
+  EXPECT_THAT(team.events("heliv").back().reason, ::testing::HasSubstr("on the ground"));
+}
+
+}  // namespace
+}  // namespace skein::decision_node

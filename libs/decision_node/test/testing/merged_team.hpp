@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decision nodes that merge their ways, with vehicles that fly straight at their points, and a
+// radio between them.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "testing/flown_node.hpp"
+
+namespace skein::decision_node::testing {
+
+using world::Vector3;
+
+inline world::VehicleModel quick_helicopter() {
+  world::VehicleModel model;
+  model.hovers = true;
+  model.cruise_speed = model.max_speed = 10;
+  model.climb_rate = model.descent_rate = 5;
+  model.acceleration = 5;
+  model.ceiling = 200;
+  model.body_radius = 1;
+  model.position_precision = 0.3;
+  return model;
+}
+
+inline executive::Start goto_of(std::uint64_t id, std::vector<double> waypoints) {
+  executive::Start start = start_of(id, "goto");
+  start.task.parameters = {{"waypoints", "", std::move(waypoints)}};
+  return start;
+}
+
+inline executive::Start takeoff_of(std::uint64_t id, double altitude) {
+  executive::Start start = start_of(id, "takeoff");
+  start.task.parameters = {{"altitude", "", {altitude}}};
+  return start;
+}
+
+class MergedTeam {
+ public:
+  /// At degree 3, in that order in the roster, each at its place: on the ground where z is 0.
+  explicit MergedTeam(const std::vector<std::pair<std::string, Vector3>>& places) {
+    for (const auto& [name, place] : places) names_.push_back(name);
+    for (const auto& [name, place] : places) {
+      Config config;
+      config.uav = name;
+      config.merging = {names_, quick_helicopter(), {}, level_ground(), {}};
+      Uav& uav = uavs_[name];
+      uav.node = std::make_unique<DecisionNode>(config);
+      uav.state.position = place;
+      uav.state.airborne = place.z() > 0;
+      give(name, Started{});
+    }
+    for (const std::string& one : names_)
+      for (const std::string& other : names_)
+        if (one != other) give(one, Contact{other, false, true});
+    run(1.5);
+  }
+
+  void command(const std::string& uav, mission::Request request) {
+    give(uav, Command{{1, ++commands_}, std::move(request)});
+  }
+
+  /// In tenths of seconds.
+  void run(double seconds) {
+    for (int i = 0; i < static_cast<int>(seconds * 10 + 0.5); ++i) {
+      now_ = now_ + Duration::milliseconds(100);
+      const auto messages = std::exchange(radio_, {});
+      for (const auto& [to, told] : messages)
+        if (!cut_.contains({told.from, to}) && !cut_.contains({to, told.from})) give(to, told);
+      for (const std::string& name : names_) fly(name);
+      for (const std::string& name : names_) {
+        const auto wakeup = uavs_[name].node->next_wakeup();
+        if (wakeup && *wakeup <= now_) give(name, Tick{});
+      }
+    }
+  }
+
+  void cut(const std::string& one, const std::string& other) {
+    cut_.insert({one, other});
+    give(one, Contact{other, false, false});
+    give(other, Contact{one, false, false});
+  }
+
+  /// Of the UAV's tasks, in the order in which they began to be flown.
+  std::vector<std::uint64_t> begun(const std::string& uav) { return uavs_[uav].begun; }
+  bool is_over(const std::string& uav, std::uint64_t task) {
+    return uavs_[uav].over.contains(task);
+  }
+  std::vector<AirNoted> notes(const std::string& uav) { return uavs_[uav].notes; }
+  std::vector<executive::TaskEvent> events(const std::string& uav) { return uavs_[uav].events; }
+  const world::VehicleState& state(const std::string& uav) { return uavs_[uav].state; }
+  double highest(const std::string& uav) { return uavs_[uav].highest; }
+  MissionTime now() const { return now_; }
+
+ private:
+  struct Uav {
+    std::unique_ptr<DecisionNode> node;
+    world::VehicleState state;
+    std::optional<functional::Request> task;
+    std::vector<Vector3> way;
+    std::vector<std::uint64_t> begun;
+    std::set<std::uint64_t> over;
+    std::vector<AirNoted> notes;
+    std::vector<executive::TaskEvent> events;
+    double highest = 0;
+  };
+
+  static std::shared_ptr<const world::Terrain> level_ground() {
+    world::TerrainSpec spec;
+    spec.west = spec.south = -1000;
+    spec.east = spec.north = 1000;
+    return std::make_shared<world::Terrain>(spec);
+  }
+
+  void give(const std::string& name, const Input& input) {
+    Uav& uav = uavs_[name];
+    for (const Effect& effect : uav.node->handle(input, now_)) {
+      if (const auto* send = std::get_if<SendMerge>(&effect))
+        radio_.emplace_back(send->to, MergeTold{name, send->message});
+      if (const auto* to = std::get_if<ToVehicle>(&effect)) take(uav, to->request);
+      if (const auto* note = std::get_if<AirNoted>(&effect)) uav.notes.push_back(*note);
+      if (const auto* task = std::get_if<TaskChanged>(&effect)) {
+        uav.events.push_back(task->event);
+        if (is_terminal(task->event.state)) uav.over.insert(task->event.id.value());
+      }
+    }
+  }
+
+  void take(Uav& uav, const functional::Request& request) {
+    if (request.verb == functional::Verb::kInterrupt) {
+      if (uav.task && uav.task->id == request.id) uav.way.clear();
+      return;
+    }
+    uav.task = request;
+    uav.begun.push_back(request.id.value());
+    const Vector3& at = uav.state.position;
+    if (request.type == "takeoff")
+      uav.way = {{at.x(), at.y(), request.parameters.find("altitude")->numbers.front()}};
+    if (request.type == "land") uav.way = {{at.x(), at.y(), 0}};
+    const auto* points = request.parameters.find("waypoints");
+    if (points == nullptr) return;
+    uav.way.clear();
+    for (std::size_t i = 0; i + 2 < points->numbers.size(); i += 3)
+      uav.way.emplace_back(points->numbers[i], points->numbers[i + 1], points->numbers[i + 2]);
+  }
+
+  // A metre in a tenth of a second, and a status when there is no further point.
+  void fly(const std::string& name) {
+    Uav& uav = uavs_[name];
+    Vector3& at = uav.state.position;
+    const Vector3 before = at;
+    if (!uav.way.empty()) {
+      const Vector3 to = uav.way.front() - at;
+      at = to.norm() <= 1 ? uav.way.front() : Vector3(at + to.normalized());
+      if (to.norm() <= 1) uav.way.erase(uav.way.begin());
+    }
+    uav.state.velocity = 10 * (at - before);
+    uav.state.airborne = at.z() > 0.1;
+    uav.highest = std::max(uav.highest, at.z());
+    give(name, world::Telemetry{name, uav.state, now_, {}});
+    if (!uav.task || !uav.way.empty()) return;
+    const functional::TaskId id = std::exchange(uav.task, std::nullopt)->id;
+    give(name, StatusTold{{id, functional::TaskState::kRunning, ""}});
+    give(name, StatusTold{{id, functional::TaskState::kEnded, ""}});
+  }
+
+  std::vector<std::string> names_;
+  std::map<std::string, Uav> uavs_;
+  std::vector<std::pair<std::string, MergeTold>> radio_;
+  std::set<std::pair<std::string, std::string>> cut_;
+  MissionTime now_;
+  std::uint64_t commands_ = 0;
+};
+
+}  // namespace skein::decision_node::testing
