@@ -38,6 +38,7 @@ const std::vector<Law>& all_laws() {
       {"team-explained", "who has a task of the team, and why, is said", team_sales_unexplained},
       {"one-motion", "one motion at a time, one use of a device", motions_at_once},
       {"held", "no motion begins under a task of another goal", motions_under_tasks},
+      {"begins", "a motion that is given to the vehicle begins", motions_never_begun},
       {"times", "times of goals achieved are kept, or it is said", times_not_kept},
       {"ends", "each goal ends, or something is still done at the run's end", goals_without_end},
       {"idle", "in the air with open goals and nothing to do, it names one and says why",

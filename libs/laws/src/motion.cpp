@@ -73,6 +73,38 @@ std::vector<Violation> motions_at_once(const History& history) {
   return result;
 }
 
+namespace {
+
+// What is cut off from the ground for long does not move any more until it is told to.
+bool somebody_holds(const History& history) {
+  return std::any_of(history.uavs.begin(), history.uavs.end(), [](const auto& one) {
+    const auto& words = one.second.words;
+    return std::any_of(words.begin(), words.end(),
+                       [](const Word& word) { return word.text == "contact: hold"; });
+  });
+}
+
+}  // namespace
+
+std::vector<Violation> motions_never_begun(const History& history) {
+  constexpr double kLongest = 600;  // [s] of waiting for the air of a way
+  std::vector<Violation> result;
+  if (!history.dead.empty() || somebody_holds(history)) return result;
+  for (const auto& [name, uav] : history.uavs) {
+    for (const auto& [task, motion] : uav.executions) {
+      if (motion.started == kNever || !motion.is_motion() || motion.type == "wait") continue;
+      const double until = std::min({begun(uav, motion), motion.over, history.end});
+      if (until - motion.started <= kLongest) continue;
+      result.push_back({"", motion.started, name, uav.goal_of_task(task),
+                        named(uav, task, motion.type) +
+                            " is given to the vehicle and does not "
+                            "begin for " +
+                            figure(until - motion.started) + " s"});
+    }
+  }
+  return result;
+}
+
 std::vector<Violation> motions_under_tasks(const History& history) {
   constexpr double kMoment = 2;  // [s] in which what is given up may stop
   std::vector<Violation> result;

@@ -57,6 +57,20 @@ TEST(SeparationLaw, WhoFallsIsExcused) {
   EXPECT_THAT(story.broken("separation"), IsEmpty());
 }
 
+TEST(BeginsLaw, AMotionThatWaitsForItsAirForEverBreaksIt) {
+  Story story = asked();
+  story.does("marvin", {7, "goto", 0, 10, 1200, "ended", "", {}, "", 700});
+
+  EXPECT_THAT(story.broken("begins"), ElementsAre(HasSubstr("does not begin for 690.0 s")));
+}
+
+TEST(BeginsLaw, OneThatWaitsForAWhileDoesNot) {
+  Story story = asked();
+  story.does("marvin", {7, "goto", 0, 10, 1200, "ended", "", {}, "", 300});
+
+  EXPECT_THAT(story.broken("begins"), IsEmpty());
+}
+
 TEST(SeparationLaw, WhereNobodyAsksNothingIsJudged) {
   Story story;
   story.stands("marvin", 0, 20, {50, 50, 40}).stands("heliv", 0, 20, {50, 50, 40});

@@ -23,7 +23,7 @@ class CrossingDrawing {
   Mission draw() {
     mission_.limit = 3000;
     mission_.finish_after = 20;
-    mission_.separation = "{merge: false}";
+    mission_.separation = kinds_.merged ? "{merge: true}" : "{merge: false}";
     mission_.wind = "toward: " + tenths(random_.uniform(0, 6.2)) +
                     ", speed: " + tenths(random_.uniform(0, 4)) +
                     ", gusts: " + tenths(random_.uniform(0, 0.5));

@@ -33,8 +33,8 @@ struct Options {
   std::string seeds = "1..100";
   std::vector<std::string> files, without;
   std::string save;
-  bool clean = false, deaths = false, team = false, crossing = false, json = false,
-       minimise = false, verbose = false;
+  bool clean = false, deaths = false, team = false, crossing = false, unmerged = false,
+       json = false, minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -42,6 +42,7 @@ struct Options {
 Kinds kinds_of(const Options& options) {
   Kinds kinds = options.clean ? kClean : Kinds{};
   kinds.deaths = options.deaths;
+  kinds.merged = !options.unmerged;
   for (const std::string& name : options.without) {
     if (name == "faults") kinds.faults = false;
     if (name == "air") kinds.air = false;
@@ -158,6 +159,8 @@ void declare(CLI::App& app, Options& options) {
                "daemons die in them, up to three times, and come back with what they knew");
   app.add_flag("--team", options.team, "teams at degree 5 with a global mission");
   app.add_flag("--crossing", options.crossing, "teams at degree 4 whose ways cross");
+  app.add_flag("--unmerged", options.unmerged, "with --crossing: nobody asks for his air")
+      ->needs("--crossing");
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")
       ->check(CLI::IsMember({"faults", "air", "deadlines", "changes", "degrees", "radio", "energy",

@@ -52,7 +52,7 @@ TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
     const Mission mission = generate_crossing(seed, {});
     EXPECT_THAT(problems_of(to_yaml(mission, "..")), IsEmpty()) << "seed " << seed;
     EXPECT_EQ(to_yaml(generate_crossing(seed, {}), ".."), to_yaml(mission, ".."));
-    EXPECT_THAT(to_yaml(mission, ".."), HasSubstr("separation: {merge: false}"));
+    EXPECT_THAT(to_yaml(mission, ".."), HasSubstr("separation: {merge: true}"));
     ASSERT_GE(mission.team.size(), 2U);
     ASSERT_LE(mission.team.size(), 8U);
     shared += mission.shared_pads;

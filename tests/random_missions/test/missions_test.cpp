@@ -78,5 +78,11 @@ TEST(RandomMissions, TeamsKeepTheLawsWhenNothingGoesWrongAndWhenSomethingDoes) {
   EXPECT_EQ(breaches(trouble, missions() / 10, generate_team), "");
 }
 
+// Two to eight UAVs that merge their ways: they keep their separation, and all of them move on.
+TEST(RandomMissions, UavsWhoseWaysCrossKeepTheLaws) {
+  EXPECT_EQ(breaches(kClean, missions() / 5, generate_crossing), "");
+  EXPECT_EQ(breaches({}, missions() / 5, generate_crossing), "");
+}
+
 }  // namespace
 }  // namespace skein::mission_lab

@@ -21,10 +21,11 @@ struct Kinds {
   bool questions = true;  ///< it is asked what a mission would take, and then it is given
   bool deaths = false;    ///< daemons die and come back; functional layers at times with nothing
   bool joint = true;      ///< two UAVs that can do so watch a place together
+  bool merged = true;     ///< UAVs whose ways cross merge them
 };
 /// Nothing goes wrong, and what is asked is possible.
 inline constexpr Kinds kClean{false, false, false, false, false, false,
-                              false, true,  true,  false, true};
+                              false, true,  true,  false, true,  true};
 
 /// One seed and the same kinds give one mission.
 Mission generate(std::uint64_t seed, const Kinds& kinds);
@@ -32,7 +33,7 @@ Mission generate(std::uint64_t seed, const Kinds& kinds);
 /// and faults count.
 Mission generate_team(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to eight UAVs at degree 4 whose ways cross, with wind, some from shared pads; of
-/// the kinds, radio counts.
+/// the kinds, radio and merged count.
 Mission generate_crossing(std::uint64_t seed, const Kinds& kinds);
 
 }  // namespace skein::mission_lab
