@@ -99,7 +99,7 @@ Airways flights(const functional::Request& request, const elementary::GotoTask& 
   all.push_back(flight(request, points, margins, 0));
   if (!at_any_height) return all;
   for (int step = 1; step <= kSteps; ++step) {
-    Airway higher = flight(request, raised_by(points, step * kStep), margins, step * kStep);
+    Airway higher = flight(request, raised_by(level, step * kStep), margins, step * kStep);
     if (is_clear(higher.way->points(), margins.way, situation) &&
         can_fly(higher, config, situation))
       all.push_back(std::move(higher));
