@@ -87,7 +87,7 @@ bool somebody_holds(const History& history) {
 }  // namespace
 
 std::vector<Violation> motions_never_begun(const History& history) {
-  constexpr double kLongest = 600;  // [s] of waiting for the air of a way
+  constexpr double kLongest = 900;  // [s] of waiting for the air of a way, beside blimps
   std::vector<Violation> result;
   if (!history.dead.empty() || somebody_holds(history)) return result;
   for (const auto& [name, uav] : history.uavs) {

@@ -59,9 +59,9 @@ TEST(SeparationLaw, WhoFallsIsExcused) {
 
 TEST(BeginsLaw, AMotionThatWaitsForItsAirForEverBreaksIt) {
   Story story = asked();
-  story.does("marvin", {7, "goto", 0, 10, 1200, "ended", "", {}, "", 700});
+  story.does("marvin", {7, "goto", 0, 10, 1200, "ended", "", {}, "", 1000});
 
-  EXPECT_THAT(story.broken("begins"), ElementsAre(HasSubstr("does not begin for 690.0 s")));
+  EXPECT_THAT(story.broken("begins"), ElementsAre(HasSubstr("does not begin for 990.0 s")));
 }
 
 TEST(BeginsLaw, OneThatWaitsForAWhileDoesNot) {

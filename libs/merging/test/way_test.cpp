@@ -57,9 +57,9 @@ TEST(Way, IsLeftPieceByPieceWithOnePieceKeptBehind) {
   EXPECT_FALSE(way.passed({4, 2, 40}));
   EXPECT_EQ(way.left().size(), way.volumes().size());
   EXPECT_TRUE(way.passed({110, 2, 40}));
-  EXPECT_EQ(way.left().size(), way.volumes().size() - 3);
-  EXPECT_FALSE(is_in(way.left(), {60, 0, 40}));
-  EXPECT_TRUE(is_in(way.left(), {80, 0, 40}));
+  EXPECT_EQ(way.left().size(), way.volumes().size() - 2);
+  EXPECT_FALSE(is_in(way.left(), {20, 0, 40}));
+  EXPECT_TRUE(is_in(way.left(), {60, 0, 40}));
 }
 
 TEST(Way, ABendTakenBeforeItIsReachedIsPassed) {
