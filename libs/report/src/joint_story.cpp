@@ -7,35 +7,12 @@
 #include <sstream>
 #include <tuple>
 
-#include "field_reader.hpp"
+#include "line.hpp"
 #include "text.hpp"
 
 namespace skein::report {
 
 namespace {
-
-/// A line of the log, whose keys this reader knows.
-struct Line {
-  double t = 0.0;
-  nlohmann::json keys;
-
-  std::string text(const char* key) const {
-    const auto found = keys.find(key);
-    return found != keys.end() && found->is_string() ? found->get<std::string>() : "";
-  }
-  double number(const char* key) const {
-    const auto found = keys.find(key);
-    return found != keys.end() && found->is_number() ? found->get<double>() : 0.0;
-  }
-};
-
-std::optional<Line> line_of(const OtherRecord& record) {
-  if (record.stamp.extra.empty()) return std::nullopt;
-  Diagnostics faults;
-  auto keys = parse_json(record.stamp.extra, {}, faults);
-  if (!keys || !keys->is_object()) return std::nullopt;
-  return Line{seconds(record.stamp), std::move(*keys)};
-}
 
 bool is_over(const std::string& phase) {
   return phase == "ended" || phase == "aborted" || phase == "not-loaded";

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "field_reader.hpp"
+#include "line.hpp"
 #include "text.hpp"
 #include "timeline.hpp"
 
@@ -24,26 +24,19 @@ struct TeamRow {
   std::vector<Holding> holdings;
 };
 
-std::string text_of(const nlohmann::json& keys, const char* key) {
-  const auto found = keys.find(key);
-  return found != keys.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 // By the number of the task, from what the ground station said of the team's book.
 std::map<std::int64_t, TeamRow> rows_of(const Journal& journal, double until) {
   std::map<std::int64_t, TeamRow> rows;
   for (const OtherRecord& record : journal.others) {
-    if (record.kind != "owner" || record.stamp.extra.empty()) continue;
-    Diagnostics faults;
-    const auto keys = parse_json(record.stamp.extra, {}, faults);
-    if (!keys || !keys->is_object() || !keys->contains("task")) continue;
-    if (!keys->at("task").is_number_integer()) continue;
-    TeamRow& row = rows[keys->at("task").get<std::int64_t>()];
-    const double t = seconds(record.stamp);
-    row.statement = text_of(*keys, "statement");
-    if (!row.holdings.empty()) row.holdings.back().span.to = t;
+    if (record.kind != "owner") continue;
+    const auto line = line_of(record);
+    const auto task = line ? line->whole("task") : std::nullopt;
+    if (!task) continue;
+    TeamRow& row = rows[*task];
+    row.statement = line->text("statement");
+    if (!row.holdings.empty()) row.holdings.back().span.to = line->t;
     row.holdings.push_back(
-        {{t, until}, text_of(*keys, "stage"), text_of(*keys, "owners"), text_of(*keys, "why")});
+        {{line->t, until}, line->text("stage"), line->text("owners"), line->text("why")});
   }
   return rows;
 }

@@ -47,6 +47,8 @@ void draw_arrows(Sheet& sheet);
 void draw_joint_rows(Sheet& sheet);
 /// Who owned each task of the team when, and why.
 void draw_team_rows(Sheet& sheet);
+/// Who waited for the air of a way, for whom, and who had it.
+void draw_air_rows(Sheet& sheet);
 void draw_links(Sheet& sheet);
 /// Altitude, energy, separation.
 void draw_profiles(Sheet& sheet);

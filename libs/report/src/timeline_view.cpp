@@ -223,6 +223,7 @@ void write_timeline(Markup& out, const Run& run) {
   draw_arrows(sheet);
   draw_joint_rows(sheet);
   draw_team_rows(sheet);
+  draw_air_rows(sheet);
   draw_links(sheet);
   draw_profiles(sheet);
   const double bottom = sheet.y;

@@ -2,14 +2,13 @@
 // The report shows who owned each task of the team when.
 #include <gtest/gtest.h>
 
-#include "builders.hpp"
-#include "timeline.hpp"
+#include "timeline_page.hpp"
 
 namespace skein::report {
 namespace {
 
 using testing::count;
-using testing::salvage;
+using testing::page_of_timeline;
 
 constexpr const char* kTelemetry =
     R"({"at":0,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,0],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":false}
@@ -23,19 +22,8 @@ constexpr const char* kOwners =
 {"at":61,"node":"ground","kind":"owner","statement":"without a number"}
 )";
 
-std::string page_of(const std::string& log) {
-  const SalvagedJournal read = salvage(log.c_str());
-  const Chronology story = tell({}, read.journal);
-  const Statistics figures = measure(story, read.journal);
-  const Deliberation plans = tell_deliberation(read.journal);
-  const RunInfo info{};
-  Markup out;
-  write_timeline(out, Run{info, read.journal, story, figures, plans});
-  return out.take();
-}
-
 TEST(TeamView, ATaskIsARowWithABandForEachOwnerUntilItIsDone) {
-  const std::string page = page_of(std::string(kTelemetry) + kOwners);
+  const std::string page = page_of_timeline(std::string(kTelemetry) + kOwners);
 
   EXPECT_EQ(count(page, "Tasks of the team"), 1U);
   EXPECT_EQ(count(page, "11 perceive P1 20"), 4U) << "a label, and three bands";
@@ -46,7 +34,7 @@ TEST(TeamView, ATaskIsARowWithABandForEachOwnerUntilItIsDone) {
 }
 
 TEST(TeamView, WithoutATeamThereIsNothing) {
-  EXPECT_EQ(count(page_of(kTelemetry), "Tasks of the team"), 0U);
+  EXPECT_EQ(count(page_of_timeline(kTelemetry), "Tasks of the team"), 0U);
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The report shows who waited for the air of a way, and who had it.
+#include <gtest/gtest.h>
+
+#include "timeline_page.hpp"
+
+namespace skein::report {
+namespace {
+
+using testing::count;
+using testing::page_of_timeline;
+
+constexpr const char* kFlight =
+    R"({"at":0,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,40],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
+{"at":90,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,40],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
+)";
+constexpr const char* kAir =
+    R"({"at":5,"node":"uav1","kind":"air","uav":"uav1","task":7,"type":"goto","state":"waits","waited":0,"for":"heliv to leave"}
+{"at":25,"node":"uav1","kind":"air","uav":"uav1","task":7,"type":"goto","state":"had","waited":20,"raised":24}
+{"at":60,"node":"uav1","kind":"air","uav":"uav1","task":8,"type":"land","state":"unasked","waited":10}
+{"at":61,"node":"uav1","kind":"air"}
+)";
+
+TEST(AirView, AUavIsARowWithABandForEachWaitAndEachWay) {
+  const std::string page = page_of_timeline(std::string(kFlight) + kAir);
+
+  EXPECT_EQ(count(page, "Air of ways"), 1U);
+  EXPECT_EQ(count(page, "7 goto: waits, heliv to leave"), 1U);
+  EXPECT_EQ(count(page, "7 goto: had, 24 m higher"), 1U);
+  EXPECT_EQ(count(page, "class=\"joint-loading\""), 1U);
+  EXPECT_EQ(count(page, "class=\"joint-running\""), 1U);
+  EXPECT_EQ(count(page, "class=\"violated\""), 1U);
+}
+
+TEST(AirView, WithoutMergingThereIsNothing) {
+  EXPECT_EQ(count(page_of_timeline(kFlight), "Air of ways"), 0U);
+}
+
+}  // namespace
+}  // namespace skein::report
