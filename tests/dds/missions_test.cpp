@@ -66,5 +66,7 @@ TEST(DdsMission, AJointTaskIsNegotiatedAndPlayed) { expect_all_met("mref/nominal
 
 TEST(DdsMission, ATeamAtDegree5SharesOutAGlobalMission) { expect_all_met("team/two", "10"); }
 
+TEST(DdsMission, UavsWhoseWaysCrossMergeThem) { expect_all_met("team/crossing", "10"); }
+
 }  // namespace
 }  // namespace skein::testing

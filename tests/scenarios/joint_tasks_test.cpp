@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference example of joint tasks (spec 7.7, 8.6) and what may befall it, and teams at degree
-// 5 (spec 6.3, 8.9), over many seeds: each draws other winds, speeds, delays, losses and sensor
-// noise.
+// The reference example of joint tasks (spec 7.7, 8.6) and what may befall it, teams at degree 5
+// (spec 6.3, 8.9), and UAVs whose ways cross (spec 6.4), over many seeds: each draws other winds,
+// speeds, delays, losses and sensor noise.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,6 +54,8 @@ INSTANTIATE_TEST_SUITE_P(AreaSharing, Teamwork,
 INSTANTIATE_TEST_SUITE_P(Degree5, Teamwork,
                          ::testing::Values("team/two", "team/five", "team/comets", "team/mixed"),
                          name_of);
+
+INSTANTIATE_TEST_SUITE_P(WaysThatCross, Teamwork, ::testing::Values("team/crossing"), name_of);
 
 }  // namespace
 }  // namespace skein::testing
