@@ -84,6 +84,8 @@ void Merging::begin(const Airway& airway, const std::string& state) {
   if (aside) {
     waiting_->airways.clear();
     waiting_->was_aside = true;
+    waiting_->waits_for.clear();
+    waiting_->noted_for.clear();
   } else {
     waiting_.reset();
   }
