@@ -107,7 +107,8 @@ TEST(Cdr, SaysWhichFieldIsWrongAndWhoseItIs) {
   board.header.origin = 3;
   board.tasks.resize(2);
   Bytes bytes = encoded(board);
-  bytes.resize(bytes.size() - 3);
+  // … the reason's last byte, three of padding, the number of models: 4 bytes.
+  bytes.resize(bytes.size() - 10);
 
   const auto decoded = decode(wire::Slot::kPlanBoard, bytes);
 
@@ -120,8 +121,8 @@ TEST(Cdr, SaysWhichFieldIsWrongAndWhoseItIs) {
 TEST(Cdr, ABooleanIsZeroOrOne) {
   wire::PlanBoard board;
   Bytes bytes = encoded(board);
-  // … airborne, a byte of padding, the number of tasks: 4 bytes.
-  bytes[bytes.size() - 6] = 2;
+  // … airborne, a byte of padding, the numbers of tasks and models: 4 bytes each.
+  bytes[bytes.size() - 10] = 2;
 
   const auto decoded = decode(wire::Slot::kPlanBoard, bytes);
 
@@ -132,7 +133,7 @@ TEST(Cdr, ABooleanIsZeroOrOne) {
 TEST(Cdr, ALengthBeyondTheLimitsIsRefusedBeforeAnythingIsAllocated) {
   wire::PlanBoard board;
   Bytes bytes = encoded(board);
-  std::fill(bytes.end() - 4, bytes.end(), std::uint8_t{0xFF});
+  std::fill(bytes.end() - 8, bytes.end() - 4, std::uint8_t{0xFF});
 
   const auto decoded = decode(wire::Slot::kPlanBoard, bytes);
 
