@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "interaction/role_air.hpp"
 
 namespace skein::decision_node {
 
@@ -91,8 +92,32 @@ void Interaction::task_changed(const executive::TaskEvent& event) {
   }
 }
 
+// The way of a role was looked at when it began.
+void Interaction::give_up_closed_ways(const world::VehicleState& state) {
+  const bool plays = std::any_of(tasks_.begin(), tasks_.end(),
+                                 [](const auto& one) { return !one.second->over(); });
+  if (!plays || !core_.deliberation().possible()) return;
+  const auto world = core_.deliberation().world();
+  if (world->volumes.empty()) return;
+  for (const mission::HeldTask& one : core_.execution().held()) {
+    const executive::TaskId id = one.task.id;
+    const bool flies = id >= functional::kFirstRoleId && id < functional::kFirstOwnId &&
+                       one.task.type == "goto" && one.state == executive::TaskState::kRunning;
+    if (!flies) continue;
+    const world::Volume* closed =
+        closed_ahead(one.task.parameters, state, core_.config().knowledge->vehicle, world->volumes,
+                     core_.bus().now());
+    if (closed == nullptr) continue;
+    core_.bus().emit(Notice{"goto " + std::to_string(id.value()) +
+                            " of a role is given up: volume '" + closed->name +
+                            "' closes on its way"});
+    core_.execution().run(executive::Abort{id});
+  }
+}
+
 void Interaction::vehicle_told(const world::Telemetry& telemetry) {
   sightings_.see(telemetry);
+  give_up_closed_ways(telemetry.state);
   for (const auto& [id, task] : tasks_) {
     if (task->over()) continue;
     for (const std::string& partner : task->partners()) {

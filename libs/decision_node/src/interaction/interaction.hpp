@@ -55,6 +55,7 @@ class Interaction final : public Component {
   void carry_out(const interaction::NegotiationEnded& effect);
   void carry_out(const interaction::NegotiationSettled& effect);
   void carry_out(const interaction::MessageRejected& effect);
+  void give_up_closed_ways(const world::VehicleState& state);
   JointTask* about(const std::string& subject);
 
   Core& core_;

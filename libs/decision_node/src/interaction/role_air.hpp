@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Air that closes on a way that a role flies.
+#pragma once
+
+#include <vector>
+
+#include "skein/functional/parameters.hpp"
+#include "skein/world/vehicle_model.hpp"
+#include "skein/world/vehicle_state.hpp"
+#include "skein/world/volume.hpp"
+
+namespace skein::decision_node {
+
+/// The first volume that what is left of a goto comes into, closed now or within half a minute;
+/// null: none, or the vehicle is in one and has to leave it. Cost: O(way-points × volumes).
+const world::Volume* closed_ahead(const functional::Parameters& flight,
+                                  const world::VehicleState& state,
+                                  const world::VehicleModel& model,
+                                  const std::vector<world::Volume>& volumes, MissionTime now);
+
+}  // namespace skein::decision_node
