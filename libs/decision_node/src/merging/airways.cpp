@@ -23,7 +23,7 @@ constexpr double kStep = 12;            // [m] between heights
 constexpr int kSteps = 5;               // heights above the one that was asked for
 constexpr double kUnderground = -1000;  // [m] below all ground: landings end anywhere above
 constexpr int kDirections = 8;
-constexpr std::array kRings{2, 4, 6, 8, 12, 18, 26};  // of what it takes to hold
+constexpr std::array kRings{2, 4, 6, 8, 12, 18, 26, 36, 48};  // of what it takes to hold
 constexpr double kAhead = 600;  // [s] in which air must not close on a way that nobody asked for
 
 elementary::Situation seen_by_vehicle(const MergingConfig& config,
