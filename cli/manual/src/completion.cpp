@@ -2,6 +2,7 @@
 // Scripts for shells: which command a line is at, then what may stand there.
 #include <algorithm>
 
+#include "skein/foundation/joined.hpp"
 #include "skein/manual/pages.hpp"
 
 namespace skein::manual {
@@ -19,16 +20,10 @@ std::vector<const Command*> all_of(const Command& program) {
   return all;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 std::string command_names(const Command& command) {
   std::vector<std::string> names;
   for (const Command& one : command.commands) names.push_back(one.name);
-  return joined(names);
+  return joined(names, " ");
 }
 
 /// "skein spy" to "skein_spy".
@@ -57,7 +52,7 @@ std::string named_options(const Command& command) {
   std::vector<std::string> names;
   for (const Option& option : command.options)
     if (!option.positional) names.insert(names.end(), option.names.begin(), option.names.end());
-  return joined(names);
+  return joined(names, " ");
 }
 
 /// Lines of a case for the values of options: choices, or files.
@@ -70,7 +65,7 @@ std::string bash_values(const Command& command) {
       if (option.choices.empty())
         any += (any.empty() ? "" : " | ") + pattern;
       else
-        choices += "    " + pattern + ") COMPREPLY=($(compgen -W \"" + joined(option.choices) +
+        choices += "    " + pattern + ") COMPREPLY=($(compgen -W \"" + joined(option.choices, " ") +
                    "\" -- \"$word\")); return ;;\n";
     }
   }
@@ -82,7 +77,7 @@ std::string positional_choices(const Command& command) {
   std::vector<std::string> words;
   for (const Option& option : command.options)
     if (option.positional) words.insert(words.end(), option.choices.begin(), option.choices.end());
-  return joined(words);
+  return joined(words, " ");
 }
 
 /// Of texts in brackets and between colons.
@@ -100,7 +95,7 @@ std::string zsh_argument(const Option& option, const std::string& name) {
   if (option.value.empty()) return quoted(text);
   text += ":" + zsh_text(option.value) + ":";
   return quoted(option.choices.empty() ? text + "_files"
-                                       : text + "(" + joined(option.choices) + ")");
+                                       : text + "(" + joined(option.choices, " ") + ")");
 }
 
 std::string zsh_case(const Command& command) {
@@ -180,14 +175,14 @@ std::string fish_completion(const Command& program) {
     for (const Option& option : one->options) {
       if (option.positional) {
         if (!option.choices.empty())
-          text += begin + " -f -a " + quoted(joined(option.choices)) + "\n";
+          text += begin + " -f -a " + quoted(joined(option.choices, " ")) + "\n";
         continue;
       }
       text += begin;
       for (const std::string& name : option.names)
         text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       if (!option.choices.empty())
-        text += " -x -a " + quoted(joined(option.choices));
+        text += " -x -a " + quoted(joined(option.choices, " "));
       else if (!option.value.empty())
         text += " -r";
       text += " -d " + quoted(option.help) + "\n";

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "skein/foundation/joined.hpp"
 #include "skein/manual/pages.hpp"
 
 namespace skein::manual {
@@ -55,12 +56,7 @@ std::string option_text(const Option& option) {
     heads += (heads.empty() ? "" : ", ") + ("\\fB" + plain(name) + "\\fR");
   if (!option.positional && !option.value.empty()) heads += " \\fI" + plain(option.value) + "\\fR";
   std::string text = ".TP\n" + heads + "\n" + plain(option.help);
-  if (!option.choices.empty()) {
-    text += " (one of ";
-    for (std::size_t i = 0; i < option.choices.size(); ++i)
-      text += (i == 0 ? "" : ", ") + plain(option.choices[i]);
-    text += ")";
-  }
+  if (!option.choices.empty()) text += " (one of " + plain(joined(option.choices, ", ")) + ")";
   if (!option.usual.empty()) text += " [default: " + plain(option.usual) + "]";
   return text + "\n";
 }
