@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "skein/elementary/parameter_reader.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/supervisor/own_ways.hpp"
 #include "skein/supervisor/way_home.hpp"
@@ -87,10 +88,8 @@ bool Safekeeping::knows_world() const {
 
 /// The first way-point is where it is.
 void Safekeeping::go(const std::vector<world::Vector3>& way) {
-  std::vector<double> points;
-  for (std::size_t i = 1; i < way.size(); ++i)
-    points.insert(points.end(), {way[i].x(), way[i].y(), way[i].z()});
-  core_.own_tasks().start("goto", {{"waypoints", "", std::move(points)}},
+  core_.own_tasks().start("goto",
+                          {elementary::points_parameter("waypoints", {way.begin() + 1, way.end()})},
                           executive::InsertionMode::kVut);
 }
 

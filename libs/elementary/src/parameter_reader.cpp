@@ -61,6 +61,14 @@ std::string ParameterReader::reasons() const {
   return all;
 }
 
+functional::Parameter points_parameter(std::string name,
+                                       const std::vector<world::Vector3>& points) {
+  std::vector<double> flat;
+  for (const world::Vector3& point : points)
+    flat.insert(flat.end(), {point.x(), point.y(), point.z()});
+  return {std::move(name), "", std::move(flat)};
+}
+
 std::string figure(double value) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.2f", value);

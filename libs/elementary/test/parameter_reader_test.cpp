@@ -22,6 +22,14 @@ TEST(ParameterReader, ReadsWhatIsThere) {
   EXPECT_FALSE(read.refused());
 }
 
+TEST(ParameterReader, ReadsPointsAsTheyWerePutIn) {
+  const std::vector<world::Vector3> points{{1, 2, 3}, {4.5, -5, 6}};
+  const Parameters parameters{points_parameter("waypoints", points)};
+
+  EXPECT_EQ(parameters.find("waypoints")->numbers, (std::vector<double>{1, 2, 3, 4.5, -5, 6}));
+  EXPECT_EQ(ParameterReader(parameters).points("waypoints"), points);
+}
+
 TEST(ParameterReader, WhatIsAbsentIsAbsentInSilence) {
   const Parameters none;
   ParameterReader read(none);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "interaction/role_air.hpp"
 
+#include "skein/elementary/parameter_reader.hpp"
 #include "skein/world/crossing.hpp"
 
 namespace skein::decision_node {
@@ -11,21 +12,13 @@ using world::Vector3;
 
 constexpr Duration kAhead = Duration::milliseconds(30'000);
 
-std::vector<Vector3> points_of(const functional::Parameters& flight) {
-  std::vector<Vector3> points;
-  const functional::Parameter* flat = flight.find("waypoints");
-  for (std::size_t i = 0; flat != nullptr && i + 2 < flat->numbers.size(); i += 3)
-    points.emplace_back(flat->numbers[i], flat->numbers[i + 1], flat->numbers[i + 2]);
-  return points;
-}
-
 }  // namespace
 
 const world::Volume* closed_ahead(const functional::Parameters& flight,
                                   const world::VehicleState& state,
                                   const world::VehicleModel& model,
                                   const std::vector<world::Volume>& volumes, MissionTime now) {
-  const std::vector<Vector3> points = points_of(flight);
+  const std::vector<Vector3> points = elementary::ParameterReader(flight).points("waypoints");
   if (points.empty()) return nullptr;
   const Vector3& at = state.position;
   std::vector<Vector3> rest{at, points.front()};

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "interaction/sightings.hpp"
+#include "skein/elementary/parameter_reader.hpp"
 #include "skein/refiners/path.hpp"
 
 namespace skein::decision_node {
@@ -137,9 +138,7 @@ std::optional<world::Polygon> zone_of(const config::Value& named, const Argument
 executive::Task flight_along(const refiners::Way& way) {
   executive::Task task;
   task.type = "goto";
-  std::vector<double> flat;
-  for (const world::Vector3& p : way) flat.insert(flat.end(), {p.x(), p.y(), p.z()});
-  task.parameters.add("waypoints", std::move(flat));
+  task.parameters.add(elementary::points_parameter("waypoints", way));
   return task;
 }
 

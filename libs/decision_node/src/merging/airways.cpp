@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "skein/elementary/parameter_reader.hpp"
 #include "skein/elementary/task_checks.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/functional/task_types.hpp"
@@ -39,12 +40,9 @@ Vector3 start_of(const AirwaySituation& situation, const Margins& margins) {
 }
 
 functional::Request along(functional::Request request, const Way& way) {
-  std::vector<double> flat;
-  for (std::size_t i = 1; i < way.points().size(); ++i) {
-    const Vector3& point = way.points()[i];
-    flat.insert(flat.end(), {point.x(), point.y(), point.z()});
-  }
-  functional::Parameters parameters{{"waypoints", "", std::move(flat)}};
+  const std::vector<Vector3>& points = way.points();
+  functional::Parameters parameters{
+      elementary::points_parameter("waypoints", {points.begin() + 1, points.end()})};
   for (const functional::Parameter& one : request.parameters.all())
     if (one.name != "waypoints") parameters.add(one);
   request.parameters = std::move(parameters);

@@ -35,6 +35,9 @@ class ParameterReader {
   std::vector<std::string> reasons_;
 };
 
+/// Points as a parameter has them: x y z each, flat. ParameterReader::points reads them.
+functional::Parameter points_parameter(std::string name, const std::vector<world::Vector3>& points);
+
 /// A figure for a sentence: at most two decimals, no trailing zeros.
 std::string figure(double value);
 
