@@ -37,7 +37,6 @@ class Core {
   Deliberation& deliberation() { return deliberation_; }
   Interaction& interaction() { return interaction_; }
   Team& team() { return team_; }
-  Merging& merging() { return merging_; }
   Autonomy& autonomy() { return autonomy_; }
   Safekeeping& safekeeping() { return safekeeping_; }
 

@@ -122,11 +122,6 @@ bool Merger::asks_for(const Peer& peer, const Volumes& volumes) const {
   return peer.earlier && peer.claim.request != 0 && overlap(volumes, peer.claim.wanted);
 }
 
-bool Merger::is_free(const Volumes& volumes) const {
-  return std::none_of(peers_.begin(), peers_.end(),
-                      [&](const auto& one) { return has(one.second, volumes); });
-}
-
 Volumes Merger::others() const {
   Volumes all;
   for (const auto& [name, peer] : peers_) {

@@ -4,8 +4,6 @@
 #include <algorithm>
 
 #include "core.hpp"
-#include "skein/functional/task_types.hpp"
-#include "skein/mission/degree.hpp"
 #include "skein/supervisor/way_home.hpp"
 
 namespace skein::decision_node {
@@ -25,7 +23,9 @@ constexpr double kAtRest = 0.5;                                // [m/s]
 
 Merging::Merging(Core& core) : core_(core) {
   const auto& config = core.config().merging;
-  if (config) merger_.emplace(config->members, core.config().uav);
+  if (!config) return;
+  merger_.emplace(config->members, core.config().uav);
+  margins_ = merging::margins_of(config->model, config->wind, config->model.cruise_speed);
 }
 
 // ---- motions ----
@@ -61,8 +61,12 @@ void Merging::ask() {
     return;
   }
   waiting_->why_not.clear();
-  waiting_->aside = false;
-  waiting_->airways = std::move(*airways);
+  waiting_->aside_since.reset();
+  want(std::move(*airways));
+}
+
+void Merging::want(Airways airways) {
+  waiting_->airways = std::move(airways);
   std::vector<merging::Volumes> choices;
   for (const Airway& one : waiting_->airways) choices.push_back(one.air);
   give(merging::Want{std::move(choices)});
@@ -76,12 +80,10 @@ void Merging::refuse(const std::string& why) {
 }
 
 void Merging::begin(const Airway& airway, const std::string& state) {
-  const Airway begun = airway;
-  const bool aside = waiting_->aside;
-  note(state, &begun);
-  flown_ = Flown{begun.request.id, begun, false, false};
+  note(state, &airway);
+  flown_ = Flown{airway, false, false};
   rest_.reset();
-  if (aside) {
+  if (waiting_->aside_since) {
     waiting_->airways.clear();
     waiting_->was_aside = true;
     waiting_->waits_for.clear();
@@ -90,13 +92,13 @@ void Merging::begin(const Airway& airway, const std::string& state) {
     waiting_.reset();
   }
   hold();
-  core_.vehicle().begin(begun.request);
+  core_.vehicle().begin(airway.request);
 }
 
 bool Merging::told(const functional::Status& status) {
   if (!merger_) return false;
   const bool aside = status.id >= kFirstAside && status.id < functional::kFirstBackgroundId;
-  if (flown_ && flown_->task == status.id && functional::is_terminal(status.state)) {
+  if (flown_ && flown_->airway.request.id == status.id && functional::is_terminal(status.state)) {
     flown_->over = true;
     flown_->ended = status.state == functional::TaskState::kEnded;
     come_to_rest();
@@ -136,13 +138,10 @@ void Merging::come_to_rest() {
     return hold();
   }
   if (!flown_ || flies || !state.airborne) return hold();
-  const MergingConfig& config = *core_.config().merging;
-  const merging::Margins margins =
-      merging::margins_of(config.model, config.wind, config.model.cruise_speed);
   const bool there = flown_->ended && flown_->airway.end &&
-                     (*flown_->airway.end - state.position).norm() <= margins.settled;
-  const bool still = margins.hovers && state.velocity.norm() <= kAtRest;
-  const bool circles = !margins.hovers && flown_->ended && flown_->airway.end;
+                     (*flown_->airway.end - state.position).norm() <= margins_.settled;
+  const bool still = margins_.hovers && state.velocity.norm() <= kAtRest;
+  const bool circles = !margins_.hovers && flown_->ended && flown_->airway.end;
   if (!there && !still && !circles) return;
   rest_ = there || circles ? *flown_->airway.end : state.position;
   flown_.reset();
@@ -156,9 +155,7 @@ void Merging::hold() {
   } else if (flown_) {
     air = flown_->airway.air;
   } else if (rest_) {
-    const MergingConfig& config = *core_.config().merging;
-    air = {
-        stay_at(*rest_, merging::margins_of(config.model, config.wind, config.model.cruise_speed))};
+    air = {stay_at(*rest_, margins_)};
   }
   if (air != merger_->held()) give(merging::Hold{std::move(air)});
 }
@@ -168,16 +165,16 @@ void Merging::hold() {
 /// Whoever can wait no longer goes, and says so: that it falls is no better.
 void Merging::look_at_energy() {
   const Deliberation& deliberation = core_.deliberation();
-  if (!waiting_ || waiting_->airways.empty() || waiting_->aside || !seen_.state.airborne) return;
+  if (!waiting_ || waiting_->airways.empty() || waiting_->aside_since || !seen_.state.airborne)
+    return;
   if (core_.bus().now() < waiting_->since + kUnasked || core_.config().knowledge == nullptr) return;
   if (!supervisor::must_come_home(seen_.state.energy, *core_.config().knowledge,
                                   *deliberation.world(), core_.bus().now(), seen_.state.position))
     return;
   core_.bus().emit(Notice{"flies unasked: its energy lasts no longer than to come home; " +
                           waiting_->request.type + " waited for its air"});
-  const Airway airway = waiting_->airways.front();
   give(merging::Withdraw{});
-  begin(airway, "unasked");
+  begin(Airway(waiting_->airways.front()), "unasked");
 }
 
 /// At once, and then not more often than every few seconds.
@@ -199,7 +196,7 @@ void Merging::say_it_waits() {
 void Merging::time_passes() {
   if (!merger_) return;
   say_it_waits();
-  if (waiting_ && waiting_->aside && core_.bus().now() >= waiting_->aside_at + kAside) ask();
+  if (const auto until = aside_until(); until && core_.bus().now() >= *until) ask();
   give(merging::Tick{});
 }
 
@@ -207,8 +204,12 @@ std::optional<MissionTime> Merging::next_wakeup() const {
   if (!merger_) return std::nullopt;
   std::optional<MissionTime> next = merger_->next_wakeup();
   if (waiting_) next = earliest(next, waiting_->said + kSaidAgain);
-  if (waiting_ && waiting_->aside && !flown_) next = earliest(next, waiting_->aside_at + kAside);
-  return next;
+  return flown_ ? next : earliest(next, aside_until());
+}
+
+std::optional<MissionTime> Merging::aside_until() const {
+  if (!waiting_ || !waiting_->aside_since) return std::nullopt;
+  return *waiting_->aside_since + kAside;
 }
 
 // ---- others ----
@@ -232,15 +233,14 @@ void Merging::carry_out(const merging::Tell& tell) {
 
 void Merging::carry_out(const merging::Granted& granted) {
   if (!waiting_ || granted.choice >= waiting_->airways.size()) return;
-  const Airway airway = waiting_->airways[granted.choice];
-  begin(airway, waiting_->aside ? "aside" : "had");
+  begin(Airway(waiting_->airways[granted.choice]), waiting_->aside_since ? "aside" : "had");
 }
 
 void Merging::carry_out(const merging::Waits& waits) {
   if (!waiting_) return;
   std::vector<std::string> now_for;
   for (const merging::Waits::Why& one : waits.whys) now_for.push_back(one.peer + " " + one.why);
-  if (!waiting_->aside) waiting_->waits_for = std::move(now_for);
+  if (!waiting_->aside_since) waiting_->waits_for = std::move(now_for);
   note_waits();
 }
 
@@ -253,12 +253,8 @@ void Merging::carry_out(const merging::MoveAside&) {
   std::stable_partition(aside.begin(), aside.end(),
                         [&](const Airway& one) { return leads_on(one, ends); });
   ++aside_;
-  waiting_->aside = true;
-  waiting_->aside_at = core_.bus().now();
-  waiting_->airways = std::move(aside);
-  std::vector<merging::Volumes> choices;
-  for (const Airway& one : waiting_->airways) choices.push_back(one.air);
-  give(merging::Want{std::move(choices)});
+  waiting_->aside_since = core_.bus().now();
+  want(std::move(aside));
 }
 
 // ---- what it knows ----

@@ -41,10 +41,10 @@ class Merging final : public Component {
   struct Waiting {
     functional::Request request;
     MissionTime since;
-    MissionTime said;      ///< to the executive, that it will come
-    Airways airways;       ///< that it asks for; none: not yet, or it is to be asked for again
-    bool aside = false;    ///< it asks for these to get out of the way, before it wants its own
-    MissionTime aside_at;  ///< since when
+    MissionTime said;  ///< to the executive, that it will come
+    Airways airways;   ///< that it asks for; none: not yet, or it is to be asked for again
+    /// It asks for these to get out of the way, before it wants its own.
+    std::optional<MissionTime> aside_since = {};
     std::vector<std::string> waits_for;
     bool was_aside = false;  ///< it has got out of the way
     MissionTime noted;       ///< that it waits, for these
@@ -53,7 +53,6 @@ class Merging final : public Component {
   };
   /// What the vehicle flies, or has flown last and has not come to rest from.
   struct Flown {
-    functional::TaskId task;
     Airway airway;
     bool over = false, ended = false;
   };
@@ -64,8 +63,11 @@ class Merging final : public Component {
   void carry_out(const merging::Waits& waits);
   void carry_out(const merging::MoveAside& aside);
   void ask();
+  void want(Airways airways);
   void begin(const Airway& airway, const std::string& state);
   void look_at_energy();
+  /// When it no longer asks for a place aside.
+  std::optional<MissionTime> aside_until() const;
   void note_waits();
   void say_it_waits();
   void refuse(const std::string& why);
@@ -78,6 +80,7 @@ class Merging final : public Component {
 
   Core& core_;
   std::optional<merging::Merger> merger_;
+  merging::Margins margins_;  ///< at its cruise speed
   world::Telemetry seen_;
   bool has_seen_ = false;
   std::optional<world::Vector3> rest_;  ///< where it holds or circles in the air

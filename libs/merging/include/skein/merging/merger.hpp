@@ -107,8 +107,6 @@ class Merger {
   Volumes others() const;
   /// Where each of them will stay, or stays, as far as it knows.
   Volumes ends() const;
-  /// Whether none of them holds it or was granted it.
-  bool is_free(const Volumes& volumes) const;
 
  private:
   struct Peer {
