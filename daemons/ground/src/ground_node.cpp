@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/ground/ground_node.hpp"
-#include "skein/mission/alarm_name.hpp"
 
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/fingerprint.hpp"
 #include "skein/foundation/overloaded.hpp"
+#include "skein/mission/alarm_name.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"

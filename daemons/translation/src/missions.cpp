@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the ground asks of a UAV beyond elementary tasks: missions, degrees, closed air.
 #include "skein/translation/missions.hpp"
-#include "skein/mission/alarm_name.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -9,6 +8,7 @@
 
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/overloaded.hpp"
+#include "skein/mission/alarm_name.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/world/polygon_check.hpp"
 

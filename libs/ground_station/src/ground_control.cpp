@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Routing between the ground station's components.
 #include "skein/ground_station/ground_control.hpp"
-#include "skein/mission/alarm_name.hpp"
 
 #include <algorithm>
 
 #include "request_facts.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/functional/task_types.hpp"
+#include "skein/mission/alarm_name.hpp"
 
 namespace skein::ground_station {
 namespace {

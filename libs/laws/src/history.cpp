@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/laws/history.hpp"
-#include "skein/mission/alarm_name.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 
+#include "skein/mission/alarm_name.hpp"
 #include "skein/mission/autonomy.hpp"
 #include "statement.hpp"
 

@@ -87,6 +87,7 @@ bool somebody_holds(const History& history) {
 }  // namespace
 
 std::vector<Violation> motions_never_begun(const History& history) {
+  constexpr const char* kNotBegun = " is given to the vehicle and does not begin for ";
   constexpr double kLongest = 900;  // [s] of waiting for the air of a way, beside blimps
   std::vector<Violation> result;
   if (!history.dead.empty() || somebody_holds(history)) return result;
@@ -95,11 +96,9 @@ std::vector<Violation> motions_never_begun(const History& history) {
       if (motion.started == kNever || !motion.is_motion() || motion.type == "wait") continue;
       const double until = std::min({begun(uav, motion), motion.over, history.end});
       if (until - motion.started <= kLongest) continue;
-      result.push_back({"", motion.started, name, uav.goal_of_task(task),
-                        named(uav, task, motion.type) +
-                            " is given to the vehicle and does not "
-                            "begin for " +
-                            figure(until - motion.started) + " s"});
+      result.push_back(
+          {"", motion.started, name, uav.goal_of_task(task),
+           named(uav, task, motion.type) + kNotBegun + figure(until - motion.started) + " s"});
     }
   }
   return result;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What was done of a high-level task, and changes of the world, in words.
 #include "skein/mission/progress.hpp"
-#include "skein/mission/alarm_name.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/mission/alarm_name.hpp"
 #include "skein/mission/autonomy.hpp"
 
 namespace skein::mission {
