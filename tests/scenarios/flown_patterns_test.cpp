@@ -10,6 +10,7 @@
 #include "flight/closed_air.hpp"
 #include "refinery/refinery.hpp"
 #include "skein/foundation/random.hpp"
+#include "skein/world/segment.hpp"
 #include "test_cases.hpp"
 #include "testing/planning_lab.hpp"
 #include "testing/range.hpp"
@@ -285,8 +286,8 @@ double depth_in(const world::World& world, const std::vector<Vector3>& track) {
       double edge = 1e9;
       for (std::size_t i = 0; i < volume.polygon.size(); ++i)
         edge = std::min(
-            edge, distance_to({volume.polygon[i], volume.polygon[(i + 1) % volume.polygon.size()]},
-                              at.head<2>()));
+            edge, world::to_segment<Vector2>(at.head<2>(), volume.polygon[i],
+                                             volume.polygon[(i + 1) % volume.polygon.size()]));
       deepest = std::max(deepest, edge);
     }
   return deepest;

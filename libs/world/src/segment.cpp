@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/world/segment.hpp"
 
+#include <limits>
+
 namespace skein::world {
 
 namespace {
@@ -11,6 +13,14 @@ double side(const Vector2& a, const Vector2& b, const Vector2& p) {
 }
 
 }  // namespace
+
+double to_polygon(const Vector2& point, const Polygon& polygon) {
+  if (contains(polygon, point)) return 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    least = std::min(least, to_segment(point, polygon[i], polygon[(i + 1) % polygon.size()]));
+  return least;
+}
 
 double between_segments(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
   if (side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0) return 0;

@@ -16,6 +16,13 @@ TEST(ToSegment, OfAPointIsToThat) {
   EXPECT_DOUBLE_EQ(to_segment(Vector2(3, 4), Vector2(0, 0), Vector2(0, 0)), 5);
 }
 
+TEST(ToPolygon, IsToItsBorderFromOutsideAndNothingInside) {
+  const Polygon square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  EXPECT_EQ(to_polygon({5, 5}, square), 0);
+  EXPECT_DOUBLE_EQ(to_polygon({5, 13}, square), 3);
+  EXPECT_DOUBLE_EQ(to_polygon({-3, -4}, square), 5);
+}
+
 TEST(BetweenSegments, IsNothingWhereTheyCrossOrTouch) {
   EXPECT_EQ(between_segments({-9, 0}, {9, 0}, {0, -9}, {0, 9}), 0);
   EXPECT_EQ(between_segments({-9, 0}, {9, 0}, {4, 0}, {4, 9}), 0);

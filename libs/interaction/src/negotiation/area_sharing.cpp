@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "row_words.hpp"
@@ -34,16 +33,6 @@ bool is_convex(const Polygon& polygon) {
   return !(left && right);
 }
 
-double distance_to(const Polygon& polygon, const Vector2& point) {
-  if (world::contains(polygon, point)) return 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    least =
-        std::min(least, world::to_segment(point, polygon[i], polygon[(i + 1) % polygon.size()]));
-  }
-  return least;
-}
-
 /// How fast one sweeps at best, from when on.
 struct Helper {
   std::string uav;
@@ -52,7 +41,8 @@ struct Helper {
 
 Helper helper(const std::string& uav, const Sweeper& sweeper, const Polygon& area) {
   const double speed = sweeper.vehicle.cruise_speed;
-  return {uav, speed * sweeper.swath, sweeper.busy + distance_to(area, sweeper.start) / speed};
+  return {uav, speed * sweeper.swath,
+          sweeper.busy + world::to_polygon(sweeper.start, area) / speed};
 }
 
 /// Who is there before the others could have swept all.

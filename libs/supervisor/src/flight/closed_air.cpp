@@ -41,18 +41,9 @@ Polygon hull(Polygon points) {
 
 }  // namespace
 
-double distance_to(const Polygon& polygon, const Vector2& at) {
-  if (world::contains(polygon, at)) return 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    least = std::min(least, world::to_segment(at, polygon[i], polygon[(i + 1) % polygon.size()]));
-  }
-  return least;
-}
-
 bool is_near(const world::Volume& volume, const world::Vector3& at, double margin) {
   if (at.z() <= volume.floor - margin || at.z() >= volume.ceiling + margin) return false;
-  const double off = distance_to(volume.polygon, at.head<2>());
+  const double off = world::to_polygon(at.head<2>(), volume.polygon);
   return off < margin || off == 0;
 }
 

@@ -8,9 +8,6 @@
 
 namespace skein::supervisor {
 
-/// Least distance to a polygon [m]; 0 inside it.
-double distance_to(const world::Polygon& polygon, const world::Vector2& at);
-
 /// In the volume, or nearer to it than `margin`, horizontally and vertically.
 bool is_near(const world::Volume& volume, const world::Vector3& at, double margin);
 

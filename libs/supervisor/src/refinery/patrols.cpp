@@ -9,6 +9,7 @@
 #include "flight/closed_air.hpp"
 #include "refinery/zone_shapes.hpp"
 #include "skein/refiners/patrol.hpp"
+#include "skein/world/segment.hpp"
 #include "skein/world/steering.hpp"
 
 namespace skein::supervisor {
@@ -75,7 +76,7 @@ class Patrols::Sight {
       const Vector2 at = flown.track[i].head<2>();
       if (i > 0) nose.follow(at - flown.track[i - 1].head<2>());
       const double off = look.aim ? (*look.aim - at).norm()
-                                  : distance_to(zone, at + look.ahead * nose.direction());
+                                  : world::to_polygon(at + look.ahead * nose.direction(), zone);
       const bool in_sight = off <= kInSight * look.reach;
       if (in_sight && !is_seen_) first_ = static_cast<double>(out_.size()) * kTrackStep;
       is_seen_ = is_seen_ || in_sight;
@@ -239,7 +240,7 @@ Answer<Motion> Patrols::over_in(const Counted& air, const Vector3& from, const w
   if (!width) return no(width.error());
   const Look look = look_of(device, height, *width);
   auto motion = flown_over(air, from, zone, look, seconds);
-  const double approach = distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
+  const double approach = world::to_polygon(from.head<2>(), zone.polygon) / vehicle().cruise_speed;
   const bool serves = motion && motion->times.expected <= kOutOfSight * (seconds + approach);
   if (serves || look.ahead <= 0 || !device.gimballed) return motion;
   // Ahead of it there is little but what lies beyond a small zone: its middle can be aimed at.
@@ -271,7 +272,7 @@ Answer<Motion> Patrols::in_lanes(const Counted& air, const Vector3& from, const 
   const world::World local = air_.over(zone, from, look.width, margin, air);
   const TimedAir::Volumes volumes = air_.closed(air);
   const double in_sight =
-      seconds + distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
+      seconds + world::to_polygon(from.head<2>(), zone.polygon) / vehicle().cruise_speed;
   double duration = in_sight, longer = 1;
   for (int i = 0; i < kLongerPatrols && duration <= kLongestPatrol * in_sight; ++i) {
     const auto way = planned(local, from, zone, look.width, duration);
@@ -287,7 +288,7 @@ Answer<Motion> Patrols::in_lanes(const Counted& air, const Vector3& from, const 
 
 Answer<Motion> Patrols::in_rounds(const Counted& air, const Vector3& from, const world::Zone& zone,
                                   const Look& look, double seconds) {
-  const double approach = distance_to(zone.polygon, from.head<2>()) / vehicle().cruise_speed;
+  const double approach = world::to_polygon(from.head<2>(), zone.polygon) / vehicle().cruise_speed;
   for (const Way& round : rounds(from, zone, look.width, air)) {
     double duration = seconds + approach, longer = 1;
     for (int i = 0; i < kLongerPatrols; ++i, duration *= std::clamp(1.05 * longer, 1.1, kLongest)) {

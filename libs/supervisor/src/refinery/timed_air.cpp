@@ -12,6 +12,7 @@
 #include "refinery/zone_shapes.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
 #include "skein/world/crossing.hpp"
+#include "skein/world/segment.hpp"
 #include "skein/world/steering.hpp"
 
 namespace skein::supervisor {
@@ -246,7 +247,7 @@ world::World TimedAir::over(const world::Zone& zone, const Vector3& from, double
   local.volumes = closed(air);
   const bool inside =
       std::any_of(local.volumes.begin(), local.volumes.end(), [&](const auto& volume) {
-        return distance_to(grown(volume, stray()).polygon, from.head<2>()) <= 0;
+        return world::to_polygon(from.head<2>(), grown(volume, stray()).polygon) <= 0;
       });
   if (!inside)
     for (world::Volume& volume : local.volumes) volume = grown(volume, margin);

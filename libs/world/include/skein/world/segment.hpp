@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a point, or another piece, is from a straight piece of a way or of a border.
+// How far a point is from a straight piece of a way or of a border, or from a polygon; and how far
+// two pieces are apart.
 #pragma once
 
 #include <algorithm>
@@ -16,6 +17,9 @@ double to_segment(const Vector& point, const Vector& a, const Vector& b) {
   const double at = length > 0 ? std::clamp((point - a).dot(along) / length, 0.0, 1.0) : 0.0;
   return (point - (a + at * along)).norm();
 }
+
+/// From the point to the nearest of the polygon [m]; 0 inside it.
+double to_polygon(const Vector2& point, const Polygon& polygon);
 
 /// Between the nearest points of two segments in the plane [m]; 0 where they cross. Either may be
 /// a point.
