@@ -83,9 +83,8 @@ ground_station::MissionKnowledge mission_knowledge(const Scenario& scenario) {
   for (const world::Zone& zone : scenario.world.zones) knowledge.zones.push_back(zone.name);
   for (const UavSpec& uav : scenario.uavs) knowledge.vehicles.emplace(uav.name, uav.model);
   if (scenario.interaction != nullptr) {
-    for (const auto& [type, model] : scenario.interaction->models) {
-      knowledge.joint_tasks[type] = hash_of(*scenario.interaction, type).value;
-    }
+    for (const auto& [type, hash] : hashes_of(*scenario.interaction))
+      knowledge.joint_tasks[type] = hash.value;
   }
   return knowledge;
 }

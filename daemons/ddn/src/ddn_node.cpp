@@ -49,9 +49,7 @@ std::vector<wire::ModelVersion> versions_of(
     const std::shared_ptr<const interaction::Library>& library) {
   std::vector<wire::ModelVersion> versions;
   if (library == nullptr) return versions;
-  for (const auto& [type, model] : library->models) {
-    versions.push_back({type, hash_of(*library, type).value});
-  }
+  for (const auto& [type, hash] : hashes_of(*library)) versions.push_back({type, hash.value});
   return versions;
 }
 

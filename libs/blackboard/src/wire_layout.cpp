@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/blackboard/wire_layout.hpp"
 
-#include <array>
-#include <cstdio>
 #include <utility>
 
 #include "skein/blackboard/wire.hpp"
@@ -74,12 +72,7 @@ std::string all(std::index_sequence<slots...>) {
 std::string layout() { return all(std::make_index_sequence<kSlotCount>{}); }
 
 const std::string& layout_mark() {
-  static const std::string mark = [] {
-    const auto hash = static_cast<unsigned long long>(Fingerprint().put(layout()).value());
-    std::array<char, 17> digits{};
-    std::snprintf(digits.data(), digits.size(), "%016llx", hash);
-    return std::string(digits.data());
-  }();
+  static const std::string mark = fingerprint_text(Fingerprint().put(layout()).value());
   return mark;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/foundation/fingerprint.hpp"
 
+#include <cstdio>
 #include <cstring>
 
 namespace skein {
@@ -20,6 +21,12 @@ Fingerprint& Fingerprint::put(double number) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &plain, sizeof bits);
   return put(bits);
+}
+
+std::string fingerprint_text(std::uint64_t value) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(value));
+  return digits;
 }
 
 }  // namespace skein

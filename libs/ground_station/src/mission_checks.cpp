@@ -3,8 +3,8 @@
 #include "skein/ground_station/mission_checks.hpp"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
+
+#include "skein/foundation/fingerprint.hpp"
 
 namespace skein::ground_station {
 namespace {
@@ -18,13 +18,6 @@ Problems problems(const mission::ChangeDegree& change) {
   return {"there is no degree " + std::to_string(change.degree) + ": they go from " +
           std::to_string(mission::kLeastDegree) + " to " +
           std::to_string(mission::kGreatestDegree)};
-}
-
-/// As interaction models' versions are told.
-std::string version_text(std::uint64_t version) {
-  std::ostringstream text;
-  text << std::hex << std::setw(16) << std::setfill('0') << version;
-  return text.str();
 }
 
 const std::vector<std::string>* members_of(const mission::HighLevelTask& task) {
@@ -103,8 +96,8 @@ Problems MissionChecks::joint_problems(const mission::HighLevelTask& task,
     if (version == models.end()) {
       say(name + " has no model of it");
     } else if (version->second != model->second) {
-      say(name + " has version " + version_text(version->second) +
-          " of its model, the ground station " + version_text(model->second));
+      say(name + " has version " + fingerprint_text(version->second) +
+          " of its model, the ground station " + fingerprint_text(model->second));
     }
   }
   return out;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <set>
 #include <tuple>
 
@@ -243,10 +242,12 @@ ModelHash hash_of(const Library& library, const std::string& task) {
   return {Meaning(library).of(library.models.at(task))};
 }
 
-std::string to_text(ModelHash hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash.value));
-  return text;
+std::map<std::string, ModelHash> hashes_of(const Library& library) {
+  std::map<std::string, ModelHash> hashes;
+  for (const auto& [task, model] : library.models) hashes.emplace(task, hash_of(library, task));
+  return hashes;
 }
+
+std::string to_text(ModelHash hash) { return fingerprint_text(hash.value); }
 
 }  // namespace skein::interaction

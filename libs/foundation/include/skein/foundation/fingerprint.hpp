@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace skein {
@@ -22,5 +23,8 @@ class Fingerprint {
 
   std::uint64_t value_ = 0xcbf29ce484222325ULL;
 };
+
+/// Sixteen hexadecimal digits.
+std::string fingerprint_text(std::uint64_t value);
 
 }  // namespace skein

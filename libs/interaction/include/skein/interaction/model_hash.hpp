@@ -20,6 +20,8 @@ struct ModelHash {
 /// Of the model for that type of joint task, with its roles and their automata, SCMs, tables, and
 /// the tasks and functions that these name. Precondition: the library has it. Source: spec 7.3.
 ModelHash hash_of(const Library& library, const std::string& task);
+/// Of all its models, by task.
+std::map<std::string, ModelHash> hashes_of(const Library& library);
 
 /// Sixteen hexadecimal digits.
 std::string to_text(ModelHash hash);
