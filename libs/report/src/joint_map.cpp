@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Joint tasks on the map: parts of a shared area, places under spatial constraints, and where they
 // were violated. Source: T V, figure B.1.
-#include <algorithm>
-
 #include "joint_story.hpp"
 #include "views.hpp"
 
@@ -10,17 +8,9 @@ namespace skein::report {
 
 namespace {
 
-std::optional<std::size_t> index_of(const Run& run, const std::string& uav) {
-  const auto& uavs = run.story.uavs;
-  const auto found =
-      std::find_if(uavs.begin(), uavs.end(), [&](const auto& one) { return one.name == uav; });
-  if (found == uavs.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - uavs.begin());
-}
-
 void write_parts(Markup& out, const Run& run, const JointTasks& told, const MapFrame& f) {
   for (const PartStory& part : told.parts) {
-    const auto uav = index_of(run, part.uav);
+    const auto uav = run.story.uav_index(part.uav);
     if (!uav) continue;
     std::vector<Point> points;
     for (const GroundPoint& corner : part.corners) points.push_back(f(corner.x, corner.y));
@@ -31,7 +21,7 @@ void write_parts(Markup& out, const Run& run, const JointTasks& told, const MapF
 
 void write_places(Markup& out, const Run& run, const JointTasks& told, const MapFrame& f) {
   for (const RolePlaceStory& place : told.places) {
-    const auto uav = index_of(run, place.uav);
+    const auto uav = run.story.uav_index(place.uav);
     if (!uav) continue;
     const Point p = f(place.position);
     out.open("path",
@@ -47,7 +37,7 @@ void write_places(Markup& out, const Run& run, const JointTasks& told, const Map
 /// Where it flew meanwhile; at least where it was.
 void write_violations(Markup& out, const Run& run, const JointTasks& told, const MapFrame& f) {
   for (const ViolationStory& one : told.violations) {
-    const auto uav = index_of(run, one.uav);
+    const auto uav = run.story.uav_index(one.uav);
     if (!uav) continue;
     std::vector<Point> stretch;
     for (const TrackPoint& at : run.story.uavs[*uav].track) {
