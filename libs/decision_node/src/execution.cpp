@@ -147,6 +147,11 @@ bool Execution::holds(functional::TaskId id) const {
   return task && !is_terminal(task->state);
 }
 
+bool Execution::stops(functional::TaskId id) const {
+  const auto task = executive_.find(id);
+  return task && task->state == executive::TaskState::kAborting;
+}
+
 std::vector<mission::HeldTask> Execution::held() const {
   std::vector<mission::HeldTask> held;
   for (const executive::TaskStatus& status : executive_.tasks()) {

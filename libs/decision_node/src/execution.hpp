@@ -32,6 +32,8 @@ class Execution final : public Component {
 
   /// A task that is not over.
   bool holds(functional::TaskId id) const;
+  /// One that is being aborted.
+  bool stops(functional::TaskId id) const;
   std::vector<executive::TaskStatus> tasks() const { return executive_.tasks(); }
   /// Tasks that are not over, without the background routine, with the goals they serve.
   std::vector<mission::HeldTask> held() const;

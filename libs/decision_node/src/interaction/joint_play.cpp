@@ -120,7 +120,9 @@ void JointTask::carry_out(const interaction::Compute& effect) {
 
 // ---- its tasks ----
 
+// Interrupted as it begins: that it is to be left comes next.
 void JointTask::carry_out(const interaction::Run& effect) {
+  if (core_.execution().stops(joint_.task)) return;
   const interaction::Automaton& automaton = play_->automaton();
   const interaction::Componel& componel = automaton[*automaton.find(effect.task)];
   if (componel.task()->type == kMapArea) return map_area(effect.task);
