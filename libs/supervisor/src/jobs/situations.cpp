@@ -22,6 +22,14 @@ void move(const mission::ElementaryTask& task, Situation& at) {
   at.position = task.way.back();
 }
 
+namespace {
+
+bool takes_off_or_lands(const mission::ElementaryTask& task) {
+  return type_of(task).leaves != functional::Leaves::kAsItWas;
+}
+
+}  // namespace
+
 PlanningRequest Situations::base_request(const Standing& standing,
                                          const std::set<TaskId>& withdrawn, std::uint64_t seed,
                                          MissionTime now) const {
@@ -41,6 +49,8 @@ Situation Situations::place_after(const Standing& standing) const {
   result.flies_on =
       result.airborne && !beliefs_.model().hovers && !circled(book_, beliefs_) &&
       std::none_of(standing.tasks.begin(), standing.tasks.end(), mission::holds_vehicle);
+  result.stands = !result.airborne && !beliefs_.model().hovers &&
+                  std::none_of(standing.tasks.begin(), standing.tasks.end(), takes_off_or_lands);
   for (const mission::ElementaryTask& task : standing.tasks) move(task, result);
   return result;
 }

@@ -128,8 +128,10 @@ Value PlannerHost::Services::refined(const Entry& entry, TermStore& store, Argum
   named.insert(named.end(), arguments.begin(), arguments.end());
   if (entry.when != 0 && !refinery_.air.has_windows()) {
     Term& when = named[entry.when + 1];
-    when =
-        refinery_.air.begins_in_flight(departure(store, when)) ? store.symbol("in-flight") : kNil;
+    const Departure then = departure(store, when);
+    when = refinery_.air.begins_in_flight(then) ? store.symbol("in-flight")
+           : refinery_.air.still_stands(then)   ? store.symbol("standing")
+                                                : kNil;
   }
   const Term question = store.list(named);
   if (const auto known = known_.find(question); known != known_.end()) {

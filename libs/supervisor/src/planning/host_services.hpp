@@ -49,6 +49,7 @@ class PlannerHost::Services {
   void flies_on(const world::Vector3& position, double heading) {
     refinery_.air.flies_on(position, heading);
   }
+  void stands_at(const world::Vector3& position) { refinery_.air.stands_at(position); }
 
   Value call(const Entry& entry, htn::TermStore& store, Arguments arguments);
 

@@ -17,6 +17,8 @@ void PlannerHost::flies_on(const world::Vector3& position, double heading) {
   services_->flies_on(position, heading);
 }
 
+void PlannerHost::stands_at(const world::Vector3& position) { services_->stands_at(position); }
+
 void PlannerHost::offer(htn::Functions& functions) const {
   for (const Services::Entry& entry : Services::table()) {
     functions.add(entry.name, entry.arguments, entry.arguments,

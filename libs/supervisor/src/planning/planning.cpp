@@ -141,9 +141,11 @@ class Plans::Workplace {
         origin_(request.situation.origin),
         seed_(request.seed),
         flight_(flight_of(request.situation)),
+        stand_(stand_of(request.situation)),
         host_(request.knowledge, request.world, origin_, seed_,
               {[budget = request.budget] { return budget.over(); }, kRefinerSteps}) {
     if (flight_) host_.flies_on(flight_->first, flight_->second);
+    if (stand_) host_.stands_at(*stand_);
     host_.offer(functions_);
     book_ = std::make_unique<DomainBook>(knowledge_->domain, functions_);
   }
@@ -151,7 +153,7 @@ class Plans::Workplace {
   bool serves(const PlanningRequest& request) const {
     return request.knowledge == knowledge_ && request.world == world_ &&
            request.situation.origin == origin_ && request.seed == seed_ &&
-           flight_of(request.situation) == flight_;
+           flight_of(request.situation) == flight_ && stand_of(request.situation) == stand_;
   }
   bool is_full() const { return book_->store().memory_bytes() > kMostKept; }
 
@@ -185,12 +187,17 @@ class Plans::Workplace {
   static Flight flight_of(const Situation& from) {
     return from.flies_on ? Flight({from.position, from.heading}) : std::nullopt;
   }
+  using Stand = std::optional<world::Vector3>;
+  static Stand stand_of(const Situation& from) {
+    return from.stands ? Stand(from.position) : std::nullopt;
+  }
 
   std::shared_ptr<const world::World> world_;
   std::shared_ptr<const Knowledge> knowledge_;
   MissionTime origin_;
   std::uint64_t seed_;
   Flight flight_;
+  Stand stand_;
   PlannerHost host_;
   htn::Functions functions_;
   std::unique_ptr<DomainBook> book_;

@@ -68,6 +68,20 @@ bool TimedAir::begins_in_flight(const Departure& when) const {
   return !in_flight_.empty() && when.least <= kUntilBegun.back();
 }
 
+bool TimedAir::still_stands(const Departure& when) const {
+  if (!stand_) return false;
+  const double height = gazetteer().knowledge().altitude;
+  return when.least < takeoff_times(height, vehicle(), world().wind).least +
+                          landing_times(height, vehicle()).least;
+}
+
+// It circles around where it stands.
+double TimedAir::climb_radius(const Vector3& from, const Departure& when) const {
+  if (vehicle().hovers) return vehicle().body_radius;
+  const bool there = still_stands(when) && (from - *stand_).head<2>().norm() < kSamePlace;
+  return vehicle().body_radius + vehicle().orbit_radius + (there ? 0 : stay_radius(vehicle()));
+}
+
 std::vector<Pose> TimedAir::poses(const Vector3& from) const {
   const bool flies =
       in_flight_now_ && !in_flight_.empty() && (from - in_flight_.front().at).norm() < kSamePlace;

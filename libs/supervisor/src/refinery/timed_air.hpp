@@ -30,6 +30,13 @@ class TimedAir {
   void flies_on(const world::Vector3& from, double heading);
   /// Whether something does that begins then, if it is there: later it circles there before.
   bool begins_in_flight(const Departure& when) const;
+  /// It is on the ground there.
+  void stands_at(const world::Vector3& at) { stand_ = at; }
+  /// Whether it has had no time to fly and land since: a landing of one that cannot hover ends
+  /// somewhere on its circle.
+  bool still_stands(const Departure& when) const;
+  /// How far the climb of what takes off there then may lead it away from there [m].
+  double climb_radius(const world::Vector3& from, const Departure& when) const;
 
   const Gazetteer& gazetteer() const { return gazetteer_; }
   const world::World& world() const { return gazetteer_.world(); }
@@ -109,6 +116,7 @@ class TimedAir {
   std::uint64_t seed_;
   refiners::Budget budget_;
   bool has_windows_ = false;
+  std::optional<world::Vector3> stand_;
   std::vector<Pose> in_flight_;  ///< in which what begins where it flies now may begin
   bool in_flight_now_ = true;    ///< what is planned now may begin so
   std::map<Counted, world::Airspace> airspaces_;

@@ -64,8 +64,7 @@ Answer<Motion> Ways::takeoff(const Vector3& from, const Departure& when) const {
   const Vector3 to = gazetteer().above(from);
   Motion motion{{from, to}, {}, 0, {}};
   motion.times = takeoff_times(to.z() - gazetteer().ground(from), vehicle(), world().wind);
-  // One that cannot hover climbs in circles.
-  const double around = vehicle().body_radius + (vehicle().hovers ? 0 : vehicle().orbit_radius);
+  const double around = air_.climb_radius(from, when);
   for (const world::Volume& volume : air_.closed(air_.counted(when, motion.times.most)))
     if (crosses(volume, around, from, to))
       return no("the air over it is closed (volume '" + volume.name + "')");

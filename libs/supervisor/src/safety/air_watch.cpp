@@ -98,7 +98,12 @@ bool AirWatch::goes_through(const Entry& entry, const world::Volume& volume) con
   if (entry.task.way.empty()) return false;
   const MissionTime from = entry.seen.started ? now() : entry.dates.earliest_start;
   if (!volume.when.overlaps({from, entry.dates.latest_end})) return false;
-  const double margin = beliefs_.model().body_radius;
+  const world::VehicleModel& vehicle = beliefs_.model();
+  const bool climbs = entry.task.type == "takeoff" && !vehicle.hovers && !entry.under_way();
+  // In circles, around where it stands or a landing brings it.
+  const double circles =
+      vehicle.orbit_radius + (beliefs_.vehicle().airborne ? stay_radius(vehicle) : 0);
+  const double margin = vehicle.body_radius + (climbs ? circles : 0);
   if (entry.under_way()) {
     const auto rest = world::rest_of(entry.task.way, beliefs_.vehicle().position);
     return leads_in(volume, margin, rest) || circles_into(rest.back(), volume) ||

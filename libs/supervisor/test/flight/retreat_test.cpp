@@ -278,6 +278,23 @@ TEST(ClosedAir, BesideATakeoffRefusesItToOneThatClimbsInCircles) {
   }
 }
 
+// A landing ends somewhere on its circle.
+TEST(ClosedAir, BesideATakeoffAfterALandingIsFurtherAwayThanBesideOneFromWhereItStands) {
+  PlanningLab lab = lab_of("karma");
+  const double orbit = lab.knowledge.vehicle.orbit_radius;
+  lab.world.volumes = {wall(1.5 * orbit, 3 * orbit, -50, 50)};
+  lab.task(1, "general-takeoff");
+
+  lab.situation.stands = true;
+  EXPECT_TRUE(lab.plan()) << lab.reasons();
+  lab.task(2, "general-land").task(3, "general-takeoff");
+  EXPECT_THAT(lab.reasons(), HasSubstr("the air over it is closed (volume 'wall')"));
+
+  lab.tasks.resize(1);
+  lab.situation.stands = false;
+  EXPECT_THAT(lab.reasons(), HasSubstr("the air over it is closed (volume 'wall')"));
+}
+
 TEST(ClosedAir, OverATakeoffRefusesIt) {
   PlanningLab lab = lab_of("marvin");
   lab.world.volumes = {wall(-50, 50, -50, 50)};

@@ -27,6 +27,8 @@ class PlannerHost {
 
   /// What begins at `position` begins in flight, with that heading [rad], up to some seconds later.
   void flies_on(const world::Vector3& position, double heading);
+  /// What begins at `position` begins there, on the ground; elsewhere, where a landing ended.
+  void stands_at(const world::Vector3& position);
 
   /// The functions may outlive the host.
   void offer(htn::Functions& functions) const;

@@ -86,6 +86,8 @@ struct Situation {
   /// It is flying there now, with that heading, and flies on until the plan begins: it does not
   /// wait or circle there.
   bool flies_on = false;
+  /// It stands there now; else a landing that is to come brings it there, near enough.
+  bool stands = false;
   double energy = 1;                      ///< what will be left, [0, 1]
   std::optional<world::Vector3> land_at;  ///< on the ground [m] ENU; absent: at home
   Timeline motion;
