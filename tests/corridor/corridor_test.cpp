@@ -97,7 +97,7 @@ TEST_P(Corridor, HoldsTheVehicleOnItsWayAndWhereItEnds) {
     merging::Way along(points_from({0, ground_y, 60}, random), sortie.margins);
     std::vector<Vector3> sent(along.points().begin() + 1, along.points().end());
     const bool interrupted = random.chance(0.3);
-    const int stops = 5 + static_cast<int>(random.below(40));
+    const int stops = 1 + static_cast<int>(random.below(44));
     flight.dispatch(sortie.name, 2, "goto", way(sent));
     worst = -1e9;
     for (int i = 0; i < 900 && !flight.terminal(2); ++i) {

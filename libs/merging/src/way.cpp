@@ -19,25 +19,29 @@ bool is_upright(const Vector3& from, const Vector3& to) {
   return (to - from).head<2>().norm() <= kLevel;
 }
 
+std::size_t pieces_of(double length, double longest) {
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(length / longest)));
+}
+
 std::vector<Vector3> stretched(const std::vector<Vector3>& points, double longest) {
   std::vector<Vector3> result{points.front()};
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Vector3 from = points[i - 1], along = points[i] - from;
-    const double pieces = std::max(1.0, std::ceil(along.head<2>().norm() / longest));
+    const auto pieces = static_cast<double>(pieces_of(along.head<2>().norm(), longest));
     for (double n = 1; n <= pieces; ++n) result.push_back(from + n / pieces * along);
   }
   return result;
 }
 
-/// A first piece that is left along with less than a way takes, long enough that what follows does
-/// not reach back to where it begins.
-bool leaves_narrowly(std::vector<Vector3>& points, const Margins& margins) {
+/// A first part that is left along with less than a way takes, long enough that what follows does
+/// not reach back to where it begins. Returns how many pieces it will be.
+std::size_t leaves_narrowly(std::vector<Vector3>& corners, const Margins& margins) {
   const double length = 2 * margins.way;
-  const Vector3 along = points[1] - points[0];
+  const Vector3 along = corners[1] - corners[0];
   const bool level = std::abs(along.z()) <= kLevel;
-  if (!level || along.norm() < 1.5 * length) return false;
-  points.insert(points.begin() + 1, points[0] + length / along.norm() * along);
-  return true;
+  if (!level || along.norm() < 1.5 * length) return 0;
+  corners.insert(corners.begin() + 1, corners[0] + length / along.norm() * along);
+  return pieces_of(length, margins.stretch);
 }
 
 bool slopes(const Vector3& from, const Vector3& to) { return std::abs(from.z() - to.z()) > kLevel; }
@@ -55,8 +59,9 @@ Volume column(const world::Vector2& place, double low, double high, const Margin
 Way::Way(const std::vector<Vector3>& points, const Margins& margins)
     : hovers_(margins.hovers), near_(std::max(kNear, margins.way / 2)) {
   SKEIN_EXPECTS(points.size() >= 2);
-  points_ = stretched(points, margins.stretch);
-  const bool narrow = leaves_narrowly(points_, margins);
+  std::vector<Vector3> corners = points;
+  const std::size_t narrow = leaves_narrowly(corners, margins);
+  points_ = stretched(corners, margins.stretch);
   bool rises = true;  // from where it rests
   for (std::size_t i = 1; i < points_.size(); ++i) {
     const Vector3 &from = points_[i - 1], &to = points_[i];
@@ -73,7 +78,7 @@ Way::Way(const std::vector<Vector3>& points, const Margins& margins)
     volumes_.push_back({from.head<2>(), to.head<2>(), margins.way,
                         std::min(from.z(), to.z()) - height, std::max(from.z(), to.z()) + height});
   }
-  if (narrow) volumes_.front().radius = margins.hold;
+  for (std::size_t i = 0; i < narrow; ++i) volumes_[i].radius = margins.hold;
   volumes_.push_back(stay_at(points_.back(), margins));
 }
 

@@ -20,8 +20,10 @@ bool is_in(const Volumes& volumes, const Vector3& at) {
 
 TEST(Way, LongPiecesGetWayPointsInBetween) {
   const Way way({{0, 0, 40}, {120, 0, 40}}, kHovers);
-  ASSERT_EQ(way.points().size(), 5U);
-  EXPECT_TRUE(way.points()[2].isApprox(Vector3(40, 0, 40)));
+  const std::vector<Vector3>& points = way.points();
+  EXPECT_EQ(points.back(), Vector3(120, 0, 40));
+  for (std::size_t i = 1; i < points.size(); ++i)
+    EXPECT_LE((points[i] - points[i - 1]).norm(), kHovers.stretch);
 }
 
 TEST(Way, IsLeftByNoMoreThanItTakesToHold) {
@@ -29,6 +31,19 @@ TEST(Way, IsLeftByNoMoreThanItTakesToHold) {
   EXPECT_EQ(way.volumes()[0].radius, kHovers.hold);
   EXPECT_EQ(way.volumes()[1].radius, kHovers.way);
   EXPECT_EQ(way.volumes()[0].to.x(), 2 * kHovers.way);
+}
+
+// Two that stand beside each other and need much room are not too near to leave.
+TEST(Way, IsLeftSoByWhoTakesMoreThanOnePieceForIt) {
+  Margins wide = kHovers;
+  wide.hold = 25;
+  wide.way = 60;
+  const Way way({{0, 0, 40}, {300, 0, 40}}, wide);
+  const Volumes& volumes = way.volumes();
+  for (const Volume& one : volumes)
+    EXPECT_EQ(one.radius, one.to.x() <= 121 || one == volumes.back() ? wide.hold : wide.way);
+  EXPECT_FALSE(overlap(volumes, {stay_at({0, 51, 40}, wide)}));
+  EXPECT_TRUE(overlap(volumes, {stay_at({200, 51, 40}, wide)}));
 }
 
 TEST(Way, StraightUpFromWhereItHoldsTakesNoMoreThanThat) {
