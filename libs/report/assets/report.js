@@ -41,6 +41,7 @@
   const scale = () => (right - left) / (view.to - view.from);
   const cursor = $("cursor");
   const markers = [...document.querySelectorAll("#map .live")];
+  const reserved = [...document.querySelectorAll("#map .reserved")].map((e) => [e, Number(e.dataset.from), Number(e.dataset.to)]);
   const rows = [...document.querySelectorAll("#live-table tr")];
 
   const showMarkers = () => {
@@ -48,6 +49,9 @@
       const s = stateAt(data.uavs[marker.dataset.uav], now);
       marker.setAttribute("transform", `translate(${s.x.toFixed(1)} ${s.y.toFixed(1)}) rotate(${s.h})`);
     }
+  };
+  const showAir = () => {
+    for (const [e, begin, end] of reserved) e.classList.toggle("now", begin <= now && now < end);
   };
   const showTable = () => {
     for (const row of rows) {
@@ -67,6 +71,7 @@
     $("clock").textContent = $("live-time").textContent = clock(now);
     $("seek").value = ((now - from) / (to - from)) * 1000;
     showMarkers();
+    showAir();
     showTable();
   };
   const setNow = (t) => { now = clamp(t, from, to); showNow(); };

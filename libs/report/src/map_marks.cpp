@@ -275,6 +275,13 @@ void write_map_legend(Markup& out, const Run& run) {
       {"<rect class='place' x='-4' y='-4' width='8' height='8'/>", "place"},
       {"<rect class='zone' x='-10' y='-6' width='20' height='12'/>", "zone"},
       {"<circle class='time u0' r='3'/>", "time along the way"}};
+  const bool merged = std::any_of(run.journal.others.begin(), run.journal.others.end(),
+                                  [](const OtherRecord& record) { return record.kind == "air"; });
+  if (merged) {
+    write_legend_entry(out,
+                       "<g class='reserved now u0'><line x1='-4' x2='4' stroke-width='14'/></g>",
+                       "air reserved (at the cursor)");
+  }
   for (const LegendEntry& e : entries) write_legend_entry(out, e.icon, e.text);
   out.close().line_break();
 }

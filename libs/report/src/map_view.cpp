@@ -144,6 +144,7 @@ void write_map(Markup& out, const Run& run, const MapFrame& f) {
   write_zones(out, run, f);
   const std::size_t most = std::clamp<std::size_t>(
       kMostPointsInAll / std::max<std::size_t>(run.story.uavs.size(), 1), 50, kMostPointsOfOne);
+  write_air_map(out, run, f);
   write_planned_ways(out, run, f);
   for (std::size_t i = 0; i < run.story.uavs.size(); ++i) {
     write_track(out, run.story.uavs[i], i, most, f);

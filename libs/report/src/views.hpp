@@ -47,6 +47,8 @@ MapFrame frame_map(const RunInfo& info, const Chronology& story);
 void write_map(Markup& out, const Run& run, const MapFrame& frame);
 /// Parts of shared areas, places of roles, and where constraints were violated: a part of the map.
 void write_joint_map(Markup& out, const Run& run, const MapFrame& frame);
+/// Air that was reserved, each piece for its time: a part of the map.
+void write_air_map(Markup& out, const Run& run, const MapFrame& frame);
 void write_map_legend(Markup& out, const Run& run);
 
 /// So many messages are drawn only on request: they would hide the rest.
