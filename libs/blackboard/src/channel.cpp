@@ -11,12 +11,12 @@ using wire::Slot;
 
 // At degree 1 the ground station talks with the functional layer through the decision node.
 std::vector<Slot> radio_slots() {
-  return {Slot::kPlanBoard,          Slot::kAutonomyDegree,   Slot::kMissionState,
-          Slot::kRequestReply,       Slot::kTaskEvent,        Slot::kFunctionalRequest,
-          Slot::kFunctionalStatus,   Slot::kSyncMessage,      Slot::kAlarm,
-          Slot::kTelemetry,          Slot::kPerceptionReport, Slot::kJointTaskState,
-          Slot::kNegotiationMessage, Slot::kTeamMessage,      Slot::kTeamSale,
-          Slot::kMergeMessage};
+  return {Slot::kPlanBoard,        Slot::kAutonomyDegree,     Slot::kMissionState,
+          Slot::kRequestReply,     Slot::kTaskEvent,          Slot::kFunctionalRequest,
+          Slot::kFunctionalStatus, Slot::kSyncMessage,        Slot::kAlarm,
+          Slot::kTelemetry,        Slot::kPerceptionReport,   Slot::kJointTaskState,
+          Slot::kPlanFrontier,     Slot::kNegotiationMessage, Slot::kTeamMessage,
+          Slot::kTeamSale,         Slot::kMergeMessage};
 }
 
 constexpr auto kFromStation = std::to_array<Slot>(

@@ -7,16 +7,42 @@
 namespace skein::wire {
 namespace {
 
-constexpr auto kNames = std::to_array<std::string_view>(
-    {"DirectoryEntry",     "Clock",          "LinkState",         "PlanBoard",
-     "AutonomyDegree",     "MissionState",   "MissionPlan",       "JointTaskState",
-     "UavBoard",           "UavTasks",       "GroundBoard",       "TaskRequest",
-     "RequestReply",       "TaskEvent",      "FunctionalRequest", "FunctionalStatus",
-     "SyncMessage",        "Alarm",          "MissionRequest",    "DegreeCommand",
-     "WorldChange",        "MissionOutcome", "HandOver",          "Decision",
-     "NegotiationMessage", "TeamMessage",    "TeamSale",          "MergeMessage",
-     "OperatorRequest",    "OperatorReply",  "JournalEntry",      "Telemetry",
-     "PerceptionReport",   "Truth",          "Heartbeat"});
+constexpr auto kNames = std::to_array<std::string_view>({"DirectoryEntry",
+                                                         "Clock",
+                                                         "LinkState",
+                                                         "PlanBoard",
+                                                         "AutonomyDegree",
+                                                         "MissionState",
+                                                         "MissionPlan",
+                                                         "JointTaskState",
+                                                         "PlanFrontier",
+                                                         "UavBoard",
+                                                         "UavTasks",
+                                                         "GroundBoard",
+                                                         "TaskRequest",
+                                                         "RequestReply",
+                                                         "TaskEvent",
+                                                         "FunctionalRequest",
+                                                         "FunctionalStatus",
+                                                         "SyncMessage",
+                                                         "Alarm",
+                                                         "MissionRequest",
+                                                         "DegreeCommand",
+                                                         "WorldChange",
+                                                         "MissionOutcome",
+                                                         "HandOver",
+                                                         "Decision",
+                                                         "NegotiationMessage",
+                                                         "TeamMessage",
+                                                         "TeamSale",
+                                                         "MergeMessage",
+                                                         "OperatorRequest",
+                                                         "OperatorReply",
+                                                         "JournalEntry",
+                                                         "Telemetry",
+                                                         "PerceptionReport",
+                                                         "Truth",
+                                                         "Heartbeat"});
 static_assert(kNames.size() == kSlotCount);
 
 }  // namespace

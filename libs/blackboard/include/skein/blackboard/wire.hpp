@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "skein/blackboard/wire_event.hpp"
+#include "skein/blackboard/wire_frontier.hpp"
 #include "skein/blackboard/wire_merging.hpp"
 #include "skein/blackboard/wire_state.hpp"
 #include "skein/blackboard/wire_stream.hpp"
@@ -19,11 +20,12 @@ namespace skein::wire {
 /// The value of one slot. The order of the alternatives is the order of `Slot`.
 using Sample =
     std::variant<DirectoryEntry, Clock, LinkState, PlanBoard, AutonomyDegree, MissionState,
-                 MissionPlan, JointTaskState, UavBoard, UavTasks, GroundBoard, TaskRequest,
-                 RequestReply, TaskEvent, FunctionalRequest, FunctionalStatus, SyncMessage, Alarm,
-                 MissionRequest, DegreeCommand, WorldChange, MissionOutcome, HandOver, Decision,
-                 NegotiationMessage, TeamMessage, TeamSale, MergeMessage, OperatorRequest,
-                 OperatorReply, JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat>;
+                 MissionPlan, JointTaskState, PlanFrontier, UavBoard, UavTasks, GroundBoard,
+                 TaskRequest, RequestReply, TaskEvent, FunctionalRequest, FunctionalStatus,
+                 SyncMessage, Alarm, MissionRequest, DegreeCommand, WorldChange, MissionOutcome,
+                 HandOver, Decision, NegotiationMessage, TeamMessage, TeamSale, MergeMessage,
+                 OperatorRequest, OperatorReply, JournalEntry, Telemetry, PerceptionReport, Truth,
+                 Heartbeat>;
 
 enum class Slot : std::uint8_t {
   kDirectoryEntry,
@@ -34,6 +36,7 @@ enum class Slot : std::uint8_t {
   kMissionState,
   kMissionPlan,
   kJointTaskState,
+  kPlanFrontier,
   kUavBoard,
   kUavTasks,
   kGroundBoard,

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The slot of class state by which plans are kept consistent in time (idl/state.idl). What the
+// fields mean is said where they come from: skein/temporal/frontier.hpp. Source: spec 5.3.
+#pragma once
+
+#include "skein/blackboard/wire_common.hpp"
+
+namespace skein::wire {
+
+struct SharedMeeting {
+  std::uint64_t id = 0;
+  std::vector<std::string> senders;
+  std::vector<std::string> receivers;
+  bool operator==(const SharedMeeting&) const = default;
+};
+SKEIN_WIRE_FIELDS(SharedMeeting, id, senders, receivers)
+
+/// [ns]; the greatest and the least of the type are infinite.
+struct FrontierArc {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+  std::int64_t soonest = 0;
+  std::int64_t slowest = 0;
+  std::int64_t latest = 0;
+  bool operator==(const FrontierArc&) const = default;
+};
+SKEIN_WIRE_FIELDS(FrontierArc, from, to, soonest, slowest, latest)
+
+/// What others need to know of the network of a UAV's plan.
+struct PlanFrontier {
+  SampleHeader header;
+  std::string uav;
+  std::vector<SharedMeeting> meetings;
+  std::vector<FrontierArc> arcs;
+  bool operator==(const PlanFrontier&) const = default;
+};
+SKEIN_WIRE_FIELDS(PlanFrontier, header, uav, meetings, arcs)
+
+}  // namespace skein::wire
