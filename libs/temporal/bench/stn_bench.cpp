@@ -9,6 +9,7 @@
 
 #include "skein/foundation/random.hpp"
 #include "skein/temporal/stn_engine.hpp"
+#include "skein/temporal/team_dates.hpp"
 #include "skein/temporal_lab/mastn_generator.hpp"
 
 namespace skein::temporal {
@@ -145,6 +146,60 @@ void BM_Build(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(StnEngine::make(network));
 }
 BENCHMARK(BM_Build)->Arg(320)->Arg(100'000)->Unit(benchmark::kMillisecond);
+
+/// Of so many agents, each with ten tasks before each of four meetings, one with each of four
+/// others: what is told when a plan changes.
+std::vector<FrontierLink> plan_links(Random& random) {
+  std::vector<FrontierLink> links;
+  std::uint32_t before = Frontier::kPresent, inner = Frontier::arrival_of(4);
+  const auto lasts = [&](std::uint32_t from, std::uint32_t to) {
+    const auto least = static_cast<Ticks>(1 + random.below(60));
+    const Ticks most = least + static_cast<Ticks>(random.below(60));
+    links.push_back({from, to, least, most, most});
+    links.push_back({to, from, kMinusInfinite, kMinusInfinite, -most});
+  };
+  for (std::size_t meeting = 0; meeting < 4; ++meeting) {
+    for (int task = 0; task < 10; ++task) {
+      links.push_back({before, inner, 0, 0, 0});
+      lasts(inner, inner + 1);
+      before = inner + 1;
+      inner += 2;
+    }
+    links.push_back({before, Frontier::arrival_of(meeting), 0, 0, 0});
+    links.push_back({Frontier::arrival_of(meeting), Frontier::end_of(meeting), 1, 1, 1});
+    before = Frontier::end_of(meeting);
+  }
+  return links;
+}
+
+void BM_Frontier(benchmark::State& state) {
+  Random random(6, "stn_bench");
+  const auto links = plan_links(random);
+  const std::size_t kept = Frontier::arrival_of(4);
+  for (auto _ : state) benchmark::DoNotOptimize(eliminate(kept + 80, kept, links));
+}
+BENCHMARK(BM_Frontier)->Unit(benchmark::kMicrosecond);
+
+/// What an agent of the team works out when it hears one of the others.
+void BM_TeamDates(benchmark::State& state) {
+  const auto agents = static_cast<std::size_t>(state.range(0));
+  Random random(7, "stn_bench");
+  TeamDates dates("0");
+  const std::size_t kept = Frontier::arrival_of(4);
+  for (std::size_t agent = 0; agent < agents; ++agent) {
+    Frontier frontier;
+    for (std::size_t i = 0; i < 4; ++i) {  // in one order for all
+      const std::size_t first = (agent + i) % 2 == 0 ? agent : (agent + agents - 1) % agents;
+      const std::vector<std::string> both{std::to_string(first),
+                                          std::to_string((first + 1) % agents)};
+      frontier.meetings.push_back({10 * i + 1000 * first, both, both});
+    }
+    frontier.arcs = eliminate(kept + 80, kept, plan_links(random));
+    agent == 0 ? dates.say(frontier) : dates.hear(std::to_string(agent), frontier);
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(dates.dates(MissionTime::seconds(5)));
+}
+BENCHMARK(BM_TeamDates)->Arg(2)->Arg(12)->Arg(100)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace skein::temporal

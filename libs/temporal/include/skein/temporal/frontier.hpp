@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// What others need to know of an agent's network to keep theirs consistent with it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/temporal/network.hpp"
+
+namespace skein::temporal {
+
+/// Names what several agents do together, the same at all of them.
+using MeetingId = std::uint64_t;
+
+/// Whoever receives goes on once every sender has come: its end follows each sender's arrival.
+struct Meeting {
+  MeetingId id = 0;
+  std::vector<std::string> senders;
+  std::vector<std::string> receivers;
+  bool operator==(const Meeting&) const = default;
+};
+
+/// to - from >= each of these [ns], in one course of nature; kMinusInfinite: nothing is said.
+struct FrontierArc {
+  std::uint32_t from = 0, to = 0;
+  Ticks soonest = kMinusInfinite;  ///< all durations least, each task as early as it may be
+  Ticks slowest = kMinusInfinite;  ///< all greatest, likewise; kInfinite: no figure bounds it
+  Ticks latest = kMinusInfinite;   ///< all greatest, with all that bounds from above
+  bool operator==(const FrontierArc&) const = default;
+};
+
+/// An agent's network without its inner nodes: its macro-network (DIP-M) over the origin, the
+/// present, which is the same instant for all agents, and for each of its meetings its arrival and
+/// its end. It says nothing that follows from what others said. Source: M 4.3; spec 5.3.
+struct Frontier {
+  static constexpr std::uint32_t kOrigin = 0, kPresent = 1;
+  static constexpr std::uint32_t arrival_of(std::size_t meeting) {
+    return static_cast<std::uint32_t>(2 + 2 * meeting);
+  }
+  static constexpr std::uint32_t end_of(std::size_t meeting) { return arrival_of(meeting) + 1; }
+
+  std::vector<Meeting> meetings;  ///< their ids differ
+  std::vector<FrontierArc> arcs;
+  bool operator==(const Frontier&) const = default;
+};
+
+/// What makes no frontier, in words: a meeting given twice, an arc between nodes that are not
+/// there or from a node to itself, a figure beyond ±kLargest that is not infinite.
+std::optional<std::string> fault_of(const Frontier& frontier);
+
+/// A link of a network that a frontier is to be made of: to - from >= each.
+using FrontierLink = FrontierArc;
+
+/// The arcs that remain when all but the first `kept` of so many nodes are eliminated: of paths
+/// whose inner nodes are not kept, the one that asks for most, in each course. Without arcs that
+/// say nothing. A course in which a cycle asks for more than nothing says nothing. Cost:
+/// O(kept · nodes · links) at worst, kept · links where links follow the order of time.
+std::vector<FrontierArc> eliminate(std::size_t nodes, std::size_t kept,
+                                   const std::vector<FrontierLink>& links);
+
+}  // namespace skein::temporal

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// When the others come: the frontiers of a team put together, as one of its agents knows them.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "skein/foundation/time.hpp"
+#include "skein/temporal/frontier.hpp"
+
+namespace skein::temporal {
+
+/// When a meeting can end because of the others, and when one has to be there because of them.
+struct PartnerDates {
+  /// When the last of the other senders comes, with all durations least and all greatest; max():
+  /// never (each waits for the other), or no figure bounds it.
+  MissionTime soonest, slowest;
+  bool all_there = false;  ///< they have come; soonest and slowest are when
+  std::string last;        ///< who comes last, as foreseen
+  /// Later no other could keep to its plan; absent: nobody says so.
+  std::optional<MissionTime> needed;
+  std::string needed_by;
+  bool operator==(const PartnerDates&) const = default;
+};
+
+/// One agent's part of the consistency of plans between agents, sans-IO. Each tells its frontier
+/// when it changes, as a state: the last word of each counts, in whatever order and after whatever
+/// cut it comes. Who is out of reach is supposed to keep to what it said last.
+///
+/// Laws. Once all have heard each other's last words, the dates are those of the network of the
+/// whole team: earliest arrivals in the courses of least and of greatest durations, latest ones in
+/// that of the greatest, without what the agent's own plan bounds from above. Nothing follows from
+/// itself: what an agent says does not contain what it heard. Thread rule: not safe to share.
+/// Source: M 4.3 (DIP-M); spec 5.3.
+class TeamDates {
+ public:
+  explicit TeamDates(std::string self) : self_(std::move(self)) {}
+
+  /// Precondition: no fault.
+  void say(Frontier own) { known_[self_] = std::move(own); }
+  void hear(const std::string& from, Frontier frontier) { known_[from] = std::move(frontier); }
+  /// It has no plan any more, or another node has it.
+  void forget(const std::string& peer) { known_.erase(peer); }
+  const std::map<std::string, Frontier>& known() const { return known_; }
+
+  /// Of each meeting of its own, or in which others count on it, of which every other sender is
+  /// known to be on its way. Cost: O(nodes · arcs) at worst of what is known; where nobody waits for himself, a few rounds.
+  std::map<MeetingId, PartnerDates> dates(MissionTime now) const;
+
+ private:
+  std::string self_;
+  std::map<std::string, Frontier> known_;
+};
+
+}  // namespace skein::temporal

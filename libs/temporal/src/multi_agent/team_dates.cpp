@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/temporal/team_dates.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace skein::temporal {
+
+namespace {
+
+using Weight = Ticks FrontierArc::*;
+/// What is said is heard later than it is said: two that wait for each other never go on.
+constexpr Ticks kHeard = 1;
+constexpr Weight kSoonest = &FrontierArc::soonest, kSlowest = &FrontierArc::slowest,
+                 kLatest = &FrontierArc::latest;
+
+bool is_in(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+MissionTime instant_of(Ticks date) {
+  return date == kInfinite ? MissionTime::max() : MissionTime::nanoseconds(date);
+}
+
+// A date that is no other in any course.
+bool is_fact(const Frontier& frontier, std::uint32_t node) {
+  Ticks soonest = kMinusInfinite, latest = kInfinite;
+  for (const FrontierArc& arc : frontier.arcs) {
+    if (arc.from == Frontier::kOrigin && arc.to == node) soonest = arc.soonest;
+    if (arc.from == node && arc.to == Frontier::kOrigin && arc.latest != kMinusInfinite)
+      latest = -arc.latest;
+  }
+  return soonest == latest;
+}
+
+/// All frontiers in one graph, in which who receives waits for who sends.
+class Whole {
+ public:
+  explicit Whole(const std::map<std::string, Frontier>& known) {
+    for (const auto& [agent, frontier] : known) {
+      first_[agent] = nodes_;
+      nodes_ += static_cast<std::uint32_t>(2 * frontier.meetings.size());
+    }
+    for (const auto& [agent, frontier] : known) {
+      for (FrontierArc arc : frontier.arcs) {
+        arc.from = node(agent, arc.from);
+        arc.to = node(agent, arc.to);
+        arcs_.push_back({arc, &agent});
+      }
+      for (std::size_t i = 0; i < frontier.meetings.size(); ++i) join(known, agent, i);
+    }
+  }
+
+  std::uint32_t node(const std::string& agent, std::uint32_t local) const {
+    return local < 2 ? local : first_.at(agent) + local - 2;
+  }
+  struct Awaited {
+    const std::string* agent;
+    std::uint32_t arrival;
+    bool there;  ///< it has come
+  };
+  /// Who has to come before an end.
+  const std::vector<Awaited>& awaited(std::uint32_t end) const {
+    static const std::vector<Awaited> kNobody;
+    const auto found = awaited_.find(end);
+    return found == awaited_.end() ? kNobody : found->second;
+  }
+
+  /// Earliest dates of a course. Who waits for himself never comes.
+  std::vector<Ticks> earliest(Weight weight, MissionTime now) const {
+    std::vector<Ticks> date(nodes_, kMinusInfinite);
+    date[Frontier::kOrigin] = 0;
+    date[Frontier::kPresent] = now.count();
+    std::vector<bool> changed;
+    for (std::uint32_t round = 0; round < nodes_; ++round) {
+      changed = revise(weight, date);
+      if (std::find(changed.begin(), changed.end(), true) == changed.end()) return date;
+    }
+    for (std::uint32_t i = 2; i < nodes_; ++i)
+      if (changed[i]) date[i] = kInfinite;
+    // What follows from never.
+    for (std::uint32_t round = 0; round < nodes_; ++round) {
+      for (const Arc& one : arcs_)
+        if (one.arc.*weight != kMinusInfinite && date[one.arc.from] == kInfinite && one.arc.to >= 2)
+          date[one.arc.to] = kInfinite;
+    }
+    return date;
+  }
+
+  struct Limit {
+    Ticks latest = kInfinite;
+    const std::string* of = nullptr;  ///< whose bound it is
+  };
+  /// Latest dates by what all but `self` bound from above, when all lasts longest.
+  std::vector<Limit> latest(MissionTime now, const std::string& self) const {
+    std::vector<Limit> limit(nodes_);
+    limit[Frontier::kOrigin] = {0, nullptr};
+    limit[Frontier::kPresent] = {now.count(), nullptr};
+    std::vector<bool> changed;
+    for (std::uint32_t round = 0; round < nodes_; ++round) {
+      changed = revise(self, limit);
+      if (std::find(changed.begin(), changed.end(), true) == changed.end()) return limit;
+    }
+    // The others contradict each other: what leads there is not for this one to mend.
+    for (std::uint32_t round = 0; round < nodes_; ++round) {
+      for (const Arc& one : arcs_)
+        if (bounds(one, self) && changed[one.arc.to]) changed[one.arc.from] = true;
+    }
+    for (std::uint32_t i = 2; i < nodes_; ++i)
+      if (changed[i]) limit[i] = {};
+    return limit;
+  }
+
+ private:
+  struct Arc {
+    FrontierArc arc;
+    const std::string* agent;  ///< whose; null: of a meeting
+  };
+
+  void join(const std::map<std::string, Frontier>& known, const std::string& agent,
+            std::size_t which) {
+    const Meeting& meeting = known.at(agent).meetings[which];
+    if (!is_in(meeting.receivers, agent)) return;
+    const std::uint32_t end = node(agent, Frontier::end_of(which));
+    for (const auto& [other, frontier] : known) {
+      if (other == agent || !is_in(meeting.senders, other)) continue;
+      for (std::size_t i = 0; i < frontier.meetings.size(); ++i) {
+        if (frontier.meetings[i].id != meeting.id) continue;
+        const std::uint32_t arrival = node(other, Frontier::arrival_of(i));
+        arcs_.push_back({{arrival, end, kHeard, kHeard, kHeard}, nullptr});
+        awaited_[end].push_back({&other, arrival, is_fact(frontier, Frontier::arrival_of(i))});
+      }
+    }
+  }
+
+  static bool bounds(const Arc& one, const std::string& self) {
+    const bool own = one.agent != nullptr && *one.agent == self;
+    return one.arc.*kLatest != kMinusInfinite && one.arc.from >= 2 && !own;
+  }
+
+  std::vector<bool> revise(const std::string& self, std::vector<Limit>& limit) const {
+    std::vector<bool> changed(nodes_, false);
+    for (const Arc& one : arcs_) {
+      const FrontierArc& arc = one.arc;
+      const Limit& after = limit[arc.to];
+      if (!bounds(one, self) || after.latest == kInfinite) continue;
+      const Ticks before = after.latest - arc.*kLatest;
+      if (before >= limit[arc.from].latest) continue;
+      limit[arc.from] = {before, arc.to < 2 ? one.agent : after.of};
+      changed[arc.from] = true;
+    }
+    return changed;
+  }
+
+  std::vector<bool> revise(Weight weight, std::vector<Ticks>& date) const {
+    std::vector<bool> changed(nodes_, false);
+    for (const Arc& one : arcs_) {
+      const FrontierArc& arc = one.arc;
+      if (arc.*weight == kMinusInfinite || date[arc.from] == kMinusInfinite || arc.to < 2) continue;
+      const bool never = arc.*weight == kInfinite || date[arc.from] == kInfinite;
+      const Ticks least = never ? kInfinite : date[arc.from] + arc.*weight;
+      if (least <= date[arc.to]) continue;
+      date[arc.to] = least;
+      changed[arc.to] = true;
+    }
+    return changed;
+  }
+
+  std::uint32_t nodes_ = 2;
+  std::map<std::string, std::uint32_t> first_;
+  std::vector<Arc> arcs_;
+  std::map<std::uint32_t, std::vector<Awaited>> awaited_;
+};
+
+std::size_t others_among(const std::vector<std::string>& senders, const std::string& self) {
+  return senders.size() -
+         static_cast<std::size_t>(std::count(senders.begin(), senders.end(), self));
+}
+
+// What others plan to do with this one and it does not plan yet is asked about too.
+std::map<std::string, Frontier> with_invitations(std::map<std::string, Frontier> known,
+                                                 const std::string& self) {
+  Frontier& own = known[self];
+  const auto is_planned = [&](MeetingId id) {
+    return std::any_of(own.meetings.begin(), own.meetings.end(),
+                       [&](const Meeting& one) { return one.id == id; });
+  };
+  for (const auto& [agent, frontier] : known) {
+    if (agent == self) continue;
+    for (const Meeting& one : frontier.meetings) {
+      const bool invited = is_in(one.senders, self) || is_in(one.receivers, self);
+      if (invited && !is_planned(one.id)) own.meetings.push_back(one);
+    }
+  }
+  return known;
+}
+
+}  // namespace
+
+std::map<MeetingId, PartnerDates> TeamDates::dates(MissionTime now) const {
+  std::map<MeetingId, PartnerDates> result;
+  const std::map<std::string, Frontier> known = with_invitations(known_, self_);
+  const auto own = known.find(self_);
+  if (own->second.meetings.empty()) return result;
+  const Whole whole(known);
+  const std::vector<Ticks> soonest = whole.earliest(kSoonest, now);
+  const std::vector<Ticks> slowest = whole.earliest(kSlowest, now);
+  const auto limits = whole.latest(now, self_);
+  for (std::size_t i = 0; i < own->second.meetings.size(); ++i) {
+    const Meeting& meeting = own->second.meetings[i];
+    const auto& awaited = whole.awaited(whole.node(self_, Frontier::end_of(i)));
+    const bool receives = is_in(meeting.receivers, self_);
+    if (receives && awaited.size() < others_among(meeting.senders, self_)) continue;
+    PartnerDates dates;
+    dates.all_there = receives;
+    for (const auto& [agent, arrival, there] : awaited) {
+      const MissionTime first = instant_of(soonest[arrival]), last = instant_of(slowest[arrival]);
+      if (dates.last.empty() || last > dates.slowest) dates.last = *agent;
+      dates.soonest = std::max(dates.soonest, first);
+      dates.slowest = std::max(dates.slowest, last);
+      dates.all_there = dates.all_there && there;
+    }
+    const auto& limit = limits[whole.node(self_, Frontier::arrival_of(i))];
+    if (limit.latest != kInfinite && limit.of != nullptr) {
+      dates.needed = instant_of(limit.latest);
+      dates.needed_by = *limit.of;
+    }
+    result[meeting.id] = dates;
+  }
+  return result;
+}
+
+}  // namespace skein::temporal

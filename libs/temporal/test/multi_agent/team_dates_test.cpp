@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// When the others come, by examples and against Floyd and Warshall on the network of a whole team.
+#include "skein/temporal/team_dates.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "test_cases.hpp"
+#include "testing/random_team.hpp"
+
+namespace skein::temporal::testing {
+namespace {
+
+using ::testing::IsEmpty;
+
+constexpr Ticks kSecond = kTicksPerSecond;
+MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
+
+const Meeting kMeeting{501, {"heliv", "marvin"}, {"heliv", "marvin"}};
+
+/// Comes to the meeting between so many seconds, is done a second after at the earliest.
+Frontier coming(Ticks soonest, Ticks slowest, Meeting meeting = kMeeting) {
+  Frontier frontier{{std::move(meeting)}, {}};
+  const Ticks most = slowest == kInfinite ? kInfinite : slowest * kSecond;
+  const Ticks fixed = slowest == kInfinite ? kMinusInfinite : most;
+  frontier.arcs = {{0, 2, soonest * kSecond, most, fixed}, {2, 3, kSecond, kSecond, kSecond}};
+  return frontier;
+}
+/// It is to be done with it by then.
+Frontier until(Frontier frontier, Ticks seconds) {
+  frontier.arcs.push_back({3, 0, kMinusInfinite, kMinusInfinite, -seconds * kSecond});
+  return frontier;
+}
+
+TeamDates marvins(const Frontier& own, const Frontier& others) {
+  TeamDates dates("marvin");
+  dates.say(own);
+  dates.hear("heliv", others);
+  return dates;
+}
+
+TEST(TeamDates, AMeetingEndsNoEarlierThanTheOtherComes) {
+  const auto dates = marvins(coming(10, 20), coming(40, 70)).dates(at(0));
+
+  EXPECT_EQ(dates.at(501).soonest, at(40));
+  EXPECT_EQ(dates.at(501).slowest, at(70));
+  EXPECT_EQ(dates.at(501).last, "heliv");
+  EXPECT_FALSE(dates.at(501).all_there);
+}
+
+TEST(TeamDates, WhoWasToComeBeforeNowComesNow) {
+  Frontier others = coming(40, 70);
+  others.arcs.push_back({Frontier::kPresent, 2, 0, 0, 0});
+
+  EXPECT_EQ(marvins(coming(10, 20), others).dates(at(60)).at(501).soonest, at(60));
+}
+
+TEST(TeamDates, WhoHasComeIsThere) {
+  Frontier others = coming(40, 40);
+  EXPECT_FALSE(marvins(coming(10, 20), others).dates(at(41)).at(501).all_there);
+
+  others.arcs.push_back({2, 0, kMinusInfinite, kMinusInfinite, -40 * kSecond});
+  EXPECT_TRUE(marvins(coming(10, 20), others).dates(at(41)).at(501).all_there);
+}
+
+TEST(TeamDates, ItHasToBeThereWhenTheOtherIsToBeDone) {
+  const auto dates = marvins(coming(10, 20), until(coming(40, 70), 90)).dates(at(0));
+
+  ASSERT_TRUE(dates.at(501).needed);
+  EXPECT_EQ(*dates.at(501).needed, MissionTime::nanoseconds(90 * kSecond - 1));
+  EXPECT_EQ(dates.at(501).needed_by, "heliv");
+}
+
+TEST(TeamDates, ItsOwnBoundsAreNoBodyElses) {
+  EXPECT_EQ(marvins(until(coming(10, 20), 30), coming(40, 70)).dates(at(0)).at(501).needed,
+            std::nullopt);
+}
+
+TEST(TeamDates, WhomNoFigureBoundsComesAtNoKnownDate) {
+  const auto dates = marvins(coming(10, 20), coming(40, kInfinite)).dates(at(0));
+
+  EXPECT_EQ(dates.at(501).soonest, at(40));
+  EXPECT_EQ(dates.at(501).slowest, MissionTime::max());
+}
+
+TEST(TeamDates, OfAMeetingThatTheOtherDoesNotPlanNothingIsKnown) {
+  EXPECT_THAT(marvins(coming(10, 20), {}).dates(at(0)), IsEmpty());
+
+  TeamDates dates = marvins(coming(10, 20), coming(40, 70));
+  dates.forget("heliv");
+  EXPECT_THAT(dates.dates(at(0)), IsEmpty());
+}
+
+TEST(TeamDates, OfAMeetingThatOnlyTheOtherPlansTheDatesAreKnownBefore) {
+  const auto dates = marvins({}, until(coming(40, 70), 90)).dates(at(0));
+
+  EXPECT_EQ(dates.at(501).soonest, at(40));
+  EXPECT_EQ(dates.at(501).needed, MissionTime::nanoseconds(90 * kSecond - 1));
+}
+
+TEST(TeamDates, WhoOnlySendsWaitsForNobody) {
+  const Meeting signal{502, {"marvin"}, {"heliv"}};
+  const auto dates =
+      marvins(coming(10, 20, signal), until(coming(40, 70, signal), 90)).dates(at(0));
+
+  EXPECT_EQ(dates.at(502).soonest, MissionTime());
+  EXPECT_FALSE(dates.at(502).all_there);
+  EXPECT_EQ(dates.at(502).needed, MissionTime::nanoseconds(90 * kSecond - 1));
+}
+
+// Marvin waits at 1 and goes on to 2; heliv the other way round.
+TEST(TeamDates, TwoThatWaitForEachOtherNeverCome) {
+  const auto two = [](MeetingId first, MeetingId second) {
+    Frontier frontier;
+    for (const MeetingId id : {first, second})
+      frontier.meetings.push_back({id, {"heliv", "marvin"}, {"heliv", "marvin"}});
+    frontier.arcs = {{0, 2, 0, 0, 0}, {2, 3, 0, 0, 0}, {3, 4, 0, 0, 0}, {4, 5, 0, 0, 0}};
+    return frontier;
+  };
+
+  const auto dates = marvins(two(1, 2), two(2, 1)).dates(at(0));
+
+  EXPECT_EQ(dates.at(1).soonest, MissionTime::max());
+  EXPECT_EQ(dates.at(2).soonest, MissionTime());  // there he can be met
+}
+
+// ---- against the whole ----
+
+TEST(TeamDates, AreThoseOfTheWholeTeamOnceAllHaveHeardTheLastWords) {
+  const auto seeds = skein::testing::cases<std::uint64_t>(300, 10'000);
+  int never = 0, needed = 0, all = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    RandomTeam team(seed);
+    for (int change = 0; change < 4; ++change) {
+      team.change();
+      team.deliver();
+      for (const std::string& agent : team.agents()) {
+        const auto found = team.heard_by(agent).dates(team.now());
+        const auto expected = team.dates_of(agent);
+        ASSERT_EQ(found.size(), expected.size()) << "seed " << seed << ", " << agent;
+        for (const auto& [meeting, dates] : found) {
+          const OracleDates& right = expected.at(meeting);
+          ASSERT_EQ(dates.soonest, right.soonest) << "seed " << seed << ", " << agent << meeting;
+          ASSERT_EQ(dates.slowest, right.slowest) << "seed " << seed << ", " << agent << meeting;
+          ASSERT_EQ(dates.needed, right.needed) << "seed " << seed << ", " << agent << meeting;
+          ++all;
+          never += dates.soonest == MissionTime::max() ? 1 : 0;
+          needed += dates.needed ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(needed, all / 10);
+  EXPECT_GT(never, all / 100);
+  EXPECT_LT(never, all / 2);
+}
+
+// Who was cut off has the last word that it heard, and nothing else is wanted once the cut is over.
+TEST(TeamDates, AfterACutOneLastWordOfEachServes) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    RandomTeam team(seed), quiet(seed);
+    for (int change = 0; change < 6; ++change) {
+      team.change();
+      quiet.change();
+      quiet.deliver();
+      if (change % 3 == 2) team.deliver();
+    }
+    for (const std::string& agent : team.agents())
+      ASSERT_EQ(team.heard_by(agent).dates(team.now()), quiet.heard_by(agent).dates(quiet.now()))
+          << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace skein::temporal::testing
