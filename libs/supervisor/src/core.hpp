@@ -37,7 +37,10 @@ class Supervisor::Core {
   void on(const JobFinished& input) { jobs_.finished(input); }
   void on(const JointTaskDue& input) { committer_.joint_tasks().due(input); }
   void on(const JointTaskAnswered& input);
+  void on(const PartnersSeen& input);
   void on(const Tick&) {}
+
+  void tell_frontier();
 
   Config config_;
   Book book_;
@@ -58,6 +61,8 @@ class Supervisor::Core {
   HandOver hand_over_;
   Observer observer_;
   Requests requests_;
+  temporal::Frontier told_;         ///< to others
+  std::uint64_t told_version_ = 0;  ///< of the dates
 };
 
 }  // namespace skein::supervisor

@@ -76,7 +76,24 @@ Effects Supervisor::Core::handle(const Input& input, MissionTime now) {
     safe_mode_.keep();
   }
   if (!agenda_.job()) let_go_of_the_past(book_, kGoalsKept);
+  tell_frontier();
   return out_.close();
+}
+
+void Supervisor::Core::tell_frontier() {
+  const std::uint64_t version = engaged() ? dates_.version() : 0;
+  if (version == told_version_) return;
+  told_version_ = version;
+  temporal::Frontier frontier = engaged() ? dates_.frontier() : temporal::Frontier();
+  if (frontier == told_) return;
+  told_ = frontier;
+  out_.add(FrontierChanged{std::move(frontier)});
+}
+
+void Supervisor::Core::on(const PartnersSeen& input) {
+  if (book_.meetings.of == input.meetings) return;
+  book_.meetings.of = input.meetings;
+  if (engaged()) contingencies_.check_meetings();
 }
 
 void Supervisor::Core::on(const Engage& input) {

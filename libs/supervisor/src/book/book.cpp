@@ -143,6 +143,7 @@ GoalBounds Book::bounds(const std::vector<mission::HighLevelTask>& more) const {
     if (!is_settled(goal.state)) add(goal.task);
   }
   for (const mission::HighLevelTask& task : more) add(task);
+  result.meetings = meetings;
   return result;
 }
 

@@ -58,6 +58,7 @@ class Book {
   std::map<TaskId, Entry> tasks;
   std::map<TaskId, Loose> loose;  ///< those that are not over
   std::set<TaskId> forgotten;     ///< loose ones that are over
+  Meetings meetings;              ///< what is known of those whom the UAV is to meet
   TaskId next_id{1};
 
   Entry* find(TaskId id);
@@ -84,7 +85,8 @@ class Book {
   /// Goals that are to be done, are not queued and not with the executive: those that a job may
   /// plan anew; in order. A goal without tasks counts as given when one behind it is.
   std::vector<GoalId> free_goals() const;
-  /// Bounds after goals, of all that are not settled and of `more`, that are not in the book.
+  /// Bounds after goals, of all that are not settled and of `more`, that are not in the book; and
+  /// what is known of meetings.
   GoalBounds bounds(const std::vector<mission::HighLevelTask>& more = {}) const;
   std::vector<mission::HighLevelTask> tasks_of(const std::vector<GoalId>& ids) const;
 

@@ -16,7 +16,7 @@ std::string seconds(MissionTime instant) { return in_seconds(instant); }
 
 bool is_upper_constraint(BoundKind kind) {
   return kind == BoundKind::kStartBefore || kind == BoundKind::kEndBefore ||
-         kind == BoundKind::kAfterGoal;
+         kind == BoundKind::kAfterGoal || kind == BoundKind::kNeeded;
 }
 bool is_constraint(BoundKind kind) {
   return is_upper_constraint(kind) || kind == BoundKind::kStartAfter ||
@@ -60,6 +60,10 @@ class Sentences {
         return upper(cause, "end", end_of(cause.task));
       case BoundKind::kAfterGoal:
         return after_goal(broken);
+      case BoundKind::kPartner:
+        return "waits for '" + cause.who + "'";
+      case BoundKind::kNeeded:
+        return upper(cause, "start", start_of(cause.task)) + ", which '" + cause.who + "' needs";
     }
     return "";
   }
@@ -132,6 +136,18 @@ auto telling(const Causes& causes) {
   };
 }
 
+// "; 'heliv' comes between 40 s and 70 s"
+std::string who_is_late(const std::vector<BrokenBound>& bounds) {
+  for (const BrokenBound& broken : bounds) {
+    const PlanLink& one = *broken.link;
+    if (one.cause.kind != BoundKind::kPartner || one.link.to != others_at(one.cause.task)) continue;
+    const bool bounded = one.link.max != temporal::kInfinite;
+    return "; '" + one.cause.who + "' comes " + (bounded ? "between " : "from ") +
+           seconds(one.link.min) + (bounded ? " and " + seconds(one.link.max) : " on");
+  }
+  return "";
+}
+
 }  // namespace
 
 std::vector<Conflict> explain(const std::vector<BrokenBound>& bounds, bool consistent,
@@ -151,6 +167,8 @@ std::vector<Conflict> explain(const std::vector<BrokenBound>& bounds, bool consi
       same->why += "; " + text;
     }
   }
+  const std::string late = who_is_late(bounds);
+  if (!conflicts.empty() && !late.empty()) conflicts.front().why += late;
   return conflicts;
 }
 

@@ -15,8 +15,19 @@ constexpr Duration kTick = Duration::milliseconds(1);
 
 // ---- the network ----
 
+// What others may do to the plan breaks it only when it is certain.
 void Dates::update(MissionTime now) {
+  book_.meetings.hopeful = false;
+  risk_.clear();
   network_.update(open_views(), now);
+  if (!controllable() && !book_.meetings.of.empty()) {
+    const std::vector<Conflict> conflicts = schedule().conflicts;
+    book_.meetings.hopeful = true;
+    network_.update(open_views(), now);
+    if (controllable() && !conflicts.empty())
+      risk_ = "task " + to_text(conflicts.front().task) + " " + conflicts.front().why;
+  }
+  ++version_;
   for (const auto& [id, window] : schedule().dates) {
     Entry& entry = book_.tasks.at(id);
     entry.window = window;
@@ -36,6 +47,7 @@ bool Dates::fits(const mission::ElementaryPlan& plan, const std::set<TaskId>& wi
             [](const TaskView& a, const TaskView& b) { return a.task->id < b.task->id; });
   relate(views, book_.bounds());
   network_.update(views, now);
+  ++version_;
   return controllable();
 }
 
@@ -87,6 +99,19 @@ std::vector<TaskId> Dates::renew_holds(MissionTime now) {
   return changed;
 }
 
+// ---- others ----
+
+temporal::Frontier Dates::frontier() const {
+  std::map<TaskId, temporal::Meeting> meetings;
+  std::set<std::uint64_t> named;
+  for (const auto& [id, entry] : book_.tasks) {
+    const auto& meets = entry.task.synchronisation;
+    if (!meets || !book_.counts(entry) || !named.insert(meets->id).second) continue;
+    meetings[id] = {meets->id, meets->senders, meets->receivers};
+  }
+  return network_.frontier(meetings);
+}
+
 // ---- promises ----
 
 void Dates::promise() {
@@ -111,10 +136,22 @@ bool Dates::keeps_promises(Duration tolerance) const {
 
 // ---- what should have been seen by now ----
 
+// Of a meeting, when the last of the others comes as they foresee it.
+MissionTime Dates::end_foreseen(const Entry& entry) const {
+  if (const auto& meets = entry.task.synchronisation) {
+    const auto known = book_.meetings.of.find(meets->id);
+    if (known != book_.meetings.of.end() && !known->second.last.empty())
+      return std::max(known->second.slowest, *entry.seen.started + entry.task.duration.most);
+  }
+  if (entry.task.duration.most == Duration::max()) return MissionTime::max();
+  return *entry.seen.started + entry.task.duration.most;
+}
+
 bool Dates::is_overdue(const Entry& entry, MissionTime now) const {
-  const bool nature = !ends_by_order(entry.task) && entry.task.duration.most != Duration::max();
-  return nature && entry.under_way() && entry.told != Tardiness::kOverdue &&
-         now >= *entry.seen.started + entry.task.duration.most + grace_;
+  if (ends_by_order(entry.task) || !entry.under_way() || entry.told == Tardiness::kOverdue)
+    return false;
+  const MissionTime end = end_foreseen(entry);
+  return end != MissionTime::max() && now >= end + grace_;
 }
 
 // When a task that has not started should have: what was foreseen, or the network, says so.
@@ -136,7 +173,7 @@ Dates::Slips Dates::slips(MissionTime now) {
   for (auto& [id, entry] : book_.tasks) {
     if (!is_overdue(entry, now)) continue;
     entry.told = Tardiness::kOverdue;
-    add(id, " overdue by ", *entry.seen.started + entry.task.duration.most);
+    add(id, " overdue by ", end_foreseen(entry));
   }
   const bool by_another = !result.what.empty();
   for (auto& [id, entry] : book_.tasks) {
@@ -161,8 +198,10 @@ std::optional<MissionTime> Dates::next_slip(MissionTime now) const {
   };
   for (const auto& [id, entry] : book_.tasks) {
     if (!book_.counts(entry)) continue;
-    if (entry.seen.started && entry.told != Tardiness::kOverdue && !ends_by_order(entry.task))
-      count(*entry.seen.started + entry.task.duration.most + grace_);
+    if (entry.seen.started && entry.told != Tardiness::kOverdue && !ends_by_order(entry.task)) {
+      const MissionTime end = end_foreseen(entry);
+      if (end != MissionTime::max()) count(end + grace_);
+    }
     if (!entry.seen.started && entry.told != Tardiness::kLate) count(late_from(entry));
   }
   return next;

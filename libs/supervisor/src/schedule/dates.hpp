@@ -26,6 +26,12 @@ class Dates {
             MissionTime now);
   const Schedule& schedule() const { return network_.schedule(); }
   bool controllable() const { return schedule().controllable; }
+  /// Why the plan may fail because of others though it need not; empty: it keeps whatever they do.
+  const std::string& risk() const { return risk_; }
+  /// What others need to know of the plan.
+  temporal::Frontier frontier() const;
+  /// Another one: the network changed.
+  std::uint64_t version() const { return version_; }
   /// "ends between 352 s and 356.1 s".
   std::string extent() const;
 
@@ -55,10 +61,13 @@ class Dates {
   bool is_overdue(const Entry& entry, MissionTime now) const;
   bool is_late(const Entry& entry, MissionTime now) const;
   MissionTime late_from(const Entry& entry) const;
+  MissionTime end_foreseen(const Entry& entry) const;
 
   Book& book_;
   Duration grace_;
   PlanNetwork network_;
+  std::string risk_;
+  std::uint64_t version_ = 0;
 };
 
 }  // namespace skein::supervisor

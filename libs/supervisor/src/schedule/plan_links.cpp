@@ -22,6 +22,10 @@ constexpr Ticks kHorizon = Ticks{1} << 50;
 /// The least that nature takes for anything.
 constexpr Ticks kInstant = 1'000'000;
 
+/// Who is so much later than he foresaw comes at no known date. So long it takes at most until all
+/// know that all are there.
+constexpr Duration kLate = Duration::milliseconds(1000);
+
 struct Span {
   Ticks least = 0, most = kInfinite;
   bool fixed() const { return least == most; }
@@ -43,15 +47,16 @@ Ticks gone_of(const Observation& seen, MissionTime now) {
 
 class Links {
  public:
-  Links(const ElementaryTask& task, const std::vector<TaskBound>& bounds, MissionTime now,
-        const SeenOf& seen)
-      : task_(task),
-        bounds_(bounds),
+  Links(const TaskView& view, MissionTime now, const SeenOf& seen)
+      : view_(view),
+        task_(*view.task),
+        bounds_(view.bounds),
+        encounter_(view.encounter),
         now_(now),
         seen_(seen),
-        own_(*seen(task.id)),
-        start_(start_of(task.id)),
-        end_(end_of(task.id)) {}
+        own_(view.seen),
+        start_(start_of(task_.id)),
+        end_(end_of(task_.id)) {}
 
   std::vector<PlanLink> all() {
     if (own_.over) {
@@ -66,10 +71,12 @@ class Links {
       for (const mission::Dependence& one : task_.dependences) depend(one);
       start_constraints();
     }
-    if (task_.stop.empty()) {
-      last();
-    } else {
+    if (!task_.stop.empty()) {
       stop();
+    } else if (encounter_ && encounter_->awaits()) {
+      meet();
+    } else {
+      last();
     }
     end_constraints();
     for (std::uint32_t i = 0; i < bounds_.size(); ++i) after(bounds_[i], i);
@@ -116,7 +123,7 @@ class Links {
   // Nature ends the task, or its duration is known.
   void last() {
     const Span span = span_of(task_);
-    if (is_endless(task_, own_, now_)) {
+    if (is_endless(view_, now_)) {
       add(BoundKind::kDuration, start_, end_, {span.least, kInfinite});
       if (own_.started) add(BoundKind::kNow, kPresent, end_, {0, kInfinite});
       return;
@@ -125,6 +132,29 @@ class Links {
     const Ticks least = fixed ? span.least : std::max(span.least, gone_of(own_, now_));
     add(BoundKind::kDuration, start_, end_, {least, span.most});
     links_.back().link.contingent = !fixed;
+  }
+
+  // It takes as long as the last of the others is away.
+  void meet() {
+    const temporal::PartnerDates& with = encounter_->with;
+    const bool endless = is_endless(view_, now_);
+    const bool there = with.all_there && !endless;
+    const Ticks least = there ? std::max(kInstant, gone_of(own_, now_)) : kInstant;
+    add(BoundKind::kDuration, start_, end_, {least, there ? kLate.count() : kInfinite});
+    links_.back().link.contingent = there;
+    if (own_.started && !there) add(BoundKind::kNow, kPresent, end_, {0, kInfinite});
+    if (!with.all_there) come(with, !endless);
+  }
+
+  void come(const temporal::PartnerDates& with, bool bounded) {
+    const Ticks least = std::max<Ticks>({ticks_of(with.soonest), ticks_of(now_), 1});
+    const Ticks most = std::max(ticks_of(with.slowest), least + kInstant);
+    const NodeName others = others_at(task_.id);
+    add(BoundKind::kPartner, LiveNetwork::kOrigin, others, {least, bounded ? most : kInfinite});
+    links_.back().link.contingent = bounded && !encounter_->hopeful;
+    links_.back().cause.who = with.last;
+    add(BoundKind::kPartner, others, end_, {0, kInfinite}, {}, 1);
+    links_.back().cause.who = with.last;
   }
 
   void stop() {
@@ -166,14 +196,20 @@ class Links {
   void start_constraints() {
     not_before(start_, task_.time.start_after, BoundKind::kStartAfter);
     not_after(start_, task_.time.start_before, BoundKind::kStartBefore);
+    if (!encounter_ || encounter_->hopeful || !encounter_->with.needed) return;
+    not_after(start_, encounter_->with.needed, BoundKind::kNeeded);
+    if (links_.back().cause.kind == BoundKind::kNeeded)
+      links_.back().cause.who = encounter_->with.needed_by;
   }
   void end_constraints() {
     not_before(end_, task_.time.end_after, BoundKind::kEndAfter);
     not_after(end_, task_.time.end_before, BoundKind::kEndBefore);
   }
 
+  const TaskView& view_;
   const ElementaryTask& task_;
   const std::vector<TaskBound>& bounds_;
+  const std::optional<Encounter>& encounter_;
   MissionTime now_;
   const SeenOf& seen_;
   const Observation& own_;
@@ -192,9 +228,8 @@ temporal::LinkName name_of(const Cause& cause) {
   return {0, cause.task.value(), kind, cause.other.value()};
 }
 
-std::vector<PlanLink> links_of(const ElementaryTask& task, const std::vector<TaskBound>& bounds,
-                               MissionTime now, const SeenOf& seen) {
-  return Links(task, bounds, now, seen).all();
+std::vector<PlanLink> links_of(const TaskView& view, MissionTime now, const SeenOf& seen) {
+  return Links(view, now, seen).all();
 }
 
 namespace {
@@ -234,10 +269,29 @@ void relate(std::vector<TaskView>& tasks, const GoalBounds& bounds) {
       }
     }
   }
+  // One whose end has to wait for a date begins no sooner than that: it might end at once.
+  const auto waits_for_date = [](const TaskView& view) {
+    return view.task->time.end_after ||
+           std::any_of(view.bounds.begin(), view.bounds.end(),
+                       [](const TaskBound& one) { return one.bound.on_end; });
+  };
+  for (TaskView& view : tasks) {
+    if (!view.task->synchronisation || view.seen.over || waits_for_date(view)) continue;
+    const auto met = bounds.meetings.of.find(view.task->synchronisation->id);
+    if (met != bounds.meetings.of.end())
+      view.encounter = Encounter{met->second, bounds.meetings.hopeful};
+  }
 }
 
-bool is_endless(const ElementaryTask& task, const Observation& seen, MissionTime now) {
+bool is_endless(const TaskView& view, MissionTime now) {
+  const ElementaryTask& task = *view.task;
+  const Observation& seen = view.seen;
   if (seen.over || !task.stop.empty()) return false;
+  if (view.encounter && view.encounter->awaits()) {
+    const temporal::PartnerDates& with = view.encounter->with;
+    if (with.all_there) return seen.started && gone_of(seen, now) >= kLate.count();
+    return with.slowest.count() > kHorizon || with.slowest + kLate <= now;
+  }
   const Span span = span_of(task);
   return !span.bounded() || (seen.started && gone_of(seen, now) >= span.most);
 }

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "skein/supervisor/schedule.hpp"
@@ -26,6 +28,8 @@ enum class BoundKind : std::uint8_t {
   kEndAfter,
   kEndBefore,
   kAfterGoal,  ///< it starts, or ends, so long after the end of `other`, or of a goal that is over
+  kPartner,    ///< others come to meet it, and it ends after that
+  kNeeded,     ///< others need it there
 };
 
 /// A bound after a goal, as the network has it.
@@ -36,15 +40,24 @@ struct TaskBound {
   bool operator==(const TaskBound&) const = default;
 };
 
+/// What the network has of those whom a task meets.
+struct Encounter {
+  temporal::PartnerDates with;
+  bool hopeful = false;  ///< as Meetings::hopeful
+  bool awaits() const { return !with.last.empty(); }
+  bool operator==(const Encounter&) const = default;
+};
+
 /// A task and what was seen of it, as somebody else keeps them.
 struct TaskView {
   const mission::ElementaryTask* task = nullptr;
   Observation seen;
   std::vector<TaskBound> bounds = {};
+  std::optional<Encounter> encounter = {};
 };
 
-/// Gives the tasks their bounds after goals. A goal that has no tasks here and was not achieved
-/// bounds nothing.
+/// Gives the tasks their bounds after goals, and what is known of those they meet. A goal that has
+/// no tasks here and was not achieved bounds nothing.
 void relate(std::vector<TaskView>& tasks, const GoalBounds& bounds);
 
 /// What a link is about.
@@ -55,6 +68,7 @@ struct Cause {
   MissionTime instant;        ///< of kFact and time constraints
   std::uint32_t part = 0;     ///< tells links apart that are about the same
   mission::GoalId goal = {};  ///< of kAfterGoal
+  std::string who = {};       ///< of kPartner, kNeeded
   bool operator==(const Cause&) const = default;
 };
 temporal::LinkName name_of(const Cause& cause);
@@ -66,6 +80,8 @@ struct PlanLink {
 
 inline temporal::NodeName start_of(executive::TaskId task) { return {0, 2 * task.value()}; }
 inline temporal::NodeName end_of(executive::TaskId task) { return {0, 2 * task.value() + 1}; }
+/// When the others have come whom the task meets.
+inline temporal::NodeName others_at(executive::TaskId task) { return {1, task.value()}; }
 /// The present: a node at a fixed date, which nothing that has not come may precede.
 inline constexpr temporal::NodeName kPresent{0xFFFFFFFF, 1};
 
@@ -76,11 +92,10 @@ temporal::Ticks ticks_of(MissionTime instant);
 using SeenOf = std::function<const Observation*(executive::TaskId)>;
 
 /// Those of one task, by the rules of schedule.hpp.
-std::vector<PlanLink> links_of(const mission::ElementaryTask& task,
-                               const std::vector<TaskBound>& bounds, MissionTime now,
-                               const SeenOf& seen);
+std::vector<PlanLink> links_of(const TaskView& view, MissionTime now, const SeenOf& seen);
 
-/// No figure bounds its end from above: it is open-ended, or under way for longer than foreseen.
-bool is_endless(const mission::ElementaryTask& task, const Observation& seen, MissionTime now);
+/// No figure bounds its end from above: it is open-ended, or under way for longer than foreseen, or
+/// waits for who comes at no known date.
+bool is_endless(const TaskView& view, MissionTime now);
 
 }  // namespace skein::supervisor

@@ -32,6 +32,9 @@ class PlanNetwork {
   void update(const std::vector<TaskView>& tasks, MissionTime now);
 
   const Schedule& schedule() const { return schedule_; }
+  /// What others need to know of it when these of its tasks are meetings: without what others said,
+  /// and without the holds. Nothing that a contradiction of the plan itself would say.
+  temporal::Frontier frontier(const std::map<executive::TaskId, temporal::Meeting>& meetings) const;
   const temporal::LiveNetwork& network() const { return live_; }
 
  private:
@@ -39,6 +42,9 @@ class PlanNetwork {
     mission::ElementaryTask task;  ///< without what the network does not look at
     Observation seen;
     std::vector<TaskBound> bounds;
+    std::optional<Encounter> encounter;
+    bool has_others = false;  ///< there is a node for when they have come
+    TaskView view() const { return {&task, seen, bounds, encounter}; }
     std::map<temporal::LinkName, PlanLink> links;
     temporal::NodeIndex start = 0, end = 0;
     bool endless = false;
@@ -52,6 +58,7 @@ class PlanNetwork {
   void dirty_namers(executive::TaskId task, std::set<executive::TaskId>& dirty) const;
   void set_present();
   void relink(Known& known);
+  void set_others(Known& known, bool there);
   void put(const PlanLink& link);
   void take_out(const temporal::LinkName& name);
   void unlink_from(Known& known, executive::TaskId other);

@@ -14,6 +14,8 @@ namespace {
 
 // Nearer than this it is the same place [m]: for what is planned, for what is under way.
 constexpr double kSamePlace = 5, kStillInView = 15;
+/// So much later others may come without dates being promised anew.
+constexpr Duration kOthersVary = Duration::milliseconds(5000);
 
 bool names(const mission::HighLevelTask& task, const std::string& place) {
   const auto is_it = [&](const std::string& name) { return same_name(name, place); };
@@ -50,11 +52,20 @@ void Contingencies::absorb_or_shift(const std::string& cause) {
   out_.decide({"6 repair: shift", cause, out_.plan_text(), dates_.extent(), now()});
 }
 
-void Contingencies::check_network(const std::string& cause) {
+void Contingencies::check_network(const std::string& cause) { check_dates(cause, limits_.grace); }
+
+void Contingencies::check_meetings() {
+  check_dates("others' dates changed", kOthersVary);
+  if (dates_.risk() == risk_told_) return;
+  risk_told_ = dates_.risk();
+  if (!risk_told_.empty()) out_.notice("the plan may fail because of others: " + risk_told_);
+}
+
+void Contingencies::check_dates(const std::string& cause, Duration tolerance) {
   committer_.reschedule();
   if (agenda_.repairing()) return;
   if (dates_.controllable()) {
-    if (!dates_.keeps_promises(limits_.grace)) absorb_or_shift(cause);
+    if (!dates_.keeps_promises(tolerance)) absorb_or_shift(cause);
     return;
   }
   if (dates_.schedule().conflicts.empty()) return;

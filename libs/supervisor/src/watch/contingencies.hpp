@@ -28,6 +28,8 @@ class Contingencies {
 
   /// The dates after something was seen; what breaks the network is a contingency.
   void check_network(const std::string& cause);
+  /// Likewise, after news of those whom the UAV is to meet.
+  void check_meetings();
   /// The promised dates hold, or others are promised. Source: spec 6.2 (6).
   void absorb_or_shift(const std::string& cause);
   /// What should have started or ended by now is looked at.
@@ -46,6 +48,7 @@ class Contingencies {
 
  private:
   MissionTime now() const { return out_.now(); }
+  void check_dates(const std::string& cause, Duration tolerance);
 
   Limits limits_;
   Dates& dates_;
@@ -53,6 +56,7 @@ class Contingencies {
   Agenda& agenda_;
   Outbox& out_;
   Book& book_;
+  std::string risk_told_;
 };
 
 }  // namespace skein::supervisor

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "skein/mission/elementary_plan.hpp"
+#include "skein/temporal/team_dates.hpp"
 
 namespace skein::supervisor {
 
@@ -43,10 +44,22 @@ struct Hold {
 };
 using Holds = std::map<executive::TaskId, std::vector<Hold>>;
 
-/// What is known of bounds between high-level tasks when their elementary tasks are dated.
+/// What is known of synchronisations with other UAVs, by their ids. Without it each takes as long
+/// as the domain says.
+struct Meetings {
+  std::map<temporal::MeetingId, temporal::PartnerDates> of;
+  /// What may go well counts as well: the others may come as early as they can, and nobody is to be
+  /// there for their sake. So when the plan in force cannot be kept to whatever the others do.
+  bool hopeful = false;
+  bool operator==(const Meetings&) const = default;
+};
+
+/// What is known of bounds between high-level tasks, and with others, when their elementary tasks
+/// are dated.
 struct GoalBounds {
   std::map<mission::GoalId, std::vector<mission::GoalBound>> of;  ///< by the one that is bounded
   std::map<mission::GoalId, MissionTime> over;  ///< high-level tasks that were achieved, and when
+  Meetings meetings;
   bool operator==(const GoalBounds&) const = default;
 };
 
@@ -86,6 +99,8 @@ struct Schedule {
 ///                              stop waits for it too
 ///   bound after a goal         start, or end, of each task of the one against the last ends of the
 ///                              other, or against the instant when that was achieved
+///   meeting with others        end >= when the last of them comes, contingent; the duration does
+///                              not count. Start <= when the others need it there
 ///   not started                start >= now
 ///   under way                  start at its date; what is left of the duration, at least until
 ///   now;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 #include "skein/mission/autonomy.hpp"
 #include "skein/mission/elementary_plan.hpp"
 #include "skein/supervisor/deliberation.hpp"
+#include "skein/temporal/team_dates.hpp"
 #include "skein/world/vehicle_state.hpp"
 
 namespace skein::supervisor {
@@ -81,11 +83,15 @@ struct JointTaskAnswered {
   };
   std::optional<Takes> takes = {};
 };
+/// When those whom the UAV is to meet come, as far as their plans are known.
+struct PartnersSeen {
+  std::map<temporal::MeetingId, temporal::PartnerDates> meetings;
+};
 struct Tick {};
 
-using Input =
-    std::variant<AddMission, CancelMission, Disengage, Engage, WorldChanged, TaskSeen,
-                 RequestAnswered, VehicleSeen, JobFinished, JointTaskDue, JointTaskAnswered, Tick>;
+using Input = std::variant<AddMission, CancelMission, Disengage, Engage, WorldChanged, TaskSeen,
+                           RequestAnswered, VehicleSeen, JobFinished, JointTaskDue,
+                           JointTaskAnswered, PartnersSeen, Tick>;
 
 // ---- effects ----
 
@@ -134,14 +140,18 @@ struct LoadJointTask {
   std::vector<mission::Interval>
       preferences;  ///< starts, relative to mission time zero; best first
 };
+/// What others need to know of the plan's network changed. Empty: nothing is decided here.
+struct FrontierChanged {
+  temporal::Frontier frontier;
+};
 /// For the log.
 struct Notice {
   std::string text;
 };
 
-using Effect =
-    std::variant<Answer, MissionDecided, ToExecutive, StartDeliberation, StopDeliberation,
-                 PlanChanged, GoalChanged, Decided, HandedOver, LoadJointTask, Notice>;
+using Effect = std::variant<Answer, MissionDecided, ToExecutive, StartDeliberation,
+                            StopDeliberation, PlanChanged, GoalChanged, Decided, HandedOver,
+                            LoadJointTask, FrontierChanged, Notice>;
 using Effects = std::vector<Effect>;
 
 struct Config {
