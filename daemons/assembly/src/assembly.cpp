@@ -138,6 +138,7 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
     config.world = std::make_shared<world::World>(world_of(scenario).value());
     config.interaction = scenario.interaction;
     config.horizon = scenario.planning->horizon;
+    config.meetings = scenario.planning->consistency;
     if (first != first_ids.end()) config.first_task = first->second;
   }
   if (scenario.separation && scenario.separation->merge) {

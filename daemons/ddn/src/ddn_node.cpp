@@ -5,10 +5,12 @@
 
 #include "deliberation_lines.hpp"
 #include "joint_lines.hpp"
+#include "meeting_lines.hpp"
 #include "merging_lines.hpp"
 #include "received.hpp"
 #include "skein/interaction/model_hash.hpp"
 #include "skein/translation/joint_tasks.hpp"
+#include "skein/translation/meetings.hpp"
 #include "skein/translation/merging.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
@@ -220,6 +222,10 @@ void DdnNode::carry_out(const dn::SendTeam& effect) {
 
 void DdnNode::carry_out(const dn::SendMerge& effect) {
   send(roster_.find(effect.to)->number, to_wire(effect.message), now_ + kSaidAgain);
+}
+
+void DdnNode::carry_out(const dn::SendFrontier& effect) {
+  send(roster_.find(effect.to)->number, to_wire(uav_, effect.frontier));
 }
 
 void DdnNode::carry_out(const dn::JointTaskChanged& effect) {

@@ -3,6 +3,7 @@
 
 #include "skein/foundation/overloaded.hpp"
 #include "skein/translation/joint_tasks.hpp"
+#include "skein/translation/meetings.hpp"
 #include "skein/translation/merging.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
@@ -80,6 +81,12 @@ std::optional<Input> merge_told(const wire::MergeMessage& sample, const Sender& 
   return dn::MergeTold{sender.name, std::move(*message)};
 }
 
+std::optional<Input> frontier_told(const wire::PlanFrontier& sample, const Sender& sender) {
+  auto frontier = from_wire(sample);
+  if (!frontier) return std::nullopt;
+  return dn::FrontierTold{sender.name, std::move(*frontier)};
+}
+
 }  // namespace
 
 std::string why_not(const wire::Sample& sample, const Sender& sender) {
@@ -103,6 +110,8 @@ std::string why_not(const wire::Sample& sample, const Sender& sender) {
       return std::get<wire::NegotiationMessage>(sample).from == sender.name ? "" : kOfAnother;
     case wire::Slot::kJointTaskState:
       return std::get<wire::JointTaskState>(sample).uav == sender.name ? "" : kOfAnother;
+    case wire::Slot::kPlanFrontier:
+      return std::get<wire::PlanFrontier>(sample).uav == sender.name ? "" : kOfAnother;
     default:
       return "";
   }
@@ -138,6 +147,7 @@ std::optional<Input> input_of(const wire::Sample& sample, const Sender& sender) 
           [&](const wire::TeamMessage& it) -> Result { return team_told(it, sender); },
           [&](const wire::TeamSale& it) -> Result { return team_told(it, sender); },
           [&](const wire::MergeMessage& it) -> Result { return merge_told(it, sender); },
+          [&](const wire::PlanFrontier& it) -> Result { return frontier_told(it, sender); },
           [](const wire::PerceptionReport& it) -> Result { return from_wire(it); },
           [](const auto&) -> Result { return std::nullopt; }},
       sample);

@@ -16,6 +16,7 @@ Core::Core(Config config)
       deliberation_(*this),
       interaction_(*this),
       team_(*this),
+      meetings_(*this),
       autonomy_(*this),
       safekeeping_(*this) {}
 

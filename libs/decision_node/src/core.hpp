@@ -11,6 +11,7 @@
 #include "deliberation.hpp"
 #include "execution.hpp"
 #include "interaction/interaction.hpp"
+#include "meetings/meetings.hpp"
 #include "merging/merging.hpp"
 #include "own_tasks.hpp"
 #include "safekeeping.hpp"
@@ -37,6 +38,7 @@ class Core {
   Deliberation& deliberation() { return deliberation_; }
   Interaction& interaction() { return interaction_; }
   Team& team() { return team_; }
+  Meetings& meetings() { return meetings_; }
   Autonomy& autonomy() { return autonomy_; }
   Safekeeping& safekeeping() { return safekeeping_; }
 
@@ -66,15 +68,16 @@ class Core {
   void on(const JointTaskTold& told) { interaction_.hear(told); }
   void on(const TeamTold& told) { team_.hear(told); }
   void on(const MergeTold& told) { merging_.hear(told); }
+  void on(const FrontierTold& told) { meetings_.hear(told); }
   void on(const Tick&);
   void pass_on(const functional::Status& status);
   void tell_board_if_changed();
   /// Every one hears what happens, in this order.
-  std::array<Component*, 5> components() {
-    return {&merging_, &execution_, &deliberation_, &interaction_, &team_};
+  std::array<Component*, 6> components() {
+    return {&merging_, &execution_, &deliberation_, &interaction_, &team_, &meetings_};
   }
-  std::array<const Component*, 5> components() const {
-    return {&merging_, &execution_, &deliberation_, &interaction_, &team_};
+  std::array<const Component*, 6> components() const {
+    return {&merging_, &execution_, &deliberation_, &interaction_, &team_, &meetings_};
   }
 
   Config config_;
@@ -87,6 +90,7 @@ class Core {
   Deliberation deliberation_;
   Interaction interaction_;
   Team team_;
+  Meetings meetings_;
   Autonomy autonomy_;
   Safekeeping safekeeping_;
   std::optional<BoardChanged> last_board_;

@@ -148,6 +148,10 @@ void Deliberation::carry_out(const supervisor::LoadJointTask& effect, const Aske
   core_.interaction().load(effect);
 }
 
+void Deliberation::carry_out(const supervisor::FrontierChanged& effect, const Asker&) {
+  core_.meetings().said(effect.frontier);
+}
+
 void Deliberation::carry_out(const supervisor::Notice& effect, const Asker&) {
   core_.bus().emit(Notice{effect.text});
 }

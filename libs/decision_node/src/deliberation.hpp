@@ -35,6 +35,7 @@ class Deliberation final : public Component {
   /// A task of the team's, as if asked by a user; team().mission_answered() hears the answer.
   void take_for_team(const mission::UnitMission& mission);
   void cancel_for_team(mission::GoalId goal, const std::string& why);
+  void partners_seen(const supervisor::PartnersSeen& seen) { tell(seen); }
   void joint_task_answered(const supervisor::JointTaskAnswered& answer) { tell(answer); }
   /// The executive wants a joint task carried out, or interrupted.
   void joint_task_due(executive::TaskId task, bool interrupt);
@@ -68,6 +69,7 @@ class Deliberation final : public Component {
   void carry_out(const supervisor::PlanChanged& effect, const Asker&);
   void carry_out(const supervisor::HandedOver& effect, const Asker&);
   void carry_out(const supervisor::LoadJointTask& effect, const Asker&);
+  void carry_out(const supervisor::FrontierChanged& effect, const Asker&);
   void carry_out(const supervisor::Notice& effect, const Asker&);
   /// What is for the outside as it is.
   template <class Other>

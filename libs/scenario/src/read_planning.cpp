@@ -78,7 +78,7 @@ std::optional<PlanningSpec> read_planning(const Reader& reader, const std::strin
   if (!reader.present()) return std::nullopt;
   PlanningSpec planning;
   if (!reader.keys({"domain", "altitude", "voxel", "ceiling", "risk", "horizon", "first_ids",
-                    "altitudes"})) {
+                    "altitudes", "consistency"})) {
     return planning;
   }
   const Reader domain = reader.required("domain");
@@ -94,6 +94,7 @@ std::optional<PlanningSpec> read_planning(const Reader& reader, const std::strin
   if (ceiling.present()) planning.ceiling = ceiling.number(0, kLevel);
   planning.ground = read_risk(reader.optional("risk"));
   planning.horizon = read_seconds(reader.optional("horizon"), planning.horizon);
+  planning.consistency = reader.optional("consistency").choice({"dip-m", "none"}) == 0;
   planning.first_ids = read_by_uav(reader.optional("first_ids"), names, read_first_id);
   return planning;
 }

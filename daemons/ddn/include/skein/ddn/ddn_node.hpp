@@ -52,6 +52,7 @@ class DdnNode final : public node::Node {
   void carry_out(const decision_node::SendNegotiation& effect);
   void carry_out(const decision_node::SendTeam& effect);
   void carry_out(const decision_node::SendMerge& effect);
+  void carry_out(const decision_node::SendFrontier& effect);
   void carry_out(const decision_node::JointTaskChanged& effect);
   void carry_out(const decision_node::ShareTelemetry& effect);
   void carry_out(const supervisor::StartDeliberation& effect);

@@ -45,8 +45,9 @@ struct Config {
   std::shared_ptr<const interaction::Library> interaction;  ///< null: no joint tasks
   std::optional<team::Config> team = {};                    ///< it is in the roster; absent: none
   std::optional<MergingConfig> merging = {};                ///< absent: ways are flown unasked
-  Duration horizon = Duration::seconds(15);                 ///< commitment, see supervisor::Config
-  executive::TaskId first_task{1};  ///< of the supervisor's; below kFirstRoleId
+  bool meetings = true;  ///< others are told what lies between meetings, and heard
+  Duration horizon = Duration::seconds(15);  ///< commitment, see supervisor::Config
+  executive::TaskId first_task{1};           ///< of the supervisor's; below kFirstRoleId
 };
 
 }  // namespace skein::decision_node

@@ -102,6 +102,11 @@ struct MergeTold {
   std::string from;
   merging::Message message;
 };
+/// Another UAV says what lies between the meetings of its plan.
+struct FrontierTold {
+  std::string from;
+  temporal::Frontier frontier;  ///< without fault
+};
 /// Its instant has come, or time just passes.
 struct Tick {};
 
@@ -109,7 +114,7 @@ using Input =
     std::variant<Started, Command, UnreadableCommand, PlaceTold, ElementaryRequest, GroundTaskSeen,
                  StatusTold, SyncMessage, world::Telemetry, world::Perception, Contact, LayerForgot,
                  supervisor::JobFinished, interaction::SessionMessage, PartnerSeen, JointTaskTold,
-                 TeamTold, MergeTold, Tick>;
+                 TeamTold, MergeTold, FrontierTold, Tick>;
 
 // ---- effects, to be carried out in their order ----
 
@@ -198,7 +203,19 @@ struct SendMerge {
   merging::Message message;
 };
 
+/// To another UAV, in place of what it was told before.
+struct SendFrontier {
+  std::string to;
+  temporal::Frontier frontier;
+};
+
 // For the journal.
+
+/// When those come whom this UAV is to meet, as it knows of it; none: it is not known any more.
+struct MeetingNoted {
+  temporal::MeetingId meeting = 0;
+  std::optional<temporal::PartnerDates> dates;
+};
 
 /// Where a motion stands that needs air: "waits", "had" (it begins), "unasked" (it begins without,
 /// since the energy lasts no longer), "aside" (the UAV gets out of a circle of waits).
@@ -288,10 +305,10 @@ struct Notice {
 using Effect =
     std::variant<Answer, TaskChanged, StatusPassedOn, TelemetryPassedOn, PerceptionPassedOn,
                  SyncPassedOn, DegreeChanged, HandedOver, BoardChanged, ToVehicle, SendSync,
-                 SendNegotiation, SendTeam, SendMerge, AirNoted, TeamTaskNoted, BidNoted, SaleNoted,
-                 TokenNoted, JointTaskChanged, ShareTelemetry, ComponelChanged, RoleTaskGiven,
-                 PlaceComputed, ScmNoted, NegotiationNoted, RequestHandled, SyncHeard,
-                 PolicyCarriedOut, Notice, supervisor::MissionDecided,
+                 SendNegotiation, SendTeam, SendMerge, SendFrontier, MeetingNoted, AirNoted,
+                 TeamTaskNoted, BidNoted, SaleNoted, TokenNoted, JointTaskChanged, ShareTelemetry,
+                 ComponelChanged, RoleTaskGiven, PlaceComputed, ScmNoted, NegotiationNoted,
+                 RequestHandled, SyncHeard, PolicyCarriedOut, Notice, supervisor::MissionDecided,
                  supervisor::StartDeliberation, supervisor::StopDeliberation,
                  supervisor::PlanChanged, supervisor::GoalChanged, supervisor::Decided>;
 using Effects = std::vector<Effect>;

@@ -145,6 +145,7 @@ struct PlanningSpec {
   std::optional<double> ceiling;  ///< of the airspace [m] ENU z; absent: as in world files
   world::GroundRequest ground;    ///< the risk of the ground
   Duration horizon = Duration::seconds(15);  ///< of commitment
+  bool consistency = true;  ///< UAVs tell each other what lies between their meetings
   /// The elementary tasks that a UAV plans are numbered from here on; 1 where nothing is said.
   std::map<std::string, executive::TaskId> first_ids;
 };

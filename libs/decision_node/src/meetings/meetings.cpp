@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "meetings/meetings.hpp"
+
+#include <algorithm>
+
+#include "core.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using temporal::PartnerDates;
+
+/// Dates that differ by less are the same.
+constexpr Duration kSame = Duration::milliseconds(1'000);
+/// Who was to have come by now is looked for again.
+constexpr Duration kAgain = Duration::milliseconds(5'000);
+
+bool is_same(MissionTime a, MissionTime b) { return (a > b ? a - b : b - a) < kSame; }
+
+bool is_same(const PartnerDates& a, const PartnerDates& b) {
+  const bool needed =
+      a.needed.has_value() == b.needed.has_value() && (!a.needed || is_same(*a.needed, *b.needed));
+  return needed && a.all_there == b.all_there && a.last == b.last && a.needed_by == b.needed_by &&
+         is_same(a.soonest, b.soonest) && is_same(a.slowest, b.slowest);
+}
+
+}  // namespace
+
+Meetings::Meetings(Core& core) : core_(core), team_(core.config().uav) {}
+
+void Meetings::said(const temporal::Frontier& frontier) {
+  if (!core_.config().meetings) return;
+  for (const std::string& other : core_.config().others)
+    core_.bus().emit(SendFrontier{other, frontier});
+  team_.say(frontier);
+  look();
+}
+
+void Meetings::hear(const FrontierTold& told) {
+  const auto known = team_.known().find(told.from);
+  const bool same = known != team_.known().end() && known->second == told.frontier;
+  if (!core_.config().meetings || same) return;
+  team_.hear(told.from, told.frontier);
+  look();
+}
+
+void Meetings::time_passes() {
+  const auto at = next_wakeup();
+  if (at && *at <= core_.bus().now()) look();
+}
+
+// What is foreseen of who is late moves with the present.
+std::optional<MissionTime> Meetings::next_wakeup() const {
+  std::optional<MissionTime> next;
+  for (const auto& [meeting, dates] : told_) {
+    if (dates.last.empty() || dates.all_there || dates.soonest == MissionTime::max()) continue;
+    next = earliest(next, std::max(*looked_ + kAgain, dates.soonest));
+  }
+  return next;
+}
+
+void Meetings::look() {
+  looked_ = core_.bus().now();
+  Dates dates = team_.dates(core_.bus().now());
+  const bool same = std::equal(dates.begin(), dates.end(), told_.begin(), told_.end(),
+                               [](const auto& a, const auto& b) {
+                                 return a.first == b.first && is_same(a.second, b.second);
+                               });
+  if (same) return;
+  note(dates);
+  told_ = std::move(dates);
+  core_.deliberation().partners_seen({told_});
+}
+
+void Meetings::note(const Dates& dates) {
+  for (const auto& [meeting, one] : dates) {
+    const auto before = told_.find(meeting);
+    if (before == told_.end() || !is_same(before->second, one))
+      core_.bus().emit(MeetingNoted{meeting, one});
+  }
+  for (const auto& [meeting, one] : told_)
+    if (dates.count(meeting) == 0) core_.bus().emit(MeetingNoted{meeting, std::nullopt});
+}
+
+}  // namespace skein::decision_node

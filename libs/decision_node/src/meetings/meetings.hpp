@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The UAV's part in keeping plans consistent in time between UAVs.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "component.hpp"
+#include "skein/temporal/team_dates.hpp"
+
+namespace skein::decision_node {
+
+class Core;
+
+/// The temporal agent: it tells every other UAV the frontier of the network of its plan when that
+/// changed, hears theirs, and tells the supervisor when those come whom its UAV is to meet. A
+/// frontier is a state: who was cut off, or restarted, hears the last one. Who is out of reach is
+/// supposed to keep to what it said last. Source: spec 5.3; docs/decisions/0021-meetings.md.
+class Meetings final : public Component {
+ public:
+  explicit Meetings(Core& core);
+
+  /// Of the own plan.
+  void said(const temporal::Frontier& frontier);
+  void hear(const FrontierTold& told);
+
+  void time_passes() override;
+  std::optional<MissionTime> next_wakeup() const override;
+
+ private:
+  using Dates = std::map<temporal::MeetingId, temporal::PartnerDates>;
+  void look();
+  void note(const Dates& dates);
+
+  Core& core_;
+  temporal::TeamDates team_;
+  Dates told_;  ///< to the supervisor
+  std::optional<MissionTime> looked_;
+};
+
+}  // namespace skein::decision_node
