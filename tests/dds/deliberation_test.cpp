@@ -41,7 +41,8 @@ std::string name_of(const ::testing::TestParamInfo<std::string>& one) {
 INSTANTIATE_TEST_SUITE_P(Scenarios, DdsDeliberation,
                          ::testing::Values("karma/detection", "heliv-marvin/monitoring",
                                            "handover/radio", "handover/cut",
-                                           "contingencies/no-fly-appears", "jacksboro/fire"),
+                                           "contingencies/no-fly-appears", "jacksboro/fire",
+                                           "meetings/late-partner"),
                          name_of);
 
 }  // namespace

@@ -180,6 +180,7 @@ class Teller {
     }
     if (kind == "planned") uav.goal_of.emplace(whole(record, "task"), whole(record, "goal"));
     if (kind == "degree") uav.degrees.emplace_back(at, static_cast<int>(record.number("degree")));
+    if (kind == "meeting") see_meeting(uav, record);
     if (kind == "notice") uav.words.push_back({at, text(record, "text")});
     if (kind == "answer") see_answer(uav, record);
     if (kind == "contact") uav.words.push_back({at, "contact: " + text(record, "policy")});
@@ -259,13 +260,18 @@ class Teller {
     found->second.faults.emplace_back(record.at().to_seconds(), text(record, "what"));
   }
 
-  static void see_sync(Uav& uav, const Record& record) {
-    uav.syncs_heard.emplace_back(record.at().to_seconds(), whole(record, "id"));
-  }
   void see_sync(const Record& record) {
-    if (record.text("direction") != "received") return;
+    if (record.text("direction") != "received" || record.find("word") != nullptr) return;
     const auto found = history_.uavs.find(text(record, "to"));
-    if (found != history_.uavs.end()) see_sync(found->second, record);
+    if (found == history_.uavs.end()) return;
+    found->second.syncs_heard.push_back(
+        {record.at().to_seconds(), whole(record, "id"), text(record, "from")});
+  }
+  static void see_meeting(Uav& uav, const Record& record) {
+    Foretold one{record.at().to_seconds(), whole(record, "id"), record.truth("known"),
+                 text(record, "last"), kNever};
+    if (record.find("soonest") != nullptr) one.soonest = record.number("soonest");
+    uav.foretold.push_back(std::move(one));
   }
 
   // What the ground's script closes, its UAVs know when they are told.

@@ -18,6 +18,8 @@ const std::vector<Law>& all_laws() {
       {"mapped", "a mapping achieved saw its zone", mappings_not_done},
       {"synchronised", "partners of a synchronisation achieved were in it at one time",
        synchronisations_apart},
+      {"foretold", "nobody comes to a meeting before it was foretold to who waits for it",
+       come_before_foretold},
       {"partners-apart", "partners of a synchronisation keep apart", partners_too_near},
       {"roles", "no two UAVs hold a role that is for one", roles_held_twice},
       {"agreements", "a negotiation comes out alike wherever it is decided", agreements_apart},

@@ -109,6 +109,29 @@ std::vector<Violation> synchronisations_apart(const History& history) {
   return result;
 }
 
+// What is believed when the word comes that somebody is there: not that he could not be. That word
+// and those of plans come over one radio.
+std::vector<Violation> come_before_foretold(const History& history) {
+  constexpr double kMoment = 1;  // [s]
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    for (const SyncHeard& heard : uav.syncs_heard) {
+      const Foretold* believed = nullptr;
+      for (const Foretold& one : uav.foretold)
+        if (one.id == heard.id && one.at <= heard.at) believed = &one;
+      const bool about = believed != nullptr && believed->known && believed->last == heard.from;
+      if (!about || believed->soonest <= heard.at + kMoment) continue;
+      const std::string when = believed->soonest == kNever
+                                   ? "never"
+                                   : "no earlier than " + figure(believed->soonest) + " s";
+      result.push_back({"", heard.at, name, 0,
+                        heard.from + " is there for synchronisation " + std::to_string(heard.id) +
+                            ", foretold at " + figure(believed->at) + " s to come " + when});
+    }
+  }
+  return result;
+}
+
 namespace {
 
 // Where it takes place is said by some tasks only: who waits for partners wherever it is, is sent

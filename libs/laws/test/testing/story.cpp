@@ -182,6 +182,23 @@ Story& Story::team(const std::string& uav, double at, int task, int sale, const 
   return *this;
 }
 
+Story& Story::foretold(const std::string& uav, double at, int meeting, const std::string& last,
+                       std::optional<double> soonest) {
+  journal::Record& record = add(at, uav, "meeting");
+  record.with("uav", uav).with("id", meeting).with("known", true).with("last", last);
+  if (soonest) record.with("soonest", *soonest);
+  return *this;
+}
+
+Story& Story::hears(const std::string& uav, double at, int meeting, const std::string& from) {
+  add(at, uav, "sync")
+      .with("id", meeting)
+      .with("from", from)
+      .with("to", uav)
+      .with("direction", "received");
+  return *this;
+}
+
 Story& Story::fault(double at, const std::string& what, const std::string& uav) {
   add(at, "sim", "fault").with("what", what).with("target", uav);
   return *this;

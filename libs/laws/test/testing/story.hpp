@@ -2,6 +2,7 @@
 // Logs made by hand, for the tests of the laws.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,10 @@ class Story {
   /// What a UAV does with one.
   Story& team(const std::string& uav, double at, int task, int sale, const std::string& state,
               const std::string& why = "");
+  /// What it knows of who comes to a meeting, if he comes at all.
+  Story& foretold(const std::string& uav, double at, int meeting, const std::string& last,
+                  std::optional<double> soonest);
+  Story& hears(const std::string& uav, double at, int meeting, const std::string& from);
   Story& fault(double at, const std::string& what, const std::string& uav);
 
   /// Sentences of what one law has to say.

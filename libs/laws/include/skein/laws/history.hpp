@@ -98,6 +98,22 @@ struct Word {
   std::string text;
 };
 
+/// A synchronisation message: its sender is there.
+struct SyncHeard {
+  double at = 0;
+  std::int64_t id = 0;
+  std::string from;
+};
+
+/// What a UAV says that it knows of who it is to meet.
+struct Foretold {
+  double at = 0;
+  std::int64_t id = 0;
+  bool known = false;
+  std::string last;  ///< who comes last; empty: it waits for nobody
+  double soonest = kNever;
+};
+
 struct Uav {
   const scenario::UavSpec* spec = nullptr;
   std::vector<Sample> samples;  ///< once a second
@@ -109,7 +125,8 @@ struct Uav {
   std::vector<Closing> closings;
   std::vector<Word> words;
   std::vector<std::pair<double, std::string>> faults;
-  std::vector<std::pair<double, std::int64_t>> syncs_heard;  ///< synchronisation messages, by id
+  std::vector<SyncHeard> syncs_heard;
+  std::vector<Foretold> foretold;
   std::vector<Answer> answers;
 
   const std::string& name() const { return spec->name; }
