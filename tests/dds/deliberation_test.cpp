@@ -45,5 +45,22 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, DdsDeliberation,
                                            "meetings/late-partner"),
                          name_of);
 
+// Each reckons the division in half of the session, while the clock goes on: slower than the
+// others, and a field that is mapped soon.
+TEST(DdsAreaSharing, ThreeShareAFieldByNegotiation) {
+  DdsRun run;
+  run.take_scenario_of("area-sharing/negotiated");
+  run.change("field: [[150, 60], [1700, -60], [2250, 800], [1800, 1650], [450, 1600], [60, 800]]",
+             "field: [[300, 100], [1300, 0], [1500, 500], [1200, 800], [300, 700]]");
+
+  run.start({"--rate", "10"});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 0) << run.output();
+  EXPECT_GE(run.count("negotiation", "modality", "area-sharing"), 6U);  // offered, agreed: of three
+  EXPECT_TRUE(run.nothing_runs());
+}
+
 }  // namespace
 }  // namespace skein::testing

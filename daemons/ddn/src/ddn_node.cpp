@@ -26,6 +26,9 @@ namespace {
 namespace dn = decision_node;
 using translation::to_wire;
 
+/// Of jobs: those of the supervisor come before.
+constexpr std::uint64_t kFirstReckoning = std::uint64_t{1} << 32U;
+
 constexpr Duration kSaidAgain = Duration::milliseconds(2'000);
 
 dn::Config decision_config(const DdnConfig& config, const node::Roster& roster) {
@@ -92,6 +95,8 @@ std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
   } else if (const auto* done = std::get_if<node::JobDone>(&input)) {
     const auto* result = std::any_cast<supervisor::DeliberationResult>(&done->result);
     if (result != nullptr) return supervisor::JobFinished{done->id, *result};
+    const auto* rows = std::any_cast<Result<interaction::Rows, Failure>>(&done->result);
+    if (rows != nullptr) return dn::ReckoningFinished{done->id - kFirstReckoning, *rows};
   } else if (std::holds_alternative<node::Started>(input)) {
     return dn::Started{};
   } else if (std::holds_alternative<node::Wakeup>(input)) {
@@ -237,6 +242,21 @@ void DdnNode::carry_out(const dn::JointTaskChanged& effect) {
 
 void DdnNode::carry_out(const dn::ShareTelemetry& effect) {
   send(roster_.find(effect.partner)->number, to_wire(effect.telemetry));
+}
+
+// It has all the time it needs: members whose clocks cut it short would reckon other results.
+void DdnNode::carry_out(const dn::StartReckoning& effect) {
+  const auto work = [terms = effect.terms,
+                     offers = effect.offers](const node::TimeIsUp& is_unwanted) -> std::any {
+    using Rows = Result<interaction::Rows, Failure>;
+    if (is_unwanted && is_unwanted()) return Rows(failure("nobody wants it any more"));
+    return interaction::reckon(terms, offers);
+  };
+  out_.push_back(node::StartJob{kFirstReckoning + effect.job, work});
+}
+
+void DdnNode::carry_out(const dn::StopReckoning& effect) {
+  out_.push_back(node::StopJob{kFirstReckoning + effect.job});
 }
 
 void DdnNode::carry_out(const supervisor::StartDeliberation& effect) {

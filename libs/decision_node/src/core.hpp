@@ -66,6 +66,7 @@ class Core {
   void on(const interaction::SessionMessage& message) { interaction_.hear(message); }
   void on(const PartnerSeen& seen) { interaction_.hear(seen); }
   void on(const JointTaskTold& told) { interaction_.hear(told); }
+  void on(const ReckoningFinished& done) { interaction_.reckoned(done); }
   void on(const TeamTold& told) { team_.hear(told); }
   void on(const MergeTold& told) { merging_.hear(told); }
   void on(const FrontierTold& told) { meetings_.hear(told); }

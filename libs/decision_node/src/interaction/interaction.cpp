@@ -211,8 +211,30 @@ void Interaction::carry_out(const interaction::PrepareOffer& effect) {
   });
 }
 
+void Interaction::carry_out(const interaction::ReckonResult& effect) {
+  stop_reckoning(effect.terms.subject);
+  reckonings_.emplace(++last_reckoning_, effect.terms.id());
+  core_.bus().emit(StartReckoning{last_reckoning_, effect.terms, effect.offers});
+}
+
+// What waits is not begun any more: else it would hold up what comes after it.
+void Interaction::stop_reckoning(const std::string& subject) {
+  std::erase_if(reckonings_, [&](const auto& one) {
+    const bool unwanted = one.second.subject == subject;
+    if (unwanted) core_.bus().emit(StopReckoning{one.first});
+    return unwanted;
+  });
+}
+
+void Interaction::reckoned(const ReckoningFinished& done) {
+  const auto asked = reckonings_.extract(done.job);
+  if (asked.empty()) return;
+  negotiate(interaction::ResultReckoned{asked.mapped(), done.result});
+}
+
 void Interaction::carry_out(const interaction::NegotiationEnded& effect) {
   const interaction::NegotiationOutcome& outcome = effect.outcome;
+  stop_reckoning(effect.terms.subject);
   core_.bus().emit(NegotiationNoted{effect.terms, std::string(to_text(outcome.kind)),
                                     outcome.result, outcome.why, outcome.unconfirmed});
   core_.bus().post([this, effect] {

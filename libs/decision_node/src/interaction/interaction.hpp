@@ -38,6 +38,7 @@ class Interaction final : public Component {
   void hear(const interaction::SessionMessage& message);
   void hear(const PartnerSeen& seen);
   void hear(const JointTaskTold& told);
+  void reckoned(const ReckoningFinished& done);
 
   // ---- for its joint tasks ----
 
@@ -52,9 +53,11 @@ class Interaction final : public Component {
   void carry_out(const interaction::SendSessionMessage& effect);
   void carry_out(const interaction::InvitedToNegotiate& effect);
   void carry_out(const interaction::PrepareOffer& effect);
+  void carry_out(const interaction::ReckonResult& effect);
   void carry_out(const interaction::NegotiationEnded& effect);
   void carry_out(const interaction::NegotiationSettled& effect);
   void carry_out(const interaction::MessageRejected& effect);
+  void stop_reckoning(const std::string& subject);
   void give_up_closed_ways(const world::VehicleState& state);
   JointTask* about(const std::string& subject);
 
@@ -63,6 +66,8 @@ class Interaction final : public Component {
   std::optional<interaction::NegotiationManager> manager_;
   std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;
   std::uint64_t next_id_ = 0;
+  std::map<std::uint64_t, interaction::SessionId> reckonings_;  ///< by job
+  std::uint64_t last_reckoning_ = 0;
 };
 
 }  // namespace skein::decision_node

@@ -13,7 +13,8 @@ namespace {
 using Kind = interaction::NegotiationOutcome::Kind;
 using Word = interaction::Status::Word;
 
-constexpr Duration kSharing = Duration::milliseconds(40'000);  // a session
+// A session. In half of it each reckons the division, beside whatever its computer has to do.
+constexpr Duration kSharing = Duration::milliseconds(120'000);
 constexpr Duration kAgain = Duration::milliseconds(1'000);
 constexpr Duration kPatience = Duration::milliseconds(240'000);  // then it is not shared
 
@@ -63,10 +64,9 @@ void JointTask::share_area(const std::string& action) {
   }
   if (now() >= until) return leave("the area could not be shared: " + why_);
   actions_[action] = begin.subject;
-  if (core_.interaction().begin(joint_, std::move(begin))) {
-    sharing_again_ = SharingAgain{action, MissionTime::max(), until};
-    return;
-  }
+  sharing_again_ = SharingAgain{action, MissionTime::max(), until};  // it may fail at once
+  if (core_.interaction().begin(joint_, std::move(begin))) return;
+  sharing_again_.reset();
   actions_.erase(action);
   // Nothing was left to whoever was lost, and nobody asks for more.
   if (areas.empty() && share_.agreed()) return tell_status(action, Word::kEnded);

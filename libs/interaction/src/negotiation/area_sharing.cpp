@@ -17,8 +17,9 @@ namespace {
 using world::Polygon;
 using world::Vector2;
 
-/// Sweeps planned for one division, by which all have the same whatever their clocks.
-constexpr std::uint64_t kSteps = 600;
+/// Divisions looked at, a sweep of each member in each: by that all have the same whatever their
+/// clocks. More take longer and make the last hardly earlier.
+constexpr std::uint64_t kDivisions = 70;
 
 bool is_convex(const Polygon& polygon) {
   bool left = false, right = false;
@@ -101,6 +102,7 @@ world::World level_world(const Polygon& area, const std::map<std::string, Sweepe
 class AreaSharing : public NegotiationModality {
  public:
   std::string_view name() const override { return "area-sharing"; }
+  bool is_long() const override { return true; }
 
  private:
   std::optional<std::string> do_check(const Terms& terms) const override {
@@ -158,7 +160,7 @@ class AreaSharing : public NegotiationModality {
     }
     const world::World world = level_world(area, sweepers);
     refiners::Setting setting{world, {}};
-    setting.budget.steps = kSteps;
+    setting.budget.steps = kDivisions * query.members.size();
     const auto partition = refine(query, setting);
     if (!partition) return failure(partition.error().why);
     std::map<std::string, Polygon> parts;

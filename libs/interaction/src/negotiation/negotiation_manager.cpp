@@ -163,6 +163,15 @@ class NegotiationManager::Core {
     return {};
   }
 
+  Done take(const ResultReckoned& reckoned, NegotiationEffects& out) {
+    const auto session = sessions_.find(reckoned.session);
+    if (session == sessions_.end() || !session->second.wants_result()) {
+      return failure("no result is wanted for " + to_text(reckoned.session));
+    }
+    session->second.reckoned(reckoned.result, now_, out);
+    return {};
+  }
+
   Done take(const WithdrawNegotiation& withdraw, NegotiationEffects& out) {
     Session* session = under_way(withdraw.subject);
     if (session == nullptr) return failure("'" + withdraw.subject + "' is not being negotiated");

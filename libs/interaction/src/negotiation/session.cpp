@@ -2,6 +2,7 @@
 #include "session.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/fingerprint.hpp"
@@ -102,6 +103,19 @@ void Session::offer(const Result<Rows, Failure>& offer, MissionTime now, Negotia
   advance(now, out);
 }
 
+bool Session::wants_result() const {
+  return reckons_ && may_refuse() && facts_.refusal() == nullptr && !outcome_;
+}
+
+void Session::reckoned(Result<Rows, Failure> result, MissionTime now, NegotiationEffects& out) {
+  SKEIN_EXPECTS(wants_result());
+  const FactBits before = facts_.bits();
+  reckons_ = false;
+  know(std::move(result));
+  plan_to_tell(before);
+  advance(now, out);
+}
+
 void Session::refuse(const std::string& why, MissionTime now, NegotiationEffects& out) {
   SKEIN_EXPECTS(may_refuse());
   const FactBits before = facts_.bits();
@@ -173,26 +187,34 @@ void Session::pass(MissionTime now, NegotiationEffects& out) {
 
 void Session::advance(MissionTime now, NegotiationEffects& out) {
   const FactBits before = facts_.bits();
-  vow(now);
+  vow(now, out);
   plan_to_tell(before);
   conclude(now, out);
   send(now, out);
 }
 
-void Session::vow(MissionTime now) {
+void Session::vow(MissionTime now, NegotiationEffects& out) {
   if (!joined_ || !may_refuse() || facts_.refusal() != nullptr) return;
   if (const auto why = objection(now)) return set_refused(*why);
   if (!facts_.all_offered()) return;
-  auto result = settled();
-  if (!result) return set_refused(result.error().why);
-  result_ = std::move(*result);
-  promise();
+  if (!result_) reckon(out);
+  if (result_) promise();
 }
 
-Result<Rows, Failure> Session::settled() const {
-  Offers offers;
-  for (const Entry& one : facts_.entries()) offers[one.uav] = one.offer;
-  return modality_->settle(terms_, offers);
+void Session::reckon(NegotiationEffects& out) {
+  if (!modality_->is_long()) return know(modality_->settle(terms_, offers()));
+  if (!std::exchange(reckons_, true)) out.emplace_back(ReckonResult{terms_, offers()});
+}
+
+void Session::know(Result<Rows, Failure> result) {
+  if (!result) return set_refused(result.error().why);
+  result_ = std::move(*result);
+}
+
+Offers Session::offers() const {
+  Offers all;
+  for (const Entry& one : facts_.entries()) all[one.uav] = one.offer;
+  return all;
 }
 
 // Why this member can promise nothing.
@@ -217,7 +239,8 @@ std::string Session::missing() const {
   std::vector<std::string> silent;
   const bool offered = facts_.all_offered();
   for (std::size_t i = 0; i < facts_.size(); ++i) {
-    const bool there = offered ? facts_[i].vow != Vow::kNone || i == 0 : facts_[i].offered;
+    const bool waits = i == 0 && !(decides() && reckons_);  // for the others' promises
+    const bool there = offered ? facts_[i].vow != Vow::kNone || waits : facts_[i].offered;
     if (!there) silent.push_back(facts_[i].uav);
   }
   return "half the time is over without " + std::string(offered ? "a promise" : "an offer") +
@@ -257,7 +280,7 @@ std::optional<NegotiationOutcome> Session::outcome_at(MissionTime now) const {
   }
   if (facts_.all_promised()) {
     outcome.kind = Kind::kAgreed;
-    outcome.result = result_ ? *result_ : settled().value_or(Rows{});
+    outcome.result = result_.value_or(Rows{});
     if (decides()) outcome.unconfirmed = who_lags();
     if (!over && !outcome.unconfirmed.empty()) return std::nullopt;
     return outcome;
@@ -353,6 +376,8 @@ std::optional<MissionTime> Session::next_wakeup() const {
 std::string Session::state_text() const {
   std::string text = to_text(terms_.id()) + (joined_ ? " joined" : " invited");
   if (moved_) text += " moved";
+  if (reckons_) text += " reckons";
+  if (result_) text += " knows the result";
   for (std::size_t i = 0; i < facts_.size(); ++i) {
     const Entry& one = facts_[i];
     text += "; " + one.uav + (one.offered ? " offered" : "") + (one.lost ? " lost" : "");

@@ -25,7 +25,7 @@ struct Wanted {
 ///   (new)           a message                                        invited
 ///   (new)           a message with more about it than it said        lost
 ///   (new), invited  join                                             taking part
-///   taking part     offers of all                                    promised
+///   taking part     offers of all, and what follows from them        promised
 ///   taking part     half the time, a bad offer, somebody lost, …     refused
 ///   taking part     another session of the subject                   refused (moved)
 /// and what it knows ends it: a refusal (failed), all promises (agreed), else the deadline.
@@ -37,6 +37,7 @@ class Session {
   void join(const Wanted& wanted, std::shared_ptr<const NegotiationModality> modality,
             MissionTime now, NegotiationEffects& out);
   void offer(const Result<Rows, Failure>& offer, MissionTime now, NegotiationEffects& out);
+  void reckoned(Result<Rows, Failure> result, MissionTime now, NegotiationEffects& out);
   /// Precondition: may_refuse().
   void refuse(const std::string& why, MissionTime now, NegotiationEffects& out);
   /// Goes on with another session: refuses without telling anybody who does not ask, and gives no
@@ -60,6 +61,8 @@ class Session {
   bool takes_part() const { return joined_; }
   bool may_refuse() const;
   bool wants_offer() const { return joined_ && may_refuse() && !facts_[self_].offered; }
+  /// It asked for what follows from all offers.
+  bool wants_result() const;
   bool ended() const { return outcome_.has_value(); }
   bool decided() const { return facts_.refusal() != nullptr || facts_.all_promised(); }
   bool says_more_of_self(const std::vector<Entry>& entries) const;
@@ -72,10 +75,12 @@ class Session {
   int stage_of(FactBits bits) const;
 
   void advance(MissionTime now, NegotiationEffects& out);
-  void vow(MissionTime now);
+  void vow(MissionTime now, NegotiationEffects& out);
   std::optional<std::string> objection(MissionTime now) const;
   std::optional<std::string> bad_offer() const;
-  Result<Rows, Failure> settled() const;
+  Offers offers() const;
+  void reckon(NegotiationEffects& out);
+  void know(Result<Rows, Failure> result);
   void promise();
   void set_refused(const std::string& why);
   void conclude(MissionTime now, NegotiationEffects& out);
@@ -100,6 +105,7 @@ class Session {
   std::vector<FactBits> told_;  ///< what each member is known to know
   std::set<std::size_t> to_tell_;
   std::optional<Rows> result_;
+  bool reckons_ = false;  ///< somebody else works on it
   bool joined_ = false, moved_ = false;
   std::optional<NegotiationOutcome> outcome_;
   MissionTime last_sent_;

@@ -38,7 +38,10 @@ INSTANTIATE_TEST_SUITE_P(OfTwo, EveryCourse,
                                            Bounds{2, {1}, 0, false, false, 1, 10},
                                            Bounds{2, {0, 1}, 0, false, true, 5, 4},
                                            Bounds{2, {0}, 1, false, false, 2, 10},
-                                           Bounds{2, {1}, 1, true, false, 5, 4}));
+                                           Bounds{2, {1}, 1, true, false, 5, 4},
+                                           Bounds{2, {0}, 0, false, false, 2, 10, true},
+                                           Bounds{2, {1}, 0, false, false, 2, 10, true},
+                                           Bounds{2, {1}, 1, true, false, 5, 4, true}));
 
 // What is possible between two when anything may be lost: never (agreed, failed).
 TEST(EveryCourseOfTwo, ComesToOneOfTheseEnds) {
@@ -333,7 +336,9 @@ class RandomSession {
         loss_(random_.chance(0.3) ? 0 : random_.uniform(0, 0.5)),
         team_(n_, [this](std::size_t from, std::size_t to, MissionTime at) {
           return delay(from, to, at);
-        }) {}
+        }) {
+    if (seed % 3 == 0) team_.make_results_jobs();
+  }
 
   Team& run() {
     const BeginNegotiation begin = begin_roles(n_);

@@ -23,6 +23,7 @@ struct Bounds {
   bool own_terms = false;            ///< each would open with parameters of its own
   double again = 1;                  ///< seconds between sendings, of a session of four
   double until = 10;                 ///< seconds; the undecided ask every five
+  bool result_is_job = false;        ///< which ends at any time
 };
 
 /// A message that was sent stays deliverable for ever: delivered late it was delayed, again it was
@@ -62,6 +63,7 @@ class ExploredTeam {
     std::set<std::size_t> sent;  ///< of the pool
     std::vector<std::optional<MissionTime>> open;
     std::vector<bool> began, opened;
+    std::map<std::pair<std::size_t, SessionId>, Result<Rows, Failure>> reckonings;  ///< jobs
     std::map<SessionId, std::map<std::size_t, NegotiationOutcome>> outcomes;
     MissionTime now;
     int crashes = 0;
@@ -72,6 +74,9 @@ class ExploredTeam {
         text += managers[i] ? managers[i]->state_text() : "down";
         text += began[i] ? "|" : "+";
         text += opened[i] ? "|" : "+";
+      }
+      for (const auto& [job, result] : reckonings) {
+        text += name_of(job.first) + to_text(job.second) + ",";
       }
       for (const std::size_t one : sent) text += std::to_string(one) + ",";
       for (const auto& [id, ends] : outcomes) {
@@ -86,7 +91,7 @@ class ExploredTeam {
   NegotiationManager make(std::size_t member, MissionTime born) const {
     NegotiationLimits limits;
     limits.again = Duration::seconds(bounds_.again);
-    return NegotiationManager(name_of(member), 1, standard_modalities(), limits, born);
+    return NegotiationManager(name_of(member), 1, modalities(bounds_.result_is_job), limits, born);
   }
   BeginNegotiation begin_of(std::size_t member) const {
     BeginNegotiation begin = begin_roles(bounds_.members, Duration::seconds(4));
@@ -115,6 +120,12 @@ class ExploredTeam {
         next.push_back(std::move(copy));
       }
     }
+    for (const auto& [job, result] : state.reckonings) {
+      State copy = state;
+      copy.reckonings.erase(job);
+      give(copy, job.first, ResultReckoned{job.second, result});
+      next.push_back(std::move(copy));
+    }
     faults_from(state, next);
     if (auto later = time_passed(state)) next.push_back(std::move(*later));
     for (State& one : next) {
@@ -129,6 +140,7 @@ class ExploredTeam {
         State copy = state;
         copy.managers[i].reset();
         copy.open[i].reset();
+        std::erase_if(copy.reckonings, [&](const auto& job) { return job.first.first == i; });
         --copy.crashes;
         next.push_back(std::move(copy));
       } else if (!state.managers[i] && bounds_.restarts) {
@@ -205,6 +217,10 @@ class ExploredTeam {
   }
   void take(State& state, std::size_t member, const PrepareOffer& prepare) {
     give(state, member, OfferPrepared{prepare.terms.id(), role_costs(member)});
+  }
+  void take(State& state, std::size_t member, const ReckonResult& asked) {
+    state.reckonings.emplace(std::pair(member, asked.terms.id()),
+                             reckon(asked.terms, asked.offers));
   }
   void take(State& state, std::size_t member, const NegotiationEnded& ended) {
     if (!state.open[member]) broken_ += name_of(member) + " ended what it did not begin. ";

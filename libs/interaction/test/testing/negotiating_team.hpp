@@ -38,6 +38,37 @@ inline BeginNegotiation begin_roles(std::size_t n, Duration within = Duration::s
           within};
 }
 
+/// Settles as another does, but as a job.
+class LongModality final : public NegotiationModality {
+ public:
+  explicit LongModality(std::shared_ptr<const NegotiationModality> other)
+      : other_(std::move(other)) {}
+  std::string_view name() const override { return other_->name(); }
+  bool is_long() const override { return true; }
+
+ private:
+  std::optional<std::string> do_check(const Terms& terms) const override {
+    return other_->problem_of(terms);
+  }
+  std::optional<std::string> do_check_offer(const Terms& terms, const Rows& offer) const override {
+    return other_->problem_of(terms, offer);
+  }
+  Result<Rows, Failure> do_settle(const Terms& terms, const Offers& offers) const override {
+    return other_->settle(terms, offers);
+  }
+
+  std::shared_ptr<const NegotiationModality> other_;
+};
+
+/// The standard ones; all results are jobs, or only those that always are.
+inline Modalities modalities(bool all_long) {
+  Modalities all = standard_modalities();
+  for (auto& [name, one] : all) {
+    if (all_long) one = std::make_shared<LongModality>(one);
+  }
+  return all;
+}
+
 /// Costs that differ by member.
 inline Rows role_costs(std::size_t member) {
   return {{"watch", "", {10.0 + 3.0 * static_cast<double>(member)}}, {"relay", "", {11.0}}};
@@ -112,6 +143,11 @@ class Team {
     offers_[member] = std::move(offer);
   }
   void set_job_time(Duration time) { job_time_ = time; }
+  /// Before anything begins.
+  void make_results_jobs() {
+    all_long_ = true;
+    for (std::size_t i = 0; i < managers_.size(); ++i) managers_[i] = make(i, MissionTime());
+  }
   void crash(std::size_t member) {
     managers_[member].reset();
     open_[member].reset();
@@ -174,7 +210,7 @@ class Team {
   };
 
   NegotiationManager make(std::size_t member, MissionTime born) const {
-    return NegotiationManager(name_of(member), 1, standard_modalities(), limits_, born);
+    return NegotiationManager(name_of(member), 1, modalities(all_long_), limits_, born);
   }
   void do_begin(std::size_t member, const BeginNegotiation& what) {
     if (!managers_[member]) return;
@@ -222,6 +258,12 @@ class Team {
       give(member, OfferPrepared{id, offers_[member]});
     });
   }
+  void take(std::size_t member, const ReckonResult& asked) {
+    at(now_ + job_time_,
+       [this, member, id = asked.terms.id(), result = reckon(asked.terms, asked.offers)] {
+         give(member, ResultReckoned{id, result});
+       });
+  }
   void take(std::size_t member, const NegotiationEnded& ended) {
     if (!open_[member]) outcomes_.add_break(name_of(member) + " ended what it did not begin. ");
     open_[member].reset();
@@ -241,6 +283,7 @@ class Team {
   std::vector<std::optional<BeginNegotiation>> joins_;
   std::vector<std::optional<MissionTime>> open_;  ///< the deadline of what is begun and not ended
   Duration job_time_;
+  bool all_long_ = false;
   std::priority_queue<Event> queue_;
   std::uint64_t count_ = 0;
   MissionTime now_;

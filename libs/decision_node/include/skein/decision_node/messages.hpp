@@ -16,7 +16,7 @@
 #include "skein/functional/port.hpp"
 #include "skein/interaction/effect.hpp"
 #include "skein/interaction/joint_task_status.hpp"
-#include "skein/interaction/negotiation/terms.hpp"
+#include "skein/interaction/negotiation/modality.hpp"
 #include "skein/interaction/scm_monitor.hpp"
 #include "skein/merging/message.hpp"
 #include "skein/mission/request.hpp"
@@ -92,6 +92,11 @@ struct JointTaskTold {
   interaction::JointTaskStatus status;
   MissionTime at;  ///< when it was so
 };
+/// What follows from the offers of a session, as StartReckoning asked for.
+struct ReckoningFinished {
+  std::uint64_t job = 0;
+  Result<interaction::Rows, Failure> result;
+};
 /// A member of the team says something about the token, the ledger or a sale.
 struct TeamTold {
   std::string from;
@@ -114,7 +119,7 @@ using Input =
     std::variant<Started, Command, UnreadableCommand, PlaceTold, ElementaryRequest, GroundTaskSeen,
                  StatusTold, SyncMessage, world::Telemetry, world::Perception, Contact, LayerForgot,
                  supervisor::JobFinished, interaction::SessionMessage, PartnerSeen, JointTaskTold,
-                 TeamTold, MergeTold, FrontierTold, Tick>;
+                 ReckoningFinished, TeamTold, MergeTold, FrontierTold, Tick>;
 
 // ---- effects, to be carried out in their order ----
 
@@ -179,6 +184,16 @@ struct SendSync {
 struct SendNegotiation {
   std::string to;
   interaction::SessionMessage message;
+};
+/// Run interaction::reckon(terms, offers) as a job; its result comes back as ReckoningFinished.
+struct StartReckoning {
+  std::uint64_t job = 0;  ///< among those of reckonings
+  interaction::Terms terms;
+  interaction::Offers offers;
+};
+/// Nobody wants the result of this reckoning any more; it comes back all the same.
+struct StopReckoning {
+  std::uint64_t job = 0;
 };
 /// Where this UAV stands in a joint task, when that is not as it was: for partners and the ground.
 struct JointTaskChanged {
@@ -305,12 +320,13 @@ struct Notice {
 using Effect =
     std::variant<Answer, TaskChanged, StatusPassedOn, TelemetryPassedOn, PerceptionPassedOn,
                  SyncPassedOn, DegreeChanged, HandedOver, BoardChanged, ToVehicle, SendSync,
-                 SendNegotiation, SendTeam, SendMerge, SendFrontier, MeetingNoted, AirNoted,
-                 TeamTaskNoted, BidNoted, SaleNoted, TokenNoted, JointTaskChanged, ShareTelemetry,
-                 ComponelChanged, RoleTaskGiven, PlaceComputed, ScmNoted, NegotiationNoted,
-                 RequestHandled, SyncHeard, PolicyCarriedOut, Notice, supervisor::MissionDecided,
-                 supervisor::StartDeliberation, supervisor::StopDeliberation,
-                 supervisor::PlanChanged, supervisor::GoalChanged, supervisor::Decided>;
+                 SendNegotiation, StartReckoning, StopReckoning, SendTeam, SendMerge, SendFrontier,
+                 MeetingNoted, AirNoted, TeamTaskNoted, BidNoted, SaleNoted, TokenNoted,
+                 JointTaskChanged, ShareTelemetry, ComponelChanged, RoleTaskGiven, PlaceComputed,
+                 ScmNoted, NegotiationNoted, RequestHandled, SyncHeard, PolicyCarriedOut, Notice,
+                 supervisor::MissionDecided, supervisor::StartDeliberation,
+                 supervisor::StopDeliberation, supervisor::PlanChanged, supervisor::GoalChanged,
+                 supervisor::Decided>;
 using Effects = std::vector<Effect>;
 
 }  // namespace skein::decision_node

@@ -31,6 +31,8 @@ class NegotiationModality {
   /// What is wrong with the parameters of a session, or with an offer under sound ones.
   std::optional<std::string> problem_of(const Terms& terms) const { return do_check(terms); }
   std::optional<std::string> problem_of(const Terms& terms, const Rows& offer) const;
+  /// To settle takes longer than a node may be deaf: it is a job, which the manager asks for.
+  virtual bool is_long() const { return false; }
   /// The result. Precondition: no problem of the terms, nor of any offer; all members offered.
   Result<Rows, Failure> settle(const Terms& terms, const Offers& offers) const;
 
@@ -40,6 +42,9 @@ class NegotiationModality {
                                                     const Rows& offer) const = 0;
   virtual Result<Rows, Failure> do_settle(const Terms& terms, const Offers& offers) const = 0;
 };
+
+/// The answer to ReckonResult, by the standard modality that the terms name. Any thread.
+Result<Rows, Failure> reckon(const Terms& terms, const Offers& offers);
 
 /// By name.
 using Modalities = std::map<std::string, std::shared_ptr<const NegotiationModality>, std::less<>>;

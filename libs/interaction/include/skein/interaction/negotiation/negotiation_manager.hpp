@@ -35,6 +35,11 @@ struct OfferPrepared {
   SessionId session;
   Result<Rows, Failure> offer;
 };
+/// Answer to ReckonResult.
+struct ResultReckoned {
+  SessionId session;
+  Result<Rows, Failure> result;
+};
 /// Not to take part any more; too late once promised.
 struct WithdrawNegotiation {
   std::string subject, why;
@@ -44,8 +49,8 @@ struct SessionMessageReceived {
 };
 /// Nothing but that time passes.
 struct NegotiationTick {};
-using NegotiationInput = std::variant<BeginNegotiation, OfferPrepared, WithdrawNegotiation,
-                                      SessionMessageReceived, NegotiationTick>;
+using NegotiationInput = std::variant<BeginNegotiation, OfferPrepared, ResultReckoned,
+                                      WithdrawNegotiation, SessionMessageReceived, NegotiationTick>;
 
 struct SendSessionMessage {
   std::string to;
@@ -58,6 +63,11 @@ struct InvitedToNegotiate {
 /// Evaluate what can be offered, and give it as OfferPrepared.
 struct PrepareOffer {
   Terms terms;
+};
+/// Reckon what follows from all offers, and give it as ResultReckoned: of modalities that are long.
+struct ReckonResult {
+  Terms terms;
+  Offers offers;
 };
 /// Once for each negotiation begun, at its deadline at the latest.
 struct NegotiationEnded {
@@ -73,8 +83,9 @@ struct NegotiationSettled {
 struct MessageRejected {
   std::string from, subject, why;
 };
-using NegotiationEffect = std::variant<SendSessionMessage, InvitedToNegotiate, PrepareOffer,
-                                       NegotiationEnded, NegotiationSettled, MessageRejected>;
+using NegotiationEffect =
+    std::variant<SendSessionMessage, InvitedToNegotiate, PrepareOffer, ReckonResult,
+                 NegotiationEnded, NegotiationSettled, MessageRejected>;
 using NegotiationEffects = std::vector<NegotiationEffect>;
 
 /// Sessions of one UAV. A session is what its members are known to have said: offers, then vows. A
@@ -103,9 +114,9 @@ class NegotiationManager {
   NegotiationManager& operator=(NegotiationManager&&) noexcept;
 
   /// Instants up to `now` pass first. Refused, without effect but for time: a negotiation that
-  /// makes no sense, with every reason; one whose subject is being negotiated; an offer that nobody
-  /// asked for; a withdrawal from what is not begun, or after the promise. Messages are never
-  /// refused so: MessageRejected says why one had no effect.
+  /// makes no sense, with every reason; one whose subject is being negotiated; an offer or a
+  /// result that nobody asked for, or wants any more; a withdrawal from what is not begun, or after
+  /// the promise. Messages are never refused so: MessageRejected says why one had no effect.
   Result<NegotiationEffects, Failure> handle(const NegotiationInput& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
   /// All sessions as known here, a line each: for logs, and for checkers: what managers with equal
