@@ -10,6 +10,7 @@ namespace skein::merging {
 namespace {
 
 constexpr const char* kToLeave = "to leave";
+constexpr const char* kToGoFirst = "to go first, it has waited long";
 constexpr const char* kToBeAnswered = "to be answered itself";
 
 /// Numbers go on rising in the life after one that is forgotten.
@@ -62,6 +63,10 @@ void Merger::on(const Heard& heard) {
   peer.number = message.number;
   peer.heard = true;
   peer.claim = message.claim;
+  if (peer.claim.wanted.empty())
+    peer.wants_since.reset();
+  else if (!peer.wants_since)
+    peer.wants_since = now_;
   const bool answers = peer.earlier && request_ != 0 && message.answered == request_;
   if (answers && message.granted) peer.agreed = true;
   if (answers && !message.granted) close(limits_.again);
@@ -89,7 +94,9 @@ void Merger::on(const InReach& reach) {
 }
 
 void Merger::on(const Want& want) {
+  const auto since = wants_since_.value_or(now_);
   on(Withdraw{});
+  wants_since_ = since;
   choices_ = want.choices;
   pause_ = now_;
   changed_ = true;
@@ -100,6 +107,7 @@ void Merger::on(const Withdraw&) {
   if (waits()) changed_ = true;
   choices_.clear();
   told_.clear();
+  wants_since_.reset();
   circle_since_.reset();
 }
 
@@ -122,6 +130,24 @@ bool Merger::asks_for(const Peer& peer, const Volumes& volumes) const {
   return peer.earlier && peer.claim.request != 0 && overlap(volumes, peer.claim.wanted);
 }
 
+bool Merger::presses(const std::optional<MissionTime>& since) const {
+  return since && now_ >= *since + limits_.pressing;
+}
+
+/// Of two that press, it has waited longer; where that is not clear to both, the earlier has.
+bool Merger::waits_longer(const Peer& peer) const {
+  if (!presses(peer.wants_since)) return false;
+  if (!presses(wants_since_)) return true;
+  if (*peer.wants_since + limits_.clearly < *wants_since_) return true;
+  return peer.earlier && *peer.wants_since <= *wants_since_ + limits_.clearly;
+}
+
+/// It would stay where one wants to go that has waited long.
+bool Merger::yields_to(const Peer& peer, const Volumes& volumes) const {
+  return !volumes.empty() && peer.reachable && waits_longer(peer) &&
+         overlap({volumes.back()}, peer.claim.wanted);
+}
+
 Volumes Merger::others() const {
   Volumes all;
   for (const auto& [name, peer] : peers_) {
@@ -134,7 +160,8 @@ Volumes Merger::others() const {
 Volumes Merger::ends() const {
   Volumes all;
   for (const auto& [name, peer] : peers_) {
-    const Volumes& last = peer.claim.wanted.empty() ? peer.claim.held : peer.claim.wanted;
+    const bool stays = peer.claim.wanted.empty() || !peer.reachable;
+    const Volumes& last = stays ? peer.claim.held : peer.claim.wanted;
     if (!last.empty()) all.push_back(last.back());
   }
   return all;
@@ -164,7 +191,8 @@ bool Merger::ask() {
   for (choice_ = 0; choice_ < choices_.size(); ++choice_) {
     const Volumes& volumes = choices_[choice_];
     const bool free = std::none_of(peers_.begin(), peers_.end(), [&](const auto& one) {
-      return has(one.second, volumes) || asks_for(one.second, volumes);
+      return has(one.second, volumes) || asks_for(one.second, volumes) ||
+             yields_to(one.second, volumes);
     });
     if (free) break;
   }
@@ -193,6 +221,7 @@ void Merger::grant() {
   request_ = 0;
   choices_.clear();
   told_.clear();
+  wants_since_.reset();
   circle_since_.reset();
   changed_ = true;
   out_.push_back(Granted{choice_});
@@ -210,6 +239,8 @@ std::vector<Waits::Why> Merger::whys() const {
       result.push_back({name, peer.reachable ? "to tell what it has" : "to come into reach"});
     } else if (asks_for(peer, first)) {
       result.push_back({name, kToBeAnswered});
+    } else if (yields_to(peer, first)) {
+      result.push_back({name, kToGoFirst});
     }
   }
   return result;
@@ -244,20 +275,29 @@ std::vector<std::string> Merger::circle() const {
   return way;
 }
 
-/// The last of the roster has to move first; when that does not help, the one before.
+/// Whoever presses moves last, and of the others the last of the roster first.
+bool Merger::moves_before_this(const Peer& peer) const {
+  if (presses(peer.wants_since) || presses(wants_since_)) return !waits_longer(peer);
+  return !peer.earlier;
+}
+
+/// One has to move; when that does not help, the next.
 void Merger::look_for_circle() {
   const std::vector<std::string> found = circle();
   if (found.empty()) return circle_since_.reset();
   if (!circle_since_) circle_since_ = now_;
-  std::int64_t later = 0;
+  std::int64_t before = 0;
+  bool all_hear = true;
   for (const std::string& one : found) {
     const auto peer = peers_.find(one);
-    if (peer != peers_.end() && !peer->second.earlier) ++later;
+    if (peer == peers_.end()) continue;
+    if (moves_before_this(peer->second)) ++before;
+    all_hear = all_hear && peer->second.reachable;
   }
-  const Duration patience = limits_.circle + Duration::nanoseconds(later * limits_.next.count());
+  const Duration patience = limits_.circle + Duration::nanoseconds(before * limits_.next.count());
   if (now_ < *circle_since_ + patience || now_ < moved_aside_) return;
   moved_aside_ = now_ + limits_.next;
-  out_.push_back(MoveAside{found});
+  out_.push_back(MoveAside{found, !all_hear});
 }
 
 // ---- what it says ----
@@ -267,7 +307,7 @@ Claim Merger::claim() const {
   if (!waits()) return claim;
   claim.wanted = choices_[request_ != 0 ? choice_ : 0];
   for (const Waits::Why& why : told_) {
-    if (why.why == kToLeave) claim.waits_for.push_back(why.peer);
+    if (why.why == kToLeave || why.why == kToGoFirst) claim.waits_for.push_back(why.peer);
   }
   return claim;
 }

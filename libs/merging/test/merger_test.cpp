@@ -173,6 +173,66 @@ TEST(Merger, WaitingForOneThatOnlyStaysIsNoCircle) {
   EXPECT_THAT(net.asked_aside(), IsEmpty());
 }
 
+TEST(Merger, WhoGoesAsideForOneOutOfReachIsToldThatOnlyItsOwnWayCounts) {
+  Net net({kA, kB});
+  net.stands(kA, place(0));
+  net.stands(kB, place(100));
+  net.run_for(0.1);
+  net.wants(kA, {{stretch(0, 100)}});
+  net.wants(kB, {{stretch(0, 100)}});
+  net.run_for(0.3);
+  net.cut(kA, kB);
+  net.run_for(10);
+  ASSERT_FALSE(net.asides().empty());
+  for (const MoveAside& one : net.asides()) EXPECT_TRUE(one.for_itself);
+}
+
+// ---- fairness ----
+
+TEST(Merger, NobodyComesToStayWhereOneWantsToGoThatHasWaitedLong) {
+  Net net({kA, kB, kC});
+  net.stands(kB, place(50));
+  net.run_for(0.1);
+  net.wants(kC, {{stretch(0, 100)}});
+  net.run_for(60);
+  net.wants(kA, {{stretch(150, 90)}});
+  net.run_for(1);
+  EXPECT_TRUE(net.has_what_it_wanted(kA)) << "not so long yet";
+  net.give(kA, Hold{{place(150)}});
+
+  net.run_for(200);
+  net.wants(kA, {{stretch(150, 90)}});
+  net.run_for(5);
+  EXPECT_FALSE(net.has_what_it_wanted(kA));
+  expect_why(net, kA, kC, "to go first, it has waited long");
+  net.give(kB, Hold{});
+  net.run_for(0.5);
+  EXPECT_TRUE(net.has_what_it_wanted(kC));
+}
+
+TEST(Merger, WhoFliesThroughAndStaysElsewhereNeedNotWaitForThat) {
+  Net net({kA, kB, kC});
+  net.stands(kB, place(50));
+  net.run_for(0.1);
+  net.wants(kC, {{stretch(0, 100)}});
+  net.run_for(300);
+  net.wants(kA, {{stretch(150, 90), place(150)}});
+  net.run_for(1);
+  EXPECT_TRUE(net.has_what_it_wanted(kA));
+}
+
+TEST(Merger, InACircleWhoHasWaitedLongMovesLast) {
+  Net net({kA, kB});
+  net.stands(kA, place(0));
+  net.stands(kB, place(100));
+  net.run_for(0.1);
+  net.wants(kB, {{stretch(0, 100)}});
+  net.run_for(300);
+  net.wants(kA, {{stretch(0, 100)}});
+  net.run_for(1);
+  EXPECT_THAT(net.asked_aside(), ElementsAre(kA));
+}
+
 // ---- whatever happens ----
 
 Radio any_radio(Random& random) {

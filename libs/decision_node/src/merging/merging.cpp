@@ -244,14 +244,15 @@ void Merging::carry_out(const merging::Waits& waits) {
   note_waits();
 }
 
-void Merging::carry_out(const merging::MoveAside&) {
+void Merging::carry_out(const merging::MoveAside& move) {
   if (!waiting_ || waiting_->airways.empty() || !rest_ || !seen_.state.airborne) return;
   const functional::TaskId id(kFirstAside.value() + aside_);
   Airways aside = ways_aside(id, merger_->others(), *core_.config().merging, situation());
-  if (aside.empty()) return;
   const merging::Volumes ends = merger_->ends();
-  std::stable_partition(aside.begin(), aside.end(),
-                        [&](const Airway& one) { return leads_on(one, ends); });
+  const auto others = std::stable_partition(aside.begin(), aside.end(),
+                                            [&](const Airway& one) { return leads_on(one, ends); });
+  if (move.for_itself) aside.erase(others, aside.end());
+  if (aside.empty()) return;
   ++aside_;
   waiting_->aside_since = core_.bus().now();
   want(std::move(aside));

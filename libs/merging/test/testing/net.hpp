@@ -34,7 +34,10 @@ class Net {
     for (const Effect& effect : members_.at(name).handle(input, now())) {
       if (const auto* tell = std::get_if<Tell>(&effect)) send(name, *tell);
       if (const auto* granted = std::get_if<Granted>(&effect)) granted_[name] = granted->choice;
-      if (std::holds_alternative<MoveAside>(effect)) asked_aside_.push_back(name);
+      if (const auto* aside = std::get_if<MoveAside>(&effect)) {
+        asked_aside_.push_back(name);
+        asides_.push_back(*aside);
+      }
       if (const auto* waits = std::get_if<Waits>(&effect)) whys_[name] = waits->whys;
     }
   }
@@ -89,6 +92,7 @@ class Net {
   bool has_what_it_wanted(const std::string& name) const { return granted_.contains(name); }
   std::size_t choice_of(const std::string& name) const { return granted_.at(name); }
   const std::vector<std::string>& asked_aside() const { return asked_aside_; }
+  const std::vector<MoveAside>& asides() const { return asides_; }
   std::vector<Waits::Why> whys(const std::string& name) const {
     return whys_.contains(name) ? whys_.at(name) : std::vector<Waits::Why>();
   }
@@ -125,6 +129,7 @@ class Net {
   std::map<std::string, std::size_t> granted_;
   std::map<std::string, std::vector<Waits::Why>> whys_;
   std::vector<std::string> asked_aside_;
+  std::vector<MoveAside> asides_;
   std::set<std::pair<std::string, std::string>> cuts_;
   std::multimap<double, std::pair<std::string, Tell>> under_way_;
   std::size_t messages_ = 0;

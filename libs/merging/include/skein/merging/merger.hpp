@@ -65,6 +65,8 @@ struct Waits {
 /// wants something else, and then what it wanted again.
 struct MoveAside {
   std::vector<std::string> circle;  ///< from itself on
+  /// One of them is out of reach and gains nothing: only where its own way is free then.
+  bool for_itself = false;
 };
 using Effect = std::variant<Tell, Granted, Waits, MoveAside>;
 using Effects = std::vector<Effect>;
@@ -76,6 +78,9 @@ struct Limits {
   Duration beat = Duration::milliseconds(1'000);      ///< what is held or wanted is said again
   Duration circle = Duration::milliseconds(400);      ///< a circle is one when it has stood so long
   Duration next = Duration::milliseconds(4'000);      ///< until the next of a circle has to move
+  /// Whoever has waited so long presses: others do not come to stay where it wants to go.
+  Duration pressing = Duration::milliseconds(240'000);
+  Duration clearly = Duration::milliseconds(5'000);  ///< by which one has waited longer
 };
 
 /// Reserves air so that no two members ever have the same. In every pair of members the earlier in
@@ -118,6 +123,7 @@ class Merger {
     std::uint64_t answered = 0;  ///< the last of its requests that was answered
     bool granted = false;
     bool agreed = false;  ///< to the request that is open
+    std::optional<MissionTime> wants_since;
   };
 
   void on(const Heard& heard);
@@ -137,6 +143,10 @@ class Merger {
   std::vector<std::string> circle() const;
   bool has(const Peer& peer, const Volumes& volumes) const;
   bool asks_for(const Peer& peer, const Volumes& volumes) const;
+  bool yields_to(const Peer& peer, const Volumes& volumes) const;
+  bool presses(const std::optional<MissionTime>& since) const;
+  bool waits_longer(const Peer& peer) const;
+  bool moves_before_this(const Peer& peer) const;
   void tell(const std::string& name, bool asks);
   void tell_all();
   void ask_again();
@@ -155,6 +165,7 @@ class Merger {
   MissionTime deadline_;          ///< of the request
   MissionTime pause_;             ///< it asks for nothing before
   std::vector<Waits::Why> told_;  ///< why it waits
+  std::optional<MissionTime> wants_since_;
   std::optional<MissionTime> circle_since_;
   MissionTime moved_aside_;  ///< it is not asked to again before
 
