@@ -13,36 +13,15 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-struct Answered {
-  int code = -1;
-  std::string text;
-};
-
 class Operators : public ::testing::Test {
  protected:
   void start_comets(const std::string& faults = "") {
     run_.take_scenario("confirmed", faults);
     run_.start({"--rate", "5"});
     run_.wait_for_output("the mission starts");
-    const std::string said = run_.output();
-    const std::string before = "on DDS domain ";
-    const std::size_t at = said.find(before);
-    ASSERT_NE(at, std::string::npos);
-    domain_ = std::to_string(std::stoi(said.substr(at + before.size())));
   }
 
-  /// `skein WORDS --domain …`, to its end.
-  Answered skein(std::vector<std::string> words) {
-    const std::string log = run_.file("asked-" + std::to_string(++asked_)).string();
-    words.insert(words.begin(), kPrograms + "/skein");
-    words.insert(words.begin() + 2, {"--domain", domain_});
-    auto process = run_tool::Process::start(words, log);
-    if (!process) return {-1, process.error().why};
-    holds_within(60, [&] { return process->poll().has_value(); });
-    std::ifstream in(log);
-    const auto status = process->poll();
-    return {status ? status->code : -1, {std::istreambuf_iterator<char>(in), {}}};
-  }
+  Answered skein(std::vector<std::string> words) { return run_.skein(std::move(words)); }
 
   json uav(const std::string& name) {
     const Answered answered = skein({"status", "--json"});
@@ -55,10 +34,6 @@ class Operators : public ::testing::Test {
   }
 
   DdsRun run_;
-
- private:
-  std::string domain_;
-  int asked_ = 0;
 };
 
 TEST_F(Operators, AUavIsTakenInHandKnownToAllAndGivenBack) {

@@ -219,6 +219,24 @@ std::size_t DdsRun::count(const std::string& kind, const std::string& key,
   }));
 }
 
+Answered DdsRun::skein(std::vector<std::string> words) {
+  wait_for_output("the mission starts");
+  const std::string said = output();
+  const std::string before = "on DDS domain ";
+  const std::size_t at = said.find(before);
+  if (at == std::string::npos) return {-1, "no domain is said"};
+  const std::string log = file("asked-" + std::to_string(++asked_)).string();
+  words.insert(words.begin(), kPrograms + "/skein");
+  words.insert(words.begin() + 2,
+               {"--domain", std::to_string(std::stoi(said.substr(at + before.size())))});
+  auto process = run_tool::Process::start(words, log);
+  if (!process) return {-1, process.error().why};
+  holds_within(60, [&] { return process->poll().has_value(); });
+  std::ifstream in(log);
+  const auto status = process->poll();
+  return {status ? status->code : -1, {std::istreambuf_iterator<char>(in), {}}};
+}
+
 std::vector<DdsRun::Daemon> DdsRun::pids() const {
   const std::string scenario = (folder_ / "scenario.yaml").string();
   std::vector<Daemon> daemons;
@@ -240,6 +258,20 @@ std::set<std::string> DdsRun::names_of(const std::vector<Daemon>& daemons) {
   std::set<std::string> names;
   for (const Daemon& daemon : daemons) names.insert(daemon.name);
   return names;
+}
+
+void expect_all_met(const std::string& scenario, const std::string& rate) {
+  DdsRun run;
+  run.take_scenario_of(scenario);
+
+  run.start({"--rate", rate});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 0) << run.output();
+  EXPECT_EQ(run.count("mission", "state", "finished"), 1U);
+  EXPECT_EQ(run.count("dropped", "kind", "dropped"), 0U);
+  EXPECT_TRUE(run.nothing_runs());
 }
 
 }  // namespace skein::testing

@@ -24,6 +24,11 @@ inline const std::string kPrograms = SKEIN_BINARY_DIR "/bin";
 /// True as soon as the condition holds, looked at again and again for so many seconds at most.
 bool holds_within(double seconds, const std::function<bool()>& condition);
 
+struct Answered {
+  int code = -1;
+  std::string text;
+};
+
 /// One `skein run` over DDS of a copy of a COMETS scenario in a folder of the test's own. The path
 /// of that copy is on the command line of each of its daemons, which is how they are found.
 class DdsRun {
@@ -48,6 +53,8 @@ class DdsRun {
                   double seconds = 60);
   /// Until `text` is in what the run has printed.
   void wait_for_output(const std::string& text, double seconds = 60);
+  /// `skein WORDS --domain …` for this run's domain, to its end. Once the mission has started.
+  Answered skein(std::vector<std::string> words);
   void send(int signal) { process_->send(signal); }
 
   /// Its daemons that live: "sim", "ground", or the UAV.
@@ -79,6 +86,10 @@ class DdsRun {
   fs::path folder_;
   std::set<std::string> shared_memory_before_;
   std::optional<run_tool::Process> process_;
+  int asked_ = 0;
 };
+
+/// The scenario (see take_scenario_of) is played to its end, and all of its expectations are met.
+void expect_all_met(const std::string& scenario, const std::string& rate);
 
 }  // namespace skein::testing
