@@ -49,6 +49,8 @@ void draw_joint_rows(Sheet& sheet);
 void draw_team_rows(Sheet& sheet);
 /// Who waited for the air of a way, for whom, and who had it.
 void draw_air_rows(Sheet& sheet);
+/// When who waits for others was told that they come.
+void draw_meeting_rows(Sheet& sheet);
 void draw_links(Sheet& sheet);
 /// Altitude, energy, separation.
 void draw_profiles(Sheet& sheet);

@@ -224,6 +224,7 @@ void write_timeline(Markup& out, const Run& run) {
   draw_joint_rows(sheet);
   draw_team_rows(sheet);
   draw_air_rows(sheet);
+  draw_meeting_rows(sheet);
   draw_links(sheet);
   draw_profiles(sheet);
   const double bottom = sheet.y;
