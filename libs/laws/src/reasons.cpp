@@ -16,26 +16,45 @@ bool says(const std::string& text, const char* words) {
   return text.find(words) != std::string::npos;
 }
 
+bool has_bounds(const Uav& uav, double at) {
+  return std::any_of(uav.goals.begin(), uav.goals.end(), [&](const auto& one) {
+    return one.second.received() <= at && is_bounded(one.second);
+  });
+}
+
+// "…, which 'heliv' needs"; empty: nobody does.
+std::string who_needs(const std::string& why) {
+  const std::size_t end = why.find("' needs");
+  const std::size_t quote = end == std::string::npos ? end : why.rfind('\'', end - 1);
+  return quote == std::string::npos ? "" : why.substr(quote + 1, end - quote - 1);
+}
+
+// Of something that has a time, or that somebody has a time for.
+std::optional<std::string> untimely(const History& history, const Uav& uav, const std::string& why,
+                                    double at) {
+  const bool of_time = says(why, "must end before") || says(why, "must start before") ||
+                       says(why, "after the end of goal");
+  if (!of_time || says(why, "runs") || has_bounds(uav, at)) return std::nullopt;
+  const auto other = history.uavs.find(who_needs(why));
+  if (other == history.uavs.end()) return "nothing asked of it has a time";
+  if (has_bounds(other->second, at)) return std::nullopt;
+  return "nothing asked of " + other->first + " has a time";
+}
+
 // Why a reason cannot be true; nothing when truth does not contradict it.
-std::optional<std::string> contradiction(const Uav& uav, const Goal& goal, const std::string& why,
-                                         double at) {
+std::optional<std::string> contradiction(const History& history, const Uav& uav,
+                                         const std::string& why, double at) {
   if (why.empty()) return "it gives no reason";
   // A plan of one UAV that contradicts itself is the planner's, not the mission's.
   if (says(why, "must start while")) return "tasks of its own plan contradict each other";
   if (says(why, "half a cell")) return "nobody can set that cell";
-  const bool of_time = says(why, "must end before") || says(why, "must start before") ||
-                       says(why, "after the end of goal");
-  const bool bounded = std::any_of(uav.goals.begin(), uav.goals.end(), [&](const auto& one) {
-    return one.second.received() <= at && is_bounded(one.second);
-  });
-  if (of_time && !bounded && !says(why, "runs")) return "nothing asked of it has a time";
+  if (auto untrue = untimely(history, uav, why, at)) return untrue;
   const bool any_closed = std::any_of(uav.closings.begin(), uav.closings.end(),
                                       [&](const Closing& one) { return one.known <= at + 1; });
   if (says(why, "closed air") && !any_closed) return "no air is closed";
   if (says(why, "has failed") && !uav.had_fault("sensor", at) && says(why, "device")) {
     return "no device failed";
   }
-  (void)goal;
   return std::nullopt;
 }
 
@@ -49,7 +68,7 @@ std::vector<Violation> untrue_reasons(const History& history) {
       if (goal.state() != "failed" || history.was_killed(name)) continue;
       const Change& last = goal.changes.back();
       if (!told.emplace(last.at, last.why).second) continue;
-      const auto why = contradiction(uav, goal, last.why, last.at);
+      const auto why = contradiction(history, uav, last.why, last.at);
       if (!why) continue;
       result.push_back({"", last.at, name, id,
                         mission::to_text(goal.task) + " failed, \"" + last.why + "\": " + *why});

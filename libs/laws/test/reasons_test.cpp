@@ -28,6 +28,20 @@ TEST(Reasons, AReasonIsThereAndTrue) {
   EXPECT_THAT(fails("needs 140 % of the energy, and 90 % is left above the reserve"), IsEmpty());
 }
 
+TEST(Reasons, ATimeIsOfSomethingAskedOfItOrOfWhoNeedsIt) {
+  const auto fails = [](const std::string& heliv) {
+    Story story;
+    story.goal("heliv", 800, heliv, "received", 1);
+    story.goal("marvin", 701, "perceive P1 60", "received", 1)
+        .goal("marvin", 701, "perceive P1 60", "failed", 2,
+              "it starts no earlier than 90 s, must start before 50 s, which 'heliv' needs");
+    return story.broken("reasons");
+  };
+
+  EXPECT_THAT(fails("general-land [end-before 60]"), IsEmpty());
+  EXPECT_THAT(fails("general-land"), ElementsAre(HasSubstr("nothing asked of heliv has a time")));
+}
+
 TEST(Feasible, WhereNothingGoesWrongNothingFails) {
   Story story;
   story.goal("marvin", 701, "perceive P1 60", "received", 1)
