@@ -34,7 +34,7 @@ struct Options {
   std::vector<std::string> files, without;
   std::string save;
   bool clean = false, deaths = false, team = false, crossing = false, unmerged = false,
-       json = false, minimise = false, verbose = false;
+       meetings = false, unlinked = false, json = false, minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -43,6 +43,7 @@ Kinds kinds_of(const Options& options) {
   Kinds kinds = options.clean ? kClean : Kinds{};
   kinds.deaths = options.deaths;
   kinds.merged = !options.unmerged;
+  kinds.consistent = !options.unlinked;
   for (const std::string& name : options.without) {
     if (name == "faults") kinds.faults = false;
     if (name == "air") kinds.air = false;
@@ -58,6 +59,7 @@ Kinds kinds_of(const Options& options) {
 }
 
 Mission drawn(std::uint64_t seed, const Options& options) {
+  if (options.meetings) return generate_meetings(seed, kinds_of(options));
   if (options.crossing) return generate_crossing(seed, kinds_of(options));
   return options.team ? generate_team(seed, kinds_of(options)) : generate(seed, kinds_of(options));
 }
@@ -161,6 +163,9 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--crossing", options.crossing, "teams at degree 4 whose ways cross");
   app.add_flag("--unmerged", options.unmerged, "with --crossing: nobody asks for his air")
       ->needs("--crossing");
+  app.add_flag("--meetings", options.meetings, "UAVs at degree 4 that meet each other");
+  app.add_flag("--unlinked", options.unlinked, "with --meetings: nobody knows when others come")
+      ->needs("--meetings");
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")
       ->check(CLI::IsMember({"faults", "air", "deadlines", "changes", "degrees", "radio", "energy",

@@ -60,6 +60,18 @@ TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
   EXPECT_GT(shared, 10);
 }
 
+TEST(Generate, MeetingsAreScenariosInWhichSomeAreToBeDoneByADate) {
+  int bounded = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const std::string text = to_yaml(generate_meetings(seed, {}), "..");
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(to_yaml(generate_meetings(seed, {}), ".."), text);
+    EXPECT_THAT(text, HasSubstr("[synchro, 500, "));
+    bounded += text.find("end_before") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_GT(bounded, 10);
+}
+
 TEST(Generate, SomeMissionsAskTwoUavsForOneJointTask) {
   int joint = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {

@@ -84,5 +84,11 @@ TEST(RandomMissions, UavsWhoseWaysCrossKeepTheLaws) {
   EXPECT_EQ(breaches({}, missions() / 5, generate_crossing), "");
 }
 
+// Two to five UAVs that meet: nobody comes before it was foretold, and what fails says why.
+TEST(RandomMissions, UavsThatMeetKeepTheLaws) {
+  EXPECT_EQ(breaches(kClean, missions() / 5, generate_meetings), "");
+  EXPECT_EQ(breaches({}, missions() / 5, generate_meetings), "");
+}
+
 }  // namespace
 }  // namespace skein::mission_lab
