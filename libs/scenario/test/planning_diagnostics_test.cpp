@@ -55,7 +55,8 @@ SKEIN_WRONG_PLANNING(
           "13:11: planning.domain: missing\n"},
     Wrong{"UnknownKey", "first_ids", "first_id",
           "13:54: planning.first_id: unknown key 'first_id'; expected one of domain, altitude, "
-          "voxel, ceiling, risk, horizon, first_ids, altitudes, consistency; did you mean 'first_ids'?\n"},
+          "voxel, ceiling, risk, horizon, first_ids, altitudes, consistency; did you mean "
+          "'first_ids'?\n"},
     Wrong{
         "FirstIdOfAStranger", "first_ids: {karma", "first_ids: {krama",
         "13:63: planning.first_ids.krama: no UAV 'krama'; expected a UAV; did you mean 'karma'?\n"},

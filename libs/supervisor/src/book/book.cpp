@@ -96,6 +96,8 @@ Standing Book::standing(const std::set<TaskId>& but) const {
     result.seen[id] = entry.seen;
   }
   result.bounds = bounds();
+  // What is repaired is not repaired for what others only may do.
+  result.bounds.meetings.reliance = std::max(meetings.reliance, Meetings::Reliance::kOnTheirBest);
   return result;
 }
 

@@ -195,8 +195,19 @@ class Insertion {
 
 }  // namespace
 
+// What keeps whatever others do is best; else what can be kept to if they do their best.
 InsertionOutcome insert_tasks(const InsertionRequest& request, const Planner& planner) {
-  return Insertion(request, planner).run();
+  InsertionOutcome outcome = Insertion(request, planner).run();
+  const Meetings& meetings = request.standing.bounds.meetings;
+  const bool complete = outcome.plan && outcome.dropped.empty();
+  if (complete || meetings.of.empty() || meetings.reliance != Meetings::Reliance::kOnNothing)
+    return outcome;
+  InsertionRequest hopeful = request;
+  hopeful.standing.bounds.meetings.reliance = Meetings::Reliance::kOnTheirBest;
+  InsertionOutcome other = Insertion(hopeful, planner).run();
+  const bool better =
+      other.plan && (!outcome.plan || other.dropped.size() < outcome.dropped.size());
+  return better || !outcome.plan ? other : outcome;
 }
 
 InsertionOutcome insert_tasks(const InsertionRequest& request) {

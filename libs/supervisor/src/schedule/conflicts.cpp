@@ -141,6 +141,8 @@ std::string who_is_late(const std::vector<BrokenBound>& bounds) {
   for (const BrokenBound& broken : bounds) {
     const PlanLink& one = *broken.link;
     if (one.cause.kind != BoundKind::kPartner || one.link.to != others_at(one.cause.task)) continue;
+    if (one.link.min >= ticks_of(MissionTime::max()))
+      return "; '" + one.cause.who + "' waits for it in turn, so that neither ever comes";
     const bool bounded = one.link.max != temporal::kInfinite;
     return "; '" + one.cause.who + "' comes " + (bounded ? "between " : "from ") +
            seconds(one.link.min) + (bounded ? " and " + seconds(one.link.max) : " on");

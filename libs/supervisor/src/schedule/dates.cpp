@@ -2,6 +2,7 @@
 #include "schedule/dates.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "skein/foundation/rounded_seconds.hpp"
 
@@ -10,6 +11,9 @@ namespace skein::supervisor {
 namespace {
 
 constexpr Duration kTick = Duration::milliseconds(1);
+using Reliance = Meetings::Reliance;
+constexpr std::array kReliances{Reliance::kOnNothing, Reliance::kOnTheirBest,
+                                Reliance::kNobodysNeeds};
 
 }  // namespace
 
@@ -17,16 +21,17 @@ constexpr Duration kTick = Duration::milliseconds(1);
 
 // What others may do to the plan breaks it only when it is certain.
 void Dates::update(MissionTime now) {
-  book_.meetings.hopeful = false;
   risk_.clear();
-  network_.update(open_views(), now);
-  if (!controllable() && !book_.meetings.of.empty()) {
-    const std::vector<Conflict> conflicts = schedule().conflicts;
-    book_.meetings.hopeful = true;
+  std::string risk;
+  for (const Reliance reliance : kReliances) {
+    book_.meetings.reliance = reliance;
     network_.update(open_views(), now);
-    if (controllable() && !conflicts.empty())
-      risk_ = "task " + to_text(conflicts.front().task) + " " + conflicts.front().why;
+    if (controllable() || book_.meetings.of.empty()) break;
+    const std::vector<Conflict>& conflicts = schedule().conflicts;
+    if (risk.empty() && !conflicts.empty())
+      risk = "task " + to_text(conflicts.front().task) + " " + conflicts.front().why;
   }
+  if (controllable()) risk_ = std::move(risk);
   ++version_;
   for (const auto& [id, window] : schedule().dates) {
     Entry& entry = book_.tasks.at(id);
@@ -45,9 +50,15 @@ bool Dates::fits(const mission::ElementaryPlan& plan, const std::set<TaskId>& wi
   for (const mission::ElementaryTask& task : plan.tasks) views.push_back({&task, {}});
   std::sort(views.begin(), views.end(),
             [](const TaskView& a, const TaskView& b) { return a.task->id < b.task->id; });
-  relate(views, book_.bounds());
-  network_.update(views, now);
+  // Nobody's need that is kept to is given up for it.
+  const Reliance before = std::max(book_.meetings.reliance, Reliance::kOnTheirBest);
   ++version_;
+  for (const Reliance reliance : kReliances) {
+    book_.meetings.reliance = reliance;
+    relate(views, book_.bounds());
+    network_.update(views, now);
+    if (controllable() || book_.meetings.of.empty() || reliance == before) break;
+  }
   return controllable();
 }
 

@@ -151,7 +151,8 @@ class Links {
     const Ticks most = std::max(ticks_of(with.slowest), least + kInstant);
     const NodeName others = others_at(task_.id);
     add(BoundKind::kPartner, LiveNetwork::kOrigin, others, {least, bounded ? most : kInfinite});
-    links_.back().link.contingent = bounded && !encounter_->hopeful;
+    links_.back().link.contingent =
+        bounded && encounter_->reliance == Meetings::Reliance::kOnNothing;
     links_.back().cause.who = with.last;
     add(BoundKind::kPartner, others, end_, {0, kInfinite}, {}, 1);
     links_.back().cause.who = with.last;
@@ -196,7 +197,8 @@ class Links {
   void start_constraints() {
     not_before(start_, task_.time.start_after, BoundKind::kStartAfter);
     not_after(start_, task_.time.start_before, BoundKind::kStartBefore);
-    if (!encounter_ || encounter_->hopeful || !encounter_->with.needed) return;
+    const bool counts = encounter_ && encounter_->reliance != Meetings::Reliance::kNobodysNeeds;
+    if (!counts || !encounter_->with.needed) return;
     not_after(start_, encounter_->with.needed, BoundKind::kNeeded);
     if (links_.back().cause.kind == BoundKind::kNeeded)
       links_.back().cause.who = encounter_->with.needed_by;
@@ -260,6 +262,10 @@ std::vector<TaskBound> bounds_after(const mission::GoalBound& bound,
 }  // namespace
 
 void relate(std::vector<TaskView>& tasks, const GoalBounds& bounds) {
+  for (TaskView& view : tasks) {
+    view.bounds.clear();
+    view.encounter.reset();
+  }
   for (const auto& [goal, all] : bounds.of) {
     for (const mission::GoalBound& one : all) {
       const std::vector<TaskBound> after = bounds_after(one, tasks, bounds);
@@ -279,7 +285,7 @@ void relate(std::vector<TaskView>& tasks, const GoalBounds& bounds) {
     if (!view.task->synchronisation || view.seen.over || waits_for_date(view)) continue;
     const auto met = bounds.meetings.of.find(view.task->synchronisation->id);
     if (met != bounds.meetings.of.end())
-      view.encounter = Encounter{met->second, bounds.meetings.hopeful};
+      view.encounter = Encounter{met->second, bounds.meetings.reliance};
   }
 }
 

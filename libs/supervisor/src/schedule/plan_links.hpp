@@ -43,7 +43,7 @@ struct TaskBound {
 /// What the network has of those whom a task meets.
 struct Encounter {
   temporal::PartnerDates with;
-  bool hopeful = false;  ///< as Meetings::hopeful
+  Meetings::Reliance reliance = Meetings::Reliance::kOnNothing;
   bool awaits() const { return !with.last.empty(); }
   bool operator==(const Encounter&) const = default;
 };

@@ -29,9 +29,11 @@ PartnerDates coming(double soonest, double slowest) {
   return dates;
 }
 
-GoalBounds met(const PartnerDates& dates, bool hopeful = false) {
+using Reliance = Meetings::Reliance;
+
+GoalBounds met(const PartnerDates& dates, Reliance reliance = Reliance::kOnNothing) {
   GoalBounds bounds;
-  bounds.meetings = {{{kMeeting, dates}}, hopeful};
+  bounds.meetings = {{{kMeeting, dates}}, reliance};
   return bounds;
 }
 
@@ -85,8 +87,9 @@ TEST(Meeting, ThatTheOtherMayComeTooLateToBreaksAPromiseAndTheOtherIsNamed) {
 }
 
 TEST(Meeting, IsHopedForAsLongAsItMayGoWell) {
-  EXPECT_TRUE(planned(meeting_until(120), met(coming(100, 140), true)).controllable);
-  EXPECT_FALSE(planned(meeting_until(104), met(coming(100, 140), true)).consistent);
+  const GoalBounds hopeful = met(coming(100, 140), Reliance::kOnTheirBest);
+  EXPECT_TRUE(planned(meeting_until(120), hopeful).controllable);
+  EXPECT_FALSE(planned(meeting_until(104), hopeful).consistent);
 }
 
 TEST(Meeting, HasAnotherNeedItThere) {
@@ -99,7 +102,8 @@ TEST(Meeting, HasAnotherNeedItThere) {
   EXPECT_FALSE(result.controllable);
   EXPECT_THAT(result.conflicts.front().why,
               HasSubstr("must start before 15 s, which 'heliv' needs"));
-  EXPECT_TRUE(planned(meeting(), met(dates, true)).controllable);
+  EXPECT_FALSE(planned(meeting(), met(dates, Reliance::kOnTheirBest)).controllable);
+  EXPECT_TRUE(planned(meeting(), met(dates, Reliance::kNobodysNeeds)).controllable);
 
   dates.needed = at(50);
   EXPECT_EQ(planned(meeting(), met(dates)).dates.at(id(1)).latest_start, at(30));
@@ -114,6 +118,16 @@ TEST(Meeting, WithOneOfWhomNoFigureIsKnownHasNoEnd) {
   EXPECT_TRUE(result.controllable);
   EXPECT_EQ(result.foreseen.at(id(3)).earliest_start, at(100));
   EXPECT_EQ(result.foreseen.at(id(3)).latest_start, MissionTime::max());
+}
+
+TEST(Meeting, WithOneWhoWaitsInTurnNeverEnds) {
+  PartnerDates dates;
+  dates.soonest = dates.slowest = MissionTime::max();
+  dates.last = "heliv";
+
+  EXPECT_TRUE(planned(meeting(), met(dates)).controllable);
+  EXPECT_THAT(planned(meeting_until(120), met(dates)).conflicts.front().why,
+              HasSubstr("'heliv' waits for it in turn, so that neither ever comes"));
 }
 
 TEST(Meeting, WithOneWhoIsLateEndsAtSomeTimeFromNowOn) {
@@ -155,7 +169,7 @@ TEST(Meeting, TheNetworkThatLivesIsTheOneMadeAnew) {
       if (random.below(4) == 0) dates.needed = at(static_cast<double>(random.below(400)));
       dates.all_there = random.below(6) == 0;
       if (random.below(5) == 0) dates.last.clear();
-      bounds = random.below(5) == 0 ? GoalBounds() : met(dates, random.below(3) == 0);
+      bounds = random.below(5) == 0 ? GoalBounds() : met(dates, Reliance(random.below(3)));
       if (random.below(4) == 0) tasks = random.below(2) == 0 ? meeting() : meeting_until(300);
       if (random.below(4) == 0) tasks.pop_back();
       std::vector<TaskView> views;

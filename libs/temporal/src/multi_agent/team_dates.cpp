@@ -203,6 +203,8 @@ std::map<MeetingId, PartnerDates> TeamDates::dates(MissionTime now) const {
   const std::map<std::string, Frontier> known = with_invitations(known_, self_);
   const auto own = known.find(self_);
   if (own->second.meetings.empty()) return result;
+  const auto mine = known_.find(self_);
+  const std::size_t planned = mine == known_.end() ? 0 : mine->second.meetings.size();
   const Whole whole(known);
   const std::vector<Ticks> soonest = whole.earliest(kSoonest, now);
   const std::vector<Ticks> slowest = whole.earliest(kSlowest, now);
@@ -222,7 +224,8 @@ std::map<MeetingId, PartnerDates> TeamDates::dates(MissionTime now) const {
       dates.all_there = dates.all_there && there;
     }
     const auto& limit = limits[whole.node(self_, Frontier::arrival_of(i))];
-    if (limit.latest != kInfinite && limit.of != nullptr) {
+    const bool counted_on = i < planned;
+    if (counted_on && limit.latest != kInfinite && limit.of != nullptr) {
       dates.needed = instant_of(limit.latest);
       dates.needed_by = *limit.of;
     }

@@ -183,9 +183,6 @@ class RandomTeam::Whole {
   Ticks from_arrival(const std::string& name, std::size_t meeting) const {
     return distances_->between(node(name, Frontier::arrival_of(meeting)), 0);
   }
-  Ticks from_end(const std::string& name, std::size_t meeting) const {
-    return distances_->between(node(name, Frontier::end_of(meeting)), 0);
-  }
 
  private:
   std::size_t node(const std::string& name, std::size_t local) const {
@@ -220,23 +217,6 @@ std::vector<Meeting> RandomTeam::meetings_of(const std::string& agent) const {
   return result;
 }
 
-// Of a meeting that it does not plan: what the others' ends say.
-Ticks RandomTeam::needed(const Whole& latest, const std::string& agent,
-                         const Meeting& meeting) const {
-  const auto own = place_of(plans_.at(agent).meetings, meeting.id);
-  if (own) return latest.from_arrival(agent, *own);
-  Ticks until = kMinusInfinite;
-  for (const auto& [other, its] : plans_) {
-    const auto place = place_of(its.meetings, meeting.id);
-    if (other == agent || !place || !is_in(meeting.senders, agent) ||
-        !is_in(meeting.receivers, other))
-      continue;
-    const Ticks end = latest.from_end(other, *place);
-    if (end != kMinusInfinite) until = std::max(until, end == kNever ? kNever : end + 1);
-  }
-  return until;
-}
-
 std::map<MeetingId, OracleDates> RandomTeam::dates_of(const std::string& agent) const {
   const Whole soonest(*this, &FrontierArc::soonest, ""), slowest(*this, &FrontierArc::slowest, ""),
       latest(*this, &FrontierArc::latest, agent);
@@ -253,7 +233,8 @@ std::map<MeetingId, OracleDates> RandomTeam::dates_of(const std::string& agent) 
       dates.slowest = std::max(dates.slowest, instant(slowest.to_arrival(other, *place)));
     }
     if (!all) continue;
-    const Ticks until = needed(latest, agent, meeting);
+    const auto own = place_of(plans_.at(agent).meetings, meeting.id);
+    const Ticks until = own ? latest.from_arrival(agent, *own) : kMinusInfinite;
     if (until != kMinusInfinite && until != kNever) dates.needed = instant(-until);
     result[meeting.id] = dates;
   }

@@ -42,7 +42,6 @@ class RandomTeam {
   class Whole;
   Plan make_plan();
   std::vector<Meeting> meetings_of(const std::string& agent) const;
-  Ticks needed(const Whole& latest, const std::string& agent, const Meeting& meeting) const;
   void bound(Plan& plan, std::uint32_t node, Ticks date);
   Frontier frontier_of(const Plan& plan) const;
 

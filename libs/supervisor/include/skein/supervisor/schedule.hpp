@@ -3,6 +3,7 @@
 // between which dates does each task start and end?
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -47,10 +48,15 @@ using Holds = std::map<executive::TaskId, std::vector<Hold>>;
 /// What is known of synchronisations with other UAVs, by their ids. Without it each takes as long
 /// as the domain says.
 struct Meetings {
+  /// What of it counts. What others may do to a plan in force, or to one that is asked for, breaks
+  /// it only when it is certain.
+  enum class Reliance : std::uint8_t {
+    kOnNothing,     ///< they come as late as they may
+    kOnTheirBest,   ///< they come as early as they can
+    kNobodysNeeds,  ///< likewise, and this UAV is nowhere for another's sake
+  };
   std::map<temporal::MeetingId, temporal::PartnerDates> of;
-  /// What may go well counts as well: the others may come as early as they can, and nobody is to be
-  /// there for their sake. So when the plan in force cannot be kept to whatever the others do.
-  bool hopeful = false;
+  Reliance reliance = Reliance::kOnNothing;
   bool operator==(const Meetings&) const = default;
 };
 

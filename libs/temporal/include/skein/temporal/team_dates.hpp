@@ -18,7 +18,8 @@ struct PartnerDates {
   MissionTime soonest, slowest;
   bool all_there = false;  ///< they have come; soonest and slowest are when
   std::string last;        ///< who comes last, as foreseen
-  /// Later no other could keep to its plan; absent: nobody says so.
+  /// Later no other could keep to its plan; absent: nobody says so, or this one does not plan to
+  /// come yet (late is better than never).
   std::optional<MissionTime> needed;
   std::string needed_by;
   bool operator==(const PartnerDates&) const = default;
@@ -45,7 +46,8 @@ class TeamDates {
   const std::map<std::string, Frontier>& known() const { return known_; }
 
   /// Of each meeting of its own, or in which others count on it, of which every other sender is
-  /// known to be on its way. Cost: O(nodes · arcs) at worst of what is known; where nobody waits for himself, a few rounds.
+  /// known to be on its way. Cost: O(nodes · arcs) at worst of what is known; where nobody waits
+  /// for himself, a few rounds.
   std::map<MeetingId, PartnerDates> dates(MissionTime now) const;
 
  private:
