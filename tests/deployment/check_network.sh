@@ -60,7 +60,9 @@ esac
 common=(--scenario "$scenario" --rate 60)
 "$build/bin/skein-sim" "${common[@]}" --interface 10.77.0.1 "${ground[@]}" >"$work/sim.log" 2>&1 & sim=$!
 "$build/bin/skein-ground" "${common[@]}" --interface 10.77.0.1 "${ground[@]}" >"$work/ground.log" 2>&1 & station=$!
-on_uavs "$build/bin/skein-ddn" "${common[@]}" --uav karma --interface 10.77.0.2 "${uavs[@]}" >"$work/karma.log" 2>&1 & karma=$!
+# The daemon itself, so that it is what is stopped.
+(exec nsenter -t "$other" -n -- "$build/bin/skein-ddn" "${common[@]}" --uav karma --interface 10.77.0.2 "${uavs[@]}") \
+  >"$work/karma.log" 2>&1 & karma=$!
 running+=("$sim" "$station" "$karma")
 
 if [ "$case" = strangers ]; then
