@@ -117,7 +117,7 @@ void Supervisor::Core::on(const VehicleSeen& input) {
 
 void Supervisor::Core::on(const JointTaskAnswered& input) {
   const bool agreed = committer_.joint_tasks().answered(input);
-  const Entry* entry = book_.find(input.task);
+  Entry* entry = book_.find(input.task);
   if (entry == nullptr || entry->seen.started || !entry->live()) return;
   if (!agreed) {
     // One that the executive has says so when it is due.

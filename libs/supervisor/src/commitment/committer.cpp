@@ -123,6 +123,7 @@ void Committer::give(GoalId goal) {
     tasks.push_back(as_given(entry.task));
     entry.advance(Step::kGive);
     ids.push_back(entry.task.id);
+    entry.told_window = entry.window;
     windows[entry.task.id] = entry.window;
   }
   Holds holds;
@@ -158,7 +159,7 @@ Duration Committer::safe_wait_ends_within() const {
 std::optional<MissionTime> Committer::end_of_safe_wait() const {
   std::optional<MissionTime> first;
   if (!book_.waits_safely()) return first;
-  for (const auto& [id, entry] : book_.tasks) {
+  for (auto& [id, entry] : book_.tasks) {
     if (!entry.in_hand() || entry.seen.started || entry.by_others || entry.stopping()) continue;
     first = earliest(first, entry.dates.earliest_start - safe_wait_ends_within());
   }
@@ -172,7 +173,8 @@ void Committer::reschedule() {
   for (const TaskId id : dates_.renew_holds(now())) send_preconditions(book_.tasks.at(id));
 }
 
-void Committer::send_preconditions(const Entry& entry) {
+void Committer::send_preconditions(Entry& entry) {
+  entry.told_window = entry.window;
   executive::Start start =
       to_start(as_given(entry.task), entry.window, book_.ending_by_order(), entry.holds);
   out_.send(executive::UpdateConditions{entry.task.id, std::move(start.task.preconditions),
@@ -200,7 +202,7 @@ TaskId Committer::start_loose(const std::string& type) {
 // What the executive has begins when the safe wait is over.
 TaskId Committer::start_safe_wait() {
   const TaskId id = start_loose("wait");
-  for (const auto& [task, entry] : book_.tasks) {
+  for (auto& [task, entry] : book_.tasks) {
     const bool held = entry.in_hand() && !entry.seen.started && !entry.by_others;
     if (held && holds_vehicle(entry.task)) send_preconditions(entry);
   }

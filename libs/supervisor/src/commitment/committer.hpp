@@ -33,7 +33,7 @@ class Committer {
 
   /// Makes the dates anew, and tells the executive what they change for it.
   void reschedule();
-  void send_preconditions(const Entry& entry);
+  void send_preconditions(Entry& entry);
   void stop(const std::vector<TaskId>& tasks);
   /// These goals lose their tasks.
   void retire(const std::set<GoalId>& goals);

@@ -90,6 +90,18 @@ std::vector<Hold> Dates::holds_of(TaskId task) const {
   return result;
 }
 
+// It may start sooner, or later, than the executive was told: others come at other times.
+bool Dates::is_wider(const Entry& entry, MissionTime now) const {
+  const mission::TimeConstraints& time = entry.task.time;
+  const mission::TaskDates &told = entry.told_window, &window = entry.window;
+  const bool sooner = (time.start_after || time.end_after) && told.earliest_start > now &&
+                      window.earliest_start + grace_ < told.earliest_start;
+  const bool later = (time.start_before || time.end_before) && !book_.is_due(entry) &&
+                     told.latest_start != MissionTime::max() &&
+                     told.latest_start + grace_ < window.latest_start;
+  return sooner || later;
+}
+
 std::vector<TaskId> Dates::renew_holds(MissionTime now) {
   std::vector<TaskId> changed;
   if (!controllable()) return changed;
@@ -104,7 +116,7 @@ std::vector<TaskId> Dates::renew_holds(MissionTime now) {
   for (auto& [id, entry] : book_.tasks) {
     if (!entry.in_hand() || entry.seen.started || entry.by_others) continue;
     std::vector<Hold> holds = holds_of(id);
-    if (unmet(holds) != unmet(entry.holds)) changed.push_back(id);
+    if (unmet(holds) != unmet(entry.holds) || is_wider(entry, now)) changed.push_back(id);
     entry.holds = std::move(holds);
   }
   return changed;

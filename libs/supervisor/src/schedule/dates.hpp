@@ -37,7 +37,8 @@ class Dates {
 
   /// As the executive may be told of them: what it does not know cannot be waited for.
   std::vector<Hold> holds_of(TaskId task) const;
-  /// What the executive has and has not started is held back as the network says now. Returns the
+  /// What the executive has and has not started is held back as the network says now, and no longer
+  /// than its window. Returns the
   /// tasks of which it must be told so: not those that nothing holds back any more, since it may be
   /// starting them at this very instant.
   std::vector<TaskId> renew_holds(MissionTime now);
@@ -59,6 +60,7 @@ class Dates {
  private:
   std::vector<TaskView> open_views() const;
   bool is_overdue(const Entry& entry, MissionTime now) const;
+  bool is_wider(const Entry& entry, MissionTime now) const;
   bool is_late(const Entry& entry, MissionTime now) const;
   MissionTime late_from(const Entry& entry) const;
   MissionTime end_foreseen(const Entry& entry) const;
