@@ -13,7 +13,7 @@ namespace {
 using Weight = Ticks FrontierArc::*;
 
 bool is_beyond(Ticks value) {
-  return value != kInfinite && value != kMinusInfinite && (value > kLargest || value < -kLargest);
+  return value != kInfinite && value != kMinusInfinite && (value > kFarthest || value < -kFarthest);
 }
 
 /// The paths of one course from one node, through nodes that are not kept.
@@ -51,7 +51,7 @@ class Paths {
 
  private:
   static Ticks sum(Ticks a, Ticks b) {
-    return a == kInfinite || b == kInfinite ? kInfinite : a + b;
+    return a == kInfinite || b == kInfinite ? kInfinite : std::clamp(a + b, -kFarthest, kFarthest);
   }
 
   std::size_t kept_;
@@ -62,6 +62,8 @@ class Paths {
 }  // namespace
 
 std::optional<std::string> fault_of(const Frontier& frontier) {
+  if (frontier.meetings.size() > kMostMeetings)
+    return "more than " + std::to_string(kMostMeetings) + " meetings";
   std::set<MeetingId> seen;
   for (const Meeting& meeting : frontier.meetings)
     if (!seen.insert(meeting.id).second)
@@ -73,7 +75,7 @@ std::optional<std::string> fault_of(const Frontier& frontier) {
     if (arc.from >= nodes || arc.to >= nodes) return which + " names a node that is not there";
     if (arc.from == arc.to) return which + " leads from a node to itself";
     if (is_beyond(arc.soonest) || is_beyond(arc.slowest) || is_beyond(arc.latest))
-      return which + " is beyond " + std::to_string(kLargest) + " ns";
+      return which + " is beyond " + std::to_string(kFarthest) + " ns";
     if (arc.soonest == kInfinite || arc.latest == kInfinite) return which + " asks for for ever";
   }
   return std::nullopt;

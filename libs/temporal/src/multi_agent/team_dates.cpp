@@ -23,6 +23,9 @@ MissionTime instant_of(Ticks date) {
   return date == kInfinite ? MissionTime::max() : MissionTime::nanoseconds(date);
 }
 
+/// Who waits for himself comes later with every round.
+Ticks sum(Ticks a, Ticks b) { return std::clamp(a + b, -kLargest, kLargest); }
+
 // A date that is no other in any course.
 bool is_fact(const Frontier& frontier, std::uint32_t node) {
   Ticks soonest = kMinusInfinite, latest = kInfinite;
@@ -145,7 +148,7 @@ class Whole {
       const FrontierArc& arc = one.arc;
       const Limit& after = limit[arc.to];
       if (!bounds(one, self) || after.latest == kInfinite) continue;
-      const Ticks before = after.latest - arc.*kLatest;
+      const Ticks before = sum(after.latest, -(arc.*kLatest));
       if (before >= limit[arc.from].latest) continue;
       limit[arc.from] = {before, arc.to < 2 ? one.agent : after.of};
       changed[arc.from] = true;
@@ -159,7 +162,7 @@ class Whole {
       const FrontierArc& arc = one.arc;
       if (arc.*weight == kMinusInfinite || date[arc.from] == kMinusInfinite || arc.to < 2) continue;
       const bool never = arc.*weight == kInfinite || date[arc.from] == kInfinite;
-      const Ticks least = never ? kInfinite : date[arc.from] + arc.*weight;
+      const Ticks least = never ? kInfinite : sum(date[arc.from], arc.*weight);
       if (least <= date[arc.to]) continue;
       date[arc.to] = least;
       changed[arc.to] = true;

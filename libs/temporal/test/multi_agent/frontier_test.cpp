@@ -93,7 +93,7 @@ TEST(AFrontier, IsRefusedForWhatMakesNone) {
   EXPECT_THAT(*fault_of({{meeting, meeting}, {}}), HasSubstr("meeting 501 is there twice"));
   EXPECT_THAT(*fault_of({{meeting}, {link(0, 4, 1, 2)}}), HasSubstr("arc 0 names a node"));
   EXPECT_THAT(*fault_of({{meeting}, {link(2, 2, 1, 2)}}), HasSubstr("to itself"));
-  EXPECT_THAT(*fault_of({{meeting}, {link(0, 2, kLargest + 1, 2)}}), HasSubstr("beyond"));
+  EXPECT_THAT(*fault_of({{meeting}, {link(0, 2, kFarthest + 1, 2)}}), HasSubstr("beyond"));
   EXPECT_THAT(*fault_of({{meeting}, {link(0, 2, kInfinite, 2)}}), HasSubstr("for ever"));
 }
 

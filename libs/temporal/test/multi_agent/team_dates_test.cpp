@@ -125,6 +125,36 @@ TEST(TeamDates, TwoThatWaitForEachOtherNeverCome) {
   EXPECT_EQ(dates.at(2).soonest, MissionTime());  // there he can be met
 }
 
+// Whatever frontiers come over the radio.
+TEST(TeamDates, OfFrontiersWithoutSenseAreSomeDates) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Random random(seed);
+    TeamDates dates("a");
+    for (const char* name : {"a", "b", "c"}) {
+      Frontier frontier;
+      const std::size_t meetings = random.below(5);
+      for (std::size_t i = 0; i < meetings; ++i)
+        frontier.meetings.push_back({random.below(4) + 10 * i, {"a", "b"}, {"b", "a", "c", "c"}});
+      const auto figure = [&]() -> Ticks {
+        if (random.below(4) == 0) return kMinusInfinite;
+        return static_cast<Ticks>(random.below(2 * std::uint64_t{kFarthest})) - kFarthest;
+      };
+      const std::uint32_t nodes = Frontier::arrival_of(meetings);
+      for (std::size_t i = 0; i < 3 * nodes; ++i) {
+        const auto from = static_cast<std::uint32_t>(random.below(nodes));
+        const auto to = static_cast<std::uint32_t>(random.below(nodes));
+        const Ticks slowest = random.below(5) == 0 ? kInfinite : figure();
+        if (from != to) frontier.arcs.push_back({from, to, figure(), slowest, figure()});
+      }
+      ASSERT_EQ(fault_of(frontier), std::nullopt);
+      dates.hear(name, frontier);
+    }
+
+    for (const auto& [meeting, found] : dates.dates(at(100)))
+      EXPECT_TRUE(found.last.empty() || found.last == "a" || found.last == "b") << meeting;
+  }
+}
+
 // ---- against the whole ----
 
 TEST(TeamDates, AreThoseOfTheWholeTeamOnceAllHaveHeardTheLastWords) {

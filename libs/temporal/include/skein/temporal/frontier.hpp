@@ -23,6 +23,10 @@ struct Meeting {
   bool operator==(const Meeting&) const = default;
 };
 
+inline constexpr std::size_t kMostMeetings = 256;
+/// 52 days: sums of such figures stay within the engines' range.
+inline constexpr Ticks kFarthest = Ticks{1} << 52;
+
 /// to - from >= each of these [ns], in one course of nature; kMinusInfinite: nothing is said.
 struct FrontierArc {
   std::uint32_t from = 0, to = 0;
@@ -47,8 +51,9 @@ struct Frontier {
   bool operator==(const Frontier&) const = default;
 };
 
-/// What makes no frontier, in words: a meeting given twice, an arc between nodes that are not
-/// there or from a node to itself, a figure beyond ±kLargest that is not infinite.
+/// What makes no frontier, in words: a meeting given twice, more than kMostMeetings, an arc between
+/// nodes that are not there or from a node to itself, a figure beyond ±kFarthest that is not
+/// infinite.
 std::optional<std::string> fault_of(const Frontier& frontier);
 
 /// A link of a network that a frontier is to be made of: to - from >= each.
