@@ -261,11 +261,19 @@ class Teller {
   }
 
   void see_sync(const Record& record) {
-    if (record.text("direction") != "received" || record.find("word") != nullptr) return;
     const auto found = history_.uavs.find(text(record, "to"));
-    if (found == history_.uavs.end()) return;
-    found->second.syncs_heard.push_back(
-        {record.at().to_seconds(), whole(record, "id"), text(record, "from")});
+    if (record.text("direction") != "received" || found == history_.uavs.end()) return;
+    std::vector<SyncHeard>& heard = found->second.syncs_heard;
+    const SyncHeard one{record.at().to_seconds(), whole(record, "id"), text(record, "from")};
+    if (record.text("word") == "withdrawn") return forget_withdrawn(one, heard);
+    if (record.find("word") == nullptr) heard.push_back(one);
+  }
+  // What comes with its withdrawal, after a cut, was said long ago.
+  static void forget_withdrawn(const SyncHeard& one, std::vector<SyncHeard>& heard) {
+    constexpr double kMoment = 1;  // [s]
+    std::erase_if(heard, [&](const SyncHeard& said) {
+      return said.id == one.id && said.from == one.from && said.at + kMoment > one.at;
+    });
   }
   static void see_meeting(Uav& uav, const Record& record) {
     Foretold one{record.at().to_seconds(), whole(record, "id"), record.truth("known"),

@@ -36,6 +36,15 @@ TEST(ForetoldLaw, TheLastWordCounts) {
   EXPECT_THAT(story.broken("foretold"), IsEmpty());
 }
 
+// After a cut: the words that waited come after the state.
+TEST(ForetoldLaw, WhatComesWithItsWithdrawalWasSaidLongAgo) {
+  Story story;
+  story.foretold("marvin", 60, 500, "heliv", 90).hears("marvin", 60, 500, "heliv");
+  story.hears("marvin", 60, 500, "heliv", "withdrawn");
+
+  EXPECT_THAT(story.broken("foretold"), IsEmpty());
+}
+
 TEST(ForetoldLaw, OfAnotherMeetingOrAnotherUavNothingIsSaid) {
   Story story;
   story.foretold("marvin", 20, 501, "heliv", 90).foretold("marvin", 20, 500, "karma", 90);

@@ -190,12 +190,11 @@ Story& Story::foretold(const std::string& uav, double at, int meeting, const std
   return *this;
 }
 
-Story& Story::hears(const std::string& uav, double at, int meeting, const std::string& from) {
-  add(at, uav, "sync")
-      .with("id", meeting)
-      .with("from", from)
-      .with("to", uav)
-      .with("direction", "received");
+Story& Story::hears(const std::string& uav, double at, int meeting, const std::string& from,
+                    const std::string& word) {
+  journal::Record& record = add(at, uav, "sync");
+  record.with("id", meeting).with("from", from).with("to", uav).with("direction", "received");
+  if (!word.empty()) record.with("word", word);
   return *this;
 }
 

@@ -64,7 +64,8 @@ class Story {
   /// What it knows of who comes to a meeting, if he comes at all.
   Story& foretold(const std::string& uav, double at, int meeting, const std::string& last,
                   std::optional<double> soonest);
-  Story& hears(const std::string& uav, double at, int meeting, const std::string& from);
+  Story& hears(const std::string& uav, double at, int meeting, const std::string& from,
+               const std::string& word = "");
   Story& fault(double at, const std::string& what, const std::string& uav);
 
   /// Sentences of what one law has to say.
