@@ -68,23 +68,11 @@ dn::SyncMessage input_of(const wire::SyncMessage& sample) {
 }
 
 // What makes no sense is as if it had not come: it is said again.
-template <class Sample>
-std::optional<Input> team_told(const Sample& sample, const Sender& sender) {
-  auto message = from_wire(sample);
-  if (!message) return std::nullopt;
-  return dn::TeamTold{sender.name, std::move(*message)};
-}
-
-std::optional<Input> merge_told(const wire::MergeMessage& sample, const Sender& sender) {
-  auto message = from_wire(sample);
-  if (!message) return std::nullopt;
-  return dn::MergeTold{sender.name, std::move(*message)};
-}
-
-std::optional<Input> frontier_told(const wire::PlanFrontier& sample, const Sender& sender) {
-  auto frontier = from_wire(sample);
-  if (!frontier) return std::nullopt;
-  return dn::FrontierTold{sender.name, std::move(*frontier)};
+template <class Told, class Sample>
+std::optional<Input> told_by(const Sender& sender, const Sample& sample) {
+  auto said = from_wire(sample);
+  if (!said) return std::nullopt;
+  return Told{sender.name, std::move(*said)};
 }
 
 }  // namespace
@@ -144,10 +132,10 @@ std::optional<Input> input_of(const wire::Sample& sample, const Sender& sender) 
             return dn::JointTaskTold{from_wire(it),
                                      MissionTime::nanoseconds(it.header.mission_time)};
           },
-          [&](const wire::TeamMessage& it) -> Result { return team_told(it, sender); },
-          [&](const wire::TeamSale& it) -> Result { return team_told(it, sender); },
-          [&](const wire::MergeMessage& it) -> Result { return merge_told(it, sender); },
-          [&](const wire::PlanFrontier& it) -> Result { return frontier_told(it, sender); },
+          [&](const wire::TeamMessage& it) { return told_by<dn::TeamTold>(sender, it); },
+          [&](const wire::TeamSale& it) { return told_by<dn::TeamTold>(sender, it); },
+          [&](const wire::MergeMessage& it) { return told_by<dn::MergeTold>(sender, it); },
+          [&](const wire::PlanFrontier& it) { return told_by<dn::FrontierTold>(sender, it); },
           [](const wire::PerceptionReport& it) -> Result { return from_wire(it); },
           [](const auto&) -> Result { return std::nullopt; }},
       sample);
