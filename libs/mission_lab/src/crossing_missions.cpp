@@ -29,7 +29,7 @@ class CrossingDrawing {
                     ", gusts: " + tenths(random_.uniform(0, 0.5));
     draw_uavs();
     for (const Member& one : mission_.team) draw_work(one);
-    if (kinds_.radio) draw_cuts();
+    if (kinds_.radio) mission_.cuts = draw_cuts(random_, mission_.team, 5, kLatest);
     return std::move(mission_);
   }
 
@@ -94,14 +94,6 @@ class CrossingDrawing {
     }
     step.tasks.push_back({goal + static_cast<int>(step.tasks.size()), "[general-land]", ""});
     mission_.steps.push_back(std::move(step));
-  }
-
-  void draw_cuts() {
-    const auto any = [&] { return mission_.team[random_.below(mission_.team.size())].name; };
-    for (std::size_t n = random_.below(5); n > 0; --n) {
-      const std::string one = any(), other = any();
-      mission_.cuts.push_back(draw_cut(random_, one, one == other ? "ground" : other, kLatest));
-    }
   }
 
   Random random_;

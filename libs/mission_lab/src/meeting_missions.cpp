@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "parts.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/mission_lab/generate.hpp"
 
 namespace skein::mission_lab {
@@ -31,7 +32,7 @@ class MeetingDrawing {
     draw_meetings();
     for (std::size_t who = 0; who < mission_.team.size(); ++who) draw_work(who);
     for (std::size_t n = random_.below(4); n > 0; --n) draw_more();
-    if (kinds_.radio) draw_cuts();
+    if (kinds_.radio) mission_.cuts = draw_cuts(random_, mission_.team, 4, kLatest);
     return std::move(mission_);
   }
 
@@ -78,12 +79,6 @@ class MeetingDrawing {
     }
   }
 
-  static std::string list(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return "[" + text + "]";
-  }
-
   std::string new_place(double height) {
     const std::string name = (height > 0 ? "A" : "P") + std::to_string(mission_.places.size() + 1);
     mission_.places.push_back(name + ": [" + whole(random_.uniform(-50, 450)) + ", " +
@@ -122,8 +117,9 @@ class MeetingDrawing {
     };
     for (const std::size_t i : order) {
       for (std::size_t n = random_.below(3); n > 0; --n) add(a_task(one));
-      add("[synchro, " + std::to_string(kFirstMeeting + static_cast<int>(i)) + ", " +
-              list(meetings_[i].senders) + ", " + list(meetings_[i].receivers) + "]",
+      add("[synchro, " + std::to_string(kFirstMeeting + static_cast<int>(i)) + ", " + "[" +
+              joined(meetings_[i].senders, ", ") + "], [" + joined(meetings_[i].receivers, ", ") +
+              "]]",
           by(200, 1200));
     }
     if (step.tasks.empty()) add(a_task(one));
@@ -144,14 +140,6 @@ class MeetingDrawing {
     step.placement = kPlacements[random_.below(kPlacements.size())];
     step.tasks.push_back({700 + 1000 * static_cast<int>(who) + 50 + more_, a_task(one), ""});
     mission_.steps.push_back(std::move(step));
-  }
-
-  void draw_cuts() {
-    const auto any = [&] { return mission_.team[random_.below(mission_.team.size())].name; };
-    for (std::size_t n = random_.below(4); n > 0; --n) {
-      const std::string one = any(), other = any();
-      mission_.cuts.push_back(draw_cut(random_, one, one == other ? "ground" : other, kLatest));
-    }
   }
 
   Random random_;

@@ -149,4 +149,15 @@ std::string draw_cut(Random& random, const std::string& one, const std::string& 
          ", until: " + whole(from + random.uniform(5, 150)) + "}";
 }
 
+std::vector<std::string> draw_cuts(Random& random, const std::vector<Member>& team,
+                                   std::size_t limit, double latest) {
+  const auto any = [&] { return team[random.below(team.size())].name; };
+  std::vector<std::string> cuts;
+  for (std::size_t n = random.below(limit); n > 0; --n) {
+    const std::string one = any(), other = any();
+    cuts.push_back(draw_cut(random, one, one == other ? "ground" : other, latest));
+  }
+  return cuts;
+}
+
 }  // namespace skein::mission_lab

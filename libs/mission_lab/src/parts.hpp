@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "skein/foundation/random.hpp"
+#include "skein/mission_lab/mission.hpp"
 
 namespace skein::mission_lab {
 
@@ -55,5 +56,8 @@ std::string draw_fault(Random& random, const std::string& uav, const DrawDevice&
 /// The radio between two nodes is cut, from [10, latest] s on.
 std::string draw_cut(Random& random, const std::string& one, const std::string& other,
                      double latest);
+/// Fewer than `limit` cuts between any two of a team, or one of them and the ground.
+std::vector<std::string> draw_cuts(Random& random, const std::vector<Member>& team,
+                                   std::size_t limit, double latest);
 
 }  // namespace skein::mission_lab

@@ -25,7 +25,7 @@ class TeamDrawing {
                     ", speed: " + tenths(random_.uniform(0, 3)) + ", gusts: 0.3";
     draw_uavs();
     for (std::size_t n = 2 + random_.below(4); n > 0; --n) draw_task();
-    if (kinds_.radio) draw_cuts();
+    if (kinds_.radio) mission_.cuts = draw_cuts(random_, mission_.team, 4, kLatest);
     if (kinds_.degrees && random_.chance(0.4)) draw_degree();
     if (kinds_.faults && random_.chance(0.3)) {
       mission_.faults.push_back(draw_refusals(random_, any().name, kLatest));
@@ -66,13 +66,6 @@ class TeamDrawing {
     }
     if (random_.chance(0.15)) task += ", by: " + any().name;
     mission_.global.push_back(task + "}");
-  }
-
-  void draw_cuts() {
-    for (std::size_t n = random_.below(4); n > 0; --n) {
-      const std::string one = any().name, other = any().name;
-      mission_.cuts.push_back(draw_cut(random_, one, one == other ? "ground" : other, kLatest));
-    }
   }
 
   // Down, and after a while up again.
