@@ -61,10 +61,8 @@ void draw_air_rows(Sheet& sheet) {
     bool first = true;
     for (const AirUse& one : uses) {
       if (one.uav != uav) continue;
-      if (std::exchange(first, false)) {
-        sheet.labels.element("text", {{"class", "under"}, {"x", 10}, {"y", sheet.y + kBand - 4}},
-                             shortened(sheet.run.story.uavs[uav].name, 22));
-      }
+      if (std::exchange(first, false))
+        sheet.row_name(sheet.y + kBand - 4, sheet.run.story.uavs[uav].name);
       draw_use(sheet, one);
     }
     if (!first) sheet.y += kBand + kGap;

@@ -94,10 +94,8 @@ void draw_meeting_rows(Sheet& sheet) {
   if (rows.empty()) return;
   sheet.heading("Meetings: foretold, word by word");
   for (const auto& [row, words] : rows) {
-    const std::string name =
-        sheet.run.story.uavs[row.first].name + " " + std::to_string(row.second);
-    sheet.labels.element("text", {{"class", "under"}, {"x", 10}, {"y", sheet.y + kLeast - 2}},
-                         shortened(name, 22));
+    const std::string& uav = sheet.run.story.uavs[row.first].name;
+    sheet.row_name(sheet.y + kLeast - 2, uav + " " + std::to_string(row.second));
     draw_row(sheet, words);
   }
 }

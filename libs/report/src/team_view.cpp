@@ -85,8 +85,7 @@ void draw_team_rows(Sheet& sheet) {
   if (rows.empty()) return;
   sheet.heading("Tasks of the team");
   for (const auto& [task, row] : rows) {
-    sheet.labels.element("text", {{"class", "under"}, {"x", 10}, {"y", sheet.y + kBand - 4}},
-                         shortened(std::to_string(task) + " " + row.statement, 22));
+    sheet.row_name(sheet.y + kBand - 4, std::to_string(task) + " " + row.statement);
     for (const Holding& one : row.holdings) draw_holding(sheet, task, row, one);
     sheet.y += kBand + kGap;
   }

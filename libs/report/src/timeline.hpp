@@ -30,6 +30,8 @@ struct Sheet {
 
   /// The panel's name above its left edge.
   void heading(std::string_view text);
+  /// Of a row, left of it; cut where it is long.
+  void row_name(double base_line, const std::string& text);
   void gutter(double base_line, std::string_view text, std::string_view style);
   /// A horizontal bar over a span of time, at least 0.6 px long.
   void bar(const Span& span, double top, double height, std::string_view style);

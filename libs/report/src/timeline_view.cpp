@@ -192,6 +192,10 @@ void Sheet::heading(std::string_view text) {
   labels.element("text", {{"class", "panel"}, {"x", 0}, {"y", y - 8}}, text);
 }
 
+void Sheet::row_name(double base_line, const std::string& text) {
+  labels.element("text", {{"class", "under"}, {"x", 10}, {"y", base_line}}, shortened(text, 22));
+}
+
 void Sheet::gutter(double base_line, std::string_view text, std::string_view style) {
   labels.element(
       "text", {{"class", style}, {"x", kLeft - 8}, {"y", base_line}, {"text-anchor", "end"}}, text);

@@ -9,12 +9,9 @@ namespace skein::report {
 namespace {
 
 using testing::count;
+using testing::kFlight;
 using testing::page_of_timeline;
 
-constexpr const char* kFlight =
-    R"({"at":0,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,40],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
-{"at":90,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,40],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
-)";
 constexpr const char* kAir =
     R"({"at":5,"node":"uav1","kind":"air","uav":"uav1","task":7,"type":"goto","state":"waits","waited":0,"for":"heliv to leave"}
 {"at":25,"node":"uav1","kind":"air","uav":"uav1","task":7,"type":"goto","state":"had","waited":20,"raised":24}

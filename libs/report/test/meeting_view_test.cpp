@@ -8,12 +8,9 @@ namespace skein::report {
 namespace {
 
 using testing::count;
+using testing::kFlight;
 using testing::page_of_timeline;
 
-constexpr const char* kFlight =
-    R"({"at":0,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,40],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
-{"at":90,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,40],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
-)";
 constexpr const char* kWords =
     R"({"at":5,"node":"uav1","kind":"meeting","uav":"uav1","id":500,"known":true,"last":"heliv","there":false,"soonest":40,"slowest":70,"needed":80,"needed_by":"heliv"}
 {"at":20,"node":"uav1","kind":"meeting","uav":"uav1","id":500,"known":true,"last":"heliv","there":false,"soonest":50}

@@ -9,6 +9,12 @@
 
 namespace skein::report::testing {
 
+/// One UAV in the air for 90 s.
+inline constexpr const char* kFlight =
+    R"({"at":0,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,40],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
+{"at":90,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,40],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
+)";
+
 inline std::string page_of_timeline(const std::string& log) {
   const SalvagedJournal read = salvage(log);
   const Chronology story = tell({}, read.journal);
