@@ -132,13 +132,17 @@ TEST(Merger, WhoForgotAsksBeforeItTakes) {
 
 // ---- circles ----
 
-TEST(Merger, OfTwoWhoWantEachOthersPlaceTheLaterIsAskedToMove) {
-  Net net({kA, kB});
+void want_each_others_place(Net& net) {
   net.stands(kA, place(0));
   net.stands(kB, place(100));
   net.run_for(0.1);
   net.wants(kA, {{stretch(0, 100)}});
   net.wants(kB, {{stretch(0, 100)}});
+}
+
+TEST(Merger, OfTwoWhoWantEachOthersPlaceTheLaterIsAskedToMove) {
+  Net net({kA, kB});
+  want_each_others_place(net);
   net.run_for(1);
   EXPECT_THAT(net.asked_aside(), ElementsAre(kB));
 
@@ -154,11 +158,7 @@ TEST(Merger, OfTwoWhoWantEachOthersPlaceTheLaterIsAskedToMove) {
 
 TEST(Merger, WhenTheLaterCannotMoveTheOneBeforeIsAsked) {
   Net net({kA, kB});
-  net.stands(kA, place(0));
-  net.stands(kB, place(100));
-  net.run_for(0.1);
-  net.wants(kA, {{stretch(0, 100)}});
-  net.wants(kB, {{stretch(0, 100)}});
+  want_each_others_place(net);
   net.run_for(6);
   EXPECT_THAT(net.asked_aside(), ::testing::Contains(kA));
 }
@@ -175,11 +175,7 @@ TEST(Merger, WaitingForOneThatOnlyStaysIsNoCircle) {
 
 TEST(Merger, WhoGoesAsideForOneOutOfReachIsToldThatOnlyItsOwnWayCounts) {
   Net net({kA, kB});
-  net.stands(kA, place(0));
-  net.stands(kB, place(100));
-  net.run_for(0.1);
-  net.wants(kA, {{stretch(0, 100)}});
-  net.wants(kB, {{stretch(0, 100)}});
+  want_each_others_place(net);
   net.run_for(0.3);
   net.cut(kA, kB);
   net.run_for(10);
