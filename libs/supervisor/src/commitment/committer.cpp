@@ -159,7 +159,7 @@ Duration Committer::safe_wait_ends_within() const {
 std::optional<MissionTime> Committer::end_of_safe_wait() const {
   std::optional<MissionTime> first;
   if (!book_.waits_safely()) return first;
-  for (auto& [id, entry] : book_.tasks) {
+  for (const auto& [id, entry] : book_.tasks) {
     if (!entry.in_hand() || entry.seen.started || entry.by_others || entry.stopping()) continue;
     first = earliest(first, entry.dates.earliest_start - safe_wait_ends_within());
   }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "schedule/conflicts.hpp"
-#include "skein/foundation/rounded_seconds.hpp"
 
 #include <algorithm>
 #include <string>
+
+#include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::supervisor {
 

@@ -12,6 +12,7 @@ namespace {
 
 constexpr Duration kTick = Duration::milliseconds(1);
 using Reliance = Meetings::Reliance;
+/// From the least on.
 constexpr std::array kReliances{Reliance::kOnNothing, Reliance::kOnTheirBest,
                                 Reliance::kNobodysNeeds};
 
@@ -21,18 +22,8 @@ constexpr std::array kReliances{Reliance::kOnNothing, Reliance::kOnTheirBest,
 
 // What others may do to the plan breaks it only when it is certain.
 void Dates::update(MissionTime now) {
-  risk_.clear();
-  std::string risk;
-  for (const Reliance reliance : kReliances) {
-    book_.meetings.reliance = reliance;
-    network_.update(open_views(), now);
-    if (controllable() || book_.meetings.of.empty()) break;
-    const std::vector<Conflict>& conflicts = schedule().conflicts;
-    if (risk.empty() && !conflicts.empty())
-      risk = "task " + to_text(conflicts.front().task) + " " + conflicts.front().why;
-  }
-  if (controllable()) risk_ = std::move(risk);
-  ++version_;
+  std::string risk = rely(open_views(), Reliance::kNobodysNeeds, now);
+  risk_ = controllable() ? std::move(risk) : "";
   for (const auto& [id, window] : schedule().dates) {
     Entry& entry = book_.tasks.at(id);
     entry.window = window;
@@ -51,15 +42,24 @@ bool Dates::fits(const mission::ElementaryPlan& plan, const std::set<TaskId>& wi
   std::sort(views.begin(), views.end(),
             [](const TaskView& a, const TaskView& b) { return a.task->id < b.task->id; });
   // Nobody's need that is kept to is given up for it.
-  const Reliance before = std::max(book_.meetings.reliance, Reliance::kOnTheirBest);
+  rely(std::move(views), std::max(book_.meetings.reliance, Reliance::kOnTheirBest), now);
+  return controllable();
+}
+
+// Returns what breaks without any of it.
+std::string Dates::rely(std::vector<TaskView> views, Reliance most, MissionTime now) {
   ++version_;
+  std::string broken;
   for (const Reliance reliance : kReliances) {
     book_.meetings.reliance = reliance;
     relate(views, book_.bounds());
     network_.update(views, now);
-    if (controllable() || book_.meetings.of.empty() || reliance == before) break;
+    if (controllable() || book_.meetings.of.empty() || reliance == most) break;
+    const std::vector<Conflict>& conflicts = schedule().conflicts;
+    if (broken.empty() && !conflicts.empty())
+      broken = "task " + to_text(conflicts.front().task) + " " + conflicts.front().why;
   }
-  return controllable();
+  return broken;
 }
 
 std::string Dates::extent() const {
@@ -74,7 +74,6 @@ std::vector<TaskView> Dates::open_views() const {
   for (const auto& [id, entry] : book_.tasks) {
     if (book_.counts(entry)) views.push_back({&entry.task, entry.seen});
   }
-  relate(views, book_.bounds());
   return views;
 }
 

@@ -59,6 +59,8 @@ class Dates {
 
  private:
   std::vector<TaskView> open_views() const;
+  /// The network of these, with as little reliance on others as it can be kept with.
+  std::string rely(std::vector<TaskView> views, Meetings::Reliance most, MissionTime now);
   bool is_overdue(const Entry& entry, MissionTime now) const;
   bool is_wider(const Entry& entry, MissionTime now) const;
   bool is_late(const Entry& entry, MissionTime now) const;

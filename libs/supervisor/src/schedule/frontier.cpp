@@ -60,8 +60,7 @@ Frontier PlanNetwork::frontier(const std::map<TaskId, temporal::Meeting>& meetin
       if (kind != BoundKind::kDuration) {
         add(link, link.min, link.min, link.min);
       } else if (meetings.count(id) != 0) {
-        constexpr Ticks kLeast = 1'000'000;
-        add(link, kLeast, kLeast, kLeast);
+        add(link, kInstant, kInstant, kInstant);
         continue;
       } else {
         const Ticks least = std::min<Ticks>(link.min, known.task.duration.least.count());

@@ -19,9 +19,6 @@ using temporal::Ticks;
 
 /// Figures beyond are unbounded, so that sums over a thousand tasks stay within the engines' range.
 constexpr Ticks kHorizon = Ticks{1} << 50;
-/// The least that nature takes for anything.
-constexpr Ticks kInstant = 1'000'000;
-
 /// Who is so much later than he foresaw comes at no known date. So long it takes at most until all
 /// know that all are there.
 constexpr Duration kLate = Duration::milliseconds(1000);

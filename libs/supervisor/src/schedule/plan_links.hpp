@@ -85,6 +85,9 @@ inline temporal::NodeName others_at(executive::TaskId task) { return {1, task.va
 /// The present: a node at a fixed date, which nothing that has not come may precede.
 inline constexpr temporal::NodeName kPresent{0xFFFFFFFF, 1};
 
+/// The least that nature takes for anything.
+inline constexpr temporal::Ticks kInstant = 1'000'000;
+
 /// An instant as the network has it: beyond the horizon of 13 days counts as the horizon.
 temporal::Ticks ticks_of(MissionTime instant);
 
