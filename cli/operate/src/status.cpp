@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "skein/foundation/exit_code.hpp"
+#include "skein/foundation/joined.hpp"
 #include "station.hpp"
 
 namespace skein::operate_tool {
@@ -80,6 +81,20 @@ void print_goals(const Boards& boards, std::ostream& out) {
   }
 }
 
+std::string names_of(const std::vector<std::string>& names) {
+  return names.empty() ? "-" : joined(names, ", ");
+}
+
+void print_team(const wire::GroundBoard& ground, std::ostream& out) {
+  if (ground.team.empty()) return;
+  out << "\nTASKS OF THE TEAM\n";
+  for (const wire::BoardTeamTask& task : ground.team) {
+    out << "  " << std::left << std::setw(8) << task.id << std::setw(10) << task.stage
+        << std::setw(20) << names_of(task.owners) << task.statement
+        << (task.why.empty() ? "" : ": " + task.why) << '\n';
+  }
+}
+
 void print_world(const wire::GroundBoard& ground, std::ostream& out) {
   if (!ground.alarms.empty()) out << "\nALARMS\n";
   for (const wire::BoardAlarm& alarm : ground.alarms) {
@@ -128,6 +143,7 @@ void print_tables(Station& station, std::ostream& out) {
       << (boards.ground->finished ? "  finished" : "") << "\n\n";
   print_uavs(boards, now, out);
   print_goals(boards, out);
+  print_team(*boards.ground, out);
   print_world(*boards.ground, out);
   print_commands(*boards.ground, out);
   print_links(boards, out);

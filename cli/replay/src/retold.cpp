@@ -92,16 +92,32 @@ bool Retold::take_for_all(const Record& record, Samples& news) {
     news.push_back(link(record));
   } else if (kind == "reach") {
     news = take_reach(record);
-  } else if (kind == "phase" || kind == "alarm" || kind == "command" || kind == "mission") {
+  } else if (kind == "phase" || kind == "alarm" || kind == "command" || kind == "owner" ||
+             kind == "mission") {
     if (kind == "phase") ground_.phase = text_of(record, "name");
     if (kind == "alarm") take_alarm(record);
     if (kind == "command") take_command(record);
+    if (kind == "owner") take_owner(record);
     if (kind == "mission") ground_.finished = record.text("state") != "started";
     news.emplace_back(ground_);
   } else {
     return false;
   }
   return true;
+}
+
+void Retold::take_owner(const Record& record) {
+  wire::BoardTeamTask& task = entry_of(ground_.team, id_of(record, "task"));
+  task.statement = text_of(record, "statement");
+  task.stage = text_of(record, "stage");
+  task.why = text_of(record, "why");
+  const std::string owners = text_of(record, "owners");
+  task.owners.clear();
+  for (std::size_t at = 0; at < owners.size();) {
+    const std::size_t end = std::min(owners.find(", ", at), owners.size());
+    task.owners.push_back(owners.substr(at, end - at));
+    at = end + 2;
+  }
 }
 
 Samples Retold::take_telemetry(const Record& record, Uav& uav) {

@@ -42,6 +42,7 @@ class Retold {
   /// Lines about no UAV; false: none of these.
   bool take_for_all(const journal::Record& record, std::vector<wire::Sample>& news);
   std::vector<wire::Sample> take_reach(const journal::Record& record);
+  void take_owner(const journal::Record& record);
   void take_alarm(const journal::Record& record);
   void take_command(const journal::Record& record);
   wire::Sample link(const journal::Record& record) const;

@@ -103,6 +103,23 @@ TEST_F(ARetoldRun, TellsAlarmsPhaseAndTheEnd) {
   EXPECT_TRUE(board.finished);
 }
 
+TEST_F(ARetoldRun, ATaskOfTheTeamHasTheOwnersItHasNow) {
+  const auto owner = [](double at, const char* stage, const char* owners) {
+    return line(at, "ground", "owner")
+        .with("task", 12)
+        .with("statement", "perceive P1 30")
+        .with("stage", stage)
+        .with("owners", owners);
+  };
+  (void)see(owner(1, "for-sale", ""));
+  const auto team = last<wire::GroundBoard>(see(owner(2, "granted", "marvin, heliv"))).team;
+
+  ASSERT_EQ(team.size(), 1U);
+  EXPECT_EQ(team[0].statement, "perceive P1 30");
+  EXPECT_EQ(team[0].stage, "granted");
+  EXPECT_THAT(team[0].owners, ::testing::ElementsAre("marvin", "heliv"));
+}
+
 TEST_F(ARetoldRun, ACommandIsOneEntryFromIssueToItsEnd) {
   const auto command = [](double at, const char* state) {
     return line(at, "ground", "command")

@@ -57,7 +57,7 @@ node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
   const bool located = mine && std::holds_alternative<gs::TelemetryReceived>(*mine);
   boards_.something_happened(mine || happened_, !located || happened_);
   if (boards_.is_due(now)) {
-    for (wire::Sample& board : boards_.news(control_, roster_, now)) {
+    for (wire::Sample& board : boards_.news(control_, team_ ? &*team_ : nullptr, roster_, now)) {
       out_.push_back(node::Publish{std::move(board)});
     }
   }

@@ -67,6 +67,7 @@ void GroundNode::carry_out(const gs::TeamTell& effect) {
 
 void GroundNode::carry_out(const gs::TeamTaskChanged& effect) {
   log(translation::owner_line(writer(), effect.standing));
+  happened_ = true;
   tell_control(effect);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "skein/team/ownership.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
@@ -116,7 +117,12 @@ wire::BoardAir entry_of(const world::Volume& volume) {
   return {sent.name, std::move(sent.corners), sent.floor, sent.ceiling, sent.from, sent.until};
 }
 
-wire::GroundBoard ground_board_of(const gs::GroundControl& control) {
+wire::BoardTeamTask entry_of(const team::TaskStanding& standing) {
+  return {standing.task.value(), standing.statement, std::string(team::to_text(standing.stage)),
+          standing.owners, standing.why};
+}
+
+wire::GroundBoard ground_board_of(const gs::GroundControl& control, const gs::TeamDesk* team) {
   wire::GroundBoard board;
   board.phase = control.phase();
   board.finished = control.finished();
@@ -124,6 +130,8 @@ wire::GroundBoard ground_board_of(const gs::GroundControl& control) {
   for (const gs::Alarm& alarm : control.alarms()) board.alarms.push_back(entry_of(alarm));
   for (const auto& [name, volume] : control.closed_air()) board.air.push_back(entry_of(volume));
   board.commands = entries_of(control.desk().commands());
+  if (team == nullptr) return board;
+  for (const auto& [task, standing] : team->standings()) board.team.push_back(entry_of(standing));
   return board;
 }
 
@@ -148,9 +156,10 @@ void OperatorBoards::tell(wire::Sample board, std::vector<wire::Sample>& news) {
 }
 
 std::vector<wire::Sample> OperatorBoards::news(const gs::GroundControl& control,
-                                               const node::Roster& roster, MissionTime now) {
+                                               const gs::TeamDesk* team, const node::Roster& roster,
+                                               MissionTime now) {
   std::vector<wire::Sample> news;
-  wire::GroundBoard ground = ground_board_of(control);
+  wire::GroundBoard ground = ground_board_of(control, team);
   for (const gs::UavOnBoard& uav : control.board(now).uavs) {
     ground.uavs.push_back(uav.name);
     const std::uint32_t number = roster.find(uav.name)->number.value();

@@ -10,6 +10,7 @@
 
 #include "skein/blackboard/wire.hpp"
 #include "skein/ground_station/ground_control.hpp"
+#include "skein/ground_station/team_desk.hpp"
 #include "skein/node/roster.hpp"
 
 namespace skein::ground {
@@ -30,9 +31,10 @@ class OperatorBoards {
   }
   std::optional<MissionTime> next_wakeup() const;
   bool is_due(MissionTime now) const;
-  /// Precondition: it is due.
+  /// `team`: null where the ground station is in none. Precondition: it is due.
   std::vector<wire::Sample> news(const ground_station::GroundControl& control,
-                                 const node::Roster& roster, MissionTime now);
+                                 const ground_station::TeamDesk* team, const node::Roster& roster,
+                                 MissionTime now);
 
  private:
   void tell(wire::Sample board, std::vector<wire::Sample>& news);

@@ -269,6 +269,17 @@ struct BoardAir {
 };
 SKEIN_WIRE_FIELDS(BoardAir, name, corners, floor, ceiling, from, until)
 
+/// A task of a global mission, as the team's book has it.
+struct BoardTeamTask {
+  std::uint64_t id = 0;
+  std::string statement;
+  std::string stage;  ///< for-sale, owned, granted, done, unsold
+  std::vector<std::string> owners;
+  std::string why;  ///< bids, silence, who put it back
+  bool operator==(const BoardTeamTask&) const = default;
+};
+SKEIN_WIRE_FIELDS(BoardTeamTask, id, statement, stage, owners, why)
+
 /// What the ground station knows of the mission, for operators. World channel, instance 0.
 struct GroundBoard {
   SampleHeader header;
@@ -279,8 +290,9 @@ struct GroundBoard {
   std::vector<BoardAlarm> alarms;      ///< by id
   std::vector<BoardAir> air;           ///< closed since the start, by name
   std::vector<CommandEntry> commands;  ///< the latest, oldest first
+  std::vector<BoardTeamTask> team;     ///< by id
   bool operator==(const GroundBoard&) const = default;
 };
-SKEIN_WIRE_FIELDS(GroundBoard, header, phase, finished, uavs, answers, alarms, air, commands)
+SKEIN_WIRE_FIELDS(GroundBoard, header, phase, finished, uavs, answers, alarms, air, commands, team)
 
 }  // namespace skein::wire
