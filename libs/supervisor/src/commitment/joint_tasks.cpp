@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "schedule/plan_links.hpp"
 #include "skein/foundation/rounded_seconds.hpp"
 
 namespace skein::supervisor {
@@ -18,10 +19,11 @@ bool JointTasks::is_wanted(const Entry& entry) const {
          !entry.seen.started;
 }
 
-// What is asked for is looked for first among what was: it may be the same with another number.
+// What is asked for is looked for first among what was: it may be the same with another number. No
+// date is asked for where it comes after what never comes.
 void JointTasks::renew() {
   for (auto& [id, entry] : book_.tasks) {
-    if (!is_wanted(entry)) continue;
+    if (!is_wanted(entry) || is_never(entry.dates.earliest_start)) continue;
     const auto known = joints_.find(id);
     if (known == joints_.end()) {
       load(entry);
@@ -92,6 +94,7 @@ bool JointTasks::answered(const JointTaskAnswered& input) {
     return false;
   }
   joint.agreed = MissionTime() + input.agreed.least;
+  if (entry->task.gathering) entry->task.gathering->agreed = true;
   entry->task.time.start_after = MissionTime() + input.agreed.least;
   if (input.agreed.most != Duration::max()) {
     entry->task.time.start_before = MissionTime() + input.agreed.most;

@@ -6,6 +6,7 @@
 #include "book/wording.hpp"
 #include "flight/retreat.hpp"
 #include "planning/domain_book.hpp"
+#include "planning/partners.hpp"
 #include "planning/plans.hpp"
 #include "planning/terms.hpp"
 #include "skein/htn/planner.hpp"
@@ -116,20 +117,6 @@ htn::Options search_options(const PlanningBudget& budget) {
   return options;
 }
 
-// Of joint tasks, which name places to partners: in the letters that the world has them in.
-void spell_places(mission::ElementaryPlan& plan, const world::World& world) {
-  for (mission::ElementaryTask& task : plan.tasks) {
-    if (!executive::is_joint(task.type)) continue;
-    std::vector<executive::Parameter> parameters = task.parameters.all();
-    for (executive::Parameter& one : parameters) {
-      for (const auto& [name, at] : world.places) {
-        if (same_name(name, one.text)) one.text = name;
-      }
-    }
-    task.parameters = executive::Parameters(std::move(parameters));
-  }
-}
-
 }  // namespace
 
 /// Planner and refiners for requests from one origin in one world.
@@ -173,7 +160,7 @@ class Plans::Workplace {
       return tl::unexpected<PlanningFailure>(explain(request, book_->store(), outcome, host_));
     auto plan = read_plan(book_->store(), outcome.plans.front(), *knowledge_, origin_);
     if (!plan) return fail({plan.error().why});
-    spell_places(*plan, *world_);
+    know_partners(*plan, world_->places, knowledge_->team);
     if (auto problem_with_energy = energy_problem(*plan, request))
       return tl::unexpected<PlanningFailure>(std::move(*problem_with_energy));
     return std::move(*plan);

@@ -141,7 +141,9 @@ auto telling(const Causes& causes) {
 std::string who_is_late(const std::vector<BrokenBound>& bounds) {
   for (const BrokenBound& broken : bounds) {
     const PlanLink& one = *broken.link;
-    if (one.cause.kind != BoundKind::kPartner || one.link.to != others_at(one.cause.task)) continue;
+    const bool comes =
+        one.link.to == others_at(one.cause.task) || one.link.to == start_of(one.cause.task);
+    if (one.cause.kind != BoundKind::kPartner || !comes) continue;
     if (one.link.min >= ticks_of(MissionTime::max()))
       return "; '" + one.cause.who + "' waits for it in turn, so that neither ever comes";
     const bool bounded = one.link.max != temporal::kInfinite;

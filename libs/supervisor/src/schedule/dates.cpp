@@ -124,12 +124,12 @@ std::vector<TaskId> Dates::renew_holds(MissionTime now) {
 // ---- others ----
 
 temporal::Frontier Dates::frontier() const {
-  std::map<TaskId, temporal::Meeting> meetings;
-  std::set<std::uint64_t> named;
+  std::map<TaskId, PlanMeeting> meetings;
+  std::set<temporal::MeetingId> named;
   for (const auto& [id, entry] : book_.tasks) {
-    const auto& meets = entry.task.synchronisation;
-    if (!meets || !book_.counts(entry) || !named.insert(meets->id).second) continue;
-    meetings[id] = {meets->id, meets->senders, meets->receivers};
+    if (!book_.counts(entry)) continue;
+    const auto meeting = meeting_of(entry.task);
+    if (meeting && named.insert(meeting->what.id).second) meetings.emplace(id, *meeting);
   }
   return network_.frontier(meetings);
 }

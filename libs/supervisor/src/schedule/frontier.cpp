@@ -13,18 +13,20 @@ using temporal::Frontier;
 using temporal::FrontierLink;
 using temporal::kInfinite;
 using temporal::kMinusInfinite;
+using temporal::LiveNetwork;
+using temporal::NodeName;
 using temporal::Ticks;
 
 /// Numbers for the nodes of a plan, those of the frontier first.
 class Numbers {
  public:
-  explicit Numbers(const std::map<TaskId, temporal::Meeting>& meetings) {
+  explicit Numbers(const std::map<TaskId, PlanMeeting>& meetings) {
     of_[temporal::LiveNetwork::kOrigin] = Frontier::kOrigin;
     of_[kPresent] = Frontier::kPresent;
     std::size_t number = 0;
     for (const auto& [task, meeting] : meetings) {
-      of_[start_of(task)] = Frontier::arrival_of(number);
-      of_[end_of(task)] = Frontier::end_of(number++);
+      of_[meeting.at_start ? ready_of(task) : start_of(task)] = Frontier::arrival_of(number);
+      of_[meeting.at_start ? start_of(task) : end_of(task)] = Frontier::end_of(number++);
     }
     kept_ = of_.size();
   }
@@ -41,40 +43,131 @@ class Numbers {
 
 }  // namespace
 
-// How long a meeting takes is for the others to say. What is under way lasts as long as it may:
-// that it has not ended yet goes without saying, at every instant anew.
-Frontier PlanNetwork::frontier(const std::map<TaskId, temporal::Meeting>& meetings) const {
-  Frontier frontier;
-  for (const auto& [task, meeting] : meetings) frontier.meetings.push_back(meeting);
-  if (meetings.empty()) return frontier;
-  Numbers numbers(meetings);
-  std::vector<FrontierLink> links;
-  const auto add = [&](const temporal::LiveLink& link, Ticks soonest, Ticks slowest, Ticks latest) {
-    links.push_back({numbers.of(link.from), numbers.of(link.to), soonest, slowest, latest});
-  };
-  for (const auto& [id, known] : tasks_) {
-    for (const auto& [name, one] : known.links) {
-      const BoundKind kind = one.cause.kind;
-      const temporal::LiveLink& link = one.link;
-      if (kind == BoundKind::kPartner || kind == BoundKind::kNeeded) continue;
-      if (kind != BoundKind::kDuration) {
-        add(link, link.min, link.min, link.min);
-      } else if (meetings.count(id) != 0) {
-        add(link, kInstant, kInstant, kInstant);
-        continue;
-      } else {
-        const Ticks least = std::min<Ticks>(link.min, known.task.duration.least.count());
-        const Ticks most = link.contingent ? link.max : link.min;
-        add(link, least, known.endless ? kInfinite : most, most);
-        if (known.seen.started && !known.seen.over)
-          links.push_back({Frontier::kPresent, numbers.of(link.to), 0, 0, 0});
-      }
-      if (link.max == kInfinite) continue;
-      links.push_back(
-          {numbers.of(link.to), numbers.of(link.from), kMinusInfinite, kMinusInfinite, -link.max});
+/// The links of which the frontier is what remains.
+class PlanOutline {
+ public:
+  explicit PlanOutline(const std::map<TaskId, PlanMeeting>& meetings) : numbers_(meetings) {}
+
+  std::vector<temporal::FrontierArc> eliminated() const {
+    return temporal::eliminate(numbers_.all(), numbers_.kept(), links_);
+  }
+  void add(const NodeName& from, const NodeName& to, Ticks soonest, Ticks slowest, Ticks latest) {
+    links_.push_back({numbers_.of(from), numbers_.of(to), soonest, slowest, latest});
+  }
+  void at_least(const NodeName& from, const NodeName& to, Ticks least) {
+    add(from, to, least, least, least);
+  }
+  void at_most(const NodeName& from, const NodeName& to, Ticks most) {
+    if (most != kInfinite) add(to, from, kMinusInfinite, kMinusInfinite, -most);
+  }
+  void at(const NodeName& node, Ticks date) {
+    at_least(LiveNetwork::kOrigin, node, date);
+    at_most(LiveNetwork::kOrigin, node, date);
+  }
+  void bound(const temporal::LiveLink& link) {
+    at_least(link.from, link.to, link.min);
+    at_most(link.from, link.to, link.max);
+  }
+  // What is under way lasts as long as it may: that it has not ended yet goes without saying, at
+  // every instant anew.
+  void last(const temporal::LiveLink& link, const TaskView& view, bool endless) {
+    const Ticks least = std::min<Ticks>(link.min, view.task->duration.least.count());
+    const Ticks most = link.contingent ? link.max : link.min;
+    add(link.from, link.to, least, endless ? kInfinite : most, most);
+    if (view.seen.started && !view.seen.over) at_least(kPresent, link.to, 0);
+    at_most(link.from, link.to, link.max);
+  }
+
+ private:
+  Numbers numbers_;
+  std::vector<FrontierLink> links_;
+};
+
+namespace {
+
+/// What a joint task waits for in the own plan: over, when all of it has come.
+struct Readiness {
+  bool waits = false;
+  Ticks since = 0;
+
+  void after(bool to_come, Ticks date) {
+    waits = waits || to_come;
+    if (!to_come) since = std::max(since, date);
+  }
+};
+
+Readiness readiness_of(const std::map<temporal::LinkName, PlanLink>& links, const NodeName& start,
+                       MissionTime now, const SeenOf& seen) {
+  Readiness result;
+  const auto when = [](const std::optional<MissionTime>& at) { return at ? ticks_of(*at) : 0; };
+  for (const auto& [name, one] : links) {
+    if (one.link.to != start) continue;
+    const Observation* other = seen(one.cause.other);
+    if (one.cause.kind == BoundKind::kAfterEnd && other != nullptr)
+      result.after(!other->over, when(other->over));
+    if (one.cause.kind == BoundKind::kAfterStart && other != nullptr)
+      result.after(!other->started, when(other->started));
+    if (one.cause.kind == BoundKind::kAfterGoal)
+      result.after(other != nullptr || one.link.min > ticks_of(now), one.link.min);
+  }
+  return result;
+}
+
+}  // namespace
+
+// Once begun, it bounds those no more who have not come: they join.
+void PlanNetwork::outline_gathering(const Known& known, PlanOutline& outline) const {
+  const NodeName ready = ready_of(known.task.id), start = start_of(known.task.id);
+  outline.at_least(ready, start, 0);
+  const Readiness readiness = readiness_of(known.links, start, now_, seen_of_tasks());
+  if (known.seen.started) outline.at(ready, ticks_of(*known.seen.started));
+  if (!known.seen.started && !readiness.waits) outline.at(ready, readiness.since);
+  for (const auto& [name, one] : known.links) {
+    const BoundKind kind = one.cause.kind;
+    const temporal::LiveLink& link = one.link;
+    if (kind == BoundKind::kPartner || kind == BoundKind::kNeeded) continue;
+    if (kind == BoundKind::kDuration) {
+      outline.last(link, known.view(), known.endless);
+    } else if (kind == BoundKind::kFact && link.to == start) {
+      outline.at_least(link.from, link.to, link.min);
+    } else {
+      outline.bound(link);
+    }
+    const bool makes_ready = kind == BoundKind::kNow || kind == BoundKind::kAfterEnd ||
+                             kind == BoundKind::kAfterStart || kind == BoundKind::kAfterGoal;
+    if (readiness.waits && makes_ready && link.to == start)
+      outline.at_least(link.from, ready, link.min);
+  }
+}
+
+// How long a meeting takes is for the others to say.
+void PlanNetwork::outline_task(const Known& known, bool meets, PlanOutline& outline) const {
+  for (const auto& [name, one] : known.links) {
+    const BoundKind kind = one.cause.kind;
+    if (kind == BoundKind::kPartner || kind == BoundKind::kNeeded) continue;
+    if (kind != BoundKind::kDuration) {
+      outline.bound(one.link);
+    } else if (meets) {
+      outline.at_least(one.link.from, one.link.to, kInstant);
+    } else {
+      outline.last(one.link, known.view(), known.endless);
     }
   }
-  frontier.arcs = temporal::eliminate(numbers.all(), numbers.kept(), links);
+}
+
+Frontier PlanNetwork::frontier(const std::map<TaskId, PlanMeeting>& meetings) const {
+  Frontier frontier;
+  for (const auto& [task, meeting] : meetings) frontier.meetings.push_back(meeting.what);
+  if (meetings.empty()) return frontier;
+  PlanOutline outline(meetings);
+  for (const auto& [id, known] : tasks_) {
+    const auto meeting = meetings.find(id);
+    if (meeting != meetings.end() && meeting->second.at_start)
+      outline_gathering(known, outline);
+    else
+      outline_task(known, meeting != meetings.end(), outline);
+  }
+  frontier.arcs = outline.eliminated();
   return frontier;
 }
 

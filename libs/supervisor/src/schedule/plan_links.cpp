@@ -70,7 +70,7 @@ class Links {
     }
     if (!task_.stop.empty()) {
       stop();
-    } else if (encounter_ && encounter_->awaits()) {
+    } else if (encounter_ && encounter_->awaits() && !encounter_->at_start) {
       meet();
     } else {
       last();
@@ -143,6 +143,14 @@ class Links {
     if (!with.all_there) come(with, !endless);
   }
 
+  // When it begins is agreed upon, with all that nature has decided by then: what counts now is how
+  // soon the others can.
+  void gather(const temporal::PartnerDates& with) {
+    if (with.last.empty() || with.all_there || with.soonest.count() > kHorizon) return;
+    add(BoundKind::kPartner, LiveNetwork::kOrigin, start_, {ticks_of(with.soonest), kInfinite});
+    links_.back().cause.who = with.last;
+  }
+
   void come(const temporal::PartnerDates& with, bool bounded) {
     const Ticks least = std::max<Ticks>({ticks_of(with.soonest), ticks_of(now_), 1});
     const Ticks most = std::max(ticks_of(with.slowest), least + kInstant);
@@ -194,6 +202,7 @@ class Links {
   void start_constraints() {
     not_before(start_, task_.time.start_after, BoundKind::kStartAfter);
     not_after(start_, task_.time.start_before, BoundKind::kStartBefore);
+    if (encounter_ && encounter_->at_start) gather(encounter_->with);
     const bool counts = encounter_ && encounter_->reliance != Meetings::Reliance::kNobodysNeeds;
     if (!counts || !encounter_->with.needed) return;
     not_after(start_, encounter_->with.needed, BoundKind::kNeeded);
@@ -225,6 +234,16 @@ temporal::Ticks ticks_of(MissionTime instant) {
 temporal::LinkName name_of(const Cause& cause) {
   const std::uint32_t kind = 8 * static_cast<std::uint32_t>(cause.kind) + cause.part;
   return {0, cause.task.value(), kind, cause.other.value()};
+}
+
+std::optional<PlanMeeting> meeting_of(const ElementaryTask& task) {
+  if (task.gathering) {
+    const mission::Gathering& with = *task.gathering;
+    return PlanMeeting{{with.id, with.members, with.members}, true};
+  }
+  if (!task.synchronisation) return std::nullopt;
+  const executive::Synchronisation& with = *task.synchronisation;
+  return PlanMeeting{{with.id, with.senders, with.receivers}, false};
 }
 
 std::vector<PlanLink> links_of(const TaskView& view, MissionTime now, const SeenOf& seen) {
@@ -279,10 +298,13 @@ void relate(std::vector<TaskView>& tasks, const GoalBounds& bounds) {
                        [](const TaskBound& one) { return one.bound.on_end; });
   };
   for (TaskView& view : tasks) {
-    if (!view.task->synchronisation || view.seen.over || waits_for_date(view)) continue;
-    const auto met = bounds.meetings.of.find(view.task->synchronisation->id);
-    if (met != bounds.meetings.of.end())
-      view.encounter = Encounter{met->second, bounds.meetings.reliance};
+    const auto meeting = meeting_of(*view.task);
+    if (!meeting || view.seen.over || (!meeting->at_start && waits_for_date(view))) continue;
+    const auto met = bounds.meetings.of.find(meeting->what.id);
+    if (met == bounds.meetings.of.end()) continue;
+    view.encounter = Encounter{met->second, meeting->at_start, bounds.meetings.reliance};
+    // Who cannot keep to what was agreed asks for another date.
+    if (meeting->at_start && view.task->gathering->agreed) view.encounter->with.last.clear();
   }
 }
 
@@ -290,7 +312,7 @@ bool is_endless(const TaskView& view, MissionTime now) {
   const ElementaryTask& task = *view.task;
   const Observation& seen = view.seen;
   if (seen.over || !task.stop.empty()) return false;
-  if (view.encounter && view.encounter->awaits()) {
+  if (view.encounter && view.encounter->awaits() && !view.encounter->at_start) {
     const temporal::PartnerDates& with = view.encounter->with;
     if (with.all_there) return seen.started && gone_of(seen, now) >= kLate.count();
     return with.slowest.count() > kHorizon || with.slowest + kLate <= now;

@@ -28,7 +28,7 @@ enum class BoundKind : std::uint8_t {
   kEndAfter,
   kEndBefore,
   kAfterGoal,  ///< it starts, or ends, so long after the end of `other`, or of a goal that is over
-  kPartner,    ///< others come to meet it, and it ends after that
+  kPartner,    ///< others come to meet it, and it ends, or begins, after that
   kNeeded,     ///< others need it there
 };
 
@@ -43,6 +43,7 @@ struct TaskBound {
 /// What the network has of those whom a task meets.
 struct Encounter {
   temporal::PartnerDates with;
+  bool at_start = false;  ///< a joint task begins with them; else it ends when they have come
   Meetings::Reliance reliance = Meetings::Reliance::kOnNothing;
   bool awaits() const { return !with.last.empty(); }
   bool operator==(const Encounter&) const = default;
@@ -55,6 +56,13 @@ struct TaskView {
   std::vector<TaskBound> bounds = {};
   std::optional<Encounter> encounter = {};
 };
+
+/// What a task does with other UAVs, in their common network.
+struct PlanMeeting {
+  temporal::Meeting what;
+  bool at_start = false;  ///< a joint task: it begins with them; else it ends when they have come
+};
+std::optional<PlanMeeting> meeting_of(const mission::ElementaryTask& task);
 
 /// Gives the tasks their bounds after goals, and what is known of those they meet. A goal that has
 /// no tasks here and was not achieved bounds nothing.
@@ -80,6 +88,8 @@ struct PlanLink {
 
 inline temporal::NodeName start_of(executive::TaskId task) { return {0, 2 * task.value()}; }
 inline temporal::NodeName end_of(executive::TaskId task) { return {0, 2 * task.value() + 1}; }
+/// When this UAV could begin a joint task, were it not for the others: of its frontier only.
+inline temporal::NodeName ready_of(executive::TaskId task) { return {2, task.value()}; }
 /// When the others have come whom the task meets.
 inline temporal::NodeName others_at(executive::TaskId task) { return {1, task.value()}; }
 /// The present: a node at a fixed date, which nothing that has not come may precede.
@@ -90,6 +100,10 @@ inline constexpr temporal::Ticks kInstant = 1'000'000;
 
 /// An instant as the network has it: beyond the horizon of 13 days counts as the horizon.
 temporal::Ticks ticks_of(MissionTime instant);
+/// It stands for what never comes.
+inline bool is_never(MissionTime instant) {
+  return ticks_of(instant) >= ticks_of(MissionTime::max());
+}
 
 /// What was seen of a task of the network; null: it is not there.
 using SeenOf = std::function<const Observation*(executive::TaskId)>;

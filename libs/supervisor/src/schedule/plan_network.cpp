@@ -167,11 +167,15 @@ void PlanNetwork::set_present() {
   }
 }
 
-void PlanNetwork::relink(Known& known) {
-  const SeenOf seen = [this](TaskId task) {
+SeenOf PlanNetwork::seen_of_tasks() const {
+  return [this](TaskId task) {
     const auto found = tasks_.find(task);
     return found == tasks_.end() ? nullptr : &found->second.seen;
   };
+}
+
+void PlanNetwork::relink(Known& known) {
+  const SeenOf seen = seen_of_tasks();
   known.endless = is_endless(known.view(), now_);
   std::map<temporal::LinkName, PlanLink> wanted;
   bool others = false;

@@ -15,6 +15,8 @@
 
 namespace skein::supervisor {
 
+class PlanOutline;
+
 /// Verdict, explanation and dates of a plan whose tasks come, start, end and go while time passes.
 /// Nodes and links are keyed by what they stand for (task, bound, dependence); what differs from
 /// before is changed in place, and only what depends on it is worked out again.
@@ -34,7 +36,7 @@ class PlanNetwork {
   const Schedule& schedule() const { return schedule_; }
   /// What others need to know of it when these of its tasks are meetings: without what others said,
   /// and without the holds. Nothing that a contradiction of the plan itself would say.
-  temporal::Frontier frontier(const std::map<executive::TaskId, temporal::Meeting>& meetings) const;
+  temporal::Frontier frontier(const std::map<executive::TaskId, PlanMeeting>& meetings) const;
   const temporal::LiveNetwork& network() const { return live_; }
 
  private:
@@ -57,7 +59,10 @@ class PlanNetwork {
   void name_others(const Known& known, bool names);
   void dirty_namers(executive::TaskId task, std::set<executive::TaskId>& dirty) const;
   void set_present();
+  SeenOf seen_of_tasks() const;
   void relink(Known& known);
+  void outline_gathering(const Known& known, PlanOutline& outline) const;
+  void outline_task(const Known& known, bool meets, PlanOutline& outline) const;
   void set_others(Known& known, bool there);
   void put(const PlanLink& link);
   void take_out(const temporal::LinkName& name);

@@ -154,12 +154,82 @@ TEST(Meeting, WhoseEndHasToWaitForADateBeginsThen) {
   EXPECT_EQ(planned(tasks, met(dates)).foreseen.at(id(2)).earliest_start, at(89.999));
 }
 
+// ---- joint tasks ----
+
+/// To a joint task with heliv in 10 to 20 s, a minute of it, and 5 s of something after it.
+Tasks gathering() {
+  Tasks tasks{a_task(1, "goto").lasts(10, 20), a_task(2, "joint:watch").ended(1).lasts(60),
+              a_task(3, "goto").ended(2).lasts(5)};
+  tasks[1].gathering = mission::Gathering{kMeeting, {"heliv", "karma"}};
+  return tasks;
+}
+
+TEST(AGathering, BeginsNoSoonerThanTheOtherCan) {
+  const Schedule result = planned(gathering(), met(coming(100, 140)));
+
+  EXPECT_TRUE(result.controllable);
+  EXPECT_EQ(result.foreseen.at(id(2)).earliest_start, at(100));
+  EXPECT_EQ(result.foreseen.at(id(2)).latest_start, at(100));
+  EXPECT_EQ(result.foreseen.at(id(3)).earliest_start, at(160));
+}
+
+TEST(AGathering, WithOneWhoWaitsThereBeginsWhenThisOneCan) {
+  EXPECT_EQ(planned(gathering(), met(coming(3, 5))).foreseen.at(id(2)).latest_start, at(20));
+}
+
+TEST(AGathering, BreaksAPromiseForWhichTheOtherIsTooLate) {
+  Tasks tasks = gathering();
+  tasks.back().time.end_before = at(120);
+
+  const Schedule result = planned(tasks, met(coming(100, 140), Reliance::kNobodysNeeds));
+
+  ASSERT_FALSE(result.consistent);
+  EXPECT_EQ(result.conflicts.front().why,
+            "ends no earlier than 165 s, must end before 120 s; 'heliv' comes from 100 s on");
+}
+
+// Who cannot keep to what was agreed asks for another date.
+TEST(AGathering, ThatWasAgreedUponBeginsWhenThatWasAgreed) {
+  Tasks tasks = gathering();
+  tasks[1].gathering->agreed = true;
+  tasks[1].time.start_after = at(60);
+
+  EXPECT_EQ(planned(tasks, met(coming(100, 140))).foreseen.at(id(2)).earliest_start, at(60));
+}
+
+TEST(AGathering, HasTheOtherNeedItThere) {
+  PartnerDates dates = coming(2, 4);
+  dates.needed = at(50);
+  dates.needed_by = "heliv";
+  EXPECT_EQ(planned(gathering(), met(dates)).dates.at(id(2)).latest_start, at(50));
+
+  dates.needed = at(15);
+  EXPECT_THAT(planned(gathering(), met(dates)).conflicts.front().why,
+              HasSubstr("must start before 15 s, which 'heliv' needs"));
+  EXPECT_TRUE(planned(gathering(), met(dates, Reliance::kNobodysNeeds)).controllable);
+}
+
+TEST(AGathering, OfWhomIsNotKnownToComeIsLeftToAgreement) {
+  PartnerDates dates;
+  dates.soonest = dates.slowest = MissionTime::max();
+  dates.last = "heliv";
+
+  EXPECT_EQ(planned(gathering(), met(dates)).foreseen, planned(gathering(), {}).foreseen);
+}
+
 // Pseudo-random changes of who comes when, tasks that come and go, time that passes.
 TEST(Meeting, TheNetworkThatLivesIsTheOneMadeAnew) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     Random random(seed);
     PlanNetwork alive;
-    Tasks tasks = meeting_until(400);
+    const bool joint = seed % 2 == 0;
+    const auto until = [joint](double seconds) {
+      if (!joint) return meeting_until(seconds);
+      Tasks tasks = gathering();
+      tasks.back().time.end_before = at(seconds);
+      return tasks;
+    };
+    Tasks tasks = until(400);
     MissionTime now;
     GoalBounds bounds;
     for (int step = 0; step < 12; ++step) {
@@ -170,7 +240,7 @@ TEST(Meeting, TheNetworkThatLivesIsTheOneMadeAnew) {
       dates.all_there = random.below(6) == 0;
       if (random.below(5) == 0) dates.last.clear();
       bounds = random.below(5) == 0 ? GoalBounds() : met(dates, Reliance(random.below(3)));
-      if (random.below(4) == 0) tasks = random.below(2) == 0 ? meeting() : meeting_until(300);
+      if (random.below(4) == 0) tasks = until(random.below(2) == 0 ? 100'000 : 300);
       if (random.below(4) == 0) tasks.pop_back();
       std::vector<TaskView> views;
       for (const mission::ElementaryTask& task : tasks) views.push_back({&task, {}});
@@ -183,20 +253,24 @@ TEST(Meeting, TheNetworkThatLivesIsTheOneMadeAnew) {
       ASSERT_EQ(found.controllable, anew.controllable) << "seed " << seed << ", step " << step;
       ASSERT_EQ(found.dates, anew.dates) << "seed " << seed << ", step " << step;
       ASSERT_EQ(found.foreseen, anew.foreseen) << "seed " << seed << ", step " << step;
-      if (tasks.size() < 2) tasks = meeting();
+      if (tasks.size() < 2) tasks = until(100'000);
     }
   }
 }
 
 // ---- what others need to know ----
 
-Frontier frontier_of(const Tasks& tasks, const GoalBounds& bounds = {}) {
+Frontier frontier_of(const Tasks& tasks, const GoalBounds& bounds = {},
+                     const Observations& seen = {}, double now = 0) {
   std::vector<TaskView> views;
-  for (const mission::ElementaryTask& task : tasks) views.push_back({&task, {}});
+  for (const mission::ElementaryTask& task : tasks) {
+    const auto known = seen.find(task.id);
+    views.push_back({&task, known == seen.end() ? Observation() : known->second});
+  }
   relate(views, bounds);
   PlanNetwork network;
-  network.update(views, MissionTime());
-  return network.frontier({{id(2), {kMeeting, {"heliv", "karma"}, {"heliv", "karma"}}}});
+  network.update(views, at(now));
+  return network.frontier({{id(2), *meeting_of(tasks[1])}});
 }
 
 Ticks seconds(double s) { return Duration::seconds(s).count(); }
@@ -216,11 +290,55 @@ TEST(AFrontierOfAPlan, SaysByWhenItIsToBeDone) {
               ::testing::Contains(FrontierArc{3, 0, kMinusInfinite, kMinusInfinite, -seconds(95)}));
 }
 
+TEST(AFrontierOfAPlan, SaysWhenItIsReadyForAJointTask) {
+  const Frontier frontier = frontier_of(gathering());
+
+  EXPECT_THAT(frontier.arcs, ::testing::UnorderedElementsAre(
+                                 FrontierArc{1, 2, seconds(10), seconds(20), seconds(20)},
+                                 FrontierArc{1, 3, seconds(10), seconds(20), seconds(20)},
+                                 FrontierArc{2, 3, 0, 0, 0}));
+}
+
+TEST(AFrontierOfAPlan, IsReadySinceWhatCameBeforeIsOver) {
+  const Observations seen{{id(1), {at(0), at(12)}}};
+
+  const Frontier frontier = frontier_of(gathering(), {}, seen, 40);
+
+  EXPECT_THAT(
+      frontier.arcs,
+      ::testing::IsSupersetOf({FrontierArc{0, 2, seconds(12), seconds(12), seconds(12)},
+                               FrontierArc{2, 0, kMinusInfinite, kMinusInfinite, -seconds(12)}}));
+}
+
+TEST(AFrontierOfAPlan, OfWhomHasBegunBoundsNobodyWhoIsStillToCome) {
+  const Observations seen{{id(1), {at(0), at(12)}}, {id(2), {at(30), std::nullopt}}};
+
+  const Frontier frontier = frontier_of(gathering(), {}, seen, 40);
+
+  EXPECT_THAT(frontier.arcs,
+              ::testing::Contains(FrontierArc{0, 2, seconds(30), seconds(30), seconds(30)}));
+  for (const FrontierArc& arc : frontier.arcs) EXPECT_FALSE(arc.from == 3 && arc.to == 0);
+}
+
+// Who is ready waits for that date with all the others.
+TEST(AFrontierOfAPlan, IsReadyBeforeTheDateThatWasAgreed) {
+  Tasks tasks = gathering();
+  tasks[1].time.start_after = at(300);
+
+  const Frontier frontier = frontier_of(tasks);
+
+  EXPECT_THAT(frontier.arcs,
+              ::testing::Contains(FrontierArc{1, 2, seconds(10), seconds(20), seconds(20)}));
+  EXPECT_THAT(frontier.arcs,
+              ::testing::Contains(FrontierArc{0, 3, seconds(300), seconds(300), seconds(300)}));
+}
+
 TEST(AFrontierOfAPlan, DoesNotSayWhatOthersSaid) {
   PartnerDates dates = coming(300, 400);
   dates.needed = at(60);
 
   EXPECT_EQ(frontier_of(meeting(), met(dates)), frontier_of(meeting()));
+  EXPECT_EQ(frontier_of(gathering(), met(dates)), frontier_of(gathering()));
 }
 
 TEST(AFrontierOfAPlan, WithoutMeetingsSaysNothing) {

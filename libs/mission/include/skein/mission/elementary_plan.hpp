@@ -2,6 +2,7 @@
 // A plan of elementary tasks, as deliberation makes it and as others are shown it.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +37,14 @@ struct Interval {
   bool operator==(const Interval&) const = default;
 };
 
+/// Who begin a joint task together, the same at all of them.
+struct Gathering {
+  std::uint64_t id = 0;              ///< follows from the task, what it is about and its members
+  std::vector<std::string> members;  ///< in order of their names
+  bool agreed = false;               ///< when it begins
+  bool operator==(const Gathering&) const = default;
+};
+
 /// (type, id, dependences, start, duration, time constraints, parameters, origin).
 /// Source: T def. IV.2, spec 3.4.
 struct ElementaryTask {
@@ -45,6 +54,7 @@ struct ElementaryTask {
   std::string name;                  ///< as the domain and the seeds have it: "task-gotoxyz"
   executive::Parameters parameters;  ///< as the functional layer takes them
   std::optional<executive::Synchronisation> synchronisation;
+  std::optional<Gathering> gathering;  ///< of a joint task
   std::vector<Dependence> dependences;
   /// Dependences of its stop-task: what ends it (stop-takeshot, stop-wait). Source: spec 2.7.
   std::vector<Dependence> stop;
