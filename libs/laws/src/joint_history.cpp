@@ -21,10 +21,34 @@ JointTold* JointHistory::of(const journal::Record& record) {
   return nullptr;
 }
 
+std::optional<bool> JointHistory::steady(const std::string& from, const std::string& to,
+                                         double since, double until) const {
+  bool up = true;
+  for (const LinkTold& one : links) {
+    if (one.at > until) break;
+    if (one.from != from || one.to != to) continue;
+    if (one.at > since && up != one.up) return std::nullopt;
+    up = one.up;
+  }
+  return up;
+}
+
+bool JointHistory::cut_off(const std::string& a, const std::string& b, double from,
+                           double until) const {
+  return steady(a, b, from, until) == false || steady(b, a, from, until) == false;
+}
+
+bool JointHistory::up(const std::string& from, const std::string& to, double since,
+                      double until) const {
+  return steady(from, to, since, until) == true;
+}
+
 void JointHistory::see(const journal::Record& record) {
   const double at = record.at().to_seconds();
   const std::string& kind = record.kind();
-  if (kind == "joint") {
+  if (kind == "link") {
+    links.push_back({at, text(record, "from"), text(record, "to"), record.truth("up")});
+  } else if (kind == "joint") {
     const auto task = static_cast<std::int64_t>(record.number("task"));
     JointTold* told = of(record);
     // One that is not over goes on, with another number if its plan was made anew.

@@ -131,13 +131,17 @@ bool is_same_attempt(const JointTold& one, const JointTold& other) {
   return one.joint == other.joint && from + kTelling < until_other && from_other + kTelling < until;
 }
 
-/// Interrupted from outside on its way out, when the other had already ended.
-bool interrupted_after(const JointTold& aborted, const JointTold& ended) {
+/// When the other had already ended, it was interrupted from outside on its way out, or gave up
+/// hearing of that over a radio that was down all the while.
+bool left_without_knowing(const JointHistory& history, const JointTold& aborted,
+                          const JointTold& ended) {
   const auto left = std::find_if(aborted.phases.begin(), aborted.phases.end(), [](const auto& one) {
     return one.phase == "leaving" || one.phase == "aborted";
   });
-  return left != aborted.phases.end() && left->why == "interrupted" &&
-         left->at > ended.phases.back().at;
+  const double end = ended.phases.back().at;
+  if (left == aborted.phases.end() || left->at <= end) return false;
+  return left->why == "interrupted" || (left->why == "no contact with '" + ended.uav + "'" &&
+                                        history.cut_off(aborted.uav, ended.uav, end, left->at));
 }
 
 std::vector<Violation> joint_tasks_apart(const History& history) {
@@ -151,7 +155,7 @@ std::vector<Violation> joint_tasks_apart(const History& history) {
     const auto other = std::find_if(
         history.joint.joints.begin(), history.joint.joints.end(), [&](const JointTold& one) {
           return one.phases.back().phase == "ended" && one.uav != told.uav &&
-                 is_same_attempt(one, told) && !interrupted_after(told, one);
+                 is_same_attempt(one, told) && !left_without_knowing(history.joint, told, one);
         });
     if (other == history.joint.joints.end()) continue;
     result.push_back({"", told.phases.back().at, told.uav, 0,

@@ -20,6 +20,7 @@ const std::vector<Law>& all_laws() {
        synchronisations_apart},
       {"foretold", "nobody comes to a meeting before it was foretold to who waits for it",
        come_before_foretold},
+      {"parted", "nobody waits for ever for one who waits for it elsewhere", waits_in_circles},
       {"partners-apart", "partners of a synchronisation keep apart", partners_too_near},
       {"roles", "no two UAVs hold a role that is for one", roles_held_twice},
       {"agreements", "a negotiation comes out alike wherever it is decided", agreements_apart},

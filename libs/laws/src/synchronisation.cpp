@@ -134,6 +134,95 @@ std::vector<Violation> come_before_foretold(const History& history) {
 
 namespace {
 
+struct Span {
+  double from = 0, until = 0;
+};
+
+/// Where a UAV stands for all of that time and waits for others.
+std::optional<Meeting> stands_in(const Uav& uav, const Span& time) {
+  for (const auto& [task, one] : uav.executions) {
+    const bool meets = one.type == "rendezvous" || one.type == "synchronise";
+    if (!meets || one.started > time.from || one.over < time.until) continue;
+    const auto goal = uav.goals.find(uav.goal_of_task(task));
+    const auto meeting =
+        goal == uav.goals.end() ? std::nullopt : meeting_of(uav, goal->second.task);
+    if (meeting) return meeting;
+  }
+  return std::nullopt;
+}
+
+bool is_to_come(const Uav& uav, double id, double at) {
+  return std::any_of(uav.goals.begin(), uav.goals.end(), [&](const auto& one) {
+    const Goal& goal = one.second;
+    const auto meeting = meeting_of(uav, goal.task);
+    const bool over = goal.settled() && goal.changes.back().at <= at;
+    return meeting && meeting->id == id && !over && goal.changes.front().at <= at;
+  });
+}
+
+/// Who stands elsewhere for all of that time, and is to come here; nobody where another one who is
+/// awaited is not to come at all.
+std::vector<std::string> awaited_elsewhere(const History& history, const Uav& uav,
+                                           const Span& time) {
+  std::vector<std::string> result;
+  const auto here = stands_in(uav, time);
+  if (!here || !uav.deliberates(time.from, time.until)) return result;
+  for (const std::string& name : here->partners) {
+    const auto other = history.uavs.find(name);
+    if (name == uav.name() || other == history.uavs.end()) continue;
+    if (!is_to_come(other->second, here->id, time.until)) return {};
+    const auto there = stands_in(other->second, time);
+    if (there && there->id != here->id) result.push_back(name);
+  }
+  return result;
+}
+
+bool in_a_circle(const History& history, const std::string& name, const Span& time) {
+  std::vector<std::string> way = {name};
+  std::set<std::string> seen;
+  while (!way.empty()) {
+    const std::string one = way.back();
+    way.pop_back();
+    for (const std::string& next : awaited_elsewhere(history, history.uavs.at(one), time)) {
+      if (seen.insert(next).second) way.push_back(next);
+    }
+  }
+  return seen.count(name) != 0;
+}
+
+bool all_hear_each_other(const History& history, const Span& time) {
+  for (const auto& [a, one] : history.uavs) {
+    for (const auto& [b, other] : history.uavs)
+      if (a != b && !history.joint.up(a, b, time.from, time.until)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+// Who leaves first does so when he has waited for long.
+std::vector<Violation> waits_in_circles(const History& history) {
+  constexpr double kPatience = 120;  // [s]
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    for (const auto& [task, one] : uav.executions) {
+      const double until = std::min(one.over, history.end);
+      const Span time{until - kPatience, until};
+      if (one.started > time.from || !in_a_circle(history, name, time)) continue;
+      const auto here = stands_in(uav, time);
+      if (!here || !all_hear_each_other(history, time)) continue;
+      result.push_back(
+          {"", until, name, 0,
+           "it waits in synchronisation " + std::to_string(static_cast<std::int64_t>(here->id)) +
+               " for one who waits for it in another, for " + figure(kPatience) + " s and more"});
+      break;
+    }
+  }
+  return result;
+}
+
+namespace {
+
 // Where it takes place is said by some tasks only: who waits for partners wherever it is, is sent
 // nowhere.
 bool has_place(const mission::HighLevelTask& task) {

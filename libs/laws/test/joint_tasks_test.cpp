@@ -55,6 +55,11 @@ class Told {
                    .with("role", role)
                    .with("why", why));
   }
+  Told& link(double at, bool up) {
+    journal::Record record(MissionTime::seconds(at), "sim", "link");
+    return see(
+        record.with("from", std::string("heliv")).with("to", std::string("marvin")).with("up", up));
+  }
   Told& componel(double at, const std::string& uav, const std::string& name,
                  const std::string& state) {
     return see(line(at, uav, "role")
@@ -251,6 +256,24 @@ TEST(JointLaws, WhoIsInterruptedAfterTheOthersEndedIsNotApartFromThem) {
                   .phase(59, "heliv", "aborted", "relay", "interrupted")
                   .broken(joint_tasks_apart),
               ElementsAre(HasSubstr("has ended at marvin")));
+}
+
+TEST(JointLaws, WhoGivesUpHearingOfTheEndOverARadioThatIsDownIsNotApartFromThem) {
+  const auto gives_up = [](double down, double up) {
+    Told told;
+    told.link(0, true).link(down, false);
+    if (up > 0) told.link(up, true);
+    told.phase(10, "marvin", "running", "watch").componel(11, "marvin", "w1", "ended");
+    told.phase(10, "heliv", "running", "relay").componel(11, "heliv", "r1", "ended");
+    told.phase(50, "marvin", "ended", "watch");
+    return told.phase(95, "heliv", "aborted", "relay", "no contact with 'marvin'")
+        .broken(joint_tasks_apart);
+  };
+
+  EXPECT_THAT(gives_up(35, 0), IsEmpty());
+  EXPECT_THAT(gives_up(35, 120), IsEmpty());
+  EXPECT_THAT(gives_up(35, 90), ElementsAre(HasSubstr("has ended at marvin")));
+  EXPECT_THAT(gives_up(60, 0), ElementsAre(HasSubstr("has ended at marvin")));
 }
 
 TEST(JointLaws, AnAttemptThatAllAbortedIsNoneOfTheOneThatAllEnded) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nobody comes to a meeting before it was foretold.
+// Nobody comes to a meeting before it was foretold, nor waits for ever in a circle.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,6 +51,35 @@ TEST(ForetoldLaw, OfAnotherMeetingOrAnotherUavNothingIsSaid) {
   story.hears("marvin", 60, 500, "heliv");
 
   EXPECT_THAT(story.broken("foretold"), IsEmpty());
+}
+
+const char* kFirst = "synchro 500 (heliv marvin) (heliv marvin)";
+const char* kSecond = "synchro 501 (heliv marvin) (heliv marvin)";
+
+/// Both are to meet twice, and each stands where the other does not.
+Story crossed(double from, double until) {
+  Story story;
+  for (const char* uav : {"heliv", "marvin"}) {
+    story.goal(uav, 70, kFirst, "planned", 5).goal(uav, 71, kSecond, "planned", 5);
+  }
+  story.does("heliv", {.task = 7, .type = "rendezvous", .goal = 70, .from = from, .until = until});
+  story.does("marvin", {.task = 8, .type = "rendezvous", .goal = 71, .from = from, .until = until});
+  return story;
+}
+
+TEST(PartedLaw, WhoWaitForEachOtherElsewhereForLongBreakIt) {
+  EXPECT_THAT(crossed(20, 200).broken("parted"),
+              ElementsAre(HasSubstr("it waits in synchronisation 500 for one who waits for it"),
+                          HasSubstr("it waits in synchronisation 501")));
+}
+
+TEST(PartedLaw, WhoAreSoonPartedKeepIt) {
+  EXPECT_THAT(crossed(20, 100).broken("parted"), IsEmpty());
+}
+
+TEST(PartedLaw, WhoWaitsForOneWhoIsNotToComeIsInNoCircle) {
+  EXPECT_THAT(crossed(20, 200).goal("heliv", 71, kSecond, "failed", 30, "tired").broken("parted"),
+              IsEmpty());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,17 +60,32 @@ struct PointTold {
   world::Vector3 position = world::Vector3::Zero();
 };
 
+/// What the radio does, by the simulator's truth.
+struct LinkTold {
+  double at = 0;
+  std::string from, to;
+  bool up = true;
+};
+
 struct JointHistory {
   std::vector<JointTold> joints;  ///< one of each UAV and task
   std::vector<RoleTaskTold> tasks;
   std::vector<SessionTold> sessions;
   std::vector<PlaceTold> places;
   std::vector<PointTold> points;
+  std::vector<LinkTold> links;
 
   void see(const journal::Record& record);
+  /// The radio was down between them, one way at least, for all of that time.
+  bool cut_off(const std::string& a, const std::string& b, double from, double until) const;
+  /// It was up from the one to the other for all of it.
+  bool up(const std::string& from, const std::string& to, double since, double until) const;
 
  private:
   JointTold* of(const journal::Record& record);
+  /// As it was then and did not change since; nothing: it changed.
+  std::optional<bool> steady(const std::string& from, const std::string& to, double since,
+                             double until) const;
 };
 
 }  // namespace skein::laws
