@@ -17,6 +17,7 @@ journal::Record line_of(const translation::Writer& writer,
     with_date("soonest", dates.soonest);
     with_date("slowest", dates.slowest);
   }
+  if (dates.behind) line.with("behind", *dates.behind);
   if (dates.needed) {
     with_date("needed", *dates.needed);
     line.with("needed_by", dates.needed_by);

@@ -15,6 +15,14 @@ using temporal::PartnerDates;
 constexpr Duration kSame = Duration::milliseconds(1'000);
 /// Who was to have come by now is looked for again.
 constexpr Duration kAgain = Duration::milliseconds(5'000);
+/// A circle of waits is one when it has stood so long: then one of them gives way.
+constexpr Duration kStands = Duration::milliseconds(5'000);
+/// When it still stands then nobody can, and the others never come.
+constexpr Duration kNever = Duration::milliseconds(30'000);
+
+bool is_in_circle(const PartnerDates& dates) {
+  return dates.behind || dates.soonest == MissionTime::max();
+}
 
 bool is_same(MissionTime a, MissionTime b) { return (a > b ? a - b : b - a) < kSame; }
 
@@ -22,7 +30,7 @@ bool is_same(const PartnerDates& a, const PartnerDates& b) {
   const bool needed =
       a.needed.has_value() == b.needed.has_value() && (!a.needed || is_same(*a.needed, *b.needed));
   return needed && a.all_there == b.all_there && a.last == b.last && a.needed_by == b.needed_by &&
-         is_same(a.soonest, b.soonest) && is_same(a.slowest, b.slowest);
+         is_same(a.soonest, b.soonest) && is_same(a.slowest, b.slowest) && a.behind == b.behind;
 }
 
 }  // namespace
@@ -57,12 +65,34 @@ std::optional<MissionTime> Meetings::next_wakeup() const {
     if (dates.last.empty() || dates.all_there || dates.soonest == MissionTime::max()) continue;
     next = earliest(next, std::max(*looked_ + kAgain, dates.soonest));
   }
+  for (const auto& [meeting, since] : circles_) {
+    for (const Duration patience : {kStands, kNever})
+      if (*looked_ < since + patience) next = earliest(next, since + patience);
+  }
   return next;
+}
+
+// What is foreseen of others in a circle is nothing, as long as it may be parted.
+void Meetings::let_circles_stand(Dates& dates) {
+  const MissionTime now = core_.bus().now();
+  std::erase_if(circles_, [&](const auto& one) {
+    const auto known = dates.find(one.first);
+    return known == dates.end() || !is_in_circle(known->second);
+  });
+  for (auto& [meeting, one] : dates) {
+    if (!is_in_circle(one)) continue;
+    const MissionTime since = circles_.emplace(meeting, now).first->second;
+    if (now < since + kStands) one.behind.reset();
+    if (one.soonest != MissionTime::max() || now >= since + kNever) continue;
+    one.last.clear();
+    one.soonest = one.slowest = MissionTime();
+  }
 }
 
 void Meetings::look() {
   looked_ = core_.bus().now();
   Dates dates = team_.dates(core_.bus().now());
+  let_circles_stand(dates);
   const bool same = std::equal(dates.begin(), dates.end(), told_.begin(), told_.end(),
                                [](const auto& a, const auto& b) {
                                  return a.first == b.first && is_same(a.second, b.second);

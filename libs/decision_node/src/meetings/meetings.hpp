@@ -31,11 +31,14 @@ class Meetings final : public Component {
  private:
   using Dates = std::map<temporal::MeetingId, temporal::PartnerDates>;
   void look();
+  void let_circles_stand(Dates& dates);
   void note(const Dates& dates);
 
   Core& core_;
   temporal::TeamDates team_;
   Dates told_;  ///< to the supervisor
+  /// Since when each waits for the other there: words may be on their way.
+  std::map<temporal::MeetingId, MissionTime> circles_;
   std::optional<MissionTime> looked_;
 };
 

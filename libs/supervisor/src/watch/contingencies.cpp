@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planning/terms.hpp"
+#include "schedule/plan_links.hpp"
 #include "skein/foundation/overloaded.hpp"
 
 namespace skein::supervisor {
@@ -27,6 +28,16 @@ bool names(const mission::HighLevelTask& task, const std::string& place) {
                                  [](const auto&) { return false; }},
                       argument);
   });
+}
+
+/// The goal that has it.
+std::optional<GoalId> goal_meeting(const Book& book, temporal::MeetingId meeting) {
+  for (const auto& [id, entry] : book.tasks) {
+    if (!book.counts(entry)) continue;
+    const auto one = meeting_of(entry.task);
+    if (one && one->what.id == meeting) return entry.task.origin;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -56,9 +67,29 @@ void Contingencies::check_network(const std::string& cause) { check_dates(cause,
 
 void Contingencies::check_meetings() {
   check_dates("others' dates changed", kOthersVary);
+  give_way();
   if (dates_.risk() == risk_told_) return;
   risk_told_ = dates_.risk();
   if (!risk_told_.empty()) out_.notice("the plan may fail because of others: " + risk_told_);
+}
+
+// Others wait for it where it is to come later. It goes there first; what it cannot do in that
+// order is given up.
+void Contingencies::give_way() {
+  if (agenda_.repairing()) return;
+  for (const auto& [meeting, dates] : book_.meetings.of) {
+    if (!dates.behind) continue;
+    const auto here = goal_meeting(book_, meeting), there = goal_meeting(book_, *dates.behind);
+    if (!here || !there) continue;
+    if (book_.is_given(*here)) committer_.retire(book_.falling_with({*here}));
+    auto& order = book_.order;
+    const auto from = std::find(order.begin(), order.end(), *here);
+    const auto to = std::find(from, order.end(), *there);
+    if (to == order.end() || to == from) continue;
+    std::rotate(from, std::next(from), std::next(to));
+    return fail_goal(*here, "'" + dates.last + "' waits for it in turn: goal " + to_text(*here) +
+                                " goes behind goal " + to_text(*there));
+  }
 }
 
 void Contingencies::check_dates(const std::string& cause, Duration tolerance) {

@@ -28,7 +28,8 @@ class Contingencies {
 
   /// The dates after something was seen; what breaks the network is a contingency.
   void check_network(const std::string& cause);
-  /// Likewise, after news of those whom the UAV is to meet.
+  /// Likewise, after news of those whom the UAV is to meet; it gives way where each waits for the
+  /// other.
   void check_meetings();
   /// The promised dates hold, or others are promised. Source: spec 6.2 (6).
   void absorb_or_shift(const std::string& cause);
@@ -49,6 +50,7 @@ class Contingencies {
  private:
   MissionTime now() const { return out_.now(); }
   void check_dates(const std::string& cause, Duration tolerance);
+  void give_way();
 
   Limits limits_;
   Dates& dates_;

@@ -91,6 +91,38 @@ class Whole {
     return date;
   }
 
+  /// Of those who wait in the circles that pass through an end: who gives way, and how. There is
+  /// always one who has a meeting before another of a smaller number, and whoever puts these in
+  /// order brings no other two out of it: so it comes to an end.
+  struct Yield {
+    const std::string* agent = nullptr;
+    MeetingId meeting = 0, behind = 0;
+    bool there = false;  ///< at the former
+    /// It gives way before the other.
+    bool before(const Yield& other) const {
+      if (there != other.there) return other.there;
+      if (*agent != *other.agent) return *agent > *other.agent;
+      return std::pair(meeting, behind) < std::pair(other.meeting, other.behind);
+    }
+  };
+  std::optional<Yield> yield_at(std::uint32_t end,
+                                const std::map<std::string, Frontier>& known) const {
+    std::optional<Yield> chosen;
+    const std::vector<bool> after = reached_from(end);
+    if (!after[end]) return chosen;
+    for (const auto& [agent, frontier] : known) {
+      for (const FrontierArc& arc : frontier.arcs) {
+        if (!goes_on(arc) || !after[node(agent, arc.from)]) continue;
+        if (!reached_from(node(agent, arc.to))[end]) continue;
+        const std::size_t meeting = (arc.from - 2) / 2, behind = (arc.to - 2) / 2;
+        const Yield one{&agent, frontier.meetings[meeting].id, frontier.meetings[behind].id,
+                        is_fact(frontier, Frontier::arrival_of(meeting))};
+        if (one.meeting > one.behind && (!chosen || one.before(*chosen))) chosen = one;
+      }
+    }
+    return chosen;
+  }
+
   struct Limit {
     Ticks latest = kInfinite;
     const std::string* of = nullptr;  ///< whose bound it is
@@ -135,6 +167,29 @@ class Whole {
         awaited_[end].push_back({&other, arrival, is_fact(frontier, Frontier::arrival_of(i))});
       }
     }
+  }
+
+  /// From the end of a meeting to another one.
+  static bool goes_on(const FrontierArc& arc) {
+    const bool from_end = arc.from >= 2 && arc.from % 2 == 1;
+    const bool to_arrival = arc.to >= 2 && arc.to % 2 == 0;
+    return from_end && to_arrival && arc.soonest != kMinusInfinite;
+  }
+
+  /// Itself only on a circle.
+  std::vector<bool> reached_from(std::uint32_t start) const {
+    std::vector<bool> reached(nodes_, false);
+    std::vector<std::uint32_t> open = {start};
+    while (!open.empty()) {
+      const std::uint32_t node = open.back();
+      open.pop_back();
+      for (const Arc& one : arcs_) {
+        if (one.arc.from != node || one.arc.soonest == kMinusInfinite || one.arc.to < 2) continue;
+        if (!reached[one.arc.to]) open.push_back(one.arc.to);
+        reached[one.arc.to] = true;
+      }
+    }
+    return reached;
   }
 
   static bool bounds(const Arc& one, const std::string& self) {
@@ -226,6 +281,10 @@ std::map<MeetingId, PartnerDates> TeamDates::dates(MissionTime now) const {
       dates.slowest = std::max(dates.slowest, last);
       dates.all_there = dates.all_there && there;
     }
+    const std::uint32_t end = whole.node(self_, Frontier::end_of(i));
+    const auto yield = soonest[end] == kInfinite ? whole.yield_at(end, known) : std::nullopt;
+    if (yield && *yield->agent == self_ && yield->meeting == meeting.id)
+      dates.behind = yield->behind;
     const auto& limit = limits[whole.node(self_, Frontier::arrival_of(i))];
     const bool counted_on = i < planned;
     if (counted_on && limit.latest != kInfinite && limit.of != nullptr) {

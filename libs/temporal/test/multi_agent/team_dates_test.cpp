@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "test_cases.hpp"
 #include "testing/random_team.hpp"
 
@@ -109,20 +111,111 @@ TEST(TeamDates, WhoOnlySendsWaitsForNobody) {
   EXPECT_EQ(dates.at(502).needed, MissionTime::nanoseconds(90 * kSecond - 1));
 }
 
+/// Goes from one meeting to the next.
+Frontier round_of(const std::vector<Meeting>& meetings) {
+  Frontier frontier{meetings, {}};
+  for (std::uint32_t node = 2; node < Frontier::arrival_of(meetings.size()); ++node)
+    frontier.arcs.push_back({node == 2 ? 0 : node - 1, node, 0, 0, 0});
+  return frontier;
+}
+/// With both in both.
+Frontier two(MeetingId first, MeetingId second) {
+  const std::vector<std::string> both{"heliv", "marvin"};
+  return round_of({{first, both, both}, {second, both, both}});
+}
+
 // Marvin waits at 1 and goes on to 2; heliv the other way round.
 TEST(TeamDates, TwoThatWaitForEachOtherNeverCome) {
-  const auto two = [](MeetingId first, MeetingId second) {
-    Frontier frontier;
-    for (const MeetingId id : {first, second})
-      frontier.meetings.push_back({id, {"heliv", "marvin"}, {"heliv", "marvin"}});
-    frontier.arcs = {{0, 2, 0, 0, 0}, {2, 3, 0, 0, 0}, {3, 4, 0, 0, 0}, {4, 5, 0, 0, 0}};
-    return frontier;
-  };
-
   const auto dates = marvins(two(1, 2), two(2, 1)).dates(at(0));
 
   EXPECT_EQ(dates.at(1).soonest, MissionTime::max());
   EXPECT_EQ(dates.at(2).soonest, MissionTime());  // there he can be met
+}
+
+TEST(TeamDates, OfTwoThatWaitForEachOtherOneGivesWay) {
+  TeamDates helivs("heliv");
+  helivs.say(two(2, 1));
+  helivs.hear("marvin", two(1, 2));
+
+  EXPECT_EQ(marvins(two(1, 2), two(2, 1)).dates(at(0)).at(1).behind, std::nullopt);
+  EXPECT_EQ(helivs.dates(at(0)).at(2).behind, MeetingId{1});
+}
+
+// Heliv at 1, waits for karma; marvin for heliv, and karma, for marvin, at 2 and 3.
+TEST(TeamDates, WhoIsAlreadyThereGivesNoWayBeforeOneWhoIsNot) {
+  const auto meets = [](MeetingId id, const char* a, const char* b) {
+    return Meeting{id, {a, b}, {a, b}};
+  };
+  const Meeting first = meets(1, "heliv", "karma"), second = meets(2, "heliv", "marvin"),
+                third = meets(3, "karma", "marvin");
+  const auto all = [&](const char* self, bool marvin_is_there) {
+    TeamDates dates(self);
+    Frontier marvins = round_of({third, second});
+    if (marvin_is_there) marvins.arcs.push_back({2, 0, kMinusInfinite, kMinusInfinite, 0});
+    dates.hear("heliv", round_of({second, first}));
+    dates.hear("karma", round_of({first, third}));
+    dates.hear("marvin", marvins);
+    return dates.dates(at(0));
+  };
+
+  EXPECT_EQ(all("marvin", false).at(3).behind, MeetingId{2});
+  EXPECT_EQ(all("heliv", false).at(2).behind, std::nullopt);
+  EXPECT_EQ(all("marvin", true).at(3).behind, std::nullopt);
+  EXPECT_EQ(all("heliv", true).at(2).behind, MeetingId{1});
+}
+
+/// Each goes to its meetings in an order of its own.
+std::map<std::string, std::vector<Meeting>> random_rounds(Random& random) {
+  std::map<std::string, std::vector<Meeting>> rounds;
+  for (MeetingId id = 1; id <= 2 + random.below(4); ++id) {
+    std::vector<std::string> all;
+    for (const char* name : {"a", "b", "c", "d"})
+      if (random.below(3) != 0) all.emplace_back(name);
+    for (const std::string& name : all) {
+      auto& round = rounds[name];
+      round.insert(round.begin() + static_cast<std::ptrdiff_t>(random.below(round.size() + 1)),
+                   {id, all, all});
+    }
+  }
+  return rounds;
+}
+
+TEST(TeamDates, WhoGiveWayPartAllThatWaitForEachOther) {
+  const auto seeds = skein::testing::cases<std::uint64_t>(300, 10'000);
+  int parted = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    Random random(seed);
+    auto rounds = random_rounds(random);
+    for (int step = 0;; ++step) {
+      ASSERT_LT(step, 40) << "seed " << seed;
+      bool never = false;
+      std::map<std::string, std::map<MeetingId, MeetingId>> give_way;
+      for (const auto& [name, own] : rounds) {
+        TeamDates dates(name);
+        for (const auto& [other, round] : rounds) dates.hear(other, round_of(round));
+        for (const auto& [id, found] : dates.dates(at(0))) {
+          never = never || found.soonest == MissionTime::max();
+          if (found.behind) give_way[name][id] = *found.behind;
+        }
+      }
+      ASSERT_EQ(never, !give_way.empty()) << "seed " << seed;
+      if (!never) break;
+      ++parted;
+      for (const auto& [name, moves] : give_way) {
+        for (const auto& [id, behind] : moves) {
+          auto& round = rounds[name];
+          const auto is = [](MeetingId which) {
+            return [which](const Meeting& one) { return one.id == which; };
+          };
+          const auto from = std::find_if(round.begin(), round.end(), is(id));
+          const auto to = std::find_if(from, round.end(), is(behind));
+          ASSERT_NE(to, round.end()) << "seed " << seed;
+          std::rotate(from, std::next(from), std::next(to));
+        }
+      }
+    }
+  }
+  EXPECT_GT(parted, static_cast<int>(seeds) / 4);
 }
 
 // Whatever frontiers come over the radio.

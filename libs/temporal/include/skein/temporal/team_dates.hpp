@@ -22,12 +22,20 @@ struct PartnerDates {
   /// come yet (late is better than never).
   std::optional<MissionTime> needed;
   std::string needed_by;
+  /// Each waits for the other, and it is this one that gives way: it goes to the meeting only after
+  /// this other one of its own.
+  std::optional<MeetingId> behind;
   bool operator==(const PartnerDates&) const = default;
 };
 
 /// One agent's part of the consistency of plans between agents, sans-IO. Each tells its frontier
 /// when it changes, as a state: the last word of each counts, in whatever order and after whatever
 /// cut it comes. Who is out of reach is supposed to keep to what it said last.
+///
+/// Where some wait for each other in a circle, one of them gives way, the same whoever works it out
+/// from the same words: of those who wait in a meeting of theirs while another one, of a smaller
+/// number, is waited for, one that has not come to the former yet if there is such, and the last by
+/// name.
 ///
 /// Laws. Once all have heard each other's last words, the dates are those of the network of the
 /// whole team: earliest arrivals in the courses of least and of greatest durations, latest ones in
