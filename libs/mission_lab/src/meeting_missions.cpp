@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "parts.hpp"
 #include "skein/foundation/joined.hpp"
@@ -14,11 +15,14 @@ namespace {
 
 constexpr double kLatest = 300;  // of cuts and of what is asked for besides [s]
 constexpr int kFirstMeeting = 500;
+constexpr double kGathering = 900;  // what a joint task may last, by the domain [s]
 
 class MeetingDrawing {
  public:
   MeetingDrawing(std::uint64_t seed, const Kinds& kinds)
-      : random_(seed, "random meetings"), kinds_(kinds) {
+      : random_(seed, "random meetings"),
+        joint_(seed, "random meetings: joint tasks"),
+        kinds_(kinds) {
     mission_.seed = seed;
   }
 
@@ -30,6 +34,7 @@ class MeetingDrawing {
                     ", speed: " + tenths(random_.uniform(0, 4)) + ", gusts: 0.1";
     draw_uavs();
     draw_meetings();
+    if (kinds_.gatherings) draw_gathering();
     for (std::size_t who = 0; who < mission_.team.size(); ++who) draw_work(who);
     for (std::size_t n = random_.below(4); n > 0; --n) draw_more();
     if (kinds_.radio) mission_.cuts = draw_cuts(random_, mission_.team, 4, kLatest);
@@ -79,6 +84,18 @@ class MeetingDrawing {
     }
   }
 
+  // Of the first two who hover, before one of their meetings.
+  void draw_gathering() {
+    std::vector<std::string> names;
+    for (const Member& one : mission_.team)
+      if (one.model != "karma" && names.size() < 2) names.push_back(one.name);
+    if (names.size() < 2) return;
+    const JointTask drawn = draw_joint_task(joint_, names);
+    mission_.joint = true;
+    mission_.places.insert(mission_.places.end(), drawn.places.begin(), drawn.places.end());
+    gathering_ = {{names, names}, joint_.below(meetings_.size() + 1), drawn.words};
+  }
+
   std::string new_place(double height) {
     const std::string name = (height > 0 ? "A" : "P") + std::to_string(mission_.places.size() + 1);
     mission_.places.push_back(name + ": [" + whole(random_.uniform(-50, 450)) + ", " +
@@ -115,15 +132,27 @@ class MeetingDrawing {
       step.tasks.push_back(
           {goal + static_cast<int>(step.tasks.size()), std::move(words), std::move(times)});
     };
+    double later = 0;
+    bool gathered = !gathering_ || !gathering_->who.has(one.name);
+    const auto gather = [&](std::size_t until) {
+      if (gathered || gathering_->before >= until) return;
+      gathered = true;
+      const bool bounded = kinds_.deadlines && joint_.chance(0.3);
+      add(gathering_->words,
+          bounded ? "end_before: " + whole(joint_.uniform(1000, 2000)) : std::string());
+      later = kGathering;
+    };
     for (const std::size_t i : order) {
+      gather(i + 1);
       for (std::size_t n = random_.below(3); n > 0; --n) add(a_task(one));
       add("[synchro, " + std::to_string(kFirstMeeting + static_cast<int>(i)) + ", " + "[" +
               joined(meetings_[i].senders, ", ") + "], [" + joined(meetings_[i].receivers, ", ") +
               "]]",
-          by(200, 1200));
+          by(200 + later, 1200 + later));
     }
+    gather(meetings_.size() + 1);
     if (step.tasks.empty()) add(a_task(one));
-    add("[general-land]", by(400, 1500));
+    add("[general-land]", by(400 + later, 1500 + later));
     mission_.steps.push_back(std::move(step));
   }
 
@@ -142,10 +171,18 @@ class MeetingDrawing {
     mission_.steps.push_back(std::move(step));
   }
 
-  Random random_;
+  /// A joint task, before so many of the meetings.
+  struct Gathering {
+    Drawn who;
+    std::size_t before = 0;
+    std::string words;
+  };
+
+  Random random_, joint_;
   Kinds kinds_;
   Mission mission_;
   std::vector<Drawn> meetings_;
+  std::optional<Gathering> gathering_;
   int more_ = 0;
 };
 

@@ -34,7 +34,8 @@ struct Options {
   std::vector<std::string> files, without;
   std::string save;
   bool clean = false, deaths = false, team = false, crossing = false, unmerged = false,
-       meetings = false, unlinked = false, json = false, minimise = false, verbose = false;
+       meetings = false, unlinked = false, gatherings = false, json = false, minimise = false,
+       verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -44,6 +45,7 @@ Kinds kinds_of(const Options& options) {
   kinds.deaths = options.deaths;
   kinds.merged = !options.unmerged;
   kinds.consistent = !options.unlinked;
+  kinds.gatherings = options.gatherings;
   for (const std::string& name : options.without) {
     if (name == "faults") kinds.faults = false;
     if (name == "air") kinds.air = false;
@@ -165,6 +167,8 @@ void declare(CLI::App& app, Options& options) {
       ->needs("--crossing");
   app.add_flag("--meetings", options.meetings, "UAVs at degree 4 that meet each other");
   app.add_flag("--unlinked", options.unlinked, "with --meetings: nobody knows when others come")
+      ->needs("--meetings");
+  app.add_flag("--gatherings", options.gatherings, "with --meetings: and joint tasks of two")
       ->needs("--meetings");
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")

@@ -72,6 +72,26 @@ TEST(Generate, MeetingsAreScenariosInWhichSomeAreToBeDoneByADate) {
   EXPECT_GT(bounded, 10);
 }
 
+TEST(Generate, MeetingsMayHaveAJointTaskOfTwoAmongThem) {
+  Kinds kinds;
+  kinds.gatherings = true;
+  int gatherings = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Mission mission = generate_meetings(seed, kinds);
+    const std::string text = to_yaml(mission, "..");
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(to_yaml(generate_meetings(seed, kinds), ".."), text);
+    int asked = 0;
+    for (const Step& step : mission.steps) {
+      for (const Task& task : step.tasks)
+        asked += task.words.starts_with("[monitoring-with-relay") ? 1 : 0;
+    }
+    EXPECT_EQ(asked, mission.joint ? 2 : 0) << "seed " << seed;
+    gatherings += mission.joint ? 1 : 0;
+  }
+  EXPECT_GT(gatherings, 10);
+}
+
 TEST(Generate, SomeMissionsAskTwoUavsForOneJointTask) {
   int joint = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {

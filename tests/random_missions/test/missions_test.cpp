@@ -90,5 +90,13 @@ TEST(RandomMissions, UavsThatMeetKeepTheLaws) {
   EXPECT_EQ(breaches({}, missions() / 5, generate_meetings), "");
 }
 
+// A joint task of two of them between their meetings: nobody waits for ever for one who waits for
+// it.
+TEST(RandomMissions, UavsThatMeetAndActJointlyKeepTheLaws) {
+  Kinds kinds;
+  kinds.gatherings = true;
+  EXPECT_EQ(breaches(kinds, missions() / 10, generate_meetings), "");
+}
+
 }  // namespace
 }  // namespace skein::mission_lab

@@ -10,19 +10,20 @@ namespace skein::mission_lab {
 
 /// What may be drawn.
 struct Kinds {
-  bool faults = true;      ///< slow, aborted, dead sensors, less energy than believed
-  bool air = true;         ///< closed air: from the start, and while they fly, around them too
-  bool deadlines = true;   ///< times of high-level tasks
-  bool changes = true;     ///< cancellations and urgent missions that interrupt
-  bool degrees = true;     ///< autonomy degrees change and come back
-  bool radio = true;       ///< cuts
-  bool energy = true;      ///< starts with little of it
-  bool alarms = true;      ///< something burns, and missions name the alarm
-  bool questions = true;   ///< it is asked what a mission would take, and then it is given
-  bool deaths = false;     ///< daemons die and come back; functional layers at times with nothing
-  bool joint = true;       ///< two UAVs that can do so watch a place together
-  bool merged = true;      ///< UAVs whose ways cross merge them
-  bool consistent = true;  ///< UAVs that meet tell each other what lies between their meetings
+  bool faults = true;       ///< slow, aborted, dead sensors, less energy than believed
+  bool air = true;          ///< closed air: from the start, and while they fly, around them too
+  bool deadlines = true;    ///< times of high-level tasks
+  bool changes = true;      ///< cancellations and urgent missions that interrupt
+  bool degrees = true;      ///< autonomy degrees change and come back
+  bool radio = true;        ///< cuts
+  bool energy = true;       ///< starts with little of it
+  bool alarms = true;       ///< something burns, and missions name the alarm
+  bool questions = true;    ///< it is asked what a mission would take, and then it is given
+  bool deaths = false;      ///< daemons die and come back; functional layers at times with nothing
+  bool joint = true;        ///< two UAVs that can do so watch a place together
+  bool merged = true;       ///< UAVs whose ways cross merge them
+  bool consistent = true;   ///< UAVs that meet tell each other what lies between their meetings
+  bool gatherings = false;  ///< among their meetings a joint task of two of them
 };
 /// Nothing goes wrong, and what is asked is possible.
 inline constexpr Kinds kClean{false, false, false, false, false, false, false,
@@ -37,7 +38,7 @@ Mission generate_team(std::uint64_t seed, const Kinds& kinds);
 /// the kinds, radio and merged count.
 Mission generate_crossing(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to five UAVs at degree 4 that meet each other, with wind; of the kinds, deadlines,
-/// radio, faults (two who wait for each other for ever) and consistent count.
+/// radio, faults (two who wait for each other for ever), consistent and gatherings count.
 Mission generate_meetings(std::uint64_t seed, const Kinds& kinds);
 
 }  // namespace skein::mission_lab
