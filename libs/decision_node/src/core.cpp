@@ -124,6 +124,7 @@ void Core::on(const Contact& contact) {
   interaction_.contact(contact);
   team_.contact(contact);
   merging_.contact(contact);
+  meetings_.contact(contact);
   if (contact.ground) safekeeping_.ground_heard(contact.reachable, bus_.now());
   if (!contact.reachable) return;
   for (Component* one : components()) one->peer_in_reach(contact.peer);

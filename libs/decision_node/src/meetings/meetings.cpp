@@ -15,6 +15,8 @@ using temporal::PartnerDates;
 constexpr Duration kSame = Duration::milliseconds(1'000);
 /// Who was to have come by now is looked for again.
 constexpr Duration kAgain = Duration::milliseconds(5'000);
+/// Who is in reach again and has said nothing new for so long has nothing new to say.
+constexpr Duration kSettles = Duration::milliseconds(5'000);
 /// A circle of waits is one when it has stood so long: then one of them gives way.
 constexpr Duration kStands = Duration::milliseconds(5'000);
 /// When it still stands then nobody can, and the others never come.
@@ -45,10 +47,20 @@ void Meetings::said(const temporal::Frontier& frontier) {
   look();
 }
 
+void Meetings::contact(const Contact& contact) {
+  if (!core_.config().meetings || contact.ground) return;
+  if (contact.reachable)
+    back_[contact.peer] = core_.bus().now();
+  else if (back_.erase(contact.peer) == 0)
+    team_.out_of_reach(contact.peer, core_.bus().now());
+}
+
 void Meetings::hear(const FrontierTold& told) {
+  const bool is_back = back_.erase(told.from) != 0;
+  if (is_back) team_.out_of_reach(told.from, std::nullopt);
   const auto known = team_.known().find(told.from);
   const bool same = known != team_.known().end() && known->second == told.frontier;
-  if (!core_.config().meetings || same) return;
+  if (!core_.config().meetings || (same && !is_back)) return;
   team_.hear(told.from, told.frontier);
   look();
 }
@@ -65,6 +77,7 @@ std::optional<MissionTime> Meetings::next_wakeup() const {
     if (dates.last.empty() || dates.all_there || dates.soonest == MissionTime::max()) continue;
     next = earliest(next, std::max(*looked_ + kAgain, dates.soonest));
   }
+  for (const auto& [peer, since] : back_) next = earliest(next, since + kSettles);
   for (const auto& [meeting, since] : circles_) {
     for (const Duration patience : {kStands, kNever})
       if (*looked_ < since + patience) next = earliest(next, since + patience);
@@ -91,6 +104,11 @@ void Meetings::let_circles_stand(Dates& dates) {
 
 void Meetings::look() {
   looked_ = core_.bus().now();
+  std::erase_if(back_, [&](const auto& one) {
+    if (*looked_ < one.second + kSettles) return false;
+    team_.out_of_reach(one.first, std::nullopt);
+    return true;
+  });
   Dates dates = team_.dates(core_.bus().now());
   let_circles_stand(dates);
   const bool same = std::equal(dates.begin(), dates.end(), told_.begin(), told_.end(),

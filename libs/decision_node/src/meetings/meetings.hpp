@@ -24,6 +24,7 @@ class Meetings final : public Component {
   /// Of the own plan.
   void said(const temporal::Frontier& frontier);
   void hear(const FrontierTold& told);
+  void contact(const Contact& contact);
 
   void time_passes() override;
   std::optional<MissionTime> next_wakeup() const override;
@@ -39,6 +40,8 @@ class Meetings final : public Component {
   Dates told_;  ///< to the supervisor
   /// Since when each waits for the other there: words may be on their way.
   std::map<temporal::MeetingId, MissionTime> circles_;
+  /// In reach again since then: what it did meanwhile it may not have told yet.
+  std::map<std::string, MissionTime> back_;
   std::optional<MissionTime> looked_;
 };
 

@@ -49,5 +49,23 @@ TEST(Meetings, OfWhoDoesNotPlanItAnyMoreNothingIsKnown) {
   EXPECT_FALSE(noted[0].dates);
 }
 
+// It says that it has 30 s before it, whenever that is.
+temporal::Frontier thirty_seconds_ahead() {
+  const temporal::Ticks at = Duration::seconds(30).count();
+  return {{{500, {"heliv", "marvin"}, {"heliv", "marvin"}}},
+          {{temporal::Frontier::kPresent, temporal::Frontier::arrival_of(0), at, at, at}}};
+}
+
+TEST(Meetings, WhoIsOutOfReachKeepsToWhatItSaidLast) {
+  FlownNode node(3);
+  node.give(FrontierTold{"heliv", thirty_seconds_ahead()});
+  node.give(Contact{"heliv", false, false});
+
+  EXPECT_THAT(all<MeetingNoted>(node.wake_at(60)), IsEmpty());
+  node.give(Contact{"heliv", false, true});
+  EXPECT_THAT(all<MeetingNoted>(node.give(FrontierTold{"heliv", thirty_seconds_ahead()})),
+              SizeIs(1));
+}
+
 }  // namespace
 }  // namespace skein::decision_node::testing

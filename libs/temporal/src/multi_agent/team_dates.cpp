@@ -40,16 +40,19 @@ bool is_fact(const Frontier& frontier, std::uint32_t node) {
 /// All frontiers in one graph, in which who receives waits for who sends.
 class Whole {
  public:
-  explicit Whole(const std::map<std::string, Frontier>& known) {
+  Whole(const std::map<std::string, Frontier>& known,
+        const std::map<std::string, MissionTime>& unheard_since) {
     for (const auto& [agent, frontier] : known) {
       first_[agent] = nodes_;
       nodes_ += static_cast<std::uint32_t>(2 * frontier.meetings.size());
     }
     for (const auto& [agent, frontier] : known) {
+      const auto unheard = unheard_since.find(agent);
+      const Ticks last_word = unheard == unheard_since.end() ? kInfinite : unheard->second.count();
       for (FrontierArc arc : frontier.arcs) {
         arc.from = node(agent, arc.from);
         arc.to = node(agent, arc.to);
-        arcs_.push_back({arc, &agent});
+        arcs_.push_back({arc, &agent, last_word});
       }
       for (std::size_t i = 0; i < frontier.meetings.size(); ++i) join(known, agent, i);
     }
@@ -150,7 +153,8 @@ class Whole {
  private:
   struct Arc {
     FrontierArc arc;
-    const std::string* agent;  ///< whose; null: of a meeting
+    const std::string* agent;     ///< whose; null: of a meeting
+    Ticks last_word = kInfinite;  ///< of one that is not heard any more
   };
 
   void join(const std::map<std::string, Frontier>& known, const std::string& agent,
@@ -216,8 +220,10 @@ class Whole {
     for (const Arc& one : arcs_) {
       const FrontierArc& arc = one.arc;
       if (arc.*weight == kMinusInfinite || date[arc.from] == kMinusInfinite || arc.to < 2) continue;
-      const bool never = arc.*weight == kInfinite || date[arc.from] == kInfinite;
-      const Ticks least = never ? kInfinite : sum(date[arc.from], arc.*weight);
+      const bool of_present = arc.from == Frontier::kPresent;
+      const Ticks from = of_present ? std::min(date[arc.from], one.last_word) : date[arc.from];
+      const bool never = arc.*weight == kInfinite || from == kInfinite;
+      const Ticks least = never ? kInfinite : sum(from, arc.*weight);
       if (least <= date[arc.to]) continue;
       date[arc.to] = least;
       changed[arc.to] = true;
@@ -263,7 +269,7 @@ std::map<MeetingId, PartnerDates> TeamDates::dates(MissionTime now) const {
   if (own->second.meetings.empty()) return result;
   const auto mine = known_.find(self_);
   const std::size_t planned = mine == known_.end() ? 0 : mine->second.meetings.size();
-  const Whole whole(known);
+  const Whole whole(known, unheard_since_);
   const std::vector<Ticks> soonest = whole.earliest(kSoonest, now);
   const std::vector<Ticks> slowest = whole.earliest(kSlowest, now);
   const auto limits = whole.latest(now, self_);

@@ -124,6 +124,22 @@ Frontier two(MeetingId first, MeetingId second) {
   return round_of({{first, both, both}, {second, both, both}});
 }
 
+// Heliv has not begun the 30 s of its way at its last word: it may have begun at once.
+TEST(TeamDates, OfWhoIsOutOfReachNothingIsSaidAboutTheTimeSince) {
+  const std::vector<std::string> both{"heliv", "marvin"};
+  const Frontier way{{{1, both, both}},
+                     {{Frontier::kPresent, 2, 30 * kSecond, 40 * kSecond, 40 * kSecond}}};
+  TeamDates dates = marvins(round_of({{1, both, both}}), way);
+  EXPECT_EQ(dates.dates(at(20)).at(1).soonest, at(50));
+  EXPECT_EQ(dates.dates(at(80)).at(1).soonest, at(110));
+
+  dates.out_of_reach("heliv", at(20));
+  EXPECT_EQ(dates.dates(at(80)).at(1).soonest, at(50));
+  EXPECT_EQ(dates.dates(at(80)).at(1).slowest, at(60));
+  dates.out_of_reach("heliv", std::nullopt);
+  EXPECT_EQ(dates.dates(at(80)).at(1).soonest, at(110));
+}
+
 // Marvin waits at 1 and goes on to 2; heliv the other way round.
 TEST(TeamDates, TwoThatWaitForEachOtherNeverCome) {
   const auto dates = marvins(two(1, 2), two(2, 1)).dates(at(0));

@@ -51,6 +51,12 @@ class TeamDates {
   void hear(const std::string& from, Frontier frontier) { known_[from] = std::move(frontier); }
   /// It has no plan any more, or another node has it.
   void forget(const std::string& peer) { known_.erase(peer); }
+  /// What it did since then nobody has heard: what its last word says of the present, it says of
+  /// that instant. Nothing: it is heard.
+  void out_of_reach(const std::string& peer, std::optional<MissionTime> since) {
+    unheard_since_.erase(peer);
+    if (since) unheard_since_[peer] = *since;
+  }
   const std::map<std::string, Frontier>& known() const { return known_; }
 
   /// Of each meeting of its own, or in which others count on it, of which every other sender is
@@ -61,6 +67,7 @@ class TeamDates {
  private:
   std::string self_;
   std::map<std::string, Frontier> known_;
+  std::map<std::string, MissionTime> unheard_since_;
 };
 
 }  // namespace skein::temporal
