@@ -98,14 +98,16 @@ void Merger::on(const Want& want) {
   on(Withdraw{});
   wants_since_ = since;
   choices_ = want.choices;
+  afterwards_ = want.afterwards;
   pause_ = now_;
   changed_ = true;
 }
 
 void Merger::on(const Withdraw&) {
   if (request_ != 0) close(Duration());
-  if (waits()) changed_ = true;
+  if (waits() || !afterwards_.empty()) changed_ = true;
   choices_.clear();
+  afterwards_.clear();
   told_.clear();
   wants_since_.reset();
   circle_since_.reset();
@@ -221,7 +223,7 @@ void Merger::grant() {
   request_ = 0;
   choices_.clear();
   told_.clear();
-  wants_since_.reset();
+  if (afterwards_.empty()) wants_since_.reset();
   circle_since_.reset();
   changed_ = true;
   out_.push_back(Granted{choice_});
@@ -303,7 +305,7 @@ void Merger::look_for_circle() {
 // ---- what it says ----
 
 Claim Merger::claim() const {
-  Claim claim{held_, request_, {}, {}};
+  Claim claim{held_, request_, afterwards_, {}};
   if (!waits()) return claim;
   claim.wanted = choices_[request_ != 0 ? choice_ : 0];
   for (const Waits::Why& why : told_) {

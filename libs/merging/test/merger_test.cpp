@@ -229,6 +229,24 @@ TEST(Merger, InACircleWhoHasWaitedLongMovesLast) {
   EXPECT_THAT(net.asked_aside(), ElementsAre(kA));
 }
 
+TEST(Merger, AFlightAsideTakesNothingFromHowLongOneHasWaited) {
+  Net net({kA, kB, kC});
+  net.stands(kB, place(50));
+  net.run_for(0.1);
+  net.wants(kC, {{stretch(0, 100)}});
+  net.run_for(200);
+  net.give(kC, Want{{{stretch(200, 210)}}, {stretch(0, 100)}});
+  net.run_for(1);
+  ASSERT_TRUE(net.has_what_it_wanted(kC));
+  net.run_for(50);
+  net.wants(kC, {{stretch(0, 100)}});
+  net.run_for(1);
+
+  net.wants(kA, {{stretch(150, 90)}});
+  net.run_for(5);
+  expect_why(net, kA, kC, "to go first, it has waited long");
+}
+
 // ---- whatever happens ----
 
 Radio any_radio(Random& random) {

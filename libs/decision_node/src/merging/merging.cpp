@@ -65,11 +65,11 @@ void Merging::ask() {
   want(std::move(*airways));
 }
 
-void Merging::want(Airways airways) {
+void Merging::want(Airways airways, merging::Volumes afterwards) {
   waiting_->airways = std::move(airways);
   std::vector<merging::Volumes> choices;
   for (const Airway& one : waiting_->airways) choices.push_back(one.air);
-  give(merging::Want{std::move(choices)});
+  give(merging::Want{std::move(choices), std::move(afterwards)});
 }
 
 void Merging::refuse(const std::string& why) {
@@ -254,8 +254,9 @@ void Merging::carry_out(const merging::MoveAside& move) {
   if (move.for_itself) aside.erase(others, aside.end());
   if (aside.empty()) return;
   ++aside_;
+  if (!waiting_->aside_since) waiting_->own_air = waiting_->airways.front().air;
   waiting_->aside_since = core_.bus().now();
-  want(std::move(aside));
+  want(std::move(aside), waiting_->own_air);
 }
 
 // ---- what it knows ----

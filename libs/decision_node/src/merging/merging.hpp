@@ -45,6 +45,7 @@ class Merging final : public Component {
     Airways airways;   ///< that it asks for; none: not yet, or it is to be asked for again
     /// It asks for these to get out of the way, before it wants its own.
     std::optional<MissionTime> aside_since = {};
+    merging::Volumes own_air = {};  ///< that it wants afterwards, as far as it knows
     std::vector<std::string> waits_for;
     bool was_aside = false;  ///< it has got out of the way
     MissionTime noted;       ///< that it waits, for these
@@ -63,7 +64,7 @@ class Merging final : public Component {
   void carry_out(const merging::Waits& waits);
   void carry_out(const merging::MoveAside& aside);
   void ask();
-  void want(Airways airways);
+  void want(Airways airways, merging::Volumes afterwards = {});
   void begin(const Airway& airway, const std::string& state);
   void look_at_energy();
   /// When it no longer asks for a place aside.

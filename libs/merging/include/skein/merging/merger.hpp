@@ -27,9 +27,11 @@ struct InReach {
   bool reachable = true;
 };
 /// It wants one of these, the first that it can have; before, it wants something else or nothing.
-/// Each is taken as a whole, in addition to what it holds.
+/// Each is taken as a whole, in addition to what it holds. Whoever gets out of the way says what it
+/// wants afterwards: it has waited for that all the while.
 struct Want {
   std::vector<Volumes> choices;
+  Volumes afterwards = {};
 };
 /// It wants nothing any more.
 struct Withdraw {};
@@ -166,6 +168,7 @@ class Merger {
   MissionTime pause_;             ///< it asks for nothing before
   std::vector<Waits::Why> told_;  ///< why it waits
   std::optional<MissionTime> wants_since_;
+  Volumes afterwards_;  ///< it wants, once it has come where it gets out of the way
   std::optional<MissionTime> circle_since_;
   MissionTime moved_aside_;  ///< it is not asked to again before
 
