@@ -209,6 +209,24 @@ TEST(ContactPolicy, AHoldEndsWhenTheEnergyLastsNoLongerThanToComeHome) {
               Contains("sim: dispatch " + own(500) + " goto"));
 }
 
+TEST(ContactPolicy, WhoHasItInHandIsToldOnceThatItsEnergyLastsNoLongerThanToComeHome) {
+  const DdnConfig config = that_knows_the_way_home();
+  Bench bench(config);
+  const double needed = least_to_come_home(config);
+  bench.hear_ground(true);
+  const auto notices_at = [&](double seconds, double energy) {
+    bench.set_time(seconds);
+    bench.from_sim(flying_with(energy));
+    return bench.records("notice").size();
+  };
+
+  EXPECT_EQ(notices_at(500, needed + 0.01), 0U);
+  ASSERT_EQ(notices_at(510, needed - 0.01), 1U);
+  EXPECT_EQ(bench.records("notice")[0].text("text"),
+            "its energy lasts no longer than to come home");
+  EXPECT_EQ(notices_at(520, needed - 0.02), 0U);
+}
+
 // What it interrupted is not over yet: the wait would begin together with the way home.
 TEST(ContactPolicy, AHoldThatHasNotBegunMakesRoomForTheWayHome) {
   const DdnConfig config = that_knows_the_way_home();

@@ -15,6 +15,7 @@ namespace {
 
 constexpr Duration kFirstPause = Duration::milliseconds(10'000);
 constexpr Duration kLongestPause = Duration::milliseconds(60'000);
+constexpr Duration kEnergyAgain = Duration::milliseconds(5'000);
 
 }  // namespace
 
@@ -133,16 +134,31 @@ void Safekeeping::look_after(const world::Telemetry& telemetry) {
   seen_at_ = telemetry.state.position;
   if (!holds_) leaves_to_.reset();
   if (owed_ && core_.execution().airborne() && is_idle()) carry_out_policy();
-  if (!holds_ || !core_.execution().airborne() || !knows_world()) return;
-  // Of a vehicle without figures nothing is known.
-  const bool must_return = supervisor::must_come_home(
-      telemetry.state.energy, *core_.config().knowledge, *core_.deliberation().world(),
-      core_.bus().now(), telemetry.state.position);
-  if (!must_return) return leave_closed_air(telemetry.state.position);
+  warned_ = warned_ && core_.execution().airborne();
+  if (!core_.execution().airborne() || !knows_world()) return;
+  if (!holds_) return warn_of_energy(telemetry);
+  if (!must_return(telemetry)) return leave_closed_air(telemetry.state.position);
   core_.bus().emit(PolicyCarriedOut{ContactPolicy::kReturn,
                                     "held until the energy lasts no longer than to come home"});
   holds_ = false;
   keep(ContactPolicy::kReturn);
+}
+
+// Of a vehicle without figures nothing is known.
+bool Safekeeping::must_return(const world::Telemetry& telemetry) const {
+  return supervisor::must_come_home(telemetry.state.energy, *core_.config().knowledge,
+                                    *core_.deliberation().world(), core_.bus().now(),
+                                    telemetry.state.position);
+}
+
+// Whoever has it in hand decides; the UAV itself comes home only where it deliberates, or holds.
+void Safekeeping::warn_of_energy(const world::Telemetry& telemetry) {
+  const MissionTime now = core_.bus().now();
+  if (warned_ || core_.deliberation().engaged() || now < looked_at_energy_ + kEnergyAgain) return;
+  looked_at_energy_ = now;
+  if (!must_return(telemetry)) return;
+  warned_ = true;
+  core_.bus().emit(Notice{"its energy lasts no longer than to come home"});
 }
 
 /// While it is on its way, where that leads counts.

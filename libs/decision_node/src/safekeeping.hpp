@@ -39,6 +39,8 @@ class Safekeeping {
   void come_home();
   void come_home_again();
   void leave_closed_air(const world::Vector3& at);
+  void warn_of_energy(const world::Telemetry& telemetry);
+  bool must_return(const world::Telemetry& telemetry) const;
   bool is_idle() const;
   bool knows_world() const;
   void go(const std::vector<world::Vector3>& way);
@@ -52,6 +54,9 @@ class Safekeeping {
   Duration pause_;
   /// The policy's instant came on the ground; a takeoff that was given before may come after it.
   bool owed_ = false;
+  /// Those who fly it are told that its energy is short: once a flight, looked at now and then.
+  bool warned_ = false;
+  MissionTime looked_at_energy_;
   bool holds_ = false;  ///< by itself, as long as the energy lasts to come home after it
 };
 
