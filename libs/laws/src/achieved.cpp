@@ -80,10 +80,10 @@ double seconds_looked(const History& history, const Uav& uav, const Goal& goal,
 }
 
 // The look that a perception of this name comes down to; nothing for other tasks.
-std::optional<Look> look_of(const History& history, const mission::HighLevelTask& task) {
+std::optional<Look> look_of(const History& history, const mission::HighLevelTask& task, double at) {
   const auto look = [&](std::size_t place, std::size_t seconds) -> std::optional<Look> {
     if (task.arguments.size() <= std::max(place, seconds)) return std::nullopt;
-    const auto where = history.place(task.arguments[place]);
+    const auto where = history.place(task.arguments[place], at);
     const auto long_for = number_of(task.arguments[seconds]);
     if (!where || !long_for) return std::nullopt;
     return Look{*where, *long_for, 0, history.is_alarm(task.arguments[place]) ? kAlarmMoves : 0};
@@ -133,7 +133,7 @@ std::vector<Violation> perceptions_not_done(const History& history) {
   constexpr double kSlack = 3;  // [s]
   std::vector<Violation> result;
   for_achieved(history, [&](const Uav& uav, const Goal& goal, double at) {
-    const auto wanted = look_of(history, goal.task);
+    const auto wanted = look_of(history, goal.task, at);
     if (!wanted) return;
     const double seconds = seconds_looked(history, uav, goal, *wanted);
     if (seconds >= kPart * wanted->seconds - kSlack) return;

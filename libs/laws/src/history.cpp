@@ -79,12 +79,15 @@ bool Uav::had_fault(std::string_view what, double until) const {
   });
 }
 
-std::optional<world::Vector3> History::place(const mission::Argument& argument) const {
+std::optional<world::Vector3> History::place(const mission::Argument& argument, double at) const {
   if (const auto* point = std::get_if<world::Vector3>(&argument)) return *point;
   const auto* name = std::get_if<std::string>(&argument);
   if (name == nullptr) return std::nullopt;
   const auto alarm = alarms.find(*name);
-  if (alarm != alarms.end()) return alarm->second;
+  if (alarm != alarms.end()) {
+    const auto after = alarm->second.upper_bound(at);
+    return after == alarm->second.begin() ? after->second : std::prev(after)->second;
+  }
   const auto found = scenario->world.places.find(*name);
   if (found == scenario->world.places.end()) return std::nullopt;
   return found->second;
@@ -245,7 +248,7 @@ class Teller {
   void see_alarm(const Record& record) {
     const auto at = point(record, "position");
     const auto id = static_cast<std::uint64_t>(whole(record, "alarm"));
-    if (at) history_.alarms[mission::name_of_alarm(id)] = *at;
+    if (at) history_.alarms[mission::name_of_alarm(id)][record.at().to_seconds()] = *at;
   }
 
   void see_fault(const Record& record) {

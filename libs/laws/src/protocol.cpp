@@ -51,7 +51,7 @@ class Checker {
     if (kind == "sync") see_sync(record);
     if (kind == "message") see_message(record);
     if (kind == "link") see_link(record);
-    if (kind == "fault" && record.text("what") == "restart") see_birth(text(record, "target"));
+    if (kind == "fault") see_fault(record);
   }
 
   void breach(const Record& record, const std::string& why) {
@@ -143,11 +143,31 @@ class Checker {
 
   void see_link(const Record& record) {
     const Channel channel{text(record, "from"), text(record, "to")};
-    if (record.truth("up")) {
+    if (simulator_dead_) {
+      unheard_[channel] = record.truth("up");
+    } else {
+      set_link(channel, record.truth("up"), record.at());
+    }
+  }
+
+  void set_link(const Channel& channel, bool up, MissionTime at) {
+    if (up) {
       down_since_.erase(channel);
     } else {
-      down_since_.emplace(channel, record.at());
+      down_since_.emplace(channel, at);
     }
+  }
+
+  // As long as there is no simulator, its radio stays as it was.
+  void see_fault(const Record& record) {
+    const std::string what = text(record, "what"), target = text(record, "target");
+    const bool comes_back = what == "restart" || what == "resume";
+    if (what == "restart") see_birth(target);
+    if (target != "sim") return;
+    simulator_dead_ = what == "kill" || (simulator_dead_ && !comes_back);
+    if (simulator_dead_) return;
+    for (const auto& [channel, up] : unheard_) set_link(channel, up, record.at());
+    unheard_.clear();
   }
 
   // What the node knew is gone: the plans of its MLEs, what it has received, its commands.
@@ -172,6 +192,8 @@ class Checker {
   std::map<Channel, std::set<std::int64_t>> sent_;
   std::map<Channel, std::int64_t> received_;
   std::map<Channel, MissionTime> down_since_;
+  bool simulator_dead_ = false;
+  std::map<Channel, bool> unheard_;  ///< that nobody is told before it is back
   std::vector<std::string> breaches_;
 };
 

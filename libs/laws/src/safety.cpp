@@ -142,6 +142,20 @@ bool refuses_to_land(const Uav& uav, double at) {
 
 }  // namespace
 
+namespace {
+
+// Below degree 4 somebody else has it in hand, who has to know. Without a planning domain nobody on
+// board knows what it takes.
+bool was_warned(const History& history, const Uav& uav, double at) {
+  if (uav.degree(at) >= 4) return false;
+  return !history.scenario->planning ||
+         std::any_of(uav.words.begin(), uav.words.end(), [at](const Word& one) {
+           return one.at <= at && one.text.find("no longer than to come home") != std::string::npos;
+         });
+}
+
+}  // namespace
+
 std::vector<Violation> energy_short(const History& history) {
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
@@ -168,7 +182,8 @@ std::vector<Violation> energy_short(const History& history) {
                             " % of its energy, reserve " + figure(100 * reserve) + " %"});
     }
     for (const Activity& one : uav.activities) {
-      if (one.reason != "energy used up" || excused) continue;
+      if (one.reason != "energy used up" || excused || was_warned(history, uav, one.until))
+        continue;
       result.push_back({"", one.until, name, uav.goal_of_task(one.task), "falls: energy used up"});
     }
   }

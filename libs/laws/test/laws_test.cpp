@@ -64,9 +64,9 @@ TEST(Perceived, TheLookOfAnotherGoalDoesNotCount) {
 }
 
 TEST(Perceived, AnAlarmIsPerceivedWhereItWasSaidToBe) {
-  const auto looked_at = [](Vector3 alarm) {
+  const auto looked_at = [](Vector3 alarm, double told = 70) {
     Story story;
-    story.alarm(10, 1, {140, 60, 0}).alarm(70, 1, alarm);
+    story.alarm(10, 1, {140, 60, 0}).alarm(told, 1, alarm);
     story.flies("marvin", 0, 200, kAt, kAt);
     story.goal("marvin", 701, "perceive alarm:1 60", "received", 12);
     story.does("marvin", {101, "takeshot", 701, 30, 90, "ended", "visible", {140, 60, 0}});
@@ -76,6 +76,8 @@ TEST(Perceived, AnAlarmIsPerceivedWhereItWasSaidToBe) {
 
   EXPECT_THAT(looked_at({150, 60, 0}), IsEmpty());
   EXPECT_THAT(looked_at({400, 60, 0}), ElementsAre(HasSubstr("for 0.0 of 60.0 s")));
+  EXPECT_THAT(looked_at({400, 60, 0}, 300), IsEmpty())
+      << "a ground station that forgot counts its alarms anew";
 }
 
 // ---- progress ----

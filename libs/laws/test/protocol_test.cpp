@@ -121,6 +121,19 @@ INSTANTIATE_TEST_SUITE_P(
                "a link that is down"}),
     [](const auto& one) { return one.param.name; });
 
+TEST(JournalLaws, ALinkIsNotCutBeforeTheSimulatorIsThereToCutIt) {
+  const auto with_message_at = [](double at) {
+    return Log{message(1, 1, "sent"),     fault(2, "kill", "sim"),   link(3, false),
+               message(5, 1, "received"), fault(6, "resume", "sim"), message(7, 2, "sent"),
+               message(at, 2, "received")};
+  };
+
+  EXPECT_THAT(broken_protocol(with_message_at(7)), ElementsAre(HasSubstr("a link that is down")));
+  Log before = with_message_at(7);
+  before.resize(5);
+  EXPECT_THAT(broken_protocol(before), IsEmpty());
+}
+
 TEST(JournalLaws, ARestartedNodeMayUseItsNumbersAgain) {
   const Log messages{message(1, 1, "sent"),      message(2, 1, "received"),
                      fault(3, "kill", "ground"), fault(4, "restart", "ground"),

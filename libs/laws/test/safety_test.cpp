@@ -57,6 +57,20 @@ TEST(Energy, WhatNobodyCouldHaveKeptIsNoBreach) {
   EXPECT_THAT(lost.broken("energy"), IsEmpty());
 }
 
+// Somebody else has it in hand, who has to know.
+TEST(Energy, BelowDegreeFourItIsEnoughThatTheUavSaysSo) {
+  const auto fallen = [](bool said) {
+    Story story;
+    story.degree("marvin", 0, 3).flies("marvin", 0, 50, kFar, kFar, 0.01);
+    if (said) story.says("marvin", 20, "its energy lasts no longer than to come home");
+    story.does("marvin", {1, "goto", 0, 5, 50, "aborted", "", {}, "energy used up"});
+    return story.broken("energy");
+  };
+
+  EXPECT_THAT(fallen(true), IsEmpty());
+  EXPECT_THAT(fallen(false), ElementsAre(HasSubstr("falls")));
+}
+
 TEST(Energy, WhoeverRefusesToLandAsLongAsThereIsEnergyIsNotBroughtDown) {
   const auto drained = [](double refused) {
     Story story;

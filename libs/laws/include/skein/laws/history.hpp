@@ -147,14 +147,16 @@ struct History {
   std::map<std::string, Uav> uavs;
   std::set<std::string> dead;     ///< nodes that died, at any time
   std::set<std::string> resumed;  ///< of these, the ones that always came back with what they knew
-  std::map<std::string, world::Vector3> alarms;  ///< "alarm:1", where it was last said to be
+  /// "alarm:1": from when on it was said to be where. A ground station that forgot counts anew.
+  std::map<std::string, std::map<double, world::Vector3>> alarms;
   double end = 0;
   bool finished = false;  ///< by the ground's script
   JointHistory joint = {};
   TeamHistory team = {};
 
-  /// A place of the scenario, an alarm's, or the point itself; nothing for what is none.
-  std::optional<world::Vector3> place(const mission::Argument& argument) const;
+  /// A place of the scenario, an alarm's as it was known then, or the point itself; nothing for
+  /// what is none.
+  std::optional<world::Vector3> place(const mission::Argument& argument, double at = kNever) const;
   /// Whether it is flown to (else it lies on the ground and is looked at).
   bool in_the_air(const world::Vector3& place) const;
   const world::Zone* zone(const mission::Argument& argument) const;
