@@ -277,8 +277,14 @@ RC_GTEST_PROP(AirspaceProperty, BlocksNoVoxelWithoutGroundTooNear, ()) {
       for (int i = 0; i <= 40; ++i)
         for (int j = 0; j <= 40; ++j) {
           const Vector2 at(x * 10 + i * 0.25, y * 10 + j * 0.25);
-          highest = std::max(highest, terrain.elevation(at.x(), at.y()));
+          const double here = terrain.elevation(at.x(), at.y());
+          highest = std::max(highest, here);
           steepest = std::max(steepest, std::tan(terrain.slope(at.x(), at.y())));
+          // Beyond the raster's edge the ground is that of the edge, which rises along it.
+          steepest =
+              std::max(steepest, std::abs(terrain.elevation(at.x(), at.y() + 0.25) - here) / 0.25);
+          steepest =
+              std::max(steepest, std::abs(terrain.elevation(at.x() + 0.25, at.y()) - here) / 0.25);
         }
       for (std::int32_t z = 0; z < 9; ++z)
         if (!airspace.is_free(x, y, z))
