@@ -11,6 +11,7 @@
 #include "deliberation.hpp"
 #include "execution.hpp"
 #include "interaction/interaction.hpp"
+#include "interaction/on_board.hpp"
 #include "meetings/meetings.hpp"
 #include "merging/merging.hpp"
 #include "own_tasks.hpp"
@@ -89,6 +90,7 @@ class Core {
   Merging merging_;
   Execution execution_;
   Deliberation deliberation_;
+  OnBoard joint_host_;
   Interaction interaction_;
   Team team_;
   Meetings meetings_;

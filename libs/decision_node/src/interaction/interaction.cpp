@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core.hpp"
 #include "interaction/role_air.hpp"
 
 namespace skein::decision_node {
@@ -16,11 +15,11 @@ using Kind = interaction::NegotiationOutcome::Kind;
 
 }  // namespace
 
-Interaction::Interaction(Core& core) : core_(core), sightings_(core.config().uav) {}
+Interaction::Interaction(JointHost& host) : host_(host), sightings_(host.config().uav) {}
 
 void Interaction::start() {
-  manager_.emplace(core_.config().uav, kMission, interaction::standard_modalities(),
-                   interaction::NegotiationLimits{}, core_.bus().now());
+  manager_.emplace(host_.config().uav, kMission, interaction::standard_modalities(),
+                   interaction::NegotiationLimits{}, host_.bus().now());
 }
 
 // ---- joint tasks ----
@@ -32,10 +31,9 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
     return;
   }
   auto joint =
-      joint_of(asked.task, core_.config().interaction, core_.config().uav, core_.config().others);
+      joint_of(asked.task, host_.config().interaction, host_.config().uav, host_.config().others);
   if (!joint) {
-    return core_.deliberation().joint_task_answered(
-        {asked.task.id, false, {}, joint.error().why, {}});
+    return host_.answered({asked.task.id, false, {}, joint.error().why, {}});
   }
   // Later than foreseen is better than not at all, where nothing forbids it.
   std::vector<mission::Interval> preferences = asked.preferences;
@@ -53,16 +51,27 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
         .position->second->ask_again(asked.task.id, std::move(preferences));
   }
   auto& task = tasks_[asked.task.id];
-  task = std::make_unique<JointTask>(core_, std::move(*joint), std::move(preferences), sightings_);
+  task = std::make_unique<JointTask>(host_, *this, std::move(*joint), std::move(preferences),
+                                     sightings_);
   task->load();
 }
 
 void Interaction::due(executive::TaskId task, bool interrupt) {
   const auto found = tasks_.find(task);
   if (found == tasks_.end()) return;
-  core_.bus().post([&joint = *found->second, interrupt] {
+  host_.bus().post([&joint = *found->second, interrupt] {
     interrupt ? joint.leave("interrupted") : joint.due();
   });
+}
+
+void Interaction::leave(executive::TaskId task, const std::string& why) {
+  const auto found = tasks_.find(task);
+  if (found != tasks_.end()) found->second->leave(why);
+}
+
+bool Interaction::is_over(executive::TaskId task) const {
+  const auto found = tasks_.find(task);
+  return found == tasks_.end() || found->second->over();
 }
 
 void Interaction::leave_all(const std::string& why) {
@@ -71,9 +80,9 @@ void Interaction::leave_all(const std::string& why) {
 
 executive::TaskId Interaction::next_id() {
   const std::int64_t milliseconds =
-      std::max<std::int64_t>(core_.bus().now().count(), 0) / 1'000'000;
-  next_id_ = std::max(next_id_,
-                      functional::kFirstRoleId.value() + static_cast<std::uint64_t>(milliseconds));
+      std::max<std::int64_t>(host_.bus().now().count(), 0) / 1'000'000;
+  next_id_ =
+      std::max(next_id_, host_.first_role_id().value() + static_cast<std::uint64_t>(milliseconds));
   return executive::TaskId(next_id_++);
 }
 
@@ -96,22 +105,21 @@ void Interaction::task_changed(const executive::TaskEvent& event) {
 void Interaction::give_up_closed_ways(const world::VehicleState& state) {
   const bool plays = std::any_of(tasks_.begin(), tasks_.end(),
                                  [](const auto& one) { return !one.second->over(); });
-  if (!plays || !core_.deliberation().possible()) return;
-  const auto world = core_.deliberation().world();
-  if (world->volumes.empty()) return;
-  for (const mission::HeldTask& one : core_.execution().held()) {
+  const auto world = plays ? host_.world() : nullptr;
+  if (world == nullptr || world->volumes.empty()) return;
+  for (const mission::HeldTask& one : host_.held()) {
     const executive::TaskId id = one.task.id;
-    const bool flies = id >= functional::kFirstRoleId && id < functional::kFirstOwnId &&
+    const bool flies = id >= host_.first_role_id() && id < functional::kFirstOwnId &&
                        one.task.type == "goto" && one.state == executive::TaskState::kRunning;
     if (!flies) continue;
     const world::Volume* closed =
-        closed_ahead(one.task.parameters, state, core_.config().knowledge->vehicle, world->volumes,
-                     core_.bus().now());
+        closed_ahead(one.task.parameters, state, host_.config().knowledge->vehicle, world->volumes,
+                     host_.bus().now());
     if (closed == nullptr) continue;
-    core_.bus().emit(Notice{"goto " + std::to_string(id.value()) +
+    host_.bus().emit(Notice{"goto " + std::to_string(id.value()) +
                             " of a role is given up: volume '" + closed->name +
                             "' closes on its way"});
-    core_.execution().run(executive::Abort{id});
+    host_.run(executive::Abort{id});
   }
 }
 
@@ -121,7 +129,7 @@ void Interaction::vehicle_told(const world::Telemetry& telemetry) {
   for (const auto& [id, task] : tasks_) {
     if (task->over()) continue;
     for (const std::string& partner : task->partners()) {
-      core_.bus().emit(ShareTelemetry{partner, telemetry});
+      host_.bus().emit(ShareTelemetry{partner, telemetry});
     }
     task->watch();
   }
@@ -163,7 +171,7 @@ bool Interaction::begin(const Joint& joint, interaction::BeginNegotiation negoti
 void Interaction::withdraw(const std::string& subject, const std::string& why) {
   // Of what is over, or promised, there is nothing to withdraw from.
   const auto effects =
-      manager_->handle(interaction::WithdrawNegotiation{subject, why}, core_.bus().now());
+      manager_->handle(interaction::WithdrawNegotiation{subject, why}, host_.bus().now());
   if (!effects) return;
   for (const auto& one : *effects) {
     std::visit([this](const auto& effect) { carry_out(effect); }, one);
@@ -175,9 +183,9 @@ void Interaction::hear(const interaction::SessionMessage& message) {
 }
 
 bool Interaction::negotiate(const interaction::NegotiationInput& input) {
-  const auto effects = manager_->handle(input, core_.bus().now());
+  const auto effects = manager_->handle(input, host_.bus().now());
   if (!effects) {
-    core_.bus().emit(Notice{"negotiation: " + effects.error().why});
+    host_.bus().emit(Notice{"negotiation: " + effects.error().why});
     return false;
   }
   for (const auto& one : *effects) {
@@ -187,22 +195,22 @@ bool Interaction::negotiate(const interaction::NegotiationInput& input) {
 }
 
 void Interaction::carry_out(const interaction::SendSessionMessage& effect) {
-  core_.bus().emit(SendNegotiation{effect.to, effect.message});
+  host_.bus().emit(SendNegotiation{effect.to, effect.message});
 }
 
 void Interaction::carry_out(const interaction::InvitedToNegotiate& effect) {
-  core_.bus().emit(NegotiationNoted{effect.terms, "invited", {}, "", {}});
+  host_.bus().emit(NegotiationNoted{effect.terms, "invited", {}, "", {}});
   if (JointTask* task = about(effect.terms.subject)) task->invited(effect.terms);
 }
 
 // Evaluated after what led to it is carried out.
 void Interaction::carry_out(const interaction::PrepareOffer& effect) {
-  core_.bus().post([this, terms = effect.terms] {
+  host_.bus().post([this, terms = effect.terms] {
     JointTask* task = about(terms.subject);
     auto offer = task == nullptr
                      ? Result<interaction::Rows, Failure>(failure("no such joint task here"))
                      : task->offer_for(terms);
-    core_.bus().emit(NegotiationNoted{terms,
+    host_.bus().emit(NegotiationNoted{terms,
                                       offer ? "offered" : "refused",
                                       offer.value_or(interaction::Rows{}),
                                       offer ? "" : offer.error().why,
@@ -214,14 +222,14 @@ void Interaction::carry_out(const interaction::PrepareOffer& effect) {
 void Interaction::carry_out(const interaction::ReckonResult& effect) {
   stop_reckoning(effect.terms.subject);
   reckonings_.emplace(++last_reckoning_, effect.terms.id());
-  core_.bus().emit(StartReckoning{last_reckoning_, effect.terms, effect.offers});
+  host_.bus().emit(StartReckoning{last_reckoning_, effect.terms, effect.offers});
 }
 
 // What waits is not begun any more: else it would hold up what comes after it.
 void Interaction::stop_reckoning(const std::string& subject) {
   std::erase_if(reckonings_, [&](const auto& one) {
     const bool unwanted = one.second.subject == subject;
-    if (unwanted) core_.bus().emit(StopReckoning{one.first});
+    if (unwanted) host_.bus().emit(StopReckoning{one.first});
     return unwanted;
   });
 }
@@ -235,24 +243,24 @@ void Interaction::reckoned(const ReckoningFinished& done) {
 void Interaction::carry_out(const interaction::NegotiationEnded& effect) {
   const interaction::NegotiationOutcome& outcome = effect.outcome;
   stop_reckoning(effect.terms.subject);
-  core_.bus().emit(NegotiationNoted{effect.terms, std::string(to_text(outcome.kind)),
+  host_.bus().emit(NegotiationNoted{effect.terms, std::string(to_text(outcome.kind)),
                                     outcome.result, outcome.why, outcome.unconfirmed});
-  core_.bus().post([this, effect] {
+  host_.bus().post([this, effect] {
     if (JointTask* task = about(effect.terms.subject)) task->decided(effect.terms, effect.outcome);
   });
 }
 
 void Interaction::carry_out(const interaction::NegotiationSettled& effect) {
   const interaction::NegotiationOutcome& outcome = effect.outcome;
-  core_.bus().emit(NegotiationNoted{effect.terms, "settled " + std::string(to_text(outcome.kind)),
+  host_.bus().emit(NegotiationNoted{effect.terms, "settled " + std::string(to_text(outcome.kind)),
                                     outcome.result, outcome.why, outcome.unconfirmed});
-  core_.bus().post([this, effect] {
+  host_.bus().post([this, effect] {
     if (JointTask* task = about(effect.terms.subject)) task->decided(effect.terms, effect.outcome);
   });
 }
 
 void Interaction::carry_out(const interaction::MessageRejected& effect) {
-  core_.bus().emit(
+  host_.bus().emit(
       Notice{"negotiation of '" + effect.from + "' about " + effect.subject + ": " + effect.why});
 }
 

@@ -9,17 +9,16 @@
 #include <vector>
 
 #include "component.hpp"
+#include "interaction/joint_host.hpp"
 #include "interaction/joint_task.hpp"
 #include "interaction/sightings.hpp"
 
 namespace skein::decision_node {
 
-class Core;
-
 /// Without interaction models, every joint task is refused.
 class Interaction final : public Component {
  public:
-  explicit Interaction(Core& core);
+  explicit Interaction(JointHost& host);
 
   /// This life begins: what was vowed in one before is not known.
   void start();
@@ -27,6 +26,9 @@ class Interaction final : public Component {
   void load(const supervisor::LoadJointTask& asked);
   /// The executive wants it carried out, or interrupted.
   void due(executive::TaskId task, bool interrupt);
+  /// It is to end here; partners are told.
+  void leave(executive::TaskId task, const std::string& why);
+  bool is_over(executive::TaskId task) const;
   /// Nobody decides here any more: all joint tasks are left, and their partners told.
   void leave_all(const std::string& why);
 
@@ -61,7 +63,7 @@ class Interaction final : public Component {
   void give_up_closed_ways(const world::VehicleState& state);
   JointTask* about(const std::string& subject);
 
-  Core& core_;
+  JointHost& host_;
   Sightings sightings_;
   std::optional<interaction::NegotiationManager> manager_;
   std::map<executive::TaskId, std::unique_ptr<JointTask>> tasks_;

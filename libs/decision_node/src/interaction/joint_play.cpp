@@ -2,8 +2,7 @@
 // A joint task while it runs: what its role asks for is carried out.
 #include <algorithm>
 
-#include "core.hpp"
-#include "interaction/joint_task.hpp"
+#include "interaction/interaction.hpp"
 #include "interaction/places.hpp"
 #include "interaction/role_tasks.hpp"
 #include "skein/foundation/joined.hpp"
@@ -42,8 +41,7 @@ void JointTask::due() {
 void JointTask::begin_if_due() {
   if (!dispatched_ || phase_ != JointPhase::kLoaded || now() < *agreed_start_) return;
   phase_ = JointPhase::kRunning;
-  core_.execution().run(
-      executive::FunctionalStatus{joint_.task, executive::TaskState::kRunning, ""});
+  host_.run(executive::FunctionalStatus{joint_.task, executive::TaskState::kRunning, ""});
   play(holders_.at(self()));
 }
 
@@ -60,11 +58,11 @@ void JointTask::play(const std::string& role) {
 
 // What follows from it comes after all that was asked before.
 void JointTask::tell(const interaction::Input& input) {
-  core_.bus().post([this, input, number = plays_] {
+  host_.bus().post([this, input, number = plays_] {
     if (number != plays_ || !play_ || over()) return;
     const auto effects = play_->tell(input, now());
     if (!effects) {
-      return core_.bus().emit(Notice{joint_.subject + ": " + effects.error().why});
+      return host_.bus().emit(Notice{joint_.subject + ": " + effects.error().why});
     }
     for (const interaction::Effect& effect : *effects) {
       std::visit([this](const auto& one) { carry_out(one); }, effect.what);
@@ -87,7 +85,7 @@ void JointTask::carry_out(const interaction::StateChanged& effect) {
   if (effect.state == ComponelState::kRunning && componel.block() != nullptr) {
     note.because = joined(describe(componel.block()->precondition, automaton), " ");
   }
-  core_.bus().emit(std::move(note));
+  host_.bus().emit(std::move(note));
 }
 
 void JointTask::carry_out(const interaction::Compute& effect) {
@@ -99,7 +97,7 @@ void JointTask::carry_out(const interaction::Compute& effect) {
   query.call = call_of(local.initialiser);
   query.scope = play_->scope();
   query.from = position_of(sightings_.own()->state.position);
-  query.device = device_of(play_->model(), core_.config().knowledge->vehicle);
+  query.device = device_of(play_->model(), host_.config().knowledge->vehicle);
   query.scms = play_->scms_at(local.block, true);
   const auto place = place_of(query, outlook());
   if (place) {
@@ -115,14 +113,14 @@ void JointTask::carry_out(const interaction::Compute& effect) {
   } else {
     note.why = place.error().why;
   }
-  core_.bus().emit(std::move(note));
+  host_.bus().emit(std::move(note));
 }
 
 // ---- its tasks ----
 
 // Interrupted as it begins: that it is to be left comes next.
 void JointTask::carry_out(const interaction::Run& effect) {
-  if (core_.execution().stops(joint_.task)) return;
+  if (host_.stops(joint_.task)) return;
   const interaction::Automaton& automaton = play_->automaton();
   const interaction::Componel& componel = automaton[*automaton.find(effect.task)];
   if (componel.task()->type == kMapArea) return map_area(effect.task);
@@ -135,7 +133,7 @@ void JointTask::carry_out(const interaction::Run& effect) {
   auto task = make_task(componel, joint_.subject,
                         {*play_, outlook, sightings_.own()->state, done, allocation_});
   if (!task) {
-    core_.bus().emit(Notice{joint_.subject + ": " + effect.task + ": " + task.error().why});
+    host_.bus().emit(Notice{joint_.subject + ": " + effect.task + ": " + task.error().why});
     failed_[effect.task] = task.error().why;
     return tell_status(effect.task, Word::kAborted);
   }
@@ -145,7 +143,7 @@ void JointTask::carry_out(const interaction::Run& effect) {
 // Motions wait for each other; what looks along one does not count.
 executive::TaskId JointTask::give(const std::string& componel, executive::Task task,
                                   std::optional<executive::TaskId> along) {
-  task.id = core_.interaction().next_id();
+  task.id = interaction_.next_id();
   for (const auto& [other, id] : tasks_) {
     if (!holds_vehicle(task.type)) continue;
     const executive::Literal over{executive::TaskInState{other, executive::TaskState::kEnded},
@@ -159,12 +157,12 @@ executive::TaskId JointTask::give(const std::string& componel, executive::Task t
   } else {
     tasks_[task.id] = componel;
   }
-  core_.deliberation().serves(task.id, joint_.task);
-  core_.bus().emit(RoleTaskGiven{joint_.subject, play_->role(), around.id, componel, task.id,
+  host_.serves(task.id, joint_.task);
+  host_.bus().emit(RoleTaskGiven{joint_.subject, play_->role(), around.id, componel, task.id,
                                  joint_.task, task.type,
                                  joined(describe(around.block()->precondition, automaton), " ")});
   const executive::TaskId id = task.id;
-  core_.execution().run(executive::Start{std::move(task), executive::InsertionMode::kSeq});
+  host_.run(executive::Start{std::move(task), executive::InsertionMode::kSeq});
   return id;
 }
 
@@ -172,7 +170,7 @@ void JointTask::carry_out(const interaction::Interrupt& effect) {
   for (const auto& [id, componel] : tasks_) {
     if (componel != effect.task) continue;
     interrupted_.insert(id);
-    return core_.execution().run(executive::Abort{id});
+    return host_.run(executive::Abort{id});
   }
   tell_status(effect.task, Word::kAborted);
 }
@@ -210,7 +208,7 @@ void JointTask::watch() {
   const auto own = position_of(sightings_.own()->state.position);
   share_.fly(sightings_.own()->state.position, passing_distance());
   for (const interaction::ScmFound& found : play_->watch(own, outlook().observer, now())) {
-    core_.bus().emit(ScmNoted{joint_.subject, play_->role(), found});
+    host_.bus().emit(ScmNoted{joint_.subject, play_->role(), found});
     tell(found.report);
   }
   announce();
@@ -235,7 +233,7 @@ void JointTask::carry_out(const interaction::Negotiate& effect) {
   const auto& action = *automaton[*automaton.find(effect.action)].action();
   if (action.modality == kAreaSharing) return share_area(effect.action);
   if (action.modality != "role-allocation") {
-    core_.bus().emit(Notice{joint_.subject + ": nobody negotiates '" + action.modality + "'"});
+    host_.bus().emit(Notice{joint_.subject + ": nobody negotiates '" + action.modality + "'"});
     return tell_status(effect.action, Word::kAborted);
   }
   interaction::BeginNegotiation begin;
@@ -249,7 +247,7 @@ void JointTask::carry_out(const interaction::Negotiate& effect) {
   }
   begin.within = kReallocation;
   actions_[effect.action] = begin.subject;
-  if (core_.interaction().begin(joint_, std::move(begin))) return;
+  if (interaction_.begin(joint_, std::move(begin))) return;
   actions_.erase(effect.action);
   tell_status(effect.action, Word::kAborted);
 }
@@ -257,7 +255,7 @@ void JointTask::carry_out(const interaction::Negotiate& effect) {
 void JointTask::carry_out(const interaction::Withdraw& effect) {
   const auto negotiated = actions_.find(effect.action);
   if (negotiated != actions_.end()) {
-    core_.interaction().withdraw(negotiated->second, why_.empty() ? "left" : why_);
+    interaction_.withdraw(negotiated->second, why_.empty() ? "left" : why_);
     actions_.erase(negotiated);
   }
   if (sharing_again_ && sharing_again_->action == effect.action) sharing_again_.reset();

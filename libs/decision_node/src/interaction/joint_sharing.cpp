@@ -2,8 +2,7 @@
 // A joint task that shares an area: who maps what, and the flights over it.
 #include <algorithm>
 
-#include "core.hpp"
-#include "interaction/joint_task.hpp"
+#include "interaction/interaction.hpp"
 #include "interaction/role_tasks.hpp"
 
 namespace skein::decision_node {
@@ -21,15 +20,15 @@ constexpr Duration kPatience = Duration::milliseconds(240'000);  // then it is n
 }  // namespace
 
 SweepSetting JointTask::sweep_setting(const std::string& role) const {
-  const auto& knowledge = core_.config().knowledge;
-  return {knowledge, core_.deliberation().world(), now(), sightings_.own()->state,
+  const auto& knowledge = host_.config().knowledge;
+  return {knowledge, host_.world(), now(), sightings_.own()->state,
           device_of(joint_.library->roles.at(role), knowledge->vehicle)};
 }
 
 /// Way-points are passed within that [m].
 double JointTask::passing_distance() const {
-  const world::VehicleModel& vehicle = core_.config().knowledge->vehicle;
-  const world::Wind& wind = core_.deliberation().world()->wind;
+  const world::VehicleModel& vehicle = host_.config().knowledge->vehicle;
+  const world::Wind& wind = host_.world()->wind;
   return 5 + 6 * world::tracking_spread(vehicle) + vehicle.wind_drift * wind.speed;
 }
 
@@ -40,7 +39,7 @@ std::vector<world::Polygon> JointTask::areas_to_share(const std::string& action)
   if (share_.agreed()) return share_.nobodys();
   const interaction::Automaton& automaton = play_->automaton();
   const config::Value* named = automaton[*automaton.find(action)].action()->in.find("area");
-  const auto world = core_.deliberation().world();
+  const auto world = host_.world();
   const auto zone = named == nullptr ? std::nullopt : zone_of(*named, play_->scope(), *world);
   std::vector<world::Polygon> areas;
   if (zone) areas.push_back(*zone);
@@ -65,7 +64,7 @@ void JointTask::share_area(const std::string& action) {
   if (now() >= until) return leave("the area could not be shared: " + why_);
   actions_[action] = begin.subject;
   sharing_again_ = SharingAgain{action, MissionTime::max(), until};  // it may fail at once
-  if (core_.interaction().begin(joint_, std::move(begin))) return;
+  if (interaction_.begin(joint_, std::move(begin))) return;
   sharing_again_.reset();
   actions_.erase(action);
   // Nothing was left to whoever was lost, and nobody asks for more.
@@ -86,7 +85,7 @@ void JointTask::area_shared(const interaction::Terms& terms,
     sharing_again_.reset();
     return tell_status(action, Word::kEnded);
   }
-  core_.bus().emit(Notice{joint_.subject + ": the area is not shared yet: " + outcome.why});
+  host_.bus().emit(Notice{joint_.subject + ": the area is not shared yet: " + outcome.why});
   if (sharing_again_) sharing_again_->at = now() + kAgain;
 }
 
@@ -94,7 +93,7 @@ void JointTask::area_shared(const interaction::Terms& terms,
 
 void JointTask::map_area(const std::string& componel) {
   const auto fails = [&](const std::string& why) {
-    core_.bus().emit(Notice{joint_.subject + ": " + componel + ": " + why});
+    host_.bus().emit(Notice{joint_.subject + ": " + componel + ": " + why});
     failed_[componel] = why;
     tell_status(componel, Word::kAborted);
   };
@@ -116,7 +115,7 @@ void JointTask::look_changed(const executive::TaskEvent& event) {
   const auto flown = tasks_.find(flight);
   if (flown == tasks_.end() || event.state == executive::TaskState::kEnded) return;
   failed_[flown->second] = event.reason;
-  core_.execution().run(executive::Abort{flight});
+  host_.run(executive::Abort{flight});
 }
 
 }  // namespace skein::decision_node

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core.hpp"
+#include "interaction/interaction.hpp"
 #include "interaction/places.hpp"
 #include "skein/foundation/joined.hpp"
 
@@ -33,16 +33,17 @@ constexpr const char* kMemberLost = "member lost";
 
 }  // namespace
 
-JointTask::JointTask(Core& core, Joint joint, std::vector<mission::Interval> preferences,
-                     const Sightings& sightings)
-    : core_(core),
+JointTask::JointTask(JointHost& host, Interaction& interaction, Joint joint,
+                     std::vector<mission::Interval> preferences, const Sightings& sightings)
+    : host_(host),
+      interaction_(interaction),
       joint_(std::move(joint)),
       preferences_(std::move(preferences)),
       sightings_(sightings),
-      share_(core.config().uav) {}
+      share_(host.config().uav) {}
 
-MissionTime JointTask::now() const { return core_.bus().now(); }
-const std::string& JointTask::self() const { return core_.config().uav; }
+MissionTime JointTask::now() const { return host_.bus().now(); }
+const std::string& JointTask::self() const { return host_.config().uav; }
 
 std::vector<std::string> JointTask::partners() const {
   std::vector<std::string> others = joint_.members;
@@ -51,8 +52,8 @@ std::vector<std::string> JointTask::partners() const {
 }
 
 Outlook JointTask::outlook() const {
-  const auto world = core_.deliberation().world();  // is kept until the next input
-  return {*core_.config().knowledge, *world, sightings_.observer(joint_.arguments, *world, now()),
+  const auto world = host_.world();  // is kept until the next input
+  return {*host_.config().knowledge, *world, sightings_.observer(joint_.arguments, *world, now()),
           now()};
 }
 
@@ -113,7 +114,7 @@ void JointTask::negotiate_roles() {
         {role, "", {double(arity.least), arity.most ? double(*arity.most) : -1}});
   }
   begin.within = kSession;
-  core_.interaction().begin(joint_, std::move(begin));
+  interaction_.begin(joint_, std::move(begin));
 }
 
 void JointTask::negotiate_start() {
@@ -122,7 +123,7 @@ void JointTask::negotiate_start() {
   begin.modality = "time-interval";
   begin.parameters = {{"duration", "", {kRoom / 2}}};
   begin.within = kSession;
-  core_.interaction().begin(joint_, std::move(begin));
+  interaction_.begin(joint_, std::move(begin));
 }
 
 bool JointTask::is_about(const std::string& subject) const {
@@ -151,6 +152,10 @@ Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms
   std::vector<std::string> reasons;
   for (const interaction::Row& role : terms.parameters) {
     if (!joint_.library->roles.contains(role.name)) return failure("no role '" + role.name + "'");
+    if (const std::string why = host_.why_not(joint_, role.name); !why.empty()) {
+      reasons.push_back(role.name + ": " + why);
+      continue;
+    }
     const auto cost = cost_of(joint_, role.name, sightings_.own()->state, outlook);
     if (cost) {
       rows.push_back({role.name, "", {cost->seconds}});
@@ -210,7 +215,7 @@ void JointTask::answer() {
         cost_of(joint_, holders_.at(self()), sightings_.own()->state, this->outlook());
     if (cost) answer.takes = {Duration::seconds(cost->seconds), cost->energy};
   }
-  core_.deliberation().joint_task_answered(answer);
+  host_.answered(answer);
 }
 
 void JointTask::not_agreed(const std::string& why) {
@@ -223,7 +228,7 @@ void JointTask::not_loaded(const std::string& why) {
   why_ = why.empty() ? "nothing was agreed" : why;
   if (answered_) return finish(JointPhase::kAborted);
   phase_ = JointPhase::kNotLoaded;
-  core_.deliberation().joint_task_answered({joint_.task, false, {}, why_, {}});
+  host_.answered({joint_.task, false, {}, why_, {}});
 }
 
 // ---- partners ----
@@ -241,7 +246,7 @@ void JointTask::invited(const interaction::Terms& terms) {
     const bool anew = roles_known_ && terms.opened > start_agreed_at_;
     if (!anew || !(loaded || phase_ == JointPhase::kRunning)) return;
     if (loaded) phase_ = JointPhase::kLoading;
-    return core_.bus().post([this] { negotiate_start(); });
+    return host_.bus().post([this] { negotiate_start(); });
   }
   if (phase_ != JointPhase::kRunning) return;
   // Whom the others do not count on any more is lost here too.
@@ -267,7 +272,7 @@ void JointTask::partner_told(const interaction::JointTaskStatus& status, Mission
 
 // It has not begun: the partner may come back to it.
 void JointTask::load_again(const std::string& why) {
-  core_.interaction().withdraw(joint_.subject + kStart, why);
+  interaction_.withdraw(joint_.subject + kStart, why);
   phase_ = JointPhase::kLoading;
   why_ = why;
   roles_known_ = false;
@@ -282,7 +287,7 @@ void JointTask::lost(const std::string& uav, const std::string& why) {
   silent_since_.erase(uav);
   if (!holders_.contains(uav) || uav == self()) return;
   if (!play_ || !play_->listens_to(kMemberLost)) return leave(why);
-  core_.bus().emit(Notice{joint_.subject + ": " + why + "; it goes on without"});
+  host_.bus().emit(Notice{joint_.subject + ": " + why + "; it goes on without"});
   holders_.erase(uav);
   play_->lose(uav);
   share_.lose(uav);
@@ -350,7 +355,7 @@ void JointTask::leave_at_once(const std::string& why) {
   why_ = why;
   // What is told may be carried out at once, and then it is no task of the role any more.
   for (const auto& [id, componel] : std::map(tasks_)) {
-    core_.execution().run(executive::Abort{id});
+    host_.run(executive::Abort{id});
   }
   finish(JointPhase::kAborted);
 }
@@ -359,11 +364,11 @@ void JointTask::finish(interaction::JointPhase phase) {
   const bool loading = phase_ == JointPhase::kLoading;
   phase_ = phase;
   if (loading) {
-    core_.interaction().withdraw(joint_.subject + (roles_known_ ? kStart : kRoles), why_);
+    interaction_.withdraw(joint_.subject + (roles_known_ ? kStart : kRoles), why_);
   }
   if (dispatched_) {
     const bool ended = phase == JointPhase::kEnded;
-    core_.execution().run(executive::FunctionalStatus{
+    host_.run(executive::FunctionalStatus{
         joint_.task, ended ? executive::TaskState::kEnded : executive::TaskState::kAborted,
         ended ? "" : why_});
   }
@@ -389,7 +394,7 @@ void JointTask::announce() {
   status.left = share_.left();
   if (told_ == status) return;
   told_ = status;
-  core_.bus().emit(JointTaskChanged{std::move(status), partners()});
+  host_.bus().emit(JointTaskChanged{std::move(status), partners()});
 }
 
 }  // namespace skein::decision_node

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "interaction/area_share.hpp"
+#include "interaction/joint_host.hpp"
 #include "interaction/places.hpp"
 #include "interaction/role_play.hpp"
 #include "interaction/sightings.hpp"
@@ -19,7 +20,7 @@
 
 namespace skein::decision_node {
 
-class Core;
+class Interaction;
 
 inline constexpr const char* kAreaSharing = "area-sharing";
 
@@ -38,8 +39,8 @@ inline constexpr const char* kAreaSharing = "area-sharing";
 /// T IV.3, T V.3, spec 7.2 to 7.4.
 class JointTask {
  public:
-  JointTask(Core& core, Joint joint, std::vector<mission::Interval> preferences,
-            const Sightings& sightings);
+  JointTask(JointHost& host, Interaction& interaction, Joint joint,
+            std::vector<mission::Interval> preferences, const Sightings& sightings);
 
   const Joint& joint() const { return joint_; }
   interaction::JointPhase phase() const { return phase_; }
@@ -120,7 +121,8 @@ class JointTask {
   void forget_failures_in(const std::string& componel);
   void announce();
 
-  Core& core_;
+  JointHost& host_;
+  Interaction& interaction_;
   Joint joint_;
   std::vector<mission::Interval> preferences_;
   const Sightings& sightings_;

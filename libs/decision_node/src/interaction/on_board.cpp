@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "interaction/on_board.hpp"
+
+#include "core.hpp"
+
+namespace skein::decision_node {
+
+Bus& OnBoard::bus() { return core_.bus(); }
+const Config& OnBoard::config() const { return core_.config(); }
+
+std::shared_ptr<const world::World> OnBoard::world() const {
+  return core_.deliberation().possible() ? core_.deliberation().world() : nullptr;
+}
+
+void OnBoard::run(executive::Input input) { core_.execution().run(std::move(input)); }
+bool OnBoard::stops(executive::TaskId joint) const { return core_.execution().stops(joint); }
+std::vector<mission::HeldTask> OnBoard::held() const { return core_.execution().held(); }
+
+void OnBoard::serves(executive::TaskId role_task, executive::TaskId joint) {
+  core_.deliberation().serves(role_task, joint);
+}
+
+void OnBoard::answered(const supervisor::JointTaskAnswered& answer) {
+  core_.deliberation().joint_task_answered(answer);
+}
+
+}  // namespace skein::decision_node
