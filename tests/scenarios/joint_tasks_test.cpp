@@ -46,6 +46,10 @@ INSTANTIATE_TEST_SUITE_P(JointTasks, Teamwork,
                                            "mref/radio-cut", "mref/interrupted",
                                            "mref/taken-in-hand"),
                          name_of);
+INSTANTIATE_TEST_SUITE_P(AgreedPlaces, Teamwork,
+                         ::testing::Values("agreed-places/around", "agreed-places/around-cut",
+                                           "agreed-places/chain"),
+                         name_of);
 INSTANTIATE_TEST_SUITE_P(AreaSharing, Teamwork,
                          ::testing::Values("area-sharing/negotiated", "area-sharing/one-leaves",
                                            "area-sharing/one-lost", "area-sharing/central",

@@ -2,6 +2,7 @@
 // A joint task while it runs: what its role asks for is carried out.
 #include <algorithm>
 
+#include "interaction/agreed_places.hpp"
 #include "interaction/interaction.hpp"
 #include "interaction/places.hpp"
 #include "interaction/role_tasks.hpp"
@@ -232,6 +233,7 @@ void JointTask::carry_out(const interaction::Negotiate& effect) {
   const interaction::Automaton& automaton = play_->automaton();
   const auto& action = *automaton[*automaton.find(effect.action)].action();
   if (action.modality == kAreaSharing) return share_area(effect.action);
+  if (gives_places(action.modality)) return negotiate_places(effect.action);
   if (action.modality != "role-allocation") {
     host_.bus().emit(Notice{joint_.subject + ": nobody negotiates '" + action.modality + "'"});
     return tell_status(effect.action, Word::kAborted);
@@ -268,6 +270,7 @@ void JointTask::reallocated(const interaction::Terms& terms,
   using Kind = interaction::NegotiationOutcome::Kind;
   if (phase_ != JointPhase::kRunning || outcome.kind == Kind::kUndecided) return;
   if (terms.modality == kAreaSharing) return area_shared(terms, outcome);
+  if (gives_places(terms.modality)) return places_agreed(terms, outcome);
   Holders agreed = holders_;
   if (outcome.kind == Kind::kAgreed) {
     for (const interaction::Row& row : outcome.result) agreed[row.name] = row.text;

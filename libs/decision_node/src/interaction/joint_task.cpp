@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "interaction/agreed_places.hpp"
 #include "interaction/interaction.hpp"
 #include "interaction/places.hpp"
 #include "skein/foundation/joined.hpp"
@@ -149,6 +150,9 @@ Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms
     return share_.offer(sweep_setting(own->second));
   }
   const Outlook outlook = this->outlook();
+  if (gives_places(terms.modality)) {
+    return offer_of_places(terms, sightings_.own()->state, outlook);
+  }
   std::vector<std::string> reasons;
   for (const interaction::Row& role : terms.parameters) {
     if (!joint_.library->roles.contains(role.name)) return failure("no role '" + role.name + "'");

@@ -109,6 +109,11 @@ class JointTask {
   void carry_out(const interaction::ModelOver& effect);
   std::vector<std::string> parties_of(const std::string& action) const;
   void lost(const std::string& uav, const std::string& why);
+  // joint_places.cpp
+  void negotiate_places(const std::string& action);
+  void take_place_alone(const interaction::BeginNegotiation& begin);
+  void places_agreed(const interaction::Terms& terms,
+                     const interaction::NegotiationOutcome& outcome);
   // joint_sharing.cpp
   void share_area(const std::string& action);
   void area_shared(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// A joint task whose members agree on where each of them goes.
+#include <algorithm>
+
+#include "interaction/agreed_places.hpp"
+#include "interaction/interaction.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+using Kind = interaction::NegotiationOutcome::Kind;
+using Word = interaction::Status::Word;
+
+constexpr Duration kSession = Duration::milliseconds(10'000);
+constexpr const char* kPlace = "place";  // of an action's `out`
+
+}  // namespace
+
+void JointTask::negotiate_places(const std::string& action) {
+  const interaction::Automaton& automaton = play_->automaton();
+  const interaction::CoordinationAction& what = *automaton[*automaton.find(action)].action();
+  const auto fails = [&](const std::string& why) {
+    host_.bus().emit(Notice{joint_.subject + ": " + action + ": " + why});
+    tell_status(action, Word::kAborted);
+  };
+  interaction::BeginNegotiation begin;
+  begin.subject = joint_.subject + "/" + what.modality;
+  begin.modality = what.modality;
+  begin.members = parties_of(action);
+  auto terms = place_terms(what, play_->scope(), begin.members.size(), outlook());
+  if (!terms) return fails(terms.error().why);
+  begin.parameters = std::move(*terms);
+  begin.within = kSession;
+  actions_[action] = begin.subject;
+  if (begin.members.size() == 1) return take_place_alone(begin);
+  if (interaction_.begin(joint_, std::move(begin))) return;
+  actions_.erase(action);
+  tell_status(action, Word::kAborted);
+}
+
+// Of what it can do itself the best.
+void JointTask::take_place_alone(const interaction::BeginNegotiation& begin) {
+  interaction::Terms terms;
+  terms.subject = begin.subject;
+  terms.modality = begin.modality;
+  terms.members = begin.members;
+  terms.parameters = begin.parameters;
+  interaction::NegotiationOutcome outcome;
+  const auto offer = offer_for(terms);
+  const auto result = offer ? interaction::reckon(terms, {{self(), *offer}}) : offer;
+  outcome.kind = result ? Kind::kAgreed : Kind::kFailed;
+  if (result) outcome.result = *result;
+  if (!result) outcome.why = result.error().why;
+  places_agreed(terms, outcome);
+}
+
+void JointTask::places_agreed(const interaction::Terms& terms,
+                              const interaction::NegotiationOutcome& outcome) {
+  const auto asked = std::find_if(actions_.begin(), actions_.end(),
+                                  [&](const auto& one) { return one.second == terms.subject; });
+  if (asked == actions_.end()) return;
+  const std::string action = asked->first;
+  actions_.erase(asked);
+  if (outcome.kind != Kind::kAgreed) {
+    host_.bus().emit(Notice{joint_.subject + ": " + action + ": " + outcome.why});
+    return tell_status(action, Word::kAborted);
+  }
+  const interaction::Automaton& automaton = play_->automaton();
+  const config::Value* out = automaton[*automaton.find(action)].action()->out.find(kPlace);
+  const auto place = place_of_member(self(), terms, outcome.result, *host_.world());
+  PlaceComputed note{joint_.subject,
+                     play_->role(),
+                     out == nullptr ? action : out->scalar,
+                     terms.modality,
+                     place,
+                     place ? "" : "it is not needed",
+                     {}};
+  if (out != nullptr && place) play_->know(out->scalar, *place);
+  if (out != nullptr && !place) play_->forget(out->scalar);
+  host_.bus().emit(std::move(note));
+  if (!place) tell(interaction::Message{terms.modality + ": not needed"});
+  tell_status(action, Word::kEnded);
+}
+
+}  // namespace skein::decision_node
