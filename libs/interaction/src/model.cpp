@@ -28,6 +28,11 @@ const Parameter* find(const Parameters& parameters, std::string_view name) {
   return found == parameters.end() ? nullptr : &*found;
 }
 
+bool has_roles_by_ground(const Model& model) {
+  return std::any_of(model.variants.begin(), model.variants.end(),
+                     [](const Variant& one) { return !one.by_ground.empty(); });
+}
+
 Automaton automaton_in(const Library& library, const Variant& variant, const std::string& role) {
   Automaton automaton = library.roles.at(role).automaton;
   for (const ScmPlace& place : variant.table.places) {

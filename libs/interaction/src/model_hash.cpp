@@ -54,6 +54,7 @@ class Meaning {
     list(roles, [this](const std::string& name) { put(library_.roles.at(name)); });
     list(scms, [this](const std::string& name) { put(library_.scms.at(name)); });
     put(variant.table);
+    if (!variant.by_ground.empty()) texts({variant.by_ground.begin(), variant.by_ground.end()});
   }
 
   void put(const Parameters& parameters) {

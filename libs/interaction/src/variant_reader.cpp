@@ -26,9 +26,10 @@ class VariantReader {
   }
 
   Variant read(const Reader& reader) {
-    reader.keys({"parameters", "roles", "coordination"});
+    reader.keys({"parameters", "roles", "by-ground", "coordination"});
     variant_.parameters = read_parameters(reader.optional("parameters"));
     read_roles(reader.required("roles"));
+    read_by_ground(reader.optional("by-ground"));
     const Reader table = reader.required("coordination");
     table.keys({"arity", "actions", "scms", "blocks", "parameters"});
     read_arities(table.required("arity"));
@@ -61,6 +62,20 @@ class VariantReader {
       reader.error("no roles", "at least one role");
   }
 
+  // What is left of an area only its own UAV knows as it flies.
+  void read_by_ground(const Reader& reader) {
+    for (const Reader& one : reader.items()) {
+      const std::string name = role_named(one, one.text());
+      if (name.empty()) continue;
+      variant_.by_ground.insert(name);
+      for (const Componel& componel : role(name).automaton.componels()) {
+        if (componel.action() == nullptr || componel.action()->modality != "area-sharing") continue;
+        one.error("'" + name + "' shares an area, which the ground station cannot do for a UAV",
+                  "roles without area-sharing");
+      }
+    }
+  }
+
   /// What hangs on a role that `roles` misspells is no further error.
   bool may_be_unknown_role(const std::string& name) const {
     return some_role_unknown_ && library_.roles.count(name) > 0;
@@ -76,7 +91,6 @@ class VariantReader {
   }
 
   // --- (1) arities
-  // -----------------------------------------------------------------------------------
 
   void read_arities(const Reader& reader) {
     for (const auto& [name, value] : reader.entries()) {
@@ -125,7 +139,6 @@ class VariantReader {
   }
 
   // --- (2) correspondences
-  // ---------------------------------------------------------------------------
 
   void read_correspondences(const Reader& coordination) {
     const Reader reader = coordination.optional("actions");
@@ -216,7 +229,6 @@ class VariantReader {
   }
 
   // --- (3) SCMs with their values
-  // --------------------------------------------------------------------
 
   void read_scms(const Reader& reader) {
     for (const auto& [id, value] : reader.entries()) {
@@ -329,7 +341,6 @@ class VariantReader {
   }
 
   // --- (4) where they hold
-  // ---------------------------------------------------------------------------
 
   void read_places(const Reader& reader) {
     for (const auto& [id, by_role] : reader.entries()) {
@@ -430,7 +441,6 @@ class VariantReader {
   }
 
   // --- (5) parameters of roles
-  // -----------------------------------------------------------------------
 
   void read_role_parameters(const Reader& coordination) {
     const Reader reader = coordination.optional("parameters");

@@ -223,6 +223,25 @@ TEST(ReadLibrary, AllVariantsOfAModelTakeTheSameParameters) {
   EXPECT_THAT(to_text(library.error()), HasSubstr("other parameters than variant 'pair'"));
 }
 
+TEST(ReadLibrary, TheGroundMayPlayRolesOfTheVariantThatShareNoArea) {
+  const auto with = [](const std::string& line) {
+    std::string text = small_library();
+    const std::size_t at = text.find("        coordination:");
+    return library_of(text.insert(at, "        by-ground: " + line + "\n"));
+  };
+  const std::string first =
+      library_of(small_library())->models.begin()->second.variants[0].roles[0];
+
+  const auto allowed = with("[" + first + "]");
+  const auto unknown = with("[nobody]");
+
+  ASSERT_TRUE(allowed) << to_text(allowed.error());
+  EXPECT_TRUE(has_roles_by_ground(allowed->models.begin()->second));
+  EXPECT_FALSE(has_roles_by_ground(library_of(small_library())->models.begin()->second));
+  ASSERT_FALSE(unknown);
+  EXPECT_THAT(to_text(unknown.error()), HasSubstr("unknown role 'nobody'"));
+}
+
 // Bytes changed, lost and doubled: a library that can be drawn, or errors.
 RC_GTEST_PROP(ReadLibrary, NeverFailsOnDamagedText, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());

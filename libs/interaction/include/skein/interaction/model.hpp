@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -139,6 +140,8 @@ struct Variant {
   Parameters parameters;
   std::vector<std::string> roles;
   CoordinationTable table;
+  /// Roles that the ground station may play for a UAV that does not deliberate.
+  std::set<std::string> by_ground = {};
 };
 
 /// The variants for one type of elementary joint tasks, which bears its name.
@@ -146,6 +149,8 @@ struct Model {
   std::string task;
   std::vector<Variant> variants;
 };
+/// The ground station may play some role of some variant.
+bool has_roles_by_ground(const Model& model);
 
 /// What computes a local parameter.
 struct Function {
