@@ -4,11 +4,12 @@
 #include "skein/ddn/ddn_node.hpp"
 
 #include "deliberation_lines.hpp"
-#include "joint_lines.hpp"
 #include "meeting_lines.hpp"
 #include "merging_lines.hpp"
 #include "received.hpp"
+#include "skein/foundation/fingerprint.hpp"
 #include "skein/interaction/model_hash.hpp"
+#include "skein/joint_lines/joint_lines.hpp"
 #include "skein/translation/joint_tasks.hpp"
 #include "skein/translation/meetings.hpp"
 #include "skein/translation/merging.hpp"
@@ -146,6 +147,18 @@ void DdnNode::carry_out(const dn::PerceptionPassedOn& effect) {
 
 void DdnNode::carry_out(const dn::SyncPassedOn& effect) { send_to_ground(to_wire(effect.message)); }
 
+void DdnNode::carry_out(const dn::NegotiationPassedOn& effect) {
+  send(roster_.ground(), to_wire(effect.message, uav_), now_ + kSaidAgain);
+}
+
+// Two partners may have given it the same number.
+void DdnNode::carry_out(const dn::PartnerPassedOn& effect) {
+  wire::JointTaskState sample = to_wire(effect.status);
+  const auto print = Fingerprint().put(effect.status.uav).put(effect.status.task).value();
+  sample.header.instance = static_cast<std::uint32_t>(print);
+  send_to_ground(std::move(sample));
+}
+
 void DdnNode::carry_out(const dn::DegreeChanged& effect) {
   journal::Record line = record("degree");
   line.with("uav", uav_).with("degree", effect.degree);
@@ -234,10 +247,21 @@ void DdnNode::carry_out(const dn::SendFrontier& effect) {
 }
 
 void DdnNode::carry_out(const dn::JointTaskChanged& effect) {
-  log(line_of(writer(), effect.status));
+  log(joint_lines::line_of(writer(), uav_, effect.status));
   const wire::JointTaskState sample = to_wire(effect.status);
   send_to_ground(sample);
   for (const std::string& partner : effect.partners) send(roster_.find(partner)->number, sample);
+}
+
+// The ground writes what it plays; this node, what it has left in the ground's place.
+void DdnNode::carry_out(const dn::SpokenFor& effect) {
+  const wire::JointTaskState sample = to_wire(effect.status);
+  if (effect.to_ground) send_to_ground(sample);
+  if (!effect.to_partners) return;
+  if (effect.to_ground) log(joint_lines::line_of(writer(), uav_, effect.status));
+  for (const node::Member& member : roster_.members()) {
+    if (member.role == wire::Role::kDdn && member.name != uav_) send(member.number, sample);
+  }
 }
 
 void DdnNode::carry_out(const dn::ShareTelemetry& effect) {
@@ -274,7 +298,11 @@ void DdnNode::carry_out(const supervisor::StopDeliberation& effect) {
 
 template <class Noted>
 void DdnNode::carry_out(const Noted& effect) {
-  log(line_of(writer(), effect));
+  if constexpr (requires { joint_lines::line_of(writer(), uav_, effect); }) {
+    log(joint_lines::line_of(writer(), uav_, effect));
+  } else {
+    log(line_of(writer(), effect));
+  }
 }
 
 void DdnNode::carry_out(const dn::RequestHandled& effect) {

@@ -94,9 +94,11 @@ std::string why_not(const wire::Sample& sample, const Sender& sender) {
     case wire::Slot::kFunctionalStatus:
     case wire::Slot::kPerceptionReport:
       return sender.functional ? "" : "only the functional layer tells of the vehicle";
-    case wire::Slot::kNegotiationMessage:
+    case wire::Slot::kNegotiationMessage:  // the ground plays roles: in the name of this UAV
+      if (sender.ground) return "";
       return std::get<wire::NegotiationMessage>(sample).from == sender.name ? "" : kOfAnother;
     case wire::Slot::kJointTaskState:
+      if (sender.ground) return "";
       return std::get<wire::JointTaskState>(sample).uav == sender.name ? "" : kOfAnother;
     case wire::Slot::kPlanFrontier:
       return std::get<wire::PlanFrontier>(sample).uav == sender.name ? "" : kOfAnother;
@@ -127,8 +129,12 @@ std::optional<Input> input_of(const wire::Sample& sample, const Sender& sender) 
             if (sender.functional) return from_wire(it);
             return dn::PartnerSeen{from_wire(it)};
           },
-          [](const wire::NegotiationMessage& it) -> Result { return from_wire(it); },
-          [](const wire::JointTaskState& it) -> Result {
+          [&](const wire::NegotiationMessage& it) -> Result {
+            if (sender.ground) return dn::GroundNegotiates{it.to, from_wire(it)};
+            return from_wire(it);
+          },
+          [&](const wire::JointTaskState& it) -> Result {
+            if (sender.ground) return dn::GroundPlays{from_wire(it)};
             return dn::JointTaskTold{from_wire(it),
                                      MissionTime::nanoseconds(it.header.mission_time)};
           },

@@ -16,6 +16,7 @@ Core::Core(Config config)
       deliberation_(*this),
       joint_host_(*this),
       interaction_(joint_host_),
+      voice_(*this),
       team_(*this),
       meetings_(*this),
       autonomy_(*this),
@@ -123,6 +124,7 @@ void Core::on(const world::Telemetry& telemetry) {
 
 void Core::on(const Contact& contact) {
   interaction_.contact(contact);
+  voice_.contact(contact);
   team_.contact(contact);
   merging_.contact(contact);
   meetings_.contact(contact);

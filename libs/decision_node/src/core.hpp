@@ -12,6 +12,7 @@
 #include "execution.hpp"
 #include "interaction/interaction.hpp"
 #include "interaction/on_board.hpp"
+#include "interaction/voice.hpp"
 #include "meetings/meetings.hpp"
 #include "merging/merging.hpp"
 #include "own_tasks.hpp"
@@ -38,6 +39,7 @@ class Core {
   Execution& execution() { return execution_; }
   Deliberation& deliberation() { return deliberation_; }
   Interaction& interaction() { return interaction_; }
+  Voice& voice() { return voice_; }
   Team& team() { return team_; }
   Meetings& meetings() { return meetings_; }
   Autonomy& autonomy() { return autonomy_; }
@@ -64,9 +66,16 @@ class Core {
   void on(const LayerForgot& forgot);
   void on(const Contact& contact);
   void on(const supervisor::JobFinished& done) { deliberation_.job_finished(done); }
-  void on(const interaction::SessionMessage& message) { interaction_.hear(message); }
-  void on(const PartnerSeen& seen) { interaction_.hear(seen); }
-  void on(const JointTaskTold& told) { interaction_.hear(told); }
+  /// What another says about a joint task: to the ground, if that plays it.
+  template <class Heard>
+  void on_joint(const Heard& heard) {
+    if (!voice_.passes_on(heard)) interaction_.hear(heard);
+  }
+  void on(const interaction::SessionMessage& message) { on_joint(message); }
+  void on(const PartnerSeen& seen) { on_joint(seen); }
+  void on(const JointTaskTold& told) { on_joint(told); }
+  void on(const GroundNegotiates& said) { voice_.say(said); }
+  void on(const GroundPlays& said) { voice_.say(said); }
   void on(const ReckoningFinished& done) { interaction_.reckoned(done); }
   void on(const TeamTold& told) { team_.hear(told); }
   void on(const MergeTold& told) { merging_.hear(told); }
@@ -75,11 +84,11 @@ class Core {
   void pass_on(const functional::Status& status);
   void tell_board_if_changed();
   /// Every one hears what happens, in this order.
-  std::array<Component*, 6> components() {
-    return {&merging_, &execution_, &deliberation_, &interaction_, &team_, &meetings_};
+  std::array<Component*, 7> components() {
+    return {&merging_, &execution_, &deliberation_, &interaction_, &voice_, &team_, &meetings_};
   }
-  std::array<const Component*, 6> components() const {
-    return {&merging_, &execution_, &deliberation_, &interaction_, &team_, &meetings_};
+  std::array<const Component*, 7> components() const {
+    return {&merging_, &execution_, &deliberation_, &interaction_, &voice_, &team_, &meetings_};
   }
 
   Config config_;
@@ -92,6 +101,7 @@ class Core {
   Deliberation deliberation_;
   OnBoard joint_host_;
   Interaction interaction_;
+  Voice voice_;
   Team team_;
   Meetings meetings_;
   Autonomy autonomy_;

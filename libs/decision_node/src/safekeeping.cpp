@@ -37,6 +37,7 @@ std::optional<MissionTime> Safekeeping::next_wakeup() const {
 void Safekeeping::carry_out_policy() {
   const ContactPolicy policy = core_.config().contact_policy;
   core_.bus().emit(PolicyCarriedOut{policy, ""});
+  core_.voice().give_up("its contact-loss policy: " + std::string(to_text(policy)));
   Deliberation& deliberation = core_.deliberation();
   const bool deliberated = deliberation.engaged();
   deliberation.disengage("contact lost: " + std::string(to_text(policy)));

@@ -40,6 +40,8 @@ class DdnNode final : public node::Node {
   void carry_out(const decision_node::TelemetryPassedOn& effect);
   void carry_out(const decision_node::PerceptionPassedOn& effect);
   void carry_out(const decision_node::SyncPassedOn& effect);
+  void carry_out(const decision_node::NegotiationPassedOn& effect);
+  void carry_out(const decision_node::PartnerPassedOn& effect);
   void carry_out(const decision_node::DegreeChanged& effect);
   void carry_out(const decision_node::HandedOver& effect);
   void carry_out(const decision_node::BoardChanged& effect);
@@ -54,6 +56,7 @@ class DdnNode final : public node::Node {
   void carry_out(const decision_node::SendMerge& effect);
   void carry_out(const decision_node::SendFrontier& effect);
   void carry_out(const decision_node::JointTaskChanged& effect);
+  void carry_out(const decision_node::SpokenFor& effect);
   void carry_out(const decision_node::ShareTelemetry& effect);
   void carry_out(const decision_node::StartReckoning& effect);
   void carry_out(const decision_node::StopReckoning& effect);

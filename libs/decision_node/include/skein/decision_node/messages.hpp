@@ -92,6 +92,15 @@ struct JointTaskTold {
   interaction::JointTaskStatus status;
   MissionTime at;  ///< when it was so
 };
+/// What the ground station says to another UAV in this one's name: it plays a role for it.
+struct GroundNegotiates {
+  std::string to;
+  interaction::SessionMessage message;
+};
+/// Where this UAV stands in a joint task whose role the ground station plays.
+struct GroundPlays {
+  interaction::JointTaskStatus status;
+};
 /// What follows from the offers of a session, as StartReckoning asked for.
 struct ReckoningFinished {
   std::uint64_t job = 0;
@@ -119,7 +128,8 @@ using Input =
     std::variant<Started, Command, UnreadableCommand, PlaceTold, ElementaryRequest, GroundTaskSeen,
                  StatusTold, SyncMessage, world::Telemetry, world::Perception, Contact, LayerForgot,
                  supervisor::JobFinished, interaction::SessionMessage, PartnerSeen, JointTaskTold,
-                 ReckoningFinished, TeamTold, MergeTold, FrontierTold, Tick>;
+                 GroundNegotiates, GroundPlays, ReckoningFinished, TeamTold, MergeTold,
+                 FrontierTold, Tick>;
 
 // ---- effects, to be carried out in their order ----
 
@@ -141,6 +151,7 @@ struct TaskChanged {
 struct StatusPassedOn {
   functional::Status status;
 };
+/// Of this UAV, or of a partner of a joint task that the ground plays for it.
 struct TelemetryPassedOn {
   world::Telemetry telemetry;
 };
@@ -150,6 +161,13 @@ struct PerceptionPassedOn {
 /// A synchronisation message as it came: the executive that waits for it is at the ground.
 struct SyncPassedOn {
   SyncMessage message;
+};
+/// What partners say about a joint task that the ground plays for this UAV.
+struct NegotiationPassedOn {
+  interaction::SessionMessage message;
+};
+struct PartnerPassedOn {
+  interaction::JointTaskStatus status;
 };
 /// The degree is this from now on.
 struct DegreeChanged {
@@ -199,6 +217,12 @@ struct StopReckoning {
 struct JointTaskChanged {
   interaction::JointTaskStatus status;
   std::vector<std::string> partners;
+};
+/// Where this UAV stands in a joint task that the ground plays for it.
+struct SpokenFor {
+  interaction::JointTaskStatus status;
+  bool to_ground = false;    ///< it was left here
+  bool to_partners = false;  ///< all other UAVs: who is none knows nothing of it
 };
 /// Where this UAV is, for a partner of a joint task.
 struct ShareTelemetry {
@@ -319,14 +343,14 @@ struct Notice {
 /// Those of the supervisor mean what they mean there.
 using Effect =
     std::variant<Answer, TaskChanged, StatusPassedOn, TelemetryPassedOn, PerceptionPassedOn,
-                 SyncPassedOn, DegreeChanged, HandedOver, BoardChanged, ToVehicle, SendSync,
-                 SendNegotiation, StartReckoning, StopReckoning, SendTeam, SendMerge, SendFrontier,
-                 MeetingNoted, AirNoted, TeamTaskNoted, BidNoted, SaleNoted, TokenNoted,
-                 JointTaskChanged, ShareTelemetry, ComponelChanged, RoleTaskGiven, PlaceComputed,
-                 ScmNoted, NegotiationNoted, RequestHandled, SyncHeard, PolicyCarriedOut, Notice,
-                 supervisor::MissionDecided, supervisor::StartDeliberation,
-                 supervisor::StopDeliberation, supervisor::PlanChanged, supervisor::GoalChanged,
-                 supervisor::Decided>;
+                 SyncPassedOn, NegotiationPassedOn, PartnerPassedOn, SpokenFor, DegreeChanged,
+                 HandedOver, BoardChanged, ToVehicle, SendSync, SendNegotiation, StartReckoning,
+                 StopReckoning, SendTeam, SendMerge, SendFrontier, MeetingNoted, AirNoted,
+                 TeamTaskNoted, BidNoted, SaleNoted, TokenNoted, JointTaskChanged, ShareTelemetry,
+                 ComponelChanged, RoleTaskGiven, PlaceComputed, ScmNoted, NegotiationNoted,
+                 RequestHandled, SyncHeard, PolicyCarriedOut, Notice, supervisor::MissionDecided,
+                 supervisor::StartDeliberation, supervisor::StopDeliberation,
+                 supervisor::PlanChanged, supervisor::GoalChanged, supervisor::Decided>;
 using Effects = std::vector<Effect>;
 
 }  // namespace skein::decision_node

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "joint_lines.hpp"
+#include "skein/joint_lines/joint_lines.hpp"
 
 #include "skein/foundation/joined.hpp"
 
-namespace skein::ddn {
+namespace skein::joint_lines {
 
 namespace {
 
@@ -26,17 +26,17 @@ std::string text_of(const interaction::Rows& rows) {
 
 }  // namespace
 
-journal::Record line_of(const translation::Writer& writer,
+journal::Record line_of(const translation::Writer& writer, const std::string& uav,
                         const interaction::JointTaskStatus& status) {
   journal::Record line(writer.at, writer.node, "joint");
-  line.with("uav", writer.node).with("joint", status.subject);
+  line.with("uav", uav).with("joint", status.subject);
   line.with("task", status.task).with("model", status.model).with("variant", status.variant);
   line.with("phase", to_text(status.phase));
   if (const auto own = status.holders.find(status.uav); own != status.holders.end()) {
     line.with("role", own->second);
   }
   std::vector<std::string> holders;
-  for (const auto& [uav, role] : status.holders) holders.push_back(uav + " " + role);
+  for (const auto& [holder, role] : status.holders) holders.push_back(holder + " " + role);
   with_text(line, "holders", joined(holders, ", "));
   with_text(line, "blocks", joined(status.active_blocks, " "));
   with_text(line, "violated", joined(status.violated, " "));
@@ -45,10 +45,10 @@ journal::Record line_of(const translation::Writer& writer,
   return line;
 }
 
-journal::Record line_of(const translation::Writer& writer,
+journal::Record line_of(const translation::Writer& writer, const std::string& uav,
                         const decision_node::ComponelChanged& changed) {
   journal::Record line(writer.at, writer.node, "role");
-  line.with("uav", writer.node).with("joint", changed.subject);
+  line.with("uav", uav).with("joint", changed.subject);
   line.with("role", changed.role)
       .with("componel", changed.componel)
       .with("state", to_text(changed.state))
@@ -57,10 +57,10 @@ journal::Record line_of(const translation::Writer& writer,
   return line;
 }
 
-journal::Record line_of(const translation::Writer& writer,
+journal::Record line_of(const translation::Writer& writer, const std::string& uav,
                         const decision_node::RoleTaskGiven& given) {
   journal::Record line(writer.at, writer.node, "role-task");
-  line.with("uav", writer.node).with("joint", given.subject);
+  line.with("uav", uav).with("joint", given.subject);
   line.with("role", given.role)
       .with("componel", given.componel)
       .with("block", given.block)
@@ -71,10 +71,10 @@ journal::Record line_of(const translation::Writer& writer,
   return line;
 }
 
-journal::Record line_of(const translation::Writer& writer,
+journal::Record line_of(const translation::Writer& writer, const std::string& uav,
                         const decision_node::PlaceComputed& computed) {
   journal::Record line(writer.at, writer.node, "place");
-  line.with("uav", writer.node).with("joint", computed.subject);
+  line.with("uav", uav).with("joint", computed.subject);
   line.with("role", computed.role)
       .with("parameter", computed.parameter)
       .with("by", computed.initialiser);
@@ -87,9 +87,10 @@ journal::Record line_of(const translation::Writer& writer,
   return line;
 }
 
-journal::Record line_of(const translation::Writer& writer, const decision_node::ScmNoted& noted) {
+journal::Record line_of(const translation::Writer& writer, const std::string& uav,
+                        const decision_node::ScmNoted& noted) {
   journal::Record line(writer.at, writer.node, "scm");
-  line.with("uav", writer.node).with("joint", noted.subject);
+  line.with("uav", uav).with("joint", noted.subject);
   line.with("role", noted.role)
       .with("scm", noted.found.report.scm)
       .with("state", to_text(noted.found.report.finding));
@@ -102,10 +103,10 @@ journal::Record line_of(const translation::Writer& writer, const decision_node::
   return line;
 }
 
-journal::Record line_of(const translation::Writer& writer,
+journal::Record line_of(const translation::Writer& writer, const std::string& uav,
                         const decision_node::NegotiationNoted& noted) {
   journal::Record line(writer.at, writer.node, "negotiation");
-  line.with("uav", writer.node).with("joint", noted.terms.subject);
+  line.with("uav", uav).with("joint", noted.terms.subject);
   line.with("modality", noted.terms.modality)
       .with("opener", noted.terms.opener)
       .with("opened", noted.terms.opened.to_seconds())
@@ -116,4 +117,4 @@ journal::Record line_of(const translation::Writer& writer,
   return line;
 }
 
-}  // namespace skein::ddn
+}  // namespace skein::joint_lines
