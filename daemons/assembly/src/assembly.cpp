@@ -85,6 +85,9 @@ ground_station::MissionKnowledge mission_knowledge(const Scenario& scenario) {
   if (scenario.interaction != nullptr) {
     for (const auto& [type, hash] : hashes_of(*scenario.interaction))
       knowledge.joint_tasks[type] = hash.value;
+    for (const auto& [type, model] : scenario.interaction->models) {
+      if (has_roles_by_ground(model)) knowledge.by_ground.insert(type);
+    }
   }
   return knowledge;
 }
@@ -102,6 +105,22 @@ ground::GroundNode::ReadRequest request_reader(const Scenario& scenario) {
   };
 }
 
+/// What stand-ins are to know, if some model lets the ground play a role.
+std::vector<decision_node::Config> played_by_ground(const Scenario& scenario) {
+  std::vector<decision_node::Config> played;
+  if (!scenario.planning || mission_knowledge(scenario).by_ground.empty()) return played;
+  for (const UavSpec& uav : scenario.uavs) {
+    decision_node::Config& config = played.emplace_back();
+    config.uav = uav.name;
+    config.others = scenario.uav_names();
+    std::erase(config.others, uav.name);
+    config.knowledge = std::make_shared<supervisor::Knowledge>(knowledge_of(scenario, uav));
+    config.world = std::make_shared<world::World>(world_of(scenario).value());
+    config.interaction = scenario.interaction;
+  }
+  return played;
+}
+
 std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
   ground_station::GroundConfig config;
   const ddn::DdnConfig defaults;
@@ -117,7 +136,7 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
   config.missions = mission_knowledge(scenario);
   return std::make_unique<ground::GroundNode>(config, world::Terrain(scenario.world.terrain),
                                               roster_of(scenario), request_reader(scenario),
-                                              scenario.team);
+                                              scenario.team, played_by_ground(scenario));
 }
 
 std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& uav) {

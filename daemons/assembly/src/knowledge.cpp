@@ -118,9 +118,27 @@ void check_members(const Scenario& scenario, const std::string& uav, const std::
     const UavSpec* member = scenario.find_uav(one);
     if (member == nullptr) {
       add("no UAV '" + one + "'", "a UAV", nearest_name(one, scenario.uav_names()));
-    } else if (!mission::deliberates(member->degree)) {
-      add(one + " does not deliberate", "degree 4 for all members", "");
+    } else if (!mission::deliberates(member->degree) &&
+               !has_roles_by_ground(scenario.interaction->models.at(task))) {
+      add(one + " does not deliberate",
+          "degree 4 for all members, or a model that lets the ground station play roles", "");
     }
+  }
+}
+
+/// What the ground is asked to play for a UAV.
+void check_played(const Scenario& scenario, const ground_station::PlayRole& play,
+                  Diagnostics& diagnostics) {
+  const auto add = [&](const std::string& problem, const std::string& wanted) {
+    diagnostics.add({scenario.file, 0, 0, "ground.script", "play for " + play.uav + ": " + problem,
+                     wanted, ""});
+  };
+  const auto model = scenario.interaction->models.find(play.task.name);
+  if (model == scenario.interaction->models.end()) {
+    add("no interaction model '" + play.task.name + "'", "the type of a joint task");
+  } else if (!has_roles_by_ground(model->second)) {
+    add("the model of '" + play.task.name + "' lets the ground station play no role",
+        "by-ground: [ROLE] in a variant of it");
   }
 }
 
@@ -129,18 +147,20 @@ void check_members(const Scenario& scenario, const std::string& uav, const std::
 Diagnostics joint_task_problems(const Scenario& scenario) {
   Diagnostics diagnostics;
   if (scenario.interaction == nullptr) return diagnostics;
+  const auto check = [&](const std::string& uav, const mission::HighLevelTask& task) {
+    if (!scenario.interaction->models.contains(task.name)) return;
+    for (const mission::Argument& argument : task.arguments) {
+      const auto* members = std::get_if<std::vector<std::string>>(&argument);
+      if (members != nullptr) check_members(scenario, uav, task.name, *members, diagnostics);
+    }
+  };
   for (const ground_station::Step& step : scenario.ground.script.steps) {
     for (const ground_station::Action& action : step.actions) {
-      const auto* sent = std::get_if<ground_station::SendMission>(&action);
-      if (sent == nullptr) continue;
-      for (const mission::HighLevelTask& task : sent->mission.tasks) {
-        if (!scenario.interaction->models.contains(task.name)) continue;
-        for (const mission::Argument& argument : task.arguments) {
-          const auto* members = std::get_if<std::vector<std::string>>(&argument);
-          if (members != nullptr) {
-            check_members(scenario, sent->uav, task.name, *members, diagnostics);
-          }
-        }
+      if (const auto* sent = std::get_if<ground_station::SendMission>(&action)) {
+        for (const mission::HighLevelTask& task : sent->mission.tasks) check(sent->uav, task);
+      } else if (const auto* played = std::get_if<ground_station::PlayRole>(&action)) {
+        check(played->uav, played->task);
+        check_played(scenario, *played, diagnostics);
       }
     }
   }

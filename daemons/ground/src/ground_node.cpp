@@ -33,11 +33,13 @@ wire::AlarmState wire_state(gs::AlarmState state) {
 }  // namespace
 
 GroundNode::GroundNode(const gs::GroundConfig& config, world::Terrain terrain, node::Roster roster,
-                       ReadRequest read_request, std::optional<team::Config> team)
+                       ReadRequest read_request, std::optional<team::Config> team,
+                       std::vector<decision_node::Config> played)
     : terrain_(std::move(terrain)),
       roster_(std::move(roster)),
       read_request_(std::move(read_request)),
-      control_(config, terrain_) {
+      control_(config, terrain_),
+      roles_(std::move(played), roster_) {
   if (!team || !team->roster.number_of("ground")) return;
   std::vector<std::string> uavs;
   for (const gs::GroundUav& uav : config.uavs) uavs.push_back(uav.name);
@@ -49,11 +51,13 @@ node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
   out_.clear();
   happened_ = false;
   const bool of_team = hear_team(input);
-  const auto mine = of_team ? std::nullopt : input_of(input);
+  const bool of_partner = !of_team && hear_of_roles(input);
+  const auto mine = of_team || of_partner ? std::nullopt : input_of(input);
   tell_control(mine.value_or(Input(gs::Tick{})));
   if (!of_team && team_ && team_->next_wakeup() && *team_->next_wakeup() <= now) {
     tell_team(gs::Tick{});
   }
+  carry_out(roles_.time_passes(now));
   const bool located = mine && std::holds_alternative<gs::TelemetryReceived>(*mine);
   boards_.something_happened(mine || happened_, !located || happened_);
   if (boards_.is_due(now)) {
@@ -65,7 +69,8 @@ node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
 }
 
 std::optional<MissionTime> GroundNode::next_wakeup() const {
-  const auto wakeup = earliest(control_.next_wakeup(), boards_.next_wakeup());
+  const auto wakeup =
+      earliest(earliest(control_.next_wakeup(), boards_.next_wakeup()), roles_.next_wakeup());
   return team_ ? earliest(wakeup, team_->next_wakeup()) : wakeup;
 }
 
@@ -221,6 +226,9 @@ wire::Sample GroundNode::sample_of(const gs::SendRequest& effect) const {
 void GroundNode::carry_out(const gs::SendRequest& effect) {
   addressees_.insert_or_assign(effect.command.value(), roster_.find(effect.uav)->number);
   send(effect.uav, sample_of(effect), effect.expires);
+  if (const auto* change = std::get_if<mission::ChangeWorld>(&effect.request)) {
+    carry_out(roles_.tell(effect.uav, decision_node::PlaceTold{*change}, now_));
+  }
 }
 
 void GroundNode::carry_out(const gs::SendFunctional& effect) {
@@ -242,7 +250,10 @@ void GroundNode::carry_out(const gs::TellAlarm& effect) {
   sample.belief = alarm.belief;
   for (const node::Member& member : roster_.members()) {
     const bool meant = effect.uav.empty() || member.name == effect.uav;
-    if (member.role == wire::Role::kDdn && meant) send(member.name, sample);
+    if (member.role != wire::Role::kDdn || !meant) continue;
+    send(member.name, sample);
+    carry_out(
+        roles_.tell(member.name, decision_node::PlaceTold{translation::change_of(sample)}, now_));
   }
   if (team_) tell_team(gs::PlaceKnown{mission::name_of_alarm(alarm.id.value())});
 }
@@ -288,6 +299,10 @@ void GroundNode::carry_out(const gs::CommandChanged& effect) {
                              .with("state", to_text(effect.state));
   if (!effect.why.empty()) line.with("why", effect.why);
   log(line);
+  const bool failed =
+      effect.state == gs::CommandState::kRefused || effect.state == gs::CommandState::kExpired;
+  if (!failed || !effect.task) return;
+  carry_out(roles_.tell(effect.uav, decision_node::TaskRefused{*effect.task, effect.why}, now_));
 }
 
 void GroundNode::carry_out(const gs::LocalRequestAnswered& effect) {
@@ -300,6 +315,7 @@ void GroundNode::carry_out(const gs::LocalTaskEvent& effect) {
   if (!effect.functional || is_terminal(effect.event.state)) {
     send(effect.uav, to_wire(effect.uav, effect.event, now_));
   }
+  carry_out(roles_.tell(effect.uav, effect.event, now_));
 }
 
 void GroundNode::carry_out(const gs::LocalSync& effect) {

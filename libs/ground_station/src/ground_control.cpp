@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "request_facts.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/mission/alarm_name.hpp"
@@ -25,6 +26,8 @@ std::vector<std::string> names_of(const std::vector<GroundUav>& uavs) {
   for (const GroundUav& uav : uavs) names.push_back(uav.name);
   return names;
 }
+
+constexpr Duration kRoleTaskLives = Duration::milliseconds(30'000);
 
 // Carried out by the functional layer, not by the executive or a supervisor.
 bool is_functional(const std::string& type) {
@@ -111,6 +114,11 @@ void GroundControl::accept(const Input& input, MissionTime now, Effects& out) {
                 Monitoring::Input(IssueCommand{it.uav, it.request, now + it.lifetime, "operator"}));
           },
           [&](const OperatorRequest& it) { accept(it, now, out); },
+          [&](const RoleAsks& it) {
+            errands_.emplace_back(Monitoring::Input(
+                IssueCommand{it.uav, it.request, now + kRoleTaskLives, "a role played here"}));
+          },
+          [&](const PlayedTaskChanged& it) { accept(it); },
           [&](const auto& it) { errands_.emplace_back(Monitoring::Input(it)); },
       },
       input);
@@ -229,10 +237,15 @@ void GroundControl::route(const Monitoring::Effect& effect, MissionTime now, Eff
                  [&](const MissionChanged& it) { tell_planning(it); },
                  [&](const UavRestarted& it) {
                    out.emplace_back(it);
+                   stop_playing(it.uav, "the decision node of '" + it.uav + "' restarted", out);
                    tell_planning(it);
                  },
                  [&](const DegreeChanged& it) {
                    out.emplace_back(it);
+                   stop_playing(it.uav,
+                                "'" + it.uav + "' is at degree " + std::to_string(it.degree) +
+                                    " now: what comes next is decided anew",
+                                out);
                    tell_planning(it);
                    if (!runs_at_ground(it.degree)) send_up(it.uav, now, out);
                  },
@@ -256,6 +269,7 @@ void GroundControl::route(const SendRequest& request, Effects& out) {
     }
     return answer(edited->accepted, edited->why);
   }
+  if (stops_playing(request, out)) return answer(true, "");
   const bool is_here = to_executive(request.request) && is_held_here(request);
   SendRequest adapted = request;
   adapted.request = for_receiver(request, is_here);
@@ -278,6 +292,7 @@ void GroundControl::route(const MissionPlanning::Effect& effect, Effects& out) {
                  [&](const ResumeHeld& it) { resume(it, out); },
                  [&](const DropHeld& it) { drop(it.uav, out); },
                  [&](const Anomaly& it) { report(it, out); },
+                 [&](const PlayRole& it) { errands_.emplace_back(it); },
                  [&](const auto& it) { out.emplace_back(it); },
              },
              effect);
@@ -337,6 +352,48 @@ void GroundControl::route_local(const LocalInput& cause, const executive::Effect
           [&](const executive::Notice& it) { out.emplace_back(Anomaly{uav + ": " + it.text}); },
       },
       effect);
+}
+
+// ---- roles that are played here ----
+
+// What is refused is over: the script may wait for it.
+void GroundControl::do_errand(const PlayRole& play, MissionTime now, Effects& out) {
+  const executive::TaskId task(play.task.id.value());
+  const std::vector<std::string> problems = monitoring_.problems_of(play, now);
+  if (problems.empty()) {
+    played_.emplace(play.uav, task);
+    out.emplace_back(play);
+    return;
+  }
+  const std::string why = joined(problems, "; ");
+  report({"joint task " + skein::to_text(task) + " is not played for " + play.uav + ": " + why,
+          play.asked_by},
+         out);
+  const bool known = monitoring_.find_task(play.uav, task) != nullptr;
+  if (known || !monitoring_.knows(play.uav)) return;
+  accept(PlayedTaskChanged{play.uav,
+                           {task, std::string(executive::kJointPrefix) + play.task.name,
+                            executive::TaskState::kAborted, why}});
+}
+
+void GroundControl::accept(const PlayedTaskChanged& input) {
+  const executive::TaskEvent& event = input.event;
+  if (is_terminal(event.state)) played_.erase({input.uav, event.id});
+  errands_.emplace_back(Monitoring::Input(
+      TaskEventReceived{input.uav, event.id, event.type, event.state, event.reason, true}));
+}
+
+void GroundControl::stop_playing(const std::string& uav, const std::string& why, Effects& out) {
+  const bool plays = std::any_of(played_.begin(), played_.end(),
+                                 [&](const auto& one) { return one.first == uav; });
+  if (plays) out.emplace_back(StopRole{uav, std::nullopt, why});
+}
+
+bool GroundControl::stops_playing(const SendRequest& request, Effects& out) {
+  const auto* abort = std::get_if<executive::Abort>(&request.request);
+  if (abort == nullptr || !played_.contains({request.uav, abort->id})) return false;
+  out.emplace_back(StopRole{request.uav, abort->id, "interrupted by " + request.asked_by});
+  return true;
 }
 
 // A joint task needs a supervisor, which degree 1 does not have.

@@ -11,6 +11,8 @@ namespace {
 
 using Problems = std::vector<std::string>;
 
+constexpr const char* kNoneByGround = "its model lets the ground station play no role";
+
 Problems problems(const mission::ChangeDegree& change) {
   if (change.degree >= mission::kLeastDegree && change.degree <= mission::kGreatestDegree) {
     return {};
@@ -61,16 +63,42 @@ Problems MissionChecks::problems(const mission::UnitMission& mission, const Addr
   for (const mission::HighLevelTask& task : mission.tasks) {
     for (std::string& problem : joint_problems(task, to)) out.push_back(std::move(problem));
   }
-  if (!knowledge_.vocabulary) return out;
+  for (std::string& problem : statement_problems(mission, to, now)) {
+    out.push_back(std::move(problem));
+  }
+  return out;
+}
+
+Problems MissionChecks::problems_of(const mission::HighLevelTask& played, const Addressee& to,
+                                    MissionTime now) const {
+  Problems out;
+  if (mission::deliberates(to.degree)) {
+    out.push_back(to.name + " is at degree " + std::to_string(to.degree) +
+                  ": it plays its roles itself");
+  }
+  if (!knowledge_.joint_tasks.contains(played.name)) {
+    out.push_back("the ground station has no model of '" + played.name + "'");
+  } else if (!knowledge_.by_ground.contains(played.name)) {
+    out.push_back(played.name + ": " + kNoneByGround);
+  }
+  for (std::string& problem : joint_problems(played, to)) out.push_back(std::move(problem));
+  mission::UnitMission mission;  // of its own
+  mission.id = mission::MissionId(1);
+  mission.tasks.push_back(played);
+  for (std::string& problem : statement_problems(mission, to, now)) {
+    out.push_back(std::move(problem));
+  }
+  return out;
+}
+
+Problems MissionChecks::statement_problems(const mission::UnitMission& mission, const Addressee& to,
+                                           MissionTime now) const {
+  if (!knowledge_.vocabulary) return {};
   const auto vehicle = knowledge_.vehicles.find(to.name);
   const mission::Surroundings surroundings{
       knowledge_.places, knowledge_.zones, team_,
       vehicle == knowledge_.vehicles.end() ? nullptr : &vehicle->second};
-  for (std::string& problem :
-       mission::problems_of(mission, *knowledge_.vocabulary, surroundings, now)) {
-    out.push_back(std::move(problem));
-  }
-  return out;
+  return mission::problems_of(mission, *knowledge_.vocabulary, surroundings, now);
 }
 
 // Names that are no UAVs are the vocabulary's business.
@@ -88,8 +116,12 @@ Problems MissionChecks::joint_problems(const mission::HighLevelTask& task,
     const auto mate = to.team.find(name);
     if (mate == to.team.end()) continue;
     const auto& [degree, models] = mate->second;
-    if (name != to.name && !mission::deliberates(degree)) {
-      say(name + " is at degree " + std::to_string(degree) + " and does not deliberate");
+    if (!mission::deliberates(degree)) {
+      if (name != to.name && !knowledge_.by_ground.contains(task.name)) {
+        say(name + " is at degree " + std::to_string(degree) + " and does not deliberate, and " +
+            kNoneByGround);
+      }
+      if (knowledge_.by_ground.contains(task.name)) continue;  // the ground's version counts
     }
     const auto version = models.find(task.name);
     if (models.empty()) continue;

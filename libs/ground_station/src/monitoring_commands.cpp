@@ -12,6 +12,11 @@ namespace {
 
 using executive::TaskId;
 
+std::optional<TaskId> task_of(const Request& request) {
+  const auto* abort = std::get_if<executive::Abort>(&request);
+  return abort == nullptr ? started_by(request) : std::optional(abort->id);
+}
+
 }  // namespace
 
 std::string_view to_text(CommandState state) {
@@ -53,6 +58,23 @@ void Monitoring::on(const IssueToAll& input, MissionTime now, Effects& effects) 
   }
 }
 
+Addressee Monitoring::addressee(const Record& record) const {
+  Addressee to{record.board.name, record.board.degree, record.board.goals};
+  for (const auto& [name, other] : uavs_) to.team[name] = {other.board.degree, other.models};
+  return to;
+}
+
+std::vector<std::string> Monitoring::problems_of(const PlayRole& play, MissionTime now) const {
+  const auto uav = uavs_.find(play.uav);
+  if (uav == uavs_.end()) return {"unknown UAV '" + play.uav + "'"};
+  std::vector<std::string> problems = checks_.problems_of(play.task, addressee(uav->second), now);
+  const executive::TaskId id(play.task.id.value());
+  if (uav->second.board.tasks.contains(id)) {
+    problems.push_back("task " + skein::to_text(id) + " of " + play.uav + " is known already");
+  }
+  return problems;
+}
+
 // What was accepted may turn out not to make sense only now, since it waited for the degree.
 void Monitoring::send(CommandNumber number, MissionTime now, Effects& effects) {
   const auto found = pending_.find(number);
@@ -62,9 +84,8 @@ void Monitoring::send(CommandNumber number, MissionTime now, Effects& effects) {
     return close(number, CommandState::kExpired, "it waited for a change of degree", effects);
   }
   Record& record = uavs_.at(pending.uav);
-  Addressee to{pending.uav, record.board.degree, record.board.goals};
-  for (const auto& [name, other] : uavs_) to.team[name] = {other.board.degree, other.models};
-  if (const auto problems = checks_.problems_of(pending.request, to, now); !problems.empty()) {
+  const auto problems = checks_.problems_of(pending.request, addressee(record), now);
+  if (!problems.empty()) {
     return close(number, CommandState::kRefused, joined(problems, "; "), effects);
   }
   const auto* world = std::get_if<mission::ChangeWorld>(&pending.request);
@@ -130,8 +151,8 @@ void Monitoring::close(CommandNumber number, CommandState state, const std::stri
   pending_.erase(found);
   deadlines_.erase({pending.expires + grace_, number});
   const auto uav = uavs_.find(pending.uav);
-  effects.emplace_back(
-      CommandChanged{number, pending.uav, what_of(pending.request), state, why, pending.asked_by});
+  effects.emplace_back(CommandChanged{number, pending.uav, what_of(pending.request), state, why,
+                                      pending.asked_by, task_of(pending.request)});
   if (uav == uavs_.end()) return;
   uav->second.board.commands_pending -= 1;
   const auto* mission = std::get_if<mission::UnitMission>(&pending.request);

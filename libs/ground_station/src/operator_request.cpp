@@ -12,7 +12,7 @@ namespace {
 constexpr auto kActions = std::to_array<const char*>(
     {"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
      "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "tell_world",
-     "global_mission", "declare_lost", "finish"});
+     "global_mission", "declare_lost", "play", "finish"});
 static_assert(kActions.size() == std::variant_size_v<Action>);
 
 std::string object_of(const CloseAir& action) { return " " + action.volume.name; }

@@ -95,6 +95,12 @@ void MissionPlanning::perform(const DeclareLost& action, const Deed& deed) {
   deed.effects.emplace_back(action);
 }
 
+void MissionPlanning::perform(const PlayRole& action, const Deed& deed) {
+  PlayRole play = action;
+  if (play.asked_by.empty()) play.asked_by = deed.asked_by;
+  deed.effects.emplace_back(std::move(play));
+}
+
 std::string MissionPlanning::put_targets(const std::vector<ArgumentTarget>& targets,
                                          const std::vector<mission::HighLevelTask*>& tasks) const {
   for (const ArgumentTarget& target : targets) {

@@ -84,7 +84,8 @@ TEST(MissionChecks, AJointTaskOfAnotherVersionIsRefusedNamingBoth) {
 
 TEST(MissionChecks, WhoTakesPartInAJointTaskDeliberates) {
   EXPECT_THAT(joint_problems({4, kSame}, {2, kSame}, {"marvin", "heliv"}),
-              ElementsAre("lift: heliv is at degree 2 and does not deliberate"));
+              ElementsAre("lift: heliv is at degree 2 and does not deliberate, and its model lets "
+                          "the ground station play no role"));
   EXPECT_THAT(joint_problems({4, kSame}, {3, {{"lift", 0x123}}}, {"heliv"}), SizeIs(3));
 }
 

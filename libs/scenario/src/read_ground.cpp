@@ -173,20 +173,21 @@ namespace {
 std::vector<Action> read_actions(const Reader& reader, TaskContext& context) {
   std::vector<Action> actions;
   for (const Reader& item : items_of(reader)) {
-    item.keys({"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
-               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "know_place",
-               "know_ground", "global_mission", "declare_lost", "finish"});
+    item.keys({"plan", "abort", "message", "update", "mission", "cancel", "play", "degree",
+               "take_in_hand", "give_back", "resume_plan", "drop_plan", "close_air", "open_air",
+               "know_place", "know_ground", "global_mission", "declare_lost", "finish"});
     at_most_one_of(
-        item, {"plan", "abort", "message", "update", "mission", "cancel", "degree", "take_in_hand",
-               "give_back", "resume_plan", "drop_plan", "close_air", "open_air", "know_place",
-               "know_ground", "global_mission", "declare_lost", "finish"});
+        item, {"plan", "abort", "message", "update", "mission", "cancel", "play", "degree",
+               "take_in_hand", "give_back", "resume_plan", "drop_plan", "close_air", "open_air",
+               "know_place", "know_ground", "global_mission", "declare_lost", "finish"});
     if (auto action = read_action(item, context)) {
       actions.push_back(std::move(*action));
     } else {
-      item.error("an action of no kind",
-                 "one of plan, abort, message, update, mission, cancel, degree, take_in_hand, "
-                 "give_back, resume_plan, drop_plan, close_air, open_air, know_place, know_ground, "
-                 "global_mission, declare_lost, finish: true");
+      item.error(
+          "an action of no kind",
+          "one of plan, abort, message, update, mission, cancel, play, degree, take_in_hand, "
+          "give_back, resume_plan, drop_plan, close_air, open_air, know_place, know_ground, "
+          "global_mission, declare_lost, finish: true");
     }
   }
   return actions;

@@ -123,6 +123,29 @@ Action read_mission(const Reader& reader, TaskContext& context) {
   return send;
 }
 
+// It has the number of a task.
+Action read_play(const Reader& reader, TaskContext& context) {
+  reader.keys({"uav", "id", "task", "start_before", "start_after"});
+  if (!context.scenario.planning) reader.error(kNoPlanning, kPlanningWanted);
+  if (context.scenario.interaction == nullptr) {
+    reader.error("the scenario has no interaction models", "interaction: FILE");
+  }
+  ground_station::PlayRole play{read_uav(reader, context), {}};
+  const Reader id = reader.required("id");
+  const executive::TaskId task = read_task_id(id);
+  play.task.id = GoalId(task.value());
+  if (!play.uav.empty() && id.present() && !context.planned.emplace(play.uav, task).second) {
+    id.error("task " + to_text(task) + " of " + play.uav + " is planned twice",
+             "ids that are unique for the whole mission");
+  }
+  std::vector<ArgumentTarget> targets;
+  read_statement(reader.required("task"), play.task, 0, targets);
+  if (!targets.empty()) reader.required("task").error("an alarm's place", "places by name");
+  play.task.time.start_before = read_bound(reader.optional("start_before"));
+  play.task.time.start_after = read_bound(reader.optional("start_after"));
+  return play;
+}
+
 Action read_cancel(const Reader& reader, TaskContext& context) {
   reader.keys({"uav", "goals", "mission", "interrupt"});
   at_most_one_of(reader, {"goals", "mission"});
@@ -308,6 +331,7 @@ void check_references(const TaskContext& context) {
 const std::vector<MissionAction>& mission_actions() {
   static const std::vector<MissionAction> kActions{{"mission", read_mission},
                                                    {"cancel", read_cancel},
+                                                   {"play", read_play},
                                                    {"degree", read_degree},
                                                    {"take_in_hand", read_take_in_hand},
                                                    {"give_back", read_give_back},

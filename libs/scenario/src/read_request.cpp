@@ -14,7 +14,7 @@ using config::Reader;
 using ground_station::OperatorDeed;
 
 constexpr const char* kKinds =
-    "one of take_in_hand, give_back, degree, mission, cancel, plan, abort, message, update, "
+    "one of take_in_hand, give_back, degree, mission, cancel, play, plan, abort, message, update, "
     "resume_plan, drop_plan, close_air, open_air, know_place, know_ground, global_mission, "
     "declare_lost, finish: true, ask, "
     "keep, let_go, answer, judge_alarm, go";
@@ -87,7 +87,7 @@ void read_item(const Reader& item, TaskContext& context, std::vector<OperatorDee
                                  "plan",         "abort",     "message",  "update",  "drop_plan",
                                  "resume_plan",  "close_air", "open_air", "finish",  "know_place",
                                  "know_ground",  "ask",       "keep",     "let_go",  "answer",
-                                 "judge_alarm",  "go"});
+                                 "judge_alarm",  "go",        "play"});
   if (!is_map) return;
   if (item.entries().size() != 1) return item.error("an action is one thing", kKinds);
   if (auto deed = read_of_person(item, context)) {

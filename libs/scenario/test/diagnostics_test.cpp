@@ -208,44 +208,43 @@ SKEIN_WRONG_FILES(
     Wrong{"ConditionsThatAreNoFormula", "[[{task: 2, state: ended}]]", "{task: 2, state: ended}",
           "27:46: ground.script[0].do[0].plan.tasks[2].pre: a map where a list was expected\n"});
 
-SKEIN_WRONG_FILES(Script,
-                  Wrong{"UnknownStep", "when: {time: 5}", "when: {step: edn}",
-                        "20:20: ground.script[0].when.step: unknown name 'edn'; expected a step; "
-                        "did you mean 'end'?\n"},
-                  Wrong{"StepTwice", "step: end", "step: start",
-                        "18:3: ground: two steps are named 'start'\n"},
-                  Wrong{"StepWithoutName", "    - step: end\n      when", "    - when",
-                        "28:7: ground.script[1].step: missing\n"},
-                  Wrong{"StepWithoutTrigger", "      when: {time: 5}\n", "",
-                        "19:7: ground.script[0].when: missing\n"},
-                  Wrong{"TriggerOfTwoThings", "when: {time: 5}", "when: {time: 5, alarm: raised}",
-                        "20:13: ground.script[0].when: a trigger is one thing; expected all: [...] "
-                        "or any: [...] for several\n"},
-                  Wrong{"TriggerOfNothing", "when: {time: 5}", "when: {alarm: }",
-                        "20:21: ground.script[0].when.alarm: nothing is said of 'alarm'\n"},
-                  Wrong{"TriggerMisspelt", "when: {time: 5}", "when: {alarm: rased}",
-                        "20:21: ground.script[0].when.alarm: 'rased'; expected one of raised, "
-                        "confirmed, infirmed; did you mean 'raised'?\n"},
-                  Wrong{"OneOfNothing", "when: {time: 5}", "when: {any: []}",
-                        "18:3: ground: step 'start' waits for one of nothing\n"},
-                  Wrong{"ActionOfNoKind", "do: [{finish: true}]", "do: [{finish: false}]",
-                        "30:12: ground.script[1].do[0]: an action of no kind; expected one of "
-                        "plan, abort, message, update, mission, cancel, degree, take_in_hand, "
-                        "give_back, resume_plan, drop_plan, close_air, open_air, know_place, "
-                        "know_ground, global_mission, declare_lost, finish: true\n"},
-                  Wrong{"ActionOfTwoKinds", "do: [{finish: true}]",
-                        "do: [{finish: true, message: {uav: heliv, text: go}}]",
-                        "30:21: ground.script[1].do[0].finish: 'finish' beside 'message'; expected "
-                        "one of the two\n"},
-                  Wrong{"ActionOfNothing", "do: [{finish: true}]", "do: [~]",
-                        "30:12: ground.script[1].do[0]: nothing in a list\n"},
-                  Wrong{"AbortOfSome", "do: [{finish: true}]",
-                        "do: [{abort: {uav: heliv, tasks: some}}]",
-                        "30:40: ground.script[1].do[0].abort.tasks: 'some'; expected one of all\n"},
-                  Wrong{"BeliefOutOfRange", "ground:\n", "ground:\n  pps: {confirm: 2}\n",
-                        "18:18: ground.pps.confirm: '2'; expected a number from 0 to 1\n"},
-                  Wrong{"CommandsThatExpireAtOnce", "ground:\n", "ground:\n  command_lifetime: 0\n",
-                        "18:3: ground: the lifetime of commands must be positive\n"});
+SKEIN_WRONG_FILES(
+    Script,
+    Wrong{"UnknownStep", "when: {time: 5}", "when: {step: edn}",
+          "20:20: ground.script[0].when.step: unknown name 'edn'; expected a step; "
+          "did you mean 'end'?\n"},
+    Wrong{"StepTwice", "step: end", "step: start", "18:3: ground: two steps are named 'start'\n"},
+    Wrong{"StepWithoutName", "    - step: end\n      when", "    - when",
+          "28:7: ground.script[1].step: missing\n"},
+    Wrong{"StepWithoutTrigger", "      when: {time: 5}\n", "",
+          "19:7: ground.script[0].when: missing\n"},
+    Wrong{"TriggerOfTwoThings", "when: {time: 5}", "when: {time: 5, alarm: raised}",
+          "20:13: ground.script[0].when: a trigger is one thing; expected all: [...] "
+          "or any: [...] for several\n"},
+    Wrong{"TriggerOfNothing", "when: {time: 5}", "when: {alarm: }",
+          "20:21: ground.script[0].when.alarm: nothing is said of 'alarm'\n"},
+    Wrong{"TriggerMisspelt", "when: {time: 5}", "when: {alarm: rased}",
+          "20:21: ground.script[0].when.alarm: 'rased'; expected one of raised, "
+          "confirmed, infirmed; did you mean 'raised'?\n"},
+    Wrong{"OneOfNothing", "when: {time: 5}", "when: {any: []}",
+          "18:3: ground: step 'start' waits for one of nothing\n"},
+    Wrong{"ActionOfNoKind", "do: [{finish: true}]", "do: [{finish: false}]",
+          "30:12: ground.script[1].do[0]: an action of no kind; expected one of "
+          "plan, abort, message, update, mission, cancel, play, degree, take_in_hand, "
+          "give_back, resume_plan, drop_plan, close_air, open_air, know_place, "
+          "know_ground, global_mission, declare_lost, finish: true\n"},
+    Wrong{"ActionOfTwoKinds", "do: [{finish: true}]",
+          "do: [{finish: true, message: {uav: heliv, text: go}}]",
+          "30:21: ground.script[1].do[0].finish: 'finish' beside 'message'; expected "
+          "one of the two\n"},
+    Wrong{"ActionOfNothing", "do: [{finish: true}]", "do: [~]",
+          "30:12: ground.script[1].do[0]: nothing in a list\n"},
+    Wrong{"AbortOfSome", "do: [{finish: true}]", "do: [{abort: {uav: heliv, tasks: some}}]",
+          "30:40: ground.script[1].do[0].abort.tasks: 'some'; expected one of all\n"},
+    Wrong{"BeliefOutOfRange", "ground:\n", "ground:\n  pps: {confirm: 2}\n",
+          "18:18: ground.pps.confirm: '2'; expected a number from 0 to 1\n"},
+    Wrong{"CommandsThatExpireAtOnce", "ground:\n", "ground:\n  command_lifetime: 0\n",
+          "18:3: ground: the lifetime of commands must be positive\n"});
 
 SKEIN_WRONG_FILES(
     Expectations,

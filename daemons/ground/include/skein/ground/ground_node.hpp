@@ -11,6 +11,7 @@
 
 #include "skein/foundation/result.hpp"
 #include "skein/ground/operator_boards.hpp"
+#include "skein/ground/played_roles.hpp"
 #include "skein/ground_station/ground_control.hpp"
 #include "skein/ground_station/team_desk.hpp"
 #include "skein/node/node.hpp"
@@ -31,10 +32,12 @@ class GroundNode final : public node::Node {
       std::function<Result<std::vector<ground_station::OperatorDeed>, std::vector<std::string>>(
           const std::string& text)>;
 
-  /// Without a reader every request of an operator is refused.
+  /// Without a reader every request of an operator is refused; `played`: UAVs for which roles can
+  /// be played here.
   GroundNode(const ground_station::GroundConfig& config, world::Terrain terrain,
              node::Roster roster, ReadRequest read_request = {},
-             std::optional<team::Config> team = std::nullopt);
+             std::optional<team::Config> team = std::nullopt,
+             std::vector<decision_node::Config> played = {});
 
   node::Effects handle(const node::Input& input, MissionTime now) override;
   std::optional<MissionTime> next_wakeup() const override;
@@ -84,6 +87,11 @@ class GroundNode final : public node::Node {
   void carry_out(const ground_station::GlobalMissionChanged& effect);
   void carry_out(const ground_station::TeamSaleTold& effect);
   void carry_out(const ground_station::TeamTokenChanged& effect);
+  // roles that are played here
+  void carry_out(PlayedRoles::Outcome outcome);
+  bool hear_of_roles(const node::Input& input);
+  void carry_out(const ground_station::PlayRole& effect);
+  void carry_out(const ground_station::StopRole& effect);
 
   void send(const std::string& uav, wire::Sample sample, MissionTime expires = MissionTime::max());
   wire::Sample sample_of(const ground_station::SendRequest& effect) const;
@@ -97,6 +105,7 @@ class GroundNode final : public node::Node {
   ground_station::GroundControl control_;
   std::optional<ground_station::TeamDesk> team_;
   std::set<std::string> out_of_reach_;  ///< nothing of the team is said to them
+  PlayedRoles roles_;
   OperatorBoards boards_;
   std::map<std::uint64_t, node::NodeNumber> addressees_;       ///< of commands, by number
   std::set<std::pair<node::NodeNumber, wire::Slot>> dropped_;  ///< already logged

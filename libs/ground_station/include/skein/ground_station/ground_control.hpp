@@ -73,6 +73,9 @@ struct GroundConfig {
 /// again; a functional layer answers a request that it has already had, and does not execute it
 /// twice.
 ///
+/// Roles that are played here (PlayRole) end with any change of the UAV's degree, with a restart of
+/// its decision node, and by an ABORT of the joint task.
+///
 /// Operators ask by requests (OperatorDesk); what they want done goes the same ways as what the
 /// script does.
 ///
@@ -80,17 +83,17 @@ struct GroundConfig {
 /// effects. Not safe to share between threads. Source: T II.1, VI.1.1, spec 1.1, 1.2, 1.5.
 class GroundControl {
  public:
-  using Input =
-      std::variant<Tick, PerceptionReceived, TelemetryReceived, TaskEventReceived,
-                   RequestReplyReceived, CommandUndelivered, PlanBoardReceived,
-                   FunctionalStatusReceived, SyncReceived, PeerReachable, OperatorActs,
-                   OperatorCommand, OperatorRequest, MissionPlanReceived, HandOverReceived,
-                   DecisionReceived, MissionOutcomeReceived, TeamTaskChanged, GlobalMissionChanged>;
+  using Input = std::variant<Tick, PerceptionReceived, TelemetryReceived, TaskEventReceived,
+                             RequestReplyReceived, CommandUndelivered, PlanBoardReceived,
+                             FunctionalStatusReceived, SyncReceived, PeerReachable, OperatorActs,
+                             OperatorCommand, OperatorRequest, MissionPlanReceived,
+                             HandOverReceived, DecisionReceived, MissionOutcomeReceived,
+                             TeamTaskChanged, GlobalMissionChanged, RoleAsks, PlayedTaskChanged>;
   using Effect = std::variant<
       // to be sent
       SendRequest, SendFunctional, SendSync, AlarmEvent, TellAlarm, OperatorAnswered,
-      // for the team
-      GiveGlobalMission, DeclareLost,
+      // for the team, and for roles that are played here
+      GiveGlobalMission, DeclareLost, PlayRole, StopRole,
       // for the journal
       CommandChanged, LocalRequestAnswered, LocalTaskEvent, LocalSync, PerceptionLogged,
       PhaseEntered, StepDone, OperatorDid, OperatorAsked, HandChanged, DegreeChanged, UavRestarted,
@@ -128,7 +131,7 @@ class GroundControl {
     std::map<executive::TaskId, mission::GoalId> origins = {};  ///< of what came from on board
   };
   /// What is still to be handed to a component.
-  using Errand = std::variant<Monitoring::Input, MissionPlanning::Input, LocalInput>;
+  using Errand = std::variant<Monitoring::Input, MissionPlanning::Input, LocalInput, PlayRole>;
   using Effects = std::vector<Effect>;
 
   void wake(MissionTime now);
@@ -136,6 +139,9 @@ class GroundControl {
   void accept(const OperatorRequest& request, MissionTime now, Effects& out);
   void accept(const OperatorDesk::Effect& effect, Effects& out);
   void report(const Anomaly& anomaly, Effects& out);
+  void stop_playing(const std::string& uav, const std::string& why, Effects& out);
+  bool stops_playing(const SendRequest& request, Effects& out);
+  void accept(const PlayedTaskChanged& input);
   void note_air(const Request& request);
   void accept_status(const FunctionalStatusReceived& input, Effects& out);
   void accept_reachability(const PeerReachable& input, Effects& out);
@@ -143,6 +149,7 @@ class GroundControl {
   void do_errand(const Monitoring::Input& input, MissionTime now, Effects& out);
   void do_errand(const MissionPlanning::Input& input, MissionTime now, Effects& out);
   void do_errand(const LocalInput& input, MissionTime now, Effects& out);
+  void do_errand(const PlayRole& play, MissionTime now, Effects& out);
   void route(const Monitoring::Effect& effect, MissionTime now, Effects& out);
   void route(const SendRequest& request, Effects& out);
   void route(const MissionPlanning::Effect& effect, Effects& out);
@@ -184,6 +191,7 @@ class GroundControl {
   std::map<std::string, std::map<std::pair<std::uint64_t, std::string>, executive::SyncReceived>>
       syncs_;
   std::map<std::string, world::Volume> air_;
+  std::set<std::pair<std::string, executive::TaskId>> played_;  ///< joint tasks, by UAV
   Duration transfer_lifetime_;
 };
 

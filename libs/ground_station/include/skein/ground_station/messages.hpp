@@ -207,6 +207,7 @@ struct CommandChanged {
   CommandState state = CommandState::kIssued;
   std::string why = {};
   std::string asked_by = {};
+  std::optional<executive::TaskId> task = {};  ///< of a START or an ABORT
 };
 /// A task's state is news to the ground. Each state of a task is told once.
 struct TaskChanged {
@@ -262,6 +263,30 @@ struct GlobalMissionChanged {
 /// To be given to the team.
 struct GiveGlobalMission {
   team::GlobalMission mission;
+};
+/// A role of a joint task is to be played here for a UAV that does not deliberate; the joint task
+/// has the number of a task of that UAV. `asked_by`, when empty, becomes the step's or the
+/// operator's name. Source: spec 1.2, 7.3.
+struct PlayRole {
+  std::string uav;
+  mission::HighLevelTask task;
+  std::string asked_by = {};
+};
+/// What is played here for the UAV ends: one joint task, or all.
+struct StopRole {
+  std::string uav;
+  std::optional<executive::TaskId> task;
+  std::string why;
+};
+/// A role that is played here wants this of the UAV.
+struct RoleAsks {
+  std::string uav;
+  Request request;
+};
+/// A joint task that is played here is running, ended or aborted.
+struct PlayedTaskChanged {
+  std::string uav;
+  executive::TaskEvent event;
 };
 /// The operator says that a UAV will never be heard again: what it was granted is sold again.
 struct DeclareLost {

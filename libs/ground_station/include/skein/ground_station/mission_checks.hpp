@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct MissionKnowledge {
   std::map<std::string, world::VehicleModel> vehicles = {};
   /// Joint tasks and the versions of their interaction models that the ground has.
   ModelVersions joint_tasks = {};
+  /// Of these, those of whose roles the ground station may play some.
+  std::set<std::string> by_ground = {};
 };
 
 /// Another UAV, as the board has it.
@@ -56,10 +59,15 @@ class MissionChecks {
   /// to an MLE are its own business. Source: spec 1.2, 6.2.
   std::vector<std::string> problems_of(const Request& request, const Addressee& to,
                                        MissionTime now) const;
+  /// Likewise, of a joint task in which the ground is to play the role of `to`.
+  std::vector<std::string> problems_of(const mission::HighLevelTask& played, const Addressee& to,
+                                       MissionTime now) const;
 
  private:
   std::vector<std::string> problems(const mission::UnitMission& mission, const Addressee& to,
                                     MissionTime now) const;
+  std::vector<std::string> statement_problems(const mission::UnitMission& mission,
+                                              const Addressee& to, MissionTime now) const;
   std::vector<std::string> joint_problems(const mission::HighLevelTask& task,
                                           const Addressee& to) const;
 

@@ -35,7 +35,7 @@ class MissionPlanning {
                              TeamTaskChanged, GlobalMissionChanged>;
   using Effect = std::variant<IssueCommand, IssueToAll, AbortEverything, ChangeHands, ResumeHeld,
                               DropHeld, PhaseEntered, OperatorDid, StepDone, MissionFinished,
-                              GiveGlobalMission, DeclareLost, Anomaly>;
+                              GiveGlobalMission, DeclareLost, PlayRole, Anomaly>;
 
   /// Precondition: problems_of(script) is empty. The terrain must outlive this.
   MissionPlanning(Script script, const world::Terrain& terrain);
@@ -106,6 +106,7 @@ class MissionPlanning {
   void perform(const TellWorld& action, const Deed& deed);
   void perform(const SendGlobalMission& action, const Deed& deed);
   void perform(const DeclareLost& action, const Deed& deed);
+  void perform(const PlayRole& action, const Deed& deed);
   void perform(const Finish& action, const Deed& deed);
   /// Puts what targets are resolved to in the place of their arguments; or says why not.
   std::string put_targets(const std::vector<ArgumentTarget>& targets,

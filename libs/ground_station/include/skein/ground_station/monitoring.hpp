@@ -111,6 +111,9 @@ class Monitoring {
   /// Missions may name the place from now on.
   void know_place(const std::string& name) { checks_.know_place(name); }
 
+  /// Why the role cannot be played here, all reasons at once.
+  std::vector<std::string> problems_of(const PlayRole& play, MissionTime now) const;
+
   Board board(MissionTime now) const;
   /// 3 for an unknown UAV.
   Degree degree_of(const std::string& uav) const;
@@ -173,6 +176,7 @@ class Monitoring {
   void on(const CommandUndelivered& input, MissionTime now, Effects& effects);
   void send(CommandNumber number, MissionTime now, Effects& effects);
   void close(CommandNumber number, CommandState state, const std::string& why, Effects& effects);
+  Addressee addressee(const Record& record) const;
   void expire_due(MissionTime now, Effects& effects);
   void send_again(const Record& record, Effects& effects);
 

@@ -221,9 +221,10 @@ struct SendGlobalMission {
 /// The mission is over.
 struct Finish {};
 
-using Action = std::variant<SendPlan, AbortTasks, SendMessage, UpdateConditions, SendMission,
-                            CancelMission, SetDegree, TakeInHand, GiveBack, ResumePlan, DropPlan,
-                            CloseAir, OpenAir, TellWorld, SendGlobalMission, DeclareLost, Finish>;
+using Action =
+    std::variant<SendPlan, AbortTasks, SendMessage, UpdateConditions, SendMission, CancelMission,
+                 SetDegree, TakeInHand, GiveBack, ResumePlan, DropPlan, CloseAir, OpenAir,
+                 TellWorld, SendGlobalMission, DeclareLost, PlayRole, Finish>;
 
 struct Step {
   std::string name;   ///< unique in the script
