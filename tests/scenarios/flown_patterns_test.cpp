@@ -48,6 +48,17 @@ world::Zone a_zone(Random& random, double least, double most) {
   return zone;
 }
 
+world::Zone a_square(Random& random, double side) {
+  const double turned = random.uniform(0, 3);
+  world::Zone zone;
+  zone.name = "zone";
+  for (const auto& [u, v] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}) {
+    zone.polygon.emplace_back(side * (u * std::cos(turned) - v * std::sin(turned)),
+                              side * (u * std::sin(turned) + v * std::cos(turned)));
+  }
+  return zone;
+}
+
 Refinery refinery_of(const world::World& world, const world::VehicleModel& model, double altitude) {
   Knowledge knowledge;
   knowledge.vehicle = model;
@@ -131,6 +142,33 @@ TEST(FlownSweeps, SeeTheWholeZone) {
     ++swept;
   }
   EXPECT_GE(swept, 12);
+}
+
+// A fast helicopter swings out by two dozen metres where it turns into a lane.
+TEST(FlownSweeps, OfOneThatHoversLeaveNoGapsWhereItTurns) {
+  const auto swift = vehicle_of("scenarios/area-sharing/models/swift.yaml");
+  for (std::uint64_t seed = 1; seed <= skein::testing::cases(4U, 100U); ++seed) {
+    Random random(seed, "sweeps of one that hovers");
+    const world::World world = windy(random);
+    const world::Zone zone = a_square(random, 480);
+    const double altitude = random.uniform(60, 100);
+    Refinery refinery = refinery_of(world, swift, altitude);
+    Range range(world, swift, seed);
+    ASSERT_GT(range.fly("takeoff", altitude_of(altitude), 400).seconds, 0);
+
+    const auto sweep = refinery.sweeps.over({0, 0, altitude}, zone, swift.sensors.front());
+
+    ASSERT_TRUE(sweep) << "seed " << seed << ": " << sweep.error();
+    ASSERT_GT(range.fly("goto", waypoints({sweep->way.front()}), 2000).seconds, 0) << seed;
+    const auto flown = range.fly("goto", waypoints(sweep->way), 4000);
+    ASSERT_GT(flown.seconds, 0) << "seed " << seed << ' ' << flown.why;
+    const double reach = reach_of(swift.sensors.front(), altitude);
+    EXPECT_GE(seen_part(zone, range.track(), reach, swift.sensors.front().period.to_seconds()),
+              0.995)
+        << "seed " << seed;
+    EXPECT_LE(flown.seconds, sweep->times.most) << "seed " << seed;
+    EXPECT_GE(flown.seconds, sweep->times.least) << "seed " << seed;
+  }
 }
 
 /// Points over a zone, on the ground.

@@ -33,6 +33,7 @@ Result<AreaSweep, std::string> sweep_of(const std::shared_ptr<const Knowledge>& 
   const auto reach = footprint(**sensor, height_of(*knowledge));
   if (!reach) return no(reach.error());
   Refinery refinery(Gazetteer(knowledge, world), now, kSeed);
+  refinery.sweeps.let_swing();
   const auto lanes = refinery.sweeps.over(from, {"", area}, **sensor);
   if (!lanes) return no(lanes.error());
   const auto there = refinery.ways.path(from, lanes->way.front());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "flight/autopilot.hpp"
 #include "flight/closed_air.hpp"
@@ -25,6 +26,7 @@ constexpr double kRunIn = 3;     // turn radii before the first lane
 // Waiting circles' radii, straight before a lane that is taken up again.
 constexpr double kRunInAgain = 2;
 constexpr double kLaneSpacing = 2.5;  // turn radii between way-points along lanes
+constexpr int kJoined = 2;            // way-points that bring one that hovers back on its lane
 constexpr double kSeenEnough = 0.998;
 constexpr double kSureShare = 1.4;  // deviations by which it may see less far
 
@@ -87,19 +89,19 @@ double swath_of(double footprint, const world::VehicleModel& vehicle, double ove
 /// count as reached a little before, and with points in between that keep it on its lane.
 Answer<Sweeps::Lanes> Sweeps::planned(const world::World& world, const Vector3& from,
                                       const world::Zone& zone, const world::SensorModel& device,
-                                      double overlap) const {
+                                      const Care& care) const {
   refiners::CoverageQuery query;
   query.vehicle = air_.cautious();
   query.area = zone.polygon;
   query.altitude = std::min(gazetteer().knowledge().altitude, vehicle().ceiling);
   const auto width = footprint(device, query.altitude);
   if (!width) return no(width.error());
-  query.swath = swath_of(*width, vehicle(), overlap);
+  query.swath = swath_of(*width, vehicle(), care.overlap);
   query.start = gazetteer().flown_to(from);
   query.depart = air_.origin();
   auto refined = refine(query, air_.setting(world));
   if (!refined) return no(refined.error().why);
-  Lanes lanes{lanes_flown(refined->task, world), 1};
+  Lanes lanes{lanes_flown(refined->task, world, care.joins), 1};
   const auto stride =
       std::max<std::size_t>(1, static_cast<std::size_t>(device.period.to_seconds() / kTrackStep));
   const double reach = *width - kSureShare * world::tracking_spread(vehicle());
@@ -111,14 +113,24 @@ Answer<Sweeps::Lanes> Sweeps::planned(const world::World& world, const Vector3& 
   return lanes;
 }
 
-Way Sweeps::lanes_flown(const refiners::Coverage& task, const world::World& world) const {
+// One that hovers swings out where it turns with some speed, and joins its lane only at the far end
+// of it if it aims at that: where that leaves gaps, points behind the turn bring it back.
+void Sweeps::fly_along(Way& way, const Vector3& to, bool joins) const {
+  const double swing = vehicle().cruise_speed * vehicle().cruise_speed / vehicle().acceleration;
+  const double spacing = vehicle().hovers ? swing : kLaneSpacing * vehicle().min_turn_radius;
+  int left = vehicle().hovers ? (joins ? kJoined : 0) : std::numeric_limits<int>::max();
+  for (; left > 0 && 2 * spacing < (to - way.back()).norm(); --left)
+    way.push_back(way.back() + spacing * (to - way.back()).normalized());
+}
+
+Way Sweeps::lanes_flown(const refiners::Coverage& task, const world::World& world,
+                        bool joins) const {
   const auto is_open = [&](const Vector3& at) {
     return world.terrain.contains(at.x(), at.y()) &&
            std::none_of(world.volumes.begin(), world.volumes.end(),
                         [&](const auto& volume) { return is_near(volume, at, 1e-3); });
   };
   const double beyond = world::reaching_distance(vehicle(), world.wind);
-  const double spacing = kLaneSpacing * vehicle().min_turn_radius;
   const auto same = [](const Vector3& at, const Vector2& end) {
     return (at.head<2>() - end).norm() < 1e-6;
   };
@@ -146,9 +158,7 @@ Way Sweeps::lanes_flown(const refiners::Coverage& task, const world::World& worl
       while (way.size() > arc && (way.back() - first).head<2>().norm() < apart) way.pop_back();
       way.push_back(first);
     } else if (on_lane && same(point, task.lanes[lane].to)) {
-      if (!vehicle().hovers)
-        for (double s = spacing; s + spacing < (point - way.back()).norm();)
-          way.push_back(way.back() + s * (point - way.back()).normalized());
+      fly_along(way, point, joins);
       const Vector3 late = point + beyond * ahead;
       way.push_back(is_open(late) ? late : point);
       on_lane = false;
@@ -166,14 +176,17 @@ Answer<Sweeps::Lanes> Sweeps::best(const Counted& air, const Vector3& from, cons
   const world::World local = air_.over(zone, from, 1e9, margin, air);
   Lanes best;
   std::string why = "nothing of it would be seen";
-  for (const double overlap : {1.0, 2.0, 3.0, 4.0}) {
-    auto lanes = planned(local, from, zone, device, overlap);
-    if (!lanes) {
-      why = lanes.error();
-      break;
+  for (const bool joins : {false, true}) {
+    if (joins && (best.seen >= kSeenEnough || swings_ || !vehicle().hovers)) break;
+    for (const double overlap : {1.0, 2.0, 3.0, 4.0}) {
+      auto lanes = planned(local, from, zone, device, {overlap, joins});
+      if (!lanes) {
+        why = lanes.error();
+        break;
+      }
+      if (lanes->seen > best.seen) best = std::move(*lanes);
+      if (best.seen >= kSeenEnough) break;
     }
-    if (lanes->seen > best.seen) best = std::move(*lanes);
-    if (best.seen >= kSeenEnough) break;
   }
   if (best.way.empty()) return no(why);
   return best;

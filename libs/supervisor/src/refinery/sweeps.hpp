@@ -15,6 +15,10 @@ class Sweeps {
  public:
   Sweeps(TimedAir& air, const Ways& ways) : air_(air), ways_(ways) {}
 
+  /// One that hovers is not brought back on its lanes where it swings out: parts of an area that is
+  /// shared, of which who flies where is agreed.
+  void let_swing() { swings_ = true; }
+
   /// From its first lane on, and where it turns into that; the way there is not part of it, but it
   /// is set out on `when`. As it will be flown all of the zone is seen, but for what lies in air
   /// that is closed then.
@@ -41,10 +45,17 @@ class Sweeps {
     refiners::Way way;
     double seen = 0;  ///< least part of the zone, of all poses it may begin in
   };
-  refiners::Way lanes_flown(const refiners::Coverage& task, const world::World& world) const;
+  /// `overlap`: of lanes, in deviations; `joins`: one that hovers is brought back on each lane.
+  struct Care {
+    double overlap = 1;
+    bool joins = false;
+  };
+  void fly_along(refiners::Way& way, const world::Vector3& to, bool joins) const;
+  refiners::Way lanes_flown(const refiners::Coverage& task, const world::World& world,
+                            bool joins) const;
   Answer<Lanes> planned(const world::World& world, const world::Vector3& from,
                         const world::Zone& zone, const world::SensorModel& device,
-                        double overlap) const;
+                        const Care& care) const;
   Answer<Lanes> best(const Counted& air, const world::Vector3& from, const world::Zone& zone,
                      const world::SensorModel& device, double margin) const;
   Answer<Motion> over_in(const Counted& air, const world::Vector3& from, const world::Zone& zone,
@@ -54,6 +65,7 @@ class Sweeps {
 
   TimedAir& air_;
   const Ways& ways_;
+  bool swings_ = false;
 };
 
 }  // namespace skein::supervisor
