@@ -17,15 +17,15 @@ constexpr const char* kPlace = "place";  // of an action's `out`
 
 }  // namespace
 
-void JointTask::negotiate_places(const std::string& action) {
+void JointPlay::negotiate_places(const std::string& action) {
   const interaction::Automaton& automaton = play_->automaton();
   const interaction::CoordinationAction& what = *automaton[*automaton.find(action)].action();
   const auto fails = [&](const std::string& why) {
-    host_.bus().emit(Notice{joint_.subject + ": " + action + ": " + why});
+    host_.bus().emit(Notice{my_.joint.subject + ": " + action + ": " + why});
     tell_status(action, Word::kAborted);
   };
   interaction::BeginNegotiation begin;
-  begin.subject = joint_.subject + "/" + what.modality;
+  begin.subject = my_.joint.subject + "/" + what.modality;
   begin.modality = what.modality;
   begin.members = parties_of(action);
   auto terms = place_terms(what, play_->scope(), begin.members.size(), outlook());
@@ -34,20 +34,20 @@ void JointTask::negotiate_places(const std::string& action) {
   begin.within = kSession;
   actions_[action] = begin.subject;
   if (begin.members.size() == 1) return take_place_alone(begin);
-  if (interaction_.begin(joint_, std::move(begin))) return;
+  if (interaction_.begin(my_.joint, std::move(begin))) return;
   actions_.erase(action);
   tell_status(action, Word::kAborted);
 }
 
 // Of what it can do itself the best.
-void JointTask::take_place_alone(const interaction::BeginNegotiation& begin) {
+void JointPlay::take_place_alone(const interaction::BeginNegotiation& begin) {
   interaction::Terms terms;
   terms.subject = begin.subject;
   terms.modality = begin.modality;
   terms.members = begin.members;
   terms.parameters = begin.parameters;
   interaction::NegotiationOutcome outcome;
-  const auto offer = offer_for(terms);
+  const auto offer = task_.offer_for(terms);
   const auto result = offer ? interaction::reckon(terms, {{self(), *offer}}) : offer;
   outcome.kind = result ? Kind::kAgreed : Kind::kFailed;
   if (result) outcome.result = *result;
@@ -55,7 +55,7 @@ void JointTask::take_place_alone(const interaction::BeginNegotiation& begin) {
   places_agreed(terms, outcome);
 }
 
-void JointTask::places_agreed(const interaction::Terms& terms,
+void JointPlay::places_agreed(const interaction::Terms& terms,
                               const interaction::NegotiationOutcome& outcome) {
   const auto asked = std::find_if(actions_.begin(), actions_.end(),
                                   [&](const auto& one) { return one.second == terms.subject; });
@@ -63,13 +63,13 @@ void JointTask::places_agreed(const interaction::Terms& terms,
   const std::string action = asked->first;
   actions_.erase(asked);
   if (outcome.kind != Kind::kAgreed) {
-    host_.bus().emit(Notice{joint_.subject + ": " + action + ": " + outcome.why});
+    host_.bus().emit(Notice{my_.joint.subject + ": " + action + ": " + outcome.why});
     return tell_status(action, Word::kAborted);
   }
   const interaction::Automaton& automaton = play_->automaton();
   const config::Value* out = automaton[*automaton.find(action)].action()->out.find(kPlace);
   const auto place = place_of_member(self(), terms, outcome.result, *host_.world());
-  PlaceComputed note{joint_.subject,
+  PlaceComputed note{my_.joint.subject,
                      play_->role(),
                      out == nullptr ? action : out->scalar,
                      terms.modality,

@@ -18,6 +18,7 @@ using interaction::ComponelState;
 using interaction::JointPhase;
 using Word = interaction::Status::Word;
 
+constexpr const char* kMemberLost = "member lost";
 constexpr Duration kReallocation = Duration::milliseconds(10'000);
 constexpr Duration kNothing = Duration::milliseconds(500);  // of a perception: it is done
 
@@ -31,53 +32,52 @@ bool is_mapping(const interaction::Automaton& automaton, const std::string& comp
 
 }  // namespace
 
+JointPlay::JointPlay(const Surroundings& of)
+    : host_(of.host),
+      interaction_(of.interaction),
+      sightings_(of.sightings),
+      task_(of.task),
+      my_(of.my),
+      share_(of.host.config().uav) {}
+
+MissionTime JointPlay::now() const { return host_.bus().now(); }
+const std::string& JointPlay::self() const { return host_.config().uav; }
+Outlook JointPlay::outlook() const { return task_.outlook(); }
+
 // ---- the role ----
 
-void JointTask::due() {
-  dispatched_ = true;
-  if (phase_ == JointPhase::kAborted) return finish(JointPhase::kAborted);
-  begin_if_due();  // while it loads, and when that fails, the supervisor answers
-}
-
-void JointTask::begin_if_due() {
-  if (!dispatched_ || phase_ != JointPhase::kLoaded || now() < *agreed_start_) return;
-  phase_ = JointPhase::kRunning;
-  host_.run(executive::FunctionalStatus{joint_.task, executive::TaskState::kRunning, ""});
-  play(holders_.at(self()));
-}
-
-void JointTask::play(const std::string& role) {
+void JointPlay::begin(const std::string& role) {
   ++plays_;
   tasks_.clear();
   failed_.clear();
   actions_.clear();
   looks_.clear();
   sharing_again_.reset();
-  play_.emplace(joint_, role, holders_, self());
+  play_.emplace(my_.joint, role, my_.holders, self());
   tell(interaction::Start{});
 }
 
 // What follows from it comes after all that was asked before.
-void JointTask::tell(const interaction::Input& input) {
+void JointPlay::tell(const interaction::Input& input) {
   host_.bus().post([this, input, number = plays_] {
-    if (number != plays_ || !play_ || over()) return;
+    if (number != plays_ || !play_ || task_.over()) return;
     const auto effects = play_->tell(input, now());
     if (!effects) {
-      return host_.bus().emit(Notice{joint_.subject + ": " + effects.error().why});
+      return host_.bus().emit(Notice{my_.joint.subject + ": " + effects.error().why});
     }
     for (const interaction::Effect& effect : *effects) {
       std::visit([this](const auto& one) { carry_out(one); }, effect.what);
     }
-    announce();
+    task_.announce();
   });
 }
 
-void JointTask::tell_status(const std::string& componel, Word word) {
+void JointPlay::tell_status(const std::string& componel, Word word) {
   tell(interaction::Status{componel, word});
 }
 
-void JointTask::carry_out(const interaction::StateChanged& effect) {
-  ComponelChanged note{joint_.subject, play_->role(), effect.componel, effect.state, "", ""};
+void JointPlay::carry_out(const interaction::StateChanged& effect) {
+  ComponelChanged note{my_.joint.subject, play_->role(), effect.componel, effect.state, "", ""};
   const interaction::Automaton& automaton = play_->automaton();
   const interaction::Componel& componel = automaton[*automaton.find(effect.componel)];
   const interaction::Componel& around = automaton[componel.parent];
@@ -89,9 +89,9 @@ void JointTask::carry_out(const interaction::StateChanged& effect) {
   host_.bus().emit(std::move(note));
 }
 
-void JointTask::carry_out(const interaction::Compute& effect) {
+void JointPlay::carry_out(const interaction::Compute& effect) {
   const RolePlay::Local local = play_->local(effect.parameter);
-  if (const auto text = text_of(call_of(local.initialiser), *joint_.library, play_->scope())) {
+  if (const auto text = text_of(call_of(local.initialiser), *my_.joint.library, play_->scope())) {
     return play_->know(effect.parameter, *text);
   }
   PlaceQuery query;
@@ -107,7 +107,7 @@ void JointTask::carry_out(const interaction::Compute& effect) {
     play_->forget(effect.parameter);
   }
   PlaceComputed note{
-      joint_.subject, play_->role(), effect.parameter, local.initialiser, {}, "", {}};
+      my_.joint.subject, play_->role(), effect.parameter, local.initialiser, {}, "", {}};
   for (const interaction::ActiveScm& one : query.scms) note.scms.push_back(one.id);
   if (place) {
     note.at = *place;
@@ -117,11 +117,52 @@ void JointTask::carry_out(const interaction::Compute& effect) {
   host_.bus().emit(std::move(note));
 }
 
+// ---- what befalls it ----
+
+bool JointPlay::goes_on_without() const { return play_ && play_->listens_to(kMemberLost); }
+
+void JointPlay::lose(const std::string& uav) {
+  play_->lose(uav);
+  share_.lose(uav);
+  tell(interaction::Message{kMemberLost});
+}
+
+void JointPlay::leave() {
+  next_role_.reset();
+  tell(interaction::Abort{});
+}
+
+// What is told may be carried out at once, and then it is no task of the role any more.
+void JointPlay::abort_tasks() {
+  for (const auto& [id, componel] : std::map(tasks_)) host_.run(executive::Abort{id});
+}
+
+void JointPlay::time_passes() {
+  const bool runs = my_.phase == JointPhase::kRunning;
+  if (runs && sharing_again_ && sharing_again_->at <= now()) share_area(sharing_again_->action);
+  const auto next = play_ ? play_->next_wakeup() : std::nullopt;
+  if (next && *next <= now()) tell(interaction::Tick{});
+}
+
+std::optional<MissionTime> JointPlay::next_wakeup() const {
+  std::optional<MissionTime> next = play_ ? play_->next_wakeup() : std::nullopt;
+  const bool shares = my_.phase == JointPhase::kRunning && sharing_again_;
+  return shares ? earliest(next, sharing_again_->at) : next;
+}
+
+void JointPlay::tell_of(interaction::JointTaskStatus& status) const {
+  if (play_) {
+    status.active_blocks = play_->active_blocks();
+    status.violated = play_->violated();
+  }
+  status.left = share_.left();
+}
+
 // ---- its tasks ----
 
 // Interrupted as it begins: that it is to be left comes next.
-void JointTask::carry_out(const interaction::Run& effect) {
-  if (host_.stops(joint_.task)) return;
+void JointPlay::carry_out(const interaction::Run& effect) {
+  if (host_.stops(my_.joint.task)) return;
   const interaction::Automaton& automaton = play_->automaton();
   const interaction::Componel& componel = automaton[*automaton.find(effect.task)];
   if (componel.task()->type == kMapArea) return map_area(effect.task);
@@ -131,10 +172,10 @@ void JointTask::carry_out(const interaction::Run& effect) {
     return tell_status(effect.task, Word::kEnded);
   }
   const Outlook outlook = this->outlook();
-  auto task = make_task(componel, joint_.subject,
-                        {*play_, outlook, sightings_.own()->state, done, allocation_});
+  auto task = make_task(componel, my_.joint.subject,
+                        {*play_, outlook, sightings_.own()->state, done, my_.allocation});
   if (!task) {
-    host_.bus().emit(Notice{joint_.subject + ": " + effect.task + ": " + task.error().why});
+    host_.bus().emit(Notice{my_.joint.subject + ": " + effect.task + ": " + task.error().why});
     failed_[effect.task] = task.error().why;
     return tell_status(effect.task, Word::kAborted);
   }
@@ -142,7 +183,7 @@ void JointTask::carry_out(const interaction::Run& effect) {
 }
 
 // Motions wait for each other; what looks along one does not count.
-executive::TaskId JointTask::give(const std::string& componel, executive::Task task,
+executive::TaskId JointPlay::give(const std::string& componel, executive::Task task,
                                   std::optional<executive::TaskId> along) {
   task.id = interaction_.next_id();
   for (const auto& [other, id] : tasks_) {
@@ -158,16 +199,16 @@ executive::TaskId JointTask::give(const std::string& componel, executive::Task t
   } else {
     tasks_[task.id] = componel;
   }
-  host_.serves(task.id, joint_.task);
-  host_.bus().emit(RoleTaskGiven{joint_.subject, play_->role(), around.id, componel, task.id,
-                                 joint_.task, task.type,
+  host_.serves(task.id, my_.joint.task);
+  host_.bus().emit(RoleTaskGiven{my_.joint.subject, play_->role(), around.id, componel, task.id,
+                                 my_.joint.task, task.type,
                                  joined(describe(around.block()->precondition, automaton), " ")});
   const executive::TaskId id = task.id;
   host_.run(executive::Start{std::move(task), executive::InsertionMode::kSeq});
   return id;
 }
 
-void JointTask::carry_out(const interaction::Interrupt& effect) {
+void JointPlay::carry_out(const interaction::Interrupt& effect) {
   for (const auto& [id, componel] : tasks_) {
     if (componel != effect.task) continue;
     interrupted_.insert(id);
@@ -176,10 +217,7 @@ void JointTask::carry_out(const interaction::Interrupt& effect) {
   tell_status(effect.task, Word::kAborted);
 }
 
-void JointTask::task_changed(const executive::TaskEvent& event) {
-  if (event.id == joint_.task && is_terminal(event.state)) {
-    return leave(event.reason.empty() ? "aborted" : event.reason);
-  }
+void JointPlay::task_changed(const executive::TaskEvent& event) {
   const auto found = tasks_.find(event.id);
   if (found == tasks_.end()) return look_changed(event);
   const std::string componel = found->second;
@@ -197,67 +235,67 @@ void JointTask::task_changed(const executive::TaskEvent& event) {
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);
 }
 
-void JointTask::note_done(const std::string& componel) {
+void JointPlay::note_done(const std::string& componel) {
   const auto since = running_since_.find(componel);
   if (since == running_since_.end()) return;
   done_[componel] = done_[componel] + (now() - since->second);
   running_since_.erase(since);
 }
 
-void JointTask::watch() {
-  if (phase_ != JointPhase::kRunning || !play_ || sightings_.own() == nullptr) return;
+bool JointPlay::watch() {
+  if (!play_) return false;
   const auto own = position_of(sightings_.own()->state.position);
   share_.fly(sightings_.own()->state.position, passing_distance());
   for (const interaction::ScmFound& found : play_->watch(own, outlook().observer, now())) {
-    host_.bus().emit(ScmNoted{joint_.subject, play_->role(), found});
+    host_.bus().emit(ScmNoted{my_.joint.subject, play_->role(), found});
     tell(found.report);
   }
-  announce();
+  return true;
 }
 
 // ---- its negotiations ----
 
 // All who hold a role of which an action belongs to this one.
-std::vector<std::string> JointTask::parties_of(const std::string& action) const {
+std::vector<std::string> JointPlay::parties_of(const std::string& action) const {
   std::set<std::string> all{self()};
-  for (const interaction::Correspondence& one : joint_.variant->table.correspondences) {
+  for (const interaction::Correspondence& one : my_.joint.variant->table.correspondences) {
     if (one.role != play_->role() || one.action != action) continue;
-    for (const auto& [uav, role] : holders_) {
+    for (const auto& [uav, role] : my_.holders) {
       if (role == one.target_role) all.insert(uav);
     }
   }
   return {all.begin(), all.end()};
 }
 
-void JointTask::carry_out(const interaction::Negotiate& effect) {
+void JointPlay::carry_out(const interaction::Negotiate& effect) {
   const interaction::Automaton& automaton = play_->automaton();
   const auto& action = *automaton[*automaton.find(effect.action)].action();
   if (action.modality == kAreaSharing) return share_area(effect.action);
   if (gives_places(action.modality)) return negotiate_places(effect.action);
   if (action.modality != "role-allocation") {
-    host_.bus().emit(Notice{joint_.subject + ": nobody negotiates '" + action.modality + "'"});
+    host_.bus().emit(Notice{my_.joint.subject + ": nobody negotiates '" + action.modality + "'"});
     return tell_status(effect.action, Word::kAborted);
   }
   interaction::BeginNegotiation begin;
-  begin.subject = joint_.subject + "/" + action.modality;
+  begin.subject = my_.joint.subject + "/" + action.modality;
   begin.modality = action.modality;
   begin.members = parties_of(effect.action);
   std::map<std::string, int> held;
-  for (const std::string& uav : begin.members) ++held[holders_.at(uav)];
+  for (const std::string& uav : begin.members) ++held[my_.holders.at(uav)];
   for (const auto& [role, count] : held) {
     begin.parameters.push_back({role, "", {double(count), double(count)}});
   }
   begin.within = kReallocation;
   actions_[effect.action] = begin.subject;
-  if (interaction_.begin(joint_, std::move(begin))) return;
+  if (interaction_.begin(my_.joint, std::move(begin))) return;
   actions_.erase(effect.action);
   tell_status(effect.action, Word::kAborted);
 }
 
-void JointTask::carry_out(const interaction::Withdraw& effect) {
+void JointPlay::carry_out(const interaction::Withdraw& effect) {
   const auto negotiated = actions_.find(effect.action);
   if (negotiated != actions_.end()) {
-    interaction_.withdraw(negotiated->second, why_.empty() ? "left" : why_);
+    interaction_.withdraw(negotiated->second, my_.why.empty() ? "left" : my_.why);
     actions_.erase(negotiated);
   }
   if (sharing_again_ && sharing_again_->action == effect.action) sharing_again_.reset();
@@ -265,22 +303,28 @@ void JointTask::carry_out(const interaction::Withdraw& effect) {
 }
 
 // What is undecided is kept until it is known. Roles that are others now are begun anew.
-void JointTask::reallocated(const interaction::Terms& terms,
-                            const interaction::NegotiationOutcome& outcome) {
+void JointPlay::decided(const interaction::Terms& terms,
+                        const interaction::NegotiationOutcome& outcome) {
   using Kind = interaction::NegotiationOutcome::Kind;
-  if (phase_ != JointPhase::kRunning || outcome.kind == Kind::kUndecided) return;
+  if (my_.phase != JointPhase::kRunning || outcome.kind == Kind::kUndecided) return;
   if (terms.modality == kAreaSharing) return area_shared(terms, outcome);
   if (gives_places(terms.modality)) return places_agreed(terms, outcome);
-  Holders agreed = holders_;
+  roles_agreed(terms, outcome);
+}
+
+void JointPlay::roles_agreed(const interaction::Terms& terms,
+                             const interaction::NegotiationOutcome& outcome) {
+  using Kind = interaction::NegotiationOutcome::Kind;
+  Holders agreed = my_.holders;
   if (outcome.kind == Kind::kAgreed) {
     for (const interaction::Row& row : outcome.result) agreed[row.name] = row.text;
   }
-  if (agreed != holders_) {
-    holders_ = std::move(agreed);
-    allocation_ = to_text(terms.id());
-    next_role_ = holders_.at(self());
+  if (agreed != my_.holders) {
+    my_.holders = std::move(agreed);
+    my_.allocation = to_text(terms.id());
+    next_role_ = my_.holders.at(self());
     tell(interaction::Abort{});
-    return announce();
+    return task_.announce();
   }
   for (const auto& [action, subject] : std::map(actions_)) {
     if (subject != terms.subject) continue;
@@ -290,7 +334,7 @@ void JointTask::reallocated(const interaction::Terms& terms,
 }
 
 // What is begun anew has another chance.
-void JointTask::forget_failures_in(const std::string& componel) {
+void JointPlay::forget_failures_in(const std::string& componel) {
   const interaction::Automaton& automaton = play_->automaton();
   const auto outer = *automaton.find(componel);
   std::erase_if(failed_, [&](const auto& one) {
@@ -300,17 +344,17 @@ void JointTask::forget_failures_in(const std::string& componel) {
 }
 
 // A role of which a task failed is not done, though its automaton came to its end.
-void JointTask::carry_out(const interaction::ModelOver& effect) {
+void JointPlay::carry_out(const interaction::ModelOver& effect) {
   if (next_role_) {
     const std::string role = *std::exchange(next_role_, std::nullopt);
-    return play(role);
+    return begin(role);
   }
   const bool done = failed_.empty();
   const bool ended =
-      done && effect.state == ComponelState::kEnded && phase_ == JointPhase::kRunning;
-  if (!done && why_.empty()) why_ = failed_.begin()->first + ": " + failed_.begin()->second;
-  if (!ended && why_.empty()) why_ = effect.why.empty() ? "its role was left" : effect.why;
-  finish(ended ? JointPhase::kEnded : JointPhase::kAborted);
+      done && effect.state == ComponelState::kEnded && my_.phase == JointPhase::kRunning;
+  if (!done && my_.why.empty()) my_.why = failed_.begin()->first + ": " + failed_.begin()->second;
+  if (!ended && my_.why.empty()) my_.why = effect.why.empty() ? "its role was left" : effect.why;
+  task_.finish(ended ? JointPhase::kEnded : JointPhase::kAborted);
 }
 
 }  // namespace skein::decision_node

@@ -19,14 +19,18 @@ constexpr Duration kPatience = Duration::milliseconds(240'000);  // then it is n
 
 }  // namespace
 
-SweepSetting JointTask::sweep_setting(const std::string& role) const {
+Result<interaction::Rows, Failure> JointPlay::offer_of_area() const {
+  return share_.offer(sweep_setting(my_.holders.at(self())));
+}
+
+SweepSetting JointPlay::sweep_setting(const std::string& role) const {
   const auto& knowledge = host_.config().knowledge;
   return {knowledge, host_.world(), now(), sightings_.own()->state,
-          device_of(joint_.library->roles.at(role), knowledge->vehicle)};
+          device_of(my_.joint.library->roles.at(role), knowledge->vehicle)};
 }
 
 /// Way-points are passed within that [m].
-double JointTask::passing_distance() const {
+double JointPlay::passing_distance() const {
   const world::VehicleModel& vehicle = host_.config().knowledge->vehicle;
   const world::Wind& wind = host_.world()->wind;
   return 5 + 6 * world::tracking_spread(vehicle) + vehicle.wind_drift * wind.speed;
@@ -35,7 +39,7 @@ double JointTask::passing_distance() const {
 // ---- who maps what ----
 
 // At first the area that the action names, then what is nobody's any more.
-std::vector<world::Polygon> JointTask::areas_to_share(const std::string& action) const {
+std::vector<world::Polygon> JointPlay::areas_to_share(const std::string& action) const {
   if (share_.agreed()) return share_.nobodys();
   const interaction::Automaton& automaton = play_->automaton();
   const config::Value* named = automaton[*automaton.find(action)].action()->in.find("area");
@@ -46,12 +50,12 @@ std::vector<world::Polygon> JointTask::areas_to_share(const std::string& action)
   return areas;
 }
 
-void JointTask::share_area(const std::string& action) {
+void JointPlay::share_area(const std::string& action) {
   const std::vector<world::Polygon> areas = areas_to_share(action);
   const MissionTime until = sharing_again_ ? sharing_again_->until : now() + kPatience;
   sharing_again_.reset();
   interaction::BeginNegotiation begin;
-  begin.subject = joint_.subject + "/" + kAreaSharing;
+  begin.subject = my_.joint.subject + "/" + kAreaSharing;
   begin.modality = kAreaSharing;
   begin.members = parties_of(action);
   begin.within = kSharing;
@@ -61,10 +65,10 @@ void JointTask::share_area(const std::string& action) {
     share_.take(areas);
     return tell_status(action, Word::kEnded);
   }
-  if (now() >= until) return leave("the area could not be shared: " + why_);
+  if (now() >= until) return task_.leave("the area could not be shared: " + my_.why);
   actions_[action] = begin.subject;
   sharing_again_ = SharingAgain{action, MissionTime::max(), until};  // it may fail at once
-  if (interaction_.begin(joint_, std::move(begin))) return;
+  if (interaction_.begin(my_.joint, std::move(begin))) return;
   sharing_again_.reset();
   actions_.erase(action);
   // Nothing was left to whoever was lost, and nobody asks for more.
@@ -73,7 +77,7 @@ void JointTask::share_area(const std::string& action) {
   tell_status(action, Word::kAborted);
 }
 
-void JointTask::area_shared(const interaction::Terms& terms,
+void JointPlay::area_shared(const interaction::Terms& terms,
                             const interaction::NegotiationOutcome& outcome) {
   const auto asked = std::find_if(actions_.begin(), actions_.end(),
                                   [&](const auto& one) { return one.second == terms.subject; });
@@ -85,15 +89,15 @@ void JointTask::area_shared(const interaction::Terms& terms,
     sharing_again_.reset();
     return tell_status(action, Word::kEnded);
   }
-  host_.bus().emit(Notice{joint_.subject + ": the area is not shared yet: " + outcome.why});
+  host_.bus().emit(Notice{my_.joint.subject + ": the area is not shared yet: " + outcome.why});
   if (sharing_again_) sharing_again_->at = now() + kAgain;
 }
 
 // ---- flights ----
 
-void JointTask::map_area(const std::string& componel) {
+void JointPlay::map_area(const std::string& componel) {
   const auto fails = [&](const std::string& why) {
-    host_.bus().emit(Notice{joint_.subject + ": " + componel + ": " + why});
+    host_.bus().emit(Notice{my_.joint.subject + ": " + componel + ": " + why});
     failed_[componel] = why;
     tell_status(componel, Word::kAborted);
   };
@@ -107,7 +111,7 @@ void JointTask::map_area(const std::string& componel) {
 }
 
 // Without its device a flight maps nothing.
-void JointTask::look_changed(const executive::TaskEvent& event) {
+void JointPlay::look_changed(const executive::TaskEvent& event) {
   const auto look = looks_.find(event.id);
   if (look == looks_.end() || !is_terminal(event.state)) return;
   const executive::TaskId flight = look->second;

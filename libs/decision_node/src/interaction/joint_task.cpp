@@ -30,7 +30,6 @@ constexpr Duration kAhead = Duration::milliseconds(5'000);
 constexpr Duration kFurthestAhead = Duration::milliseconds(60'000);
 constexpr double kFarthest = 1e8;  // [s]
 constexpr double kRoom = 1;        // [s] at the end of an interval
-constexpr const char* kMemberLost = "member lost";
 
 }  // namespace
 
@@ -38,30 +37,30 @@ JointTask::JointTask(JointHost& host, Interaction& interaction, Joint joint,
                      std::vector<mission::Interval> preferences, const Sightings& sightings)
     : host_(host),
       interaction_(interaction),
-      joint_(std::move(joint)),
-      preferences_(std::move(preferences)),
       sightings_(sightings),
-      share_(host.config().uav) {}
+      preferences_(std::move(preferences)),
+      my_{std::move(joint)},
+      play_({host, interaction, sightings, *this, my_}) {}
 
 MissionTime JointTask::now() const { return host_.bus().now(); }
 const std::string& JointTask::self() const { return host_.config().uav; }
 
 std::vector<std::string> JointTask::partners() const {
-  std::vector<std::string> others = joint_.members;
+  std::vector<std::string> others = my_.joint.members;
   std::erase(others, self());
   return others;
 }
 
 Outlook JointTask::outlook() const {
   const auto world = host_.world();  // is kept until the next input
-  return {*host_.config().knowledge, *world, sightings_.observer(joint_.arguments, *world, now()),
-          now()};
+  return {*host_.config().knowledge, *world,
+          sightings_.observer(my_.joint.arguments, *world, now()), now()};
 }
 
 // ---- loading ----
 
 bool JointTask::is_to_begin() const {
-  return phase_ == JointPhase::kLoading || phase_ == JointPhase::kLoaded;
+  return my_.phase == JointPhase::kLoading || my_.phase == JointPhase::kLoaded;
 }
 
 void JointTask::load() {
@@ -71,11 +70,11 @@ void JointTask::load() {
 }
 
 void JointTask::ask_again(executive::TaskId task, std::vector<mission::Interval> preferences) {
-  joint_.task = task;
+  my_.joint.task = task;
   preferences_ = std::move(preferences);
   answered_ = false;
   wait_for_partners();
-  if (phase_ == JointPhase::kLoaded) {
+  if (my_.phase == JointPhase::kLoaded) {
     const Duration start = *agreed_start_ - MissionTime();
     const bool keeps = std::any_of(
         preferences_.begin(), preferences_.end(),
@@ -84,8 +83,8 @@ void JointTask::ask_again(executive::TaskId task, std::vector<mission::Interval>
       ahead_ = {};
       answer();
     } else {
-      phase_ = JointPhase::kLoading;
-      why_ = "it cannot begin any more when it was agreed";
+      my_.phase = JointPhase::kLoading;
+      my_.why = "it cannot begin any more when it was agreed";
       ahead_ = std::clamp(ahead_ + ahead_, kAhead, kFurthestAhead);
       negotiate_start();
     }
@@ -107,32 +106,32 @@ void JointTask::wait_for_partners() {
 
 void JointTask::negotiate_roles() {
   interaction::BeginNegotiation begin;
-  begin.subject = joint_.subject + kRoles;
+  begin.subject = my_.joint.subject + kRoles;
   begin.modality = "role-allocation";
-  for (const std::string& role : joint_.variant->roles) {
-    const interaction::Arity& arity = joint_.variant->table.arities.at(role);
+  for (const std::string& role : my_.joint.variant->roles) {
+    const interaction::Arity& arity = my_.joint.variant->table.arities.at(role);
     begin.parameters.push_back(
         {role, "", {double(arity.least), arity.most ? double(*arity.most) : -1}});
   }
   begin.within = kSession;
-  interaction_.begin(joint_, std::move(begin));
+  interaction_.begin(my_.joint, std::move(begin));
 }
 
 void JointTask::negotiate_start() {
   interaction::BeginNegotiation begin;
-  begin.subject = joint_.subject + kStart;
+  begin.subject = my_.joint.subject + kStart;
   begin.modality = "time-interval";
   begin.parameters = {{"duration", "", {kRoom / 2}}};
   begin.within = kSession;
-  interaction_.begin(joint_, std::move(begin));
+  interaction_.begin(my_.joint, std::move(begin));
 }
 
 bool JointTask::is_about(const std::string& subject) const {
-  return subject.starts_with(joint_.subject + "/");
+  return subject.starts_with(my_.joint.subject + "/");
 }
 
 Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms& terms) const {
-  if (over()) return failure("it is over here: " + why_);
+  if (over()) return failure("it is over here: " + my_.why);
   interaction::Rows rows;
   if (terms.modality == "time-interval") {
     for (const mission::Interval& one : preferences_) {
@@ -145,9 +144,8 @@ Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms
   }
   if (sightings_.own() == nullptr) return failure("it does not know where it is");
   if (terms.modality == kAreaSharing) {
-    const auto own = holders_.find(self());
-    if (own == holders_.end()) return failure("it holds no role");
-    return share_.offer(sweep_setting(own->second));
+    if (!my_.holders.contains(self())) return failure("it holds no role");
+    return play_.offer_of_area();
   }
   const Outlook outlook = this->outlook();
   if (gives_places(terms.modality)) {
@@ -155,12 +153,13 @@ Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms
   }
   std::vector<std::string> reasons;
   for (const interaction::Row& role : terms.parameters) {
-    if (!joint_.library->roles.contains(role.name)) return failure("no role '" + role.name + "'");
-    if (const std::string why = host_.why_not(joint_, role.name); !why.empty()) {
+    if (!my_.joint.library->roles.contains(role.name))
+      return failure("no role '" + role.name + "'");
+    if (const std::string why = host_.why_not(my_.joint, role.name); !why.empty()) {
       reasons.push_back(role.name + ": " + why);
       continue;
     }
-    const auto cost = cost_of(joint_, role.name, sightings_.own()->state, outlook);
+    const auto cost = cost_of(my_.joint, role.name, sightings_.own()->state, outlook);
     if (cost) {
       rows.push_back({role.name, "", {cost->seconds}});
     } else {
@@ -175,14 +174,14 @@ void JointTask::decided(const interaction::Terms& terms,
                         const interaction::NegotiationOutcome& outcome) {
   if (over()) return;
   const bool loads =
-      terms.subject == joint_.subject + kRoles || terms.subject == joint_.subject + kStart;
-  if (!loads) return reallocated(terms, outcome);
-  if (phase_ != JointPhase::kLoading) return;
+      terms.subject == my_.joint.subject + kRoles || terms.subject == my_.joint.subject + kStart;
+  if (!loads) return play_.decided(terms, outcome);
+  if (my_.phase != JointPhase::kLoading) return;
   if (outcome.kind == Kind::kFailed) {
     not_agreed(outcome.why);
   } else if (outcome.kind == Kind::kUndecided) {
-    why_ = outcome.why;  // it may be settled yet
-  } else if (terms.subject == joint_.subject + kRoles) {
+    my_.why = outcome.why;  // it may be settled yet
+  } else if (terms.subject == my_.joint.subject + kRoles) {
     roles_agreed(terms, outcome.result);
   } else if (roles_known_) {
     start_agreed(outcome.result);
@@ -191,8 +190,8 @@ void JointTask::decided(const interaction::Terms& terms,
 }
 
 void JointTask::roles_agreed(const interaction::Terms& terms, const interaction::Rows& result) {
-  for (const interaction::Row& row : result) holders_[row.name] = row.text;
-  allocation_ = to_text(terms.id());
+  for (const interaction::Row& row : result) my_.holders[row.name] = row.text;
+  my_.allocation = to_text(terms.id());
   agreed_at_ = now();
   roles_known_ = true;
   negotiate_start();
@@ -203,8 +202,8 @@ void JointTask::start_agreed(const interaction::Rows& result) {
   const bool known = answered_ && agreed_start_ == start;
   start_agreed_at_ = now();
   agreed_start_ = start;
-  phase_ = JointPhase::kLoaded;
-  why_.clear();
+  my_.phase = JointPhase::kLoaded;
+  my_.why.clear();
   if (!known) answer();
   begin_if_due();
 }
@@ -213,26 +212,53 @@ void JointTask::start_agreed(const interaction::Rows& result) {
 void JointTask::answer() {
   answered_ = true;
   supervisor::JointTaskAnswered answer{
-      joint_.task, true, {*agreed_start_ - MissionTime(), Duration::max()}, "", {}};
+      my_.joint.task, true, {*agreed_start_ - MissionTime(), Duration::max()}, "", {}};
   if (sightings_.own() != nullptr) {
     const auto cost =
-        cost_of(joint_, holders_.at(self()), sightings_.own()->state, this->outlook());
+        cost_of(my_.joint, my_.holders.at(self()), sightings_.own()->state, this->outlook());
     if (cost) answer.takes = {Duration::seconds(cost->seconds), cost->energy};
   }
   host_.answered(answer);
 }
 
 void JointTask::not_agreed(const std::string& why) {
-  why_ = why;
+  my_.why = why;
   if (now() + kAgain > try_until_) return not_loaded(why);
   again_at_ = now() + kAgain;
 }
 
 void JointTask::not_loaded(const std::string& why) {
-  why_ = why.empty() ? "nothing was agreed" : why;
+  my_.why = why.empty() ? "nothing was agreed" : why;
   if (answered_) return finish(JointPhase::kAborted);
-  phase_ = JointPhase::kNotLoaded;
-  host_.answered({joint_.task, false, {}, why_, {}});
+  my_.phase = JointPhase::kNotLoaded;
+  host_.answered({my_.joint.task, false, {}, my_.why, {}});
+}
+
+// ---- carrying out ----
+
+void JointTask::due() {
+  dispatched_ = true;
+  if (my_.phase == JointPhase::kAborted) return finish(JointPhase::kAborted);
+  begin_if_due();  // while it loads, and when that fails, the supervisor answers
+}
+
+void JointTask::begin_if_due() {
+  if (!dispatched_ || my_.phase != JointPhase::kLoaded || now() < *agreed_start_) return;
+  my_.phase = JointPhase::kRunning;
+  host_.run(executive::FunctionalStatus{my_.joint.task, executive::TaskState::kRunning, ""});
+  play_.begin(my_.holders.at(self()));
+}
+
+void JointTask::task_changed(const executive::TaskEvent& event) {
+  if (event.id == my_.joint.task && is_terminal(event.state)) {
+    return leave(event.reason.empty() ? "aborted" : event.reason);
+  }
+  play_.task_changed(event);
+}
+
+void JointTask::watch() {
+  if (my_.phase != JointPhase::kRunning || sightings_.own() == nullptr) return;
+  if (play_.watch()) announce();
 }
 
 // ---- partners ----
@@ -240,25 +266,25 @@ void JointTask::not_loaded(const std::string& why) {
 // Who cannot begin when it was agreed asks for another start; who knows nothing of roles that were
 // agreed has lost its memory.
 void JointTask::invited(const interaction::Terms& terms) {
-  if (terms.subject == joint_.subject + kRoles) {
+  if (terms.subject == my_.joint.subject + kRoles) {
     const bool anew = roles_known_ && terms.opened > agreed_at_;
     if (anew && is_to_begin()) load_again("'" + terms.opener + "' asks for roles anew");
     return;
   }
-  if (terms.subject == joint_.subject + kStart) {
-    const bool loaded = phase_ == JointPhase::kLoaded;
+  if (terms.subject == my_.joint.subject + kStart) {
+    const bool loaded = my_.phase == JointPhase::kLoaded;
     const bool anew = roles_known_ && terms.opened > start_agreed_at_;
-    if (!anew || !(loaded || phase_ == JointPhase::kRunning)) return;
-    if (loaded) phase_ = JointPhase::kLoading;
+    if (!anew || !(loaded || my_.phase == JointPhase::kRunning)) return;
+    if (loaded) my_.phase = JointPhase::kLoading;
     return host_.bus().post([this] { negotiate_start(); });
   }
-  if (phase_ != JointPhase::kRunning) return;
+  if (my_.phase != JointPhase::kRunning) return;
   // Whom the others do not count on any more is lost here too.
-  for (const auto& [uav, role] : Holders(holders_)) {
+  for (const auto& [uav, role] : Holders(my_.holders)) {
     const bool in = std::count(terms.members.begin(), terms.members.end(), uav) > 0;
     if (terms.modality == kAreaSharing && !in) lost(uav, "the others go on without it");
   }
-  tell(interaction::Message{terms.modality + " invitation"});
+  play_.tell(interaction::Message{terms.modality + " invitation"});
   announce();
 }
 
@@ -267,20 +293,20 @@ void JointTask::partner_told(const interaction::JointTaskStatus& status, Mission
                     status.phase == JointPhase::kNotLoaded;
   // What it said before the roles were agreed is about an attempt before this one.
   if (!roles_known_ || at <= agreed_at_) return;
-  share_.told(status.uav, status.left);
+  play_.partner_has_left(status.uav, status.left);
   if (!gone) return;
   const std::string why = "'" + status.uav + "' left: " + status.why;
-  if (phase_ == JointPhase::kRunning) return lost(status.uav, why);
-  if (phase_ == JointPhase::kLoading || phase_ == JointPhase::kLoaded) load_again(why);
+  if (my_.phase == JointPhase::kRunning) return lost(status.uav, why);
+  if (my_.phase == JointPhase::kLoading || my_.phase == JointPhase::kLoaded) load_again(why);
 }
 
 // It has not begun: the partner may come back to it.
 void JointTask::load_again(const std::string& why) {
-  interaction_.withdraw(joint_.subject + kStart, why);
-  phase_ = JointPhase::kLoading;
-  why_ = why;
+  interaction_.withdraw(my_.joint.subject + kStart, why);
+  my_.phase = JointPhase::kLoading;
+  my_.why = why;
   roles_known_ = false;
-  holders_.clear();
+  my_.holders.clear();
   agreed_start_.reset();
   again_at_ = now() + kAgain;
   announce();
@@ -289,18 +315,17 @@ void JointTask::load_again(const std::string& why) {
 // It runs: without one that left, if the role can do without.
 void JointTask::lost(const std::string& uav, const std::string& why) {
   silent_since_.erase(uav);
-  if (!holders_.contains(uav) || uav == self()) return;
-  if (!play_ || !play_->listens_to(kMemberLost)) return leave(why);
-  host_.bus().emit(Notice{joint_.subject + ": " + why + "; it goes on without"});
-  holders_.erase(uav);
-  play_->lose(uav);
-  share_.lose(uav);
-  tell(interaction::Message{kMemberLost});
+  if (!my_.holders.contains(uav) || uav == self()) return;
+  if (!play_.goes_on_without()) return leave(why);
+  host_.bus().emit(Notice{my_.joint.subject + ": " + why + "; it goes on without"});
+  my_.holders.erase(uav);
+  play_.lose(uav);
   announce();
 }
 
 void JointTask::partner_in_reach(const std::string& uav, bool reachable) {
-  if (!holders_.contains(uav) && !std::count(joint_.members.begin(), joint_.members.end(), uav)) {
+  if (!my_.holders.contains(uav) &&
+      !std::count(my_.joint.members.begin(), my_.joint.members.end(), uav)) {
     return;
   }
   if (reachable) {
@@ -313,31 +338,28 @@ void JointTask::partner_in_reach(const std::string& uav, bool reachable) {
 // ---- time ----
 
 void JointTask::time_passes() {
-  if (again_at_ && *again_at_ <= now() && phase_ == JointPhase::kLoading) {
+  if (again_at_ && *again_at_ <= now() && my_.phase == JointPhase::kLoading) {
     again_at_.reset();
     roles_known_ ? negotiate_start() : negotiate_roles();
   }
-  if (phase_ == JointPhase::kLoading && try_until_ <= now()) not_loaded(why_);
+  if (my_.phase == JointPhase::kLoading && try_until_ <= now()) not_loaded(my_.why);
   begin_if_due();
-  if (phase_ == JointPhase::kRunning) {
+  if (my_.phase == JointPhase::kRunning) {
     for (const auto& [uav, since] : std::map(silent_since_)) {
       if (since + kSilence <= now()) lost(uav, "no contact with '" + uav + "'");
     }
-    if (sharing_again_ && sharing_again_->at <= now()) share_area(sharing_again_->action);
   }
-  const auto next = play_ ? play_->next_wakeup() : std::nullopt;
-  if (next && *next <= now()) tell(interaction::Tick{});
+  play_.time_passes();
   announce();
 }
 
 std::optional<MissionTime> JointTask::next_wakeup() const {
   if (over()) return std::nullopt;
-  std::optional<MissionTime> next = play_ ? play_->next_wakeup() : std::nullopt;
-  if (phase_ == JointPhase::kLoading) next = earliest(next, earliest(again_at_, try_until_));
-  if (phase_ == JointPhase::kLoaded && dispatched_) next = earliest(next, agreed_start_);
-  if (phase_ == JointPhase::kRunning) {
+  std::optional<MissionTime> next = play_.next_wakeup();
+  if (my_.phase == JointPhase::kLoading) next = earliest(next, earliest(again_at_, try_until_));
+  if (my_.phase == JointPhase::kLoaded && dispatched_) next = earliest(next, agreed_start_);
+  if (my_.phase == JointPhase::kRunning) {
     for (const auto& [uav, since] : silent_since_) next = earliest(next, since + kSilence);
-    if (sharing_again_) next = earliest(next, sharing_again_->at);
   }
   return next;
 }
@@ -345,36 +367,32 @@ std::optional<MissionTime> JointTask::next_wakeup() const {
 // ---- the end ----
 
 void JointTask::leave(const std::string& why) {
-  if (over() || phase_ == JointPhase::kLeaving) return;
-  why_ = why;
-  next_role_.reset();
-  if (!play_) return finish(JointPhase::kAborted);
-  phase_ = JointPhase::kLeaving;
+  if (over() || my_.phase == JointPhase::kLeaving) return;
+  my_.why = why;
+  if (!play_.has_begun()) return finish(JointPhase::kAborted);
+  my_.phase = JointPhase::kLeaving;
   announce();
-  tell(interaction::Abort{});
+  play_.leave();
 }
 
 void JointTask::leave_at_once(const std::string& why) {
   if (over()) return;
-  why_ = why;
-  // What is told may be carried out at once, and then it is no task of the role any more.
-  for (const auto& [id, componel] : std::map(tasks_)) {
-    host_.run(executive::Abort{id});
-  }
+  my_.why = why;
+  play_.abort_tasks();
   finish(JointPhase::kAborted);
 }
 
 void JointTask::finish(interaction::JointPhase phase) {
-  const bool loading = phase_ == JointPhase::kLoading;
-  phase_ = phase;
+  const bool loading = my_.phase == JointPhase::kLoading;
+  my_.phase = phase;
   if (loading) {
-    interaction_.withdraw(joint_.subject + (roles_known_ ? kStart : kRoles), why_);
+    interaction_.withdraw(my_.joint.subject + (roles_known_ ? kStart : kRoles), my_.why);
   }
   if (dispatched_) {
     const bool ended = phase == JointPhase::kEnded;
     host_.run(executive::FunctionalStatus{
-        joint_.task, ended ? executive::TaskState::kEnded : executive::TaskState::kAborted,
-        ended ? "" : why_});
+        my_.joint.task, ended ? executive::TaskState::kEnded : executive::TaskState::kAborted,
+        ended ? "" : my_.why});
   }
   announce();
 }
@@ -382,20 +400,16 @@ void JointTask::finish(interaction::JointPhase phase) {
 void JointTask::announce() {
   interaction::JointTaskStatus status;
   status.uav = self();
-  status.subject = joint_.subject;
-  status.task = joint_.task.value();
-  status.model = joint_.model;
-  status.variant = joint_.variant->name;
-  status.hash = joint_.hash;
-  status.phase = phase_;
-  status.why = why_;
-  status.holders = holders_;
-  if (play_) {
-    status.active_blocks = play_->active_blocks();
-    status.violated = play_->violated();
-  }
+  status.subject = my_.joint.subject;
+  status.task = my_.joint.task.value();
+  status.model = my_.joint.model;
+  status.variant = my_.joint.variant->name;
+  status.hash = my_.joint.hash;
+  status.phase = my_.phase;
+  status.why = my_.why;
+  status.holders = my_.holders;
+  play_.tell_of(status);
   status.agreed_start = agreed_start_;
-  status.left = share_.left();
   if (told_ == status) return;
   told_ = status;
   host_.bus().emit(JointTaskChanged{std::move(status), partners()});

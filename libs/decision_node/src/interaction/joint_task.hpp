@@ -9,10 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "interaction/area_share.hpp"
 #include "interaction/joint_host.hpp"
+#include "interaction/joint_play.hpp"
 #include "interaction/places.hpp"
-#include "interaction/role_play.hpp"
 #include "interaction/sightings.hpp"
 #include "skein/decision_node/messages.hpp"
 #include "skein/interaction/joint_task_status.hpp"
@@ -21,8 +20,6 @@
 namespace skein::decision_node {
 
 class Interaction;
-
-inline constexpr const char* kAreaSharing = "area-sharing";
 
 ///   from      on                                                   to
 ///   loading   roles and start are agreed                           loaded
@@ -42,9 +39,9 @@ class JointTask {
   JointTask(JointHost& host, Interaction& interaction, Joint joint,
             std::vector<mission::Interval> preferences, const Sightings& sightings);
 
-  const Joint& joint() const { return joint_; }
-  interaction::JointPhase phase() const { return phase_; }
-  bool over() const { return interaction::is_over(phase_); }
+  const Joint& joint() const { return my_.joint; }
+  interaction::JointPhase phase() const { return my_.phase; }
+  bool over() const { return interaction::is_over(my_.phase); }
 
   /// It is loading or loaded.
   bool is_to_begin() const;
@@ -58,6 +55,12 @@ class JointTask {
   /// The same, without waiting for what is being stopped.
   void leave_at_once(const std::string& why);
   std::vector<std::string> partners() const;
+  /// What the initialisers of places, and costs, are reckoned from.
+  Outlook outlook() const;
+  /// Its role is over, or it is not begun.
+  void finish(interaction::JointPhase phase);
+  /// What has changed is told, to partners too.
+  void announce();
 
   // ---- negotiation ----
   bool is_about(const std::string& subject) const;
@@ -77,8 +80,6 @@ class JointTask {
 
  private:
   MissionTime now() const;
-  Outlook outlook() const;
-  SweepSetting sweep_setting(const std::string& role) const;
   const std::string& self() const;
 
   void wait_for_partners();
@@ -90,79 +91,26 @@ class JointTask {
   void not_agreed(const std::string& why);
   void not_loaded(const std::string& why);
   void load_again(const std::string& why);
-  void reallocated(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);
-
   void begin_if_due();
-  void play(const std::string& role);
-  void tell(const interaction::Input& input);
-  void tell_status(const std::string& componel, interaction::Status::Word word);
-  /// Its number.
-  executive::TaskId give(const std::string& componel, executive::Task task,
-                         std::optional<executive::TaskId> along = {});
-  void carry_out(const interaction::StateChanged& effect);
-  void carry_out(const interaction::Compute& effect);
-  void carry_out(const interaction::Run& effect);
-  void carry_out(const interaction::Negotiate& effect);
-  void carry_out(const interaction::Interrupt& effect);
-  void carry_out(const interaction::Withdraw& effect);
-  void carry_out(const interaction::Read&) {}
-  void carry_out(const interaction::ModelOver& effect);
-  std::vector<std::string> parties_of(const std::string& action) const;
   void lost(const std::string& uav, const std::string& why);
-  // joint_places.cpp
-  void negotiate_places(const std::string& action);
-  void take_place_alone(const interaction::BeginNegotiation& begin);
-  void places_agreed(const interaction::Terms& terms,
-                     const interaction::NegotiationOutcome& outcome);
-  // joint_sharing.cpp
-  void share_area(const std::string& action);
-  void area_shared(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);
-  std::vector<world::Polygon> areas_to_share(const std::string& action) const;
-  void map_area(const std::string& componel);
-  void look_changed(const executive::TaskEvent& event);
-  double passing_distance() const;
-  void finish(interaction::JointPhase phase);
-  void note_done(const std::string& componel);
-  void forget_failures_in(const std::string& componel);
-  void announce();
 
   JointHost& host_;
   Interaction& interaction_;
-  Joint joint_;
-  std::vector<mission::Interval> preferences_;
   const Sightings& sightings_;
-
-  interaction::JointPhase phase_ = interaction::JointPhase::kLoading;
-  std::string why_;
+  std::vector<mission::Interval> preferences_;
+  Membership my_;
+  JointPlay play_;
   bool dispatched_ = false;  ///< the executive has it under way
   MissionTime try_until_;
   std::optional<MissionTime> again_at_;  ///< to negotiate again
   bool answered_ = false;                ///< the supervisor was told that it is loaded
   bool roles_known_ = false;
-  Holders holders_;
-  std::string allocation_;  ///< the session in which they were agreed
   MissionTime agreed_at_;
   Duration ahead_;  ///< of what it can do first, in the start it offers
   std::optional<MissionTime> agreed_start_;
   MissionTime start_agreed_at_;
   std::map<std::string, MissionTime> silent_since_;  ///< partners
 
-  std::optional<RolePlay> play_;
-  std::uint64_t plays_ = 0;
-  std::optional<std::string> next_role_;            ///< once the one now is over
-  std::map<executive::TaskId, std::string> tasks_;  ///< componels of those that are not over
-  std::map<std::string, Duration> done_;            ///< of perceptions, by componel
-  std::map<std::string, MissionTime> running_since_;
-  std::map<std::string, std::string> actions_;  ///< subject by action, negotiated now
-  std::set<executive::TaskId> interrupted_;     ///< as the role asked
-  AreaShare share_;
-  struct SharingAgain {
-    std::string action;
-    MissionTime at, until;
-  };
-  std::optional<SharingAgain> sharing_again_;  ///< what was not agreed is negotiated again
-  std::map<executive::TaskId, executive::TaskId> looks_;  ///< the flight of each that is not over
-  std::map<std::string, std::string> failed_;  ///< why, by task of the role; not done since
   std::optional<interaction::JointTaskStatus> told_;
 };
 
