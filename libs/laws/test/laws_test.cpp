@@ -98,7 +98,7 @@ TEST(Progress, WhatWasPerceivedIsNotPerceivedAgain) {
 TEST(Progress, OneLongLookIsNoRepetition) { EXPECT_THAT(look(160).broken("progress"), IsEmpty()); }
 
 TEST(Progress, WhileADetectionComesToItsZoneNothingIsDoneAgain) {
-  const auto comes_from = [](Vector3 far) {
+  const auto comes_from = [](Vector3 far, bool slowed = false) {
     const Vector3 there{150, 60, 40};
     const std::string goal = "perform-detection Z P1 60";
     Story story;
@@ -108,11 +108,13 @@ TEST(Progress, WhileADetectionComesToItsZoneNothingIsDoneAgain) {
     story.does("marvin", {101, "takeshot", 701, 90, 130, "aborted", "visible", {150, 60, 0}});
     story.does("marvin", {102, "takeshot", 701, 140, 290, "ended", "visible", {150, 60, 0}});
     story.goal("marvin", 701, goal, "achieved", 290);
+    if (slowed) story.fault(150, "slow", "marvin");
     return story.broken("progress");
   };
 
   EXPECT_THAT(comes_from({-900, 60, 40}), IsEmpty());
   EXPECT_THAT(comes_from({150, 60, 40}), ElementsAre(HasSubstr("of 60.0 s in 2 pieces")));
+  EXPECT_THAT(comes_from({150, 60, 40}, true), IsEmpty()) << "a pattern is flown to its end";
 }
 
 TEST(Perceived, APlaceInTheAirIsPerceivedFromThere) {
