@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "skein/functional/task_types.hpp"
 #include "skein/supervisor/way_home.hpp"
 
 namespace skein::decision_node {
@@ -19,6 +20,10 @@ constexpr Duration kAside = Duration::milliseconds(3'000);     ///< a place asid
 constexpr Duration kUnasked = Duration::milliseconds(10'000);  ///< after the energy is short
 constexpr double kAtRest = 0.5;                                // [m/s]
 
+bool is_aside(functional::TaskId task) {
+  return task >= kFirstAside && task < functional::kFirstBackgroundId;
+}
+
 }  // namespace
 
 Merging::Merging(Core& core) : core_(core) {
@@ -31,7 +36,7 @@ Merging::Merging(Core& core) : core_(core) {
 // ---- motions ----
 
 bool Merging::takes(const functional::Request& request) {
-  if (!merger_ || !needs_air(request)) return false;
+  if (!merger_ || !(needs_air(request) || comes_after_aside(request))) return false;
   if (waiting_) {
     core_.post_status({request.id, functional::TaskState::kAborted,
                        "another motion waits for its air: " + waiting_->request.type});
@@ -44,6 +49,13 @@ bool Merging::takes(const functional::Request& request) {
   return true;
 }
 
+/// What it flew aside for is given up, and what comes now needs it to stand still: once it is
+/// there.
+bool Merging::comes_after_aside(const functional::Request& request) const {
+  return flown_ && !flown_->over && is_aside(flown_->airway.request.id) &&
+         functional::TaskTypes::shipped().of(request.type).holds_vehicle();
+}
+
 bool Merging::drop(functional::TaskId task) {
   if (!waiting_ || waiting_->request.id != task) return false;
   waiting_.reset();
@@ -54,6 +66,11 @@ bool Merging::drop(functional::TaskId task) {
 /// From where it is now: as often as it waits anew.
 void Merging::ask() {
   if (!waiting_ || !has_seen_ || (flown_ && !flown_->over)) return;
+  if (!needs_air(waiting_->request)) {
+    functional::Request request = std::move(waiting_->request);
+    waiting_.reset();
+    return core_.vehicle().begin(std::move(request));
+  }
   auto airways = airways_of(waiting_->request, at_any_height(waiting_->request),
                             *core_.config().merging, situation());
   if (!airways) {
@@ -97,14 +114,13 @@ void Merging::begin(const Airway& airway, const std::string& state) {
 
 bool Merging::told(const functional::Status& status) {
   if (!merger_) return false;
-  const bool aside = status.id >= kFirstAside && status.id < functional::kFirstBackgroundId;
   if (flown_ && flown_->airway.request.id == status.id && functional::is_terminal(status.state)) {
     flown_->over = true;
     flown_->ended = status.state == functional::TaskState::kEnded;
     come_to_rest();
     if (waiting_ && waiting_->airways.empty()) ask();
   }
-  return aside;
+  return is_aside(status.id);
 }
 
 // ---- the vehicle ----

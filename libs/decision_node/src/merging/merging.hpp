@@ -74,6 +74,7 @@ class Merging final : public Component {
   void refuse(const std::string& why);
   void come_to_rest();
   void hold();
+  bool comes_after_aside(const functional::Request& request) const;
   bool leads_on(const Airway& aside, const merging::Volumes& ends) const;
   bool at_any_height(const functional::Request& request) const;
   AirwaySituation situation() const;

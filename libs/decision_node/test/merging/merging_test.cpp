@@ -14,6 +14,7 @@ using ::testing::ElementsAre;
 using testing::goto_of;
 using ::testing::IsEmpty;
 using testing::MergedTeam;
+using ::testing::SizeIs;
 using testing::takeoff_of;
 
 std::vector<std::string> states(const std::vector<AirNoted>& notes) {
@@ -105,6 +106,22 @@ TEST(Merging, TwoThatAreToChangePlacesDoSo) {
   EXPECT_TRUE(team.is_over("heliv", 7));
   EXPECT_THAT(states(team.notes("heliv")), Contains("aside"));
   EXPECT_NEAR((team.state("heliv").position - world::Vector3(-100, 0, 40)).norm(), 0, 0.5);
+}
+
+// Heliv flies aside when it is to hold instead.
+TEST(Merging, WhoIsToHoldWhileItFliesAsideHoldsOnceItIsThere) {
+  MergedTeam team = opposite();
+  give_sweep(team, "marvin", goto_of(7, {100, 0, 40}));
+  give_sweep(team, "heliv", goto_of(7, {-100, 0, 40}));
+  for (int i = 0; i < 100 && states(team.notes("heliv")).back() != "aside"; ++i) team.run(0.1);
+  ASSERT_EQ(states(team.notes("heliv")).back(), "aside");
+
+  team.command("heliv", executive::Abort{executive::TaskId(7)});
+  team.command("heliv", testing::start_of(9, "wait"));
+  EXPECT_THAT(team.begun("heliv"), SizeIs(1)) << "it still moves";
+  team.run(60);
+  ASSERT_THAT(team.begun("heliv"), SizeIs(2));
+  EXPECT_EQ(team.begun("heliv").back(), 9U);
 }
 
 TEST(Merging, ATakeoffWaitsForWhoIsOverTheGround) {
