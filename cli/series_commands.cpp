@@ -106,6 +106,7 @@ constexpr const char* kExportExamples = R"(
 Examples:
   skein export out/comets-confirmed --mcap comets.mcap      Foxglove, PlotJuggler: docs/recordings.md
   skein export out/comets-confirmed --kml comets.kml --gpx comets.gpx --geoid 54
+  skein export out/action-patrol --figures figures          trajectories and temporal messages, as SVG
 Exit codes: 0, 2 the folder cannot be read, 3 the file cannot be written.)";
 
 void add_export(CLI::App& app, Action& action, const LiveActions& live) {
@@ -115,6 +116,8 @@ void add_export(CLI::App& app, Action& action, const LiveActions& live) {
   command->add_option("--mcap", options->mcap, "MCAP file, for Foxglove and PlotJuggler");
   command->add_option("--kml", options->kml, "KML file, for Google Earth and maps");
   command->add_option("--gpx", options->gpx, "GPX file, for GPS programs");
+  command->add_option("--figures", options->figures,
+                      "Folder for trajectories.svg and chronology.svg, for a paper");
   command
       ->add_option("--geoid", options->geoid,
                    "Height of the sea over the ellipsoid there [m], for heights of KML and GPX")

@@ -2,13 +2,16 @@
 #include "skein/export_tool/export.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <ostream>
+#include <sstream>
 
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foxglove/export.hpp"
 #include "skein/mcap/writer.hpp"
 #include "skein/recording/run.hpp"
+#include "skein/report/figures.hpp"
 #include "skein/track_files/tracks.hpp"
 
 namespace skein::export_tool {
@@ -77,11 +80,29 @@ int write_tracks(const ExportOptions& options, const recording::Run& run, std::o
   return code;
 }
 
+/// Two SVG files, for a paper.
+int write_figures(const ExportOptions& options, const recording::Run& run, std::ostream& out,
+                  std::ostream& err) {
+  if (options.figures.empty()) return kExitOk;
+  std::istringstream events(run.events);
+  const report::Journal journal = report::salvage_journal(events, "events.jsonl").journal;
+  std::error_code failed;
+  std::filesystem::create_directories(options.figures, failed);
+  const auto file = [&](const char* name) {
+    return (std::filesystem::path(options.figures) / name).string();
+  };
+  const int map =
+      write_file(file("trajectories.svg"), report::trajectories_svg(run.info, journal), out, err);
+  return std::max(
+      map, write_file(file("chronology.svg"), report::chronology_svg(run.info, journal), out, err));
+}
+
 }  // namespace
 
 int export_run(const ExportOptions& options, std::ostream& out, std::ostream& err) {
-  if (options.mcap.empty() && options.kml.empty() && options.gpx.empty()) {
-    err << "no file to write; expected: --mcap, --kml or --gpx\n";
+  if (options.mcap.empty() && options.kml.empty() && options.gpx.empty() &&
+      options.figures.empty()) {
+    err << "no file to write; expected: --mcap, --kml, --gpx or --figures\n";
     return kExitBadInput;
   }
   const auto run = recording::read_run(options.folder);
@@ -91,7 +112,8 @@ int export_run(const ExportOptions& options, std::ostream& out, std::ostream& er
   }
   err << to_text(run->damaged);  // the rest is still worth a file
   const int mcap = write_mcap_file(options, *run, out, err);
-  return std::max(mcap, write_tracks(options, *run, out, err));
+  const int tracks = write_tracks(options, *run, out, err);
+  return std::max({mcap, tracks, write_figures(options, *run, out, err)});
 }
 
 }  // namespace skein::export_tool

@@ -114,7 +114,22 @@ TEST_F(Export, WithoutAFileToWriteSaysWhichThereAre) {
   options_.mcap.clear();
 
   EXPECT_EQ(run(), kExitBadInput);
-  EXPECT_THAT(err_.str(), HasSubstr("--mcap, --kml or --gpx"));
+  EXPECT_THAT(err_.str(), HasSubstr("--mcap, --kml, --gpx or --figures"));
+}
+
+TEST_F(Export, WritesTwoFiguresForAPaper) {
+  keep(kTelemetry);
+  options_.mcap.clear();
+  options_.figures = (folder_.path() / "figures").string();
+
+  EXPECT_EQ(run(), kExitOk) << err_.str();
+
+  for (const char* name : {"trajectories.svg", "chronology.svg"}) {
+    std::ifstream in(std::filesystem::path(options_.figures) / name);
+    const std::string file{std::istreambuf_iterator<char>(in), {}};
+    EXPECT_THAT(file, ::testing::StartsWith("<svg ")) << name;
+    EXPECT_THAT(file, HasSubstr("marvin")) << name;
+  }
 }
 
 TEST_F(Export, RefusesAFolderOfNoRun) {

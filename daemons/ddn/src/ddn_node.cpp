@@ -87,7 +87,14 @@ std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
     const Sender sender{roster_.name_of(received->from), received->from == roster_.ground(),
                         received->from == functional_};
     const std::string why = why_not(received->sample, sender);
-    if (why.empty()) return ddn::input_of(received->sample, sender);
+    if (why.empty()) {
+      if (std::holds_alternative<wire::PlanFrontier>(received->sample))
+        log(record("frontier")
+                .with("uav", uav_)
+                .with("direction", "received")
+                .with("from", sender.name));
+      return ddn::input_of(received->sample, sender);
+    }
     drop(*received, why);
   } else if (const auto* reach = std::get_if<node::Reachability>(&input)) {
     if (reach->peer == functional_ && reach->restarted) return dn::LayerForgot{};
@@ -243,6 +250,11 @@ void DdnNode::carry_out(const dn::SendMerge& effect) {
 }
 
 void DdnNode::carry_out(const dn::SendFrontier& effect) {
+  log(record("frontier")
+          .with("uav", uav_)
+          .with("direction", "sent")
+          .with("to", effect.to)
+          .with("meetings", static_cast<std::int64_t>(effect.frontier.meetings.size())));
   send(roster_.find(effect.to)->number, to_wire(uav_, effect.frontier));
 }
 

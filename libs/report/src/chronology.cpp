@@ -210,6 +210,10 @@ std::vector<ObjectStory> tell_objects(const Journal& journal) {
 
 double seconds(const Stamp& stamp) { return static_cast<double>(stamp.at.count()) / 1e9; }
 
+bool UavStory::keeps_to_ground() const {
+  return std::none_of(track.begin(), track.end(), [](const TrackPoint& p) { return p.airborne; });
+}
+
 std::optional<Span> TaskBar::active() const {
   for (const TaskSegment& s : segments) {
     if (s.state != TaskState::kScheduled) return Span{s.span.from, span.to};

@@ -60,6 +60,9 @@ struct UavStory {
   std::optional<int> degree;                    ///< at the start
   std::vector<TrackPoint> track;                ///< time order, instants all different
   std::vector<std::pair<double, int>> degrees;  ///< changes: instant, new degree
+
+  /// Never in the air: what way it has is over the ground.
+  bool keeps_to_ground() const;
 };
 
 struct NamedSpan {

@@ -45,6 +45,8 @@ void draw_ground_row(Sheet& sheet);
 void draw_uav_rows(Sheet& sheet);
 /// Synchronisations and messages between the rails.
 void draw_arrows(Sheet& sheet);
+/// What UAVs told each other of their plans, from rail to rail.
+void draw_temporal_messages(Sheet& sheet);
 /// Roles and blocks of joint tasks by UAV, and violations of their constraints.
 void draw_joint_rows(Sheet& sheet);
 /// Who owned each task of the team when, and why.

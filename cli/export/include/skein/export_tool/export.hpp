@@ -14,11 +14,12 @@
 namespace skein::export_tool {
 
 struct ExportOptions {
-  std::string folder;  ///< of a run
-  std::string mcap;    ///< file for Foxglove and PlotJuggler; empty: none
-  std::string kml;     ///< file for maps and Google Earth; empty: none
-  std::string gpx;     ///< file for GPS programs; empty: none
-  double geoid = 0;    ///< of the sea over the ellipsoid there [m], for heights of KML and GPX
+  std::string folder;   ///< of a run
+  std::string mcap;     ///< file for Foxglove and PlotJuggler; empty: none
+  std::string kml;      ///< file for maps and Google Earth; empty: none
+  std::string gpx;      ///< file for GPS programs; empty: none
+  std::string figures;  ///< folder for trajectories.svg and chronology.svg; empty: none
+  double geoid = 0;     ///< of the sea over the ellipsoid there [m], for heights of KML and GPX
   mcap::Compression compression = mcap::Compression::kZstd;
 };
 
