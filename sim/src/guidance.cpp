@@ -99,8 +99,8 @@ void Guidance::advance_fly(Fly& goal, const Vehicle& vehicle) {
   }
   const Vector3 last = goal.waypoints.back();
   const bool slow = !model_.hovers || vehicle.air_velocity().norm() <= kArrivalSpeed;
-  if (goal.next + 1 == goal.waypoints.size() && slow && reached(vehicle.state(), last))
-    finish(Hold{last});
+  if (goal.next + 1 != goal.waypoints.size() || !slow || !reached(vehicle.state(), last)) return;
+  model_.ground ? finish(Stay{}) : finish(Hold{last});
 }
 
 void Guidance::advance_brake(Brake& goal, const Vehicle& vehicle, double dt) {
@@ -114,6 +114,7 @@ void Guidance::advance_brake(Brake& goal, const Vehicle& vehicle, double dt) {
 
 bool Guidance::reached(const world::VehicleState& state, const Vector3& point) const {
   const Vector3 offset = point - state.position;
+  if (model_.ground) return offset.head<2>().norm() <= tolerance_;
   return offset.head<2>().norm() <= tolerance_ && std::abs(offset.z()) <= tolerance_;
 }
 
@@ -176,6 +177,11 @@ Command Guidance::hover_towards(const Vehicle& vehicle, const Vector3& at, doubl
                                 double speed_there) const {
   const world::VehicleState& state = vehicle.state();
   const double distance = (at - state.position).head<2>().norm();
+  if (model_.ground) {
+    const double stopping = std::hypot(speed_there, stopping_speed(model_.acceleration, distance));
+    return {.speed = std::min(speed, stopping),
+            .course = bearing(state.position.head<2>(), at.head<2>())};
+  }
   const double rise = std::abs(allowed_height(state, at.z()) - state.position.z());
   Command command;
   command.course = bearing(state.position.head<2>(), at.head<2>());

@@ -76,10 +76,12 @@ void SensorSuite::break_device(const std::string& device, MissionTime now, Statu
 void SensorSuite::step(const world::VehicleState& state, double pointing_error, const Scene& scene,
                        MissionTime now, StatusBoard& board, std::vector<Effect>& effects) {
   const auto over = [&](const Shot& shot) { return shot.left == 0 || now >= shot.until; };
+  world::VehicleState eye = state;
+  eye.position = world::eye_of(model_, state.position);
   for (Shot& shot : shots_) {
     const world::SensorModel& sensor = *world::find_sensor(model_, shot.task.device);
     for (; shot.next <= now && shot.next < shot.until && shot.left > 0; --shot.left) {
-      const world::View view = view_of(sensor, state, shot.task.target, pointing_error);
+      const world::View view = view_of(sensor, eye, shot.task.target, pointing_error);
       effects.push_back(PerceptionOut{
           {board.uav(), sensor.device, view.viewpoint, view.direction, view.range, view.aperture,
            look(sensor, view, scene, now, randoms_.at(sensor.device)), now}});

@@ -107,7 +107,7 @@ class Simulator::Implementation {
     std::vector<world::Vector3> positions = {config_.ground_station};
     for (const Unit& unit : units_) positions_[unit.name()] = unit.state().position;
     for (const SimulatedVehicle& vehicle : config_.vehicles) {
-      positions.push_back(positions_.at(vehicle.name));
+      positions.push_back(world::eye_of(vehicle.model, positions_.at(vehicle.name)));
     }
     radio_.update(positions, config_.terrain, at, effects);
   }

@@ -32,16 +32,16 @@ void check_vehicles(const SimulatorConfig& config, Problems& problems) {
 void check_models(const SimulatorConfig& config, Problems& problems) {
   for (const SimulatedVehicle& vehicle : config.vehicles) {
     const world::VehicleModel& model = vehicle.model;
-    const bool flies = model.cruise_speed > 0 && model.max_speed >= model.cruise_speed &&
+    const bool moves = model.cruise_speed > 0 && model.max_speed >= model.cruise_speed &&
                        model.climb_rate > 0 && model.descent_rate > 0 && model.acceleration > 0 &&
-                       model.ceiling > 0 && model.energy.capacity > 0;
+                       (model.ceiling > 0 || model.ground) && model.energy.capacity > 0;
     const bool turns = model.hovers ? model.yaw_rate > 0
                                     : model.min_turn_radius > 0 && model.min_speed > 0 &&
                                           model.orbit_radius >= 1.1 * model.min_turn_radius;
     bool looks = !model.pilot || model.pilot->attention_period > Duration();
     for (const world::SensorModel& sensor : model.sensors)
       looks = looks && sensor.period > Duration() && sensor.range > 0 && sensor.aperture > 0;
-    if (!flies || !turns || !looks)
+    if (!moves || !turns || !looks)
       problems.push_back("vehicle '" + vehicle.name + "': its model '" + model.name +
                          "' has figures that must be greater than 0");
   }

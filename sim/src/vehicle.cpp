@@ -19,6 +19,7 @@ Vehicle::Vehicle(const world::VehicleModel& model, const Vector3& position, doub
 
 void Vehicle::step(const Command& command, const Vector3& wind, double ground, double dt) {
   Command allowed = command;
+  if (model_.ground) return roll(allowed, ground, dt);
   if (!engine_works_) allowed = {0, state_.heading, -model_.descent_rate, std::nullopt, true};
   if (!state_.airborne && allowed.climb <= 0) {
     touch(ground, true, dt);
@@ -32,6 +33,19 @@ void Vehicle::step(const Command& command, const Vector3& wind, double ground, d
   state_.velocity = air_velocity_ + model_.wind_drift * wind;
   state_.position += state_.velocity * dt;
   if (state_.position.z() <= ground && air_velocity_.z() <= 0) touch(ground, allowed.may_touch, dt);
+  draw_energy(dt);
+}
+
+/// On its wheels or tracks, wherever the ground leads up or down.
+void Vehicle::roll(const Command& command, double ground, double dt) {
+  Command allowed = command;
+  if (!engine_works_) allowed.speed = 0;
+  accelerate_hovering(allowed, dt);
+  const double rise = (ground - state_.position.z()) / dt;
+  air_velocity_.z() = 0;
+  state_.velocity = Vector3(air_velocity_.x(), air_velocity_.y(), rise);
+  state_.position.head<2>() += air_velocity_.head<2>() * dt;
+  state_.position.z() = ground;
   draw_energy(dt);
 }
 
@@ -87,9 +101,10 @@ void Vehicle::touch(double ground, bool meant, double dt) {
 
 void Vehicle::draw_energy(double dt) {
   if (!engine_works_) return;
-  const double power = state_.airborne ? world::flight_power(model_, air_velocity_.head<2>().norm(),
-                                                             air_velocity_.z())
-                                       : model_.energy.ground_power;
+  const bool moves = state_.airborne || model_.ground;
+  const double rise = model_.ground ? state_.velocity.z() : air_velocity_.z();
+  const double power = moves ? world::flight_power(model_, air_velocity_.head<2>().norm(), rise)
+                             : model_.energy.ground_power;
   state_.energy = std::max(0.0, state_.energy - power * dt / model_.energy.capacity);
 }
 

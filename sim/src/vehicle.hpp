@@ -42,6 +42,7 @@ class Vehicle {
   bool crashed() const { return crashed_; }
 
  private:
+  void roll(const Command& command, double ground, double dt);
   void accelerate_hovering(const Command& command, double dt);
   void accelerate_turning(const Command& command, double dt);
   void climb_towards(double climb, double dt);

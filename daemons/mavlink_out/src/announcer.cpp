@@ -34,6 +34,8 @@ std::uint8_t type_of(world::VehicleKind kind) {
       return 7;
     case world::VehicleKind::kFixedWing:
       return 1;
+    case world::VehicleKind::kGround:
+      return 10;
   }
   return 0;
 }

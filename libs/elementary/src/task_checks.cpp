@@ -35,6 +35,7 @@ void need_energy(const Situation& s, double joules, const std::string& what,
 
 void need_flight(const Situation& s, const std::string& what, ParameterReader& read) {
   if (!s.engine_works) read.refuse("engine failure");
+  if (s.model.ground) return;
   if (!s.state.airborne) read.refuse(what + " before takeoff: the vehicle is on the ground");
 }
 
@@ -46,7 +47,13 @@ std::optional<Duration> read_duration(ParameterReader& read) {
   return std::nullopt;
 }
 
+constexpr const char* kKeepsToGround = "it keeps to the ground";
+
 ElementaryTask read_takeoff(const Situation& s, ParameterReader& read) {
+  if (s.model.ground) {
+    read.refuse(kKeepsToGround);
+    return TakeoffTask{};
+  }
   const double altitude = read.number("altitude").value_or(s.model.ceiling / 2);
   if (!read.has("altitude")) read.refuse("altitude is missing");
   if (altitude < kLeastHeight || altitude > s.model.ceiling)
@@ -61,6 +68,7 @@ ElementaryTask read_takeoff(const Situation& s, ParameterReader& read) {
 }
 
 ElementaryTask read_land(const Situation& s, ParameterReader& read) {
+  if (s.model.ground) read.refuse(kKeepsToGround);
   if (!s.state.airborne) read.refuse("already on the ground");
   const Vector3& at = s.state.position;
   if (const auto problem = world::landing_problem(s.terrain, at.head<2>())) read.refuse(*problem);
@@ -73,6 +81,7 @@ void check_waypoint(const Situation& s, const Vector3& point, const std::string&
     read.refuse(name + " is outside the terrain");
     return;
   }
+  if (s.model.ground) return;
   const double height = point.z() - s.terrain.elevation(point.x(), point.y());
   if (height < 0)
     read.refuse(name + " is " + figure(-height) + " m under the ground");
@@ -84,7 +93,29 @@ void check_waypoint(const Situation& s, const Vector3& point, const std::string&
                 figure(s.model.ceiling) + " m");
 }
 
+/// From ground that is too steep it may drive off.
+void check_slopes(const Situation& s, const std::vector<Vector3>& way, ParameterReader& read) {
+  const double step = s.terrain.spec().cell / 4;
+  Vector3 from = s.state.position;
+  bool is_off = false;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const double length = (way[i] - from).head<2>().norm();
+    const int pieces = std::max(1, static_cast<int>(std::ceil(length / step)));
+    for (int k = 0; k <= pieces; ++k) {
+      const Vector3 at = from + (way[i] - from) * (static_cast<double>(k) / pieces);
+      const bool steep = s.terrain.slope(at.x(), at.y()) > s.model.ground->steepest;
+      if (is_off && steep)
+        return read.refuse("the way to way-point " + std::to_string(i + 1) +
+                           " is too steep for it at (" + figure(at.x()) + ", " + figure(at.y()) +
+                           ")");
+      is_off = is_off || !steep;
+    }
+    from = way[i];
+  }
+}
+
 void check_legs(const Situation& s, const std::vector<Vector3>& way, ParameterReader& read) {
+  if (s.model.ground) return check_slopes(s, way, read);
   Vector3 from = s.state.position;
   for (std::size_t i = 0; i < way.size(); ++i) {
     if (const auto hit = s.terrain.first_hit(from, way[i])) {
@@ -96,12 +127,21 @@ void check_legs(const Situation& s, const std::vector<Vector3>& way, ParameterRe
   }
 }
 
+/// Whatever heights are given, one that drives is on the ground there.
+std::vector<Vector3> read_waypoints(const Situation& s, ParameterReader& read) {
+  std::vector<Vector3> way = read.points("waypoints");
+  if (s.model.ground)
+    for (Vector3& at : way) at.z() = s.terrain.elevation(at.x(), at.y());
+  return way;
+}
+
 ElementaryTask read_goto(const Situation& s, ParameterReader& read) {
-  GotoTask task{read.points("waypoints"), read.number("speed").value_or(s.model.cruise_speed)};
+  GotoTask task{read_waypoints(s, read), read.number("speed").value_or(s.model.cruise_speed)};
   if (!read.has("waypoints")) read.refuse("waypoints is missing");
   const bool speed_known = task.speed > 0 && task.speed >= s.model.min_speed;
   if (!speed_known || task.speed > s.model.max_speed)
-    read.refuse("speed " + figure(task.speed) + " m/s is not within what it can fly, " +
+    read.refuse("speed " + figure(task.speed) + " m/s is not within what it can " +
+                (s.model.ground ? "drive" : "fly") + ", " +
                 (s.model.hovers ? "more than 0" : figure(s.model.min_speed)) + " to " +
                 figure(s.model.max_speed) + " m/s");
   for (std::size_t i = 0; i < task.waypoints.size(); ++i)
@@ -117,7 +157,7 @@ ElementaryTask read_goto(const Situation& s, ParameterReader& read) {
 void check_stay(const Situation& s, const std::optional<Duration>& duration, const char* what,
                 ParameterReader& read) {
   if (!s.engine_works) read.refuse("engine failure");
-  if (duration && s.state.airborne)
+  if (duration && (s.state.airborne || s.model.ground))
     need_energy(s, duration->to_seconds() * world::flight_power(s.model, s.model.min_speed, 0),
                 what, read);
 }

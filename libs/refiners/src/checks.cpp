@@ -26,9 +26,10 @@ std::optional<Refusal> check_vehicle(const world::VehicleModel& vehicle) {
                                      std::pair{vehicle.climb_rate, "vehicle.climb_rate"},
                                      std::pair{vehicle.descent_rate, "vehicle.descent_rate"},
                                      std::pair{vehicle.acceleration, "vehicle.acceleration"},
-                                     std::pair{vehicle.ceiling, "vehicle.ceiling"},
                                      std::pair{vehicle.energy.capacity, "vehicle.energy.capacity"}})
     if (auto problem = check_positive(value, field)) return problem;
+  if (!vehicle.ground)
+    if (auto problem = check_positive(vehicle.ceiling, "vehicle.ceiling")) return problem;
   if (vehicle.cruise_speed > vehicle.max_speed)
     return bad("vehicle.speed.cruise", figure(vehicle.cruise_speed) + " m/s is more than max, " +
                                            figure(vehicle.max_speed) + " m/s");

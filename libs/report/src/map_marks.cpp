@@ -137,7 +137,13 @@ void write_takeoffs(Scene& s) {
   }
 }
 
-// Dots at round times in flight; the time beside them where there is room.
+// In the air, or driving.
+bool is_on_its_way(const UavStory& uav, const TrackPoint& point) {
+  constexpr double kStands = 0.2;  // [m/s]
+  return point.airborne || (uav.keeps_to_ground() && point.speed > kStands);
+}
+
+// Dots at round times on the way; the time beside them where there is room.
 void write_times(Scene& s) {
   const Span& time = s.run.story.time;
   const bool crowded = s.run.story.uavs.size() > kManyUavs;
@@ -147,7 +153,7 @@ void write_times(Scene& s) {
     std::optional<Point> last;
     for (const double t : instants) {
       const std::optional<TrackPoint> p = at(s.run.story.uavs[i].track, t);
-      if (!p || !p->airborne) continue;
+      if (!p || !is_on_its_way(s.run.story.uavs[i], *p)) continue;
       const Point here = s.frame(p->position);
       if (last && std::hypot(here.x - last->x, here.y - last->y) < 14) continue;
       last = here;
@@ -167,7 +173,7 @@ void write_names(Scene& s) {
     for (const double part : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
       if (uav.track.empty()) break;
       const auto index = static_cast<std::size_t>(part * static_cast<double>(uav.track.size() - 1));
-      if (!uav.track[index].airborne) continue;
+      if (!is_on_its_way(uav, uav.track[index])) continue;
       const Point p = s.frame(uav.track[index].position);
       const std::string name = shortened(uav.name, 20);
       const auto placed = s.placer.place(p, 5, name, 13.0);

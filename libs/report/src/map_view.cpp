@@ -67,18 +67,21 @@ void write_zones(Markup& out, const Run& run, const MapFrame& f) {
   }
 }
 
-// The pieces of a track that are all in the air or all on the ground.
+// The pieces of a track that are all in the air or all on the ground; of what keeps to the ground,
+// all of it.
 void write_track(Markup& out, const UavStory& uav, std::size_t index, std::size_t most,
                  const MapFrame& f) {
   const std::string dash = index >= kUavColours ? " dashed" : "";
   out.open("g", {{"class", "track " + colour_class(index) + dash}});
   out.title(uav.name);
   std::vector<Point> piece;
+  const bool drives = uav.keeps_to_ground();
   const auto flush = [&](bool airborne) {
+    const bool on_its_way = airborne || drives;
     if (piece.size() > 1) {
       const std::string data = path_data(simplified(piece, 0.35, most));
-      if (airborne) out.leaf("path", {{"class", "halo"}, {"d", data}});
-      out.leaf("path", {{"class", airborne ? "air" : "land"}, {"d", data}});
+      if (on_its_way) out.leaf("path", {{"class", "halo"}, {"d", data}});
+      out.leaf("path", {{"class", on_its_way ? "air" : "land"}, {"d", data}});
     }
     piece.clear();
   };

@@ -12,15 +12,17 @@ double distance(const Position& a, const Position& b) {
   return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
+/// Of one that was never in the air all of its way counts: it drove.
 UavFigures figures_of(const UavStory& uav) {
   UavFigures f;
+  const bool drives = uav.keeps_to_ground();
   for (std::size_t i = 0; i < uav.track.size(); ++i) {
     const TrackPoint& p = uav.track[i];
     f.max_altitude = std::max(f.max_altitude.value_or(p.position.z), p.position.z);
     f.max_speed = std::max(f.max_speed, p.speed);
-    if (i == 0 || !(p.airborne || uav.track[i - 1].airborne)) continue;
-    f.distance += distance(uav.track[i - 1].position, p.position);
-    f.airborne += p.t - uav.track[i - 1].t;
+    const bool flew = i > 0 && (p.airborne || uav.track[i - 1].airborne);
+    if (i > 0 && (flew || drives)) f.distance += distance(uav.track[i - 1].position, p.position);
+    if (flew) f.airborne += p.t - uav.track[i - 1].t;
   }
   if (!uav.track.empty()) f.energy_used = uav.track.front().energy - uav.track.back().energy;
   return f;

@@ -13,7 +13,8 @@
 namespace skein::report {
 
 struct UavFigures {
-  double distance = 0.0;               ///< flown [m]: the length of the track while airborne
+  double distance =
+      0.0;  ///< [m]: the length of the track while airborne; of one that never is, all
   double airborne = 0.0;               ///< [s]
   std::optional<double> max_altitude;  ///< [m] ENU, of the whole track
   double max_speed = 0.0;              ///< [m/s]

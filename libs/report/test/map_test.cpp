@@ -94,6 +94,13 @@ TEST(Map, ATrackIsSplitWhereItLeavesTheGround) {
   EXPECT_EQ(count(svg, "m takes off at 0:10"), 1U);
 }
 
+TEST(Map, OfWhatKeepsToTheGroundAllOfItsWayIsDrawn) {
+  Journal j;
+  for (int t = 0; t < 30; ++t) j.telemetry.push_back(telemetry(t, "m", {10.0 * t, 0, 0}, false));
+
+  EXPECT_EQ(count(map_of(j), "class=\"air\""), 1U);
+}
+
 TEST(Map, AlarmsShowTheirStateAndTheirError) {
   Journal j;
   j.objects = {{stamp(0), "fire", "fire", {100, 100, 0}, 6, true}};

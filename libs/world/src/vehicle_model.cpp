@@ -16,6 +16,8 @@ std::string_view to_text(VehicleKind kind) {
       return "blimp";
     case VehicleKind::kFixedWing:
       return "fixed-wing";
+    case VehicleKind::kGround:
+      return "ground";
   }
   SKEIN_ENSURES(false);
 }
@@ -24,6 +26,10 @@ const SensorModel* find_sensor(const VehicleModel& model, std::string_view devic
   const auto found = std::find_if(model.sensors.begin(), model.sensors.end(),
                                   [&](const SensorModel& s) { return s.device == device; });
   return found == model.sensors.end() ? nullptr : &*found;
+}
+
+Vector3 eye_of(const VehicleModel& model, const Vector3& position) {
+  return model.ground ? Vector3(position + Vector3(0, 0, model.ground->mast)) : position;
 }
 
 double flight_power(const VehicleModel& model, double speed, double vertical_speed) {

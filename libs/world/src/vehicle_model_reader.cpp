@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/world/vehicle_model_reader.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -31,12 +33,16 @@ Duration seconds(const Reader& reader, Range range) {
   return Duration::seconds(reader.number(range.low, range));
 }
 
-EnergyModel read_energy(const Reader& reader) {
-  reader.keys({"capacity", "ground", "hover", "cruise", "climb", "reserve"});
+EnergyModel read_energy(const Reader& reader, bool drives) {
+  if (drives)
+    reader.keys({"capacity", "ground", "cruise", "climb", "reserve"});
+  else
+    reader.keys({"capacity", "ground", "hover", "cruise", "climb", "reserve"});
   EnergyModel energy;
   energy.capacity = reader.required("capacity").number(1, {1, 1e12, "J"});
   energy.ground_power = reader.optional("ground").number(0, kPower);
-  energy.hover_power = reader.required("hover").number(0, kPower);
+  // It stands where one that hovers would.
+  energy.hover_power = drives ? energy.ground_power : reader.required("hover").number(0, kPower);
   energy.cruise_power = reader.required("cruise").number(0, kPower);
   energy.climb_power = reader.optional("climb").number(0, kPower);
   energy.reserve = reader.required("reserve").number(0, {0, 0.9, ""});
@@ -108,21 +114,53 @@ void read_flight(const Reader& reader, VehicleModel& model) {
   read_manoeuvre(reader, model);
 }
 
+/// What is left of a vehicle that keeps to the ground.
+void read_driving(const Reader& reader, VehicleModel& model) {
+  for (const char* key : {"hovers", "climb_rate", "descent_rate", "min_turn_radius", "orbit_radius",
+                          "ceiling", "wind_drift"})
+    if (const Reader entry = reader.optional(key); entry.present())
+      entry.error(std::string(key) + " of a vehicle that keeps to the ground", "no such key");
+  const Reader speed = reader.required("speed");
+  read_speeds(speed, model);
+  if (model.min_speed > 0)
+    speed.optional("min").error("a least speed of a vehicle that keeps to the ground",
+                                "no such key");
+  model.acceleration = reader.required("acceleration").number(1, {0.01, 100, "m/s²"});
+  model.yaw_rate = reader.required("yaw_rate").number(1, {kLeast, 10, "rad/s"});
+  model.body_radius = reader.optional("body_radius").number(1, {0.01, 100, "m"});
+  model.position_precision = reader.required("position_precision").number(0, kSpread);
+  const Reader ground = reader.required("ground");
+  ground.keys({"steepest", "mast"});
+  GroundModel drives;
+  drives.steepest = ground.required("steepest").number(0.1, {0.01, 1.2, "rad"});
+  drives.mast = ground.required("mast").number(1, {0.05, 50, "m"});
+  model.ground = drives;
+  model.climb_rate = model.descent_rate =
+      std::max(kLeast, model.max_speed * std::tan(drives.steepest));
+}
+
 }  // namespace
 
 VehicleModel read_vehicle_model(const Reader& reader) {
   constexpr std::array kinds = {VehicleKind::kHelicopter, VehicleKind::kBlimp,
-                                VehicleKind::kFixedWing};
+                                VehicleKind::kFixedWing, VehicleKind::kGround};
   reader.keys({"model", "kind", "hovers", "speed", "climb_rate", "descent_rate", "acceleration",
                "yaw_rate", "min_turn_radius", "orbit_radius", "ceiling", "body_radius",
-               "position_precision", "wind_drift", "energy", "pilot", "sensors"});
+               "position_precision", "wind_drift", "ground", "energy", "pilot", "sensors"});
   VehicleModel model;
   model.name = reader.required("model").text();
   if (reader.optional("model").present() && model.name.empty())
     reader.optional("model").error("an empty name");
-  model.kind = kinds[reader.required("kind").choice({"helicopter", "blimp", "fixed-wing"})];
-  read_flight(reader, model);
-  model.energy = read_energy(reader.required("energy"));
+  model.kind =
+      kinds[reader.required("kind").choice({"helicopter", "blimp", "fixed-wing", "ground"})];
+  const bool drives = model.kind == VehicleKind::kGround;
+  if (drives)
+    read_driving(reader, model);
+  else
+    read_flight(reader, model);
+  if (const Reader ground = reader.optional("ground"); !drives && ground.present())
+    ground.error("ground of a vehicle that flies", "kind: ground, or no such key");
+  model.energy = read_energy(reader.required("energy"), drives);
   model.pilot = read_pilot(reader.optional("pilot"));
   for (const auto& [device, entry] : reader.optional("sensors").entries()) {
     if (!entry.present()) entry.error("missing", "a map that describes the sensor");

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -234,6 +235,42 @@ TEST(VehicleModelReader, WhatIsNoModelAtAllIsRefused) {
   EXPECT_THAT(report("[1, 2]"), HasSubstr("not a vehicle model"));
   EXPECT_NE(report("model: {"), "");
   EXPECT_NE(report("model: bee"), "");
+}
+
+const std::string kRobot = R"(model: mana
+kind: ground
+speed: {cruise: 2.5, max: 3}
+acceleration: 1.5
+yaw_rate: 1.2
+position_precision: 0.3
+ground: {steepest: 0.2, mast: 1.5}
+energy: {capacity: 1.5e6, ground: 60, cruise: 180, climb: 250, reserve: 0.1}
+)";
+
+TEST(VehicleModelReader, OneThatKeepsToTheGroundStandsAndClimbsAsTheGroundDoes) {
+  const auto model = read_vehicle_model(kRobot, "mana.yaml");
+
+  ASSERT_TRUE(model) << to_text(model.error());
+  ASSERT_TRUE(model->ground.has_value());
+  EXPECT_EQ(model->ground->steepest, 0.2);
+  EXPECT_TRUE(model->hovers);
+  EXPECT_EQ(model->ceiling, 0);
+  EXPECT_EQ(model->wind_drift, 0);
+  EXPECT_NEAR(model->climb_rate, 3 * std::tan(0.2), 1e-9);
+  EXPECT_EQ(flight_power(*model, 0, 0), 60);
+  EXPECT_EQ(flight_power(*model, 2.5, 0), 180);
+  EXPECT_EQ(eye_of(*model, {1, 2, 3}), Vector3(1, 2, 4.5));
+}
+
+TEST(VehicleModelReader, WhatFliesAndWhatKeepsToTheGroundHaveNotTheSameFigures) {
+  const std::string robot = report(replaced(kRobot, "yaw_rate: 1.2", "yaw_rate: 1.2\nceiling: 9"));
+  const std::string hover = report(replaced(kRobot, "ground: 60", "ground: 60, hover: 90"));
+  const std::string bee =
+      report(replaced(kHelicopter, "ceiling: 300", "ceiling: 300\nground: {steepest: 1, mast: 1}"));
+
+  EXPECT_THAT(robot, HasSubstr("ceiling of a vehicle that keeps to the ground"));
+  EXPECT_THAT(hover, HasSubstr("hover"));
+  EXPECT_THAT(bee, HasSubstr("ground of a vehicle that flies"));
 }
 
 }  // namespace

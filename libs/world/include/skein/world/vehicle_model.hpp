@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a UAV can do, as figures.
+// What a vehicle can do, as figures.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "skein/foundation/time.hpp"
+#include "skein/world/geometry.hpp"
 #include "skein/world/sensor_model.hpp"
 
 namespace skein::world {
 
-enum class VehicleKind { kHelicopter, kBlimp, kFixedWing };
-/// "helicopter", "blimp", "fixed-wing": the names used in model files.
+enum class VehicleKind { kHelicopter, kBlimp, kFixedWing, kGround };
+/// "helicopter", "blimp", "fixed-wing", "ground": the names used in model files.
 std::string_view to_text(VehicleKind kind);
 
 struct EnergyModel {
@@ -39,7 +40,15 @@ struct PilotModel {
   bool operator==(const PilotModel&) const = default;
 };
 
-/// A vehicle type. Speeds are through the air. Source: spec 4.1 (vehicle), 8.2.
+/// What is asked of the ground by a vehicle that keeps to it.
+struct GroundModel {
+  double steepest = 0;  ///< slope of the ground that it drives on [rad], (0, π/2)
+  double mast = 0;      ///< height of its antenna and its sensors above the ground [m]
+  bool operator==(const GroundModel&) const = default;
+};
+
+/// A vehicle type. Speeds are through the air; of one that keeps to the ground over the map.
+/// Source: spec 4.1 (vehicle), 8.2.
 struct VehicleModel {
   std::string name;
   VehicleKind kind = VehicleKind::kHelicopter;
@@ -60,6 +69,10 @@ struct VehicleModel {
   double wind_drift = 0;          ///< part of the wind that displaces it, uncompensated, [0, 1]
   EnergyModel energy;
   std::optional<PilotModel> pilot;  ///< present: teleoperated
+  /// Present: it drives. It is never in the air, neither takes off nor lands, and stands wherever
+  /// it is not told to go. Then it counts as one that hovers, no wind moves it, its ceiling is 0,
+  /// and its climb rates are those on the steepest ground.
+  std::optional<GroundModel> ground;
   std::vector<SensorModel> sensors;
 
   bool operator==(const VehicleModel&) const = default;
@@ -68,7 +81,11 @@ struct VehicleModel {
 /// The sensor of that device name; null when there is none.
 const SensorModel* find_sensor(const VehicleModel& model, std::string_view device);
 
-/// Power drawn in the air [W] at an horizontal speed through the air and a vertical speed [m/s].
+/// Where its antenna and its sensors are when it is at `position`.
+Vector3 eye_of(const VehicleModel& model, const Vector3& position);
+
+/// Power drawn in the air, or driving, [W] at an horizontal speed through the air and a vertical
+/// speed [m/s].
 double flight_power(const VehicleModel& model, double speed, double vertical_speed);
 
 /// Standard deviation of where it flies around where it means to, per axis [m]: its navigation and
