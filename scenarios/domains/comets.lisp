@@ -61,10 +61,12 @@
 (defun left-of (wanted before) (if (< (- wanted before) 0.5d0) 0 (- wanted before)))
 (defun left-to-look (wanted done) (left-of wanted (total 'looked done)))
 (defun left-to-wait (wanted done) (if (numberp wanted) (left-of wanted (total 'waited done)) wanted))
-(defun is-near (a b)
-  (let ((x (- (second a) (second b))) (y (- (third a) (third b)))) (< (+ (* x x) (* y y)) 400)))
-(defun left-to-look-from (at wanted done)
-  (left-of wanted (total 'looked (remove-if-not (lambda (one) (and (eq (first one) 'looked) (is-near (third one) at)))
+; From near places it looks the same: what drives looks from nearer than what flies.
+(defun is-near (how a b)
+  (let ((x (- (second a) (second b))) (y (- (third a) (third b))))
+    (< (+ (* x x) (* y y)) (if (eq how 'driving) 25 400))))
+(defun left-to-look-from (how at wanted done)
+  (left-of wanted (total 'looked (remove-if-not (lambda (one) (and (eq (first one) 'looked) (is-near how (third one) at)))
                                                 done))))
 (defun reached-before (done)
   (mapcar (lambda (one) (second one)) (remove-if-not (lambda (one) (eq (first one) 'reached)) done)))
@@ -177,10 +179,16 @@
           (assign ?points (within-reach ?from (rest ?views) ?when 0)) (call = (length ?points) (length (rest ?views))))
     others ((sides-for ?from ?place ?device ?when ?seconds 6 ?sides) (assign ?points (at-most 3 ?sides))))
 
+  ; ================ what moves from where it is: what flies, and what keeps to the ground
+
+  (:- (may-move flying) ())
+  (:- (may-move driving) ())
+
   ; ================ air that is closed for a time
 
   ; Of a wait what can be spent before it takes off.
   (:- (spent-waiting flying ?_place ?_when ?wait ?wait) ((call numberp ?wait)))
+  (:- (spent-waiting driving ?_place ?_when ?wait ?wait) ((call numberp ?wait)))
   (:- (spent-waiting grounded ?place ?when ?wait ?spent)
     may-take-off
     ((call numberp ?wait) (assign ?data (compute-takeoff ?place ?when)) (call consp ?data)
@@ -300,7 +308,7 @@
     (get-cost ?data))
 
   (:operator (!task-gotoxyz ?id ?dependences ?params ?start ?duration ?tc ?origin)
-    ((uavloc flying ?from) (task-id ?id) (eval-ok gotoxyz ?data)
+    ((uavloc ?how ?from) (may-move ?how) (task-id ?id) (eval-ok gotoxyz ?data)
      (move-after ?earliest ?dependences)
      (assign ?params (get-params 'goto ?data))
      (assign ?duration (get-duration ?data))
@@ -310,9 +318,9 @@
      (assign ?there (get-destination ?data))
      (assign ?next (+ ?id 1))
      (my-write-time uavloc ?w ?we ?wt))
-    ((uavloc flying ?from) (task-id ?id) (eval-ok gotoxyz ?data) (my-write-time uavloc ?w ?we ?wt)
+    ((uavloc ?how ?from) (task-id ?id) (eval-ok gotoxyz ?data) (my-write-time uavloc ?w ?we ?wt)
      (forall (?r ?re ?rt) ((my-read-time uavloc ?r ?re ?rt)) ((my-read-time uavloc ?r ?re ?rt))))
-    ((uavloc flying ?there) (task-id ?next) (my-write-time uavloc ?end end ?id))
+    ((uavloc ?how ?there) (task-id ?next) (my-write-time uavloc ?end end ?id))
     (get-cost ?data))
 
   ; Waits some seconds, or as long as its stop says.
@@ -492,7 +500,7 @@
       (spent-waiting ?how ?from ?when ?wait ?spent))
       ((!!lcompute-stay ?spent) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (go ?to ?stay ?tc ?origin))
     take-off-first ((uavloc grounded ?_place)) ((take-off ?tc ?origin) (go ?to ?stay ?tc ?origin))
-    fly ((uavloc flying ?from) (may-begin ?tc ?when))
+    fly ((uavloc ?how ?from) (may-move ?how) (may-begin ?tc ?when))
       ((!!lcompute-gotoxyz ?from ?to ?when) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
   ; To one's place at a meeting: around those where partners may wait already.
@@ -502,15 +510,15 @@
       (spent-waiting ?how ?from ?when ?wait ?spent))
       ((!!lcompute-stay ?spent) (!task-wait ?_i ?_d ?_p ?_s ?_u ?tc ?origin) (go-among ?to ?others ?tc ?origin))
     take-off-first ((uavloc grounded ?_place)) ((take-off ?tc ?origin) (go-among ?to ?others ?tc ?origin))
-    fly ((uavloc flying ?from) (may-begin ?tc ?when))
+    fly ((uavloc ?how ?from) (may-move ?how) (may-begin ?tc ?when))
       ((!!lcompute-gotoxyz-among ?from ?to ?others ?when) (!task-gotoxyz ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
 
   (:method (go-unless-there ?to ?tc ?origin)
-    already-there ((uavloc flying ?from) (call is-at ?from ?to)) ()
+    already-there ((uavloc ?how ?from) (may-move ?how) (call is-at ?from ?to)) ()
     elsewhere () ((go ?to 0 ?tc ?origin)))
 
   (:method (go-to-meet ?to ?others ?tc ?origin)
-    already-there ((uavloc flying ?from) (call is-at ?from ?to)) ()
+    already-there ((uavloc ?how ?from) (may-move ?how) (call is-at ?from ?to)) ()
     elsewhere () ((go-among ?to ?others ?tc ?origin)))
 
   (:method (go-through ?places ?tc ?origin)
@@ -527,6 +535,8 @@
 
   (:method (general-land ?tc ?origin)
     on-the-ground ((uavloc grounded ?_place)) ()
+    ; nothing to land: it comes home
+    drive-home ((uavloc driving ?_from) (landloc ?home)) ((go-unless-there ?home ?tc ?origin))
     land-here
       ((uavloc flying ?from) (landing-place ?from ?tc ?place) (call is-over ?from ?place)) ((touch-down ?place ?tc ?origin))
     come-back-and-land
@@ -664,12 +674,12 @@
   (:method (monitor-from ?points ?place ?device ?seconds ?tc ?origin)
     all-angles ((call null ?points)) ()
     seen-before
-    ((assign ?to (first ?points)) (assign ?others (rest ?points)) (done-before ?origin ?done)
-      (call = (left-to-look-from ?to ?seconds ?done) 0))
+    ((uavloc ?how ?_from) (assign ?to (first ?points)) (assign ?others (rest ?points)) (done-before ?origin ?done)
+      (call = (left-to-look-from ?how ?to ?seconds ?done) 0))
       ((monitor-from ?others ?place ?device ?seconds ?tc ?origin))
     next-angle
-    ((assign ?to (first ?points)) (assign ?others (rest ?points)) (done-before ?origin ?done)
-      (assign ?left (left-to-look-from ?to ?seconds ?done)))
+    ((uavloc ?how ?_from) (assign ?to (first ?points)) (assign ?others (rest ?points)) (done-before ?origin ?done)
+      (assign ?left (left-to-look-from ?how ?to ?seconds ?done)))
       ((go ?to ?left ?tc ?origin) (stay-and-shoot ?device ?place ?left ?tc ?origin)
        (monitor-from ?others ?place ?device ?seconds ?tc ?origin)))
 

@@ -206,5 +206,42 @@ TEST(FlownTimes, HoldRandomWaysInRandomWindsAndAreNarrow) {
   }
 }
 
+/// Robots drive from place to place among hills; each within its times.
+TEST(FlownTimes, RobotsDriveWithinThem) {
+  int drives = 0;
+  for (const char* name : {"mana", "effibot"}) {
+    const auto model = vehicle_of(std::string("scenarios/action/models/") + name + ".yaml");
+    for (std::uint64_t seed = 1; seed <= skein::testing::cases(4U, 200U); ++seed) {
+      Random random(seed, "drives");
+      world::World world = windy(2, 0.5);
+      world::TerrainSpec spec = world.terrain.spec();
+      spec.hills.clear();
+      spec.elevations.clear();
+      for (int i = 0; i < 4; ++i)
+        spec.hills.push_back({{random.uniform(-250, 250), random.uniform(-250, 250)},
+                              random.uniform(2, 40),
+                              random.uniform(50, 120)});
+      world.terrain = world::Terrain(spec);
+      Knowledge knowledge;
+      knowledge.vehicle = model;
+      Refinery refinery(Gazetteer(std::make_shared<const Knowledge>(knowledge),
+                                  std::make_shared<const world::World>(world)),
+                        {}, seed);
+      Range range(world, model, seed);
+      for (int i = 0; i < 8; ++i) {
+        const Vector3 to(random.uniform(-280, 280), random.uniform(-280, 280), 0);
+        const auto motion = refinery.ways.path(range.position(), to);
+        if (!motion) continue;  // too steep there
+        const Flown flown = range.fly("goto", waypoints(motion->way), 3000);
+        EXPECT_GE(flown.seconds, motion->times.least) << name << " seed " << seed << flown.why;
+        EXPECT_LE(flown.seconds, motion->times.most) << name << " seed " << seed;
+        EXPECT_LE(motion->times.most, 1.25 * motion->times.least + 30) << name;
+        ++drives;
+      }
+    }
+  }
+  EXPECT_GT(drives, 30);
+}
+
 }  // namespace
 }  // namespace skein::supervisor

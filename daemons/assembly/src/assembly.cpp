@@ -139,6 +139,13 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
                                               scenario.team, played_by_ground(scenario));
 }
 
+std::vector<std::string> names_of_flying(const Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const UavSpec& uav : scenario.uavs)
+    if (!uav.model.ground) names.push_back(uav.name);
+  return names;
+}
+
 std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& uav) {
   ddn::DdnConfig config;
   config.uav = uav.name;
@@ -147,6 +154,7 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
   config.contact_after = uav.contact_loss.after;
   config.sync_validity = kSyncValidity;
   const world::Terrain terrain(scenario.world.terrain);
+  config.drives = uav.model.ground.has_value();
   config.home = {uav.start.x(), uav.start.y(),
                  terrain.elevation(uav.start.x(), uav.start.y()) + kHomeAltitude};
   if (scenario.team && scenario.team->roster.number_of(uav.name)) config.team = scenario.team;
@@ -160,8 +168,8 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
     config.meetings = scenario.planning->consistency;
     if (first != first_ids.end()) config.first_task = first->second;
   }
-  if (scenario.separation && scenario.separation->merge) {
-    config.merging = {scenario.uav_names(), uav.model, scenario.world.wind,
+  if (scenario.separation && scenario.separation->merge && !config.drives) {
+    config.merging = {names_of_flying(scenario), uav.model, scenario.world.wind,
                       std::make_shared<world::Terrain>(terrain), scenario.world.volumes};
   }
   return std::make_unique<ddn::DdnNode>(config, roster_of(scenario));

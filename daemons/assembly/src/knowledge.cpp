@@ -74,7 +74,9 @@ supervisor::Partner partner_of(const Scenario& scenario, const world::Terrain& t
   return {uav.name,
           uav.model,
           {uav.start.x(), uav.start.y(), terrain.elevation(uav.start.x(), uav.start.y())},
-          own != altitudes.end() ? own->second : scenario.planning->altitude};
+          uav.model.ground         ? 0
+          : own != altitudes.end() ? own->second
+                                   : scenario.planning->altitude};
 }
 
 }  // namespace

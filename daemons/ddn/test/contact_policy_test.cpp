@@ -155,6 +155,28 @@ TEST(ContactPolicy, OnTheGroundIsLoggedAndNeedsNothing) {
   EXPECT_EQ(bench.records("contact").size(), 1U);
 }
 
+// What keeps to the ground may be on its way without being in the air.
+TEST(ContactPolicy, OfOneThatDrivesHoldStopsItAndReturnDrivesItHome) {
+  for (const ContactPolicy policy : {ContactPolicy::kHold, ContactPolicy::kReturn}) {
+    DdnConfig config = Bench::with_policy(3, policy);
+    config.drives = true;
+    Bench bench(config);
+    bench.hear_ground(true);
+    bench.from_ground(start(1, a_task(2, "goto")));
+    bench.from_sim(status(2, TaskState::kRunning));
+    lose_ground_at(bench, 10);
+
+    EXPECT_THAT(bench.wake_at(40), Contains("sim: interrupt 2"));
+    const auto words = bench.from_sim(status(2, TaskState::kAborted));
+    const bool holds = policy == ContactPolicy::kHold;
+    EXPECT_THAT(words, Contains("sim: dispatch " + own(40) + (holds ? " wait" : " goto")));
+    if (holds) continue;
+    bench.from_sim(status(own_id(40), TaskState::kRunning));
+    EXPECT_THAT(bench.from_sim(status(own_id(40), TaskState::kEnded)),
+                Not(Contains(::testing::HasSubstr("land"))));
+  }
+}
+
 TEST(ContactPolicy, UsesNewIdsAtTheNextLoss) {
   Bench bench(Bench::with_policy(3, ContactPolicy::kHold));
   in_the_air(bench);

@@ -83,7 +83,8 @@ void Autonomy::interrupt_everything() {
   for (auto one = tasks.rbegin(); one != tasks.rend(); ++one) {
     core_.execution().run(executive::Abort{one->task.id});
   }
-  if (core_.execution().airborne()) core_.safekeeping().keep(ContactPolicy::kHold);
+  if (core_.execution().airborne() || core_.config().drives)
+    core_.safekeeping().keep(ContactPolicy::kHold);
 }
 
 void Autonomy::hand_over(std::vector<mission::HeldTask> tasks) {

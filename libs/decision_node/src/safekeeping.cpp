@@ -22,6 +22,10 @@ constexpr Duration kEnergyAgain = Duration::milliseconds(5'000);
 Safekeeping::Safekeeping(Core& core)
     : core_(core), contact_(core.config().contact_policy, core.config().contact_after) {}
 
+bool Safekeeping::may_be_on_its_way() const {
+  return core_.config().drives || core_.execution().airborne();
+}
+
 void Safekeeping::time_passes() {
   if (contact_.due(core_.bus().now())) carry_out_policy();
   if (again_at_ && core_.bus().now() >= *again_at_) come_home_again();
@@ -41,8 +45,8 @@ void Safekeeping::carry_out_policy() {
   Deliberation& deliberation = core_.deliberation();
   const bool deliberated = deliberation.engaged();
   deliberation.disengage("contact lost: " + std::string(to_text(policy)));
-  owed_ = !core_.execution().airborne();
-  if (core_.execution().airborne()) {
+  owed_ = !may_be_on_its_way();
+  if (may_be_on_its_way()) {
     const auto passed = core_.vehicle().of_ground();
     for (const auto& [task, type] : passed) core_.interrupt(task);
     const std::vector<executive::TaskStatus> tasks = core_.execution().tasks();
@@ -107,7 +111,7 @@ void Safekeeping::come_home() {
   go(knows_world() && seen_at_ ? supervisor::own_way(config.knowledge, core_.deliberation().world(),
                                                      core_.bus().now(), *seen_at_, home)
                                : std::vector<world::Vector3>{home, home});
-  core_.own_tasks().start("land", {}, executive::InsertionMode::kNut);
+  if (!config.drives) core_.own_tasks().start("land", {}, executive::InsertionMode::kNut);
 }
 
 // A landing that the vehicle gave up is not its last: nobody else would bring it down.

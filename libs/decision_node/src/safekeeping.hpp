@@ -41,6 +41,7 @@ class Safekeeping {
   void leave_closed_air(const world::Vector3& at);
   void warn_of_energy(const world::Telemetry& telemetry);
   bool must_return(const world::Telemetry& telemetry) const;
+  bool may_be_on_its_way() const;
   bool is_idle() const;
   bool knows_world() const;
   void go(const std::vector<world::Vector3>& way);

@@ -27,6 +27,7 @@ constexpr std::size_t kTightFlights = 24;  // where points may be missed, which 
 constexpr double kLongFlight = 300;        // [s] beyond which what they differ by evens out
 constexpr double kShare = 0.02;            // of any flight, either way
 constexpr double kGustTime = 10;           // [s] over which gusts are as one
+constexpr double kDrivingLoss = 1;         // [s] of a drive, at each corner and at its end
 constexpr double kSettling = 4;            // of a climb, at its end
 constexpr double kFlare = 6;               // of a descent, near the ground
 constexpr double kSlowVertical = 1.5;
@@ -163,6 +164,7 @@ double stray_distance(const VehicleModel& vehicle, const Wind& wind) {
 
 Times flight_times(const Way& way, const VehicleModel& vehicle, const Wind& wind) {
   if (way.empty()) return {};
+  if (vehicle.ground) return driving_times(way, vehicle);
   const Span span = flown(way, vehicle, wind);
   // Neither wavers nor is blown about, and needs no time to gather its speed: exactly so long.
   const bool is_exact = vehicle.hovers && gathering_seconds(vehicle) <= kTrackStep &&
@@ -189,6 +191,25 @@ Times flight_times(const Way& way, const VehicleModel& vehicle, const Wind& wind
                            : 0;
   return rounded(quickest - corners - near - reached, span.expected + reaction + corners / 2,
                  slowest + kBraking * gathering_seconds(vehicle) + corners + pilot);
+}
+
+Times driving_times(const Way& way, const VehicleModel& vehicle) {
+  if (way.size() < 2) return {};
+  double length = 0, turns = 1;  // in half turns; it gathers its speed and brakes at the ends
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const world::Vector2 in = (way[i] - way[i - 1]).head<2>();
+    length += in.norm();
+    if (i + 1 == way.size()) break;
+    const world::Vector2 out = (way[i + 1] - way[i]).head<2>();
+    const double lengths = in.norm() * out.norm();
+    turns += lengths > 0 ? (1 - in.dot(out) / lengths) / 2 : 1;
+  }
+  const double calm = length / vehicle.cruise_speed, gathering = gathering_seconds(vehicle);
+  const double near = world::reaching_distance(vehicle, {}) / vehicle.cruise_speed;
+  const double points = static_cast<double>(way.size());
+  return rounded(
+      (1 - kShare) * calm - 2 * turns * near, calm + turns * gathering / 2,
+      (1 + kShare) * calm + turns * gathering + points * kDrivingLoss + pilot_seconds(vehicle));
 }
 
 Times takeoff_times(double height, const VehicleModel& vehicle, const Wind& wind) {

@@ -37,6 +37,10 @@ double stray_distance(const world::VehicleModel& vehicle, const world::Wind& win
 Times flight_times(const refiners::Way& way, const world::VehicleModel& vehicle,
                    const world::Wind& wind);
 
+/// Of a vehicle that keeps to the ground: its cruise speed is over the map, whatever the ground
+/// does; it brakes for corners, and gathers its speed again behind them.
+Times driving_times(const refiners::Way& way, const world::VehicleModel& vehicle);
+
 /// Straight up, or straight down to the ground, over `height` metres.
 Times takeoff_times(double height, const world::VehicleModel& vehicle, const world::Wind& wind);
 Times landing_times(double height, const world::VehicleModel& vehicle);

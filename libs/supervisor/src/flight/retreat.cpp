@@ -21,7 +21,8 @@ using world::Vector3;
 /// Of a flight estimated; with 1.1 landings that are planned took up to 0.7 % more than the
 /// estimate.
 constexpr double kUnforeseen = 1.12;
-constexpr double kGathering = 60;  // [s]
+constexpr double kUnforeseenOnGround = 1.5;  // ways over the ground are longer than straight ones
+constexpr double kGathering = 60;            // [s]
 constexpr double kCircles = 3;
 constexpr double kLeastClearance = 5;  // [m] over hills on the way
 constexpr double kRounding = 1e-9;     // of sums of energies
@@ -128,10 +129,11 @@ double Retreat::energy(const Vector3& from, const Vector3& to) const {
   const double joules = rise * world::flight_power(vehicle, 0, vehicle.climb_rate) +
                         around * world::flight_power(vehicle, vehicle.cruise_speed, 0);
   const double asked = world::energy_asked_for(vehicle, from, {over}, vehicle.cruise_speed);
+  const double unforeseen = vehicle.ground ? kUnforeseenOnGround : kUnforeseen;
   const double level =
-      std::max(kUnforeseen * std::max(flight({from, over}), of_stay(circling(from, over))),
+      std::max(unforeseen * std::max(flight({from, over}), of_stay(circling(from, over))),
                asked / vehicle.energy.capacity);
-  return level + kUnforeseen * (joules / vehicle.energy.capacity + descent(over));
+  return level + unforeseen * (joules / vehicle.energy.capacity + descent(over));
 }
 
 std::optional<Vector3> Retreat::instead_of_home(const Vector3& from, double left) const {

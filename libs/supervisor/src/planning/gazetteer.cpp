@@ -77,7 +77,7 @@ const world::SensorModel* Gazetteer::sensor(const std::string& device) const {
 bool Gazetteer::on_ground(const Vector3& at) const { return at.z() - ground(at) < kLowestFlight; }
 
 Vector3 Gazetteer::above(const Vector3& at) const {
-  const double most = knowledge_->vehicle.ceiling - kBelowCeiling;
+  const double most = knowledge_->vehicle.ground ? 0 : knowledge_->vehicle.ceiling - kBelowCeiling;
   return {at.x(), at.y(), ground(at) + std::min(knowledge_->altitude, most)};
 }
 

@@ -31,10 +31,12 @@ class Gazetteer {
   }
   /// True of what lies on the ground: a thing to look at, not a place to fly to.
   bool on_ground(const world::Vector3& at) const;
-  /// At the usual altitude over it.
+  /// At the usual altitude over it; of a vehicle that drives, on it.
   world::Vector3 above(const world::Vector3& at) const;
-  /// The place itself if it is in the air.
-  world::Vector3 flown_to(const world::Vector3& at) const { return on_ground(at) ? above(at) : at; }
+  /// The place itself if it is in the air, and the vehicle flies.
+  world::Vector3 flown_to(const world::Vector3& at) const {
+    return on_ground(at) || knowledge_->vehicle.ground ? above(at) : at;
+  }
   /// "P1", "(10, 20, 30)": for people.
   static std::string words(const htn::TermStore& store, htn::Term place);
 

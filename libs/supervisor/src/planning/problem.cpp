@@ -98,6 +98,8 @@ std::string device_facts(const world::SensorModel& sensor, const Situation& situ
 
 std::string whereabouts(const PlanningRequest& request) {
   const Situation& situation = request.situation;
+  if (request.knowledge->vehicle.ground)
+    return "(uavloc driving " + location(situation.position) + ")";
   if (situation.airborne) return "(uavloc flying " + location(situation.position) + ")";
   const world::Vector3 offset = situation.position - request.knowledge->home;
   const double near = 2 + arrival_distance(request.knowledge->vehicle, request.world->wind);

@@ -107,10 +107,12 @@ Answer<Spot> Meetings::around(const Vector3& place, const Party& one, std::size_
       // Turned by less than half of what is between two.
       for (const double turned : {0.0, 0.25, -0.25, 0.4, -0.4}) {
         const double angle = first + (kSideOf[rank % kSides] + turned) * step;
-        const Vector3 at =
+        Vector3 at =
             place + Vector3(ring * far * std::cos(angle), ring * far * std::sin(angle), up);
+        if (one.air.vehicle().ground) at = one.air.gazetteer().above(at);
         const bool apart = is_apart(at, one.room, before) && is_apart(at, one.room, there);
-        if (apart && (*air)->is_free(at) && one.air.has_room(at)) return Spot{at, one.room};
+        if (apart && (*air)->is_free(one.air.in_airspace(at)) && one.air.has_room(at))
+          return Spot{at, one.room};
       }
     }
   }

@@ -47,7 +47,7 @@ std::optional<Outlook::Arrival> Outlook::arrival(const Vector3& from, const Vect
     at.then = at.then.after(times);
     at.seconds += times.expected;
   };
-  if (air_.gazetteer().on_ground(from)) {
+  if (air_.gazetteer().on_ground(from) && !air_.vehicle().ground) {
     const auto up = ways_.takeoff(from, when);
     if (!up) return std::nullopt;
     done(up->times);

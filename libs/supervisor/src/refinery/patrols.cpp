@@ -225,6 +225,7 @@ std::optional<Way> Patrols::again_and_again(const Vector3& from, const Way& roun
 Answer<Motion> Patrols::over(const Vector3& from, const world::Zone& zone,
                              const world::SensorModel& device, double seconds,
                              const Departure& when) {
+  if (air_.vehicle().ground) return no("it keeps to the ground, and patrols no zone");
   auto motion = air_.kept_clear(from, when, seconds, [&](const Counted& air) {
     return over_in(air, from, zone, device, seconds);
   });

@@ -194,6 +194,7 @@ Answer<Sweeps::Lanes> Sweeps::best(const Counted& air, const Vector3& from, cons
 
 Answer<Motion> Sweeps::over(const Vector3& from, const world::Zone& zone,
                             const world::SensorModel& device, const Departure& when) const {
+  if (vehicle().ground) return no("it keeps to the ground, and sweeps no zone");
   return air_.kept_clear(from, when, 0,
                          [&](const Counted& air) { return over_in(air, from, zone, device); });
 }

@@ -153,6 +153,10 @@ Answer<const world::Airspace*> TimedAir::airspace() { return airspace(counted({}
 Answer<const world::Airspace*> TimedAir::airspace(const Counted& counted) {
   const auto known = airspaces_.find(counted);
   if (known != airspaces_.end()) return &known->second;
+  if (vehicle().ground) {
+    auto map = refiners::drivable_ground(world().terrain, vehicle(), closed(counted), stray());
+    return &airspaces_.emplace(counted, std::move(map)).first->second;
+  }
   world::World then = world();
   std::size_t i = 0;
   std::erase_if(then.volumes, [&](const world::Volume&) { return !counted[i++]; });
@@ -206,21 +210,22 @@ bool TimedAir::met(const Way& way, const Volumes& volumes, double margin) const 
 
 bool TimedAir::may_stay(const Vector3& at) {
   const auto air = airspace();
-  if (!air || !(*air)->is_free(at)) return false;
+  if (!air || !(*air)->is_free(in_airspace(at))) return false;
   const double radius = stay_radius(vehicle());
   for (int i = 0; i < kAround; ++i) {
     const double angle = 2 * std::numbers::pi * i / kAround;
-    if (!(*air)->is_free(at + radius * Vector3(std::cos(angle), std::sin(angle), 0))) return false;
+    const Vector3 beside = at + radius * Vector3(std::cos(angle), std::sin(angle), 0);
+    if (!(*air)->is_free(in_airspace(beside))) return false;
   }
   return true;
 }
 
 bool TimedAir::may_stay(const Vector3& at, const Departure& when, double seconds) const {
-  return gazetteer_.on_ground(at) || has_room(at, closed(counted(when, seconds)));
+  return has_landed(at) || has_room(at, closed(counted(when, seconds)));
 }
 
 bool TimedAir::stays_open(const Vector3& at, const Departure& when, double seconds) const {
-  if (!has_windows_ || gazetteer_.on_ground(at)) return true;
+  if (!has_windows_ || has_landed(at)) return true;
   Counted closing = counted(when, seconds);
   const Counted before = counted({when.least, when.least}, 0);
   for (std::size_t i = 0; i < closing.size(); ++i) closing[i] = closing[i] && !before[i];

@@ -9,6 +9,7 @@
 #include "flight/autopilot.hpp"
 #include "planning/gazetteer.hpp"
 #include "refinery/motion.hpp"
+#include "skein/refiners/driving.hpp"
 #include "skein/refiners/path.hpp"
 #include "skein/refiners/setting.hpp"
 #include "skein/world/airspace.hpp"
@@ -70,12 +71,18 @@ class TimedAir {
   Volumes closed() const;  ///< at any time from the origin on
   /// Null, with a sentence, when the world makes no airspace for the vehicle. Volumes with a window
   /// that is still to come, or to end, count.
+  /// Of a vehicle that drives: the map of the ground that it can drive on (driving.hpp).
   Answer<const world::Airspace*> airspace();
   Answer<const world::Airspace*> airspace(const Counted& counted);
   /// The world with a ground as fine as the footprint over the zone, and the closed air grown by
   /// that margin, unless the vehicle is in what it strays into.
   world::World over(const world::Zone& zone, const world::Vector3& from, double footprint,
                     double margin, const Counted& air) const;
+
+  /// Where that is in the airspace.
+  world::Vector3 in_airspace(const world::Vector3& at) const {
+    return vehicle().ground ? refiners::on_map(at) : at;
+  }
 
   /// Whether it may wait there: closed air is further away than it strays from its place, or from
   /// its circles.
@@ -85,7 +92,7 @@ class TimedAir {
   /// Free air, all around where it wavers or circles.
   bool may_stay(const world::Vector3& at);
   /// Whether it may be there for so many seconds: free air around it all the time. On the ground
-  /// it may.
+  /// it may, unless it drives.
   bool may_stay(const world::Vector3& at, const Departure& when, double seconds) const;
   /// Likewise, but what is closed already does not count: it is known and will be left.
   bool stays_open(const world::Vector3& at, const Departure& when, double seconds) const;
@@ -106,6 +113,9 @@ class TimedAir {
  private:
   Answer<Motion> clear_of_all(const world::Vector3& from, const Departure& when, double seconds,
                               const Planner& plan) const;
+  bool has_landed(const world::Vector3& at) const {
+    return gazetteer_.on_ground(at) && !vehicle().ground;
+  }
   bool comes_near(const refiners::Way& way, const Volumes& volumes) const;
   double longest(const refiners::Way& way) const;
   std::vector<Pose> poses(const world::Vector3& from) const;

@@ -34,6 +34,8 @@ Answer<std::vector<Vector3>> Views::of(const Vector3& place, const world::Sensor
   for (world::Volume& volume : then.volumes) volume.when = {};
   const auto air = air_.airspace(counts);
   if (!air) return no(air.error());
+  if (vehicle().ground)
+    return from_the_ground(place, device, {count, **air, then.volumes, constraints});
   refiners::ViewpointQuery query;
   query.constraints = constraints;
   query.constraints.push_back({"free air", [this, free = *air, &then](const Vector3& at) {
@@ -72,6 +74,7 @@ Answer<std::vector<Vector3>> Views::of(const Vector3& place, const world::Sensor
 Answer<std::vector<Vector3>> Views::tour(const Vector3& from, const std::vector<Vector3>& places) {
   const auto air = air_.airspace(air_.counted({.suited = true}, 0));
   if (!air) return no(air.error());
+  if (vehicle().ground) return tour_on_the_ground(from, places, **air);
   refiners::TourQuery query;
   query.vehicle = air_.cautious();
   query.start = gazetteer().flown_to(from);

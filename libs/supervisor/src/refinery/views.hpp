@@ -24,6 +24,19 @@ class Views {
                                            const std::vector<world::Vector3>& places);
 
  private:
+  /// What a view from the ground is to keep to.
+  struct Stands {
+    std::size_t count;
+    const world::Airspace& map;
+    const TimedAir::Volumes& volumes;
+    const Constraints& constraints;
+  };
+  Answer<std::vector<world::Vector3>> from_the_ground(const world::Vector3& place,
+                                                      const world::SensorModel& device,
+                                                      const Stands& stands) const;
+  Answer<std::vector<world::Vector3>> tour_on_the_ground(const world::Vector3& from,
+                                                         const std::vector<world::Vector3>& places,
+                                                         const world::Airspace& map) const;
   const Gazetteer& gazetteer() const { return air_.gazetteer(); }
   const world::World& world() const { return air_.world(); }
   const world::VehicleModel& vehicle() const { return air_.vehicle(); }

@@ -61,6 +61,7 @@ world::Volume disc(const Vector3& at, double radius, double height) {
 }  // namespace
 
 Answer<Motion> Ways::takeoff(const Vector3& from, const Departure& when) const {
+  if (vehicle().ground) return no("it keeps to the ground");
   const Vector3 to = gazetteer().above(from);
   Motion motion{{from, to}, {}, 0, {}};
   motion.times = takeoff_times(to.z() - gazetteer().ground(from), vehicle(), world().wind);
@@ -75,6 +76,7 @@ Answer<Motion> Ways::takeoff(const Vector3& from, const Departure& when) const {
 
 Answer<Ways::Landing> Ways::landing_place(const Vector3& from, const Vector3& wanted,
                                           const Departure& when) const {
+  if (vehicle().ground) return no("it keeps to the ground");
   const Knowledge& knowledge = gazetteer().knowledge();
   const Times flight = flown({from, gazetteer().flown_to(wanted)}).times;
   const Times descent = landing_times(knowledge.altitude, vehicle());
@@ -88,6 +90,7 @@ Answer<Ways::Landing> Ways::landing_place(const Vector3& from, const Vector3& wa
 }
 
 Answer<Motion> Ways::landing(const Vector3& from, const Vector3& to) const {
+  if (vehicle().ground) return no("it keeps to the ground");
   const Vector3 down(to.x(), to.y(), gazetteer().ground(to));
   Motion motion{{from, down}, {}, 0, {}};
   motion.times = landing_times(std::max(0.0, from.z() - down.z()), vehicle());
@@ -96,6 +99,7 @@ Answer<Motion> Ways::landing(const Vector3& from, const Vector3& to) const {
 }
 
 Motion Ways::flown(Way way) const {
+  if (vehicle().ground) return driven(std::move(way));
   const refiners::Flight flight = refiners::estimate_flight(way, vehicle(), world().wind);
   Motion motion{std::move(way), {}, 0, {}};
   motion.times = flight_times(motion.way, vehicle(), world().wind);
@@ -207,6 +211,7 @@ std::optional<Way> Ways::clear_of(const std::vector<Spot>& others, const world::
 Answer<Motion> Ways::path_in(const world::Airspace& air, const Volumes& volumes,
                              const Vector3& from, const Vector3& to,
                              const std::vector<Spot>& others) {
+  if (vehicle().ground) return drive(air, volumes, from, to);
   if (!air.is_free(from)) return out_and_on(from, to);
   if (from == to) return flown({from});
   const bool returns =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Takeoffs, landings and ways through the air, lasting as long as they are flown.
+// Takeoffs, landings and ways through the air, or over the ground, lasting as long as they are
+// flown or driven.
 #pragma once
 
 #include <optional>
@@ -52,6 +53,10 @@ class Ways {
                          const std::vector<Spot>& others = {});
   Answer<refiners::Way> through(const world::Airspace& air, const world::World& in,
                                 const world::Vector3& from, const world::Vector3& to) const;
+  /// Of a vehicle that keeps to the ground (drives.cpp).
+  Answer<Motion> drive(const world::Airspace& map, const Volumes& volumes,
+                       const world::Vector3& from, const world::Vector3& to) const;
+  Motion driven(refiners::Way way) const;
   /// The air with rooms around where others wait, and where they may be then themselves.
   struct Crowd {
     world::Airspace air;

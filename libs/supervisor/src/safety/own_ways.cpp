@@ -36,7 +36,7 @@ std::optional<WayOut> way_out(const std::shared_ptr<const Knowledge>& knowledge,
 std::vector<Vector3> own_way(const std::shared_ptr<const Knowledge>& knowledge,
                              const std::shared_ptr<const world::World>& world, MissionTime now,
                              const Vector3& from, const Vector3& to) {
-  if (world->volumes.empty()) return {from, to};
+  if (world->volumes.empty() && !knowledge->vehicle.ground) return {from, to};
   Refinery refinery(Gazetteer(knowledge, world), now, kSeed);
   const auto way = refinery.ways.path(from, to);
   return way ? way->way : std::vector<Vector3>{from, to};

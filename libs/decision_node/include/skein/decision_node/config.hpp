@@ -34,6 +34,8 @@ struct Config {
   int degree = 3;  ///< at the start, 1 to 5; 4 needs `knowledge`, 5 also `team`
   ContactPolicy contact_policy = ContactPolicy::kContinue;
   Duration contact_after = Duration::seconds(60);
+  /// It keeps to the ground: it may be on its way without being in the air, and lands nowhere.
+  bool drives = false;
   /// Where `kReturn` goes before it lands: x, y, z [m] ENU.
   std::vector<double> home = {0, 0, 50};
   std::optional<Duration> functional_timeout = Duration::seconds(120);
