@@ -43,9 +43,10 @@ bool is_seen(const History& history, const Uav& uav, const Activity& look, const
   if (sensor == nullptr) return false;
   const double ground = history.terrain.elevation(place.x(), place.y());
   const world::Vector3 seen(place.x(), place.y(), std::max(place.z(), ground) + kSightAbove);
-  const world::Vector3 line = seen - sample.position;
+  const world::Vector3 eye = world::eye_of(uav.spec->model, sample.position);
+  const world::Vector3 line = seen - eye;
   if (line.norm() > sensor->range + wander(history, uav) + moves) return false;
-  if (!history.terrain.line_of_sight(sample.position, seen, -kSightAbove)) return false;
+  if (!history.terrain.line_of_sight(eye, seen, -kSightAbove)) return false;
   if (sensor->gimballed && look.target) {
     return (look.target->head<2>() - place.head<2>()).norm() <= kNearby + moves;
   }
@@ -197,9 +198,11 @@ double least_distance(const History& history, const Uav& uav, const world::Vecto
   double least = kNever;
   for (double t = from; t <= until; t += kStep) {
     const auto sample = uav.at(t);
-    if (!sample || !sample->airborne) continue;
+    const bool drives = uav.spec->model.ground.has_value();
+    if (!sample || (!sample->airborne && !drives)) continue;
     const world::Vector3 off = sample->position - place;
-    least = std::min(least, history.in_the_air(place) ? off.norm() : off.head<2>().norm());
+    least =
+        std::min(least, history.in_the_air(place) && !drives ? off.norm() : off.head<2>().norm());
   }
   return least;
 }
@@ -219,10 +222,20 @@ std::vector<world::Vector3> places_of(const History& history, const mission::Hig
   return places;
 }
 
+// What keeps to the ground lands nowhere: it comes home.
+std::optional<std::string> not_at_home(const History& history, const Uav& uav, double at) {
+  const auto sample = uav.at(std::min(at, history.end));
+  if (!sample) return std::nullopt;
+  const double off = (sample->position.head<2>() - uav.spec->start).norm();
+  if (off <= 1.8 * wander(history, uav)) return std::nullopt;
+  return "it is " + figure(off) + " m from home";
+}
+
 std::optional<std::string> not_as_said(const History& history, const Uav& uav, const Goal& goal,
                                        double at) {
   const bool takeoff = goal.task.name == "general-takeoff";
   if (!takeoff && goal.task.name != "general-land") return std::nullopt;
+  if (uav.spec->model.ground) return not_at_home(history, uav, at);
   for (double t = at - kMoment; t <= at + kMoment; t += kStep) {
     const auto sample = uav.at(std::min(t, history.end));
     if (!sample || sample->airborne == takeoff) return std::nullopt;

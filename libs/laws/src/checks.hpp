@@ -75,6 +75,10 @@ std::vector<Violation> winds_off(const History& history);
 bool out_of_control(const Uav& uav, double at);
 std::vector<Violation> in_closed_air(const History& history);
 std::vector<Violation> energy_short(const History& history);
+// on_the_ground.cpp
+std::vector<Violation> off_its_ground(const History& history);
+/// Whether no ground of the world is too steep for it; true of what flies.
+bool climbs_everything(const History& history, const world::VehicleModel& vehicle);
 // separation.cpp
 std::vector<Violation> too_near_in_the_air(const History& history);
 

@@ -60,6 +60,11 @@ std::optional<Sample> Uav::at(double instant) const {
   return result;
 }
 
+bool Uav::is_out(const Sample& sample) const {
+  constexpr double kStands = 0.2;  // [m/s]
+  return sample.airborne || (spec->model.ground && sample.velocity.head<2>().norm() > kStands);
+}
+
 std::int64_t Uav::goal_of_task(std::int64_t task) const {
   const auto found = goal_of.find(task);
   return found == goal_of.end() ? 0 : found->second;

@@ -54,7 +54,9 @@ const std::vector<Law>& all_laws() {
       {"closed-air", "not in closed air but on the way out", in_closed_air},
       {"separation", "where it is asked for, UAVs in the air keep the separation of their models",
        too_near_in_the_air},
-      {"energy", "never below the reserve in the air", energy_short}};
+      {"energy", "never below the reserve in the air, nor on a drive", energy_short},
+      {"on-the-ground", "what keeps to the ground is on it, and on none that is too steep for it",
+       off_its_ground}};
   return kLaws;
 }
 

@@ -163,7 +163,8 @@ bool left_alone(const History& history, const Uav& uav, const Goal& goal) {
 }  // namespace
 
 // In a run in which nothing goes wrong nothing fails, but what has a deadline or no device, waits
-// for who never comes or has failed itself, and what has no energy left after those.
+// for who never comes or has failed itself, what has no energy left after those, and what one is to
+// do that keeps to ground of which some is too steep for it.
 std::vector<Violation> feasible_but_failed(const History& history) {
   std::vector<Violation> result;
   if (!is_clean(*history.scenario)) return result;
@@ -173,7 +174,7 @@ std::vector<Violation> feasible_but_failed(const History& history) {
     const bool able =
         std::all_of(uav.goals.begin(), uav.goals.end(),
                     [&uav = uav](const auto& one) { return equipped(uav, one.second); });
-    if (bounded || !able) continue;
+    if (bounded || !able || !climbs_everything(history, uav.spec->model)) continue;
     for (const auto& [id, goal] : uav.goals) {
       const Change& last = goal.changes.back();
       const bool spent = last.at >= spent_from(history, uav) && says(last.why, "energy");

@@ -51,10 +51,10 @@ std::vector<Stay> stays_in(const Uav& uav, const Closing& closing) {
   for (const Sample& sample : uav.samples) {
     const bool closed = sample.at >= closing.known && sample.at < closing.opened &&
                         sample.at < closing.volume.when.until.to_seconds();
-    const double depth =
-        closed && sample.airborne && uav.degree(sample.at) >= 4 && !out_of_control(uav, sample.at)
-            ? depth_in(closing.volume, sample.position)
-            : 0;
+    const double depth = closed && uav.is_out(sample) && uav.degree(sample.at) >= 4 &&
+                                 !out_of_control(uav, sample.at)
+                             ? depth_in(closing.volume, sample.position)
+                             : 0;
     if (depth < deep) {
       inside = false;
       continue;
@@ -93,11 +93,12 @@ std::vector<Violation> in_closed_air(const History& history) {
         if (short_enough) continue;
         const std::string where =
             "'" + closing.volume.name + "', closed since " + figure(closing.known) + " s";
-        result.push_back({"", stay.from, name, 0,
-                          (caught ? "stays " + figure(stay.until - stay.from) + " s in " + where +
-                                        ", " + figure(allowed) + " s would do"
-                                  : "flies " + figure(stay.deepest) + " m into " + where +
-                                        ", for " + figure(stay.until - stay.from) + " s")});
+        result.push_back(
+            {"", stay.from, name, 0,
+             (caught ? "stays " + figure(stay.until - stay.from) + " s in " + where + ", " +
+                           figure(allowed) + " s would do"
+                     : (uav.spec->model.ground ? "drives " : "flies ") + figure(stay.deepest) +
+                           " m into " + where + ", for " + figure(stay.until - stay.from) + " s")});
         break;  // on waiting circles it would come again and again
       }
     }
@@ -165,11 +166,11 @@ std::vector<Violation> energy_short(const History& history) {
     double before = 1;
     for (const Sample& sample : uav.samples) {
       const bool judged =
-          sample.airborne && uav.degree(sample.at) >= 4 && !out_of_control(uav, sample.at);
+          uav.is_out(sample) && uav.degree(sample.at) >= 4 && !out_of_control(uav, sample.at);
       const bool sudden = before - sample.energy > 0.01 || (judged && !was_judged);
       before = sample.energy;
       was_judged = judged;
-      if (!sample.airborne) excused = false;
+      if (!uav.is_out(sample)) excused = false;
       if (!judged) continue;
       const bool above = sample.energy >= reserve;
       if (sudden && was_lost(history, uav, sample)) excused = true;
@@ -178,13 +179,16 @@ std::vector<Violation> energy_short(const History& history) {
       if (told || excused || sample.energy >= reserve - 0.002) continue;
       told = true;
       result.push_back({"", sample.at, name, 0,
-                        "in the air with " + figure(100 * sample.energy) +
-                            " % of its energy, reserve " + figure(100 * reserve) + " %"});
+                        (sample.airborne ? "in the air with " : "drives with ") +
+                            figure(100 * sample.energy) + " % of its energy, reserve " +
+                            figure(100 * reserve) + " %"});
     }
     for (const Activity& one : uav.activities) {
       if (one.reason != "energy used up" || excused || was_warned(history, uav, one.until))
         continue;
-      result.push_back({"", one.until, name, uav.goal_of_task(one.task), "falls: energy used up"});
+      result.push_back(
+          {"", one.until, name, uav.goal_of_task(one.task),
+           (uav.spec->model.ground ? "stops" : "falls") + std::string(": energy used up")});
     }
   }
   return result;

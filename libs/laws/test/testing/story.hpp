@@ -38,6 +38,8 @@ class Story {
   /// `more`: lines of the scenario under `world:` (indented by two), such as volumes.
   explicit Story(const std::string& more = "", const std::string& script = "",
                  const std::string& uav_more = "");
+  /// With Mana too, a robot that keeps to the ground.
+  static Story with_a_robot() { return Story("", "", kRobot); }
 
   /// Telemetry once a second: from a to b in a straight line, level with a heading along it.
   Story& flies(const std::string& uav, double from, double until, world::Vector3 a,
@@ -72,6 +74,8 @@ class Story {
   std::vector<std::string> broken(const std::string& law) const;
 
  private:
+  static constexpr const char* kRobot =
+      "}\n  mana: {model: ../action/models/mana.yaml, start: [0, 0], degree: 4";
   journal::Record& add(double at, const std::string& node, const std::string& kind);
 
   scenario::Scenario scenario_;

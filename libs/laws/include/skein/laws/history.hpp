@@ -135,6 +135,8 @@ struct Uav {
   bool deliberates(double from, double until) const;
   /// Interpolated; nothing before the first and after the last sample.
   std::optional<Sample> at(double instant) const;
+  /// In the air, or on its way over the ground.
+  bool is_out(const Sample& sample) const;
   /// 0 when no plan names the task.
   std::int64_t goal_of_task(std::int64_t task) const;
   std::vector<const Activity*> activities_of(std::int64_t goal) const;

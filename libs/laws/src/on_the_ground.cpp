@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vehicles that keep to the ground.
+#include <cmath>
+
+#include "checks.hpp"
+#include "skein/world/vehicle_model.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+constexpr double kOn = 0.5;  // [m] of a sample from the ground, which is told a step later
+
+}  // namespace
+
+std::vector<Violation> off_its_ground(const History& history) {
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    const auto& ground = uav.spec->model.ground;
+    if (!ground) continue;
+    bool was_on_good = false;  // it may be put on ground that is too steep, and drives off
+    for (const Sample& sample : uav.samples) {
+      const world::Vector3& at = sample.position;
+      const double height = at.z() - history.terrain.elevation(at.x(), at.y());
+      const bool steep = history.terrain.slope(at.x(), at.y()) > ground->steepest;
+      const char* what = sample.airborne          ? "is in the air"
+                         : std::abs(height) > kOn ? "is not on the ground"
+                         : steep && was_on_good   ? "drives over ground too steep for it"
+                                                  : nullptr;
+      was_on_good = was_on_good || !steep;
+      if (what == nullptr) continue;
+      result.push_back({"", sample.at, name, 0,
+                        std::string(what) + " at (" + figure(at.x()) + " " + figure(at.y()) + ")"});
+      break;
+    }
+  }
+  return result;
+}
+
+bool climbs_everything(const History& history, const world::VehicleModel& vehicle) {
+  if (!vehicle.ground) return true;
+  const world::TerrainSpec& spec = history.terrain.spec();
+  const double step = spec.cell / 4;
+  for (double x = spec.west; x <= spec.east; x += step)
+    for (double y = spec.south; y <= spec.north; y += step)
+      if (history.terrain.slope(x, y) > vehicle.ground->steepest) return false;
+  return true;
+}
+
+}  // namespace skein::laws
