@@ -31,8 +31,9 @@ void team(std::ostream& out, const Mission& m, const std::string& scenarios) {
   out << "\nuavs:\n";
   std::string altitudes, ids;
   for (const Member& one : m.team) {
-    out << "  " << one.name << ": {model: " << scenarios << "/comets/models/" << one.model
-        << ".yaml, " << one.more << ", degree: " << (m.global.empty() ? 4 : 5) << "}\n";
+    out << "  " << one.name << ": {model: " << scenarios << '/' << one.folder << "/models/"
+        << one.model << ".yaml, " << one.more << ", degree: " << (m.global.empty() ? 4 : 5)
+        << "}\n";
     const std::string comma = altitudes.empty() ? "" : ", ";
     std::ostringstream altitude;
     altitude << one.altitude;

@@ -34,8 +34,8 @@ struct Options {
   std::vector<std::string> files, without;
   std::string save;
   bool clean = false, deaths = false, team = false, crossing = false, unmerged = false,
-       meetings = false, unlinked = false, gatherings = false, json = false, minimise = false,
-       verbose = false;
+       meetings = false, unlinked = false, gatherings = false, robots = false, json = false,
+       minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -62,6 +62,7 @@ Kinds kinds_of(const Options& options) {
 
 Mission drawn(std::uint64_t seed, const Options& options) {
   if (options.meetings) return generate_meetings(seed, kinds_of(options));
+  if (options.robots) return generate_robots(seed, kinds_of(options));
   if (options.crossing) return generate_crossing(seed, kinds_of(options));
   return options.team ? generate_team(seed, kinds_of(options)) : generate(seed, kinds_of(options));
 }
@@ -170,6 +171,7 @@ void declare(CLI::App& app, Options& options) {
       ->needs("--meetings");
   app.add_flag("--gatherings", options.gatherings, "with --meetings: and joint tasks of two")
       ->needs("--meetings");
+  app.add_flag("--robots", options.robots, "some of the vehicles keep to the ground");
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")
       ->check(CLI::IsMember({"faults", "air", "deadlines", "changes", "degrees", "radio", "energy",

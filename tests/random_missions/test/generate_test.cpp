@@ -92,6 +92,22 @@ TEST(Generate, MeetingsMayHaveAJointTaskOfTwoAmongThem) {
   EXPECT_GT(gatherings, 10);
 }
 
+TEST(Generate, RobotsAreInEachMissionThatIsToHaveThemAndAreOfBothKinds) {
+  int wheeled = 0, tracked = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const std::string text = to_yaml(generate_robots(seed, {}), "..");
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(to_yaml(generate_robots(seed, {}), ".."), text);
+    const bool mana = text.find("models/mana.yaml") != std::string::npos;
+    const bool effibot = text.find("models/effibot.yaml") != std::string::npos;
+    EXPECT_TRUE(mana || effibot) << "seed " << seed;
+    wheeled += mana ? 1 : 0;
+    tracked += effibot ? 1 : 0;
+  }
+  EXPECT_GT(wheeled, 10);
+  EXPECT_GT(tracked, 10);
+}
+
 TEST(Generate, SomeMissionsAskTwoUavsForOneJointTask) {
   int joint = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {

@@ -98,5 +98,11 @@ TEST(RandomMissions, UavsThatMeetAndActJointlyKeepTheLaws) {
   EXPECT_EQ(breaches(kinds, missions() / 10, generate_meetings), "");
 }
 
+// Two to six vehicles, some of which keep to the ground.
+TEST(RandomMissions, RobotsOnTheGroundKeepTheLaws) {
+  EXPECT_EQ(breaches(kClean, missions() / 5, generate_robots), "");
+  EXPECT_EQ(breaches({}, missions() / 5, generate_robots), "");
+}
+
 }  // namespace
 }  // namespace skein::mission_lab

@@ -33,6 +33,7 @@ struct Member {
   std::string more;  ///< "start: [0, 0], energy: 0.4"
   double altitude = 40;
   int first_id = 100;
+  std::string folder = "comets";  ///< of scenarios/, in which its model is
 };
 
 struct Mission {
