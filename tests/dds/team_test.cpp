@@ -20,6 +20,8 @@ TEST(DdsTeam, CometsIsOneGlobalMission) { expect_all_met("team/comets", "20"); }
 
 TEST(DdsTeam, UavsWhoseWaysCrossMergeThem) { expect_all_met("team/crossing", "10"); }
 
+TEST(DdsTeam, TwoHelicoptersAndSixRobotsPatrol) { expect_all_met("action/patrol", "15"); }
+
 TEST(DdsTeam, OperatorsSeeWhoHasWhat) {
   DdsRun run;
   run.take_scenario_of("team/two");
