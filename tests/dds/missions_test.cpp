@@ -49,5 +49,13 @@ TEST(DdsMission, InfirmedWithMixedDegreesMeetsEveryExpectation) {
 
 TEST(DdsMission, AJointTaskIsNegotiatedAndPlayed) { expect_all_met("mref/nominal", "20"); }
 
+TEST(DdsMission, TheGroundStationPlaysARoleForOneAtDegreeTwo) {
+  expect_all_met("mref/ground-plays", "20");
+}
+
+TEST(DdsMission, PlacesToLookFromAreAgreedUponInFlight) {
+  expect_all_met("agreed-places/around", "20");
+}
+
 }  // namespace
 }  // namespace skein::testing
