@@ -33,11 +33,17 @@ std::vector<double> instants_of(const Mission& mission) {
   return {instants.begin(), instants.end()};
 }
 
+bool tells_of_a_restart(const journal::Record& record) {
+  if (record.kind() == "fault" || record.kind() == "resumed") return true;
+  // What lies between meetings is a state: who is back says it again, and others hear it again.
+  return record.kind() == "frontier" && record.text("direction") == "received";
+}
+
 /// The log without what tells of the restart itself.
 std::string without_restarts(const Mission& mission) {
   std::string log;
   for (const journal::Record& record : mission.records)
-    if (record.kind() != "fault" && record.kind() != "resumed") log += to_json(record) + "\n";
+    if (!tells_of_a_restart(record)) log += to_json(record) + "\n";
   return log;
 }
 
@@ -55,6 +61,19 @@ std::vector<double> some(const std::vector<double>& all, std::size_t n, std::uin
   for (std::size_t i = 0; i < n; ++i)
     picked.push_back(all[(i * all.size() + random.below(all.size())) / n]);
   return picked;
+}
+
+/// The first line in which two logs differ, with both.
+std::string first_difference(const std::string& one, const std::string& other) {
+  std::istringstream a(one), b(other);
+  std::string of_a, of_b;
+  for (int line = 1;; ++line) {
+    const bool more_a = static_cast<bool>(std::getline(a, of_a));
+    const bool more_b = static_cast<bool>(std::getline(b, of_b));
+    if (!more_a && !more_b) return "none";
+    if (more_a != more_b || of_a != of_b)
+      return "line " + std::to_string(line) + ":\n  " + of_a + "\n  " + of_b;
+  }
 }
 
 /// "comets/confirmed" as a word.
@@ -90,7 +109,7 @@ TEST_P(DeadForNoTime, WhileNothingHappensMakesNoDifferenceAtAll) {
   scenario::Scenario scenario = scenario_at(GetParam());
   scenario.radio.model.loss = 0;  // which samples of streams are lost is drawn anew in each life
   const Mission reference = play(scenario);
-  const std::string expected = reference.log();
+  const std::string expected = without_restarts(reference);
   const std::vector<double> instants = quiet_instants_of(reference);
   ASSERT_GT(instants.size(), 5U);
   std::uint64_t seed = 0;
@@ -98,7 +117,9 @@ TEST_P(DeadForNoTime, WhileNothingHappensMakesNoDifferenceAtAll) {
     for (const double instant : some(instants, cases<std::size_t>(2, 10'000), ++seed)) {
       const Mission mission = killed(scenario, daemon, at(instant), Duration());
       ASSERT_EQ(mission.count({{"kind", "resumed"}, {"node", daemon}}), 1U);
-      ASSERT_TRUE(without_restarts(mission) == expected) << daemon << " at " << instant;
+      const std::string log = without_restarts(mission);
+      ASSERT_TRUE(log == expected)
+          << daemon << " at " << instant << ", " << first_difference(log, expected);
     }
   }
 }
