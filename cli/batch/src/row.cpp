@@ -57,11 +57,14 @@ void count_goals(const laws::History& history, Row& row) {
 
 void ask_laws(const scenario::Scenario& scenario, const std::vector<journal::Record>& records,
               Row& row) {
-  const auto add = [&](const std::string& law) {
-    if (std::find(row.laws.begin(), row.laws.end(), law) == row.laws.end()) row.laws.push_back(law);
+  const auto add = [&](const std::string& law, const std::string& seen) {
+    if (std::find(row.laws.begin(), row.laws.end(), law) != row.laws.end()) return;
+    row.laws.push_back(law);
+    row.breaks.push_back(seen);
   };
-  for (const laws::Violation& one : laws::broken_laws(scenario, records)) add(one.law);
-  if (!laws::broken_protocol(records).empty()) add("protocol");
+  for (const laws::Violation& one : laws::broken_laws(scenario, records))
+    add(one.law, laws::to_text(one));
+  for (const std::string& breach : laws::broken_protocol(records)) add("protocol", breach);
 }
 
 Row labelled(const Case& what) {
@@ -120,7 +123,8 @@ std::string to_json(const Row& row) {
             {"reason", row.reason},      {"duration", row.duration},
             {"goals", row.goals},        {"achieved", row.achieved},
             {"failed", row.failed},      {"expectations", Json::array()},
-            {"measures", Json::array()}, {"laws", row.laws}};
+            {"measures", Json::array()}, {"laws", row.laws},
+            {"breaks", row.breaks}};
   for (const auto& [path, value] : row.combination) json["set"].push_back({path, value});
   for (const auto& [name, met] : row.expectations) json["expectations"].push_back({name, met});
   for (const auto& [name, value] : row.measures)
@@ -147,6 +151,7 @@ std::optional<Row> row_from_json(const std::string& text) try {
         one.at(0), one.at(1).is_null() ? std::nullopt : std::optional(one.at(1).get<double>()));
   }
   row.laws = json.at("laws").get<std::vector<std::string>>();
+  row.breaks = json.at("breaks").get<std::vector<std::string>>();
   return row;
 } catch (const Json::exception&) {
   return std::nullopt;

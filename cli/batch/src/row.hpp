@@ -35,7 +35,8 @@ struct Row {
   int goals = 0, achieved = 0, failed = 0;
   std::vector<std::pair<std::string, bool>> expectations;
   std::vector<std::pair<std::string, std::optional<double>>> measures;  ///< absent: not measurable
-  std::vector<std::string> laws;  ///< that it broke, each once
+  std::vector<std::string> laws;    ///< that it broke, each once
+  std::vector<std::string> breaks;  ///< how: for each of them what was seen first, a sentence
 
   bool good() const { return outcome == "passed" && laws.empty(); }
 };

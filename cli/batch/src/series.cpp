@@ -81,6 +81,7 @@ void print_bad(std::ostream& out, const Series& series, std::size_t examples) {
     if (!row.reason.empty()) out << ": " << row.reason;
     for (const std::string& law : row.laws) out << "; breaks the law " << law;
     out << '\n';
+    for (const std::string& seen : row.breaks) out << "    " << seen << '\n';
   }
   if (series.bad.size() > examples)
     out << "  and " << series.bad.size() - examples << " more: the CSV has them all\n";
@@ -109,8 +110,11 @@ Json json_of(const Series& series) {
   for (const auto& [name, figures] : series.measures)
     measures[name] = json_of(report::spread_of(figures));
   for (const Row& row : series.bad)
-    bad.push_back(
-        {{"seed", row.seed}, {"outcome", row.outcome}, {"reason", row.reason}, {"laws", row.laws}});
+    bad.push_back({{"seed", row.seed},
+                   {"outcome", row.outcome},
+                   {"reason", row.reason},
+                   {"laws", row.laws},
+                   {"breaks", row.breaks}});
   return {{"scenario", series.scenario}, {"set", set},
           {"runs", series.runs},         {"passed", series.passed},
           {"lawless", series.lawless},   {"expectations", expectations},

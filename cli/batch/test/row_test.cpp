@@ -98,6 +98,7 @@ TEST(Row, IsReadBackAsItWasWritten) {
   row.expectations = {{"it flies", true}, {"it lands", false}};
   row.measures = {{"energy-left", 0.1}, {"minimum-separation", std::nullopt}};
   row.laws = {"energy"};
+  row.breaks = {"12 s, karma: energy: it fell"};
 
   const auto back = row_from_json(to_json(row));
 
@@ -105,6 +106,7 @@ TEST(Row, IsReadBackAsItWasWritten) {
   EXPECT_EQ(to_json(*back), to_json(row));
   EXPECT_EQ(back->seed, row.seed);
   EXPECT_EQ(back->measures, row.measures);
+  EXPECT_EQ(back->breaks, row.breaks);
 }
 
 TEST(Row, IsNotReadFromWhatADeadProcessLeft) {

@@ -53,6 +53,18 @@ TEST(SeriesOf, ARunThatBreaksALawIsNoGoodOne) {
   EXPECT_EQ(all[0].bad.size(), 1U);
 }
 
+TEST(Print, SaysWhichLawARunBreaksAndWhatWasSeen) {
+  Row lawless = row(7, "passed", 100);
+  lawless.laws = {"energy"};
+  lawless.breaks = {"12 s, karma: energy: it fell"};
+  std::ostringstream out;
+
+  print(out, series_of({lawless}), 1);
+
+  EXPECT_THAT(out.str(), HasSubstr("seed 7: passed; breaks the law energy\n"
+                                   "    12 s, karma: energy: it fell\n"));
+}
+
 TEST(Print, ShowsSharesFiguresAndTheFirstThatDidNotPass) {
   std::ostringstream out;
   print(out,
