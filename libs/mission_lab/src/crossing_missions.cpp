@@ -30,6 +30,7 @@ class CrossingDrawing {
     draw_uavs();
     for (const Member& one : mission_.team) draw_work(one);
     if (kinds_.radio) mission_.cuts = draw_cuts(random_, mission_.team, 5, kLatest);
+    if (kinds_.deaths) add_deaths(mission_, kLatest);
     return std::move(mission_);
   }
 

@@ -11,19 +11,6 @@ namespace skein::mission_lab {
 
 namespace {
 
-// The mission is the one without them, and so is most of what it comes to. A functional layer may
-// come back with nothing it knew; its vehicles are where they are.
-void add_deaths(Mission& mission, Random& random, Random& forgets) {
-  std::vector<std::string> daemons{"ground", "sim"};
-  for (const Member& one : mission.team) daemons.push_back(one.name);
-  for (std::uint64_t i = 1 + random.below(3); i > 0; --i)
-    mission.faults.push_back(draw_death(random, daemons, 600));
-  for (std::string& fault : mission.faults) {
-    if (fault.find("kill: sim") != std::string::npos && forgets.chance(0.5))
-      fault = forgetting(std::move(fault));
-  }
-}
-
 /// Draws one mission, part by part, always in the same order.
 class Drawing {
  public:
@@ -31,8 +18,6 @@ class Drawing {
       : random_(seed, "random mission"),
         more_(seed, "random mission: alarms, bounds"),
         last_(seed, "random mission: questions, refusals"),
-        deaths_(seed, "random mission: deaths"),
-        forgets_(seed, "random mission: what is forgotten"),
         joint_(seed, "random mission: joint tasks"),
         amid_(seed, "random mission: amid a mapping"),
         kinds_(kinds) {
@@ -63,7 +48,7 @@ class Drawing {
           draw_refusals(last_, mission_.team[last_.below(mission_.team.size())].name, 500));
     if (kinds_.joint && joint_.chance(0.2)) draw_joint();
     if (kinds_.deadlines && amid_.chance(0.4)) draw_amid();
-    if (kinds_.deaths) add_deaths(mission_, deaths_, forgets_);
+    if (kinds_.deaths) add_deaths(mission_, 600);
     return std::move(mission_);
   }
 
@@ -481,7 +466,7 @@ class Drawing {
     mission_.cuts.push_back(mission_lab::draw_cut(random_, one, other, 500));
   }
 
-  Random random_, more_, last_, deaths_, forgets_, joint_, amid_;
+  Random random_, more_, last_, joint_, amid_;
   Kinds kinds_;
   Mission mission_;
   std::size_t who_ = 0;

@@ -38,6 +38,7 @@ class MeetingDrawing {
     for (std::size_t who = 0; who < mission_.team.size(); ++who) draw_work(who);
     for (std::size_t n = random_.below(4); n > 0; --n) draw_more();
     if (kinds_.radio) mission_.cuts = draw_cuts(random_, mission_.team, 4, kLatest);
+    if (kinds_.deaths) add_deaths(mission_, kLatest);
     return std::move(mission_);
   }
 

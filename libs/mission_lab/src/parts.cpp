@@ -122,6 +122,19 @@ std::string forgetting(std::string death) {
   return death;
 }
 
+void add_deaths(Mission& mission, double latest) {
+  Random random(mission.seed, "random mission: deaths");
+  Random forgets(mission.seed, "random mission: what is forgotten");
+  std::vector<std::string> daemons{"ground", "sim"};
+  for (const Member& one : mission.team) daemons.push_back(one.name);
+  for (std::uint64_t i = 1 + random.below(3); i > 0; --i)
+    mission.faults.push_back(draw_death(random, daemons, latest));
+  for (std::string& fault : mission.faults) {
+    if (fault.find("kill: sim") != std::string::npos && forgets.chance(0.5))
+      fault = forgetting(std::move(fault));
+  }
+}
+
 std::string draw_fault(Random& random, const std::string& uav, const DrawDevice& device,
                        double latest) {
   const std::string at = "at: " + whole(random.uniform(10, latest)) + ", ";

@@ -46,6 +46,11 @@ std::string draw_death(Random& random, const std::vector<std::string>& daemons, 
 /// The same, but it comes back with nothing.
 std::string forgetting(std::string death);
 
+/// One to three deaths of daemons in a mission, in [3, latest] s, drawn from its seed beside all
+/// else: the mission is the one without them, and so is most of what it comes to. A functional
+/// layer may come back with nothing it knew; its vehicles are where they are.
+void add_deaths(Mission& mission, double latest);
+
 /// A device of the UAV that the fault is of.
 using DrawDevice = std::function<std::string(Random&)>;
 /// A fault of the vehicle, in [10, latest] s: slow, a task that aborts, a device that breaks,

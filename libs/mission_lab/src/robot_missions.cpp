@@ -37,6 +37,7 @@ class RobotDrawing {
     if (kinds_.degrees && random_.chance(0.3)) draw_degrees();
     if (kinds_.radio) mission_.cuts = draw_cuts(random_, mission_.team, 4, kLatest);
     if (kinds_.faults && random_.chance(0.5)) draw_faults();
+    if (kinds_.deaths) add_deaths(mission_, kLatest);
     return std::move(mission_);
   }
 

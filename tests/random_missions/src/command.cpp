@@ -162,16 +162,22 @@ void declare(CLI::App& app, Options& options) {
   app.add_flag("--clean", options.clean, "missions in which nothing goes wrong");
   app.add_flag("--deaths", options.deaths,
                "daemons die in them, up to three times, and come back with what they knew");
-  app.add_flag("--team", options.team, "teams at degree 5 with a global mission");
-  app.add_flag("--crossing", options.crossing, "teams at degree 4 whose ways cross");
+  auto* team = app.add_flag("--team", options.team, "teams at degree 5 with a global mission");
+  auto* crossing =
+      app.add_flag("--crossing", options.crossing, "teams at degree 4 whose ways cross");
   app.add_flag("--unmerged", options.unmerged, "with --crossing: nobody asks for his air")
       ->needs("--crossing");
-  app.add_flag("--meetings", options.meetings, "UAVs at degree 4 that meet each other");
+  auto* meetings =
+      app.add_flag("--meetings", options.meetings, "UAVs at degree 4 that meet each other");
   app.add_flag("--unlinked", options.unlinked, "with --meetings: nobody knows when others come")
       ->needs("--meetings");
   app.add_flag("--gatherings", options.gatherings, "with --meetings: and joint tasks of two")
       ->needs("--meetings");
-  app.add_flag("--robots", options.robots, "some of the vehicles keep to the ground");
+  auto* robots =
+      app.add_flag("--robots", options.robots, "some of the vehicles keep to the ground");
+  for (auto* one : {team, crossing, meetings})
+    for (auto* other : {crossing, meetings, robots})
+      if (one != other) one->excludes(other);
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")
       ->check(CLI::IsMember({"faults", "air", "deadlines", "changes", "degrees", "radio", "energy",

@@ -104,5 +104,15 @@ TEST(RandomMissions, RobotsOnTheGroundKeepTheLaws) {
   EXPECT_EQ(breaches({}, missions() / 5, generate_robots), "");
 }
 
+// What others said of their ways and meetings is known again to who was away.
+TEST(RandomMissions, WhatUavsAgreedUponSurvivesTheDeathOfDaemons) {
+  Kinds deaths;
+  deaths.deaths = true;
+  EXPECT_EQ(breaches(deaths, missions() / 10, generate_crossing), "");
+  EXPECT_EQ(breaches(deaths, missions() / 10, generate_robots), "");
+  deaths.gatherings = true;
+  EXPECT_EQ(breaches(deaths, missions() / 10, generate_meetings), "");
+}
+
 }  // namespace
 }  // namespace skein::mission_lab

@@ -35,14 +35,14 @@ Mission generate(std::uint64_t seed, const Kinds& kinds);
 /// and faults count.
 Mission generate_team(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to eight UAVs at degree 4 whose ways cross, with wind, some from shared pads; of
-/// the kinds, radio and merged count.
+/// the kinds, radio, deaths and merged count.
 Mission generate_crossing(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to five UAVs at degree 4 that meet each other, with wind; of the kinds, deadlines,
-/// radio, faults (two who wait for each other for ever), consistent and gatherings count.
+/// radio, deaths, faults (two who wait for each other for ever), consistent and gatherings count.
 Mission generate_meetings(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to six vehicles at degree 4 of which at least one keeps to the ground, among hills
 /// that not all of them climb; some meet. Of the kinds, air, deadlines, changes, degrees, radio,
-/// energy and faults count.
+/// energy, deaths and faults count.
 Mission generate_robots(std::uint64_t seed, const Kinds& kinds);
 
 }  // namespace skein::mission_lab
