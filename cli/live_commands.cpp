@@ -41,6 +41,11 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
   run->add_option("--degree", options->overrides.degrees,
                   "Degree of autonomy of all UAVs (2) or of one (marvin=1); may be repeated")
       ->allow_extra_args(false);
+  run->add_option(
+         "--dds", options->overrides.dds,
+         "Whose DDS all nodes use (fastdds, cyclonedds) or one (marvin=cyclonedds); may be "
+         "repeated")
+      ->allow_extra_args(false);
   run->add_option("--out", options->out, "Folder for the results (default: out/NAME)")
       ->take_last();  // ./demo gives one that its caller may replace
   run->add_option("--explain", options->explain,

@@ -9,6 +9,12 @@
 namespace skein::cli {
 
 inline void add_network(CLI::App* command, blackboard::NetworkConfig& network) {
+  const auto choose = [&network](const std::string& name) {
+    network.dds = blackboard::dds_from_name(name).value_or(network.dds);
+  };
+  command->add_option_function<std::string>("--dds", choose, "Whose DDS to use (default: fastdds)")
+      ->check(CLI::IsMember(blackboard::dds_names()))
+      ->type_name("WORD");
   command->add_option("--interface", network.interfaces, "IPv4 address to talk on")->delimiter(',');
   command->add_option("--peer", network.peers, "Where to look for others: ADDRESS or ADDRESS:PORT")
       ->delimiter(',');

@@ -25,6 +25,7 @@ set(SKEIN_PACKAGES
   "ZLIB::ZLIB|ZLIB|zlib|-|zlib1g-dev"
   "PNG::PNG|PNG|libpng|-|libpng-dev" "Threads::Threads|Threads|-|-pthread|-"
   "fastrtps|fastrtps|-|-lfastrtps|libfastrtps-dev" "fastcdr|fastcdr|-|-lfastcdr|libfastcdr-dev"
+  "CycloneDDS::ddsc|CycloneDDS|CycloneDDS|-|cyclonedds-dev"
   "GDAL::GDAL|GDAL|gdal|-|libgdal-dev" "yaml-cpp|yaml-cpp|yaml-cpp|-|libyaml-cpp-dev"
   "skein_ompl|-|ompl|-|libompl-dev" "fcl|fcl|fcl|-|libfcl-dev")
 

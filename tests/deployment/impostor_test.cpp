@@ -37,7 +37,7 @@ class Secured : public ::testing::Test {
   /// With the keys of `name`, but saying that it is the node `self`; it writes on the world channel
   /// what the permissions of a UAV allow.
   std::unique_ptr<FastDdsTransport> participant(const std::string& name, NodeNumber self) {
-    FastDdsConfig config;
+    DdsConfig config;
     config.domain = lease_->domain();
     config.participant_name = name;
     config.network.keys = (keys_ / name).string();

@@ -31,8 +31,8 @@ Result<void, Failure> Station::open() {
   const node::Roster roster({});
   blackboard::NetworkConfig network = options_.network;
   network.keys = keys_of(network.keys);
-  transport_.emplace(
-      blackboard::FastDdsConfig{options_.domain, kName, network, {}, roster.names()});
+  transport_ =
+      blackboard::make_dds_transport({options_.domain, kName, network, {}, roster.names()});
   transport_->on_arrival([this] { waker_.notify(); });
   std::random_device random;
   instance_ = random();

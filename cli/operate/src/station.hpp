@@ -4,12 +4,13 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "skein/blackboard/blackboard.hpp"
-#include "skein/blackboard/fastdds_transport.hpp"
+#include "skein/blackboard/dds_transport.hpp"
 #include "skein/foundation/result.hpp"
 #include "skein/node/mission_clock.hpp"
 #include "skein/node/waker.hpp"
@@ -53,7 +54,7 @@ class Station {
 
   StationOptions options_;
   node::Waker waker_;
-  std::optional<blackboard::FastDdsTransport> transport_;
+  std::unique_ptr<blackboard::Transport> transport_;
   std::optional<blackboard::Blackboard> board_;
   node::MissionClock clock_;
   Boards boards_;

@@ -60,6 +60,8 @@ Result<void, Failure> Fleet::start(const std::string& name) {
                                    scenario_.file,
                                    "--domain",
                                    std::to_string(domain_),
+                                   "--dds",
+                                   scenario_.dds_of(name),
                                    "--state",
                                    state(),
                                    "--exit-with-parent",

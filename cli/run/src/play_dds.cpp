@@ -11,8 +11,8 @@
 
 #include "fleet.hpp"
 #include "skein/assembly/assembly.hpp"
+#include "skein/blackboard/dds_transport.hpp"
 #include "skein/blackboard/domain_lease.hpp"
-#include "skein/blackboard/fastdds_transport.hpp"
 #include "skein/node/mission_clock.hpp"
 #include "skein/node/waker.hpp"
 
@@ -22,6 +22,7 @@ namespace {
 
 using blackboard::Now;
 
+constexpr const char* kRunner = "runner";
 constexpr Duration kLook = Duration::milliseconds(100);  ///< between two looks at everything
 constexpr Duration kStartLimit =
     Duration::milliseconds(45'000);  ///< for all daemons to become ready
@@ -39,9 +40,12 @@ std::string load_of_machine() {
   return text.data();
 }
 
-blackboard::NetworkConfig network_of(const DdsOptions& options) {
+blackboard::NetworkConfig network_of(const scenario::Scenario& scenario,
+                                     const DdsOptions& options) {
   blackboard::NetworkConfig network;
-  if (!options.keys.empty()) network.keys = options.keys + "/runner";
+  network.dds =
+      blackboard::dds_from_name(scenario.dds_of(kRunner)).value_or(blackboard::DdsVendor::kFastDds);
+  if (!options.keys.empty()) network.keys = options.keys + "/" + kRunner;
   return network;
 }
 
@@ -51,7 +55,8 @@ class DdsRun {
          Progress& progress)
       : progress_(progress),
         roster_(assembly::roster_of(scenario)),
-        transport_({domain, "runner", network_of(options), {}, roster_.names()}),
+        transport_(blackboard::make_dds_transport(
+            {domain, kRunner, network_of(scenario, options), {}, roster_.names()})),
         fleet_(scenario, options, domain),
         rate_(scenario.rate),
         faults_(scenario.faults.kills) {
@@ -79,14 +84,14 @@ class DdsRun {
   };
 
   Result<void, Failure> open() {
-    transport_.on_arrival([this] { waker_.notify(); });
-    const node::Member& self = *roster_.find("runner");
+    transport_->on_arrival([this] { waker_.notify(); });
+    const node::Member& self = *roster_.find(kRunner);
     blackboard::Config config;
     config.self = self.number;
     config.incarnation = static_cast<std::uint64_t>(node::Waker::steady_now().count());
     config.channels = roster_.channels_of(self);
     config.world_reads = node::Roster::world_reads_of(self.role);
-    auto board = blackboard::Blackboard::open(std::move(config), transport_);
+    auto board = blackboard::Blackboard::open(std::move(config), *transport_);
     if (!board) return tl::unexpected(board.error());
     board_.emplace(std::move(*board));
     started_ = heard_clock_ = node::Waker::steady_now();
@@ -166,7 +171,7 @@ class DdsRun {
     played_.records.push_back(std::move(record));
   }
 
-  journal::Record record(const char* kind) { return {now().mission, "runner", kind}; }
+  journal::Record record(const char* kind) { return {now().mission, kRunner, kind}; }
 
   // Notes the daemons that ended; true if one should not have, or not that way. During the mission
   // none may end but by a scripted kill; after it, all should, with exit code 0, or, told to stop
@@ -260,7 +265,7 @@ class DdsRun {
   Progress& progress_;
   node::Roster roster_;
   node::Waker waker_;  // before the transport: it blocks signals for the middleware's threads too
-  blackboard::FastDdsTransport transport_;
+  std::unique_ptr<blackboard::Transport> transport_;
   std::optional<blackboard::Blackboard> board_;
   node::MissionClock clock_;
   Fleet fleet_;

@@ -13,6 +13,7 @@
 #include "skein/assembly/assembly.hpp"
 #include "skein/export_tool/export.hpp"
 #include "skein/foundation/exit_code.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/report/explain.hpp"
 #include "skein/run_tool/whole_run.hpp"
 
@@ -134,12 +135,28 @@ int play(const Scenario& scenario, const RunOptions& options, const std::string&
   return explain_all(folder, options.explain, exit_code_of(whole), out, err);
 }
 
+// Keys are checked by Fast DDS alone.
+std::string security_problem(const Scenario& scenario, const RunOptions& options) {
+  if (options.security.empty()) return "";
+  std::vector<std::string> others;
+  const node::Roster roster = assembly::roster_of(scenario);
+  for (const node::Member& member : roster.members())
+    if (scenario.dds_of(member.name) != scenario::kDdsNames.front()) others.push_back(member.name);
+  if (others.empty()) return "";
+  return "--security needs Fast DDS in all nodes, and these are to use another: " +
+         joined(others, ", ");
+}
+
 }  // namespace
 
 int run(const RunOptions& options, std::ostream& out, std::ostream& err) {
   const auto scenario = assembly::load_scenario(options.scenario, options.overrides);
   if (!scenario) {
     err << to_text(scenario.error());
+    return kExitBadInput;
+  }
+  if (const std::string problem = security_problem(*scenario, options); !problem.empty()) {
+    err << problem << '\n';
     return kExitBadInput;
   }
   if (options.check_only) {

@@ -51,8 +51,8 @@ Diagnostics Listener::check() const {
 }
 
 Result<void, Failure> Listener::open() {
-  transport_.emplace(
-      blackboard::FastDdsConfig{options_.domain, "spy", options_.network, {}, {}, tap_});
+  transport_ =
+      blackboard::make_dds_transport({options_.domain, "spy", options_.network, {}, {}, tap_});
   transport_->on_arrival([this] { waker_.notify(); });
   blackboard::TransportPlan plan;
   plan.self = NodeNumber(kSpyNumber);

@@ -4,9 +4,10 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
-#include "skein/blackboard/fastdds_transport.hpp"
+#include "skein/blackboard/dds_transport.hpp"
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/node/waker.hpp"
 #include "skein/spy_tool/spy.hpp"
@@ -23,7 +24,7 @@ class Listener {
  public:
   using Tap = std::function<void(const blackboard::RawSample&)>;
 
-  /// Wrong slots are errors of the options. `tap`: as in FastDdsConfig.
+  /// Wrong slots are errors of the options. `tap`: as in DdsConfig.
   explicit Listener(const SpyOptions& options, Tap tap = {})
       : options_(options), tap_(std::move(tap)) {}
 
@@ -45,7 +46,7 @@ class Listener {
   const SpyOptions& options_;
   Tap tap_;
   node::Waker waker_;
-  std::optional<blackboard::FastDdsTransport> transport_;
+  std::unique_ptr<blackboard::Transport> transport_;
   std::map<std::uint32_t, wire::DirectoryEntry> directory_;
 };
 

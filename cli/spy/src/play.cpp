@@ -8,7 +8,7 @@
 
 #include "recorder.hpp"
 #include "skein/blackboard/cdr.hpp"
-#include "skein/blackboard/fastdds_transport.hpp"
+#include "skein/blackboard/dds_transport.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/node/waker.hpp"
 #include "skein/spy_tool/record.hpp"
@@ -79,7 +79,7 @@ std::optional<std::vector<Taken>> read_samples(const std::string& name, std::ost
 }
 
 /// False when it was not taken, or was malformed.
-bool write(blackboard::FastDdsTransport& transport, const Stage& stage, const Taken& one) {
+bool write(blackboard::Transport& transport, const Stage& stage, const Taken& one) {
   const auto content = blackboard::decode(
       one.slot, {reinterpret_cast<const std::uint8_t*>(one.bytes.data()), one.bytes.size()});
   const auto* sample = std::get_if<wire::Sample>(&content);
@@ -91,7 +91,7 @@ struct Score {
 };
 
 Score play_all(const PlayOptions& options, const std::vector<Taken>& samples, const Stage& stage,
-               blackboard::FastDdsTransport& transport, node::Waker& waker) {
+               blackboard::Transport& transport, node::Waker& waker) {
   Score score;
   const Duration begin = node::Waker::steady_now() + Duration::seconds(options.wait);
   for (const Taken& one : samples) {
@@ -115,13 +115,13 @@ int play(const PlayOptions& options, std::ostream& out, std::ostream& err) {
   if (!samples) return kExitBadInput;
   node::Waker waker;  // before the middleware's threads: it blocks signals for them too
   const Stage stage(*samples);
-  blackboard::FastDdsTransport transport(
-      blackboard::FastDdsConfig{options.domain, "play", options.network, {}});
-  if (auto opened = transport.open(stage.plan()); !opened) {
+  const auto transport =
+      blackboard::make_dds_transport({options.domain, "play", options.network, {}});
+  if (auto opened = transport->open(stage.plan()); !opened) {
     err << opened.error().why << '\n';
     return kExitSystem;
   }
-  const Score score = play_all(options, *samples, stage, transport, waker);
+  const Score score = play_all(options, *samples, stage, *transport, waker);
   out << score.written << " of " << samples->size() << " samples written\n";
   if (score.refused > 0)
     err << score.refused << " samples were malformed, or DDS did not take them\n";

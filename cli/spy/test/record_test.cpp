@@ -31,7 +31,7 @@ Now now() { return {{}, node::Waker::steady_now()}; }
 class Ground {
  public:
   explicit Ground(std::uint32_t domain)
-      : transport_(blackboard::FastDdsConfig{domain, "ground", {}, {}}) {
+      : transport_(blackboard::DdsConfig{domain, "ground", {}, {}}) {
     const node::Roster roster({"marvin"});
     blackboard::Config config;
     config.self = roster.ground();

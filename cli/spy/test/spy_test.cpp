@@ -27,7 +27,7 @@ class SpyOnANode : public ::testing::Test {
     ASSERT_TRUE(lease.has_value()) << lease.error().why;
     lease_.emplace(std::move(*lease));
     options_.domain = lease_->domain();
-    transport_.emplace(blackboard::FastDdsConfig{lease_->domain(), "ground", {}, {}});
+    transport_.emplace(blackboard::DdsConfig{lease_->domain(), "ground", {}, {}});
     const node::Roster roster({"marvin"});
     blackboard::Config config;
     config.self = roster.ground();

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/assembly/overrides.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "skein/assembly/assembly.hpp"
+#include "skein/blackboard/network.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
+#include "skein/node/roster.hpp"
 
 namespace skein::assembly {
 
@@ -51,6 +55,32 @@ void set_degree(const std::string& text, scenario::Scenario& scenario, Diagnosti
   }
 }
 
+void set_dds(const std::string& text, scenario::Scenario& scenario, Diagnostics& diagnostics) {
+  const std::size_t equals = text.find('=');
+  const std::string vendor = equals == std::string::npos ? text : text.substr(equals + 1);
+  if (!blackboard::dds_from_name(vendor)) {
+    diagnostics.add({"", 0, 0, "--dds", "'" + text + "'",
+                     joined(blackboard::dds_names(), " or ") + ", or NODE=WORD",
+                     nearest_name(vendor, blackboard::dds_names())});
+    return;
+  }
+  if (equals == std::string::npos) {
+    scenario.dds = vendor;
+    scenario.dds_by_node.clear();
+    return;
+  }
+  const std::string node = text.substr(0, equals);
+  std::vector<std::string> nodes;
+  const node::Roster roster = roster_of(scenario);
+  for (const node::Member& member : roster.members())
+    if (member.role != wire::Role::kOperator) nodes.push_back(member.name);
+  if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) {
+    diagnostics.add({"", 0, 0, "--dds", "no node '" + node + "'", "", nearest_name(node, nodes)});
+    return;
+  }
+  scenario.dds_by_node.insert_or_assign(node, vendor);
+}
+
 }  // namespace
 
 std::vector<std::string> Overrides::as_options() const {
@@ -74,6 +104,7 @@ Diagnostics apply(const Overrides& overrides, scenario::Scenario& scenario) {
   scenario.rate = overrides.rate.value_or(scenario.rate);
   scenario.seed = overrides.seed.value_or(scenario.seed);
   for (const std::string& degree : overrides.degrees) set_degree(degree, scenario, diagnostics);
+  for (const std::string& dds : overrides.dds) set_dds(dds, scenario, diagnostics);
   scenario::draw_random_faults(scenario);
   scenario::draw_variations(scenario);
   return diagnostics;

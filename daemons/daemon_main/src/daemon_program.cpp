@@ -32,7 +32,8 @@ namespace {
 
 spdlog::level::level_enum level_of(const journal::Record& record) {
   const std::string& kind = record.kind();
-  if (kind == "dropped" || kind == "unsent" || kind == "lost") return spdlog::level::warn;
+  if (kind == "dropped" || kind == "unsent" || kind == "lost" || kind == "transport")
+    return spdlog::level::warn;
   if (kind == "telemetry" || kind == "message" || kind == "perception") return spdlog::level::debug;
   return spdlog::level::info;
 }

@@ -13,6 +13,15 @@ void declare_network(CLI::App& app, blackboard::NetworkConfig& network) {
   const auto list = [&](const char* name, std::vector<std::string>& values, const char* help) {
     app.add_option(name, values, help)->allow_extra_args(false)->delimiter(',');
   };
+  const auto choose = [&network](const std::string& name) {
+    network.dds = blackboard::dds_from_name(name).value_or(network.dds);
+  };
+  app.add_option_function<std::string>(
+         "--dds", choose,
+         "Whose DDS to use: fastdds or cyclonedds; nodes of both work "
+         "together")
+      ->check(CLI::IsMember(blackboard::dds_names()))
+      ->default_str(std::string(blackboard::name_of(network.dds)));
   list("--interface", network.interfaces, "IPv4 address to talk on; repeat for several");
   list("--peer", network.peers,
        "Where to look for other nodes: ADDRESS or ADDRESS:PORT; may be repeated");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Round trip of an event slot between two processes, through the blackboard and through bare Fast
-// DDS, in alternating blocks of one run:  skein_event_latency [BLOCKS [ROUND_TRIPS_PER_BLOCK]]
+// Round trip of an event slot between two processes, through the blackboard and through the bare
+// DDS below it, in alternating blocks of one run:
+//   skein_event_latency [fastdds|cyclonedds [BLOCKS [ROUND_TRIPS_PER_BLOCK]]]
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -19,8 +20,8 @@
 
 #include "bare_pair.hpp"
 #include "skein/blackboard/blackboard.hpp"
+#include "skein/blackboard/dds_transport.hpp"
 #include "skein/blackboard/domain_lease.hpp"
-#include "skein/blackboard/fastdds_transport.hpp"
 
 namespace skein::blackboard::bench {
 namespace {
@@ -33,8 +34,9 @@ const Node kAnswerer{NodeNumber(2), "answerer"};
 /// A blackboard with its one thread: sleeps until something arrives or is due.
 class BlackboardSide {
  public:
-  BlackboardSide(std::uint32_t domain, const Node& self) : transport_(transport(domain)) {
-    transport_.on_arrival([this] {
+  BlackboardSide(DdsVendor vendor, std::uint32_t domain, const Node& self)
+      : transport_(transport(vendor, domain)) {
+    transport_->on_arrival([this] {
       const std::lock_guard lock(mutex_);
       arrived_ = true;
       wake_.notify_one();
@@ -42,7 +44,7 @@ class BlackboardSide {
     Config config;
     config.self = self.number;
     config.channels = station_link(kAsker, kAnswerer);
-    board_ = std::make_unique<Blackboard>(Blackboard::open(std::move(config), transport_).value());
+    board_ = std::make_unique<Blackboard>(Blackboard::open(std::move(config), *transport_).value());
   }
 
   Blackboard& board() { return *board_; }
@@ -61,13 +63,14 @@ class BlackboardSide {
   }
 
  private:
-  static FastDdsConfig transport(std::uint32_t domain) {
-    FastDdsConfig config;
+  static std::unique_ptr<Transport> transport(DdsVendor vendor, std::uint32_t domain) {
+    DdsConfig config;
     config.domain = domain;
-    return config;
+    config.network.dds = vendor;
+    return make_dds_transport(std::move(config));
   }
 
-  FastDdsTransport transport_;
+  std::unique_ptr<Transport> transport_;
   std::unique_ptr<Blackboard> board_;
   std::mutex mutex_;
   std::condition_variable wake_;
@@ -93,9 +96,9 @@ bool ask(BlackboardSide& side, std::uint64_t command) {
   return false;
 }
 
-[[noreturn]] void answer(std::uint32_t domain) {
-  std::thread([domain] { BareSide(domain, BareSide::Role::kAnswers).serve(); }).detach();
-  BlackboardSide side(domain, kAnswerer);
+[[noreturn]] void answer(DdsVendor vendor, std::uint32_t domain) {
+  std::thread([=] { make_bare_side(vendor, domain, BareSide::Role::kAnswers)->serve(); }).detach();
+  BlackboardSide side(vendor, domain, kAnswerer);
   while (true) {
     for (const Incoming& incoming : side.wait()) {
       const auto* received = std::get_if<Received>(&incoming);
@@ -129,11 +132,11 @@ double quantile(Series& series, double share) {
   return series[static_cast<std::size_t>(share * static_cast<double>(series.size() - 1))];
 }
 
-int run(std::uint32_t domain, std::uint64_t blocks, std::uint64_t per_block) {
-  BlackboardSide side(domain, kAsker);
-  BareSide bare(domain, BareSide::Role::kAsks);
+int run(DdsVendor vendor, std::uint32_t domain, std::uint64_t blocks, std::uint64_t per_block) {
+  BlackboardSide side(vendor, domain, kAsker);
+  const auto bare = make_bare_side(vendor, domain, BareSide::Role::kAsks);
   const auto ask_board = [&](std::uint64_t command) { return ask(side, command); };
-  const auto ask_bare = [&](std::uint64_t command) { return bare.ask(command); };
+  const auto ask_bare = [&](std::uint64_t command) { return bare->ask(command); };
   const auto give_up = Clock::now() + std::chrono::seconds(30);
   while (!side.board().reachable(kAnswerer.number) && Clock::now() < give_up) side.wait();
   Series ignored;
@@ -151,9 +154,12 @@ int run(std::uint32_t domain, std::uint64_t blocks, std::uint64_t per_block) {
   const double bare_median = quantile(bare_series, 0.5);
   std::printf("round trip [us]   median      p99\n");
   std::printf("blackboard      %8.1f %8.1f\n", board_median, quantile(board_series, 0.99));
-  std::printf("bare Fast DDS   %8.1f %8.1f\n", bare_median, quantile(bare_series, 0.99));
-  std::printf("ratio of medians %.2f over %zu round trips each\n", board_median / bare_median,
-              board_series.size());
+  const double board_p99 = quantile(board_series, 0.99);
+  const double bare_p99 = quantile(bare_series, 0.99);
+  std::printf("bare %-10s %8.1f %8.1f\n", std::string(name_of(vendor)).c_str(), bare_median,
+              bare_p99);
+  std::printf("ratio           %8.2f %8.2f   over %zu round trips each\n",
+              board_median / bare_median, board_p99 / bare_p99, board_series.size());
   return 0;
 }
 
@@ -162,9 +168,14 @@ int run(std::uint32_t domain, std::uint64_t blocks, std::uint64_t per_block) {
 
 int main(int argc, char** argv) {
   namespace bench = skein::blackboard::bench;
-  if (argc == 3 && std::string(argv[1]) == "--answer") {
+  const auto vendor = skein::blackboard::dds_from_name(argc > 1 ? argv[1] : "fastdds");
+  if (!vendor) {
+    std::fprintf(stderr, "skein_event_latency [fastdds|cyclonedds [BLOCKS [ROUND_TRIPS]]]\n");
+    return 2;
+  }
+  if (argc == 4 && std::string(argv[2]) == "--answer") {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    bench::answer(static_cast<std::uint32_t>(std::stoul(argv[2])));
+    bench::answer(*vendor, static_cast<std::uint32_t>(std::stoul(argv[3])));
   }
   const auto number = [&](int i, std::uint64_t otherwise) {
     return argc > i ? static_cast<std::uint64_t>(std::stoull(argv[i])) : otherwise;
@@ -175,12 +186,13 @@ int main(int argc, char** argv) {
     return 1;
   }
   const std::string domain = std::to_string(lease->domain());
+  const std::string name(skein::blackboard::name_of(*vendor));
   const pid_t other = fork();
   if (other == 0) {
-    execl("/proc/self/exe", argv[0], "--answer", domain.c_str(), nullptr);
+    execl("/proc/self/exe", argv[0], name.c_str(), "--answer", domain.c_str(), nullptr);
     _exit(127);
   }
-  const int result = bench::run(lease->domain(), number(1, 20), number(2, 500));
+  const int result = bench::run(*vendor, lease->domain(), number(2, 20), number(3, 500));
   kill(other, SIGKILL);
   waitpid(other, nullptr, 0);
   return result;

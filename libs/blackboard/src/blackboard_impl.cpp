@@ -48,6 +48,7 @@ std::optional<wire::Violation> header_violation(const wire::SampleHeader& header
 Blackboard::Impl::Impl(Config config, Transport& transport)
     : config_(std::move(config)),
       transport_(transport),
+      connections_(transport, config_.channels, config_.heartbeat_period),
       losses_(config_.seed, "blackboard/losses/" + to_text(config_.self)),
       sequence_(std::uint64_t{config_.life} << kBitsOfALife) {
   SKEIN_EXPECTS(config_.self != kEverybody);
@@ -110,6 +111,7 @@ void Blackboard::Impl::stamp(wire::SampleHeader& header, NodeNumber to, std::uin
 void Blackboard::Impl::write(std::size_t channel, const wire::Sample& sample) {
   const wire::Slot slot = wire::slot_of(sample);
   const bool written = transport_.write(channel, sample);
+  connections_.wrote(channel, slot, written, out_);
   if (wire::slot_class(slot) != wire::SlotClass::kState) return;
   const StateKey key{channel, slot, wire::header_of(sample).instance};
   if (written) {
@@ -208,12 +210,12 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
   if (outgoing) {
     const bool changes = condition.up != peer.outgoing_condition().up;
     peer.set_outgoing(condition, now);
-    if (changes) transport_.set_up(peer.channels().outgoing, condition.up);
+    if (changes) connections_.set_up(peer.channels().outgoing, condition.up, now.steady, out_);
     serve(peer, now);
   } else {
     const bool changes = condition.up != peer.incoming_condition().up;
     peer.set_incoming(condition);
-    if (changes) transport_.set_up(peer.channels().incoming, condition.up);
+    if (changes) connections_.set_up(peer.channels().incoming, condition.up, now.steady, out_);
     plan(peer);
   }
 }
@@ -221,6 +223,7 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
 std::vector<Incoming> Blackboard::Impl::step(Now now) {
   for (const NodeNumber peer : heard_) peers_.at(peer).commit();
   heard_.clear();
+  connections_.update(now.steady, out_);
   for (Arrival& arrival : transport_.take()) arrive(std::move(arrival), now);
   while (!delayed_.empty() && delayed_.begin()->first <= now.steady) {
     auto first = delayed_.extract(delayed_.begin());
@@ -261,8 +264,9 @@ void Blackboard::Impl::plan(const Peer& peer) {
 std::optional<Duration> Blackboard::Impl::next_wakeup() const {
   std::optional<Duration> next;
   if (!delayed_.empty()) next = delayed_.begin()->first;
-  const auto due = agenda_.next_due();
-  return due && (!next || *due < *next) ? due : next;
+  for (const auto due : {agenda_.next_due(), connections_.next_due()})
+    if (due && (!next || *due < *next)) next = due;
+  return next;
 }
 
 std::optional<MissionTime> Blackboard::Impl::next_expiry() const {

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "agenda.hpp"
+#include "connections.hpp"
 #include "freshness.hpp"
 #include "peer.hpp"
 #include "skein/blackboard/blackboard.hpp"
@@ -73,6 +74,7 @@ class Blackboard::Impl {
 
   Config config_;
   Transport& transport_;
+  Connections connections_;
   Random losses_;
   std::map<NodeNumber, Peer> peers_;
   Agenda agenda_;               ///< of the peers

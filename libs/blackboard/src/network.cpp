@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/blackboard/network.hpp"
 
+#include <array>
 #include <charconv>
 
 namespace skein::blackboard {
 namespace {
+
+constexpr std::array<std::string_view, 2> kNames{"fastdds", "cyclonedds"};
 
 /// A decimal number without sign from `low` to `high` that is all of the text.
 bool is_number(std::string_view text, unsigned low, unsigned high, unsigned& number) {
@@ -26,6 +29,16 @@ bool is_address(std::string_view text) {
 }
 
 }  // namespace
+
+std::string_view name_of(DdsVendor vendor) { return kNames[static_cast<std::size_t>(vendor)]; }
+
+std::optional<DdsVendor> dds_from_name(std::string_view name) {
+  for (std::size_t i = 0; i < kNames.size(); ++i)
+    if (kNames[i] == name) return static_cast<DdsVendor>(i);
+  return std::nullopt;
+}
+
+std::vector<std::string> dds_names() { return {kNames.begin(), kNames.end()}; }
 
 Result<NetworkAddress, Failure> parse_address(std::string_view text) {
   const std::size_t colon = text.find(':');
@@ -53,6 +66,16 @@ std::vector<std::string> problems_of(const NetworkConfig& network) {
   for (const std::string& one : network.interfaces) check("interface", one, -1);
   for (const std::string& one : network.peers) check("peer", one, 0);
   for (const std::string& one : network.discovery_servers) check("discovery server", one, 1);
+  if (network.dds == DdsVendor::kCycloneDds) {
+    if (!network.discovery_servers.empty()) {
+      problems.emplace_back(
+          "Cyclone DDS knows no discovery server: name peers, or use --dds fastdds");
+    }
+    if (!network.keys.empty()) {
+      problems.emplace_back(
+          "keys (--security) need Fast DDS in all nodes: they do not go with --dds cyclonedds");
+    }
+  }
   return problems;
 }
 

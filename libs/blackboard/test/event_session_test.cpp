@@ -56,7 +56,7 @@ class PoolTransport final : public Transport {
     pool_.in_flight.push_back({plan_.channels[channel].to, sample});
     return true;
   }
-  void set_up(std::size_t, bool) override {}
+  Result<void, Failure> set_up(std::size_t, bool) override { return {}; }
   std::vector<Arrival> take() override {
     std::vector<Arrival> arrivals;
     for (wire::Sample& sample : pool_.mailboxes[plan_.self]) {

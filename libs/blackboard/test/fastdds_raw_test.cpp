@@ -37,7 +37,7 @@ const Node kMarvin{NodeNumber(3), "marvin"};
 class Raw {
  public:
   explicit Raw(std::uint32_t domain) {
-    FastDdsConfig config;
+    DdsConfig config;
     config.domain = domain;
     constexpr std::uint32_t kNumber = 20;  // out of the way of the blackboard's
     participant_ = factory()->create_participant(domain, fastdds::participant_qos(config, kNumber));
@@ -96,8 +96,8 @@ class FastDdsRaw : public ::testing::Test {
     if (opened) ground = std::make_unique<Blackboard>(std::move(*opened));
   }
 
-  static FastDdsConfig config(std::uint32_t domain) {
-    FastDdsConfig config;
+  static DdsConfig config(std::uint32_t domain) {
+    DdsConfig config;
     config.domain = domain;
     return config;
   }
@@ -223,7 +223,7 @@ TEST_F(FastDdsRaw, AGeneratedReaderUnderstandsUs) {
 }
 
 TEST(FastDdsTransport, AnAddressThatNobodyHereHasIsAFailureAndNotSilence) {
-  FastDdsConfig lost;
+  DdsConfig lost;
   lost.domain = 1;
   lost.participant_name = "lost";
   lost.network.interfaces = {"127.0.0.1", "192.0.2.77"};

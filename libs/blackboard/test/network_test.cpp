@@ -39,5 +39,22 @@ TEST(NetworkConfig, EveryProblemIsToldAtOnce) {
                           "discovery server '10.0.0.9' has no port"));
 }
 
+TEST(NetworkConfig, VendorsHaveNamesThatLeadBackToThem) {
+  EXPECT_EQ(dds_names(), (std::vector<std::string>{"fastdds", "cyclonedds"}));
+  for (const std::string& name : dds_names()) EXPECT_EQ(name_of(dds_from_name(name).value()), name);
+  EXPECT_FALSE(dds_from_name("opendds"));
+}
+
+TEST(NetworkConfig, WhatCycloneCannotDoIsSaid) {
+  NetworkConfig network;
+  network.discovery_servers = {"10.0.0.1:11811"};
+  network.keys = "keys/marvin";
+  EXPECT_TRUE(problems_of(network).empty());
+
+  network.dds = DdsVendor::kCycloneDds;
+
+  EXPECT_EQ(problems_of(network).size(), 2U);
+}
+
 }  // namespace
 }  // namespace skein::blackboard

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "job_runner.hpp"
-#include "skein/blackboard/fastdds_transport.hpp"
+#include "skein/blackboard/dds_transport.hpp"
 #include "skein/node/mission_clock.hpp"
 #include "skein/node/waker.hpp"
 
@@ -41,8 +41,8 @@ class Daemon {
       : roster_(roster),
         self_(self),
         config_(config),
-        transport_(
-            {config.domain, self.name, config.network, config.on_middleware_log, roster.names()}),
+        transport_(blackboard::make_dds_transport(
+            {config.domain, self.name, config.network, config.on_middleware_log, roster.names()})),
         leader_(config.rate),
         jobs_([this] { waker_.notify(); }),
         awaited_(config.awaited.begin(), config.awaited.end()) {
@@ -50,7 +50,7 @@ class Daemon {
   }
 
   Result<DaemonEnd, Failure> run(std::unique_ptr<Node> node) {
-    transport_.on_arrival([this] { waker_.notify(); });
+    transport_->on_arrival([this] { waker_.notify(); });
     HostConfig host_config;
     host_config.incarnation = incarnation_of_now();
     host_config.heartbeat_period = kHeartbeatPeriod;
@@ -59,7 +59,7 @@ class Daemon {
     host_config.memory = config_.memory;
     host_config.leads_clock = config_.leads_clock;
     host_config.forgets = config_.forgets;
-    auto host = Host::open(roster_, self_, std::move(node), transport_, host_config, ports());
+    auto host = Host::open(roster_, self_, std::move(node), *transport_, host_config, ports());
     if (!host) return tl::unexpected(host.error());
     host_ = std::move(*host);
     if (config_.companion != nullptr) config_.companion->attach([this] { waker_.notify(); });
@@ -171,7 +171,7 @@ class Daemon {
     wire::DirectoryEntry entry;
     entry.name = self_.name;
     entry.role = self_.role;
-    entry.vendor = "fastdds";
+    entry.vendor = blackboard::name_of(config_.network.dds);
     entry.ready = introduced_as_ready_ = host_->all_peers_heard();
     entry.process = static_cast<std::uint32_t>(getpid());
     host_->publish(entry, now());
@@ -234,7 +234,7 @@ class Daemon {
   const Member self_;
   const DaemonConfig& config_;
   Waker waker_;  // first: it blocks the signals before the middleware makes its threads
-  blackboard::FastDdsTransport transport_;
+  std::unique_ptr<blackboard::Transport> transport_;
   MissionClock follower_;
   ClockLeader leader_;
   JobRunner jobs_;

@@ -311,6 +311,11 @@ void Host::take(blackboard::Incoming incoming, Now now) {
                                       .with("from", roster_.name_of(one.from)));
                    remember(skipped(wire::Slot::kTaskRequest, one.from, one.incarnation, one.last),
                             now);
+                 },
+                 [&](blackboard::TransportRefused& one) {
+                   ports_.journal(record("transport", now)
+                                      .with("channel", one.channel.partition)
+                                      .with("why", one.why));
                  }},
       incoming);
 }

@@ -463,7 +463,7 @@ TEST_F(Hosts, AChannelThatCannotBeOpenedIsAFailure) {
       return failure("no such interface");
     }
     bool write(std::size_t, const wire::Sample&) override { return false; }
-    void set_up(std::size_t, bool) override {}
+    Result<void, Failure> set_up(std::size_t, bool) override { return {}; }
     std::vector<blackboard::Arrival> take() override { return {}; }
     void on_arrival(std::function<void()>) override {}
   } transport;

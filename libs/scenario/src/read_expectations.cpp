@@ -34,13 +34,16 @@ journal::Value value_of(const Reader& reader) {
 
 Pattern read_pattern(const Reader& reader, const Names& names) {
   static const std::vector<std::string> kKinds{
-      "task",     "request",   "command", "sync",       "message",     "link",           "reach",
-      "resumed",  "telemetry", "object",  "perception", "alarm",       "step",           "phase",
-      "operator", "degree",    "fault",   "process",    "dropped",     "expired",        "lost",
-      "unsent",   "mission",   "contact", "notice",     "goal",        "plan",           "planned",
-      "decision", "answer",    "held",    "functional", "asked",       "hand",           "joint",
-      "role",     "role-task", "place",   "scm",        "negotiation", "team-task",      "air",
-      "meeting",  "bid",       "sale",    "owner",      "token",       "global-mission", "lost-uav",
+      "task",        "request",   "command",    "sync",           "message",
+      "link",        "reach",     "resumed",    "telemetry",      "object",
+      "perception",  "alarm",     "step",       "phase",          "operator",
+      "degree",      "fault",     "process",    "dropped",        "expired",
+      "lost",        "transport", "unsent",     "mission",        "contact",
+      "notice",      "goal",      "plan",       "planned",        "decision",
+      "answer",      "held",      "functional", "asked",          "hand",
+      "joint",       "role",      "role-task",  "place",          "scm",
+      "negotiation", "team-task", "air",        "meeting",        "bid",
+      "sale",        "owner",     "token",      "global-mission", "lost-uav",
       "frontier"};
   Pattern pattern;
   for (const auto& [key, field] : entries_of(reader)) {

@@ -39,6 +39,8 @@ bool in_team(const Scenario& scenario, const std::string& uav);
 void read_world(const config::Reader& reader, Diagnostics& diagnostics, WorldSpec& world);
 void read_uavs(const config::Reader& reader, const std::string& folder, Diagnostics& diagnostics,
                std::vector<UavSpec>& uavs);
+/// Whose DDS the nodes use: one word for all, or one for each node that is named.
+void read_dds(const config::Reader& reader, const Names& names, Scenario& scenario);
 void read_radio(const config::Reader& reader, const Names& names, RadioSpec& radio);
 void read_faults(const config::Reader& reader, const Names& names, FaultSpec& faults);
 /// Absent: the scenario says nothing of planning.

@@ -93,7 +93,7 @@ void read_all(const Reader& reader, const std::string& folder, Diagnostics& diag
               Scenario& scenario) {
   if (!reader.present()) reader.error("nothing", "a scenario");
   if (!reader.keys({"scenario", "epoch", "duration_limit", "rate", "seed", "world", "uavs", "radio",
-                    "ground", "planning", "interaction", "team", "separation", "faults",
+                    "ground", "planning", "interaction", "team", "separation", "faults", "dds",
                     "variations", "expect"})) {
     return;
   }
@@ -105,6 +105,7 @@ void read_all(const Reader& reader, const std::string& folder, Diagnostics& diag
   read_world(reader.required("world"), diagnostics, scenario.world);
   read_uavs(reader.required("uavs"), folder, diagnostics, scenario.uavs);
   const Names names = names_of(scenario);
+  read_dds(reader.optional("dds"), names, scenario);
   read_radio(reader.optional("radio"), names, scenario.radio);
   scenario.planning = read_planning(reader.optional("planning"), folder, names);
   scenario.interaction = read_interaction(reader.optional("interaction"), folder, diagnostics);
@@ -133,6 +134,11 @@ std::map<std::string, std::string> Scenario::functional_layers() const {
     if (!uav.functional.empty()) layers.emplace(uav.name, uav.functional);
   }
   return layers;
+}
+
+const std::string& Scenario::dds_of(const std::string& node) const {
+  const auto found = dds_by_node.find(node);
+  return found == dds_by_node.end() ? dds : found->second;
 }
 
 const UavSpec* Scenario::find_uav(const std::string& wanted) const {

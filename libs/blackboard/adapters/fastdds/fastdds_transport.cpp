@@ -14,21 +14,22 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <map>
 #include <mutex>
 #include <optional>
-#include <set>
 
+#include "adapters/rtps/kept_samples.hpp"
+#include "adapters/rtps/mailbox.hpp"
+#include "adapters/rtps/participant_number.hpp"
+#include "adapters/rtps/ports.hpp"
 #include "middleware_log.hpp"
-#include "named_lock.hpp"
-#include "ports.hpp"
 #include "qos.hpp"
 #include "sample_type.hpp"
 #include "security.hpp"
 #include "skein/foundation/contract.hpp"
-#include "skein/foundation/joined.hpp"
 
 namespace skein::blackboard {
 namespace {
@@ -39,33 +40,6 @@ using fastdds::Cargo;
 
 /// How long the end of a node may be held up by those who have not yet got its last words.
 constexpr std::chrono::milliseconds kLastWords{2000};
-
-/// What listeners of any thread leave and the owner takes.
-class Mailbox {
- public:
-  void put(Arrival arrival) {
-    const std::lock_guard lock(mutex_);
-    arrivals_.push_back(std::move(arrival));
-  }
-  void notify() {
-    const std::lock_guard lock(notify_mutex_);
-    if (notify_) notify_();
-  }
-  std::vector<Arrival> take() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(arrivals_, {});
-  }
-  void on_arrival(std::function<void()> notify) {
-    const std::lock_guard lock(notify_mutex_);
-    notify_ = std::move(notify);
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<Arrival> arrivals_;
-  std::mutex notify_mutex_;  // apart: a notified thread may take at once
-  std::function<void()> notify_;
-};
 
 /// Where writers are, as they say when they are found.
 class Partitions final : public dds::DomainParticipantListener {
@@ -91,8 +65,8 @@ class Partitions final : public dds::DomainParticipantListener {
 class Listener final : public dds::DataReaderListener {
  public:
   /// `identities`: of a secured domain, else null. All references outlive it.
-  Listener(Mailbox& mailbox, std::size_t channel, NodeNumber self,
-           const fastdds::Identities* identities, const FastDdsConfig& config,
+  Listener(rtps::Mailbox& mailbox, std::size_t channel, NodeNumber self,
+           const fastdds::Identities* identities, const DdsConfig& config,
            const Partitions& partitions)
       : mailbox_(mailbox),
         channel_(channel),
@@ -143,7 +117,7 @@ class Listener final : public dds::DataReaderListener {
     return sample != nullptr && wire::header_of(*sample).origin == self_;
   }
 
-  Mailbox& mailbox_;
+  rtps::Mailbox& mailbox_;
   std::size_t channel_;
   std::uint32_t self_;
   const fastdds::Identities* identities_;
@@ -171,47 +145,55 @@ dds::DomainParticipantFactory& factory() {
 
 class FastDdsTransport::Impl {
  public:
-  explicit Impl(FastDdsConfig config) : config_(std::move(config)), log_(config_.log) {}
+  explicit Impl(DdsConfig config) : config_(std::move(config)), log_(config_.log) {}
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
   ~Impl();
 
   Result<void, Failure> open(const TransportPlan& plan);
   bool write(std::size_t channel, const wire::Sample& sample);
-  void set_up(std::size_t channel, bool up);
-  Mailbox& mailbox() { return mailbox_; }
+  Result<void, Failure> set_up(std::size_t channel, bool up);
+  rtps::Mailbox& mailbox() { return mailbox_; }
 
  private:
+  /// While it is cut a channel has no endpoints. They are not moved to another partition: others
+  /// (Cyclone DDS) do not follow a writer or reader that moves.
   struct Channel {
     ChannelConfig config;
+    std::vector<wire::Slot> writes, reads;
+    bool up = true;
     dds::Publisher* publisher = nullptr;  // both owned by the participant
     dds::Subscriber* subscriber = nullptr;
+    std::unique_ptr<Listener> listener;
     std::array<dds::DataWriter*, wire::kSlotCount> writers{};
+    rtps::KeptSamples kept;
   };
 
   /// On the world channel no session makes good what a writer takes with it: waits, within bounds,
   /// until everybody has got it.
   void flush_world();
-  Result<void, Failure> check_network() const;
   bool checks_writers() const { return identities_.has_value() && !config_.names.empty(); }
   Result<void, Failure> join();
-  /// The smallest number whose ports nobody has; nothing if all are taken.
-  std::optional<std::uint32_t> claim_participant_number();
   Result<void, Failure> open_channel(std::size_t index, const TransportPlan& plan);
+  /// What of its endpoints is missing. What could not be made leaves the others.
+  Result<void, Failure> make_endpoints(Channel& channel);
+  bool make_writers(Channel& channel);
+  bool make_readers(Channel& channel);
+  Result<void, Failure> delete_endpoints(Channel& channel);
+  bool write(const Channel& channel, const wire::Sample& sample);
   bool add_writer(Channel& channel, wire::Slot slot);
-  bool add_reader(Channel& channel, wire::Slot slot, Listener& listener);
+  bool add_reader(Channel& channel, wire::Slot slot);
   dds::Topic* topic(wire::Slot slot);
 
-  FastDdsConfig config_;
+  DdsConfig config_;
   fastdds::MiddlewareLog log_;
-  std::optional<fastdds::NamedLock> number_;
+  std::optional<rtps::ParticipantNumber> number_;
   std::optional<fastdds::Identities> identities_;  ///< in a secured domain
-  Mailbox mailbox_;
+  rtps::Mailbox mailbox_;
   Partitions partitions_;
   dds::DomainParticipant* participant_ = nullptr;
   std::map<wire::Slot, dds::Topic*> topics_;
   std::vector<Channel> channels_;
-  std::vector<std::unique_ptr<Listener>> listeners_;
 };
 
 FastDdsTransport::Impl::~Impl() {
@@ -234,25 +216,12 @@ void FastDdsTransport::Impl::flush_world() {
   }
 }
 
-Result<void, Failure> FastDdsTransport::Impl::check_network() const {
-  std::vector<std::string> problems = problems_of(config_.network);
-  // Fast DDS would take an address that nobody has and then be deaf.
-  const std::set<std::string> own = fastdds::own_addresses();
-  for (const std::string& address : config_.network.interfaces) {
-    if (!own.contains(address)) {
-      problems.push_back("no interface that is up has address " + address);
-    }
-  }
-  if (problems.empty()) return {};
-  return failure(joined(problems, "; "));
-}
-
 Result<void, Failure> FastDdsTransport::Impl::join() {
   const std::string domain = std::to_string(config_.domain);
   const std::string& keys = config_.network.keys;
-  const auto number = claim_participant_number();
-  if (!number) return failure("too many DDS participants in domain " + domain);
-  dds::DomainParticipantQos qos = fastdds::participant_qos(config_, *number);
+  number_ = rtps::ParticipantNumber::claim(config_.domain);
+  if (!number_) return failure("too many DDS participants in domain " + domain);
+  dds::DomainParticipantQos qos = fastdds::participant_qos(config_, number_->value());
   if (!keys.empty()) {
     auto security = fastdds::security_properties(keys);
     if (!security) return tl::unexpected(security.error());
@@ -271,25 +240,13 @@ Result<void, Failure> FastDdsTransport::Impl::join() {
 
 Result<void, Failure> FastDdsTransport::Impl::open(const TransportPlan& plan) {
   SKEIN_EXPECTS(participant_ == nullptr);
-  if (auto checked = check_network(); !checked) return checked;
+  if (auto checked = rtps::check(config_.network); !checked) return checked;
   if (auto joined = join(); !joined) return joined;
   channels_.resize(plan.channels.size());
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (auto opened = open_channel(i, plan); !opened) return opened;
   }
   return {};
-}
-
-std::optional<std::uint32_t> FastDdsTransport::Impl::claim_participant_number() {
-  for (std::uint32_t number = 0; number < fastdds::kParticipants; ++number) {
-    number_ = fastdds::NamedLock::take("skein-dds-participant-" + std::to_string(config_.domain) +
-                                       "-" + std::to_string(number));
-    if (!number_) continue;
-    const auto ports = fastdds::bound_udp_ports();
-    const unsigned first = fastdds::first_port(config_.domain, number);
-    if (!ports.contains(first) && !ports.contains(first + 1)) return number;
-  }
-  return std::nullopt;
 }
 
 Result<void, Failure> FastDdsTransport::Impl::open_channel(std::size_t index,
@@ -299,32 +256,56 @@ Result<void, Failure> FastDdsTransport::Impl::open_channel(std::size_t index,
   const bool world = channel.config.kind == ChannelKind::kWorld;
   std::vector<wire::Slot> slots = channel.config.slots;
   if (!world) slots.push_back(wire::Slot::kHeartbeat);
+  if (world || channel.config.from == plan.self) channel.writes = slots;
+  if (world || channel.config.from != plan.self) channel.reads = world ? plan.world_reads : slots;
+  channel.listener = std::make_unique<Listener>(
+      mailbox_, index, plan.self, checks_writers() ? &*identities_ : nullptr, config_, partitions_);
+  return make_endpoints(channel);
+}
+
+Result<void, Failure> FastDdsTransport::Impl::make_endpoints(Channel& channel) {
+  if (make_writers(channel) && make_readers(channel)) return {};
+  return failure(
+      "Fast DDS refuses the endpoints of channel " + channel.config.partition +
+      (identities_ ? ": the permissions in " + config_.network.keys + " do not allow them" : ""));
+}
+
+bool FastDdsTransport::Impl::make_writers(Channel& channel) {
+  if (channel.writes.empty() || channel.publisher != nullptr) return true;
+  dds::PublisherQos qos;
+  qos.partition().push_back(channel.config.partition.c_str());
+  channel.publisher = participant_->create_publisher(qos, nullptr, dds::StatusMask::none());
+  return channel.publisher != nullptr && std::ranges::all_of(channel.writes, [&](wire::Slot slot) {
+           return add_writer(channel, slot);
+         });
+}
+
+bool FastDdsTransport::Impl::make_readers(Channel& channel) {
+  if (channel.reads.empty() || channel.subscriber != nullptr) return true;
+  dds::SubscriberQos qos;
+  qos.partition().push_back(channel.config.partition.c_str());
+  channel.subscriber = participant_->create_subscriber(qos, nullptr, dds::StatusMask::none());
+  return channel.subscriber != nullptr && std::ranges::all_of(channel.reads, [&](wire::Slot slot) {
+           return add_reader(channel, slot);
+         });
+}
+
+Result<void, Failure> FastDdsTransport::Impl::delete_endpoints(Channel& channel) {
+  constexpr auto kOk = ReturnCode_t::RETCODE_OK;
   bool good = true;
-  if (world || channel.config.from == plan.self) {
-    dds::PublisherQos qos;
-    qos.partition().push_back(channel.config.partition.c_str());
-    channel.publisher = participant_->create_publisher(qos, nullptr, dds::StatusMask::none());
-    good = channel.publisher != nullptr;
-    for (const wire::Slot slot : slots) good = good && add_writer(channel, slot);
+  channel.writers.fill(nullptr);
+  if (channel.publisher != nullptr) {
+    good = channel.publisher->delete_contained_entities() == kOk &&
+           participant_->delete_publisher(channel.publisher) == kOk;
+    channel.publisher = nullptr;
   }
-  if (world || channel.config.from != plan.self) {
-    dds::SubscriberQos qos;
-    qos.partition().push_back(channel.config.partition.c_str());
-    channel.subscriber = participant_->create_subscriber(qos, nullptr, dds::StatusMask::none());
-    good = good && channel.subscriber != nullptr;
-    listeners_.push_back(std::make_unique<Listener>(mailbox_, index, plan.self,
-                                                    checks_writers() ? &*identities_ : nullptr,
-                                                    config_, partitions_));
-    for (const wire::Slot slot : world ? plan.world_reads : slots) {
-      good = good && add_reader(channel, slot, *listeners_.back());
-    }
+  if (channel.subscriber != nullptr) {
+    good = channel.subscriber->delete_contained_entities() == kOk &&
+           participant_->delete_subscriber(channel.subscriber) == kOk && good;
+    channel.subscriber = nullptr;
   }
-  if (!good) {
-    return failure(
-        "DDS refuses the endpoints of channel " + channel.config.partition +
-        (identities_ ? ": the permissions in " + config_.network.keys + " do not allow them" : ""));
-  }
-  return {};
+  if (good) return {};
+  return failure("Fast DDS does not delete the endpoints of channel " + channel.config.partition);
 }
 
 dds::Topic* FastDdsTransport::Impl::topic(wire::Slot slot) {
@@ -347,37 +328,53 @@ bool FastDdsTransport::Impl::add_writer(Channel& channel, wire::Slot slot) {
   return writer != nullptr;
 }
 
-bool FastDdsTransport::Impl::add_reader(Channel& channel, wire::Slot slot, Listener& listener) {
+bool FastDdsTransport::Impl::add_reader(Channel& channel, wire::Slot slot) {
   dds::Topic* const on = topic(slot);
   if (on == nullptr) return false;
   return channel.subscriber->create_datareader(on, fastdds::reader_qos(slot, channel.config.kind),
-                                               &listener,
+                                               channel.listener.get(),
                                                dds::StatusMask::data_available()) != nullptr;
 }
 
-bool FastDdsTransport::Impl::write(std::size_t channel, const wire::Sample& sample) {
-  auto* const writer =
-      channels_.at(channel).writers[static_cast<std::size_t>(wire::slot_of(sample))];
-  SKEIN_EXPECTS(writer != nullptr);
+bool FastDdsTransport::Impl::write(std::size_t index, const wire::Sample& sample) {
+  Channel& channel = channels_.at(index);
+  if (channel.config.kind != ChannelKind::kWorld) {  // which is never cut
+    channel.kept.keep(sample, rtps::KeptSamples::Clock::now());
+  }
+  return !channel.up || write(channel, sample);
+}
+
+bool FastDdsTransport::Impl::write(const Channel& channel, const wire::Sample& sample) {
+  auto* const writer = channel.writers[static_cast<std::size_t>(wire::slot_of(sample))];
+  if (writer == nullptr) return false;  // could not be made
   Cargo cargo;
   cargo.outgoing = &sample;
   return writer->write(&cargo);
 }
 
-void FastDdsTransport::Impl::set_up(std::size_t channel, bool up) {
-  const Channel& it = channels_.at(channel);
-  const std::string& partition = it.config.partition;
-  // The two sides of a cut channel are in different partitions, each alone.
-  const auto put = [&](auto qos, auto* entity, const std::string& side) {
-    qos.partition().clear();
-    qos.partition().push_back((up ? partition : "cut/" + side + "/" + partition).c_str());
-    entity->set_qos(qos);
-  };
-  if (it.publisher != nullptr) put(it.publisher->get_qos(), it.publisher, "out");
-  if (it.subscriber != nullptr) put(it.subscriber->get_qos(), it.subscriber, "in");
+Result<void, Failure> FastDdsTransport::Impl::set_up(std::size_t index, bool up) {
+  Channel& channel = channels_.at(index);
+  if (!up) {
+    channel.up = false;
+    return delete_endpoints(channel);
+  }
+  if (auto made = make_endpoints(channel); !made) {
+    (void)delete_endpoints(channel);  // whole or not at all
+    return made;
+  }
+  if (channel.up) return {};
+  std::size_t refused = 0;
+  channel.kept.for_each(rtps::KeptSamples::Clock::now(), [&](const wire::Sample& sample) {
+    refused += write(channel, sample) ? 0 : 1;
+  });
+  channel.up = refused == 0;
+  if (channel.up) return {};
+  (void)delete_endpoints(channel);
+  return failure("Fast DDS does not take " + std::to_string(refused) + " samples of channel " +
+                 channel.config.partition);
 }
 
-FastDdsTransport::FastDdsTransport(FastDdsConfig config)
+FastDdsTransport::FastDdsTransport(DdsConfig config)
     : impl_(std::make_unique<Impl>(std::move(config))) {}
 
 FastDdsTransport::~FastDdsTransport() = default;
@@ -390,7 +387,9 @@ bool FastDdsTransport::write(std::size_t channel, const wire::Sample& sample) {
   return impl_->write(channel, sample);
 }
 
-void FastDdsTransport::set_up(std::size_t channel, bool up) { impl_->set_up(channel, up); }
+Result<void, Failure> FastDdsTransport::set_up(std::size_t channel, bool up) {
+  return impl_->set_up(channel, up);
+}
 
 std::vector<Arrival> FastDdsTransport::take() { return impl_->mailbox().take(); }
 

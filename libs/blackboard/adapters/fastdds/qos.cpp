@@ -8,20 +8,18 @@
 #include <algorithm>
 #include <array>
 
-#include "ports.hpp"
+#include "adapters/rtps/kept_samples.hpp"
+#include "adapters/rtps/ports.hpp"
 
 namespace skein::blackboard::fastdds {
 namespace {
 
 namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
+namespace fastrtps = eprosima::fastrtps::rtps;
 using eprosima::fastrtps::Duration_t;
 
 constexpr std::uint32_t kSocketBuffer = 2 * 1024 * 1024;
 constexpr const char* kMulticastAddress = "239.255.0.1";  // of RTPS discovery
-constexpr const char* kLoopback = "127.0.0.1";
-/// Participants of a peer's machine, and of this one on other addresses than the loopback's.
-constexpr std::uint32_t kTriedOfPeer = 8;
 /// Of the discovery server with id 0; the third byte is the id. Source: Fast DDS 2.9, 4.1.5.
 constexpr std::array<std::uint8_t, 12> kServer{0x44, 0x53, 0x00, 0x5f, 0x45, 0x50,
                                                0x52, 0x4f, 0x53, 0x49, 0x4d, 0x41};
@@ -49,64 +47,49 @@ void set_class(Qos& qos, wire::Slot slot, ChannelKind kind) {
   qos.resource_limits().max_instances = 0;
   qos.resource_limits().max_samples_per_instance = 0;
   qos.resource_limits().allocated_samples = 1;
-  qos.endpoint().history_memory_policy = rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
+  qos.endpoint().history_memory_policy = fastrtps::DYNAMIC_REUSABLE_MEMORY_MODE;
   qos.data_sharing().off();
 }
 
-rtps::Locator_t udp(const std::string& address, unsigned port) {
-  rtps::Locator_t locator(LOCATOR_KIND_UDPv4, port);
-  rtps::IPLocator::setIPv4(locator, address);
+fastrtps::Locator_t udp(const std::string& address, unsigned port) {
+  fastrtps::Locator_t locator(LOCATOR_KIND_UDPv4, port);
+  fastrtps::IPLocator::setIPv4(locator, address);
   return locator;
 }
 
 /// Ports of our own choice: Fast DDS would number participants up for ever within a process, and
 /// discovery by unicast needs small numbers.
-void set_locators(dds::WireProtocolConfigQos& protocol, const FastDdsConfig& config,
+void set_locators(dds::WireProtocolConfigQos& protocol, const DdsConfig& config,
                   std::uint32_t number) {
-  rtps::BuiltinAttributes& builtin = protocol.builtin;
-  const unsigned own = first_port(config.domain, number);
+  fastrtps::BuiltinAttributes& builtin = protocol.builtin;
+  const unsigned own = rtps::first_port(config.domain, number);
   for (const std::string& address : config.network.interfaces) {
     builtin.metatrafficUnicastLocatorList.push_back(udp(address, own));
     protocol.default_unicast_locator_list.push_back(udp(address, own + 1));
   }
   if (!config.network.discovery_servers.empty()) return;
   if (config.network.multicast) {
-    const rtps::Locator_t everybody = udp(kMulticastAddress, first_port(config.domain));
+    const fastrtps::Locator_t everybody = udp(kMulticastAddress, rtps::first_port(config.domain));
     builtin.metatrafficMulticastLocatorList.push_back(everybody);
     builtin.initialPeersList.push_back(everybody);
   }
-  const auto look_at = [&](const std::string& address, std::uint32_t participants) {
-    for (std::uint32_t one = 0; one < participants; ++one) {
-      builtin.initialPeersList.push_back(udp(address, first_port(config.domain, one)));
-    }
-  };
-  for (const std::string& text : config.network.peers) {
-    const auto peer = parse_address(text);
-    if (!peer) continue;  // refused before
-    if (peer->port == 0) {
-      look_at(peer->address, kTriedOfPeer);
-    } else {
-      builtin.initialPeersList.push_back(udp(peer->address, peer->port));
-    }
-  }
-  // On this machine; at least there, since of an empty list Fast DDS would make multicast.
-  for (const std::string& address : config.network.interfaces) {
-    if (address == kLoopback) look_at(address, kParticipants);
-    if (address != kLoopback && !config.network.multicast) look_at(address, kTriedOfPeer);
+  // At least one, since of an empty list Fast DDS would make multicast.
+  for (const NetworkAddress& place : rtps::places_to_look(config.network, config.domain)) {
+    builtin.initialPeersList.push_back(udp(place.address, place.port));
   }
 }
 
 /// Everybody is found through these alone.
-void set_servers(rtps::BuiltinAttributes& builtin, const std::vector<std::string>& servers) {
+void set_servers(fastrtps::BuiltinAttributes& builtin, const std::vector<std::string>& servers) {
   if (servers.empty()) return;
   auto& discovery = builtin.discovery_config;
-  discovery.discoveryProtocol = rtps::DiscoveryProtocol_t::CLIENT;
+  discovery.discoveryProtocol = fastrtps::DiscoveryProtocol_t::CLIENT;
   for (std::size_t id = 0; id < servers.size(); ++id) {
     const auto address = parse_address(servers[id]);
     if (!address) continue;  // refused before
-    rtps::RemoteServerAttributes server;
+    fastrtps::RemoteServerAttributes server;
     std::copy(kServer.begin(), kServer.end(), std::begin(server.guidPrefix.value));
-    server.guidPrefix.value[2] = static_cast<rtps::octet>(id);
+    server.guidPrefix.value[2] = static_cast<fastrtps::octet>(id);
     server.metatrafficUnicastLocatorList.push_back(udp(address->address, address->port));
     discovery.m_DiscoveryServers.push_back(server);
   }
@@ -114,7 +97,7 @@ void set_servers(rtps::BuiltinAttributes& builtin, const std::vector<std::string
 
 }  // namespace
 
-dds::DomainParticipantQos participant_qos(const FastDdsConfig& config, std::uint32_t number) {
+dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t number) {
   dds::DomainParticipantQos qos;
   qos.name(config.participant_name);
   auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
@@ -144,7 +127,7 @@ dds::DataWriterQos writer_qos(wire::Slot slot, ChannelKind kind) {
   times.nackResponseDelay = milliseconds(1);
   // On the writer's side only: a reader would compare the clocks of two machines.
   if (wire::slot_class(slot) == wire::SlotClass::kEvent && kind != ChannelKind::kWorld) {
-    qos.lifespan().duration = milliseconds(10'000);
+    qos.lifespan().duration = {static_cast<std::int32_t>(rtps::kEventLifespan.count()), 0};
   }
   return qos;
 }

@@ -14,7 +14,7 @@ namespace skein::blackboard::fastdds {
 /// UDP over the configured interfaces only; discovery as configured and, on this machine, also by
 /// unicast, since a loopback interface need not have multicast. `number` is that of the participant
 /// among those of its domain on this machine, below kParticipants.
-eprosima::fastdds::dds::DomainParticipantQos participant_qos(const FastDdsConfig& config,
+eprosima::fastdds::dds::DomainParticipantQos participant_qos(const DdsConfig& config,
                                                              std::uint32_t number);
 
 /// Source: spec 1.3 (table of classes); notes on limits and periods in the README.

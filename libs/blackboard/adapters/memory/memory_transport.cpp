@@ -167,17 +167,18 @@ void MemoryTransport::replay(const MemoryHub::End& writer, const MemoryHub::End&
   }
 }
 
-void MemoryTransport::set_up(std::size_t channel, bool up) {
+Result<void, Failure> MemoryTransport::set_up(std::size_t channel, bool up) {
   Channel& mine = channels_.at(channel);
-  if (mine.up == up) return;
+  if (mine.up == up) return {};
   mine.up = up;
-  if (!up) return;
+  if (!up) return {};
   if (mine.writes) {
     for (const MemoryHub::End& reader : mine.partition->readers)
       if (reader.node != this) replay({this, channel}, reader);
   }
-  if (!mine.reads) return;
+  if (!mine.reads) return {};
   for (const MemoryHub::End& writer : writers_for(channel)) replay(writer, {this, channel});
+  return {};
 }
 
 std::vector<Arrival> MemoryTransport::take() { return std::exchange(mailbox_, {}); }

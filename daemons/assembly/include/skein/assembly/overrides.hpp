@@ -15,6 +15,9 @@ struct Overrides {
   std::optional<double> rate;  ///< > 0
   std::optional<std::uint64_t> seed;
   std::vector<std::string> degrees;  ///< "2" for all UAVs, "marvin=1" for one; later ones win
+  /// Whose DDS: "cyclonedds" for all nodes, "marvin=cyclonedds" for one; later ones win. Each
+  /// daemon is told its own, so it is not among as_options().
+  std::vector<std::string> dds = {};
   /// The same as options of another program's command line.
   std::vector<std::string> as_options() const;
 };

@@ -94,7 +94,15 @@ struct EventsLost {
   std::uint64_t incarnation = 0;  ///< of the sender
 };
 
-using Incoming = std::variant<Received, Reachability, Dropped, EventExpired, EventsLost>;
+/// The transport refuses something: to connect or disconnect the channel, which is asked for again
+/// each heartbeat period, or a sample. Reported once until it is granted.
+struct TransportRefused {
+  ChannelConfig channel;
+  std::string why;
+};
+
+using Incoming =
+    std::variant<Received, Reachability, Dropped, EventExpired, EventsLost, TransportRefused>;
 
 /// Sends and receives by the delivery classes of spec 1.3, over any Transport. Time is given; the
 /// same calls give the same results. Laws:
@@ -107,7 +115,7 @@ using Incoming = std::variant<Received, Reachability, Dropped, EventExpired, Eve
 ///   acknowledged (an event handled just before a crash may therefore be handled again by the next
 ///   incarnation, which knows nothing of it);
 /// - stream: at most once, newest only;
-/// - malformed content is reported and goes no further.
+/// - malformed content is reported and goes no further; so is what the transport refuses.
 /// On the world channel there are no acknowledgements: events there rely on the transport.
 /// Thread rule: one thread. Source: spec 1.3.
 class Blackboard {

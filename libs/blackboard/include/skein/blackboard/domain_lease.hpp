@@ -9,7 +9,7 @@
 
 namespace skein::blackboard {
 
-namespace fastdds {
+namespace rtps {
 class NamedLock;
 }
 
@@ -25,10 +25,10 @@ class DomainLease {
 
  private:
   friend Result<DomainLease, Failure> claim_domain(std::uint32_t first, std::uint32_t last);
-  DomainLease(std::uint32_t domain, std::unique_ptr<fastdds::NamedLock> lock);
+  DomainLease(std::uint32_t domain, std::unique_ptr<rtps::NamedLock> lock);
 
   std::uint32_t domain_;
-  std::unique_ptr<fastdds::NamedLock> lock_;
+  std::unique_ptr<rtps::NamedLock> lock_;
 };
 
 /// The first domain in [first, last] that no lease holds and on whose discovery port nobody

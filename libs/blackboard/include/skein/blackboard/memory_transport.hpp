@@ -59,7 +59,7 @@ class MemoryTransport final : public Transport {
 
   Result<void, Failure> open(const TransportPlan& plan) override;
   bool write(std::size_t channel, const wire::Sample& sample) override;
-  void set_up(std::size_t channel, bool up) override;
+  Result<void, Failure> set_up(std::size_t channel, bool up) override;
   std::vector<Arrival> take() override;
   void on_arrival(std::function<void()> notify) override { notify_ = std::move(notify); }
 

@@ -2,6 +2,8 @@
 // How a node finds and reaches the others over the network.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,7 +12,16 @@
 
 namespace skein::blackboard {
 
+/// Which DDS carries the samples. Nodes of both work together in one system.
+enum class DdsVendor : std::uint8_t { kFastDds, kCycloneDds };
+/// "fastdds", "cyclonedds".
+std::string_view name_of(DdsVendor vendor);
+std::optional<DdsVendor> dds_from_name(std::string_view name);
+/// All names, in the order of the enumeration.
+std::vector<std::string> dds_names();
+
 struct NetworkConfig {
+  DdsVendor dds = DdsVendor::kFastDds;
   /// Addresses of the interfaces to use, IPv4; the default stays on this machine.
   std::vector<std::string> interfaces = {"127.0.0.1"};
   /// Whether others are looked for by multicast, and heard so. Those on this machine are looked for
@@ -21,9 +32,10 @@ struct NetworkConfig {
   /// other.
   std::vector<std::string> peers;
   /// Discovery servers, "10.0.0.1:11811", in the order of their ids (0, 1, …). If there is one,
-  /// others are found through it alone: neither multicast nor peers count.
+  /// others are found through it alone: neither multicast nor peers count. Fast DDS only.
   std::vector<std::string> discovery_servers;
-  /// Folder with the keys of this node (scripts/make-keys); empty: anybody may take part.
+  /// Folder with the keys of this node (scripts/make-keys); empty: anybody may take part. Fast
+  /// DDS only.
   std::string keys;
 };
 
@@ -35,7 +47,8 @@ struct NetworkAddress {
 /// "10.0.0.2" or "10.0.0.2:9160".
 Result<NetworkAddress, Failure> parse_address(std::string_view text);
 
-/// Every address of the configuration that is none, one sentence each.
+/// Every address of the configuration that is none, and what the DDS that is chosen cannot do, one
+/// sentence each.
 std::vector<std::string> problems_of(const NetworkConfig& network);
 
 }  // namespace skein::blackboard

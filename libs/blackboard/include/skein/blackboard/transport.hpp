@@ -44,7 +44,8 @@ inline constexpr std::size_t kEventDepth = 256;
 /// - state: the last value of each (writer, slot, instance) reaches every reader connected to the
 ///   writer, however late it connects; a value may come again;
 /// - event: reaches the connected readers in order per slot; after a reconnection old ones may come
-///   again, and what left the history of the writer does not come at all;
+///   again, and what left the history of the writer (by number, or by age: ten seconds) does not
+///   come at all;
 /// - stream: reaches a connected reader or not.
 /// Writer and reader of a channel are connected while both sides have it up.
 /// Thread rule: all calls from one thread; the arrival callback comes from any.
@@ -60,8 +61,10 @@ class Transport {
   /// Hands a sample, whose header is complete, to a channel that starts at this node; false if it
   /// was not taken.
   virtual bool write(std::size_t channel, const wire::Sample& sample) = 0;
-  /// Connects or disconnects this node's side of a channel.
-  virtual void set_up(std::size_t channel, bool up) = 0;
+  /// Connects or disconnects this node's side of a channel. The failure says what the middleware
+  /// refuses: asked to connect, the channel then stays disconnected, and may be asked again; asked
+  /// to disconnect, it may still be connected.
+  virtual Result<void, Failure> set_up(std::size_t channel, bool up) = 0;
   /// What has arrived since the last call, in order of arrival.
   virtual std::vector<Arrival> take() = 0;
   /// Called soon after something arrived; it must not call back into the transport and not block.

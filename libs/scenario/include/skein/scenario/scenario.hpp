@@ -2,6 +2,7 @@
 // A scenario: everything that one run is made of, read from a file.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -170,6 +171,9 @@ struct Variations {
   std::optional<Range> start_delay;
 };
 
+/// The vendors of DDS that daemons can use; the first is the default.
+inline constexpr std::array<const char*, 2> kDdsNames{"fastdds", "cyclonedds"};
+
 /// Source: spec 8.1. The format by example: docs/scenario-format.md.
 struct Scenario {
   std::string name;
@@ -177,6 +181,9 @@ struct Scenario {
   std::string epoch;  ///< ISO 8601, UTC: mission time zero
   MissionTime duration_limit;
   double rate = 1;  ///< mission seconds per second
+  /// Whose DDS daemons use, one of kDdsNames: all, and what is said of single nodes.
+  std::string dds{kDdsNames.front()};
+  std::map<std::string, std::string> dds_by_node;
   std::uint64_t seed = 1;
   WorldSpec world;
   std::vector<UavSpec> uavs;  ///< in the order written
@@ -194,6 +201,8 @@ struct Scenario {
   std::vector<std::string> uav_names() const;
   /// By UAV, of those that have a functional layer of their own.
   std::map<std::string, std::string> functional_layers() const;
+  /// Whose DDS the daemon of this node uses.
+  const std::string& dds_of(const std::string& node) const;
   const UavSpec* find_uav(const std::string& name) const;
 };
 

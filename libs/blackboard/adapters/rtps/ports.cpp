@@ -12,7 +12,9 @@
 #include <sstream>
 #include <string>
 
-namespace skein::blackboard::fastdds {
+#include "skein/foundation/joined.hpp"
+
+namespace skein::blackboard::rtps {
 
 std::set<unsigned> bound_udp_ports() {
   std::set<unsigned> ports;
@@ -50,4 +52,39 @@ std::set<std::string> own_addresses() {
   return addresses;
 }
 
-}  // namespace skein::blackboard::fastdds
+Result<void, Failure> check(const NetworkConfig& network) {
+  std::vector<std::string> problems = problems_of(network);
+  const std::set<std::string> own = own_addresses();
+  for (const std::string& address : network.interfaces) {
+    if (own.contains(address)) continue;
+    problems.push_back("no interface that is up has address " + address);
+  }
+  if (problems.empty()) return {};
+  return failure(joined(problems, "; "));
+}
+
+std::vector<NetworkAddress> places_to_look(const NetworkConfig& network, std::uint32_t domain) {
+  std::vector<NetworkAddress> places;
+  const auto look_at = [&](const std::string& address, std::uint32_t participants) {
+    for (std::uint32_t one = 0; one < participants; ++one) {
+      places.push_back({address, first_port(domain, one)});
+    }
+  };
+  for (const std::string& text : network.peers) {
+    const auto peer = parse_address(text);
+    if (!peer) continue;  // refused before
+    if (peer->port == 0) {
+      look_at(peer->address, kTriedOfPeer);
+    } else {
+      places.push_back(*peer);
+    }
+  }
+  // On this machine a loopback interface need not have multicast.
+  for (const std::string& address : network.interfaces) {
+    if (address == kLoopback) look_at(address, kParticipants);
+    if (address != kLoopback && !network.multicast) look_at(address, kTriedOfPeer);
+  }
+  return places;
+}
+
+}  // namespace skein::blackboard::rtps

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-namespace skein::blackboard::fastdds {
+namespace skein::blackboard::rtps {
 
 /// Holds the name until destroyed, or until the process ends however it ends; leaves no file. It is
 /// the name of an abstract Unix socket, so each network namespace has its own.
@@ -23,4 +23,4 @@ class NamedLock {
   int socket_;
 };
 
-}  // namespace skein::blackboard::fastdds
+}  // namespace skein::blackboard::rtps

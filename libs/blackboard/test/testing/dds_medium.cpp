@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fast DDS on the loopback interface, in a domain of its own.
+// DDS on the loopback interface, in a domain of its own. SKEIN_MEDIUM says who is on which.
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
 
+#include "skein/blackboard/dds_transport.hpp"
 #include "skein/blackboard/domain_lease.hpp"
-#include "skein/blackboard/fastdds_transport.hpp"
 #include "testing/system.hpp"
 
 namespace skein::blackboard::testing {
 namespace {
 
-class FastDdsMedium final : public Medium {
+DdsVendor vendor_of(const std::string& node) {
+  const std::string_view medium = SKEIN_MEDIUM;
+  if (const auto all = dds_from_name(medium)) return *all;
+  const bool ground = node == kGround.name;
+  const bool cyclone = medium == "ground_on_cyclonedds" ? ground : !ground;
+  return cyclone ? DdsVendor::kCycloneDds : DdsVendor::kFastDds;
+}
+
+class DdsMedium final : public Medium {
  public:
   std::unique_ptr<Transport> transport(const std::string& node) override {
-    FastDdsConfig config;
+    DdsConfig config;
     config.domain = lease_.value().domain();
     config.participant_name = node;
-    auto made = std::make_unique<FastDdsTransport>(std::move(config));
+    config.network.dds = vendor_of(node);
+    auto made = make_dds_transport(std::move(config));
     made->on_arrival([this] {
       const std::lock_guard lock(mutex_);
       arrived_ = true;
@@ -46,6 +55,6 @@ class FastDdsMedium final : public Medium {
 
 }  // namespace
 
-std::unique_ptr<Medium> make_medium() { return std::make_unique<FastDdsMedium>(); }
+std::unique_ptr<Medium> make_medium() { return std::make_unique<DdsMedium>(); }
 
 }  // namespace skein::blackboard::testing

@@ -12,7 +12,7 @@
 
 #include "skein/foundation/contract.hpp"
 
-namespace skein::blackboard::fastdds {
+namespace skein::blackboard::rtps {
 
 std::optional<NamedLock> NamedLock::take(const std::string& name) {
   sockaddr_un address{};
@@ -40,4 +40,4 @@ NamedLock::~NamedLock() {
   if (socket_ >= 0) close(socket_);
 }
 
-}  // namespace skein::blackboard::fastdds
+}  // namespace skein::blackboard::rtps

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The configuration of a Cyclone DDS domain. Source: Cyclone DDS 0.10, guide to configuration.
+#include "settings.hpp"
+
+#include "adapters/rtps/ports.hpp"
+
+namespace skein::blackboard::cyclonedds {
+namespace {
+
+std::string element(const std::string& name, const std::string& content) {
+  return "<" + name + ">" + content + "</" + name + ">";
+}
+
+std::string interfaces(const NetworkConfig& network) {
+  std::string all;
+  for (const std::string& address : network.interfaces) {
+    all += "<NetworkInterface address=\"" + address + "\"/>";
+  }
+  return element("Interfaces", all);
+}
+
+std::string peers(const DdsConfig& config) {
+  std::string all;
+  for (const NetworkAddress& place : rtps::places_to_look(config.network, config.domain)) {
+    all += "<Peer address=\"" + place.address + ":" + std::to_string(place.port) + "\"/>";
+  }
+  return element("Peers", all);
+}
+
+}  // namespace
+
+std::string settings(const DdsConfig& config, std::uint32_t number) {
+  const std::string general =
+      interfaces(config.network) +
+      element("AllowMulticast", config.network.multicast ? "spdp" : "false");
+  // A domain within a process is created once; its number on the network is another thing.
+  const std::string discovery = element("ExternalDomainId", std::to_string(config.domain)) +
+                                element("ParticipantIndex", std::to_string(number)) +
+                                element("SPDPInterval", "1s") + element("LeaseDuration", "5s") +
+                                peers(config);
+  // A writer that is deleted is cut off: it must not stay to say what it had left to say. And one
+  // must not wait for readers that are slow: its history is bounded, and sessions do the rest.
+  const std::string internal =
+      "<SocketReceiveBufferSize min=\"default\" max=\"2MB\"/>"
+      "<HeartbeatInterval max=\"100ms\">100ms</HeartbeatInterval>" +
+      element("NackDelay", "10ms") + element("WriterLingerDuration", "0s") +
+      element("Watermarks", element("WhcHigh", "1GB") + element("WhcLow", "1kB") +
+                                element("WhcAdaptive", "false"));
+  return element("CycloneDDS", "<Domain Id=\"any\">" + element("General", general) +
+                                   element("Discovery", discovery) + element("Internal", internal) +
+                                   "</Domain>");
+}
+
+}  // namespace skein::blackboard::cyclonedds
