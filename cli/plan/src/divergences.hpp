@@ -7,8 +7,8 @@
 
 #include "library.hpp"
 #include "skein/foundation/diagnostics.hpp"
-#include "skein/htn/given_plan.hpp"
-#include "skein/htn/repair.hpp"
+#include "skein/htn_tools/given_plan.hpp"
+#include "skein/htn_tools/repair.hpp"
 
 namespace skein::plan_tool {
 

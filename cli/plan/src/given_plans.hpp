@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "library.hpp"
-#include "skein/htn/given_plan.hpp"
+#include "skein/htn_tools/given_plan.hpp"
 
 namespace skein::plan_tool {
 

@@ -15,9 +15,9 @@
 #include "report.hpp"
 #include "show_diagnostics.hpp"
 #include "skein/foundation/exit_code.hpp"
-#include "skein/htn/plan_graph.hpp"
-#include "skein/htn/plan_json.hpp"
-#include "skein/htn/search_text.hpp"
+#include "skein/htn_tools/plan_graph.hpp"
+#include "skein/htn_tools/plan_json.hpp"
+#include "skein/htn_tools/search_text.hpp"
 #include "skein/supervisor/plan_reader.hpp"
 #include "validate.hpp"
 

@@ -8,7 +8,7 @@
 #include "given_plans.hpp"
 #include "show_diagnostics.hpp"
 #include "skein/foundation/exit_code.hpp"
-#include "skein/htn/repair_text.hpp"
+#include "skein/htn_tools/repair_text.hpp"
 
 namespace skein::plan_tool {
 

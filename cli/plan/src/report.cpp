@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdio>
 
-#include "skein/htn/plan_text.hpp"
-#include "skein/htn/search_text.hpp"
+#include "skein/htn_tools/plan_text.hpp"
+#include "skein/htn_tools/search_text.hpp"
 
 namespace skein::plan_tool {
 

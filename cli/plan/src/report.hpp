@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "skein/htn/plan_json.hpp"
 #include "skein/htn/planner.hpp"
-#include "skein/htn/text_style.hpp"
+#include "skein/htn_tools/plan_json.hpp"
+#include "skein/htn_tools/text_style.hpp"
 
 namespace skein::plan_tool {
 

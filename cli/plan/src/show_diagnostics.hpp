@@ -7,7 +7,7 @@
 
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/htn/definitions.hpp"
-#include "skein/htn/text_style.hpp"
+#include "skein/htn_tools/text_style.hpp"
 
 namespace skein::plan_tool {
 

@@ -8,9 +8,9 @@
 #include "given_plans.hpp"
 #include "show_diagnostics.hpp"
 #include "skein/foundation/exit_code.hpp"
-#include "skein/htn/text_style.hpp"
-#include "skein/htn/tree_finder.hpp"
-#include "skein/htn/validator.hpp"
+#include "skein/htn_tools/text_style.hpp"
+#include "skein/htn_tools/tree_finder.hpp"
+#include "skein/htn_tools/validator.hpp"
 
 namespace skein::plan_tool {
 

@@ -91,6 +91,10 @@ struct ProblemDefinition {
   Expression tasks;    ///< a task, a list of tasks, or (:unordered …), (:ordered …)
 };
 
+/// Whether an expression among the facts of a problem is one: a list that begins with a name. What
+/// is stray there is left out, with a warning.
+bool is_fact(Expression expression);
+
 /// A definition in a language that is not read here: PDDL or HDDL.
 struct ForeignDefinition {
   std::string language;  ///< "PDDL", "HDDL"

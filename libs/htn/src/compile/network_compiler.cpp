@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compile/network_compiler.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "language/read_context.hpp"
+
+namespace skein::htn {
+
+namespace {
+
+constexpr std::string_view kNothing = "!!inop";
+constexpr std::size_t kDeepestNetwork = 500;
+
+std::string_view head_name(const TermStore& store, Expression list) {
+  const Expression head = first(list);
+  if (!head || (*head).list) return {};
+  const Term atom = (*head).atom;
+  return atom.is(TermKind::kSymbol) ? store.name(atom) : std::string_view{};
+}
+
+bool mentions_call(const TermStore& store, Expression expression) {
+  std::vector<Expression> open{expression};
+  while (!open.empty()) {
+    const Expression at = open.back();
+    open.pop_back();
+    if (head_name(store, at) == "call") return true;
+    for (Expression part = first(at); part; part = next(part)) {
+      if ((*part).list) open.push_back(part);
+    }
+  }
+  return false;
+}
+
+/// Reads the text of a network into body nodes.
+class NetworkCompiler {
+ public:
+  NetworkCompiler(ConditionCompiler& compiler, CompiledDomain& domain, ClauseScope& scope)
+      : compiler_(compiler), domain_(domain), scope_(scope) {}
+
+  std::vector<BodyNode> body;
+
+  // Parents come before their children and children in order, without recursion: a network still
+  // to be read is put where its parent says.
+  void read(Expression tasks) {
+    std::vector<std::pair<Expression, std::uint32_t>> open{{tasks, kAbsent}};
+    while (!open.empty()) {
+      const auto [at, parent] = open.back();
+      open.pop_back();
+      const std::string_view name = head_name(domain_.store, at);
+      if (name == ":ordered" || name == ":unordered" || (head_is_list(at))) {
+        const std::uint32_t self = add_group(name == ":unordered", parent);
+        std::vector<Expression> inner = parts(at);
+        if (!name.empty()) inner.erase(inner.begin());
+        if (inner.empty()) add_nothing(self);
+        for (auto part = inner.rbegin(); part != inner.rend(); ++part)
+          open.push_back({*part, self});
+      } else if (name.empty() && !first(at)) {
+        add_nothing(parent);
+      } else {
+        add_task(at, name, parent);
+      }
+    }
+  }
+
+ private:
+  bool head_is_list(Expression at) const {
+    const Expression head = first(at);
+    return head && (*head).list;
+  }
+  std::uint32_t add_group(bool unordered, std::uint32_t parent) {
+    BodyNode node;
+    node.kind = unordered ? NetworkKind::kUnordered : NetworkKind::kOrdered;
+    node.parent = parent;
+    body.push_back(node);
+    return static_cast<std::uint32_t>(body.size() - 1);
+  }
+  void add_nothing(std::uint32_t parent) {
+    BodyNode node;
+    node.parent = parent;
+    const std::array<Term, 1> task{domain_.store.symbol(kNothing)};
+    node.task = domain_.store.list(task);
+    body.push_back(node);
+  }
+  // (name argument…), (:task [:immediate] name …), (:immediate name …)
+  void add_task(Expression at, std::string_view name, std::uint32_t parent) {
+    BodyNode node;
+    node.parent = parent;
+    std::size_t skip = 0;
+    const std::vector<Expression> all = parts(at);
+    if (name == ":task") ++skip;
+    const bool marked = all.size() > skip && !(*all[skip]).list &&
+                        (*all[skip]).atom == domain_.store.symbol(":immediate");
+    if (marked) ++skip;
+    node.immediate = marked;
+    if (mentions_call(domain_.store, at)) {
+      node.code = domain_.lisp.compile_template(at, scope_.slot_of(), compiler_errors());
+    }
+    const Term whole = compiler_.pattern(at, scope_);
+    node.task = whole;
+    for (; skip > 0; --skip) node.task = domain_.store.cdr(node.task);
+    node.skipped = static_cast<std::uint8_t>(name == ":task") + static_cast<std::uint8_t>(marked);
+    body.push_back(node);
+  }
+  Diagnostics& compiler_errors() { return compiler_.errors(); }
+
+  ConditionCompiler& compiler_;
+  CompiledDomain& domain_;
+  ClauseScope& scope_;
+};
+
+std::size_t deepest(const std::vector<BodyNode>& body) {
+  std::vector<std::size_t> depth(body.size(), 1);
+  std::size_t most = 0;
+  for (std::size_t node = 0; node < body.size(); ++node) {
+    if (body[node].parent != kAbsent) depth[node] = depth[body[node].parent] + 1;
+    most = std::max(most, depth[node]);
+  }
+  return most;
+}
+
+bool immediate_already(const std::vector<BodyNode>& body,
+                       const std::vector<std::vector<std::uint32_t>>& children,
+                       std::uint32_t node) {
+  if (body[node].kind == NetworkKind::kTask) return body[node].immediate;
+  if (body[node].kind == NetworkKind::kOrdered) {
+    return !children[node].empty() && immediate_already(body, children, children[node].front());
+  }
+  for (const std::uint32_t child : children[node]) {
+    if (immediate_already(body, children, child)) return true;
+  }
+  return false;
+}
+
+void force(const std::vector<BodyNode>& body,
+           const std::vector<std::vector<std::uint32_t>>& children, std::uint32_t node,
+           std::vector<std::uint32_t>& out) {
+  if (body[node].kind == NetworkKind::kTask) {
+    out.push_back(node);
+  } else if (body[node].kind == NetworkKind::kOrdered) {
+    if (!children[node].empty()) force(body, children, children[node].front(), out);
+  } else {
+    for (const std::uint32_t child : children[node]) force(body, children, child, out);
+  }
+}
+
+}  // namespace
+
+std::vector<Forcing> forcings(const std::vector<BodyNode>& body) {
+  std::vector<std::vector<std::uint32_t>> children(body.size());
+  Forcing given;
+  for (std::uint32_t node = 0; node < body.size(); ++node) {
+    if (body[node].parent != kAbsent) children[body[node].parent].push_back(node);
+    if (body[node].immediate) given.push_back(node);
+  }
+  if (immediate_already(body, children, 0)) return {given};
+  std::vector<std::uint32_t> firsts;
+  force(body, children, 0, firsts);
+  std::vector<Forcing> out;
+  for (const std::uint32_t node : firsts) {
+    out.push_back(given);
+    out.back().push_back(node);
+  }
+  return out;
+}
+
+void compile_network(Expression tasks, ConditionCompiler& compiler, CompiledDomain& domain,
+                     ClauseScope& scope, Branch& branch) {
+  // SHOP1's '(…) and `(…) mean the list itself.
+  const std::string_view name = head_name(domain.store, tasks);
+  if (name == "quote" || name == "backquote") tasks = parts(tasks).back();
+  NetworkCompiler network(compiler, domain, scope);
+  network.read(tasks);  // absent tasks are none
+  branch.body = std::move(network.body);
+  if (deepest(branch.body) > kDeepestNetwork) {
+    compiler.error(tasks, "the task network is nested too deeply", "at most 500 levels");
+    return;
+  }
+  for (std::uint32_t node = 0; node < branch.body.size(); ++node) {
+    if (branch.body[node].kind == NetworkKind::kTask) branch.leaves.push_back(node);
+  }
+  branch.forcings = forcings(branch.body);
+}
+
+}  // namespace skein::htn

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is well formed yet can hardly be meant: looks at a domain as a whole, and at its problems.
+#pragma once
+
+#include <cstddef>
+
+#include "language/read_context.hpp"
+
+namespace skein::htn {
+
+/// Warns about the domains from `domains` on and the problems from `problems` on, and about older
+/// ones as far as the new ones say more about them: tasks that nothing can do, numbers of arguments
+/// that never match, predicates that nothing provides, unknown domains, static predicates that an
+/// operator changes.
+void review(const ReadContext& context, std::size_t domains, std::size_t problems);
+
+}  // namespace skein::htn
