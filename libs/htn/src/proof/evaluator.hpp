@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Values of Lisp terms under the present bindings.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "compile/compiled_domain.hpp"
+#include "proof/answers.hpp"
+#include "proof/budget.hpp"
+
+namespace skein::htn {
+
+/// "file:line:column" of an expression.
+std::string place_text(Expression where);
+
+/// What cannot be evaluated ends the search, with its place.
+class Evaluator {
+ public:
+  Evaluator(CompiledDomain& domain, Bindings& bindings, Budget& budget)
+      : domain_(domain), store_(domain.store), bindings_(bindings), budget_(budget) {}
+
+  std::optional<Term> value_of(CodeIndex code, Base base);
+  /// A variable takes the value; anything else must be `equalp` to it.
+  bool bind(Term pattern, Base base, Term value);
+  /// :sort-by, stable as in SBCL: rows by the value of an expression under each of them.
+  bool sort(const Condition& condition, Base base, Answers& answers);
+
+ private:
+  bool before(const Condition& condition, Term left, Term right);
+
+  CompiledDomain& domain_;
+  TermStore& store_;
+  Bindings& bindings_;
+  Budget& budget_;
+};
+
+}  // namespace skein::htn
