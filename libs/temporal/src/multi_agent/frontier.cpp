@@ -68,7 +68,8 @@ std::optional<std::string> fault_of(const Frontier& frontier) {
   for (const Meeting& meeting : frontier.meetings)
     if (!seen.insert(meeting.id).second)
       return "meeting " + std::to_string(meeting.id) + " is there twice";
-  const std::uint32_t nodes = Frontier::arrival_of(frontier.meetings.size());
+  const std::uint32_t kept = Frontier::arrival_of(frontier.meetings.size());
+  const std::size_t nodes = kept + kMostInnerNodes;
   for (std::size_t i = 0; i < frontier.arcs.size(); ++i) {
     const FrontierArc& arc = frontier.arcs[i];
     const std::string which = "arc " + std::to_string(i);
@@ -76,9 +77,23 @@ std::optional<std::string> fault_of(const Frontier& frontier) {
     if (arc.from == arc.to) return which + " leads from a node to itself";
     if (is_beyond(arc.soonest) || is_beyond(arc.slowest) || is_beyond(arc.latest))
       return which + " is beyond " + std::to_string(kFarthest) + " ns";
-    if (arc.soonest == kInfinite || arc.latest == kInfinite) return which + " asks for for ever";
+    const bool is_date = arc.from < 2;
+    if ((arc.soonest == kInfinite && !is_date) || arc.latest == kInfinite)
+      return which + " asks for for ever";
+  }
+  for (const FrontierBasis& basis : frontier.bases) {
+    if (basis.node < 2 || basis.node >= kept) return "a basis of what is at no meeting";
+    if (basis.ends.size() > kMostMeetings) return "a basis of too much";
   }
   return std::nullopt;
+}
+
+Frontier eliminated(const Frontier& whole) {
+  const std::uint32_t kept = Frontier::arrival_of(whole.meetings.size());
+  std::size_t nodes = kept;
+  for (const FrontierArc& arc : whole.arcs)
+    nodes = std::max<std::size_t>({nodes, arc.from + std::size_t{1}, arc.to + std::size_t{1}});
+  return {whole.meetings, eliminate(nodes, kept, whole.arcs), {}};
 }
 
 std::vector<FrontierArc> eliminate(std::size_t nodes, std::size_t kept,

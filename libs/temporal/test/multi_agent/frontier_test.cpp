@@ -91,10 +91,12 @@ TEST(AFrontier, IsRefusedForWhatMakesNone) {
   const Meeting meeting{501, {"a", "b"}, {"a", "b"}};
   EXPECT_EQ(fault_of({{meeting}, {link(0, 2, 1, 2, 2), link(2, 3, 1, kInfinite)}}), std::nullopt);
   EXPECT_THAT(*fault_of({{meeting, meeting}, {}}), HasSubstr("meeting 501 is there twice"));
-  EXPECT_THAT(*fault_of({{meeting}, {link(0, 4, 1, 2)}}), HasSubstr("arc 0 names a node"));
+  EXPECT_THAT(*fault_of({{meeting}, {link(0, 4 + kMostInnerNodes, 1, 2)}}),
+              HasSubstr("arc 0 names a node"));
   EXPECT_THAT(*fault_of({{meeting}, {link(2, 2, 1, 2)}}), HasSubstr("to itself"));
   EXPECT_THAT(*fault_of({{meeting}, {link(0, 2, kFarthest + 1, 2)}}), HasSubstr("beyond"));
-  EXPECT_THAT(*fault_of({{meeting}, {link(0, 2, kInfinite, 2)}}), HasSubstr("for ever"));
+  EXPECT_THAT(*fault_of({{meeting}, {link(2, 3, kInfinite, 2)}}), HasSubstr("for ever"));
+  EXPECT_THAT(*fault_of({{meeting}, {}, {{4, {}}}}), HasSubstr("at no meeting"));
 }
 
 }  // namespace

@@ -235,6 +235,7 @@ std::map<MeetingId, OracleDates> RandomTeam::dates_of(const std::string& agent) 
     if (!all) continue;
     const auto own = place_of(plans_.at(agent).meetings, meeting.id);
     const Ticks until = own ? latest.from_arrival(agent, *own) : kMinusInfinite;
+    dates.contradicted = until == kNever;
     if (until != kMinusInfinite && until != kNever) dates.needed = instant(-until);
     result[meeting.id] = dates;
   }

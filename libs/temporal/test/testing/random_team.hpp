@@ -15,6 +15,7 @@ namespace skein::temporal::testing {
 struct OracleDates {
   MissionTime soonest, slowest;
   std::optional<MissionTime> needed;
+  bool contradicted = false;  ///< what the others bound leads to a circle that asks for ever more
 };
 
 /// Two to four agents whose plans are chains of tasks with meetings between them, some with bounds
@@ -28,6 +29,11 @@ class RandomTeam {
   void deliver();
   std::vector<std::string> agents() const;
   MissionTime now() const { return now_; }
+  /// What is left of its network, and all of it.
+  Frontier plan_of(const std::string& agent) const { return frontier_of(plans_.at(agent)); }
+  Frontier network_of(const std::string& agent) const {
+    return {plans_.at(agent).meetings, plans_.at(agent).links};
+  }
   const TeamDates& heard_by(const std::string& agent) const { return heard_.at(agent); }
   /// By Floyd and Warshall. Nothing of meetings that another sender does not plan.
   std::map<MeetingId, OracleDates> dates_of(const std::string& agent) const;

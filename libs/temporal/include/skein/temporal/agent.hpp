@@ -11,15 +11,12 @@
 
 #include "skein/foundation/result.hpp"
 #include "skein/foundation/time.hpp"
+#include "skein/temporal/algorithm.hpp"
 #include "skein/temporal/message.hpp"
 #include "skein/temporal/network.hpp"
 #include "skein/temporal/seen_ids.hpp"
 
 namespace skein::temporal {
-
-/// What an agent knows and sends: table of spec 5.3. Source: M 3.
-enum class Algorithm : std::uint8_t { kCip, kDipG, kDipL, kDipM };
-std::string to_text(Algorithm algorithm);
 
 enum class AgentError : std::uint8_t {
   kUnknownAgent,  ///< no such agent, or the receiver itself

@@ -24,6 +24,7 @@ struct Meeting {
 };
 
 inline constexpr std::size_t kMostMeetings = 256;
+inline constexpr std::uint32_t kMostInnerNodes = 4096;
 /// 52 days: sums of such figures stay within the engines' range.
 inline constexpr Ticks kFarthest = Ticks{1} << 52;
 
@@ -36,9 +37,26 @@ struct FrontierArc {
   bool operator==(const FrontierArc&) const = default;
 };
 
+/// The end of a meeting at one of those who receive there.
+struct EndOf {
+  std::string agent;
+  MeetingId meeting = 0;
+  auto operator<=>(const EndOf&) const = default;
+};
+
+/// What others said in the dates of a node. Of an arrival: the ends on which it rests; of an end:
+/// whose bounds it has to be kept to for, in their order.
+struct FrontierBasis {
+  std::uint32_t node = 0;
+  std::vector<EndOf> ends;
+  bool operator==(const FrontierBasis&) const = default;
+};
+
 /// An agent's network without its inner nodes: its macro-network (DIP-M) over the origin, the
 /// present, which is the same instant for all agents, and for each of its meetings its arrival and
-/// its end. It says nothing that follows from what others said. Source: M 4.3; spec 5.3.
+/// its end. It says nothing that follows from what others said, unless it has `bases`: then it is
+/// the dates that the agent has found (DIP-L). Nodes behind those of the meetings are inner ones
+/// that were not eliminated (DIP-G, CIP). Source: M 4.3; spec 5.3.
 struct Frontier {
   static constexpr std::uint32_t kOrigin = 0, kPresent = 1;
   static constexpr std::uint32_t arrival_of(std::size_t meeting) {
@@ -48,12 +66,13 @@ struct Frontier {
 
   std::vector<Meeting> meetings;  ///< their ids differ
   std::vector<FrontierArc> arcs;
+  std::vector<FrontierBasis> bases = {};
   bool operator==(const Frontier&) const = default;
 };
 
 /// What makes no frontier, in words: a meeting given twice, more than kMostMeetings, an arc between
 /// nodes that are not there or from a node to itself, a figure beyond ±kFarthest that is not
-/// infinite.
+/// infinite, what `bases` says of no node of a meeting.
 std::optional<std::string> fault_of(const Frontier& frontier);
 
 /// A link of a network that a frontier is to be made of: to - from >= each.
@@ -65,5 +84,8 @@ using FrontierLink = FrontierArc;
 /// O(kept · nodes · links) at worst, kept · links where links follow the order of time.
 std::vector<FrontierArc> eliminate(std::size_t nodes, std::size_t kept,
                                    const std::vector<FrontierLink>& links);
+
+/// A frontier with inner nodes without them.
+Frontier eliminated(const Frontier& whole);
 
 }  // namespace skein::temporal

@@ -40,7 +40,9 @@ struct PartnerDates {
 /// Laws. Once all have heard each other's last words, the dates are those of the network of the
 /// whole team: earliest arrivals in the courses of least and of greatest durations, latest ones in
 /// that of the greatest, without what the agent's own plan bounds from above. Nothing follows from
-/// itself: what an agent says does not contain what it heard. Thread rule: not safe to share.
+/// itself: what an agent says does not contain what it heard, or says what of it. Where all tell
+/// `bounds_for` each other until nothing changes, the earliest dates are the same; of the latest
+/// none is earlier than it should. Thread rule: not safe to share.
 /// Source: M 4.3 (DIP-M); spec 5.3.
 class TeamDates {
  public:
@@ -58,6 +60,15 @@ class TeamDates {
     if (since) unheard_since_[peer] = *since;
   }
   const std::map<std::string, Frontier>& known() const { return known_; }
+
+  /// What another one is told where agents tell dates (DIP-L) in place of what lies between them
+  /// (DIP-M): of the meetings that are its as well, when this agent comes and by when it has to,
+  /// with what all others told, and what that rests on. So nobody finds his own date in another's
+  /// after it has changed, and circles of waits are seen. Of what never comes the way on to other
+  /// meetings is told too. To be told when it changes. What others bound counts, what the receiver
+  /// bounds itself does not; of several limits of a node the tightest is told, so where that comes
+  /// back to one that it has passed no limit is. Cost: as `dates`, for each receiver.
+  Frontier bounds_for(const std::string& receiver) const;
 
   /// Of each meeting of its own, or in which others count on it, of which every other sender is
   /// known to be on its way. Cost: O(nodes · arcs) at worst of what is known; where nobody waits
