@@ -3,6 +3,7 @@
 // DDS.
 #include <gmock/gmock.h>
 
+#include <array>
 #include <fstream>
 
 #include "skein/blackboard/domain_lease.hpp"
@@ -69,14 +70,15 @@ TEST_P(CutRadio, OrdersAndReportsArriveAfterIt) {
   EXPECT_EQ(status->code, 0) << run.output();
   EXPECT_TRUE(run.nothing_runs());
 }
-INSTANTIATE_TEST_SUITE_P(
-    DdsVendors, CutRadio,
-    ::testing::Values(kAllOnCyclone, Options{"--dds", "ground=cyclonedds"},
-                      Options{"--dds", "cyclonedds", "--dds", "ground=fastdds"}),
-    [](const auto& one) {
-      constexpr std::array kNames{"AllOnCyclone", "GroundOnCyclone", "GroundOnFastDds"};
-      return kNames.at(one.index);
-    });
+std::string name_of_mix(const ::testing::TestParamInfo<Options>& mix) {
+  constexpr std::array kNames{"AllOnCyclone", "GroundOnCyclone", "GroundOnFastDds"};
+  return kNames.at(mix.index);
+}
+INSTANTIATE_TEST_SUITE_P(DdsVendors, CutRadio,
+                         ::testing::Values(kAllOnCyclone, Options{"--dds", "ground=cyclonedds"},
+                                           Options{"--dds", "cyclonedds", "--dds",
+                                                   "ground=fastdds"}),
+                         name_of_mix);
 
 // Who of two vendors is there first is discovered by announcements, who comes second by answers.
 class Discovery : public ::testing::TestWithParam<const char*> {
@@ -137,8 +139,11 @@ TEST_P(Discovery, OneThatComesLastIsFound) {
   ASSERT_TRUE(status.has_value());
   EXPECT_EQ(status->code, 0) << run.output();
 }
+std::string name_of_vendor(const ::testing::TestParamInfo<const char*>& vendor) {
+  return vendor.param;
+}
 INSTANTIATE_TEST_SUITE_P(DdsVendors, Discovery, ::testing::Values("fastdds", "cyclonedds"),
-                         [](const auto& one) { return std::string(one.param); });
+                         name_of_vendor);
 
 TEST(DdsVendors, AScenarioSaysWhoIsOnWhichAndSpyAndOperatorsMayBeOnEither) {
   DdsRun run;

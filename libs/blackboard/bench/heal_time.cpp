@@ -114,7 +114,7 @@ class Team {
     if (const auto* state = std::get_if<wire::AutonomyDegree>(&received->sample)) {
       link.state = link.state || state->degree == 3;
     } else if (const auto* event = std::get_if<wire::TaskEvent>(&received->sample)) {
-      link.events.insert(event->task);
+      link.events.insert(event->id);
     } else if (std::holds_alternative<wire::TaskRequest>(received->sample)) {
       link.order = true;
     }
@@ -137,7 +137,7 @@ void say_all(Team& team) {
     static_cast<void>(team.board(uav(i)).send(degree, kGround.number, now()));
     for (std::uint64_t event = 1; event <= kEvents; ++event) {
       wire::TaskEvent sample;
-      sample.task = event;
+      sample.id = event;
       static_cast<void>(team.board(uav(i)).send(sample, kGround.number, now()));
     }
     static_cast<void>(team.board(kGround).send(wire::TaskRequest{}, uav(i).number, now()));
