@@ -20,7 +20,7 @@ TEST(PlanFrontier, ComesBackAsItWent) {
 
 TEST(PlanFrontier, ThatIsNoneIsRefusedWithTheReason) {
   wire::PlanFrontier sample;
-  sample.arcs.push_back({0, 7, 1, 1, 1});
+  sample.arcs.push_back({0, 7000, 1, 1, 1});
 
   const auto read = from_wire(sample);
 

@@ -130,9 +130,10 @@ class Bounds {
 }  // namespace
 
 Frontier TeamDates::bounds_for(const std::string& receiver) const {
-  const auto own = known_.find(self_);
-  if (own == known_.end() || own->second.meetings.empty()) return {};
-  TeamGraph graph(known_, unheard_since_, self_);
+  const auto known = without_inner_nodes(known_);
+  const auto own = known.find(self_);
+  if (own == known.end() || own->second.meetings.empty()) return {};
+  TeamGraph graph(known, unheard_since_, self_);
   return Bounds(graph, self_, own->second, receiver).all();
 }
 

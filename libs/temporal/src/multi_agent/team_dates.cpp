@@ -44,7 +44,8 @@ std::map<std::string, Frontier> with_invitations(std::map<std::string, Frontier>
 
 std::map<MeetingId, PartnerDates> TeamDates::dates(MissionTime now) const {
   std::map<MeetingId, PartnerDates> result;
-  const std::map<std::string, Frontier> known = with_invitations(known_, self_);
+  const std::map<std::string, Frontier> known =
+      with_invitations(without_inner_nodes(known_), self_);
   const auto own = known.find(self_);
   if (own->second.meetings.empty()) return result;
   const auto mine = known_.find(self_);

@@ -39,6 +39,17 @@ bool is_fact(const Frontier& frontier, std::uint32_t node) {
   return soonest == latest && soonest != kInfinite;
 }
 
+std::map<std::string, Frontier> without_inner_nodes(std::map<std::string, Frontier> known) {
+  for (auto& [agent, frontier] : known) {
+    const std::uint32_t kept = Frontier::arrival_of(frontier.meetings.size());
+    const bool whole =
+        std::any_of(frontier.arcs.begin(), frontier.arcs.end(),
+                    [&](const FrontierArc& arc) { return arc.from >= kept || arc.to >= kept; });
+    if (whole) frontier = eliminated(frontier);
+  }
+  return known;
+}
+
 TeamGraph::TeamGraph(const Known& known, const std::map<std::string, MissionTime>& unheard_since,
                      const std::string& self)
     : known_(known), self_(self) {
@@ -253,7 +264,7 @@ std::vector<bool> TeamGraph::revise(const std::string& without, std::vector<Limi
 std::vector<std::string> TeamGraph::passed(const std::vector<Limit>& limits,
                                            std::uint32_t node) const {
   std::vector<std::string> agents;
-  while (node >= 2) {
+  for (std::uint32_t step = 0; node >= 2 && step < nodes_; ++step) {
     const Arc& one = arcs_[limits[node].arc];
     if (one.agent != nullptr && !is_in(agents, *one.agent)) agents.push_back(*one.agent);
     if (one.past != nullptr)

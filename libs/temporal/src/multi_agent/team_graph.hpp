@@ -21,8 +21,11 @@ bool is_fact(const Frontier& frontier, std::uint32_t node);
 /// Who waits for himself comes later with every round.
 Ticks sum(Ticks a, Ticks b);
 
+/// Whole networks become frontiers, whoever told them.
+std::map<std::string, Frontier> without_inner_nodes(std::map<std::string, Frontier> known);
+
 /// All frontiers in one graph, in which who receives waits for who sends. Lifetime: refers to
-/// `known`.
+/// `known`. Precondition: no inner nodes.
 class TeamGraph {
  public:
   using Known = std::map<std::string, Frontier>;

@@ -248,16 +248,23 @@ TEST(TeamDates, OfFrontiersWithoutSenseAreSomeDates) {
         if (random.below(4) == 0) return kMinusInfinite;
         return static_cast<Ticks>(random.below(2 * std::uint64_t{kFarthest})) - kFarthest;
       };
-      const std::uint32_t nodes = Frontier::arrival_of(meetings);
+      const auto inner = static_cast<std::uint32_t>(random.below(4));
+      const std::uint32_t nodes = Frontier::arrival_of(meetings) + inner;
       for (std::size_t i = 0; i < 3 * nodes; ++i) {
         const auto from = static_cast<std::uint32_t>(random.below(nodes));
         const auto to = static_cast<std::uint32_t>(random.below(nodes));
         const Ticks slowest = random.below(5) == 0 ? kInfinite : figure();
         if (from != to) frontier.arcs.push_back({from, to, figure(), slowest, figure()});
       }
+      for (std::size_t i = 2; i < Frontier::arrival_of(meetings); ++i)
+        if (random.below(3) == 0)
+          frontier.bases.push_back(
+              {static_cast<std::uint32_t>(i), {{"a", 10 * random.below(4)}, {"c", 1}}});
       ASSERT_EQ(fault_of(frontier), std::nullopt);
       dates.hear(name, frontier);
     }
+    for (const char* name : {"b", "c", "d"})
+      EXPECT_LE(dates.bounds_for(name).meetings.size(), kMostMeetings);
 
     for (const auto& [meeting, found] : dates.dates(at(100)))
       EXPECT_TRUE(found.last.empty() || found.last == "a" || found.last == "b") << meeting;
