@@ -2,6 +2,7 @@
 // The radio between all pairs of nodes.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,8 @@
 
 namespace skein::sim {
 
-/// Both directions of a pair are always alike. Geometry is looked at once per radio period,
-/// scripted cuts at the first update after they begin or end.
+/// Both directions of a pair are alike but for what is scripted of one of them. Geometry is looked
+/// at once per radio period, what is scripted at the first update after it begins or ends.
 class RadioNetwork {
  public:
   /// `nodes`: their names, in the order of the positions given to update.
@@ -26,14 +27,17 @@ class RadioNetwork {
  private:
   struct Pair {
     std::size_t a, b;
-    bool in_contact = true;  ///< by geometry, without the cuts
-    world::RadioLink link = {};
+    bool in_contact = true;                      ///< by geometry, without the cuts
+    std::array<world::RadioLink, 2> links = {};  ///< from a to b, from b to a
+    bool scripted = false;                       ///< something of it is
   };
-  bool is_cut(const Pair& pair, MissionTime now) const;
+  /// How it is from one to the other.
+  world::RadioLink link(const Pair& pair, std::size_t from, std::size_t to, MissionTime now) const;
   MissionTime next_after(MissionTime now) const;
 
   world::RadioModel model_;
   std::vector<RadioCut> cuts_;
+  std::vector<RadioScript> scripts_;
   Duration period_;
   std::vector<std::string> nodes_;
   std::vector<Pair> pairs_;

@@ -138,6 +138,45 @@ TEST(RadioNetwork, AHillBetweenTwoNodesCutsThem) {
   EXPECT_TRUE(links[2].up);
 }
 
+TEST(RadioNetwork, ACutOfOneDirectionLeavesTheOther) {
+  SimulatorConfig config = radio_config();
+  config.cuts = {{"b", "a", at(10), at(12), true}};
+  Line line(config);
+  line.put_b_at(50, 0);
+
+  const auto cut = line.put_b_at(50, 10);
+  const auto back = line.put_b_at(50, 12);
+
+  ASSERT_EQ(cut.size(), 1U);
+  EXPECT_EQ(cut[0], (LinkChange{"b", "a", false, Duration(), 1, at(10)}));
+  ASSERT_EQ(back.size(), 1U);
+  EXPECT_EQ(back[0], (LinkChange{"b", "a", true, Duration::milliseconds(20), 0.1, at(12)}));
+}
+
+TEST(RadioNetwork, AScriptedLinkIsUnlikeTheOthersWhileItIsUp) {
+  SimulatorConfig config = radio_config();
+  config.radio.capacity = 64'000;
+  config.links = {{"a", "b", true, at(0), MissionTime::max(), {}, {}, 9'600},
+                  {"a", "b", false, at(5), at(8), Duration::milliseconds(500), 0.5, {}}};
+  Line line(config);
+
+  const auto first = line.put_b_at(50, 0);
+  const auto bad = line.put_b_at(50, 5);
+  const auto gone = line.put_b_at(500, 6);
+  const auto again = line.put_b_at(50, 9);
+
+  ASSERT_EQ(first.size(), 2U);
+  EXPECT_EQ(first[0], (LinkChange{"a", "b", true, Duration::milliseconds(20), 0.1, at(0), 9'600}));
+  EXPECT_EQ(first[1], (LinkChange{"b", "a", true, Duration::milliseconds(20), 0.1, at(0), 64'000}));
+  ASSERT_EQ(bad.size(), 2U);
+  EXPECT_EQ(bad[0], (LinkChange{"a", "b", true, Duration::milliseconds(500), 0.5, at(5), 9'600}));
+  ASSERT_EQ(gone.size(), 2U);
+  EXPECT_FALSE(gone[0].up);
+  EXPECT_EQ(gone[0].capacity, 0);
+  ASSERT_EQ(again.size(), 2U);
+  EXPECT_EQ(again[1].latency, Duration::milliseconds(20)) << "the second script is over";
+}
+
 RC_GTEST_PROP(RadioNetwork, BothDirectionsAreAlwaysAlike, ()) {
   SimulatorConfig config = radio_config(300);
   config.terrain = testing::with_hill(0, 0, 60, 150);

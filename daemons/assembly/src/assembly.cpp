@@ -2,6 +2,7 @@
 #include "skein/assembly/assembly.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "skein/assembly/knowledge.hpp"
 #include "skein/ddn/ddn_node.hpp"
@@ -37,7 +38,11 @@ sim::SimulatorConfig simulator_config(const Scenario& scenario, const std::strin
   config.radio = scenario.radio.model;
   config.ground_station = scenario.ground.position;
   for (const scenario::CutSpec& cut : scenario.radio.cuts) {
-    config.cuts.push_back({cut.a, cut.b, cut.from, cut.until});
+    config.cuts.push_back({cut.a, cut.b, cut.from, cut.until, cut.one_way});
+  }
+  for (const scenario::LinkSpec& link : scenario.radio.links) {
+    config.links.push_back({link.a, link.b, link.one_way, link.from, link.until, link.latency,
+                            link.loss, link.capacity});
   }
   config.seed = scenario.seed;
   return config;
@@ -175,6 +180,25 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
   return std::make_unique<ddn::DdnNode>(config, roster_of(scenario));
 }
 
+/// Of a channel that heartbeats alone would fill there is nothing left.
+Diagnostics radio_problems(const Scenario& scenario) {
+  const double heartbeats = 8.0 * static_cast<double>(blackboard::heartbeat_bytes()) /
+                            scenario.radio.heartbeat.to_seconds();
+  Diagnostics diagnostics;
+  const auto check = [&](double capacity, const std::string& of) {
+    if (capacity <= 0 || capacity >= 2 * heartbeats) return;
+    std::ostringstream text;
+    text << "radio: heartbeats take " << heartbeats << " bit/s, more than half of the " << capacity
+         << " bit/s of " << of;
+    diagnostics.add({scenario.file, 0, 0, "", text.str(),
+                     "a greater capacity, or heartbeats that come less often", ""});
+  };
+  check(scenario.radio.model.capacity, "the radio");
+  for (const scenario::LinkSpec& link : scenario.radio.links)
+    check(link.capacity.value_or(0), "the link between " + link.a + " and " + link.b);
+  return diagnostics;
+}
+
 }  // namespace
 
 node::Roster roster_of(const Scenario& scenario) {
@@ -194,15 +218,29 @@ Diagnostics check_assembly(const Scenario& scenario) {
   for (const std::string& problem : sim::problems_of(simulator_config(scenario, kSimulator))) {
     diagnostics.add({scenario.file, 0, 0, "", problem, "", ""});
   }
+  diagnostics.append(radio_problems(scenario));
   diagnostics.append(planning_problems(scenario));
   diagnostics.append(joint_task_problems(scenario));
   return diagnostics;
+}
+
+node::RadioCapacity capacity_of(const Scenario& scenario) {
+  node::RadioCapacity capacity{scenario.radio.model.capacity};
+  for (const scenario::LinkSpec& link : scenario.radio.links) {
+    const bool always = link.from <= MissionTime() && link.until >= scenario.duration_limit;
+    if (!link.capacity || !always) continue;
+    capacity.of_links[{link.a, link.b}] = *link.capacity;
+    if (!link.one_way) capacity.of_links[{link.b, link.a}] = *link.capacity;
+  }
+  return capacity;
 }
 
 node::VirtualConfig virtual_config(const Scenario& scenario) {
   node::VirtualConfig config;
   config.seed = scenario.seed;
   config.time_limit = scenario.duration_limit;
+  config.heartbeat_period = scenario.radio.heartbeat;
+  config.capacity = capacity_of(scenario);
   for (const scenario::KillSpec& kill : scenario.faults.kills) {
     std::optional<MissionTime> restart;
     if (kill.restart_after) restart = kill.at + *kill.restart_after;

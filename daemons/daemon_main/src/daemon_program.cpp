@@ -58,6 +58,8 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
   config.network = options.network;
   config.network.keys = keys_of(options.network.keys, self.name);
   config.rate = scenario.rate;
+  config.heartbeat = scenario.radio.heartbeat;
+  config.capacity = assembly::capacity_of(scenario);
   config.seed = scenario.seed;
   config.leads_clock = self.role == wire::Role::kSim;
   config.time_limit = scenario.duration_limit;

@@ -80,6 +80,11 @@ std::size_t Blackboard::unacknowledged(NodeNumber peer) const {
   return known == nullptr ? 0 : known->outgoing().size();
 }
 
+std::uint64_t Blackboard::shed(NodeNumber peer) const {
+  const Peer* known = impl_->peer(peer);
+  return known == nullptr || known->limited() == nullptr ? 0 : known->limited()->shed();
+}
+
 MissionTime Blackboard::latest_heard() const { return impl_->latest_heard(); }
 
 std::uint64_t Blackboard::settled(NodeNumber peer) const {

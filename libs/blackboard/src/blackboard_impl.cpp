@@ -143,16 +143,49 @@ Result<std::uint64_t, Refusal> Blackboard::Impl::send(wire::Sample sample, NodeN
     stamp(header, to, sequence, now);
     header.expires = options.expires.count();
     peer.outgoing().hold(std::move(sample));
-    for (const wire::Sample* event : peer.take_due_events(now)) {
-      write(peer.channels().outgoing, *event);
-    }
+    write_due_events(peer, now);
     plan(peer);
     return sequence;
   }
   stamp(header, to, ++sequence_, now);
-  const bool state = wire::slot_class(slot) == wire::SlotClass::kState;
-  if (state || peer.outgoing_condition().up) write(peer.channels().outgoing, sample);
-  return sequence_;
+  const std::uint64_t sequence = sequence_;
+  if (!peer.outgoing_condition().up) {
+    if (wire::slot_class(slot) == wire::SlotClass::kState) write(peer.channels().outgoing, sample);
+  } else if (LimitedChannel* limited = peer.limited()) {
+    limited->put(std::move(sample));
+    write_in_turn(peer, now);
+    plan(peer);
+  } else {
+    write(peer.channels().outgoing, sample);
+  }
+  return sequence;
+}
+
+void Blackboard::Impl::write_due_events(Peer& peer, Now now) {
+  if (peer.limited() != nullptr) return write_in_turn(peer, now);
+  for (const wire::Sample* event : peer.take_due_events(now)) {
+    write(peer.channels().outgoing, *event);
+  }
+}
+
+void Blackboard::Impl::write_in_turn(Peer& peer, Now now) {
+  while (auto next = peer.take_next(now)) {
+    if (auto* heartbeat = std::get_if<wire::Heartbeat>(&*next)) {
+      stamp(heartbeat->header, peer.channels().number, ++sequence_, now);
+    }
+    write(peer.channels().outgoing, *next);
+  }
+}
+
+/// A channel that goes down takes no turns: the last states are where late comers find them, and
+/// streams are of the past.
+void Blackboard::Impl::let_go(Peer& peer) {
+  LimitedChannel* limited = peer.limited();
+  if (limited == nullptr) return;
+  for (const wire::Sample& state : limited->take_values(wire::SlotClass::kState)) {
+    write(peer.channels().outgoing, state);
+  }
+  limited->take_values(wire::SlotClass::kStream);
 }
 
 Result<std::uint64_t, Refusal> Blackboard::Impl::publish(wire::Sample sample, Now now) {
@@ -209,8 +242,14 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
   Peer& peer = found->second;
   if (outgoing) {
     const bool changes = condition.up != peer.outgoing_condition().up;
+    if (changes && !condition.up) {
+      connections_.set_up(peer.channels().outgoing, false, now.steady, out_);
+    }
+    if (!condition.up || condition.capacity <= 0) let_go(peer);
     peer.set_outgoing(condition, now);
-    if (changes) connections_.set_up(peer.channels().outgoing, condition.up, now.steady, out_);
+    if (changes && condition.up) {
+      connections_.set_up(peer.channels().outgoing, true, now.steady, out_);
+    }
     serve(peer, now);
   } else {
     const bool changes = condition.up != peer.incoming_condition().up;
@@ -239,10 +278,8 @@ std::vector<Incoming> Blackboard::Impl::step(Now now) {
 }
 
 void Blackboard::Impl::serve(Peer& peer, Now now) {
-  for (const wire::Sample* event : peer.take_due_events(now)) {
-    write(peer.channels().outgoing, *event);
-  }
-  if (peer.heartbeat_due(now.steady)) {
+  write_due_events(peer, now);
+  if (peer.limited() == nullptr && peer.heartbeat_due(now.steady)) {
     wire::Heartbeat heartbeat = peer.take_heartbeat(now.steady);
     stamp(heartbeat.header, peer.channels().number, ++sequence_, now);
     write(peer.channels().outgoing, heartbeat);
@@ -291,7 +328,9 @@ void Blackboard::Impl::arrive(Arrival arrival, Now now) {
       losses_.chance(condition.loss)) {
     return;
   }
-  delay(arrival.channel, std::move(sample), now.steady + condition.latency);
+  Duration due = now.steady + condition.latency;
+  if (condition.capacity > 0) due = due + airtime(channel_bytes(sample), condition.capacity);
+  delay(arrival.channel, std::move(sample), due);
 }
 
 void Blackboard::Impl::delay(std::size_t channel, wire::Sample sample, Duration due) {

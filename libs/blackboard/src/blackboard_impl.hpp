@@ -58,6 +58,10 @@ class Blackboard::Impl {
   void refuse_event(std::size_t channel, wire::Slot slot, const wire::SampleHeader& header,
                     Now now);
   void serve(Peer& peer, Now now);
+  void write_due_events(Peer& peer, Now now);
+  /// On a limited channel, as long as it is free.
+  void write_in_turn(Peer& peer, Now now);
+  void let_go(Peer& peer);
   /// Something of its session came: it counts as handled from the next step on.
   void hear(const Peer& peer);
   /// Of a peer, and what it is due for after; strangers are disregarded.

@@ -4,10 +4,15 @@
 
 #include <array>
 
+#include "skein/blackboard/cdr.hpp"
+
 namespace skein::blackboard {
 namespace {
 
 using wire::Slot;
+
+/// [byte]: IP and UDP 28, RTPS header 20, timestamp 12, destination 16, data 24.
+constexpr std::size_t kFrame = 100;
 
 // At degree 1 the ground station talks with the functional layer through the decision node.
 std::vector<Slot> radio_slots() {
@@ -70,6 +75,17 @@ std::vector<ChannelConfig> onboard_link(const Node& uav, const Node& simulator) 
   const std::string partition = "onboard/" + uav.name;
   return {{uav.number, simulator.number, ChannelKind::kOnboard, partition, onboard_slots()},
           {simulator.number, uav.number, ChannelKind::kOnboard, partition, onboard_slots()}};
+}
+
+std::size_t channel_bytes(const wire::Sample& sample) { return kFrame + encoded_size(sample); }
+
+std::size_t heartbeat_bytes() {
+  static const std::size_t bytes = channel_bytes(wire::Heartbeat{});
+  return bytes;
+}
+
+Duration airtime(std::size_t bytes, double capacity) {
+  return Duration::seconds(8.0 * static_cast<double>(bytes) / capacity);
 }
 
 ChannelConfig world_channel() {

@@ -22,7 +22,7 @@ void OutgoingEvents::hold(wire::Sample event) {
 
 void OutgoingEvents::recall(wire::Sample event) {
   SKEIN_EXPECTS(wire::header_of(event).sequence_number == next_);
-  held_.push_back({std::move(event), std::nullopt, false});
+  held_.push_back({std::move(event)});
   ++next_;
 }
 
@@ -40,11 +40,17 @@ void OutgoingEvents::drop_given_up() {
 
 void OutgoingEvents::acknowledge(std::uint64_t sequence) {
   if (sequence >= next_) return;
+  const std::size_t before = held_.size();
   while (!held_.empty() && oldest() <= sequence) held_.pop_front();
+  if (held_.size() == before) return;
+  for (Held& event : held_) event.writings = std::min(event.writings, 1);
 }
 
 void OutgoingEvents::resend() {
-  for (Held& event : held_) event.written.reset();
+  for (Held& event : held_) {
+    event.written.reset();
+    event.writings = 0;
+  }
 }
 
 std::vector<EventExpired> OutgoingEvents::expire(MissionTime now) {
@@ -61,16 +67,55 @@ std::vector<EventExpired> OutgoingEvents::expire(MissionTime now) {
   return expired;
 }
 
+void OutgoingEvents::write(Held& event, Duration at) {
+  event.written = at;
+  ++event.writings;
+}
+
+std::optional<Duration> OutgoingEvents::again_at(std::size_t index, Duration round_trip) const {
+  if (index >= kAgainAtOnce) return std::nullopt;
+  const Held& event = held_[index];
+  const Duration first = retransmission_ + round_trip;
+  const int times = event.writings > 3 ? kMostBackOff : 1 << std::max(0, event.writings - 1);
+  return *event.written + Duration::nanoseconds(first.count() * times);
+}
+
+bool OutgoingEvents::is_due(std::size_t index, Now now, Duration round_trip) const {
+  const Held& event = held_[index];
+  if (event.written) {
+    const auto again = again_at(index, round_trip);
+    if (!again || *again > now.steady) return false;
+  }
+  return event.given_up || wire::header_of(event.sample).expires >= now.mission.count();
+}
+
 std::vector<const wire::Sample*> OutgoingEvents::take_due(Now now, Duration round_trip) {
   std::vector<const wire::Sample*> due;
   for (std::size_t i = 0; i < under_way(); ++i) {
-    Held& event = held_[i];
-    if (event.written && *event.written + retransmission_ + round_trip > now.steady) continue;
-    if (!event.given_up && wire::header_of(event.sample).expires < now.mission.count()) continue;
-    event.written = now.steady;
-    due.push_back(&event.sample);
+    if (!is_due(i, now, round_trip)) continue;
+    write(held_[i], now.steady);
+    due.push_back(&held_[i].sample);
   }
   return due;
+}
+
+const wire::Sample* OutgoingEvents::first_due(Now now, Duration round_trip) const {
+  const wire::Sample* old = nullptr;
+  const wire::Sample* fresh = nullptr;
+  for (std::size_t i = 0; i < under_way() && (fresh == nullptr || old == nullptr); ++i) {
+    const wire::Sample*& kind = held_[i].writings > 0 ? old : fresh;
+    if (kind == nullptr && is_due(i, now, round_trip)) kind = &held_[i].sample;
+  }
+  if (old == nullptr || fresh == nullptr) return old != nullptr ? old : fresh;
+  return turn_of_old_ ? old : fresh;
+}
+
+void OutgoingEvents::written(const wire::Sample& event, Duration until) {
+  const std::uint64_t sequence = wire::header_of(event).sequence_number;
+  if (sequence < oldest() || sequence >= next_) return;
+  Held& one = held_[sequence - oldest()];
+  turn_of_old_ = one.writings == 0;
+  write(one, until);
 }
 
 std::optional<MissionTime> OutgoingEvents::first_expiry() const {
@@ -84,9 +129,8 @@ std::optional<MissionTime> OutgoingEvents::first_expiry() const {
 std::optional<Duration> OutgoingEvents::next_due(Duration round_trip) const {
   std::optional<Duration> next;
   for (std::size_t i = 0; i < under_way(); ++i) {
-    const Held& event = held_[i];
-    const Duration at = event.written ? *event.written + retransmission_ + round_trip : Duration{};
-    next = next ? std::min(*next, at) : at;
+    const auto at = held_[i].written ? again_at(i, round_trip) : Duration{};
+    if (at) next = next ? std::min(*next, *at) : *at;
   }
   return next;
 }

@@ -15,10 +15,18 @@ namespace skein::blackboard {
 /// when. At most kEventDepth events are under way at once, which is what any transport keeps; the
 /// others wait for acknowledgements.
 ///
+/// What is not acknowledged is written again after a time-out that doubles with each writing, up to
+/// kMostBackOff times the first, and starts anew when the peer is heard again or acknowledges
+/// anything. Only the kAgainAtOnce oldest are: acknowledgements are cumulative, so they may turn
+/// out to be all that is missing.
+///
 /// An expired event leaves at once if it is the oldest. Behind an older one that still waits, it
 /// stays as a tombstone, expired long ago, so that the peer sees no gap it would have to wait for.
 class OutgoingEvents {
  public:
+  static constexpr std::size_t kAgainAtOnce = 8;
+  static constexpr int kMostBackOff = 8;
+
   OutgoingEvents(std::size_t capacity, Duration retransmission)
       : capacity_(capacity), retransmission_(retransmission) {}
 
@@ -50,19 +58,31 @@ class OutgoingEvents {
   /// Steady time of the next take_due() that gives something.
   std::optional<Duration> next_due(Duration round_trip) const;
 
+  /// For a channel that takes one after the other: the one of take_due() that is to be written now.
+  /// What was never written and what is to be written again take turns. Valid as above.
+  const wire::Sample* first_due(Now now, Duration round_trip) const;
+  /// It is being written, until this steady time.
+  void written(const wire::Sample& event, Duration until);
+
  private:
   struct Held {
     wire::Sample sample;
-    std::optional<Duration> written;  ///< steady
+    std::optional<Duration> written = {};  ///< steady
+    int writings = 0;                      ///< since the peer was last heard from
     bool given_up = false;
   };
   void drop_given_up();
+  void write(Held& event, Duration at);
+  bool is_due(std::size_t index, Now now, Duration round_trip) const;
+  /// When the event, which was written, is to be written again; none: not before others are gone.
+  std::optional<Duration> again_at(std::size_t index, Duration round_trip) const;
   std::size_t under_way() const { return std::min(held_.size(), kEventDepth); }
 
   std::size_t capacity_;
   Duration retransmission_;
   std::deque<Held> held_;
   std::uint64_t next_ = 1;
+  bool turn_of_old_ = false;
 };
 
 }  // namespace skein::blackboard

@@ -9,6 +9,10 @@ namespace {
 
 /// Long enough to acknowledge a burst at once, short against any retransmission time.
 constexpr Duration kAcknowledgementDelay = Duration::milliseconds(10);
+/// On a limited channel, acknowledgements leave room for so many others between them.
+constexpr std::size_t kHeartbeatsBetween = 4;
+/// As long as most of what goes over radio [byte].
+constexpr std::size_t kLongSample = 512;
 
 std::optional<Duration> sooner(std::optional<Duration> a, std::optional<Duration> b) {
   if (!a || !b) return a ? a : b;
@@ -19,32 +23,66 @@ std::optional<Duration> sooner(std::optional<Duration> a, std::optional<Duration
 
 Peer::Peer(PeerChannels channels, const Config& config)
     : channels_(channels),
+      slots_(config.channels[channels.outgoing].slots),
+      shares_(config.shares),
+      declared_out_(config.channels[channels.outgoing].capacity),
+      declared_in_(config.channels[channels.incoming].capacity),
       self_incarnation_(config.incarnation),
       period_(config.heartbeat_period),
       outgoing_(config.held_events, config.retransmission),
-      incoming_(config.self, config.incarnation) {}
+      incoming_(config.self, config.incarnation) {
+  limit(declared_out_, {});
+}
+
+void Peer::limit(double capacity, Duration now) {
+  if (capacity <= 0) return limited_.reset();
+  if (!limited_) limited_ = std::make_unique<LimitedChannel>(slots_, shares_, period_);
+  limited_->set_capacity(capacity, now);
+}
 
 void Peer::set_outgoing(const ChannelCondition& condition, Now now) {
   if (condition.up && !out_condition_.up) next_heartbeat_ = now.steady;
   out_condition_ = condition;
+  limit(condition.capacity > 0 ? condition.capacity : declared_out_, now.steady);
+}
+
+// Bytes for bytes: a long sample of ours may be under way before this one, and on the way back the
+// acknowledgement waits for others like it and for a long sample too.
+Duration Peer::round_trip() const {
+  Duration all = out_condition_.latency + in_condition_.latency;
+  if (limited_) all = all + limited_->airtime(kLongSample);
+  const double back = in_condition_.capacity > 0 ? in_condition_.capacity : declared_in_;
+  if (back <= 0) return all;
+  const std::size_t bytes = kLongSample + (kHeartbeatsBetween + 1) * heartbeat_bytes();
+  return all + airtime(bytes, back);
+}
+
+Duration Peer::acknowledgement_delay() const {
+  if (!limited_) return kAcknowledgementDelay;
+  return kAcknowledgementDelay + limited_->airtime(kHeartbeatsBetween * heartbeat_bytes());
+}
+
+void Peer::owe_acknowledgement(Duration now) {
+  if (!incoming_.owes_acknowledgement() || acknowledge_at_) return;
+  acknowledge_at_ = now + acknowledgement_delay();
 }
 
 void Peer::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
                     std::vector<Incoming>& out) {
   incoming_.on_event(header, std::move(event));
   incoming_.deliver(channels_.kind, now.mission, out);
-  if (incoming_.owes_acknowledgement() && !acknowledge_at_) {
-    acknowledge_at_ = now.steady + kAcknowledgementDelay;
-  }
+  owe_acknowledgement(now.steady);
 }
 
 void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out) {
   const std::uint64_t incarnation = heartbeat.header.incarnation;
   if (incarnation < incarnation_) return;
   const bool restarted = incarnation_ != 0 && incarnation > incarnation_;
-  if (heartbeat.ack_incarnation == self_incarnation_) {
-    outgoing_.acknowledge(heartbeat.ack_sequence);
-  }
+  const bool is_heard = heartbeat.ack_incarnation == self_incarnation_;
+  if (is_heard) outgoing_.acknowledge(heartbeat.ack_sequence);
+  if (is_heard && !is_heard_ && was_heard_) outgoing_.resend();
+  is_heard_ = is_heard;
+  was_heard_ = was_heard_ || is_heard;
   if (!reachable_ || restarted) {
     out.emplace_back(Reachability{channels_.number, true, restarted});
     outgoing_.resend();
@@ -56,9 +94,7 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
   last_heard_ = now.steady;
   incoming_.on_heartbeat(heartbeat, out);
   incoming_.deliver(channels_.kind, now.mission, out);
-  if (incoming_.owes_acknowledgement() && !acknowledge_at_) {
-    acknowledge_at_ = now.steady + kAcknowledgementDelay;
-  }
+  owe_acknowledgement(now.steady);
 }
 
 void Peer::recall_sent(wire::Sample event) {
@@ -104,18 +140,37 @@ wire::Heartbeat Peer::take_heartbeat(Duration steady) {
   wire::Heartbeat heartbeat;
   heartbeat.events_from = outgoing_.oldest();
   heartbeat.events_to = outgoing_.next_sequence() - 1;
-  heartbeat.ack_incarnation = incarnation_;
-  heartbeat.ack_sequence = incoming_.ack_sequence();
+  heartbeat.ack_incarnation = reachable_ ? incarnation_ : 0;
+  heartbeat.ack_sequence = reachable_ ? incoming_.ack_sequence() : 0;
   return heartbeat;
 }
 
+std::optional<wire::Sample> Peer::take_next(Now now) {
+  if (!limited_ || !out_condition_.up) return std::nullopt;
+  const wire::Sample* event = recalled_ ? nullptr : outgoing_.first_due(now, round_trip());
+  const std::size_t heartbeat = heartbeat_due(now.steady) ? heartbeat_bytes() : 0;
+  const auto turn =
+      limited_->next(heartbeat, event == nullptr ? 0 : channel_bytes(*event), now.steady);
+  if (!turn) return std::nullopt;
+  const Duration until = limited_->write(*turn, now.steady);
+  if (turn->of == LimitedChannel::Turn::Of::kHeartbeat) return take_heartbeat(now.steady);
+  if (turn->of == LimitedChannel::Turn::Of::kValue) return limited_->take(*turn);
+  wire::Sample written = *event;
+  outgoing_.written(written, until);
+  return written;
+}
+
 std::optional<Duration> Peer::next_wakeup() const {
-  std::optional<Duration> next;
-  if (reachable_) next = last_heard_ + silence_limit();
-  if (!out_condition_.up) return next;
-  next = sooner(next, next_heartbeat_);
-  next = sooner(next, acknowledge_at_);
-  return recalled_ ? next : sooner(next, outgoing_.next_due(round_trip()));
+  std::optional<Duration> silent;
+  if (reachable_) silent = last_heard_ + silence_limit();
+  if (!out_condition_.up) return silent;
+  auto write = sooner(next_heartbeat_, acknowledge_at_);
+  if (!recalled_) write = sooner(write, outgoing_.next_due(round_trip()));
+  if (limited_) {
+    if (limited_->has_values()) write = limited_->free_at();
+    write = std::max(*write, limited_->free_at());
+  }
+  return sooner(silent, write);
 }
 
 }  // namespace skein::blackboard

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "incoming_events.hpp"
+#include "limited_channel.hpp"
 #include "outgoing_events.hpp"
 #include "skein/blackboard/blackboard.hpp"
 
@@ -24,7 +26,9 @@ struct PeerChannels {
 ///
 /// A heartbeat goes out each period, and at once when the channel comes up or a peer (or a new
 /// incarnation of it) is first heard, so that its session opens without waiting; soon after events
-/// came in, as their acknowledgement. Source: spec 1.3 (reachability, class event).
+/// came in, as their acknowledgement. It says which incarnation of the peer is heard; none as long
+/// as the peer is silent, so that both learn of a link that carries in one direction only. Source:
+/// spec 1.3 (reachability, class event).
 class Peer {
  public:
   Peer(PeerChannels channels, const Config& config);
@@ -38,6 +42,9 @@ class Peer {
 
   void set_outgoing(const ChannelCondition& condition, Now now);
   void set_incoming(const ChannelCondition& condition) { in_condition_ = condition; }
+  /// Null: the channel to the peer carries everything at once.
+  LimitedChannel* limited() { return limited_.get(); }
+  const LimitedChannel* limited() const { return limited_.get(); }
 
   void on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
                 std::vector<Incoming>& out);
@@ -56,6 +63,9 @@ class Peer {
   bool heartbeat_due(Duration steady) const;
   /// The next heartbeat, but for its header; counts as sent.
   wire::Heartbeat take_heartbeat(Duration steady);
+  /// What is to be written now on a limited channel, one after the other; counts as written. A
+  /// heartbeat is without its header.
+  std::optional<wire::Sample> take_next(Now now);
   /// The last instant of the event that is held and expires first.
   std::optional<MissionTime> first_expiry() const {
     return recalled_ ? std::nullopt : outgoing_.first_expiry();
@@ -64,10 +74,18 @@ class Peer {
   std::optional<Duration> next_wakeup() const;
 
  private:
-  Duration round_trip() const { return out_condition_.latency + in_condition_.latency; }
+  /// What channels and acknowledgements take, beyond a time-out for everything else.
+  Duration round_trip() const;
+  Duration acknowledgement_delay() const;
+  void owe_acknowledgement(Duration now);
+  void limit(double capacity, Duration now);
   Duration silence_limit() const { return period_ + period_ + period_; }
 
   PeerChannels channels_;
+  std::vector<wire::Slot> slots_;  ///< that go to the peer
+  SlotShares shares_;
+  double declared_out_, declared_in_;  ///< capacities [bit/s]; 0: unlimited
+  std::unique_ptr<LimitedChannel> limited_;
   std::uint64_t self_incarnation_;
   Duration period_;
   ChannelCondition out_condition_;
@@ -75,6 +93,8 @@ class Peer {
   OutgoingEvents outgoing_;
   IncomingEvents incoming_;
   bool reachable_ = false;
+  bool is_heard_ = false;          ///< by the peer, as it said last
+  bool was_heard_ = false;         ///< at some time of this life
   bool recalled_ = false;          ///< nothing was heard of it since this life began
   std::uint64_t incarnation_ = 0;  ///< of the peer; 0: never heard
   Duration last_heard_;

@@ -9,6 +9,7 @@
 
 #include "job_runner.hpp"
 #include "skein/blackboard/dds_transport.hpp"
+#include "skein/node/heartbeat.hpp"
 #include "skein/node/mission_clock.hpp"
 #include "skein/node/waker.hpp"
 
@@ -19,11 +20,9 @@ namespace {
 using blackboard::Now;
 
 constexpr Duration kClockPeriod = Duration::milliseconds(100);
-/// Steady; three of them make a peer unreachable, so it must outlast a machine's hiccups.
-constexpr Duration kHeartbeatPeriod = Duration::milliseconds(250);
 /// After the mission's end: the leader stays so that everybody hears of it.
 constexpr Duration kLinger = Duration::milliseconds(1500);
-/// How long a leader that comes back listens to the others: two of their heartbeats.
+/// A leader that comes back listens to the others for two of their heartbeats, at least this long.
 constexpr Duration kListens = Duration::milliseconds(500);
 /// What others may say of mission time: they stand still soon after their leader falls silent.
 constexpr Duration kMostAhead = Duration::milliseconds(3'600'000);
@@ -44,6 +43,7 @@ class Daemon {
         transport_(blackboard::make_dds_transport(
             {config.domain, self.name, config.network, config.on_middleware_log, roster.names()})),
         leader_(config.rate),
+        heartbeat_(steady_heartbeat(config.heartbeat, config.rate)),
         jobs_([this] { waker_.notify(); }),
         awaited_(config.awaited.begin(), config.awaited.end()) {
     awaited_.erase(self.name);  // it does not hear itself, and waits for itself in any case
@@ -53,8 +53,9 @@ class Daemon {
     transport_->on_arrival([this] { waker_.notify(); });
     HostConfig host_config;
     host_config.incarnation = incarnation_of_now();
-    host_config.heartbeat_period = kHeartbeatPeriod;
+    host_config.heartbeat_period = heartbeat_;
     host_config.rate = config_.rate;
+    host_config.capacity = config_.capacity;
     host_config.seed = config_.seed;
     host_config.memory = config_.memory;
     host_config.leads_clock = config_.leads_clock;
@@ -182,7 +183,7 @@ class Daemon {
     const auto was = host_->resumed_from();
     if (!was || *was == MissionTime()) return;
     leader_.set(*was, Waker::steady_now());
-    listens_until_ = Waker::steady_now() + kListens;
+    listens_until_ = Waker::steady_now() + std::max(kListens, heartbeat_ + heartbeat_);
   }
 
   void lead_again() {
@@ -237,6 +238,7 @@ class Daemon {
   std::unique_ptr<blackboard::Transport> transport_;
   MissionClock follower_;
   ClockLeader leader_;
+  const Duration heartbeat_;  ///< steady
   JobRunner jobs_;
   std::unique_ptr<Host> host_;
   std::vector<journal::Record> unsent_records_;

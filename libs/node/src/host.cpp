@@ -51,6 +51,17 @@ void add_clock(std::vector<blackboard::ChannelConfig>& channels) {
   }
 }
 
+/// So that what a node sends does not ask too much of its radio before, and where, nobody says what
+/// that can carry.
+void declare_capacities(std::vector<blackboard::ChannelConfig>& channels, const Roster& roster,
+                        const HostConfig& config) {
+  for (blackboard::ChannelConfig& channel : channels) {
+    if (channel.kind != ChannelKind::kRadio) continue;
+    channel.capacity =
+        config.rate * config.capacity.of(roster.name_of(channel.from), roster.name_of(channel.to));
+  }
+}
+
 /// Of what comes over the world channel; the rest is the runtime's.
 bool is_for_nodes(wire::Slot slot) {
   using wire::Slot;
@@ -73,6 +84,7 @@ Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Me
   board.self = self.number;
   board.incarnation = config.incarnation;
   board.channels = roster.channels_of(self);
+  declare_capacities(board.channels, roster, config);
   if (config.leads_clock) add_clock(board.channels);
   board.world_reads = Roster::world_reads_of(self.role);
   board.heartbeat_period = config.heartbeat_period;
@@ -341,15 +353,17 @@ void Host::apply(const wire::LinkState& link, Now now) {
   const NodeNumber to(link.to);
   if (from != self_.number && to != self_.number) return;
   const NodeNumber peer = from == self_.number ? to : from;
-  if (link.up) {
+  const bool up = link.up || !config_.told_of_cuts;
+  if (up) {
     down_.erase(peer);
   } else {
     down_.insert(peer);
   }
   blackboard::ChannelCondition condition;
-  condition.up = link.up;
+  condition.up = up;
   condition.latency = Duration::seconds(static_cast<double>(link.latency) * 1e-9 / config_.rate);
   condition.loss = link.loss;
+  condition.capacity = link.capacity * config_.rate;
   blackboard_.set_condition(from, to, condition, now);
 }
 

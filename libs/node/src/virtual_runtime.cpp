@@ -124,6 +124,8 @@ class VirtualRun {
     config.seed = config_.seed;
     config.memory = seat.memory.get();
     config.forgets = forgets;
+    config.told_of_cuts = !config_.silent_cuts;
+    config.capacity = config_.capacity;
     auto host = Host::open(roster_, *seat.member, make_node_(seat.member->name), *seat.transport,
                            config, ports_of(seat));
     SKEIN_ENSURES(host.has_value());
@@ -137,6 +139,12 @@ class VirtualRun {
     HostPorts ports;
     ports.journal = journal_;
     ports.finish = [this] { finish(); };
+    if (config_.silent_cuts) {
+      ports.witness = [this](const wire::Sample& sample) {
+        const auto* link = std::get_if<wire::LinkState>(&sample);
+        if (link != nullptr) hub_.carry(NodeNumber(link->from), NodeNumber(link->to), link->up);
+      };
+    }
     ports.start_job = [this, name = seat.member->name, life = seat.incarnation](StartJob job) {
       jobs_.emplace(now_ + config_.job_latency, Job{name, life, {job.id, job.work({}), {}}});
     };

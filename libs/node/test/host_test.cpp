@@ -58,6 +58,7 @@ class Hosts : public ::testing::Test {
     HostConfig config;
     config.incarnation = incarnation;
     config.rate = rate;
+    config.told_of_cuts = told_of_cuts;
     HostPorts ports;
     ports.journal = [&it](const Record& record) { it.records.push_back(record); };
     ports.start_job = [&it](StartJob job) { it.jobs.push_back(std::move(job)); };
@@ -105,6 +106,7 @@ class Hosts : public ::testing::Test {
   Roster roster_{{"marvin", "heliv"}};
   blackboard::MemoryHub hub_;
   std::map<std::string, std::unique_ptr<Station>> stations_;
+  bool told_of_cuts = true;
   double time_ = 0;
 };
 
@@ -268,6 +270,39 @@ TEST_F(Hosts, TheLatencyOfALinkIsMissionTime) {
 
   EXPECT_EQ(early, 0U);
   EXPECT_EQ((*this)["marvin"].diary.samples<wire::TaskRequest>().size(), 1U);
+}
+
+TEST_F(Hosts, TheCapacityOfALinkIsOfMissionTime) {
+  for (const char* name : {"marvin", "heliv"}) start(name, 2, 10);
+  meet();
+  wire::LinkState slow = link(number("marvin"), number("heliv"), true);
+  slow.capacity = 1000;  // [bit/s]: at rate 10, ten thousand in a steady second
+  (*this)["sim"].host->publish(slow, now());
+  settle();
+  const wire::FunctionalRequest event;
+
+  act("marvin", {Send{number("heliv"), event}, Send{number("heliv"), event}});
+  const double airtime = 8 * static_cast<double>(blackboard::channel_bytes(event)) / 10'000;
+  advance(0.9 * airtime);
+  const std::size_t soon = (*this)["heliv"].diary.samples<wire::FunctionalRequest>().size();
+  advance(20 * airtime);
+
+  EXPECT_LE(soon, 1U);
+  EXPECT_EQ((*this)["heliv"].diary.samples<wire::FunctionalRequest>().size(), 2U);
+}
+
+TEST_F(Hosts, AHostThatIsToldOfNoCutsKeepsItsChannelsUp) {
+  told_of_cuts = false;
+  start("marvin", 2);
+  start("heliv", 2);
+  meet();
+
+  set_link("marvin", "heliv", false);
+  act("marvin", {Send{number("heliv"), wire::FunctionalRequest{}}});
+  advance(0.2);
+
+  EXPECT_EQ((*this)["heliv"].diary.samples<wire::FunctionalRequest>().size(), 1U);
+  EXPECT_TRUE((*this)["marvin"].host->all_peers_heard());
 }
 
 TEST_F(Hosts, AllStreamsAreLostOnALinkThatLosesAll) {

@@ -5,7 +5,9 @@
 #include <rapidcheck/gtest.h>
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <tuple>
 
 #include "testing/fake_node.hpp"
@@ -283,6 +285,41 @@ TEST(VirtualRuntimeDeterminism, TheSameSeedGivesTheSameBytes) {
   EXPECT_GT(first.log.size(), 10'000U);
   EXPECT_EQ(first.log, second.log);
   EXPECT_EQ(first.outcome.steps, second.outcome.steps);
+}
+
+/// What `node` found out about `peer`, with the instants.
+std::vector<std::pair<double, bool>> reach_of(const std::string& log, const std::string& node,
+                                              const std::string& peer) {
+  std::vector<std::pair<double, bool>> found;
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);) {
+    const auto record = nlohmann::json::parse(line);
+    if (record["kind"] != "reach" || record["node"] != node || record["peer"] != peer) continue;
+    found.emplace_back(record["at"], record["reachable"]);
+  }
+  return found;
+}
+
+TEST(VirtualRuntime, NodesFindOutByThemselvesWhatTheRadioCuts) {
+  PingSystem system;
+  system.uavs = 2;
+  system.cuts = {{"ground", "uav-0", at(5.3), at(11.7)}};
+  system.silent = true;
+  system.loss = 0;
+
+  const auto played = system.play();
+
+  for (const auto& [node, peer] : {std::pair("ground", "uav-0"), std::pair("uav-0", "ground")}) {
+    const auto reach = reach_of(played.log, node, peer);
+    ASSERT_EQ(reach.size(), 3U) << node << ": heard, lost, heard again";
+    EXPECT_FALSE(reach[1].second);
+    EXPECT_GE(reach[1].first, 5.3 + 2);
+    EXPECT_LE(reach[1].first, 5.3 + 3 + 0.04) << "within three heartbeats of a second";
+    EXPECT_TRUE(reach[2].second);
+    EXPECT_LE(reach[2].first, 11.7 + 2);
+  }
+  EXPECT_EQ(reach_of(played.log, "ground", "uav-1").size(), 1U) << "the other link holds";
+  EXPECT_EQ(played.violation, "");
 }
 
 TEST(VirtualRuntimeDeterminism, AnotherSeedGivesAnotherRun) {

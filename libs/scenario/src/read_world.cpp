@@ -120,21 +120,67 @@ void read_uavs(const Reader& reader, const std::string& folder, Diagnostics& dia
   if (uavs.empty() && reader.is_map()) reader.error("no UAV");
 }
 
+namespace {
+
+/// `between: [A, B]`, or `one_way: [A, B]`: only from A to B.
+template <class Spec>
+void read_ends(const Reader& reader, const Names& names, const std::string& what, Spec& spec) {
+  spec.one_way = reader.optional("one_way").present();
+  if (spec.one_way && reader.optional("between").present()) {
+    reader.optional("between").error(what + " has between beside one_way", "one of the two");
+  }
+  const std::vector<Reader> pair = reader.required(spec.one_way ? "one_way" : "between").items();
+  if (pair.size() != 2) {
+    reader.error(what + " is between two nodes", "between: [NODE, NODE]");
+    return;
+  }
+  spec.a = pair[0].name_among(names.nodes, "a UAV or ground");
+  spec.b = pair[1].name_among(names.nodes, "a UAV or ground");
+  if (spec.a == spec.b && !spec.a.empty()) reader.error(what + " between a node and itself");
+}
+
+template <class Spec>
+void check_window(const Reader& reader, const std::string& what, const Spec& spec) {
+  if (spec.until <= spec.from) reader.error(what + " that ends before it begins");
+}
+
+CutSpec read_cut(const Reader& reader, const Names& names) {
+  CutSpec spec;
+  read_ends(reader, names, "a cut", spec);
+  spec.from = read_instant(reader.required("from"));
+  spec.until = read_instant(reader.required("until"));
+  check_window(reader, "a cut", spec);
+  return spec;
+}
+
+LinkSpec read_link(const Reader& reader, const Names& names) {
+  LinkSpec spec;
+  read_ends(reader, names, "a link", spec);
+  if (const Reader from = reader.optional("from"); from.present()) spec.from = read_instant(from);
+  if (const Reader until = reader.optional("until"); until.present())
+    spec.until = read_instant(until);
+  check_window(reader, "a link", spec);
+  if (const Reader latency = reader.optional("latency"); latency.present())
+    spec.latency = Duration::seconds(latency.number(0, {0, 60, "s"}));
+  if (const Reader loss = reader.optional("loss"); loss.present())
+    spec.loss = loss.number(0, {0, 0.99, ""});
+  if (const Reader capacity = reader.optional("capacity"); capacity.present())
+    spec.capacity = capacity.number(1e6, {1, 1e12, "bit/s"});
+  return spec;
+}
+
+}  // namespace
+
 void read_radio(const Reader& reader, const Names& names, RadioSpec& radio) {
-  radio.model = world::read_radio(reader, "cuts");
+  radio.model = world::read_radio(reader, "cuts", "links", "heartbeat");
+  radio.heartbeat = Duration::seconds(reader.optional("heartbeat").number(1, {0.05, 60, "s"}));
   for (const Reader& cut : items_of(reader.optional("cuts"))) {
-    if (!cut.keys({"between", "from", "until"})) continue;
-    const std::vector<Reader> pair = cut.required("between").items();
-    if (pair.size() != 2) {
-      cut.error("a cut is between two nodes", "between: [NODE, NODE]");
-      continue;
-    }
-    CutSpec spec{pair[0].name_among(names.nodes, "a UAV or ground"),
-                 pair[1].name_among(names.nodes, "a UAV or ground"),
-                 read_instant(cut.required("from")), read_instant(cut.required("until"))};
-    if (spec.a == spec.b && !spec.a.empty()) cut.error("a cut between a node and itself");
-    if (spec.until <= spec.from) cut.error("a cut that ends before it begins");
-    radio.cuts.push_back(std::move(spec));
+    if (cut.keys({"between", "one_way", "from", "until"}))
+      radio.cuts.push_back(read_cut(cut, names));
+  }
+  for (const Reader& link : items_of(reader.optional("links"))) {
+    if (link.keys({"between", "one_way", "from", "until", "latency", "loss", "capacity"}))
+      radio.links.push_back(read_link(link, names));
   }
 }
 

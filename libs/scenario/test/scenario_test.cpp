@@ -161,6 +161,36 @@ TEST(Scenario, CutsAreKept) {
   EXPECT_EQ(scenario.radio.cuts[0].until, MissionTime::seconds(40));
 }
 
+TEST(Scenario, LinksMayBeUnlikeTheOthers) {
+  const Scenario scenario = read_valid(scenario_with(
+      "  cuts:",
+      "  capacity: 64000\n  heartbeat: 2\n  links:\n"
+      "    - {one_way: [heliv, ground], capacity: 9600}\n"
+      "    - {between: [marvin, heliv], latency: 0.5, loss: 0.1, from: 10, until: 20}\n  cuts:"));
+
+  EXPECT_EQ(scenario.radio.model.capacity, 64'000);
+  EXPECT_EQ(scenario.radio.heartbeat, Duration::seconds(2));
+  ASSERT_EQ(scenario.radio.links.size(), 2U);
+  const LinkSpec& slow = scenario.radio.links[0];
+  EXPECT_TRUE(slow.one_way);
+  EXPECT_EQ(slow.capacity, 9600);
+  EXPECT_FALSE(slow.latency || slow.loss);
+  EXPECT_EQ(slow.until, MissionTime::max());
+  const LinkSpec& bad = scenario.radio.links[1];
+  EXPECT_FALSE(bad.one_way);
+  EXPECT_EQ(bad.latency, Duration::seconds(0.5));
+  EXPECT_EQ(bad.loss, 0.1);
+  EXPECT_EQ(bad.from, MissionTime::seconds(10));
+  EXPECT_EQ(read_valid(scenario_with()).radio.model.capacity, 0) << "unlimited";
+}
+
+TEST(Scenario, ACutMayBeOfOneDirection) {
+  const Scenario scenario = read_valid(scenario_with("between: [heliv", "one_way: [heliv"));
+
+  ASSERT_EQ(scenario.radio.cuts.size(), 1U);
+  EXPECT_TRUE(scenario.radio.cuts[0].one_way);
+}
+
 TEST(ScenarioTasks, ModeParametersAndConditionsAreKept) {
   const PlannedTask task = task_with(
       "type: wait, mode: NUT, params: {duration: 120, note: front, list: [1, 2.5]}, "

@@ -41,7 +41,7 @@ RadioLink RadioModel::link(const Vector3& a, const Vector3& b, const Terrain& te
   const bool heard =
       (a - b).norm() <= limit && (!needs_line_of_sight || terrain.line_of_sight(a, b));
   if (!heard) return {false, Duration(), 1};
-  return {true, latency, loss};
+  return {true, latency, loss, capacity};
 }
 
 double RadioModel::margin(double distance) const {
@@ -80,6 +80,8 @@ std::vector<std::string> problems_of(const RadioModel& radio) {
     problems.emplace_back("radio: the range must be finite and greater than 0");
   if (!(radio.loss >= 0 && radio.loss < 1))
     problems.emplace_back("radio: the loss must be at least 0 and less than 1");
+  if (!(radio.capacity >= 0 && std::isfinite(radio.capacity)))
+    problems.emplace_back("radio: the capacity must be finite and at least 0");
   if (radio.latency < Duration()) problems.emplace_back("radio: the latency is negative");
   if (!(radio.hysteresis >= 0 && std::isfinite(radio.hysteresis)))
     problems.emplace_back("radio: the hysteresis must be finite and at least 0");

@@ -35,6 +35,8 @@ RadioModel read_radio_figures(const Reader& reader) {
   radio.needs_line_of_sight = reader.optional("line_of_sight").boolean(true);
   radio.latency = Duration::seconds(reader.optional("latency").number(0.02, {0, 60, "s"}));
   radio.loss = reader.optional("loss").number(0, {0, 0.99, ""});
+  if (const Reader capacity = reader.optional("capacity"); capacity.present())
+    radio.capacity = capacity.number(1'000'000, {1, 1e12, "bit/s"});
   radio.hysteresis = reader.optional("hysteresis").number(0.05, {0, 1, ""});
   if (radio.budget)
     for (const std::string& problem : problems_of(radio)) reader.error(problem);

@@ -138,11 +138,12 @@ void SimNode::take(const LinkChange& link, node::Effects& out) const {
   sample.up = link.up;
   sample.latency = link.latency.count();
   sample.loss = link.up ? link.loss : 0;
+  sample.capacity = link.capacity;
   out.push_back(node::Publish{sample});
-  out.push_back(node::Log{Record(link.at, name_, "link")
-                              .with("from", link.from)
-                              .with("to", link.to)
-                              .with("up", link.up)});
+  Record line(link.at, name_, "link");
+  line.with("from", link.from).with("to", link.to).with("up", link.up);
+  if (link.capacity > 0) line.with("capacity", link.capacity);
+  out.push_back(node::Log{std::move(line)});
 }
 
 void SimNode::take(const VehicleTruth& truth, node::Effects& out) const {

@@ -66,10 +66,28 @@ void MemoryHub::inject(const std::string& name,
     if (reader.node->channels_[reader.channel].up) reader.node->put(reader.channel, content);
 }
 
+void MemoryHub::carry(NodeNumber from, NodeNumber to, bool carried) {
+  const bool changes =
+      carried ? silenced_.erase({from, to}) > 0 : silenced_.emplace(from, to).second;
+  if (!changes || !carried) return;
+  for (const auto& [name, one] : partitions_) {
+    for (const End& writer : one.writers) {
+      if (writer.node->self_ != from || !writer.node->is_radio(writer.channel)) continue;
+      for (const End& reader : one.readers)
+        if (reader.node->self_ == to) MemoryTransport::replay_states(writer, reader);
+    }
+  }
+}
+
+bool MemoryHub::carries(const MemoryTransport& from, const MemoryTransport& to) const {
+  return silenced_.empty() || !silenced_.contains({from.self_, to.self_});
+}
+
 MemoryTransport::~MemoryTransport() { hub_.leave(*this); }
 
 Result<void, Failure> MemoryTransport::open(const TransportPlan& plan) {
   SKEIN_EXPECTS(channels_.empty());
+  self_ = plan.self;
   for (const ChannelConfig& config : plan.channels) {
     Channel channel;
     channel.config = config;
@@ -122,7 +140,7 @@ bool MemoryTransport::write(std::size_t channel, const wire::Sample& sample) {
   const auto slot = static_cast<std::size_t>(wire::slot_of(sample));
   for (const MemoryHub::End& reader : writer.partition->readers) {
     const Channel& to = at(reader);
-    if (reader.node != this && to.up && to.read_slots.test(slot))
+    if (reader.node != this && to.up && to.read_slots.test(slot) && reaches(channel, reader))
       reader.node->put(reader.channel, sample);
   }
   return true;
@@ -152,19 +170,31 @@ void MemoryTransport::put(std::size_t channel, std::variant<wire::Sample, Malfor
   if (notify_) notify_();
 }
 
+bool MemoryTransport::is_radio(std::size_t channel) const {
+  return channels_[channel].config.kind == ChannelKind::kRadio;
+}
+
+bool MemoryTransport::reaches(std::size_t channel, const MemoryHub::End& reader) const {
+  return !is_radio(channel) || hub_.carries(*this, *reader.node);
+}
+
+bool MemoryTransport::wants(const MemoryHub::End& reader, wire::Slot slot) {
+  return at(reader).read_slots.test(static_cast<std::size_t>(slot));
+}
+
+void MemoryTransport::replay_states(const MemoryHub::End& writer, const MemoryHub::End& reader) {
+  if (!at(writer).up || !at(reader).up) return;
+  if (!writer.node->reaches(writer.channel, reader)) return;
+  for (const auto& [key, state] : at(writer).states)
+    if (wants(reader, key.first)) reader.node->put(reader.channel, state);
+}
+
 void MemoryTransport::replay(const MemoryHub::End& writer, const MemoryHub::End& reader) {
-  const Channel& from = at(writer);
-  const Channel& to = at(reader);
-  if (!from.up || !to.up) return;
-  const auto wanted = [&](wire::Slot slot) {
-    return to.read_slots.test(static_cast<std::size_t>(slot));
-  };
-  for (const auto& [key, state] : from.states) {
-    if (wanted(key.first)) reader.node->put(reader.channel, state);
-  }
-  for (const wire::Sample& event : from.events) {
-    if (wanted(wire::slot_of(event))) reader.node->put(reader.channel, event);
-  }
+  replay_states(writer, reader);
+  if (!at(writer).up || !at(reader).up) return;
+  if (!writer.node->reaches(writer.channel, reader)) return;
+  for (const wire::Sample& event : at(writer).events)
+    if (wants(reader, wire::slot_of(event))) reader.node->put(reader.channel, event);
 }
 
 Result<void, Failure> MemoryTransport::set_up(std::size_t channel, bool up) {

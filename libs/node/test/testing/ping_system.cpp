@@ -67,7 +67,7 @@ class PingNode final : public Node {
 // Tells the state of every link at the start and at each change of one.
 class RadioNode final : public Node {
  public:
-  RadioNode(const Roster& roster, const std::vector<Cut>& cuts) {
+  RadioNode(const Roster& roster, const std::vector<Cut>& cuts, double loss) : loss_(loss) {
     for (const Member& a : roster.members()) {
       for (const Member& b : roster.members()) {
         if (a.name < b.name) changes_.emplace(MissionTime(), Change{a.number, b.number, true});
@@ -100,12 +100,13 @@ class RadioNode final : public Node {
     NodeNumber a, b;
     bool up = true;
   };
-  static wire::LinkState bad_link(NodeNumber from, NodeNumber to, bool up) {
+  wire::LinkState bad_link(NodeNumber from, NodeNumber to, bool up) const {
     wire::LinkState state = link(from, to, up);
     state.latency = Duration::milliseconds(40).count();
-    state.loss = 0.3;
+    state.loss = loss_;
     return state;
   }
+  double loss_;
   std::multimap<MissionTime, Change> changes_;
 };
 
@@ -158,6 +159,7 @@ PingSystem PingSystem::random(std::uint64_t seed) {
     crash.remembers = random.chance(0.5);
     system.crashes.push_back(crash);
   }
+  system.silent = random.chance(0.5);
   return system;
 }
 
@@ -167,12 +169,13 @@ Played PingSystem::play() const {
   config.seed = seed;
   config.time_limit = time_limit;
   config.crashes = crashes;
+  config.silent_cuts = silent;
   Played played;
   EventLaw law;
   played.outcome = run_virtual(
       roster,
       [&](const std::string& name) -> std::unique_ptr<Node> {
-        if (name == "sim") return std::make_unique<RadioNode>(roster, cuts);
+        if (name == "sim") return std::make_unique<RadioNode>(roster, cuts, loss);
         return std::make_unique<PingNode>(roster, *roster.find(name), seed);
       },
       config,

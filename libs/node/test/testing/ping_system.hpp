@@ -29,6 +29,8 @@ struct PingSystem {
   std::vector<Crash> crashes;
   std::vector<Cut> cuts;
   MissionTime time_limit = MissionTime::seconds(20);
+  double loss = 0.3;    ///< of streams, on every link
+  bool silent = false;  ///< the radio cuts by itself: no node is told
 
   static PingSystem random(std::uint64_t seed);
   Played play() const;

@@ -87,8 +87,8 @@ struct PerceptionOut {
   bool operator==(const PerceptionOut&) const = default;
 };
 
-/// The radio from one node to another changed; at the first step, how it is. Always in pairs, one
-/// for each direction.
+/// The radio from one node to another changed; at the first step, how it is, in pairs, one for each
+/// direction.
 struct LinkChange {
   std::string from;
   std::string to;
@@ -96,6 +96,7 @@ struct LinkChange {
   Duration latency;
   double loss = 0;  ///< [0, 1]
   MissionTime at;
+  double capacity = 0;  ///< [bit/s]; 0: unlimited
   bool operator==(const LinkChange&) const = default;
 };
 

@@ -31,12 +31,26 @@ struct SimulatedVehicle {
   bool played = true;
 };
 
-/// A scripted loss of the radio between two nodes, both ways, in [from, until).
+/// A scripted loss of the radio between two nodes in [from, until).
 struct RadioCut {
   std::string a;
   std::string b;
   MissionTime from;
   MissionTime until;
+  bool one_way = false;  ///< only from a to b; else both ways
+};
+
+/// A link that is unlike the others as long as it is up, in [from, until). Of several that hold at
+/// once the later one counts.
+struct RadioScript {
+  std::string a;
+  std::string b;
+  bool one_way = false;
+  MissionTime from;
+  MissionTime until;
+  std::optional<Duration> latency;
+  std::optional<double> loss;      ///< [0, 1)
+  std::optional<double> capacity;  ///< [bit/s], > 0
 };
 
 struct SimulatorConfig {
@@ -47,6 +61,7 @@ struct SimulatorConfig {
   world::RadioModel radio = {};
   world::Vector3 ground_station = world::Vector3::Zero();  ///< its antenna [m], ENU
   std::vector<RadioCut> cuts = {};
+  std::vector<RadioScript> links = {};
   /// It tells of objects and of the radio. False: another node does, and this one only plays
   /// vehicles.
   bool tells_world = true;

@@ -25,4 +25,7 @@ Diagnostics check_assembly(const scenario::Scenario& scenario);
 /// How the virtual runtime plays the scenario.
 node::VirtualConfig virtual_config(const scenario::Scenario& scenario);
 
+/// What the scenario says of its radio for all of its time.
+node::RadioCapacity capacity_of(const scenario::Scenario& scenario);
+
 }  // namespace skein::assembly

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "skein/blackboard/channel.hpp"
+#include "skein/blackboard/slot_share.hpp"
 #include "skein/blackboard/transport.hpp"
 #include "skein/blackboard/wire.hpp"
 #include "skein/foundation/result.hpp"
@@ -32,7 +33,8 @@ struct Config {
   /// Which life of this incarnation this is: 0, or more if the node was restarted with all it knew.
   /// What it sends now then counts as newer than what it sent before.
   std::uint32_t life = 0;
-  std::uint64_t seed = 0;  ///< of the losses
+  std::uint64_t seed = 0;                ///< of the losses
+  SlotShares shares = default_shares();  ///< of every channel whose capacity is limited
 };
 
 /// Why a sample was not sent.
@@ -164,6 +166,9 @@ class Blackboard {
   bool reachable(NodeNumber peer) const;
   /// Events sent to this peer and not acknowledged yet.
   std::size_t unacknowledged(NodeNumber peer) const;
+  /// States and streams for this peer that a newer value took the place of before the channel had
+  /// room for them; 0 for strangers and channels that are not limited.
+  std::uint64_t shed(NodeNumber peer) const;
   /// The latest mission time that any peer wrote into what was well formed.
   MissionTime latest_heard() const;
   /// Up to this one all events sent to this peer are acknowledged or given up.

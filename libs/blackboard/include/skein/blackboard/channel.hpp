@@ -39,6 +39,9 @@ struct ChannelConfig {
   ChannelKind kind = ChannelKind::kRadio;
   std::string partition;          ///< the DDS partition: "radio/marvin>ground"
   std::vector<wire::Slot> slots;  ///< that it carries, besides the heartbeat
+  /// As long as nobody tells another condition of it, no more is written than this [bit/s], in
+  /// steady time; 0: unlimited. So a node does not ask too much of a real radio.
+  double capacity = 0;
 };
 
 /// A node as a channel names it.
@@ -57,13 +60,22 @@ std::vector<ChannelConfig> station_link(const Node& station, const Node& uav);
 std::vector<ChannelConfig> onboard_link(const Node& uav, const Node& simulator);
 ChannelConfig world_channel();
 
+/// How long so many bytes take at a capacity [bit/s] > 0.
+Duration airtime(std::size_t bytes, double capacity);
+/// Bytes that a sample takes of a channel: its encoding, and what carries it (RTPS with its
+/// timestamp and destination, UDP, IP).
+std::size_t channel_bytes(const wire::Sample& sample);
+/// Those of any heartbeat.
+std::size_t heartbeat_bytes();
+
 /// What a directed channel does to what is sent over it. The node that sends and the node that
 /// receives are both told, so that a cut holds from both sides.
 struct ChannelCondition {
   bool up = true;
   /// Added before delivery, in steady time: at a scenario rate r, the mission's latency / r.
   Duration latency;
-  double loss = 0;  ///< share of stream samples that vanish, in [0, 1]
+  double loss = 0;      ///< share of stream samples that vanish, in [0, 1]
+  double capacity = 0;  ///< [bit/s], likewise in steady time; 0: what the channel declares
   bool operator==(const ChannelCondition&) const = default;
 };
 

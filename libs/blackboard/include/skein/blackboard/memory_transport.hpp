@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,10 @@ class MemoryHub {
   /// Gives a reader side something as if from the wire, whatever it is; to every node that has this
   /// partition up. For tests of what arrives malformed.
   void inject(const std::string& partition, const std::variant<wire::Sample, Malformed>& content);
+  /// Whether what `from` writes to `to` over radio gets there; at the start it does. Neither of the
+  /// two is told, as in flight, where the radio itself cuts. What is written meanwhile does not
+  /// come later, but for the last states, with the restoration: less than what DDS does.
+  void carry(NodeNumber from, NodeNumber to, bool carried);
 
  private:
   friend class MemoryTransport;
@@ -45,9 +50,12 @@ class MemoryHub {
   void leave(const MemoryTransport& node);
   std::vector<End> writers_for(const End& reader) const;
 
+  bool carries(const MemoryTransport& from, const MemoryTransport& to) const;
+
   std::uint64_t opened_ = 0;
   std::map<std::string, Partition> partitions_;               ///< that are written, or read by name
   std::vector<std::pair<std::string, End>> pattern_readers_;  ///< of any partition that matches
+  std::set<std::pair<NodeNumber, NodeNumber>> silenced_;      ///< from, to
 };
 
 /// One node's side of a MemoryHub. Its destruction is the death of the node: what it wrote and
@@ -83,9 +91,14 @@ class MemoryTransport final : public Transport {
   /// Of other nodes.
   std::vector<MemoryHub::End> writers_for(std::size_t channel);
   static void replay(const MemoryHub::End& writer, const MemoryHub::End& reader);
+  static void replay_states(const MemoryHub::End& writer, const MemoryHub::End& reader);
+  static bool wants(const MemoryHub::End& reader, wire::Slot slot);
+  bool is_radio(std::size_t channel) const;
+  bool reaches(std::size_t channel, const MemoryHub::End& reader) const;
   static Channel& at(const MemoryHub::End& end) { return end.node->channels_[end.channel]; }
 
   MemoryHub& hub_;
+  NodeNumber self_;
   std::uint64_t order_ = 0;  ///< in which it was opened
   std::vector<Channel> channels_;
   std::vector<Arrival> mailbox_;

@@ -57,7 +57,7 @@ struct LinkState {
   bool up = false;
   std::int64_t latency = 0;  ///< [ns] of mission time
   double loss = 0;           ///< share of stream samples lost, in [0, 1]
-  double capacity = 0;       ///< [byte/s]; 0: unlimited
+  double capacity = 0;       ///< [bit/s] of mission time; 0: unlimited
   bool operator==(const LinkState&) const = default;
 };
 SKEIN_WIRE_FIELDS(LinkState, header, from, to, up, latency, loss, capacity)

@@ -68,7 +68,7 @@ struct Heartbeat {
   SampleHeader header;
   std::uint64_t events_from = 0;      ///< oldest event still held for this peer, or events_to + 1
   std::uint64_t events_to = 0;        ///< last event sent to this peer; 0: none
-  std::uint64_t ack_incarnation = 0;  ///< of the peer, as last heard; 0: never
+  std::uint64_t ack_incarnation = 0;  ///< of the peer, as heard now; 0: it is silent
   std::uint64_t ack_sequence = 0;     ///< all its events up to this one were handled
   bool operator==(const Heartbeat&) const = default;
 };

@@ -16,7 +16,9 @@ namespace skein::node {
 struct DaemonConfig {
   std::uint32_t domain = 0;  ///< DDS domain id, 0 to 100
   blackboard::NetworkConfig network;
-  double rate = 1;  ///< of the scenario; the leader's counts
+  double rate = 1;                            ///< of the scenario; the leader's counts
+  Duration heartbeat = Duration::seconds(1);  ///< mission time; see steady_heartbeat()
+  RadioCapacity capacity = {};
   std::uint64_t seed = 0;
   bool leads_clock = false;                     ///< exactly one daemon of a system: the simulator
   MissionTime time_limit = MissionTime::max();  ///< leader: the clock ends here at the latest

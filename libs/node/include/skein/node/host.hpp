@@ -3,9 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/node/input_log.hpp"
@@ -16,10 +19,26 @@ namespace skein::node {
 
 struct Survey;
 
+/// What radio links can carry, as far as it is known before anybody tells [bit/s of mission time];
+/// 0: unlimited.
+struct RadioCapacity {
+  double of_all = 0;
+  std::map<std::pair<std::string, std::string>, double> of_links = {};  ///< from, to: unlike those
+
+  double of(const std::string& from, const std::string& to) const {
+    const auto found = of_links.find({from, to});
+    return found == of_links.end() ? of_all : found->second;
+  }
+};
+
 struct HostConfig {
   std::uint64_t incarnation = 1;
   Duration heartbeat_period = Duration::seconds(1);  ///< steady
-  double rate = 1;         ///< mission seconds per steady second: turns the radio's latencies
+  double rate = 1;  ///< mission seconds per steady second: turns the radio's latencies
+  /// False: that a link is up or down counts for nothing when the simulator says it; the radio
+  /// itself cuts, as in flight, and the node's own heartbeats find out.
+  bool told_of_cuts = true;
+  RadioCapacity capacity = {};
   std::uint64_t seed = 0;  ///< of the losses on streams
   /// Where the node's memory is; it outlives the host. If there is something in it, the host goes
   /// on where that ends, and `incarnation` is that of the first life. Null: nothing outlives the

@@ -32,6 +32,10 @@ struct VirtualConfig {
   Duration after_finish = Duration::seconds(2);       ///< so that last messages are still handled
   std::vector<Crash> crashes;
   bool operators = false;  ///< the roster's operators play too
+  /// What the simulator says of the links is done by what carries the samples, and nobody is told:
+  /// as in flight, where the radio itself cuts.
+  bool silent_cuts = false;
+  RadioCapacity capacity = {};
 };
 
 struct VirtualOutcome {

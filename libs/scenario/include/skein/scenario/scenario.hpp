@@ -61,17 +61,32 @@ struct WorldSpec {
   std::vector<world::WorldObject> objects;
 };
 
-/// The radio between two nodes is cut, both ways, in [from, until).
+/// The radio between two nodes is cut in [from, until).
 struct CutSpec {
   std::string a;
   std::string b;
   MissionTime from;
   MissionTime until;
+  bool one_way = false;  ///< only from a to b; else both ways
+};
+
+/// A radio link that is unlike the others in [from, until). What is absent is as of the others.
+struct LinkSpec {
+  std::string a;
+  std::string b;
+  bool one_way = false;
+  MissionTime from;
+  MissionTime until = MissionTime::max();
+  std::optional<Duration> latency;
+  std::optional<double> loss;      ///< [0, 0.99]
+  std::optional<double> capacity;  ///< [bit/s]
 };
 
 struct RadioSpec {
   world::RadioModel model;
   std::vector<CutSpec> cuts;
+  std::vector<LinkSpec> links;                ///< of several that hold at once the later one counts
+  Duration heartbeat = Duration::seconds(1);  ///< of every node on each of its channels
 };
 
 struct GroundSpec {

@@ -15,8 +15,9 @@ namespace skein::world {
 /// The state of the radio between two places, in one direction.
 struct RadioLink {
   bool up = false;
-  Duration latency;  ///< one way; zero when down
-  double loss = 0;   ///< fraction of samples that never arrive, [0, 1]; 1 when down
+  Duration latency;     ///< one way; zero when down
+  double loss = 0;      ///< fraction of samples that never arrive, [0, 1]; 1 when down
+  double capacity = 0;  ///< [bit/s]; 0: unlimited, or down
   bool operator==(const RadioLink&) const = default;
 };
 
@@ -45,6 +46,7 @@ struct RadioModel {
   double hysteresis = 0.05;
   /// When present, the range follows from it.
   std::optional<LinkBudget> budget = std::nullopt;
+  double capacity = 0;  ///< of each link, in each direction [bit/s]; 0: unlimited
   bool operator==(const RadioModel&) const = default;
 
   /// How far it carries in sight [m]: the range, or what the budget gives.

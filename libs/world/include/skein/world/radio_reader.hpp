@@ -11,13 +11,13 @@ namespace skein::world {
 /// The figures of a radio; keys that are none of its own are not reported.
 RadioModel read_radio_figures(const config::Reader& reader);
 
-/// {range, line_of_sight, latency, loss, hysteresis}, or instead of `range` a link budget {power,
-/// sensitivity, reference_loss, exponent}; absent: 10 km in sight. `others`: keys of the same map
-/// that the caller reads.
+/// {range, line_of_sight, latency, loss, capacity, hysteresis}, or instead of `range` a link budget
+/// {power, sensitivity, reference_loss, exponent}; absent: 10 km in sight. `others`: keys of the
+/// same map that the caller reads.
 template <class... Text>
 RadioModel read_radio(const config::Reader& reader, const Text*... others) {
   reader.keys({"range", "power", "sensitivity", "reference_loss", "exponent", "line_of_sight",
-               "latency", "loss", "hysteresis", others...});
+               "latency", "loss", "capacity", "hysteresis", others...});
   return read_radio_figures(reader);
 }
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "limited_channel.hpp"
+
+#include <algorithm>
+
+#include "skein/foundation/contract.hpp"
+
+namespace skein::blackboard {
+namespace {
+
+constexpr std::size_t kHeartbeats = 0, kEvents = 1, kFirstValue = 2;
+
+bool is_value(wire::Slot slot) {
+  return slot != wire::Slot::kHeartbeat && wire::slot_class(slot) != wire::SlotClass::kEvent;
+}
+
+std::vector<wire::Slot> values_among(const std::vector<wire::Slot>& slots) {
+  std::vector<wire::Slot> values;
+  std::copy_if(slots.begin(), slots.end(), std::back_inserter(values), is_value);
+  return values;
+}
+
+const SlotShare& share_of(const SlotShares& shares, wire::Slot slot) {
+  return shares[static_cast<std::size_t>(slot)];
+}
+
+std::vector<SlotShare> flows_of(const std::vector<wire::Slot>& slots, const SlotShares& shares) {
+  std::vector<SlotShare> flows{share_of(shares, wire::Slot::kHeartbeat), {}};
+  for (const wire::Slot slot : slots) {
+    const SlotShare& share = share_of(shares, slot);
+    if (is_value(slot)) {
+      flows.push_back(share);
+    } else if (slot != wire::Slot::kHeartbeat) {
+      flows[kEvents].fraction += share.fraction;
+      flows[kEvents].priority = std::max(flows[kEvents].priority, share.priority);
+    }
+  }
+  return flows;
+}
+
+}  // namespace
+
+LimitedChannel::LimitedChannel(const std::vector<wire::Slot>& slots, const SlotShares& shares,
+                               Duration heartbeat_period)
+    : slots_(values_among(slots)),
+      schedule_(flows_of(slots, shares), heartbeat_bytes(), heartbeat_period) {}
+
+std::optional<LimitedChannel::Turn> LimitedChannel::next(std::size_t heartbeat, std::size_t event,
+                                                         Duration now) {
+  if (now < schedule_.free_at()) return std::nullopt;
+  std::vector<std::size_t> waiting{heartbeat, event};
+  for (const wire::Slot slot : slots_) {
+    const wire::Sample* first = values_.first(slot);
+    waiting.push_back(first == nullptr ? 0 : channel_bytes(*first));
+  }
+  const auto flow = schedule_.pick(waiting, now);
+  if (!flow) return std::nullopt;
+  Turn turn{Turn::Of::kHeartbeat, wire::Slot::kHeartbeat, *flow, waiting[*flow]};
+  if (*flow == kEvents) turn.of = Turn::Of::kEvents;
+  if (*flow >= kFirstValue) {
+    turn.of = Turn::Of::kValue;
+    turn.slot = slots_[*flow - kFirstValue];
+  }
+  return turn;
+}
+
+wire::Sample LimitedChannel::take(const Turn& turn) {
+  SKEIN_EXPECTS(turn.of == Turn::Of::kValue);
+  wire::Sample value = *values_.first(turn.slot);
+  values_.drop_first(turn.slot);
+  return value;
+}
+
+}  // namespace skein::blackboard

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// A directed channel that cannot carry everything at once.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "channel_schedule.hpp"
+#include "skein/blackboard/channel.hpp"
+#include "waiting_values.hpp"
+
+namespace skein::blackboard {
+
+/// Whose turn it is on a channel, and what waits for it. Heartbeats and events wait where they are
+/// made, so that what goes out is what holds then; states and streams wait here.
+class LimitedChannel {
+ public:
+  struct Turn {
+    enum class Of : std::uint8_t { kHeartbeat, kEvents, kValue };
+    Of of = Of::kHeartbeat;
+    wire::Slot slot = wire::Slot::kHeartbeat;  ///< of a value
+    std::size_t flow = 0;
+    std::size_t bytes = 0;
+  };
+
+  /// Events of all slots are in one order and share one flow: its fraction is the sum of theirs,
+  /// its priority the greatest of them. Heartbeats get at least what one every `heartbeat_period`
+  /// takes: without them there is no contact.
+  LimitedChannel(const std::vector<wire::Slot>& slots, const SlotShares& shares,
+                 Duration heartbeat_period);
+
+  /// Steady, > 0.
+  void set_capacity(double bits_per_second, Duration now) {
+    schedule_.set_capacity(bits_per_second, now);
+  }
+  Duration airtime(std::size_t bytes) const { return schedule_.airtime(bytes); }
+  Duration free_at() const { return schedule_.free_at(); }
+
+  /// A state or a stream.
+  void put(wire::Sample value) { shed_ += values_.put(std::move(value)) ? 1 : 0; }
+  bool has_values() const { return !values_.empty(); }
+  std::vector<wire::Sample> take_values(wire::SlotClass which) { return values_.take(which); }
+  /// Values that a newer one took the place of before their turn came.
+  std::uint64_t shed() const { return shed_; }
+
+  /// Whose turn it is now, when the first waiting heartbeat and event have so many bytes (0: none
+  /// waits). None while something is under way or nothing waits.
+  std::optional<Turn> next(std::size_t heartbeat, std::size_t event, Duration now);
+  /// It is being written; gives when that ends.
+  Duration write(const Turn& turn, Duration now) {
+    return schedule_.write(turn.flow, turn.bytes, now);
+  }
+  /// The value whose turn it is; it waits no more.
+  wire::Sample take(const Turn& turn);
+
+ private:
+  std::vector<wire::Slot> slots_;  ///< of the flows behind heartbeats and events
+  ChannelSchedule schedule_;
+  WaitingValues values_;
+  std::uint64_t shed_ = 0;
+};
+
+}  // namespace skein::blackboard
