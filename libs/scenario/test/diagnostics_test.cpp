@@ -133,9 +133,8 @@ SKEIN_WRONG_FILES(
           "dBm\n"},
     Wrong{"UnknownKeyOfTheRadio", "  cuts:", "  rage: 900\n  cuts:",
           "16:9: radio.rage: unknown key 'rage'; expected one of range, power, sensitivity, "
-          "reference_loss, exponent, line_of_sight, latency, loss, capacity, hysteresis, cuts, …; "
-          "did "
-          "you mean 'range'?\n"},
+          "reference_loss, exponent, line_of_sight, latency, loss, capacity, hysteresis, cuts, "
+          "links, …; did you mean 'range'?\n"},
     Wrong{"CutOneWayAndBoth", "between: [heliv, ground]",
           "between: [heliv, ground], one_way: [heliv, ground]",
           "16:20: radio.cuts[0].between: a cut has between beside one_way; expected one of the "
@@ -144,7 +143,7 @@ SKEIN_WRONG_FILES(
           "16:22: radio.links[0].one_way[0]: unknown name 'karma'; expected a UAV or ground\n"},
     Wrong{"LinkOfNoCapacity",
           "  cuts:", "  links: [{between: [marvin, ground], capacity: 0}]\n  cuts:",
-          "16:51: radio.links[0].capacity: '0'; expected a number from 1 to 1e+12 bit/s\n"},
+          "16:49: radio.links[0].capacity: '0'; expected a number from 1 to 1e+12 bit/s\n"},
     Wrong{"HeartbeatTooFast", "  cuts:", "  heartbeat: 0.01\n  cuts:",
           "16:14: radio.heartbeat: '0.01'; expected a number from 0.05 to 60 s\n"});
 
