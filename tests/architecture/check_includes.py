@@ -42,12 +42,42 @@ def read_layers(text):
     layers = {}
     for line in text.splitlines():
         words = line.split("#")[0].split()
-        if not words:
+        if not words or "/" in words[0]:
             continue
         if len(words) < 2 or words[1] not in KINDS:
             raise ValueError(f"layers.txt: '{line}' is not: library kind dependencies")
         layers[words[0]] = (words[1], set(words[2:]))
     return layers
+
+
+def read_rooms(text):
+    """{library: {room: {rooms it may include}}}; ValueError on a room that has no line of its own."""
+    rooms = {}
+    for line in text.splitlines():
+        words = line.split("#")[0].split()
+        if words and "/" in words[0]:
+            library, room = words[0].split("/")
+            rooms.setdefault(library, {})[room] = set(words[1:])
+    for library, known in rooms.items():
+        for other in set().union(*known.values()) - set(known):
+            raise ValueError(f"layers.txt: {library}/{other} has no line")
+    return rooms
+
+
+def room_problems(relative, text, library, rooms):
+    """What a file of one room of a library includes of the other rooms."""
+    known = rooms.get(library.name) if library else None
+    parts = relative.removeprefix(f"{library.directory}/src/").split("/") if known else []
+    if not known or not relative.startswith(f"{library.directory}/src/") or len(parts) < 2:
+        return
+    room = parts[0]
+    if room not in known:
+        yield f"{relative}: room {library.name}/{room} has no line in tests/architecture/layers.txt"
+        return
+    for header in includes_of(text):
+        other = header.split("/")[0]
+        if other in known and other != room and other not in known[room]:
+            yield f"{relative}: {header}: room {room} of {library.name} must not know {other} (layers.txt)"
 
 
 def layer_problems(architecture, layers):
@@ -130,7 +160,7 @@ def unused_problems(architecture, used):
 
 def main():
     architecture = Architecture(sys.argv[1])
-    layers = read_layers(LAYERS.read_text())
+    layers, rooms = read_layers(LAYERS.read_text()), read_rooms(LAYERS.read_text())
     problems = list(layer_problems(architecture, layers))
     used = {name: set() for name in architecture.libraries}
     files = code_files(architecture.source)
@@ -138,6 +168,7 @@ def main():
         text = (architecture.source / relative).read_text()
         library = architecture.owner(relative)
         problems += include_problems(relative, text, library, architecture)
+        problems += room_problems(relative, text, library, rooms)
         problems += purity_problems(relative, text, kind_of(relative, library, layers))
         if library and not is_test(relative):
             used[library.name] |= used_by(text, library)

@@ -76,6 +76,28 @@ class Includes(unittest.TestCase):
         self.assertEqual([], list(check_includes.purity_problems("a.cpp", "#include <fstream>\n", "files")))
         self.assertTrue(list(check_includes.purity_problems("a.cpp", "std::chrono::system_clock::now()", "files")))
 
+    def test_a_room_includes_itself_and_what_its_line_names(self):
+        rooms = check_includes.read_rooms("world pure\nworld/low\nworld/high  low\n")
+
+        def problems(relative, text):
+            return list(check_includes.room_problems(relative, text, self.architecture.owner(relative), rooms))
+
+        self.assertEqual([], problems("libs/world/src/high/a.cpp", '#include "high/b.hpp"\n#include "low/c.hpp"\n'))
+        self.assertIn("must not know high", problems("libs/world/src/low/a.cpp", '#include "high/b.hpp"\n')[0])
+        self.assertIn("no line", problems("libs/world/src/attic/a.cpp", "")[0])
+        self.assertEqual([], problems("libs/world/src/a.cpp", '#include "high/b.hpp"\n'))
+        self.assertEqual([], problems("libs/world/test/low/a.cpp", '#include "high/b.hpp"\n'))
+        self.assertEqual([], problems("libs/executive/src/low/a.cpp", '#include "high/b.hpp"\n'))
+
+    def test_rooms_that_are_named_have_a_line_and_go_in_no_circle(self):
+        self.assertRaises(ValueError, check_includes.read_rooms, "world/low  high\n")
+        for library, known in check_includes.read_rooms(check_includes.LAYERS.read_text()).items():
+            done = set()
+            while len(done) < len(known):
+                ready = {room for room, others in known.items() if others <= done} - done
+                self.assertTrue(ready, f"a circle among the rooms {set(known) - done} of {library}")
+                done |= ready
+
     def test_the_layers_file_is_sound(self):
         layers = check_includes.read_layers(check_includes.LAYERS.read_text())
         for name in ("functional", "temporal", "htn"):

@@ -6,7 +6,7 @@
 
 #include "skein/refiners/voxel_path_planner.hpp"
 #include "test_cases.hpp"
-#include "voxel_worlds.hpp"
+#include "path/voxel_worlds.hpp"
 
 namespace skein::sampling {
 namespace {

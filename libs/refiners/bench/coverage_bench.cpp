@@ -7,8 +7,8 @@
 #include <ctime>
 #include <functional>
 
-#include "../test/coverage_cases.hpp"
 #include "../test/testing/builders.hpp"
+#include "../test/testing/coverage_cases.hpp"
 
 namespace skein::refiners::testing {
 namespace {

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "../test/partition_cases.hpp"
+#include "../test/testing/partition_cases.hpp"
 
 namespace {
 

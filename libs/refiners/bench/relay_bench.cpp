@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "../test/relay_cases.hpp"
+#include "../test/testing/relay_cases.hpp"
 
 namespace {
 

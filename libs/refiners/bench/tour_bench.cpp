@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "../test/tour_cases.hpp"
-#include "../test/tour_worlds.hpp"
+#include "../test/tour/cases.hpp"
+#include "../test/tour/worlds.hpp"
 
 namespace {
 

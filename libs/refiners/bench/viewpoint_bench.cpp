@@ -9,7 +9,7 @@
 #ifndef SKEIN_SOURCE_DIR
 #define SKEIN_SOURCE_DIR "."
 #endif
-#include "../test/viewpoint_cases.hpp"
+#include "../test/viewpoint/cases.hpp"
 
 namespace {
 

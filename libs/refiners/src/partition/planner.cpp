@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "partition/planner.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace skein::refiners::partition {
+namespace {
+
+/// Sweeps are planned with so many times the energy, to learn what they take.
+constexpr double kPlenty = 1e6;
+/// A limit learnt is kept that much below where it was seen, for it is not quite linear.
+constexpr double kCaution = 0.99;
+
+/// Latest finish, and how far before it the first one is.
+void judge(Trial& trial) {
+  double earliest = std::numeric_limits<double>::infinity();
+  trial.latest = 0;
+  for (const Refined<Coverage>& sweep : trial.sweeps) {
+    trial.latest = std::max(trial.latest, sweep.cost);
+    earliest = std::min(earliest, sweep.cost);
+  }
+  trial.spread = (trial.latest - earliest) / trial.latest;
+}
+
+double speed_of(const Member& member) {
+  return member.speed > 0 ? member.speed : member.vehicle.cruise_speed;
+}
+
+Duration later(Duration duration, double seconds) {
+  return duration == Duration::max() ? duration : duration + Duration::seconds(seconds);
+}
+
+}  // namespace
+
+double usable(const Member& member) { return 1 - member.vehicle.energy.reserve; }
+
+Planner::Planner(const PartitionQuery& query, const Setting& setting)
+    : query_(query), setting_(setting), whole_(world::area(query.area)) {}
+
+std::vector<Ability> Planner::abilities() const {
+  std::vector<Ability> abilities;
+  for (const Member& member : query_.members) {
+    const double speed = speed_of(member), rate = speed * member.swath;
+    const double seconds = usable(member) * member.vehicle.energy.capacity /
+                           world::flight_power(member.vehicle, speed, 0);
+    abilities.push_back({rate, 0, rate * seconds});
+  }
+  return abilities;
+}
+
+std::vector<Division> Planner::divide(const std::vector<double>& areas, std::size_t most) const {
+  std::vector<world::Vector2> starts;
+  for (const Member& member : query_.members) starts.push_back(member.start);
+  return divisions(query_.area, starts, areas, most);
+}
+
+Result<Trial, Refusal> Planner::plan(const std::vector<double>& areas, Division division) {
+  Trial trial{areas, std::move(division), {}, 0, 0, {}};
+  for (std::size_t i = 0; i < query_.members.size(); ++i) {
+    const Member& member = query_.members[i];
+    ++effort_.steps;
+    auto swept = sweep(member, member.altitude, trial.division.parts[i]);
+    if (!swept)
+      return refuse(swept.error().kind, "members." + std::to_string(i) + "." + swept.error().field,
+                    "in the part of " + member.uav + ": " + swept.error().why);
+    trial.sweeps.push_back(std::move(*swept));
+    trial.altitudes.push_back(member.altitude);
+  }
+  judge(trial);
+  return trial;
+}
+
+Result<void, Refusal> Planner::fly_at(Trial& trial, std::size_t member, double altitude) {
+  auto swept = sweep(query_.members[member], altitude, trial.division.parts[member]);
+  if (!swept) return tl::unexpected<Refusal>(swept.error());
+  trial.sweeps[member] = std::move(*swept);
+  trial.altitudes[member] = altitude;
+  judge(trial);
+  return {};
+}
+
+Outcome<Coverage> Planner::sweep(const Member& member, double altitude,
+                                 const world::Polygon& part) {
+  CoverageQuery query;
+  query.vehicle = member.vehicle;
+  query.vehicle.energy.capacity *= kPlenty;
+  query.area = part;
+  query.swath = member.swath;
+  query.altitude = altitude;
+  query.speed = member.speed;
+  query.depart = query_.depart;
+  const double ground = setting_.world.terrain.elevation(member.start.x(), member.start.y());
+  query.start = world::Vector3(member.start.x(), member.start.y(), ground + altitude);
+  Setting setting{setting_.world, {}, setting_.seed, setting_.paths};
+  setting.budget.time_is_up = setting_.budget.time_is_up;
+  auto swept = refine(query, setting);
+  if (!swept) return swept;
+  swept->task.energy *= kPlenty;
+  swept->cost += member.busy;
+  DurationInterval& duration = swept->duration;
+  duration = {later(duration.least, member.busy), later(duration.expected, member.busy),
+              later(duration.most, member.busy)};
+  effort_.cut_short = effort_.cut_short || swept->effort.cut_short;
+  return swept;
+}
+
+bool Planner::has_energy(const Trial& trial) const {
+  for (std::size_t i = 0; i < trial.sweeps.size(); ++i)
+    if (!(trial.sweeps[i].task.energy <= usable(query_.members[i]))) return false;
+  return true;
+}
+
+double Planner::seconds_to(const Member& member, const Refined<Coverage>& sweep) const {
+  const double distance = (sweep.task.lanes.front().from - member.start).norm();
+  return std::min(member.busy + distance / speed_of(member), sweep.cost);
+}
+
+void Planner::learn_limits(const Trial& trial, std::vector<Ability>& abilities) const {
+  for (std::size_t i = 0; i < abilities.size(); ++i) {
+    const Member& member = query_.members[i];
+    const Refined<Coverage>& sweep = trial.sweeps[i];
+    if (sweep.task.energy <= usable(member)) continue;
+    // What is drawn on the way there is drawn for any area.
+    const double on_the_way = sweep.task.energy * (seconds_to(member, sweep) - member.busy) /
+                              std::max(sweep.cost - member.busy, 1e-9);
+    const double left = std::max(0.0, usable(member) - on_the_way);
+    const double taken = std::max(sweep.task.energy - on_the_way, 1e-9);
+    abilities[i].limit = kCaution * trial.areas[i] * left / taken;
+  }
+}
+
+void Planner::learn_rates(const Trial& trial, std::vector<Ability>& abilities) const {
+  for (std::size_t i = 0; i < abilities.size(); ++i) {
+    abilities[i].ready = seconds_to(query_.members[i], trial.sweeps[i]);
+    abilities[i].rate = trial.areas[i] / std::max(trial.sweeps[i].cost - abilities[i].ready, 1e-9);
+  }
+}
+
+bool Planner::out_of_budget() const {
+  return effort_.cut_short || effort_.steps >= setting_.budget.steps;
+}
+
+bool Planner::finished() {
+  if (effort_.steps == 0) return false;
+  effort_.cut_short = effort_.cut_short || setting_.budget.expired();
+  return out_of_budget();
+}
+
+}  // namespace skein::refiners::partition
