@@ -296,8 +296,9 @@ void DdnNode::carry_out(const dn::StopReckoning& effect) {
 }
 
 void DdnNode::carry_out(const supervisor::StartDeliberation& effect) {
-  const auto work = [request = effect.request](const node::TimeIsUp& time_is_up) -> std::any {
-    return supervisor::deliberate(*request, time_is_up);
+  const auto work = [deliberator = deliberator_,
+                     request = effect.request](const node::TimeIsUp& time_is_up) -> std::any {
+    return deliberator->deliberate(*request, time_is_up);
   };
   out_.push_back(node::StartJob{effect.job, work, deliberation_});
 }

@@ -2,18 +2,22 @@
 // How long deliberation takes: missions of 3, 10 and 30 high-level tasks in a world like those of
 // the scenarios. Prints milliseconds of processor time of the one thread, the median of several
 // runs, so that what else the machine does hardly counts:
-//   domain: text to vocabulary; planning: plan_tasks; checks: schedule; insertion: insert_tasks of
-//   the last third among the others, best placement; repair: by re-refining, and by replanning all
-//   with 90 and with 30 % of the energy that the plan needs.
+//   domain: text to vocabulary; a job: insertion of two looks, with the domain compiled for it and
+//   kept from before; problem: printed and read, and made of values; planning: plan_tasks; checks:
+//   schedule; insertion: insert_tasks of the last third among the others, best placement; repair:
+//   by re-refining, and by replanning all with 90 and with 30 % of the energy that the plan needs.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <functional>
 
 #include "flight/retreat.hpp"
+#include "planning/problem.hpp"
 #include "skein/foundation/random.hpp"
+#include "skein/supervisor/deliberator.hpp"
 #include "skein/supervisor/repair.hpp"
 #include "testing/planning_lab.hpp"
+#include "testing/problem_text.hpp"
 
 namespace skein::supervisor {
 namespace {
@@ -138,6 +142,36 @@ Goals perceptions_of(std::size_t count) {
   return goals;
 }
 
+/// What one of many small jobs of a flight takes.
+void measure_jobs(const testing::PlanningLab& lab) {
+  InsertionRequest request;
+  request.base = lab.request();
+  request.added = {{mission::GoalId(1), "perceive", {"P1", 30.0}, {}},
+                   {mission::GoalId(2), "perceive", {"P2", 30.0}, {}}};
+  Deliberator kept;
+  const double anew = milliseconds([&] { (void)deliberate(request); });
+  const double again = milliseconds([&] { (void)kept.deliberate(request); });
+  PlanningRequest planning = request.base;
+  planning.tasks = request.added;
+  constexpr int kTimes = 200;
+  const double text = milliseconds([&] {
+    for (int i = 0; i < kTimes; ++i) {
+      htn::TermStore store;
+      Diagnostics errors;
+      (void)testing::read_problem(testing::problem_text(planning, "request"), store, errors);
+    }
+  });
+  const double values = milliseconds([&] {
+    for (int i = 0; i < kTimes; ++i) {
+      htn::TermStore store;
+      (void)problem_of(planning, store);
+    }
+  });
+  std::printf("a job: %.2f ms, with the domain kept %.2f ms\n", anew, again);
+  std::printf("problem: printed and read %.1f us, of values %.1f us\n", text / kTimes * 1e3,
+              values / kTimes * 1e3);
+}
+
 void measure_hard(const char* what, const testing::PlanningLab& lab, Goals goals) {
   PlanningRequest request = lab.request();
   request.tasks = std::move(goals);
@@ -158,6 +192,8 @@ int main() {
   const double domain = skein::supervisor::milliseconds(
       [&] { (void)skein::supervisor::vocabulary_of(lab.knowledge.domain); });
   std::printf("domain: %.2f ms\n", domain);
+  skein::supervisor::measure_jobs(skein::supervisor::testing::PlanningLab());
+  std::fflush(stdout);
   for (const std::size_t count : {3UL, 10UL, 30UL}) skein::supervisor::measure(lab, count);
   skein::supervisor::measure_hard("30 tasks, a wall across", skein::supervisor::lab_with_wall(),
                                   skein::supervisor::beside_the_wall(30));

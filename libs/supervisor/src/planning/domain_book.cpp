@@ -36,13 +36,4 @@ void DomainBook::read(const DomainText& text) {
   htn::read_definitions({text.file, text.text}, store_, no_files, definitions_, errors_);
 }
 
-std::unique_ptr<htn::Problem> DomainBook::problem(const std::string& text) {
-  if (domain_ != nullptr) errors_ = {};
-  // What the domain was compiled from stays where it is; of problems only the terms are needed.
-  htn::Definitions read;
-  htn::read_definitions({"problem", text}, store_, no_files, read, errors_);
-  if (!errors_.empty() || read.problems.size() != 1) return nullptr;
-  return std::make_unique<htn::Problem>(htn::make_problem(read.problems.front(), store_));
-}
-
 }  // namespace skein::supervisor

@@ -20,15 +20,12 @@ class DomainBook {
   DomainBook(const DomainBook&) = delete;
   DomainBook& operator=(const DomainBook&) = delete;
 
-  /// Of the domain; of one without errors those of the last problem.
   const Diagnostics& errors() const { return errors_; }
   const htn::DomainDefinition* definition() const {
     return definitions_.domains.empty() ? nullptr : &definitions_.domains.front();
   }
   const htn::Domain* compiled() const { return domain_.get(); }
   htn::TermStore& store() { return store_; }
-  /// Null, with errors(), when it makes no sense.
-  std::unique_ptr<htn::Problem> problem(const std::string& text);
 
  private:
   void read(const DomainText& text);

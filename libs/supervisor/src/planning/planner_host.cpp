@@ -38,6 +38,23 @@ void PlannerHost::declare(htn::Functions& functions) {
   }
 }
 
+PlannerHost::Desk::Desk() : seat_(std::make_shared<Seat>()) {}
+
+void PlannerHost::Desk::offer(htn::Functions& functions) const {
+  for (const Services::Entry& entry : Services::table()) {
+    functions.add(
+        entry.name, entry.arguments, entry.arguments,
+        [seat = seat_, &entry](htn::TermStore& store,
+                               std::span<const htn::Term> arguments) -> Result<htn::Term, Failure> {
+          if (!seat->taken) return failure("there is no world to ask");
+          return seat->taken->call(entry, store, arguments);
+        });
+  }
+}
+
+void PlannerHost::Desk::seat(const PlannerHost& host) { seat_->taken = host.services_; }
+void PlannerHost::Desk::leave() { seat_->taken.reset(); }
+
 void PlannerHost::begin() { services_->begin(); }
 const std::vector<std::string>& PlannerHost::refusals() const { return services_->refusals(); }
 std::uint64_t PlannerHost::refinements() const { return services_->refinements(); }

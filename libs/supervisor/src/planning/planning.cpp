@@ -8,6 +8,7 @@
 #include "planning/domain_book.hpp"
 #include "planning/partners.hpp"
 #include "planning/plans.hpp"
+#include "planning/problem.hpp"
 #include "planning/terms.hpp"
 #include "skein/htn/planner.hpp"
 #include "skein/supervisor/plan_reader.hpp"
@@ -119,6 +120,29 @@ htn::Options search_options(const PlanningBudget& budget) {
 
 }  // namespace
 
+/// A domain with the desk that its functions ask. Terms of all that is planned with it are its own.
+class Plans::Shelf {
+ public:
+  explicit Shelf(const DomainText& text) : text_(text) {
+    desk_.offer(functions_);
+    book_ = std::make_unique<DomainBook>(text_, functions_);
+  }
+
+  bool serves(const DomainText& text) const {
+    return text_.text == text.text && text_.file == text.file;
+  }
+  /// Of terms [bytes].
+  std::size_t memory_bytes() const { return book_->store().memory_bytes(); }
+  DomainBook& book() { return *book_; }
+  PlannerHost::Desk& desk() { return desk_; }
+
+ private:
+  const DomainText text_;
+  PlannerHost::Desk desk_;
+  htn::Functions functions_;
+  std::unique_ptr<DomainBook> book_;
+};
+
 /// Planner and refiners for requests from one origin in one world.
 class Plans::Workplace {
  public:
@@ -133,8 +157,6 @@ class Plans::Workplace {
               {[budget = request.budget] { return budget.over(); }, kRefinerSteps}) {
     if (flight_) host_.flies_on(flight_->first, flight_->second);
     if (stand_) host_.stands_at(*stand_);
-    host_.offer(functions_);
-    book_ = std::make_unique<DomainBook>(knowledge_->domain, functions_);
   }
 
   bool serves(const PlanningRequest& request) const {
@@ -142,23 +164,22 @@ class Plans::Workplace {
            request.situation.origin == origin_ && request.seed == seed_ &&
            flight_of(request.situation) == flight_ && stand_of(request.situation) == stand_;
   }
-  bool is_full() const { return book_->store().memory_bytes() > kMostKept; }
 
   Result<mission::ElementaryPlan, PlanningFailure> plan(const PlanningRequest& request,
-                                                        PlanningEffort* effort) {
-    if (book_->compiled() == nullptr) return fail(sentences(book_->errors()));
-    const auto problem = book_->problem(problem_text(request, "request"));
-    if (!problem) return fail(sentences(book_->errors()));
+                                                        Shelf& shelf, PlanningEffort& effort) {
+    DomainBook& book = shelf.book();
+    if (book.compiled() == nullptr) return fail(sentences(book.errors()));
+    const htn::Problem problem = problem_of(request, book.store());
+    shelf.desk().seat(host_);
     host_.begin();
     htn::Host search_host;
     search_host.cancelled = [&budget = request.budget] { return budget.over(); };
     const htn::Outcome outcome =
-        htn::plan(*book_->compiled(), *problem, search_options(request.budget), search_host);
-    if (effort != nullptr)
-      *effort = {outcome.statistics.expansions, outcome.statistics.inferences, host_.refinements()};
+        htn::plan(*book.compiled(), problem, search_options(request.budget), search_host);
+    effort = {outcome.statistics.expansions, outcome.statistics.inferences, host_.refinements()};
     if (outcome.plans.empty())
-      return tl::unexpected<PlanningFailure>(explain(request, book_->store(), outcome, host_));
-    auto plan = read_plan(book_->store(), outcome.plans.front(), *knowledge_, origin_);
+      return tl::unexpected<PlanningFailure>(explain(request, book.store(), outcome, host_));
+    auto plan = read_plan(book.store(), outcome.plans.front(), *knowledge_, origin_);
     if (!plan) return fail({plan.error().why});
     know_partners(*plan, world_->places, knowledge_->team);
     if (auto problem_with_energy = energy_problem(*plan, request))
@@ -167,9 +188,6 @@ class Plans::Workplace {
   }
 
  private:
-  /// Of terms [bytes]; more than that is begun anew.
-  static constexpr std::size_t kMostKept = std::size_t{1} << 25U;
-
   using Flight = std::optional<std::pair<world::Vector3, double>>;
   static Flight flight_of(const Situation& from) {
     return from.flies_on ? Flight({from.position, from.heading}) : std::nullopt;
@@ -186,8 +204,6 @@ class Plans::Workplace {
   Flight flight_;
   Stand stand_;
   PlannerHost host_;
-  htn::Functions functions_;
-  std::unique_ptr<DomainBook> book_;
 };
 
 Plans::Plans() = default;
@@ -195,11 +211,37 @@ Plans::~Plans() = default;
 
 Result<mission::ElementaryPlan, PlanningFailure> Plans::plan(const PlanningRequest& request,
                                                              PlanningEffort* effort) {
-  std::erase_if(workplaces_, [](const auto& one) { return one->is_full(); });
+  if (effort_of_job_ > kMostEffort) end_job();
+  Shelf& shelf = shelf_for(request.knowledge->domain);
+  PlanningEffort spent;
+  auto plan = workplace_for(request).plan(request, shelf, spent);
+  effort_of_job_ += spent.inferences;
+  if (effort != nullptr) *effort = spent;
+  return plan;
+}
+
+void Plans::end_job() {
+  workplaces_.clear();
+  const bool full = shelf_ && (effort_of_job_ > kMostEffort || shelf_->memory_bytes() > kMostKept);
+  if (full) shelf_.reset();
+  if (shelf_) shelf_->desk().leave();
+  effort_of_job_ = 0;
+}
+
+// What refiners answered is in terms of the shelf: it goes with it.
+Plans::Shelf& Plans::shelf_for(const DomainText& domain) {
+  if (!shelf_ || !shelf_->serves(domain)) {
+    workplaces_.clear();
+    shelf_ = std::make_unique<Shelf>(domain);
+  }
+  return *shelf_;
+}
+
+Plans::Workplace& Plans::workplace_for(const PlanningRequest& request) {
   for (const auto& one : workplaces_)
-    if (one->serves(request)) return one->plan(request, effort);
+    if (one->serves(request)) return *one;
   workplaces_.push_back(std::make_unique<Workplace>(request));
-  return workplaces_.back()->plan(request, effort);
+  return *workplaces_.back();
 }
 
 Result<mission::ElementaryPlan, PlanningFailure> plan_tasks(const PlanningRequest& request,

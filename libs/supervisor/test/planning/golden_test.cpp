@@ -12,6 +12,7 @@
 #include "skein/supervisor/plan_reader.hpp"
 #include "skein/supervisor/planner_host.hpp"
 #include "testing/planning_lab.hpp"
+#include "testing/problem_text.hpp"
 
 namespace skein::supervisor {
 namespace {
@@ -35,8 +36,10 @@ std::string planned_file(const std::string& name, const PlanningLab& lab) {
   htn::Functions functions;
   host.offer(functions);
   DomainBook book(request.knowledge->domain, functions);
-  const auto problem = book.problem(testing::file_text("scenarios/domains/" + name));
-  if (!problem) return to_text(book.errors());
+  Diagnostics errors;
+  const auto problem =
+      testing::read_problem(testing::file_text("scenarios/domains/" + name), book.store(), errors);
+  if (!problem) return to_text(errors);
   const htn::Outcome outcome = htn::plan(*book.compiled(), *problem, {});
   if (outcome.plans.empty()) return "no plan";
   return mission::to_taskreq(

@@ -47,6 +47,36 @@ TEST(Plans, AreThoseThatEachRequestGivesByItself) {
     EXPECT_EQ(plans.plan(request), plan_tasks(request));
 }
 
+TEST(Plans, AreTheSameWhateverJobsCameBefore) {
+  PlanningLab lab = flying();
+  const PlanningRequest base = lab.request();
+  PlanningRequest later = with_tasks(base, {perceive(3, "P2")});
+  later.situation.origin = MissionTime::seconds(100);
+  PlanningLab other_domain = flying();
+  other_domain.domain("(defdomain other ())");
+  Plans plans;
+
+  for (const PlanningRequest& request :
+       {with_tasks(base, {perceive(1, "P1")}), later, with_tasks(other_domain.request(), {}),
+        with_tasks(base, {perceive(1, "nowhere")}), with_tasks(base, {perceive(1, "P1")})}) {
+    EXPECT_EQ(plans.plan(request), plan_tasks(request));
+    plans.end_job();
+  }
+}
+
+TEST(Plans, OfANewJobAskTheRefinersAgain) {
+  const PlanningRequest request = with_tasks(flying().request(), {perceive(1, "P1")});
+  Plans plans;
+  PlanningEffort first, second;
+  ASSERT_TRUE(plans.plan(request, &first));
+  plans.end_job();
+
+  ASSERT_TRUE(plans.plan(request, &second));
+
+  EXPECT_GT(first.refinements, 0U);
+  EXPECT_EQ(second, first);
+}
+
 TEST(Plans, ReadNoDomainAndAskNoRefinerAgainForWhatIsKnown) {
   const PlanningRequest base = flying().request();
   Plans plans;

@@ -14,6 +14,7 @@
 #include "skein/supervisor/plan_reader.hpp"
 #include "skein/supervisor/planner_host.hpp"
 #include "testing/planning_lab.hpp"
+#include "testing/problem_text.hpp"
 
 namespace skein::supervisor {
 namespace {
@@ -95,8 +96,10 @@ std::string planned(const std::string& file, const testing::PlanningLab& lab,
   const PlanningRequest request = lab.request();
   SeedHost host(request, std::move(gotos));
   DomainBook book(request.knowledge->domain, host.functions());
-  const auto problem = book.problem(testing::file_text("scenarios/domains/" + file));
-  if (!problem) return to_text(book.errors());
+  Diagnostics errors;
+  const auto problem =
+      testing::read_problem(testing::file_text("scenarios/domains/" + file), book.store(), errors);
+  if (!problem) return to_text(errors);
   const htn::Outcome outcome = htn::plan(*book.compiled(), *problem, {});
   if (outcome.plans.empty()) return "no plan: " + outcome.why;
   return shape_of(mission::to_taskreq(

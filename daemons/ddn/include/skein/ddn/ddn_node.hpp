@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "skein/decision_node/decision_node.hpp"
 #include "skein/node/node.hpp"
 #include "skein/node/roster.hpp"
+#include "skein/supervisor/deliberator.hpp"
 #include "skein/translation/journal_lines.hpp"
 
 namespace skein::ddn {
@@ -83,6 +85,9 @@ class DdnNode final : public node::Node {
   node::NodeNumber functional_;  ///< the functional layer of its UAV
   std::string contact_policy_;
   Duration deliberation_;
+  /// Works in jobs, one after another; here it is only handed on.
+  std::shared_ptr<supervisor::Deliberator> deliberator_ =
+      std::make_shared<supervisor::Deliberator>();
   team::Roster team_;
   std::vector<wire::ModelVersion> models_;  ///< of joint tasks, that it has
   decision_node::DecisionNode decision_;

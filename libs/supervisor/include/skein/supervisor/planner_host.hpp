@@ -36,6 +36,10 @@ class PlannerHost {
   /// they fail.
   static void declare(htn::Functions& functions);
 
+  /// Gives a domain the functions of whichever host sits at it, so that one compiled domain serves
+  /// hosts one after another. Thread rule: as a host.
+  class Desk;
+
   /// The next planning begins: from here on refusals and refinements count. What was refined before
   /// is known; what was refused then is refused again with the same words.
   void begin();
@@ -47,6 +51,21 @@ class PlannerHost {
  private:
   class Services;
   std::shared_ptr<Services> services_;
+};
+
+class PlannerHost::Desk {
+ public:
+  Desk();
+  /// The functions may outlive the desk; while nobody sits at it they fail.
+  void offer(htn::Functions& functions) const;
+  void seat(const PlannerHost& host);
+  void leave();
+
+ private:
+  struct Seat {
+    std::shared_ptr<Services> taken;
+  };
+  std::shared_ptr<Seat> seat_;
 };
 
 }  // namespace skein::supervisor

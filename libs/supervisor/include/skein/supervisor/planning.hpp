@@ -141,7 +141,4 @@ struct PlanningEffort {
 Result<mission::ElementaryPlan, PlanningFailure> plan_tasks(const PlanningRequest& request,
                                                             PlanningEffort* effort = nullptr);
 
-/// The problem as the planner is given it, in the planner's language: for `skein plan` and logs.
-std::string problem_text(const PlanningRequest& request, const std::string& name);
-
 }  // namespace skein::supervisor
