@@ -23,6 +23,7 @@
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "skein/manual/pages.hpp"
+#include "skein/designer/workbench.hpp"
 #include "skein/mavlink_out/mavlink_out.hpp"
 #include "skein/node/waker.hpp"
 
@@ -97,6 +98,8 @@ Result<std::unique_ptr<console::Console>, Failure> open_console(
   console::ConsoleConfig config;
   config.names = options.console_names;
   config.world = assembly::page_world(scenario);
+  const auto models = designer::models_of(options.scenario);
+  if (!models.empty()) config.annex = std::make_shared<designer::Workbench>(models);
   if (auto read = console::read_address(options.console, config); !read) {
     return tl::unexpected(read.error());
   }
