@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/blackboard/network.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -67,6 +68,14 @@ std::vector<std::string> problems_of(const NetworkConfig& network) {
   for (const std::string& one : network.peers) check("peer", one, 0);
   for (const std::string& one : network.discovery_servers) check("discovery server", one, 1);
   if (network.dds == DdsVendor::kCycloneDds) {
+    const auto is_loopback = [](const std::string& one) { return one.starts_with("127."); };
+    const auto on_loopback = std::ranges::count_if(network.interfaces, is_loopback);
+    if (on_loopback > 0 && on_loopback < std::ssize(network.interfaces)) {
+      problems.emplace_back(
+          "Cyclone DDS is deaf on other interfaces when it is on the loopback interface too: use "
+          "one "
+          "kind, or --dds fastdds");
+    }
     if (!network.discovery_servers.empty()) {
       problems.emplace_back(
           "Cyclone DDS knows no discovery server: name peers, or use --dds fastdds");

@@ -54,6 +54,13 @@ TEST(NetworkConfig, WhatCycloneCannotDoIsSaid) {
   network.dds = DdsVendor::kCycloneDds;
 
   EXPECT_EQ(problems_of(network).size(), 2U);
+
+  network = {};
+  network.dds = DdsVendor::kCycloneDds;
+  network.interfaces = {"10.0.0.2", "10.0.1.2"};
+  EXPECT_TRUE(problems_of(network).empty());
+  network.interfaces.emplace_back("127.0.0.1");
+  EXPECT_EQ(problems_of(network).size(), 1U);
 }
 
 }  // namespace

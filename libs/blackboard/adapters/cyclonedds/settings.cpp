@@ -43,7 +43,9 @@ std::string settings(const DdsConfig& config, std::uint32_t number) {
   const std::string internal =
       "<SocketReceiveBufferSize min=\"default\" max=\"2MB\"/>"
       "<HeartbeatInterval max=\"100ms\">100ms</HeartbeatInterval>" +
-      element("NackDelay", "10ms") + element("WriterLingerDuration", "0s") +
+      // Without a key hash Fast DDS does not understand which endpoint is gone.
+      element("GenerateKeyhash", "true") + element("NackDelay", "10ms") +
+      element("WriterLingerDuration", "0s") +
       element("Watermarks", element("WhcHigh", "1GB") + element("WhcLow", "1kB") +
                                 element("WhcAdaptive", "false"));
   return element("CycloneDDS", "<Domain Id=\"any\">" + element("General", general) +
