@@ -14,8 +14,8 @@
 #include <map>
 #include <set>
 
+#include "skein/blackboard/dds_transport.hpp"
 #include "skein/blackboard/domain_lease.hpp"
-#include "skein/blackboard/fastdds_transport.hpp"
 #include "skein/node/waker.hpp"
 
 extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX leaves it to us
@@ -26,17 +26,33 @@ namespace {
 // Far longer than anything here takes: a test that gets there has failed.
 constexpr Duration kDeadline = Duration::milliseconds(30'000);
 
+// "mixed": the reader and the ground are on Cyclone DDS, the others on Fast DDS.
+blackboard::DdsVendor vendor_of(const std::string& mix, const std::string& node) {
+  if (const auto all = blackboard::dds_from_name(mix)) return *all;
+  const bool cyclone = node == "ground" || node == "runner";
+  return cyclone ? blackboard::DdsVendor::kCycloneDds : blackboard::DdsVendor::kFastDds;
+}
+
+std::unique_ptr<blackboard::Transport> make_transport(const std::string& mix,
+                                                      std::uint32_t domain) {
+  blackboard::DdsConfig config;
+  config.domain = domain;
+  config.participant_name = "runner";
+  config.network.dds = vendor_of(mix, config.participant_name);
+  return blackboard::make_dds_transport(std::move(config));
+}
+
 // Three daemons in a DDS domain of their own, and what a reader on the world channel sees of them.
-class Daemons : public ::testing::Test {
+class Daemons : public ::testing::TestWithParam<const char*> {
  protected:
   Daemons() {
     std::filesystem::create_directories(folder_);
-    transport_.on_arrival([this] { waker_.notify(); });
+    transport_->on_arrival([this] { waker_.notify(); });
     blackboard::Config config;
     config.self = roster_.runner();
     config.channels = roster_.channels_of(*roster_.find("runner"));
     config.world_reads = Roster::world_reads_of(wire::Role::kRunner);
-    auto opened = blackboard::Blackboard::open(std::move(config), transport_);
+    auto opened = blackboard::Blackboard::open(std::move(config), *transport_);
     EXPECT_TRUE(opened.has_value());
     board_.emplace(std::move(*opened));
   }
@@ -50,8 +66,9 @@ class Daemons : public ::testing::Test {
 
   void start(const std::string& name, const std::string& finish = "0") {
     const std::string program = SKEIN_BINARY_DIR "/bin/skein_node_test_daemon";
-    std::vector<std::string> words{program, std::to_string(lease_.value().domain()), name, finish,
-                                   file_of(name)};
+    std::vector<std::string> words{
+        program,       std::to_string(lease_.value().domain()),          name, finish,
+        file_of(name), std::string(name_of(vendor_of(GetParam(), name)))};
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -135,13 +152,14 @@ class Daemons : public ::testing::Test {
   const std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() / ("skein-daemon-test-" + std::to_string(getpid()));
   Waker waker_;
-  blackboard::FastDdsTransport transport_{{lease_.value().domain(), "runner", {}, nullptr}};
+  std::unique_ptr<blackboard::Transport> transport_ =
+      make_transport(GetParam(), lease_.value().domain());
   std::optional<blackboard::Blackboard> board_;
   std::map<std::string, pid_t> running_;
   std::map<NodeNumber, std::vector<std::string>> records_;
 };
 
-TEST_F(Daemons, TheClockStartsOnceEverybodyIsReady) {
+TEST_P(Daemons, TheClockStartsOnceEverybodyIsReady) {
   start("sim");
   start("ground");
   ASSERT_TRUE(until([&] { return clocks_.size() >= 5; }));
@@ -156,7 +174,7 @@ TEST_F(Daemons, TheClockStartsOnceEverybodyIsReady) {
   EXPECT_EQ(clocks_.back().rate, 10);
 }
 
-TEST_F(Daemons, MissionTimeAdvancesAtTheFollowersInStepWithTheLeaders) {
+TEST_P(Daemons, MissionTimeAdvancesAtTheFollowersInStepWithTheLeaders) {
   start_all();
 
   ASSERT_TRUE(until([&] { return ticks_read("a") >= 250; }));
@@ -172,7 +190,7 @@ TEST_F(Daemons, MissionTimeAdvancesAtTheFollowersInStepWithTheLeaders) {
   }
 }
 
-TEST_F(Daemons, JobsComeBackWhileTheLoopGoesOn) {
+TEST_P(Daemons, JobsComeBackWhileTheLoopGoesOn) {
   start_all();
 
   EXPECT_TRUE(until([&] {
@@ -183,7 +201,7 @@ TEST_F(Daemons, JobsComeBackWhileTheLoopGoesOn) {
   }));
 }
 
-TEST_F(Daemons, TheEndOfTheMissionEndsThemAll) {
+TEST_P(Daemons, TheEndOfTheMissionEndsThemAll) {
   start_all("3");
 
   ASSERT_TRUE(until_all_ended());
@@ -193,7 +211,7 @@ TEST_F(Daemons, TheEndOfTheMissionEndsThemAll) {
   EXPECT_GE(clocks_.back().time, MissionTime::seconds(5).count());  // two seconds after the end
 }
 
-TEST_F(Daemons, EveryRecordArrivesInOrderUpToTheLast) {
+TEST_P(Daemons, EveryRecordArrivesInOrderUpToTheLast) {
   start_all("4");
 
   ASSERT_TRUE(until_all_ended());
@@ -206,7 +224,7 @@ TEST_F(Daemons, EveryRecordArrivesInOrderUpToTheLast) {
   }
 }
 
-TEST_F(Daemons, ASignalStopsOneAndItsLastRecordsArrive) {
+TEST_P(Daemons, ASignalStopsOneAndItsLastRecordsArrive) {
   start_all();
   ASSERT_TRUE(until([&] { return ticks_read("a") >= 50; }));
 
@@ -219,7 +237,7 @@ TEST_F(Daemons, ASignalStopsOneAndItsLastRecordsArrive) {
   EXPECT_EQ(read("a"), written("a"));
 }
 
-TEST_F(Daemons, ASignalStopsTheLeader) {
+TEST_P(Daemons, ASignalStopsTheLeader) {
   start_all();
   ASSERT_TRUE(until([&] { return !clocks_.empty(); }));
 
@@ -229,7 +247,7 @@ TEST_F(Daemons, ASignalStopsTheLeader) {
   EXPECT_EQ(ends_.at("sim"), 10);
 }
 
-TEST_F(Daemons, OneThatDiedDoesNotHoldTheOthersUp) {
+TEST_P(Daemons, OneThatDiedDoesNotHoldTheOthersUp) {
   start_all();
   ASSERT_TRUE(until([&] { return ticks_read("a") >= 50; }));
 
@@ -240,6 +258,10 @@ TEST_F(Daemons, OneThatDiedDoesNotHoldTheOthersUp) {
   ASSERT_TRUE(until_all_ended());
   EXPECT_EQ(ends_, (std::map<std::string, int>{{"a", 10}, {"ground", -SIGKILL}, {"sim", 10}}));
 }
+
+std::string name_of_mix(const ::testing::TestParamInfo<const char*>& mix) { return mix.param; }
+INSTANTIATE_TEST_SUITE_P(On, Daemons, ::testing::Values("fastdds", "cyclonedds", "mixed"),
+                         name_of_mix);
 
 }  // namespace
 }  // namespace skein::node

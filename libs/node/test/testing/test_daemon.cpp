@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A small daemon for the tests of run_daemon: skein_node_test_daemon DOMAIN NAME FINISH FILE
+// A small daemon for the tests of run_daemon: skein_node_test_daemon DOMAIN NAME FINISH FILE DDS
 // System of ground, sim and UAV "a"; sim leads the clock at rate 10. Every mission second the node
 // writes 50 records; at mission second FINISH (0: never) the ground ends the mission and everybody
 // writes 1000 at once, a second later, just before they stop.
@@ -64,12 +64,13 @@ class Talker final : public Node {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) return 2;
+  if (argc != 6) return 2;
   const std::string name = argv[2];
   std::ofstream file(argv[4]);
   const Roster roster({"a"});
   DaemonConfig config;
   config.domain = static_cast<std::uint32_t>(std::strtoul(argv[1], nullptr, 10));
+  config.network.dds = skein::blackboard::dds_from_name(argv[5]).value();
   config.rate = 10;
   config.leads_clock = name == "sim";
   if (config.leads_clock) config.awaited = {"ground", "sim", "a"};
