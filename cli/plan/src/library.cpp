@@ -57,18 +57,15 @@ void Library::read_file(const std::string& file, std::istream& in) {
   if (!text) return errors_.add(about(file, text.error().why));
   const auto found = [this] {
     return definitions_.domains.size() + definitions_.problems.size() +
-           definitions_.functions.size() + definitions_.foreign.size() + errors_.size();
+           definitions_.functions.size() + definitions_.foreign.size() +
+           wanted_.passed_over.size() + errors_.size();
   };
   const std::size_t before = found();
   const auto include = [&in](const std::string& name, const std::string& from) {
     return included(name, from, in);
   };
-  htn::SourceFile source{file, std::move(*text)};
-  if (wary_) {
-    read_definitions(std::move(source), store_, include, definitions_, errors_, warnings_);
-  } else {
-    read_definitions(std::move(source), store_, include, definitions_, errors_);
-  }
+  read_definitions({file, std::move(*text)}, store_, include, definitions_, errors_,
+                   wary_ ? &warnings_ : nullptr, wanted_);
   if (before == found()) {
     warnings_.add(about(file, "defines neither a domain nor a problem"));
   }
@@ -133,12 +130,14 @@ void Library::report_foreign() {
     diagnostic.expected =
         "SHOP2's (defdomain …) and (defproblem …)" +
         std::string(one.language == "HDDL" ? ", as a translator (pandaPIparser) writes them" : "");
-    (definitions_.problems.empty() ? errors_ : warnings_).add(std::move(diagnostic));
+    const bool nothing = definitions_.problems.empty() && wanted_.passed_over.empty();
+    (nothing ? errors_ : warnings_).add(std::move(diagnostic));
   }
 }
 
 void Library::report_unknown(const std::vector<std::string>& names) {
-  const std::vector<std::string> known = names_of(definitions_.problems);
+  std::vector<std::string> known = names_of(definitions_.problems);
+  known.insert(known.end(), wanted_.passed_over.begin(), wanted_.passed_over.end());
   report_foreign();
   if (known.empty() && errors_.empty()) {
     errors_.add(

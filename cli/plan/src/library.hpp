@@ -11,6 +11,7 @@
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/htn/definitions.hpp"
 #include "skein/htn/domain.hpp"
+#include "skein/htn/wanted_problems.hpp"
 
 namespace skein::plan_tool {
 
@@ -23,8 +24,11 @@ struct ChosenProblem {
 /// Files are read once, in order; what comes later replaces domains of the same name, as in Lisp.
 class Library {
  public:
-  /// What is suspicious in the files is looked for only if `wary`.
-  explicit Library(bool wary) : wary_(wary) {}
+  /// What is suspicious in the files is looked for only if `wary`. If not, and if `problems` names
+  /// any, other problems are passed over; their facts count for what is suspicious in a domain.
+  explicit Library(bool wary, std::vector<std::string> problems = {}) : wary_(wary) {
+    if (!wary) wanted_.names = std::move(problems);
+  }
 
   /// Everything wrong goes to `errors`, everything suspicious to `warnings`.
   void read(const std::vector<std::string>& files, std::istream& in);
@@ -58,6 +62,7 @@ class Library {
   void report_unknown(const std::vector<std::string>& names);
 
   bool wary_;
+  htn::WantedProblems wanted_;
   htn::TermStore store_;
   htn::Functions functions_;
   htn::Definitions definitions_;

@@ -247,7 +247,7 @@ void leave_to_process(std::unique_ptr<Library> library) {
 
 int run_plan(const PlanOptions& options, const Surroundings& surroundings, std::istream& in,
              std::ostream& out, std::ostream& err) try {
-  auto kept = std::make_unique<Library>(!options.quiet);
+  auto kept = std::make_unique<Library>(!options.quiet, options.problems);
   Library& library = *kept;
   if (surroundings.process_ends) leave_to_process(std::move(kept));
   library.read(options.files, in);

@@ -15,10 +15,9 @@ void add_slot(std::uint32_t slot, std::vector<std::uint32_t>& out) {
 void add_slots(const TermStore& store, Term pattern, std::vector<std::uint32_t>& out) {
   if (pattern.is(TermKind::kSlot)) return add_slot(pattern.index(), out);
   if ((store.content(pattern) & kHasSlot) == 0) return;
-  std::vector<Term> open{pattern};
-  while (!open.empty()) {
-    Term rest = open.back();
-    open.pop_back();
+  std::vector<Term> open;
+  Term rest = pattern;
+  while (true) {
     for (; rest.is(TermKind::kPair); rest = store.cdr(rest)) {
       const Term item = store.car(rest);
       if (item.is(TermKind::kSlot)) {
@@ -28,6 +27,9 @@ void add_slots(const TermStore& store, Term pattern, std::vector<std::uint32_t>&
       }
     }
     if (rest.is(TermKind::kSlot)) add_slot(rest.index(), out);
+    if (open.empty()) return;
+    rest = open.back();
+    open.pop_back();
   }
 }
 

@@ -21,16 +21,15 @@ std::string_view head_name(const TermStore& store, Expression list) {
 }
 
 bool mentions_call(const TermStore& store, Expression expression) {
-  std::vector<Expression> open{expression};
-  while (!open.empty()) {
-    const Expression at = open.back();
-    open.pop_back();
+  std::vector<Expression> open;
+  for (Expression at = expression;; open.pop_back()) {
     if (head_name(store, at) == "call") return true;
     for (Expression part = first(at); part; part = next(part)) {
       if ((*part).list) open.push_back(part);
     }
+    if (open.empty()) return false;
+    at = open.back();
   }
-  return false;
 }
 
 /// Reads the text of a network into body nodes.

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "language/scanner.hpp"
+#include "language/wanted_document.hpp"
 #include "skein/htn/syntax.hpp"
 #include "skein/htn/utf8.hpp"
 
@@ -54,6 +55,12 @@ Place place_of(const Document& document, std::uint32_t offset) {
 
 Document read_document(std::string file, std::string text, TermStore& store,
                        Diagnostics& problems) {
+  WantedProblems all;
+  return read_document(std::move(file), std::move(text), store, problems, all);
+}
+
+Document read_document(std::string file, std::string text, TermStore& store, Diagnostics& problems,
+                       WantedProblems& wanted) {
   Document document;
   document.file = std::move(file);
   if (text.size() > kLargestText) {
@@ -65,7 +72,12 @@ Document read_document(std::string file, std::string text, TermStore& store,
   document.characters = characters_before_blocks(document.text);
   document.nodes.reserve(document.text.size() / kBytesPerNode);
   Diagnostics found;
-  if (!Scanner(document, store, found, false).scan()) {
+  Scanner scanner(document, store, found, false);
+  scanner.want(wanted.names);
+  if (scanner.scan()) {
+    wanted.passed_over.insert(wanted.passed_over.end(), scanner.passed_over().begin(),
+                              scanner.passed_over().end());
+  } else {
     found = {};
     document.nodes.clear();
     document.top.clear();

@@ -102,8 +102,11 @@ std::vector<Expression> parts(Expression list) {
 }
 
 std::size_t count(Expression list) {
+  const Expression begin = first(list);
+  if (!begin) return 0;
+  const Node* const nodes = list.document->nodes.data();
   std::size_t out = 0;
-  for (Expression at = first(list); at; at = next(at)) ++out;
+  for (NodeIndex at = begin.node; at != kNoNode; at = nodes[at].next) ++out;
   return out;
 }
 

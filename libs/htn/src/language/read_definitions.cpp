@@ -7,6 +7,7 @@
 #include "language/domain_reader.hpp"
 #include "language/problem_reader.hpp"
 #include "language/review.hpp"
+#include "language/wanted_document.hpp"
 
 namespace skein::htn {
 
@@ -204,13 +205,13 @@ void append_in_order(const Diagnostics& found, Diagnostics& to) {
 
 // Warnings only if they are wanted.
 void read(SourceFile file, TermStore& store, const IncludeReader& include, Definitions& definitions,
-          Diagnostics& errors, Diagnostics* warnings) {
+          Diagnostics& errors, Diagnostics* warnings, WantedProblems& wanted) {
   Diagnostics found;
   Diagnostics suspicious;
   const std::size_t domains = definitions.domains.size();
   const std::size_t problems = definitions.problems.size();
   definitions.documents.push_back(std::make_unique<Document>(
-      read_document(std::move(file.name), std::move(file.text), store, found)));
+      read_document(std::move(file.name), std::move(file.text), store, found, wanted)));
   const Document& document = *definitions.documents.back();
   const Words words(store);
   ReadContext context{store, words, include, definitions, found, suspicious};
@@ -225,12 +226,20 @@ void read(SourceFile file, TermStore& store, const IncludeReader& include, Defin
 
 void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
                       Definitions& definitions, Diagnostics& errors, Diagnostics& warnings) {
-  read(std::move(file), store, include, definitions, errors, &warnings);
+  WantedProblems all;
+  read(std::move(file), store, include, definitions, errors, &warnings, all);
 }
 
 void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
                       Definitions& definitions, Diagnostics& errors) {
-  read(std::move(file), store, include, definitions, errors, nullptr);
+  WantedProblems all;
+  read(std::move(file), store, include, definitions, errors, nullptr, all);
+}
+
+void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
+                      Definitions& definitions, Diagnostics& errors, Diagnostics* warnings,
+                      WantedProblems& wanted) {
+  read(std::move(file), store, include, definitions, errors, warnings, wanted);
 }
 
 }  // namespace skein::htn

@@ -47,6 +47,7 @@ bool Scanner::scan() {
   while (true) {
     while (!at_end() && (traits_of(text_[at_]) & kSpaceByte) != 0) ++at_;
     if (at_end() || !bounded()) return finish();
+    if (!wanted_.empty() && frames_.empty() && pass_over_problem()) continue;
     next();
   }
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,10 @@ class Scanner {
  public:
   Scanner(Document& document, TermStore& store, Diagnostics& problems, bool guess_missing);
 
+  /// Of the top-level forms (defproblem NAME …) only those of these names, if there are any; the
+  /// names of the others go to passed_over().
+  void want(const std::vector<std::string>& problems) { wanted_ = problems; }
+  const std::vector<std::string>& passed_over() const { return passed_over_; }
   /// False: some list was still open at the end of the text (nothing was reported for it unless
   /// missing parentheses are guessed).
   bool scan();
@@ -69,6 +74,10 @@ class Scanner {
   void report_unclosed_at_end();
   std::uint32_t column_if_first_on_line(std::uint32_t at) const;
 
+  // scanner_skip.cpp: problems that nobody wants
+  bool pass_over_problem();
+  std::size_t end_of_list(std::size_t at) const;
+
   // scanner_tokens.cpp: atoms and comments
   void skip_line();
   void skip_block_comment();
@@ -94,7 +103,10 @@ class Scanner {
     return within || stop_at_bound();
   }
   bool stop_at_bound();
-  std::string_view bounded_name(std::string_view name, std::uint32_t begin);
+  std::string_view bounded_name(std::string_view name, std::uint32_t begin) {
+    return name.size() <= kLongestName ? name : cut_name(name, begin);
+  }
+  std::string_view cut_name(std::string_view name, std::uint32_t begin);
   void error(std::uint32_t where, std::string message, std::string expected = "");
 
   Document& document_;
@@ -102,6 +114,8 @@ class Scanner {
   TermStore& store_;
   Diagnostics& problems_;
   bool guess_missing_;
+  std::span<const std::string> wanted_;
+  std::vector<std::string> passed_over_;
   std::size_t at_ = 0;
   std::vector<Frame> frames_;
   std::uint32_t depth_ = 0;  ///< open lists

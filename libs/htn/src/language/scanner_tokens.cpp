@@ -179,8 +179,7 @@ void Scanner::read_token() {
   take_plain(token, start);
 }
 
-std::string_view Scanner::bounded_name(std::string_view name, std::uint32_t begin) {
-  if (name.size() <= kLongestName) return name;
+std::string_view Scanner::cut_name(std::string_view name, std::uint32_t begin) {
   error(begin, "a name of " + std::to_string(name.size()) + " bytes",
         std::to_string(kLongestName) + " at most");
   std::size_t length = kLongestName;

@@ -109,17 +109,21 @@ void Bindings::collect_unbound(Term term, Base base, std::vector<Term>& out) con
       out.push_back(value);
     return;
   }
-  std::vector<Term> rests{value};
-  while (!rests.empty()) {
-    const Term next = resolve(rests.back(), base);
-    rests.pop_back();
-    if (plain(next)) continue;
-    if (next.is(TermKind::kPair)) {
-      rests.push_back(store_.cdr(next));
-      rests.push_back(store_.car(next));
-    } else if (std::find(out.begin(), out.end(), next) == out.end()) {
-      out.push_back(next);
+  if (plain(value)) return;
+  std::vector<Term> rests;  // of lists around the one that is gone along
+  for (Term next = value;;) {
+    if (!plain(next)) {
+      if (next.is(TermKind::kPair)) {
+        const Term rest = store_.cdr(next);
+        if (rest != kNil) rests.push_back(rest);
+        next = resolve(store_.car(next), base);
+        continue;
+      }
+      if (std::find(out.begin(), out.end(), next) == out.end()) out.push_back(next);
     }
+    if (rests.empty()) return;
+    next = resolve(rests.back(), base);
+    rests.pop_back();
   }
 }
 

@@ -107,7 +107,26 @@ Result<Number, Failure> parse_float(const Parts& parts) {
   return is_double ? real(*value) : single(*value);
 }
 
-std::string integral_text(std::int64_t value) { return std::to_string(value); }
+void append_integral(std::int64_t value, std::string& out) {
+  std::array<char, 24> buffer{};
+  const auto [end, failed] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  out.append(buffer.data(), end);
+}
+
+// What Lisp writes without an exponent; false for anything else.
+template <class Real>
+bool append_plain(Real value, std::string& out) {
+  const Real size = std::abs(value);
+  if (value != 0 && !(size >= static_cast<Real>(1e-3) && size < static_cast<Real>(1e7)))
+    return false;
+  std::array<char, 64> buffer{};
+  const auto [end, failed] =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed);
+  const std::string_view text(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+  out += text;
+  if (text.find('.') == std::string_view::npos) out += ".0";
+  return true;
+}
 
 // Digits of the shortest text, and the power of ten of the first of them.
 struct Decimal {
@@ -173,13 +192,21 @@ std::optional<Result<Number, Failure>> parse_number(std::string_view text) {
 }
 
 std::string to_text(const Number& number) {
+  std::string out;
   switch (number.kind) {
     case NumberKind::kInteger:
-      return integral_text(number.numerator);
+      append_integral(number.numerator, out);
+      return out;
     case NumberKind::kRatio:
-      return integral_text(number.numerator) + '/' + integral_text(number.denominator);
+      append_integral(number.numerator, out);
+      out += '/';
+      append_integral(number.denominator, out);
+      return out;
     case NumberKind::kSingle:
+      if (append_plain(static_cast<float>(number.real), out)) return out;
+      break;
     case NumberKind::kDouble:
+      if (append_plain(number.real, out)) return out;
       break;
   }
   return real_text(number);

@@ -14,6 +14,7 @@ namespace skein::htn {
 namespace {
 
 constexpr std::size_t kFirstTable = 1024;
+constexpr std::size_t kFirstPairTable = 4096;  // the terms of a small domain
 constexpr std::size_t kLargestIndex = (std::size_t{1} << 29) - 1;
 
 std::uint64_t mix(std::uint64_t value) {
@@ -112,8 +113,8 @@ Term loose_leaf(TermStore& store, Term term) {
 TermStore::TermStore()
     : symbol_table_(kFirstTable),
       number_table_(kFirstTable, 0),
-      pair_table_(kFirstTable, 0),
-      pair_table_shift_(64 - std::bit_width(kFirstTable - 1)) {
+      pair_table_(kFirstPairTable, 0),
+      pair_table_shift_(64 - std::bit_width(kFirstPairTable - 1)) {
   symbol("nil");
   symbol("t");
 }

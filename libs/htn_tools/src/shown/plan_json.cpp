@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -14,13 +15,21 @@ namespace skein::htn {
 
 namespace {
 
+// Bytes that do not stand for themselves in JSON, or may not.
+constexpr std::array<std::uint8_t, 256> kOther = [] {
+  std::array<std::uint8_t, 256> other{};
+  for (std::size_t code = 0; code < other.size(); ++code) {
+    const bool as_it_is = code >= 0x20 && code < 0x80 && code != '"' && code != '\\';
+    other[code] = as_it_is ? 0 : 1;
+  }
+  return other;
+}();
+
 // Characters that JSON cannot hold as they are; bytes that are no UTF-8 become U+FFFD.
 void append_escaped(std::string_view text, std::string& out) {
-  const auto as_it_is = [](char byte) {
-    const auto code = static_cast<unsigned char>(byte);
-    return code >= 0x20 && code < 0x80 && byte != '"' && byte != '\\';
-  };
-  if (std::all_of(text.begin(), text.end(), as_it_is)) {
+  std::uint8_t other = 0;
+  for (const char byte : text) other |= kOther[static_cast<unsigned char>(byte)];
+  if (other == 0) {
     out += text;
     return;
   }
@@ -114,6 +123,8 @@ std::string_view kind_name(TreeNodeKind kind) {
   }
 }
 
+void append_json(Term term, const TermStore& store, std::string& out, std::vector<Term>& rests);
+
 void append_terms(const std::vector<Term>& terms, const TermStore& store, std::string& out) {
   out += '[';
   Commas commas(out);
@@ -136,14 +147,21 @@ class PlanWriter {
     for (StepIndex at = 0; at < plan_.steps.size(); ++at) {
       if (numbers_[at] == kNoStep) continue;
       commas.item();
-      append_json(plan_.steps[at].action, store_, out_);
+      append_json(plan_.steps[at].action, store_, out_, rests_);
     }
     out_ += "],\"costs\":[";
     Commas cost_commas(out_);
+    std::optional<Number> last;  // many steps cost the same
+    std::string last_text;
     for (StepIndex at = 0; at < plan_.steps.size(); ++at) {
       if (numbers_[at] == kNoStep) continue;
       cost_commas.item();
-      append_number(plan_.steps[at].cost, out_);
+      if (last != plan_.steps[at].cost) {
+        last = plan_.steps[at].cost;
+        last_text.clear();
+        append_number(*last, last_text);
+      }
+      out_ += last_text;
     }
     out_ += ']';
   }
@@ -242,6 +260,7 @@ class PlanWriter {
   const TermStore& store_;
   StepNumbers numbers_;
   std::string& out_;
+  std::vector<Term> rests_;
 };
 
 std::string_view verdict_name(Verdict verdict) {
@@ -295,7 +314,14 @@ void append_plans(const Outcome& outcome, const TermStore& store, const PlanJson
 }  // namespace
 
 void append_json(Term term, const TermStore& store, std::string& out) {
-  std::vector<Term> rests;  // what remains of each list that is open
+  std::vector<Term> rests;
+  append_json(term, store, out, rests);
+}
+
+namespace {
+
+// `rests`: what remains of each list that is open; empty before and after.
+void append_json(Term term, const TermStore& store, std::string& out, std::vector<Term>& rests) {
   while (true) {
     if (term.is(TermKind::kPair)) {
       out += '[';
@@ -318,6 +344,8 @@ void append_json(Term term, const TermStore& store, std::string& out) {
     rests.back() = store.cdr(rests.back());
   }
 }
+
+}  // namespace
 
 void append_json(const Plan& plan, const TermStore& store, const PlanJsonOptions& options,
                  std::string& out) {

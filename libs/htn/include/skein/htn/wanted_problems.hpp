@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Of files with many problems, the wanted ones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "skein/htn/definitions.hpp"
+
+namespace skein::htn {
+
+struct WantedProblems {
+  std::vector<std::string> names;        ///< none: all problems are wanted
+  std::vector<std::string> passed_over;  ///< of those that were not, in the order of the texts
+};
+
+/// As read_definitions without it, but of the top-level forms (defproblem NAME …) only those with a
+/// wanted name are read, whatever its case. The others are passed over by their parentheses, and
+/// nothing in them is looked at; where parentheses do not match, all is read. `warnings` may be
+/// null.
+void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
+                      Definitions& definitions, Diagnostics& errors, Diagnostics* warnings,
+                      WantedProblems& wanted);
+
+}  // namespace skein::htn

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Problems that nobody wants: of a file of ten, reading the other nine would be most of the work.
+#include <algorithm>
+#include <array>
+
+#include "language/characters.hpp"
+#include "language/scanner.hpp"
+#include "skein/htn/utf8.hpp"
+
+namespace skein::htn {
+
+namespace {
+
+// Bytes that may mean something to who only counts parentheses.
+constexpr std::array<bool, 256> kStops = [] {
+  std::array<bool, 256> stops{};
+  for (const char byte : {'(', ')', '"', ';', '|', '#', '\\'})
+    stops[static_cast<std::uint8_t>(byte)] = true;
+  return stops;
+}();
+
+// Behind the closing quote or bar; npos if there is none.
+std::size_t end_of_quoted(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  for (++at; at < text.size(); ++at) {
+    if (text[at] == quote) return at + 1;
+    if (text[at] == '\\' && quote == '"') ++at;
+  }
+  return std::string_view::npos;
+}
+
+// Behind a comment |# that may hold others.
+std::size_t end_of_comment(std::string_view text, std::size_t at) {
+  std::size_t open = 0;
+  for (; at + 1 < text.size(); ++at) {
+    const std::string_view two = text.substr(at, 2);
+    if (two == "#|") {
+      ++open;
+      ++at;
+    } else if (two == "|#") {
+      ++at;
+      if (--open == 0) return at + 1;
+    }
+  }
+  return std::string_view::npos;
+}
+
+std::string_view token_at(std::string_view text, std::size_t at) {
+  std::size_t end = at;
+  while (end < text.size() && (traits_of(text[end]) & kTokenByte) != 0) ++end;
+  return text.substr(at, end - at);
+}
+
+// A name that means what its letters say.
+bool plain_name(std::string_view token) {
+  const auto letter = [](char byte) {
+    return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z');
+  };
+  return !token.empty() && letter(token.front()) &&
+         std::all_of(token.begin(), token.end(),
+                     [](char byte) { return traits_of(byte) == kTokenByte; });
+}
+
+}  // namespace
+
+// True if (defproblem NAME …) begins here, is not wanted and was left behind. What is not plain is
+// read as everything else.
+bool Scanner::pass_over_problem() {
+  if (text_[at_] != '(') return false;
+  const std::string_view word = token_at(text_, at_ + 1);
+  if (lowered(word) != "defproblem") return false;
+  std::size_t begin = at_ + 1 + word.size();
+  while (begin < text_.size() && (traits_of(text_[begin]) & kSpaceByte) != 0) ++begin;
+  const std::string_view token = token_at(text_, begin);
+  if (!plain_name(token)) return false;
+  const std::string name = lowered(token);
+  const auto is_it = [&name](const std::string& wanted) { return lowered(wanted) == name; };
+  if (std::any_of(wanted_.begin(), wanted_.end(), is_it)) return false;
+  const std::size_t end = end_of_list(at_);
+  if (end == std::string_view::npos) return false;
+  passed_over_.push_back(name);
+  at_ = end;
+  return true;
+}
+
+// Behind the parenthesis that closes the list which begins here; npos if none does.
+std::size_t Scanner::end_of_list(std::size_t at) const {
+  std::size_t depth = 0;
+  while (at < text_.size()) {
+    const char byte = text_[at];
+    if (!kStops[static_cast<std::uint8_t>(byte)]) {
+      ++at;
+      continue;
+    }
+    switch (byte) {
+      case '(':
+        ++depth;
+        ++at;
+        break;
+      case ')':
+        ++at;
+        if (--depth == 0) return at;
+        break;
+      case ';':
+        at = std::min(text_.find('\n', at), text_.size());
+        break;
+      case '\\':
+        at += 2;
+        break;
+      case '#':
+        if (text_.substr(at, 2) == "#|") {
+          at = end_of_comment(text_, at);
+        } else {
+          at += text_.substr(at, 2) == "#\\" ? 3 : 1;
+        }
+        break;
+      default:
+        at = end_of_quoted(text_, at);
+    }
+  }
+  return std::string_view::npos;
+}
+
+}  // namespace skein::htn
