@@ -71,10 +71,10 @@ Result<wire::OperatorRequest, std::vector<std::string>> request_of(const std::st
 }
 
 /// The page shows the way to it.
-std::string with_designer(const std::string& world, bool is_there) {
+std::string with_designer(const std::string& world) {
   Json json = Json::parse(world, nullptr, false);
   if (!json.is_object()) return world;
-  json["designer"] = is_there;
+  json["designer"] = true;
   return dumped(json);
 }
 
@@ -100,7 +100,7 @@ class Console::Impl {
   }
 
   Result<void, Failure> open() {
-    config_.world = with_designer(config_.world, config_.annex != nullptr);
+    if (config_.annex != nullptr) config_.world = with_designer(config_.world);
     auto server = Server::open(
         {config_.address, config_.port, config_.names, token_, config_.world, config_.annex}, feed_,
         [this](const std::string& body) { return post(body); });
