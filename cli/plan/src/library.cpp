@@ -64,8 +64,8 @@ void Library::read_file(const std::string& file, std::istream& in) {
   const auto include = [&in](const std::string& name, const std::string& from) {
     return included(name, from, in);
   };
-  read_definitions({file, std::move(*text)}, store_, include, definitions_, errors_,
-                   wary_ ? &warnings_ : nullptr, wanted_);
+  read_definitions({file, std::move(*text)}, store_, include, definitions_,
+                   htn::Findings{errors_, wary_ ? &warnings_ : nullptr}, wanted_);
   if (before == found()) {
     warnings_.add(about(file, "defines neither a domain nor a problem"));
   }

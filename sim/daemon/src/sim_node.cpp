@@ -140,10 +140,10 @@ void SimNode::take(const LinkChange& link, node::Effects& out) const {
   sample.loss = link.up ? link.loss : 0;
   sample.capacity = link.capacity;
   out.push_back(node::Publish{sample});
-  Record line(link.at, name_, "link");
-  line.with("from", link.from).with("to", link.to).with("up", link.up);
-  if (link.capacity > 0) line.with("capacity", link.capacity);
-  out.push_back(node::Log{std::move(line)});
+  Record record(link.at, name_, "link");
+  record.with("from", link.from).with("to", link.to).with("up", link.up);
+  if (link.capacity > 0) record.with("capacity", link.capacity);
+  out.push_back(node::Log{std::move(record)});
 }
 
 void SimNode::take(const VehicleTruth& truth, node::Effects& out) const {

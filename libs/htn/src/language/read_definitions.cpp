@@ -205,7 +205,7 @@ void append_in_order(const Diagnostics& found, Diagnostics& to) {
 
 // Warnings only if they are wanted.
 void read(SourceFile file, TermStore& store, const IncludeReader& include, Definitions& definitions,
-          Diagnostics& errors, Diagnostics* warnings, WantedProblems& wanted) {
+          Findings findings, WantedProblems& wanted) {
   Diagnostics found;
   Diagnostics suspicious;
   const std::size_t domains = definitions.domains.size();
@@ -215,11 +215,11 @@ void read(SourceFile file, TermStore& store, const IncludeReader& include, Defin
   const Document& document = *definitions.documents.back();
   const Words words(store);
   ReadContext context{store, words, include, definitions, found, suspicious};
-  context.wary = warnings != nullptr;
+  context.wary = findings.warnings != nullptr;
   find_forms(context, document);
-  if (warnings != nullptr) review(context, domains, problems);
-  append_in_order(found, errors);
-  if (warnings != nullptr) append_in_order(suspicious, *warnings);
+  if (context.wary) review(context, domains, problems);
+  append_in_order(found, findings.errors);
+  if (context.wary) append_in_order(suspicious, *findings.warnings);
 }
 
 }  // namespace
@@ -227,19 +227,18 @@ void read(SourceFile file, TermStore& store, const IncludeReader& include, Defin
 void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
                       Definitions& definitions, Diagnostics& errors, Diagnostics& warnings) {
   WantedProblems all;
-  read(std::move(file), store, include, definitions, errors, &warnings, all);
+  read(std::move(file), store, include, definitions, {errors, &warnings}, all);
 }
 
 void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
                       Definitions& definitions, Diagnostics& errors) {
   WantedProblems all;
-  read(std::move(file), store, include, definitions, errors, nullptr, all);
+  read(std::move(file), store, include, definitions, {errors, nullptr}, all);
 }
 
 void read_definitions(SourceFile file, TermStore& store, const IncludeReader& include,
-                      Definitions& definitions, Diagnostics& errors, Diagnostics* warnings,
-                      WantedProblems& wanted) {
-  read(std::move(file), store, include, definitions, errors, warnings, wanted);
+                      Definitions& definitions, Findings findings, WantedProblems& wanted) {
+  read(std::move(file), store, include, definitions, findings, wanted);
 }
 
 }  // namespace skein::htn

@@ -20,7 +20,7 @@ class Reading {
  public:
   explicit Reading(const std::string& text, std::vector<std::string> wanted = {}) {
     problems.names = std::move(wanted);
-    read_definitions({"test.lisp", text}, store_, {}, definitions, errors, nullptr, problems);
+    read_definitions({"test.lisp", text}, store_, {}, definitions, Findings{errors}, problems);
   }
   std::vector<std::string> names() const {
     std::vector<std::string> out;
