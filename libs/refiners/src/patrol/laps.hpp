@@ -20,9 +20,8 @@ struct LapGround {
   const PatrolField& field;
   const std::vector<PatrolBlock>& blocks;
   const PatrolLinks& links;
-  const std::vector<Visit>& whole;      ///< a round over all blocks
-  double speed = 1;                     ///< [m/s]
-  const PatrolSpace* walked = nullptr;  ///< where turns may be sharp; null: they may not
+  const std::vector<Visit>& whole;  ///< a round over all blocks
+  double speed = 1;                 ///< [m/s]
 };
 
 /// Patrols in laps. Each lap commits to targets: the blocks that would rank highest at its end had
