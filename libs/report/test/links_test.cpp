@@ -132,8 +132,8 @@ TEST(TellLinks, WhatGoesPastRelaysIsASpanOfItsDirection) {
 
   const LinkStory link = tell_links(j, 10).at(0);
 
-  EXPECT_EQ(link.relayed[0], (std::vector<Span>{{2, 5}, {8, 10}}));
-  EXPECT_TRUE(link.relayed[1].empty());
+  EXPECT_EQ(link.relayed[1], (std::vector<Span>{{2, 5}, {8, 10}}));
+  EXPECT_TRUE(link.relayed[0].empty());
 }
 
 TEST(Disagreement, IsTheTimeWhenExactlyOneHolds) {
