@@ -20,6 +20,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 
 #include "adapters/rtps/kept_samples.hpp"
 #include "adapters/rtps/mailbox.hpp"
@@ -44,21 +45,46 @@ constexpr std::chrono::milliseconds kLastWords{2000};
 /// Where writers are, as they say when they are found.
 class Partitions final : public dds::DomainParticipantListener {
  public:
+  /// A slot that somebody writes in a partition.
+  using Place = std::pair<std::string, wire::Slot>;
+
+  explicit Partitions(rtps::Mailbox& mailbox) : mailbox_(mailbox) {}
+
   void on_publisher_discovery(dds::DomainParticipant* /*participant*/,
                               eprosima::fastrtps::rtps::WriterDiscoveryInfo&& found) override {
     const std::vector<std::string> names = found.info.m_qos.m_partition.names();
-    const std::lock_guard lock(mutex_);
-    of_[found.info.guid()] = names.empty() ? "" : names.front();
+    const auto slot = wire::slot_from_name(found.info.topicName().c_str());
+    bool fresh = false;
+    {
+      const std::lock_guard lock(mutex_);
+      of_[found.info.guid()] = names.empty() ? "" : names.front();
+      for (const std::string& name : names) fresh = (slot && add({name, *slot})) || fresh;
+    }
+    if (fresh) mailbox_.notify();
   }
   std::string of(const eprosima::fastrtps::rtps::GUID_t& writer) const {
     const std::lock_guard lock(mutex_);
     const auto found = of_.find(writer);
     return found == of_.end() ? "" : found->second;
   }
+  /// What was found since the last call, each place once.
+  std::vector<Place> take_found() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(found_, {});
+  }
 
  private:
+  bool add(const Place& place) {
+    if (!known_.insert(place).second) return false;
+    found_.push_back(place);
+    return true;
+  }
+
+  rtps::Mailbox& mailbox_;
   mutable std::mutex mutex_;
   std::map<eprosima::fastrtps::rtps::GUID_t, std::string> of_;
+  std::set<Place> known_;
+  std::vector<Place> found_;
 };
 
 /// Takes what a reader has, at once, in the middleware's thread.
@@ -168,6 +194,7 @@ class FastDdsTransport::Impl {
   Result<void, Failure> open(const TransportPlan& plan);
   bool write(std::size_t channel, const wire::Sample& sample);
   Result<void, Failure> set_up(std::size_t channel, bool up);
+  std::vector<Arrival> take();
   rtps::Mailbox& mailbox() { return mailbox_; }
 
  private:
@@ -176,6 +203,7 @@ class FastDdsTransport::Impl {
   struct Channel {
     ChannelConfig config;
     std::vector<wire::Slot> writes, reads;
+    std::set<wire::Slot> written_by_others;  ///< of the reads
     bool up = true;
     dds::Publisher* publisher = nullptr;  // both owned by the participant
     dds::Subscriber* subscriber = nullptr;
@@ -195,7 +223,14 @@ class FastDdsTransport::Impl {
   bool make_writers(Channel& channel);
   bool make_readers(Channel& channel);
   Result<void, Failure> delete_endpoints(Channel& channel);
-  bool write(const Channel& channel, const wire::Sample& sample);
+  /// Whether the endpoint is made when it is needed: a writer for the first sample, a reader once
+  /// somebody writes. A node has 36 slots for each of its peers and uses few of them, while every
+  /// endpoint is told to every participant. Heartbeats come in any case; where a pattern is read
+  /// nobody knows when; and with keys it must be known at once whether all is allowed.
+  bool waits(const Channel& channel, wire::Slot slot) const;
+  /// Readers of what somebody writes by now.
+  void attend();
+  bool write(Channel& channel, const wire::Sample& sample);
   bool add_writer(Channel& channel, wire::Slot slot);
   bool add_reader(Channel& channel, wire::Slot slot);
   dds::Topic* topic(wire::Slot slot);
@@ -205,7 +240,7 @@ class FastDdsTransport::Impl {
   std::optional<rtps::ParticipantNumber> number_;
   std::optional<fastdds::Identities> identities_;  ///< in a secured domain
   rtps::Mailbox mailbox_;
-  Partitions partitions_;
+  Partitions partitions_{mailbox_};
   dds::DomainParticipant* participant_ = nullptr;
   std::map<wire::Slot, dds::Topic*> topics_;
   std::vector<Channel> channels_;
@@ -246,7 +281,7 @@ Result<void, Failure> FastDdsTransport::Impl::join() {
     identities_ = std::move(*identities);
   }
   participant_ = factory().create_participant(
-      config_.domain, qos, config_.tap ? &partitions_ : nullptr, dds::StatusMask::none());
+      config_.domain, qos, &partitions_, dds::StatusMask::none());
   if (participant_ != nullptr) return {};
   return failure("no DDS participant in domain " + domain +
                  (keys.empty() ? " (no such interface, or its ports are taken?)"
@@ -292,7 +327,7 @@ bool FastDdsTransport::Impl::make_writers(Channel& channel) {
   qos.partition().push_back(channel.config.partition.c_str());
   channel.publisher = participant_->create_publisher(qos, nullptr, dds::StatusMask::none());
   return channel.publisher != nullptr && std::ranges::all_of(channel.writes, [&](wire::Slot slot) {
-           return add_writer(channel, slot);
+           return waits(channel, slot) || add_writer(channel, slot);
          });
 }
 
@@ -302,8 +337,31 @@ bool FastDdsTransport::Impl::make_readers(Channel& channel) {
   qos.partition().push_back(channel.config.partition.c_str());
   channel.subscriber = participant_->create_subscriber(qos, nullptr, dds::StatusMask::none());
   return channel.subscriber != nullptr && std::ranges::all_of(channel.reads, [&](wire::Slot slot) {
-           return add_reader(channel, slot);
+           const bool later = waits(channel, slot) && !channel.written_by_others.contains(slot);
+           return later || add_reader(channel, slot);
          });
+}
+
+bool FastDdsTransport::Impl::waits(const Channel& channel, wire::Slot slot) const {
+  const bool pattern = channel.config.partition.find_first_of("*?[") != std::string::npos;
+  return channel.config.kind != ChannelKind::kWorld && slot != wire::Slot::kHeartbeat && !pattern &&
+         !identities_;
+}
+
+void FastDdsTransport::Impl::attend() {
+  for (const auto& [partition, slot] : partitions_.take_found()) {
+    for (Channel& channel : channels_) {
+      const bool wanted = channel.config.partition == partition && waits(channel, slot) &&
+                          std::ranges::find(channel.reads, slot) != channel.reads.end();
+      if (!wanted || !channel.written_by_others.insert(slot).second) continue;
+      if (channel.subscriber != nullptr) (void)add_reader(channel, slot);
+    }
+  }
+}
+
+std::vector<Arrival> FastDdsTransport::Impl::take() {
+  attend();
+  return mailbox_.take();
 }
 
 Result<void, Failure> FastDdsTransport::Impl::delete_endpoints(Channel& channel) {
@@ -360,8 +418,11 @@ bool FastDdsTransport::Impl::write(std::size_t index, const wire::Sample& sample
   return !channel.up || write(channel, sample);
 }
 
-bool FastDdsTransport::Impl::write(const Channel& channel, const wire::Sample& sample) {
-  auto* const writer = channel.writers[static_cast<std::size_t>(wire::slot_of(sample))];
+bool FastDdsTransport::Impl::write(Channel& channel, const wire::Sample& sample) {
+  const wire::Slot slot = wire::slot_of(sample);
+  auto*& writer = channel.writers[static_cast<std::size_t>(slot)];
+  const bool makes = writer == nullptr && channel.publisher != nullptr && waits(channel, slot);
+  if (makes) (void)add_writer(channel, slot);
   if (writer == nullptr) return false;  // could not be made
   Cargo cargo;
   cargo.outgoing = &sample;
@@ -407,7 +468,7 @@ Result<void, Failure> FastDdsTransport::set_up(std::size_t channel, bool up) {
   return impl_->set_up(channel, up);
 }
 
-std::vector<Arrival> FastDdsTransport::take() { return impl_->mailbox().take(); }
+std::vector<Arrival> FastDdsTransport::take() { return impl_->take(); }
 
 void FastDdsTransport::on_arrival(std::function<void()> notify) {
   impl_->mailbox().on_arrival(std::move(notify));
