@@ -37,8 +37,6 @@ int main(int argc, char** argv) {
   live.import_mission = cli::on_streams(import_tool::import_mission);
   live.record = cli::on_streams(spy_tool::record);
   live.play = cli::on_streams(spy_tool::play);
-  live.spy = [](const spy_tool::SpyOptions& options, bool echo) {
-    return cli::on_streams(echo ? spy_tool::echo : spy_tool::list)(options);
-  };
+  live.spy = cli::on_streams(spy_tool::spy);
   return cli::run_command_line(argc, argv, live);
 }

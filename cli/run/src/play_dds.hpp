@@ -22,6 +22,7 @@ struct DdsOptions {
   std::string keys = {};                    ///< folder of make-keys; empty: no security
   std::string console = {};                 ///< of the ground station; empty: none
   std::string mavlink_out = {};             ///< of the ground station; empty: none
+  std::vector<std::string> interfaces = {};  ///< to talk on; empty: this machine alone
 };
 
 /// Starts the daemons, follows the run over the world channel, kills and restarts daemons as the

@@ -58,7 +58,8 @@ TEST_F(SpyOnANode, PrintsTheSampleAskedFor) {
   options_.duration = 20;
   options_.json = true;
 
-  EXPECT_EQ(echo(options_, out_, err_), kExitOk) << err_.str();
+  options_.verb = Verb::kEcho;
+  EXPECT_EQ(spy(options_, out_, err_), kExitOk) << err_.str();
 
   const auto line = nlohmann::json::parse(out_.str());
   EXPECT_EQ(line["phase"], "Detection");
@@ -69,7 +70,7 @@ TEST_F(SpyOnANode, ListsNodesAndSlotsAsJson) {
   options_.duration = 1.5;
   options_.json = true;
 
-  EXPECT_EQ(list(options_, out_, err_), kExitOk) << err_.str();
+  EXPECT_EQ(spy(options_, out_, err_), kExitOk) << err_.str();
 
   const auto document = nlohmann::json::parse(out_.str());
   ASSERT_EQ(document["nodes"].size(), 1U);
@@ -83,8 +84,81 @@ TEST_F(SpyOnANode, HearsNothingInAPartitionWithoutWriters) {
   options_.partitions = {"radio/nobody>nowhere"};
   options_.duration = 0.5;
 
-  EXPECT_EQ(list(options_, out_, err_), kExitTimeout);
-  EXPECT_NE(err_.str().find("nothing heard"), std::string::npos);
+  EXPECT_EQ(spy(options_, out_, err_), kExitTimeout);
+  EXPECT_NE(err_.str().find("nothing heard: no writer: "), std::string::npos) << err_.str();
+}
+
+TEST_F(SpyOnANode, PrintsOneFieldOfTheLastValueOnce) {
+  options_.verb = Verb::kEcho;
+  options_.slots = {"MissionState"};
+  options_.fields = {"phase"};
+  options_.where = "finished == false && header.origin == 1";
+  options_.count = 1;
+  options_.timeout = 20;
+
+  EXPECT_EQ(spy(options_, out_, err_), kExitOk) << err_.str();
+
+  EXPECT_EQ(out_.str(), "Detection\n");
+}
+
+TEST_F(SpyOnANode, SaysThatAWriterIsThereAndSilent) {
+  options_.verb = Verb::kEcho;
+  options_.slots = {"GroundBoard"};
+  options_.timeout = 2;
+
+  EXPECT_EQ(spy(options_, out_, err_), kExitTimeout);
+
+  EXPECT_NE(err_.str().find("silent writer: 1 writers of GroundBoard"), std::string::npos) << err_.str();
+}
+
+TEST_F(SpyOnANode, ListsTopicsWithoutReadingThem) {
+  options_.verb = Verb::kTopics;
+  options_.slots = {"Mission*"};
+  options_.json = true;
+
+  EXPECT_EQ(spy(options_, out_, err_), kExitOk) << err_.str();
+
+  bool found = false;
+  std::istringstream lines(out_.str());
+  for (std::string line; std::getline(lines, line);) {
+    const auto topic = nlohmann::json::parse(line);
+    found = found || (topic["topic"] == "MissionState" && topic["writers"] == 2);
+  }
+  EXPECT_TRUE(found) << out_.str();
+}
+
+TEST_F(SpyOnANode, ListsTheProgramsWithTheirVersionAndProcess) {
+  options_.verb = Verb::kNodes;
+  options_.json = true;
+
+  EXPECT_EQ(spy(options_, out_, err_), kExitOk) << err_.str();
+
+  const auto node = nlohmann::json::parse(out_.str());
+  EXPECT_EQ(node["node"], "ground");
+  EXPECT_EQ(node["role"], "ground");
+  EXPECT_EQ(node["vendor"], "fastdds");
+  EXPECT_FALSE(node["version"].is_null());
+  EXPECT_GT(node["writers"], 0);
+}
+
+TEST_F(SpyOnANode, TheDoctorFindsNothingBad) {
+  options_.verb = Verb::kDoctor;
+
+  EXPECT_EQ(spy(options_, out_, err_), kExitOk) << out_.str();
+
+  EXPECT_NE(out_.str().find("good  schemas: all programs of ours"), std::string::npos) << out_.str();
+}
+
+TEST(Spy, TheDoctorSaysWhyDdsCannotBeUsed) {
+  SpyOptions options;
+  options.verb = Verb::kDoctor;
+  options.duration = 0.1;
+  options.network.interfaces = {"10.254.253.252"};
+  std::ostringstream out, err;
+
+  EXPECT_EQ(spy(options, out, err), kExitNegative);
+
+  EXPECT_NE(out.str().find("BAD   interface: no interface has address 10.254.253.252"), std::string::npos) << out.str();
 }
 
 TEST(Spy, AWrongSlotIsRefusedWithTheNearest) {
@@ -92,7 +166,8 @@ TEST(Spy, AWrongSlotIsRefusedWithTheNearest) {
   options.slots = {"Telemtry"};
   std::ostringstream out, err;
 
-  EXPECT_EQ(echo(options, out, err), kExitBadInput);
+  options.verb = Verb::kEcho;
+  EXPECT_EQ(spy(options, out, err), kExitBadInput);
 
   EXPECT_NE(err.str().find("did you mean 'Telemetry'?"), std::string::npos);
 }

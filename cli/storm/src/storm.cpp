@@ -14,6 +14,7 @@
 #include "skein/foundation/exit_code.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/mission_lab/generate.hpp"
+#include "skein/scenario_text/scenario_text.hpp"
 #include "skein/storm_tool/scenario_text.hpp"
 #include "skein/storm_tool/series.hpp"
 #include "skein/storm_tool/shrink.hpp"
@@ -171,7 +172,7 @@ class Storm {
         return breaks({what.name, less, what.file}, law);
       });
     }
-    return moved(text, fs::absolute(what.file).parent_path().string(), options_.save);
+    return scenario_text::moved(text, fs::absolute(what.file).parent_path().string(), options_.save);
   }
 
   bool breaks(const Case& less, const std::string& law) const {

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "graph.hpp"
+
+#include "skein/foundation/overloaded.hpp"
+
+namespace skein::spy_tool {
+
+using blackboard::Endpoint;
+
+void Graph::see(const blackboard::Sighting& sighting, Duration now) {
+  std::visit(Overloaded{[&](const blackboard::ParticipantSeen& seen) {
+                          auto [place, fresh] = participants_.try_emplace(seen.participant.guid);
+                          place->second.participant = seen.participant;
+                          if (fresh) place->second.since = now;
+                          names_[seen.participant.guid] = seen.participant.name;
+                        },
+                        [&](const blackboard::ParticipantGone& gone) {
+                          participants_.erase(gone.guid);
+                          std::erase_if(endpoints_, [&](const auto& one) {
+                            return one.second.participant == gone.guid;
+                          });
+                        },
+                        [&](const blackboard::EndpointSeen& seen) {
+                          endpoints_.insert_or_assign(seen.endpoint.guid, seen.endpoint);
+                          found_.try_emplace(seen.endpoint.guid, now);
+                        },
+                        [&](const blackboard::EndpointGone& gone) {
+                          endpoints_.erase(gone.guid);
+                          found_.erase(gone.guid);
+                        },
+                        [](const blackboard::SampleSeen&) {}},
+             sighting);
+}
+
+void Graph::hear(const std::string& writer, Duration at, const wire::DirectoryEntry* entry) {
+  if (entry != nullptr) directory_.insert_or_assign(entry->header.origin, *entry);
+  const auto found = participants_.find(writer.substr(0, writer.find('.')));
+  if (found == participants_.end()) return;
+  found->second.heard = at;
+  if (entry != nullptr) found->second.node = entry->header.origin;
+}
+
+const Endpoint* Graph::endpoint(const std::string& guid) const {
+  const auto found = endpoints_.find(guid);
+  return found == endpoints_.end() ? nullptr : &found->second;
+}
+
+std::optional<Duration> Graph::found(const std::string& guid) const {
+  const auto found = found_.find(guid);
+  return found == found_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string Graph::name_of(std::uint32_t number) const {
+  const auto found = directory_.find(number);
+  return found == directory_.end() ? "node " + std::to_string(number) : found->second.name;
+}
+
+std::string Graph::owner_of(const std::string& participant) const {
+  const auto taking = participants_.find(participant);
+  if (taking != participants_.end() && taking->second.node) return name_of(*taking->second.node);
+  const auto named = names_.find(participant);
+  return named == names_.end() || named->second.empty() ? participant : named->second;
+}
+
+std::vector<const Endpoint*> Graph::of_topic(const std::string& topic, bool writers) const {
+  std::vector<const Endpoint*> all;
+  for (const auto& [guid, endpoint] : endpoints_)
+    if (endpoint.topic == topic && endpoint.writer == writers) all.push_back(&endpoint);
+  return all;
+}
+
+}  // namespace skein::spy_tool
