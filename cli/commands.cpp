@@ -104,7 +104,7 @@ void add_commands(CLI::App& app, Action& action, const LiveActions& live) {
   add_mle(app, action);
   add_plan(app, action);
   add_mastn(app, action);
-  add_model(app, action);
+  add_model(app, action, live);
   add_stn(app, action);
   add_refine(app, action, live);
   add_terrain(app, action, live);

@@ -33,6 +33,10 @@ namespace skein::export_tool {
 struct ExportOptions;
 }
 
+namespace skein::designer {
+struct EditOptions;
+}
+
 namespace skein::import_tool {
 struct ImportOptions;
 }
@@ -90,6 +94,7 @@ struct LiveActions {
   std::function<int(const series_tool::SeriesOptions&)> series;
   std::function<int(const export_tool::ExportOptions&)> export_run;
   std::function<int(const import_tool::ImportOptions&)> import_mission;
+  std::function<int(const designer::EditOptions&)> edit_models;
 };
 
 /// Adds the commands. `action` and `live` must outlive the parsing and the action.

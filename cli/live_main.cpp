@@ -6,6 +6,7 @@
 #include "on_streams.hpp"
 #include "skein/batch_tool/batch.hpp"
 #include "skein/compare_tool/compare.hpp"
+#include "skein/designer/edit_models.hpp"
 #include "skein/export_tool/export.hpp"
 #include "skein/functional_tool/functional.hpp"
 #include "skein/import_tool/import.hpp"
@@ -35,6 +36,7 @@ int main(int argc, char** argv) {
   live.series = cli::on_streams(series_tool::series);
   live.export_run = cli::on_streams(export_tool::export_run);
   live.import_mission = cli::on_streams(import_tool::import_mission);
+  live.edit_models = cli::on_streams(designer::edit_models);
   live.record = cli::on_streams(spy_tool::record);
   live.play = cli::on_streams(spy_tool::play);
   live.spy = [](const spy_tool::SpyOptions& options, bool echo) {

@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
   live.play = [argv](const auto&) { return become("skein-live", argv); };
   live.export_run = [argv](const auto&) { return become("skein-live", argv); };
   live.import_mission = [argv](const auto&) { return become("skein-live", argv); };
+  live.edit_models = [argv](const auto&) { return become("skein-live", argv); };
   live.refine = [argv](const auto&) { return become("skein-refine", argv); };
   live.make_terrain = [argv](const auto&) { return become("skein-refine", argv); };
   live.show_terrain = [argv](const auto&) { return become("skein-refine", argv); };

@@ -7,6 +7,8 @@
 #include <memory>
 
 #include "argument_checks.hpp"
+#include "live_commands.hpp"
+#include "skein/designer/edit_models.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/model_tool/model_files.hpp"
 #include "skein/model_tool/run_model.hpp"
@@ -21,6 +23,7 @@ constexpr const char* kExamples = R"(
 Examples:
   skein model check scenarios/models/interaction/monitoring-with-relay.yaml
   skein model draw scenarios/models/interaction/vehicle-pursuit.yaml -o pursuit.svg
+  skein model edit scenarios/models/interaction/monitoring-with-relay.yaml
   skein model run automaton.json --until 900 < trace.jsonl
   skein model run scenarios/models/interaction/monitoring-with-relay.yaml --role relay < trace.jsonl
 Formats and how to write a model: docs/interaction.md. Exit codes: 0 done, 1 some line of a trace was
@@ -83,14 +86,26 @@ void add_draw(CLI::App* model, Action& action) {
   });
 }
 
+void add_edit(CLI::App* model, Action& action, const LiveActions& live) {
+  auto options = std::make_shared<designer::EditOptions>();
+  CLI::App* command =
+      model->add_subcommand("edit", "Change models on a page of this machine, checked meanwhile");
+  command->add_option("files", options->files, "Models, with all that they use")->required();
+  command->add_option("--port", options->port, "Of the loopback interface (default: a free one)");
+  command->callback([options, &action, &live] {
+    action = [options, &live] { return live.edit_models(*options); };
+  });
+}
+
 }  // namespace
 
-void add_model(CLI::App& app, std::function<int()>& action) {
-  CLI::App* model = app.add_subcommand("model", "Check, draw and play interaction models");
+void add_model(CLI::App& app, std::function<int()>& action, const LiveActions& live) {
+  CLI::App* model = app.add_subcommand("model", "Check, draw, change and play interaction models");
   model->require_subcommand(1);
   model->footer(kExamples);
   add_check(model, action);
   add_draw(model, action);
+  add_edit(model, action, live);
   add_run(model, action);
 }
 

@@ -10,7 +10,10 @@ class App;
 
 namespace skein::cli {
 
-/// Adds the command; when one of its own is chosen, parsing sets `action` to what it does.
-void add_model(CLI::App& app, std::function<int()>& action);
+struct LiveActions;
+
+/// Adds the command; when one of its own is chosen, parsing sets `action` to what it does; it and
+/// `live` must outlive that.
+void add_model(CLI::App& app, std::function<int()>& action, const LiveActions& live);
 
 }  // namespace skein::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "load_models.hpp"
+#include "skein/model_tool/load_models.hpp"
 
 #include "skein/config/parse.hpp"
 #include "skein/config/reader.hpp"
@@ -25,8 +25,12 @@ void load_automaton(const Document& document, Loaded& loaded, Diagnostics& probl
 }  // namespace
 
 Result<Loaded, Diagnostics> load_models(const std::vector<std::string>& files) {
-  auto documents = interaction::documents_of(
-      files, [](const std::string& file) { return config::parse_yaml_file(file); });
+  return load_models(files, [](const std::string& file) { return config::parse_yaml_file(file); });
+}
+
+Result<Loaded, Diagnostics> load_models(const std::vector<std::string>& files,
+                                        const interaction::ReadFile& read) {
+  auto documents = interaction::documents_of(files, read);
   if (!documents) return tl::unexpected<Diagnostics>(documents.error());
   Loaded loaded;
   Diagnostics problems;

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/model_tool/model_files.hpp"
 
+#include "skein/model_tool/check_models.hpp"
+
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "load_models.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/interaction/draw_model.hpp"
+#include "skein/model_tool/load_models.hpp"
 
 namespace skein::model_tool {
 
@@ -43,8 +45,14 @@ Json content_json(const Loaded& loaded) {
       {"roles", roles}, {"scms", scms}, {"models", models}, {"automata", loaded.automaton_files}};
 }
 
-void write(std::ostream& out, const Json& json) {
-  out << json.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+std::string report_of(const Result<Loaded, Diagnostics>& loaded) {
+  Json json{{"right", loaded.has_value()}, {"errors", Json::array()}};
+  if (loaded) {
+    json.update(content_json(*loaded));
+  } else {
+    json["errors"] = errors_json(loaded.error());
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 void write_text(std::ostream& out, const Loaded& loaded) {
@@ -67,24 +75,20 @@ void write_text(std::ostream& out, const Loaded& loaded) {
 
 }  // namespace
 
+std::string check_report(const std::vector<std::string>& files, const interaction::ReadFile& read) {
+  return report_of(load_models(files, read));
+}
+
 int check_models(const CheckOptions& options, std::ostream& out, std::ostream& err) {
   const auto loaded = load_models(options.files);
-  if (!loaded) {
-    if (options.json) {
-      write(out, {{"right", false}, {"errors", errors_json(loaded.error())}});
-    } else {
-      err << to_text(loaded.error());
-    }
-    return kExitBadInput;
-  }
   if (options.json) {
-    Json json{{"right", true}, {"errors", Json::array()}};
-    json.update(content_json(*loaded));
-    write(out, json);
-  } else {
+    out << report_of(loaded) << '\n';
+  } else if (loaded) {
     write_text(out, *loaded);
+  } else {
+    err << to_text(loaded.error());
   }
-  return kExitOk;
+  return loaded ? kExitOk : kExitBadInput;
 }
 
 int draw_models(const DrawOptions& options, std::ostream& out, std::ostream& err) {

@@ -6,12 +6,12 @@
 #include <ostream>
 
 #include "line.hpp"
-#include "load_models.hpp"
 #include "skein/config/parse.hpp"
 #include "skein/config/reader.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/interaction/engine.hpp"
 #include "skein/interaction/read_automaton.hpp"
+#include "skein/model_tool/load_models.hpp"
 #include "skein/trace_lines/read_lines.hpp"
 
 namespace skein::model_tool {

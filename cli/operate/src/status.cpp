@@ -111,11 +111,11 @@ void print_world(const wire::GroundBoard& ground, std::ostream& out) {
 void print_commands(const wire::GroundBoard& ground, std::ostream& out) {
   bool any = false;
   for (const wire::CommandEntry& one : ground.commands) {
-    if (one.state != wire::CommandState::kIssued) continue;
+    if (wire::is_settled(one.state)) continue;
     if (!any) out << "\nCOMMANDS UNDER WAY\n";
     any = true;
     out << "  " << std::left << std::setw(6) << one.command << std::setw(12) << one.uav
-        << std::setw(30) << one.what << one.asked_by << '\n';
+        << std::setw(30) << one.what << std::setw(11) << name_of(one.state) << one.asked_by << '\n';
   }
 }
 

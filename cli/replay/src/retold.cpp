@@ -234,12 +234,11 @@ void Retold::take_command(const Record& record) {
     found->command = number;
     found->uav = text_of(record, "uav");
     found->issued = record.at().count();
-  } else {
-    found->settled = record.at().count();
   }
   found->what = text_of(record, "what");
   found->why = text_of(record, "why");
   set_by_name(found->state, record.text("state"));
+  if (wire::is_settled(found->state)) found->settled = record.at().count();
 }
 
 Sample Retold::link(const Record& record) const {

@@ -129,6 +129,10 @@ TEST_F(ARetoldRun, ACommandIsOneEntryFromIssueToItsEnd) {
         .with("state", state);
   };
   (void)see(command(1, "issued"));
+  const auto under_way = last<wire::GroundBoard>(see(command(1.5, "delivered"))).commands;
+  ASSERT_EQ(under_way.size(), 1U);
+  EXPECT_EQ(under_way[0].state, wire::CommandState::kDelivered);
+  EXPECT_EQ(under_way[0].settled, wire::kNoInstant);
   const auto commands = last<wire::GroundBoard>(see(command(2, "acknowledged"))).commands;
 
   ASSERT_EQ(commands.size(), 1U);

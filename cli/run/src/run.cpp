@@ -106,7 +106,8 @@ int play(const Scenario& scenario, const RunOptions& options, const std::string&
           ? play_virtual(scenario, progress)
           : play_dds(scenario,
                      {options.daemons, folder, options.domain, options.overrides.as_options(),
-                      options.without, options.security, options.console, options.mavlink_out},
+                      options.without, options.security, options.console, options.mavlink_out,
+                      options.ros2},
                      progress);
   progress.finish();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;

@@ -145,6 +145,7 @@ try {
   timeline.wire();
   $("mission-button").addEventListener("click", act.missionForm);
   $("finish").append(slide("end mission", act.finish));
+  $("designer").hidden = !model.world.designer;
   requestAnimationFrame(frame);
 } catch (error) {
   $("news").className = "chip bad";

@@ -12,7 +12,7 @@ function make(uav, choose) {
   parts.degree.className = "degree";
   const row = (name, node) => [el("dt", {}, name), el("dd", {}, node)];
   const card = el("article", {className: "card", style: {"--own": uav.colour}},
-    el("header", {onclick: () => choose(uav.name)}, el("b", {}, uav.name), parts.degree, parts.hand, el("span", {className: "fill"}), parts.contact),
+    el("header", {onclick: () => choose(uav.name), tabIndex: 0, role: "button", "aria-label": `choose ${uav.name}`, onkeydown: (event) => { if (event.key === "Enter" || event.key === " ") { choose(uav.name); event.preventDefault(); } }}, el("b", {}, uav.name), parts.degree, parts.hand, el("span", {className: "fill"}), parts.contact),
     el("dl", {}, ...row("energy", parts.energy), ...row("flight", parts.flight), ...row("does", parts.task), ...row("plan", parts.plan)),
     parts.goals, parts.buttons, el("details", {}, el("summary", {}, "decisions, and why"), parts.decisions));
   card.dataset.uav = uav.name;

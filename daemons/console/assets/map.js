@@ -289,6 +289,10 @@ export function fit() {
 
 function drawTool() {
   if (!tool) return;
+  if (document.activeElement === canvas) {   // where the space bar puts a point
+    const x = canvas.clientWidth / 2, y = canvas.clientHeight / 2;
+    g.lineWidth = 1.5; g.strokeStyle = "#fff"; g.beginPath(); g.moveTo(x - 9, y); g.lineTo(x + 9, y); g.moveTo(x, y - 9); g.lineTo(x, y + 9); g.stroke();
+  }
   const points = mouse && !tool.one ? [...tool.points, mouse] : tool.points;
   if (points.length) {
     path(points, tool.closed);
@@ -333,7 +337,7 @@ export function pick({hint, closed = false, one = false, done}) {
   tool = {points: [], closed, one, done, hint};
   canvas.classList.add("picking");
   $("hint").hidden = false;
-  $("hint").textContent = hint + (one ? " — Esc: leave" : " — double click or Enter: done, Esc: leave");
+  $("hint").textContent = hint + (one ? " — click, or arrow keys and space; Esc: leave" : " — click, or arrow keys and space; double click or Enter: done, Esc: leave");
   canvas.focus();
 }
 
@@ -394,6 +398,11 @@ export function wire(choose) {
     if (event.key === "Escape" && tool) leave();
     if (event.key === "Enter" && tool && !tool.one && document.activeElement === canvas) finish();
     if (document.activeElement !== canvas) return;
+    if (event.key === " " && tool) {   // a point in the middle, where the cross is
+      tool.points.push(ground(canvas.clientWidth / 2, canvas.clientHeight / 2).map((v) => Math.round(v * 10) / 10));
+      event.preventDefault();
+      if (tool.one) return finish();
+    }
     const step = 60 / view.scale, keys = {ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step]};
     if (keys[event.key]) { view.x += keys[event.key][0]; view.y += keys[event.key][1]; view.follow = false; event.preventDefault(); }
     if (event.key === "+") view.scale *= 1.2;

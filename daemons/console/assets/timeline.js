@@ -142,5 +142,15 @@ export function wire() {
     tip.style.left = Math.min(event.offsetX + 12, canvas.clientWidth - 240) + "px";
     tip.style.top = Math.max(0, event.offsetY - 60) + "px";
   });
+  canvas.addEventListener("keydown", (event) => {
+    const step = window_.span / 10;
+    if (event.key === "ArrowLeft") window_.end = frame().to - step;
+    else if (event.key === "ArrowRight") window_.end = frame().to + step;
+    else if (event.key === "+") window_.span = Math.max(20, window_.span / 1.3);
+    else if (event.key === "-") window_.span = Math.min(7200, window_.span * 1.3);
+    else if (event.key === "0") window_.end = null;
+    else return;
+    event.preventDefault();
+  });
   canvas.addEventListener("pointerleave", () => { $("tip").hidden = true; });
 }

@@ -70,6 +70,14 @@ Result<wire::OperatorRequest, std::vector<std::string>> request_of(const std::st
   return request;
 }
 
+/// The page shows the way to it.
+std::string with_designer(const std::string& world, bool is_there) {
+  Json json = Json::parse(world, nullptr, false);
+  if (!json.is_object()) return world;
+  json["designer"] = is_there;
+  return dumped(json);
+}
+
 }  // namespace
 
 Result<void, Failure> read_address(std::string_view text, ConsoleConfig& config) {
@@ -92,9 +100,10 @@ class Console::Impl {
   }
 
   Result<void, Failure> open() {
-    auto server =
-        Server::open({config_.address, config_.port, config_.names, token_, config_.world}, feed_,
-                     [this](const std::string& body) { return post(body); });
+    config_.world = with_designer(config_.world, config_.annex != nullptr);
+    auto server = Server::open(
+        {config_.address, config_.port, config_.names, token_, config_.world, config_.annex}, feed_,
+        [this](const std::string& body) { return post(body); });
     if (!server) return tl::unexpected(server.error());
     server_ = std::move(*server);
     return {};
@@ -103,7 +112,7 @@ class Console::Impl {
   std::uint16_t port() const { return server_->port(); }
   std::string url() const {
     const std::string host = config_.address == "0.0.0.0" ? "localhost" : config_.address;
-    const std::string url = "http://" + host + ":" + std::to_string(port()) + "/";
+    const std::string url = "http://" + host + ":" + std::to_string(port()) + "/" + config_.start;
     return token_.empty() ? url : url + "#token=" + token_;
   }
 

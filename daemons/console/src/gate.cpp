@@ -84,7 +84,7 @@ Verdict Gate::judge(const Asked& asked) const {
 
 Verdict Gate::judge_post(const Asked& asked) const {
   if (asked.chunked) return {411, "the length of the request must be said"};
-  if (asked.content_length > kRequestBytes) return {413, "the request is too long"};
+  if (asked.content_length > most_bytes(asked.path)) return {413, "the request is too long"};
   const std::string type = asked.content_type.substr(0, asked.content_type.find(';'));
   if (type != "application/json") return {415, "expected application/json"};
   if (asked.origin.empty() && asked.authorization.empty()) {

@@ -26,7 +26,7 @@ struct Verdict {
 /// - Host is an address, localhost or a name that was configured, with this port: a page of another
 ///   name that was made to lead here (DNS rebinding) is refused, static files too;
 /// - Origin, if there is one, is this host: a page from elsewhere cannot ask;
-/// - what is written is written as JSON, of a length said beforehand, not beyond kRequestBytes;
+/// - what is written is written as JSON, of a length said beforehand, not beyond most_bytes();
 /// - with a token: all but static files and the exchange of the token need it, by cookie or as
 ///   bearer; without one, a POST needs an Origin, or the header Authorization that no form sends.
 class Gate {

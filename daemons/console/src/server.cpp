@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "assets.hpp"
@@ -70,7 +71,7 @@ std::uint64_t length_of(const std::string& text) {
   if (text.empty()) return 0;
   const bool is_number =
       text.size() <= 12 && text.find_first_not_of("0123456789") == std::string::npos;
-  return is_number ? std::stoull(text) : kRequestBytes + 1;
+  return is_number ? std::stoull(text) : std::numeric_limits<std::uint64_t>::max();
 }
 
 Asked asked_by(MHD_Connection* connection, const char* method, const char* path) {
@@ -152,7 +153,7 @@ bool Server::goes_on(const Call& call) { return call.verdict.passes(); }
 
 void Server::gather(Call& call, std::string_view piece) {
   if (!call.verdict.passes()) return;
-  if (call.body.size() + piece.size() > kRequestBytes) {
+  if (call.body.size() + piece.size() > most_bytes(call.path)) {
     call.verdict = {413, "the request is too long"};
     call.body.clear();
   } else {
@@ -226,6 +227,7 @@ int Server::answer(MHD_Connection* connection, Call& call) {
   if (!call.verdict.passes()) {
     return reply(connection, call.verdict.status, problem(call.verdict.why));
   }
+  if (call.path.starts_with(kAnnexPaths)) return ask_annex(connection, call);
   if (call.method == "POST") {
     if (call.path == "/api/session") return open_session(connection, call.body);
     if (call.path != "/api/request") return reply(connection, 404, problem("nothing is here"));
@@ -235,6 +237,12 @@ int Server::answer(MHD_Connection* connection, Call& call) {
   if (call.path == "/api/events") return serve_stream(connection);
   if (call.path == "/api/world") return reply(connection, 200, config_.world);
   return serve_file(connection, call.path);
+}
+
+int Server::ask_annex(MHD_Connection* connection, const Call& call) {
+  if (config_.annex == nullptr) return reply(connection, 404, problem("nothing is here"));
+  const Answer answer = config_.annex->answer(call.method, call.path, call.body);
+  return reply(connection, answer.status, answer.json);
 }
 
 int Server::serve_file(MHD_Connection* connection, const std::string& path) {

@@ -11,6 +11,7 @@
 
 #include "feed.hpp"
 #include "gate.hpp"
+#include "skein/console/annex.hpp"
 #include "skein/foundation/result.hpp"
 
 struct MHD_Connection;
@@ -30,6 +31,7 @@ struct ServerConfig {
   std::vector<std::string> names;
   std::string token;  ///< empty: none is needed
   std::string world;
+  std::shared_ptr<Annex> annex = {};
 };
 
 /// An answer to a request of an operator.
@@ -73,6 +75,7 @@ class Server {
   Result<void, Failure> listen();
   int serve_file(MHD_Connection* connection, const std::string& path);
   int serve_stream(MHD_Connection* connection);
+  int ask_annex(MHD_Connection* connection, const Call& call);
   int open_session(MHD_Connection* connection, const std::string& body);
 
   ServerConfig config_;

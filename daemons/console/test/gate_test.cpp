@@ -66,6 +66,15 @@ TEST(Gate, TakesOnlyJsonOfAKnownAndModestLength) {
   EXPECT_EQ(kOpen.judge(put).status, 405U);
 }
 
+TEST(Gate, ModelsMayBeLongerThanRequests) {
+  Asked asked = post();
+  asked.content_length = 500'000;
+  asked.path = "/api/designer/look";
+  EXPECT_TRUE(kOpen.judge(asked).passes());
+  asked.content_length = 1'100'000;
+  EXPECT_EQ(kOpen.judge(asked).status, 413U);
+}
+
 TEST(Gate, ARequestFromNoPageShowsThatItIsNoForm) {
   Asked asked = post();
   asked.origin.clear();

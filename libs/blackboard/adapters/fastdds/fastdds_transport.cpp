@@ -2,9 +2,7 @@
 // Participant, channels and mailbox over Fast DDS.
 #include "skein/blackboard/fastdds_transport.hpp"
 
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
@@ -25,6 +23,7 @@
 #include "adapters/rtps/mailbox.hpp"
 #include "adapters/rtps/participant_number.hpp"
 #include "adapters/rtps/ports.hpp"
+#include "factory.hpp"
 #include "middleware_log.hpp"
 #include "qos.hpp"
 #include "sample_type.hpp"
@@ -126,21 +125,6 @@ class Listener final : public dds::DataReaderListener {
   const Partitions& partitions_;
 };
 
-/// No profile file on the way to a participant may change what this process does.
-dds::DomainParticipantFactory& factory() {
-  auto* const the_one = dds::DomainParticipantFactory::get_instance();
-  static std::once_flag once;
-  std::call_once(once, [&] {
-    the_one->load_profiles();
-    the_one->set_qos(dds::DomainParticipantFactoryQos{});
-    // Two participants of one process use the network like any others.
-    eprosima::fastrtps::LibrarySettingsAttributes settings;
-    settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-    eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
-  });
-  return *the_one;
-}
-
 }  // namespace
 
 class FastDdsTransport::Impl {
@@ -200,7 +184,7 @@ FastDdsTransport::Impl::~Impl() {
   if (participant_ == nullptr) return;
   flush_world();
   participant_->delete_contained_entities();
-  factory().delete_participant(participant_);
+  fastdds::factory().delete_participant(participant_);
 }
 
 void FastDdsTransport::Impl::flush_world() {
@@ -230,7 +214,7 @@ Result<void, Failure> FastDdsTransport::Impl::join() {
     if (!identities) return tl::unexpected(identities.error());
     identities_ = std::move(*identities);
   }
-  participant_ = factory().create_participant(
+  participant_ = fastdds::factory().create_participant(
       config_.domain, qos, config_.tap ? &partitions_ : nullptr, dds::StatusMask::none());
   if (participant_ != nullptr) return {};
   return failure("no DDS participant in domain " + domain +

@@ -25,6 +25,7 @@ struct RunOptions {
   std::string security;                 ///< folder of make-keys, over DDS; empty: none
   std::string mcap;                     ///< file for the run as MCAP; empty: none
   std::string console;                  ///< ADDRESS:PORT of the operators' page; empty: none
+  std::optional<std::uint32_t> ros2;    ///< domain of ROS 2, over DDS; none: it is not told
   std::string mavlink_out;              ///< address of a MAVLink station, over DDS; empty: none
 };
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "skein/console/annex.hpp"
 #include "skein/foundation/result.hpp"
 #include "skein/node/companion.hpp"
 
@@ -18,6 +19,8 @@ struct ConsoleConfig {
   std::uint16_t port = 8080;          ///< 0: any that is free
   std::vector<std::string> names;     ///< by which browsers may call this machine, beside addresses
   std::string world = "{}";           ///< one JSON object: what does not change in a mission
+  std::shared_ptr<Annex> annex = {};  ///< what else is served; none: nothing
+  std::string start = {};             ///< of the page to begin with: "designer.html"
 };
 
 /// "ADDR:PORT", "ADDR", ":PORT" or "PORT"; what is absent stays as in `config`.

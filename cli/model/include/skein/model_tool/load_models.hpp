@@ -9,6 +9,7 @@
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
 #include "skein/interaction/model.hpp"
+#include "skein/interaction/read_library.hpp"
 
 namespace skein::model_tool {
 
@@ -21,5 +22,8 @@ struct Loaded {
 
 /// Every error of all files at once. A file is read once, whoever uses it.
 Result<Loaded, Diagnostics> load_models(const std::vector<std::string>& files);
+/// Likewise, of what `read` says that the files are.
+Result<Loaded, Diagnostics> load_models(const std::vector<std::string>& files,
+                                        const interaction::ReadFile& read);
 
 }  // namespace skein::model_tool
