@@ -58,6 +58,7 @@ Blackboard::Impl::Impl(Config config, Transport& transport)
 }
 
 Result<void, Failure> Blackboard::Impl::open() {
+  from_.resize(config_.channels.size(), nullptr);
   for (std::size_t i = 0; i < config_.channels.size(); ++i) {
     if (auto added = add_channel(i); !added) return added;
   }
@@ -83,6 +84,7 @@ Result<void, Failure> Blackboard::Impl::add_channel(std::size_t index) {
   const PeerChannels channels{channel.to, channel.kind, index, incoming};
   const auto [added, fresh] = peers_.try_emplace(channel.to, channels, config_);
   if (!fresh) return failure("two channels to node " + to_text(channel.to));
+  from_[incoming] = &added->second;
   plan(added->second);
   return {};
 }
@@ -319,11 +321,10 @@ void Blackboard::Impl::arrive(Arrival arrival, Now now) {
     return;
   }
   auto& sample = std::get<wire::Sample>(arrival.content);
-  const ChannelConfig& channel = config_.channels[arrival.channel];
   if (wire::header_of(sample).origin == config_.self.value()) return;  // shared partition: our own
-  const auto from = peers_.find(channel.from);
-  if (from == peers_.end()) return admit(arrival.channel, std::move(sample), now);
-  const ChannelCondition& condition = from->second.incoming_condition();
+  const Peer* from = from_[arrival.channel];
+  if (from == nullptr) return admit(arrival.channel, std::move(sample), now);
+  const ChannelCondition& condition = from->incoming_condition();
   if (wire::slot_class(wire::slot_of(sample)) == wire::SlotClass::kStream && condition.loss > 0 &&
       losses_.chance(condition.loss)) {
     return;
@@ -356,7 +357,7 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample sample, Now now) 
   if (header.destination != 0 && header.destination != config_.self.value()) return;
   latest_heard_ = std::max(latest_heard_, MissionTime::nanoseconds(header.mission_time));
   if (world) return admit_from_world(std::move(sample));
-  admit_from_peer(peers_.at(config.from), std::move(sample), now);
+  admit_from_peer(*from_[channel], std::move(sample), now);
 }
 
 void Blackboard::Impl::admit_from_world(wire::Sample sample) {
@@ -373,11 +374,12 @@ void Blackboard::Impl::admit_from_peer(Peer& peer, wire::Sample sample, Now now)
     peer.on_event(header, std::move(sample), now, out_);
     return hear(peer);
   }
-  if (!freshness_.admit(slot, header)) return;
   if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample)) {
+    if (!peer.admit_heartbeat(header)) return;
     peer.on_heartbeat(*heartbeat, now, out_);
     return hear(peer);
   }
+  if (!freshness_.admit(slot, header)) return;
   out_.emplace_back(Received{NodeNumber(header.origin), peer.channels().kind, std::move(sample)});
 }
 

@@ -81,6 +81,7 @@ class Blackboard::Impl {
   Connections connections_;
   Random losses_;
   std::map<NodeNumber, Peer> peers_;
+  std::vector<Peer*> from_;     ///< by channel: the peer it comes from; null: none
   Agenda agenda_;               ///< of the peers
   std::set<NodeNumber> heard_;  ///< since the last step began
   std::optional<std::size_t> world_;

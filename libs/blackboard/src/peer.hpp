@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "incoming_events.hpp"
@@ -31,6 +32,7 @@ struct PeerChannels {
 /// spec 1.3 (reachability, class event).
 class Peer {
  public:
+  /// The configuration outlives the peer.
   Peer(PeerChannels channels, const Config& config);
 
   const PeerChannels& channels() const { return channels_; }
@@ -49,6 +51,11 @@ class Peer {
   void on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
                 std::vector<Incoming>& out);
   void on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out);
+  /// Whether it is newer than all heartbeats before it; then it is the newest.
+  bool admit_heartbeat(const wire::SampleHeader& header) {
+    const std::pair version{header.incarnation, header.sequence_number};
+    return version > newest_heartbeat_ && (newest_heartbeat_ = version, true);
+  }
   /// What was let through before counts as handled.
   void commit() { incoming_.commit(); }
   /// Finds what has run out: contact with the peer, events.
@@ -82,9 +89,7 @@ class Peer {
   Duration silence_limit() const { return period_ + period_ + period_; }
 
   PeerChannels channels_;
-  std::vector<wire::Slot> slots_;  ///< that go to the peer
-  SlotShares shares_;
-  double declared_out_, declared_in_;  ///< capacities [bit/s]; 0: unlimited
+  const Config* config_;
   std::unique_ptr<LimitedChannel> limited_;
   std::uint64_t self_incarnation_;
   Duration period_;
@@ -97,6 +102,7 @@ class Peer {
   bool was_heard_ = false;         ///< at some time of this life
   bool recalled_ = false;          ///< nothing was heard of it since this life began
   std::uint64_t incarnation_ = 0;  ///< of the peer; 0: never heard
+  std::pair<std::uint64_t, std::uint64_t> newest_heartbeat_{0, 0};  ///< incarnation, sequence
   Duration last_heard_;
   Duration next_heartbeat_;
   std::optional<Duration> acknowledge_at_;
