@@ -202,7 +202,8 @@ Diagnostics radio_problems(const Scenario& scenario) {
 }  // namespace
 
 node::Roster roster_of(const Scenario& scenario) {
-  return node::Roster(scenario.uav_names(), scenario.functional_layers());
+  return node::Roster(scenario.uav_names(), scenario.functional_layers())
+      .relayed_by(scenario.radio.relays);
 }
 
 std::unique_ptr<node::Node> make_node(const Scenario& scenario, const std::string& name) {

@@ -55,6 +55,8 @@ Blackboard::Impl::Impl(Config config, Transport& transport)
   SKEIN_EXPECTS(config_.incarnation > 0);
   SKEIN_EXPECTS(config_.heartbeat_period > Duration{});
   SKEIN_EXPECTS(config_.retransmission > Duration{});
+  if (!config_.relaying.relays.empty())
+    router_.emplace(config_.self, config_.relaying.relays, config_.heartbeat_period);
 }
 
 Result<void, Failure> Blackboard::Impl::open() {
@@ -93,8 +95,11 @@ const Peer* Blackboard::Impl::peer(NodeNumber number) const {
 }
 
 bool Blackboard::Impl::carries(std::size_t channel, wire::Slot slot) const {
-  const auto& slots = config_.channels[channel].slots;
-  return std::ranges::find(slots, slot) != slots.end();
+  return config_.channels[channel].carries(slot);
+}
+
+bool Blackboard::Impl::originates(std::size_t channel, wire::Slot slot) const {
+  return config_.channels[channel].originates(slot);
 }
 
 void Blackboard::Impl::stamp(wire::SampleHeader& header, NodeNumber to, std::uint64_t sequence,
@@ -113,7 +118,8 @@ void Blackboard::Impl::write(std::size_t channel, const wire::Sample& sample) {
   const bool written = transport_.write(channel, sample);
   connections_.wrote(channel, slot, written, out_);
   if (wire::slot_class(slot) != wire::SlotClass::kState) return;
-  const StateKey key{channel, slot, wire::header_of(sample).instance};
+  const wire::SampleHeader& header = wire::header_of(sample);
+  const StateKey key{channel, slot, header.origin, header.destination, header.instance};
   if (written) {
     unwritten_.erase(key);
   } else {
@@ -131,7 +137,7 @@ Result<std::uint64_t, Refusal> Blackboard::Impl::send(wire::Sample sample, NodeN
                                                       SendOptions options) {
   const auto found = peers_.find(to);
   const wire::Slot slot = wire::slot_of(sample);
-  if (found == peers_.end() || !carries(found->second.channels().outgoing, slot)) {
+  if (found == peers_.end() || !originates(found->second.channels().outgoing, slot)) {
     return tl::unexpected(Refusal::kNoChannel);
   }
   if (wire::find_violation(sample)) return tl::unexpected(Refusal::kMalformed);
@@ -148,30 +154,29 @@ Result<std::uint64_t, Refusal> Blackboard::Impl::send(wire::Sample sample, NodeN
     return sequence;
   }
   stamp(header, to, ++sequence_, now);
-  const std::uint64_t sequence = sequence_;
-  if (!peer.outgoing_condition().up) {
-    if (wire::slot_class(slot) == wire::SlotClass::kState) write(peer.channels().outgoing, sample);
-  } else if (LimitedChannel* limited = peer.limited()) {
-    limited->put(std::move(sample));
-    write_in_turn(peer, now);
-    plan(peer);
-  } else {
-    write(peer.channels().outgoing, sample);
-  }
-  return sequence;
+  const std::uint64_t sequence_of_value = sequence_;
+  send_value(peer, std::move(sample), now);
+  return sequence_of_value;
 }
 
 void Blackboard::Impl::write_due_events(Peer& peer, Now now) {
-  if (peer.limited() != nullptr) return write_in_turn(peer, now);
-  for (const wire::Sample* event : peer.take_due_events(now)) {
-    write(peer.channels().outgoing, *event);
+  const NodeNumber to = peer.channels().number;
+  if (router_ && router_->is_relayed(to)) {
+    for (const wire::Sample* event : peer.take_due_events(now)) send_on(to, *event, now);
+  } else if (peer.limited() != nullptr) {
+    write_in_turn(peer, now);
+  } else {
+    for (const wire::Sample* event : peer.take_due_events(now))
+      write(peer.channels().outgoing, *event);
   }
 }
 
 void Blackboard::Impl::write_in_turn(Peer& peer, Now now) {
   while (auto next = peer.take_next(now)) {
-    if (auto* heartbeat = std::get_if<wire::Heartbeat>(&*next)) {
+    auto* heartbeat = std::get_if<wire::Heartbeat>(&*next);
+    if (heartbeat != nullptr && heartbeat->header.origin == 0) {
       stamp(heartbeat->header, peer.channels().number, ++sequence_, now);
+      send_past_relays(*heartbeat, now);
     }
     write(peer.channels().outgoing, *next);
   }
@@ -186,6 +191,7 @@ void Blackboard::Impl::let_go(Peer& peer) {
     write(peer.channels().outgoing, state);
   }
   limited->take_values(wire::SlotClass::kStream);
+  limited->drop_passing();
 }
 
 Result<std::uint64_t, Refusal> Blackboard::Impl::publish(wire::Sample sample, Now now) {
@@ -203,7 +209,7 @@ void Blackboard::Impl::recall_sent(wire::Sample sample, NodeNumber to, MissionTi
   const auto found = peers_.find(to);
   const wire::Slot slot = wire::slot_of(sample);
   if (found == peers_.end() || !is_event(slot)) return;
-  if (!carries(found->second.channels().outgoing, slot) || wire::find_violation(sample)) return;
+  if (!originates(found->second.channels().outgoing, slot) || wire::find_violation(sample)) return;
   Peer& peer = found->second;
   stamp(wire::header_of(sample), to, peer.outgoing().next_sequence(), {at, {}});
   wire::header_of(sample).expires = options.expires.count();
@@ -273,16 +279,20 @@ std::vector<Incoming> Blackboard::Impl::step(Now now) {
     peer.update(now, out_);
     serve(peer, now);
   }
+  route(now);
   retry_states();
   return std::exchange(out_, {});
 }
 
 void Blackboard::Impl::serve(Peer& peer, Now now) {
   write_due_events(peer, now);
-  if (peer.limited() == nullptr && peer.heartbeat_due(now.steady)) {
+  const bool takes_turns = peer.limited() != nullptr && peer.outgoing_condition().up;
+  if (takes_turns) write_in_turn(peer, now);
+  if (!takes_turns && peer.heartbeat_due(now.steady)) {
     wire::Heartbeat heartbeat = peer.take_heartbeat(now.steady);
     stamp(heartbeat.header, peer.channels().number, ++sequence_, now);
-    write(peer.channels().outgoing, heartbeat);
+    if (peer.outgoing_condition().up) write(peer.channels().outgoing, heartbeat);
+    send_past_relays(heartbeat, now);
   }
   plan(peer);
 }
@@ -301,8 +311,12 @@ void Blackboard::Impl::plan(const Peer& peer) {
 std::optional<Duration> Blackboard::Impl::next_wakeup() const {
   std::optional<Duration> next;
   if (!delayed_.empty()) next = delayed_.begin()->first;
-  for (const auto due : {agenda_.next_due(), connections_.next_due()})
+  const auto sooner = [&](std::optional<Duration> due) {
     if (due && (!next || *due < *next)) next = due;
+  };
+  sooner(agenda_.next_due());
+  sooner(connections_.next_due());
+  if (router_) sooner(router_->next_wakeup());
   return next;
 }
 
@@ -346,17 +360,17 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample sample, Now now) 
   if (!violation) violation = header_violation(header);
   const ChannelConfig& config = config_.channels[channel];
   const bool world = config.kind == ChannelKind::kWorld;
-  if (!violation && !world && header.origin != config.from.value()) {
-    violation = {"header.origin", "not a node of channel " + config.partition};
-  }
+  if (!violation && !world) violation = path_violation(config, slot, header);
   if (violation) {
     refuse(slot, header, *violation);
     return refuse_event(channel, slot, header, now);
   }
-  if (header.destination != 0 && header.destination != config_.self.value()) return;
+  if (is_back(slot, header)) return;
+  if (header.destination != 0 && header.destination != config_.self.value())
+    return pass_on(config, std::move(sample), now);
   latest_heard_ = std::max(latest_heard_, MissionTime::nanoseconds(header.mission_time));
   if (world) return admit_from_world(std::move(sample));
-  admit_from_peer(peers_.at(config.from), std::move(sample), now);
+  admit_from_peer(config, std::move(sample), now);
 }
 
 void Blackboard::Impl::admit_from_world(wire::Sample sample) {
@@ -366,18 +380,22 @@ void Blackboard::Impl::admit_from_world(wire::Sample sample) {
   out_.emplace_back(Received{origin, ChannelKind::kWorld, std::move(sample)});
 }
 
-void Blackboard::Impl::admit_from_peer(Peer& peer, wire::Sample sample, Now now) {
+void Blackboard::Impl::admit_from_peer(const ChannelConfig& channel, wire::Sample sample, Now now) {
   const wire::Slot slot = wire::slot_of(sample);
   const wire::SampleHeader header = wire::header_of(sample);
+  Peer& peer = peers_.at(NodeNumber(header.origin));
   if (is_event(slot)) {
     peer.on_event(header, std::move(sample), now, out_);
     return hear(peer);
   }
   if (!freshness_.admit(slot, header)) return;
   if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample)) {
+    if (router_ && header.via.empty() && channel.kind == ChannelKind::kRadio)
+      router_->on_heartbeat(channel.from, now.steady);
     peer.on_heartbeat(*heartbeat, now, out_);
     return hear(peer);
   }
+  if (auto* report = std::get_if<wire::Neighbours>(&sample)) return learn(std::move(*report), now);
   out_.emplace_back(Received{NodeNumber(header.origin), peer.channels().kind, std::move(sample)});
 }
 
@@ -395,6 +413,7 @@ void Blackboard::Impl::refuse_event(std::size_t channel, wire::Slot slot,
   if (!is_event(slot) || header_violation(header)) return;
   const auto from = peers_.find(config_.channels[channel].from);
   if (from == peers_.end() || header.origin != from->first.value()) return;
+  if (!header.via.empty()) return;
   if (header.destination != config_.self.value()) return;
   from->second.on_event(header, std::nullopt, now, out_);
   hear(from->second);

@@ -12,10 +12,15 @@
 #include "connections.hpp"
 #include "freshness.hpp"
 #include "peer.hpp"
+#include "routing/passed_on.hpp"
+#include "routing/router.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/foundation/random.hpp"
 
 namespace skein::blackboard {
+
+/// The instance of a heartbeat that goes past relays: it says nothing of the links it comes over.
+inline constexpr std::uint32_t kPastRelays = 1;
 
 /// The way of an arrival: decoded by the transport, lost or delayed as the channel's condition
 /// wants, checked, then by class: state and stream past Freshness, event into the session of its
@@ -44,6 +49,7 @@ class Blackboard::Impl {
  private:
   Result<void, Failure> add_channel(std::size_t index);
   bool carries(std::size_t channel, wire::Slot slot) const;
+  bool originates(std::size_t channel, wire::Slot slot) const;
   void stamp(wire::SampleHeader& header, NodeNumber to, std::uint64_t sequence, Now now) const;
   /// Writes; a state that the transport does not take is tried again at each step.
   void write(std::size_t channel, const wire::Sample& sample);
@@ -53,7 +59,7 @@ class Blackboard::Impl {
   void delay(std::size_t channel, wire::Sample sample, Duration due);
   void admit(std::size_t channel, wire::Sample sample, Now now);
   void admit_from_world(wire::Sample sample);
-  void admit_from_peer(Peer& peer, wire::Sample sample, Now now);
+  void admit_from_peer(const ChannelConfig& channel, wire::Sample sample, Now now);
   void refuse(wire::Slot slot, const wire::SampleHeader& header, const wire::Violation& violation);
   void refuse_event(std::size_t channel, wire::Slot slot, const wire::SampleHeader& header,
                     Now now);
@@ -64,12 +70,39 @@ class Blackboard::Impl {
   void let_go(Peer& peer);
   /// Something of its session came: it counts as handled from the next step on.
   void hear(const Peer& peer);
+
+  // Relaying (blackboard_relaying.cpp).
+
+  /// To whom what is for a peer goes next; null: nobody has a channel for it.
+  Peer* hop_to(NodeNumber to, wire::Slot slot);
+  /// Writes it on the channel to that peer, or lets it wait there for its turn.
+  void hand_to(Peer& hop, wire::Sample sample, Now now);
+  void send_on(NodeNumber to, wire::Sample sample, Now now);
+  void send_past_relays(wire::Heartbeat heartbeat, Now now);
+  void send_value(Peer& peer, wire::Sample sample, Now now);
+  /// Why a sample may not have come this way.
+  std::optional<wire::Violation> path_violation(const ChannelConfig& channel, wire::Slot slot,
+                                                const wire::SampleHeader& header) const;
+  void pass_on(const ChannelConfig& from, wire::Sample sample, Now now);
+  bool is_back(wire::Slot slot, const wire::SampleHeader& header) const;
+  void learn(wire::Neighbours report, Now now);
+  void remind(NodeNumber peer, Now now);
+  /// To every radio peer that it has not passed and does not come from.
+  void flood(const wire::Neighbours& report, Now now);
+  /// Looks for better ways, and tells others what is new.
+  void route(Now now);
+  void take_way(const routing::WayChange& change, Now now);
+  void resend_states(const routing::WayChange& change, Now now);
+
   /// Of a peer, and what it is due for after; strangers are disregarded.
   void change(NodeNumber number, const std::function<void(Peer&)>& change);
   /// To be called after each change of a peer.
   void plan(const Peer& peer);
 
-  using StateKey = std::tuple<std::size_t, wire::Slot, std::uint32_t>;
+  /// Channel, slot, origin, destination, instance.
+  using StateKey = std::tuple<std::size_t, wire::Slot, std::uint32_t, std::uint32_t, std::uint32_t>;
+  /// Destination, slot, instance.
+  using OwnStateKey = std::tuple<NodeNumber, wire::Slot, std::uint32_t>;
   using DropKey = std::tuple<wire::Slot, NodeNumber, std::string>;
   struct Delayed {
     std::size_t channel;
@@ -92,6 +125,11 @@ class Blackboard::Impl {
   std::set<DropKey> drops_seen_;
   std::vector<Incoming> out_;
   MissionTime latest_heard_;
+  std::optional<routing::Router> router_;  ///< if there are relays
+  routing::PassedOn passed_on_;
+  std::map<OwnStateKey, wire::Sample> own_states_;  ///< as last sent; if there are relays
+  std::map<NodeNumber, wire::Neighbours> reports_;  ///< by author, as passed on
+  std::map<NodeNumber, routing::Way> told_;         ///< the ways that are not direct
 };
 
 }  // namespace skein::blackboard

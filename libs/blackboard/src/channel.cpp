@@ -2,9 +2,11 @@
 // What the kinds of channel carry and how their partitions are named.
 #include "skein/blackboard/channel.hpp"
 
-#include <array>
+#include <algorithm>
+#include <utility>
 
 #include "skein/blackboard/cdr.hpp"
+#include "skein/blackboard/slot_table.hpp"
 
 namespace skein::blackboard {
 namespace {
@@ -14,33 +16,26 @@ using wire::Slot;
 /// [byte]: IP and UDP 28, RTPS header 20, timestamp 12, destination 16, data 24.
 constexpr std::size_t kFrame = 100;
 
-// At degree 1 the ground station talks with the functional layer through the decision node.
-std::vector<Slot> radio_slots() {
-  return {Slot::kPlanBoard,        Slot::kAutonomyDegree,     Slot::kMissionState,
-          Slot::kRequestReply,     Slot::kTaskEvent,          Slot::kFunctionalRequest,
-          Slot::kFunctionalStatus, Slot::kSyncMessage,        Slot::kAlarm,
-          Slot::kTelemetry,        Slot::kPerceptionReport,   Slot::kJointTaskState,
-          Slot::kPlanFrontier,     Slot::kNegotiationMessage, Slot::kTeamMessage,
-          Slot::kTeamSale,         Slot::kMergeMessage};
+/// Whom a node hears is told only where there are relays (add_relayed).
+ChannelConfig radio(const Node& from, const Node& to, std::vector<Slot> slots) {
+  std::erase(slots, Slot::kNeighbours);
+  return {from.number, to.number, ChannelKind::kRadio, "radio/" + from.name + ">" + to.name,
+          std::move(slots)};
 }
 
-constexpr auto kFromStation = std::to_array<Slot>(
-    {Slot::kTaskRequest, Slot::kMissionRequest, Slot::kDegreeCommand, Slot::kWorldChange});
-constexpr auto kToStation = std::to_array<Slot>(
-    {Slot::kMissionPlan, Slot::kMissionOutcome, Slot::kHandOver, Slot::kDecision});
-
-std::vector<Slot> onboard_slots() {
-  return {Slot::kFunctionalRequest, Slot::kFunctionalStatus, Slot::kTelemetry,
-          Slot::kPerceptionReport};
-}
-
-std::vector<Slot> world_slots() {
-  return {Slot::kDirectoryEntry, Slot::kClock,           Slot::kLinkState,    Slot::kMissionState,
-          Slot::kJournalEntry,   Slot::kTruth,           Slot::kUavBoard,     Slot::kUavTasks,
-          Slot::kGroundBoard,    Slot::kOperatorRequest, Slot::kOperatorReply};
+bool contains(const std::vector<Slot>& slots, Slot slot) {
+  return std::ranges::find(slots, slot) != slots.end();
 }
 
 }  // namespace
+
+bool ChannelConfig::carries(Slot slot) const { return contains(slots, slot); }
+
+bool ChannelConfig::relays(Slot slot) const { return contains(relayed, slot); }
+
+bool ChannelConfig::originates(Slot slot) const {
+  return (slot == Slot::kHeartbeat || carries(slot)) && !contains(passing, slot);
+}
 
 std::string_view name_of(ChannelKind kind) {
   switch (kind) {
@@ -55,26 +50,39 @@ std::string_view name_of(ChannelKind kind) {
 }
 
 std::vector<ChannelConfig> radio_link(const Node& a, const Node& b) {
-  const auto partition = [](const Node& from, const Node& to) {
-    return "radio/" + from.name + ">" + to.name;
-  };
-  return {{a.number, b.number, ChannelKind::kRadio, partition(a, b), radio_slots()},
-          {b.number, a.number, ChannelKind::kRadio, partition(b, a), radio_slots()}};
+  return radio_link(a, b, SlotTable::shipped());
+}
+
+std::vector<ChannelConfig> radio_link(const Node& a, const Node& b, const SlotTable& table) {
+  return {radio(a, b, table.between(Party::kUav, Party::kUav)),
+          radio(b, a, table.between(Party::kUav, Party::kUav))};
 }
 
 std::vector<ChannelConfig> station_link(const Node& station, const Node& uav) {
-  std::vector<ChannelConfig> link = radio_link(station, uav);
-  std::vector<Slot>& up = link[0].slots;
-  std::vector<Slot>& down = link[1].slots;
-  up.insert(up.end(), kFromStation.begin(), kFromStation.end());
-  down.insert(down.end(), kToStation.begin(), kToStation.end());
-  return link;
+  return station_link(station, uav, SlotTable::shipped());
+}
+
+std::vector<ChannelConfig> station_link(const Node& station, const Node& uav,
+                                        const SlotTable& table) {
+  return {radio(station, uav, table.between(Party::kGround, Party::kUav)),
+          radio(uav, station, table.between(Party::kUav, Party::kGround))};
 }
 
 std::vector<ChannelConfig> onboard_link(const Node& uav, const Node& simulator) {
+  return onboard_link(uav, simulator, SlotTable::shipped());
+}
+
+std::vector<ChannelConfig> onboard_link(const Node& uav, const Node& simulator,
+                                        const SlotTable& table) {
   const std::string partition = "onboard/" + uav.name;
-  return {{uav.number, simulator.number, ChannelKind::kOnboard, partition, onboard_slots()},
-          {simulator.number, uav.number, ChannelKind::kOnboard, partition, onboard_slots()}};
+  return {{uav.number, simulator.number, ChannelKind::kOnboard, partition,
+           table.between(Party::kUav, Party::kFunctional)},
+          {simulator.number, uav.number, ChannelKind::kOnboard, partition,
+           table.between(Party::kFunctional, Party::kUav)}};
+}
+
+ChannelConfig world_channel() {
+  return {kEverybody, kEverybody, ChannelKind::kWorld, "world", SlotTable::shipped().of_world()};
 }
 
 std::size_t channel_bytes(const wire::Sample& sample) { return kFrame + encoded_size(sample); }
@@ -88,8 +96,42 @@ Duration airtime(std::size_t bytes, double capacity) {
   return Duration::seconds(8.0 * static_cast<double>(bytes) / capacity);
 }
 
-ChannelConfig world_channel() {
-  return {kEverybody, kEverybody, ChannelKind::kWorld, "world", world_slots()};
+void add_relayed(ChannelConfig& channel, const RelayEnds& ends) {
+  add_relayed(channel, ends, SlotTable::shipped());
+}
+
+// To the first relay goes what the sender has for anybody, from the last one what anybody has for
+// the receiver, between relays everything; as far as relays pass it on.
+void add_relayed(ChannelConfig& channel, const RelayEnds& ends, const SlotTable& table) {
+  const auto add_to = [](std::vector<Slot>& slots, const std::vector<Slot>& more) {
+    for (const Slot slot : more)
+      if (!contains(slots, slot)) slots.push_back(slot);
+  };
+  const auto for_any = [&](Party from, bool is_station) {
+    std::vector<Slot> all = table.between(from, Party::kUav);
+    if (!is_station) add_to(all, table.between(from, Party::kGround));
+    return all;
+  };
+  const std::vector<Slot> passed_on = table.relayed();
+  std::vector<Slot> passing;
+  if (ends.from) {
+    const Party to = ends.to_station ? Party::kGround : Party::kUav;
+    passing = table.between(Party::kUav, to);
+    if (!ends.to_station) add_to(passing, table.between(Party::kGround, to));
+    if (ends.to) passing = passed_on;
+  } else if (ends.to) {
+    passing = for_any(ends.from_station ? Party::kGround : Party::kUav, ends.from_station);
+  }
+  std::erase_if(passing,
+                [&](Slot slot) { return !contains(passed_on, slot) || slot == Slot::kNeighbours; });
+  if (ends.from) {
+    channel.relayed = passing;
+    add_to(channel.relayed, {Slot::kHeartbeat, Slot::kNeighbours});
+  }
+  std::erase_if(passing, [&](Slot slot) { return channel.carries(slot); });
+  add_to(channel.slots, passing);
+  add_to(channel.slots, {Slot::kNeighbours});
+  channel.passing = std::move(passing);
 }
 
 }  // namespace skein::blackboard

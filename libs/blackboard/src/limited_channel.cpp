@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "skein/blackboard/transport.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::blackboard {
@@ -62,6 +63,18 @@ std::optional<LimitedChannel::Turn> LimitedChannel::next(std::size_t heartbeat, 
     turn.slot = slots_[*flow - kFirstValue];
   }
   return turn;
+}
+
+void LimitedChannel::pass(wire::Sample sample) {
+  if (passing_.size() >= kEventDepth) passing_.pop_front();
+  passing_.push_back(std::move(sample));
+}
+
+wire::Sample LimitedChannel::take_passing() {
+  SKEIN_EXPECTS(!passing_.empty());
+  wire::Sample first = std::move(passing_.front());
+  passing_.pop_front();
+  return first;
 }
 
 wire::Sample LimitedChannel::take(const Turn& turn) {

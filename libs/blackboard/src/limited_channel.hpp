@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -40,8 +41,16 @@ class LimitedChannel {
 
   /// A state or a stream.
   void put(wire::Sample value) { shed_ += values_.put(std::move(value)) ? 1 : 0; }
-  bool has_values() const { return !values_.empty(); }
+  bool has_any() const { return !values_.empty() || !passing_.empty(); }
   std::vector<wire::Sample> take_values(wire::SlotClass which) { return values_.take(which); }
+  /// An event, or a heartbeat of another one, on its way to somebody else. Of too many the oldest
+  /// goes: who made it sends it again.
+  void pass(wire::Sample sample);
+  const wire::Sample* first_passing() const {
+    return passing_.empty() ? nullptr : &passing_.front();
+  }
+  wire::Sample take_passing();
+  void drop_passing() { passing_.clear(); }
   /// Values that a newer one took the place of before their turn came.
   std::uint64_t shed() const { return shed_; }
 
@@ -59,6 +68,7 @@ class LimitedChannel {
   std::vector<wire::Slot> slots_;  ///< of the flows behind heartbeats and events
   ChannelSchedule schedule_;
   WaitingValues values_;
+  std::deque<wire::Sample> passing_;
   std::uint64_t shed_ = 0;
 };
 

@@ -50,6 +50,8 @@ void Peer::set_outgoing(const ChannelCondition& condition, Now now) {
 // acknowledgement waits for others like it and for a long sample too.
 Duration Peer::round_trip() const {
   Duration all = out_condition_.latency + in_condition_.latency;
+  // Nothing is known of what others take between them: a period a relay is more than most do.
+  all = all + Duration::nanoseconds(period_.count() * static_cast<std::int64_t>(relays_));
   if (limited_) all = all + limited_->airtime(kLongSample);
   const double back = in_condition_.capacity > 0 ? in_condition_.capacity : declared_in_;
   if (back <= 0) return all;
@@ -65,6 +67,20 @@ Duration Peer::acknowledgement_delay() const {
 void Peer::owe_acknowledgement(Duration now) {
   if (!incoming_.owes_acknowledgement() || acknowledge_at_) return;
   acknowledge_at_ = now + acknowledgement_delay();
+}
+
+void Peer::set_way(std::size_t relays, bool heard_of, bool anew, Now now) {
+  relays_ = relays;
+  heard_of_ = heard_of;
+  if (!anew) return;
+  outgoing_.resend();
+  next_heartbeat_ = now.steady;
+}
+
+// Who is heard by somebody is only waited for while the way past that one opens.
+Duration Peer::silence_limit() const {
+  const Duration limit = period_ + period_ + period_;
+  return heard_of_ ? limit + limit : limit;
 }
 
 void Peer::on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
@@ -124,12 +140,12 @@ void Peer::update(Now now, std::vector<Incoming>& out) {
 }
 
 std::vector<const wire::Sample*> Peer::take_due_events(Now now) {
-  if (!out_condition_.up || recalled_) return {};
+  if (!can_send() || recalled_) return {};
   return outgoing_.take_due(now, round_trip());
 }
 
 bool Peer::heartbeat_due(Duration steady) const {
-  if (!out_condition_.up) return false;
+  if (!can_send()) return false;
   return steady >= next_heartbeat_ || (acknowledge_at_ && steady >= *acknowledge_at_);
 }
 
@@ -147,7 +163,11 @@ wire::Heartbeat Peer::take_heartbeat(Duration steady) {
 
 std::optional<wire::Sample> Peer::take_next(Now now) {
   if (!limited_ || !out_condition_.up) return std::nullopt;
-  const wire::Sample* event = recalled_ ? nullptr : outgoing_.first_due(now, round_trip());
+  const bool has_own = !recalled_ && relays_ == 0;
+  const wire::Sample* own = has_own ? outgoing_.first_due(now, round_trip()) : nullptr;
+  const wire::Sample* passing = limited_->first_passing();
+  const bool passes = passing != nullptr && (own == nullptr || turn_of_passing_);
+  const wire::Sample* event = passes ? passing : own;
   const std::size_t heartbeat = heartbeat_due(now.steady) ? heartbeat_bytes() : 0;
   const auto turn =
       limited_->next(heartbeat, event == nullptr ? 0 : channel_bytes(*event), now.steady);
@@ -155,6 +175,8 @@ std::optional<wire::Sample> Peer::take_next(Now now) {
   const Duration until = limited_->write(*turn, now.steady);
   if (turn->of == LimitedChannel::Turn::Of::kHeartbeat) return take_heartbeat(now.steady);
   if (turn->of == LimitedChannel::Turn::Of::kValue) return limited_->take(*turn);
+  turn_of_passing_ = !passes;
+  if (passes) return limited_->take_passing();
   wire::Sample written = *event;
   outgoing_.written(written, until);
   return written;
@@ -163,11 +185,11 @@ std::optional<wire::Sample> Peer::take_next(Now now) {
 std::optional<Duration> Peer::next_wakeup() const {
   std::optional<Duration> silent;
   if (reachable_) silent = last_heard_ + silence_limit();
-  if (!out_condition_.up) return silent;
+  if (!can_send()) return silent;
   auto write = sooner(next_heartbeat_, acknowledge_at_);
   if (!recalled_) write = sooner(write, outgoing_.next_due(round_trip()));
-  if (limited_) {
-    if (limited_->has_values()) write = limited_->free_at();
+  if (limited_ && out_condition_.up) {
+    if (limited_->has_any()) write = limited_->free_at();
     write = std::max(*write, limited_->free_at());
   }
   return sooner(silent, write);

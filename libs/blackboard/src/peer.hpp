@@ -45,6 +45,9 @@ class Peer {
   /// Null: the channel to the peer carries everything at once.
   LimitedChannel* limited() { return limited_.get(); }
   const LimitedChannel* limited() const { return limited_.get(); }
+  /// What is sent to it goes past so many relays (0: directly); `heard_of`: there is a way from it
+  /// past relays. All events are written again if `anew`.
+  void set_way(std::size_t relays, bool heard_of, bool anew, Now now);
 
   void on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
                 std::vector<Incoming>& out);
@@ -79,7 +82,9 @@ class Peer {
   Duration acknowledgement_delay() const;
   void owe_acknowledgement(Duration now);
   void limit(double capacity, Duration now);
-  Duration silence_limit() const { return period_ + period_ + period_; }
+  Duration silence_limit() const;
+  /// As far as is known here.
+  bool can_send() const { return relays_ > 0 || out_condition_.up; }
 
   PeerChannels channels_;
   std::vector<wire::Slot> slots_;  ///< that go to the peer
@@ -92,6 +97,9 @@ class Peer {
   ChannelCondition in_condition_;
   OutgoingEvents outgoing_;
   IncomingEvents incoming_;
+  std::size_t relays_ = 0;
+  bool heard_of_ = false;
+  bool turn_of_passing_ = false;
   bool reachable_ = false;
   bool is_heard_ = false;          ///< by the peer, as it said last
   bool was_heard_ = false;         ///< at some time of this life

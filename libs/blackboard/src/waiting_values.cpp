@@ -4,7 +4,8 @@
 namespace skein::blackboard {
 
 bool WaitingValues::put(wire::Sample value) {
-  const Key key{wire::slot_of(value), wire::header_of(value).instance};
+  const wire::SampleHeader& header = wire::header_of(value);
+  const Key key{wire::slot_of(value), {header.origin, header.destination, header.instance}};
   const bool is_new = values_.insert_or_assign(key, std::move(value)).second;
   if (is_new) order_[key.first].push_back(key.second);
   return !is_new;

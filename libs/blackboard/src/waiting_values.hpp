@@ -6,6 +6,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,9 +29,11 @@ class WaitingValues {
   std::vector<wire::Sample> take(wire::SlotClass which);
 
  private:
-  using Key = std::pair<wire::Slot, std::uint32_t>;
+  /// Origin, destination, instance: a relay's channel carries values of several nodes.
+  using Instance = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;
+  using Key = std::pair<wire::Slot, Instance>;
   std::map<Key, wire::Sample> values_;
-  std::map<wire::Slot, std::deque<std::uint32_t>> order_;  ///< instances
+  std::map<wire::Slot, std::deque<Instance>> order_;  ///< instances
 };
 
 }  // namespace skein::blackboard

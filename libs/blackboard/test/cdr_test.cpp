@@ -80,7 +80,7 @@ TEST(Cdr, ReadsTheOtherByteOrder) {
       0, 0, 0, 0, 0,   0,   1, 0,  // mission_time
       0, 0, 0, 0, 0,   0,   0, 0,  // expires
       0, 0, 0, 7,                  // mission
-      0, 0, 0, 0,                  // padding
+      0, 0, 0, 0,                  // via: nobody
       0, 0, 0, 0, 0,   0,   0, 5,  // id
       0, 0, 0, 3, 'a', 'b', 0, 0,  // from, padding
       0, 0, 0, 1, 0,   0,   0, 0,  // to, padding

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "recollection.hpp"
+#include "skein/blackboard/slot_table.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/overloaded.hpp"
 
@@ -91,6 +92,8 @@ Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Me
   board.retransmission =
       Duration::nanoseconds(config.heartbeat_period.count() + config.heartbeat_period.count() / 2);
   board.seed = config.seed;
+  board.relaying.relays = roster.relays();
+  board.shares = blackboard::SlotTable::shipped().shares();
   Survey past;
   if (config.memory != nullptr) {
     auto found = survey(*config.memory);
@@ -314,6 +317,7 @@ void Host::take(blackboard::Incoming incoming, Now now) {
                      remember(skipped(one.slot, one.from, one.incarnation, one.sequence), now);
                    }
                  },
+                 [&](blackboard::RouteChanged& one) { log_route(one, now); },
                  [&](blackboard::EventsLost& one) {
                    ports_.journal(record("lost", now)
                                       .with("slot", "*")
@@ -346,6 +350,14 @@ void Host::take_received(blackboard::Received received, Now now) {
                 wire::header_of(received.sample).sequence_number, "received", now);
   }
   give(Received{received.origin, std::move(received.sample)}, now);
+}
+
+void Host::log_route(const blackboard::RouteChanged& route, Now now) {
+  const auto& log = ports_.journal;
+  journal::Record line = record("route", now);
+  line.with("peer", roster_.name_of(route.peer));
+  if (route.via) line.with("via", roster_.name_of(*route.via)).with("relays", route.relays);
+  log(line);
 }
 
 void Host::apply(const wire::LinkState& link, Now now) {

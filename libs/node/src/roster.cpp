@@ -3,36 +3,37 @@
 
 #include <algorithm>
 
+#include "skein/blackboard/slot_table.hpp"
+
 namespace skein::node {
 
 namespace {
 
+using blackboard::Party;
 using wire::Role;
-using wire::Slot;
 
 constexpr std::uint32_t kFirstUav = 10;
 constexpr std::uint32_t kFirstFunctional = 500;
 
-/// The slots a member writes on the world channel. Who leads the clock writes that too
-/// (HostConfig).
-std::vector<Slot> world_writes_of(Role role) {
+/// Who leads the clock writes that too, whatever its role (HostConfig).
+Party party_of(Role role) {
   switch (role) {
     case Role::kGround:
-      return {Slot::kDirectoryEntry, Slot::kMissionState, Slot::kJournalEntry, Slot::kUavBoard,
-              Slot::kUavTasks,       Slot::kGroundBoard,  Slot::kOperatorReply};
-    case Role::kOperator:
-      return {Slot::kOperatorRequest};
+      return Party::kGround;
     case Role::kDdn:
-      return {Slot::kDirectoryEntry, Slot::kJournalEntry};
+      return Party::kUav;
     case Role::kSim:
-      return {Slot::kDirectoryEntry, Slot::kClock, Slot::kLinkState, Slot::kJournalEntry,
-              Slot::kTruth};
+      return Party::kSim;
     case Role::kFunctional:
-      return {Slot::kDirectoryEntry, Slot::kJournalEntry, Slot::kTruth};
+      return Party::kFunctional;
+    case Role::kOperator:
+      return Party::kOperator;
     default:
-      return {};
+      return Party::kOthers;
   }
 }
+
+bool has_radio(Role role) { return role == Role::kGround || role == Role::kDdn; }
 
 blackboard::Node as_node(const Member& member) { return {member.number, member.name}; }
 
@@ -63,6 +64,15 @@ Roster Roster::only(const std::vector<std::string>& names) const {
     return std::find(names.begin(), names.end(), member.name) == names.end();
   });
   return some;
+}
+
+Roster Roster::relayed_by(const std::vector<std::string>& names) const {
+  Roster relayed = *this;
+  for (const std::string& name : names) {
+    const Member* member = find(name);
+    if (member != nullptr) relayed.relays_.insert(member->number);
+  }
+  return relayed;
 }
 
 NodeNumber Roster::functional_of(NodeNumber uav) const {
@@ -100,18 +110,15 @@ std::map<NodeNumber, std::string> Roster::names() const {
 
 std::vector<blackboard::ChannelConfig> Roster::channels_of(const Member& member) const {
   std::vector<blackboard::ChannelConfig> channels{blackboard::world_channel()};
-  channels.front().slots = world_writes_of(member.role);
+  channels.front().slots =
+      blackboard::SlotTable::shipped().between(party_of(member.role), Party::kWorld);
   const auto add = [&](const std::vector<blackboard::ChannelConfig>& link) {
     channels.insert(channels.end(), link.begin(), link.end());
   };
   for (const Member& other : members_) {
     if (other.number == member.number) continue;
-    if (member.role == Role::kGround && other.role == Role::kDdn) {
-      add(blackboard::station_link(as_node(member), as_node(other)));
-    } else if (member.role == Role::kDdn && other.role == Role::kGround) {
-      add(blackboard::station_link(as_node(other), as_node(member)));
-    } else if (member.role == Role::kDdn && other.role == Role::kDdn) {
-      add(blackboard::radio_link(as_node(member), as_node(other)));
+    if (has_radio(member.role) && has_radio(other.role)) {
+      add(radio_between(member, other));
     } else if (serves(other, member)) {
       add(blackboard::onboard_link(as_node(member), as_node(other)));
     } else if (serves(member, other)) {
@@ -121,24 +128,26 @@ std::vector<blackboard::ChannelConfig> Roster::channels_of(const Member& member)
   return channels;
 }
 
-std::vector<wire::Slot> Roster::world_reads_of(wire::Role role) {
-  switch (role) {
-    case Role::kGround:
-      return {Slot::kClock, Slot::kLinkState, Slot::kOperatorRequest};
-    case Role::kDdn:
-      return {Slot::kClock, Slot::kLinkState};
-    case Role::kOperator:  // what the ground station knows, not what is
-      return {Slot::kClock,    Slot::kLinkState,   Slot::kMissionState, Slot::kUavBoard,
-              Slot::kUavTasks, Slot::kGroundBoard, Slot::kOperatorReply};
-    case Role::kSim:  // where vehicles are that others play: for the radio
-      return {Slot::kDirectoryEntry, Slot::kMissionState, Slot::kTruth};
-    case Role::kFunctional:
-      return {Slot::kClock};
-    default:
-      break;
+std::vector<blackboard::ChannelConfig> Roster::radio_between(const Member& a,
+                                                             const Member& b) const {
+  if (b.role == Role::kGround) return radio_between(b, a);
+  std::vector<blackboard::ChannelConfig> link =
+      a.role == Role::kGround ? blackboard::station_link(as_node(a), as_node(b))
+                              : blackboard::radio_link(as_node(a), as_node(b));
+  if (relays_.empty()) return link;
+  for (blackboard::ChannelConfig& channel : link) {
+    blackboard::RelayEnds ends;
+    ends.from = relays_.contains(channel.from);
+    ends.to = relays_.contains(channel.to);
+    ends.from_station = channel.from == ground();
+    ends.to_station = channel.to == ground();
+    blackboard::add_relayed(channel, ends);
   }
-  return {Slot::kDirectoryEntry, Slot::kClock,        Slot::kLinkState,
-          Slot::kMissionState,   Slot::kJournalEntry, Slot::kTruth};
+  return link;
+}
+
+std::vector<wire::Slot> Roster::world_reads_of(wire::Role role) {
+  return blackboard::SlotTable::shipped().between(Party::kWorld, party_of(role));
 }
 
 }  // namespace skein::node

@@ -153,13 +153,50 @@ TEST(Roster, OnlyTheStationCommandsAndIsTold) {
   }
 }
 
+const ChannelConfig& channel_between(const std::vector<ChannelConfig>& channels, NodeNumber from,
+                                     NodeNumber to) {
+  return *std::find_if(channels.begin(), channels.end(), [&](const ChannelConfig& channel) {
+    return channel.from == from && channel.to == to;
+  });
+}
+
+// What a relay passes on for the station it must not say itself.
+TEST(Roster, ARelayHasChannelsForOrdersAndAnswersButNoSayOfItsOwn) {
+  const Roster roster = Roster({"near", "far"}).relayed_by({"near"});
+  const Member& near = *roster.find("near");
+  const Member& far = *roster.find("far");
+  const auto channels = roster.channels_of(near);
+  const ChannelConfig& to_far = channel_between(channels, near.number, far.number);
+  const ChannelConfig& from_far = channel_between(channels, far.number, near.number);
+  const ChannelConfig& to_ground = channel_between(channels, near.number, roster.ground());
+
+  EXPECT_TRUE(to_far.relays(wire::Slot::kMissionRequest));
+  EXPECT_FALSE(to_far.originates(wire::Slot::kMissionRequest));
+  EXPECT_FALSE(to_far.carries(wire::Slot::kMissionPlan));
+  EXPECT_TRUE(from_far.carries(wire::Slot::kMissionPlan));
+  EXPECT_FALSE(from_far.originates(wire::Slot::kMissionPlan));
+  EXPECT_FALSE(from_far.relays(wire::Slot::kTelemetry));
+  EXPECT_TRUE(to_ground.relays(wire::Slot::kMissionPlan));
+  EXPECT_TRUE(to_ground.originates(wire::Slot::kMissionPlan));
+  EXPECT_FALSE(to_ground.carries(wire::Slot::kTaskRequest));
+}
+
+TEST(Roster, WithoutRelaysNobodyTellsWhomItHears) {
+  const Roster roster({"near", "far"});
+  for (const ChannelConfig& channel : roster.channels_of(*roster.find("near"))) {
+    EXPECT_FALSE(channel.carries(wire::Slot::kNeighbours)) << channel.partition;
+    EXPECT_TRUE(channel.relayed.empty()) << channel.partition;
+  }
+}
+
 // Every channel but the world is known, with the same partition and slots, to exactly the two
 // nodes at its ends; and numbers and names are distinct.
 RC_GTEST_PROP(Roster, BothEndsOfAChannelAgreeOnIt, ()) {
   const int count = *rc::gen::inRange(0, 8);
   std::vector<std::string> uavs;
   for (int i = 0; i < count; ++i) uavs.push_back("uav-" + std::to_string(i));
-  const Roster roster(uavs);
+  const Roster roster = Roster(uavs).relayed_by(*rc::gen::container<std::vector<std::string>>(
+      rc::gen::elementOf(std::vector<std::string>{"ground", "uav-0", "uav-1", "uav-5"})));
   using Key = std::tuple<std::uint32_t, std::uint32_t, std::string, std::vector<wire::Slot>>;
   std::map<Key, std::set<std::string>> known;
   std::set<NodeNumber> numbers;

@@ -86,6 +86,7 @@ struct LinkStory {
   std::string second;
   std::vector<Span> up[2];         ///< first to second, second to first
   std::vector<Span> believed[2];   ///< second reachable for first, first reachable for second
+  std::vector<Span> relayed[2];    ///< what goes past relays: first to second, second to first
   bool truth[2] = {false, false};  ///< whether the log says anything of that direction
   bool belief[2] = {false, false};
 };

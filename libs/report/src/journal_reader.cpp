@@ -70,6 +70,9 @@ void read_link(FieldReader& f, Journal& j) {
 void read_reach(FieldReader& f, Journal& j) {
   j.reaches.push_back({{}, f.name("peer"), f.boolean("reachable")});
 }
+void read_route(FieldReader& f, Journal& j) {
+  j.routes.push_back({{}, f.name("peer"), f.optional_text("via")});
+}
 void read_telemetry(FieldReader& f, Journal& j) {
   j.telemetry.push_back({{},
                          f.name("uav"),
@@ -188,7 +191,7 @@ struct Kind {
   void (*settle)(Journal&, Stamp, bool good);
 };
 
-constexpr std::array<Kind, 25> kKinds{{
+constexpr std::array<Kind, 26> kKinds{{
     {"telemetry", read_telemetry, settle_in<&Journal::telemetry>},
     {"task", read_task, settle_in<&Journal::tasks>},
     {"message", read_message, settle_in<&Journal::messages>},
@@ -197,6 +200,7 @@ constexpr std::array<Kind, 25> kKinds{{
     {"sync", read_sync, settle_in<&Journal::syncs>},
     {"link", read_link, settle_in<&Journal::links>},
     {"reach", read_reach, settle_in<&Journal::reaches>},
+    {"route", read_route, settle_in<&Journal::routes>},
     {"object", read_object, settle_in<&Journal::objects>},
     {"perception", read_perception, settle_in<&Journal::perceptions>},
     {"alarm", read_alarm, settle_in<&Journal::alarms>},
@@ -280,10 +284,10 @@ Result<Journal, Diagnostics> read_journal(std::istream& in, std::string_view nam
 }
 
 void sort_by_time(Journal& j) {
-  sort_each(j.tasks, j.requests, j.commands, j.syncs, j.messages, j.links, j.reaches, j.telemetry,
-            j.objects, j.perceptions, j.alarms, j.phases, j.operators, j.degrees, j.faults,
-            j.processes, j.dropped, j.undelivered, j.missions, j.expectations, j.goals, j.plans,
-            j.planned, j.decisions, j.others);
+  sort_each(j.tasks, j.requests, j.commands, j.syncs, j.messages, j.links, j.reaches, j.routes,
+            j.telemetry, j.objects, j.perceptions, j.alarms, j.phases, j.operators, j.degrees,
+            j.faults, j.processes, j.dropped, j.undelivered, j.missions, j.expectations, j.goals,
+            j.plans, j.planned, j.decisions, j.others);
 }
 
 }  // namespace skein::report

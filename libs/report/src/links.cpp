@@ -77,7 +77,7 @@ std::vector<Flight> pair_syncs(const std::vector<SyncRecord>& records) {
 
 std::vector<LinkStory> tell_links(const Journal& journal, double end) {
   LinkTable table;
-  Openness up, believed;
+  Openness up, believed, relayed;
   for (const LinkRecord& r : journal.links) {
     if (r.from == r.to) continue;
     auto [story, direction] = table.find(r.from, r.to);
@@ -91,6 +91,12 @@ std::vector<LinkStory> tell_links(const Journal& journal, double end) {
     extend(story.believed[direction], believed[{r.stamp.node, r.peer}], seconds(r.stamp),
            r.reachable);
   }
+  for (const RouteRecord& r : journal.routes) {
+    if (r.stamp.node == r.peer) continue;
+    auto [story, direction] = table.find(r.stamp.node, r.peer);
+    extend(story.relayed[direction], relayed[{r.stamp.node, r.peer}], seconds(r.stamp),
+           !r.via.empty());
+  }
   std::vector<LinkStory> links;
   for (auto& [pair, story] : table.all()) {
     // Where the truth is told, a pair without any is not a radio link (a node and the simulator).
@@ -99,6 +105,7 @@ std::vector<LinkStory> tell_links(const Journal& journal, double end) {
       const auto key =
           d == 0 ? std::tuple{story.first, story.second} : std::tuple{story.second, story.first};
       if (up[key]) story.up[d].back().to = std::max(end, story.up[d].back().from);
+      if (relayed[key]) story.relayed[d].back().to = std::max(end, story.relayed[d].back().from);
       if (believed[key]) story.believed[d].back().to = std::max(end, story.believed[d].back().from);
     }
     links.push_back(std::move(story));

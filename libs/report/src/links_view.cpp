@@ -18,6 +18,7 @@ bool is_steady(const LinkStory& link) {
   for (const std::size_t d : {0U, 1U}) {
     if (link.truth[d] && link.up[d].size() != 1) return false;
     if (link.belief[d] && link.believed[d].size() != 1) return false;
+    if (!link.relayed[d].empty()) return false;
   }
   return true;
 }
@@ -35,6 +36,7 @@ void draw_link(Sheet& sheet, const LinkStory& link) {
     const double line = top + 8.2 + 2.2 * static_cast<double>(d);
     if (link.belief[d]) sheet.bar(whole, line, 1.5, "unbelieved");
     for (const Span& s : link.believed[d]) sheet.bar(s, line, 1.5, "believed");
+    for (const Span& s : link.relayed[d]) sheet.bar(s, line, 1.5, "relayed");
   }
   sheet.plot.close();
   sheet.y += kRow;

@@ -125,7 +125,9 @@ void write_timeline_legend(Markup& out) {
        "link up, down"},
       {"<g class='link'><rect class='believed' y='6' width='14' height='2'/>"
        "<rect class='unbelieved' x='14' y='6' width='14' height='2'/></g>",
-       "believed reachable, not"}};
+       "believed reachable, not"},
+      {"<g class='link'><rect class='relayed' y='6' width='28' height='2'/></g>",
+       "reachable past a relay"}};
   for (const auto& [icon, text] : keys) write_key(out, icon, text);
   out.close().line_break();
 }

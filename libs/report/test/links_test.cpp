@@ -124,6 +124,18 @@ TEST(TellLinks, RepeatedStatesChangeNothing) {
   EXPECT_EQ(tell_links(j, 10).at(0).up[0], (std::vector<Span>{{1, 3}}));
 }
 
+TEST(TellLinks, WhatGoesPastRelaysIsASpanOfItsDirection) {
+  Journal j;
+  j.reaches = {{stamp(0), "b", true}};
+  j.routes = {
+      {stamp(2), "b", "c"}, {stamp(3), "b", "d"}, {stamp(5), "b", ""}, {stamp(8), "b", "c"}};
+
+  const LinkStory link = tell_links(j, 10).at(0);
+
+  EXPECT_EQ(link.relayed[0], (std::vector<Span>{{2, 5}, {8, 10}}));
+  EXPECT_TRUE(link.relayed[1].empty());
+}
+
 TEST(Disagreement, IsTheTimeWhenExactlyOneHolds) {
   EXPECT_DOUBLE_EQ(disagreement({{0, 10}}, {{2, 12}}), 4);
   EXPECT_DOUBLE_EQ(disagreement({{0, 4}, {6, 10}}, {{0, 10}}), 2);

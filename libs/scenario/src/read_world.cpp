@@ -169,11 +169,26 @@ LinkSpec read_link(const Reader& reader, const Names& names) {
   return spec;
 }
 
+/// "all": whoever has the radio.
+std::vector<std::string> read_relays(const Reader& reader, const Names& names) {
+  if (!reader.present()) return {};
+  if (!reader.is_sequence() && reader.text() == "all") return names.nodes;
+  std::vector<std::string> relays;
+  for (const Reader& item : reader.items()) {
+    std::string name = item.name_among(names.nodes, "a UAV or ground");
+    if (std::find(relays.begin(), relays.end(), name) != relays.end())
+      item.error("'" + name + "' is there twice");
+    relays.push_back(std::move(name));
+  }
+  return relays;
+}
+
 }  // namespace
 
 void read_radio(const Reader& reader, const Names& names, RadioSpec& radio) {
-  radio.model = world::read_radio(reader, "cuts", "links", "heartbeat");
+  radio.model = world::read_radio(reader, "cuts", "links", "heartbeat", "relays");
   radio.heartbeat = Duration::seconds(reader.optional("heartbeat").number(1, {0.05, 60, "s"}));
+  radio.relays = read_relays(reader.optional("relays"), names);
   for (const Reader& cut : items_of(reader.optional("cuts"))) {
     if (cut.keys({"between", "one_way", "from", "until"}))
       radio.cuts.push_back(read_cut(cut, names));

@@ -65,11 +65,12 @@ class Partitions final : public dds::DomainParticipantListener {
 class Listener final : public dds::DataReaderListener {
  public:
   /// `identities`: of a secured domain, else null. All references outlive it.
-  Listener(rtps::Mailbox& mailbox, std::size_t channel, NodeNumber self,
-           const fastdds::Identities* identities, const DdsConfig& config,
+  Listener(rtps::Mailbox& mailbox, std::size_t channel, ChannelConfig channel_config,
+           NodeNumber self, const fastdds::Identities* identities, const DdsConfig& config,
            const Partitions& partitions)
       : mailbox_(mailbox),
         channel_(channel),
+        config_(std::move(channel_config)),
         self_(self.value()),
         identities_(identities),
         names_(config.names),
@@ -99,13 +100,22 @@ class Listener final : public dds::DataReaderListener {
           cargo.bytes});
   }
 
+  /// Who made it, or who may pass it on for him (docs/threats.md).
+  bool is_entitled(const wire::Sample& sample, const std::string& origin,
+                   const eprosima::fastrtps::rtps::GuidPrefix_t& writer) const {
+    if (identities_->confirm(origin, writer)) return true;
+    const auto relay = names_.find(config_.from);
+    return config_.relays(wire::slot_of(sample)) && relay != names_.end() &&
+           identities_->confirm(relay->second, writer);
+  }
+
   /// The header of a forged sample is all zero: it has no place in the session of him it names.
   void check_writer(Cargo& cargo, const dds::SampleInfo& info) const {
     const auto* sample = std::get_if<wire::Sample>(&cargo.incoming);
     if (identities_ == nullptr || sample == nullptr) return;
     const auto named = names_.find(NodeNumber(wire::header_of(*sample).origin));
     const auto& writer = info.sample_identity.writer_guid().guidPrefix;
-    if (named != names_.end() && identities_->confirm(named->second, writer)) return;
+    if (named != names_.end() && is_entitled(*sample, named->second, writer)) return;
     const std::string name = named == names_.end() ? "a stranger" : named->second;
     cargo.incoming =
         Malformed{wire::slot_of(*sample), {}, {"header.origin", name + " did not write this"}};
@@ -119,6 +129,7 @@ class Listener final : public dds::DataReaderListener {
 
   rtps::Mailbox& mailbox_;
   std::size_t channel_;
+  ChannelConfig config_;
   std::uint32_t self_;
   const fastdds::Identities* identities_;
   const std::map<NodeNumber, std::string>& names_;
@@ -258,8 +269,9 @@ Result<void, Failure> FastDdsTransport::Impl::open_channel(std::size_t index,
   if (!world) slots.push_back(wire::Slot::kHeartbeat);
   if (world || channel.config.from == plan.self) channel.writes = slots;
   if (world || channel.config.from != plan.self) channel.reads = world ? plan.world_reads : slots;
-  channel.listener = std::make_unique<Listener>(
-      mailbox_, index, plan.self, checks_writers() ? &*identities_ : nullptr, config_, partitions_);
+  channel.listener =
+      std::make_unique<Listener>(mailbox_, index, channel.config, plan.self,
+                                 checks_writers() ? &*identities_ : nullptr, config_, partitions_);
   return make_endpoints(channel);
 }
 

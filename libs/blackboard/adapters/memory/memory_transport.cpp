@@ -149,9 +149,12 @@ bool MemoryTransport::write(std::size_t channel, const wire::Sample& sample) {
 void MemoryTransport::remember(Channel& channel, const wire::Sample& sample) const {
   const wire::Slot slot = wire::slot_of(sample);
   switch (wire::slot_class(slot)) {
-    case wire::SlotClass::kState:
-      channel.states.insert_or_assign({slot, wire::header_of(sample).instance}, sample);
+    case wire::SlotClass::kState: {
+      const wire::SampleHeader& header = wire::header_of(sample);
+      channel.states.insert_or_assign(
+          StateKey{slot, header.origin, header.destination, header.instance}, sample);
       return;
+    }
     case wire::SlotClass::kEvent: {
       const bool world = channel.config.kind == ChannelKind::kWorld;
       channel.events.push_back(sample);
@@ -186,7 +189,7 @@ void MemoryTransport::replay_states(const MemoryHub::End& writer, const MemoryHu
   if (!at(writer).up || !at(reader).up) return;
   if (!writer.node->reaches(writer.channel, reader)) return;
   for (const auto& [key, state] : at(writer).states)
-    if (wants(reader, key.first)) reader.node->put(reader.channel, state);
+    if (wants(reader, std::get<0>(key))) reader.node->put(reader.channel, state);
 }
 
 void MemoryTransport::replay(const MemoryHub::End& writer, const MemoryHub::End& reader) {

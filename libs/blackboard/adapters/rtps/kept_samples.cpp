@@ -7,9 +7,12 @@ namespace skein::blackboard::rtps {
 void KeptSamples::keep(const wire::Sample& sample, Clock::time_point now) {
   const wire::Slot slot = wire::slot_of(sample);
   switch (wire::slot_class(slot)) {
-    case wire::SlotClass::kState:
-      states_.insert_or_assign({slot, wire::header_of(sample).instance}, sample);
+    case wire::SlotClass::kState: {
+      const wire::SampleHeader& header = wire::header_of(sample);
+      states_.insert_or_assign(StateKey{slot, header.origin, header.destination, header.instance},
+                               sample);
       return;
+    }
     case wire::SlotClass::kEvent: {
       std::deque<Event>& kept = events_[slot];
       kept.push_back({now, sample});

@@ -8,7 +8,7 @@
 #include <deque>
 #include <functional>
 #include <map>
-#include <utility>
+#include <tuple>
 
 #include "skein/blackboard/transport.hpp"
 
@@ -19,8 +19,8 @@ namespace skein::blackboard::rtps {
 inline constexpr std::chrono::seconds kEventLifespan{10};
 
 /// The history of the writers of one channel that may be cut, beside that of DDS: a cut deletes
-/// the writers, and their history with them. Keeps the last value of each (slot, instance) of the
-/// states, the last kEventDepth events of each slot, and no stream.
+/// the writers, and their history with them. Keeps the last value of each (slot, origin,
+/// destination, instance) of the states, the last kEventDepth events of each slot, and no stream.
 /// Thread rule: one thread. Cost: a copy of each sample.
 class KeptSamples {
  public:
@@ -36,7 +36,9 @@ class KeptSamples {
     Clock::time_point at;
     wire::Sample sample;
   };
-  std::map<std::pair<wire::Slot, std::uint32_t>, wire::Sample> states_;
+  /// Slot, origin, destination, instance.
+  using StateKey = std::tuple<wire::Slot, std::uint32_t, std::uint32_t, std::uint32_t>;
+  std::map<StateKey, wire::Sample> states_;
   std::map<wire::Slot, std::deque<Event>> events_;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,6 +18,12 @@
 #include "skein/foundation/time.hpp"
 
 namespace skein::blackboard {
+
+/// Who passes on what is not for him. Source: spec 1.3 (relaying), docs/decisions/0024.
+struct Relaying {
+  std::set<NodeNumber> relays;  ///< of the whole system; none: everything goes directly
+  std::size_t most_relays = 8;  ///< that a sample may pass
+};
 
 struct Config {
   NodeNumber self;
@@ -35,6 +42,7 @@ struct Config {
   std::uint32_t life = 0;
   std::uint64_t seed = 0;                ///< of the losses
   SlotShares shares = default_shares();  ///< of every channel whose capacity is limited
+  Relaying relaying{};
 };
 
 /// Why a sample was not sent.
@@ -57,8 +65,9 @@ struct Received {
   wire::Sample sample;
 };
 
-/// What this node believes of a peer: gone after three silent heartbeat periods, back with the
-/// first heartbeat heard. `restarted`: the peer heard is a new incarnation of the one heard before
+/// What this node believes of a peer: gone after three silent heartbeat periods (six, while others
+/// tell that there is a way from it past relays), back with the first heartbeat heard, directly or
+/// past relays. `restarted`: the peer heard is a new incarnation of the one heard before
 /// (then reported even if it was never missed).
 struct Reachability {
   NodeNumber peer;
@@ -103,8 +112,15 @@ struct TransportRefused {
   std::string why;
 };
 
-using Incoming =
-    std::variant<Received, Reachability, Dropped, EventExpired, EventsLost, TransportRefused>;
+/// What is sent to the peer goes another way from now on.
+struct RouteChanged {
+  NodeNumber peer;
+  std::optional<NodeNumber> via;  ///< the first relay on the way; none: directly
+  std::size_t relays = 0;         ///< on the way altogether
+};
+
+using Incoming = std::variant<Received, Reachability, Dropped, EventExpired, EventsLost,
+                              TransportRefused, RouteChanged>;
 
 /// Sends and receives by the delivery classes of spec 1.3, over any Transport. Time is given; the
 /// same calls give the same results. Laws:
@@ -117,7 +133,10 @@ using Incoming =
 ///   acknowledged (an event handled just before a crash may therefore be handled again by the next
 ///   incarnation, which knows nothing of it);
 /// - stream: at most once, newest only;
-/// - malformed content is reported and goes no further; so is what the transport refuses.
+/// - malformed content is reported and goes no further; so is what the transport refuses;
+/// - all of this holds for as long as there is a way over links that are up from one to the other
+///   past those who are declared relays (Config::relaying). A sample never passes a node twice, nor
+///   more relays than declared.
 /// On the world channel there are no acknowledgements: events there rely on the transport.
 /// Thread rule: one thread. Source: spec 1.3.
 class Blackboard {

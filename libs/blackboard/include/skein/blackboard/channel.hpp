@@ -42,6 +42,14 @@ struct ChannelConfig {
   /// As long as nobody tells another condition of it, no more is written than this [bit/s], in
   /// steady time; 0: unlimited. So a node does not ask too much of a real radio.
   double capacity = 0;
+  /// Of these what `from` may pass on for others; empty: it is no relay.
+  std::vector<wire::Slot> relayed{};
+  /// Of these what is on its way between others only: `from` has nothing of it to say to `to`.
+  std::vector<wire::Slot> passing{};
+  bool carries(wire::Slot slot) const;
+  bool relays(wire::Slot slot) const;
+  /// Whether `from` may say it to `to`.
+  bool originates(wire::Slot slot) const;
 };
 
 /// A node as a channel names it.
@@ -50,14 +58,22 @@ struct Node {
   std::string name;  ///< of letters, digits, '-' and '_'
 };
 
-/// The two directions of a radio link, with the slots that go over radio.
+class SlotTable;
+
+/// The two directions of a radio link, with what goes between two UAVs; here as below the table
+/// says what that is, the one that ships if none is given.
 std::vector<ChannelConfig> radio_link(const Node& a, const Node& b);
-/// The radio link between the ground station and a UAV: the same, and commands up, what the UAV
-/// says of its deliberation down.
+std::vector<ChannelConfig> radio_link(const Node& a, const Node& b, const SlotTable& table);
+/// The radio link between the ground station and a UAV.
 std::vector<ChannelConfig> station_link(const Node& station, const Node& uav);
+std::vector<ChannelConfig> station_link(const Node& station, const Node& uav,
+                                        const SlotTable& table);
 /// The two directions between the DDN of `uav` and its simulated vehicle; partition
 /// "onboard/<uav>".
 std::vector<ChannelConfig> onboard_link(const Node& uav, const Node& simulator);
+std::vector<ChannelConfig> onboard_link(const Node& uav, const Node& simulator,
+                                        const SlotTable& table);
+/// In all its slots.
 ChannelConfig world_channel();
 
 /// How long so many bytes take at a capacity [bit/s] > 0.
@@ -67,6 +83,17 @@ Duration airtime(std::size_t bytes, double capacity);
 std::size_t channel_bytes(const wire::Sample& sample);
 /// Those of any heartbeat.
 std::size_t heartbeat_bytes();
+
+/// What a radio channel carries besides, when one of its ends, or both, are relays: whatever any
+/// other node may have for the far end (ends.from), or this one for any other (ends.to).
+struct RelayEnds {
+  bool from = false;
+  bool to = false;
+  bool to_station = false;  ///< it ends at the ground station
+  bool from_station = false;
+};
+void add_relayed(ChannelConfig& channel, const RelayEnds& ends);
+void add_relayed(ChannelConfig& channel, const RelayEnds& ends, const SlotTable& table);
 
 /// What a directed channel does to what is sent over it. The node that sends and the node that
 /// receives are both told, so that a cut holds from both sides.

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -73,6 +74,8 @@ class MemoryTransport final : public Transport {
 
  private:
   friend class MemoryHub;
+  /// Slot, origin, destination, instance.
+  using StateKey = std::tuple<wire::Slot, std::uint32_t, std::uint32_t, std::uint32_t>;
   struct Channel {
     ChannelConfig config;
     bool up = true;
@@ -81,7 +84,7 @@ class MemoryTransport final : public Transport {
     MemoryHub::Partition* partition = nullptr;
     std::bitset<wire::kSlotCount> read_slots;
     /// What a writer keeps for readers that connect later.
-    std::map<std::pair<wire::Slot, std::uint32_t>, wire::Sample> states;
+    std::map<StateKey, wire::Sample> states;
     std::deque<wire::Sample> events;
   };
 

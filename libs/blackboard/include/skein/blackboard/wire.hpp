@@ -11,6 +11,7 @@
 #include "skein/blackboard/wire_event.hpp"
 #include "skein/blackboard/wire_frontier.hpp"
 #include "skein/blackboard/wire_merging.hpp"
+#include "skein/blackboard/wire_neighbours.hpp"
 #include "skein/blackboard/wire_state.hpp"
 #include "skein/blackboard/wire_stream.hpp"
 #include "skein/blackboard/wire_team.hpp"
@@ -21,11 +22,11 @@ namespace skein::wire {
 using Sample =
     std::variant<DirectoryEntry, Clock, LinkState, PlanBoard, AutonomyDegree, MissionState,
                  MissionPlan, JointTaskState, PlanFrontier, UavBoard, UavTasks, GroundBoard,
-                 TaskRequest, RequestReply, TaskEvent, FunctionalRequest, FunctionalStatus,
-                 SyncMessage, Alarm, MissionRequest, DegreeCommand, WorldChange, MissionOutcome,
-                 HandOver, Decision, NegotiationMessage, TeamMessage, TeamSale, MergeMessage,
-                 OperatorRequest, OperatorReply, JournalEntry, Telemetry, PerceptionReport, Truth,
-                 Heartbeat>;
+                 Neighbours, TaskRequest, RequestReply, TaskEvent, FunctionalRequest,
+                 FunctionalStatus, SyncMessage, Alarm, MissionRequest, DegreeCommand, WorldChange,
+                 MissionOutcome, HandOver, Decision, NegotiationMessage, TeamMessage, TeamSale,
+                 MergeMessage, OperatorRequest, OperatorReply, JournalEntry, Telemetry,
+                 PerceptionReport, Truth, Heartbeat>;
 
 enum class Slot : std::uint8_t {
   kDirectoryEntry,
@@ -40,6 +41,7 @@ enum class Slot : std::uint8_t {
   kUavBoard,
   kUavTasks,
   kGroundBoard,
+  kNeighbours,
   kTaskRequest,
   kRequestReply,
   kTaskEvent,
@@ -73,7 +75,7 @@ enum class SlotClass : std::uint8_t { kState, kEvent, kStream };
 constexpr Slot slot_of(const Sample& sample) { return static_cast<Slot>(sample.index()); }
 
 constexpr SlotClass slot_class(Slot slot) {
-  if (slot <= Slot::kGroundBoard) return SlotClass::kState;
+  if (slot <= Slot::kNeighbours) return SlotClass::kState;
   return slot <= Slot::kJournalEntry ? SlotClass::kEvent : SlotClass::kStream;
 }
 

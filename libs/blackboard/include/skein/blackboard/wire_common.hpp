@@ -44,10 +44,11 @@ struct SampleHeader {
   std::int64_t mission_time = 0;      ///< [ns] when it was sent
   std::int64_t expires = kNever;      ///< [ns] events: not to be handled after this instant
   std::uint32_t mission = 0;          ///< id of the mission it belongs to
+  std::vector<std::uint32_t> via;     ///< who passed it on, in their order; empty: came directly
   bool operator==(const SampleHeader&) const = default;
 };
 SKEIN_WIRE_FIELDS(SampleHeader, origin, instance, destination, incarnation, sequence_number,
-                  mission_time, expires, mission)
+                  mission_time, expires, mission, via)
 
 struct Vector3 {
   double x = 0;  ///< east

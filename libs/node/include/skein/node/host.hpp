@@ -126,6 +126,7 @@ class Host {
   void carry_out(Effects effects, blackboard::Now now);
   void take(blackboard::Incoming incoming, blackboard::Now now);
   void take_received(blackboard::Received received, blackboard::Now now);
+  void log_route(const blackboard::RouteChanged& route, blackboard::Now now);
   void apply(const wire::LinkState& link, blackboard::Now now);
   void send(const Send& send, blackboard::Now now);
   void log_unsent(wire::Slot slot, const std::string& to, blackboard::Refusal why,

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,10 @@ class Roster {
   /// The functional layer of a UAV of this roster.
   NodeNumber functional_of(NodeNumber uav) const;
 
+  /// The same, where these of its members (the ground station, UAVs) pass on what is for others.
+  Roster relayed_by(const std::vector<std::string>& names) const;
+  const std::set<NodeNumber>& relays() const { return relays_; }
+
   /// Only these of its members, with the numbers that they have: they talk with nobody else.
   Roster only(const std::vector<std::string>& names) const;
 
@@ -57,8 +62,10 @@ class Roster {
 
  private:
   bool serves(const Member& functional, const Member& uav) const;
+  std::vector<blackboard::ChannelConfig> radio_between(const Member& a, const Member& b) const;
 
   std::vector<Member> members_;
+  std::set<NodeNumber> relays_;
   std::map<NodeNumber, NodeNumber> functional_;  ///< by UAV; absent: the simulator
 };
 

@@ -23,6 +23,7 @@ struct Journal {
   std::vector<MessageRecord> messages;
   std::vector<LinkRecord> links;
   std::vector<ReachRecord> reaches;
+  std::vector<RouteRecord> routes;
   std::vector<TelemetryRecord> telemetry;
   std::vector<ObjectRecord> objects;
   std::vector<PerceptionRecord> perceptions;

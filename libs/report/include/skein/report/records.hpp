@@ -97,6 +97,13 @@ struct ReachRecord {
   bool reachable = true;
 };
 
+/// What the writing node sends to a peer goes past a relay, or (via empty) directly again.
+struct RouteRecord {
+  Stamp stamp;
+  std::string peer;
+  std::string via;
+};
+
 /// Where a UAV truly is, from the simulator.
 struct TelemetryRecord {
   Stamp stamp;

@@ -87,6 +87,7 @@ struct RadioSpec {
   std::vector<CutSpec> cuts;
   std::vector<LinkSpec> links;                ///< of several that hold at once the later one counts
   Duration heartbeat = Duration::seconds(1);  ///< of every node on each of its channels
+  std::vector<std::string> relays;  ///< who passes on what is for others
 };
 
 struct GroundSpec {

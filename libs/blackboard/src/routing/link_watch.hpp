@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whom a node hears without anybody in between.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "skein/blackboard/blackboard.hpp"
+
+namespace skein::blackboard::routing {
+
+/// Links into this node, from the heartbeats that come over them. A link is there with the first
+/// heartbeat and gone after three silent periods. One that has come back is not steady before
+/// kSteadyAfter heartbeats: routes prefer others meanwhile, so that a flapping link does not pull
+/// traffic to and fro. Source: spec 1.3 (reachability).
+class LinkWatch {
+ public:
+  static constexpr int kSteadyAfter = 5;
+
+  explicit LinkWatch(Duration period) : silence_(period + period + period) {}
+
+  /// Whether that changes what heard() says.
+  bool on_heartbeat(NodeNumber peer, Duration steady);
+  /// Finds who has fallen silent; whether there is any.
+  bool update(Duration steady);
+  /// Steady; when update() finds something if nothing more is heard.
+  std::optional<Duration> next_silence() const;
+
+  bool hears(NodeNumber peer) const;
+  /// By number.
+  std::vector<wire::Neighbour> heard() const;
+
+ private:
+  struct Link {
+    Duration last;
+    bool up = false;
+    bool was_lost = false;
+    int in_a_row = 0;  ///< heartbeats since it came back
+    bool steady() const { return !was_lost || in_a_row >= kSteadyAfter; }
+  };
+  Duration silence_;
+  std::map<NodeNumber, Link> links_;
+};
+
+}  // namespace skein::blackboard::routing
