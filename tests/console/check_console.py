@@ -185,26 +185,6 @@ def check_refuses_others(mission):
     assert status("", {"Host": "evil.example"}) == 421
 
 
-def check_is_used_by_keys(browser, mission):
-    """A UAV is chosen, the chronology moved and corners of air picked without a mouse."""
-    page = opened(browser, mission)
-    page.until("document.getElementById('map').clientWidth > 0 && document.querySelector('[data-uav=heliv] header')")
-    page.says("document.querySelector('[data-uav=heliv] header').focus()")
-    page.press("Enter")
-    page.until(f"{card('heliv')}.classList.contains('chosen')")
-    page.says("document.querySelector('#tools .acts').click()")
-    page.until("document.activeElement === document.getElementById('map')")
-    for keys in (("ArrowLeft", 2), (" ", 1), ("ArrowUp", 3), (" ", 1), ("ArrowRight", 3), (" ", 1), ("Enter", 1)):
-        page.press(*keys)
-    page.until("document.getElementById('air').open")
-    page.press("Escape")
-    page.until("!document.getElementById('air').open")
-    page.says("document.getElementById('chronology').focus()")
-    page.press("ArrowLeft", 3)
-    page.press("0")
-    page.close()
-
-
 def check_ends_the_mission_by_keys(browser, mission):
     page = opened(browser, mission)
     page.says("document.querySelector('#finish input').focus()")
@@ -316,7 +296,6 @@ def check(build, pictures):
             check_refuses_others(mission)
             check_takes_in_hand_late_and_by_several(browser, mission)
             check_names_are_text(browser, mission)
-            check_is_used_by_keys(browser, mission)
             if pictures:
                 page = opened(browser, mission)
                 page.picture(f"{pictures}/console.png")
