@@ -110,10 +110,12 @@ class Page:
             return value
 
     def press(self, key, times=1):
-        """Keys as a user has them: what has the focus gets them."""
+        """Keys as a user has them: what has the focus gets them, and does what the browser itself does with them."""
+        code, number, text = _KEYS.get(key, (key, ord(key[0].upper()), key if len(key) == 1 else ""))
+        event = {"key": key, "code": code, "windowsVirtualKeyCode": number}
         for _ in range(times):
-            for kind in ("keyDown", "keyUp"):
-                self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key)
+            self.call("Input.dispatchKeyEvent", type="keyDown" if text else "rawKeyDown", text=text, **event)
+            self.call("Input.dispatchKeyEvent", type="keyUp", **event)
 
     def picture(self, path):
         data = self.call("Page.captureScreenshot", format="png")["data"]
@@ -123,6 +125,11 @@ class Page:
     def close(self):
         self._browser.call("Target.closeTarget", targetId=self._target)
 
+
+# Code of the key, its number on a keyboard of Windows (by which Chromium knows what to do itself: Escape closes a dialog), what it writes.
+_KEYS = {"Enter": ("Enter", 13, "\r"), "Escape": ("Escape", 27, ""), "Tab": ("Tab", 9, ""), " ": ("Space", 32, " "),
+         "ArrowLeft": ("ArrowLeft", 37, ""), "ArrowUp": ("ArrowUp", 38, ""), "ArrowRight": ("ArrowRight", 39, ""), "ArrowDown": ("ArrowDown", 40, ""),
+         "0": ("Digit0", 48, "0"), "+": ("NumpadAdd", 107, "+"), "-": ("Minus", 189, "-")}
 
 # A promise of the expression's value, looked at ten times a second in the page itself.
 _WAITING = """new Promise((resolve) => {

@@ -185,6 +185,51 @@ def check_refuses_others(mission):
     assert status("", {"Host": "evil.example"}) == 421
 
 
+def check_is_used_by_keys(browser, mission):
+    """A UAV is chosen, the chronology moved, air closed by its corners and opened again without a mouse."""
+    page = opened(browser, mission)
+    page.until("document.getElementById('map').clientWidth > 0 && document.querySelector('[data-uav=heliv] header')")
+    page.says("document.querySelector('[data-uav=heliv] header').focus()")
+    page.press("Enter")
+    page.until(f"{card('heliv')}.classList.contains('chosen')")
+    page.says("document.getElementById('mission-button').focus()")
+    page.press("Enter")
+    page.until("document.getElementById('mission').open")
+    page.press("Escape")
+    page.until("!document.getElementById('mission').open")
+    check_closes_air_by_keys(page)
+    page.says("document.getElementById('chronology').focus()")
+    page.press("ArrowLeft", 3)
+    end = "(async () => (await import('/timeline.js')).window_.end)()"
+    assert page.says(end) is not None
+    page.press("0")
+    assert page.says(end) is None
+    page.close()
+
+
+def check_closes_air_by_keys(page):
+    corners = (("ArrowLeft", 2), (" ", 1), ("ArrowUp", 3), (" ", 1), ("ArrowRight", 3), (" ", 1))
+    for leave in (True, False):
+        page.says("document.querySelector('#tools .acts').focus()")
+        page.press("Enter")
+        page.until("document.activeElement === document.getElementById('map')")
+        for keys in (*corners, ("Enter", 1)):
+            page.press(*keys)
+        page.until("document.getElementById('air').open")
+        if leave:
+            page.press("Escape")
+            page.until("!document.getElementById('air').open")
+    page.until("document.activeElement?.closest('#air') !== null")
+    page.press("Tab")
+    page.press("ArrowRight", 9)
+    page.until("!document.getElementById('air').open")
+    opener = "[...document.querySelectorAll('#answers button')].find((one) => one.textContent === 'open closed-1')"
+    page.until(opener)
+    page.says(opener + ".focus()")
+    page.press("Enter")
+    page.until("!" + opener)
+
+
 def check_ends_the_mission_by_keys(browser, mission):
     page = opened(browser, mission)
     page.says("document.querySelector('#finish input').focus()")
@@ -296,6 +341,7 @@ def check(build, pictures):
             check_refuses_others(mission)
             check_takes_in_hand_late_and_by_several(browser, mission)
             check_names_are_text(browser, mission)
+            check_is_used_by_keys(browser, mission)
             if pictures:
                 page = opened(browser, mission)
                 page.picture(f"{pictures}/console.png")

@@ -396,7 +396,10 @@ export function wire(choose) {
   }, {passive: false});
   window.addEventListener("keydown", (event) => {
     if (event.key === "Escape" && tool) leave();
-    if (event.key === "Enter" && tool && !tool.one && document.activeElement === canvas) finish();
+    if (event.key === "Enter" && tool && !tool.one && document.activeElement === canvas) {
+      event.preventDefault();   // else the same key presses what `done` opens
+      return finish();
+    }
     if (document.activeElement !== canvas) return;
     if (event.key === " " && tool) {   // a point in the middle, where the cross is
       tool.points.push(ground(canvas.clientWidth / 2, canvas.clientHeight / 2).map((v) => Math.round(v * 10) / 10));

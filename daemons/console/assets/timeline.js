@@ -5,7 +5,7 @@ import {model, now} from "./feed.js";
 
 const canvas = $("chronology");
 const g = canvas.getContext("2d");
-const window_ = {span: 240, end: null};   // [s]; end null: goes with the time
+export const window_ = {span: 240, end: null};   // [s]; end null: goes with the time
 const kName = 74, kTop = 18;
 let boxes = [];
 

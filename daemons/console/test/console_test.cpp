@@ -4,10 +4,12 @@
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace skein::console {
@@ -18,7 +20,12 @@ using Json = nlohmann::json;
 /// A connection to the console.
 class Line {
  public:
-  explicit Line(std::uint16_t port) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
+  explicit Line(std::uint16_t port, const char* from = "127.0.0.1")
+      : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in self{};
+    self.sin_family = AF_INET;
+    inet_pton(AF_INET, from, &self.sin_addr);
+    bind(socket_, reinterpret_cast<sockaddr*>(&self), sizeof(self));
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(port);
@@ -199,6 +206,41 @@ TEST_F(ConsoleTest, LivesOnThroughGarbageAndMoreConnectionsThanItTakes) {
     if (line.say(get("/"))) page = line.hear("</html>");
   }
   EXPECT_NE(page.find("200 OK"), std::string::npos);
+}
+
+/// [byte] of this process in memory.
+std::size_t resident() {
+  std::ifstream in("/proc/self/statm");
+  std::size_t whole = 0, pages = 0;
+  in >> whole >> pages;
+  return pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// As many as the system lets one process have open at once, in waves.
+TEST_F(ConsoleTest, TenThousandConnectionsKeepNobodyElseOutAndTakeNoMemory) {
+  rlimit limit{};
+  getrlimit(RLIMIT_NOFILE, &limit);
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, 12'000);
+  setrlimit(RLIMIT_NOFILE, &limit);
+  constexpr std::size_t kAll = 10'000;
+  const std::size_t at_once = std::min<std::size_t>(kAll, limit.rlim_cur - 300);
+  const std::size_t before = resident();
+  std::size_t opened = 0;
+  for (std::size_t left = kAll; left > 0;) {
+    std::vector<std::unique_ptr<Line>> lines;
+    for (std::size_t i = 0; i < std::min(left, at_once); ++i) {
+      lines.push_back(std::make_unique<Line>(console_->port()));
+      opened += lines.back()->say("GET / HTTP/1.1\r\n") ? 1 : 0;
+    }
+    left -= lines.size();
+
+    Line other(console_->port(), "127.0.0.9");  // another machine has its own share
+    other.say(get("/"));
+    EXPECT_NE(other.hear("</html>").find("200 OK"), std::string::npos);
+  }
+
+  EXPECT_GT(opened, 90U) << "some were taken";
+  EXPECT_LT(resident(), before + 50'000'000) << "most of it is this test's own";
 }
 
 TEST_F(ConsoleTest, AReaderThatDoesNotReadHoldsNobodyUp) {

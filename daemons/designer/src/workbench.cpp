@@ -118,6 +118,7 @@ std::string absolute(const std::string& file) {
 /// All edits in their order, or why they cannot be made: then nothing is changed.
 Result<void, Failure> make(const Json& edits, const std::function<bool(const std::string&)>& may,
                            std::map<std::string, std::string>& texts) {
+  if (!edits.is_array()) return failure("edits: expected a list");
   std::map<std::string, std::string> changed = texts;
   for (const Json& one : edits) {
     const bool has_file = one.is_object() && one.contains("file") && one["file"].is_string();
