@@ -10,10 +10,9 @@
 #include "skein/functional_tool/functional.hpp"
 #include "skein/replay_tool/replay.hpp"
 #include "skein/run_tool/run.hpp"
-#include "skein/spy_tool/record.hpp"
-#include "skein/spy_tool/spy.hpp"
 #include "skein/state_tool/state.hpp"
 #include "skein/storm_tool/storm.hpp"
+#include "spy_commands.hpp"
 
 namespace skein::cli {
 
@@ -61,6 +60,11 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
                   "A node that somebody else starts, a bridge to an autopilot for instance; may be "
                   "repeated")
       ->allow_extra_args(false);
+  run->add_option("--interface", options->interfaces,
+                  "IPv4 address where this command listens to daemons of other machines (see "
+                  "--without, --daemons); not handed to them")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   run->add_option("--security", options->security,
                   "Folder made by make-keys: every node proves who it is");
   run->add_option(
@@ -91,78 +95,6 @@ void add_report(CLI::App& app, Action& action, const LiveActions& live) {
       "  skein report out/karma-detection --explain karma:104");
   report->callback(
       [options, &action, &live] { action = [options, &live] { return live.report(*options); }; });
-}
-
-constexpr const char* kSpyExamples = R"(
-Examples:
-  skein spy --domain 1                               nodes, slots and rates
-  skein spy --domain 1 echo TaskEvent SyncMessage    samples of two slots as they come
-  skein spy --domain 1 echo Telemetry --from marvin --json -n 10
-  skein spy --domain 1 --partition 'radio/marvin>ground'
-  skein spy --domain 1 record flight.mcap            everything, byte for byte, until Ctrl-C
-  skein spy --domain 5 play flight.mcap --rate 10
-Exit codes: 0, 2 wrong options, 3 DDS refused, 4 nothing heard.)";
-
-void add_spy_record(CLI::App& spy, Action& action, const LiveActions& live,
-                    const std::shared_ptr<spy_tool::SpyOptions>& common) {
-  auto options = std::make_shared<spy_tool::RecordOptions>();
-  CLI::App* record = spy.add_subcommand("record", "Write samples to an MCAP file as they come");
-  record->add_option("file", options->file, "The file")->required();
-  record->add_option("slots", common->slots, "Slots to record (default: all)");
-  record->add_option("-n,--count", common->count, "Stop after so many samples");
-  record->add_flag("--with-json", options->with_json, "Each sample as JSON too: opens everywhere");
-  record->callback([options, common, &action, &live] {
-    action = [options, common, &live] {
-      options->spy = *common;
-      return live.record(*options);
-    };
-  });
-}
-
-void add_spy_play(CLI::App& spy, Action& action, const LiveActions& live,
-                  const std::shared_ptr<spy_tool::SpyOptions>& common) {
-  auto options = std::make_shared<spy_tool::PlayOptions>();
-  CLI::App* play = spy.add_subcommand("play", "Write the samples of a recording again");
-  play->add_option("file", options->file, "Made by skein spy record")->required();
-  play->add_option("--rate", options->rate, "Seconds of the recording per second")
-      ->check(positive_problem)
-      ->capture_default_str();
-  play->add_option("--wait", options->wait, "Seconds in which readers find the writers, at first")
-      ->check(CLI::Range(0.0, 60.0))
-      ->capture_default_str();
-  play->callback([options, common, &action, &live] {
-    action = [options, common, &live] {
-      options->domain = common->domain;
-      options->network = common->network;
-      return live.play(*options);
-    };
-  });
-}
-
-void add_spy(CLI::App& app, Action& action, const LiveActions& live) {
-  auto options = std::make_shared<spy_tool::SpyOptions>();
-  CLI::App* spy = app.add_subcommand("spy", "List or print what is on the wire");
-  spy->fallthrough();
-  spy->add_option("--domain", options->domain, "DDS domain id")
-      ->check(CLI::Range(0, 100))
-      ->envname("SKEIN_DOMAIN");
-  add_network(spy, options->network);
-  spy->add_option("--partition", options->partitions,
-                  "DDS partition, with * and ? (default: world, onboard/*, radio/*)")
-      ->allow_extra_args(false);
-  spy->add_option("--from", options->from, "Only samples made by this node");
-  spy->add_option("--duration", options->duration, "Seconds to listen")->check(positive_problem);
-  spy->add_flag("--json", options->json, "JSON: one document, or one line per sample");
-  spy->footer(kSpyExamples);
-  CLI::App* echo = spy->add_subcommand("echo", "Print samples as they come");
-  echo->add_option("slots", options->slots, "Slots to print (default: all)");
-  echo->add_option("-n,--count", options->count, "Stop after so many samples");
-  spy->callback([options, echo, &action, &live] {
-    if (action) return;  // of record or play
-    action = [options, echoes = echo->parsed(), &live] { return live.spy(*options, echoes); };
-  });
-  add_spy_record(*spy, action, live, options);
-  add_spy_play(*spy, action, live, options);
 }
 
 constexpr const char* kFunctionalExamples = R"(

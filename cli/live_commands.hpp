@@ -77,7 +77,7 @@ namespace skein::cli {
 struct LiveActions {
   std::function<int(const run_tool::RunOptions&)> run;
   std::function<int(const run_tool::ReportOptions&)> report;
-  std::function<int(const spy_tool::SpyOptions&, bool echo)> spy;
+  std::function<int(const spy_tool::SpyOptions&)> spy;
   std::function<int(const spy_tool::RecordOptions&)> record;
   std::function<int(const spy_tool::PlayOptions&)> play;
   std::function<int(const refine_tool::RefineOptions&)> refine;

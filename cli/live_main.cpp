@@ -39,8 +39,6 @@ int main(int argc, char** argv) {
   live.edit_models = cli::on_streams(designer::edit_models);
   live.record = cli::on_streams(spy_tool::record);
   live.play = cli::on_streams(spy_tool::play);
-  live.spy = [](const spy_tool::SpyOptions& options, bool echo) {
-    return cli::on_streams(echo ? spy_tool::echo : spy_tool::list)(options);
-  };
+  live.spy = cli::on_streams(spy_tool::spy);
   return cli::run_command_line(argc, argv, live);
 }

@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   live.functional = [argv](const auto&) { return become("skein-live", argv); };
   live.operate = [argv](const auto&) { return become("skein-live", argv); };
   live.status = [argv](const auto&) { return become("skein-live", argv); };
-  live.spy = [argv](const auto&, bool) { return become("skein-live", argv); };
+  live.spy = [argv](const auto&) { return become("skein-live", argv); };
   live.record = [argv](const auto&) { return become("skein-live", argv); };
   live.play = [argv](const auto&) { return become("skein-live", argv); };
   live.export_run = [argv](const auto&) { return become("skein-live", argv); };

@@ -46,6 +46,7 @@ blackboard::NetworkConfig network_of(const scenario::Scenario& scenario,
   network.dds =
       blackboard::dds_from_name(scenario.dds_of(kRunner)).value_or(blackboard::DdsVendor::kFastDds);
   if (!options.keys.empty()) network.keys = options.keys + "/" + kRunner;
+  if (!options.interfaces.empty()) network.interfaces = options.interfaces;
   return network;
 }
 

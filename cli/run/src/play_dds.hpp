@@ -17,11 +17,12 @@ struct DdsOptions {
   std::string daemons;  ///< folder of the programs; empty: that of this program
   std::string folder;   ///< for the daemons' logs, in logs/
   std::optional<std::uint32_t> domain;
-  std::vector<std::string> daemon_options;  ///< handed to every daemon
-  std::vector<std::string> without = {};    ///< nodes that somebody else starts
-  std::string keys = {};                    ///< folder of make-keys; empty: no security
-  std::string console = {};                 ///< of the ground station; empty: none
-  std::string mavlink_out = {};             ///< of the ground station; empty: none
+  std::vector<std::string> daemon_options;   ///< handed to every daemon
+  std::vector<std::string> without = {};     ///< nodes that somebody else starts
+  std::string keys = {};                     ///< folder of make-keys; empty: no security
+  std::string console = {};                  ///< of the ground station; empty: none
+  std::string mavlink_out = {};              ///< of the ground station; empty: none
+  std::vector<std::string> interfaces = {};  ///< to talk on; empty: this machine alone
 };
 
 /// Starts the daemons, follows the run over the world channel, kills and restarts daemons as the

@@ -1,111 +1,187 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "listener.hpp"
 
+#include <fnmatch.h>
+
 #include <algorithm>
 
+#include "skein/blackboard/cdr.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
 
 namespace skein::spy_tool {
 
 namespace {
 
-using blackboard::NodeNumber;
-
-/// Of no node: what is sent to it, and what it would send, does not exist.
-constexpr std::uint32_t kSpyNumber = 4'000'000'000;
-constexpr std::uint32_t kNobody = 4'000'000'001;
+using blackboard::Endpoint;
 
 std::vector<std::string> slot_names() {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < wire::kSlotCount; ++i) {
+  for (std::size_t i = 0; i < wire::kSlotCount; ++i)
     names.emplace_back(wire::slot_name(static_cast<wire::Slot>(i)));
-  }
   return names;
 }
 
-std::uint32_t origin_of(const std::variant<wire::Sample, blackboard::Malformed>& content) {
-  if (const auto* sample = std::get_if<wire::Sample>(&content)) {
-    return wire::header_of(*sample).origin;
-  }
-  return std::get<blackboard::Malformed>(content).header.origin;
+bool fits(const std::vector<std::string>& patterns, const std::string& name) {
+  return std::ranges::any_of(patterns, [&](const std::string& pattern) {
+    return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+  });
 }
 
-wire::Slot slot_of(const std::variant<wire::Sample, blackboard::Malformed>& content) {
-  if (const auto* sample = std::get_if<wire::Sample>(&content)) return wire::slot_of(*sample);
-  return std::get<blackboard::Malformed>(content).slot;
-}
+std::string type_of(wire::Slot slot) { return "skein::idl::" + std::string(wire::slot_name(slot)); }
 
 }  // namespace
 
-Diagnostics Listener::check() const {
+std::optional<wire::Slot> slot_of(const Endpoint& endpoint) {
+  const auto slot = wire::slot_from_name(endpoint.topic);
+  return slot && endpoint.type == type_of(*slot) ? slot : std::nullopt;
+}
+
+blackboard::EndpointQos qos_of(wire::Slot slot) {
+  const bool stream = wire::slot_class(slot) == wire::SlotClass::kStream;
+  blackboard::EndpointQos qos;
+  qos.reliable = !stream;
+  qos.durability =
+      stream ? blackboard::Durability::kVolatile : blackboard::Durability::kTransientLocal;
+  return qos;
+}
+
+Endpoint reader_of(wire::Slot slot, std::vector<std::string> partitions) {
+  Endpoint reader;
+  reader.keyed = true;
+  reader.topic = wire::slot_name(slot);
+  reader.type = type_of(slot);
+  reader.partitions = std::move(partitions);
+  reader.qos = qos_of(slot);
+  return reader;
+}
+
+const Content& Heard::content() const {
+  if (!content_) content_ = blackboard::decode(*slot_, raw_.bytes);
+  return *content_;
+}
+
+const wire::Sample* Heard::sample() const {
+  return slot_ && !gone() ? std::get_if<wire::Sample>(&content()) : nullptr;
+}
+
+wire::SampleHeader Heard::header() const {
+  if (!slot_ || gone()) return {};
+  if (const wire::Sample* const whole = sample()) return wire::header_of(*whole);
+  return std::get<blackboard::Malformed>(content()).header;
+}
+
+Listener::Listener(const SpyOptions& options, std::unique_ptr<blackboard::Observer> observer)
+    : options_(options), observer_(std::move(observer)) {}
+
+Diagnostics Listener::check_network() const {
   Diagnostics diagnostics;
+  if (options_.network.dds != blackboard::DdsVendor::kFastDds)
+    diagnostics.add({"", 0, 0, "--dds",
+                     "the spy watches through Fast DDS, which hears both vendors",
+                     "no --dds, but for play", ""});
+  return diagnostics;
+}
+
+Diagnostics Listener::check() const {
+  Diagnostics diagnostics = check_network();
   const std::vector<std::string> known = slot_names();
   for (const std::string& slot : options_.slots) {
-    if (std::find(known.begin(), known.end(), slot) != known.end()) continue;
-    std::string all;
-    for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
-    diagnostics.add(
-        {"", 0, 0, "", "no slot '" + slot + "'", "one of " + all, nearest_name(slot, known)});
+    if (std::ranges::any_of(known, [&](const auto& name) { return fits({slot}, name); })) continue;
+    diagnostics.add({"", 0, 0, "", "no slot '" + slot + "'",
+                     "one of " + joined(known, ", ") + "; topics of others: --topic",
+                     nearest_name(slot, known)});
   }
   return diagnostics;
 }
 
 Result<void, Failure> Listener::open() {
-  transport_ =
-      blackboard::make_dds_transport({options_.domain, "spy", options_.network, {}, {}, tap_});
-  transport_->on_arrival([this] { waker_.notify(); });
-  blackboard::TransportPlan plan;
-  plan.self = NodeNumber(kSpyNumber);
-  for (const std::string& partition : options_.partitions) {
-    blackboard::ChannelConfig channel;
-    channel.from = NodeNumber(kNobody);
-    channel.to = plan.self;
-    channel.kind = blackboard::ChannelKind::kRadio;
-    channel.partition = partition;
-    for (std::size_t i = 0; i < wire::kSlotCount; ++i) {
-      const auto slot = static_cast<wire::Slot>(i);
-      const bool for_names = slot == wire::Slot::kDirectoryEntry;
-      const bool implied =
-          slot == wire::Slot::kHeartbeat;  // on every channel that is not the world
-      if ((wanted(slot) || for_names) && !implied) channel.slots.push_back(slot);
-    }
-    plan.channels.push_back(std::move(channel));
-  }
-  return transport_->open(plan);
+  observer_->on_sighting([this] { waker_.notify(); });
+  auto opened = observer_->open();
+  if (!opened) refused_.push_back(opened.error().why);
+  return opened;
 }
 
 bool Listener::wanted(wire::Slot slot) const {
-  return options_.slots.empty() || std::find(options_.slots.begin(), options_.slots.end(),
-                                             wire::slot_name(slot)) != options_.slots.end();
+  if (only_) return only_->contains(slot);
+  const bool any = options_.slots.empty() && options_.topics.empty();
+  return any || fits(options_.slots, std::string(wire::slot_name(slot)));
 }
 
-void Listener::listen(std::optional<Duration> until, const std::function<bool(const Heard&)>& use) {
+bool Listener::wants_topic(const std::string& topic) const {
+  return !only_ && fits(options_.topics, topic);
+}
+
+bool Listener::listen(std::optional<Duration> until, const Use& use) {
   while (!waker_.stop_requested()) {
-    for (const blackboard::Arrival& arrival : transport_->take()) {
-      if (!hear(arrival, use)) return;
+    for (blackboard::Sighting& sighting : observer_->take())
+      waiting_.push_back(std::move(sighting));
+    while (!waiting_.empty()) {
+      const blackboard::Sighting sighting = std::move(waiting_.front());
+      waiting_.pop_front();
+      if (!take(sighting, use)) return false;
     }
     const Duration now = node::Waker::steady_now();
-    if (until && now >= *until) return;
+    if (until && now >= *until) return true;
     waker_.wait(until ? std::optional<Duration>(*until - now) : std::nullopt);
   }
+  return true;
 }
 
-bool Listener::hear(const blackboard::Arrival& arrival,
-                    const std::function<bool(const Heard&)>& use) {
-  const auto* sample = std::get_if<wire::Sample>(&arrival.content);
-  const auto* entry = sample == nullptr ? nullptr : std::get_if<wire::DirectoryEntry>(sample);
-  const std::uint32_t origin = origin_of(arrival.content);
-  if (entry != nullptr) directory_.insert_or_assign(origin, *entry);
-  if (!wanted(slot_of(arrival.content))) return true;
-  const bool from_wanted = options_.from.empty() || options_.from == name_of(origin) ||
-                           options_.from == std::to_string(origin);
-  if (!from_wanted) return true;
-  return use({node::Waker::steady_now(), arrival.content});
+bool Listener::take(const blackboard::Sighting& sighting, const Use& use) {
+  const auto* const sample = std::get_if<blackboard::SampleSeen>(&sighting);
+  if (sample == nullptr) graph_.see(sighting, node::Waker::steady_now());
+  const auto* const found = std::get_if<blackboard::EndpointSeen>(&sighting);
+  if (found != nullptr && found->endpoint.writer) attend(found->endpoint);
+  if (told_ && !told_(sighting)) return false;
+  return sample == nullptr || hear(*sample, use);
 }
 
-std::string Listener::name_of(std::uint32_t number) const {
-  const auto found = directory_.find(number);
-  return found == directory_.end() ? "node " + std::to_string(number) : found->second.name;
+std::optional<blackboard::Subscription> Listener::subscription_to(const Endpoint& writer) const {
+  blackboard::Subscription subscription{writer.topic, writer.type, writer.keyed,
+                                        options_.partitions, writer.qos};
+  if (const auto slot = slot_of(writer)) {
+    subscription.keyed = true;
+    subscription.qos = qos_of(*slot);
+    // A node's name is in its directory entry.
+    const bool for_names = *slot == wire::Slot::kDirectoryEntry;
+    if (without_history_.contains(*slot))
+      subscription.qos.durability = blackboard::Durability::kVolatile;
+    return wanted(*slot) || for_names ? std::optional(subscription) : std::nullopt;
+  }
+  subscription.partitions = {"", "*"};
+  return wants_topic(writer.topic) ? std::optional(subscription) : std::nullopt;
+}
+
+void Listener::attend(const Endpoint& writer) {
+  const auto subscription = subscription_to(writer);
+  if (!subscription || std::ranges::find(subscriptions_, *subscription) != subscriptions_.end())
+    return;
+  subscriptions_.push_back(*subscription);
+  if (auto read = observer_->read(*subscription); !read) refused_.push_back(read.error().why);
+}
+
+bool Listener::hear(const blackboard::SampleSeen& raw, const Use& use) {
+  const Endpoint* const writer = graph_.endpoint(raw.writer);
+  // Of a writer that has left already what it wrote is of the type that is read.
+  const Heard heard(raw, writer,
+                    writer != nullptr ? slot_of(*writer) : wire::slot_from_name(raw.topic));
+  const bool names = heard.slot() == wire::Slot::kDirectoryEntry;
+  const auto* const sample = names ? heard.sample() : nullptr;
+  graph_.hear(raw.writer, raw.at, heard.header().origin,
+              sample == nullptr ? nullptr : std::get_if<wire::DirectoryEntry>(sample));
+  if (heard.slot() ? !wanted(*heard.slot()) : !wants_topic(raw.topic)) return true;
+  if (!options_.from.empty()) {
+    const std::uint32_t origin = heard.header().origin;
+    const std::string owner = heard.slot()
+                                  ? graph_.name_of(origin)
+                                  : graph_.owner_of(raw.writer.substr(0, raw.writer.find('.')));
+    if (options_.from != owner && options_.from != std::to_string(origin)) {
+      ++of_others_;
+      return true;
+    }
+  }
+  return use(heard);
 }
 
 }  // namespace skein::spy_tool

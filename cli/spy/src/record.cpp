@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <chrono>
 #include <fstream>
-#include <mutex>
+#include <memory>
 #include <ostream>
 
 #include "listener.hpp"
 #include "recorder.hpp"
+#include "skein/blackboard/fastdds_observer.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/spy_tool/record.hpp"
+#include "verbs/verbs.hpp"
 
 namespace skein::spy_tool {
 
@@ -16,35 +17,15 @@ namespace {
 constexpr Duration kTurn = Duration::milliseconds(200);
 constexpr Duration kFlush = Duration::milliseconds(1000);
 
-std::uint64_t wall_clock() {
-  return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(
-                                        std::chrono::system_clock::now().time_since_epoch())
-                                        .count());
+Taken taken_from(const Heard& heard) {
+  const blackboard::SampleSeen& raw = heard.raw();
+  return {*heard.slot(), raw.partition, static_cast<std::uint64_t>(raw.heard),
+          static_cast<std::uint64_t>(raw.sent),
+          std::string(reinterpret_cast<const char*>(raw.bytes.data()), raw.bytes.size())};
 }
 
-/// What the middleware's threads leave.
-class Basket {
- public:
-  void put(const blackboard::RawSample& raw) {
-    Taken taken{raw.slot, raw.partition, wall_clock(),
-                static_cast<std::uint64_t>(std::max<std::int64_t>(raw.source_time, 0)),
-                std::string(reinterpret_cast<const char*>(raw.bytes.data()), raw.bytes.size())};
-    const std::lock_guard lock(mutex_);
-    all_.push_back(std::move(taken));
-  }
-  std::vector<Taken> take() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(all_, {});
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<Taken> all_;
-};
-
 /// Records until it is enough; the number of samples.
-std::uint64_t record_all(const RecordOptions& options, Listener& listener, Basket& basket,
-                         std::ofstream& file) {
+std::uint64_t record_all(const RecordOptions& options, Listener& listener, std::ofstream& file) {
   Recorder recorder(options.with_json, [&](std::string_view bytes) {
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   });
@@ -52,12 +33,12 @@ std::uint64_t record_all(const RecordOptions& options, Listener& listener, Baske
   Duration flushed = begun;
   bool enough = false;
   while (!enough && !listener.interrupted() && file) {
-    listener.listen(node::Waker::steady_now() + kTurn, [](const Heard&) { return true; });
-    for (const Taken& taken : basket.take()) {
-      if (!listener.wanted(taken.slot) || enough) continue;
-      recorder.take(taken);
+    listener.listen(node::Waker::steady_now() + kTurn, [&](const Heard& heard) {
+      if (!heard.slot() || heard.gone()) return true;
+      recorder.take(taken_from(heard));
       enough = recorder.samples() == options.spy.count;
-    }
+      return !enough;
+    });
     const Duration now = node::Waker::steady_now();
     enough = enough ||
              (options.spy.duration > 0 && now - begun >= Duration::seconds(options.spy.duration));
@@ -73,8 +54,9 @@ std::uint64_t record_all(const RecordOptions& options, Listener& listener, Baske
 }  // namespace
 
 int record(const RecordOptions& options, std::ostream& out, std::ostream& err) {
-  Basket basket;
-  Listener listener(options.spy, [&](const blackboard::RawSample& raw) { basket.put(raw); });
+  Listener listener(
+      options.spy, std::make_unique<blackboard::FastDdsObserver>(
+                       blackboard::ObserverConfig{options.spy.domain, "spy", options.spy.network}));
   if (const Diagnostics wrong = listener.check(); !wrong.empty()) {
     err << to_text(wrong);
     return kExitBadInput;
@@ -88,7 +70,7 @@ int record(const RecordOptions& options, std::ostream& out, std::ostream& err) {
     err << opened.error().why << '\n';
     return kExitSystem;
   }
-  const std::uint64_t samples = record_all(options, listener, basket, file);
+  const std::uint64_t samples = record_all(options, listener, file);
   file.close();
   if (!file) {
     err << options.file << ": cannot be written\n";
@@ -96,8 +78,7 @@ int record(const RecordOptions& options, std::ostream& out, std::ostream& err) {
   }
   out << options.file << ": " << samples << " samples\n";
   if (samples > 0 || listener.interrupted()) return kExitOk;
-  err << "nothing heard on domain " << options.spy.domain << '\n';
-  return kExitTimeout;
+  return nothing_heard(options.spy, listener, 0, err);
 }
 
 }  // namespace skein::spy_tool

@@ -22,6 +22,7 @@
 #include "reader_listener.hpp"
 #include "sample_type.hpp"
 #include "settings.hpp"
+#include "skein/blackboard/program_description.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::blackboard {
@@ -130,6 +131,8 @@ Result<void, Failure> CycloneDdsTransport::Impl::join() {
   if (domain_ > 0) {
     const cyclonedds::Qos qos(dds_create_qos());
     dds_qset_entity_name(qos.get(), config_.participant_name.c_str());
+    const std::string description = to_text(program_description());
+    dds_qset_userdata(qos.get(), description.data(), description.size());
     participant = dds_create_participant(id_, qos.get(), nullptr);
   }
   const std::lock_guard lock(said_mutex_);

@@ -10,6 +10,7 @@
 
 #include "adapters/rtps/kept_samples.hpp"
 #include "adapters/rtps/ports.hpp"
+#include "skein/blackboard/program_description.hpp"
 
 namespace skein::blackboard::fastdds {
 namespace {
@@ -100,6 +101,8 @@ void set_servers(fastrtps::BuiltinAttributes& builtin, const std::vector<std::st
 dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t number) {
   dds::DomainParticipantQos qos;
   qos.name(config.participant_name);
+  const std::string description = to_text(program_description());
+  qos.user_data().data_vec({description.begin(), description.end()});
   auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   transport->sendBufferSize = kSocketBuffer;
   transport->receiveBufferSize = kSocketBuffer;
