@@ -74,17 +74,8 @@ wire::SampleHeader Heard::header() const {
 Listener::Listener(const SpyOptions& options, std::unique_ptr<blackboard::Observer> observer)
     : options_(options), observer_(std::move(observer)) {}
 
-Diagnostics Listener::check_network() const {
-  Diagnostics diagnostics;
-  if (options_.network.dds != blackboard::DdsVendor::kFastDds)
-    diagnostics.add({"", 0, 0, "--dds",
-                     "the spy watches through Fast DDS, which hears both vendors",
-                     "no --dds, but for play", ""});
-  return diagnostics;
-}
-
 Diagnostics Listener::check() const {
-  Diagnostics diagnostics = check_network();
+  Diagnostics diagnostics;
   const std::vector<std::string> known = slot_names();
   for (const std::string& slot : options_.slots) {
     if (std::ranges::any_of(known, [&](const auto& name) { return fits({slot}, name); })) continue;

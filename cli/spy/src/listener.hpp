@@ -58,9 +58,7 @@ class Listener {
   /// The options outlive it.
   Listener(const SpyOptions& options, std::unique_ptr<blackboard::Observer> observer);
 
-  /// A DDS that no observer is of.
-  Diagnostics check_network() const;
-  /// That, and slots that are no slots, with the nearest that are.
+  /// Slots that are no slots, with the nearest that are.
   Diagnostics check() const;
   Result<void, Failure> open();
   /// Told of each sighting, before its sample is used; may end listen() as `use` does.

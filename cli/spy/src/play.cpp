@@ -115,8 +115,9 @@ int play(const PlayOptions& options, std::ostream& out, std::ostream& err) {
   if (!samples) return kExitBadInput;
   node::Waker waker;  // before the middleware's threads: it blocks signals for them too
   const Stage stage(*samples);
-  const auto transport =
-      blackboard::make_dds_transport({options.domain, "play", options.network, {}});
+  blackboard::DdsConfig config{options.domain, "play", options.network, {}};
+  config.endpoints_at_once = true;
+  const auto transport = blackboard::make_dds_transport(std::move(config));
   if (auto opened = transport->open(stage.plan()); !opened) {
     err << opened.error().why << '\n';
     return kExitSystem;

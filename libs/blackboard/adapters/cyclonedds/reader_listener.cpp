@@ -30,38 +30,12 @@ void ReaderListener::take_all(dds_entity_t reader) {
         dds_takecdr(reader, data.data(), kAtOnce, infos.data(), DDS_ANY_STATE);
     if (count <= 0) break;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-      if (infos[i].valid_data) take(reader, *data[i], infos[i]);
+      if (infos[i].valid_data) mailbox_.put({channel_, decode(slot_, bytes_of(*data[i]))});
       any = any || infos[i].valid_data;
       ddsi_serdata_unref(data[i]);
     }
   }
   if (any) mailbox_.notify();
-}
-
-void ReaderListener::take(dds_entity_t reader, const ddsi_serdata& data,
-                          const dds_sample_info_t& info) {
-  const auto bytes = bytes_of(data);
-  if (tap_) {
-    tap_({slot_, partition_of(reader, info.publication_handle), info.source_timestamp, bytes});
-  }
-  mailbox_.put({channel_, decode(slot_, bytes)});
-}
-
-/// Called in the thread that delivers to this reader, which is one at a time.
-const std::string& ReaderListener::partition_of(dds_entity_t reader, dds_instance_handle_t writer) {
-  const auto [found, fresh] = partitions_.try_emplace(writer);
-  if (!fresh) return found->second;
-  const std::unique_ptr<dds_builtintopic_endpoint_t, decltype(&dds_builtintopic_free_endpoint)>
-      endpoint(dds_get_matched_publication_data(reader, writer), &dds_builtintopic_free_endpoint);
-  std::uint32_t count = 0;
-  char** names = nullptr;
-  if (endpoint == nullptr || !dds_qget_partition(endpoint->qos, &count, &names)) {
-    return found->second;
-  }
-  if (count > 0) found->second = names[0];
-  for (std::uint32_t i = 0; i < count; ++i) dds_free(names[i]);
-  dds_free(names);
-  return found->second;
 }
 
 }  // namespace skein::blackboard::cyclonedds

@@ -44,7 +44,7 @@ Result<void, Failure> Participation::join(const DdsConfig& config,
   SKEIN_EXPECTS(participant_ == nullptr);
   if (auto checked = rtps::check(config.network); !checked) return checked;
   const std::string domain = std::to_string(config.domain);
-  const std::string& keys = config.network.keys;
+  const std::string& keys = keys_ = config.network.keys;
   number_ = rtps::ParticipantNumber::claim(config.domain);
   if (!number_) return failure("too many DDS participants in domain " + domain);
   dds::DomainParticipantQos qos = participant_qos(config, number_->value());

@@ -6,6 +6,7 @@
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
 
 #include <optional>
+#include <string>
 
 #include "adapters/rtps/participant_number.hpp"
 #include "security.hpp"
@@ -27,10 +28,13 @@ class Participation {
   Result<void, Failure> join(const DdsConfig& config,
                              eprosima::fastdds::dds::DomainParticipantListener* listener);
   eprosima::fastdds::dds::DomainParticipant* participant() const { return participant_; }
+  /// The folder with this node's; empty: the domain is open to anybody.
+  const std::string& keys() const { return keys_; }
   /// Of a secured domain.
   const std::optional<Identities>& identities() const { return identities_; }
 
  private:
+  std::string keys_;
   std::optional<rtps::ParticipantNumber> number_;
   std::optional<Identities> identities_;
   eprosima::fastdds::dds::DomainParticipant* participant_ = nullptr;

@@ -7,6 +7,7 @@
 #include <fastrtps/utils/md5.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "skein/blackboard/cdr.hpp"
@@ -30,7 +31,7 @@ const wire::SampleHeader& header_of(const Cargo& cargo) {
 
 }  // namespace
 
-SampleType::SampleType(wire::Slot slot, bool keeps_bytes) : slot_(slot), keeps_bytes_(keeps_bytes) {
+SampleType::SampleType(wire::Slot slot) : slot_(slot) {
   setName(("skein::idl::" + std::string(wire::slot_name(slot))).c_str());
   m_typeSize = kTypicalSize;
   m_isGetKeyDefined = true;
@@ -49,7 +50,6 @@ bool SampleType::serialize(void* data, SerializedPayload_t* payload) {
 bool SampleType::deserialize(SerializedPayload_t* payload, void* data) {
   auto& cargo = *static_cast<Cargo*>(data);
   cargo.incoming = decode(slot_, {payload->data, payload->length});
-  if (keeps_bytes_) cargo.bytes.assign(payload->data, payload->data + payload->length);
   return true;
 }
 

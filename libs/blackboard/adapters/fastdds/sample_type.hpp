@@ -4,7 +4,6 @@
 
 #include <fastdds/dds/topic/TopicDataType.hpp>
 #include <variant>
-#include <vector>
 
 #include "skein/blackboard/transport.hpp"
 
@@ -15,15 +14,13 @@ namespace skein::blackboard::fastdds {
 struct Cargo {
   const wire::Sample* outgoing = nullptr;
   std::variant<wire::Sample, Malformed> incoming;
-  std::vector<std::uint8_t> bytes;  ///< of what came, if they are kept
 };
 
 /// The DDS type "skein::idl::<slot>". Malformed content is not an error for Fast DDS (which would
 /// drop it without a word): it is read as Malformed. Thread rule: stateless, any thread.
 class SampleType final : public eprosima::fastdds::dds::TopicDataType {
  public:
-  /// `keeps_bytes`: what comes in is handed over as it is, too.
-  SampleType(wire::Slot slot, bool keeps_bytes);
+  explicit SampleType(wire::Slot slot);
 
   bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override;
   bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override;
@@ -35,7 +32,6 @@ class SampleType final : public eprosima::fastdds::dds::TopicDataType {
 
  private:
   wire::Slot slot_;
-  bool keeps_bytes_;
 };
 
 }  // namespace skein::blackboard::fastdds

@@ -21,8 +21,9 @@ constexpr unsigned first_port(std::uint32_t domain, std::uint32_t participant) {
 inline constexpr unsigned kPortsPerDomain = 250;
 /// Above, ports reach into the range that the kernel gives to anybody (32768 and up).
 inline constexpr std::uint32_t kLastDomain = 100;
-/// Participants per machine, and the ports that discovery tries on this machine.
-inline constexpr std::uint32_t kParticipants = 32;
+/// Participants per machine, and the ports that discovery tries on this machine: a team of 32 with
+/// its ground station and some programs that watch them.
+inline constexpr std::uint32_t kParticipants = 40;
 /// Participants that are looked for on a peer's machine, and on this one at other addresses than
 /// the loopback's.
 inline constexpr std::uint32_t kTriedOfPeer = 8;

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The endpoints of a channel, as Cyclone DDS makes them.
+#pragma once
+
+#include <dds/dds.h>
+
+#include <array>
+#include <map>
+#include <string>
+
+#include "adapters/rtps/link.hpp"
+#include "reader_listener.hpp"
+
+struct ddsi_sertype;
+
+namespace skein::blackboard::cyclonedds {
+
+/// Those of a participant, each made when it is first needed and owned by the participant.
+class Topics {
+ public:
+  struct Topic {
+    dds_entity_t entity = 0;             ///< negative: why Cyclone refuses it
+    const ddsi_sertype* type = nullptr;  ///< of the domain
+  };
+  /// Of a participant that is joined later.
+  explicit Topics(const dds_entity_t& participant) : participant_(participant) {}
+  const Topic& of(wire::Slot slot);
+
+ private:
+  const dds_entity_t& participant_;
+  std::map<wire::Slot, Topic> topics_;
+};
+
+class ChannelEndpoints final : public rtps::Endpoints {
+ public:
+  /// Of a participant that was joined. It, the topics and the mailbox outlive every call, though
+  /// the participant, which deletes what it still has, not this object.
+  ChannelEndpoints(const dds_entity_t& participant, Topics& topics, const rtps::LinkPlan& link,
+                   std::size_t channel, rtps::Mailbox& mailbox);
+
+  Result<void, Failure> open() override;
+  Result<void, Failure> add_writer(wire::Slot slot) override;
+  Result<void, Failure> add_reader(wire::Slot slot) override;
+  Result<void, Failure> close() override;
+  bool write(const wire::Sample& sample) override;
+  void flush(Clock::time_point until) override;
+
+ private:
+  Result<void, Failure> made(dds_return_t code) const;
+
+  const dds_entity_t& participant_;
+  Topics& topics_;
+  ChannelKind kind_;
+  std::string partition_;
+  bool writes_, reads_;
+  std::map<wire::Slot, ReaderListener> listeners_;
+  dds_entity_t publisher_ = 0, subscriber_ = 0;
+  std::array<dds_entity_t, wire::kSlotCount> writers_{};
+};
+
+}  // namespace skein::blackboard::cyclonedds

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// The endpoints of a channel, as Fast DDS makes them.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "adapters/rtps/link.hpp"
+#include "participation.hpp"
+#include "sample_listener.hpp"
+
+namespace skein::blackboard::fastdds {
+
+/// Those of a participant, each made when it is first needed and owned by the participant.
+class Topics {
+ public:
+  explicit Topics(const Participation& participation) : participation_(participation) {}
+  /// Null if Fast DDS refuses it.
+  eprosima::fastdds::dds::Topic* of(wire::Slot slot);
+
+ private:
+  const Participation& participation_;
+  std::map<wire::Slot, eprosima::fastdds::dds::Topic*> topics_;
+};
+
+class ChannelEndpoints final : public rtps::Endpoints {
+ public:
+  /// Of a participation that was joined. It and the topics outlive every call, though not this
+  /// object: the participant deletes what it still has.
+  ChannelEndpoints(const Participation& participation, Topics& topics, const rtps::LinkPlan& link,
+                   std::unique_ptr<SampleListener> listener);
+
+  Result<void, Failure> open() override;
+  Result<void, Failure> add_writer(wire::Slot slot) override;
+  Result<void, Failure> add_reader(wire::Slot slot) override;
+  Result<void, Failure> close() override;
+  bool write(const wire::Sample& sample) override;
+  void flush(Clock::time_point until) override;
+
+ private:
+  Result<void, Failure> refused() const;
+
+  const Participation& participation_;
+  Topics& topics_;
+  ChannelKind kind_;
+  std::string partition_;
+  bool writes_, reads_;
+  std::unique_ptr<SampleListener> listener_;
+  eprosima::fastdds::dds::Publisher* publisher_ = nullptr;
+  eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;
+  std::array<eprosima::fastdds::dds::DataWriter*, wire::kSlotCount> writers_{};
+};
+
+}  // namespace skein::blackboard::fastdds

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// One channel of a transport over RTPS: when it has which endpoints, whatever the vendor.
+#include "link.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace skein::blackboard::rtps {
+namespace {
+
+std::size_t at(wire::Slot slot) { return static_cast<std::size_t>(slot); }
+
+bool contains(const std::vector<wire::Slot>& slots, wire::Slot slot) {
+  return std::ranges::find(slots, slot) != slots.end();
+}
+
+bool is_pattern(const std::string& partition) {
+  return partition.find_first_of("*?[") != std::string::npos;
+}
+
+}  // namespace
+
+bool LinkPlan::waits_to_write(wire::Slot slot) const {
+  return writers_wait && slot != wire::Slot::kHeartbeat;
+}
+
+bool LinkPlan::waits_to_read(wire::Slot slot) const {
+  return readers_wait && slot != wire::Slot::kHeartbeat;
+}
+
+LinkPlan plan_link(const TransportPlan& plan, std::size_t index, const DdsConfig& config) {
+  LinkPlan link;
+  link.config = plan.channels.at(index);
+  const bool world = link.config.kind == ChannelKind::kWorld;
+  std::vector<wire::Slot> slots = link.config.slots;
+  if (!world) slots.push_back(wire::Slot::kHeartbeat);
+  if (world || link.config.from == plan.self) link.writes = slots;
+  if (world || link.config.from != plan.self) link.reads = world ? plan.world_reads : slots;
+  link.writers_wait = !world && config.network.keys.empty() && !config.endpoints_at_once;
+  link.readers_wait = link.writers_wait && config.network.discovery_servers.empty() &&
+                      !is_pattern(link.config.partition);
+  return link;
+}
+
+Link::Link(LinkPlan plan, std::unique_ptr<Endpoints> endpoints, Log log)
+    : plan_(std::move(plan)), endpoints_(std::move(endpoints)), log_(std::move(log)) {}
+
+Result<void, Failure> Link::open() { return set_up(true); }
+
+bool Link::write(const wire::Sample& sample) {
+  if (plan_.config.kind != ChannelKind::kWorld) kept_.keep(sample, KeptSamples::Clock::now());
+  return !up_ || write_now(sample);
+}
+
+bool Link::write_now(const wire::Sample& sample) {
+  const wire::Slot slot = wire::slot_of(sample);
+  if (!writers_.test(at(slot))) {
+    if (!plan_.waits_to_write(slot) || !contains(plan_.writes, slot)) return false;
+    if (auto added = add_writer(slot); !added) {
+      say_once(slot, added.error());
+      return false;
+    }
+  }
+  return endpoints_->write(sample);
+}
+
+Result<void, Failure> Link::set_up(bool up) {
+  if (!up) {
+    up_ = false;
+    return close();
+  }
+  if (up_) return {};
+  auto made = make_endpoints();
+  if (made) made = repeat_kept();
+  if (!made) (void)close();  // whole or not at all
+  up_ = made.has_value();
+  return made;
+}
+
+void Link::attend(wire::Slot slot) {
+  if (!contains(plan_.reads, slot)) return;
+  written_by_others_.set(at(slot));
+  if (!up_ || readers_.test(at(slot))) return;
+  if (auto added = add_reader(slot); !added) say_once(slot, added.error());
+}
+
+void Link::flush(Endpoints::Clock::time_point until) {
+  if (plan_.config.kind == ChannelKind::kWorld) endpoints_->flush(until);
+}
+
+Result<void, Failure> Link::make_endpoints() {
+  if (auto opened = endpoints_->open(); !opened) return opened;
+  for (const wire::Slot slot : plan_.writes) {
+    if (plan_.waits_to_write(slot)) continue;
+    if (auto added = add_writer(slot); !added) return added;
+  }
+  for (const wire::Slot slot : plan_.reads) {
+    if (plan_.waits_to_read(slot) && !written_by_others_.test(at(slot))) continue;
+    if (auto added = add_reader(slot); !added) return added;
+  }
+  return {};
+}
+
+Result<void, Failure> Link::add_writer(wire::Slot slot) {
+  auto added = endpoints_->add_writer(slot);
+  if (added) writers_.set(at(slot));
+  return added;
+}
+
+Result<void, Failure> Link::add_reader(wire::Slot slot) {
+  auto added = endpoints_->add_reader(slot);
+  if (added) readers_.set(at(slot));
+  return added;
+}
+
+Result<void, Failure> Link::repeat_kept() {
+  std::size_t refused = 0;
+  kept_.for_each(KeptSamples::Clock::now(),
+                 [&](const wire::Sample& sample) { refused += write_now(sample) ? 0 : 1; });
+  if (refused == 0) return {};
+  return failure("DDS does not take " + std::to_string(refused) + " samples of channel " +
+                 plan_.config.partition);
+}
+
+Result<void, Failure> Link::close() {
+  writers_.reset();
+  readers_.reset();
+  return endpoints_->close();
+}
+
+void Link::say_once(wire::Slot slot, const Failure& failure) {
+  if (refused_.test(at(slot)) || !log_) return;
+  refused_.set(at(slot));
+  log_(failure.why);
+}
+
+}  // namespace skein::blackboard::rtps

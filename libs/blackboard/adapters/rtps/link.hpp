@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// One channel of a transport over RTPS: when it has which endpoints, whatever the vendor.
+#pragma once
+
+#include <bitset>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "adapters/rtps/kept_samples.hpp"
+#include "skein/blackboard/dds_config.hpp"
+#include "skein/blackboard/transport.hpp"
+
+namespace skein::blackboard::rtps {
+
+/// What a node has of a channel.
+struct LinkPlan {
+  ChannelConfig config;
+  std::vector<wire::Slot> writes, reads;
+  /// Whether a writer is made for its first sample only, and a reader once somebody writes. A node
+  /// has dozens of slots for each of its peers and uses few of them, while every endpoint is told
+  /// to every participant. Heartbeats come in any case.
+  bool writers_wait = false, readers_wait = false;
+
+  bool waits_to_write(wire::Slot slot) const;
+  bool waits_to_read(wire::Slot slot) const;
+};
+
+/// Of the channel with that index. Endpoints of the world do not wait: everybody uses them, and
+/// some write there only when they end. With keys none do, since it must be known at once whether
+/// all is allowed. Readers do not where a discovery server introduces participants, which tells
+/// them nothing of topics that they have no endpoint of.
+LinkPlan plan_link(const TransportPlan& plan, std::size_t index, const DdsConfig& config);
+
+/// The endpoints of one channel, as a vendor makes them. Failures are sentences that name vendor
+/// and channel.
+class Endpoints {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  Endpoints() = default;
+  Endpoints(const Endpoints&) = delete;
+  Endpoints& operator=(const Endpoints&) = delete;
+  virtual ~Endpoints() = default;
+
+  /// What they belong to, as far as something is written or read, without any yet.
+  virtual Result<void, Failure> open() = 0;
+  virtual Result<void, Failure> add_writer(wire::Slot slot) = 0;
+  virtual Result<void, Failure> add_reader(wire::Slot slot) = 0;
+  /// Deletes all that there is, the histories of writers too.
+  virtual Result<void, Failure> close() = 0;
+  /// With the writer of its slot, which was added; false if it was not taken.
+  virtual bool write(const wire::Sample& sample) = 0;
+  /// Waits until everybody has got what was written, at most until then.
+  virtual void flush(Clock::time_point until) = 0;
+};
+
+/// While it is cut a channel has no endpoints: they are not moved to another partition, since not
+/// every vendor can (Cyclone DDS), nor follows a writer that moves. What writers keep for those who
+/// connect later is written again then. Thread rule: one thread.
+class Link {
+ public:
+  using Log = std::function<void(const std::string&)>;
+
+  /// `log` is told, once for each slot, why an endpoint could not be made when it was needed; may
+  /// be empty.
+  Link(LinkPlan plan, std::unique_ptr<Endpoints> endpoints, Log log);
+
+  /// Once, before everything else.
+  Result<void, Failure> open();
+  /// As Transport::write() and set_up().
+  bool write(const wire::Sample& sample);
+  Result<void, Failure> set_up(bool up);
+  /// Somebody writes that slot for this channel's reader.
+  void attend(wire::Slot slot);
+  /// On the world channel no session makes good what a writer takes with it: waits, within bounds,
+  /// until everybody has got it.
+  void flush(Endpoints::Clock::time_point until);
+
+ private:
+  using Slots = std::bitset<wire::kSlotCount>;
+
+  Result<void, Failure> make_endpoints();
+  Result<void, Failure> add_writer(wire::Slot slot);
+  Result<void, Failure> add_reader(wire::Slot slot);
+  Result<void, Failure> repeat_kept();
+  Result<void, Failure> close();
+  bool write_now(const wire::Sample& sample);
+  void say_once(wire::Slot slot, const Failure& failure);
+
+  LinkPlan plan_;
+  std::unique_ptr<Endpoints> endpoints_;
+  Log log_;
+  bool up_ = false;
+  Slots writers_, readers_;  ///< that there are
+  Slots written_by_others_;  ///< of the reads
+  Slots refused_;            ///< that were told of
+  KeptSamples kept_;
+};
+
+}  // namespace skein::blackboard::rtps

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the transports over RTPS have in common: the channels of a node, and what comes in on them.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "adapters/rtps/awaited_writers.hpp"
+#include "adapters/rtps/link.hpp"
+#include "adapters/rtps/mailbox.hpp"
+#include "skein/blackboard/dds_config.hpp"
+
+namespace skein::blackboard::rtps {
+
+/// Thread rule: that of Transport; mailbox() and awaited() are for the middleware's threads, too.
+class Links {
+ public:
+  using Make = std::function<std::unique_ptr<Endpoints>(std::size_t channel, const LinkPlan& link)>;
+
+  /// Once, before the middleware tells of others.
+  void plan(const TransportPlan& plan, const DdsConfig& config);
+  /// Once, after it: all channels, with the endpoints that the vendor makes.
+  Result<void, Failure> open(const Make& make);
+
+  /// As those of Transport.
+  bool write(std::size_t channel, const wire::Sample& sample);
+  Result<void, Failure> set_up(std::size_t channel, bool up);
+  std::vector<Arrival> take();
+  /// The last words of the node: waits, within bounds, until everybody in the world has got them.
+  void flush();
+
+  Mailbox& mailbox() { return mailbox_; }
+  AwaitedWriters& awaited() { return awaited_; }
+
+ private:
+  Mailbox mailbox_;
+  AwaitedWriters awaited_{mailbox_};
+  std::vector<LinkPlan> plans_;
+  Link::Log log_;
+  std::vector<Link> links_;
+};
+
+}  // namespace skein::blackboard::rtps
