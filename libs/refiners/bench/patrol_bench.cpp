@@ -18,6 +18,7 @@
 
 #include "../test/testing/builders.hpp"
 #include "../test/testing/patrol_oracle.hpp"
+#include "patrol/walk_graph.hpp"
 
 namespace {
 
@@ -181,6 +182,18 @@ world::GroundState read_risk(const char* file) {
   return ground;
 }
 
+/// What walks over a lattice cannot be below [s].
+double least_of_walks(const world::World& world, const PatrolQuery& query) {
+  Deadline deadline(Budget{});
+  const PatrolSpace space(query.zone, {});
+  const PatrolSight sight(world.terrain, world.ground.grid, query.altitude, query.footprint,
+                          deadline);
+  const PatrolField field =
+      make_patrol_field(space, sight, query.zone, world.ground.risk, query.least_risk);
+  const auto graph = make_walk_graph(field, space, sight);
+  return graph ? least_mean_of_walks(*graph) / query.speed : 0;
+}
+
 /// Ratios to the lawn mower, and the least that flights can have of which a metre brings 2 σ cells
 /// into view, as that of every lane between rows, or 2 σ + 1, as that of one along the middle of a
 /// row, which just touches the outermost.
@@ -203,10 +216,11 @@ void run_file(const char* file, const world::GroundState& ground, double footpri
     return least_mean(ground, query.least_risk, footprint, rate) / mower.mean;
   };
   std::printf(
-      "%s, footprint %g: mean %.3f (lanes between rows not below %.3f, any lane %.3f)  max r*idle "
-      "%.3f  %.2f s\n",
+      "%s, footprint %g: mean %.3f (lanes between rows not below %.3f, walks %.3f, any lane %.3f)  "
+      "max r*idle %.3f  unseen %zu  %.2f s\n",
       file, footprint, ours.figures.mean / mower.mean, ratio(2 * footprint),
-      ratio(2 * footprint + 1), ours.figures.worst_risk / mower.worst_risk, ours.seconds);
+      least_of_walks(world, query) / mower.mean, ratio(2 * footprint + 1),
+      ours.figures.worst_risk / mower.worst_risk, ours.figures.unseen, ours.seconds);
   std::fflush(stdout);
 }
 

@@ -20,8 +20,9 @@ struct LapGround {
   const PatrolField& field;
   const std::vector<PatrolBlock>& blocks;
   const PatrolLinks& links;
-  const std::vector<Visit>& whole;  ///< a round over all blocks
-  double speed = 1;                 ///< [m/s]
+  const std::vector<Visit>& whole;      ///< a round over all blocks
+  double speed = 1;                     ///< [m/s]
+  const PatrolSpace* walked = nullptr;  ///< where turns may be sharp; null: they may not
 };
 
 /// Patrols in laps. Each lap commits to targets: the blocks that would rank highest at its end had

@@ -163,6 +163,7 @@ class PatrolRefiner {
         world_(setting.world),
         ground_(ground),
         deadline_(deadline),
+        seed_(setting.seed),
         countdown_(setting.budget, kStride) {}
 
   Outcome<Patrol> refine() {
@@ -183,13 +184,15 @@ class PatrolRefiner {
  private:
   void plan() {
     const PatrolTask task{query_.start.head<2>(), query_.heading, patrol_speed(query_),
-                          query_.duration.to_seconds()};
+                          query_.duration.to_seconds(), seed_};
     const TakePatrol taken = [this](const PlanePatrol& plane) { take(plane); };
     if (query_.mode == PatrolMode::kGradient)
       return fly_gradient({ground_.field, ground_.space, ground_.sight}, task,
                           {query_.time_scale.to_seconds()}, countdown_, taken);
     const auto over = [&](const std::vector<Visit>& whole) {
-      return LapGround{ground_.field, ground_.blocks, *ground_.links, whole, task.speed};
+      return LapGround{ground_.field,  ground_.blocks,
+                       *ground_.links, whole,
+                       task.speed,     query_.vehicle.hovers ? &ground_.space : nullptr};
     };
     if (deadline_.is_set() && ground_.blocks.size() > kManyBlocks)
       fly_in_turn(over(lanes_in_turn(ground_.blocks, *ground_.links)), ground_.sight, task,
@@ -238,6 +241,7 @@ class PatrolRefiner {
   const world::World& world_;
   const PatrolGround& ground_;
   Deadline& deadline_;
+  std::uint64_t seed_;
   Countdown countdown_;
   std::vector<PlanePatrol> waiting_;     // without a clock
   std::optional<Outcome<Patrol>> best_;  // made of the best so far

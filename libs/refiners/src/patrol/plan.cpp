@@ -8,6 +8,7 @@
 
 #include "patrol/cycle.hpp"
 #include "patrol/ring.hpp"
+#include "patrol/walk_search.hpp"
 
 namespace skein::refiners {
 namespace {
@@ -27,6 +28,9 @@ constexpr double kHopeless = 1.75;
 constexpr double kWidestRound = 0.25, kLeastRound = 0.01;
 /// How often the cycles tried have everything before some of it is left out.
 constexpr std::array<std::size_t, 2> kTimes = {2, 3};
+/// Temperatures at which walks over a lattice begin to be annealed, as parts of what the goals
+/// allow.
+constexpr std::array<double, 2> kWarmth = {6e-4, 2e-3};
 /// Cycles of which one part in so many is reserve: a visit counts from the middle of its piece.
 constexpr double kWorstMargin = 0.95;
 /// Laps planned one by one take long over more blocks, and are made shorter from no more visits a
@@ -77,6 +81,22 @@ class LapFlight {
     return true;
   }
 
+  /// Flies a closed track again and again, from the nearest of its points that the start leads
+  /// straight to. False: there is none, or the time was up before.
+  bool fly_track(std::vector<Vector2> track, const PatrolSpace& space, Countdown& countdown) {
+    const auto first = nearest_open(track, space);
+    if (first == track.end()) return false;
+    std::rotate(track.begin(), first, track.end());
+    while (log_.now() < task_.duration)
+      for (const Vector2& point : track) {
+        if (!countdown.step() || deadline_.passed_after(kVisit)) return false;
+        way_.push_back(point);
+        take_note(way_.size() - 1);
+        if (log_.now() >= task_.duration) break;
+      }
+    return true;
+  }
+
   PatrolFigures figures() const { return log_.figures(); }
   std::vector<Vector2> take_way() { return std::move(way_); }
 
@@ -105,6 +125,17 @@ class LapFlight {
       std::rotate(lap.begin(), nearest, lap.end());
     else
       lap.insert(lap.begin(), nearest_of_all());
+  }
+
+  std::vector<Vector2>::iterator nearest_open(std::vector<Vector2>& track,
+                                              const PatrolSpace& space) const {
+    auto nearest = track.end();
+    for (auto point = track.begin(); point != track.end(); ++point)
+      if ((nearest == track.end() ||
+           (*point - task_.start).norm() < (*nearest - task_.start).norm()) &&
+          space.is_open(task_.start, *point))
+        nearest = point;
+    return nearest;
   }
 
   double cost_from_start(Visit visit) const {
@@ -209,11 +240,13 @@ class PatrolTrials {
     least_ = badness(in_turn_, in_turn_);
     for (const std::size_t times : kTimes)
       if (!fly_cycle(weighted_cycle(ground_, goal(1), times, time()))) return;
-    if (least_ > 1 && ground_.blocks.size() <= kMostForLaps) fly_laps();
+    if (least_ <= 1 || fly_walks()) return;
+    if (ground_.blocks.size() <= kMostForLaps && !is_over()) fly_laps();
   }
 
  private:
   CycleTime time() const { return {countdown_, sight_.deadline()}; }
+  bool is_over() const { return countdown_.over() || sight_.deadline().is_over(); }
 
   CycleGoal goal(double part) const {
     return {kMeanShare * in_turn_.mean_idleness,
@@ -234,6 +267,24 @@ class PatrolTrials {
     if (bad >= least_) return;
     least_ = bad;
     take_({flight.take_way(), true});
+  }
+
+  /// Walks over a lattice, which turn wherever it is worth it, until one meets the goals. False:
+  /// there is no such lattice.
+  bool fly_walks() {
+    if (ground_.walked == nullptr) return false;
+    const auto graph = make_walk_graph(ground_.field, *ground_.walked, sight_);
+    if (!graph) return false;
+    for (const double warmth : kWarmth) {
+      const Cooling cooling{.from = warmth, .to = warmth / 75, .seed = task_.seed};
+      const Walk walk = annealed_walk(*graph, goal(1), ground_.speed, cooling, time());
+      if (walk.empty()) return true;
+      LapFlight flight(ground_, sight_, task_);
+      if (!flight.fly_track(track_of(*graph, walk), *ground_.walked, countdown_)) return false;
+      take_if_better(flight);
+      if (least_ <= 1) return true;
+    }
+    return true;
   }
 
   /// Laps planned one by one, and what their last ones can be made.

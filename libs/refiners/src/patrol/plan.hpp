@@ -17,6 +17,7 @@ struct PatrolTask {
   double heading = 0;
   double speed = 1;     ///< [m/s]
   double duration = 0;  ///< [s]
+  std::uint64_t seed = 1;
 };
 
 struct PlanePatrol {

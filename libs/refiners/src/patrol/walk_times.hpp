@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// When a walk is where, how bad that is, and what a change would make of it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "patrol/walk_graph.hpp"
+
+namespace skein::refiners {
+
+/// What walks are measured by, in metres flown: where they come to these figures each of the two
+/// counts 1, the mean idleness by risk and, where it is more, how much a gap is too long.
+struct WalkMeasure {
+  double mean_idleness = 1;
+  double worst_risk_idleness = 1;
+  double too_long = 1;  ///< what a gap too long by its whole length counts
+};
+
+/// Of the places after one of the visits some are taken out and others put in their stead.
+struct WalkChange {
+  std::size_t after = 0;
+  std::size_t taken = 0;
+  std::array<std::uint32_t, 4> put{};
+  std::size_t puts = 0;
+};
+
+/// One walk with its times. Thread rule: one thread.
+class WalkTimes {
+ public:
+  /// The graph must outlive it.
+  explicit WalkTimes(const WalkGraph& graph);
+
+  /// What is measured from now on; the walk stays.
+  void measure_by(const WalkMeasure& measure);
+  /// Cost: O(places + visits).
+  void take(Walk walk);
+  const Walk& walk() const { return walk_; }
+  double badness() const { return badness_; }
+  const std::vector<std::size_t>& visits(std::uint32_t place) const { return visits_[place]; }
+
+  /// The badness after a change: exact but for how visits elsewhere that come later, or earlier,
+  /// change what is too long. Precondition: the changed walk is one. Cost: O(visits to the places
+  /// changed).
+  double badness_after(const WalkChange& change) const;
+  Walk changed(const WalkChange& change) const;
+  /// The badness of another walk. Cost: O(places + visits).
+  double badness_of(const Walk& walk) const;
+
+ private:
+  /// Squares of gaps by risk, and what is too long.
+  struct Share {
+    double squares = 0, late = 0;
+  };
+  struct Stretch;
+
+  double too_long(double top, double gap) const;
+  void add_gap(const WalkGraph::Place& place, double gap, Share& share) const;
+  double weighed(const Share& share, double period) const;
+  void note_times();
+  void note_gaps();
+  Stretch stretch(const WalkChange& change) const;
+  Share share_after(std::uint32_t place, const WalkChange& change, const Stretch& stretch) const;
+  double open_gap(std::uint32_t place, std::size_t visit) const;
+  std::size_t ahead(std::size_t i, std::size_t by) const { return (i + by) % walk_.size(); }
+
+  const WalkGraph& graph_;
+  WalkMeasure measure_;
+  Walk walk_;
+  std::vector<double> times_;                     ///< per visit [m]
+  double period_ = 0;                             ///< [m]
+  std::vector<std::vector<std::size_t>> visits_;  ///< per place, in order
+  std::vector<Share> shares_;                     ///< per place
+  Share all_;
+  std::vector<double> growth_;  ///< per visit: risk × gap of all gaps that are open after it
+  double badness_ = 0;
+  mutable std::vector<double> scratch_, first_, last_;
+};
+
+}  // namespace skein::refiners
