@@ -53,6 +53,9 @@ TEST(DdsMission, TheGroundStationPlaysARoleForOneAtDegreeTwo) {
   expect_all_met("mref/ground-plays", "20");
 }
 
+// Orders, plans, telemetry and perceptions of a UAV that the ground station does not hear.
+TEST(DdsMission, WhoIsOutOfReachIsHeardPastARelay) { expect_all_met("relaying/one-relay", "20"); }
+
 TEST(DdsMission, PlacesToLookFromAreAgreedUponInFlight) {
   expect_all_met("agreed-places/around", "20");
 }

@@ -8,6 +8,7 @@
 #include "skein/assembly/assembly.hpp"
 #include "skein/assembly/overrides.hpp"
 #include "skein/foundation/exit_code.hpp"
+#include "skein/laws/healing.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/laws/protocol.hpp"
 #include "skein/run_tool/whole_run.hpp"
@@ -65,6 +66,8 @@ void ask_laws(const scenario::Scenario& scenario, const std::vector<journal::Rec
   for (const laws::Violation& one : laws::broken_laws(scenario, records))
     add(one.law, laws::to_text(one));
   for (const std::string& breach : laws::broken_protocol(records)) add("protocol", breach);
+  for (const std::string& breach : laws::broken_healing(records, laws::healing_limits(scenario)))
+    add("healing", breach);
 }
 
 Row labelled(const Case& what) {

@@ -10,6 +10,7 @@
 
 #include "skein/assembly/assembly.hpp"
 #include "skein/assembly/overrides.hpp"
+#include "skein/laws/healing.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/laws/protocol.hpp"
 #include "skein/workers/workers.hpp"
@@ -76,6 +77,10 @@ std::vector<laws::Violation> violations_of(const scenario::Scenario& scenario,
   if (wants(options, "protocol")) {
     for (const std::string& breach : laws::broken_protocol(records))
       all.push_back({"protocol", 0, "", 0, breach});
+  }
+  if (wants(options, "healing")) {
+    for (const std::string& breach : laws::broken_healing(records, laws::healing_limits(scenario)))
+      all.push_back({"healing", 0, "", 0, breach});
   }
   if (options.twice && wants(options, "same-bytes") && text_of(play(scenario)) != text_of(records))
     all.push_back({"same-bytes", 0, "", 0, "played again, the event log is another"});

@@ -3,14 +3,11 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <filesystem>
 #include <variant>
 
 namespace skein::storm_tool {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A place in a document: keys and numbers from its root on.
 using Step = std::variant<std::string, std::size_t>;
@@ -68,17 +65,6 @@ void remove(YAML::Node document, const Path& path) {
   std::visit([&](const auto& key) { parent.remove(key); }, path.back());
 }
 
-void lead_elsewhere(YAML::Node node, const fs::path& from, const fs::path& to) {
-  if (node.IsScalar()) {
-    const auto name = node.as<std::string>();
-    std::error_code none;
-    if (!name.empty() && fs::path(name).is_relative() && fs::is_regular_file(from / name, none))
-      node = fs::proximate(fs::absolute(from / name), fs::absolute(to)).string();
-    return;
-  }
-  for (auto entry : node) lead_elsewhere(node.IsMap() ? entry.second : YAML::Node(entry), from, to);
-}
-
 }  // namespace
 
 Result<std::string, Failure> with_troubles(const std::string& yaml, std::uint64_t seed,
@@ -94,13 +80,6 @@ Result<std::string, Failure> with_troubles(const std::string& yaml, std::uint64_
   } catch (const YAML::Exception& error) {
     return failure(error.what());
   }
-}
-
-std::string moved(const std::string& yaml, const std::string& from_folder,
-                  const std::string& to_folder) {
-  YAML::Node document = YAML::Load(yaml);
-  lead_elsewhere(document, from_folder, to_folder);
-  return text_of(document);
 }
 
 std::vector<std::string> smaller(const std::string& yaml) {

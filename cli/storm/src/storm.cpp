@@ -14,6 +14,7 @@
 #include "skein/foundation/exit_code.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/mission_lab/generate.hpp"
+#include "skein/scenario_text/scenario_text.hpp"
 #include "skein/storm_tool/scenario_text.hpp"
 #include "skein/storm_tool/series.hpp"
 #include "skein/storm_tool/shrink.hpp"
@@ -171,7 +172,8 @@ class Storm {
         return breaks({what.name, less, what.file}, law);
       });
     }
-    return moved(text, fs::absolute(what.file).parent_path().string(), options_.save);
+    return scenario_text::moved(text, fs::absolute(what.file).parent_path().string(),
+                                options_.save);
   }
 
   bool breaks(const Case& less, const std::string& law) const {
@@ -247,9 +249,10 @@ class Storm {
 int list_laws(std::ostream& out) {
   for (const auto& law : laws::all_laws()) out << law.name << ": " << law.says << '\n';
   out << "protocol: tasks go through their states, commands are settled once, messages come once "
-         "and "
-         "in order\ncrash, hang: a run ends\nsame-bytes: played again, the event log is the same "
-         "(with --twice)\n";
+         "and in order\n"
+         "healing: what was waiting comes soon after a link is back, no event is lost unsaid\n"
+         "crash, hang: a run ends\n"
+         "same-bytes: played again, the event log is the same (with --twice)\n";
   return kExitOk;
 }
 

@@ -2,6 +2,8 @@
 // Scenario files are changed as text, and stay scenarios.
 #include "skein/storm_tool/scenario_text.hpp"
 
+#include "skein/scenario_text/scenario_text.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,17 +54,9 @@ TEST(WithTroubles, SaysWhatIsNoDocument) {
   EXPECT_FALSE(with_troubles("a: [", 1, {}).has_value());
 }
 
-TEST(Moved, MeansTheSameInAnotherFolder) {
-  const std::string there = ::testing::TempDir();
-
-  const scenario::Scenario after = read(moved(comets(), kFolder, there), there);
-
-  EXPECT_EQ(after.uavs.front().model, read(comets()).uavs.front().model);
-}
-
 TEST(Smaller, HasOnePartLessEachAndEveryPartOnce) {
   const std::vector<std::string> all = smaller(comets());
-  const std::string whole = moved(comets(), kFolder, kFolder);
+  const std::string whole = scenario_text::moved(comets(), kFolder, kFolder);
   std::size_t scenarios = 0;
   for (const std::string& less : all) {
     EXPECT_LT(less.size(), whole.size());

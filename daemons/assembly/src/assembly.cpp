@@ -242,6 +242,7 @@ node::VirtualConfig virtual_config(const Scenario& scenario) {
   config.time_limit = scenario.duration_limit;
   config.heartbeat_period = scenario.radio.heartbeat;
   config.capacity = capacity_of(scenario);
+  config.silent_cuts = scenario.radio.silent;
   for (const scenario::KillSpec& kill : scenario.faults.kills) {
     std::optional<MissionTime> restart;
     if (kill.restart_after) restart = kill.at + *kill.restart_after;

@@ -60,6 +60,7 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
   config.network.keys = keys_of(options.network.keys, self.name);
   config.rate = scenario.rate;
   config.heartbeat = scenario.radio.heartbeat;
+  if (scenario.radio.silent) config.told = node::ToldOfLinks::kNothing;
   config.capacity = assembly::capacity_of(scenario);
   config.seed = scenario.seed;
   config.leads_clock = self.role == wire::Role::kSim;

@@ -23,27 +23,28 @@ std::optional<Duration> sooner(std::optional<Duration> a, std::optional<Duration
 
 Peer::Peer(PeerChannels channels, const Config& config)
     : channels_(channels),
-      slots_(config.channels[channels.outgoing].slots),
-      shares_(config.shares),
-      declared_out_(config.channels[channels.outgoing].capacity),
-      declared_in_(config.channels[channels.incoming].capacity),
+      config_(&config),
       self_incarnation_(config.incarnation),
       period_(config.heartbeat_period),
       outgoing_(config.held_events, config.retransmission),
       incoming_(config.self, config.incarnation) {
-  limit(declared_out_, {});
+  limit(config.channels[channels.outgoing].capacity, {});
 }
 
 void Peer::limit(double capacity, Duration now) {
   if (capacity <= 0) return limited_.reset();
-  if (!limited_) limited_ = std::make_unique<LimitedChannel>(slots_, shares_, period_);
+  if (!limited_)
+    limited_ = std::make_unique<LimitedChannel>(config_->channels[channels_.outgoing].slots,
+                                                config_->shares, period_);
   limited_->set_capacity(capacity, now);
 }
 
 void Peer::set_outgoing(const ChannelCondition& condition, Now now) {
   if (condition.up && !out_condition_.up) next_heartbeat_ = now.steady;
   out_condition_ = condition;
-  limit(condition.capacity > 0 ? condition.capacity : declared_out_, now.steady);
+  limit(
+      condition.capacity > 0 ? condition.capacity : config_->channels[channels_.outgoing].capacity,
+      now.steady);
 }
 
 // Bytes for bytes: a long sample of ours may be under way before this one, and on the way back the
@@ -53,7 +54,8 @@ Duration Peer::round_trip() const {
   // Nothing is known of what others take between them: a period a relay is more than most do.
   all = all + Duration::nanoseconds(period_.count() * static_cast<std::int64_t>(relays_));
   if (limited_) all = all + limited_->airtime(kLongSample);
-  const double back = in_condition_.capacity > 0 ? in_condition_.capacity : declared_in_;
+  const double back = in_condition_.capacity > 0 ? in_condition_.capacity
+                                                 : config_->channels[channels_.incoming].capacity;
   if (back <= 0) return all;
   const std::size_t bytes = kLongSample + (kHeartbeatsBetween + 1) * heartbeat_bytes();
   return all + airtime(bytes, back);

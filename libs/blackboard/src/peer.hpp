@@ -31,6 +31,7 @@ struct PeerChannels {
 /// spec 1.3 (reachability, class event).
 class Peer {
  public:
+  /// The configuration outlives the peer.
   Peer(PeerChannels channels, const Config& config);
 
   const PeerChannels& channels() const { return channels_; }
@@ -87,9 +88,7 @@ class Peer {
   bool can_send() const { return relays_ > 0 || out_condition_.up; }
 
   PeerChannels channels_;
-  std::vector<wire::Slot> slots_;  ///< that go to the peer
-  SlotShares shares_;
-  double declared_out_, declared_in_;  ///< capacities [bit/s]; 0: unlimited
+  const Config* config_;
   std::unique_ptr<LimitedChannel> limited_;
   std::uint64_t self_incarnation_;
   Duration period_;

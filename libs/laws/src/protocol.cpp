@@ -6,6 +6,8 @@
 #include <string_view>
 #include <tuple>
 
+#include "ways.hpp"
+
 namespace skein::laws {
 
 namespace {
@@ -51,6 +53,7 @@ class Checker {
     if (kind == "sync") see_sync(record);
     if (kind == "message") see_message(record);
     if (kind == "link") see_link(record);
+    if (kind == "route" && record.find("via") != nullptr) relays_.insert(text(record, "via"));
     if (kind == "fault") see_fault(record);
   }
 
@@ -135,10 +138,22 @@ class Checker {
     if (sent_[channel].count(sequence) == 0) breach(record, "a message nobody sent is received");
     if (sequence <= received_[channel]) breach(record, "a message is received twice or late");
     received_[channel] = sequence;
-    const auto down = down_since_.find(channel);
-    if (down != down_since_.end() && record.at() > down->second + Duration::seconds(kMoment)) {
+    if (!may_have_come(channel, record.at())) {
       breach(record, "a message is received over a link that is down");
     }
+  }
+
+  // Over the link itself, or past nodes that somebody has told to be relays: a moment a link.
+  bool may_have_come(const Channel& channel, MissionTime at) const {
+    for (std::size_t links = 1; links <= relays_.size() + 1; ++links) {
+      const Duration moment = Duration::seconds(kMoment * static_cast<double>(links));
+      const auto carries = [&](const std::string& from, const std::string& to) {
+        const auto down = down_since_.find({from, to});
+        return down == down_since_.end() || at <= down->second + moment;
+      };
+      if (has_way(channel.first, channel.second, relays_, links, carries)) return true;
+    }
+    return false;
   }
 
   void see_link(const Record& record) {
@@ -192,6 +207,7 @@ class Checker {
   std::map<Channel, std::set<std::int64_t>> sent_;
   std::map<Channel, std::int64_t> received_;
   std::map<Channel, MissionTime> down_since_;
+  std::set<std::string> relays_;  ///< past whom somebody has told that its samples go
   bool simulator_dead_ = false;
   std::map<Channel, bool> unheard_;  ///< that nobody is told before it is back
   std::vector<std::string> breaches_;

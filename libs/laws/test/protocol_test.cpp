@@ -79,6 +79,29 @@ TEST(JournalLaws, AnOrdinaryLifeBreaksNone) {
   EXPECT_THAT(broken_protocol(log), IsEmpty());
 }
 
+Record link_of(double seconds, const char* from, const char* to, bool up) {
+  return Record(at(seconds), "sim", "link").with("from", from).with("to", to).with("up", up);
+}
+Record route(double seconds) {
+  return Record(at(seconds), "ground", "route").with("peer", "marvin").with("via", "heliv");
+}
+
+TEST(JournalLaws, AMessageMayComePastARelayThatWasToldOf) {
+  const Log log{message(1, 1, "sent"), link(2, false), route(3), message(9, 1, "received")};
+
+  EXPECT_THAT(broken_protocol(log), IsEmpty());
+}
+
+TEST(JournalLaws, AMessageDoesNotComePastARelayThatHasNoLinkOrThatNobodyTold) {
+  const Log untold{message(1, 1, "sent"), link(2, false), message(9, 1, "received")};
+  for (const auto& [from, to] : {std::pair("ground", "heliv"), std::pair("heliv", "marvin")}) {
+    const Log cut{message(1, 1, "sent"), link(2, false), route(3), link_of(4, from, to, false),
+                  message(9, 1, "received")};
+    EXPECT_THAT(broken_protocol(cut), ElementsAre(HasSubstr("over a link that is down")));
+  }
+  EXPECT_THAT(broken_protocol(untold), ElementsAre(HasSubstr("over a link that is down")));
+}
+
 struct Breach {
   std::string name;
   Log log;

@@ -3,6 +3,8 @@
 
 #include <sstream>
 
+#include "skein/foundation/joined.hpp"
+
 namespace skein::mission_lab {
 
 namespace {
@@ -122,7 +124,9 @@ std::string to_yaml(const Mission& m, const std::string& scenarios) {
   team(out, m, scenarios);
   if (!m.global.empty()) out << "\nteam: {lease: 10}\n";
   if (!m.separation.empty()) out << "\nseparation: " << m.separation << '\n';
-  out << "\nradio:\n  range: 3000\n  line_of_sight: true\n  latency: 0.02\n  loss: 0\n";
+  out << "\nradio:\n  range: 3000\n  line_of_sight: true\n  latency: " << m.latency
+      << "\n  loss: 0\n";
+  if (!m.relays.empty()) out << "  relays: [" << joined(m.relays, ", ") << "]\n";
   list(out, "cuts", m.cuts, "  ", "- ");
   out << "\nground:\n  position: [-20, -20, 8]\n  script:\n";
   for (const Step& one : m.steps) step(out, one);

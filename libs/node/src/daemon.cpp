@@ -54,6 +54,7 @@ class Daemon {
     HostConfig host_config;
     host_config.incarnation = incarnation_of_now();
     host_config.heartbeat_period = heartbeat_;
+    host_config.told = config_.told;
     host_config.rate = config_.rate;
     host_config.capacity = config_.capacity;
     host_config.seed = config_.seed;

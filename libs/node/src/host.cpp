@@ -310,7 +310,8 @@ void Host::take(blackboard::Incoming incoming, Now now) {
                    ports_.journal(record("expired", now)
                                       .with("slot", wire::slot_name(one.slot))
                                       .with("to", roster_.name_of(one.to))
-                                      .with("sequence", one.sequence));
+                                      .with("sequence", one.sequence)
+                                      .with("from", roster_.name_of(one.from)));
                    if (one.from == self_.number) {
                      give(Undelivered{one.to, one.slot, one.sequence}, now);
                    } else {
@@ -361,11 +362,12 @@ void Host::log_route(const blackboard::RouteChanged& route, Now now) {
 }
 
 void Host::apply(const wire::LinkState& link, Now now) {
+  if (config_.told == ToldOfLinks::kNothing) return;
   const NodeNumber from(link.from);
   const NodeNumber to(link.to);
   if (from != self_.number && to != self_.number) return;
   const NodeNumber peer = from == self_.number ? to : from;
-  const bool up = link.up || !config_.told_of_cuts;
+  const bool up = link.up || config_.told == ToldOfLinks::kNotOfCuts;
   if (up) {
     down_.erase(peer);
   } else {

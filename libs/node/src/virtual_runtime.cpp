@@ -124,7 +124,7 @@ class VirtualRun {
     config.seed = config_.seed;
     config.memory = seat.memory.get();
     config.forgets = forgets;
-    config.told_of_cuts = !config_.silent_cuts;
+    if (config_.silent_cuts) config.told = ToldOfLinks::kNotOfCuts;
     config.capacity = config_.capacity;
     auto host = Host::open(roster_, *seat.member, make_node_(seat.member->name), *seat.transport,
                            config, ports_of(seat));

@@ -199,7 +199,7 @@ TEST_F(Hosts, TheCapacityOfALinkIsOfMissionTime) {
 }
 
 TEST_F(Hosts, AHostThatIsToldOfNoCutsKeepsItsChannelsUp) {
-  told_of_cuts = false;
+  told = ToldOfLinks::kNotOfCuts;
   start("marvin", 2);
   start("heliv", 2);
   meet();
@@ -210,6 +210,23 @@ TEST_F(Hosts, AHostThatIsToldOfNoCutsKeepsItsChannelsUp) {
 
   EXPECT_EQ((*this)["heliv"].diary.samples<wire::FunctionalRequest>().size(), 1U);
   EXPECT_TRUE((*this)["marvin"].host->all_peers_heard());
+}
+
+TEST_F(Hosts, AHostThatIsToldNothingOfLinksLosesNothingOfItself) {
+  told = ToldOfLinks::kNothing;
+  start("marvin", 2);
+  start("heliv", 2);
+  meet();
+  wire::LinkState bad = link(number("marvin"), number("heliv"), false);
+  bad.loss = 1;
+  bad.latency = 60'000'000'000;
+  (*this)["sim"].host->publish(bad, now());
+  settle();
+
+  act("marvin", {Send{number("heliv"), wire::FunctionalRequest{}}});
+  advance(0.2);
+
+  EXPECT_EQ((*this)["heliv"].diary.samples<wire::FunctionalRequest>().size(), 1U);
 }
 
 TEST_F(Hosts, AllStreamsAreLostOnALinkThatLosesAll) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The parts of a scenario about the vehicles, the radio and the faults.
+// The parts of a scenario about the vehicles and the faults.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -7,7 +7,6 @@
 #include "reading.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/mission/autonomy.hpp"
-#include "skein/world/radio_reader.hpp"
 #include "skein/world/vehicle_model_reader.hpp"
 
 namespace skein::scenario {
@@ -118,85 +117,6 @@ void read_uavs(const Reader& reader, const std::string& folder, Diagnostics& dia
     uavs.push_back(std::move(spec));
   }
   if (uavs.empty() && reader.is_map()) reader.error("no UAV");
-}
-
-namespace {
-
-/// `between: [A, B]`, or `one_way: [A, B]`: only from A to B.
-template <class Spec>
-void read_ends(const Reader& reader, const Names& names, const std::string& what, Spec& spec) {
-  spec.one_way = reader.optional("one_way").present();
-  if (spec.one_way && reader.optional("between").present()) {
-    reader.optional("between").error(what + " has between beside one_way", "one of the two");
-  }
-  const std::vector<Reader> pair = reader.required(spec.one_way ? "one_way" : "between").items();
-  if (pair.size() != 2) {
-    reader.error(what + " is between two nodes", "between: [NODE, NODE]");
-    return;
-  }
-  spec.a = pair[0].name_among(names.nodes, "a UAV or ground");
-  spec.b = pair[1].name_among(names.nodes, "a UAV or ground");
-  if (spec.a == spec.b && !spec.a.empty()) reader.error(what + " between a node and itself");
-}
-
-template <class Spec>
-void check_window(const Reader& reader, const std::string& what, const Spec& spec) {
-  if (spec.until <= spec.from) reader.error(what + " that ends before it begins");
-}
-
-CutSpec read_cut(const Reader& reader, const Names& names) {
-  CutSpec spec;
-  read_ends(reader, names, "a cut", spec);
-  spec.from = read_instant(reader.required("from"));
-  spec.until = read_instant(reader.required("until"));
-  check_window(reader, "a cut", spec);
-  return spec;
-}
-
-LinkSpec read_link(const Reader& reader, const Names& names) {
-  LinkSpec spec;
-  read_ends(reader, names, "a link", spec);
-  if (const Reader from = reader.optional("from"); from.present()) spec.from = read_instant(from);
-  if (const Reader until = reader.optional("until"); until.present())
-    spec.until = read_instant(until);
-  check_window(reader, "a link", spec);
-  if (const Reader latency = reader.optional("latency"); latency.present())
-    spec.latency = Duration::seconds(latency.number(0, {0, 60, "s"}));
-  if (const Reader loss = reader.optional("loss"); loss.present())
-    spec.loss = loss.number(0, {0, 0.99, ""});
-  if (const Reader capacity = reader.optional("capacity"); capacity.present())
-    spec.capacity = capacity.number(1e6, {1, 1e12, "bit/s"});
-  return spec;
-}
-
-/// "all": whoever has the radio.
-std::vector<std::string> read_relays(const Reader& reader, const Names& names) {
-  if (!reader.present()) return {};
-  if (!reader.is_sequence() && reader.text() == "all") return names.nodes;
-  std::vector<std::string> relays;
-  for (const Reader& item : reader.items()) {
-    std::string name = item.name_among(names.nodes, "a UAV or ground");
-    if (std::find(relays.begin(), relays.end(), name) != relays.end())
-      item.error("'" + name + "' is there twice");
-    relays.push_back(std::move(name));
-  }
-  return relays;
-}
-
-}  // namespace
-
-void read_radio(const Reader& reader, const Names& names, RadioSpec& radio) {
-  radio.model = world::read_radio(reader, "cuts", "links", "heartbeat", "relays");
-  radio.heartbeat = Duration::seconds(reader.optional("heartbeat").number(1, {0.05, 60, "s"}));
-  radio.relays = read_relays(reader.optional("relays"), names);
-  for (const Reader& cut : items_of(reader.optional("cuts"))) {
-    if (cut.keys({"between", "one_way", "from", "until"}))
-      radio.cuts.push_back(read_cut(cut, names));
-  }
-  for (const Reader& link : items_of(reader.optional("links"))) {
-    if (link.keys({"between", "one_way", "from", "until", "latency", "loss", "capacity"}))
-      radio.links.push_back(read_link(link, names));
-  }
 }
 
 namespace {

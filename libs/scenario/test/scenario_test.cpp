@@ -161,6 +161,37 @@ TEST(Scenario, CutsAreKept) {
   EXPECT_EQ(scenario.radio.cuts[0].until, MissionTime::seconds(40));
 }
 
+std::string text_of(const std::vector<CutSpec>& cuts) {
+  std::string text;
+  for (const CutSpec& cut : cuts)
+    text += cut.a + (cut.one_way ? " > " : " - ") + cut.b + " " + to_text(cut.from) + " to " +
+            to_text(cut.until) + "\n";
+  return text;
+}
+
+TEST(Scenario, CutsMayBeOfSeveralNodesAndOfAll) {
+  const auto cuts = [](const std::string& ends) {
+    return text_of(read_valid(scenario_with("between: [heliv, ground]", ends)).radio.cuts);
+  };
+
+  EXPECT_EQ(cuts("one_way: [heliv, all]"), "heliv > marvin 30 to 40\nheliv > ground 30 to 40\n");
+  EXPECT_EQ(cuts("between: [[marvin, heliv], [ground]]"),
+            "marvin - ground 30 to 40\nheliv - ground 30 to 40\n");
+}
+
+TEST(Scenario, ALinkMayFlap) {
+  const Scenario scenario =
+      read_valid(scenario_with("from: 30, until: 40", "from: 30, until: 38, down: 2, up: 1.5"));
+
+  EXPECT_EQ(text_of(scenario.radio.cuts),
+            "heliv - ground 30 to 32\nheliv - ground 33.5 to 35.5\nheliv - ground 37 to 38\n");
+}
+
+TEST(Scenario, NobodyNeedBeToldWhichLinksAreUp) {
+  EXPECT_FALSE(read_valid(scenario_with()).radio.silent);
+  EXPECT_TRUE(read_valid(scenario_with("  cuts:", "  silent: true\n  cuts:")).radio.silent);
+}
+
 TEST(Scenario, LinksMayBeUnlikeTheOthers) {
   const Scenario scenario = read_valid(scenario_with(
       "  cuts:",

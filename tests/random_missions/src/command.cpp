@@ -34,8 +34,8 @@ struct Options {
   std::vector<std::string> files, without;
   std::string save;
   bool clean = false, deaths = false, team = false, crossing = false, unmerged = false,
-       meetings = false, unlinked = false, gatherings = false, robots = false, json = false,
-       minimise = false, verbose = false;
+       meetings = false, unlinked = false, gatherings = false, robots = false, relays = false,
+       json = false, minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -62,6 +62,7 @@ Kinds kinds_of(const Options& options) {
 
 Mission drawn(std::uint64_t seed, const Options& options) {
   if (options.meetings) return generate_meetings(seed, kinds_of(options));
+  if (options.relays) return generate_relays(seed, kinds_of(options));
   if (options.robots) return generate_robots(seed, kinds_of(options));
   if (options.crossing) return generate_crossing(seed, kinds_of(options));
   return options.team ? generate_team(seed, kinds_of(options)) : generate(seed, kinds_of(options));
@@ -175,8 +176,10 @@ void declare(CLI::App& app, Options& options) {
       ->needs("--meetings");
   auto* robots =
       app.add_flag("--robots", options.robots, "some of the vehicles keep to the ground");
-  for (auto* one : {team, crossing, meetings})
-    for (auto* other : {crossing, meetings, robots})
+  auto* relays =
+      app.add_flag("--relays", options.relays, "some of the UAVs are heard past relays alone");
+  for (auto* one : {team, crossing, meetings, robots})
+    for (auto* other : {crossing, meetings, robots, relays})
       if (one != other) one->excludes(other);
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")

@@ -53,7 +53,7 @@ TEST_P(DeathsOfDaemons, AreAddedToTheSameMission) {
 }
 INSTANTIATE_TEST_SUITE_P(Missions, DeathsOfDaemons,
                          ::testing::Values(generate, generate_crossing, generate_meetings,
-                                           generate_robots));
+                                           generate_robots, generate_relays));
 
 TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
   int shared = 0;
@@ -115,6 +115,21 @@ TEST(Generate, RobotsAreInEachMissionThatIsToHaveThemAndAreOfBothKinds) {
   }
   EXPECT_GT(wheeled, 10);
   EXPECT_GT(tracked, 10);
+}
+
+TEST(Generate, InMissionsWithRelaysTheLastUavNeverHearsTheGroundStation) {
+  int chains = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Mission mission = generate_relays(seed, {});
+    const std::string text = to_yaml(mission, "..");
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(to_yaml(generate_relays(seed, {}), ".."), text);
+    EXPECT_THAT(text, HasSubstr("  relays: [uav1"));
+    EXPECT_THAT(text, HasSubstr("{between: [ground, " + mission.team.back().name +
+                                "], from: 0, until: 4000}"));
+    chains += mission.relays.size() >= 3 ? 1 : 0;
+  }
+  EXPECT_GT(chains, 10);
 }
 
 TEST(Generate, SomeMissionsAskTwoUavsForOneJointTask) {

@@ -104,6 +104,15 @@ TEST(RandomMissions, RobotsOnTheGroundKeepTheLaws) {
   EXPECT_EQ(breaches({}, missions() / 5, generate_robots), "");
 }
 
+// Two to six UAVs, some of whom are heard past relays alone: nothing is lost without a word.
+TEST(RandomMissions, UavsThatAreHeardPastRelaysKeepTheLaws) {
+  EXPECT_EQ(breaches(kClean, missions() / 5, generate_relays), "");
+  EXPECT_EQ(breaches({}, missions() / 5, generate_relays), "");
+  Kinds deaths;
+  deaths.deaths = true;
+  EXPECT_EQ(breaches(deaths, missions() / 5, generate_relays), "");
+}
+
 // What others said of their ways and meetings is known again to who was away.
 TEST(RandomMissions, WhatUavsAgreedUponSurvivesTheDeathOfDaemons) {
   Kinds deaths;

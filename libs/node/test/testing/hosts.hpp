@@ -59,7 +59,7 @@ class Hosts : public ::testing::Test {
     HostConfig config;
     config.incarnation = incarnation;
     config.rate = rate;
-    config.told_of_cuts = told_of_cuts;
+    config.told = told;
     HostPorts ports;
     ports.journal = [&it](const Record& record) { it.records.push_back(record); };
     ports.start_job = [&it](StartJob job) { it.jobs.push_back(std::move(job)); };
@@ -107,7 +107,7 @@ class Hosts : public ::testing::Test {
   Roster roster_{{"marvin", "heliv"}};
   blackboard::MemoryHub hub_;
   std::map<std::string, std::unique_ptr<Station>> stations_;
-  bool told_of_cuts = true;
+  ToldOfLinks told = ToldOfLinks::kAll;
   double time_ = 0;
 };
 

@@ -16,11 +16,6 @@ namespace skein::storm_tool {
 Result<std::string, Failure> with_troubles(const std::string& yaml, std::uint64_t seed,
                                            const mission_lab::Troubles& troubles);
 
-/// As it must be to mean the same in another folder: names of files that there are (models,
-/// domains, rasters) lead to them from there. Precondition: it is YAML.
-std::string moved(const std::string& yaml, const std::string& from_folder,
-                  const std::string& to_folder);
-
 /// The text with one part less, in every way there is: faults and cuts first, then what is
 /// expected, then steps, tasks, objects, UAVs and whatever else is listed. Some of them make no
 /// sense. Precondition: it is YAML.

@@ -18,7 +18,8 @@ namespace skein::laws {
 ///   latest `command_limit` after their issue;
 /// - synchronisation: nothing is received that was not sent before;
 /// - messages: each is received at most once, in the order of its sequence, after it was sent;
-/// - links: nothing is received over a link that has been down for more than a moment.
+/// - links: nothing is received over a link that has been down for more than a moment, unless there
+///   is a way past nodes that `route` lines have named before.
 std::vector<std::string> broken_protocol(const std::vector<journal::Record>& records,
                                          Duration command_limit = Duration::seconds(66));
 

@@ -44,5 +44,8 @@ Mission generate_meetings(std::uint64_t seed, const Kinds& kinds);
 /// that not all of them climb; some meet. Of the kinds, air, deadlines, changes, degrees, radio,
 /// energy, deaths and faults count.
 Mission generate_robots(std::uint64_t seed, const Kinds& kinds);
+/// Likewise two to six UAVs at degree 4 of which at least one is heard past relays alone, with
+/// meetings of two; of the kinds, radio (links between them are cut for a while) and deaths count.
+Mission generate_relays(std::uint64_t seed, const Kinds& kinds);
 
 }  // namespace skein::mission_lab

@@ -44,6 +44,8 @@ struct Mission {
   std::vector<std::string> objects;                 ///< "hot: {kind: fire, …}"
   std::vector<Member> team;
   std::vector<std::string> cuts;  ///< "{between: [...], from: 300, until: 330}"
+  std::vector<std::string> relays;  ///< who passes on what is for others
+  double latency = 0.02;            ///< of every link [s]
   std::vector<Step> steps;
   std::vector<std::string> faults;
   /// Tasks of one global mission, at degree 5: "{id: 11, task: [perceive, P1, 20]}".

@@ -19,6 +19,7 @@ struct DaemonConfig {
   double rate = 1;                            ///< of the scenario; the leader's counts
   Duration heartbeat = Duration::seconds(1);  ///< mission time; see steady_heartbeat()
   RadioCapacity capacity = {};
+  ToldOfLinks told = ToldOfLinks::kAll;
   std::uint64_t seed = 0;
   bool leads_clock = false;                     ///< exactly one daemon of a system: the simulator
   MissionTime time_limit = MissionTime::max();  ///< leader: the clock ends here at the latest

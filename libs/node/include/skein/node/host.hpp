@@ -31,13 +31,19 @@ struct RadioCapacity {
   }
 };
 
+/// What of the simulator's words on links counts; in flight there are none. What is not told a
+/// node's own heartbeats find out.
+enum class ToldOfLinks : std::uint8_t {
+  kAll,
+  kNotOfCuts,  ///< latency, loss and capacity do; that they are up or down does not
+  kNothing
+};
+
 struct HostConfig {
   std::uint64_t incarnation = 1;
   Duration heartbeat_period = Duration::seconds(1);  ///< steady
   double rate = 1;  ///< mission seconds per steady second: turns the radio's latencies
-  /// False: that a link is up or down counts for nothing when the simulator says it; the radio
-  /// itself cuts, as in flight, and the node's own heartbeats find out.
-  bool told_of_cuts = true;
+  ToldOfLinks told = ToldOfLinks::kAll;
   RadioCapacity capacity = {};
   std::uint64_t seed = 0;  ///< of the losses on streams
   /// Where the node's memory is; it outlives the host. If there is something in it, the host goes

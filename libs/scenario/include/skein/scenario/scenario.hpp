@@ -87,7 +87,11 @@ struct RadioSpec {
   std::vector<CutSpec> cuts;
   std::vector<LinkSpec> links;                ///< of several that hold at once the later one counts
   Duration heartbeat = Duration::seconds(1);  ///< of every node on each of its channels
-  std::vector<std::string> relays;  ///< who passes on what is for others
+  std::vector<std::string> relays;            ///< who passes on what is for others
+  /// Nobody is told which links are up: what carries the samples cuts, as in flight. In virtual time
+  /// the memory transport does; over DDS nothing the simulator says of links counts, and somebody
+  /// else must cut (scripts/radio-lab).
+  bool silent = false;
 };
 
 struct GroundSpec {

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/laws/healing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "ways.hpp"
+
+namespace skein::laws {
+
+namespace {
+
+using journal::Record;
+
+/// So often may a healthy radio break a law.
+constexpr double kHardlyEver = 1e-6;
+
+using Channel = std::pair<std::string, std::string>;  ///< from, to
+
+std::string text(const Record& record, const char* key) { return std::string(record.text(key)); }
+std::int64_t whole(const Record& record, const char* key) {
+  return static_cast<std::int64_t>(record.number(key));
+}
+
+Channel reversed(const Channel& channel) { return {channel.second, channel.first}; }
+std::string to_text(const Channel& channel) { return channel.first + " > " + channel.second; }
+
+/// From when on something is so.
+struct Change {
+  MissionTime at;
+  bool so = false;
+};
+
+struct Message {
+  MissionTime sent;
+  std::optional<MissionTime> settled;  ///< received, expired or lost
+  std::string slot;
+};
+
+class Judge {
+ public:
+  explicit Judge(const HealingLimits& limits) : limits_(limits) {}
+
+  std::vector<std::string> judge(const std::vector<Record>& records) {
+    for (const Record& record : records) see(record);
+    if (!records.empty()) end_ = records.back().at();
+    if (mortal_.contains("sim")) return {};
+    for (const std::string& dead : mortal_) relays_.erase(dead);
+    for (const auto& [channel, changes] : links_)
+      if (channel < reversed(channel)) judge_pair(channel);
+    for (const auto& [channel, messages] : messages_) judge_end(channel, messages);
+    return std::move(breaches_);
+  }
+
+ private:
+  void see(const Record& record) {
+    const std::string& kind = record.kind();
+    if (kind == "link")
+      links_[{text(record, "from"), text(record, "to")}].push_back(
+          {record.at(), record.truth("up")});
+    if (kind == "reach")
+      reach_[{text(record, "peer"), record.node()}].push_back(
+          {record.at(), record.truth("reachable")});
+    if (kind == "message") see_message(record);
+    if (kind == "route" && record.find("via") != nullptr) relays_.insert(text(record, "via"));
+    if (kind == "expired")
+      settle({text(record, "from"), text(record, "to")}, whole(record, "sequence"), record.at());
+    if (kind == "lost")
+      for (std::int64_t one = whole(record, "sequence"); one <= whole(record, "last"); ++one)
+        settle({text(record, "from"), record.node()}, one, record.at());
+    if (kind == "fault" && record.text("what") == "kill") mortal_.insert(text(record, "target"));
+  }
+
+  void see_message(const Record& record) {
+    const Channel channel{text(record, "from"), text(record, "to")};
+    const std::int64_t sequence = whole(record, "sequence");
+    if (record.text("direction") == "received") return settle(channel, sequence, record.at());
+    Message& message = messages_[channel][sequence];
+    message.sent = record.at();
+    message.slot = text(record, "slot");
+  }
+
+  // Over DDS what was received may be told before what was sent, by a moment.
+  void settle(const Channel& channel, std::int64_t sequence, MissionTime at) {
+    std::optional<MissionTime>& settled = messages_[channel][sequence].settled;
+    if (!settled) settled = at;
+  }
+
+  bool is_up(const Channel& channel, MissionTime at) const {
+    return state(links_, channel, at, true);
+  }
+
+  static bool state(const std::map<Channel, std::vector<Change>>& of, const Channel& channel,
+                    MissionTime at, bool otherwise) {
+    const auto found = of.find(channel);
+    if (found == of.end()) return otherwise;
+    bool so = otherwise;
+    for (const Change& change : found->second)
+      if (change.at <= at) so = change.so;
+    return so;
+  }
+
+  /// Every instant at which the pair is whole again, having been broken for so long, and stays so.
+  void judge_pair(const Channel& channel) {
+    std::set<MissionTime> instants;
+    for (const Channel& one : {channel, reversed(channel)}) {
+      const auto found = links_.find(one);
+      if (found == links_.end()) continue;
+      for (const Change& change : found->second) instants.insert(change.at);
+    }
+    std::optional<MissionTime> broken;
+    for (auto at = instants.begin(); at != instants.end(); ++at) {
+      const bool whole = is_up(channel, *at) && is_up(reversed(channel), *at);
+      if (!whole) {
+        if (!broken) broken = *at;
+        continue;
+      }
+      const MissionTime until = *at + limits_.healing;
+      const bool stays =
+          until < end_ && (std::next(at) == instants.end() || *std::next(at) > until);
+      if (broken && *at - *broken >= limits_.noticed && stays) judge_return(channel, *broken, *at);
+      if (stays) broken.reset();
+    }
+  }
+
+  void judge_return(const Channel& channel, MissionTime broken, MissionTime healed) {
+    const MissionTime until = healed + limits_.healing;
+    for (const Channel& one : {channel, reversed(channel)}) {
+      if (mortal_.contains(one.first) || mortal_.contains(one.second)) continue;
+      if (!state(reach_, one, until, true))
+        breach(until, to_text(one) + ": the link is whole since " + skein::to_text(healed) +
+                          " s, and " + one.second + " does not reach " + one.first);
+      for (const auto& [sequence, message] : messages_[one]) {
+        const bool before = message.sent < healed && message.sent != MissionTime();
+        if (!before || (message.settled && *message.settled <= until)) continue;
+        breach(until, to_text(one) + ": " + message.slot + " " + std::to_string(sequence) + " of " +
+                          skein::to_text(message.sent) +
+                          " s has not come since the link is whole, " + skein::to_text(healed) +
+                          " s, after a cut since " + skein::to_text(broken) + " s");
+      }
+    }
+  }
+
+  void judge_end(const Channel& channel, const std::map<std::int64_t, Message>& messages) {
+    if (mortal_.contains(channel.first) || mortal_.contains(channel.second)) return;
+    MissionTime last = end_ - limits_.healing;
+    if (!stays_up(channel, last)) {
+      last = end_ - limits_.rerouting;
+      if (!keeps_a_way(channel, last) || !keeps_a_way(reversed(channel), last)) return;
+    }
+    for (const auto& [sequence, message] : messages)
+      if (!message.settled && message.sent < last)
+        breach(end_, to_text(channel) + ": " + message.slot + " " + std::to_string(sequence) +
+                         " of " + skein::to_text(message.sent) +
+                         " s never came, and nobody said why");
+  }
+
+  /// In both directions, without a change from then on.
+  bool stays_up(const Channel& channel, MissionTime from) const {
+    for (const Channel& one : {channel, reversed(channel)}) {
+      if (!is_up(one, from)) return false;
+      const auto found = links_.find(one);
+      if (found != links_.end() && found->second.back().at > from) return false;
+    }
+    return true;
+  }
+
+  /// The same way, whichever it is: none of its links changes from then on.
+  bool keeps_a_way(const Channel& channel, MissionTime from) const {
+    return has_way(channel.first, channel.second, relays_, relays_.size() + 1,
+                   [&](const std::string& one, const std::string& other) {
+                     return stays_up({one, other}, from);
+                   });
+  }
+
+  void breach(MissionTime at, const std::string& what) {
+    breaches_.push_back(skein::to_text(at) + " s: " + what);
+  }
+
+  HealingLimits limits_;
+  MissionTime end_;
+  std::map<Channel, std::vector<Change>> links_;
+  std::map<Channel, std::vector<Change>> reach_;  ///< from: who is reached; to: who says so
+  std::map<Channel, std::map<std::int64_t, Message>> messages_;
+  std::set<std::string> mortal_;  ///< who was killed
+  std::set<std::string> relays_;  ///< past whom somebody has told that its samples go
+  std::vector<std::string> breaches_;
+};
+
+}  // namespace
+
+HealingLimits healing_limits(const scenario::Scenario& scenario) {
+  const scenario::RadioSpec& radio = scenario.radio;
+  double loss = radio.model.loss;
+  Duration latency = radio.model.latency;
+  for (const scenario::LinkSpec& link : radio.links) {
+    loss = std::max(loss, link.loss.value_or(0));
+    latency = std::max(latency, link.latency.value_or(Duration()));
+  }
+  double heartbeats = 3;
+  if (loss > 0) heartbeats = std::max(heartbeats, 2 + std::log(kHardlyEver) / std::log(loss));
+  HealingLimits limits;
+  limits.healing = Duration::seconds(heartbeats * radio.heartbeat.to_seconds()) + latency + latency;
+  return limits;
+}
+
+std::vector<std::string> broken_healing(const std::vector<Record>& records,
+                                        const HealingLimits& limits) {
+  return Judge(limits).judge(records);
+}
+
+}  // namespace skein::laws

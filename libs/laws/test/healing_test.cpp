@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/laws/healing.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace skein::laws {
+namespace {
+
+using journal::Record;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// An event log of two nodes.
+class Log {
+ public:
+  Log& link(double at, const std::string& from, const std::string& to, bool up) {
+    return add(record(at, "sim", "link").with("from", from).with("to", to).with("up", up));
+  }
+  Log& cut(double at, bool up = false) { return link(at, "a", "b", up).link(at, "b", "a", up); }
+  Log& reach(double at, const std::string& node, const std::string& peer, bool reachable) {
+    return add(record(at, node, "reach").with("peer", peer).with("reachable", reachable));
+  }
+  Log& message(double at, const std::string& direction, std::int64_t sequence) {
+    return add(record(at, direction == "sent" ? "a" : "b", "message")
+                   .with("slot", "TaskEvent")
+                   .with("from", "a")
+                   .with("to", "b")
+                   .with("sequence", sequence)
+                   .with("direction", direction));
+  }
+  Log& expired(double at, std::int64_t sequence) {
+    return add(record(at, "a", "expired")
+                   .with("slot", "TaskEvent")
+                   .with("to", "b")
+                   .with("sequence", sequence)
+                   .with("from", "a"));
+  }
+  Log& lost(double at, std::int64_t first, std::int64_t last) {
+    return add(record(at, "b", "lost")
+                   .with("slot", "*")
+                   .with("to", "b")
+                   .with("sequence", first)
+                   .with("last", last)
+                   .with("from", "a"));
+  }
+  Log& route(double at, const std::string& node, const std::string& peer, const std::string& via) {
+    return add(record(at, node, "route").with("peer", peer).with("via", via).with("relays", 1));
+  }
+  Log& fault(double at, const std::string& target) {
+    return add(record(at, "runner", "fault").with("what", "kill").with("target", target));
+  }
+  std::vector<std::string> breaches(double end = 100) {
+    add(record(end, "sim", "telemetry"));
+    return broken_healing(records_);
+  }
+
+ private:
+  static Record record(double at, const std::string& node, const char* kind) {
+    return {MissionTime::seconds(at), node, kind};
+  }
+  Log& add(Record record) {
+    records_.push_back(std::move(record));
+    return *this;
+  }
+  std::vector<Record> records_;
+};
+
+TEST(Healing, IsKeptWhenBothKnowAndTheEventsComeInTime) {
+  EXPECT_THAT(Log()
+                  .cut(0, true)
+                  .cut(10)
+                  .message(12, "sent", 1)
+                  .reach(13, "b", "a", false)
+                  .cut(20, true)
+                  .reach(20.5, "b", "a", true)
+                  .message(21, "received", 1)
+                  .breaches(),
+              IsEmpty());
+}
+
+TEST(Healing, IsBrokenByANodeThatDoesNotReachTheOtherAgain) {
+  EXPECT_THAT(Log()
+                  .cut(0, true)
+                  .cut(10)
+                  .reach(13, "b", "a", false)
+                  .cut(20, true)
+                  .reach(24, "b", "a", true)
+                  .breaches(),
+              ElementsAre(HasSubstr("b does not reach a")));
+}
+
+TEST(Healing, IsBrokenByAnEventThatComesTooLate) {
+  EXPECT_THAT(Log()
+                  .cut(0, true)
+                  .cut(10)
+                  .message(12, "sent", 1)
+                  .cut(20, true)
+                  .message(23.5, "received", 1)
+                  .breaches(),
+              ElementsAre(HasSubstr("TaskEvent 1 of 12 s has not come")));
+}
+
+TEST(Healing, CountsACutOfOneDirection) {
+  EXPECT_THAT(Log()
+                  .cut(0, true)
+                  .link(10, "a", "b", false)
+                  .message(12, "sent", 1)
+                  .link(20, "a", "b", true)
+                  .message(30, "received", 1)
+                  .breaches(),
+              ElementsAre(HasSubstr("has not come")));
+}
+
+TEST(Healing, BeginsWhenTheLinkStays) {
+  Log log;
+  log.cut(0, true).cut(10).message(11, "sent", 1);
+  for (int i = 0; i < 5; ++i) log.cut(20 + 2 * i, true).cut(21 + 2 * i);
+  EXPECT_THAT(log.cut(40, true).message(42, "received", 1).breaches(), IsEmpty())
+      << "flapping until 40 s";
+}
+
+TEST(Healing, IsNotAskedOfCutsThatNobodyNeedsToNotice) {
+  EXPECT_THAT(Log()
+                  .cut(0, true)
+                  .cut(10)
+                  .message(11, "sent", 1)
+                  .cut(12, true)
+                  .message(16, "received", 1)
+                  .breaches(),
+              IsEmpty());
+}
+
+TEST(Events, AreNeverLostWithoutAWord) {
+  EXPECT_THAT(Log().cut(0, true).message(12, "sent", 7).breaches(),
+              ElementsAre(HasSubstr("TaskEvent 7 of 12 s never came")));
+}
+
+TEST(Events, MayExpireOrBeGivenUpIfThatIsTold) {
+  EXPECT_THAT(Log()
+                  .cut(0, true)
+                  .message(12, "sent", 1)
+                  .message(13, "sent", 2)
+                  .message(14, "sent", 3)
+                  .expired(20, 1)
+                  .lost(21, 2, 3)
+                  .breaches(),
+              IsEmpty());
+}
+
+TEST(Events, OfTheLastMomentOrToTheDeadAreNotMissed) {
+  EXPECT_THAT(Log().cut(0, true).message(99, "sent", 1).breaches(), IsEmpty());
+  EXPECT_THAT(Log().cut(0, true).message(12, "sent", 1).cut(50).breaches(), IsEmpty())
+      << "down at the end";
+  EXPECT_THAT(Log().cut(0, true).message(12, "sent", 1).fault(13, "b").breaches(), IsEmpty());
+}
+
+TEST(HealingLimits, FollowFromTheRadio) {
+  scenario::Scenario scenario;
+  scenario.radio.model.latency = Duration::seconds(0.1);
+  EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(3.2));
+
+  scenario.radio.heartbeat = Duration::seconds(2);
+  EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(6.2));
+
+  scenario.radio.heartbeat = Duration::seconds(1);
+  scenario.radio.model.loss = 0.01;
+  EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(5.2))
+      << "two heartbeats, and three that are lost one time in a million";
+}
+
+// a and b hear each other past c alone.
+Log past_a_relay() {
+  Log log;
+  log.cut(0).route(5, "a", "b", "c");
+  for (const char* end : {"a", "b"}) log.link(1, end, "c", true).link(1, "c", end, true);
+  return log;
+}
+
+TEST(Events, AreNotLostPastRelaysEither) {
+  EXPECT_THAT(past_a_relay().message(12, "sent", 1).message(13, "received", 1).breaches(),
+              IsEmpty());
+  EXPECT_THAT(past_a_relay().message(12, "sent", 1).breaches(),
+              ElementsAre(HasSubstr("never came, and nobody said why")));
+}
+
+TEST(Events, AreNotMissedWhereThereIsNoWayBackOrTheRelayDied) {
+  EXPECT_THAT(past_a_relay().message(12, "sent", 1).link(90, "c", "a", false).breaches(),
+              IsEmpty());
+  EXPECT_THAT(past_a_relay().message(12, "sent", 1).fault(50, "c").breaches(), IsEmpty());
+}
+
+TEST(Healing, IsNotJudgedWithoutASimulatorThatTellsTheTruth) {
+  EXPECT_THAT(Log().cut(0, true).message(12, "sent", 1).fault(50, "sim").breaches(), IsEmpty());
+}
+
+TEST(Events, MayBeToldToBeReceivedAMomentBeforeTheyWereSent) {
+  EXPECT_THAT(Log().cut(0, true).message(12, "received", 1).message(12, "sent", 1).breaches(),
+              IsEmpty());
+}
+
+}  // namespace
+}  // namespace skein::laws

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of an IPv4 packet says where it goes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace skein::air {
+
+struct Route {
+  std::uint32_t to = 0;    ///< address, in host order
+  bool everybody = false;  ///< multicast, or broadcast
+  bool operator==(const Route&) const = default;
+};
+
+/// Nothing if it is no whole IPv4 packet.
+std::optional<Route> route_of(std::span<const std::uint8_t> packet);
+
+/// Of the node with this index: 10.99.0.1 is that of the first.
+std::uint32_t address_of(std::size_t node);
+/// Which node has it; nothing if none can.
+std::optional<std::size_t> node_of(std::uint32_t address);
+std::string to_text(std::uint32_t address);
+
+}  // namespace skein::air

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the simulator says of the radio, as conditions of the air.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "skein/air/air.hpp"
+#include "skein/blackboard/wire.hpp"
+
+namespace skein::air {
+
+/// What holds on every link besides what the simulator says: of two losses the worse counts, delays
+/// add up, and a rate takes the place of the capacity that is told of, which nodes keep to too.
+struct Everywhere {
+  double loss = 0;
+  Duration delay;
+  double rate = 0;  ///< [byte/s]; 0: any
+};
+
+/// Follows link states once the mission runs; before, everybody hears everybody, as on the apron.
+/// Mission seconds become steady ones by the clock's rate.
+class Weather {
+ public:
+  /// `numbers`: of the nodes of the air, in its order.
+  Weather(std::vector<std::uint32_t> numbers, Everywhere everywhere, Air& air);
+
+  /// A Clock or a LinkState; others count for nothing.
+  void hear(const wire::Sample& sample);
+  bool running() const { return running_; }
+  /// Mission time as last heard [ns].
+  std::int64_t mission_time() const { return mission_time_; }
+
+ private:
+  void apply();
+  Condition condition_of(const wire::LinkState& state) const;
+
+  std::vector<std::uint32_t> numbers_;
+  Everywhere everywhere_;
+  Air& air_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, wire::LinkState> states_;
+  bool running_ = false;
+  double rate_ = 1;
+  std::int64_t mission_time_ = 0;
+};
+
+}  // namespace skein::air

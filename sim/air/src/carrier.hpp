@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Packets through the air.
+#pragma once
+
+#include <queue>
+#include <vector>
+
+#include "skein/air/air.hpp"
+#include "tunnel.hpp"
+
+namespace skein::air {
+
+/// Takes packets from the tunnels, one for each node of the air, and gives them to others when the
+/// air says so. Time is steady.
+class Carrier {
+ public:
+  Carrier(Air& air, std::vector<Tunnel> tunnels) : air_(air), tunnels_(std::move(tunnels)) {}
+
+  const std::vector<Tunnel>& tunnels() const { return tunnels_; }
+  /// All that waits in the tunnel of this node.
+  void take_from(std::size_t node, Duration now);
+  void deliver(Duration now);
+  /// When deliver() has something to do.
+  std::optional<Duration> next() const;
+
+ private:
+  struct Flight {
+    Duration arrives;
+    std::uint64_t number;  ///< in the order they were sent
+    std::size_t from, to;
+    std::vector<std::uint8_t> packet;
+    bool operator<(const Flight& other) const {  // the earliest on top
+      return std::tie(other.arrives, other.number) < std::tie(arrives, number);
+    }
+  };
+  void send(std::size_t from, std::size_t to, const std::vector<std::uint8_t>& packet,
+            Duration now);
+
+  Air& air_;
+  std::vector<Tunnel> tunnels_;
+  std::priority_queue<Flight> flights_;
+  std::uint64_t sent_ = 0;
+};
+
+}  // namespace skein::air

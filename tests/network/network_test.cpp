@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+// COMETS over a radio that misbehaves: real daemons, each in a network namespace of its own, whose
+// packets are cut, lost and narrowed. Nobody is told of it but by silence.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "skein/laws/healing.hpp"
+#include "skein/laws/protocol.hpp"
+#include "testing/lab_run.hpp"
+
+namespace skein {
+namespace {
+
+using skein::testing::Carried;
+using skein::testing::LabRun;
+
+constexpr double kRate = 20;
+/// What nodes' clocks, which follow the simulator's over a network, and the logs of several
+/// processes may be apart on the wall [s]: lines closer than this may come in either order
+/// (docs/journal.md).
+constexpr double kApart = 0.3;
+
+journal::Record moved(const journal::Record& record, Duration by) {
+  journal::Record later(record.at() + by, record.node(), record.kind());
+  for (const auto& [key, value] : record.fields()) later.with(key, value);
+  return later;
+}
+
+/// Breaches of the protocol that lie further apart than that: what is sent counts as a little
+/// earlier, and a link that is cut as cut a little later.
+std::string breaches_of(const std::vector<journal::Record>& records) {
+  const Duration apart = Duration::seconds(kApart * kRate);
+  std::vector<journal::Record> all = records;
+  for (journal::Record& record : all) {
+    const bool sent = record.text("direction") == "sent" || record.text("state") == "issued";
+    const bool cut = record.kind() == "link" && !record.truth("up");
+    if (sent) record = moved(record, Duration() - apart);
+    if (cut) record = moved(record, apart);
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.at() < b.at(); });
+  return laws::to_text(laws::broken_protocol(all));
+}
+
+/// What every run must keep, whatever its radio did: three seconds of the clock on the wall after
+/// a link is back both ends know it and have what was waiting; nothing is lost or handled twice.
+void expect_nothing_lost_or_twice(const LabRun& run) {
+  const std::vector<journal::Record> records = run.records();
+  ASSERT_FALSE(records.empty());
+  EXPECT_EQ(breaches_of(records), "");
+  laws::HealingLimits limits;
+  limits.healing = Duration::seconds(3 * kRate);
+  EXPECT_EQ(laws::to_text(laws::broken_healing(records, limits)), "");
+}
+
+/// Plays a scenario with a script of tests/network/faults; skips where this machine cannot.
+class Network : public ::testing::Test {
+ protected:
+  void play(const std::string& scenario, const std::string& faults) {
+    run_.start(scenario, faults, {"--", "--rate", "20", "--quiet"});
+    const auto code = run_.wait(150);
+    ASSERT_TRUE(code.has_value()) << "no end";
+    if (*code == 77) {
+      std::cout << run_.output();
+      GTEST_SKIP() << run_.output();
+    }
+    EXPECT_EQ(*code, 0) << run_.output();
+    expect_nothing_lost_or_twice(run_);
+  }
+
+  LabRun run_;
+};
+
+TEST_F(Network, EndsWellWithACutInEachPhase) {
+  play("comets/confirmed", "cuts");
+  if (IsSkipped()) return;
+  EXPECT_GT(run_.carried().cut, 100) << "the cuts were cuts";
+}
+
+TEST_F(Network, EndsWellWhenThreeOfTenPacketsAreLost) {
+  play("comets/confirmed", "loss");
+  if (IsSkipped()) return;
+  const Carried air = run_.carried();
+  EXPECT_NEAR(air.lost / (air.lost + air.carried), 0.3, 0.05);
+}
+
+TEST_F(Network, EndsWellWhenAUavIsNotHeardButHears) { play("comets/confirmed", "one-way"); }
+
+// A second each on the wall. Of the mission it would be half the time between two heartbeats at
+// this rate, which all may fall into the cuts.
+TEST_F(Network, EndsWellOnLinksThatAreUpOneSecondAndDownOne) {
+  play("comets/confirmed", "slow-flapping");
+}
+
+TEST_F(Network, EndsWellWhenTheTeamIsSplitInTwoHalvesThatMeetAgain) {
+  play("comets/confirmed", "halves");
+}
+
+TEST(RadioLab, LeavesNothingBehindWhenItIsKilled) {
+  LabRun run;
+  run.start("karma/detection", "", {"--", "--rate", "5"});
+  if (!run.says("the mission starts", 60)) {
+    const auto code = run.wait(1);
+    if (code && *code == 77) GTEST_SKIP() << run.output();
+    FAIL() << run.output();
+  }
+  EXPECT_GE(run.processes().size(), 5U) << "air, run, sim, ground, karma";
+
+  run.kill();
+
+  EXPECT_TRUE(run.ends_within(5));
+  EXPECT_FALSE(std::filesystem::exists("/run/netns/karma"));
+}
+
+TEST(RadioLab, SaysWhatIsWrongWithAFaultScript) {
+  LabRun run;
+  run.start("karma/detection", "wrong", {});
+  const auto code = run.wait(60);
+  if (code && *code == 77) GTEST_SKIP() << run.output();
+  EXPECT_EQ(code, 2);
+  EXPECT_NE(run.output().find("did you mean 'loss'"), std::string::npos) << run.output();
+}
+
+}  // namespace
+}  // namespace skein

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fault scripts of tests/network in virtual time, over many seeds: COMETS over a radio that
+// misbehaves and tells nobody. What tests/network does with packets is done with samples here.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "skein/foundation/contract.hpp"
+#include "skein/laws/healing.hpp"
+#include "skein/laws/protocol.hpp"
+#include "skein/scenario_text/scenario_text.hpp"
+#include "test_cases.hpp"
+#include "testing/mission.hpp"
+
+namespace skein::testing {
+namespace {
+
+using ::testing::IsEmpty;
+
+const std::string kSources = SKEIN_SOURCE_DIR;
+
+std::string text_in(const std::string& file) {
+  std::ifstream in(file);
+  SKEIN_EXPECTS(in.good());
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Run {
+  std::string scenario, faults;
+};
+void PrintTo(const Run& run, std::ostream* out) { *out << run.scenario << ", " << run.faults; }
+
+/// With nobody told of what the radio does.
+scenario::Scenario silent(const Run& run, std::uint64_t seed) {
+  const std::string file = kSources + "/scenarios/" + run.scenario + ".yaml";
+  std::string text = text_in(file);
+  for (const std::string& faults :
+       {text_in(kSources + "/tests/network/faults/" + run.faults + ".yaml"),
+        std::string("radio: {silent: true}")}) {
+    const auto changed = scenario_text::with_radio(text, faults);
+    SKEIN_EXPECTS(changed.has_value());
+    text = *changed;
+  }
+  auto scenario = scenario::read_scenario_text(text, file);
+  SKEIN_EXPECTS(scenario.has_value());
+  SKEIN_EXPECTS(assembly::apply(with(seed), *scenario).empty());
+  return std::move(*scenario);
+}
+
+class RadioFaults : public ::testing::TestWithParam<Run> {};
+
+TEST_P(RadioFaults, NeitherHinderTheMissionNorLoseAnything) {
+  const auto seeds = cases<std::uint64_t>(3, 300);
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const scenario::Scenario scenario = silent(GetParam(), seed);
+    const Mission mission = play(scenario);
+
+    EXPECT_EQ(mission.end, End::kFinished) << "seed " << seed;
+    EXPECT_EQ(mission.failures(), "") << "seed " << seed;
+    EXPECT_THAT(laws::broken_protocol(mission.records), IsEmpty()) << "seed " << seed;
+    EXPECT_THAT(laws::broken_healing(mission.records, laws::healing_limits(scenario)), IsEmpty())
+        << "seed " << seed;
+    EXPECT_EQ(mission.untrue, "") << "seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Comets, RadioFaults,
+    ::testing::Values(Run{"comets/confirmed", "cuts"}, Run{"comets/confirmed", "one-way"},
+                      Run{"comets/confirmed", "flapping"}, Run{"comets/confirmed", "slow-flapping"},
+                      Run{"comets/confirmed", "halves"}, Run{"comets/confirmed", "loss"},
+                      Run{"comets/serial-radio", "none"}),
+    [](const auto& one) {
+      std::string name = one.param.scenario.substr(7) + "_" + one.param.faults;
+      for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+      return name;
+    });
+
+// What is judged does happen: who is cut off is found to be, by silence alone.
+TEST(SilentCuts, AreFoundOut) {
+  const Mission mission = play(silent({"comets/confirmed", "cuts"}, 1));
+
+  for (const char* uav : {"marvin", "heliv", "karma"})
+    EXPECT_GE(mission.count(
+                  {{"node", uav}, {"kind", "reach"}, {"peer", "ground"}, {"reachable", "false"}}),
+              1U)
+        << uav;
+}
+
+}  // namespace
+}  // namespace skein::testing
