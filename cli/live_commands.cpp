@@ -55,10 +55,6 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
   run->add_flag("--check", options->check_only, "Only read and check the scenario");
   run->add_option("--domain", options->domain, "DDS domain id (default: a free one)")
       ->check(CLI::Range(0, 100));
-  run->add_option("--interface", options->interfaces,
-                  "IPv4 address to hear its daemons on (default: this machine alone); repeat for "
-                  "several")
-      ->allow_extra_args(false);
   run->add_option("--daemons", options->daemons, "Folder of the daemons (default: beside skein)");
   run->add_option("--without", options->without,
                   "A node that somebody else starts, a bridge to an autopilot for instance; may be "
