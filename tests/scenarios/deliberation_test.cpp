@@ -34,6 +34,27 @@ TEST_P(Deliberation, MeetsEveryExpectationAndKeepsTheLawsWhateverTheSeed) {
   }
 }
 
+// Who tells whom what is another matter each time.
+TEST(Consistency, OfOneMissionIsKeptByEachAlgorithm) {
+  using temporal::Algorithm;
+  const auto told = [](const Mission& mission, const std::string& to) {
+    return mission.count({{"kind", "frontier"}, {"direction", "sent"}, {"to", to}});
+  };
+  for (const Algorithm one :
+       {Algorithm::kDipM, Algorithm::kDipL, Algorithm::kDipG, Algorithm::kCip}) {
+    scenario::Scenario scenario = scenario_at("meetings/late-partner", with(1));
+    scenario.planning->consistency = one;
+
+    const Mission mission = play(scenario);
+
+    EXPECT_EQ(mission.end, End::kFinished) << to_text(one);
+    EXPECT_EQ(mission.failures(), "") << to_text(one);
+    EXPECT_EQ(mission.untrue, "") << to_text(one);
+    EXPECT_GT(told(mission, "marvin"), 0U) << to_text(one);
+    EXPECT_EQ(told(mission, "ground") > 0, one == Algorithm::kCip) << to_text(one);
+  }
+}
+
 TEST_P(Deliberation, IsTheSameByteForByteForOneSeedAndAnotherForAnother) {
   const std::string once = play(scenario_at(GetParam(), with(1))).log();
   const std::string again = play(scenario_at(GetParam(), with(1))).log();

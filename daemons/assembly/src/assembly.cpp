@@ -110,6 +110,11 @@ ground::GroundNode::ReadRequest request_reader(const Scenario& scenario) {
   };
 }
 
+/// It says to each UAV when others come.
+bool dates_by_ground(const Scenario& scenario) {
+  return scenario.planning && scenario.planning->consistency == temporal::Algorithm::kCip;
+}
+
 /// What stand-ins are to know, if some model lets the ground play a role.
 std::vector<decision_node::Config> played_by_ground(const Scenario& scenario) {
   std::vector<decision_node::Config> played;
@@ -139,9 +144,9 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
   config.script = scenario.ground.script;
   config.pps = scenario.ground.pps;
   config.missions = mission_knowledge(scenario);
-  return std::make_unique<ground::GroundNode>(config, world::Terrain(scenario.world.terrain),
-                                              roster_of(scenario), request_reader(scenario),
-                                              scenario.team, played_by_ground(scenario));
+  return std::make_unique<ground::GroundNode>(
+      config, world::Terrain(scenario.world.terrain), roster_of(scenario), request_reader(scenario),
+      scenario.team, played_by_ground(scenario), dates_by_ground(scenario));
 }
 
 std::vector<std::string> names_of_flying(const Scenario& scenario) {
@@ -170,7 +175,7 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
     config.world = std::make_shared<world::World>(world_of(scenario).value());
     config.interaction = scenario.interaction;
     config.horizon = scenario.planning->horizon;
-    config.meetings = scenario.planning->consistency;
+    config.consistency = scenario.planning->consistency;
     if (first != first_ids.end()) config.first_task = first->second;
   }
   if (scenario.separation && scenario.separation->merge && !config.drives) {

@@ -88,11 +88,8 @@ std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
                         received->from == functional_};
     const std::string why = why_not(received->sample, sender);
     if (why.empty()) {
-      if (std::holds_alternative<wire::PlanFrontier>(received->sample))
-        log(record("frontier")
-                .with("uav", uav_)
-                .with("direction", "received")
-                .with("from", sender.name));
+      if (const auto* told = std::get_if<wire::PlanFrontier>(&received->sample))
+        log(translation::frontier_heard(writer(), uav_, sender.name, told->uav));
       return ddn::input_of(received->sample, sender);
     }
     drop(*received, why);
@@ -250,12 +247,10 @@ void DdnNode::carry_out(const dn::SendMerge& effect) {
 }
 
 void DdnNode::carry_out(const dn::SendFrontier& effect) {
-  log(record("frontier")
-          .with("uav", uav_)
-          .with("direction", "sent")
-          .with("to", effect.to)
-          .with("meetings", static_cast<std::int64_t>(effect.frontier.meetings.size())));
-  send(roster_.find(effect.to)->number, to_wire(uav_, effect.frontier));
+  const node::NodeNumber to =
+      effect.to.empty() ? roster_.ground() : roster_.find(effect.to)->number;
+  log(translation::frontier_told(writer(), uav_, roster_.name_of(to), uav_, effect.frontier));
+  send(to, to_wire(uav_, effect.frontier));
 }
 
 void DdnNode::carry_out(const dn::JointTaskChanged& effect) {

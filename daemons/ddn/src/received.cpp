@@ -67,6 +67,12 @@ dn::SyncMessage input_of(const wire::SyncMessage& sample) {
   return {read.id, read.from, sample.to, read.word, MissionTime::nanoseconds(sample.said)};
 }
 
+std::optional<Input> input_of(const wire::PlanFrontier& sample, const Sender& sender) {
+  auto frontier = from_wire(sample);
+  if (!frontier) return std::nullopt;
+  return dn::FrontierTold{sample.uav, std::move(*frontier), sender.ground};
+}
+
 // What makes no sense is as if it had not come: it is said again.
 template <class Told, class Sample>
 std::optional<Input> told_by(const Sender& sender, const Sample& sample) {
@@ -100,7 +106,8 @@ std::string why_not(const wire::Sample& sample, const Sender& sender) {
     case wire::Slot::kJointTaskState:
       if (sender.ground) return "";
       return std::get<wire::JointTaskState>(sample).uav == sender.name ? "" : kOfAnother;
-    case wire::Slot::kPlanFrontier:
+    case wire::Slot::kPlanFrontier:  // the ground tells of others
+      if (sender.ground) return "";
       return std::get<wire::PlanFrontier>(sample).uav == sender.name ? "" : kOfAnother;
     default:
       return "";
@@ -141,7 +148,7 @@ std::optional<Input> input_of(const wire::Sample& sample, const Sender& sender) 
           [&](const wire::TeamMessage& it) { return told_by<dn::TeamTold>(sender, it); },
           [&](const wire::TeamSale& it) { return told_by<dn::TeamTold>(sender, it); },
           [&](const wire::MergeMessage& it) { return told_by<dn::MergeTold>(sender, it); },
-          [&](const wire::PlanFrontier& it) { return told_by<dn::FrontierTold>(sender, it); },
+          [&](const wire::PlanFrontier& it) { return input_of(it, sender); },
           [](const wire::PerceptionReport& it) -> Result { return from_wire(it); },
           [](const auto&) -> Result { return std::nullopt; }},
       sample);

@@ -34,12 +34,13 @@ wire::AlarmState wire_state(gs::AlarmState state) {
 
 GroundNode::GroundNode(const gs::GroundConfig& config, world::Terrain terrain, node::Roster roster,
                        ReadRequest read_request, std::optional<team::Config> team,
-                       std::vector<decision_node::Config> played)
+                       std::vector<decision_node::Config> played, bool dates)
     : terrain_(std::move(terrain)),
       roster_(std::move(roster)),
       read_request_(std::move(read_request)),
       control_(config, terrain_),
-      roles_(std::move(played), roster_) {
+      roles_(std::move(played), roster_),
+      dates_(roster_, dates) {
   if (!team || !team->roster.number_of("ground")) return;
   std::vector<std::string> uavs;
   for (const gs::GroundUav& uav : config.uavs) uavs.push_back(uav.name);
@@ -50,7 +51,10 @@ node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
   now_ = now;
   out_.clear();
   happened_ = false;
-  const bool of_team = hear_team(input);
+  auto dates = dates_.hear(input, now);
+  const bool of_dates = dates && std::holds_alternative<node::Received>(input);
+  for (node::Effect& effect : dates.value_or(node::Effects())) out_.push_back(std::move(effect));
+  const bool of_team = of_dates || hear_team(input);
   const bool of_partner = !of_team && hear_of_roles(input);
   const auto mine = of_team || of_partner ? std::nullopt : input_of(input);
   tell_control(mine.value_or(Input(gs::Tick{})));

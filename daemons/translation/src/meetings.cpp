@@ -3,6 +3,23 @@
 
 namespace skein::translation {
 
+journal::Record frontier_told(const Writer& writer, const std::string& node, const std::string& to,
+                              const std::string& about, const temporal::Frontier& frontier) {
+  journal::Record line(writer.at, writer.node, "frontier");
+  line.with("uav", node).with("direction", "sent").with("to", to);
+  if (about != node) line.with("about", about);
+  return line.with("meetings", static_cast<std::int64_t>(frontier.meetings.size()))
+      .with("arcs", static_cast<std::int64_t>(frontier.arcs.size()));
+}
+
+journal::Record frontier_heard(const Writer& writer, const std::string& node,
+                               const std::string& from, const std::string& about) {
+  journal::Record line(writer.at, writer.node, "frontier");
+  line.with("uav", node).with("direction", "received").with("from", from);
+  if (about != from) line.with("about", about);
+  return line;
+}
+
 wire::PlanFrontier to_wire(const std::string& uav, const temporal::Frontier& frontier) {
   wire::PlanFrontier sample;
   sample.uav = uav;
@@ -10,6 +27,9 @@ wire::PlanFrontier to_wire(const std::string& uav, const temporal::Frontier& fro
     sample.meetings.push_back({one.id, one.senders, one.receivers});
   for (const temporal::FrontierArc& arc : frontier.arcs)
     sample.arcs.push_back({arc.from, arc.to, arc.soonest, arc.slowest, arc.latest});
+  for (const temporal::FrontierBasis& basis : frontier.bases)
+    for (const temporal::EndOf& end : basis.ends)
+      sample.bases.push_back({basis.node, end.agent, end.meeting});
   return sample;
 }
 
@@ -19,6 +39,11 @@ Read<temporal::Frontier> from_wire(const wire::PlanFrontier& sample) {
     frontier.meetings.push_back({one.id, one.senders, one.receivers});
   for (const wire::FrontierArc& arc : sample.arcs)
     frontier.arcs.push_back({arc.from, arc.to, arc.soonest, arc.slowest, arc.latest});
+  for (const wire::FrontierBasis& one : sample.bases) {
+    std::vector<temporal::FrontierBasis>& bases = frontier.bases;
+    if (bases.empty() || bases.back().node != one.node) bases.push_back({one.node, {}});
+    bases.back().ends.push_back({one.agent, one.meeting});
+  }
   if (auto fault = temporal::fault_of(frontier))
     return tl::unexpected(wire::Violation{"frontier", std::move(*fault)});
   return frontier;

@@ -10,7 +10,8 @@ namespace {
 TEST(PlanFrontier, ComesBackAsItWent) {
   const temporal::Frontier frontier{
       {{501, {"heliv", "marvin"}, {"marvin"}}},
-      {{0, 2, 5, temporal::kInfinite, temporal::kMinusInfinite}, {2, 3, 1, 1, 1}}};
+      {{0, 2, 5, temporal::kInfinite, temporal::kMinusInfinite}, {2, 3, 1, 1, 1}},
+      {{2, {{"heliv", 7}, {"marvin", 8}}}, {3, {{"heliv", 7}}}}};
 
   const wire::PlanFrontier sample = to_wire("marvin", frontier);
 

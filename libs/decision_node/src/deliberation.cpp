@@ -22,6 +22,8 @@ std::optional<supervisor::Supervisor> supervisor_of(const Config& config) {
   result.world = config.world;
   result.horizon = config.horizon;
   result.first_id = config.first_task;
+  result.tells_all = config.consistency == temporal::Algorithm::kDipG ||
+                     config.consistency == temporal::Algorithm::kCip;
   return supervisor::Supervisor(std::move(result));
 }
 

@@ -34,6 +34,7 @@ std::vector<Violation> synchronisations_apart(const History& history);
 std::vector<Violation> partners_too_near(const History& history);
 std::vector<Violation> come_before_foretold(const History& history);
 std::vector<Violation> waits_in_circles(const History& history);
+std::vector<Violation> plan_words_unheard(const History& history);
 /// A partner does not come to the meeting of a goal: its own goal for it failed, or it has none.
 bool partner_never_comes(const History& history, const Uav& uav, const Goal& goal);
 // joint_tasks.cpp

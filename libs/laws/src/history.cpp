@@ -189,6 +189,10 @@ class Teller {
     if (kind == "planned") uav.goal_of.emplace(whole(record, "task"), whole(record, "goal"));
     if (kind == "degree") uav.degrees.emplace_back(at, static_cast<int>(record.number("degree")));
     if (kind == "meeting") see_meeting(uav, record);
+    if (kind == "frontier") {
+      const bool sent = record.text("direction") == "sent";
+      uav.plan_words.push_back({at, text(record, sent ? "to" : "from"), sent});
+    }
     if (kind == "notice") uav.words.push_back({at, text(record, "text")});
     if (kind == "answer") see_answer(uav, record);
     if (kind == "contact") uav.words.push_back({at, "contact: " + text(record, "policy")});

@@ -20,6 +20,8 @@ const std::vector<Law>& all_laws() {
        synchronisations_apart},
       {"foretold", "nobody comes to a meeting before it was foretold to who waits for it",
        come_before_foretold},
+      {"healed", "a second after two UAVs reach each other, each has heard the other's last word",
+       plan_words_unheard},
       {"parted", "nobody waits for ever for one who waits for it elsewhere", waits_in_circles},
       {"partners-apart", "partners of a synchronisation keep apart", partners_too_near},
       {"roles", "no two UAVs hold a role that is for one", roles_held_twice},

@@ -109,6 +109,52 @@ std::vector<Violation> synchronisations_apart(const History& history) {
   return result;
 }
 
+namespace {
+
+// From when both have reached each other for so long, since one spoke and before it speaks again.
+std::optional<double> reached(const History& history, const std::string& one,
+                              const std::string& other, double from, double until, double so_long) {
+  constexpr double kStep = 0.1;  // [s]
+  for (double at = from; at + so_long < until; at += kStep) {
+    const auto up = [&](const auto& a, const auto& b) {
+      return history.joint.up(a, b, at, at + so_long);
+    };
+    if (up(one, other) && up(other, one)) return at;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+// Words of those who died, or to them, may be lost with them.
+std::vector<Violation> plan_words_unheard(const History& history) {
+  constexpr double kWithin = 1;  // [s]
+  std::vector<Violation> result;
+  for (const auto& [name, uav] : history.uavs) {
+    for (auto word = uav.plan_words.begin(); word != uav.plan_words.end(); ++word) {
+      const auto hearer = history.uavs.find(word->other);
+      const bool died = history.dead.contains(name) || history.dead.contains(word->other);
+      if (!word->sent || died || hearer == history.uavs.end()) continue;
+      const auto next = std::find_if(std::next(word), uav.plan_words.end(), [&](const auto& one) {
+        return one.sent && one.other == word->other;
+      });
+      const double until = next == uav.plan_words.end() ? history.end : next->at;
+      const auto& heard = hearer->second.plan_words;
+      const auto first = std::find_if(heard.begin(), heard.end(), [&](const PlanWord& one) {
+        return !one.sent && one.other == name && one.at >= word->at;
+      });
+      const double by = first == heard.end() ? until : std::min(first->at, until);
+      const auto since = reached(history, name, word->other, word->at, by, kWithin);
+      if (since)
+        result.push_back({"", *since + kWithin, word->other, 0,
+                          "what " + name + " said of its plan at " + figure(word->at) +
+                              " s is not heard, though they reach each other since " +
+                              figure(*since) + " s"});
+    }
+  }
+  return result;
+}
+
 // What is believed when the word comes that somebody is there: not that he could not be. That word
 // and those of plans come over one radio.
 std::vector<Violation> come_before_foretold(const History& history) {

@@ -53,6 +53,45 @@ TEST(ForetoldLaw, OfAnotherMeetingOrAnotherUavNothingIsSaid) {
   EXPECT_THAT(story.broken("foretold"), IsEmpty());
 }
 
+/// Marvin and Heliv do not reach each other for a while.
+Story parted(double from, double until) {
+  Story story;
+  for (const double at : {0.0, from, until}) {
+    story.link(at, "marvin", "heliv", at != from).link(at, "heliv", "marvin", at != from);
+  }
+  return story.stands("marvin", 0, 100).stands("heliv", 0, 100);
+}
+
+TEST(HealedLaw, ALastWordThatIsNotHeardAfterACutBreaksIt) {
+  Story story = parted(20, 50);
+  story.plan_word("marvin", "heliv", 30, std::nullopt);
+
+  EXPECT_THAT(story.broken("healed"),
+              ElementsAre(HasSubstr("what marvin said of its plan at 30.0 s is not heard, though "
+                                    "they reach each other since 50.0 s")));
+}
+
+TEST(HealedLaw, OneThatIsHeardWithinASecondIsFine) {
+  Story story = parted(20, 50);
+  story.plan_word("marvin", "heliv", 30, 50.9).plan_word("heliv", "marvin", 5, 5.1);
+
+  EXPECT_THAT(story.broken("healed"), IsEmpty());
+}
+
+TEST(HealedLaw, OnlyTheLastWordCounts) {
+  Story story = parted(20, 50);
+  story.plan_word("marvin", "heliv", 30, std::nullopt).plan_word("marvin", "heliv", 40, 50.2);
+
+  EXPECT_THAT(story.broken("healed"), IsEmpty());
+}
+
+TEST(HealedLaw, WhoDiedMayHaveMissedIt) {
+  Story story = parted(20, 50);
+  story.plan_word("marvin", "heliv", 30, std::nullopt).fault(40, "kill", "heliv");
+
+  EXPECT_THAT(story.broken("healed"), IsEmpty());
+}
+
 const char* kFirst = "synchro 500 (heliv marvin) (heliv marvin)";
 const char* kSecond = "synchro 501 (heliv marvin) (heliv marvin)";
 

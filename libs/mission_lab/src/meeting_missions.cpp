@@ -29,7 +29,7 @@ class MeetingDrawing {
   Mission draw() {
     mission_.limit = 3000;
     mission_.finish_after = 20;
-    mission_.consistent = kinds_.consistent;
+    mission_.consistency = kinds_.consistency;
     mission_.wind = "toward: " + tenths(random_.uniform(0, 6.2)) +
                     ", speed: " + tenths(random_.uniform(0, 4)) + ", gusts: 0.1";
     draw_uavs();

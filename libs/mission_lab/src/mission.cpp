@@ -45,7 +45,7 @@ void team(std::ostream& out, const Mission& m, const std::string& scenarios) {
   out << "\nplanning:\n  domain: " << scenarios << "/domains/comets.lisp\n"
       << "  altitude: 40\n  voxel: 20\n  risk: 0.2\n  altitudes: {" << altitudes
       << "}\n  first_ids: {" << ids << "}\n";
-  if (!m.consistent) out << "  consistency: none\n";
+  if (m.consistency != "dip-m") out << "  consistency: " << m.consistency << "\n";
   if (m.joint) {
     out << "\ninteraction: " << scenarios << "/models/interaction/monitoring-with-relay.yaml\n";
   }

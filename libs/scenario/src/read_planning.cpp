@@ -71,6 +71,15 @@ std::optional<Variations::Range> read_range(const Reader& reader, Range within) 
   return Variations::Range{bounds[0], bounds[1]};
 }
 
+std::optional<temporal::Algorithm> read_consistency(const Reader& reader) {
+  using temporal::Algorithm;
+  constexpr std::array kAlgorithms{Algorithm::kDipM, Algorithm::kDipL, Algorithm::kDipG,
+                                   Algorithm::kCip};
+  const auto which = reader.choice({"dip-m", "dip-l", "dip-g", "cip", "none"});
+  if (which >= kAlgorithms.size()) return std::nullopt;
+  return kAlgorithms[which];
+}
+
 }  // namespace
 
 std::optional<PlanningSpec> read_planning(const Reader& reader, const std::string& folder,
@@ -94,7 +103,7 @@ std::optional<PlanningSpec> read_planning(const Reader& reader, const std::strin
   if (ceiling.present()) planning.ceiling = ceiling.number(0, kLevel);
   planning.ground = read_risk(reader.optional("risk"));
   planning.horizon = read_seconds(reader.optional("horizon"), planning.horizon);
-  planning.consistency = reader.optional("consistency").choice({"dip-m", "none"}) == 0;
+  planning.consistency = read_consistency(reader.optional("consistency"));
   planning.first_ids = read_by_uav(reader.optional("first_ids"), names, read_first_id);
   return planning;
 }

@@ -60,6 +60,9 @@ SKEIN_WRONG_PLANNING(
     Wrong{
         "FirstIdOfAStranger", "first_ids: {karma", "first_ids: {krama",
         "13:63: planning.first_ids.krama: no UAV 'krama'; expected a UAV; did you mean 'karma'?\n"},
+    Wrong{"ConsistencyByNothing", "first_ids: {karma: 100}", "consistency: dip-x",
+          "13:57: planning.consistency: 'dip-x'; expected one of dip-m, dip-l, dip-g, cip, none"
+          "; did you mean 'dip-m'?\n"},
     Wrong{"FirstIdOfNothing", "{karma: 100}", "{karma: 0}",
           "13:63: planning.first_ids.karma: '0'; expected a whole number from 1 to 400000000\n"},
     Wrong{

@@ -52,6 +52,21 @@ Scenario with_top(const std::string& text) {
 
 // ---- planning ----
 
+TEST(Planning, IsKeptConsistentByTheAlgorithmThatIsNamed) {
+  using temporal::Algorithm;
+  const auto by = [](const std::string& name) {
+    return read_valid(planning_scenario_with("first_ids:", "consistency: " + name + ", first_ids:"))
+        .planning->consistency;
+  };
+
+  EXPECT_EQ(read_valid(planning_scenario_with()).planning->consistency, Algorithm::kDipM);
+  EXPECT_EQ(by("dip-m"), Algorithm::kDipM);
+  EXPECT_EQ(by("dip-l"), Algorithm::kDipL);
+  EXPECT_EQ(by("dip-g"), Algorithm::kDipG);
+  EXPECT_EQ(by("cip"), Algorithm::kCip);
+  EXPECT_EQ(by("none"), std::nullopt);
+}
+
 TEST(Planning, IsKeptWithTheTextOfItsDomain) {
   const Scenario scenario = read_valid(planning_scenario_with());
 

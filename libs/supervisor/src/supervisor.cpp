@@ -84,7 +84,7 @@ void Supervisor::Core::tell_frontier() {
   const std::uint64_t version = engaged() ? dates_.version() : 0;
   if (version == told_version_) return;
   told_version_ = version;
-  temporal::Frontier frontier = engaged() ? dates_.frontier() : temporal::Frontier();
+  temporal::Frontier frontier = engaged() ? dates_.frontier(config_.tells_all) : temporal::Frontier();
   if (frontier == told_) return;
   told_ = frontier;
   out_.add(FrontierChanged{std::move(frontier)});

@@ -32,9 +32,9 @@ struct Options {
   bool laws = false, show = false;
   std::string seeds = "1..100";
   std::vector<std::string> files, without;
-  std::string save;
+  std::string save, consistency;
   bool clean = false, deaths = false, team = false, crossing = false, unmerged = false,
-       meetings = false, unlinked = false, gatherings = false, robots = false, relays = false,
+       meetings = false, gatherings = false, robots = false, relays = false,
        json = false, minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
@@ -44,7 +44,7 @@ Kinds kinds_of(const Options& options) {
   Kinds kinds = options.clean ? kClean : Kinds{};
   kinds.deaths = options.deaths;
   kinds.merged = !options.unmerged;
-  kinds.consistent = !options.unlinked;
+  if (!options.consistency.empty()) kinds.consistency = options.consistency;
   kinds.gatherings = options.gatherings;
   for (const std::string& name : options.without) {
     if (name == "faults") kinds.faults = false;
@@ -170,8 +170,9 @@ void declare(CLI::App& app, Options& options) {
       ->needs("--crossing");
   auto* meetings =
       app.add_flag("--meetings", options.meetings, "UAVs at degree 4 that meet each other");
-  app.add_flag("--unlinked", options.unlinked, "with --meetings: nobody knows when others come")
-      ->needs("--meetings");
+  app.add_option("--consistency", options.consistency,
+                 "with --meetings: how plans are kept consistent in time between UAVs")
+      ->check(CLI::IsMember({"dip-m", "dip-l", "dip-g", "cip", "none"}));
   app.add_flag("--gatherings", options.gatherings, "with --meetings: and joint tasks of two")
       ->needs("--meetings");
   auto* robots =

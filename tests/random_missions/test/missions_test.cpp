@@ -90,6 +90,15 @@ TEST(RandomMissions, UavsThatMeetKeepTheLaws) {
   EXPECT_EQ(breaches({}, missions() / 5, generate_meetings), "");
 }
 
+// However plans are kept consistent, dates are foretold and kept.
+TEST(RandomMissions, UavsThatMeetKeepTheLawsByEachAlgorithm) {
+  for (const char* consistency : {"dip-l", "dip-g", "cip"}) {
+    Kinds kinds;
+    kinds.consistency = consistency;
+    EXPECT_EQ(breaches(kinds, missions() / 10, generate_meetings), "") << consistency;
+  }
+}
+
 // A joint task of two of them between their meetings: nobody waits for ever for one who waits for
 // it.
 TEST(RandomMissions, UavsThatMeetAndActJointlyKeepTheLaws) {

@@ -9,6 +9,7 @@ namespace skein::decision_node {
 
 namespace {
 
+using temporal::Algorithm;
 using temporal::PartnerDates;
 
 /// Dates that differ by less are the same.
@@ -16,7 +17,7 @@ constexpr Duration kSame = Duration::milliseconds(1'000);
 /// Who was to have come by now is looked for again.
 constexpr Duration kAgain = Duration::milliseconds(5'000);
 /// Who is in reach again and has said nothing new for so long has nothing new to say.
-constexpr Duration kSettles = Duration::milliseconds(5'000);
+constexpr Duration kSettles = Duration::milliseconds(1'000);
 /// A circle of waits is one when it has stood so long: then one of them gives way.
 constexpr Duration kStands = Duration::milliseconds(5'000);
 /// When it still stands then nobody can, and the others never come.
@@ -39,30 +40,57 @@ bool is_same(const PartnerDates& a, const PartnerDates& b) {
 
 Meetings::Meetings(Core& core) : core_(core), team_(core.config().uav) {}
 
+bool Meetings::keeps_to(Algorithm algorithm) const {
+  return core_.config().consistency == algorithm;
+}
+
 void Meetings::said(const temporal::Frontier& frontier) {
-  if (!core_.config().meetings) return;
-  for (const std::string& other : core_.config().others)
-    core_.bus().emit(SendFrontier{other, frontier});
-  team_.say(frontier);
+  if (!core_.config().consistency) return;
+  if (keeps_to(Algorithm::kCip)) core_.bus().emit(SendFrontier{"", frontier});
+  if (keeps_to(Algorithm::kDipG) || keeps_to(Algorithm::kDipM)) {
+    for (const std::string& other : core_.config().others)
+      core_.bus().emit(SendFrontier{other, frontier});
+  }
+  team_.say(eliminated(frontier));
   look();
 }
 
+// Where the ground station says when others come, they are as far as it is.
 void Meetings::contact(const Contact& contact) {
-  if (!core_.config().meetings || contact.ground) return;
-  if (contact.reachable)
-    back_[contact.peer] = core_.bus().now();
-  else if (back_.erase(contact.peer) == 0)
-    team_.out_of_reach(contact.peer, core_.bus().now());
+  if (!core_.config().consistency || contact.ground != keeps_to(Algorithm::kCip)) return;
+  if (!contact.ground) return reach(contact.peer, contact.reachable);
+  for (const std::string& other : core_.config().others) reach(other, contact.reachable);
+}
+
+void Meetings::reach(const std::string& peer, bool reachable) {
+  if (reachable)
+    back_[peer] = core_.bus().now();
+  else if (back_.erase(peer) == 0)
+    team_.out_of_reach(peer, core_.bus().now());
+  if (keeps_to(Algorithm::kDipL)) tell_dates();
 }
 
 void Meetings::hear(const FrontierTold& told) {
+  if (!core_.config().consistency || told.by_ground != keeps_to(Algorithm::kCip)) return;
+  const temporal::Frontier frontier =
+      keeps_to(Algorithm::kDipG) ? eliminated(told.frontier) : told.frontier;
   const bool is_back = back_.erase(told.from) != 0;
   if (is_back) team_.out_of_reach(told.from, std::nullopt);
   const auto known = team_.known().find(told.from);
-  const bool same = known != team_.known().end() && known->second == told.frontier;
-  if (!core_.config().meetings || (same && !is_back)) return;
-  team_.hear(told.from, told.frontier);
+  const bool same = known != team_.known().end() && known->second == frontier;
+  if (same && !is_back) return;
+  team_.hear(told.from, frontier);
   look();
+}
+
+// To each what changed for it.
+void Meetings::tell_dates() {
+  for (const std::string& other : core_.config().others) {
+    temporal::Frontier word = team_.bounds_for(other);
+    if (word == words_[other]) continue;
+    words_[other] = word;
+    core_.bus().emit(SendFrontier{other, std::move(word)});
+  }
 }
 
 void Meetings::time_passes() {
@@ -109,6 +137,7 @@ void Meetings::look() {
     team_.out_of_reach(one.first, std::nullopt);
     return true;
   });
+  if (keeps_to(Algorithm::kDipL)) tell_dates();
   Dates dates = team_.dates(core_.bus().now());
   let_circles_stand(dates);
   const bool same = std::equal(dates.begin(), dates.end(), told_.begin(), told_.end(),

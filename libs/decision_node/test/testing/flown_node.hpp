@@ -2,6 +2,7 @@
 // A decision node without planning domain, with a functional layer that can be told what to say.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,8 +37,9 @@ inline world::Telemetry flying(bool airborne) {
 /// The node of "marvin" in a team with "heliv".
 class FlownNode {
  public:
-  explicit FlownNode(int degree, ContactPolicy policy = ContactPolicy::kContinue)
-      : node_(config(degree, policy)) {
+  explicit FlownNode(int degree, ContactPolicy policy = ContactPolicy::kContinue,
+                     std::optional<temporal::Algorithm> consistency = temporal::Algorithm::kDipM)
+      : node_(config(degree, policy, consistency)) {
     give(Started{});
   }
 
@@ -54,8 +56,10 @@ class FlownNode {
   MissionTime now() const { return now_; }
 
  private:
-  static Config config(int degree, ContactPolicy policy) {
+  static Config config(int degree, ContactPolicy policy,
+                       std::optional<temporal::Algorithm> consistency) {
     Config config;
+    config.consistency = consistency;
     config.uav = "marvin";
     config.others = {"heliv"};
     config.degree = degree;

@@ -190,6 +190,19 @@ Story& Story::foretold(const std::string& uav, double at, int meeting, const std
   return *this;
 }
 
+Story& Story::plan_word(const std::string& from, const std::string& to, double at,
+                        std::optional<double> heard) {
+  add(at, from, "frontier").with("uav", from).with("direction", "sent").with("to", to);
+  if (heard)
+    add(*heard, to, "frontier").with("uav", to).with("direction", "received").with("from", from);
+  return *this;
+}
+
+Story& Story::link(double at, const std::string& from, const std::string& to, bool up) {
+  add(at, "sim", "link").with("from", from).with("to", to).with("up", up);
+  return *this;
+}
+
 Story& Story::hears(const std::string& uav, double at, int meeting, const std::string& from,
                     const std::string& word) {
   journal::Record& record = add(at, uav, "sync");

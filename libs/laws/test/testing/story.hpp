@@ -68,6 +68,10 @@ class Story {
                   std::optional<double> soonest);
   Story& hears(const std::string& uav, double at, int meeting, const std::string& from,
                const std::string& word = "");
+  /// One tells another of its plan; that hears it at `heard`, if at all.
+  Story& plan_word(const std::string& from, const std::string& to, double at,
+                   std::optional<double> heard);
+  Story& link(double at, const std::string& from, const std::string& to, bool up);
   Story& fault(double at, const std::string& what, const std::string& uav);
 
   /// Sentences of what one law has to say.

@@ -123,7 +123,7 @@ std::vector<TaskId> Dates::renew_holds(MissionTime now) {
 
 // ---- others ----
 
-temporal::Frontier Dates::frontier() const {
+temporal::Frontier Dates::frontier(bool all) const {
   std::map<TaskId, PlanMeeting> meetings;
   std::set<temporal::MeetingId> named;
   for (const auto& [id, entry] : book_.tasks) {
@@ -131,7 +131,8 @@ temporal::Frontier Dates::frontier() const {
     const auto meeting = meeting_of(entry.task);
     if (meeting && named.insert(meeting->what.id).second) meetings.emplace(id, *meeting);
   }
-  return network_.frontier(meetings);
+  temporal::Frontier whole = network_.frontier(meetings);
+  return all && !fault_of(whole) ? whole : eliminated(whole);
 }
 
 // ---- promises ----

@@ -28,8 +28,8 @@ class Dates {
   bool controllable() const { return schedule().controllable; }
   /// Why the plan may fail because of others though it need not; empty: it keeps whatever they do.
   const std::string& risk() const { return risk_; }
-  /// What others need to know of the plan.
-  temporal::Frontier frontier() const;
+  /// What others need to know of the plan; `all`: with its inner nodes.
+  temporal::Frontier frontier(bool all) const;
   /// Another one: the network changed.
   std::uint64_t version() const { return version_; }
   /// "ends between 352 s and 356.1 s".

@@ -28,17 +28,13 @@ class Numbers {
       of_[meeting.at_start ? ready_of(task) : start_of(task)] = Frontier::arrival_of(number);
       of_[meeting.at_start ? start_of(task) : end_of(task)] = Frontier::end_of(number++);
     }
-    kept_ = of_.size();
   }
   std::uint32_t of(const temporal::NodeName& node) {
     return of_.emplace(node, static_cast<std::uint32_t>(of_.size())).first->second;
   }
-  std::size_t kept() const { return kept_; }
-  std::size_t all() const { return of_.size(); }
 
  private:
   std::map<temporal::NodeName, std::uint32_t> of_;
-  std::size_t kept_ = 0;
 };
 
 }  // namespace
@@ -48,9 +44,7 @@ class PlanOutline {
  public:
   explicit PlanOutline(const std::map<TaskId, PlanMeeting>& meetings) : numbers_(meetings) {}
 
-  std::vector<temporal::FrontierArc> eliminated() const {
-    return temporal::eliminate(numbers_.all(), numbers_.kept(), links_);
-  }
+  std::vector<temporal::FrontierArc> arcs() const { return links_; }
   void add(const NodeName& from, const NodeName& to, Ticks soonest, Ticks slowest, Ticks latest) {
     links_.push_back({numbers_.of(from), numbers_.of(to), soonest, slowest, latest});
   }
@@ -167,7 +161,7 @@ Frontier PlanNetwork::frontier(const std::map<TaskId, PlanMeeting>& meetings) co
     else
       outline_task(known, meeting != meetings.end(), outline);
   }
-  frontier.arcs = outline.eliminated();
+  frontier.arcs = outline.arcs();
   return frontier;
 }
 

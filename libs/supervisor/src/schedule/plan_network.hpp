@@ -34,8 +34,8 @@ class PlanNetwork {
   void update(const std::vector<TaskView>& tasks, MissionTime now);
 
   const Schedule& schedule() const { return schedule_; }
-  /// What others need to know of it when these of its tasks are meetings: without what others said,
-  /// and without the holds. Nothing that a contradiction of the plan itself would say.
+  /// What others need to know of it when these of its tasks are meetings, with its inner nodes:
+  /// without what others said, and without the holds.
   temporal::Frontier frontier(const std::map<executive::TaskId, PlanMeeting>& meetings) const;
   const temporal::LiveNetwork& network() const { return live_; }
 

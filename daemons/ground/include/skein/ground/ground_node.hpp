@@ -12,6 +12,7 @@
 #include "skein/foundation/result.hpp"
 #include "skein/ground/operator_boards.hpp"
 #include "skein/ground/played_roles.hpp"
+#include "skein/ground/temporal_desk.hpp"
 #include "skein/ground_station/ground_control.hpp"
 #include "skein/ground_station/team_desk.hpp"
 #include "skein/node/node.hpp"
@@ -33,11 +34,11 @@ class GroundNode final : public node::Node {
           const std::string& text)>;
 
   /// Without a reader every request of an operator is refused; `played`: UAVs for which roles can
-  /// be played here.
+  /// be played here; `dates`: UAVs are told here when others come to meet them.
   GroundNode(const ground_station::GroundConfig& config, world::Terrain terrain,
              node::Roster roster, ReadRequest read_request = {},
              std::optional<team::Config> team = std::nullopt,
-             std::vector<decision_node::Config> played = {});
+             std::vector<decision_node::Config> played = {}, bool dates = false);
 
   node::Effects handle(const node::Input& input, MissionTime now) override;
   std::optional<MissionTime> next_wakeup() const override;
@@ -106,6 +107,7 @@ class GroundNode final : public node::Node {
   std::optional<ground_station::TeamDesk> team_;
   std::set<std::string> out_of_reach_;  ///< nothing of the team is said to them
   PlayedRoles roles_;
+  TemporalDesk dates_;
   OperatorBoards boards_;
   std::map<std::uint64_t, node::NodeNumber> addressees_;       ///< of commands, by number
   std::set<std::pair<node::NodeNumber, wire::Slot>> dropped_;  ///< already logged

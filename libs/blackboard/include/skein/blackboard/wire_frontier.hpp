@@ -26,14 +26,25 @@ struct FrontierArc {
 };
 SKEIN_WIRE_FIELDS(FrontierArc, from, to, soonest, slowest, latest)
 
-/// What others need to know of the network of a UAV's plan.
+/// A node rests on the end of a meeting at one of those who receive there.
+struct FrontierBasis {
+  std::uint32_t node = 0;
+  std::string agent;
+  std::uint64_t meeting = 0;
+  bool operator==(const FrontierBasis&) const = default;
+};
+SKEIN_WIRE_FIELDS(FrontierBasis, node, agent, meeting)
+
+/// What others need to know of the network of a UAV's plan. From the ground station, which tells of
+/// several, the instance is the UAV's node number.
 struct PlanFrontier {
   SampleHeader header;
   std::string uav;
   std::vector<SharedMeeting> meetings;
   std::vector<FrontierArc> arcs;
+  std::vector<FrontierBasis> bases;
   bool operator==(const PlanFrontier&) const = default;
 };
-SKEIN_WIRE_FIELDS(PlanFrontier, header, uav, meetings, arcs)
+SKEIN_WIRE_FIELDS(PlanFrontier, header, uav, meetings, arcs, bases)
 
 }  // namespace skein::wire

@@ -12,6 +12,7 @@
 #include "skein/interaction/model.hpp"
 #include "skein/supervisor/supervisor.hpp"
 #include "skein/team/roster.hpp"
+#include "skein/temporal/algorithm.hpp"
 #include "skein/world/terrain.hpp"
 #include "skein/world/vehicle_model.hpp"
 #include "skein/world/volume.hpp"
@@ -47,7 +48,8 @@ struct Config {
   std::shared_ptr<const interaction::Library> interaction;  ///< null: no joint tasks
   std::optional<team::Config> team = {};                    ///< it is in the roster; absent: none
   std::optional<MergingConfig> merging = {};                ///< absent: ways are flown unasked
-  bool meetings = true;  ///< others are told what lies between meetings, and heard
+  /// How plans are kept consistent in time with others'; absent: they are not.
+  std::optional<temporal::Algorithm> consistency = temporal::Algorithm::kDipM;
   Duration horizon = Duration::seconds(15);  ///< commitment, see supervisor::Config
   executive::TaskId first_task{1};           ///< of the supervisor's; below kFirstRoleId
 };

@@ -116,10 +116,11 @@ struct MergeTold {
   std::string from;
   merging::Message message;
 };
-/// Another UAV says what lies between the meetings of its plan.
+/// A UAV says what lies between the meetings of its plan, or the ground station says when it comes.
 struct FrontierTold {
   std::string from;
   temporal::Frontier frontier;  ///< without fault
+  bool by_ground = false;
 };
 /// Its instant has come, or time just passes.
 struct Tick {};
@@ -242,9 +243,9 @@ struct SendMerge {
   merging::Message message;
 };
 
-/// To another UAV, in place of what it was told before.
+/// To another UAV, or the ground station, in place of what it was told before.
 struct SendFrontier {
-  std::string to;
+  std::string to;  ///< empty: the ground station
   temporal::Frontier frontier;
 };
 

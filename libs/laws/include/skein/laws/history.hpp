@@ -114,6 +114,13 @@ struct Foretold {
   double soonest = kNever;
 };
 
+/// One tells another of its plan's network, or hears of the other's.
+struct PlanWord {
+  double at = 0;
+  std::string other;
+  bool sent = false;
+};
+
 struct Uav {
   const scenario::UavSpec* spec = nullptr;
   std::vector<Sample> samples;  ///< once a second
@@ -127,6 +134,7 @@ struct Uav {
   std::vector<std::pair<double, std::string>> faults;
   std::vector<SyncHeard> syncs_heard;
   std::vector<Foretold> foretold;
+  std::vector<PlanWord> plan_words;
   std::vector<Answer> answers;
 
   const std::string& name() const { return spec->name; }

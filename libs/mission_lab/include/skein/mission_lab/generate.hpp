@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "skein/mission_lab/mission.hpp"
 
@@ -22,12 +23,13 @@ struct Kinds {
   bool deaths = false;      ///< daemons die and come back; functional layers at times with nothing
   bool joint = true;        ///< two UAVs that can do so watch a place together
   bool merged = true;       ///< UAVs whose ways cross merge them
-  bool consistent = true;   ///< UAVs that meet tell each other what lies between their meetings
+  /// How UAVs that meet keep their plans consistent in time: `planning: consistency:` of scenarios.
+  std::string_view consistency = "dip-m";
   bool gatherings = false;  ///< among their meetings a joint task of two of them
 };
 /// Nothing goes wrong, and what is asked is possible.
-inline constexpr Kinds kClean{false, false, false, false, false, false, false,
-                              true,  true,  false, true,  true,  true};
+inline constexpr Kinds kClean{false, false, false, false, false, false,
+                              false, true,  true,  false, true,  true};
 
 /// One seed and the same kinds give one mission.
 Mission generate(std::uint64_t seed, const Kinds& kinds);
@@ -38,7 +40,7 @@ Mission generate_team(std::uint64_t seed, const Kinds& kinds);
 /// the kinds, radio, deaths and merged count.
 Mission generate_crossing(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to five UAVs at degree 4 that meet each other, with wind; of the kinds, deadlines,
-/// radio, deaths, faults (two who wait for each other for ever), consistent and gatherings count.
+/// radio, deaths, faults (two who wait for each other for ever), consistency and gatherings count.
 Mission generate_meetings(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to six vehicles at degree 4 of which at least one keeps to the ground, among hills
 /// that not all of them climb; some meet. Of the kinds, air, deadlines, changes, degrees, radio,

@@ -17,6 +17,7 @@
 #include "skein/interaction/model.hpp"
 #include "skein/scenario/expectation.hpp"
 #include "skein/team/roster.hpp"
+#include "skein/temporal/algorithm.hpp"
 #include "skein/world/geodetic.hpp"
 #include "skein/world/object.hpp"
 #include "skein/world/radio_model.hpp"
@@ -166,7 +167,8 @@ struct PlanningSpec {
   std::optional<double> ceiling;  ///< of the airspace [m] ENU z; absent: as in world files
   world::GroundRequest ground;    ///< the risk of the ground
   Duration horizon = Duration::seconds(15);  ///< of commitment
-  bool consistency = true;  ///< UAVs tell each other what lies between their meetings
+  /// How UAVs keep their plans consistent in time with each other's; absent: they do not.
+  std::optional<temporal::Algorithm> consistency = temporal::Algorithm::kDipM;
   /// The elementary tasks that a UAV plans are numbered from here on; 1 where nothing is said.
   std::map<std::string, executive::TaskId> first_ids;
 };

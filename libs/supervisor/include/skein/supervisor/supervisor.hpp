@@ -162,6 +162,8 @@ struct Config {
   Duration horizon = Duration::seconds(15);
   /// How long beyond its most a task may take before that is a contingency.
   Duration grace = Duration::seconds(1);
+  /// Others are told the whole network of the plan, not what is left of it between its meetings.
+  bool tells_all = false;
   int refinements = 2;            ///< times that a failed high-level task is refined again
   executive::TaskId first_id{1};  ///< of elementary tasks, where no plan says otherwise
 };
