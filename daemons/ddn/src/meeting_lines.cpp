@@ -7,6 +7,7 @@ journal::Record line_of(const translation::Writer& writer,
                         const decision_node::MeetingNoted& noted) {
   journal::Record line(writer.at, writer.node, "meeting");
   line.with("uav", writer.node).with("id", noted.meeting).with("known", noted.dates.has_value());
+  if (temporal::is_order(noted.meeting)) line.with("order", true);
   if (!noted.dates) return line;
   const temporal::PartnerDates& dates = *noted.dates;
   const auto with_date = [&](const char* name, MissionTime date) {

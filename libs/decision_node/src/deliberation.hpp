@@ -36,6 +36,7 @@ class Deliberation final : public Component {
   void take_for_team(const mission::UnitMission& mission);
   void cancel_for_team(mission::GoalId goal, const std::string& why);
   void partners_seen(const supervisor::PartnersSeen& seen) { tell(seen); }
+  void orders_seen(const supervisor::OrdersSeen& seen) { tell(seen); }
   void joint_task_answered(const supervisor::JointTaskAnswered& answer) { tell(answer); }
   /// The executive wants a joint task carried out, or interrupted.
   void joint_task_due(executive::TaskId task, bool interrupt);

@@ -169,6 +169,24 @@ Volumes Merger::ends() const {
   return all;
 }
 
+std::vector<std::string> Merger::awaited() const {
+  std::vector<std::string> names;
+  for (const Waits::Why& why : told_)
+    if (why.why == kToLeave) names.push_back(why.peer);
+  return names;
+}
+
+std::vector<Merger::Waiter> Merger::waiters() const {
+  std::vector<Waiter> all;
+  for (const auto& [name, peer] : peers_) {
+    const std::vector<std::string>& for_whom = peer.claim.waits_for;
+    if (std::find(for_whom.begin(), for_whom.end(), self_) == for_whom.end()) continue;
+    if (!overlap(held_, peer.claim.wanted)) continue;
+    all.push_back({name, overlap({held_.back()}, peer.claim.wanted)});
+  }
+  return all;
+}
+
 void Merger::advance() {
   if (!waits()) return;
   if (request_ != 0) {
@@ -298,7 +316,7 @@ void Merger::look_for_circle() {
   }
   const Duration patience = limits_.circle + Duration::nanoseconds(before * limits_.next.count());
   if (now_ < *circle_since_ + patience || now_ < moved_aside_) return;
-  moved_aside_ = now_ + limits_.next;
+  moved_aside_ = now_ + limits_.moves;
   out_.push_back(MoveAside{found, !all_hear});
 }
 

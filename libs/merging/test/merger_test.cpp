@@ -54,6 +54,33 @@ TEST(Merger, WhoComesSecondWaitsUntilTheFirstHasLeft) {
   }
 }
 
+TEST(Merger, WhoWaitsForWhomToLeaveIsKnownToBoth) {
+  Net net({kA, kB, kC});
+  net.stands(kA, place(40));
+  net.run_for(0.1);
+  net.wants(kA, {{stretch(40, 80), stretch(80, 120)}});
+  net.run_for(0.5);
+  net.give(kA, Hold{{stretch(40, 80), stretch(80, 120)}});
+  net.wants(kB, {{stretch(50, 60)}});
+  net.wants(kC, {{stretch(110, 115)}});
+  net.run_for(2);
+
+  EXPECT_THAT(net.member(kB).awaited(), ElementsAre(kA));
+  EXPECT_THAT(net.member(kC).awaited(), ElementsAre(kA));
+  EXPECT_THAT(net.member(kA).awaited(), IsEmpty());
+  const auto waiters = net.member(kA).waiters();
+  ASSERT_EQ(waiters.size(), 2U);
+  EXPECT_EQ(waiters[0].peer, kB);
+  EXPECT_FALSE(waiters[0].for_its_place);
+  EXPECT_EQ(waiters[1].peer, kC);
+  EXPECT_TRUE(waiters[1].for_its_place);
+  EXPECT_THAT(net.member(kB).waiters(), IsEmpty());
+
+  net.give(kA, Hold{{place(300)}});
+  net.run_for(0.5);
+  EXPECT_THAT(net.member(kA).waiters(), IsEmpty());
+}
+
 TEST(Merger, OfThoseWhoAskAtOnceOneHasIt) {
   for (int seed = 1; seed < 50; ++seed) {
     Net net({kA, kB, kC}, {0.02, 0.2}, static_cast<std::uint64_t>(seed));
@@ -159,7 +186,7 @@ TEST(Merger, OfTwoWhoWantEachOthersPlaceTheLaterIsAskedToMove) {
 TEST(Merger, WhenTheLaterCannotMoveTheOneBeforeIsAsked) {
   Net net({kA, kB});
   want_each_others_place(net);
-  net.run_for(6);
+  net.run_for(2);
   EXPECT_THAT(net.asked_aside(), ::testing::Contains(kA));
 }
 

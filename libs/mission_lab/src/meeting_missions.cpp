@@ -30,6 +30,7 @@ class MeetingDrawing {
     mission_.limit = 3000;
     mission_.finish_after = 20;
     mission_.consistency = kinds_.consistency;
+    if (kinds_.orders) mission_.separation = "{merge: true}";
     mission_.wind = "toward: " + tenths(random_.uniform(0, 6.2)) +
                     ", speed: " + tenths(random_.uniform(0, 4)) + ", gusts: 0.1";
     draw_uavs();
@@ -63,7 +64,7 @@ class MeetingDrawing {
       const double turn =
           2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
       one.more = "start: " + point(120 * std::cos(turn), 120 * std::sin(turn));
-      one.altitude = 35 + 20 * static_cast<double>(i);
+      one.altitude = kinds_.orders ? 40 : 35 + 20 * static_cast<double>(i);
       one.first_id = 1000 * static_cast<int>(i + 1);
       mission_.team.push_back(std::move(one));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// When a UAV was foretold that others come to meet it: a row for each meeting and each that waits,
-// in which what it knew is drawn from the top downwards as it came. Source: spec 5.3; M figure 7.
+// When a UAV was foretold that others come to meet it, or leave the air for which it waits: a row
+// for each meeting and each that waits, in which what it knew is drawn from the top downwards as it
+// came. Source: spec 5.3; M figure 7.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -24,6 +25,7 @@ struct Word {
   std::string last;
   Span comes;  ///< to the end of the log where no figure bounds it
   std::string needed;
+  bool air = false;  ///< others are to leave it
 };
 
 using Row = std::pair<std::size_t, std::int64_t>;  ///< UAV and meeting
@@ -46,6 +48,7 @@ Rows rows_of(const Journal& journal, const Chronology& story) {
     if (has("needed"))
       word.needed =
           line->text("needed_by") + " needs it there by " + clock_text(line->number("needed"));
+    word.air = is("order");
     rows[{*uav, *id}].push_back(std::move(word));
   }
   return rows;
@@ -53,9 +56,10 @@ Rows rows_of(const Journal& journal, const Chronology& story) {
 
 std::string told(const Word& word, bool bounded) {
   std::string text = word.last.empty() ? "waits for nobody"
-                     : word.there      ? word.last + " is there, the last"
-                                       : word.last + " comes " + (bounded ? "between " : "from ") +
-                                        clock_text(word.comes.from);
+                     : word.there
+                         ? word.last + " is there, the last"
+                         : word.last + (word.air ? " leaves " : " comes ") +
+                               (bounded ? "between " : "from ") + clock_text(word.comes.from);
   if (!word.last.empty() && !word.there)
     text += bounded ? " and " + clock_text(word.comes.to) : " on";
   return text + (word.needed.empty() ? "" : "\n" + word.needed);
@@ -95,7 +99,8 @@ void draw_meeting_rows(Sheet& sheet) {
   sheet.heading("Meetings: foretold, word by word");
   for (const auto& [row, words] : rows) {
     const std::string& uav = sheet.run.story.uavs[row.first].name;
-    sheet.row_name(sheet.y + kLeast - 2, uav + " " + std::to_string(row.second));
+    const bool air = words.front().air;
+    sheet.row_name(sheet.y + kLeast - 2, uav + (air ? " air" : " " + std::to_string(row.second)));
     draw_row(sheet, words);
   }
 }

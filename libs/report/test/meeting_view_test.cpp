@@ -33,6 +33,16 @@ TEST(MeetingView, EachWordIsABarOverWhenTheOtherComes) {
   EXPECT_EQ(count(page, "class=\"joint-running\""), 1U);
 }
 
+TEST(MeetingView, WhoWaitsForItsAirHasARowOfItsOwn) {
+  const std::string page = page_of_timeline(
+      std::string(kFlight) +
+      R"({"at":5,"node":"uav1","kind":"meeting","uav":"uav1","id":4503599627370497,"known":true,"order":true,"last":"heliv","there":false,"soonest":40,"slowest":70})"
+      "\n");
+
+  EXPECT_EQ(count(page, "known at 0:05: heliv leaves between 0:40 and 1:10"), 1U);
+  EXPECT_EQ(count(page, "uav1 air"), 1U);
+}
+
 TEST(MeetingView, WithoutMeetingsThereIsNothing) {
   EXPECT_EQ(count(page_of_timeline(kFlight), "Meetings:"), 0U);
 }

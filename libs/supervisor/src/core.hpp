@@ -38,6 +38,7 @@ class Supervisor::Core {
   void on(const JointTaskDue& input) { committer_.joint_tasks().due(input); }
   void on(const JointTaskAnswered& input);
   void on(const PartnersSeen& input);
+  void on(const OrdersSeen& input);
   void on(const Tick&) {}
 
   void tell_frontier();

@@ -84,7 +84,8 @@ void Supervisor::Core::tell_frontier() {
   const std::uint64_t version = engaged() ? dates_.version() : 0;
   if (version == told_version_) return;
   told_version_ = version;
-  temporal::Frontier frontier = engaged() ? dates_.frontier(config_.tells_all) : temporal::Frontier();
+  temporal::Frontier frontier =
+      engaged() ? dates_.frontier(config_.tells_all) : temporal::Frontier();
   if (frontier == told_) return;
   told_ = frontier;
   out_.add(FrontierChanged{std::move(frontier)});
@@ -93,6 +94,12 @@ void Supervisor::Core::tell_frontier() {
 void Supervisor::Core::on(const PartnersSeen& input) {
   if (book_.meetings.of == input.meetings) return;
   book_.meetings.of = input.meetings;
+  if (engaged()) contingencies_.check_meetings();
+}
+
+void Supervisor::Core::on(const OrdersSeen& input) {
+  if (book_.meetings.air == input.orders) return;
+  book_.meetings.air = input.orders;
   if (engaged()) contingencies_.check_meetings();
 }
 

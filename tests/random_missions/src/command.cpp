@@ -34,7 +34,7 @@ struct Options {
   std::vector<std::string> files, without;
   std::string save, consistency;
   bool clean = false, deaths = false, team = false, crossing = false, unmerged = false,
-       meetings = false, gatherings = false, robots = false, relays = false,
+       meetings = false, orders = false, gatherings = false, robots = false, relays = false,
        json = false, minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
@@ -46,6 +46,7 @@ Kinds kinds_of(const Options& options) {
   kinds.merged = !options.unmerged;
   if (!options.consistency.empty()) kinds.consistency = options.consistency;
   kinds.gatherings = options.gatherings;
+  kinds.orders = options.orders;
   for (const std::string& name : options.without) {
     if (name == "faults") kinds.faults = false;
     if (name == "air") kinds.air = false;
@@ -174,6 +175,8 @@ void declare(CLI::App& app, Options& options) {
                  "with --meetings: how plans are kept consistent in time between UAVs")
       ->check(CLI::IsMember({"dip-m", "dip-l", "dip-g", "cip", "none"}));
   app.add_flag("--gatherings", options.gatherings, "with --meetings: and joint tasks of two")
+      ->needs("--meetings");
+  app.add_flag("--orders", options.orders, "with --meetings: at one height, ways are merged")
       ->needs("--meetings");
   auto* robots =
       app.add_flag("--robots", options.robots, "some of the vehicles keep to the ground");

@@ -241,6 +241,21 @@ void Merging::contact(const Contact& contact) {
 void Merging::give(const merging::Input& input) {
   for (const merging::Effect& effect : merger_->handle(input, core_.bus().now()))
     std::visit([this](const auto& one) { carry_out(one); }, effect);
+  tell_orders();
+}
+
+// What comes first in time, for the dates of plans.
+void Merging::tell_orders() {
+  supervisor::AirOrders seen;
+  seen.uav = core_.config().uav;
+  if (waiting_) seen.for_others = merger_->awaited();
+  if (!seen.for_others.empty()) seen.waits = waiting_->request.id;
+  if (flown_ && !flown_->over) seen.flies = flown_->airway.request.id;
+  for (const merging::Merger::Waiter& one : merger_->waiters())
+    (one.for_its_place ? seen.for_its_place : seen.for_its_way).push_back(one.peer);
+  if (seen == orders_) return;
+  orders_ = seen;
+  core_.deliberation().orders_seen({orders_});
 }
 
 void Merging::carry_out(const merging::Tell& tell) {

@@ -74,6 +74,7 @@ class Merging final : public Component {
   void refuse(const std::string& why);
   void come_to_rest();
   void hold();
+  void tell_orders();
   bool comes_after_aside(const functional::Request& request) const;
   bool leads_on(const Airway& aside, const merging::Volumes& ends) const;
   bool at_any_height(const functional::Request& request) const;
@@ -88,7 +89,8 @@ class Merging final : public Component {
   std::optional<world::Vector3> rest_;  ///< where it holds or circles in the air
   std::optional<Flown> flown_;
   std::optional<Waiting> waiting_;
-  std::uint64_t aside_ = 0;  ///< of flights out of the way, so far
+  supervisor::AirOrders orders_;  ///< as the supervisor was told
+  std::uint64_t aside_ = 0;       ///< of flights out of the way, so far
 };
 
 }  // namespace skein::decision_node

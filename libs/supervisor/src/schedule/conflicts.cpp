@@ -137,7 +137,7 @@ auto telling(const Causes& causes) {
   };
 }
 
-// "; 'heliv' comes between 40 s and 70 s"
+// "; 'heliv' comes between 40 s and 70 s", or leaves the air that is waited for
 std::string who_is_late(const std::vector<BrokenBound>& bounds) {
   for (const BrokenBound& broken : bounds) {
     const PlanLink& one = *broken.link;
@@ -147,8 +147,9 @@ std::string who_is_late(const std::vector<BrokenBound>& bounds) {
     if (one.link.min >= ticks_of(MissionTime::max()))
       return "; '" + one.cause.who + "' waits for it in turn, so that neither ever comes";
     const bool bounded = one.link.max != temporal::kInfinite;
-    return "; '" + one.cause.who + "' comes " + (bounded ? "between " : "from ") +
-           seconds(one.link.min) + (bounded ? " and " + seconds(one.link.max) : " on");
+    const char* does = one.cause.part == kAirPart ? "' leaves its air " : "' comes ";
+    return "; '" + one.cause.who + does + (bounded ? "between " : "from ") + seconds(one.link.min) +
+           (bounded ? " and " + seconds(one.link.max) : " on");
   }
   return "";
 }

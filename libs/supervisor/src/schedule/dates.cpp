@@ -5,6 +5,7 @@
 #include <array>
 
 #include "skein/foundation/rounded_seconds.hpp"
+#include "skein/functional/task_types.hpp"
 
 namespace skein::supervisor {
 
@@ -131,8 +132,45 @@ temporal::Frontier Dates::frontier(bool all) const {
     const auto meeting = meeting_of(entry.task);
     if (meeting && named.insert(meeting->what.id).second) meetings.emplace(id, *meeting);
   }
-  temporal::Frontier whole = network_.frontier(meetings);
+  temporal::Frontier whole = network_.frontier(meetings, orders());
   return all && !fault_of(whole) ? whole : eliminated(whole);
+}
+
+// Of what it leaves nobody is told whose plan does not say when.
+std::vector<PlanOrder> Dates::orders() const {
+  std::vector<PlanOrder> result;
+  const AirOrders& seen = book_.meetings.air;
+  const auto counted = [&](const std::optional<TaskId>& id) {
+    const Entry* entry = id ? book_.find(*id) : nullptr;
+    return entry != nullptr && book_.counts(*entry);
+  };
+  if (counted(seen.waits) && !seen.for_others.empty())
+    result.push_back(
+        {*seen.waits, {temporal::order_of(seen.uav), seen.for_others, {seen.uav}}, true});
+  const auto leaves = [&](const std::vector<std::string>& waiters, std::optional<TaskId> with) {
+    for (const std::string& waiter : waiters)
+      if (counted(with))
+        result.push_back({*with, {temporal::order_of(waiter), {seen.uav}, {waiter}}});
+  };
+  leaves(seen.for_its_way, seen.flies);
+  leaves(seen.for_its_place, next_motion());
+  return result;
+}
+
+// The one that takes it away from where it stays.
+std::optional<TaskId> Dates::next_motion() const {
+  std::optional<TaskId> next;
+  MissionTime at = MissionTime::max();
+  for (const auto& [id, entry] : book_.tasks) {
+    const bool waits = book_.meetings.air.waits == id;
+    if (!book_.counts(entry) || entry.over() ||
+        type_of(entry.task).motion != functional::Motion::kMoves)
+      continue;
+    if ((entry.seen.started && !waits) || entry.dates.earliest_start >= at) continue;
+    next = id;
+    at = entry.dates.earliest_start;
+  }
+  return next;
 }
 
 // ---- promises ----
@@ -161,6 +199,13 @@ bool Dates::keeps_promises(Duration tolerance) const {
 
 // Of a meeting, when the last of the others comes as they foresee it.
 MissionTime Dates::end_foreseen(const Entry& entry) const {
+  if (book_.meetings.air.waits == entry.task.id) {
+    const auto known = book_.meetings.of.find(temporal::order_of(book_.meetings.air.uav));
+    const bool dated = known != book_.meetings.of.end() && !known->second.last.empty();
+    if (dated && entry.task.duration.most != Duration::max())
+      return is_never(known->second.slowest) ? MissionTime::max()
+                                             : known->second.slowest + entry.task.duration.most;
+  }
   if (const auto& meets = entry.task.synchronisation) {
     const auto known = book_.meetings.of.find(meets->id);
     if (known != book_.meetings.of.end() && !known->second.last.empty())

@@ -59,6 +59,8 @@ class Dates {
 
  private:
   std::vector<TaskView> open_views() const;
+  std::vector<PlanOrder> orders() const;
+  std::optional<TaskId> next_motion() const;
   /// The network of these, with as little reliance on others as it can be kept with.
   std::string rely(std::vector<TaskView> views, Meetings::Reliance most, MissionTime now);
   bool is_overdue(const Entry& entry, MissionTime now) const;

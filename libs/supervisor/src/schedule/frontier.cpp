@@ -20,7 +20,7 @@ using temporal::Ticks;
 /// Numbers for the nodes of a plan, those of the frontier first.
 class Numbers {
  public:
-  explicit Numbers(const std::map<TaskId, PlanMeeting>& meetings) {
+  Numbers(const std::map<TaskId, PlanMeeting>& meetings, const std::vector<PlanOrder>& orders) {
     of_[temporal::LiveNetwork::kOrigin] = Frontier::kOrigin;
     of_[kPresent] = Frontier::kPresent;
     std::size_t number = 0;
@@ -28,13 +28,22 @@ class Numbers {
       of_[meeting.at_start ? ready_of(task) : start_of(task)] = Frontier::arrival_of(number);
       of_[meeting.at_start ? start_of(task) : end_of(task)] = Frontier::end_of(number++);
     }
+    for (const PlanOrder& order : orders) {
+      of_[left_of(order.what.id)] = Frontier::arrival_of(number);
+      if (order.waits) of_[others_at(order.task)] = Frontier::end_of(number);
+      ++number;
+    }
+    next_ = Frontier::arrival_of(number);
   }
   std::uint32_t of(const temporal::NodeName& node) {
-    return of_.emplace(node, static_cast<std::uint32_t>(of_.size())).first->second;
+    const auto [at, is_new] = of_.emplace(node, next_);
+    if (is_new) ++next_;
+    return at->second;
   }
 
  private:
   std::map<temporal::NodeName, std::uint32_t> of_;
+  std::uint32_t next_ = 0;
 };
 
 }  // namespace
@@ -42,7 +51,8 @@ class Numbers {
 /// The links of which the frontier is what remains.
 class PlanOutline {
  public:
-  explicit PlanOutline(const std::map<TaskId, PlanMeeting>& meetings) : numbers_(meetings) {}
+  PlanOutline(const std::map<TaskId, PlanMeeting>& meetings, const std::vector<PlanOrder>& orders)
+      : numbers_(meetings, orders) {}
 
   std::vector<temporal::FrontierArc> arcs() const { return links_; }
   void add(const NodeName& from, const NodeName& to, Ticks soonest, Ticks slowest, Ticks latest) {
@@ -134,13 +144,16 @@ void PlanNetwork::outline_gathering(const Known& known, PlanOutline& outline) co
   }
 }
 
-// How long a meeting takes is for the others to say.
+// How long a meeting takes is for the others to say, and when air is left; who gets it elsewhere
+// flies before.
 void PlanNetwork::outline_task(const Known& known, bool meets, PlanOutline& outline) const {
   for (const auto& [name, one] : known.links) {
     const BoundKind kind = one.cause.kind;
     if (kind == BoundKind::kPartner || kind == BoundKind::kNeeded) continue;
     if (kind != BoundKind::kDuration) {
       outline.bound(one.link);
+    } else if (known.encounter && known.encounter->for_air) {
+      outline.add(one.link.from, one.link.to, kMinusInfinite, one.link.max, kMinusInfinite);
     } else if (meets) {
       outline.at_least(one.link.from, one.link.to, kInstant);
     } else {
@@ -149,11 +162,16 @@ void PlanNetwork::outline_task(const Known& known, bool meets, PlanOutline& outl
   }
 }
 
-Frontier PlanNetwork::frontier(const std::map<TaskId, PlanMeeting>& meetings) const {
+Frontier PlanNetwork::frontier(const std::map<TaskId, PlanMeeting>& meetings,
+                               const std::vector<PlanOrder>& orders) const {
   Frontier frontier;
   for (const auto& [task, meeting] : meetings) frontier.meetings.push_back(meeting.what);
-  if (meetings.empty()) return frontier;
-  PlanOutline outline(meetings);
+  for (const PlanOrder& order : orders) frontier.meetings.push_back(order.what);
+  if (frontier.meetings.empty()) return frontier;
+  PlanOutline outline(meetings, orders);
+  for (const PlanOrder& order : orders)
+    if (!order.waits && tasks_.contains(order.task))
+      outline.at_least(end_of(order.task), left_of(order.what.id), 0);
   for (const auto& [id, known] : tasks_) {
     const auto meeting = meetings.find(id);
     if (meeting != meetings.end() && meeting->second.at_start)

@@ -70,6 +70,8 @@ class Links {
     }
     if (!task_.stop.empty()) {
       stop();
+    } else if (encounter_ && encounter_->for_air) {
+      wait_for_air();
     } else if (encounter_ && encounter_->awaits() && !encounter_->at_start) {
       meet();
     } else {
@@ -140,7 +142,24 @@ class Links {
     add(BoundKind::kDuration, start_, end_, {least, there ? kLate.count() : kInfinite});
     links_.back().link.contingent = there;
     if (own_.started && !there) add(BoundKind::kNow, kPresent, end_, {0, kInfinite});
-    if (!with.all_there) come(with, !endless);
+    if (with.all_there) return;
+    come(with, !endless, others_at(task_.id));
+    add(BoundKind::kPartner, others_at(task_.id), end_, {0, kInfinite}, {}, 1);
+    links_.back().cause.who = with.last;
+  }
+
+  // It has not begun to fly.
+  void wait_for_air() {
+    const Span span = span_of(task_);
+    const bool bounded = !is_endless(view_, now_);
+    const NodeName air = others_at(task_.id);
+    temporal::PartnerDates leaving = encounter_->with;
+    leaving.soonest = now_;
+    come(leaving, bounded, air);
+    links_.back().cause.part = kAirPart;
+    add(BoundKind::kNow, kPresent, end_, {span.least, kInfinite});
+    add(BoundKind::kDuration, air, end_, {span.least, span.most});
+    links_.back().link.contingent = span.bounded() && !span.fixed();
   }
 
   // When it begins is agreed upon, with all that nature has decided by then: what counts now is how
@@ -151,15 +170,12 @@ class Links {
     links_.back().cause.who = with.last;
   }
 
-  void come(const temporal::PartnerDates& with, bool bounded) {
+  void come(const temporal::PartnerDates& with, bool bounded, NodeName others) {
     const Ticks least = std::max<Ticks>({ticks_of(with.soonest), ticks_of(now_), 1});
     const Ticks most = std::max(ticks_of(with.slowest), least + kInstant);
-    const NodeName others = others_at(task_.id);
     add(BoundKind::kPartner, LiveNetwork::kOrigin, others, {least, bounded ? most : kInfinite});
     links_.back().link.contingent =
         bounded && encounter_->reliance == Meetings::Reliance::kOnNothing;
-    links_.back().cause.who = with.last;
-    add(BoundKind::kPartner, others, end_, {0, kInfinite}, {}, 1);
     links_.back().cause.who = with.last;
   }
 
@@ -277,6 +293,14 @@ std::vector<TaskBound> bounds_after(const mission::GoalBound& bound,
 
 }  // namespace
 
+namespace {
+
+bool waits_for_air(const TaskView& view, const Meetings& meetings) {
+  return meetings.air.waits == view.task->id && view.seen.started && !view.seen.over;
+}
+
+}  // namespace
+
 void relate(std::vector<TaskView>& tasks, const GoalBounds& bounds) {
   for (TaskView& view : tasks) {
     view.bounds.clear();
@@ -298,11 +322,17 @@ void relate(std::vector<TaskView>& tasks, const GoalBounds& bounds) {
                        [](const TaskBound& one) { return one.bound.on_end; });
   };
   for (TaskView& view : tasks) {
+    if (waits_for_air(view, bounds.meetings)) {
+      const auto known = bounds.meetings.of.find(temporal::order_of(bounds.meetings.air.uav));
+      if (known != bounds.meetings.of.end() && !known->second.last.empty())
+        view.encounter = Encounter{known->second, false, true, bounds.meetings.reliance};
+      continue;
+    }
     const auto meeting = meeting_of(*view.task);
     if (!meeting || view.seen.over || (!meeting->at_start && waits_for_date(view))) continue;
     const auto met = bounds.meetings.of.find(meeting->what.id);
     if (met == bounds.meetings.of.end()) continue;
-    view.encounter = Encounter{met->second, meeting->at_start, bounds.meetings.reliance};
+    view.encounter = Encounter{met->second, meeting->at_start, false, bounds.meetings.reliance};
     // Who cannot keep to what was agreed asks for another date.
     if (meeting->at_start && view.task->gathering->agreed) view.encounter->with.last.clear();
   }
@@ -312,6 +342,8 @@ bool is_endless(const TaskView& view, MissionTime now) {
   const ElementaryTask& task = *view.task;
   const Observation& seen = view.seen;
   if (seen.over || !task.stop.empty()) return false;
+  if (view.encounter && view.encounter->for_air)
+    return !span_of(task).bounded() || view.encounter->with.slowest.count() > kHorizon;
   if (view.encounter && view.encounter->awaits() && !view.encounter->at_start) {
     const temporal::PartnerDates& with = view.encounter->with;
     if (with.all_there) return seen.started && gone_of(seen, now) >= kLate.count();

@@ -44,6 +44,7 @@ struct TaskBound {
 struct Encounter {
   temporal::PartnerDates with;
   bool at_start = false;  ///< a joint task begins with them; else it ends when they have come
+  bool for_air = false;   ///< it was started, and flies once they have left its air
   Meetings::Reliance reliance = Meetings::Reliance::kOnNothing;
   bool awaits() const { return !with.last.empty(); }
   bool operator==(const Encounter&) const = default;
@@ -64,6 +65,13 @@ struct PlanMeeting {
 };
 std::optional<PlanMeeting> meeting_of(const mission::ElementaryTask& task);
 
+/// Part of an order between ways, in their common network.
+struct PlanOrder {
+  executive::TaskId task;  ///< the motion that waits, or with whose end the air is left
+  temporal::Meeting what;
+  bool waits = false;
+};
+
 /// Gives the tasks their bounds after goals, and what is known of those they meet. A goal that has
 /// no tasks here and was not achieved bounds nothing.
 void relate(std::vector<TaskView>& tasks, const GoalBounds& bounds);
@@ -80,6 +88,8 @@ struct Cause {
   bool operator==(const Cause&) const = default;
 };
 temporal::LinkName name_of(const Cause& cause);
+/// The part of a kPartner that is about leaving air.
+inline constexpr std::uint32_t kAirPart = 2;
 
 struct PlanLink {
   Cause cause;
@@ -90,8 +100,10 @@ inline temporal::NodeName start_of(executive::TaskId task) { return {0, 2 * task
 inline temporal::NodeName end_of(executive::TaskId task) { return {0, 2 * task.value() + 1}; }
 /// When this UAV could begin a joint task, were it not for the others: of its frontier only.
 inline temporal::NodeName ready_of(executive::TaskId task) { return {2, task.value()}; }
-/// When the others have come whom the task meets.
+/// When the others have come whom the task meets, or have left the air for which it waits.
 inline temporal::NodeName others_at(executive::TaskId task) { return {1, task.value()}; }
+/// When this UAV has left the air that another waits for: of its frontier only.
+inline temporal::NodeName left_of(temporal::MeetingId order) { return {3, order}; }
 /// The present: a node at a fixed date, which nothing that has not come may precede.
 inline constexpr temporal::NodeName kPresent{0xFFFFFFFF, 1};
 

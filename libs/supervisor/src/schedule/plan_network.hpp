@@ -36,7 +36,8 @@ class PlanNetwork {
   const Schedule& schedule() const { return schedule_; }
   /// What others need to know of it when these of its tasks are meetings, with its inner nodes:
   /// without what others said, and without the holds.
-  temporal::Frontier frontier(const std::map<executive::TaskId, PlanMeeting>& meetings) const;
+  temporal::Frontier frontier(const std::map<executive::TaskId, PlanMeeting>& meetings,
+                              const std::vector<PlanOrder>& orders = {}) const;
   const temporal::LiveNetwork& network() const { return live_; }
 
  private:

@@ -258,6 +258,57 @@ TEST(Meeting, TheNetworkThatLivesIsTheOneMadeAnew) {
   }
 }
 
+// ---- orders between ways ----
+
+const temporal::MeetingId kOrder = temporal::order_of("marvin");
+
+/// Task 1 was started at 0, and waits for heliv to leave its air.
+GoalBounds waiting_for_air(const PartnerDates& leaving) {
+  GoalBounds bounds;
+  bounds.meetings.of = {{kOrder, leaving}};
+  bounds.meetings.air.uav = "marvin";
+  bounds.meetings.air.waits = id(1);
+  return bounds;
+}
+const Observations kStarted{{id(1), {at(0), std::nullopt}}};
+
+TEST(AMotionThatWaitsForItsAir, FliesAtTheLatestWhenTheOtherHasLeft) {
+  const Tasks tasks{a_task(1, "goto").lasts(10, 20), a_task(2, "land").ended(1).lasts(5)};
+  const Schedule result = schedule(tasks, kStarted, at(30), waiting_for_air(coming(100, 140)));
+
+  ASSERT_TRUE(result.controllable);
+  EXPECT_EQ(result.foreseen.at(id(2)).earliest_start, at(40));
+  EXPECT_EQ(result.foreseen.at(id(2)).latest_start, at(160));
+}
+
+TEST(AMotionThatWaitsForItsAir, ForOneOfWhomNothingIsKnownHasNoEnd) {
+  const Tasks tasks{a_task(1, "goto").lasts(10, 20), a_task(2, "land").ended(1).lasts(5)};
+  PartnerDates never = coming(100, 0);
+  never.slowest = MissionTime::max();
+
+  const Schedule result = schedule(tasks, kStarted, at(30), waiting_for_air(never));
+  EXPECT_TRUE(result.controllable);
+  EXPECT_EQ(result.foreseen.at(id(2)).latest_start, MissionTime::max());
+}
+
+TEST(AMotionThatWaitsForItsAir, MakesAPromiseBehindItALateOneAndNamesForWhom) {
+  Tasks tasks{a_task(1, "goto").lasts(10, 20), a_task(2, "land").ended(1).lasts(5)};
+  tasks.back().time.end_before = at(150);
+  const Schedule result = schedule(tasks, kStarted, at(30), waiting_for_air(coming(100, 140)));
+
+  EXPECT_FALSE(result.controllable);
+  ASSERT_FALSE(result.conflicts.empty());
+  EXPECT_THAT(result.conflicts.front().why, HasSubstr("'heliv' leaves its air between 30 s and "));
+}
+
+TEST(AMotionThatWaitsForItsAir, IsAsAnyOtherOnceItFlies) {
+  const Tasks tasks{a_task(1, "goto").lasts(10, 20), a_task(2, "land").ended(1).lasts(5)};
+  GoalBounds flies = waiting_for_air(coming(100, 140));
+  flies.meetings.air.waits.reset();
+
+  EXPECT_EQ(schedule(tasks, kStarted, at(15), flies).foreseen.at(id(2)).latest_start, at(20));
+}
+
 // ---- what others need to know ----
 
 Frontier frontier_of(const Tasks& tasks, const GoalBounds& bounds = {},
@@ -339,6 +390,39 @@ TEST(AFrontierOfAPlan, DoesNotSayWhatOthersSaid) {
 
   EXPECT_EQ(frontier_of(meeting(), met(dates)), frontier_of(meeting()));
   EXPECT_EQ(frontier_of(gathering(), met(dates)), frontier_of(gathering()));
+}
+
+/// Of such a plan, which comes to its meeting behind the motion; `heliv` waits for its place.
+Frontier frontier_with_orders(const GoalBounds& bounds, const std::vector<PlanOrder>& orders) {
+  const Tasks tasks = meeting();
+  std::vector<TaskView> views;
+  for (const mission::ElementaryTask& task : tasks)
+    views.push_back({&task, task.id == id(1) ? kStarted.at(id(1)) : Observation()});
+  relate(views, bounds);
+  PlanNetwork network;
+  network.update(views, at(30));
+  return eliminated(network.frontier({{id(2), *meeting_of(tasks[1])}}, orders));
+}
+
+TEST(AFrontierOfAPlan, SaysWhatFollowsWhenItHasItsAir) {
+  const PlanOrder waits{id(1), {kOrder, {"heliv"}, {"marvin"}}, true};
+  const Frontier frontier = frontier_with_orders(waiting_for_air(coming(100, 140)), {waits});
+
+  ASSERT_EQ(frontier.meetings.size(), 2U);
+  EXPECT_THAT(frontier.arcs,
+              ::testing::Contains(FrontierArc{5, 2, kMinusInfinite, seconds(20), kMinusInfinite}))
+      << "not before it has flown for as long as that takes";
+  EXPECT_THAT(frontier.arcs,
+              ::testing::Contains(FrontierArc{1, 2, seconds(10), seconds(10), seconds(10)}));
+}
+
+TEST(AFrontierOfAPlan, SaysWhenAnothersAirIsLeft) {
+  const PlanOrder leaves{id(3), {temporal::order_of("heliv"), {"marvin"}, {"heliv"}}};
+  const Frontier frontier = frontier_with_orders({}, {leaves});
+
+  EXPECT_THAT(frontier.arcs,
+              ::testing::Contains(FrontierArc{3, 4, seconds(5), seconds(5), seconds(5)}))
+      << "after the meeting and the motion behind it";
 }
 
 TEST(AFrontierOfAPlan, WithoutMeetingsSaysNothing) {

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "skein/foundation/fingerprint.hpp"
+
 namespace skein::temporal {
 
 namespace {
@@ -60,6 +62,12 @@ class Paths {
 };
 
 }  // namespace
+
+MeetingId order_of(const std::string& waiter) {
+  Fingerprint name;
+  name.put(std::string("air of ")).put(waiter);
+  return MeetingId{1} << 52U | name.value() >> 12U;
+}
 
 std::optional<std::string> fault_of(const Frontier& frontier) {
   if (frontier.meetings.size() > kMostMeetings)

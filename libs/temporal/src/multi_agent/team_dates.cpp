@@ -59,6 +59,7 @@ std::map<MeetingId, PartnerDates> TeamDates::dates(MissionTime now) const {
     const Meeting& meeting = own->second.meetings[i];
     const auto& awaited = whole.awaited(whole.node(self_, Frontier::end_of(i)));
     const bool receives = is_in(meeting.receivers, self_);
+    if (is_order(meeting.id) && (!receives || i >= planned)) continue;
     if (receives && awaited.size() < others_among(meeting.senders, self_)) continue;
     PartnerDates dates;
     dates.all_there = receives;

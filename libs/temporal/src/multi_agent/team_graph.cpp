@@ -99,7 +99,8 @@ void TeamGraph::join(const std::string& agent, std::size_t which) {
     for (std::size_t i = 0; i < frontier.meetings.size(); ++i) {
       if (frontier.meetings[i].id != meeting.id) continue;
       const std::uint32_t arrival = node(other, Frontier::arrival_of(i));
-      arcs_.push_back({{arrival, end, kHeard, kHeard, kHeard}, nullptr});
+      const Ticks certain = is_order(meeting.id) ? kMinusInfinite : kHeard;
+      arcs_.push_back({{arrival, end, certain, kHeard, certain}, nullptr});
       awaited_[end].push_back({&other, arrival, is_fact(frontier, Frontier::arrival_of(i))});
     }
   }
@@ -109,7 +110,7 @@ void TeamGraph::join(const std::string& agent, std::size_t which) {
 void TeamGraph::see_circles() {
   for (const auto& [end, awaited] : awaited_) {
     const EndOf& own = end_of_.at(end);
-    if (own.agent != self_) continue;
+    if (own.agent != self_ || is_order(own.meeting)) continue;
     for (const Awaited& one : awaited) {
       const auto basis = basis_.find(one.arrival);
       if (basis == basis_.end()) continue;
@@ -203,7 +204,8 @@ std::optional<TeamGraph::Yield> TeamGraph::yield_at(std::uint32_t end) const {
       const std::size_t meeting = (arc.from - 2) / 2, behind = (arc.to - 2) / 2;
       const Yield one{&agent, frontier.meetings[meeting].id, frontier.meetings[behind].id,
                       is_fact(frontier, Frontier::arrival_of(meeting))};
-      if (one.meeting > one.behind && (!chosen || one.before(*chosen))) chosen = one;
+      const bool waits = !is_order(one.meeting) && !is_order(one.behind);
+      if (waits && one.meeting > one.behind && (!chosen || one.before(*chosen))) chosen = one;
     }
   }
   return chosen;
@@ -217,6 +219,12 @@ bool TeamGraph::bounds(const Arc& one, const std::string& without) const {
   if (one.past == nullptr) return true;
   return std::none_of(one.past->ends.begin(), one.past->ends.end(),
                       [&](const EndOf& end) { return end.agent == without || end.agent == self_; });
+}
+
+void TeamGraph::leave_out_orders() {
+  std::erase_if(arcs_, [](const Arc& one) {
+    return one.agent == nullptr && one.arc.soonest == kMinusInfinite;
+  });
 }
 
 void TeamGraph::leave_out(const std::vector<bool>& never) {

@@ -71,6 +71,8 @@ class TeamGraph {
   };
   /// Latest dates by what all but `without` bound from above, when all lasts longest.
   std::vector<Limit> latest(const std::string& without, const Since& since) const;
+  /// Nobody waits for his air from here on.
+  void leave_out_orders();
   /// Nothing bounds, and nothing is bounded by, what is marked in `never` from here on.
   void leave_out(const std::vector<bool>& never);
   /// Whose bounds a limit was found by, in their order. Precondition: of `latest`, and bounded.

@@ -180,6 +180,63 @@ TEST(TeamDates, WhoIsAlreadyThereGivesNoWayBeforeOneWhoIsNot) {
   EXPECT_EQ(all("heliv", true).at(2).behind, MeetingId{1});
 }
 
+// ---- orders between ways ----
+
+const MeetingId kOrder = order_of("marvin");
+
+/// Marvin flies 10 s once heliv has left his air, and comes then to the meeting with karma.
+Frontier waiting_for_air() {
+  const Meeting order{kOrder, {"heliv"}, {"marvin"}}, then{1, {"karma", "marvin"}, {"karma"}};
+  return {{order, then},
+          {{Frontier::kPresent, 4, 10, 10, 10}, {3, 4, kMinusInfinite, 10, kMinusInfinite}}};
+}
+Frontier leaving_between(Ticks soonest, Ticks slowest) {
+  return {{{kOrder, {"heliv"}, {"marvin"}}}, {{0, 2, soonest, slowest, kMinusInfinite}}};
+}
+Frontier karmas() { return {{{1, {"karma", "marvin"}, {"karma"}}}, {{0, 2, 5, 5, 5}}}; }
+
+TEST(TeamDates, OrdersBetweenWaysHaveNumbersOfTheirOwn) {
+  EXPECT_TRUE(is_order(kOrder));
+  EXPECT_NE(kOrder, order_of("heliv"));
+  EXPECT_FALSE(is_order(501));
+}
+
+// He may get air elsewhere before: what comes of it is no earlier for that.
+TEST(TeamDates, WhoWaitsForAirFliesAtTheLatestWhenTheOtherHasLeftIt) {
+  TeamDates karma("karma");
+  karma.say(karmas());
+  karma.hear("marvin", waiting_for_air());
+  karma.hear("heliv", leaving_between(100, 300));
+  TeamDates marvin("marvin");
+  marvin.say(waiting_for_air());
+  marvin.hear("heliv", leaving_between(100, 300));
+
+  EXPECT_EQ(karma.dates(MissionTime()).at(1).soonest, MissionTime::nanoseconds(10));
+  EXPECT_EQ(karma.dates(MissionTime()).at(1).slowest, MissionTime::nanoseconds(311));
+  EXPECT_EQ(marvin.dates(MissionTime()).at(kOrder).slowest, MissionTime::nanoseconds(300));
+  EXPECT_EQ(marvin.dates(MissionTime()).at(kOrder).last, "heliv");
+}
+
+TEST(TeamDates, WhoseAirIsWaitedForWaitsForNobody) {
+  TeamDates heliv("heliv");
+  heliv.say(leaving_between(100, 300));
+  heliv.hear("marvin", waiting_for_air());
+
+  EXPECT_THAT(heliv.dates(MissionTime()), IsEmpty());
+}
+
+// Heliv leaves only after the meeting to which marvin comes behind his flight.
+TEST(TeamDates, AnOrderThatWaitsForItselfHasNoFigure) {
+  Frontier heliv{{{kOrder, {"heliv"}, {"marvin"}}, {1, {"marvin"}, {"heliv"}}},
+                 {{0, 4, 1, 1, 1}, {4, 5, 1, 1, 1}, {5, 2, 1, 1, 1}}};
+  Frontier marvin = waiting_for_air();
+  marvin.meetings[1] = {1, {"marvin"}, {"heliv"}};
+  const auto dates = marvins(marvin, heliv).dates(MissionTime());
+
+  EXPECT_EQ(dates.at(kOrder).slowest, MissionTime::max());
+  EXPECT_NE(dates.at(kOrder).soonest, MissionTime::max());
+}
+
 /// Each goes to its meetings in an order of its own.
 std::map<std::string, std::vector<Meeting>> random_rounds(Random& random) {
   std::map<std::string, std::vector<Meeting>> rounds;

@@ -79,7 +79,8 @@ struct Limits {
   Duration again = Duration::milliseconds(250);       ///< after a refusal
   Duration beat = Duration::milliseconds(1'000);      ///< what is held or wanted is said again
   Duration circle = Duration::milliseconds(400);      ///< a circle is one when it has stood so long
-  Duration next = Duration::milliseconds(4'000);      ///< until the next of a circle has to move
+  Duration next = Duration::milliseconds(1'200);      ///< until the next of a circle has to move
+  Duration moves = Duration::milliseconds(4'000);     ///< who was asked to move is not asked again
   /// Whoever has waited so long presses: others do not come to stay where it wants to go.
   Duration pressing = Duration::milliseconds(240'000);
   Duration clearly = Duration::milliseconds(5'000);  ///< by which one has waited longer
@@ -112,6 +113,14 @@ class Merger {
   bool waits() const { return !choices_.empty(); }
   /// What others hold, were granted, or want (with a request or not), as far as it knows.
   Volumes others() const;
+  /// Those whom it waits for to leave.
+  std::vector<std::string> awaited() const;
+  /// Another one waits for this one to leave.
+  struct Waiter {
+    std::string peer;
+    bool for_its_place = false;  ///< where it stays at last, not only on the way there
+  };
+  std::vector<Waiter> waiters() const;
   /// Where each of them will stay, or stays, as far as it knows.
   Volumes ends() const;
 

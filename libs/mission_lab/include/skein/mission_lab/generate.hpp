@@ -11,21 +11,22 @@ namespace skein::mission_lab {
 
 /// What may be drawn.
 struct Kinds {
-  bool faults = true;       ///< slow, aborted, dead sensors, less energy than believed
-  bool air = true;          ///< closed air: from the start, and while they fly, around them too
-  bool deadlines = true;    ///< times of high-level tasks
-  bool changes = true;      ///< cancellations and urgent missions that interrupt
-  bool degrees = true;      ///< autonomy degrees change and come back
-  bool radio = true;        ///< cuts
-  bool energy = true;       ///< starts with little of it
-  bool alarms = true;       ///< something burns, and missions name the alarm
-  bool questions = true;    ///< it is asked what a mission would take, and then it is given
-  bool deaths = false;      ///< daemons die and come back; functional layers at times with nothing
-  bool joint = true;        ///< two UAVs that can do so watch a place together
-  bool merged = true;       ///< UAVs whose ways cross merge them
+  bool faults = true;     ///< slow, aborted, dead sensors, less energy than believed
+  bool air = true;        ///< closed air: from the start, and while they fly, around them too
+  bool deadlines = true;  ///< times of high-level tasks
+  bool changes = true;    ///< cancellations and urgent missions that interrupt
+  bool degrees = true;    ///< autonomy degrees change and come back
+  bool radio = true;      ///< cuts
+  bool energy = true;     ///< starts with little of it
+  bool alarms = true;     ///< something burns, and missions name the alarm
+  bool questions = true;  ///< it is asked what a mission would take, and then it is given
+  bool deaths = false;    ///< daemons die and come back; functional layers at times with nothing
+  bool joint = true;      ///< two UAVs that can do so watch a place together
+  bool merged = true;     ///< UAVs whose ways cross merge them
   /// How UAVs that meet keep their plans consistent in time: `planning: consistency:` of scenarios.
   std::string_view consistency = "dip-m";
   bool gatherings = false;  ///< among their meetings a joint task of two of them
+  bool orders = false;      ///< they fly at one height, and merge their ways
 };
 /// Nothing goes wrong, and what is asked is possible.
 inline constexpr Kinds kClean{false, false, false, false, false, false,
@@ -40,7 +41,8 @@ Mission generate_team(std::uint64_t seed, const Kinds& kinds);
 /// the kinds, radio, deaths and merged count.
 Mission generate_crossing(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to five UAVs at degree 4 that meet each other, with wind; of the kinds, deadlines,
-/// radio, deaths, faults (two who wait for each other for ever), consistency and gatherings count.
+/// radio, deaths, faults (two who wait for each other for ever), consistency, gatherings and orders
+/// count.
 Mission generate_meetings(std::uint64_t seed, const Kinds& kinds);
 /// Likewise two to six vehicles at degree 4 of which at least one keeps to the ground, among hills
 /// that not all of them climb; some meet. Of the kinds, air, deadlines, changes, degrees, radio,

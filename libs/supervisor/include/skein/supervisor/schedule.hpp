@@ -45,6 +45,17 @@ struct Hold {
 };
 using Holds = std::map<executive::TaskId, std::vector<Hold>>;
 
+/// Orders between the way of this UAV and others' (spec 6.4).
+struct AirOrders {
+  std::string uav;                         ///< this one
+  std::optional<executive::TaskId> waits;  ///< the motion that waits for its air
+  std::vector<std::string> for_others;     ///< to leave it
+  std::optional<executive::TaskId> flies;  ///< the motion under way
+  /// Others who wait for this UAV to leave: the air of that motion, or where it stays after it.
+  std::vector<std::string> for_its_way, for_its_place;
+  bool operator==(const AirOrders&) const = default;
+};
+
 /// What is known of synchronisations with other UAVs, by their ids. Without it each takes as long
 /// as the domain says.
 struct Meetings {
@@ -57,6 +68,7 @@ struct Meetings {
   };
   std::map<temporal::MeetingId, temporal::PartnerDates> of;
   Reliance reliance = Reliance::kOnNothing;
+  AirOrders air = {};  ///< of which others' leaving is in `of`, too
   bool operator==(const Meetings&) const = default;
 };
 
@@ -105,6 +117,9 @@ struct Schedule {
 ///                              stop waits for it too
 ///   bound after a goal         start, or end, of each task of the one against the last ends of the
 ///                              other, or against the instant when that was achieved
+///   waits for its air          flies once the last of those who have it has left it: contingent,
+///   its
+///                              duration after that
 ///   meeting with others        end >= when the last of them comes, contingent; the duration does
 ///                              not count. Start <= when the others need it there
 ///   not started                start >= now

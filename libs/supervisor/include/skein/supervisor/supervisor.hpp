@@ -87,11 +87,15 @@ struct JointTaskAnswered {
 struct PartnersSeen {
   std::map<temporal::MeetingId, temporal::PartnerDates> meetings;
 };
+/// Which orders there are between its way and others', where that changed.
+struct OrdersSeen {
+  AirOrders orders;
+};
 struct Tick {};
 
 using Input = std::variant<AddMission, CancelMission, Disengage, Engage, WorldChanged, TaskSeen,
                            RequestAnswered, VehicleSeen, JobFinished, JointTaskDue,
-                           JointTaskAnswered, PartnersSeen, Tick>;
+                           JointTaskAnswered, PartnersSeen, OrdersSeen, Tick>;
 
 // ---- effects ----
 

@@ -23,6 +23,12 @@ struct Meeting {
   bool operator==(const Meeting&) const = default;
 };
 
+/// An order between ways (spec 6.4) is a meeting as well: who receives has its air once the senders
+/// have left it. It may get air elsewhere before, so of the earliest dates nothing follows from it.
+/// Numbers of orders are those from 2^52 to 2^53, one for each who waits.
+MeetingId order_of(const std::string& waiter);
+inline bool is_order(MeetingId id) { return id >> 52U == 1; }
+
 inline constexpr std::size_t kMostMeetings = 256;
 inline constexpr std::uint32_t kMostInnerNodes = 4096;
 /// 52 days: sums of such figures stay within the engines' range.
