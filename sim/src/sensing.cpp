@@ -60,30 +60,78 @@ Vector3 imagined_place(const world::View& view, const world::Terrain& terrain, R
          terrain.first_hit(view.viewpoint, view.viewpoint + ray).value_or(reach) * ray;
 }
 
+/// Of a fire front so many places are looked at.
+constexpr std::size_t kPlacesOfFront = 48;
+
+/// What of an object is seen as one thing: all of it, or a place of a fire front.
+struct Part {
+  Vector3 centre = Vector3::Zero();
+  double radius = 0;
+};
+
+bool is_visible(const world::View& view, const Part& part, const world::Terrain& terrain) {
+  if (!world::in_view(view, part.centre, part.radius)) return false;
+  const double ground = terrain.elevation(part.centre.x(), part.centre.y());
+  const double top = std::max(part.centre.z(), ground + kLeastTop);
+  return terrain.line_of_sight(view.viewpoint, Vector3(part.centre.x(), part.centre.y(), top));
+}
+
+/// Of the angle between where it looks and where a place is; 1: it looks there.
+double cosine_off_axis(const world::View& view, const Vector3& place) {
+  const Vector3 way = place - view.viewpoint;
+  const double distance = way.norm();
+  return distance > 0 ? way.dot(view.direction) / distance : 1;
+}
+
+std::optional<Part> visible_front(const world::View& view, const world::WorldObject& object,
+                                  MissionTime at, const world::Terrain& terrain) {
+  std::optional<Part> seen;
+  for (const world::Vector2& place : world::front_of(object, at).outline(kPlacesOfFront)) {
+    if (!terrain.contains(place.x(), place.y())) continue;
+    const double ground = terrain.elevation(place.x(), place.y());
+    const Part part{{place.x(), place.y(), ground + object.height}, 0};
+    const bool nearer =
+        !seen || cosine_off_axis(view, part.centre) > cosine_off_axis(view, seen->centre);
+    if (nearer && is_visible(view, part, terrain)) seen = part;
+  }
+  return seen;
+}
+
+Part whole(const world::WorldObject& object, MissionTime at, const world::Terrain& terrain) {
+  return {world::position_at(object, at, terrain), object.radius};
+}
+
+std::optional<Part> visible_part(const world::View& view, const world::WorldObject& object,
+                                 MissionTime at, const world::Terrain& terrain) {
+  if (!world::is_active(object, at)) return std::nullopt;
+  if (object.spread) return visible_front(view, object, at, terrain);
+  const Part all = whole(object, at, terrain);
+  return is_visible(view, all, terrain) ? std::optional(all) : std::nullopt;
+}
+
+double quality_of(const world::SensorModel& sensor, const Vector3& viewpoint, const Part& part,
+                  bool lies, const world::Terrain& terrain) {
+  const Vector3 offset = viewpoint - part.centre;
+  const double distance = offset.norm();
+  if (distance <= part.radius) return 1;
+  const Vector3 normal = lies ? world::ground_normal(terrain, part.centre.x(), part.centre.y())
+                              : Vector3(Vector3::UnitZ());
+  // What is in view is within range, whatever rounding says.
+  const double nearest = std::min(distance - part.radius, sensor.range);
+  return world::distance_quality(sensor, nearest) *
+         world::incidence_quality(sensor, offset.dot(normal) / distance);
+}
+
 }  // namespace
 
 bool is_visible(const world::View& view, const world::WorldObject& object, MissionTime at,
                 const world::Terrain& terrain) {
-  if (!world::is_active(object, at)) return false;
-  const Vector3 centre = world::position_at(object, at, terrain);
-  if (!world::in_view(view, centre, object.radius)) return false;
-  const double ground = terrain.elevation(centre.x(), centre.y());
-  const double top = std::max(centre.z(), ground + kLeastTop);
-  return terrain.line_of_sight(view.viewpoint, Vector3(centre.x(), centre.y(), top));
+  return visible_part(view, object, at, terrain).has_value();
 }
 
 double quality_of(const world::SensorModel& sensor, const Vector3& viewpoint,
                   const world::WorldObject& object, MissionTime at, const world::Terrain& terrain) {
-  const Vector3 centre = world::position_at(object, at, terrain);
-  const Vector3 offset = viewpoint - centre;
-  const double distance = offset.norm();
-  if (distance <= object.radius) return 1;
-  const Vector3 normal = object.height > 0 ? Vector3(Vector3::UnitZ())
-                                           : world::ground_normal(terrain, centre.x(), centre.y());
-  // What is in view is within range, whatever rounding says.
-  const double nearest = std::min(distance - object.radius, sensor.range);
-  return world::distance_quality(sensor, nearest) *
-         world::incidence_quality(sensor, offset.dot(normal) / distance);
+  return quality_of(sensor, viewpoint, whole(object, at, terrain), object.height <= 0, terrain);
 }
 
 std::vector<world::Detection> look(const world::SensorModel& sensor, const world::View& view,
@@ -91,14 +139,15 @@ std::vector<world::Detection> look(const world::SensorModel& sensor, const world
   std::vector<world::Detection> detections;
   for (const world::WorldObject& object : scene.objects) {
     const auto response = sensor.responses.find(object.kind);
-    if (response == sensor.responses.end() || !is_visible(view, object, at, scene.terrain))
-      continue;
-    const double quality = quality_of(sensor, view.viewpoint, object, at, scene.terrain);
+    if (response == sensor.responses.end()) continue;
+    const auto part = visible_part(view, object, at, scene.terrain);
+    if (!part) continue;
+    const double quality =
+        quality_of(sensor, view.viewpoint, *part, object.height <= 0, scene.terrain);
     if (!random.chance(response->second.probability * quality)) continue;
-    const Vector3 centre = world::position_at(object, at, scene.terrain);
     detections.push_back({response->second.reported_as,
-                          scattered(centre, sensor.position_spread, random), sensor.position_spread,
-                          response->second.confidence});
+                          scattered(part->centre, sensor.position_spread, random),
+                          sensor.position_spread, response->second.confidence});
   }
   const double mean = sensor.false_alarm_rate * sensor.period.to_seconds();
   for (int left = mean > 0 ? poisson(mean, random) : 0; left > 0; --left)

@@ -22,7 +22,8 @@ struct Scene {
   const std::vector<world::WorldObject>& objects;
 };
 
-/// True when the object is there, in view, and the terrain does not hide its top.
+/// True when the object is there, in view, and the terrain does not hide its top. Of a fire that
+/// spreads: some place of its front.
 bool is_visible(const world::View& view, const world::WorldObject& object, MissionTime at,
                 const world::Terrain& terrain);
 
@@ -34,7 +35,8 @@ double quality_of(const world::SensorModel& sensor, const world::Vector3& viewpo
                   const world::WorldObject& object, MissionTime at, const world::Terrain& terrain);
 
 /// One look: each visible object of a known kind is detected with its probability times the quality
-/// with which it is perceived, at a place with the sensor's spread; false alarms come on top, on
+/// with which it is perceived, at a place with the sensor's spread. Of a fire that spreads it is
+/// the place of its front that is nearest to where the sensor looks. False alarms come on top, on
 /// the ground in view where there is some.
 std::vector<world::Detection> look(const world::SensorModel& sensor, const world::View& view,
                                    const Scene& scene, MissionTime at, Random& random);

@@ -19,7 +19,29 @@ std::vector<std::string> node_names(const SimulatorConfig& config) {
 }
 
 bool moves_at(const world::WorldObject& object, MissionTime at) {
-  return object.speed > 0 && !object.waypoints.empty() && world::is_active(object, at);
+  const bool goes = object.speed > 0 && !object.waypoints.empty();
+  return (goes || object.spread) && world::is_active(object, at);
+}
+
+/// Fires spread in its wind.
+SimulatorConfig with_wind_in_fires(SimulatorConfig config) {
+  for (world::WorldObject& object : config.objects)
+    if (object.spread) object.spread->wind = config.wind;
+  return config;
+}
+
+ObjectTruth truth_of(const world::WorldObject& object, MissionTime at,
+                     const world::Terrain& terrain) {
+  ObjectTruth truth{object.name,
+                    object.kind,
+                    world::position_at(object, at, terrain),
+                    object.radius,
+                    world::is_active(object, at),
+                    at};
+  if (!object.spread) return truth;
+  truth.front = world::front_of(object, at);
+  truth.radius = truth.front->length;
+  return truth;
 }
 
 }  // namespace
@@ -27,7 +49,7 @@ bool moves_at(const world::WorldObject& object, MissionTime at) {
 class Simulator::Implementation {
  public:
   explicit Implementation(SimulatorConfig config)
-      : config_(std::move(config)),
+      : config_(with_wind_in_fires(std::move(config))),
         scene_{config_.terrain, config_.objects},
         radio_(config_, node_names(config_)),
         next_step_(config_.start),
@@ -121,9 +143,7 @@ class Simulator::Implementation {
       const bool changed = active != active_[i] || (telemetry && moves_at(object, at));
       if (!all && !changed) continue;
       active_[i] = active;
-      effects.push_back(ObjectTruth{object.name, object.kind,
-                                    world::position_at(object, at, config_.terrain), object.radius,
-                                    active, at});
+      effects.push_back(truth_of(object, at, config_.terrain));
     }
   }
 

@@ -57,6 +57,10 @@ void check_objects(const SimulatorConfig& config, Problems& problems) {
       problems.push_back(which + " is outside the terrain");
     if (!(object.radius >= 0) || !(object.height >= 0) || !(object.speed >= 0))
       problems.push_back(which + ": radius, height and speed must not be negative");
+    if (object.spread && (!(object.spread->rate > 0) || !(object.spread->gain >= 0)))
+      problems.push_back(which + ": it spreads at a rate above 0, not slower in wind");
+    if (object.spread && object.speed > 0)
+      problems.push_back(which + ": what spreads does not go along a way");
   }
 }
 

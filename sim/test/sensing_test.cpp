@@ -272,6 +272,44 @@ TEST(Sensing, AFireSensorTakesAHotVehicleForAFireACameraDoesNot) {
   EXPECT_EQ(kinds_seen("heliv", "visible"), std::set<std::string>{"hot-vehicle"});
 }
 
+/// About (0, 0), 20 m all around at 0 s and a metre more every 10 s.
+world::WorldObject blaze() {
+  world::WorldObject fire = an_object("fire", 0, 0);
+  fire.radius = 20;
+  fire.spread = world::FireSpread{0.1, 0, {}};
+  return fire;
+}
+
+TEST(Sensing, OfAFireThatSpreadsTheFrontIsVisible) {
+  const world::View down{{0, 0, 50}, -Vector3::UnitZ(), 100, 0.3};
+  const world::View aside{{40, 0, 50}, -Vector3::UnitZ(), 100, 0.3};
+
+  EXPECT_FALSE(is_visible(down, blaze(), at(0), flat())) << "what has burnt out below it";
+  EXPECT_FALSE(is_visible(aside, blaze(), at(0), flat())) << "not yet there";
+  EXPECT_TRUE(is_visible(aside, blaze(), at(100), flat()));
+  EXPECT_FALSE(is_visible(aside, blaze(), at(1000), flat())) << "it has gone by";
+}
+
+TEST(Sensing, OfAFrontThePlaceIsDetectedThatIsNearestToWhereItLooks) {
+  const world::Terrain terrain = flat();
+  world::SensorModel sensor = a_sensor();
+  sensor.position_spread = 0.001;
+  sensor.range = 300;
+  const std::vector<world::WorldObject> objects = {blaze()};
+  Random random(15);
+  for (const double bearing : {0.0, 1.0, 2.5, 4.0}) {
+    const Vector3 toward(std::cos(bearing), std::sin(bearing), 0);
+    const Vector3 from(60 * toward.x(), 60 * toward.y(), 40);
+    const world::View view{from, (20 * toward - from).normalized(), 300, 0.5};
+
+    const auto detections = look(sensor, view, {terrain, objects}, at(0), random);
+
+    ASSERT_EQ(detections.size(), 1U) << bearing;
+    EXPECT_LT((detections[0].position - 20 * toward).norm(), 3) << bearing;
+    EXPECT_NEAR(detections[0].position.head<2>().norm(), 20, 0.05) << "on the front";
+  }
+}
+
 TEST(Sensing, IsBlindToKindsItDoesNotKnow) {
   const world::Terrain terrain = flat();
   const std::vector<world::WorldObject> objects = {an_object("sheep", 0, 0)};

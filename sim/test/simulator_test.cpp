@@ -151,6 +151,41 @@ TEST(Simulator, ObjectsAreToldWhenTheyChangeWhileTheyMoveAndEachPeriod) {
   EXPECT_GE(told["truck"].size(), 6u);
 }
 
+TEST(Simulator, AFireSpreadsWithItsWindAndIsToldWhileItDoes) {
+  SimulatorConfig config = a_config();
+  config.wind = {0, 4, 1};
+  config.objects = {an_object("fire", 10, 10)};
+  config.objects[0].radius = 2;
+  config.objects[0].spread = world::FireSpread{0.1, 0.25, {}};
+  config.objects[0].appears = at(5);
+  Flight flight(std::move(config));
+
+  flight.run_until(60);
+
+  std::vector<ObjectTruth> told = flight.all<ObjectTruth>();
+  std::erase_if(told, [](const ObjectTruth& one) { return !one.active; });
+  ASSERT_GE(told.size(), 50U);
+  const ObjectTruth& last = told.back();
+  ASSERT_TRUE(last.front.has_value());
+  const double age = (last.at - at(5)).to_seconds();
+  EXPECT_NEAR(last.front->head().x(), 10 + 2 + 0.2 * age, 1e-6) << "twice as fast in 4 m/s";
+  EXPECT_NEAR(last.position.x(), last.front->centre().x(), 1e-9);
+  EXPECT_EQ(last.radius, last.front->length);
+  EXPECT_LT(last.front->breadth, last.front->length);
+}
+
+TEST(Simulator, RefusesFiresThatDoNotSpreadAsFiresDo) {
+  SimulatorConfig config = a_config();
+  config.objects = {an_object("fire", 10, 10)};
+  config.objects[0].spread = world::FireSpread{0, -1, {}};
+  config.objects[0].speed = 1;
+
+  EXPECT_EQ(
+      problems_of(config),
+      (std::vector<std::string>{"object 'fire': it spreads at a rate above 0, not slower in wind",
+                                "object 'fire': what spreads does not go along a way"}));
+}
+
 TEST(Simulator, TheFireIsSeenByWhoFliesOverIt) {
   Flight flight(comets(3));
 

@@ -143,10 +143,12 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
   }
   config.script = scenario.ground.script;
   config.pps = scenario.ground.pps;
+  config.objects = scenario.ground.objects;
+  config.dates = dates_by_ground(scenario);
   config.missions = mission_knowledge(scenario);
-  return std::make_unique<ground::GroundNode>(
-      config, world::Terrain(scenario.world.terrain), roster_of(scenario), request_reader(scenario),
-      scenario.team, played_by_ground(scenario), dates_by_ground(scenario));
+  return std::make_unique<ground::GroundNode>(config, world::Terrain(scenario.world.terrain),
+                                              roster_of(scenario), request_reader(scenario),
+                                              scenario.team, played_by_ground(scenario));
 }
 
 std::vector<std::string> names_of_flying(const Scenario& scenario) {

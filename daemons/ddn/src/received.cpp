@@ -91,6 +91,7 @@ std::string why_not(const wire::Sample& sample, const Sender& sender) {
     case wire::Slot::kDegreeCommand:
     case wire::Slot::kWorldChange:
     case wire::Slot::kAlarm:
+    case wire::Slot::kSeenObject:
       return sender.ground ? "" : "only the ground station makes requests";
     case wire::Slot::kTaskEvent:
       return sender.ground ? "" : "only the ground station has tasks of others";
@@ -125,6 +126,9 @@ std::optional<Input> input_of(const wire::Sample& sample, const Sender& sender) 
           // An alarm without a number is none.
           [](const wire::Alarm& it) -> Result {
             return it.id == 0 ? Result() : dn::PlaceTold{translation::change_of(it)};
+          },
+          [](const wire::SeenObject& it) -> Result {
+            return it.name.empty() ? Result() : dn::PlaceTold{translation::change_of(it)};
           },
           [](const wire::FunctionalRequest& it) -> Result {
             return dn::ElementaryRequest{from_wire(it)};

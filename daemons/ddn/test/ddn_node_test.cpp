@@ -82,6 +82,7 @@ TEST_P(AtDegree, LogsWhatItDropsOncePerSenderAndSlot) {
 
 TEST_P(AtDegree, IsIndifferentToSlotsThatAreNotForIt) {
   EXPECT_THAT(bench.from_ground(wire::Alarm{}), IsEmpty());
+  EXPECT_THAT(bench.from_ground(wire::SeenObject{}), IsEmpty()) << "an object has a name";
   EXPECT_THAT(bench.from_ground(wire::MissionState{}), IsEmpty());
   EXPECT_THAT(bench.give(node::JobDone{}), IsEmpty());
   EXPECT_THAT(bench.give(node::Undelivered{}), IsEmpty());

@@ -5,6 +5,7 @@
 #include "skein/foundation/fingerprint.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/mission/alarm_name.hpp"
+#include "skein/translation/functional_layer.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
@@ -34,13 +35,14 @@ wire::AlarmState wire_state(gs::AlarmState state) {
 
 GroundNode::GroundNode(const gs::GroundConfig& config, world::Terrain terrain, node::Roster roster,
                        ReadRequest read_request, std::optional<team::Config> team,
-                       std::vector<decision_node::Config> played, bool dates)
+                       std::vector<decision_node::Config> played)
     : terrain_(std::move(terrain)),
       roster_(std::move(roster)),
       read_request_(std::move(read_request)),
       control_(config, terrain_),
       roles_(std::move(played), roster_),
-      dates_(roster_, dates) {
+      dates_(roster_, config.dates),
+      alarms_age_(config.pps.tell_again > Duration()) {
   if (!team || !team->roster.number_of("ground")) return;
   std::vector<std::string> uavs;
   for (const gs::GroundUav& uav : config.uavs) uavs.push_back(uav.name);
@@ -252,6 +254,7 @@ void GroundNode::carry_out(const gs::TellAlarm& effect) {
   sample.position = to_wire(alarm.position);
   sample.radius = alarm.radius;
   sample.belief = alarm.belief;
+  if (alarms_age_) sample.seen = alarm.last_seen.count();
   for (const node::Member& member : roster_.members()) {
     const bool meant = effect.uav.empty() || member.name == effect.uav;
     if (member.role != wire::Role::kDdn || !meant) continue;
@@ -260,6 +263,31 @@ void GroundNode::carry_out(const gs::TellAlarm& effect) {
         roles_.tell(member.name, decision_node::PlaceTold{translation::change_of(sample)}, now_));
   }
   if (team_) tell_team(gs::PlaceKnown{mission::name_of_alarm(alarm.id.value())});
+}
+
+// What is followed is on the ground.
+void GroundNode::carry_out(const gs::ObjectSeen& effect) {
+  const double ground = terrain_.elevation(effect.position.x(), effect.position.y());
+  const world::Vector3 at(effect.position.x(), effect.position.y(), ground);
+  wire::SeenObject sample;
+  sample.header.instance = translation::truth_instance(effect.name);
+  sample.name = effect.name;
+  sample.kind = effect.kind;
+  sample.at = to_wire(at);
+  sample.spread = effect.spread;
+  sample.seen = effect.seen.count();
+  for (const node::Member& member : roster_.members()) {
+    if (member.role != wire::Role::kDdn) continue;
+    send(member.name, sample);
+    carry_out(
+        roles_.tell(member.name, decision_node::PlaceTold{translation::change_of(sample)}, now_));
+  }
+  log(record("seen")
+          .with("name", effect.name)
+          .with("type", effect.kind)
+          .with("position", for_journal(at))
+          .with("spread", journal::rounded(effect.spread))
+          .with("when", journal::rounded(effect.seen.to_seconds())));
 }
 
 void GroundNode::carry_out(const gs::AlarmEvent& effect) {

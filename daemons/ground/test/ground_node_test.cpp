@@ -241,6 +241,49 @@ TEST(GroundNode, SendsAnAlarmToEveryUavAndLogsIt) {
   EXPECT_GE(alarms[0].second.belief, 0.9);
 }
 
+/// Alarms told to Marvin while the fire is in sight every 2 s.
+std::vector<wire::Alarm> told_in_a_minute(Station& station) {
+  std::vector<wire::Alarm> told;
+  for (double now = 2; now <= 60; now += 2) {
+    wire::PerceptionReport report = sight("fire-sensor");
+    report.header.mission_time = at(now).count();
+    station.from("marvin", report, now);
+    for (const auto& [to, alarm] : station.sent<wire::Alarm>())
+      if (to == "marvin") told.push_back(alarm);
+  }
+  return told;
+}
+
+TEST(GroundNode, TellsAnAlarmAgainWhereItsAgeCounts) {
+  Station station({}, Duration::seconds(10));
+  Station silent;
+
+  const auto again = told_in_a_minute(station), once = told_in_a_minute(silent);
+
+  ASSERT_EQ(once.size(), 1U);
+  EXPECT_EQ(once[0].seen, wire::kNever);
+  ASSERT_GE(again.size(), 5U);
+  EXPECT_GE(again.back().seen, at(50).count());
+}
+
+TEST(GroundNode, TellsEveryUavWhereAnObjectWasSeenAndLogsIt) {
+  Station station({{"fire-front", "fire", {10, 0, 0}, 50, 1}}, Duration());
+  wire::PerceptionReport report = sight("visible");
+  report.header.mission_time = at(3).count();
+
+  station.from("marvin", report, 3.2);
+
+  const auto told = station.sent<wire::SeenObject>();
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[1].first, "heliv");
+  EXPECT_EQ(told[1].second.name, "fire-front");
+  EXPECT_EQ(told[1].second.at, (wire::Vector3{0, 0, 0}));
+  EXPECT_EQ(told[1].second.seen, at(3).count());
+  ASSERT_EQ(station.records("seen").size(), 1U);
+  EXPECT_EQ(station.records("seen")[0].number("when"), 3);
+  EXPECT_EQ(station.records("seen")[0].text("type"), "fire");
+}
+
 // ---- synchronisation ----
 
 TEST(GroundNode, RelaysASynchronisationMessageToTheOneItIsFor) {

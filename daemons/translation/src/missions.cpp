@@ -317,7 +317,16 @@ mission::ChangeWorld change_of(const wire::Alarm& alarm) {
   auto cells = world::CellState::kAlarm;
   if (alarm.state == wire::AlarmState::kConfirmed) cells = world::CellState::kFire;
   if (alarm.state == wire::AlarmState::kInfirmed) cells = world::CellState::kQuiet;
-  result.place = {mission::name_of_alarm(alarm.id), from_wire(alarm.position), alarm.radius, cells};
+  result.place = {mission::name_of_alarm(alarm.id), from_wire(alarm.position), alarm.radius, cells,
+                  alarm.seen == wire::kNever ? std::nullopt
+                                             : std::optional(MissionTime::nanoseconds(alarm.seen))};
+  return result;
+}
+
+mission::ChangeWorld change_of(const wire::SeenObject& object) {
+  mission::ChangeWorld result;
+  result.place = {object.name, from_wire(object.at), object.spread, std::nullopt,
+                  MissionTime::nanoseconds(object.seen)};
   return result;
 }
 

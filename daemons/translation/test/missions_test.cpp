@@ -141,6 +141,30 @@ TEST(Missions, GroundWithoutCornersOrOfRiskAboveOneIsRefused) {
   EXPECT_EQ(from_wire(shapeless).error().field, "corners");
 }
 
+TEST(Missions, AnAlarmThatAgesIsOfWhenItWasSeen) {
+  wire::Alarm alarm;
+  alarm.id = 1;
+
+  EXPECT_EQ(change_of(alarm).place->seen, std::nullopt);
+  alarm.seen = MissionTime::seconds(42).count();
+  EXPECT_EQ(change_of(alarm).place->seen, MissionTime::seconds(42));
+}
+
+TEST(Missions, ASeenObjectIsAPlaceOfWhenItWasSeen) {
+  wire::SeenObject object;
+  object.name = "fire-front";
+  object.at = {85, 40, 1};
+  object.spread = 2;
+  object.seen = MissionTime::seconds(42).count();
+
+  const mission::ChangeWorld change = change_of(object);
+
+  ASSERT_TRUE(change.place);
+  EXPECT_EQ(
+      *change.place,
+      (mission::KnownPlace{"fire-front", {85, 40, 1}, 2, std::nullopt, MissionTime::seconds(42)}));
+}
+
 TEST(Missions, AnAlarmIsAPlaceOfItsNumber) {
   wire::Alarm alarm;
   alarm.id = 7;

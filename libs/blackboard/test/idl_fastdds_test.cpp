@@ -64,7 +64,7 @@ void expect_same_key(const T& value) {
   const wire::Sample sample = value;
   fastdds::Cargo cargo;
   cargo.outgoing = &sample;
-  fastdds::SampleType ours(wire::slot_of(sample), false);
+  fastdds::SampleType ours(wire::slot_of(sample));
   Type theirs;
   for (const bool force_md5 : {false, true}) {
     InstanceHandle_t our_key;
@@ -104,6 +104,7 @@ SKEIN_CONFORMANCE_TEST(MissionState)
 SKEIN_CONFORMANCE_TEST(MissionPlan)
 SKEIN_CONFORMANCE_TEST(JointTaskState)
 SKEIN_CONFORMANCE_TEST(PlanFrontier)
+SKEIN_CONFORMANCE_TEST(SeenObject)
 SKEIN_CONFORMANCE_TEST(TaskRequest)
 SKEIN_CONFORMANCE_TEST(RequestReply)
 SKEIN_CONFORMANCE_TEST(TaskEvent)

@@ -31,6 +31,7 @@ TEST(Slot, ClassesAreThoseOfTheSpecification) {
   EXPECT_EQ(slot_class(Slot::kMissionPlan), SlotClass::kState);
   EXPECT_EQ(slot_class(Slot::kJointTaskState), SlotClass::kState);
   EXPECT_EQ(slot_class(Slot::kPlanFrontier), SlotClass::kState);
+  EXPECT_EQ(slot_class(Slot::kSeenObject), SlotClass::kState);
   EXPECT_EQ(slot_class(Slot::kGroundBoard), SlotClass::kState);
   EXPECT_EQ(slot_class(Slot::kNeighbours), SlotClass::kState);
   EXPECT_EQ(slot_class(Slot::kTaskRequest), SlotClass::kEvent);

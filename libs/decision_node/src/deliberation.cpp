@@ -13,6 +13,9 @@ namespace skein::decision_node {
 
 namespace {
 
+/// What lies no farther from where plans have it than this is there for them [m].
+constexpr double kMoved = 10;
+
 std::optional<supervisor::Supervisor> supervisor_of(const Config& config) {
   if (config.knowledge == nullptr) return std::nullopt;
   SKEIN_EXPECTS(config.world != nullptr);
@@ -73,8 +76,14 @@ void Deliberation::vehicle_told(const world::Telemetry& telemetry) {
   tell(supervisor::VehicleSeen{telemetry.state, telemetry.failed});
 }
 
-void Deliberation::place_told(const mission::ChangeWorld& place) {
-  tell(supervisor::WorldChanged{place});
+// Plans are made with where an object that moves was when it had moved by so much.
+void Deliberation::place_told(const mission::ChangeWorld& told) {
+  if (told.place && told.place->seen) {
+    const auto [known, added] = planned_with_.try_emplace(told.place->name, told.place->at);
+    if (!added && (known->second - told.place->at).norm() < kMoved) return;
+    known->second = told.place->at;
+  }
+  tell(supervisor::WorldChanged{told});
 }
 
 void Deliberation::time_passes() { tell(supervisor::Tick{}); }

@@ -21,7 +21,7 @@ class Deliberation final : public Component {
   void take(const Command& command) override;
   void task_changed(const executive::TaskEvent& event) override;
   void vehicle_told(const world::Telemetry& telemetry) override;
-  void place_told(const mission::ChangeWorld& place) override;
+  void place_told(const mission::ChangeWorld& told) override;
   void time_passes() override;
   std::optional<MissionTime> next_wakeup() const override;
 
@@ -80,6 +80,7 @@ class Deliberation final : public Component {
   std::optional<supervisor::Supervisor> supervisor_;
   std::map<executive::TaskId, mission::GoalId> origins_;
   std::vector<mission::HeldTask> handed_over_;
+  std::map<std::string, world::Vector3> planned_with_;  ///< of objects that move
 };
 
 }  // namespace skein::decision_node

@@ -40,6 +40,7 @@ bool is_due(std::optional<MissionTime> wakeup, MissionTime now) { return wakeup 
 
 GroundControl::GroundControl(const GroundConfig& config, const world::Terrain& terrain)
     : perception_(config.pps, terrain),
+      objects_(config.objects),
       monitoring_(roster(config.uavs), config.reply_grace,
                   MissionChecks(config.missions, names_of(config.uavs))),
       planning_(config.script, terrain),
@@ -92,6 +93,8 @@ void GroundControl::accept(const Input& input, MissionTime now, Effects& out) {
             for (const auto& effect : perception_.handle(it.perception, now)) {
               route(effect, out);
             }
+            for (ObjectSeen& seen : objects_.handle(it.perception))
+              out.emplace_back(std::move(seen));
           },
           [&](const TelemetryReceived& it) {
             tell_flight(it.uav, it.state.airborne);

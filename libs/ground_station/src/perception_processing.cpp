@@ -133,6 +133,7 @@ std::vector<std::string> problems_of(const PpsConfig& config) {
   if (!(config.refine_distance > 0)) problems.emplace_back("refine_distance must be positive");
   if (config.decorrelation < Duration())
     problems.emplace_back("decorrelation must not be negative");
+  if (config.tell_again < Duration()) problems.emplace_back("tell_again must not be negative");
   if (config.forget <= Duration()) problems.emplace_back("forget must be positive");
   return problems;
 }
@@ -314,9 +315,12 @@ void PerceptionProcessing::settle(Candidate& candidate, std::vector<Effect>& eff
       enter(candidate, AlarmState::kInfirmed, effects);
     }
   }
-  if (horizontal(alarm.position, candidate.told_at) >= config_.refine_distance) {
+  const bool again = config_.tell_again > Duration() &&
+                     alarm.last_seen - candidate.told_seen >= config_.tell_again;
+  if (again || horizontal(alarm.position, candidate.told_at) >= config_.refine_distance) {
     effects.emplace_back(AlarmRefined{alarm});
     candidate.told_at = alarm.position;
+    candidate.told_seen = alarm.last_seen;
   }
 }
 
@@ -344,6 +348,7 @@ void PerceptionProcessing::enter(Candidate& candidate, AlarmState state,
                                  std::vector<Effect>& effects) {
   candidate.alarm.state = state;
   candidate.told_at = candidate.alarm.position;
+  candidate.told_seen = candidate.alarm.last_seen;
   effects.emplace_back(AlarmEvent{candidate.alarm});
 }
 

@@ -69,10 +69,12 @@ class Placing {
 
 }  // namespace
 
-Whereabouts known_by(const Observer& observer, MissionTime now, Duration oldest) {
-  return [&observer, now, oldest](const std::string& name) -> std::optional<Position> {
+Whereabouts known_by(const Observer& observer, MissionTime now, const ScmLimits& limits) {
+  return [&observer, now, &limits](const std::string& name) -> std::optional<Position> {
     const std::optional<Sighting> seen = observer(name);
-    if (!seen || now - seen->at > oldest) return std::nullopt;
+    if (!seen) return std::nullopt;
+    if (now - seen->at > (seen->by_sensors ? limits.oldest_seen : limits.oldest))
+      return std::nullopt;
     return seen->position;
   };
 }

@@ -13,8 +13,8 @@ namespace skein::interaction {
 /// Where a name is, as far as that counts; absent: unknown, or too long ago.
 using Whereabouts = std::function<std::optional<Position>(const std::string& name)>;
 
-/// What an observer knows that is not older than `oldest`. It must outlive the result.
-Whereabouts known_by(const Observer& observer, MissionTime now, Duration oldest);
+/// What an observer knows that is not older than the limits say. Both must outlive the result.
+Whereabouts known_by(const Observer& observer, MissionTime now, const ScmLimits& limits);
 
 /// One constraint on one of the names that its first place stands for.
 class PlacedConstraint {

@@ -39,7 +39,7 @@ Result<Position, Failure> best_view(const RolePlaceQuery& query, const std::stri
   view.clearance = query.clearance;
   view.from = vector_of(query.from);
   view.at = query.at;
-  const Whereabouts whereabouts = known_by(observer, query.at, query.limits.oldest);
+  const Whereabouts whereabouts = known_by(observer, query.at, query.limits);
   for (const ActiveScm& active : query.scms) {
     auto constraint = constraint_of(active, whereabouts);
     if (!constraint) return tl::unexpected<Failure>(constraint.error());

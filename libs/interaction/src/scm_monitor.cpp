@@ -59,7 +59,7 @@ std::optional<ScmFound> ScmMonitor::update(const Position& own, const Observer& 
 
 ScmMonitor::Round ScmMonitor::measure(const Position& own, const Observer& observer,
                                       MissionTime now) const {
-  const Whereabouts whereabouts = known_by(observer, now, limits_.oldest);
+  const Whereabouts whereabouts = known_by(observer, now, limits_);
   Round round;
   double least = 0;
   for (const auto& one : placed(scm_, binding_, whereabouts)) {

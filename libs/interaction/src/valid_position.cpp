@@ -211,7 +211,7 @@ FreeAir free_air_of(const world::World& world, const world::VehicleModel& vehicl
 
 Result<ValidPosition, NoValidPosition> valid_position(const ValidPositionQuery& query,
                                                       const Observer& observer, MissionTime now) {
-  const Whereabouts whereabouts = known_by(observer, now, query.limits.oldest);
+  const Whereabouts whereabouts = known_by(observer, now, query.limits);
   std::vector<PlacedConstraint> constraints;
   for (const ActiveScm& active : query.scms) {
     for (auto& one : placed(active.scm, active.binding, whereabouts)) {

@@ -52,6 +52,19 @@ class Watched {
   std::map<std::string, Sighting> seen_;
 };
 
+// Sensors see an object now and then; telemetry comes every second.
+TEST(ScmMonitor, WhatSensorsSawCountsForLongerThanTelemetryButNotForEver) {
+  Watched watched(scm_of({distance("a", Relation::kLess, 50)}));
+  watched.seen()["fire"] = {{0, 0, 0}, MissionTime::seconds(100), true};
+
+  EXPECT_EQ(watched.found_at({40, 0, 0}, 129), "");
+  EXPECT_EQ(watched.found_at({40, 0, 0}, 131), "undetermined");
+  watched.seen()["fire"].at = MissionTime::seconds(135);
+  EXPECT_EQ(watched.found_at({40, 0, 0}, 136), "satisfied");
+  watched.seen()["fire"].by_sensors = false;
+  EXPECT_EQ(watched.found_at({40, 0, 0}, 141), "undetermined");
+}
+
 TEST(ScmMonitor, AViolationIsToldOnceWithWhatIsRequiredAndMeasured) {
   Watched watched(
       scm_of({distance("a", Relation::kGreater, 25), distance("a", Relation::kLess, 50)}));

@@ -71,6 +71,9 @@ std::vector<Violation> asked_again_and_again(const History& history);
 // estimates.cpp
 std::vector<Violation> evaluations_off(const History& history);
 std::vector<Violation> winds_off(const History& history);
+// objects.cpp
+std::vector<Violation> objects_elsewhere(const History& history);
+std::vector<Violation> fires_that_shrink(const History& history);
 // safety.cpp
 /// It comes down by itself, or did.
 bool out_of_control(const Uav& uav, double at);

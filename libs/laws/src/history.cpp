@@ -139,7 +139,8 @@ std::optional<world::Vector3> point(const Record& record, const char* key) {
 class Teller {
  public:
   explicit Teller(const scenario::Scenario& scenario)
-      : history_{&scenario, world::Terrain(scenario.world.terrain), {}, {}, {}, {}, 0, false} {
+      : history_{&scenario, world::Terrain(scenario.world.terrain), {}, {}, {}, {}, {}, {}, 0,
+                 false} {
     for (const scenario::UavSpec& spec : scenario.uavs) {
       Uav& uav = history_.uavs[spec.name];
       uav.spec = &spec;
@@ -171,6 +172,8 @@ class Teller {
     if (kind == "message") see_message(record);
     if (kind == "sync") see_sync(record);
     if (kind == "alarm") see_alarm(record);
+    if (kind == "object") see_object(record);
+    if (kind == "seen") see_object_told(record);
     const auto found = history_.uavs.find(text(record, "uav"));
     if (found != history_.uavs.end()) see(found->second, record);
   }
@@ -258,6 +261,32 @@ class Teller {
     const auto at = point(record, "position");
     const auto id = static_cast<std::uint64_t>(whole(record, "alarm"));
     if (at) history_.alarms[mission::name_of_alarm(id)][record.at().to_seconds()] = *at;
+  }
+
+  void see_object(const Record& record) {
+    const auto at = point(record, "position");
+    if (!at) return;
+    ObjectState state{record.at().to_seconds(), text(record, "type"), at->head<2>(),
+                      record.number("radius"), record.truth("active")};
+    const std::vector<double> from = record.numbers("ignition");
+    if (from.size() == 2) {
+      world::FireFront front;
+      front.ignition = {from[0], from[1]};
+      front.length = state.radius;
+      front.breadth = record.number("breadth");
+      const world::Vector2 ahead = state.position - front.ignition;
+      if (ahead.norm() > 0) front.ahead = ahead.normalized();
+      state.front = front;
+    }
+    history_.objects[text(record, "name")].push_back(std::move(state));
+  }
+
+  void see_object_told(const Record& record) {
+    const auto at = point(record, "position");
+    if (!at) return;
+    const double told = record.at().to_seconds();
+    history_.objects_told.push_back(
+        {told, record.number("when"), text(record, "name"), *at, record.number("spread")});
   }
 
   void see_fault(const Record& record) {

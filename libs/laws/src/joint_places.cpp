@@ -61,6 +61,9 @@ std::optional<world::Vector3> where(const History& history, const std::string& n
     // While it is on its way, some know and some do not.
     place = told.at + kTelling < at ? std::optional(told.position) : std::nullopt;
   }
+  // What moves all the time is where it was said to be last.
+  for (const ObjectTold& told : history.objects_told)
+    if (told.name == name && told.told <= at) place = told.position;
   return place;
 }
 

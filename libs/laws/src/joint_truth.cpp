@@ -162,11 +162,26 @@ double seconds_watched(const History& history, const std::string& joint, const W
   return seconds;
 }
 
+/// How often a point came to lie elsewhere: those that are told, and objects that have moved so
+/// far.
+std::size_t moves(const History& history) {
+  constexpr double kFar = 10;  // [m]
+  std::map<std::string, world::Vector3> places;
+  std::size_t count = history.joint.points.size();
+  for (const ObjectTold& told : history.objects_told) {
+    const auto [known, added] = places.try_emplace(told.name, told.position);
+    if (!added && (known->second - told.position).norm() < kFar) continue;
+    known->second = told.position;
+    ++count;
+  }
+  return count;
+}
+
 std::string not_watched(const History& history, const std::string& joint,
                         const interaction::Variant& variant) {
   constexpr double kPart = 0.95, kSlack = 5;  // [s]
   constexpr double kReaction = 25;            // [s] to what moves: told, agreed on, interrupted
-  const double moved = kReaction * static_cast<double>(history.joint.points.size());
+  const double moved = kReaction * static_cast<double>(moves(history));
   for (const Watch& watch : watches_of(history, joint, variant)) {
     const double seconds = seconds_watched(history, joint, watch, variant);
     if (seconds >= kPart * watch.seconds - kSlack - moved) continue;

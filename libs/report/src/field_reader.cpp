@@ -134,6 +134,18 @@ Position FieldReader::position(const char* key) {
   return {};
 }
 
+std::optional<Position> FieldReader::optional_point(const char* key) {
+  const nlohmann::json* value = find(key);
+  if (value == nullptr || value->is_null()) return std::nullopt;
+  const auto fits = [](const nlohmann::json& v) {
+    return v.is_number() && std::abs(v.get<double>()) <= kLargestNumber;
+  };
+  if (value->is_array() && value->size() == 2 && std::all_of(value->begin(), value->end(), fits))
+    return Position{(*value)[0].get<double>(), (*value)[1].get<double>(), 0};
+  fault(key, "not a point", "[x, y] in metres");
+  return std::nullopt;
+}
+
 std::vector<Position> FieldReader::optional_positions(const char* key) {
   const nlohmann::json* value = find(key);
   std::vector<Position> positions;

@@ -42,6 +42,8 @@ class FieldReader {
   std::optional<double> optional_number(const char* key, double limit = kLargestNumber);
   bool boolean(const char* key);
   Position position(const char* key);
+  /// [x, y], on the ground; absent or null is none.
+  std::optional<Position> optional_point(const char* key);
   /// A flat list: x, y, z, …; absent is empty.
   std::vector<Position> optional_positions(const char* key);
   /// An array counts its elements; an integer counts itself.

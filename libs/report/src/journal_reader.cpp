@@ -88,7 +88,9 @@ void read_object(FieldReader& f, Journal& j) {
                        f.text("type"),
                        f.position("position"),
                        f.number("radius"),
-                       f.boolean("active")});
+                       f.boolean("active"),
+                       f.optional_number("breadth"),
+                       f.optional_point("ignition")});
 }
 void read_perception(FieldReader& f, Journal& j) {
   j.perceptions.push_back({{}, f.name("uav"), f.text("device"), f.count("detections")});

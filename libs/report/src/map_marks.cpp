@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
+
+#include "line.hpp"
 
 namespace skein::report {
 
@@ -50,13 +54,71 @@ void write_places(Scene& s) {
   }
 }
 
+constexpr std::size_t kFronts = 6;  // of a fire that spreads, at equal intervals
+
+bool spreads(const ObjectRecord& r) { return r.active && r.breadth && r.ignition; }
+
+void write_front(Scene& s, const ObjectRecord& r, bool last) {
+  const Point centre = s.frame(r.position), from = s.frame(*r.ignition);
+  const double turn = std::atan2(centre.y - from.y, centre.x - from.x) * 180 / std::numbers::pi;
+  s.out.open("ellipse",
+             {{"class", last ? "front last" : "front"},
+              {"rx", r.radius * s.frame.scale},
+              {"ry", *r.breadth * s.frame.scale},
+              {"transform", moved_to(centre) + " rotate(" + short_number(turn, 1) + ")"}});
+  s.out.title("front of fire " + r.name + " at " + clock_text(seconds(r.stamp))).close();
+}
+
+/// Its fronts at equal intervals, the last one too. False: it does not spread.
+bool write_fronts(Scene& s, const ObjectStory& object) {
+  std::vector<const ObjectRecord*> fronts;
+  for (const ObjectRecord& r : object.states)
+    if (spreads(r)) fronts.push_back(&r);
+  if (fronts.empty()) return false;
+  const double from = seconds(fronts.front()->stamp), until = seconds(fronts.back()->stamp);
+  double next = from;
+  for (const ObjectRecord* r : fronts) {
+    const bool last = r == fronts.back();
+    if (!last && seconds(r->stamp) < next) continue;
+    write_front(s, *r, last);
+    next += (until - from) / kFronts;
+  }
+  return true;
+}
+
+/// Where the ground station said that an object was, as it was followed.
+void write_followed(Scene& s) {
+  std::map<std::string, std::vector<Point>> ways;
+  for (const OtherRecord& record : s.run.journal.others) {
+    if (record.kind != "seen") continue;
+    const auto line = line_of(record);
+    if (!line) continue;
+    const auto at = line->keys.find("position");
+    const auto number = [](const auto& value) { return value.is_number(); };
+    if (at == line->keys.end() || !at->is_array() || at->size() != 3) continue;
+    if (!std::all_of(at->begin(), at->end(), number)) continue;
+    const Position place{(*at)[0].get<double>(), (*at)[1].get<double>(), 0};
+    ways[line->text("name")].push_back(s.frame(place));
+  }
+  for (auto& [name, way] : ways) {
+    const Point last = way.back();
+    way = simplified(way, 1.0, 500);
+    if (way.size() > 1) s.out.leaf("path", {{"class", "followed"}, {"d", path_data(way)}});
+    s.out.open("circle", {{"class", "followed"}, {"cx", last.x}, {"cy", last.y}, {"r", 4}});
+    s.out.title(name + ", where it was seen last").close();
+    s.label(last, 6, name, "place-name", kFont);
+  }
+}
+
 // The way of a moving thing, then the thing where it was last active.
 void write_objects(Scene& s) {
   for (const ObjectStory& object : s.run.story.objects) {
+    const bool grows = write_fronts(s, object);
     std::vector<Point> way;
     for (const ObjectRecord& r : object.states) way.push_back(s.frame(r.position));
     way = simplified(way, 1.0, 500);
-    if (way.size() > 1) s.out.leaf("path", {{"class", "object-way"}, {"d", path_data(way)}});
+    if (way.size() > 1 && !grows)
+      s.out.leaf("path", {{"class", "object-way"}, {"d", path_data(way)}});
     const auto last = std::find_if(object.states.rbegin(), object.states.rend(),
                                    [](const ObjectRecord& r) { return r.active; });
     const ObjectRecord& shown = last != object.states.rend() ? *last : object.states.back();
@@ -64,8 +126,8 @@ void write_objects(Scene& s) {
     const bool fire = object.type == "fire";
     s.out.open("g", {{"class", fire ? "object fire" : "object"}, {"transform", moved_to(p)}});
     s.out.title(object.type + " " + object.name + (shown.active ? "" : " (never active)"));
-    s.out.leaf("circle",
-               {{"class", "extent"}, {"r", std::clamp(shown.radius * s.frame.scale, 8.0, 1e4)}});
+    const double extent = grows ? 8.0 : std::clamp(shown.radius * s.frame.scale, 8.0, 1e4);
+    s.out.leaf("circle", {{"class", "extent"}, {"r", extent}});
     s.out.leaf("path", {{"d", fire ? "M0 7C-6 6 -5 -1 -2 -4C-2 -2 0 -1 0 -8C4 -5 7 5 0 7Z"
                                    : "M0 -6L5 4H-5Z"}});
     s.out.close();
@@ -247,6 +309,7 @@ void write_map_marks(Markup& out, const Run& run, const MapFrame& frame) {
   }
   avoid_tracks(scene);
   write_objects(scene);
+  write_followed(scene);
   write_view_points(scene);
   write_takeoffs(scene);
   write_alarms(scene);
@@ -281,6 +344,17 @@ void write_map_legend(Markup& out, const Run& run) {
       {"<rect class='place' x='-4' y='-4' width='8' height='8'/>", "place"},
       {"<rect class='zone' x='-10' y='-6' width='20' height='12'/>", "zone"},
       {"<circle class='time u0' r='3'/>", "time along the way"}};
+  const auto& objects = run.journal.objects;
+  if (std::any_of(objects.begin(), objects.end(), spreads)) {
+    write_legend_entry(out, "<ellipse class='front last' rx='10' ry='6'/>", "fire front (truth)");
+  }
+  const bool follows = std::any_of(run.journal.others.begin(), run.journal.others.end(),
+                                   [](const OtherRecord& record) { return record.kind == "seen"; });
+  if (follows) {
+    write_legend_entry(
+        out, "<path class='followed' d='M-11 0H6'/><circle class='followed' cx='8' r='4'/>",
+        "object as followed");
+  }
   const bool merged = std::any_of(run.journal.others.begin(), run.journal.others.end(),
                                   [](const OtherRecord& record) { return record.kind == "air"; });
   if (merged) {

@@ -117,6 +117,36 @@ TEST(Map, AlarmsShowTheirStateAndTheirError) {
   EXPECT_EQ(count(svg, "class=\"object fire\""), 1U);
 }
 
+TEST(Map, AFireThatSpreadsIsDrawnFrontByFrontAndWhereItWasFollowed) {
+  Journal j;
+  for (int t = 0; t <= 100; ++t)
+    j.objects.push_back({stamp(t),
+                         "blaze",
+                         "fire",
+                         {100.0 + t, 50, 0},
+                         20.0 + t,
+                         true,
+                         10.0 + t,
+                         Position{100, 50, 0}});
+  for (const double x : {120.0, 170.0, 220.0}) {
+    j.others.push_back({stamp(x / 2), "seen"});
+    j.others.back().stamp.extra =
+        R"({"name":"fire-front","position":[)" + std::to_string(x) + ",50,0]}";
+  }
+  j.others.push_back({stamp(70), "seen"});
+  j.others.back().stamp.extra = R"({"name":"odd","position":["x",50,0]})";
+
+  const std::string svg = map_of(j);
+
+  EXPECT_EQ(count(svg, "class=\"front\""), 6U);
+  EXPECT_EQ(count(svg, "class=\"front last\""), 1U);
+  EXPECT_EQ(count(svg, "front of fire blaze at 1:40"), 1U);
+  EXPECT_EQ(count(svg, "class=\"object-way\""), 0U);
+  EXPECT_EQ(count(svg, "<path class=\"followed\""), 1U);
+  EXPECT_EQ(count(svg, ">fire-front</text>"), 1U);
+  EXPECT_EQ(count(svg, "odd"), 0U);
+}
+
 TEST(Map, ShotsAreDrawnWhereTheyBegan) {
   Journal j;
   j.telemetry = {telemetry(0, "m", {0, 0, 0}), telemetry(10, "m", {100, 0, 0})};

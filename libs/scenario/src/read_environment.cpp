@@ -18,11 +18,19 @@ std::string beside(const Reader& reader, const std::string& file) {
   return (std::filesystem::path(reader.file()).parent_path() / file).lexically_normal().string();
 }
 
+std::optional<world::FireSpread> read_spread(const Reader& reader) {
+  if (!reader.present() || !reader.keys({"rate", "gain"})) return std::nullopt;
+  world::FireSpread spread;
+  spread.rate = reader.required("rate").number(0, {0.0001, 10, "m/s"});
+  spread.gain = reader.optional("gain").number(0, {0, 100, "s/m"});
+  return spread;
+}
+
 world::WorldObject read_object(const std::string& name, const Reader& reader) {
   world::WorldObject object;
   object.name = name;
-  reader.keys(
-      {"kind", "position", "height", "radius", "appears", "disappears", "waypoints", "speed"});
+  reader.keys({"kind", "position", "height", "radius", "appears", "disappears", "waypoints",
+               "speed", "spread"});
   object.kind = reader.required("kind").text();
   object.position = read_point_2d(reader.required("position"));
   object.height = reader.optional("height").number(0, {0, 1000, "m"});
@@ -33,6 +41,9 @@ world::WorldObject read_object(const std::string& name, const Reader& reader) {
     object.waypoints.push_back(read_point_2d(point));
   }
   object.speed = reader.optional("speed").number(0, {0, 200, "m/s"});
+  object.spread = read_spread(reader.optional("spread"));
+  if (object.spread && object.speed > 0)
+    reader.optional("speed").error("what spreads does not go along a way", "no speed");
   return object;
 }
 

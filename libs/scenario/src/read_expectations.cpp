@@ -44,7 +44,7 @@ Pattern read_pattern(const Reader& reader, const Names& names) {
       "joint",       "role",      "role-task",  "place",          "scm",
       "negotiation", "team-task", "air",        "meeting",        "bid",
       "sale",        "owner",     "token",      "global-mission", "lost-uav",
-      "frontier",    "route"};
+      "frontier",    "route",     "seen"};
   Pattern pattern;
   for (const auto& [key, field] : entries_of(reader)) {
     std::vector<journal::Value> values;

@@ -242,7 +242,8 @@ std::vector<std::string> step_names(const Reader& script) {
 }  // namespace
 
 void read_pps(const Reader& reader, ground_station::PpsConfig& pps) {
-  if (!reader.keys({"prior", "raise", "confirm", "infirm", "gate", "least_separation", "forget"}))
+  if (!reader.keys({"prior", "raise", "confirm", "infirm", "gate", "least_separation", "forget",
+                    "tell_again"}))
     return;
   pps.prior = reader.optional("prior").number(pps.prior, {0, 1, ""});
   pps.raise = reader.optional("raise").number(pps.raise, {0, 1, ""});
@@ -252,7 +253,28 @@ void read_pps(const Reader& reader, ground_station::PpsConfig& pps) {
   pps.least_separation =
       reader.optional("least_separation").number(pps.least_separation, {0, 10'000, "m"});
   pps.forget = read_seconds(reader.optional("forget"), pps.forget);
+  pps.tell_again = read_seconds(reader.optional("tell_again"), pps.tell_again);
   for (const std::string& problem : ground_station::problems_of(pps)) reader.error(problem);
+}
+
+std::vector<ground_station::ObjectSpec> read_objects(const Reader& reader, const WorldSpec& world) {
+  std::vector<ground_station::ObjectSpec> objects;
+  for (const auto& [name, entry] : entries_of(reader)) {
+    if (!entry.keys({"kind", "reach", "drift"})) continue;
+    ground_station::ObjectSpec object;
+    object.name = name;
+    object.kind = entry.required("kind").text();
+    object.reach = entry.optional("reach").number(object.reach, {1, 100'000, "m"});
+    object.drift = entry.optional("drift").number(object.drift, {0.001, 100, "m/√s"});
+    const auto place = world.places.find(name);
+    if (place == world.places.end()) {
+      entry.error("where it is at first is not said", "a place of the world of this name");
+    } else {
+      object.thought = place->second;
+    }
+    objects.push_back(std::move(object));
+  }
+  return objects;
 }
 
 void read_script(const Reader& ground, const Scenario& scenario, ground_station::Script& script) {

@@ -55,6 +55,9 @@ std::optional<team::Config> read_team(const config::Reader& reader, const Names&
                                       std::uint64_t seed);
 void read_variations(const config::Reader& reader, Variations& variations);
 void read_pps(const config::Reader& reader, ground_station::PpsConfig& pps);
+/// What the ground station follows; each is thought to be at the place of its name.
+std::vector<ground_station::ObjectSpec> read_objects(const config::Reader& reader,
+                                                     const WorldSpec& world);
 void read_script(const config::Reader& ground, const Scenario& scenario,
                  ground_station::Script& script);
 void read_expectations(const config::Reader& reader, const Names& names,

@@ -34,9 +34,10 @@ world::Vector3 read_antenna(const Reader& reader, const world::TerrainSpec& terr
 }
 
 void read_ground(const Reader& reader, Scenario& scenario) {
-  reader.keys({"position", "pps", "script", "operator", "command_lifetime"});
+  reader.keys({"position", "pps", "objects", "script", "operator", "command_lifetime"});
   scenario.ground.position = read_antenna(reader.optional("position"), scenario.world.terrain);
   read_pps(reader.optional("pps"), scenario.ground.pps);
+  scenario.ground.objects = read_objects(reader.optional("objects"), scenario.world);
   read_script(reader, scenario, scenario.ground.script);
 }
 

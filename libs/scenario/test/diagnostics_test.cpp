@@ -87,7 +87,12 @@ SKEIN_WRONG_FILES(
           "26:61: ground.script[0].do[0].plan.tasks[1].params.to: unknown name 'base'; expected a "
           "place or [x, y, z]\n"},
     Wrong{"ObjectWithoutKind", "{kind: fire, position", "{position",
-          "11:11: world.objects.fire.kind: missing\n"});
+          "11:11: world.objects.fire.kind: missing\n"},
+    Wrong{"FireThatSpreadsBackwards", "radius: 5}", "radius: 5, spread: {rate: -1}}",
+          "11:71: world.objects.fire.spread.rate: '-1'; expected a number from 0.0001 to 10 m/s\n"},
+    Wrong{"FireThatSpreadsAndGoes", "radius: 5}", "radius: 5, speed: 2, spread: {rate: 0.1}}",
+          "11:63: world.objects.fire.speed: what spreads does not go along a way; expected no "
+          "speed\n"});
 
 SKEIN_WRONG_FILES(
     Uavs,
@@ -260,6 +265,9 @@ SKEIN_WRONG_FILES(
           "30:40: ground.script[1].do[0].abort.tasks: 'some'; expected one of all\n"},
     Wrong{"BeliefOutOfRange", "ground:\n", "ground:\n  pps: {confirm: 2}\n",
           "18:18: ground.pps.confirm: '2'; expected a number from 0 to 1\n"},
+    Wrong{"ObjectFollowedFromNowhere", "ground:\n", "ground:\n  objects: {front: {kind: fire}}\n",
+          "18:20: ground.objects.front: where it is at first is not said; expected a place of the "
+          "world of this name\n"},
     Wrong{"CommandsThatExpireAtOnce", "ground:\n", "ground:\n  command_lifetime: 0\n",
           "18:3: ground: the lifetime of commands must be positive\n"});
 

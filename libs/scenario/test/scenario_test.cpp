@@ -113,6 +113,27 @@ TEST(Scenario, WhatIsLeftOutHasADefault) {
   EXPECT_EQ(scenario.world.objects[0].disappears, MissionTime::max());
 }
 
+TEST(Scenario, AFireMaySpreadAndTheGroundStationFollowItsFront) {
+  const Scenario scenario =
+      read_valid(scenario_with("radius: 5}", "radius: 5, spread: {rate: 0.1, gain: 0.3}}"));
+  const Scenario follows = read_valid(scenario_with(
+      "ground:\n",
+      "ground:\n  pps: {tell_again: 5}\n"
+      "  objects: {base: {kind: fire, reach: 60, drift: 0.5}, aside: {kind: smoke}}\n"));
+
+  EXPECT_EQ(scenario.world.objects[0].spread, (world::FireSpread{0.1, 0.3, {}}));
+  EXPECT_EQ(follows.ground.pps.tell_again, Duration::seconds(5));
+  ASSERT_EQ(follows.ground.objects.size(), 2U);
+  const ground_station::ObjectSpec& base = follows.ground.objects[0];
+  EXPECT_EQ(base.name, "base");
+  EXPECT_EQ(base.kind, "fire");
+  EXPECT_EQ(base.thought, Vector3(0, 0, 0));
+  EXPECT_EQ(base.reach, 60);
+  EXPECT_EQ(base.drift, 0.5);
+  EXPECT_EQ(follows.ground.objects[1].thought, Vector3(50, 60, 70));
+  EXPECT_TRUE(read_valid(scenario_with()).ground.objects.empty());
+}
+
 TEST(Scenario, ItsRadioMayBeALinkBudgetAsThatOfAWorldFile) {
   const Scenario scenario = read_valid(
       scenario_with("  cuts:", "  power: 27\n  sensitivity: -95\n  exponent: 2.2\n  cuts:"));

@@ -160,12 +160,18 @@ void SimNode::take(const ObjectTruth& truth, node::Effects& out) const {
   sample.radius = truth.radius;
   sample.active = truth.active;
   out.push_back(node::Publish{sample});
-  out.push_back(node::Log{Record(truth.at, name_, "object")
-                              .with("name", truth.name)
-                              .with("type", truth.kind)
-                              .with("position", for_journal(truth.position))
-                              .with("radius", truth.radius)
-                              .with("active", truth.active)});
+  Record record(truth.at, name_, "object");
+  record.with("name", truth.name)
+      .with("type", truth.kind)
+      .with("position", for_journal(truth.position))
+      .with("radius", truth.front ? journal::rounded(truth.radius) : truth.radius)
+      .with("active", truth.active);
+  if (truth.front) {
+    const world::Vector2& from = truth.front->ignition;
+    record.with("breadth", journal::rounded(truth.front->breadth))
+        .with("ignition", journal::rounded({from.x(), from.y()}));
+  }
+  out.push_back(node::Log{std::move(record)});
 }
 
 node::NodeNumber SimNode::number_of(const std::string& name) const {

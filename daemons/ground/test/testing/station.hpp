@@ -32,6 +32,9 @@ class Station {
  public:
   explicit Station(gs::Script script = {}, int degree = 3, GroundNode::ReadRequest reader = {})
       : node_(config(std::move(script), degree), flat(), roster_, std::move(reader)) {}
+  /// That follows objects, and tells alarms again after so long.
+  Station(std::vector<gs::ObjectSpec> objects, Duration tell_again)
+      : node_(following(std::move(objects), tell_again), flat(), roster_) {}
 
   /// Effects of an input now, kept for the questions below.
   void give(const node::Input& input, double seconds) {
@@ -94,6 +97,13 @@ class Station {
     config.uavs = {{"marvin", degree, {}}, {"heliv", degree, {}}};
     config.script = std::move(script);
     return config;
+  }
+
+  static gs::GroundConfig following(std::vector<gs::ObjectSpec> objects, Duration tell_again) {
+    gs::GroundConfig all = config({}, 3);
+    all.objects = std::move(objects);
+    all.pps.tell_again = tell_again;
+    return all;
   }
 
   node::Roster roster_{{"marvin", "heliv"}};

@@ -135,6 +135,10 @@ void Interaction::vehicle_told(const world::Telemetry& telemetry) {
   }
 }
 
+void Interaction::place_told(const mission::ChangeWorld& told) {
+  if (told.place) sightings_.see(*told.place);
+}
+
 void Interaction::hear(const PartnerSeen& seen) { sightings_.see(seen.telemetry); }
 
 void Interaction::hear(const JointTaskTold& told) {

@@ -34,6 +34,7 @@ class Interaction final : public Component {
 
   void task_changed(const executive::TaskEvent& event) override;
   void vehicle_told(const world::Telemetry& telemetry) override;
+  void place_told(const mission::ChangeWorld& told) override;
   void time_passes() override;
   std::optional<MissionTime> next_wakeup() const override;
   void contact(const Contact& contact);

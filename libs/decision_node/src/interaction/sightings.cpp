@@ -11,6 +11,16 @@ const world::Telemetry* Sightings::own() const {
   return found == seen_.end() ? nullptr : &found->second;
 }
 
+void Sightings::see(const mission::KnownPlace& place) {
+  if (!place.seen) {
+    objects_.erase(place.name);
+    return;
+  }
+  const interaction::Sighting sighting{position_of(place.at), *place.seen, true};
+  const auto [known, added] = objects_.try_emplace(place.name, sighting);
+  if (!added && known->second.at <= sighting.at) known->second = sighting;
+}
+
 interaction::Observer Sightings::observer(const Arguments& arguments, const world::World& world,
                                           MissionTime now) const {
   return [this, &arguments, &world,
@@ -22,6 +32,7 @@ interaction::Observer Sightings::observer(const Arguments& arguments, const worl
       const auto* at = std::get_if<interaction::Position>(&point->second);
       if (at != nullptr) return interaction::Sighting{*at, now};
     }
+    if (const auto object = objects_.find(name); object != objects_.end()) return object->second;
     const auto place = world.places.find(name);
     if (place == world.places.end()) return std::nullopt;
     return interaction::Sighting{position_of(place->second), now};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "interaction/joint.hpp"
+#include "skein/mission/autonomy.hpp"
 #include "skein/world/telemetry.hpp"
 #include "skein/world/world.hpp"
 
@@ -19,17 +20,20 @@ class Sightings {
   explicit Sightings(std::string self) : self_(std::move(self)) {}
 
   void see(const world::Telemetry& telemetry) { seen_[telemetry.uav] = telemetry; }
+  /// An object that moves, or one of which it is said from now on where it stays.
+  void see(const mission::KnownPlace& place);
   /// Null before it was told.
   const world::Telemetry* own() const;
-  /// UAVs as they were seen; points of the arguments that have no name, and places of the world, as
-  /// of `now`: they are where they are said to be until something else is said. Lifetime: refers to
-  /// all of these.
+  /// UAVs and objects as they were seen, of when they were seen; points of the arguments that have
+  /// no name, and places of the world, as of `now`: they are where they are said to be until
+  /// something else is said. Lifetime: refers to all of these.
   interaction::Observer observer(const Arguments& arguments, const world::World& world,
                                  MissionTime now) const;
 
  private:
   std::string self_;
   std::map<std::string, world::Telemetry> seen_;
+  std::map<std::string, interaction::Sighting> objects_;
 };
 
 }  // namespace skein::decision_node

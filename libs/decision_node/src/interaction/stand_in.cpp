@@ -189,6 +189,7 @@ class StandIn::Host final : public JointHost {
       if (!change.remove) changed->volumes.push_back(change.volume);
     }
     world_ = std::move(changed);
+    interaction_.place_told(change);
   }
 
   // ---- who is in reach ----

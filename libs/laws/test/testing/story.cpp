@@ -160,6 +160,29 @@ Story& Story::alarm(double at, int id, world::Vector3 where) {
   return *this;
 }
 
+Story& Story::burns(double at, world::Vector2 from, double length, double breadth) {
+  const double middle = from.x() + std::sqrt(length * length - breadth * breadth);
+  add(at, "sim", "object")
+      .with("name", "blaze")
+      .with("type", "fire")
+      .with("position", std::vector<double>{middle, from.y(), 0})
+      .with("radius", length)
+      .with("active", true)
+      .with("breadth", breadth)
+      .with("ignition", std::vector<double>{from.x(), from.y()});
+  return *this;
+}
+
+Story& Story::object_seen(double told, double seen, world::Vector3 where, double spread) {
+  add(told, "ground", "seen")
+      .with("name", "fire-front")
+      .with("type", "fire")
+      .with("position", std::vector<double>{where.x(), where.y(), where.z()})
+      .with("spread", spread)
+      .with("when", seen);
+  return *this;
+}
+
 Story& Story::owner(double at, int task, const std::string& stage, int sale,
                     const std::string& owners, const std::string& why) {
   add(at, "ground", "owner")

@@ -57,6 +57,10 @@ class Story {
   Story& step(double at, const std::string& name, const std::string& told);
   /// Where perceptions put an alarm.
   Story& alarm(double at, int id, world::Vector3 where);
+  /// A fire that spreads along a ray from (x, y), half so long and half so broad, in truth.
+  Story& burns(double at, world::Vector2 from, double length, double breadth);
+  /// Where the ground station says that an object was seen, and when.
+  Story& object_seen(double told, double seen, world::Vector3 where, double spread);
   /// Where a task of the team stands, as the ground has it.
   Story& owner(double at, int task, const std::string& stage, int sale, const std::string& owners,
                const std::string& why);

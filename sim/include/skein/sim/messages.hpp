@@ -2,11 +2,13 @@
 // What goes into the simulator and what comes out.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "skein/foundation/time.hpp"
 #include "skein/functional/port.hpp"
+#include "skein/world/fire.hpp"
 #include "skein/world/perception.hpp"
 #include "skein/world/telemetry.hpp"
 #include "skein/world/vehicle_state.hpp"
@@ -117,6 +119,8 @@ struct ObjectTruth {
   double radius = 0;
   bool active = false;
   MissionTime at;
+  /// Of a fire that spreads; its middle is `position`, half its length `radius`.
+  std::optional<world::FireFront> front = {};
   bool operator==(const ObjectTruth&) const = default;
 };
 

@@ -34,11 +34,11 @@ class GroundNode final : public node::Node {
           const std::string& text)>;
 
   /// Without a reader every request of an operator is refused; `played`: UAVs for which roles can
-  /// be played here; `dates`: UAVs are told here when others come to meet them.
+  /// be played here.
   GroundNode(const ground_station::GroundConfig& config, world::Terrain terrain,
              node::Roster roster, ReadRequest read_request = {},
              std::optional<team::Config> team = std::nullopt,
-             std::vector<decision_node::Config> played = {}, bool dates = false);
+             std::vector<decision_node::Config> played = {});
 
   node::Effects handle(const node::Input& input, MissionTime now) override;
   std::optional<MissionTime> next_wakeup() const override;
@@ -61,6 +61,7 @@ class GroundNode final : public node::Node {
   void carry_out(const ground_station::SendSync& effect);
   void carry_out(const ground_station::AlarmEvent& effect);
   void carry_out(const ground_station::TellAlarm& effect);
+  void carry_out(const ground_station::ObjectSeen& effect);
   void carry_out(const ground_station::OperatorAnswered& effect);
   void carry_out(const ground_station::OperatorAsked& effect);
   void carry_out(const ground_station::HandChanged& effect);
@@ -108,6 +109,7 @@ class GroundNode final : public node::Node {
   std::set<std::string> out_of_reach_;  ///< nothing of the team is said to them
   PlayedRoles roles_;
   TemporalDesk dates_;
+  bool alarms_age_;
   OperatorBoards boards_;
   std::map<std::uint64_t, node::NodeNumber> addressees_;       ///< of commands, by number
   std::set<std::pair<node::NodeNumber, wire::Slot>> dropped_;  ///< already logged

@@ -47,6 +47,8 @@ wire::WorldChange to_wire(const mission::ChangeWorld& change);
 Read<mission::ChangeWorld> from_wire(const wire::WorldChange& change);
 /// An alarm as a place that missions may name, with what is known of the ground there.
 mission::ChangeWorld change_of(const wire::Alarm& alarm);
+/// Where it was when it was seen.
+mission::ChangeWorld change_of(const wire::SeenObject& object);
 
 // ---- what a UAV tells ----
 

@@ -12,6 +12,7 @@
 #include "skein/blackboard/wire_frontier.hpp"
 #include "skein/blackboard/wire_merging.hpp"
 #include "skein/blackboard/wire_neighbours.hpp"
+#include "skein/blackboard/wire_objects.hpp"
 #include "skein/blackboard/wire_state.hpp"
 #include "skein/blackboard/wire_stream.hpp"
 #include "skein/blackboard/wire_team.hpp"
@@ -21,8 +22,8 @@ namespace skein::wire {
 /// The value of one slot. The order of the alternatives is the order of `Slot`.
 using Sample =
     std::variant<DirectoryEntry, Clock, LinkState, PlanBoard, AutonomyDegree, MissionState,
-                 MissionPlan, JointTaskState, PlanFrontier, UavBoard, UavTasks, GroundBoard,
-                 Neighbours, TaskRequest, RequestReply, TaskEvent, FunctionalRequest,
+                 MissionPlan, JointTaskState, PlanFrontier, SeenObject, UavBoard, UavTasks,
+                 GroundBoard, Neighbours, TaskRequest, RequestReply, TaskEvent, FunctionalRequest,
                  FunctionalStatus, SyncMessage, Alarm, MissionRequest, DegreeCommand, WorldChange,
                  MissionOutcome, HandOver, Decision, NegotiationMessage, TeamMessage, TeamSale,
                  MergeMessage, OperatorRequest, OperatorReply, JournalEntry, Telemetry,
@@ -38,6 +39,7 @@ enum class Slot : std::uint8_t {
   kMissionPlan,
   kJointTaskState,
   kPlanFrontier,
+  kSeenObject,
   kUavBoard,
   kUavTasks,
   kGroundBoard,

@@ -122,11 +122,12 @@ struct Alarm {
   std::uint32_t id = 0;
   AlarmState state = AlarmState::kRaised;
   Vector3 position;
-  double radius = 0;  ///< [m]
-  double belief = 0;  ///< in [0, 1]
+  double radius = 0;           ///< [m]
+  double belief = 0;           ///< in [0, 1]
+  std::int64_t seen = kNever;  ///< [ns], last; kNever: it does not age
   bool operator==(const Alarm&) const = default;
 };
-SKEIN_WIRE_FIELDS(Alarm, header, id, state, position, radius, belief)
+SKEIN_WIRE_FIELDS(Alarm, header, id, state, position, radius, belief, seen)
 
 enum class MissionPlacement : std::uint32_t { kBest, kLast, kInTime, kTour, kFirst, kCount };
 constexpr auto names_of(MissionPlacement) {

@@ -16,6 +16,7 @@
 #include "skein/ground_station/messages.hpp"
 #include "skein/ground_station/mission_planning.hpp"
 #include "skein/ground_station/monitoring.hpp"
+#include "skein/ground_station/object_tracking.hpp"
 #include "skein/ground_station/operator_desk.hpp"
 #include "skein/ground_station/perception_processing.hpp"
 #include "skein/ground_station/script.hpp"
@@ -39,8 +40,10 @@ struct GroundConfig {
   std::vector<GroundUav> uavs;  ///< names differ
   Script script = {};
   PpsConfig pps = {};
+  std::vector<ObjectSpec> objects = {};                  ///< that are followed
   Duration reply_grace = Duration::milliseconds(5'000);  ///< see Monitoring
   MissionKnowledge missions = {};
+  bool dates = false;  ///< UAVs are told here when others come to meet them
   /// Of the requests that bring the tasks run here to a UAV whose degree goes up.
   Duration transfer_lifetime = Duration::seconds(600);
 };
@@ -91,7 +94,7 @@ class GroundControl {
                              TeamTaskChanged, GlobalMissionChanged, RoleAsks, PlayedTaskChanged>;
   using Effect = std::variant<
       // to be sent
-      SendRequest, SendFunctional, SendSync, AlarmEvent, TellAlarm, OperatorAnswered,
+      SendRequest, SendFunctional, SendSync, AlarmEvent, TellAlarm, ObjectSeen, OperatorAnswered,
       // for the team, and for roles that are played here
       GiveGlobalMission, DeclareLost, PlayRole, StopRole,
       // for the journal
@@ -181,6 +184,7 @@ class GroundControl {
 
   std::map<std::string, executive::Config> mle_configs_;
   PerceptionProcessing perception_;
+  ObjectTracking objects_;
   Monitoring monitoring_;
   MissionPlanning planning_;
   OperatorDesk desk_;

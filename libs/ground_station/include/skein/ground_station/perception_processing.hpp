@@ -42,6 +42,9 @@ struct PpsConfig {
       Duration::milliseconds(1000);  ///< looks of one device closer than this are one
   Duration forget =
       Duration::milliseconds(300'000);  ///< candidates not seen for this long are dropped
+  /// An alarm that is still seen is told again so often, and is as old as it was seen last for who
+  /// watches it; zero: only when it changed, and it does not age.
+  Duration tell_again = {};
 };
 
 /// Why a configuration is unusable, in sentences, all at once; empty when it is fine.
@@ -110,6 +113,7 @@ class PerceptionProcessing {
     double weight = 0;                     ///< Σ 1/σ² of the sightings
     double scatter = 0;                    ///< Σ |residual|²/σ², horizontal
     world::Vector3 told_at = world::Vector3::Zero();
+    MissionTime told_seen;
   };
   using Sightings = std::map<std::size_t, const world::Detection*>;
 

@@ -23,6 +23,7 @@ using Position = std::array<double, 3>;
 struct Sighting {
   Position position{};
   MissionTime at;
+  bool by_sensors = false;  ///< it is seen now and then, and counts for longer
 };
 
 /// What the observer knows of a name: an object, a point, a UAV. Absent: nothing.
@@ -41,6 +42,7 @@ struct ScmLimits {
   double distance = 1;                     ///< beyond its bound before a violation has ended [m]
   double angle = 0.02;                     ///< the same of angles [rad]
   Duration oldest = Duration::seconds(5);  ///< an older position counts as unknown
+  Duration oldest_seen = Duration::seconds(30);  ///< the same of what sensors see
 };
 
 /// One constraint as it was measured.

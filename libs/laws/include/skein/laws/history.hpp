@@ -121,6 +121,27 @@ struct PlanWord {
   bool sent = false;
 };
 
+/// An object at an instant, in truth.
+struct ObjectState {
+  double at = 0;
+  std::string kind;
+  world::Vector2 position = world::Vector2::Zero();
+  double radius = 0;
+  bool active = false;
+  std::optional<world::FireFront> front = {};  ///< of a fire that spreads
+
+  /// How far a point is from what it covers [m].
+  double distance_to(const world::Vector2& point) const;
+};
+
+/// Where the ground station says that an object was, and when.
+struct ObjectTold {
+  double told = 0, seen = 0;  ///< [s]
+  std::string name;
+  world::Vector3 position = world::Vector3::Zero();
+  double spread = 0;  ///< [m]
+};
+
 struct Uav {
   const scenario::UavSpec* spec = nullptr;
   std::vector<Sample> samples;  ///< once a second
@@ -159,6 +180,8 @@ struct History {
   std::set<std::string> resumed;  ///< of these, the ones that always came back with what they knew
   /// "alarm:1": from when on it was said to be where. A ground station that forgot counts anew.
   std::map<std::string, std::map<double, world::Vector3>> alarms;
+  std::map<std::string, std::vector<ObjectState>> objects;  ///< in truth, by name
+  std::vector<ObjectTold> objects_told;
   double end = 0;
   bool finished = false;  ///< by the ground's script
   JointHistory joint = {};

@@ -48,6 +48,7 @@ struct KnownPlace {
   world::Vector3 at = world::Vector3::Zero();  ///< [m] ENU
   double radius = 0;                           ///< of what is there [m]
   std::optional<world::CellState> cells = {};  ///< what is known of the ground within the radius
+  std::optional<MissionTime> seen = {};  ///< of what moves: when it was there; absent: it stays
   bool operator==(const KnownPlace&) const = default;
 };
 

@@ -50,10 +50,10 @@ struct Mission {
   std::vector<std::string> faults;
   /// Tasks of one global mission, at degree 5: "{id: 11, task: [perceive, P1, 20]}".
   std::vector<std::string> global;
-  std::string separation;    ///< "{merge: true}"; empty: nobody asks for it
+  std::string separation;             ///< "{merge: true}"; empty: nobody asks for it
   std::string consistency = "dip-m";  ///< by which UAVs know when others come to meet them
-  int shared_pads = 0;       ///< UAVs that start a few metres beside another
-  bool joint = false;        ///< there are interaction models
+  int shared_pads = 0;                ///< UAVs that start a few metres beside another
+  bool joint = false;                 ///< there are interaction models
   double finish_after = 30;  ///< [s] after the last goal is settled; negative: at the limit
 };
 

@@ -123,6 +123,9 @@ struct ObjectRecord {
   Position position;
   double radius = 0.0;  ///< [m]
   bool active = true;
+  /// Of a fire that spreads: half its breadth [m]; `radius` is half its length, about `position`.
+  std::optional<double> breadth = {};
+  std::optional<Position> ignition = {};
 };
 
 /// The ground received what a sensor saw.

@@ -12,6 +12,7 @@
 
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
+#include "skein/ground_station/object_tracking.hpp"
 #include "skein/ground_station/perception_processing.hpp"
 #include "skein/ground_station/script.hpp"
 #include "skein/interaction/model.hpp"
@@ -98,6 +99,7 @@ struct RadioSpec {
 struct GroundSpec {
   world::Vector3 position = world::Vector3::Zero();  ///< of its antenna [m] ENU
   ground_station::PpsConfig pps;
+  std::vector<ground_station::ObjectSpec> objects;  ///< that it follows by what sensors tell
   ground_station::Script script;
 };
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects that move, followed by what sensors tell of them.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "skein/foundation/time.hpp"
+#include "skein/world/perception.hpp"
+
+namespace skein::ground_station {
+
+/// An object that missions name and that does not stay where it is: a fire front, a vehicle.
+struct ObjectSpec {
+  std::string name;
+  std::string kind;                                 ///< as sensors report it
+  world::Vector3 thought = world::Vector3::Zero();  ///< where it is before it is seen [m] ENU
+  double reach = 100;  ///< how far from there it may be when it is seen first [m], > 0
+  double drift = 1;  ///< standard deviation of how far it gets in a second, per axis [m/√s], > 0
+};
+
+/// Why they cannot be followed, in sentences, all at once.
+std::vector<std::string> problems_of(const std::vector<ObjectSpec>& objects);
+
+/// Where it was when it was seen last.
+struct ObjectSeen {
+  std::string name;
+  std::string kind;
+  world::Vector3 position = world::Vector3::Zero();  ///< [m] ENU
+  double spread = 0;                                 ///< standard deviation per axis [m]
+  MissionTime seen;
+  bool operator==(const ObjectSeen&) const = default;
+};
+
+/// A random walk seen by sensors of known spread, so the estimate follows by Kalman's gain. A
+/// detection of its kind within four standard deviations of both is it; the nearest, if there are
+/// several in a look. Each is told when it is seen, not more often than every second of looks.
+/// Looks that come late count by how old they are. Deterministic. Cost of a look: O(detections ×
+/// objects). Thread rule: one thread. Source: spec 7.6.
+class ObjectTracking {
+ public:
+  /// Precondition: problems_of(objects) is empty.
+  explicit ObjectTracking(std::vector<ObjectSpec> objects);
+
+  /// What is to be told of it. Figures that are not finite are disregarded.
+  std::vector<ObjectSeen> handle(const world::Perception& look);
+
+ private:
+  struct Track {
+    ObjectSpec spec;
+    world::Vector3 position = world::Vector3::Zero();
+    double variance = 0;                   ///< per axis [m²]
+    std::optional<MissionTime> seen = {};  ///< absent: it is thought to be there
+    std::optional<MissionTime> told = {};  ///< as seen then
+  };
+  static const world::Detection* sighting_of(const Track& track, const world::Perception& look);
+  static void follow(Track& track, const world::Detection& sighting, MissionTime at);
+
+  std::vector<Track> tracks_;
+};
+
+}  // namespace skein::ground_station

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Laws about objects that move, on logs made by hand.
+#include <gmock/gmock.h>
+
+#include "testing/story.hpp"
+
+namespace skein::laws {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::Story;
+
+/// Twenty metres long at first, thirty later.
+Story blaze() {
+  Story story;
+  story.burns(0, {100, 50}, 10, 8).burns(60, {100, 50}, 15, 12);
+  return story;
+}
+
+TEST(SeenLaw, AnObjectThatWasWhereItIsSaidToHaveBeenKeepsIt) {
+  Story story = blaze();
+  story.object_seen(61, 60, {120, 50, 0}, 2).object_seen(70, 65, {124 + 15, 50, 0}, 2);
+
+  EXPECT_THAT(story.broken("seen"), IsEmpty());
+}
+
+TEST(SeenLaw, AnObjectThatWasNotThereBreaksIt) {
+  Story story = blaze();
+  story.object_seen(61, 60, {200, 50, 0}, 2);
+
+  EXPECT_THAT(story.broken("seen"),
+              ElementsAre(HasSubstr("'fire-front' is said to have been seen at 60.0 s where "
+                                    "nothing was within 76.0 m")));
+}
+
+// Where the front was when it was seen, not where it is when that is told.
+TEST(SeenLaw, CountsWhenItWasSeen) {
+  Story story;
+  story.burns(0, {100, 50}, 10, 10).burns(60, {100, 50}, 60, 60);
+  story.object_seen(61, 30, {155, 50, 0}, 2).object_seen(62, 60, {155, 50, 0}, 2);
+
+  EXPECT_EQ(story.broken("seen").size(), 1U);
+}
+
+TEST(FiresLaw, AFireThatGrowsKeepsIt) { EXPECT_THAT(blaze().broken("fires"), IsEmpty()); }
+
+TEST(FiresLaw, AFireThatShrinksOrWandersBreaksIt) {
+  EXPECT_THAT(blaze().burns(90, {100, 50}, 15, 11).broken("fires"),
+              ElementsAre(HasSubstr("'blaze' no longer covers where it was at 60.0 s")));
+  EXPECT_EQ(blaze().burns(90, {130, 50}, 15, 12).broken("fires").size(), 1U);
+}
+
+}  // namespace
+}  // namespace skein::laws
