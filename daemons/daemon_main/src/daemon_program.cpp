@@ -20,10 +20,10 @@
 #include "skein/assembly/overrides.hpp"
 #include "skein/assembly/page_world.hpp"
 #include "skein/console/console.hpp"
+#include "skein/designer/workbench.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "skein/manual/pages.hpp"
-#include "skein/designer/workbench.hpp"
 #include "skein/mavlink_out/mavlink_out.hpp"
 #include "skein/node/waker.hpp"
 
@@ -188,6 +188,7 @@ int run(const DaemonProgram& program, const Options& options) {
   for (const std::string& notice : memory.notices)
     config.on_record(journal::Record({}, name, "notice").with("text", notice));
   config.memory = memory.log.get();
+  config.incarnation = memory.incarnation;
   auto companions = open_companions(options, *scenario);
   if (!companions) {
     std::cerr << companions.error().why << '\n';

@@ -1,17 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "memory.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "skein/foundation/fingerprint.hpp"
+#include "skein/store/incarnation.hpp"
 
 namespace skein::daemon_main {
 
 Memory open_memory(const std::string& folder, const store::Identity& identity,
                    const std::function<std::unique_ptr<node::Node>()>& make_node) {
   Memory memory;
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  const auto clock = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+  const auto next = store::next_incarnation(
+      folder, identity.node, static_cast<std::uint64_t>(std::max<std::int64_t>(clock, 0)));
+  if (next) {
+    memory.incarnation = *next;
+  } else {
+    memory.notices.push_back("its incarnation is of the clock: " + next.error().why);
+  }
   auto opened = store::SqliteInputLog::open(folder, identity);
   if (!opened) {
     memory.notices.push_back("nothing outlives this process: " + opened.error().why);

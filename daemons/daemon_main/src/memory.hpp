@@ -2,6 +2,7 @@
 // What of a daemon outlives its process.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -16,6 +17,7 @@ namespace skein::daemon_main {
 struct Memory {
   std::unique_ptr<store::SqliteInputLog> log;  ///< null: nothing outlives the process
   std::vector<std::string> notices;            ///< for the log
+  std::uint64_t incarnation = 0;               ///< of this process; 0: of the clock
 };
 
 /// Opens the memory of a node in a folder, or begins one. What cannot be gone on from is set aside,

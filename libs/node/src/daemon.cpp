@@ -52,7 +52,7 @@ class Daemon {
   Result<DaemonEnd, Failure> run(std::unique_ptr<Node> node) {
     transport_->on_arrival([this] { waker_.notify(); });
     HostConfig host_config;
-    host_config.incarnation = incarnation_of_now();
+    host_config.incarnation = config_.incarnation > 0 ? config_.incarnation : incarnation_of_now();
     host_config.heartbeat_period = heartbeat_;
     host_config.told = config_.told;
     host_config.rate = config_.rate;

@@ -24,6 +24,8 @@ struct DaemonConfig {
   bool leads_clock = false;                     ///< exactly one daemon of a system: the simulator
   MissionTime time_limit = MissionTime::max();  ///< leader: the clock ends here at the latest
   std::vector<std::string> awaited;  ///< leader: the clock starts when all of these are ready
+  /// Greater than those of all former incarnations; 0: of the clock [ns since 1970].
+  std::uint64_t incarnation = 0;
   /// What outlives the process, see HostConfig. A leader that comes back goes on with mission time
   /// where it is at the others.
   InputLog* memory = nullptr;

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# check_boot.sh BUILD CASE: a UAV that dies and loses its memory boots with a clock that says 1970 (docs/daemons.md).
+#   counted      with --state its incarnations are counted on, and the ground station hears it
+#   clock        without, it has the number of an older incarnation, and is not heard: what the count is for
+set -euo pipefail
+build=$1 case=$2
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+command -v faketime >/dev/null || { echo "SKIPPED: there is no faketime here"; exit 77; }
+# A network of its own, so that the domain is free.
+if [ -z "${SKEIN_IN_NAMESPACE:-}" ]; then
+  unshare -rn true 2>/dev/null || { echo "SKIPPED: no network namespaces here"; exit 77; }
+  SKEIN_IN_NAMESPACE=1 exec unshare -rnm "$0" "$@"
+fi
+ip link set lo up
+work=$(mktemp -d)
+running=()
+stop() { [ ${#running[@]} -eq 0 ] || kill -KILL "${running[@]}" 2>/dev/null || true; rm -rf "$work"; }
+trap stop EXIT
+fail() { echo "FAILED ($case): $*" >&2; tail -n 5 "$work"/*.log >&2 || true; exit 1; }
+prefix=()
+start() { # NAME PROGRAM [options]: a daemon in the background
+  local name=$1 program=$2
+  shift 2
+  "${prefix[@]}" "$build/bin/$program" --scenario "$here/../../scenarios/karma/detection.yaml" --rate 2 "$@" >"$work/$name.log" 2>&1 &
+  running+=($!)
+  last=$!
+}
+state=()
+[ "$case" = clock ] || state=(--state "$work/state")
+start sim skein-sim
+start ground skein-ground
+start karma skein-ddn --uav karma "${state[@]}"
+timeout 40 grep -q "karma can be reached" <(tail -f "$work/ground.log") || fail "they did not meet"
+kill -KILL "$last"
+rm -f "$work"/state/karma.state* "$work"/state/karma.complete
+prefix=(env FAKETIME_DONT_FAKE_MONOTONIC=1 faketime '1970-01-02')
+start karma-again skein-ddn --uav karma "${state[@]}"
+case $case in
+  counted)
+    timeout 30 grep -q "restarted.*karma" <(tail -f "$work/ground.log") || fail "it is not heard" ;;
+  clock)
+    timeout 30 grep -q "karma cannot be reached" <(tail -f "$work/ground.log") || fail "it is missed by nobody"
+    timeout 30 grep -q "ground can be reached" <(tail -f "$work/karma-again.log") || fail "it does not hear the ground"
+    # Who is heard is heard within a heartbeat, half a second here.
+    ! timeout 5 grep -q "restarted.*karma" <(tail -f "$work/ground.log") || fail "it is heard, so what is the count for?" ;;
+  *) echo "unknown case $case" >&2; exit 2 ;;
+esac
