@@ -274,6 +274,20 @@ def check_replays_what_was_recorded(browser, build):
         page.close()
 
 
+def check_shows_joint_tasks(browser, build):
+    """Roles, whom with and where they are, of a joint task; what it costs to fly home."""
+    with Replay(build, SOURCE / "scenarios/mref/nominal.yaml", 60) as replay:
+        page = browser.page(replay.url)
+        page.until("document.querySelectorAll('.joint li').length >= 2")
+        page.until("document.getElementById('play')")
+        page.says("document.getElementById('play').click()")
+        page.until("document.getElementById('play').textContent === 'play'")
+        told = page.says("[...document.querySelectorAll('.joint li')].map((one) => one.textContent)")
+        assert any(re.search(r"^[\w-]+: \S+ (loaded|running).* with \w+ \(", one) for one in told), told
+        assert page.says("[...document.querySelectorAll('.card dd')].some((one) => /% to home/.test(one.textContent))")
+        page.close()
+
+
 def check_shows_a_cut_link(browser, mission):
     """Seconds from the word of the simulator that the link is cut to the card that says so."""
     page = opened(browser, mission)
@@ -352,6 +366,7 @@ def check(build, pictures):
             assert seconds < 3, f"a cut link was shown after {seconds:.1f} s"
             print(f"a cut link is shown after {seconds:.1f} s")
         check_replays_what_was_recorded(browser, build)
+        check_shows_joint_tasks(browser, build)
         assert not browser.errors, browser.errors
     finally:
         browser.close()

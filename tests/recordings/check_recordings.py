@@ -17,7 +17,7 @@ PACKAGES = ["@mcap/core@2.2.2", "@foxglove/schemas@2.1.0", "ajv@8.17.1"]
 
 
 def run(command, folder, **more):
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=240, **more)
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=120, **more)
 
 
 def skip(why):
@@ -31,7 +31,10 @@ def install(folder):
         if not shutil.which(tool):
             skip(f"there is no {tool} here")
     (folder / "package.json").write_text('{"private": true}')
-    done = run(["npm", "install", "--no-audit", "--no-fund", *PACKAGES], folder)
+    try:
+        done = run(["npm", "install", "--no-audit", "--no-fund", "--prefer-offline", "--fetch-retries=1", *PACKAGES], folder)
+    except subprocess.TimeoutExpired:
+        skip("npm's registry does not answer")
     if done.returncode != 0:
         skip(f"npm cannot install {' '.join(PACKAGES)}: {done.stderr.strip().splitlines()[-1:]}")
 

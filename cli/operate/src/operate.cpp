@@ -6,11 +6,11 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <set>
 
 #include "for_all.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "station.hpp"
+#include "teller.hpp"
 
 namespace skein::operate_tool {
 
@@ -34,36 +34,14 @@ std::uint64_t number_of_now() {
       std::chrono::duration_cast<std::chrono::microseconds>(since_epoch).count());
 }
 
-std::string line_of(const wire::CommandEntry& command) {
-  std::string line = command.uav + ": " + command.what + ": " + std::string(name_of(command.state));
-  if (!command.why.empty()) line += ": " + command.why;
-  return line;
-}
-
 int verdict(const wire::OperatorReply& reply, bool wait) {
   if (!reply.accepted || !reply.problems.empty()) return kExitNegative;
   const bool all_well =
       std::all_of(reply.commands.begin(), reply.commands.end(), [wait](const auto& one) {
-        return one.state == CommandState::kAcknowledged ||
-               (!wait && one.state == CommandState::kIssued);
+        return one.state == CommandState::kAcknowledged || (!wait && !wire::is_settled(one.state));
       });
   return all_well ? kExitOk : kExitNegative;
 }
-
-/// Prints each state of each command once.
-class Teller {
- public:
-  explicit Teller(std::ostream& out) : out_(out) {}
-  void tell(const wire::OperatorReply& reply) {
-    for (const wire::CommandEntry& one : reply.commands) {
-      if (told_.emplace(one.command, one.state).second) out_ << line_of(one) << std::endl;
-    }
-  }
-
- private:
-  std::ostream& out_;
-  std::set<std::pair<std::uint64_t, CommandState>> told_;
-};
 
 int ask_and_tell(Station& station, const wire::OperatorRequest& request,
                  const OperateOptions& options, std::ostream& out, std::ostream& err) {

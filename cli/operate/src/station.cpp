@@ -76,6 +76,7 @@ void Station::take() {
 void Station::take(const wire::Sample& sample) {
   if (const auto* clock = std::get_if<wire::Clock>(&sample)) {
     clock_.update(*clock, node::Waker::steady_now());
+    clock_heard_ = true;
   } else if (const auto* link = std::get_if<wire::LinkState>(&sample)) {
     boards_.links.insert_or_assign(link->header.instance, *link);
   } else if (const auto* ground = std::get_if<wire::GroundBoard>(&sample)) {

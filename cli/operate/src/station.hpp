@@ -44,6 +44,8 @@ class Station {
   /// Nothing: no answer to that request yet.
   std::optional<wire::OperatorReply> answer(const std::string& who, std::uint64_t number) const;
   MissionTime mission_time();
+  /// Before that, mission_time() says nothing.
+  bool clock_heard() const { return clock_heard_; }
   wire::ClockPhase phase() const { return clock_.phase(); }
   bool interrupted() const { return waker_.stop_requested(); }
 
@@ -57,6 +59,7 @@ class Station {
   std::unique_ptr<blackboard::Transport> transport_;
   std::optional<blackboard::Blackboard> board_;
   node::MissionClock clock_;
+  bool clock_heard_ = false;
   Boards boards_;
   std::map<std::pair<std::string, std::uint64_t>, wire::OperatorReply> answers_;
   std::uint32_t instance_ = 0;

@@ -111,11 +111,11 @@ void print_world(const wire::GroundBoard& ground, std::ostream& out) {
 void print_commands(const wire::GroundBoard& ground, std::ostream& out) {
   bool any = false;
   for (const wire::CommandEntry& one : ground.commands) {
-    if (one.state != wire::CommandState::kIssued) continue;
+    if (wire::is_settled(one.state)) continue;
     if (!any) out << "\nCOMMANDS UNDER WAY\n";
     any = true;
     out << "  " << std::left << std::setw(6) << one.command << std::setw(12) << one.uav
-        << std::setw(30) << one.what << one.asked_by << '\n';
+        << std::setw(30) << one.what << std::setw(11) << name_of(one.state) << one.asked_by << '\n';
   }
 }
 
@@ -209,7 +209,7 @@ int status(const StatusOptions& options, std::ostream& out, std::ostream& err) {
     err << opened.error().why << '\n';
     return kExitSystem;
   }
-  const auto heard = [&] { return station.boards().complete(); };
+  const auto heard = [&] { return station.boards().complete() && station.clock_heard(); };
   if (!station.listen(options.station.patience, heard)) {
     if (station.interrupted()) return kExitOk;
     err << "no ground station is heard on domain " << options.station.domain

@@ -42,6 +42,16 @@ std::int64_t instant(const Record& record, std::string_view key, std::int64_t ot
   return std::abs(seconds) < 1e8 ? MissionTime::seconds(seconds).count() : otherwise;
 }
 
+std::vector<std::string> parted(const std::string& text, std::string_view separator) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(separator, at), text.size());
+    parts.push_back(text.substr(at, end - at));
+    at = end + separator.size();
+  }
+  return parts;
+}
+
 /// The one of that id, or a new one.
 template <class Entry>
 Entry& entry_of(std::vector<Entry>& all, std::uint64_t id) {
@@ -73,7 +83,8 @@ const std::map<std::string, Retold::Teller, std::less<>>& Retold::tellers() {
       {"telemetry", &Retold::take_telemetry}, {"degree", &Retold::take_degree},
       {"hand", &Retold::take_hand},           {"task", &Retold::take_task},
       {"goal", &Retold::take_goal},           {"plan", &Retold::take_plan},
-      {"planned", &Retold::take_planned},     {"decision", &Retold::take_decision}};
+      {"planned", &Retold::take_planned},     {"decision", &Retold::take_decision},
+      {"joint", &Retold::take_joint}};
   return all;
 }
 
@@ -106,18 +117,37 @@ bool Retold::take_for_all(const Record& record, Samples& news) {
   return true;
 }
 
+// As nodes number them: each joint task of a UAV is an instance of its own.
+Samples Retold::take_joint(const Record& record, Uav& uav) {
+  const std::string subject = text_of(record, "joint");
+  const auto [found, is_new] = uav.joint.try_emplace(subject);
+  wire::JointTaskState& state = found->second;
+  state.header.origin = uav.board.header.instance;
+  if (is_new) state.header.instance = static_cast<std::uint32_t>(uav.joint.size());
+  state.uav = uav.board.uav;
+  state.subject = subject;
+  state.task = id_of(record, "task");
+  state.model = text_of(record, "model");
+  state.variant = text_of(record, "variant");
+  set_by_name(state.phase, record.text("phase"));
+  state.why = text_of(record, "why");
+  state.agreed_start = instant(record, "start", wire::kNoInstant);
+  state.active_blocks = parted(text_of(record, "blocks"), " ");
+  state.violated = parted(text_of(record, "violated"), " ");
+  state.holders.clear();
+  for (const std::string& one : parted(text_of(record, "holders"), ", ")) {
+    const std::size_t space = one.find(' ');
+    if (space != one.npos) state.holders.push_back({one.substr(0, space), one.substr(space + 1)});
+  }
+  return {state};
+}
+
 void Retold::take_owner(const Record& record) {
   wire::BoardTeamTask& task = entry_of(ground_.team, id_of(record, "task"));
   task.statement = text_of(record, "statement");
   task.stage = text_of(record, "stage");
   task.why = text_of(record, "why");
-  const std::string owners = text_of(record, "owners");
-  task.owners.clear();
-  for (std::size_t at = 0; at < owners.size();) {
-    const std::size_t end = std::min(owners.find(", ", at), owners.size());
-    task.owners.push_back(owners.substr(at, end - at));
-    at = end + 2;
-  }
+  task.owners = parted(text_of(record, "owners"), ", ");
 }
 
 Samples Retold::take_telemetry(const Record& record, Uav& uav) {
@@ -234,12 +264,11 @@ void Retold::take_command(const Record& record) {
     found->command = number;
     found->uav = text_of(record, "uav");
     found->issued = record.at().count();
-  } else {
-    found->settled = record.at().count();
   }
   found->what = text_of(record, "what");
   found->why = text_of(record, "why");
   set_by_name(found->state, record.text("state"));
+  if (wire::is_settled(found->state)) found->settled = record.at().count();
 }
 
 Sample Retold::link(const Record& record) const {

@@ -27,6 +27,7 @@ class Retold {
     wire::UavBoard board;
     wire::UavTasks tasks;
     std::map<std::uint64_t, wire::PlanEntry> plan;
+    std::map<std::string, wire::JointTaskState, std::less<>> joint;  ///< by subject
   };
   using Teller = std::vector<wire::Sample> (Retold::*)(const journal::Record&, Uav&);
   static const std::map<std::string, Teller, std::less<>>& tellers();
@@ -38,6 +39,7 @@ class Retold {
   std::vector<wire::Sample> take_goal(const journal::Record& record, Uav& uav);
   std::vector<wire::Sample> take_plan(const journal::Record& record, Uav& uav);
   std::vector<wire::Sample> take_planned(const journal::Record& record, Uav& uav);
+  std::vector<wire::Sample> take_joint(const journal::Record& record, Uav& uav);
   std::vector<wire::Sample> take_decision(const journal::Record& record, Uav& uav);
   /// Lines about no UAV; false: none of these.
   bool take_for_all(const journal::Record& record, std::vector<wire::Sample>& news);

@@ -39,6 +39,32 @@ class ARetoldRun : public ::testing::Test {
   Retold retold{{"karma", "marvin"}};
 };
 
+TEST_F(ARetoldRun, TellsWhereAUavStandsInAJointTask) {
+  see(line(8, "marvin", "joint").with("uav", "marvin").with("joint", "other").with("task", 2));
+  const auto news = see(line(9, "marvin", "joint")
+                            .with("uav", "marvin")
+                            .with("joint", "watch 7")
+                            .with("task", 7)
+                            .with("model", "watch")
+                            .with("phase", "running")
+                            .with("holders", "karma far, marvin near")
+                            .with("blocks", "b1 b2")
+                            .with("violated", "apart")
+                            .with("start", 12.5));
+
+  const auto state = last<wire::JointTaskState>(news);
+  EXPECT_EQ(state.uav, "marvin");
+  EXPECT_EQ(state.subject, "watch 7");
+  EXPECT_EQ(state.header.origin, 11U);
+  EXPECT_EQ(state.header.instance, 2U) << "the second joint task of this UAV";
+  EXPECT_EQ(state.phase, wire::JointTaskPhase::kRunning);
+  EXPECT_THAT(state.holders,
+              ElementsAre(wire::RoleHolder{"karma", "far"}, wire::RoleHolder{"marvin", "near"}));
+  EXPECT_THAT(state.active_blocks, ElementsAre("b1", "b2"));
+  EXPECT_THAT(state.violated, ElementsAre("apart"));
+  EXPECT_EQ(state.agreed_start, 12'500'000'000);
+}
+
 TEST_F(ARetoldRun, TellsWhereAUavWas) {
   const auto news = see(line(7, "sim", "telemetry")
                             .with("uav", "marvin")
@@ -129,6 +155,10 @@ TEST_F(ARetoldRun, ACommandIsOneEntryFromIssueToItsEnd) {
         .with("state", state);
   };
   (void)see(command(1, "issued"));
+  const auto under_way = last<wire::GroundBoard>(see(command(1.5, "delivered"))).commands;
+  ASSERT_EQ(under_way.size(), 1U);
+  EXPECT_EQ(under_way[0].state, wire::CommandState::kDelivered);
+  EXPECT_EQ(under_way[0].settled, wire::kNoInstant);
   const auto commands = last<wire::GroundBoard>(see(command(2, "acknowledged"))).commands;
 
   ASSERT_EQ(commands.size(), 1U);

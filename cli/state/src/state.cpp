@@ -78,6 +78,11 @@ void add(Json& line, const node::LoggedInput& input) {
                           line["slot"] = wire::slot_name(one.slot);
                           line["sequence"] = one.sequence;
                         },
+                        [&](const node::Delivered& one) {
+                          line["kind"] = "delivered";
+                          line["to"] = one.to.value();
+                          line["receipt"] = one.receipt;
+                        },
                         [&](const node::Wakeup&) { line["kind"] = "wakeup"; },
                         [&](const node::JobEnded& one) {
                           line["kind"] = "job";

@@ -50,6 +50,13 @@ Json volume_of(const world::Volume& volume) {
   return json;
 }
 
+/// Of what its store holds: one metre at cruise speed, and what no way may use.
+Json energy_of(const world::VehicleModel& model) {
+  const world::EnergyModel& energy = model.energy;
+  return {{"metre", energy.cruise_power / model.cruise_speed / energy.capacity},
+          {"reserve", energy.reserve}};
+}
+
 Json uav_of(const scenario::UavSpec& uav, const node::Roster& roster) {
   Json sensors = Json::array();
   for (const world::SensorModel& sensor : uav.model.sensors) sensors.push_back(sensor.device);
@@ -57,6 +64,7 @@ Json uav_of(const scenario::UavSpec& uav, const node::Roster& roster) {
           {"number", roster.find(uav.name)->number.value()},
           {"model", uav.model.name},
           {"start", {uav.start.x(), uav.start.y()}},
+          {"energy", energy_of(uav.model)},
           {"sensors", std::move(sensors)}};
 }
 

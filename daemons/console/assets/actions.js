@@ -134,12 +134,25 @@ export function missionForm() {
 
 // ---- what came of requests ----
 
-const tone = {acknowledged: "good", accepted: "good", done: "good", refused: "bad", expired: "bad", "not sent": "bad", issued: "warn", sent: "", sending: ""};
+const tone = {acknowledged: "good", accepted: "good", done: "good", refused: "bad", expired: "bad", "not sent": "bad", issued: "warn", delivered: "warn", sent: "", sending: ""};
 
 function commandText(command) {
+  if (command.state === "delivered") return "delivered, not answered yet";
   if (command.state !== "issued") return command.state;
   const board = model.uavs.get(command.uav)?.board;
   return board && !board.reachable ? "issued, waits for contact" : "issued";
+}
+
+/** How far it came, in shapes: issued, delivered, at its end. */
+function steps(command) {
+  const came = {issued: 1, delivered: 2, acknowledged: 3}[command.state];
+  if (came) return "●".repeat(came) + "○".repeat(3 - came);
+  return command.state === "refused" ? "●●×" : "●××";
+}
+
+function commandChip(command, text) {
+  return el("span", {className: "chip " + (tone[command.state] ?? ""), title: `issued → delivered → acknowledged; ${command.why}`},
+    `${command.uav}: ${command.what}: ${text}${command.why ? ": " + command.why : ""} `, el("span", {className: "steps", "aria-hidden": "true"}, steps(command)));
 }
 
 export function requests(list) {
@@ -148,14 +161,14 @@ export function requests(list) {
     const rows = mine.slice(0, 60).map((request) => {
       const reply = model.replies.get(request.who + " " + request.number);
       const state = !reply ? request.state : !reply.accepted ? "refused" : reply.complete && !reply.commands.length ? "done" : "accepted";
-      const chips = (reply?.commands ?? []).map((command) => el("span", {className: "chip " + (tone[command.state] ?? ""), title: command.why}, `${command.uav}: ${command.what}: ${commandText(command)}${command.why ? ": " + command.why : ""}`));
+      const chips = (reply?.commands ?? []).map((command) => commandChip(command, commandText(command)));
       const problems = [...request.problems, ...(reply?.problems ?? [])];
       return el("li", {}, el("b", {}, request.what), el("span", {className: "chip " + (tone[state] ?? "")}, state), ...chips,
         problems.length ? el("span", {className: "chip bad"}, problems.join("; ")) : null);
     });
     const others = [...model.replies.values()].filter((reply) => !mine.some((one) => one.number === reply.number && one.who === reply.who));
     for (const reply of others.slice(-20).reverse()) {
-      rows.push(el("li", {}, el("span", {className: "chip"}, reply.who), ...reply.commands.map((command) => el("span", {className: "chip " + (tone[command.state] ?? "")}, `${command.uav}: ${command.what}: ${command.state}`)),
+      rows.push(el("li", {}, el("span", {className: "chip"}, reply.who), ...reply.commands.map((command) => commandChip(command, command.state)),
         !reply.accepted && el("span", {className: "chip bad"}, reply.problems.join("; "))));
     }
     return rows.length ? rows : [el("li", {className: "empty"}, `What you ask as ${operator()} is followed here from sending to its end.`)];

@@ -48,7 +48,7 @@ function tools() {
   follow.addEventListener("click", () => { map.view.follow = !map.view.follow; });
   setInterval(() => follow.setAttribute("aria-pressed", map.view.follow), 300);
   $("tools").append(el("button", {onclick: map.fit, title: "all of it (0)"}, "fit"), follow,
-    ...[["plans", "plans"], ["trails", "trails"], ["looks", "looks"], ["links", "links"]].map(([name, label]) => toggle(name, label)),
+    ...[["plans", "plans"], ["trails", "trails"], ["looks", "looks"], ["links", "links"], ["joint", "joint tasks"]].map(([name, label]) => toggle(name, label)),
     el("button", {onclick: act.closeAir, className: "acts"}, "close air…"));
 }
 

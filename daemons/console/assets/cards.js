@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // A card for each UAV: what an operator wants to know of it, and what he can do with it.
 import {$, clockText, el, fill, isOver, seconds, slide} from "./dom.js";
-import {model, now, operator, patience, placeOf} from "./feed.js";
+import {jointOf, model, now, operator, patience, placeOf, roleIn} from "./feed.js";
 import * as act from "./actions.js";
 import {heightAt, view} from "./map.js";
 
 const cards = new Map();
 
 function make(uav, choose) {
-  const parts = Object.fromEntries(["degree", "hand", "contact", "energy", "flight", "task", "plan", "goals", "decisions", "buttons"].map((name) => [name, el("span", {})]));
+  const parts = Object.fromEntries(["degree", "hand", "contact", "energy", "flight", "task", "plan", "joint", "goals", "decisions", "buttons"].map((name) => [name, el("span", {})]));
   parts.degree.className = "degree";
   const row = (name, node) => [el("dt", {}, name), el("dd", {}, node)];
   const card = el("article", {className: "card", style: {"--own": uav.colour}},
     el("header", {onclick: () => choose(uav.name), tabIndex: 0, role: "button", "aria-label": `choose ${uav.name}`, onkeydown: (event) => { if (event.key === "Enter" || event.key === " ") { choose(uav.name); event.preventDefault(); } }}, el("b", {}, uav.name), parts.degree, parts.hand, el("span", {className: "fill"}), parts.contact),
-    el("dl", {}, ...row("energy", parts.energy), ...row("flight", parts.flight), ...row("does", parts.task), ...row("plan", parts.plan)),
+    el("dl", {}, ...row("energy", parts.energy), ...row("flight", parts.flight), ...row("does", parts.task), ...row("plan", parts.plan)), parts.joint,
     parts.goals, parts.buttons, el("details", {}, el("summary", {}, "decisions, and why"), parts.decisions));
   card.dataset.uav = uav.name;
   return {card, parts};
@@ -28,12 +28,33 @@ function contact(uav, parts) {
   return lost || age === null || age > 2 * patience();
 }
 
+/** What is left, what the straight way to its start would take, and what no way may use. */
+function energy(uav, parts, left, home) {
+  const share = Math.round(left * 100);
+  const back = home === null || !uav.energy ? null : home * uav.energy.metre, reserve = uav.energy?.reserve ?? 0;
+  const level = back !== null && left < back + reserve ? "bad" : left < 1.5 * ((back ?? 0.1) + reserve) ? "warn" : "";
+  const needed = back === null ? "" : `, ${(back * 100).toFixed(back < 0.1 ? 1 : 0)} % to home`;
+  fill(parts.energy, `${share} ${needed} ${level}`, () => [
+    el("span", {className: "bar " + level, title: `${Math.round(reserve * 100)} % are kept in reserve`}, el("i", {style: {width: share + "%"}}),
+      back !== null && el("b", {style: {left: Math.min(99, 100 * (back + reserve)) + "%"}})),
+    `${share} %${needed}${level === "bad" ? ": not enough with the reserve" : ""}`]);
+}
+
+/** Joint tasks: its role, who has the others, which constraints between them do not hold. */
+function joint(uav, parts) {
+  const all = jointOf(uav);
+  fill(parts.joint, JSON.stringify(all), () => (all.length ? el("ul", {className: "joint"}, ...all.map((state) => el("li", {title: state.why},
+    el("b", {}, `${state.model}: ${roleIn(state) || "no role yet"}`), ` ${state.phase}`,
+    state.active_blocks.length > 0 && el("small", {}, " in " + state.active_blocks.join(", ")),
+    state.holders.length > 1 && el("small", {}, " with " + state.holders.filter((one) => one.uav !== state.uav).map((one) => `${one.uav} (${one.role})`).join(", ")),
+    ...state.violated.map((name) => el("span", {className: "chip warn", title: "a spatial constraint does not hold"}, name + " does not hold"))))) : []));
+}
+
 function numbers(uav, parts) {
   const at = placeOf(uav);
   if (!at) { parts.flight.textContent = "–"; return; }
-  const share = Math.round(at.energy * 100), level = share < 15 ? "bad" : share < 30 ? "warn" : "";
-  fill(parts.energy, `${share}`, () => [el("span", {className: "bar " + level}, el("i", {style: {width: share + "%"}})), `${share} %`]);
   const climb = at.v.z, home = uav.start ? Math.hypot(at.x - uav.start[0], at.y - uav.start[1]) : null;
+  energy(uav, parts, at.energy, home);
   parts.flight.textContent = uav.board?.airborne
     ? `${(at.z - heightAt(at.x, at.y)).toFixed(0)} m over ground, ${Math.hypot(at.v.x, at.v.y).toFixed(1)} m/s${Math.abs(climb) > 0.5 ? (climb > 0 ? " ↑" : " ↓") : ""}${home === null ? "" : `, ${home.toFixed(0)} m from start`}`
     : "on the ground";
@@ -101,6 +122,7 @@ export function draw(choose) {
     card.classList.toggle("lost", contact(uav, parts));
     numbers(uav, parts);
     work(uav, parts);
+    joint(uav, parts);
     thoughts(uav, parts);
     buttons(uav, parts);
   }

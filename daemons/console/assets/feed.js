@@ -31,7 +31,7 @@ export const patience = () => 2.5 + 0.6 * model.clock.rate;
 function uav(name) {
   let one = model.uavs.get(name);
   if (!one) {
-    one = {name, number: 0, colour: colours[model.uavs.size % colours.length], marks: new Map(), trail: []};
+    one = {name, number: 0, colour: colours[model.uavs.size % colours.length], marks: new Map(), joint: new Map(), trail: []};
     model.uavs.set(name, one);
   }
   return one;
@@ -54,6 +54,7 @@ const take = {
   Telemetry(s) { const one = uav(s.uav); one.telemetry = s; one.at = seconds(s.header.mission_time); },
   GroundBoard(s) { model.ground = s; },
   LinkState(s) { model.links.set(s.header.instance, s); },
+  JointTaskState(s) { uav(s.uav).joint.set(s.header.instance, s); },
   PerceptionReport(s) { model.looks.set(s.uav + " " + s.device, {...s, at: seconds(s.header.mission_time)}); },
   OperatorReply(s) { model.replies.set(s.who + " " + s.number, s); },
   MissionState() {},
@@ -73,7 +74,7 @@ function message(event) {
 function forget() {
   model.log = []; model.replies.clear(); model.looks.clear(); model.links.clear();
   model.ground = null;
-  for (const one of model.uavs.values()) Object.assign(one, {marks: new Map(), trail: [], board: undefined, tasks: undefined, telemetry: undefined});
+  for (const one of model.uavs.values()) Object.assign(one, {marks: new Map(), joint: new Map(), trail: [], board: undefined, tasks: undefined, telemetry: undefined});
 }
 
 let source = null;
@@ -101,13 +102,17 @@ export async function start() {
   const answer = await fetch("/api/world");
   if (!answer.ok) throw new Error((await answer.json()).problems.join("; "));
   model.world = await answer.json();
-  for (const one of model.world.uavs) Object.assign(uav(one.name), {number: one.number, model: one.model, sensors: one.sensors, start: one.start});
+  for (const one of model.world.uavs) Object.assign(uav(one.name), {number: one.number, model: one.model, sensors: one.sensors, start: one.start, energy: one.energy});
   open();
   // A browser has six connections to a host: a page that is not seen gives its own back.
   document.addEventListener("visibilitychange", () => {
     if (document.hidden) { source.close(); model.connected = false; } else open();
   });
 }
+
+/** The joint tasks that it takes part in now. */
+export const jointOf = (one) => [...one.joint.values()].filter((state) => !["ended", "aborted", "not-loaded"].includes(state.phase));
+export const roleIn = (state) => state.holders.find((one) => one.uav === state.uav)?.role ?? "";
 
 export const nameOf = (number) => number === 1 ? "ground" : [...model.uavs.values()].find((one) => one.number === number)?.name ?? "node " + number;
 

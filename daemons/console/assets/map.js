@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The map: relief, areas, what is believed of fires, ways and looks of UAVs, links, UAVs.
 import {$, el, seconds} from "./dom.js";
-import {model, nameOf, now, patience, placeOf} from "./feed.js";
+import {jointOf, model, nameOf, now, patience, placeOf, roleIn} from "./feed.js";
 
 const canvas = $("map");
 const g = canvas.getContext("2d");
-export const view = {x: 0, y: 0, scale: 1, fitted: false, chosen: null, follow: false, layers: {relief: true, plans: true, trails: true, looks: true, links: true}};
+export const view = {x: 0, y: 0, scale: 1, fitted: false, chosen: null, follow: false, layers: {relief: true, plans: true, trails: true, looks: true, links: true, joint: true}};
 let relief = null;
 let tool = null;   // {hint, points, closed, done, one}
 let mouse = null;
@@ -266,6 +266,34 @@ function uav(one) {
   text(stale ? `last heard ${(now() - at.at).toFixed(0)} s ago` : `${height.toFixed(0)} m  ${speed.toFixed(0)} m/s`, px + 18, py + 8, {size: 10, colour: stale ? "#ffb08a" : "#e8edf3"});
 }
 
+/** Who does something together is tied together, role beside role; a spatial constraint that does not hold is named between them. */
+function jointTasks(all) {
+  const groups = new Map();   // subject -> {members: [[x, y]], violated}
+  for (const one of all) {
+    const at = placeOf(one);
+    if (!at) continue;
+    for (const state of jointOf(one)) {
+      const group = groups.get(state.subject) ?? groups.set(state.subject, {members: [], violated: new Set()}).get(state.subject);
+      group.members.push(screen(at.x, at.y));
+      state.violated.forEach((name) => group.violated.add(name));
+      const [px, py] = screen(at.x, at.y), role = roleIn(state);
+      if (role) text(role, px + 18, py + 20, {size: 10, colour: "#f0e442"});
+    }
+  }
+  for (const {members, violated} of groups.values()) {
+    if (members.length < 2) continue;
+    const bad = violated.size > 0;
+    for (let i = 0; i < members.length; i += 1) {
+      for (let j = i + 1; j < members.length; j += 1) {
+        g.beginPath(); g.moveTo(...members[i]); g.lineTo(...members[j]);
+        g.setLineDash(bad ? [2, 4] : [9, 5]); g.lineWidth = bad ? 3 : 2; g.strokeStyle = bad ? "#e8672c" : "rgba(240,228,66,.75)"; g.stroke(); g.setLineDash([]);
+      }
+    }
+    const [mx, my] = centre(members);
+    if (bad) text(`${[...violated].join(", ")}: does not hold`, mx, my - 6, {align: "center", colour: "#ff9a6b", bold: true});
+  }
+}
+
 function scale() {
   const length = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000].find((one) => one * view.scale > 60) ?? 10000;
   const bar = $("scale");
@@ -324,6 +352,7 @@ export function draw() {
   const all = [...model.uavs.values()];
   if (view.layers.trails) all.forEach(trail);
   if (view.layers.plans) all.forEach(plans);
+  if (view.layers.joint) jointTasks(all);
   alarms();
   all.forEach(uav);
   drawTool();

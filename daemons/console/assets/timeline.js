@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The chronology: a row for each UAV, what its tasks did and what it means to do.
 import {$, clockText, isOver, seconds} from "./dom.js";
-import {model, now} from "./feed.js";
+import {model, now, roleIn} from "./feed.js";
 
 const canvas = $("chronology");
 const g = canvas.getContext("2d");
 export const window_ = {span: 240, end: null};   // [s]; end null: goes with the time
 const kName = 74, kTop = 18;
+const kTogether = 2;   // [s] between the ends of two tasks that synchronise with each other
 let boxes = [];
 
 const looks = {
@@ -60,6 +61,30 @@ function lanes(list) {
   return Math.max(1, ends.length);
 }
 
+/** The window that the plan leaves: from the earliest start to the latest, from the earliest end to the latest. */
+function windows({planned}, colour, x, top, high, edge) {
+  const line = (from, to, y) => {
+    const a = seconds(from), b = seconds(to);
+    if (a === null || b === null || b - a < 0.5) return;
+    const left = x(a), right = Number.isFinite(b) ? x(b) : edge;
+    g.beginPath(); g.moveTo(left, y); g.lineTo(right, y); g.moveTo(left, y - 2); g.lineTo(left, y + 2);
+    if (Number.isFinite(b)) { g.moveTo(right, y - 2); g.lineTo(right, y + 2); } else { g.moveTo(right - 5, y - 3); g.lineTo(right, y); g.lineTo(right - 5, y + 3); }
+    g.globalAlpha = 0.8; g.lineWidth = 1; g.strokeStyle = colour; g.stroke(); g.globalAlpha = 1;
+  };
+  line(planned.earliest_start, planned.latest_start, top + 1.5);
+  line(planned.earliest_end, planned.latest_end, top + high - 1.5);
+}
+
+/** Synchronise tasks of several UAVs that ended together, as two ends of a line each. */
+function meetings() {
+  const ends = boxes.filter(({one}) => one.task.type === "synchronise" && one.state === "ended");
+  const pairs = [];
+  ends.forEach((a, i) => ends.slice(i + 1).forEach((b) => { if (a.uav !== b.uav && Math.abs(a.one.to - b.one.to) < kTogether) pairs.push([a, b]); }));
+  return pairs;
+}
+
+const roleOf = (uav, id) => [...uav.joint.values()].filter((state) => state.task === id).map(roleIn)[0] ?? "";
+
 function box(one, colour, x, y, w, h) {
   g.globalAlpha = 1;
   if (one.state === "planned") {
@@ -75,7 +100,8 @@ function box(one, colour, x, y, w, h) {
     g.save(); g.beginPath(); g.rect(x, y, w, h); g.clip();
     g.font = `${Math.min(11, h)}px DejaVu Sans, sans-serif`; g.textAlign = "left";
     g.lineWidth = 2.5; g.strokeStyle = "rgba(15,17,21,.7)"; g.lineJoin = "round";
-    g.strokeText(one.task.type, shown + 4, y + h - Math.max(2, (h - 9) / 2)); g.fillStyle = "#fff"; g.fillText(one.task.type, shown + 4, y + h - Math.max(2, (h - 9) / 2));
+    const words = one.role ? `${one.task.type}: ${one.role}` : one.task.type;
+    g.strokeText(words, shown + 4, y + h - Math.max(2, (h - 9) / 2)); g.fillStyle = "#fff"; g.fillText(words, shown + 4, y + h - Math.max(2, (h - 9) / 2));
     g.restore();
   }
 }
@@ -106,6 +132,8 @@ export function draw(chosen) {
     for (const one of list) {
       const left = x(Math.max(one.from, from - 1)), right = Math.max(left + 2, x(Math.min(one.to, to + 1)));
       const top = y + 2 + one.lane * high;
+      one.role = roleOf(uav, one.task.id);
+      if (one.planned) windows(one, uav.colour, x, top, Math.max(3, high - 1.5), w);
       box(one, uav.colour, left, top, right - left, Math.max(3, high - 1.5));
       boxes.push({one, uav, left, top, right, bottom: top + high});
     }
@@ -113,6 +141,11 @@ export function draw(chosen) {
     g.fillStyle = uav.colour; g.fillRect(0, y + 2, 4, row - 5);
     g.textAlign = "left"; g.font = "600 12px DejaVu Sans, sans-serif"; g.fillStyle = "#e4e8ee"; g.fillText(uav.name, 10, y + row / 2 + 4);
   });
+  for (const [a, b] of meetings()) {
+    const [high, low] = a.top < b.top ? [a, b] : [b, a], px = x(Math.max(a.one.to, b.one.to));
+    g.beginPath(); g.moveTo(px, high.bottom); g.lineTo(px, low.top); g.setLineDash([2, 2]); g.lineWidth = 1.5; g.strokeStyle = "#f0e442"; g.stroke(); g.setLineDash([]);
+    for (const py of [high.bottom - 2, low.top + 2]) { g.beginPath(); g.arc(px, py, 3, 0, 7); g.fillStyle = "#f0e442"; g.fill(); }
+  }
   const at = x(now());
   g.strokeStyle = "#fff"; g.lineWidth = 1.5; g.beginPath(); g.moveTo(at, kTop - 3); g.lineTo(at, h); g.stroke();
 }
@@ -135,7 +168,11 @@ export function wire() {
     if (!hit) return;
     const {one, uav} = hit;
     const lines = [`${uav.name} ${one.task.id} ${one.task.type}: ${one.state}`, one.waits ? "waits for its conditions" : `${clockText(one.from)} to ${one.open ? "now" : clockText(one.to)}`];
-    if (one.planned) lines.push(one.planned.methods, `latest end ${clockText(seconds(one.planned.latest_end))}`);
+    if (one.role) lines.push(`role: ${one.role}`);
+    if (one.planned) {
+      const span = (from, to) => `${clockText(seconds(from))} to ${seconds(to) === Infinity ? "any time" : clockText(seconds(to))}`;
+      lines.push(one.planned.methods, `starts ${span(one.planned.earliest_start, one.planned.latest_start)}, ends ${span(one.planned.earliest_end, one.planned.latest_end)}`);
+    }
     const told = uav.tasks?.tasks.find((task) => task.id === one.task.id);
     if (told?.reason) lines.push(told.reason);
     tip.textContent = lines.filter(Boolean).join("\n");

@@ -15,7 +15,7 @@ using wire::Slot;
 bool is_followed(Slot slot) {
   return slot == Slot::kTelemetry || slot == Slot::kPerceptionReport || slot == Slot::kLinkState ||
          slot == Slot::kMissionState || slot == Slot::kUavBoard || slot == Slot::kUavTasks ||
-         slot == Slot::kGroundBoard;
+         slot == Slot::kGroundBoard || slot == Slot::kJointTaskState;
 }
 
 /// Those that the page has no use for.

@@ -293,6 +293,24 @@ TEST_F(ConsoleTest, NamesOfObjectsReachThePageAsJsonText) {
   EXPECT_GE(parsed, 1);
 }
 
+TEST_F(ConsoleTest, TellsWhereUavsStandInEachOfTheirJointTasks) {
+  for (const std::uint32_t instance : {1U, 2U}) {
+    wire::JointTaskState state;
+    state.header.origin = 11;
+    state.header.instance = instance;
+    state.uav = "marvin";
+    state.subject = "watch " + std::to_string(instance);
+    console_->sees(wire::Sample(state));
+  }
+  turn();
+  Line line(console_->port());
+  line.say(get("/api/events"));
+
+  const std::string heard = line.hear("watch 2");
+  EXPECT_NE(heard.find("\"subject\":\"watch 1\""), std::string::npos);
+  EXPECT_NE(heard.find("\"subject\":\"watch 2\""), std::string::npos);
+}
+
 TEST(ConsoleToken, IsNeededWhereOthersCanReachItAndIsInItsUrl) {
   ConsoleConfig config;
   config.address = "0.0.0.0";

@@ -88,6 +88,9 @@ std::optional<GroundNode::Input> GroundNode::input_of(const node::Input& input) 
     if (why.empty()) return input_from(*received);
     drop(*received, {"header.origin", why});
   }
+  if (const auto* delivered = std::get_if<node::Delivered>(&input)) {
+    return gs::CommandDelivered{gs::CommandNumber(delivered->receipt)};
+  }
   if (const auto* reach = std::get_if<node::Reachability>(&input)) {
     if (!is_uav(reach->peer)) return std::nullopt;
     return gs::PeerReachable{roster_.name_of(reach->peer), reach->reachable, reach->restarted};
@@ -231,7 +234,7 @@ wire::Sample GroundNode::sample_of(const gs::SendRequest& effect) const {
 
 void GroundNode::carry_out(const gs::SendRequest& effect) {
   addressees_.insert_or_assign(effect.command.value(), roster_.find(effect.uav)->number);
-  send(effect.uav, sample_of(effect), effect.expires);
+  send(effect.uav, sample_of(effect), effect.expires, effect.command.value());
   if (const auto* change = std::get_if<mission::ChangeWorld>(&effect.request)) {
     carry_out(roles_.tell(effect.uav, decision_node::PlaceTold{*change}, now_));
   }
@@ -404,10 +407,11 @@ void GroundNode::carry_out(const gs::MissionFinished&) {
   out_.push_back(node::Finish{});
 }
 
-void GroundNode::send(const std::string& uav, wire::Sample sample, MissionTime expires) {
+void GroundNode::send(const std::string& uav, wire::Sample sample, MissionTime expires,
+                      std::uint64_t receipt) {
   const node::Member* to = roster_.find(uav);
   SKEIN_EXPECTS(to != nullptr);
-  out_.push_back(node::Send{to->number, std::move(sample), expires});
+  out_.push_back(node::Send{to->number, std::move(sample), expires, receipt});
 }
 
 void GroundNode::log(journal::Record line) { out_.push_back(node::Log{std::move(line)}); }

@@ -88,6 +88,7 @@ TEST(GroundNode, SendsAPlannedTaskAsANumberedRequestThatExpires) {
   EXPECT_EQ(requests[0].second.task.id, 2U);
   EXPECT_EQ(requests[0].second.task.type, "goto");
   EXPECT_EQ(station.all<node::Send>()[0].expires, at(61));
+  EXPECT_EQ(station.all<node::Send>()[0].receipt, 1U);
 }
 
 TEST(GroundNode, PublishesAndLogsThePhaseItEnters) {
@@ -111,6 +112,10 @@ TEST(GroundNode, LogsACommandFromItsIssueToItsAnswer) {
   EXPECT_EQ(station.records("command")[0].text("state"), "issued");
   EXPECT_EQ(station.records("command")[0].text("uav"), "marvin");
 
+  station.give(node::Delivered{station.roster().find("marvin")->number, 1}, 2);
+  ASSERT_EQ(station.records("command").size(), 1U);
+  EXPECT_EQ(station.records("command")[0].text("state"), "delivered");
+
   station.from("marvin", reply(1, true), 2);
 
   ASSERT_EQ(station.records("command").size(), 1U);
@@ -123,9 +128,10 @@ TEST(GroundNode, LogsWhyACommandWasRefused) {
 
   station.from("marvin", reply(1, false, "known id"), 2);
 
-  ASSERT_EQ(station.records("command").size(), 1U);
-  EXPECT_EQ(station.records("command")[0].text("state"), "refused");
-  EXPECT_EQ(station.records("command")[0].text("why"), "known id");
+  ASSERT_EQ(station.records("command").size(), 2U);
+  EXPECT_EQ(station.records("command")[0].text("state"), "delivered");
+  EXPECT_EQ(station.records("command")[1].text("state"), "refused");
+  EXPECT_EQ(station.records("command")[1].text("why"), "known id");
 }
 
 TEST(GroundNode, LogsACommandThatWasNeverAnsweredAsExpired) {

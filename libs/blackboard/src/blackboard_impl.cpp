@@ -148,7 +148,7 @@ Result<std::uint64_t, Refusal> Blackboard::Impl::send(wire::Sample sample, NodeN
     const std::uint64_t sequence = peer.outgoing().next_sequence();
     stamp(header, to, sequence, now);
     header.expires = options.expires.count();
-    peer.outgoing().hold(std::move(sample));
+    peer.outgoing().hold(std::move(sample), options.receipt);
     write_due_events(peer, now);
     plan(peer);
     return sequence;
@@ -213,7 +213,7 @@ void Blackboard::Impl::recall_sent(wire::Sample sample, NodeNumber to, MissionTi
   Peer& peer = found->second;
   stamp(wire::header_of(sample), to, peer.outgoing().next_sequence(), {at, {}});
   wire::header_of(sample).expires = options.expires.count();
-  peer.recall_sent(std::move(sample));
+  peer.recall_sent(std::move(sample), options.receipt);
   plan(peer);
 }
 

@@ -15,14 +15,15 @@ constexpr std::int64_t kLongAgo = std::numeric_limits<std::int64_t>::min();
 
 }  // namespace
 
-void OutgoingEvents::hold(wire::Sample event) {
+void OutgoingEvents::hold(wire::Sample event, std::uint64_t receipt) {
   SKEIN_EXPECTS(!full());
-  recall(std::move(event));
+  recall(std::move(event), receipt);
 }
 
-void OutgoingEvents::recall(wire::Sample event) {
+void OutgoingEvents::recall(wire::Sample event, std::uint64_t receipt) {
   SKEIN_EXPECTS(wire::header_of(event).sequence_number == next_);
   held_.push_back({std::move(event)});
+  held_.back().receipt = receipt;
   ++next_;
 }
 
@@ -38,12 +39,18 @@ void OutgoingEvents::drop_given_up() {
   while (!held_.empty() && held_.front().given_up) held_.pop_front();
 }
 
-void OutgoingEvents::acknowledge(std::uint64_t sequence) {
-  if (sequence >= next_) return;
+std::vector<std::uint64_t> OutgoingEvents::acknowledge(std::uint64_t sequence) {
+  std::vector<std::uint64_t> receipts;
+  if (sequence >= next_) return receipts;
   const std::size_t before = held_.size();
-  while (!held_.empty() && oldest() <= sequence) held_.pop_front();
-  if (held_.size() == before) return;
+  while (!held_.empty() && oldest() <= sequence) {
+    const Held& event = held_.front();
+    if (event.receipt != 0 && !event.given_up) receipts.push_back(event.receipt);
+    held_.pop_front();
+  }
+  if (held_.size() == before) return receipts;
   for (Held& event : held_) event.writings = std::min(event.writings, 1);
+  return receipts;
 }
 
 void OutgoingEvents::resend() {

@@ -37,14 +37,15 @@ class OutgoingEvents {
   /// The oldest event held, or the next if none is.
   std::uint64_t oldest() const { return next_ - held_.size(); }
 
-  /// The header of `event` must carry next_sequence().
-  void hold(wire::Sample event);
+  /// The header of `event` must carry next_sequence(). `receipt`: see SendOptions.
+  void hold(wire::Sample event, std::uint64_t receipt = 0);
   /// Likewise, of a life before this one: there was room for it then.
-  void recall(wire::Sample event);
+  void recall(wire::Sample event, std::uint64_t receipt = 0);
   /// Of a life before this one: reported as expired then.
   void give_up(std::uint64_t sequence);
-  /// Everything up to and including this one was handled; nonsense is ignored.
-  void acknowledge(std::uint64_t sequence);
+  /// Everything up to and including this one was handled; nonsense is ignored. Gives the receipts
+  /// asked for, in the order sent.
+  std::vector<std::uint64_t> acknowledge(std::uint64_t sequence);
   /// The peer has come back or started anew: everything is to be written again.
   void resend();
   /// Gives up what has expired by now.
@@ -70,6 +71,7 @@ class OutgoingEvents {
     std::optional<Duration> written = {};  ///< steady
     int writings = 0;                      ///< since the peer was last heard from
     bool given_up = false;
+    std::uint64_t receipt = 0;
   };
   void drop_given_up();
   void write(Held& event, Duration at);

@@ -97,7 +97,11 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
   if (incarnation < incarnation_) return;
   const bool restarted = incarnation_ != 0 && incarnation > incarnation_;
   const bool is_heard = heartbeat.ack_incarnation == self_incarnation_;
-  if (is_heard) outgoing_.acknowledge(heartbeat.ack_sequence);
+  if (is_heard) {
+    for (const std::uint64_t receipt : outgoing_.acknowledge(heartbeat.ack_sequence)) {
+      out.emplace_back(EventDelivered{channels_.number, receipt});
+    }
+  }
   if (is_heard && !is_heard_ && was_heard_) outgoing_.resend();
   is_heard_ = is_heard;
   was_heard_ = was_heard_ || is_heard;
@@ -115,8 +119,8 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
   owe_acknowledgement(now.steady);
 }
 
-void Peer::recall_sent(wire::Sample event) {
-  outgoing_.recall(std::move(event));
+void Peer::recall_sent(wire::Sample event, std::uint64_t receipt) {
+  outgoing_.recall(std::move(event), receipt);
   recalled_ = true;
 }
 

@@ -59,7 +59,7 @@ class Peer {
   void update(Now now, std::vector<Incoming>& out);
 
   // Of a life before this one; see Blackboard.
-  void recall_sent(wire::Sample event);
+  void recall_sent(wire::Sample event, std::uint64_t receipt);
   void recall_received(const wire::SampleHeader& header);
   void recall_reachable(bool reachable);
 

@@ -84,7 +84,8 @@ class World {
 
   void restart_sender() {
     sender_ = start(kSender, ++sender_incarnation_);
-    owed_.clear();  // what it had not delivered is gone with it
+    owed_.clear();    // what it had not delivered is gone with it
+    untold_.clear();  // and with whom it would have told
     first_of_sender_ = last_sent_ + 1;
   }
   void restart_receiver() {
@@ -98,7 +99,10 @@ class World {
     const MissionTime expires =
         lifetime == 0 ? MissionTime::max()
                       : now_.mission + Duration::milliseconds(static_cast<std::int64_t>(lifetime));
-    if (!sender_->board->send(event, kReceiver.number, now_, {expires})) return;
+    const auto sent = sender_->board->send(event, kReceiver.number, now_, {expires, last_sent_});
+    if (!sent) return;
+    by_sequence_[{sender_incarnation_, *sent}] = last_sent_;
+    if (last_sent_ >= first_of_sender_) untold_.insert(last_sent_);
     if (lifetime == 0) owed_.insert(last_sent_);
     expires_[last_sent_] = expires;
   }
@@ -114,12 +118,17 @@ class World {
   }
 
   void step_sender() {
-    sender_->board->step(now_);
+    for (const Incoming& incoming : sender_->board->step(now_)) {
+      if (const auto* delivered = std::get_if<EventDelivered>(&incoming)) see(*delivered);
+      const auto* expired = std::get_if<EventExpired>(&incoming);
+      if (expired != nullptr) RC_ASSERT(untold_.erase(id_of(*expired)) == 1U);
+    }
     if (!nothing_held()) return;
     for (std::uint64_t id = first_of_sender_; id <= last_sent_; ++id) settled_.insert(id);
   }
   void step_receiver() {
     for (const Incoming& incoming : receiver_->board->step(now_)) {
+      if (const auto* late = std::get_if<EventExpired>(&incoming)) arrived_.insert(id_of(*late));
       const auto* received = std::get_if<Received>(&incoming);
       if (received == nullptr) continue;
       handle(std::get<wire::TaskEvent>(received->sample).id);
@@ -140,6 +149,7 @@ class World {
   }
 
   std::uint64_t handled() const { return handled_; }
+  bool nothing_untold() const { return untold_.empty(); }
   bool nothing_owed() const { return owed_.empty(); }
   bool nothing_held() const { return sender_->board->unacknowledged(kReceiver.number) == 0; }
 
@@ -164,6 +174,19 @@ class World {
     return running;
   }
 
+  std::uint64_t id_of(const EventExpired& expired) const {
+    return by_sequence_.at({expired.incarnation, expired.sequence});
+  }
+
+  /// Told once, instead of an expiry, in the order sent, and of what was there.
+  void see(const EventDelivered& delivered) {
+    RC_ASSERT(delivered.to == kReceiver.number);
+    RC_ASSERT(untold_.erase(delivered.receipt) == 1U);
+    RC_ASSERT(delivered.receipt > last_delivered_);
+    RC_ASSERT(arrived_.contains(delivered.receipt));
+    last_delivered_ = delivered.receipt;
+  }
+
   /// Ids grow with sending, over all incarnations of the sender: so order and uniqueness for one
   /// incarnation of the receiver are that they only grow.
   void handle(std::uint64_t id) {
@@ -171,6 +194,7 @@ class World {
     RC_ASSERT(expires_.at(id) >= now_.mission);
     RC_ASSERT(!settled_.contains(id));
     last_handled_ = id;
+    arrived_.insert(id);
     ++handled_;
     owed_.erase(id);
   }
@@ -187,6 +211,10 @@ class World {
   std::set<std::uint64_t> settled_;  ///< the sender holds them no more: not to be handled again
   std::uint64_t first_of_sender_ = 1;
   std::map<std::uint64_t, MissionTime> expires_;
+  std::map<std::pair<std::uint64_t, std::uint64_t>, std::uint64_t> by_sequence_;
+  std::set<std::uint64_t> arrived_;  ///< handled, or found too late
+  std::set<std::uint64_t> untold_;   ///< neither delivered nor expired for its sender
+  std::uint64_t last_delivered_ = 0;
 };
 
 /// One thing that happens. Half of them keep the session alive, so that the others have something
@@ -243,6 +271,7 @@ RC_GTEST_PROP(EventSession, HandlesEveryEventOnceAndInOrderWhateverHappens, ()) 
 
   RC_ASSERT(world.nothing_owed());
   RC_ASSERT(world.nothing_held());
+  RC_ASSERT(world.nothing_untold());
   RC_CLASSIFY(world.handled() >= 5, "at least 5 events handled");
 }
 

@@ -2,6 +2,7 @@
 // Commands, from their issue to their one end.
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "request_facts.hpp"
 #include "skein/foundation/joined.hpp"
@@ -23,6 +24,8 @@ std::string_view to_text(CommandState state) {
   switch (state) {
     case CommandState::kIssued:
       return "issued";
+    case CommandState::kDelivered:
+      return "delivered";
     case CommandState::kAcknowledged:
       return "acknowledged";
     case CommandState::kRefused:
@@ -35,7 +38,7 @@ std::string_view to_text(CommandState state) {
 
 void Monitoring::on(const IssueCommand& input, MissionTime now, Effects& effects) {
   const CommandNumber number(++last_number_);
-  pending_[number] = {input.uav, input.request, input.expires, input.asked_by};
+  pending_[number] = {input.uav, input.request, input.expires, input.asked_by, false};
   effects.emplace_back(CommandChanged{number, input.uav, what_of(input.request),
                                       CommandState::kIssued, "", input.asked_by});
   const auto uav = uavs_.find(input.uav);
@@ -132,7 +135,22 @@ bool Monitoring::is_being_started(const std::string& uav, TaskId task) const {
 
 void Monitoring::on(const RequestReplyReceived& input, MissionTime, Effects& effects) {
   const CommandState state = input.accepted ? CommandState::kAcknowledged : CommandState::kRefused;
+  deliver(input.command, effects);
   close(input.command, state, input.why, effects);
+}
+
+// Of one that is over, the acknowledgement came after the answer: nothing new.
+void Monitoring::on(const CommandDelivered& input, MissionTime, Effects& effects) {
+  deliver(input.command, effects);
+}
+
+void Monitoring::deliver(CommandNumber number, Effects& effects) {
+  const auto found = pending_.find(number);
+  if (found == pending_.end() || std::exchange(found->second.delivered, true)) return;
+  const Pending& pending = found->second;
+  effects.emplace_back(CommandChanged{number, pending.uav, what_of(pending.request),
+                                      CommandState::kDelivered, "", pending.asked_by,
+                                      task_of(pending.request)});
 }
 
 void Monitoring::on(const CommandUndelivered& input, MissionTime, Effects& effects) {

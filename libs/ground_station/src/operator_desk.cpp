@@ -272,7 +272,7 @@ void OperatorDesk::note(const CommandChanged& change, MissionTime now) {
     if (known != commands.rend()) {
       known->state = change.state;
       known->why = change.why;
-      known->settled = now;
+      if (is_settled(change.state)) known->settled = now;
     } else if (change.state == CommandState::kIssued) {
       commands.push_back(
           {change.command, change.uav, change.what, change.asked_by, change.state, "", now, {}});
@@ -298,9 +298,8 @@ std::vector<OperatorAnswered> OperatorDesk::take_answers() {
   std::vector<OperatorAnswered> answers = std::exchange(refusals_, {});
   for (const auto& [who, number] : std::exchange(news_, {})) {
     OperatorAnswered& answer = operators_.at(who).requests.at(number).answer;
-    answer.complete =
-        std::all_of(answer.commands.begin(), answer.commands.end(),
-                    [](const IssuedCommand& one) { return one.state != CommandState::kIssued; });
+    answer.complete = std::all_of(answer.commands.begin(), answer.commands.end(),
+                                  [](const IssuedCommand& one) { return is_settled(one.state); });
     answers.push_back(answer);
   }
   return answers;

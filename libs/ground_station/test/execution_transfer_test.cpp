@@ -405,7 +405,7 @@ TEST(ExecutionTransfer, AnySequenceOfInputsIsSurvived) {
     std::map<CommandNumber, int> ends;
     const auto give = [&](const GroundControl::Input& input, double now) {
       for (const auto& change : only<CommandChanged>(ground.handle(input, at(now)))) {
-        ends[change.command] += change.state == CommandState::kIssued ? 0 : 1;
+        ends[change.command] += is_settled(change.state) ? 1 : 0;
       }
       RC_ASSERT(ground.next_wakeup().value_or(MissionTime::max()) > at(now));
     };

@@ -167,8 +167,7 @@ TEST(GroundControl, ACutDelaysTheMissionAndLosesNothing) {
     EXPECT_TRUE(team.play(600));
 
     for (const CommandChanged& command : team.commands()) {
-      EXPECT_TRUE(command.state == CommandState::kIssued ||
-                  command.state == CommandState::kAcknowledged);
+      EXPECT_TRUE(!is_settled(command.state) || command.state == CommandState::kAcknowledged);
     }
   }
 }
@@ -246,8 +245,9 @@ TEST(GroundControl, AtDegreeOneTheRequestIsRunHereTaskByTask) {
   EXPECT_EQ(sent.request.type, "goto");
   EXPECT_EQ(sent.request.parameters, task.parameters);
   const auto changes = only<CommandChanged>(effects);
-  ASSERT_THAT(changes, SizeIs(2));
-  EXPECT_EQ(changes[1].state, CommandState::kAcknowledged);
+  ASSERT_THAT(changes, SizeIs(3));
+  EXPECT_EQ(changes[1].state, CommandState::kDelivered);
+  EXPECT_EQ(changes[2].state, CommandState::kAcknowledged);
 }
 
 TEST(GroundControl, AtDegreeOneTheNextTaskFollowsTheStatusOfTheLast) {
@@ -420,6 +420,7 @@ GroundControl::Input any_input(Random& random, const std::vector<std::string>& n
     case 4:
       return RequestReplyReceived{CommandNumber(random.below(30)), random.chance(0.5), ""};
     case 5:
+      if (random.chance(0.5)) return CommandDelivered{CommandNumber(random.below(30))};
       return CommandUndelivered{CommandNumber(random.below(30))};
     case 6: {
       const auto degree = static_cast<Degree>(random.below(7));
@@ -445,7 +446,7 @@ TEST(GroundControl, AnySequenceOfInputsIsSurvived) {
     std::map<CommandNumber, int> ends;
     const auto give = [&](const GroundControl::Input& input, double now) {
       for (const auto& change : only<CommandChanged>(ground.handle(input, at(now)))) {
-        ends[change.command] += change.state == CommandState::kIssued ? 0 : 1;
+        ends[change.command] += is_settled(change.state) ? 1 : 0;
       }
       RC_ASSERT(ground.next_wakeup().value_or(MissionTime::max()) > at(now));
     };

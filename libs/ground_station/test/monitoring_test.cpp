@@ -104,9 +104,9 @@ TEST(Monitoring, TheAnswerClosesACommand) {
   const Effects yes = mcs.handle(RequestReplyReceived{CommandNumber(1), true, ""}, at(2));
   const Effects no = mcs.handle(RequestReplyReceived{CommandNumber(2), false, "known id"}, at(2));
 
-  EXPECT_THAT(states(yes), ElementsAre(CommandState::kAcknowledged));
-  EXPECT_THAT(states(no), ElementsAre(CommandState::kRefused));
-  EXPECT_EQ(first<CommandChanged>(no).why, "known id");
+  EXPECT_THAT(states(yes), ElementsAre(CommandState::kDelivered, CommandState::kAcknowledged));
+  EXPECT_THAT(states(no), ElementsAre(CommandState::kDelivered, CommandState::kRefused));
+  EXPECT_EQ(only<CommandChanged>(no).back().why, "known id");
   EXPECT_EQ(mcs.board(at(2)).uavs[0].commands_pending, 0U);
   EXPECT_EQ(mcs.next_wakeup(), std::nullopt);
 }
@@ -120,7 +120,7 @@ TEST(Monitoring, AnAnswerUnderWayAtTheExpiryStillCounts) {
   EXPECT_EQ(mcs.next_wakeup(), at(15));
   const Effects too_late = mcs.handle(Tick{}, at(15));
 
-  EXPECT_THAT(states(in_time), ElementsAre(CommandState::kAcknowledged));
+  EXPECT_THAT(states(in_time), ElementsAre(CommandState::kDelivered, CommandState::kAcknowledged));
   EXPECT_THAT(states(too_late), ElementsAre(CommandState::kExpired));
 }
 
@@ -133,6 +133,33 @@ TEST(Monitoring, AnAnswerAfterTheEndIsAnAnomaly) {
 
   EXPECT_THAT(states(effects), IsEmpty());
   EXPECT_THAT(only<Anomaly>(effects), SizeIs(1));
+}
+
+TEST(Monitoring, ItIsToldOnceThatACommandIsWithTheUavsNodeBeforeThatAnswers) {
+  Monitoring mcs = two_uavs();
+  mcs.handle(a_command(start_of(3)), at(1));
+
+  const Effects there = mcs.handle(CommandDelivered{CommandNumber(1)}, at(2));
+  const Effects again = mcs.handle(CommandDelivered{CommandNumber(1)}, at(3));
+  const Effects yes = mcs.handle(RequestReplyReceived{CommandNumber(1), true, ""}, at(4));
+  const Effects late = mcs.handle(CommandDelivered{CommandNumber(1)}, at(5));
+
+  EXPECT_THAT(states(there), ElementsAre(CommandState::kDelivered));
+  EXPECT_THAT(states(again), IsEmpty());
+  EXPECT_THAT(states(yes), ElementsAre(CommandState::kAcknowledged));
+  EXPECT_THAT(late, IsEmpty());
+  EXPECT_EQ(mcs.board(at(3)).uavs[0].commands_pending, 0U);
+}
+
+TEST(Monitoring, WhatIsDeliveredAndNeverAnsweredExpires) {
+  Monitoring mcs({{"marvin", 3}}, Duration::seconds(5));
+  mcs.handle(a_command(start_of(3), 10), at(1));
+  mcs.handle(CommandDelivered{CommandNumber(1)}, at(2));
+
+  const Effects effects = mcs.handle(Tick{}, at(15));
+
+  EXPECT_THAT(states(effects), ElementsAre(CommandState::kExpired));
+  EXPECT_EQ(first<CommandChanged>(effects).why, "no answer");
 }
 
 TEST(Monitoring, WhatCannotBeDeliveredExpires) {
@@ -192,7 +219,10 @@ TEST(Monitoring, EveryCommandEndsInExactlyOneState) {
                                                    : "nobody";
       const CommandNumber number(random.below(20));
       const std::uint64_t task = random.below(6);
-      switch (random.below(8)) {
+      switch (random.below(9)) {
+        case 8:
+          give(CommandDelivered{number}, now);
+          break;
         case 0:
         case 1:
           give(IssueCommand{uav, random.chance(0.6) ? start_of(task) : abort_of(task),
@@ -221,9 +251,11 @@ TEST(Monitoring, EveryCommandEndsInExactlyOneState) {
     while (const auto wakeup = mcs.next_wakeup()) give(Tick{}, wakeup->to_seconds());
 
     for (const auto& [number, states_of_it] : history) {
-      RC_ASSERT(states_of_it.size() == 2U);
+      const std::size_t told = states_of_it.size();
       RC_ASSERT(states_of_it.front() == CommandState::kIssued);
-      RC_ASSERT(states_of_it.back() != CommandState::kIssued);
+      RC_ASSERT(told == 2U || (told == 3U && states_of_it[1] == CommandState::kDelivered));
+      RC_ASSERT(is_settled(states_of_it.back()));
+      RC_ASSERT(states_of_it.back() != CommandState::kAcknowledged || told == 3U);
     }
     for (const UavOnBoard& uav : mcs.board(at(now)).uavs) RC_ASSERT(uav.commands_pending == 0U);
   }));

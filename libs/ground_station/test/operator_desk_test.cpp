@@ -329,8 +329,10 @@ RC_GTEST_PROP(DeskLaws, EveryRequestIsAnsweredDoneOnceAndCompleteAndNobodyIsComm
     }
   }
   for (const auto& [command, states] : ledger.commands) {
-    RC_ASSERT(states.size() == 2U);
     RC_ASSERT(states.front() == CommandState::kIssued);
+    RC_ASSERT(states.size() == 2U || states.size() == 3U);
+    RC_ASSERT(states.size() == 2U || states[1] == CommandState::kDelivered);
+    RC_ASSERT(is_settled(states.back()));
   }
 }
 

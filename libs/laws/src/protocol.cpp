@@ -37,7 +37,7 @@ class Checker {
  private:
   struct Command {
     MissionTime issued;
-    bool settled = false;
+    bool delivered = false, settled = false;
   };
   using Task = std::tuple<std::string, std::string, std::int64_t>;  ///< MLE at, UAV, id
   using Job = std::pair<std::string, std::int64_t>;                 ///< UAV, id
@@ -102,15 +102,28 @@ class Checker {
     const auto known = commands_.find(number);
     if (issue) {
       if (known != commands_.end()) breach(record, "a command is issued twice");
-      commands_[number] = {record.at(), false};
+      commands_[number] = {record.at()};
       return;
     }
-    if (known == commands_.end()) return breach(record, "a command is settled before its issue");
-    if (known->second.settled) breach(record, "a command is settled twice");
-    if (record.at() > known->second.issued + command_limit_) {
-      breach(record, "a command is settled too late");
+    const std::string state = text(record, "state");
+    const std::string what = state == "delivered" ? "delivered" : "settled";
+    if (known == commands_.end())
+      return breach(record, "a command is " + what + " before its issue");
+    Command& command = known->second;
+    if (command.settled) breach(record, "a command is " + what + " twice or after its end");
+    if (record.at() > command.issued + command_limit_) {
+      breach(record, "a command is " + what + " too late");
     }
-    known->second.settled = true;
+    if (state == "delivered") return see_delivered(record, command);
+    if (state == "acknowledged" && !command.delivered) {
+      breach(record, "a command is acknowledged that was not delivered");
+    }
+    command.settled = true;
+  }
+
+  void see_delivered(const Record& record, Command& command) {
+    if (command.delivered) breach(record, "a command is delivered twice");
+    command.delivered = true;
   }
 
   void unsettled(std::int64_t number, const Command& command) {

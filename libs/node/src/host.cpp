@@ -260,7 +260,7 @@ void Host::carry_out(Effects effects, Now now) {
 
 void Host::send(const Send& one, Now now) {
   const wire::Slot slot = wire::slot_of(one.sample);
-  const auto sent = blackboard_.send(one.sample, one.to, now, {one.expires});
+  const auto sent = blackboard_.send(one.sample, one.to, now, {one.expires, one.receipt});
   const std::uint64_t number = sends_++;
   if (!sent) {
     if (sent.error() == blackboard::Refusal::kFull) remember(Unsent{number}, now);
@@ -319,6 +319,9 @@ void Host::take(blackboard::Incoming incoming, Now now) {
                    }
                  },
                  [&](blackboard::RouteChanged& one) { log_route(one, now); },
+                 [&](blackboard::EventDelivered& one) {
+                   give(Delivered{one.to, one.receipt}, now);
+                 },
                  [&](blackboard::EventsLost& one) {
                    ports_.journal(record("lost", now)
                                       .with("slot", "*")

@@ -139,7 +139,7 @@ void Recollection::sent(Send send, MissionTime at) {
     const StateKey key{send.to, wire::slot_of(send.sample), wire::header_of(send.sample).instance};
     states_.insert_or_assign(key, std::move(send));
   } else if (blackboard_ != nullptr && births_ == survey_.births) {
-    blackboard_->recall_sent(std::move(send.sample), send.to, at, {send.expires});
+    blackboard_->recall_sent(std::move(send.sample), send.to, at, {send.expires, send.receipt});
   }
 }
 

@@ -304,6 +304,19 @@ TEST_F(Hosts, AnEventThatExpiresIsLoggedAndGivenBackToItsSender) {
   EXPECT_EQ(undelivered[0].sequence, 1U);
 }
 
+TEST_F(Hosts, ASenderThatAskedForAReceiptIsToldThatItsEventIsThere) {
+  meet();
+
+  act("ground", {Send{number("marvin"), abort_request(7), at(60), 31},
+                 Send{number("marvin"), abort_request(8), at(60)}});
+  advance(2);
+
+  const auto delivered = (*this)["ground"].diary.all<Delivered>();
+  ASSERT_EQ(delivered.size(), 1U);
+  EXPECT_EQ(delivered[0].to, number("marvin"));
+  EXPECT_EQ(delivered[0].receipt, 31U);
+}
+
 TEST_F(Hosts, WhatTheSenderGaveUpIsLoggedAsLostByTheReceiver) {
   meet();
   set_link("ground", "marvin", false);

@@ -291,7 +291,9 @@ void draw_ground_row(Sheet& sheet) {
                  !r.accepted);
   }
   for (const CommandRecord& r : sheet.run.journal.commands) {
-    if (r.state == CommandState::kAcknowledged || ++count > kMostMarks) continue;
+    const bool shown =
+        r.state != CommandState::kAcknowledged && r.state != CommandState::kDelivered;
+    if (!shown || ++count > kMostMarks) continue;
     const bool bad = r.state != CommandState::kIssued;
     draw_request(sheet, seconds(r.stamp), y, uav_style(sheet, r.uav, bad),
                  r.uav + ": command " + std::to_string(r.command) + " " + r.what + " " + r.why,

@@ -14,8 +14,8 @@ namespace {
 constexpr std::array<std::string_view, 6> kTaskStates{"scheduled", "started", "running",
                                                       "aborting",  "ended",   "aborted"};
 constexpr std::array<std::string_view, 2> kDirections{"sent", "received"};
-constexpr std::array<std::string_view, 4> kCommandStates{"issued", "acknowledged", "refused",
-                                                         "expired"};
+constexpr std::array<std::string_view, 5> kCommandStates{"issued", "delivered", "acknowledged",
+                                                         "refused", "expired"};
 constexpr std::array<std::string_view, 3> kAlarmStates{"raised", "confirmed", "infirmed"};
 
 template <class Enumeration, std::size_t N>

@@ -17,7 +17,7 @@ using node::NodeNumber;
 
 /// In the order of LoggedInput's alternatives.
 constexpr std::array<std::string_view, std::variant_size_v<LoggedInput>> kKinds = {
-    "started", "received", "reachability", "undelivered", "wakeup",
+    "started", "received", "reachability", "undelivered", "delivered",   "wakeup",
     "job",     "resumed",  "unsent",       "skipped",     "acknowledged"};
 constexpr std::int64_t kFirst = 1, kSecond = 2;  // flags
 
@@ -50,6 +50,10 @@ void fill(Row& row, const node::Undelivered& one) {
   row.peer = one.to.value();
   row.slot = name_of(one.slot);
   row.value = to_signed(one.sequence);
+}
+void fill(Row& row, const node::Delivered& one) {
+  row.peer = one.to.value();
+  row.value = to_signed(one.receipt);
 }
 void fill(Row& row, const node::JobEnded& one) {
   row.value = to_signed(one.id);
@@ -97,6 +101,7 @@ Result<LoggedInput, Failure> of_a_peer(const Row& row, bool first, bool second) 
   const auto peer = peer_of(row);
   if (!peer) return tl::unexpected(peer.error());
   if (row.kind == "reachability") return node::Reachability{*peer, first, second};
+  if (row.kind == "delivered") return node::Delivered{*peer, to_unsigned(row.value)};
   if (row.kind == "acknowledged") return node::Acknowledged{*peer, to_unsigned(row.value)};
   const auto slot = slot_of(row);
   if (!slot) return tl::unexpected(slot.error());

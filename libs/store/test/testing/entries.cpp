@@ -40,6 +40,7 @@ std::string words_of(const node::LoggedInput& input) {
           [&](const node::Undelivered& one) {
             return numbers(one.to.value(), static_cast<int>(one.slot), one.sequence);
           },
+          [&](const node::Delivered& one) { return numbers(one.to.value(), one.receipt); },
           [&](const node::JobEnded& one) {
             return numbers(one.id, int{one.clock.given}, int{one.clock.ran_out},
                            one.clock.questions);
@@ -72,10 +73,10 @@ std::vector<node::LogEntry> one_of_each() {
   for (node::LoggedInput& input : std::vector<node::LoggedInput>{
            node::Reachability{NodeNumber(1), true, false},
            node::Reachability{NodeNumber(2), false, true},
-           node::Undelivered{NodeNumber(12), wire::Slot::kSyncMessage, 41}, node::Wakeup{},
-           node::JobEnded{8, {}}, node::JobEnded{9, {true, false, 12}},
-           node::JobEnded{10, {true, true, 1ULL << 40}}, node::Resumed{}, node::Unsent{6}, skipped,
-           node::Acknowledged{NodeNumber(3), 640}})
+           node::Undelivered{NodeNumber(12), wire::Slot::kSyncMessage, 41},
+           node::Delivered{NodeNumber(12), 1ULL << 40}, node::Wakeup{}, node::JobEnded{8, {}},
+           node::JobEnded{9, {true, false, 12}}, node::JobEnded{10, {true, true, 1ULL << 40}},
+           node::Resumed{}, node::Unsent{6}, skipped, node::Acknowledged{NodeNumber(3), 640}})
     inputs.push_back(std::move(input));
   std::vector<node::LogEntry> entries;
   for (node::LoggedInput& input : inputs)

@@ -95,7 +95,8 @@ class GroundNode final : public node::Node {
   void carry_out(const ground_station::PlayRole& effect);
   void carry_out(const ground_station::StopRole& effect);
 
-  void send(const std::string& uav, wire::Sample sample, MissionTime expires = MissionTime::max());
+  void send(const std::string& uav, wire::Sample sample, MissionTime expires = MissionTime::max(),
+            std::uint64_t receipt = 0);
   wire::Sample sample_of(const ground_station::SendRequest& effect) const;
   void log(journal::Record record);
   translation::Writer writer() const { return {now_, "ground"}; }

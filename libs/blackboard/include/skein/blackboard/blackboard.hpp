@@ -56,6 +56,8 @@ std::string_view name_of(Refusal refusal);
 struct SendOptions {
   /// Events: the instant after which it must not be handled any more.
   MissionTime expires = MissionTime::max();
+  /// Events: above 0, the sender is told by EventDelivered, with this number, that it arrived.
+  std::uint64_t receipt = 0;
 };
 
 /// A sample handed to the node: well formed, new, in order.
@@ -95,6 +97,14 @@ struct EventExpired {
   std::uint64_t incarnation = 0;  ///< of the sender
 };
 
+/// At the sender: the peer has acknowledged an event whose sender asked to be told (SendOptions).
+/// Its blackboard has given it out, or found it too late or malformed; each event is reported at
+/// most once, as this or as EventExpired, and of one incarnation of the peer in the order sent.
+struct EventDelivered {
+  NodeNumber to;
+  std::uint64_t receipt = 0;
+};
+
 /// Events that the receiver will never see because the sender gave them up (it reported them as
 /// expired, if it lived to do so): sequence numbers first to last.
 struct EventsLost {
@@ -119,8 +129,8 @@ struct RouteChanged {
   std::size_t relays = 0;         ///< on the way altogether
 };
 
-using Incoming = std::variant<Received, Reachability, Dropped, EventExpired, EventsLost,
-                              TransportRefused, RouteChanged>;
+using Incoming = std::variant<Received, Reachability, Dropped, EventExpired, EventDelivered,
+                              EventsLost, TransportRefused, RouteChanged>;
 
 /// Sends and receives by the delivery classes of spec 1.3, over any Transport. Time is given; the
 /// same calls give the same results. Laws:

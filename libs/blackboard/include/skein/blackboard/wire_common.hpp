@@ -209,9 +209,21 @@ constexpr auto names_of(AlarmState) {
   return std::to_array<std::string_view>({"raised", "confirmed", "infirmed"});
 }
 
-enum class CommandState : std::uint32_t { kIssued, kAcknowledged, kRefused, kExpired, kCount };
+enum class CommandState : std::uint32_t {
+  kIssued,
+  kDelivered,  ///< to its UAV's node, which has not answered yet
+  kAcknowledged,
+  kRefused,
+  kExpired,
+  kCount
+};
 constexpr auto names_of(CommandState) {
-  return std::to_array<std::string_view>({"issued", "acknowledged", "refused", "expired"});
+  return std::to_array<std::string_view>(
+      {"issued", "delivered", "acknowledged", "refused", "expired"});
+}
+/// Whether nothing follows any more.
+constexpr bool is_settled(CommandState state) {
+  return state != CommandState::kIssued && state != CommandState::kDelivered;
 }
 
 /// A command of the ground station to a UAV, and what came of it.

@@ -86,12 +86,13 @@ struct GroundConfig {
 /// effects. Not safe to share between threads. Source: T II.1, VI.1.1, spec 1.1, 1.2, 1.5.
 class GroundControl {
  public:
-  using Input = std::variant<Tick, PerceptionReceived, TelemetryReceived, TaskEventReceived,
-                             RequestReplyReceived, CommandUndelivered, PlanBoardReceived,
-                             FunctionalStatusReceived, SyncReceived, PeerReachable, OperatorActs,
-                             OperatorCommand, OperatorRequest, MissionPlanReceived,
-                             HandOverReceived, DecisionReceived, MissionOutcomeReceived,
-                             TeamTaskChanged, GlobalMissionChanged, RoleAsks, PlayedTaskChanged>;
+  using Input =
+      std::variant<Tick, PerceptionReceived, TelemetryReceived, TaskEventReceived,
+                   RequestReplyReceived, CommandDelivered, CommandUndelivered, PlanBoardReceived,
+                   FunctionalStatusReceived, SyncReceived, PeerReachable, OperatorActs,
+                   OperatorCommand, OperatorRequest, MissionPlanReceived, HandOverReceived,
+                   DecisionReceived, MissionOutcomeReceived, TeamTaskChanged, GlobalMissionChanged,
+                   RoleAsks, PlayedTaskChanged>;
   using Effect = std::variant<
       // to be sent
       SendRequest, SendFunctional, SendSync, AlarmEvent, TellAlarm, ObjectSeen, OperatorAnswered,

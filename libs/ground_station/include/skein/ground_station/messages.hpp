@@ -65,6 +65,10 @@ struct RequestReplyReceived {
   bool accepted = false;
   std::string why = {};
 };
+/// The command is with the UAV's decision node, which has not answered yet.
+struct CommandDelivered {
+  CommandNumber command;
+};
 /// The command could not be delivered in its lifetime.
 struct CommandUndelivered {
   CommandNumber command;
@@ -186,9 +190,13 @@ struct AbortEverything {
   MissionTime expires;
   std::string asked_by = {};
 };
-enum class CommandState { kIssued, kAcknowledged, kRefused, kExpired };
-/// "issued", "acknowledged", "refused", "expired".
+enum class CommandState { kIssued, kDelivered, kAcknowledged, kRefused, kExpired };
+/// "issued", "delivered", "acknowledged", "refused", "expired".
 std::string_view to_text(CommandState state);
+/// Whether nothing follows any more.
+constexpr bool is_settled(CommandState state) {
+  return state != CommandState::kIssued && state != CommandState::kDelivered;
+}
 
 /// A request is to go to a UAV's MLE. Idempotent by number: an MLE that already handled the number
 /// in this life answers as before and does nothing. It must not be executed after `expires`.
@@ -199,7 +207,7 @@ struct SendRequest {
   MissionTime expires;
   std::string asked_by = {};
 };
-/// A command was issued or came to its end; for the journal.
+/// A command was issued, reached its UAV's node, or came to its end; for the journal.
 struct CommandChanged {
   CommandNumber command;
   std::string uav;

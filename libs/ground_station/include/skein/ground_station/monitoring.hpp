@@ -68,8 +68,10 @@ const TaskOnBoard* current_task(const UavOnBoard& uav);
 ///   refused        its MLE or decision node refused it, it makes no sense (MissionChecks), its UAV
 ///                  is unknown, or what it is about was lost in a restart,
 ///   expired        it could not be delivered, or no answer came by `expires` + `grace`.
-/// What comes later about it is reported as an anomaly and changes nothing. It is sent when issued,
-/// and again, under its number, when its UAV's node restarted meanwhile.
+/// Meanwhile it is told once that it was delivered: by CommandDelivered, or by the answer of its
+/// MLE, which proves it. So what is acknowledged was delivered before. What comes later about it is
+/// reported as an anomaly and changes nothing. It is sent when issued, and again, under its number,
+/// when its UAV's node restarted meanwhile.
 ///
 /// A change of degree decides on who gets the commands after it. From its sending on, other
 /// commands to the UAV wait, in order, until the UAV handed over its plan or the change came to
@@ -90,9 +92,9 @@ class Monitoring {
  public:
   using Input =
       std::variant<Tick, IssueCommand, IssueToAll, AbortEverything, ChangeHands, ReleaseCommands,
-                   TelemetryReceived, TaskEventReceived, RequestReplyReceived, CommandUndelivered,
-                   PeerReachable, PlanBoardReceived, MissionPlanReceived, HandOverReceived,
-                   DecisionReceived, MissionOutcomeReceived>;
+                   TelemetryReceived, TaskEventReceived, RequestReplyReceived, CommandDelivered,
+                   CommandUndelivered, PeerReachable, PlanBoardReceived, MissionPlanReceived,
+                   HandOverReceived, DecisionReceived, MissionOutcomeReceived>;
   using Effect = std::variant<SendRequest, CommandChanged, TaskChanged, UavRestarted, DegreeChanged,
                               HandedOver, ChangeSettled, GoalChanged, MissionChanged, Anomaly>;
 
@@ -133,6 +135,7 @@ class Monitoring {
     Request request;
     MissionTime expires;
     std::string asked_by;
+    bool delivered = false;
   };
   /// A change of degree that was sent and is not settled.
   struct Change {
@@ -173,7 +176,9 @@ class Monitoring {
   void on(const AbortEverything& input, MissionTime now, Effects& effects);
   void on(const ReleaseCommands& input, MissionTime now, Effects& effects);
   void on(const RequestReplyReceived& input, MissionTime now, Effects& effects);
+  void on(const CommandDelivered& input, MissionTime now, Effects& effects);
   void on(const CommandUndelivered& input, MissionTime now, Effects& effects);
+  void deliver(CommandNumber number, Effects& effects);
   void send(CommandNumber number, MissionTime now, Effects& effects);
   void close(CommandNumber number, CommandState state, const std::string& why, Effects& effects);
   Addressee addressee(const Record& record) const;

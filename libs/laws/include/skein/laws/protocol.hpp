@@ -14,8 +14,9 @@ namespace skein::laws {
 /// a scripted kill of it. Gives each breach, with its instant; empty when all laws hold:
 /// - tasks: only the transitions of spec 2.1, so at most one terminal state, and that the last;
 ///   when a UAV's degree changes, who takes a task over goes on where the other was;
-/// - commands: issued once, then settled exactly once (acknowledged, refused or expired), at the
-///   latest `command_limit` after their issue;
+/// - commands: issued once, then delivered at most once, then settled exactly once (acknowledged,
+///   refused or expired), at the latest `command_limit` after their issue; what is acknowledged was
+///   delivered before;
 /// - synchronisation: nothing is received that was not sent before;
 /// - messages: each is received at most once, in the order of its sequence, after it was sent;
 /// - links: nothing is received over a link that has been down for more than a moment, unless there

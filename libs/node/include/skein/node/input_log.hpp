@@ -38,8 +38,8 @@ struct Acknowledged {
   std::uint64_t sequence = 0;
 };
 
-using LoggedInput = std::variant<Started, Received, Reachability, Undelivered, Wakeup, JobEnded,
-                                 Resumed, Unsent, Skipped, Acknowledged>;
+using LoggedInput = std::variant<Started, Received, Reachability, Undelivered, Delivered, Wakeup,
+                                 JobEnded, Resumed, Unsent, Skipped, Acknowledged>;
 
 /// `at` never decreases from entry to entry; the first one is Started. Another Started is a new
 /// incarnation, that came back with nothing of it but the world it plays.

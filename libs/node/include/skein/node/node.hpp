@@ -39,6 +39,11 @@ struct Undelivered {
   wire::Slot slot = wire::Slot::kTaskRequest;
   std::uint64_t sequence = 0;
 };
+/// An event this node sent and asked a receipt for (Send) is with the peer's node.
+struct Delivered {
+  NodeNumber to;
+  std::uint64_t receipt = 0;
+};
 /// What a job was told of its time: whether it had a clock at all, and how often that said that
 /// there was time left before it first said, if ever, that there was none.
 struct JobClock {
@@ -56,13 +61,15 @@ struct JobDone {
 /// The instant given by next_wakeup() has come.
 struct Wakeup {};
 
-using Input = std::variant<Started, Received, Reachability, Undelivered, JobDone, Wakeup>;
+using Input =
+    std::variant<Started, Received, Reachability, Undelivered, Delivered, JobDone, Wakeup>;
 
 /// Sends to one peer; the header is stamped on the way. A refusal is logged.
 struct Send {
   NodeNumber to;
   wire::Sample sample;
   MissionTime expires = MissionTime::max();
+  std::uint64_t receipt = 0;  ///< of an event, above 0: Delivered is wanted, with this number
 };
 /// Sends to everybody over the world channel. A refusal is logged.
 struct Publish {

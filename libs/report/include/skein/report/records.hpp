@@ -29,7 +29,7 @@ struct Stamp {
 
 enum class TaskState : std::uint8_t { kScheduled, kStarted, kRunning, kAborting, kEnded, kAborted };
 enum class Direction : std::uint8_t { kSent, kReceived };
-enum class CommandState : std::uint8_t { kIssued, kAcknowledged, kRefused, kExpired };
+enum class CommandState : std::uint8_t { kIssued, kDelivered, kAcknowledged, kRefused, kExpired };
 enum class AlarmState : std::uint8_t { kRaised, kConfirmed, kInfirmed };
 
 /// A task of a UAV's executive entered a state. Source: spec 2.1.
