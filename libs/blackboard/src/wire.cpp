@@ -5,56 +5,15 @@
 #include <algorithm>
 
 namespace skein::wire {
-namespace {
 
-constexpr auto kNames = std::to_array<std::string_view>({"DirectoryEntry",
-                                                         "Clock",
-                                                         "LinkState",
-                                                         "PlanBoard",
-                                                         "AutonomyDegree",
-                                                         "MissionState",
-                                                         "MissionPlan",
-                                                         "JointTaskState",
-                                                         "PlanFrontier",
-                                                         "SeenObject",
-                                                         "UavBoard",
-                                                         "UavTasks",
-                                                         "GroundBoard",
-                                                         "Neighbours",
-                                                         "TaskRequest",
-                                                         "RequestReply",
-                                                         "TaskEvent",
-                                                         "FunctionalRequest",
-                                                         "FunctionalStatus",
-                                                         "SyncMessage",
-                                                         "Alarm",
-                                                         "MissionRequest",
-                                                         "DegreeCommand",
-                                                         "WorldChange",
-                                                         "MissionOutcome",
-                                                         "HandOver",
-                                                         "Decision",
-                                                         "NegotiationMessage",
-                                                         "TeamMessage",
-                                                         "TeamSale",
-                                                         "MergeMessage",
-                                                         "OperatorRequest",
-                                                         "OperatorReply",
-                                                         "JournalEntry",
-                                                         "Telemetry",
-                                                         "PerceptionReport",
-                                                         "Truth",
-                                                         "Heartbeat"});
-static_assert(kNames.size() == kSlotCount);
+static_assert(kSlotNames.size() == kSlotCount);
 
-}  // namespace
-
-std::string_view slot_name(Slot slot) { return kNames[static_cast<std::size_t>(slot)]; }
+std::string_view slot_name(Slot slot) { return kSlotNames[static_cast<std::size_t>(slot)]; }
 
 std::optional<Slot> slot_from_name(std::string_view name) {
-  const auto* const found = std::find(kNames.begin(), kNames.end(), name);
-  if (found == kNames.end()) return std::nullopt;
-  return static_cast<Slot>(found - kNames.begin());
+  const auto* const found = std::find(kSlotNames.begin(), kSlotNames.end(), name);
+  if (found == kSlotNames.end()) return std::nullopt;
+  return static_cast<Slot>(found - kSlotNames.begin());
 }
 
 SampleHeader& header_of(Sample& sample) {

@@ -5,6 +5,8 @@
 #include <fastdds/streamPubSubTypes.h>
 #include <gtest/gtest.h>
 
+#include <type_traits>
+
 #include <vector>
 
 #include "adapters/fastdds/sample_type.hpp"
@@ -80,6 +82,10 @@ void expect_same_key(const T& value) {
 
 template <class Type, class T>
 void expect_conformance() {
+  if constexpr (std::is_same_v<T, wire::TeamMessage>) {
+    GTEST_SKIP() << "what fastddsgen makes of sequences nested five deep counts its greatest size "
+                    "for hours; Cyclone's image of it is compared";
+  }
   Random random(1);
   for (int i = 0; i < 100; ++i) {
     const T value = random_value<T>(random);
@@ -95,45 +101,7 @@ void expect_conformance() {
 #define SKEIN_CONFORMANCE_TEST(T) \
   TEST(IdlConformance, T) { expect_conformance<idl::T##PubSubType, wire::T>(); }
 
-SKEIN_CONFORMANCE_TEST(DirectoryEntry)
-SKEIN_CONFORMANCE_TEST(Clock)
-SKEIN_CONFORMANCE_TEST(LinkState)
-SKEIN_CONFORMANCE_TEST(PlanBoard)
-SKEIN_CONFORMANCE_TEST(AutonomyDegree)
-SKEIN_CONFORMANCE_TEST(MissionState)
-SKEIN_CONFORMANCE_TEST(MissionPlan)
-SKEIN_CONFORMANCE_TEST(JointTaskState)
-SKEIN_CONFORMANCE_TEST(PlanFrontier)
-SKEIN_CONFORMANCE_TEST(SeenObject)
-SKEIN_CONFORMANCE_TEST(TaskRequest)
-SKEIN_CONFORMANCE_TEST(RequestReply)
-SKEIN_CONFORMANCE_TEST(TaskEvent)
-SKEIN_CONFORMANCE_TEST(FunctionalRequest)
-SKEIN_CONFORMANCE_TEST(FunctionalStatus)
-SKEIN_CONFORMANCE_TEST(SyncMessage)
-SKEIN_CONFORMANCE_TEST(Alarm)
-SKEIN_CONFORMANCE_TEST(MissionRequest)
-SKEIN_CONFORMANCE_TEST(DegreeCommand)
-SKEIN_CONFORMANCE_TEST(WorldChange)
-SKEIN_CONFORMANCE_TEST(MissionOutcome)
-SKEIN_CONFORMANCE_TEST(HandOver)
-SKEIN_CONFORMANCE_TEST(Decision)
-SKEIN_CONFORMANCE_TEST(NegotiationMessage)
-// Not TeamMessage: what fastddsgen makes of sequences nested five deep counts its greatest size for
-// hours. Cyclone's image of it is compared.
-SKEIN_CONFORMANCE_TEST(TeamSale)
-SKEIN_CONFORMANCE_TEST(MergeMessage)
-SKEIN_CONFORMANCE_TEST(OperatorRequest)
-SKEIN_CONFORMANCE_TEST(OperatorReply)
-SKEIN_CONFORMANCE_TEST(UavBoard)
-SKEIN_CONFORMANCE_TEST(UavTasks)
-SKEIN_CONFORMANCE_TEST(GroundBoard)
-SKEIN_CONFORMANCE_TEST(Neighbours)
-SKEIN_CONFORMANCE_TEST(JournalEntry)
-SKEIN_CONFORMANCE_TEST(Telemetry)
-SKEIN_CONFORMANCE_TEST(PerceptionReport)
-SKEIN_CONFORMANCE_TEST(Truth)
-SKEIN_CONFORMANCE_TEST(Heartbeat)
+SKEIN_FOR_EACH_SLOT(SKEIN_CONFORMANCE_TEST)
 
 }  // namespace
 }  // namespace skein::blackboard

@@ -20,9 +20,8 @@ struct SlotShare {
 /// By slot, in the order of wire::Slot. The fractions of a channel must not add up to more than 1.
 using SlotShares = std::array<SlotShare, wire::kSlotCount>;
 
-/// What holds where nothing else is declared: half of the channel for events, together; a tenth for
-/// heartbeats; a fifth for states; the rest for streams. Events go first, streams last.
-SlotShares default_shares();
+/// Those of SlotTable::shipped().
+const SlotShares& default_shares();
 
 /// Sum of the fractions.
 double reserved(const SlotShares& shares);

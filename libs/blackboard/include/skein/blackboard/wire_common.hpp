@@ -1,54 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-// What several slots share on the wire (idl/common.idl).
+// What several slots share on the wire.
+// Written by idl/generate_wire.py from idl/common.idl: change that, and run it.
+// clang-format off
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "skein/blackboard/wire_fields.hpp"
 
-/// Plain C++ images of the IDL types, with the same fields in the same order. They are what crosses
-/// a channel, not what decisions are made of: the shell of each node converts.
-/// Conventions of all of them: positions are metres in the scenario's local frame, east north up;
-/// angles are radians counter-clockwise from east; times are nanoseconds of mission time.
 namespace skein::wire {
-
-/// Every enumeration of the wire names its first value past the end, `kCount`: a value at or above
-/// it is malformed. `names_of(E)` gives the names of the others, in order.
-template <class E>
-concept WireEnum = std::is_enum_v<E> && requires {
-  E::kCount;
-};
-
-/// The name of an enumerator; "?" if out of range.
-template <WireEnum E>
-constexpr std::string_view name_of(E value) {
-  return value < E::kCount ? names_of(value)[static_cast<std::size_t>(value)] : "?";
-}
-
-inline constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-/// Of an instant that may be absent: it is.
-inline constexpr std::int64_t kNoInstant = std::numeric_limits<std::int64_t>::min();
 
 /// Stamped by the blackboard, except `instance`, which a sender chooses. Source: spec 1.3.
 struct SampleHeader {
-  std::uint32_t origin = 0;           ///< key: number of the node that made the sample
-  std::uint32_t instance = 0;         ///< key: which of the origin's values of this slot
-  std::uint32_t destination = 0;      ///< key: node number; 0: everybody
-  std::uint64_t incarnation = 0;      ///< of the origin: grows with each of its starts
+  std::uint32_t origin = 0;  ///< key: number of the node that made the sample
+  std::uint32_t instance = 0;  ///< key: which of the origin's values of this slot
+  std::uint32_t destination = 0;  ///< key: node number; 0: everybody
+  std::uint64_t incarnation = 0;  ///< of the origin: grows with each of its starts
   std::uint64_t sequence_number = 0;  ///< from 1; events: per destination; others: per origin
-  std::int64_t mission_time = 0;      ///< [ns] when it was sent
-  std::int64_t expires = kNever;      ///< [ns] events: not to be handled after this instant
-  std::uint32_t mission = 0;          ///< id of the mission it belongs to
-  std::vector<std::uint32_t> via;     ///< who passed it on, in their order; empty: came directly
+  std::int64_t mission_time = 0;  ///< [ns] when it was sent
+  std::int64_t expires = kNever;  ///< [ns] events: not to be handled after this instant
+  std::uint32_t mission = 0;  ///< id of the mission it belongs to
+  std::vector<std::uint32_t> via;  ///< who passed it on, in their order; empty: came directly
   bool operator==(const SampleHeader&) const = default;
 };
 SKEIN_WIRE_FIELDS(SampleHeader, origin, instance, destination, incarnation, sequence_number,
-                  mission_time, expires, mission, via)
+    mission_time, expires, mission, via)
 
 struct Vector3 {
   double x = 0;  ///< east
@@ -77,11 +57,16 @@ enum class TaskState : std::uint32_t {
   kCount
 };
 constexpr auto names_of(TaskState) {
-  return std::to_array<std::string_view>(
-      {"scheduled", "started", "running", "aborting", "ended", "aborted"});
+  return std::to_array<std::string_view>({"scheduled", "started", "running", "aborting", "ended",
+    "aborted"});
 }
 
-enum class LiteralKind : std::uint32_t { kTaskState, kMessage, kTime, kCount };
+enum class LiteralKind : std::uint32_t {
+  kTaskState,
+  kMessage,
+  kTime,
+  kCount
+};
 constexpr auto names_of(LiteralKind) {
   return std::to_array<std::string_view>({"task-state", "message", "time"});
 }
@@ -89,11 +74,11 @@ constexpr auto names_of(LiteralKind) {
 /// One condition, possibly negated. Which fields count follows from `kind`. Source: spec 2.2.
 struct Literal {
   LiteralKind kind = LiteralKind::kTaskState;
-  std::uint64_t task = 0;                   ///< kTaskState
+  std::uint64_t task = 0;  ///< kTaskState
   TaskState state = TaskState::kScheduled;  ///< kTaskState
-  std::string message;                      ///< kMessage
-  std::int64_t instant = 0;                 ///< kTime [ns]
-  bool passed = false;                      ///< kTime: true when `instant` must have passed
+  std::string message;  ///< kMessage
+  std::int64_t instant = 0;  ///< kTime [ns]
+  bool passed = false;  ///< kTime: true when `instant` must have passed
   bool negated = false;
   bool is_optional = false;  ///< modality: true optional, false mandatory
   bool operator==(const Literal&) const = default;
@@ -112,10 +97,10 @@ struct TaskSpec {
   std::uint64_t id = 0;
   std::string type;
   std::vector<Parameter> parameters;
-  std::vector<Clause> preconditions;    ///< a conjunction; empty: satisfied
+  std::vector<Clause> preconditions;  ///< a conjunction; empty: satisfied
   std::vector<Clause> exit_conditions;  ///< a conjunction; empty: never satisfied
-  bool has_synchronisation = false;     ///< whether the four fields below count
-  std::uint64_t synchronisation = 0;    ///< id common to all who take part
+  bool has_synchronisation = false;  ///< whether the four fields below count
+  std::uint64_t synchronisation = 0;  ///< id common to all who take part
   std::vector<std::string> senders;
   std::vector<std::string> receivers;
   bool has_deadline = false;
@@ -123,14 +108,14 @@ struct TaskSpec {
   bool operator==(const TaskSpec&) const = default;
 };
 SKEIN_WIRE_FIELDS(TaskSpec, id, type, parameters, preconditions, exit_conditions,
-                  has_synchronisation, synchronisation, senders, receivers, has_deadline, deadline)
+    has_synchronisation, synchronisation, senders, receivers, has_deadline, deadline)
 
 /// Between `least` and `most` after the end of another high-level task [ns].
 struct GoalBound {
   std::uint64_t goal = 0;
   bool on_end = false;
   std::int64_t least = 0;
-  std::int64_t most = std::numeric_limits<std::int64_t>::max();  ///< no bound
+  std::int64_t most = kNever;  ///< no bound
   bool operator==(const GoalBound&) const = default;
 };
 SKEIN_WIRE_FIELDS(GoalBound, goal, on_end, least, most)
@@ -149,7 +134,7 @@ struct MissionTask {
   bool operator==(const MissionTask&) const = default;
 };
 SKEIN_WIRE_FIELDS(MissionTask, id, name, arguments, start_before, start_after, end_before,
-                  end_after, after)
+    end_after, after)
 
 enum class GoalState : std::uint32_t {
   kReceived,
@@ -162,8 +147,8 @@ enum class GoalState : std::uint32_t {
   kCount
 };
 constexpr auto names_of(GoalState) {
-  return std::to_array<std::string_view>(
-      {"received", "planned", "under-way", "achieved", "failed", "cancelled", "handed-over"});
+  return std::to_array<std::string_view>({"received", "planned", "under-way", "achieved", "failed",
+    "cancelled", "handed-over"});
 }
 
 /// Where a high-level task stands.
@@ -180,18 +165,34 @@ struct GoalEntry {
 SKEIN_WIRE_FIELDS(GoalEntry, id, mission, statement, state, why, asked_by, done)
 
 /// What a change of the world is about.
-enum class WorldPart : std::uint32_t { kAir, kPlace, kGround, kCount };
+enum class WorldPart : std::uint32_t {
+  kAir,
+  kPlace,
+  kGround,
+  kCount
+};
 constexpr auto names_of(WorldPart) {
   return std::to_array<std::string_view>({"air", "place", "ground"});
 }
 
 /// What is known of cells of the ground from now on.
-enum class CellChange : std::uint32_t { kAsBefore, kQuiet, kAlarm, kFire, kCount };
+enum class CellChange : std::uint32_t {
+  kAsBefore,
+  kQuiet,
+  kAlarm,
+  kFire,
+  kCount
+};
 constexpr auto names_of(CellChange) {
   return std::to_array<std::string_view>({"as-before", "quiet", "alarm", "fire"});
 }
 
-enum class DependenceKind : std::uint32_t { kEnded, kRunning, kOver, kCount };
+enum class DependenceKind : std::uint32_t {
+  kEnded,
+  kRunning,
+  kOver,
+  kCount
+};
 constexpr auto names_of(DependenceKind) {
   return std::to_array<std::string_view>({"ended", "running", "over"});
 }
@@ -204,7 +205,12 @@ struct TaskDependence {
 };
 SKEIN_WIRE_FIELDS(TaskDependence, kind, task)
 
-enum class AlarmState : std::uint32_t { kRaised, kConfirmed, kInfirmed, kCount };
+enum class AlarmState : std::uint32_t {
+  kRaised,
+  kConfirmed,
+  kInfirmed,
+  kCount
+};
 constexpr auto names_of(AlarmState) {
   return std::to_array<std::string_view>({"raised", "confirmed", "infirmed"});
 }
@@ -218,23 +224,19 @@ enum class CommandState : std::uint32_t {
   kCount
 };
 constexpr auto names_of(CommandState) {
-  return std::to_array<std::string_view>(
-      {"issued", "delivered", "acknowledged", "refused", "expired"});
-}
-/// Whether nothing follows any more.
-constexpr bool is_settled(CommandState state) {
-  return state != CommandState::kIssued && state != CommandState::kDelivered;
+  return std::to_array<std::string_view>({"issued", "delivered", "acknowledged", "refused",
+    "expired"});
 }
 
 /// A command of the ground station to a UAV, and what came of it.
 struct CommandEntry {
   std::uint64_t command = 0;  ///< its number
   std::string uav;
-  std::string what;      ///< for people: "DEGREE 1"
+  std::string what;  ///< for people: "DEGREE 1"
   std::string asked_by;  ///< for people: "step detection", "request ada 3"
   CommandState state = CommandState::kIssued;
   std::string why;
-  std::int64_t issued = 0;            ///< [ns]
+  std::int64_t issued = 0;  ///< [ns]
   std::int64_t settled = kNoInstant;  ///< [ns]
   bool operator==(const CommandEntry&) const = default;
 };

@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slots of class event: handled exactly once and in order (idl/event.idl).
+// Slots of class event: handled exactly once and in order.
+// Written by idl/generate_wire.py from idl/event.idl: change that, and run it.
+// clang-format off
 #pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "skein/blackboard/wire_common.hpp"
 
@@ -20,10 +28,16 @@ enum class RequestKind : std::uint32_t {
 };
 constexpr auto names_of(RequestKind) {
   return std::to_array<std::string_view>({"START", "ABORT", "PROCESS-MSG", "UPDATE-COND",
-                                          "SUPPRESS", "MISSION", "CANCEL", "DEGREE", "WORLD"});
+    "SUPPRESS", "MISSION", "CANCEL", "DEGREE", "WORLD"});
 }
 
-enum class InsertionMode : std::uint32_t { kSeq, kVut, kDep, kNut, kCount };
+enum class InsertionMode : std::uint32_t {
+  kSeq,
+  kVut,
+  kDep,
+  kNut,
+  kCount
+};
 constexpr auto names_of(InsertionMode) {
   return std::to_array<std::string_view>({"SEQ", "VUT", "DEP", "NUT"});
 }
@@ -35,17 +49,17 @@ struct TaskRequest {
   std::uint64_t command = 0;  ///< the sender's number for it, given back in the reply
   RequestKind kind = RequestKind::kStart;
   InsertionMode mode = InsertionMode::kSeq;  ///< kStart
-  TaskSpec task;                             ///< kStart
-  std::uint64_t id = 0;                      ///< kAbort, kUpdateConditions, kSuppress
-  std::string message;                       ///< kProcessMessage
-  bool has_preconditions = false;            ///< kUpdateConditions: replace them
-  bool has_exit_conditions = false;          ///< kUpdateConditions: replace them
+  TaskSpec task;  ///< kStart
+  std::uint64_t id = 0;  ///< kAbort, kUpdateConditions, kSuppress
+  std::string message;  ///< kProcessMessage
+  bool has_preconditions = false;  ///< kUpdateConditions: replace them
+  bool has_exit_conditions = false;  ///< kUpdateConditions: replace them
   std::vector<Clause> preconditions;
   std::vector<Clause> exit_conditions;
   bool operator==(const TaskRequest&) const = default;
 };
 SKEIN_WIRE_FIELDS(TaskRequest, header, command, kind, mode, task, id, message, has_preconditions,
-                  has_exit_conditions, preconditions, exit_conditions)
+    has_exit_conditions, preconditions, exit_conditions)
 
 /// The answer to a TaskRequest, MissionRequest, DegreeCommand or WorldChange.
 struct RequestReply {
@@ -72,7 +86,11 @@ struct TaskEvent {
 };
 SKEIN_WIRE_FIELDS(TaskEvent, header, uav, id, type, state, reason, at)
 
-enum class FunctionalRequestKind : std::uint32_t { kDispatch, kInterrupt, kCount };
+enum class FunctionalRequestKind : std::uint32_t {
+  kDispatch,
+  kInterrupt,
+  kCount
+};
 constexpr auto names_of(FunctionalRequestKind) {
   return std::to_array<std::string_view>({"dispatch", "interrupt"});
 }
@@ -83,7 +101,7 @@ struct FunctionalRequest {
   std::string uav;
   FunctionalRequestKind kind = FunctionalRequestKind::kDispatch;
   std::uint64_t id = 0;
-  std::string type;                   ///< kDispatch
+  std::string type;  ///< kDispatch
   std::vector<Parameter> parameters;  ///< kDispatch
   bool operator==(const FunctionalRequest&) const = default;
 };
@@ -100,7 +118,12 @@ struct FunctionalStatus {
 };
 SKEIN_WIRE_FIELDS(FunctionalStatus, header, uav, id, state, reason)
 
-enum class SyncWord : std::uint32_t { kThere, kDone, kWithdrawn, kCount };
+enum class SyncWord : std::uint32_t {
+  kThere,
+  kDone,
+  kWithdrawn,
+  kCount
+};
 constexpr auto names_of(SyncWord) {
   return std::to_array<std::string_view>({"there", "done", "withdrawn"});
 }
@@ -122,14 +145,21 @@ struct Alarm {
   std::uint32_t id = 0;
   AlarmState state = AlarmState::kRaised;
   Vector3 position;
-  double radius = 0;           ///< [m]
-  double belief = 0;           ///< in [0, 1]
+  double radius = 0;  ///< [m]
+  double belief = 0;  ///< in [0, 1]
   std::int64_t seen = kNever;  ///< [ns], last; kNever: it does not age
   bool operator==(const Alarm&) const = default;
 };
 SKEIN_WIRE_FIELDS(Alarm, header, id, state, position, radius, belief, seen)
 
-enum class MissionPlacement : std::uint32_t { kBest, kLast, kInTime, kTour, kFirst, kCount };
+enum class MissionPlacement : std::uint32_t {
+  kBest,
+  kLast,
+  kInTime,
+  kTour,
+  kFirst,
+  kCount
+};
 constexpr auto names_of(MissionPlacement) {
   return std::to_array<std::string_view>({"best", "last", "in-time", "tour", "first"});
 }
@@ -143,16 +173,15 @@ struct MissionRequest {
   std::uint64_t unit_mission = 0;  ///< cancel: 0: not by mission
   MissionPlacement placement = MissionPlacement::kBest;
   bool interrupt = false;  ///< what is under way is interrupted
-  bool evaluate = false;   ///< nothing is adopted: what it would cost is answered
-  bool achieve_any =
-      false;  ///< what of it cannot be planned is left out; else it is all or nothing
+  bool evaluate = false;  ///< nothing is adopted: what it would cost is answered
+  bool achieve_any = false;  ///< what of it cannot be planned is left out; else it is all or nothing
   std::string asked_by;
-  std::vector<MissionTask> tasks;    ///< in the order wanted; cancel: none
+  std::vector<MissionTask> tasks;  ///< in the order wanted; cancel: none
   std::vector<std::uint64_t> goals;  ///< cancel only; none, and no mission: all
   bool operator==(const MissionRequest&) const = default;
 };
 SKEIN_WIRE_FIELDS(MissionRequest, header, command, cancel, unit_mission, placement, interrupt,
-                  evaluate, achieve_any, asked_by, tasks, goals)
+    evaluate, achieve_any, asked_by, tasks, goals)
 
 /// The degree of autonomy that a UAV is to have from now on. Source: spec 1.2.
 struct DegreeCommand {
@@ -160,7 +189,7 @@ struct DegreeCommand {
   std::uint64_t command = 0;
   std::uint8_t degree = 0;
   bool interrupt = false;  ///< what runs is interrupted and the UAV waits
-  bool resume = false;     ///< up to 4: go on with what was handed over
+  bool resume = false;  ///< up to 4: go on with what was handed over
   std::string asked_by;
   bool operator==(const DegreeCommand&) const = default;
 };
@@ -174,20 +203,20 @@ struct WorldChange {
   bool remove = false;  ///< the volume of that name is no longer there; the rest does not count
   std::string name;
   std::vector<double> corners;  ///< [m] x, y of each corner
-  double floor = 0;             ///< [m]; at or below -1e9: none
-  double ceiling = 0;           ///< [m]; at or above 1e9: none
-  std::int64_t from = 0;        ///< [ns]
+  double floor = 0;  ///< [m]; at or below -1e9: none
+  double ceiling = 0;  ///< [m]; at or above 1e9: none
+  std::int64_t from = 0;  ///< [ns]
   std::int64_t until = kNever;  ///< [ns]
   WorldPart part = WorldPart::kAir;
-  Vector3 at;         ///< [m] of a place
+  Vector3 at;  ///< [m] of a place
   double radius = 0;  ///< [m] of what is at the place
-  double risk = -1;   ///< of the ground; below 0: as before
+  double risk = -1;  ///< of the ground; below 0: as before
   bool mapped = false;
   CellChange cells = CellChange::kAsBefore;  ///< within the corners, or around the place
   bool operator==(const WorldChange&) const = default;
 };
 SKEIN_WIRE_FIELDS(WorldChange, header, command, remove, name, corners, floor, ceiling, from, until,
-                  part, at, radius, risk, mapped, cells)
+    part, at, radius, risk, mapped, cells)
 
 /// What became of a mission that was accepted for planning.
 struct MissionOutcome {
@@ -196,21 +225,24 @@ struct MissionOutcome {
   std::uint64_t unit_mission = 0;
   bool planned = false;
   std::vector<std::string> reasons;  ///< why not
-  bool evaluated = false;            ///< nothing was adopted; with `planned` the rest counts
+  bool evaluated = false;  ///< nothing was adopted; with `planned` the rest counts
   MissionPlacement placement = MissionPlacement::kBest;
-  double cost = 0, energy = 0;                                  ///< that it would add
-  std::int64_t earliest_end = 0, latest_end = 0, plan_end = 0;  ///< [ns]
+  double cost = 0;  ///< that it would add
+  double energy = 0;  ///< that it would add
+  std::int64_t earliest_end = 0;  ///< [ns]
+  std::int64_t latest_end = 0;  ///< [ns]
+  std::int64_t plan_end = 0;  ///< [ns]
   bool operator==(const MissionOutcome&) const = default;
 };
 SKEIN_WIRE_FIELDS(MissionOutcome, header, uav, unit_mission, planned, reasons, evaluated, placement,
-                  cost, energy, earliest_end, latest_end, plan_end)
+    cost, energy, earliest_end, latest_end, plan_end)
 
 /// A task with its conditions and where it stands.
 struct HeldTask {
   TaskSpec task;
   TaskState state = TaskState::kScheduled;
   bool in_executive = false;  ///< false: only planned
-  std::uint64_t origin = 0;   ///< the high-level task it comes from; 0: none
+  std::uint64_t origin = 0;  ///< the high-level task it comes from; 0: none
   bool operator==(const HeldTask&) const = default;
 };
 SKEIN_WIRE_FIELDS(HeldTask, task, state, in_executive, origin)
@@ -219,7 +251,7 @@ SKEIN_WIRE_FIELDS(HeldTask, task, state, in_executive, origin)
 struct HandOver {
   SampleHeader header;
   std::string uav;
-  std::uint8_t degree = 0;      ///< from now on
+  std::uint8_t degree = 0;  ///< from now on
   std::vector<HeldTask> tasks;  ///< by id
   std::vector<GoalEntry> goals;
   bool operator==(const HandOver&) const = default;
@@ -236,12 +268,17 @@ struct Decision {
   std::string inputs;
   std::string outcome;
   std::int64_t began = 0;  ///< [ns]
-  std::int64_t took = 0;   ///< [ns] of mission time
+  std::int64_t took = 0;  ///< [ns] of mission time
   bool operator==(const Decision&) const = default;
 };
 SKEIN_WIRE_FIELDS(Decision, header, uav, number, applied, cause, inputs, outcome, began, took)
 
-enum class NegotiationVow : std::uint32_t { kNone, kPromised, kRefused, kCount };
+enum class NegotiationVow : std::uint32_t {
+  kNone,
+  kPromised,
+  kRefused,
+  kCount
+};
 constexpr auto names_of(NegotiationVow) {
   return std::to_array<std::string_view>({"none", "promised", "refused"});
 }
@@ -253,8 +290,8 @@ struct NegotiationEntry {
   std::vector<Parameter> offer;
   NegotiationVow vow = NegotiationVow::kNone;
   std::uint64_t fingerprint = 0;  ///< of the result that was promised
-  std::string why;                ///< it was refused
-  bool lost = false;              ///< restarted since
+  std::string why;  ///< it was refused
+  bool lost = false;  ///< restarted since
   bool operator==(const NegotiationEntry&) const = default;
 };
 SKEIN_WIRE_FIELDS(NegotiationEntry, uav, offered, offer, vow, fingerprint, why, lost)
@@ -263,30 +300,31 @@ SKEIN_WIRE_FIELDS(NegotiationEntry, uav, offered, offer, vow, fingerprint, why, 
 /// said. Source: spec 7.4.
 struct NegotiationMessage {
   SampleHeader header;
-  std::string from, to;
+  std::string from;
+  std::string to;
   std::string subject;
   std::uint32_t mission_id = 0;  ///< of the terms
   std::string modality;
-  std::vector<std::string> members;   ///< in order
-  std::uint64_t model = 0;            ///< hash of the interaction model
+  std::vector<std::string> members;  ///< in order
+  std::uint64_t model = 0;  ///< hash of the interaction model
   std::vector<Parameter> parameters;  ///< of the modality
   std::string opener;
-  std::int64_t opened = 0;                ///< [ns]
-  std::int64_t deadline = 0;              ///< [ns]
+  std::int64_t opened = 0;  ///< [ns]
+  std::int64_t deadline = 0;  ///< [ns]
   std::vector<NegotiationEntry> entries;  ///< one for each member, in their order
   bool wants_echo = false;
   bool operator==(const NegotiationMessage&) const = default;
 };
 SKEIN_WIRE_FIELDS(NegotiationMessage, header, from, to, subject, mission_id, modality, members,
-                  model, parameters, opener, opened, deadline, entries, wants_echo)
+    model, parameters, opener, opened, deadline, entries, wants_echo)
 
 /// What an operator asks of the ground station. World channel; said again until it is answered. The
 /// instance tells apart the stations that operators sit at, which are all of one node.
 struct OperatorRequest {
   SampleHeader header;
-  std::string who;           ///< the operator
+  std::string who;  ///< the operator
   std::uint64_t number = 0;  ///< of this operator's requests, growing: one is done once
-  std::string request;       ///< a list of actions: docs/operators.md
+  std::string request;  ///< a list of actions: docs/operators.md
   bool operator==(const OperatorRequest&) const = default;
 };
 SKEIN_WIRE_FIELDS(OperatorRequest, header, who, number, request)
@@ -298,8 +336,8 @@ struct OperatorReply {
   std::string who;
   std::uint64_t number = 0;
   bool accepted = false;
-  bool complete = false;               ///< nothing more will come
-  std::vector<std::string> problems;   ///< why it was not accepted, all at once
+  bool complete = false;  ///< nothing more will come
+  std::vector<std::string> problems;  ///< why it was not accepted, all at once
   std::vector<CommandEntry> commands;  ///< that were issued for it
   bool operator==(const OperatorReply&) const = default;
 };

@@ -1,11 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of a wire struct, told once and visited by everything that treats all of them alike.
+// The fields of a wire struct, told once and visited by everything that treats all of them alike; and
+// what enumerations of the wire have in common.
 #pragma once
 
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string_view>
 #include <type_traits>
 
+/// Plain C++ images of the IDL types, with the same fields in the same order, written by
+/// idl/generate_wire.py. They are what crosses a channel, not what decisions are made of: the shell
+/// of each node converts.
+/// Conventions of all of them: positions are metres in the scenario's local frame, east north up;
+/// angles are radians counter-clockwise from east; times are nanoseconds of mission time.
 namespace skein::wire {
+
+inline constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+/// Of an instant that may be absent: it is.
+inline constexpr std::int64_t kNoInstant = std::numeric_limits<std::int64_t>::min();
+
+/// Every enumeration of the wire names its first value past the end, `kCount`: a value at or above
+/// it is malformed. `names_of(E)` gives the names of the others, in order.
+template <class E>
+concept WireEnum = std::is_enum_v<E> && requires {
+  E::kCount;
+};
+
+/// The name of an enumerator; "?" if out of range.
+template <WireEnum E>
+constexpr std::string_view name_of(E value) {
+  return value < E::kCount ? names_of(value)[static_cast<std::size_t>(value)] : "?";
+}
 
 /// A struct declared with SKEIN_WIRE_FIELDS.
 template <class T>

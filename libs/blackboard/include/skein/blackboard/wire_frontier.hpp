@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slot of class state by which plans are kept consistent in time (idl/state.idl). What the
+// The slot of class state by which plans are kept consistent in time. What the
 // fields mean is said where they come from: skein/temporal/frontier.hpp. Source: spec 5.3.
+// Written by idl/generate_wire.py from idl/state.idl: change that, and run it.
+// clang-format off
 #pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "skein/blackboard/wire_common.hpp"
 

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slot of class event by which UAVs merge their ways (idl/event.idl). What the fields mean is
+// The slot of class event by which UAVs merge their ways. What the fields mean is
 // said where they come from: skein/merging/message.hpp. Source: spec 6.4.
+// Written by idl/generate_wire.py from idl/event.idl: change that, and run it.
+// clang-format off
 #pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "skein/blackboard/wire_common.hpp"
 
@@ -9,10 +15,13 @@ namespace skein::wire {
 
 /// [m] ENU.
 struct AirVolume {
-  double from_x = 0, from_y = 0;
-  double to_x = 0, to_y = 0;
+  double from_x = 0;
+  double from_y = 0;
+  double to_x = 0;
+  double to_y = 0;
   double radius = 0;
-  double floor_z = 0, ceiling_z = 0;
+  double floor_z = 0;
+  double ceiling_z = 0;
   bool operator==(const AirVolume&) const = default;
 };
 SKEIN_WIRE_FIELDS(AirVolume, from_x, from_y, to_x, to_y, radius, floor_z, ceiling_z)
@@ -31,6 +40,6 @@ struct MergeMessage {
   bool operator==(const MergeMessage&) const = default;
 };
 SKEIN_WIRE_FIELDS(MergeMessage, header, number, held, request, wanted, waits_for, answered, granted,
-                  asks)
+    asks)
 
 }  // namespace skein::wire

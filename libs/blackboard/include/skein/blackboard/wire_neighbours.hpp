@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slot by which nodes tell each other whom they hear (idl/state.idl).
+// The slot by which nodes tell each other whom they hear.
+// Written by idl/generate_wire.py from idl/state.idl: change that, and run it.
+// clang-format off
 #pragma once
+
+#include <cstdint>
+#include <vector>
 
 #include "skein/blackboard/wire_common.hpp"
 

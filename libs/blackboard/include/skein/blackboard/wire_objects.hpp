@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The slot by which the ground station tells where objects were seen (idl/state.idl).
+// The slot by which the ground station tells where objects were seen.
+// Written by idl/generate_wire.py from idl/state.idl: change that, and run it.
+// clang-format off
 #pragma once
+
+#include <cstdint>
+#include <string>
 
 #include "skein/blackboard/wire_common.hpp"
 
@@ -11,8 +16,8 @@ struct SeenObject {
   SampleHeader header;
   std::string name;
   std::string kind;
-  Vector3 at;             ///< [m]
-  double spread = 0;      ///< standard deviation of the place, per axis [m]
+  Vector3 at;  ///< [m]
+  double spread = 0;  ///< standard deviation of the place, per axis [m]
   std::int64_t seen = 0;  ///< [ns]
   bool operator==(const SeenObject&) const = default;
 };

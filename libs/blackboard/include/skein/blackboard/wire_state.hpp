@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slots of class state: the last value is always there (idl/state.idl).
+// Slots of class state: the last value is always there.
+// Written by idl/generate_wire.py from idl/state.idl: change that, and run it.
+// clang-format off
 #pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "skein/blackboard/wire_common.hpp"
 
@@ -17,8 +25,8 @@ enum class Role : std::uint32_t {
   kCount
 };
 constexpr auto names_of(Role) {
-  return std::to_array<std::string_view>(
-      {"ground", "ddn", "sim", "runner", "spy", "functional", "operator"});
+  return std::to_array<std::string_view>({"ground", "ddn", "sim", "runner", "spy", "functional",
+    "operator"});
 }
 
 /// Who is behind a node number. World channel, instance 0.
@@ -26,14 +34,19 @@ struct DirectoryEntry {
   SampleHeader header;
   std::string name;
   Role role = Role::kSpy;
-  std::string vendor;         ///< the DDS implementation: "fastdds"
-  bool ready = false;         ///< configured and waiting for the clock
+  std::string vendor;  ///< the DDS implementation: "fastdds"
+  bool ready = false;  ///< configured and waiting for the clock
   std::uint32_t process = 0;  ///< process id on its machine
   bool operator==(const DirectoryEntry&) const = default;
 };
 SKEIN_WIRE_FIELDS(DirectoryEntry, header, name, role, vendor, ready, process)
 
-enum class ClockPhase : std::uint32_t { kHolding, kRunning, kFinished, kCount };
+enum class ClockPhase : std::uint32_t {
+  kHolding,
+  kRunning,
+  kFinished,
+  kCount
+};
 constexpr auto names_of(ClockPhase) {
   return std::to_array<std::string_view>({"holding", "running", "finished"});
 }
@@ -42,7 +55,7 @@ constexpr auto names_of(ClockPhase) {
 struct Clock {
   SampleHeader header;
   std::int64_t time = 0;  ///< [ns] mission time when sent
-  double rate = 1;        ///< mission seconds per second
+  double rate = 1;  ///< mission seconds per second
   ClockPhase phase = ClockPhase::kHolding;
   bool operator==(const Clock&) const = default;
 };
@@ -56,8 +69,8 @@ struct LinkState {
   std::uint32_t to = 0;
   bool up = false;
   std::int64_t latency = 0;  ///< [ns] of mission time
-  double loss = 0;           ///< share of stream samples lost, in [0, 1]
-  double capacity = 0;       ///< [bit/s] of mission time; 0: unlimited
+  double loss = 0;  ///< share of stream samples lost, in [0, 1]
+  double capacity = 0;  ///< [bit/s] of mission time; 0: unlimited
   bool operator==(const LinkState&) const = default;
 };
 SKEIN_WIRE_FIELDS(LinkState, header, from, to, up, latency, loss, capacity)
@@ -85,7 +98,7 @@ struct PlanBoard {
   std::string uav;
   std::uint8_t degree = 0;
   bool airborne = false;
-  std::vector<TaskEntry> tasks;      ///< by id
+  std::vector<TaskEntry> tasks;  ///< by id
   std::vector<ModelVersion> models;  ///< of joint tasks
   bool operator==(const PlanBoard&) const = default;
 };
@@ -95,7 +108,7 @@ SKEIN_WIRE_FIELDS(PlanBoard, header, uav, degree, airborne, tasks, models)
 struct AutonomyDegree {
   SampleHeader header;
   std::string uav;
-  std::uint8_t degree = 0;     ///< 1 to 5
+  std::uint8_t degree = 0;  ///< 1 to 5
   std::string contact_policy;  ///< "continue", "hold", "return"
   bool operator==(const AutonomyDegree&) const = default;
 };
@@ -122,20 +135,20 @@ struct PlanEntry {
   std::int64_t latest_start = 0;
   std::int64_t earliest_end = 0;
   std::int64_t latest_end = 0;
-  bool committed = false;   ///< the executive has it
+  bool committed = false;  ///< the executive has it
   std::vector<double> way;  ///< x, y, z of each point; empty: it does not fly
-  std::string methods;      ///< from the high-level task down, separated by " > "
+  std::string methods;  ///< from the high-level task down, separated by " > "
   bool operator==(const PlanEntry&) const = default;
 };
 SKEIN_WIRE_FIELDS(PlanEntry, id, type, origin, dependences, stop, earliest_start, latest_start,
-                  earliest_end, latest_end, committed, way, methods)
+    earliest_end, latest_end, committed, way, methods)
 
 /// The elementary plan of a UAV at degree 4 with its high-level tasks. Source: spec 6.1.
 struct MissionPlan {
   SampleHeader header;
   std::string uav;
-  std::uint64_t revision = 0;    ///< from 1 in one life of the node
-  std::int64_t made = 0;         ///< [ns]
+  std::uint64_t revision = 0;  ///< from 1 in one life of the node
+  std::int64_t made = 0;  ///< [ns]
   std::vector<PlanEntry> tasks;  ///< of goals that are not settled
   std::vector<GoalEntry> goals;  ///< settled ones first
   bool operator==(const MissionPlan&) const = default;
@@ -153,8 +166,8 @@ enum class JointTaskPhase : std::uint32_t {
   kCount
 };
 constexpr auto names_of(JointTaskPhase) {
-  return std::to_array<std::string_view>(
-      {"loading", "loaded", "running", "leaving", "ended", "aborted", "not-loaded"});
+  return std::to_array<std::string_view>({"loading", "loaded", "running", "leaving", "ended",
+    "aborted", "not-loaded"});
 }
 
 struct RoleHolder {
@@ -169,22 +182,22 @@ SKEIN_WIRE_FIELDS(RoleHolder, uav, role)
 struct JointTaskState {
   SampleHeader header;
   std::string uav;
-  std::string subject;     ///< the same at all who take part
+  std::string subject;  ///< the same at all who take part
   std::uint64_t task = 0;  ///< of its own executive
-  std::string model;       ///< type of the joint task
+  std::string model;  ///< type of the joint task
   std::string variant;
   std::uint64_t model_hash = 0;
   JointTaskPhase phase = JointTaskPhase::kLoading;
-  std::string why;                         ///< of kLeaving, kAborted, kNotLoaded
-  std::vector<RoleHolder> holders;         ///< as agreed last
+  std::string why;  ///< of kLeaving, kAborted, kNotLoaded
+  std::vector<RoleHolder> holders;  ///< as agreed last
   std::vector<std::string> active_blocks;  ///< of its role
-  std::vector<std::string> violated;       ///< spatial constraint models
+  std::vector<std::string> violated;  ///< spatial constraint models
   std::int64_t agreed_start = kNoInstant;  ///< [ns]
-  std::vector<Parameter> left;             ///< of its share of an area
+  std::vector<Parameter> left;  ///< of its share of an area
   bool operator==(const JointTaskState&) const = default;
 };
 SKEIN_WIRE_FIELDS(JointTaskState, header, uav, subject, task, model, variant, model_hash, phase,
-                  why, holders, active_blocks, violated, agreed_start, left)
+    why, holders, active_blocks, violated, agreed_start, left)
 
 struct BoardTask {
   std::uint64_t id = 0;
@@ -192,7 +205,7 @@ struct BoardTask {
   TaskState state = TaskState::kScheduled;
   std::string reason;
   std::int64_t since = 0;  ///< [ns]
-  bool lost = false;       ///< its executive restarted before it was over
+  bool lost = false;  ///< its executive restarted before it was over
   bool at_ground = false;  ///< the ground station executes it
   bool operator==(const BoardTask&) const = default;
 };
@@ -216,27 +229,27 @@ struct UavBoard {
   std::uint8_t degree = 0;
   bool reachable = false;
   bool airborne = false;
-  std::string holder;                    ///< the operator who has it in hand; empty: none
-  std::string asker;                     ///< who asks for it meanwhile
-  std::int64_t passes_at = kNoInstant;   ///< [ns] when it is the asker's, unless it is kept
+  std::string holder;  ///< the operator who has it in hand; empty: none
+  std::string asker;  ///< who asks for it meanwhile
+  std::int64_t passes_at = kNoInstant;  ///< [ns] when it is the asker's, unless it is kept
   std::int64_t located_at = kNoInstant;  ///< [ns] when the five below were so; absent: unknown
-  Vector3 position;                      ///< [m]
-  Vector3 velocity;                      ///< [m/s]
-  double heading = 0;                    ///< [rad]
-  double energy = 0;                     ///< what is left, in [0, 1]
-  std::uint32_t waiting = 0;             ///< commands that are not answered yet
-  std::uint32_t held = 0;                ///< tasks that it handed over and nobody carries out
+  Vector3 position;  ///< [m]
+  Vector3 velocity;  ///< [m/s]
+  double heading = 0;  ///< [rad]
+  double energy = 0;  ///< what is left, in [0, 1]
+  std::uint32_t waiting = 0;  ///< commands that are not answered yet
+  std::uint32_t held = 0;  ///< tasks that it handed over and nobody carries out
   bool operator==(const UavBoard&) const = default;
 };
 SKEIN_WIRE_FIELDS(UavBoard, header, uav, degree, reachable, airborne, holder, asker, passes_at,
-                  located_at, position, velocity, heading, energy, waiting, held)
+    located_at, position, velocity, heading, energy, waiting, held)
 
 /// Likewise, what it does and means to do.
 struct UavTasks {
   SampleHeader header;
   std::string uav;
   std::vector<BoardTask> tasks;  ///< by id; of those that are over, the latest
-  std::uint64_t revision = 0;    ///< of the plan below; 0: it has none
+  std::uint64_t revision = 0;  ///< of the plan below; 0: it has none
   std::vector<PlanEntry> plan;
   std::vector<GoalEntry> goals;
   std::vector<BoardDecision> decisions;  ///< the latest, oldest first
@@ -252,7 +265,7 @@ struct BoardAlarm {
   double belief = 0;  ///< in [0, 1]
   std::uint32_t views = 0;
   std::int64_t first_seen = 0;  ///< [ns]
-  std::int64_t last_seen = 0;   ///< [ns]
+  std::int64_t last_seen = 0;  ///< [ns]
   bool operator==(const BoardAlarm&) const = default;
 };
 SKEIN_WIRE_FIELDS(BoardAlarm, id, state, position, radius, belief, views, first_seen, last_seen)
@@ -285,12 +298,12 @@ struct GroundBoard {
   SampleHeader header;
   std::string phase;
   bool finished = false;
-  std::vector<std::string> uavs;       ///< whose boards there are
-  std::vector<std::string> answers;    ///< that the script waits for from an operator
-  std::vector<BoardAlarm> alarms;      ///< by id
-  std::vector<BoardAir> air;           ///< closed since the start, by name
+  std::vector<std::string> uavs;  ///< whose boards there are
+  std::vector<std::string> answers;  ///< that the script waits for from an operator
+  std::vector<BoardAlarm> alarms;  ///< by id
+  std::vector<BoardAir> air;  ///< closed since the start, by name
   std::vector<CommandEntry> commands;  ///< the latest, oldest first
-  std::vector<BoardTeamTask> team;     ///< by id
+  std::vector<BoardTeamTask> team;  ///< by id
   bool operator==(const GroundBoard&) const = default;
 };
 SKEIN_WIRE_FIELDS(GroundBoard, header, phase, finished, uavs, answers, alarms, air, commands, team)

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slots of class stream: best effort, only the newest counts (idl/stream.idl).
+// Slots of class stream: best effort, only the newest counts.
+// Written by idl/generate_wire.py from idl/stream.idl: change that, and run it.
+// clang-format off
 #pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "skein/blackboard/wire_common.hpp"
 
@@ -11,21 +17,21 @@ struct Telemetry {
   SampleHeader header;
   std::string uav;
   Vector3 position;
-  Vector3 velocity;    ///< [m/s]
+  Vector3 velocity;  ///< [m/s]
   double heading = 0;  ///< [rad]
-  double energy = 0;   ///< share left, in [0, 1]
+  double energy = 0;  ///< share left, in [0, 1]
   bool airborne = false;
   std::string activity;
   std::vector<std::string> failed;  ///< devices that do not work; "engine" too
   bool operator==(const Telemetry&) const = default;
 };
 SKEIN_WIRE_FIELDS(Telemetry, header, uav, position, velocity, heading, energy, airborne, activity,
-                  failed)
+    failed)
 
 struct Detection {
   std::string kind;  ///< of object: "fire", "vehicle"
   Vector3 position;
-  double spread = 0;      ///< [m] standard deviation of the position
+  double spread = 0;  ///< [m] standard deviation of the position
   double confidence = 0;  ///< in [0, 1]
   bool operator==(const Detection&) const = default;
 };
@@ -38,13 +44,13 @@ struct PerceptionReport {
   std::string device;
   Vector3 viewpoint;
   Vector3 view_direction;  ///< unit vector
-  double range = 0;        ///< [m]
-  double aperture = 0;     ///< [rad] full angle of the cone of view
+  double range = 0;  ///< [m]
+  double aperture = 0;  ///< [rad] full angle of the cone of view
   std::vector<Detection> detections;
   bool operator==(const PerceptionReport&) const = default;
 };
 SKEIN_WIRE_FIELDS(PerceptionReport, header, uav, device, viewpoint, view_direction, range, aperture,
-                  detections)
+    detections)
 
 /// Ground truth of one vehicle or object, from the simulator. World channel; the instance numbers
 /// it.
@@ -53,10 +59,10 @@ struct Truth {
   std::string name;
   std::string kind;  ///< "uav", "fire", "vehicle", …
   Vector3 position;
-  Vector3 velocity;     ///< [m/s]
-  double heading = 0;   ///< [rad]
-  double radius = 0;    ///< [m] of an object
-  double energy = 0;    ///< of a UAV: share left, in [0, 1]
+  Vector3 velocity;  ///< [m/s]
+  double heading = 0;  ///< [rad]
+  double radius = 0;  ///< [m] of an object
+  double energy = 0;  ///< of a UAV: share left, in [0, 1]
   bool active = false;  ///< UAV: airborne; object: there
   bool operator==(const Truth&) const = default;
 };
@@ -66,10 +72,10 @@ SKEIN_WIRE_FIELDS(Truth, header, name, kind, position, velocity, heading, radius
 /// and the acknowledgements of event sessions. Never given to a node.
 struct Heartbeat {
   SampleHeader header;
-  std::uint64_t events_from = 0;      ///< oldest event still held for this peer, or events_to + 1
-  std::uint64_t events_to = 0;        ///< last event sent to this peer; 0: none
+  std::uint64_t events_from = 0;  ///< oldest event still held for this peer, or events_to + 1
+  std::uint64_t events_to = 0;  ///< last event sent to this peer; 0: none
   std::uint64_t ack_incarnation = 0;  ///< of the peer, as heard now; 0: it is silent
-  std::uint64_t ack_sequence = 0;     ///< all its events up to this one were handled
+  std::uint64_t ack_sequence = 0;  ///< all its events up to this one were handled
   bool operator==(const Heartbeat&) const = default;
 };
 SKEIN_WIRE_FIELDS(Heartbeat, header, events_from, events_to, ack_incarnation, ack_sequence)

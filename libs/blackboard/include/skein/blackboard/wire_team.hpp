@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slots of class event with which a team shares out its missions (idl/event.idl). What the fields
+// Slots of class event with which a team shares out its missions. What the fields
 // mean is said where they come from: skein/auction/ledger.hpp and message.hpp. Members are numbered
 // by the team's roster. Source: spec 6.3.
+// Written by idl/generate_wire.py from idl/event.idl: change that, and run it.
+// clang-format off
 #pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "skein/blackboard/wire_common.hpp"
 
 namespace skein::wire {
 
-enum class TeamStage : std::uint32_t { kForSale, kOwned, kGranted, kDone, kUnsold, kCount };
+enum class TeamStage : std::uint32_t {
+  kForSale,
+  kOwned,
+  kGranted,
+  kDone,
+  kUnsold,
+  kCount
+};
 constexpr auto names_of(TeamStage) {
   return std::to_array<std::string_view>({"for-sale", "owned", "granted", "done", "unsold"});
 }
@@ -17,12 +32,14 @@ constexpr auto names_of(TeamStage) {
 struct TeamTask {
   std::uint32_t number = 0;
   double duration = 0;  ///< [s]
-  std::uint64_t needs = 0, needs_each = 0;
+  std::uint64_t needs = 0;
+  std::uint64_t needs_each = 0;
   std::uint32_t least_members = 1;
   double earliest = 0;  ///< [s]
   bool has_deadline = false;
-  double deadline = 0;                ///< [s]
-  double x = 0, y = 0;                ///< [m] ENU
+  double deadline = 0;  ///< [s]
+  double x = 0;  ///< [m] ENU
+  double y = 0;  ///< [m] ENU
   std::vector<std::uint32_t> pinned;  ///< none or one
   std::vector<std::uint32_t> forbidden;
   bool repeatable = false;
@@ -31,11 +48,12 @@ struct TeamTask {
   bool operator==(const TeamTask&) const = default;
 };
 SKEIN_WIRE_FIELDS(TeamTask, number, duration, needs, needs_each, least_members, earliest,
-                  has_deadline, deadline, x, y, pinned, forbidden, repeatable, work, asked_by)
+    has_deadline, deadline, x, y, pinned, forbidden, repeatable, work, asked_by)
 
 /// `first` ends before `after` begins.
 struct TeamPrecedence {
-  std::uint32_t first = 0, after = 0;
+  std::uint32_t first = 0;
+  std::uint32_t after = 0;
   bool operator==(const TeamPrecedence&) const = default;
 };
 SKEIN_WIRE_FIELDS(TeamPrecedence, first, after)
@@ -61,7 +79,8 @@ struct TeamRoute {
 SKEIN_WIRE_FIELDS(TeamRoute, member, tasks)
 
 struct TeamLedger {
-  std::uint64_t term = 0, revision = 0;
+  std::uint64_t term = 0;
+  std::uint64_t revision = 0;
   std::vector<std::uint64_t> missions;
   std::vector<TeamEntry> entries;
   std::vector<TeamPrecedence> precedences;
@@ -87,7 +106,14 @@ struct TeamMission {
 };
 SKEIN_WIRE_FIELDS(TeamMission, number, tasks, precedences)
 
-enum class TeamWord : std::uint32_t { kBeat, kStatus, kVoteRequest, kVote, kNewerTerm, kCount };
+enum class TeamWord : std::uint32_t {
+  kBeat,
+  kStatus,
+  kVoteRequest,
+  kVote,
+  kNewerTerm,
+  kCount
+};
 constexpr auto names_of(TeamWord) {
   return std::to_array<std::string_view>({"beat", "status", "vote-request", "vote", "newer-term"});
 }
@@ -100,18 +126,18 @@ struct TeamMessage {
   /// kBeat: what is committed; kStatus: what it has; kVoteRequest: of its ledger.
   std::uint64_t revision = 0;
   std::vector<TeamLedger> ledger;  ///< kBeat: none (the receiver has it) or one
-  bool bids = false;               ///< this and what follows: kStatus
+  bool bids = false;  ///< this and what follows: kStatus
   std::vector<TeamClaim> wants;
   std::vector<TeamClaim> done;
   std::vector<TeamClaim> stopped;
   std::vector<TeamMission> missions;
   std::vector<std::uint32_t> lost;
-  bool trial = false;             ///< kVoteRequest, kVote
+  bool trial = false;  ///< kVoteRequest, kVote
   std::uint64_t ledger_term = 0;  ///< kVoteRequest
   bool operator==(const TeamMessage&) const = default;
 };
 SKEIN_WIRE_FIELDS(TeamMessage, header, word, term, revision, ledger, bids, wants, done, stopped,
-                  missions, lost, trial, ledger_term)
+    missions, lost, trial, ledger_term)
 
 struct TeamLeg {
   double seconds = 0;
@@ -123,7 +149,8 @@ SKEIN_WIRE_FIELDS(TeamLeg, seconds, cost, energy)
 
 struct TeamGap {
   std::uint32_t gap = 0;
-  TeamLeg way_in, way_out;
+  TeamLeg way_in;
+  TeamLeg way_out;
   bool operator==(const TeamGap&) const = default;
 };
 SKEIN_WIRE_FIELDS(TeamGap, gap, way_in, way_out)
@@ -137,7 +164,13 @@ struct TeamPrice {
 };
 SKEIN_WIRE_FIELDS(TeamPrice, item, energy, gaps, objection)
 
-enum class TeamSaleWord : std::uint32_t { kCall, kAward, kOffer, kAnswer, kCount };
+enum class TeamSaleWord : std::uint32_t {
+  kCall,
+  kAward,
+  kOffer,
+  kAnswer,
+  kCount
+};
 constexpr auto names_of(TeamSaleWord) {
   return std::to_array<std::string_view>({"call", "award", "offer", "answer"});
 }
@@ -155,18 +188,17 @@ struct TeamSale {
   std::vector<std::uint32_t> items;
   std::uint32_t gaps = 0;
   bool between = false;
-  std::uint64_t abilities = 0;    ///< kOffer
-  double free_from = 0;           ///< kOffer [s]
-  double energy = 0;              ///< kOffer, kAnswer [J]
-  std::vector<TeamLeg> legs;      ///< kOffer, kAnswer
+  std::uint64_t abilities = 0;  ///< kOffer
+  double free_from = 0;  ///< kOffer [s]
+  double energy = 0;  ///< kOffer, kAnswer [J]
+  std::vector<TeamLeg> legs;  ///< kOffer, kAnswer
   std::vector<TeamPrice> prices;  ///< kOffer
-  std::vector<TeamLeg> ways;      ///< kOffer: between items
-  bool refused = false;           ///< kAnswer
+  std::vector<TeamLeg> ways;  ///< kOffer: between items
+  bool refused = false;  ///< kAnswer
   std::string why;
   bool operator==(const TeamSale&) const = default;
 };
 SKEIN_WIRE_FIELDS(TeamSale, header, word, sale, round, tasks, precedences, route, fixed_tasks,
-                  items, gaps, between, abilities, free_from, energy, legs, prices, ways, refused,
-                  why)
+    items, gaps, between, abilities, free_from, energy, legs, prices, ways, refused, why)
 
 }  // namespace skein::wire
