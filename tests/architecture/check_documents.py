@@ -126,7 +126,8 @@ def last_line_problems(source):
 def header_problems(source):
     for relative in code_files(source, ("libs", "sim", "daemons", "cli", "tests", "idl", "cmake"),
                                (".hpp", ".cpp", ".idl", ".py")):
-        first = (source / relative).read_text().split("\n", 1)[0]
+        lines = (source / relative).read_text().split("\n", 2)
+        first = lines[1] if lines[0].startswith("#!") else lines[0]  # a script that is run by its name
         if first not in ("// SPDX-License-Identifier: Apache-2.0", "# SPDX-License-Identifier: Apache-2.0"):
             yield f"{relative}: the first line is not the licence"
 
