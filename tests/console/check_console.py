@@ -335,6 +335,30 @@ def tell_cost(build, uavs):
                 browser.close()
 
 
+def tell_action(build, times=10):
+    """From pressing a button to `acknowledged` on the page: the ground station, the radio of the scenario, the UAV's node, and back."""
+    browser = Browser()
+    try:
+        with Mission(build, SOURCE / "scenarios/comets/confirmed.yaml", 1) as mission:
+            page = opened(browser, mission)
+            page.until(f"{card('heliv')}.textContent.includes('take in hand')")
+            taken = []
+            for number in range(times):
+                words = "take in hand" if number % 2 == 0 else "give back"
+                page.until(f"[...{card('heliv')}.querySelectorAll('button')].some((one) => one.textContent === '{words}')")
+                taken.append(page.says(f"""new Promise((done) => {{
+                    const begin = performance.now();
+                    {press('heliv', words)};
+                    const look = () => {{ const first = document.querySelector('#requests li');
+                      first && first.textContent.includes('{words.split()[0]} heliv') && first.textContent.includes(': acknowledged')
+                        ? done(performance.now() - begin) : setTimeout(look, 5); }};
+                    look(); }})"""))
+            taken.sort()
+            print(f"action to acknowledgement shown: median {taken[len(taken) // 2]:.0f} ms, at most {taken[-1]:.0f} ms of {times}", flush=True)
+    finally:
+        browser.close()
+
+
 def tell_frames(build, uavs):
     """Of a replay at ten times mission speed: the log has each UAV's place once a mission second."""
     browser = Browser()
@@ -382,6 +406,7 @@ def main():
         print("SKIPPED: there is no chromium on this machine")
         return SKIPPED
     if options.figures:
+        tell_action(options.build)
         tell_frames(options.build, 20)
         tell_cost(options.build, 3)
         tell_cost(options.build, 8)
