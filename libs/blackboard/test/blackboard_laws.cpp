@@ -278,6 +278,15 @@ TEST_F(BlackboardLaws, WhatASenderGaveUpIsALossForTheReceiver) {
   EXPECT_THAT(events(kGround), ElementsAre(900, 900));
 }
 
+TEST_F(BlackboardLaws, AStreamIsHeardFromItsFirstSampleOnByWhoIsConnected) {
+  start_pair();
+  settle();
+
+  send(kMarvin, kGround, telemetry(0.5));
+
+  EXPECT_TRUE(system.run_until([&] { return !system.values<wire::Telemetry>(kGround).empty(); }));
+}
+
 TEST_F(BlackboardLaws, StreamsDuringACutAreLost) {
   start_pair();
   system.set_link(kGround, kMarvin, false);

@@ -21,7 +21,7 @@ bool is_pattern(const std::string& partition) {
 }  // namespace
 
 bool LinkPlan::waits_to_write(wire::Slot slot) const {
-  return writers_wait && slot != wire::Slot::kHeartbeat;
+  return writers_wait && wire::slot_class(slot) != wire::SlotClass::kStream;
 }
 
 bool LinkPlan::waits_to_read(wire::Slot slot) const {

@@ -21,7 +21,8 @@ struct LinkPlan {
   std::vector<wire::Slot> writes, reads;
   /// Whether a writer is made for its first sample only, and a reader once somebody writes. A node
   /// has dozens of slots for each of its peers and uses few of them, while every endpoint is told
-  /// to every participant. Heartbeats come in any case.
+  /// to every participant. Writers of streams do not wait: nobody says again what is said before a
+  /// reader is there, and it may be the one look that a task takes.
   bool writers_wait = false, readers_wait = false;
 
   bool waits_to_write(wire::Slot slot) const;
