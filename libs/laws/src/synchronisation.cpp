@@ -156,15 +156,19 @@ std::vector<Violation> plan_words_unheard(const History& history) {
 }
 
 // What is believed when the word comes that somebody is there: not that he could not be. That word
-// and those of plans come over one radio.
+// and those of plans come over one radio; where the ground station says when others come, by a hop
+// more.
 std::vector<Violation> come_before_foretold(const History& history) {
   constexpr double kMoment = 1;  // [s]
+  const auto& planning = history.scenario->planning;
+  const bool by_ground = planning && planning->consistency == temporal::Algorithm::kCip;
+  const double on_its_way = by_ground ? kMoment : 0;
   std::vector<Violation> result;
   for (const auto& [name, uav] : history.uavs) {
     for (const SyncHeard& heard : uav.syncs_heard) {
       const Foretold* believed = nullptr;
       for (const Foretold& one : uav.foretold)
-        if (one.id == heard.id && one.at <= heard.at) believed = &one;
+        if (one.id == heard.id && one.at <= heard.at + on_its_way) believed = &one;
       const bool about = believed != nullptr && believed->known && believed->last == heard.from;
       if (!about || believed->soonest <= heard.at + kMoment) continue;
       const std::string when = believed->soonest == kNever

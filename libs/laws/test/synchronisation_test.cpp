@@ -45,6 +45,20 @@ TEST(ForetoldLaw, WhatComesWithItsWithdrawalWasSaidLongAgo) {
   EXPECT_THAT(story.broken("foretold"), IsEmpty());
 }
 
+// What he says himself that he is there comes before what the ground station makes of it.
+TEST(ForetoldLaw, AWordOfTheGroundStationIsAHopLonger) {
+  const auto told = [](double corrected) {
+    Story story;
+    story.foretold("heliv", 50, 500, "marvin", 300).hears("heliv", 100, 500, "marvin");
+    story.foretold("heliv", corrected, 500, "karma", 300);
+    return story;
+  };
+
+  EXPECT_EQ(told(100.2).broken("foretold").size(), 1U);
+  EXPECT_THAT(told(100.2).dates_by_ground().broken("foretold"), IsEmpty());
+  EXPECT_EQ(told(102).dates_by_ground().broken("foretold").size(), 1U);
+}
+
 TEST(ForetoldLaw, OfAnotherMeetingOrAnotherUavNothingIsSaid) {
   Story story;
   story.foretold("marvin", 20, 501, "heliv", 90).foretold("marvin", 20, 500, "karma", 90);

@@ -152,6 +152,11 @@ Story& Story::step(double at, const std::string& name, const std::string& told) 
   return *this;
 }
 
+Story& Story::dates_by_ground() {
+  scenario_.planning->consistency = temporal::Algorithm::kCip;
+  return *this;
+}
+
 Story& Story::alarm(double at, int id, world::Vector3 where) {
   add(at, "ground", "alarm")
       .with("alarm", id)

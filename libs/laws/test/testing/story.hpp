@@ -55,6 +55,8 @@ class Story {
   Story& answer(const std::string& uav, double at, const Answered& what);
   Story& degree(const std::string& uav, double at, int degree);
   Story& step(double at, const std::string& name, const std::string& told);
+  /// The ground station says when others come.
+  Story& dates_by_ground();
   /// Where perceptions put an alarm.
   Story& alarm(double at, int id, world::Vector3 where);
   /// A fire that spreads along a ray from (x, y), half so long and half so broad, in truth.
