@@ -137,7 +137,8 @@ class Told {
     world::TerrainSpec ground;
     ground.west = ground.south = -500;
     ground.east = ground.north = 500;
-    History history{&scenario_, world::Terrain(ground), {}, {}, {}, {}, 1000, false, joint_};
+    History history{&scenario_, world::Terrain(ground), {}, {}, {}, {}, {}, {}, 1000, false,
+                    joint_};
     for (const scenario::UavSpec& spec : scenario_.uavs) {
       Uav& uav = history.uavs[spec.name];
       uav.spec = &spec;
