@@ -74,6 +74,11 @@ void add_run(CLI::App& app, Action& action, const LiveActions& live) {
                   "Over DDS: tell a MAVLink ground station where everybody is, "
                   "udp:127.0.0.1:14550 for instance")
       ->excludes(in_virtual_time);
+  run->add_option("--ros2", options->ros2,
+                  "Over DDS: tell programs of ROS 2 in this domain of the team, and take missions "
+                  "from them")
+      ->check(CLI::Range(0, 100))
+      ->excludes(in_virtual_time);
   run->add_option("--mcap", options->mcap,
                   "Also write the run as an MCAP file, for Foxglove or PlotJuggler");
   run->footer(kRunExamples);

@@ -4,9 +4,10 @@
 #   skein_idl_cyclone    headers <cyclone/state.h>, …
 set(SKEIN_IDL_DIR ${CMAKE_CURRENT_LIST_DIR})
 set(SKEIN_IDL_FILES common state event stream)
+set(SKEIN_IDL_GENERATE ${CMAKE_CURRENT_LIST_DIR}/generate.sh)
 
 # skein_add_idl_library(NAME TOOL DIRECTORY SUFFIXES…): generates at build time, compiles without our
-# warnings.
+# warnings. Of SKEIN_IDL_FILES in SKEIN_IDL_DIR, as they are set where it is called.
 function(skein_add_idl_library name tool directory)
   set(output ${CMAKE_BINARY_DIR}/idl/${directory})
   set(generated)
@@ -21,9 +22,9 @@ function(skein_add_idl_library name tool directory)
   list(TRANSFORM idl_paths PREPEND ${SKEIN_IDL_DIR}/)
   add_custom_command(
     OUTPUT ${generated}
-    COMMAND ${SKEIN_IDL_DIR}/generate.sh ${tool} ${SKEIN_IDL_DIR} ${output} ${idl}
-    DEPENDS ${idl_paths} ${SKEIN_IDL_DIR}/generate.sh
-    COMMENT "${tool} idl/*.idl"
+    COMMAND ${SKEIN_IDL_GENERATE} ${tool} ${SKEIN_IDL_DIR} ${output} ${idl}
+    DEPENDS ${idl_paths} ${SKEIN_IDL_GENERATE}
+    COMMENT "${tool} for ${name}"
     VERBATIM)
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${generated})
   target_include_directories(${name} SYSTEM PUBLIC ${CMAKE_BINARY_DIR}/idl ${output})

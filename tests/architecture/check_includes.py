@@ -10,7 +10,8 @@ LAYERS = pathlib.Path(__file__).with_name("layers.txt")
 KINDS = ("pure", "files", "shell")
 INCLUDE = re.compile(r'^\s*#\s*include\s*(<[^>]+>|"[^"]+")', re.M)
 DDS_HEADER = re.compile(r"^(fastdds|fastrtps|fastcdr|dds|ddsc|rti)/|^(ddsc|idl)\b")
-DDS_ADAPTERS = re.compile(r"^libs/blackboard/(adapters/(fastdds|cyclonedds)/|test/|bench/)")
+DDS_ADAPTERS = re.compile(
+    r"^libs/blackboard/(adapters/(fastdds|cyclonedds)/|test/|bench/)|^(libs/ros2|daemons/ros2_out)/test/")
 
 # Sans-IO parts of libraries that are shells as a whole.
 PURE_PARTS = re.compile(

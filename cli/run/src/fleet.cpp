@@ -74,6 +74,9 @@ Result<void, Failure> Fleet::start(const std::string& name) {
   if (program == "skein-ground" && !options_.mavlink_out.empty()) {
     command.insert(command.end(), {"--mavlink-out", options_.mavlink_out});
   }
+  if (program == "skein-ground" && options_.ros2) {
+    command.insert(command.end(), {"--ros2", std::to_string(*options_.ros2)});
+  }
   if (forgetful_.erase(name) > 0) command.emplace_back("--forgets");
   if (!options_.keys.empty()) command.insert(command.end(), {"--security", options_.keys});
   command.insert(command.end(), options_.daemon_options.begin(), options_.daemon_options.end());

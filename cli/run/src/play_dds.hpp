@@ -22,6 +22,7 @@ struct DdsOptions {
   std::string keys = {};                     ///< folder of make-keys; empty: no security
   std::string console = {};                  ///< of the ground station; empty: none
   std::string mavlink_out = {};              ///< of the ground station; empty: none
+  std::optional<std::uint32_t> ros2 = {};    ///< domain, of the ground station; none: nobody
   std::vector<std::string> interfaces = {};  ///< to talk on; empty: this machine alone
 };
 

@@ -101,13 +101,14 @@ int play(const Scenario& scenario, const RunOptions& options, const std::string&
          std::ostream& out, std::ostream& err) {
   Progress progress(err, progress_style(options), scenario.uav_names());
   const auto start = std::chrono::steady_clock::now();
-  Played played = options.virtual_time
-                      ? play_virtual(scenario, progress)
-                      : play_dds(scenario,
-                                 {options.daemons, folder, options.domain,
-                                  options.overrides.as_options(), options.without, options.security,
-                                  options.console, options.mavlink_out, options.interfaces},
-                                 progress);
+  Played played =
+      options.virtual_time
+          ? play_virtual(scenario, progress)
+          : play_dds(scenario,
+                     {options.daemons, folder, options.domain, options.overrides.as_options(),
+                      options.without, options.security, options.console, options.mavlink_out,
+                      options.ros2, options.interfaces},
+                     progress);
   progress.finish();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   const WholeRun whole = judged(scenario, std::move(played));

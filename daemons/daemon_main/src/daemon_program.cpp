@@ -26,6 +26,7 @@
 #include "skein/manual/pages.hpp"
 #include "skein/mavlink_out/mavlink_out.hpp"
 #include "skein/node/waker.hpp"
+#include "skein/ros2_out/ros2_out.hpp"
 
 namespace skein::daemon_main {
 
@@ -112,7 +113,7 @@ struct OpenCompanions {
   std::vector<std::string> notices;
 };
 
-/// The page and the station of others, as far as they are asked for.
+/// The page, the station of others and ROS 2, as far as they are asked for.
 Result<OpenCompanions, Failure> open_companions(const Options& options,
                                                 const scenario::Scenario& scenario) {
   OpenCompanions opened;
@@ -130,6 +131,12 @@ Result<OpenCompanions, Failure> open_companions(const Options& options,
     opened.notices.push_back("telemetry by MAVLink to " + options.mavlink_out);
     opened.all.add(std::move(*out));
   }
+  if (!options.ros2) return opened;
+  auto out = ros2_out::Ros2Out::open(
+      {*options.ros2, options.network, ros2_out::narrator_config_of(scenario)});
+  if (!out) return failure("--ros2: " + out.error().why);
+  opened.notices.push_back("topics of ROS 2 in its domain " + std::to_string(*options.ros2));
+  opened.all.add(std::move(*out));
   return opened;
 }
 

@@ -51,6 +51,13 @@ void declare_mavlink_out(CLI::App& app, Options& options) {
       ->check(CLI::Range(-200.0, 200.0));
 }
 
+void declare_ros2(CLI::App& app, Options& options) {
+  app.add_option("--ros2", options.ros2,
+                 "Tell programs of ROS 2 in this domain (ROS_DOMAIN_ID) of the team, and take "
+                 "missions from them")
+      ->check(CLI::Range(0, 100));
+}
+
 void declare_run(CLI::App& app, Options& options, bool remembers) {
   app.add_option("--rate", options.overrides.rate,
                  "Mission seconds per second, for the scenario's");
@@ -100,6 +107,7 @@ void declare(CLI::App& app, Options& options, const DaemonProgram& program) {
   if (!program.node.empty() && !program.plays_vehicles) {
     declare_console(app, options);
     declare_mavlink_out(app, options);
+    declare_ros2(app, options);
   }
   app.add_option("--exit-with-parent", options.parent,
                  "Stop when the process of this id, which started this one, ends");

@@ -26,8 +26,9 @@ struct Options {
   std::string state;    ///< empty: nothing outlives the process
   std::string console;  ///< ADDRESS:PORT of the operators' page; empty: none
   std::vector<std::string> console_names;
-  std::string mavlink_out;  ///< address of a station that speaks MAVLink; empty: none
-  double geoid = 0;         ///< of the sea over the ellipsoid, for it [m]
+  std::optional<std::uint32_t> ros2;  ///< domain of ROS 2; none: it is not told
+  std::string mavlink_out;            ///< address of a station that speaks MAVLink; empty: none
+  double geoid = 0;                   ///< of the sea over the ellipsoid, for it [m]
   std::string log_level = "info";
   bool log_json = false;
   bool forgets = false;  ///< of what is there it takes only where its vehicles are

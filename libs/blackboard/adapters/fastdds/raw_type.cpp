@@ -27,7 +27,15 @@ RawType::RawType(const std::string& name, bool keyed) {
   auto_fill_type_information(false);
 }
 
-bool RawType::serialize(void* /*data*/, SerializedPayload_t* /*payload*/) { return false; }
+bool RawType::serialize(void* data, SerializedPayload_t* payload) {
+  const Sample& bytes = *static_cast<const Sample*>(data);
+  if (bytes.size() > payload->max_size) return false;
+  const bool little_endian = bytes.size() > 1 && (bytes[1] & 1U) != 0;
+  payload->encapsulation = little_endian ? CDR_LE : CDR_BE;
+  payload->length = static_cast<std::uint32_t>(bytes.size());
+  std::copy(bytes.begin(), bytes.end(), payload->data);
+  return true;
+}
 
 bool RawType::deserialize(SerializedPayload_t* payload, void* data) {
   static_cast<Sample*>(data)->assign(payload->data, payload->data + payload->length);

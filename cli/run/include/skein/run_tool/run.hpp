@@ -24,10 +24,11 @@ struct RunOptions {
   std::vector<std::string> without;     ///< nodes that somebody else starts, over DDS
   /// Addresses of this machine where the run itself listens to its daemons; empty: on this machine.
   std::vector<std::string> interfaces;
-  std::string security;     ///< folder of make-keys, over DDS; empty: none
-  std::string mcap;         ///< file for the run as MCAP; empty: none
-  std::string console;      ///< ADDRESS:PORT of the operators' page; empty: none
-  std::string mavlink_out;  ///< address of a MAVLink station, over DDS; empty: none
+  std::string security;               ///< folder of make-keys, over DDS; empty: none
+  std::string mcap;                   ///< file for the run as MCAP; empty: none
+  std::string console;                ///< ADDRESS:PORT of the operators' page; empty: none
+  std::optional<std::uint32_t> ros2;  ///< domain of ROS 2, over DDS; none: it is not told
+  std::string mavlink_out;            ///< address of a MAVLink station, over DDS; empty: none
 };
 
 /// Runs to the end; returns the exit code (docs/exit-codes.md). Results go to `out`, everything
