@@ -94,7 +94,10 @@ TEST(ChannelSchedule, NothingWaitsOnAnUnlimitedChannel) {
   EXPECT_EQ(schedule.airtime(1'000'000), Duration{});
 }
 
-TEST(SlotShares, TheDefaultIsTheWholeChannel) { EXPECT_NEAR(reserved(default_shares()), 1, 1e-9); }
+TEST(SlotShares, WhatShipsFitsAChannelAndReservesMostOfIt) {
+  EXPECT_LE(reserved(default_shares()), 1);
+  EXPECT_GT(reserved(default_shares()), 0.5);
+}
 
 // ---- what waits ----
 
