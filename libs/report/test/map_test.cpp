@@ -119,6 +119,7 @@ TEST(Map, AlarmsShowTheirStateAndTheirError) {
 
 TEST(Map, AFireThatSpreadsIsDrawnFrontByFrontAndWhereItWasFollowed) {
   Journal j;
+  j.telemetry = {telemetry(0, "m", {-100, -100, 0}), telemetry(100, "m", {-100, 200, 0})};
   for (int t = 0; t <= 100; ++t)
     j.objects.push_back({stamp(t),
                          "blaze",
@@ -128,7 +129,7 @@ TEST(Map, AFireThatSpreadsIsDrawnFrontByFrontAndWhereItWasFollowed) {
                          true,
                          10.0 + t,
                          Position{100, 50, 0}});
-  for (const double x : {120.0, 170.0, 220.0}) {
+  for (const double x : {110.0, 130.0, 150.0}) {
     j.others.push_back({stamp(x / 2), "seen"});
     j.others.back().stamp.extra =
         R"({"name":"fire-front","position":[)" + std::to_string(x) + ",50,0]}";
