@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "testing/samples.hpp"
 #include "testing/system.hpp"
 
 namespace skein::blackboard::testing {
@@ -10,34 +11,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-
-wire::TaskEvent task_event(std::uint64_t id) {
-  wire::TaskEvent event;
-  event.uav = "marvin";
-  event.id = id;
-  event.type = "goto";
-  return event;
-}
-
-wire::SyncMessage sync_message(std::uint64_t id) {
-  wire::SyncMessage message;
-  message.id = id;
-  return message;
-}
-
-wire::AutonomyDegree degree(std::uint8_t value) {
-  wire::AutonomyDegree degree;
-  degree.uav = "marvin";
-  degree.degree = value;
-  return degree;
-}
-
-wire::Telemetry telemetry(double energy) {
-  wire::Telemetry telemetry;
-  telemetry.uav = "marvin";
-  telemetry.energy = energy;
-  return telemetry;
-}
 
 class BlackboardLaws : public ::testing::Test {
  protected:
