@@ -106,6 +106,13 @@ TEST(HealedLaw, WhoDiedMayHaveMissedIt) {
   EXPECT_THAT(story.broken("healed"), IsEmpty());
 }
 
+TEST(HealedLaw, ADeadSimulatorTellsNobodyThatTheLinkIsUp) {
+  Story story = parted(20, 50);
+  story.plan_word("marvin", "heliv", 30, std::nullopt).fault(49, "kill", "sim");
+
+  EXPECT_THAT(story.broken("healed"), IsEmpty());
+}
+
 const char* kFirst = "synchro 500 (heliv marvin) (heliv marvin)";
 const char* kSecond = "synchro 501 (heliv marvin) (heliv marvin)";
 
