@@ -117,6 +117,13 @@ const world::Zone* History::zone(const mission::Argument& argument) const {
   return nullptr;
 }
 
+bool History::was_away(const std::string& node, double from, double until) const {
+  const auto found = away.find(node);
+  return found != away.end() && std::ranges::any_of(found->second, [&](const auto& while_away) {
+           return while_away.first <= until && while_away.second >= from;
+         });
+}
+
 bool History::was_killed(const std::string& node) const {
   return dead.contains(node) && !resumed.contains(node);
 }
@@ -296,6 +303,10 @@ class Teller {
     if (what == "kill") waiting_.insert(target);
     if (what == "resume") waiting_.erase(target);
     if (what == "restart") history_.resumed.erase(target);
+    std::vector<std::pair<double, double>>& away = history_.away[target];
+    if (what == "kill") away.emplace_back(record.at().to_seconds(), kNever);
+    if ((what == "resume" || what == "restart") && !away.empty())
+      away.back().second = record.at().to_seconds();
     const auto found = history_.uavs.find(target);
     if (found == history_.uavs.end()) return;
     found->second.faults.emplace_back(record.at().to_seconds(), text(record, "what"));

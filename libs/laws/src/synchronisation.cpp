@@ -112,6 +112,7 @@ std::vector<Violation> synchronisations_apart(const History& history) {
 namespace {
 
 // From when both have reached each other for so long, since one spoke and before it speaks again.
+// Of a link that is up again the simulator tells them, unless it is dead.
 std::optional<double> reached(const History& history, const std::string& one,
                               const std::string& other, double from, double until, double so_long) {
   constexpr double kStep = 0.1;  // [s]
@@ -119,19 +120,17 @@ std::optional<double> reached(const History& history, const std::string& one,
     const auto up = [&](const auto& a, const auto& b) {
       return history.joint.up(a, b, at, at + so_long);
     };
-    if (up(one, other) && up(other, one)) return at;
+    if (up(one, other) && up(other, one) && !history.was_away("sim", at, at + so_long)) return at;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-// Words of those who died, or to them, may be lost with them. A simulator that is dead tells nobody
-// that a link is up again.
+// Words of those who died, or to them, may be lost with them.
 std::vector<Violation> plan_words_unheard(const History& history) {
   constexpr double kWithin = 1;  // [s]
   std::vector<Violation> result;
-  if (history.dead.contains("sim")) return result;
   for (const auto& [name, uav] : history.uavs) {
     for (auto word = uav.plan_words.begin(); word != uav.plan_words.end(); ++word) {
       const auto hearer = history.uavs.find(word->other);

@@ -113,6 +113,14 @@ TEST(HealedLaw, ADeadSimulatorTellsNobodyThatTheLinkIsUp) {
   EXPECT_THAT(story.broken("healed"), IsEmpty());
 }
 
+TEST(HealedLaw, OneThatIsBackDoes) {
+  Story story = parted(20, 50);
+  story.plan_word("marvin", "heliv", 30, std::nullopt);
+  story.fault(49, "kill", "sim").fault(55, "restart", "sim");
+
+  EXPECT_THAT(story.broken("healed"), ElementsAre(HasSubstr("they reach each other since 55.")));
+}
+
 const char* kFirst = "synchro 500 (heliv marvin) (heliv marvin)";
 const char* kSecond = "synchro 501 (heliv marvin) (heliv marvin)";
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "skein/journal/record.hpp"
@@ -186,6 +187,8 @@ struct History {
   bool finished = false;  ///< by the ground's script
   JointHistory joint = {};
   TeamHistory team = {};
+  /// Of nodes that died: from when to when they were, kNever if they did not come back.
+  std::map<std::string, std::vector<std::pair<double, double>>> away = {};
 
   /// A place of the scenario, an alarm's as it was known then, or the point itself; nothing for
   /// what is none.
@@ -196,6 +199,8 @@ struct History {
   /// And did not come back, or with nothing it knew: a node that remembers is excused nothing.
   bool was_killed(const std::string& node) const;
   bool is_alarm(const mission::Argument& argument) const;
+  /// At some time between the two.
+  bool was_away(const std::string& node, double from, double until) const;
 };
 
 /// Reads a log in the order of time.
