@@ -14,6 +14,7 @@
 #include "limited_channel.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/blackboard/memory_transport.hpp"
+#include "testing/samples.hpp"
 #include "waiting_values.hpp"
 
 namespace skein::blackboard {
@@ -21,6 +22,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::Le;
+using testing::task_event;
 
 // ---- the schedule ----
 
@@ -212,14 +214,6 @@ class SlowRadio {
   std::map<NodeNumber, End> ends_;
   std::map<std::uint64_t, Duration> sent_;
 };
-
-wire::TaskEvent task_event(std::uint64_t id) {
-  wire::TaskEvent event;
-  event.id = id;
-  event.uav = "marvin";
-  event.type = "goto";
-  return event;
-}
 
 /// Events at odd instants, beside `streams` samples of telemetry a second from each of three
 /// origins.

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "recollection.hpp"
-#include "skein/blackboard/slot_table.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/overloaded.hpp"
 
@@ -93,7 +92,6 @@ Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Me
       Duration::nanoseconds(config.heartbeat_period.count() + config.heartbeat_period.count() / 2);
   board.seed = config.seed;
   board.relaying.relays = roster.relays();
-  board.shares = blackboard::SlotTable::shipped().shares();
   Survey past;
   if (config.memory != nullptr) {
     auto found = survey(*config.memory);
