@@ -2,7 +2,6 @@
 // Topics of others over Fast DDS.
 #include "skein/blackboard/foreign_topics.hpp"
 
-#include <deque>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
@@ -10,8 +9,8 @@
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
-#include <mutex>
 
+#include "adapters/rtps/mailbox.hpp"
 #include "participation.hpp"
 #include "raw_type.hpp"
 
@@ -23,36 +22,7 @@ namespace dds = eprosima::fastdds::dds;
 using eprosima::fastrtps::types::ReturnCode_t;
 using Bytes = std::vector<std::uint8_t>;
 
-/// What listeners of any thread leave and the owner takes.
-class Inbox {
- public:
-  void put(ForeignTopics::Arrival arrival) {
-    const std::lock_guard lock(mutex_);
-    if (arrivals_.size() == ForeignTopics::kWaiting) arrivals_.pop_front();
-    arrivals_.push_back(std::move(arrival));
-  }
-  void notify() {
-    const std::lock_guard lock(notify_mutex_);
-    if (notify_) notify_();
-  }
-  std::vector<ForeignTopics::Arrival> take() {
-    const std::lock_guard lock(mutex_);
-    std::vector<ForeignTopics::Arrival> all(std::make_move_iterator(arrivals_.begin()),
-                                            std::make_move_iterator(arrivals_.end()));
-    arrivals_.clear();
-    return all;
-  }
-  void on_arrival(std::function<void()> notify) {
-    const std::lock_guard lock(notify_mutex_);
-    notify_ = std::move(notify);
-  }
-
- private:
-  std::mutex mutex_;
-  std::deque<ForeignTopics::Arrival> arrivals_;
-  std::mutex notify_mutex_;  // apart: a notified thread may take at once
-  std::function<void()> notify_;
-};
+using Inbox = rtps::MailboxOf<ForeignTopics::Arrival>;
 
 class Listener final : public dds::DataReaderListener {
  public:
@@ -146,7 +116,7 @@ class ForeignTopics::Impl {
   dds::DomainParticipant& participant() { return *participation_.participant(); }
 
   ForeignConfig config_;
-  Inbox inbox_;
+  Inbox inbox_{kWaiting};
   std::vector<std::unique_ptr<Listener>> listeners_;
   fastdds::Participation participation_;   // ends before its listeners
   std::vector<dds::DataWriter*> writers_;  // owned by the participant
