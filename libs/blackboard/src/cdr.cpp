@@ -7,79 +7,17 @@
 // fastddsgen and idlc generate, for every type.
 #include "skein/blackboard/cdr.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
+#include "skein/foundation/cdr_writer.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::blackboard {
 namespace {
 
-constexpr std::size_t kEncapsulation = 4;
-
-template <class T>
-concept Scalar = std::is_arithmetic_v<T> && !std::same_as<T, bool>;
-
-template <Scalar T>
-T reversed(T value) {
-  auto bytes = std::bit_cast<std::array<std::uint8_t, sizeof(T)>>(value);
-  for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(bytes[i], bytes[sizeof(T) - 1 - i]);
-  return std::bit_cast<T>(bytes);
-}
-
-/// Lays values out one after the other, each aligned to its size; only counts if given no room.
-class Writer {
- public:
-  Writer() = default;
-  explicit Writer(std::span<std::uint8_t> out) : out_(out), writes_(true) {}
-  std::size_t used() const { return used_; }
-
-  template <class T>
-  void operator()(const char*, const T& value) {
-    put(value);
-  }
-
- private:
-  template <Scalar T>
-  void put(T value) {
-    align(sizeof(T));
-    if constexpr (std::endian::native == std::endian::big) value = reversed(value);
-    raw(&value, sizeof(T));
-  }
-  void put(bool value) { put(static_cast<std::uint8_t>(value ? 1 : 0)); }
-  template <wire::WireEnum E>
-  void put(E value) {
-    put(static_cast<std::uint32_t>(value));
-  }
-  void put(const std::string& value) {
-    put(static_cast<std::uint32_t>(value.size() + 1));
-    raw(value.c_str(), value.size() + 1);
-  }
-  template <class T>
-  void put(const std::vector<T>& values) {
-    put(static_cast<std::uint32_t>(values.size()));
-    for (const T& value : values) put(value);
-  }
-  template <class T>
-  requires wire::kIsRecord<T>
-  void put(const T& record) { visit_fields(*this, record); }
-
-  void align(std::size_t size) {
-    static constexpr std::array<std::uint8_t, 8> kPadding{};
-    raw(kPadding.data(), (size - used_ % size) % size);
-  }
-  void raw(const void* data, std::size_t size) {
-    if (writes_ && size > 0) {
-      SKEIN_EXPECTS(used_ + size <= out_.size());
-      std::memcpy(out_.data() + used_, data, size);
-    }
-    used_ += size;
-  }
-
-  std::span<std::uint8_t> out_;
-  std::size_t used_ = 0;  ///< after the encapsulation header, from where alignment counts
-  bool writes_ = false;
-};
+constexpr std::size_t kEncapsulation = kCdrEncapsulation.size();
 
 /// Reads field after field until one is wrong; the path of that one is put together on the way out.
 class Reader {
@@ -102,14 +40,14 @@ class Reader {
   }
   std::size_t left() const { return bytes_.size() - at_; }
 
-  template <Scalar T>
+  template <CdrScalar T>
   void get(T& value) {
     const std::size_t padding = (sizeof(T) - at_ % sizeof(T)) % sizeof(T);
     if (left() < padding + sizeof(T)) return fail("cut short");
     at_ += padding;
     std::memcpy(&value, bytes_.data() + at_, sizeof(T));
     at_ += sizeof(T);
-    if (reverse_) value = reversed(value);
+    if (reverse_) value = byte_reversed(value);
   }
   void get(bool& value) {
     std::uint8_t byte = 0;
@@ -171,18 +109,15 @@ wire::Sample empty_sample(wire::Slot slot, std::index_sequence<I...>) {
 }  // namespace
 
 std::size_t encoded_size(const wire::Sample& sample) {
-  Writer counter;
+  CdrWriter counter;
   std::visit([&](const auto& value) { visit_fields(counter, value); }, sample);
   return kEncapsulation + counter.used();
 }
 
 std::size_t encode(const wire::Sample& sample, std::span<std::uint8_t> out) {
   SKEIN_EXPECTS(out.size() >= kEncapsulation);
-  out[0] = 0;
-  out[1] = 1;  // CDR_LE
-  out[2] = 0;
-  out[3] = 0;
-  Writer writer(out.subspan(kEncapsulation));
+  std::ranges::copy(kCdrEncapsulation, out.begin());
+  CdrWriter writer(out.subspan(kEncapsulation));
   std::visit([&](const auto& value) { visit_fields(writer, value); }, sample);
   return kEncapsulation + writer.used();
 }

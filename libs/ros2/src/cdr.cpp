@@ -1,63 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// Source: OMG RTPS 2.3, 10.2 (encapsulation); CORBA 3.3 part 2, 9.3.
+// Messages as CDR, by the writer that the wire of Skein has.
 #include "skein/ros2/cdr.hpp"
 
-#include <bit>
-#include <cstring>
-#include <type_traits>
+#include <algorithm>
+
+#include "skein/foundation/cdr_writer.hpp"
 
 namespace skein::ros2 {
 
 namespace {
 
-constexpr std::size_t kEncapsulation = 4;
-
-/// Each number at a multiple of its size, counted from behind the encapsulation.
-class Writer {
- public:
-  Writer() : bytes_{0, 1, 0, 0} {}
-
-  template <class T>
-  requires std::is_arithmetic_v<T>
-  void put(T value) {
-    static_assert(std::endian::native == std::endian::little);
-    while ((bytes_.size() - kEncapsulation) % sizeof(T) != 0) bytes_.push_back(0);
-    const std::size_t at = bytes_.size();
-    bytes_.resize(at + sizeof(T));
-    std::memcpy(bytes_.data() + at, &value, sizeof(T));
-  }
-  void put(const std::string& text) {
-    put(static_cast<std::uint32_t>(text.size() + 1));
-    bytes_.insert(bytes_.end(), text.begin(), text.end());
-    bytes_.push_back(0);
-  }
-  template <class T, std::size_t N>
-  void put(const std::array<T, N>& values) {
-    for (const T& value : values) put(value);
-  }
-  template <class T>
-  void put(const std::vector<T>& values) {
-    put(static_cast<std::uint32_t>(values.size()));
-    for (const T& value : values) put(value);
-  }
-  template <class T>
-  requires requires(const T& message) { message.fields(); }
-  void put(const T& message) {
-    std::apply([this](const auto&... field) { (put(field), ...); }, message.fields());
-  }
-
-  Bytes take() { return std::move(bytes_); }
-
- private:
-  Bytes bytes_;
-};
+constexpr std::size_t kEncapsulation = kCdrEncapsulation.size();
 
 }  // namespace
 
 Bytes to_cdr(const Message& message) {
-  Writer writer;
-  std::visit([&](const auto& one) { writer.put(one); }, message);
-  return writer.take();
+  return std::visit(
+      [](const auto& one) {
+        CdrWriter counter;
+        visit_fields(counter, one);
+        Bytes bytes(kEncapsulation + counter.used());
+        std::ranges::copy(kCdrEncapsulation, bytes.begin());
+        CdrWriter writer{std::span(bytes).subspan(kEncapsulation)};
+        visit_fields(writer, one);
+        return bytes;
+      },
+      message);
 }
 
 Result<std::string, Failure> text_of(std::span<const std::uint8_t> bytes) {

@@ -18,6 +18,13 @@ namespace skein::ros2 {
   auto fields() const { return std::tie(__VA_ARGS__); } \
   bool operator==(const auto& other) const { return fields() == other.fields(); }
 
+/// For CdrWriter: `visitor(name, field)` for each field; messages need no names.
+template <class Visitor, class M>
+requires requires(const M& message) { message.fields(); }
+void visit_fields(Visitor&& visitor, const M& message) {
+  std::apply([&](const auto&... field) { (visitor("", field), ...); }, message.fields());
+}
+
 /// builtin_interfaces/Time: since 1970 here.
 struct Time {
   std::int32_t sec = 0;
