@@ -12,19 +12,8 @@ if [ -z "${SKEIN_IN_NAMESPACE:-}" ]; then
   SKEIN_IN_NAMESPACE=1 exec unshare -rnm "$0" "$@"
 fi
 ip link set lo up
-work=$(mktemp -d)
-running=()
-stop() { [ ${#running[@]} -eq 0 ] || kill -KILL "${running[@]}" 2>/dev/null || true; rm -rf "$work"; }
-trap stop EXIT
-fail() { echo "FAILED ($case): $*" >&2; tail -n 5 "$work"/*.log >&2 || true; exit 1; }
-prefix=()
-start() { # NAME PROGRAM [options]: a daemon in the background
-  local name=$1 program=$2
-  shift 2
-  "${prefix[@]}" "$build/bin/$program" --scenario "$here/../../scenarios/karma/detection.yaml" --rate 2 "$@" >"$work/$name.log" 2>&1 &
-  running+=($!)
-  last=$!
-}
+scenario=$here/../../scenarios/karma/detection.yaml rate=2
+source "$here/daemons.sh"
 state=()
 [ "$case" = clock ] || state=(--state "$work/state")
 start sim skein-sim

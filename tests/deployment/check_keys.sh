@@ -11,14 +11,10 @@ set -euo pipefail
 build=$1 case=$2
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 scenarios=$here/../../scenarios
-work=$(mktemp -d)
-running=()
-stop() { [ ${#running[@]} -eq 0 ] || kill -KILL "${running[@]}" 2>/dev/null || true; rm -rf "$work"; }
-trap stop EXIT
-fail() { echo "FAILED ($case): $*" >&2; tail -n 5 "$work"/*.log >&2 || true; exit 1; }
+rate=60
+source "$here/daemons.sh"
 keys() { "${prefix[@]}" "$here/../../scripts/make-keys" "$work/keys" "$1" --programs "$build/bin" >"$work/keys.log"; }
 
-prefix=()
 if [ "$case" = comets ]; then
   keys "$scenarios/comets/confirmed.yaml"
   "$build/bin/skein" run "$scenarios/comets/confirmed.yaml" --security "$work/keys" --out "$work/out" --quiet
@@ -37,13 +33,6 @@ if [ "$case" = expired ] && command -v faketime >/dev/null; then prefix=(faketim
 scenario=$scenarios/karma/detection.yaml
 keys "$scenario"
 prefix=()
-start() { # NAME PROGRAM [options]: a daemon in the background
-  local name=$1 program=$2
-  shift 2
-  "${prefix[@]}" "$build/bin/$program" --scenario "$scenario" --rate 60 "$@" >"$work/$name.log" 2>&1 &
-  running+=($!)
-  last=$!
-}
 refused() { # WHAT PROGRAM [options]: it ends with 3 and says so
   local what=$1 code=0
   shift
