@@ -7,6 +7,7 @@ import tempfile
 import unittest
 
 import check_budgets
+import check_daemons
 import check_documents
 import check_includes
 import sources
@@ -110,6 +111,23 @@ class Includes(unittest.TestCase):
             ready = {name for name, (_, allowed) in layers.items() if allowed <= done} - done
             self.assertTrue(ready, f"a circle among {set(layers) - done}")
             done |= ready
+
+
+class Daemons(unittest.TestCase):
+    def problems(self, table, **built_of):
+        return list(check_daemons.problems(check_daemons.read_table(table), ["sim", "console"],
+                                           lambda program: built_of[program.replace("-", "_")]))
+
+    def test_a_daemon_without_what_it_does_not_run_is_right(self):
+        self.assertEqual([], self.problems("skein-sim console # the page\n", skein_sim=["lib/libskein_sim.a", "a.o"]))
+
+    def test_a_daemon_with_it_is_a_problem(self):
+        found = self.problems("skein-sim console\n", skein_sim=["lib/libskein_sim.a", "lib/libskein_console.a"])
+        self.assertEqual(["skein-sim is built of console, which its node does not run"], found)
+
+    def test_names_that_are_no_library_or_no_program_are_problems(self):
+        found = self.problems("skein-sim nothing\n", skein_sim=[])
+        self.assertEqual(2, len(found))
 
 
 class Budgets(unittest.TestCase):

@@ -8,7 +8,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "skein/assembly/knowledge.hpp"
+#include "skein/deliberation_setup/knowledge.hpp"
 #include "skein/refiners/partition.hpp"
 #include "skein/supervisor/area_sweep.hpp"
 #include "test_cases.hpp"
@@ -68,7 +68,7 @@ refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareM
     if (zone.name == "field") query.area = zone.polygon;
   }
   for (const scenario::UavSpec& uav : scenario.uavs) {
-    const supervisor::Knowledge knowledge = assembly::knowledge_of(scenario, uav);
+    const supervisor::Knowledge knowledge = deliberation_setup::knowledge_of(scenario, uav);
     refiners::Member member;
     member.uav = uav.name;
     member.vehicle = uav.model;
@@ -78,7 +78,7 @@ refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareM
     member.busy = knowledge.altitude / uav.model.climb_rate;
     query.members.push_back(std::move(member));
   }
-  const world::World world = assembly::world_of(scenario).value();
+  const world::World world = deliberation_setup::world_of(scenario).value();
   return refine(query, refiners::Setting{world, {}}).value().task;
 }
 

@@ -242,10 +242,10 @@ TEST_P(DrawnFaults, LetTheRunEndAndBreakNoLaw) {
   const std::uint64_t seed = GetParam();
   const std::vector<std::vector<std::string>> teams{
       {"3"}, {"2"}, {"1"}, {"marvin=1", "heliv=2", "karma=3"}};
-  assembly::Overrides none;
+  scenario_setup::Overrides none;
   scenario::Scenario scenario = comets(seed % 2 == 0 ? "confirmed" : "infirmed", none);
   scenario.faults.random = {30, 25, 6, 8};
-  ASSERT_TRUE(assembly::apply(with(seed, teams[seed % teams.size()]), scenario).empty());
+  ASSERT_TRUE(scenario_setup::apply(with(seed, teams[seed % teams.size()]), scenario).empty());
 
   const Mission mission = play(scenario);
 
@@ -260,7 +260,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, DrawnFaults,
 TEST(DrawnFaults, GiveTheSameLogForTheSameSeed) {
   scenario::Scenario scenario = comets("confirmed");
   scenario.faults.random = {30, 25, 6, 8};
-  ASSERT_TRUE(assembly::apply(with(5), scenario).empty());
+  ASSERT_TRUE(scenario_setup::apply(with(5), scenario).empty());
 
   EXPECT_TRUE(play(scenario).log() == play(scenario).log());
 }

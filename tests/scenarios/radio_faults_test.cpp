@@ -46,7 +46,7 @@ scenario::Scenario silent(const Run& run, std::uint64_t seed) {
   }
   auto scenario = scenario::read_scenario_text(text, file);
   SKEIN_EXPECTS(scenario.has_value());
-  SKEIN_EXPECTS(assembly::apply(with(seed), *scenario).empty());
+  SKEIN_EXPECTS(scenario_setup::apply(with(seed), *scenario).empty());
   return std::move(*scenario);
 }
 

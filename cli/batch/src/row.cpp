@@ -6,13 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "skein/assembly/assembly.hpp"
-#include "skein/assembly/overrides.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/laws/healing.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/laws/protocol.hpp"
 #include "skein/run_tool/whole_run.hpp"
 #include "skein/scenario/measures.hpp"
+#include "skein/scenario_setup/overrides.hpp"
 
 namespace skein::batch_tool {
 
@@ -84,10 +84,10 @@ Result<scenario::Scenario, Diagnostics> scenario_of(const Case& what,
                                                     const std::vector<std::string>& degrees) {
   auto scenario = scenario::read_scenario_text(what.text, what.file);
   if (!scenario) return scenario;
-  assembly::Overrides overrides;
+  scenario_setup::Overrides overrides;
   overrides.seed = what.seed;
   overrides.degrees = degrees;
-  Diagnostics wrong = assembly::apply(overrides, *scenario);
+  Diagnostics wrong = scenario_setup::apply(overrides, *scenario);
   if (wrong.empty()) wrong = assembly::check_assembly(*scenario);
   if (!wrong.empty()) return tl::unexpected(std::move(wrong));
   return scenario;

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "skein/assembly/page_world.hpp"
+#include "skein/ground_setup/page_world.hpp"
 #include "skein/report/report.hpp"
 #include "skein/scenario/measures.hpp"
 
@@ -124,7 +124,7 @@ Result<std::string, Failure> write_folder(const std::string& folder,
   if (auto done = write_file(to / "run.json", report::to_json(info)); !done) {
     return tl::unexpected(done.error());
   }
-  const std::string world = assembly::page_world(scenario);
+  const std::string world = ground_setup::page_world(scenario);
   if (auto done = write_file(to / "world.json", world); !done) return tl::unexpected(done.error());
   if (auto done = write_file(to / "scenario.yaml", text.value_or(read_text(scenario.file)));
       !done) {

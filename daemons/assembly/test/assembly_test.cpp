@@ -4,9 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/scenario_setup/setup.hpp"
+
 namespace skein::assembly {
 namespace {
 
+using scenario_setup::roster_of;
 using ::testing::HasSubstr;
 
 scenario::Scenario comets() {

@@ -16,17 +16,12 @@
 #include "options.hpp"
 #include "rights.hpp"
 #include "service_manager.hpp"
-#include "skein/assembly/assembly.hpp"
-#include "skein/assembly/overrides.hpp"
-#include "skein/assembly/page_world.hpp"
-#include "skein/console/console.hpp"
-#include "skein/designer/workbench.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "skein/manual/pages.hpp"
-#include "skein/mavlink_out/mavlink_out.hpp"
 #include "skein/node/waker.hpp"
-#include "skein/ros2_out/ros2_out.hpp"
+#include "skein/scenario_setup/overrides.hpp"
+#include "skein/scenario_setup/setup.hpp"
 
 namespace skein::daemon_main {
 
@@ -62,7 +57,7 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
   config.rate = scenario.rate;
   config.heartbeat = scenario.radio.heartbeat;
   if (scenario.radio.silent) config.told = node::ToldOfLinks::kNothing;
-  config.capacity = assembly::capacity_of(scenario);
+  config.capacity = scenario_setup::capacity_of(scenario);
   config.seed = scenario.seed;
   config.leads_clock = self.role == wire::Role::kSim;
   config.time_limit = scenario.duration_limit;
@@ -95,48 +90,23 @@ std::vector<std::string> candidates(const DaemonProgram& program,
   return names;
 }
 
-Result<std::unique_ptr<console::Console>, Failure> open_console(
-    const Options& options, const scenario::Scenario& scenario) {
-  console::ConsoleConfig config;
-  config.names = options.console_names;
-  config.world = assembly::page_world(scenario);
-  const auto models = designer::models_of(options.scenario);
-  if (!models.empty()) config.annex = std::make_shared<designer::Workbench>(models);
-  if (auto read = console::read_address(options.console, config); !read) {
-    return tl::unexpected(read.error());
-  }
-  return console::Console::open(std::move(config));
-}
-
 struct OpenCompanions {
   Companions all;
   std::vector<std::string> notices;
 };
 
-/// The page, the station of others and ROS 2, as far as they are asked for.
-Result<OpenCompanions, Failure> open_companions(const Options& options,
+/// As far as they are asked for.
+Result<OpenCompanions, Failure> open_companions(const DaemonProgram& program,
+                                                const Options& options,
                                                 const scenario::Scenario& scenario) {
   OpenCompanions opened;
-  if (!options.console.empty()) {
-    auto console = open_console(options, scenario);
-    if (!console) return failure("--console: " + console.error().why);
-    opened.notices.push_back("console at " + (*console)->url());
-    opened.all.add(std::move(*console));
+  for (CompanionSource* const source : program.companions) {
+    auto one = source->open({options.scenario, scenario, options.network});
+    if (!one) return tl::unexpected(one.error());
+    if (!one->companion) continue;
+    opened.notices.push_back(std::move(one->notice));
+    opened.all.add(std::move(one->companion));
   }
-  if (!options.mavlink_out.empty()) {
-    auto config = mavlink_out::announcer_config_of(scenario, options.geoid);
-    if (!config) return failure("--mavlink-out: " + config.error().why);
-    auto out = mavlink_out::MavlinkOut::open(options.mavlink_out, std::move(*config));
-    if (!out) return failure("--mavlink-out: " + out.error().why);
-    opened.notices.push_back("telemetry by MAVLink to " + options.mavlink_out);
-    opened.all.add(std::move(*out));
-  }
-  if (!options.ros2) return opened;
-  auto out = ros2_out::Ros2Out::open(
-      {*options.ros2, options.network, ros2_out::narrator_config_of(scenario)});
-  if (!out) return failure("--ros2: " + out.error().why);
-  opened.notices.push_back("topics of ROS 2 in its domain " + std::to_string(*options.ros2));
-  opened.all.add(std::move(*out));
   return opened;
 }
 
@@ -165,12 +135,13 @@ const node::Member* find_self(const DaemonProgram& program, const Options& optio
 }
 
 int run(const DaemonProgram& program, const Options& options) {
-  const auto scenario = assembly::load_scenario(options.scenario, options.overrides);
+  const auto scenario =
+      scenario_setup::load_scenario(options.scenario, options.overrides, program.check);
   if (!scenario) {
     std::cerr << to_text(scenario.error());
     return kExitBadInput;
   }
-  const node::Roster roster = assembly::roster_of(*scenario);
+  const node::Roster roster = scenario_setup::roster_of(*scenario);
   if (options.show_rights) {
     std::cout << rights_of(roster);
     return kExitOk;
@@ -182,7 +153,7 @@ int run(const DaemonProgram& program, const Options& options) {
   const std::string stamp = "%Y-%m-%dT%H:%M:%S.%eZ %^%-5l%$ " + name + " ";
   spdlog::set_pattern(options.log_json ? "%v" : stamp + "%v", spdlog::pattern_time_type::utc);
   ServiceManager manager;
-  const auto make_node = [&] { return assembly::make_node(*scenario, name); };
+  const auto make_node = [&] { return program.make(*scenario, name); };
   Memory memory;
   if (!options.state.empty()) {
     const store::Identity identity{name, identity_of_mission(options.scenario, options.overrides)};
@@ -196,7 +167,7 @@ int run(const DaemonProgram& program, const Options& options) {
     config.on_record(journal::Record({}, name, "notice").with("text", notice));
   config.memory = memory.log.get();
   config.incarnation = memory.incarnation;
-  auto companions = open_companions(options, *scenario);
+  auto companions = open_companions(program, options, *scenario);
   if (!companions) {
     std::cerr << companions.error().why << '\n';
     return kExitBadInput;

@@ -44,7 +44,7 @@ Memory open_memory(const std::string& folder, const store::Identity& identity,
 }
 
 std::string identity_of_mission(const std::string& scenario_file,
-                                const assembly::Overrides& overrides) {
+                                const scenario_setup::Overrides& overrides) {
   std::ifstream file(scenario_file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   Fingerprint print;

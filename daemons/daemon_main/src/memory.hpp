@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "skein/assembly/overrides.hpp"
 #include "skein/node/node.hpp"
+#include "skein/scenario_setup/overrides.hpp"
 #include "skein/store/sqlite_input_log.hpp"
 
 namespace skein::daemon_main {
@@ -29,6 +29,6 @@ Memory open_memory(const std::string& folder, const store::Identity& identity,
 
 /// Changes when the scenario file does, or what is laid over it.
 std::string identity_of_mission(const std::string& scenario_file,
-                                const assembly::Overrides& overrides);
+                                const scenario_setup::Overrides& overrides);
 
 }  // namespace skein::daemon_main

@@ -33,31 +33,6 @@ void declare_network(CLI::App& app, blackboard::NetworkConfig& network) {
                  "Folder made by make-keys: talk only with nodes that prove who they are");
 }
 
-void declare_console(CLI::App& app, Options& options) {
-  app.add_option("--console", options.console,
-                 "Serve the operators' page at ADDRESS:PORT, or at PORT of this machine alone");
-  app.add_option("--console-name", options.console_names,
-                 "Name by which browsers call this machine; may be repeated")
-      ->allow_extra_args(false)
-      ->delimiter(',');
-}
-
-void declare_mavlink_out(CLI::App& app, Options& options) {
-  app.add_option("--mavlink-out", options.mavlink_out,
-                 "Tell a ground station that speaks MAVLink where everybody is: "
-                 "udp:ADDRESS:PORT, udpin:PORT or serial:DEVICE:BAUD");
-  app.add_option("--geoid", options.geoid,
-                 "Height of the sea over the ellipsoid there [m], for heights of --mavlink-out")
-      ->check(CLI::Range(-200.0, 200.0));
-}
-
-void declare_ros2(CLI::App& app, Options& options) {
-  app.add_option("--ros2", options.ros2,
-                 "Tell programs of ROS 2 in this domain (ROS_DOMAIN_ID) of the team, and take "
-                 "missions from them")
-      ->check(CLI::Range(0, 100));
-}
-
 void declare_run(CLI::App& app, Options& options, bool remembers) {
   app.add_option("--rate", options.overrides.rate,
                  "Mission seconds per second, for the scenario's");
@@ -104,11 +79,7 @@ void declare(CLI::App& app, Options& options, const DaemonProgram& program) {
   declare_network(app, options.network);
   declare_run(app, options, !program.crew);
   for (const OwnOption& own : program.options) app.add_option(own.name, *own.value, own.help);
-  if (!program.node.empty() && !program.plays_vehicles) {
-    declare_console(app, options);
-    declare_mavlink_out(app, options);
-    declare_ros2(app, options);
-  }
+  for (CompanionSource* const source : program.companions) source->declare(app);
   app.add_option("--exit-with-parent", options.parent,
                  "Stop when the process of this id, which started this one, ends");
   app.footer(

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "skein/assembly/overrides.hpp"
 #include "skein/blackboard/network.hpp"
 #include "skein/daemon_main/daemon_main.hpp"
+#include "skein/scenario_setup/overrides.hpp"
 
 namespace skein::daemon_main {
 
@@ -22,13 +22,8 @@ struct Options {
   std::string node;  ///< empty: that of the program
   std::uint32_t domain = 0;
   blackboard::NetworkConfig network;
-  assembly::Overrides overrides;
-  std::string state;    ///< empty: nothing outlives the process
-  std::string console;  ///< ADDRESS:PORT of the operators' page; empty: none
-  std::vector<std::string> console_names;
-  std::optional<std::uint32_t> ros2;  ///< domain of ROS 2; none: it is not told
-  std::string mavlink_out;            ///< address of a station that speaks MAVLink; empty: none
-  double geoid = 0;                   ///< of the sea over the ellipsoid, for it [m]
+  scenario_setup::Overrides overrides;
+  std::string state;  ///< empty: nothing outlives the process
   std::string log_level = "info";
   bool log_json = false;
   bool forgets = false;  ///< of what is there it takes only where its vehicles are

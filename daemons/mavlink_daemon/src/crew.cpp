@@ -5,8 +5,8 @@
 
 #include <iostream>
 
-#include "skein/assembly/assembly.hpp"
 #include "skein/mavlink_node/mavlink_node.hpp"
+#include "skein/scenario_setup/setup.hpp"
 
 namespace skein::mavlink_daemon {
 
@@ -44,7 +44,7 @@ Result<daemon_main::Crew, Failure> crew_of(const scenario::Scenario& scenario,
   wait_for_vehicle(*cockpit, settings.connect);
   return daemon_main::Crew{*layer,
                            std::make_unique<mavlink_node::MavlinkNode>(
-                               *layer, uav, assembly::roster_of(scenario), cockpit),
+                               *layer, uav, scenario_setup::roster_of(scenario), cockpit),
                            std::make_unique<mavlink_node::LinkCompanion>(*layer, uav, cockpit)};
 }
 

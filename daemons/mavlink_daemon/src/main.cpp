@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // skein-mavlink: the functional layer of a vehicle whose autopilot speaks MAVLink.
 #include "crew.hpp"
+#include "skein/scenario_setup/setup.hpp"
 
 int main(int argc, char** argv) {
   skein::mavlink_node::Settings settings;
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
       {"--own-id", "System id of this bridge, 1 to 255", &settings.own_id},
       {"--camera", "Component that takes pictures; 1: by the autopilot's trigger",
        &settings.camera}};
+  program.check = skein::scenario_setup::radio_problems;
   program.crew = [&](const skein::scenario::Scenario& scenario, const std::string& uav) {
     return skein::mavlink_daemon::crew_of(scenario, uav, settings);
   };

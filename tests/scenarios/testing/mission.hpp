@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "skein/assembly/overrides.hpp"
 #include "skein/journal/record.hpp"
 #include "skein/node/virtual_runtime.hpp"
 #include "skein/scenario/scenario.hpp"
+#include "skein/scenario_setup/overrides.hpp"
 
 namespace skein::testing {
 
@@ -36,13 +36,14 @@ struct Mission {
 
 /// scenarios/NAME.yaml ("karma/detection") with these overrides. Stops the program if it cannot be
 /// read.
-scenario::Scenario scenario_at(const std::string& name, const assembly::Overrides& overrides = {});
+scenario::Scenario scenario_at(const std::string& name,
+                               const scenario_setup::Overrides& overrides = {});
 
 /// scenarios/comets/NAME.yaml with these overrides. Stops the program if it cannot be read.
-scenario::Scenario comets(const std::string& name, const assembly::Overrides& overrides = {});
+scenario::Scenario comets(const std::string& name, const scenario_setup::Overrides& overrides = {});
 
 /// Overrides of a seed and degrees, as on the command line.
-assembly::Overrides with(std::uint64_t seed, std::vector<std::string> degrees = {});
+scenario_setup::Overrides with(std::uint64_t seed, std::vector<std::string> degrees = {});
 
 Mission play(const scenario::Scenario& scenario);
 

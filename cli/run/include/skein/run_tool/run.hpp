@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "skein/assembly/overrides.hpp"
+#include "skein/scenario_setup/overrides.hpp"
 
 namespace skein::run_tool {
 
 struct RunOptions {
   std::string scenario;
   bool virtual_time = false;
-  assembly::Overrides overrides;
+  scenario_setup::Overrides overrides;
   std::string out;    ///< folder for the results; empty: out/<scenario>
   bool json = false;  ///< one JSON document on standard output instead of text; no progress
   bool quiet = false;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a scenario to the nodes that play it, the same for both runtimes.
+// From a scenario to all the nodes that play it, the same for both runtimes. Daemons, which run one
+// node each, do without this library.
 #pragma once
 
 #include <memory>
 #include <string>
 
-#include "skein/node/daemon.hpp"
-#include "skein/node/roster.hpp"
+#include "skein/node/node.hpp"
 #include "skein/node/virtual_runtime.hpp"
 #include "skein/scenario/scenario.hpp"
+#include "skein/scenario_setup/overrides.hpp"
 
 namespace skein::assembly {
 
-node::Roster roster_of(const scenario::Scenario& scenario);
-
-/// The node of a name of the roster: "ground", "sim" or a UAV. Precondition: it is one of these.
+/// The node of a name of the roster: "ground", "sim", a functional layer or a UAV. Precondition: it
+/// is one of these.
 std::unique_ptr<node::Node> make_node(const scenario::Scenario& scenario, const std::string& name);
 
 /// What the reader of a scenario cannot see because it only shows when the parts meet (a start
@@ -22,10 +22,11 @@ std::unique_ptr<node::Node> make_node(const scenario::Scenario& scenario, const 
 /// at once. Missions that make no sense are none: a UAV refuses them in flight.
 Diagnostics check_assembly(const scenario::Scenario& scenario);
 
+/// Reads a scenario file, applies the overrides and checks that its parts fit together.
+Result<scenario::Scenario, Diagnostics> load_scenario(const std::string& path,
+                                                      const scenario_setup::Overrides& overrides);
+
 /// How the virtual runtime plays the scenario.
 node::VirtualConfig virtual_config(const scenario::Scenario& scenario);
-
-/// What the scenario says of its radio for all of its time.
-node::RadioCapacity capacity_of(const scenario::Scenario& scenario);
 
 }  // namespace skein::assembly

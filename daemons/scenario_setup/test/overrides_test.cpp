@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "skein/assembly/overrides.hpp"
+#include "skein/scenario_setup/overrides.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace skein::assembly {
+namespace skein::scenario_setup {
 namespace {
 
 using ::testing::ElementsAre;
@@ -206,4 +206,4 @@ TEST(Overrides, AsOptionsTheyMeanTheSameToAnotherProgram) {
 TEST(Overrides, NoneAreNoOptions) { EXPECT_THAT(Overrides{}.as_options(), IsEmpty()); }
 
 }  // namespace
-}  // namespace skein::assembly
+}  // namespace skein::scenario_setup

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "skein/assembly/page_world.hpp"
+#include "skein/ground_setup/page_world.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "skein/assembly/assembly.hpp"
-#include "skein/assembly/knowledge.hpp"
+#include "skein/deliberation_setup/knowledge.hpp"
+#include "skein/scenario_setup/setup.hpp"
 
-namespace skein::assembly {
+namespace skein::ground_setup {
 
 namespace {
 
@@ -71,7 +71,7 @@ Json uav_of(const scenario::UavSpec& uav, const node::Roster& roster) {
 Json tasks_of(const Scenario& scenario) {
   Json tasks = Json::array();
   if (!scenario.planning) return tasks;
-  const auto vocabulary = vocabulary_of(scenario);
+  const auto vocabulary = deliberation_setup::vocabulary_of(scenario);
   if (!vocabulary) return tasks;
   for (const auto& [name, signature] : vocabulary->tasks) {
     Json kinds = Json::array();
@@ -84,7 +84,7 @@ Json tasks_of(const Scenario& scenario) {
 }  // namespace
 
 std::string page_world(const Scenario& scenario) {
-  const node::Roster roster = roster_of(scenario);
+  const node::Roster roster = scenario_setup::roster_of(scenario);
   Json uavs = Json::array(), zones = Json::array(), places = Json::array(), air = Json::array();
   for (const scenario::UavSpec& uav : scenario.uavs) uavs.push_back(uav_of(uav, roster));
   for (const world::Zone& zone : scenario.world.zones) {
@@ -108,4 +108,4 @@ std::string page_world(const Scenario& scenario) {
   return page.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-}  // namespace skein::assembly
+}  // namespace skein::ground_setup

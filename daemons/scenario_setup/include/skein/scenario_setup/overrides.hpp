@@ -3,13 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "skein/scenario/scenario.hpp"
 
-namespace skein::assembly {
+namespace skein::scenario_setup {
 
 struct Overrides {
   std::optional<double> rate;  ///< > 0
@@ -26,8 +27,12 @@ struct Overrides {
 /// error at once.
 Diagnostics apply(const Overrides& overrides, scenario::Scenario& scenario);
 
-/// Reads a scenario file, applies the overrides and checks that its parts fit together.
-Result<scenario::Scenario, Diagnostics> load_scenario(const std::string& path,
-                                                      const Overrides& overrides);
+/// What a node that is to be made finds wrong with the scenario.
+using Check = std::function<Diagnostics(const scenario::Scenario&)>;
 
-}  // namespace skein::assembly
+/// Reads a scenario file, applies the overrides and checks what came out (no check: none is made).
+Result<scenario::Scenario, Diagnostics> load_scenario(const std::string& path,
+                                                      const Overrides& overrides,
+                                                      const Check& check);
+
+}  // namespace skein::scenario_setup

@@ -10,7 +10,7 @@
 #include "skein/supervisor/planning.hpp"
 #include "skein/world/world.hpp"
 
-namespace skein::assembly {
+namespace skein::deliberation_setup {
 
 /// The world as refiners are told of it at the start, or why there is none.
 /// Precondition: the scenario has planning. Cost: the airspace's grid and the ground's state.
@@ -32,4 +32,4 @@ Diagnostics planning_problems(const scenario::Scenario& scenario);
 /// that is asked not among them, a degree that does not deliberate.
 Diagnostics joint_task_problems(const scenario::Scenario& scenario);
 
-}  // namespace skein::assembly
+}  // namespace skein::deliberation_setup

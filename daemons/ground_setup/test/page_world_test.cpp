@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "skein/assembly/page_world.hpp"
+#include "skein/ground_setup/page_world.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-namespace skein::assembly {
+namespace skein::ground_setup {
 namespace {
 
 using Json = nlohmann::json;
@@ -55,4 +55,4 @@ TEST(PageWorld, NamesAreTextWhateverTheyAre) {
 }
 
 }  // namespace
-}  // namespace skein::assembly
+}  // namespace skein::ground_setup

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "skein/assembly/overrides.hpp"
+#include "skein/scenario_setup/overrides.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "skein/assembly/assembly.hpp"
 #include "skein/blackboard/network.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "skein/node/roster.hpp"
+#include "skein/scenario_setup/setup.hpp"
 
-namespace skein::assembly {
+namespace skein::scenario_setup {
 
 namespace {
 
@@ -111,13 +111,14 @@ Diagnostics apply(const Overrides& overrides, scenario::Scenario& scenario) {
 }
 
 Result<scenario::Scenario, Diagnostics> load_scenario(const std::string& path,
-                                                      const Overrides& overrides) {
+                                                      const Overrides& overrides,
+                                                      const Check& check) {
   auto scenario = scenario::read_scenario(path);
   if (!scenario) return scenario;
   Diagnostics diagnostics = apply(overrides, *scenario);
-  if (diagnostics.empty()) diagnostics = check_assembly(*scenario);
+  if (diagnostics.empty() && check) diagnostics = check(*scenario);
   if (!diagnostics.empty()) return tl::unexpected(std::move(diagnostics));
   return scenario;
 }
 
-}  // namespace skein::assembly
+}  // namespace skein::scenario_setup

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "skein/assembly/knowledge.hpp"
+#include "skein/deliberation_setup/knowledge.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -9,7 +9,7 @@
 #include "skein/mission/degree.hpp"
 #include "skein/world/world_builder.hpp"
 
-namespace skein::assembly {
+namespace skein::deliberation_setup {
 
 using scenario::Scenario;
 using scenario::UavSpec;
@@ -188,4 +188,4 @@ Diagnostics planning_problems(const Scenario& scenario) {
   return diagnostics;
 }
 
-}  // namespace skein::assembly
+}  // namespace skein::deliberation_setup

@@ -6,7 +6,7 @@
 
 #include "skein/scenario/scenario.hpp"
 
-namespace skein::assembly {
+namespace skein::ground_setup {
 
 /// One JSON object: name, terrain (heights [m] of a grid of at most 160 × 160 points, rows from the
 /// south), zones, places, volumes, UAVs with their sensors, node numbers, what
@@ -15,4 +15,4 @@ namespace skein::assembly {
 /// beforehand: no truth.
 std::string page_world(const scenario::Scenario& scenario);
 
-}  // namespace skein::assembly
+}  // namespace skein::ground_setup

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "skein/assembly/knowledge.hpp"
+#include "skein/deliberation_setup/knowledge.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "skein/assembly/assembly.hpp"
-#include "skein/assembly/overrides.hpp"
+#include "skein/scenario_setup/overrides.hpp"
 
-namespace skein::assembly {
+namespace skein::deliberation_setup {
 namespace {
 
 using ::testing::ElementsAre;
@@ -84,19 +83,6 @@ TEST(Knowledge, OfAUavIsWhatItIsAndWhoItsTeamIs) {
   EXPECT_EQ(knowledge.vocabulary.tasks.begin()->first, "survey");
 }
 
-TEST(Knowledge, EveryUavOfAScenarioWithPlanningMayDeliberate) {
-  scenario::Scenario scenario = planning_with(kOneTask);
-  scenario.uavs[0].degree = 4;
-  scenario.planning->voxel = 40;
-
-  ASSERT_TRUE(check_assembly(scenario).empty()) << to_text(check_assembly(scenario));
-
-  for (const char* name : {"marvin", "heliv", "karma"}) {
-    const auto node = make_node(scenario, name);
-    EXPECT_FALSE(node->handle(node::Started{1}, MissionTime()).empty()) << name;
-  }
-}
-
 TEST(Knowledge, EveryErrorOfTheDomainIsToldWithItsFileAndLine) {
   const scenario::Scenario scenario = planning_with(
       "(defdomain own (\n"
@@ -105,7 +91,7 @@ TEST(Knowledge, EveryErrorOfTheDomainIsToldWithItsFileAndLine) {
       "  (:method (survey ?_zone ?_times ?_origin) () ())\n"
       "  (:method (watch ?_duration ?_times ?_origin) () ())))\n");
 
-  const Diagnostics diagnostics = check_assembly(scenario);
+  const Diagnostics diagnostics = planning_problems(scenario);
 
   ASSERT_EQ(diagnostics.size(), 2U) << to_text(diagnostics);
   EXPECT_THAT(to_text(diagnostics), HasSubstr("domains/own.lisp:2"));
@@ -113,22 +99,23 @@ TEST(Knowledge, EveryErrorOfTheDomainIsToldWithItsFileAndLine) {
 }
 
 TEST(Knowledge, ADomainThatIsNoneIsRefused) {
-  EXPECT_FALSE(check_assembly(planning_with("(defdomain own (")).empty());
-  EXPECT_FALSE(check_assembly(planning_with("")).empty());
+  EXPECT_FALSE(planning_problems(planning_with("(defdomain own (")).empty());
+  EXPECT_FALSE(planning_problems(planning_with("")).empty());
 }
 
 TEST(Knowledge, AnAirspaceThatIsNoneIsRefused) {
   scenario::Scenario scenario = planning_with(kOneTask);
   scenario.planning->ceiling = -500;
 
-  EXPECT_THAT(to_text(check_assembly(scenario)), HasSubstr("planning: the airspace has no extent"));
+  EXPECT_THAT(to_text(planning_problems(scenario)),
+              HasSubstr("planning: the airspace has no extent"));
 }
 
 TEST(Knowledge, DegreeFourNeedsPlanningHoweverItIsAskedFor) {
-  Overrides overrides;
+  scenario_setup::Overrides overrides;
   overrides.degrees = {"4"};
 
-  const auto loaded = load_scenario(comets_file(), overrides);
+  const auto loaded = scenario_setup::load_scenario(comets_file(), overrides, planning_problems);
 
   ASSERT_FALSE(loaded.has_value());
   EXPECT_EQ(loaded.error().size(), 3U);
@@ -170,4 +157,4 @@ TEST(JointTasks, MembersThatCannotTakePartAreNamedAllAtOnce) {
 }
 
 }  // namespace
-}  // namespace skein::assembly
+}  // namespace skein::deliberation_setup

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a scenario to the decision node of one of its UAVs.
+#pragma once
+
+#include <memory>
+
+#include "skein/node/node.hpp"
+#include "skein/scenario/scenario.hpp"
+
+namespace skein::ddn_setup {
+
+/// Precondition: the scenario has no problem of planning (knowledge.hpp).
+std::unique_ptr<node::Node> make_ddn(const scenario::Scenario& scenario,
+                                     const scenario::UavSpec& uav);
+
+}  // namespace skein::ddn_setup

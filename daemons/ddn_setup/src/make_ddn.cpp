@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/ddn_setup/make_ddn.hpp"
+
+#include "skein/ddn/ddn_node.hpp"
+#include "skein/deliberation_setup/knowledge.hpp"
+#include "skein/scenario_setup/setup.hpp"
+
+namespace skein::ddn_setup {
+
+namespace {
+
+using scenario::Scenario;
+using scenario::UavSpec;
+
+constexpr double kHomeAltitude = 40;  ///< [m] above the ground at the start, on the way home
+
+std::vector<std::string> names_of_flying(const Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const UavSpec& uav : scenario.uavs)
+    if (!uav.model.ground) names.push_back(uav.name);
+  return names;
+}
+
+}  // namespace
+
+std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& uav) {
+  ddn::DdnConfig config;
+  config.uav = uav.name;
+  config.degree = uav.degree;
+  config.contact_policy = static_cast<decision_node::ContactPolicy>(uav.contact_loss.policy);
+  config.contact_after = uav.contact_loss.after;
+  config.sync_validity = scenario_setup::kSyncValidity;
+  const world::Terrain terrain(scenario.world.terrain);
+  config.drives = uav.model.ground.has_value();
+  config.home = {uav.start.x(), uav.start.y(),
+                 terrain.elevation(uav.start.x(), uav.start.y()) + kHomeAltitude};
+  if (scenario.team && scenario.team->roster.number_of(uav.name)) config.team = scenario.team;
+  if (scenario.planning) {
+    const auto& first_ids = scenario.planning->first_ids;
+    const auto first = first_ids.find(uav.name);
+    config.knowledge =
+        std::make_shared<supervisor::Knowledge>(deliberation_setup::knowledge_of(scenario, uav));
+    config.world = std::make_shared<world::World>(deliberation_setup::world_of(scenario).value());
+    config.interaction = scenario.interaction;
+    config.horizon = scenario.planning->horizon;
+    config.consistency = scenario.planning->consistency;
+    if (first != first_ids.end()) config.first_task = first->second;
+  }
+  if (scenario.separation && scenario.separation->merge && !config.drives) {
+    config.merging = {names_of_flying(scenario), uav.model, scenario.world.wind,
+                      std::make_shared<world::Terrain>(terrain), scenario.world.volumes};
+  }
+  return std::make_unique<ddn::DdnNode>(config, scenario_setup::roster_of(scenario));
+}
+
+}  // namespace skein::ddn_setup

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// What every daemon takes from a scenario, whichever node it runs.
+#pragma once
+
+#include "skein/foundation/diagnostics.hpp"
+#include "skein/foundation/time.hpp"
+#include "skein/node/host.hpp"
+#include "skein/node/roster.hpp"
+#include "skein/scenario/scenario.hpp"
+
+namespace skein::scenario_setup {
+
+/// How long a partner is taken to wait at a rendezvous; it says so again at half of this.
+inline constexpr Duration kSyncValidity = Duration::milliseconds(30'000);
+
+node::Roster roster_of(const scenario::Scenario& scenario);
+
+/// What the scenario says of its radio for all of its time.
+node::RadioCapacity capacity_of(const scenario::Scenario& scenario);
+
+/// Every channel of which heartbeats alone would take more than half.
+Diagnostics radio_problems(const scenario::Scenario& scenario);
+
+}  // namespace skein::scenario_setup
