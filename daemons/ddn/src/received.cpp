@@ -107,6 +107,8 @@ std::string why_not(const wire::Sample& sample, const Sender& sender) {
     case wire::Slot::kJointTaskState:
       if (sender.ground) return "";
       return std::get<wire::JointTaskState>(sample).uav == sender.name ? "" : kOfAnother;
+    case wire::Slot::kAutonomyDegree:
+      return std::get<wire::AutonomyDegree>(sample).uav == sender.name ? "" : kOfAnother;
     case wire::Slot::kPlanFrontier:  // the ground tells of others
       if (sender.ground) return "";
       return std::get<wire::PlanFrontier>(sample).uav == sender.name ? "" : kOfAnother;
@@ -136,6 +138,11 @@ std::optional<Input> input_of(const wire::Sample& sample, const Sender& sender) 
           [](const wire::TaskEvent& it) -> Result { return dn::GroundTaskSeen{from_wire(it)}; },
           [](const wire::FunctionalStatus& it) -> Result { return dn::StatusTold{from_wire(it)}; },
           [](const wire::SyncMessage& it) -> Result { return input_of(it); },
+          [&](const wire::AutonomyDegree& it) -> Result {
+            const bool is_one =
+                it.degree >= mission::kLeastDegree && it.degree <= mission::kGreatestDegree;
+            return is_one ? dn::DegreeTold{sender.name, it.degree} : Result();
+          },
           [&](const wire::Telemetry& it) -> Result {
             if (sender.functional) return from_wire(it);
             return dn::PartnerSeen{from_wire(it)};

@@ -311,6 +311,45 @@ TEST(DdnNode, SendsSynchronisationMessagesStraightToTheOtherAtDegree3) {
   EXPECT_THAT(words, ::testing::Not(::testing::Contains("ground: sync 551 marvin>heliv")));
 }
 
+struct PartnerCase {
+  std::string who;
+  int degree;
+  std::string way;
+};
+class DegreeOfThePartner : public ::testing::TestWithParam<PartnerCase> {};
+
+TEST_P(DegreeOfThePartner, CountsForTheWayOfASynchronisationMessageTo) {
+  Bench bench(Bench::at_degree(3));
+  wire::AutonomyDegree said;
+  said.uav = "heliv";
+  said.degree = static_cast<std::uint8_t>(GetParam().degree);
+  bench.from_heliv(said);
+
+  EXPECT_THAT(bench.from_ground(start(1, rendezvous(2, 551))),
+              ::testing::Contains(GetParam().way + ": sync 551 marvin>heliv"));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    DdnNode, DegreeOfThePartner,
+    ::testing::Values(PartnerCase{"the_ground_runs_its_plan", 1, "ground"},
+                      PartnerCase{"the_ground_relays_for_it", 2, "ground"},
+                      PartnerCase{"both_from_3_on", 3, "heliv"},
+                      PartnerCase{"it_deliberates", 4, "heliv"},
+                      PartnerCase{"a_degree_that_is_none_says_nothing", 9, "heliv"},
+                      PartnerCase{"nor_does_none", 0, "heliv"}),
+    [](const auto& info) { return info.param.who; });
+
+TEST(DdnNode, BelievesNobodyWhoSaysTheDegreeOfAnother) {
+  Bench bench(Bench::at_degree(3));
+  wire::AutonomyDegree said;
+  said.uav = "karma";
+  said.degree = 2;
+
+  bench.from_heliv(said);
+
+  EXPECT_EQ(bench.records("notice").size(), 1U);
+}
+
 TEST_P(WithAnExecutive, EndsARendezvousWithTheMessageOfTheOther) {
   bench.from_ground(start(1, rendezvous(2, 551)));
 

@@ -61,6 +61,7 @@ class Core {
   void on(const GroundTaskSeen& seen) { tell_task(seen.event); }
   void on(const StatusTold& told);
   void on(const SyncMessage& message) { execution_.take(message); }
+  void on(const DegreeTold& told) { execution_.take(told); }
   void on(const world::Telemetry& telemetry);
   void on(const world::Perception& perception) { bus_.emit(PerceptionPassedOn{perception}); }
   void on(const LayerForgot& forgot);

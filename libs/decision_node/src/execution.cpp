@@ -114,6 +114,13 @@ void Execution::carry_out(const executive::Interrupt& interrupt, const Asked&) {
   core_.interrupt(interrupt.id);
 }
 
+// Of one that has not said its degree it is supposed that it has the same.
+bool Execution::synchronises_directly(const std::string& uav) const {
+  const auto said = degrees_.find(uav);
+  const mission::Degree own = core_.degree();
+  return mission::synchronises_directly(own, said == degrees_.end() ? own : said->second);
+}
+
 void Execution::carry_out(const executive::SendSync& sync, const Asked&) {
   const Config& config = core_.config();
   if (std::find(config.others.begin(), config.others.end(), sync.to) == config.others.end()) {
@@ -122,7 +129,7 @@ void Execution::carry_out(const executive::SendSync& sync, const Asked&) {
   // One that would count no more when it comes need not come: it is said again.
   const bool passes = config.sync_validity && sync.word == executive::SyncWord::kThere;
   core_.bus().emit(
-      SendSync{sync, core_.degree() >= 3,
+      SendSync{sync, synchronises_directly(sync.to),
                passes ? core_.bus().now() + *config.sync_validity : MissionTime::max()});
 }
 

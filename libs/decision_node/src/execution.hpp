@@ -29,6 +29,7 @@ class Execution final : public Component {
   enum class By { kNode, kSupervisor, kNobody };
   void run(executive::Input input, By by = By::kNode);
   void take(const SyncMessage& message);
+  void take(const DegreeTold& told) { degrees_[told.from] = told.degree; }
 
   /// A task that is not over.
   bool holds(functional::TaskId id) const;
@@ -49,6 +50,8 @@ class Execution final : public Component {
     std::optional<Command> command = {};
   };
   void post(Asked asked);
+  /// Its synchronisation messages go from here to the UAV, not past the ground station.
+  bool synchronises_directly(const std::string& uav) const;
   void note_over(functional::TaskId id);
   void handle(const Asked& asked);
   void carry_out(const executive::TaskEvent& event, const Asked& asked);
@@ -64,6 +67,8 @@ class Execution final : public Component {
   bool airborne_ = false;
   /// Received: the last of each synchronisation and sender.
   std::map<std::pair<std::uint64_t, std::string>, SyncMessage> syncs_;
+  /// Of other UAVs, as far as they have said.
+  std::map<std::string, mission::Degree> degrees_;
   /// Tasks that are over and in the plan, in that order.
   std::deque<functional::TaskId> over_;
 };

@@ -74,6 +74,11 @@ struct SyncMessage {
   executive::SyncWord word = executive::SyncWord::kThere;
   MissionTime said;  ///< when it was sent
 };
+/// The degree that another UAV is at.
+struct DegreeTold {
+  std::string from;
+  mission::Degree degree = mission::kLeastDegree;
+};
 /// What is believed of the contact with another node.
 struct Contact {
   std::string peer;
@@ -127,7 +132,7 @@ struct Tick {};
 
 using Input =
     std::variant<Started, Command, UnreadableCommand, PlaceTold, ElementaryRequest, GroundTaskSeen,
-                 StatusTold, SyncMessage, world::Telemetry, world::Perception, Contact, LayerForgot,
+                 StatusTold, SyncMessage, DegreeTold, world::Telemetry, world::Perception, Contact, LayerForgot,
                  supervisor::JobFinished, interaction::SessionMessage, PartnerSeen, JointTaskTold,
                  GroundNegotiates, GroundPlays, ReckoningFinished, TeamTold, MergeTold,
                  FrontierTold, Tick>;
@@ -195,7 +200,8 @@ struct ToVehicle {
 /// A synchronisation message of this UAV's executive.
 struct SendSync {
   executive::SendSync message;
-  bool direct = true;   ///< to the UAV; else to the ground station, which relays it
+  /// To the UAV; else to the ground station, which relays it. See mission::synchronises_directly().
+  bool direct = true;
   MissionTime expires;  ///< when it would count no more
 };
 
