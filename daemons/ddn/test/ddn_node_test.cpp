@@ -347,7 +347,7 @@ TEST(DdnNode, BelievesNobodyWhoSaysTheDegreeOfAnother) {
 
   bench.from_heliv(said);
 
-  EXPECT_EQ(bench.records("notice").size(), 1U);
+  EXPECT_EQ(bench.records("dropped").size(), 1U);
 }
 
 TEST_P(WithAnExecutive, EndsARendezvousWithTheMessageOfTheOther) {
