@@ -6,11 +6,10 @@ import sys
 
 from sources import Architecture, code_files, finish, is_test, without_comments
 
-# A record's kind is the last word of what makes one; its fields are what follows in the statement.
-RECORD = re.compile(r'\b(?:record|Record(?: line)?|emplace_back)\(((?:[^()";]|\([^()]*\)|"[^"]*"(?=\s*,))*)"([a-z-]+)"'
-                    r'(?:\s*,\s*now)?\s*\)')
-FIELD = re.compile(r'\.with\(\s*"([a-z_]+)"')
-KIND_ROW = re.compile(r"^\| `([a-z-]+)` \|([^|]*)\|([^|]*)\|", re.M)
+# A line of the event log is a struct of skein/journal/lines/; `.with("field", …)` on a record is for tests.
+LINES = "libs/journal/include/skein/journal/lines/"
+LINE = re.compile(r"^struct (\w+) \{\n  static constexpr std::string_view kKind", re.M)
+BY_HAND = re.compile(r'\.with\(\s*"[a-z_]+"\s*,')
 
 
 def exit_codes_of(header):
@@ -29,51 +28,25 @@ def exit_code_problems(source):
                    f"{codes.get(number, 'absent')} in exit_code.hpp")
 
 
-def records_of(text):
-    """(kind, fields) of each record that a source file makes."""
-    code = without_comments(text, keep_strings=True)
-    for match in RECORD.finditer(code):
-        if match.group(0).startswith("emplace_back") and '"runner"' not in match.group(1):
-            continue
-        # `journal::Record line = record("task")…; if (…) line.with(…); log(line);` is one record too.
-        named = re.search(r"\bRecord line =\s*$", code[:match.start()])
-        built = match.group(0).startswith("Record line(")  # a function that returns it
-        end = code.find("return line" if built else "log(line)" if named else ";", match.end())
-        yield match.group(2), set(FIELD.findall(code[match.end():end]))
-
-
-def documented_kinds(page):
-    """{kind: fields} of docs/journal.md."""
-    return {kind: set(re.findall(r"`([a-z_]+)`", fields)) for kind, _, fields in KIND_ROW.findall(page)}
-
-
-def written_kinds(source):
-    """{kind: fields} of everything that writes to the event log."""
-    written = {}
-    for relative in code_files(source):
-        if is_test(relative) or relative.startswith(("libs/report/", "libs/journal/", "libs/scenario/")):
-            continue
-        for kind, fields in records_of((source / relative).read_text()):
-            written.setdefault(kind, set()).update(fields)
-    return written
+def journal_line_problems(lines, files):
+    """`lines`: {name: header} of all structs; `files`: (path, text) of what is no test."""
+    unwritten = dict(lines)
+    for relative, text in files:
+        code = without_comments(text, keep_strings=True)
+        if BY_HAND.search(code) and not relative.startswith(("libs/journal/", "libs/scenario/")):
+            yield f"{relative}: makes a record field by field; use a struct of skein/journal/lines/"
+        for name in re.findall(r"\blines::(\w+)\b", code):
+            unwritten.pop(name, None)
+    for name, header in sorted(unwritten.items()):
+        yield f"{header}: nobody writes a {name}"
 
 
 def journal_problems(source):
-    documented = documented_kinds((source / "docs/journal.md").read_text())
-    written = written_kinds(source)
-    for kind in sorted(written.keys() - documented.keys()):
-        yield f"docs/journal.md: records of kind '{kind}' are written and not described"
-    for kind in sorted(documented.keys() - written.keys()):
-        yield f"docs/journal.md: describes '{kind}', which nobody writes"
-    for kind in sorted(written.keys() & documented.keys()):
-        for field in sorted(written[kind] - documented[kind]):
-            yield f"docs/journal.md: '{kind}' has a field '{field}' that is not described"
-    reader = (source / "libs/scenario/src/read_expectations.cpp").read_text()
-    known = set(re.findall(r'"([a-z-]+)"', re.search(r"kKinds\{(.*?)\};", reader, re.S).group(1)))
-    for kind in sorted(known - documented.keys()):
-        yield f"libs/scenario/src/read_expectations.cpp: knows the kind '{kind}', docs/journal.md does not"
-    for kind in sorted(documented.keys() - known - {"expectation"}):
-        yield f"libs/scenario/src/read_expectations.cpp: does not know the kind '{kind}' of docs/journal.md"
+    lines = {name: relative for relative in code_files(source) if relative.startswith(LINES)
+             for name in LINE.findall((source / relative).read_text())}
+    files = ((relative, (source / relative).read_text()) for relative in code_files(source)
+             if not is_test(relative) and not relative.startswith("libs/journal/"))
+    yield from journal_line_problems(lines, files)
 
 
 def packages_of(text):

@@ -170,19 +170,14 @@ template <class T> requires std::same_as<T, int> void g(T) { }
 
 
 class Documents(unittest.TestCase):
-    def test_records_are_found_with_their_fields(self):
-        text = ('log(record("degree").with("uav", u).with("degree", d));'
-                'ports_.journal(record("reach", now).with("peer", p));'
-                'journal::Record(now().mission, self_.name, "mission").with("state", s);'
-                'records.emplace_back(at, "runner", "expectation").with("name", n);'
-                'journal::Record line = record("task").with("uav", u); if (r) line.with("reason", r); log(line);'
-                'v.emplace_back(at, "other");')
-        self.assertEqual([("degree", {"uav", "degree"}), ("reach", {"peer"}), ("mission", {"state"}),
-                          ("expectation", {"name"}), ("task", {"uav", "reason"})], list(check_documents.records_of(text)))
+    def test_lines_of_the_log_are_structs_that_somebody_writes(self):
+        files = [("libs/node/src/a.cpp", "log(lines::Reach{peer, true});")]
+        found = list(check_documents.journal_line_problems({"Reach": "radio.hpp", "Lost": "radio.hpp"}, files))
+        self.assertEqual(["radio.hpp: nobody writes a Lost"], found)
 
-    def test_rows_of_the_journal_page_are_read(self):
-        page = "| `task` | ddn | `uav`, `task` [id] | a task |\n"
-        self.assertEqual({"task": {"uav", "task"}}, check_documents.documented_kinds(page))
+    def test_a_record_made_field_by_field_is_a_problem(self):
+        files = [("libs/node/src/a.cpp", 'Record(at, "sim", "reach").with("peer", peer)')]
+        self.assertIn("field by field", list(check_documents.journal_line_problems({}, files))[0])
 
     def test_exit_codes_are_read(self):
         self.assertEqual({0: "kExitOk", 1: "kExitNegative"}, check_documents.exit_codes_of(

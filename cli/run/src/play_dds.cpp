@@ -17,9 +17,14 @@ include "skein/assembly/assembly.hpp"
 #include "skein/node/waker.hpp"
 #include "skein/scenario_setup/setup.hpp"
 
+#include "skein/journal/lines/run.hpp"
+#include "skein/journal/lines/truth.hpp"
+
     namespace skein::run_tool {
 
   namespace {
+
+  namespace lines = journal::lines;
 
   using blackboard::Now;
 
@@ -102,7 +107,7 @@ include "skein/assembly/assembly.hpp"
 
     Result<void, Failure> start(const std::string& name) {
       const auto started = fleet_.start(name);
-      if (started) add(record("process").with("name", name).with("state", "started"));
+      if (started) log(lines::Process{.name = name, .state = "started"});
       return started;
     }
 
@@ -151,7 +156,7 @@ include "skein/assembly/assembly.hpp"
         clock_.update(*clock, heard_clock_);
       } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&received.sample)) {
         if (entry->ready && ready_.insert(entry->name).second) {
-          add(record("process").with("name", entry->name).with("state", "ready"));
+          log(lines::Process{.name = entry->name, .state = "ready"});
           if (entry->name == "ground") say_console();
         }
       } else if (const auto* line = std::get_if<wire::JournalEntry>(&received.sample)) {
@@ -173,7 +178,10 @@ include "skein/assembly/assembly.hpp"
       played_.records.push_back(std::move(record));
     }
 
-    journal::Record record(const char* kind) { return {now().mission, kRunner, kind}; }
+    template <class Line>
+    void log(Line line) {
+      add(journal::record_of(now().mission, kRunner, std::move(line)));
+    }
 
     // Notes the daemons that ended; true if one should not have, or not that way. During the
     // mission none may end but by a scripted kill; after it, all should, with exit code 0, or, told
@@ -181,12 +189,11 @@ include "skein/assembly/assembly.hpp"
     bool look_at_processes(bool winding_up) {
       for (const Fleet::Ended& ended : fleet_.take_ended()) {
         const bool stopped = told_to_stop_ && ended.status.signal == SIGTERM;
-        add(record("process")
-                .with("name", ended.name)
-                .with("state", ended.crashed() && !stopped ? "crashed" : "exited")
-                .with("why", to_text(ended.status))
-                .with("cpu", journal::rounded(ended.status.cpu))
-                .with("memory", journal::rounded(ended.status.peak_memory)));
+        log(lines::Process{.name = ended.name,
+                           .state = ended.crashed() && !stopped ? "crashed" : "exited",
+                           .why = to_text(ended.status),
+                           .cpu = journal::rounded(ended.status.cpu),
+                           .memory = journal::rounded(ended.status.peak_memory)});
         const bool right = ended.killed || stopped || (winding_up && !ended.crashed());
         if (right || played_.end == Played::End::kFailed) continue;
         fail(ended.name + " (" + ended.program + ") died: " + to_text(ended.status) +
@@ -219,7 +226,7 @@ include "skein/assembly/assembly.hpp"
       while (!faults_.empty() && faults_.front().at <= now().mission) {
         const scenario::KillSpec fault = faults_.front();
         faults_.erase(faults_.begin());
-        add(record("fault").with("what", "kill").with("target", fault.node));
+        log(lines::Fault{.what = "kill", .target = fault.node});
         fleet_.kill(fault.node);
         ready_.erase(fault.node);
         if (fault.restart_after) restarts_.push_back(restart_of(fault));
@@ -229,8 +236,7 @@ include "skein/assembly/assembly.hpp"
           ++one;
           continue;
         }
-        const char* what = one->forgets ? "restart" : "resume";
-        add(record("fault").with("what", what).with("target", one->node));
+        log(lines::Fault{.what = one->forgets ? "restart" : "resume", .target = one->node});
         if (one->forgets) fleet_.forget(one->node);
         (void)start(one->node);
         one = restarts_.erase(one);

@@ -7,6 +7,8 @@ include "skein/assembly/assembly.hpp"
 #include "skein/run_tool/interrupt_guard.hpp"
 #include "skein/scenario_setup/setup.hpp"
 
+#include "skein/journal/lines/mission.hpp"
+
     namespace skein::run_tool {
 
   namespace {
@@ -25,13 +27,17 @@ include "skein/assembly/assembly.hpp"
     return Played::End::kIdle;
   }
 
+  journal::Record mission_line(MissionTime at, const char* state) {
+    return record_of(at, "runner", journal::lines::Mission{state});
+  }
+
   }  // namespace
 
   Played play_virtual(const scenario::Scenario& scenario, Progress& progress) {
     const InterruptGuard guard;
     const node::Roster roster = scenario_setup::roster_of(scenario);
     Played played;
-    played.records.emplace_back(MissionTime(), "runner", "mission").with("state", "started");
+    played.records.push_back(mission_line(MissionTime(), "started"));
     const auto journal = [&](const journal::Record& record) {
       played.records.push_back(record);
       progress.see(record);
@@ -45,7 +51,7 @@ include "skein/assembly/assembly.hpp"
         assembly::virtual_config(scenario), journal, keep_going);
     played.end = end_of(outcome.end);
     if (played.end == Played::End::kTimeLimit) {
-      played.records.emplace_back(outcome.at, "runner", "mission").with("state", "time-limit");
+      played.records.push_back(mission_line(outcome.at, "time-limit"));
     }
     // A physics step's effects carry the instant of the step, which may be just before the call's.
     std::stable_sort(played.records.begin(), played.records.end(),

@@ -7,6 +7,7 @@
 #include "play_virtual.hpp"
 #include "run_folder.hpp"
 #include "skein/foundation/exit_code.hpp"
+#include "skein/journal/lines/run.hpp"
 
 namespace skein::run_tool {
 
@@ -17,10 +18,10 @@ void append_verdicts(const std::vector<scenario::Verdict>& verdicts,
                      std::vector<journal::Record>& records) {
   const MissionTime at = records.empty() ? MissionTime() : records.back().at();
   for (const scenario::Verdict& verdict : verdicts) {
-    records.emplace_back(at, "runner", "expectation")
-        .with("name", verdict.name)
-        .with("passed", verdict.passed)
-        .with("seen", verdict.seen);
+    records.push_back(
+        record_of(at, "runner",
+                  journal::lines::Expectation{
+                      .name = verdict.name, .passed = verdict.passed, .seen = verdict.seen}));
   }
 }
 

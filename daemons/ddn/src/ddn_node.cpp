@@ -10,6 +10,8 @@
 #include "skein/foundation/fingerprint.hpp"
 #include "skein/interaction/model_hash.hpp"
 #include "skein/joint_lines/joint_lines.hpp"
+#include "skein/journal/lines/mission.hpp"
+#include "skein/journal/lines/radio.hpp"
 #include "skein/translation/joint_tasks.hpp"
 #include "skein/translation/meetings.hpp"
 #include "skein/translation/merging.hpp"
@@ -21,6 +23,8 @@
 #include "team_lines.hpp"
 
 namespace skein::ddn {
+
+namespace lines = journal::lines;
 
 namespace {
 
@@ -94,6 +98,7 @@ std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
     }
     drop(*received, why);
   } else if (const auto* reach = std::get_if<node::Reachability>(&input)) {
+    note_reach(*reach);
     if (reach->peer == functional_ && reach->restarted) return dn::LayerForgot{};
     return dn::Contact{roster_.name_of(reach->peer), reach->peer == roster_.ground(),
                        reach->reachable};
@@ -113,11 +118,20 @@ std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
 void DdnNode::drop(const node::Received& received, const std::string& why) {
   const wire::Slot slot = wire::slot_of(received.sample);
   if (!dropped_.emplace(received.from, slot).second) return;
-  log(record("dropped")
-          .with("slot", wire::slot_name(slot))
-          .with("origin", roster_.name_of(received.from))
-          .with("field", "header.origin")
-          .with("why", why));
+  log(lines::Dropped{.slot = wire::slot_name(slot),
+                     .origin = roster_.name_of(received.from),
+                     .field = "header.origin",
+                     .why = why});
+}
+
+void DdnNode::note_reach(const node::Reachability& reach) {
+  const node::Member* peer = roster_.find(roster_.name_of(reach.peer));
+  if (peer == nullptr || peer->role != wire::Role::kDdn) return;
+  if (!reach.reachable) {
+    uavs_in_reach_.erase(reach.peer);
+  } else if (uavs_in_reach_.insert(reach.peer).second || reach.restarted) {
+    send(reach.peer, degree_);
+  }
 }
 
 // ---- to the ground station ----
@@ -164,16 +178,14 @@ void DdnNode::carry_out(const dn::PartnerPassedOn& effect) {
 }
 
 void DdnNode::carry_out(const dn::DegreeChanged& effect) {
-  journal::Record line = record("degree");
-  line.with("uav", uav_).with("degree", effect.degree);
-  if (!effect.by.empty()) line.with("by", effect.by);
-  if (effect.held) line.with("held", static_cast<std::int64_t>(*effect.held));
-  log(line);
-  wire::AutonomyDegree sample;
-  sample.uav = uav_;
-  sample.degree = static_cast<std::uint8_t>(effect.degree);
-  sample.contact_policy = contact_policy_;
-  send_to_ground(sample);
+  lines::Degree line{.uav = uav_, .degree = effect.degree, .by = effect.by};
+  if (effect.held) line.held = static_cast<std::int64_t>(*effect.held);
+  log(std::move(line));
+  degree_.uav = uav_;
+  degree_.degree = static_cast<std::uint8_t>(effect.degree);
+  degree_.contact_policy = contact_policy_;
+  send_to_ground(degree_);
+  for (const node::NodeNumber uav : uavs_in_reach_) send(uav, degree_);
 }
 
 void DdnNode::carry_out(const dn::HandedOver& effect) {
@@ -324,14 +336,11 @@ void DdnNode::carry_out(const dn::SyncHeard& effect) {
 }
 
 void DdnNode::carry_out(const dn::PolicyCarriedOut& effect) {
-  journal::Record line = record("contact");
-  line.with("uav", uav_).with("policy", std::string(to_text(effect.policy)));
-  if (!effect.why.empty()) line.with("why", effect.why);
-  log(line);
+  log(lines::Contact{.uav = uav_, .policy = to_text(effect.policy), .why = effect.why});
 }
 
 void DdnNode::carry_out(const dn::Notice& effect) {
-  log(record("notice").with("uav", uav_).with("text", effect.text));
+  log(lines::Notice{.uav = uav_, .text = effect.text});
 }
 
 void DdnNode::carry_out(const dn::SaleNoted& effect) {
@@ -351,7 +360,5 @@ void DdnNode::send(node::NodeNumber to, wire::Sample sample, MissionTime expires
 }
 
 void DdnNode::log(journal::Record line) { out_.push_back(node::Log{std::move(line)}); }
-
-journal::Record DdnNode::record(const char* kind) const { return {now_, uav_, kind}; }
 
 }  // namespace skein::ddn

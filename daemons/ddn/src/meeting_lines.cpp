@@ -1,29 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "meeting_lines.hpp"
 
+#include "skein/journal/lines/deliberation.hpp"
+
 namespace skein::ddn {
+
+namespace {
+
+/// Left out when there is no such bound.
+std::optional<double> date_of(MissionTime date) {
+  if (date == MissionTime::max()) return std::nullopt;
+  return (date - MissionTime()).to_seconds();
+}
+
+}  // namespace
 
 journal::Record line_of(const translation::Writer& writer,
                         const decision_node::MeetingNoted& noted) {
-  journal::Record line(writer.at, writer.node, "meeting");
-  line.with("uav", writer.node).with("id", noted.meeting).with("known", noted.dates.has_value());
-  if (temporal::is_order(noted.meeting)) line.with("order", true);
-  if (!noted.dates) return line;
+  journal::lines::Meeting line{
+      .uav = writer.node, .id = noted.meeting, .known = noted.dates.has_value()};
+  if (temporal::is_order(noted.meeting)) line.order = true;
+  if (!noted.dates) return writer.record(std::move(line));
   const temporal::PartnerDates& dates = *noted.dates;
-  const auto with_date = [&](const char* name, MissionTime date) {
-    if (date != MissionTime::max()) line.with(name, (date - MissionTime()).to_seconds());
-  };
   if (!dates.last.empty()) {
-    line.with("last", dates.last).with("there", dates.all_there);
-    with_date("soonest", dates.soonest);
-    with_date("slowest", dates.slowest);
+    line.last = dates.last;
+    line.there = dates.all_there;
+    line.soonest = date_of(dates.soonest);
+    line.slowest = date_of(dates.slowest);
   }
-  if (dates.behind) line.with("behind", *dates.behind);
+  if (dates.behind) line.behind = *dates.behind;
   if (dates.needed) {
-    with_date("needed", *dates.needed);
-    line.with("needed_by", dates.needed_by);
+    line.needed = date_of(*dates.needed);
+    line.needed_by = dates.needed_by;
   }
-  return line;
+  return writer.record(std::move(line));
 }
 
 }  // namespace skein::ddn

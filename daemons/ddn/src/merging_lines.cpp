@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "merging_lines.hpp"
 
+#include "skein/journal/lines/deliberation.hpp"
+
 #include "skein/foundation/joined.hpp"
 
 namespace skein::ddn {
@@ -21,16 +23,15 @@ std::vector<double> flat(const merging::Volumes& air) {
 }  // namespace
 
 journal::Record line_of(const translation::Writer& writer, const decision_node::AirNoted& noted) {
-  journal::Record line(writer.at, writer.node, "air");
-  line.with("uav", writer.node)
-      .with("task", noted.task.value())
-      .with("type", noted.type)
-      .with("state", noted.state)
-      .with("waited", noted.waited.to_seconds());
-  if (!noted.waits_for.empty()) line.with("for", joined(noted.waits_for, "; "));
-  if (noted.raised > 0) line.with("raised", noted.raised);
-  if (!noted.air.empty()) line.with("air", flat(noted.air));
-  return line;
+  journal::lines::Air line{.uav = writer.node,
+                           .task = noted.task.value(),
+                           .type = noted.type,
+                           .state = noted.state,
+                           .waited = noted.waited.to_seconds(),
+                           .for_ = joined(noted.waits_for, "; "),
+                           .air = flat(noted.air)};
+  if (noted.raised > 0) line.raised = noted.raised;
+  return writer.record(std::move(line));
 }
 
 }  // namespace skein::ddn

@@ -1,31 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "team_lines.hpp"
 
+#include "skein/journal/lines/team.hpp"
+
 #include "skein/translation/team_lines.hpp"
 
 namespace skein::ddn {
 
 journal::Record line_of(const translation::Writer& writer,
                         const decision_node::TeamTaskNoted& noted) {
-  journal::Record line(writer.at, writer.node, "team-task");
-  line.with("uav", writer.node)
-      .with("task", static_cast<std::int64_t>(noted.claim.task.value()))
-      .with("sale", noted.claim.sale)
-      .with("state", noted.state)
-      .with("goal", noted.goal.value())
-      .with("statement", noted.statement);
-  if (!noted.why.empty()) line.with("why", noted.why);
-  return line;
+  return writer.record(journal::lines::TeamTask{.uav = writer.node,
+                                                .task = noted.claim.task.value(),
+                                                .sale = noted.claim.sale,
+                                                .state = noted.state,
+                                                .goal = noted.goal.value(),
+                                                .statement = noted.statement,
+                                                .why = noted.why});
 }
 
 journal::Record line_of(const translation::Writer& writer, const decision_node::BidNoted& noted) {
-  journal::Record line(writer.at, writer.node, "bid");
-  line.with("uav", writer.node)
-      .with("task", static_cast<std::int64_t>(noted.claim.task.value()))
-      .with("sale", noted.claim.sale);
-  if (noted.added) line.with("added", journal::rounded(*noted.added));
-  if (!noted.objection.empty()) line.with("why", noted.objection);
-  return line;
+  journal::lines::Bid line{.uav = writer.node,
+                           .task = noted.claim.task.value(),
+                           .sale = noted.claim.sale,
+                           .why = noted.objection};
+  if (noted.added) line.added = journal::rounded(*noted.added);
+  return writer.record(std::move(line));
 }
 
 journal::Record line_of(const translation::Writer& writer, const decision_node::TokenNoted& noted) {

@@ -4,6 +4,8 @@
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/fingerprint.hpp"
 #include "skein/foundation/overloaded.hpp"
+#include "skein/journal/lines/mission.hpp"
+#include "skein/journal/lines/radio.hpp"
 #include "skein/mission/alarm_name.hpp"
 #include "skein/translation/functional_layer.hpp"
 #include "skein/translation/missions.hpp"
@@ -11,6 +13,8 @@
 #include "skein/translation/tasks.hpp"
 
 namespace skein::ground {
+
+namespace lines = journal::lines;
 
 namespace {
 
@@ -122,11 +126,10 @@ bool GroundNode::is_addressee(std::uint64_t command, node::NodeNumber from) cons
 void GroundNode::drop(const node::Received& received, const wire::Violation& violation) {
   const wire::Slot slot = wire::slot_of(received.sample);
   if (!dropped_.emplace(received.from, slot).second) return;
-  log(record("dropped")
-          .with("slot", wire::slot_name(slot))
-          .with("origin", roster_.name_of(received.from))
-          .with("field", violation.field)
-          .with("why", violation.why));
+  log(lines::Dropped{.slot = wire::slot_name(slot),
+                     .origin = roster_.name_of(received.from),
+                     .field = violation.field,
+                     .why = violation.why});
 }
 
 // A UAV is known by the node that sent the sample, whatever name the sample gives.
@@ -285,22 +288,20 @@ void GroundNode::carry_out(const gs::ObjectSeen& effect) {
     carry_out(
         roles_.tell(member.name, decision_node::PlaceTold{translation::change_of(sample)}, now_));
   }
-  log(record("seen")
-          .with("name", effect.name)
-          .with("type", effect.kind)
-          .with("position", for_journal(at))
-          .with("spread", journal::rounded(effect.spread))
-          .with("when", journal::rounded(effect.seen.to_seconds())));
+  log(lines::Seen{.name = effect.name,
+                  .type = effect.kind,
+                  .position = for_journal(at),
+                  .spread = journal::rounded(effect.spread),
+                  .when = journal::rounded(effect.seen.to_seconds())});
 }
 
 void GroundNode::carry_out(const gs::AlarmEvent& effect) {
   const gs::Alarm& alarm = effect.alarm;
   carry_out(gs::TellAlarm{alarm, {}});
-  log(record("alarm")
-          .with("alarm", alarm.id.value())
-          .with("state", to_text(alarm.state))
-          .with("position", for_journal(alarm.position))
-          .with("belief", journal::rounded(alarm.belief)));
+  log(lines::Alarm{.alarm = alarm.id.value(),
+                   .state = to_text(alarm.state),
+                   .position = for_journal(alarm.position),
+                   .belief = journal::rounded(alarm.belief)});
 }
 
 // ---- the event log ----
@@ -310,30 +311,23 @@ void GroundNode::carry_out(const gs::OperatorAnswered& effect) {
 }
 
 void GroundNode::carry_out(const gs::OperatorAsked& effect) {
-  journal::Record line = record("asked")
-                             .with("who", effect.who)
-                             .with("number", effect.number)
-                             .with("what", effect.what)
-                             .with("accepted", effect.accepted);
-  if (!effect.why.empty()) line.with("why", effect.why);
-  log(line);
+  log(lines::Asked{.who = effect.who,
+                   .number = effect.number,
+                   .what = effect.what,
+                   .accepted = effect.accepted,
+                   .why = effect.why});
 }
 
 void GroundNode::carry_out(const gs::HandChanged& effect) {
-  journal::Record line = record("hand").with("uav", effect.uav);
-  if (!effect.hand.holder.empty()) line.with("holder", effect.hand.holder);
-  if (!effect.hand.asker.empty()) line.with("asker", effect.hand.asker);
-  log(line);
+  log(lines::Hand{.uav = effect.uav, .holder = effect.hand.holder, .asker = effect.hand.asker});
 }
 
 void GroundNode::carry_out(const gs::CommandChanged& effect) {
-  journal::Record line = record("command")
-                             .with("uav", effect.uav)
-                             .with("command", effect.command.value())
-                             .with("what", effect.what)
-                             .with("state", to_text(effect.state));
-  if (!effect.why.empty()) line.with("why", effect.why);
-  log(line);
+  log(lines::Command{.uav = effect.uav,
+                     .command = effect.command.value(),
+                     .what = effect.what,
+                     .state = to_text(effect.state),
+                     .why = effect.why});
   const bool failed =
       effect.state == gs::CommandState::kRefused || effect.state == gs::CommandState::kExpired;
   if (!failed || !effect.task) return;
@@ -359,43 +353,31 @@ void GroundNode::carry_out(const gs::LocalSync& effect) {
 }
 
 void GroundNode::carry_out(const gs::HeldPlanChanged& effect) {
-  log(record("held")
-          .with("uav", effect.uav)
-          .with("tasks", static_cast<std::int64_t>(effect.tasks))
-          .with("state", to_text(effect.state)));
+  log(lines::Held{.uav = effect.uav, .tasks = effect.tasks, .state = to_text(effect.state)});
 }
 
 void GroundNode::carry_out(const gs::PerceptionLogged& effect) {
-  log(record("perception")
-          .with("uav", effect.uav)
-          .with("device", effect.device)
-          .with("detections", static_cast<std::int64_t>(effect.detections)));
+  log(lines::Perception{
+      .uav = effect.uav, .device = effect.device, .detections = effect.detections});
 }
 
 void GroundNode::carry_out(const gs::PhaseEntered& effect) {
   wire::MissionState state;
   state.phase = effect.name;
   out_.push_back(node::Publish{state});
-  log(record("phase").with("name", effect.name));
+  log(lines::Phase{effect.name});
 }
 
-void GroundNode::carry_out(const gs::StepDone& effect) {
-  log(record("step").with("name", effect.name));
-}
+void GroundNode::carry_out(const gs::StepDone& effect) { log(lines::Step{effect.name}); }
 
-void GroundNode::carry_out(const gs::OperatorDid& effect) {
-  log(record("operator").with("does", effect.does));
-}
+void GroundNode::carry_out(const gs::OperatorDid& effect) { log(lines::Operator{effect.does}); }
 
 void GroundNode::carry_out(const gs::UavRestarted& effect) {
-  log(record("notice")
-          .with("uav", effect.uav)
-          .with("text", "restarted; " + std::to_string(effect.lost.size()) + " tasks lost"));
+  log(lines::Notice{.uav = effect.uav,
+                    .text = "restarted; " + std::to_string(effect.lost.size()) + " tasks lost"});
 }
 
-void GroundNode::carry_out(const gs::Anomaly& effect) {
-  log(record("notice").with("text", effect.why));
-}
+void GroundNode::carry_out(const gs::Anomaly& effect) { log(lines::Notice{.text = effect.why}); }
 
 void GroundNode::carry_out(const gs::MissionFinished&) {
   wire::MissionState state;
@@ -403,7 +385,7 @@ void GroundNode::carry_out(const gs::MissionFinished&) {
   state.finished = true;
   state.outcome = "finished";
   out_.push_back(node::Publish{state});
-  log(record("mission").with("state", "finished"));
+  log(lines::Mission{"finished"});
   out_.push_back(node::Finish{});
 }
 
@@ -415,7 +397,5 @@ void GroundNode::send(const std::string& uav, wire::Sample sample, MissionTime e
 }
 
 void GroundNode::log(journal::Record line) { out_.push_back(node::Log{std::move(line)}); }
-
-journal::Record GroundNode::record(const char* kind) const { return {now_, "ground", kind}; }
 
 }  // namespace skein::ground

@@ -2,10 +2,14 @@
 // The ground station as a member of the team.
 #include "skein/foundation/joined.hpp"
 #include "skein/ground/ground_node.hpp"
+#include "skein/journal/lines/mission.hpp"
+#include "skein/journal/lines/team.hpp"
 #include "skein/translation/team.hpp"
 #include "skein/translation/team_lines.hpp"
 
 namespace skein::ground {
+
+namespace lines = journal::lines;
 
 namespace {
 
@@ -49,14 +53,14 @@ void GroundNode::tell_control(const Input& input) {
 }
 
 void GroundNode::tell_team(const gs::TeamDesk::Input& input) {
-  if (!team_) return log(record("notice").with("text", "the ground station is in no team"));
+  if (!team_) return log(lines::Notice{.text = "the ground station is in no team"});
   for (const auto& effect : team_->handle(input, now_)) {
     std::visit([this](const auto& one) { carry_out(one); }, effect);
   }
 }
 
 void GroundNode::carry_out(const gs::DeclareLost& effect) {
-  log(record("lost-uav").with("uav", effect.uav));
+  log(lines::LostUav{effect.uav});
   tell_team(effect);
 }
 
@@ -72,11 +76,8 @@ void GroundNode::carry_out(const gs::TeamTaskChanged& effect) {
 }
 
 void GroundNode::carry_out(const gs::GlobalMissionChanged& effect) {
-  journal::Record line = record("global-mission")
-                             .with("mission", effect.mission.value())
-                             .with("state", gs::to_text(effect.stage));
-  if (!effect.why.empty()) line.with("why", effect.why);
-  log(line);
+  log(lines::GlobalMission{
+      .mission = effect.mission.value(), .state = gs::to_text(effect.stage), .why = effect.why});
   tell_control(effect);
 }
 

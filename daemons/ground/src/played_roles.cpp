@@ -2,6 +2,7 @@
 #include "skein/ground/played_roles.hpp"
 
 #include "skein/joint_lines/joint_lines.hpp"
+#include "skein/journal/lines/mission.hpp"
 #include "skein/translation/joint_tasks.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
@@ -57,7 +58,7 @@ class Said {
     out_.push_back(node::Send{number_, to_wire(effect.status), MissionTime::max()});
   }
   void carry_out(const dn::Notice& effect) {
-    log(journal::Record(now_, "ground", "notice").with("uav", uav_).with("text", effect.text));
+    log(writer().record(journal::lines::Notice{uav_, effect.text}));
   }
   template <class Other>
   void carry_out(const Other& effect) {

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "skein/foundation/overloaded.hpp"
+#include "skein/journal/lines/mission.hpp"
 #include "skein/mavlink_node/mavlink_node.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
@@ -62,7 +63,7 @@ wire::Sample LinkCompanion::sample_of(const autopilot::Effect& effect) const {
           [&](const autopilot::Notice& notice) -> wire::Sample {
             wire::JournalEntry entry;
             entry.record = journal::to_json(
-                journal::Record(mission_, name_, "notice").with("text", notice.text));
+                record_of(mission_, name_, journal::lines::Notice{.text = notice.text}));
             return entry;
           },
           [](const autopilot::Transmit&) -> wire::Sample { return wire::JournalEntry{}; }},

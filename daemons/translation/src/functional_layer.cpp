@@ -26,13 +26,13 @@ wire::Truth truth_of(const std::string& uav, const world::VehicleState& state) {
 
 journal::Record telemetry_line(MissionTime at, const std::string& node, const std::string& uav,
                                const world::VehicleState& state) {
-  return std::move(journal::Record(at, node, "telemetry")
-                       .with("uav", uav)
-                       .with("position", for_journal(state.position))
-                       .with("velocity", for_journal(state.velocity))
-                       .with("heading", journal::rounded(state.heading))
-                       .with("energy", journal::rounded(state.energy))
-                       .with("airborne", state.airborne));
+  return record_of(at, node,
+                   journal::lines::Telemetry{.uav = uav,
+                                             .position = for_journal(state.position),
+                                             .velocity = for_journal(state.velocity),
+                                             .heading = journal::rounded(state.heading),
+                                             .energy = journal::rounded(state.energy),
+                                             .airborne = state.airborne});
 }
 
 void FunctionalLines::note(const std::string& uav, const functional::Request& asked) {
@@ -53,13 +53,14 @@ std::optional<journal::Record> FunctionalLines::line_of(MissionTime at, const st
   const std::string state(to_text(status.state));
   if (asked.told == state) return std::nullopt;
   asked.told = state;
-  journal::Record line(at, node, "functional");
-  line.with("uav", uav).with("task", status.id.value()).with("type", asked.type);
-  line.with("state", state);
-  if (!asked.device.empty()) line.with("device", asked.device);
-  if (!asked.target.empty()) line.with("target", asked.target);
-  if (!status.reason.empty()) line.with("reason", status.reason);
-  return line;
+  return record_of(at, node,
+                   journal::lines::Functional{.uav = uav,
+                                              .task = status.id.value(),
+                                              .type = asked.type,
+                                              .state = state,
+                                              .device = asked.device,
+                                              .target = asked.target,
+                                              .reason = status.reason});
 }
 
 }  // namespace skein::translation

@@ -1,47 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/translation/journal_lines.hpp"
 
+#include "skein/journal/lines/execution.hpp"
+
 namespace skein::translation {
+
+namespace lines = journal::lines;
 
 journal::Record task_line(const Writer& writer, const std::string& uav,
                           const executive::TaskEvent& event,
                           const executive::Parameters& parameters) {
-  journal::Record line(writer.at, writer.node, "task");
-  line.with("uav", uav)
-      .with("task", event.id.value())
-      .with("type", event.type)
-      .with("state", to_text(event.state));
-  with_device_and_target(line, parameters);
-  if (!event.reason.empty()) line.with("reason", event.reason);
-  return line;
+  return writer.record(lines::Task{.uav = uav,
+                                   .task = event.id.value(),
+                                   .type = event.type,
+                                   .state = to_text(event.state),
+                                   .device = device_of(parameters),
+                                   .target = target_of(parameters),
+                                   .reason = event.reason});
 }
 
-void with_device_and_target(journal::Record& line, const executive::Parameters& parameters) {
+journal::OptionalText device_of(const executive::Parameters& parameters) {
   const executive::Parameter* device = parameters.find("device");
-  if (device != nullptr) line.with("device", device->text);
+  return device == nullptr ? journal::OptionalText() : device->text;
+}
+
+journal::OptionalNumbers target_of(const executive::Parameters& parameters) {
   const executive::Parameter* target = parameters.find("target");
-  if (target != nullptr) line.with("target", journal::rounded(target->numbers));
+  return target == nullptr ? journal::OptionalNumbers() : journal::rounded(target->numbers);
 }
 
 journal::Record request_line(const Writer& writer, const std::string& uav,
                              const executive::Reply& reply, executive::InsertionMode mode) {
-  journal::Record line(writer.at, writer.node, "request");
-  line.with("uav", uav).with("request", to_text(reply.request));
-  if (reply.request == executive::RequestKind::kStart) line.with("mode", to_text(mode));
-  if (reply.id) line.with("task", reply.id->value());
-  line.with("accepted", reply.accepted);
-  if (!reply.accepted) line.with("why", reply.why);
-  return line;
+  lines::Request line{.uav = uav,
+                      .request = to_text(reply.request),
+                      .accepted = reply.accepted,
+                      .why = reply.accepted ? "" : reply.why};
+  if (reply.request == executive::RequestKind::kStart) line.mode = to_text(mode);
+  if (reply.id) line.task = reply.id->value();
+  return writer.record(std::move(line));
 }
 
 journal::Record sync_line(const Writer& writer, const SyncTraffic& message) {
-  journal::Record line(writer.at, writer.node, "sync");
-  line.with("id", message.id)
-      .with("from", message.from)
-      .with("to", message.to)
-      .with("direction", message.sent ? "sent" : "received");
-  if (message.word != executive::SyncWord::kThere) line.with("word", to_text(message.word));
-  return line;
+  const bool waits = message.word == executive::SyncWord::kThere;
+  return writer.record(lines::Sync{.id = message.id,
+                                   .from = message.from,
+                                   .to = message.to,
+                                   .direction = message.sent ? "sent" : "received",
+                                   .word = waits ? "" : to_text(message.word)});
 }
 
 }  // namespace skein::translation

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/translation/meetings.hpp"
 
+#include "skein/journal/lines/deliberation.hpp"
+
 namespace skein::translation {
 
 journal::Record frontier_told(const Writer& writer, const std::string& node, const std::string& to,
                               const std::string& about, const temporal::Frontier& frontier) {
-  journal::Record line(writer.at, writer.node, "frontier");
-  line.with("uav", node).with("direction", "sent").with("to", to);
-  if (about != node) line.with("about", about);
-  return line.with("meetings", static_cast<std::int64_t>(frontier.meetings.size()))
-      .with("arcs", static_cast<std::int64_t>(frontier.arcs.size()));
+  return writer.record(journal::lines::Frontier{.uav = node,
+                                                .direction = "sent",
+                                                .to = to,
+                                                .about = about == node ? "" : about,
+                                                .meetings = frontier.meetings.size(),
+                                                .arcs = frontier.arcs.size()});
 }
 
 journal::Record frontier_heard(const Writer& writer, const std::string& node,
                                const std::string& from, const std::string& about) {
-  journal::Record line(writer.at, writer.node, "frontier");
-  line.with("uav", node).with("direction", "received").with("from", from);
-  if (about != from) line.with("about", about);
-  return line;
+  return writer.record(journal::lines::Frontier{
+      .uav = node, .direction = "received", .from = from, .about = about == from ? "" : about});
 }
 
 wire::PlanFrontier to_wire(const std::string& uav, const temporal::Frontier& frontier) {

@@ -3,11 +3,13 @@
 
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/overloaded.hpp"
+#include "skein/journal/lines/team.hpp"
 
 namespace skein::translation {
 
 namespace {
 
+namespace lines = journal::lines;
 using Lines = std::vector<journal::Record>;
 
 std::string names_of(const std::vector<auction::MemberNumber>& members,
@@ -17,19 +19,18 @@ std::string names_of(const std::vector<auction::MemberNumber>& members,
   return joined(names, ", ");
 }
 
-journal::Record told(const Writer& writer, const char* state) {
-  return journal::Record(writer.at, writer.node, "sale").with("state", state);
-}
-
 Lines lines_of(const Writer& writer, const auction::Sold& sold, const team::Roster& roster) {
-  journal::Record line = told(writer, sold.trade ? "traded" : "sold");
-  line.with("task", static_cast<std::int64_t>(sold.task.value()))
-      .with("to", names_of(sold.members, roster))
-      .with("value", journal::rounded(sold.value.first));
-  if (!sold.next_best) return {line.with("why", "nobody else could")};
-  line.with("next_best", names_of(sold.next_best->members, roster))
-      .with("next_value", journal::rounded(sold.next_best->value.first));
-  return {line};
+  lines::Sale line{.state = sold.trade ? "traded" : "sold",
+                   .task = sold.task.value(),
+                   .to = names_of(sold.members, roster),
+                   .value = journal::rounded(sold.value.first)};
+  if (sold.next_best) {
+    line.next_best = names_of(sold.next_best->members, roster);
+    line.next_value = journal::rounded(sold.next_best->value.first);
+  } else {
+    line.why = "nobody else could";
+  }
+  return {writer.record(std::move(line))};
 }
 
 Lines lines_of(const Writer& writer, const auction::Unsold& unsold, const team::Roster& roster) {
@@ -38,25 +39,24 @@ Lines lines_of(const Writer& writer, const auction::Unsold& unsold, const team::
   for (const auto& [member, why] : unsold.reasons) {
     reasons.push_back(roster.name_of(member) + ": " + why);
   }
-  return {told(writer, "unsold")
-              .with("task", static_cast<std::int64_t>(unsold.task.value()))
-              .with("why", joined(reasons, "; "))};
+  return {writer.record(
+      lines::Sale{.state = "unsold", .task = unsold.task.value(), .why = joined(reasons, "; ")})};
 }
 
 Lines lines_of(const Writer& writer, const auction::Dropped& dropped, const team::Roster& roster) {
-  return {
-      told(writer, "dropped").with("uav", roster.name_of(dropped.member)).with("why", dropped.why)};
+  return {writer.record(
+      lines::Sale{.state = "dropped", .uav = roster.name_of(dropped.member), .why = dropped.why})};
 }
 
 Lines lines_of(const Writer& writer, const auction::Rejected& rejected) {
-  Lines lines;
+  Lines all;
   for (const auction::Contradiction& one : rejected.contradictions) {
     std::vector<std::string> chain;
     for (const auction::TaskNumber task : one.chain) chain.push_back(to_text(task));
-    lines.push_back(
-        told(writer, "rejected").with("tasks", joined(chain, " ")).with("why", one.why));
+    all.push_back(writer.record(
+        lines::Sale{.state = "rejected", .tasks = joined(chain, " "), .why = one.why}));
   }
-  return lines;
+  return all;
 }
 
 }  // namespace
@@ -73,21 +73,18 @@ Lines sale_lines(const Writer& writer, const auction::SaleEffect& effect,
 }
 
 journal::Record owner_line(const Writer& writer, const team::TaskStanding& standing) {
-  journal::Record line(writer.at, writer.node, "owner");
-  line.with("task", standing.task.value())
-      .with("statement", standing.statement)
-      .with("stage", team::to_text(standing.stage))
-      .with("sale", standing.sale);
-  if (!standing.owners.empty()) line.with("owners", joined(standing.owners, ", "));
-  if (!standing.why.empty()) line.with("why", standing.why);
-  return line;
+  return writer.record(lines::Owner{.task = standing.task.value(),
+                                    .statement = standing.statement,
+                                    .stage = team::to_text(standing.stage),
+                                    .sale = standing.sale,
+                                    .owners = joined(standing.owners, ", "),
+                                    .why = standing.why});
 }
 
 journal::Record token_line(const Writer& writer, bool held, std::uint64_t term) {
-  journal::Record line(writer.at, writer.node, "token");
-  line.with("uav", writer.node).with("state", held ? "taken" : "lost");
-  if (held) line.with("term", term);
-  return line;
+  lines::Token line{.uav = writer.node, .state = held ? "taken" : "lost"};
+  if (held) line.term = term;
+  return writer.record(std::move(line));
 }
 
 }  // namespace skein::translation

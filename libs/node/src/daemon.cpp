@@ -9,6 +9,7 @@
 
 #include "job_runner.hpp"
 #include "skein/blackboard/dds_transport.hpp"
+#include "skein/journal/lines/mission.hpp"
 #include "skein/node/heartbeat.hpp"
 #include "skein/node/mission_clock.hpp"
 #include "skein/node/waker.hpp"
@@ -217,8 +218,7 @@ class Daemon {
   }
 
   void record_mission(const char* state) {
-    unsent_records_.push_back(
-        journal::Record(now().mission, self_.name, "mission").with("state", state));
+    unsent_records_.push_back(record_of(now().mission, self_.name, journal::lines::Mission{state}));
   }
 
   // Records wait for the end of a turn: publishing one is not part of what it tells of.

@@ -7,8 +7,12 @@
 #include "recollection.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/foundation/overloaded.hpp"
+#include "skein/journal/lines/mission.hpp"
+#include "skein/journal/lines/radio.hpp"
 
 namespace skein::node {
+
+namespace lines = journal::lines;
 
 namespace {
 
@@ -140,7 +144,7 @@ void Host::start(Now now) {
     give(Started{config_.incarnation}, now);
   } else {
     remember(Resumed{}, now);
-    ports_.journal(record("resumed", now).with("from", resumed_from_->to_seconds()));
+    log(lines::Resumed{resumed_from_->to_seconds()}, now);
     const std::uint64_t sends = sends_;  // states that are sent again are none of the node's
     carry_out(std::exchange(left_, {}), now);
     sends_ = sends;
@@ -188,9 +192,9 @@ void Host::remember(LoggedInput input, Now now) {
   const auto kept = config_.memory->append({at, std::move(input)});
   if (kept.has_value() != forgetful_) return;
   forgetful_ = !kept;
-  ports_.journal(record("notice", now)
-                     .with("text", kept ? "what happens is kept again"
-                                        : "what happens is not kept: " + kept.error().why));
+  log(lines::Notice{.text = kept ? "what happens is kept again"
+                                 : "what happens is not kept: " + kept.error().why},
+      now);
 }
 
 void Host::lines_have_left() {
@@ -291,25 +295,23 @@ void Host::take(blackboard::Incoming incoming, Now now) {
   std::visit(
       Overloaded{[&](blackboard::Received& one) { take_received(std::move(one), now); },
                  [&](blackboard::Reachability& one) {
-                   ports_.journal(record("reach", now)
-                                      .with("peer", roster_.name_of(one.peer))
-                                      .with("reachable", one.reachable));
+                   log(lines::Reach{roster_.name_of(one.peer), one.reachable}, now);
                    give(Reachability{one.peer, one.reachable, one.restarted}, now);
                  },
                  [&](blackboard::Dropped& one) {
                    if (!one.first) return;
-                   ports_.journal(record("dropped", now)
-                                      .with("slot", wire::slot_name(one.slot))
-                                      .with("origin", roster_.name_of(one.origin))
-                                      .with("field", one.field)
-                                      .with("why", one.why));
+                   log(lines::Dropped{.slot = wire::slot_name(one.slot),
+                                      .origin = roster_.name_of(one.origin),
+                                      .field = one.field,
+                                      .why = one.why},
+                       now);
                  },
                  [&](blackboard::EventExpired& one) {
-                   ports_.journal(record("expired", now)
-                                      .with("slot", wire::slot_name(one.slot))
-                                      .with("to", roster_.name_of(one.to))
-                                      .with("sequence", one.sequence)
-                                      .with("from", roster_.name_of(one.from)));
+                   log(lines::Expired{.slot = wire::slot_name(one.slot),
+                                      .to = roster_.name_of(one.to),
+                                      .sequence = one.sequence,
+                                      .from = roster_.name_of(one.from)},
+                       now);
                    if (one.from == self_.number) {
                      give(Undelivered{one.to, one.slot, one.sequence}, now);
                    } else {
@@ -321,19 +323,17 @@ void Host::take(blackboard::Incoming incoming, Now now) {
                    give(Delivered{one.to, one.receipt}, now);
                  },
                  [&](blackboard::EventsLost& one) {
-                   ports_.journal(record("lost", now)
-                                      .with("slot", "*")
-                                      .with("to", roster_.name_of(one.to))
-                                      .with("sequence", one.first)
-                                      .with("last", one.last)
-                                      .with("from", roster_.name_of(one.from)));
+                   log(lines::Lost{.slot = "*",
+                                   .to = roster_.name_of(one.to),
+                                   .sequence = one.first,
+                                   .last = one.last,
+                                   .from = roster_.name_of(one.from)},
+                       now);
                    remember(skipped(wire::Slot::kTaskRequest, one.from, one.incarnation, one.last),
                             now);
                  },
                  [&](blackboard::TransportRefused& one) {
-                   ports_.journal(record("transport", now)
-                                      .with("channel", one.channel.partition)
-                                      .with("why", one.why));
+                   log(lines::Transport{one.channel.partition, one.why}, now);
                  }},
       incoming);
 }
@@ -355,11 +355,12 @@ void Host::take_received(blackboard::Received received, Now now) {
 }
 
 void Host::log_route(const blackboard::RouteChanged& route, Now now) {
-  const auto& log = ports_.journal;
-  journal::Record line = record("route", now);
-  line.with("peer", roster_.name_of(route.peer));
-  if (route.via) line.with("via", roster_.name_of(*route.via)).with("relays", route.relays);
-  log(line);
+  lines::Route line{.peer = roster_.name_of(route.peer)};
+  if (route.via) {
+    line.via = roster_.name_of(*route.via);
+    line.relays = route.relays;
+  }
+  log(std::move(line), now);
 }
 
 void Host::apply(const wire::LinkState& link, Now now) {
@@ -383,24 +384,17 @@ void Host::apply(const wire::LinkState& link, Now now) {
 }
 
 void Host::log_unsent(wire::Slot slot, const std::string& to, blackboard::Refusal why, Now now) {
-  ports_.journal(record("unsent", now)
-                     .with("slot", wire::slot_name(slot))
-                     .with("to", to)
-                     .with("why", blackboard::name_of(why)));
+  log(lines::Unsent{wire::slot_name(slot), to, blackboard::name_of(why)}, now);
 }
 
 void Host::log_message(wire::Slot slot, const std::string& from, const std::string& to,
                        std::uint64_t sequence, const char* direction, Now now) {
-  ports_.journal(record("message", now)
-                     .with("slot", wire::slot_name(slot))
-                     .with("from", from)
-                     .with("to", to)
-                     .with("sequence", sequence)
-                     .with("direction", direction));
-}
-
-journal::Record Host::record(const char* kind, Now now) const {
-  return {now.mission, self_.name, kind};
+  log(lines::Message{.slot = wire::slot_name(slot),
+                     .from = from,
+                     .to = to,
+                     .sequence = sequence,
+                     .direction = direction},
+      now);
 }
 
 }  // namespace skein::node

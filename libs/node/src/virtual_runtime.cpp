@@ -6,6 +6,7 @@
 
 #include "skein/blackboard/memory_transport.hpp"
 #include "skein/foundation/contract.hpp"
+#include "skein/journal/lines/truth.hpp"
 
 namespace skein::node {
 
@@ -95,7 +96,7 @@ class VirtualRun {
   }
 
   void log_fault(const char* what, const std::string& target) {
-    journal_(journal::Record(now_, "runner", "fault").with("what", what).with("target", target));
+    journal_(record_of(now_, "runner", journal::lines::Fault{.what = what, .target = target}));
   }
 
   // Crashes may overlap: who is dead cannot die, who lives is not started again.

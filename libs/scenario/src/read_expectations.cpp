@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "reading.hpp"
+#include "skein/foundation/nearest.hpp"
+#include "skein/journal/kinds.hpp"
 
 namespace skein::scenario {
 
@@ -32,24 +34,39 @@ journal::Value value_of(const Reader& reader) {
   return scalar.scalar;
 }
 
+std::vector<std::string> kinds_of_records() {
+  std::vector<std::string> names;
+  for (const journal::Kind& kind : journal::kinds()) names.push_back(kind.name);
+  return names;
+}
+
+/// A field that no record of these kinds has would never be found.
+void check_fields(const Reader& reader) {
+  std::vector<std::string> fields{"at", "node", "kind"};
+  const Reader kind = reader.optional("kind");
+  const auto items = kind.is_sequence() ? items_of(kind) : std::vector{kind};
+  for (const Reader& one : items) {
+    if (!kind.present()) break;
+    const std::string name =
+        one.name_among(kinds_of_records(), "a kind of record (docs/journal.md)");
+    const journal::Kind* known = journal::find_kind(name);
+    if (known == nullptr) return;
+    for (const auto& field : known->fields) fields.push_back(field.name);
+  }
+  if (!kind.present()) return;
+  for (const auto& [key, field] : entries_of(reader)) {
+    if (std::find(fields.begin(), fields.end(), key) != fields.end()) continue;
+    field.error("no record of this kind has a field '" + key + "'",
+                "a field of docs/journal.md", nearest_name(key, fields));
+  }
+}
+
 Pattern read_pattern(const Reader& reader, const Names& names) {
-  static const std::vector<std::string> kKinds{
-      "task",        "request",   "command",    "sync",           "message",
-      "link",        "reach",     "resumed",    "telemetry",      "object",
-      "perception",  "alarm",     "step",       "phase",          "operator",
-      "degree",      "fault",     "process",    "dropped",        "expired",
-      "lost",        "transport", "unsent",     "mission",        "contact",
-      "notice",      "goal",      "plan",       "planned",        "decision",
-      "answer",      "held",      "functional", "asked",          "hand",
-      "joint",       "role",      "role-task",  "place",          "scm",
-      "negotiation", "team-task", "air",        "meeting",        "bid",
-      "sale",        "owner",     "token",      "global-mission", "lost-uav",
-      "frontier",    "route",     "seen"};
   Pattern pattern;
+  check_fields(reader);
   for (const auto& [key, field] : entries_of(reader)) {
     std::vector<journal::Value> values;
     for (const Reader& one : field.is_sequence() ? items_of(field) : std::vector{field}) {
-      if (key == "kind") (void)one.name_among(kKinds, "a kind of record (docs/journal.md)");
       if (key == "uav") (void)one.name_among(names.uavs, "a UAV");
       values.push_back(value_of(one));
     }

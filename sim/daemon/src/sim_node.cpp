@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "skein/foundation/contract.hpp"
+#include "skein/journal/lines/radio.hpp"
+#include "skein/journal/lines/truth.hpp"
 #include "skein/translation/functional_layer.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
@@ -15,7 +17,7 @@ namespace skein::sim {
 
 namespace {
 
-using journal::Record;
+namespace lines = journal::lines;
 using translation::for_journal;
 using translation::from_wire;
 using translation::to_wire;
@@ -98,9 +100,8 @@ void SimNode::run_due_faults(MissionTime now, node::Effects& out) {
   while (!faults_.empty() && faults_.front().at <= now) {
     const ScheduledFault due = faults_.front();
     faults_.pop_front();
-    out.push_back(node::Log{Record(due.at, name_, "fault")
-                                .with("what", what_of(due.fault))
-                                .with("target", due.fault.uav)});
+    out.push_back(node::Log{record_of(
+        due.at, name_, lines::Fault{.what = what_of(due.fault), .target = due.fault.uav})});
     const node::Effects effects = translate(simulator_.handle(due.fault, now));
     out.insert(out.end(), effects.begin(), effects.end());
   }
@@ -140,10 +141,9 @@ void SimNode::take(const LinkChange& link, node::Effects& out) const {
   sample.loss = link.up ? link.loss : 0;
   sample.capacity = link.capacity;
   out.push_back(node::Publish{sample});
-  Record record(link.at, name_, "link");
-  record.with("from", link.from).with("to", link.to).with("up", link.up);
-  if (link.capacity > 0) record.with("capacity", link.capacity);
-  out.push_back(node::Log{std::move(record)});
+  lines::Link line{.from = link.from, .to = link.to, .up = link.up};
+  if (link.capacity > 0) line.capacity = link.capacity;
+  out.push_back(node::Log{record_of(link.at, name_, std::move(line))});
 }
 
 void SimNode::take(const VehicleTruth& truth, node::Effects& out) const {
@@ -160,18 +160,17 @@ void SimNode::take(const ObjectTruth& truth, node::Effects& out) const {
   sample.radius = truth.radius;
   sample.active = truth.active;
   out.push_back(node::Publish{sample});
-  Record record(truth.at, name_, "object");
-  record.with("name", truth.name)
-      .with("type", truth.kind)
-      .with("position", for_journal(truth.position))
-      .with("radius", truth.front ? journal::rounded(truth.radius) : truth.radius)
-      .with("active", truth.active);
+  lines::Object line{.name = truth.name,
+                     .type = truth.kind,
+                     .position = for_journal(truth.position),
+                     .radius = truth.front ? journal::rounded(truth.radius) : truth.radius,
+                     .active = truth.active};
   if (truth.front) {
     const world::Vector2& from = truth.front->ignition;
-    record.with("breadth", journal::rounded(truth.front->breadth))
-        .with("ignition", journal::rounded({from.x(), from.y()}));
+    line.breadth = journal::rounded(truth.front->breadth);
+    line.ignition = journal::rounded({from.x(), from.y()});
   }
-  out.push_back(node::Log{std::move(record)});
+  out.push_back(node::Log{record_of(truth.at, name_, std::move(line))});
 }
 
 node::NodeNumber SimNode::number_of(const std::string& name) const {

@@ -34,6 +34,8 @@ class DdnNode final : public node::Node {
  private:
   std::optional<decision_node::Input> input_of(const node::Input& input);
   void drop(const node::Received& received, const std::string& why);
+  /// Another UAV that is in reach is told the degree of this one.
+  void note_reach(const node::Reachability& reach);
 
   // to the ground station
   void carry_out(const decision_node::Answer& effect);
@@ -77,13 +79,17 @@ class DdnNode final : public node::Node {
   void send(node::NodeNumber to, wire::Sample sample, MissionTime expires = MissionTime::max());
   void send_to_ground(wire::Sample sample) { send(roster_.ground(), std::move(sample)); }
   void log(journal::Record record);
-  journal::Record record(const char* kind) const;
+  template <class Line>
+  requires requires { Line::kKind; }
+  void log(Line line) { log(writer().record(std::move(line))); }
   translation::Writer writer() const { return {now_, uav_}; }
 
   std::string uav_;
   node::Roster roster_;
   node::NodeNumber functional_;  ///< the functional layer of its UAV
   std::string contact_policy_;
+  wire::AutonomyDegree degree_;  ///< as last told
+  std::set<node::NodeNumber> uavs_in_reach_;
   Duration deliberation_;
   /// Works in jobs, one after another; here it is only handed on.
   std::shared_ptr<supervisor::Deliberator> deliberator_ =

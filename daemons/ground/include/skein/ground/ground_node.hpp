@@ -100,7 +100,9 @@ class GroundNode final : public node::Node {
   wire::Sample sample_of(const ground_station::SendRequest& effect) const;
   void log(journal::Record record);
   translation::Writer writer() const { return {now_, "ground"}; }
-  journal::Record record(const char* kind) const;
+  template <class Line>
+  requires requires { Line::kKind; }
+  void log(Line line) { log(writer().record(std::move(line))); }
 
   world::Terrain terrain_;
   node::Roster roster_;

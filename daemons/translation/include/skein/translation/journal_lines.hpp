@@ -5,11 +5,12 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "skein/executive/effect.hpp"
 #include "skein/executive/input.hpp"
 #include "skein/executive/task.hpp"
-#include "skein/journal/record.hpp"
+#include "skein/journal/line.hpp"
 
 namespace skein::translation {
 
@@ -17,6 +18,11 @@ namespace skein::translation {
 struct Writer {
   MissionTime at;
   std::string node;
+
+  template <class Line>
+  journal::Record record(Line line) const {
+    return journal::record_of(at, node, std::move(line));
+  }
 };
 
 /// With the device and the target [m] ENU among the task's parameters, if it has them.
@@ -24,8 +30,9 @@ journal::Record task_line(const Writer& writer, const std::string& uav,
                           const executive::TaskEvent& event,
                           const executive::Parameters& parameters);
 
-/// Adds `device` and `target` (x y z) to a line, each if the parameters have it.
-void with_device_and_target(journal::Record& line, const executive::Parameters& parameters);
+/// What a task looks with and at, [m] ENU, as far as its parameters say.
+journal::OptionalText device_of(const executive::Parameters& parameters);
+journal::OptionalNumbers target_of(const executive::Parameters& parameters);
 
 /// `mode` counts for START only.
 journal::Record request_line(const Writer& writer, const std::string& uav,

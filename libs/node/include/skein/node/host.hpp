@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "skein/blackboard/blackboard.hpp"
+#include "skein/journal/line.hpp"
+#include "skein/journal/line.hpp"
 #include "skein/node/input_log.hpp"
 #include "skein/node/node.hpp"
 #include "skein/node/roster.hpp"
@@ -139,7 +141,11 @@ class Host {
                   blackboard::Now now);
   void log_message(wire::Slot slot, const std::string& from, const std::string& to,
                    std::uint64_t sequence, const char* direction, blackboard::Now now);
-  journal::Record record(const char* kind, blackboard::Now now) const;
+  /// A line of the event log (skein/journal/lines/).
+  template <class Line>
+  void log(Line line, blackboard::Now now) const {
+    ports_.journal(journal::record_of(now.mission, self_.name, std::move(line)));
+  }
 
   const Roster roster_;
   const Member self_;
