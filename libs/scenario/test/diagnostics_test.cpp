@@ -290,6 +290,12 @@ SKEIN_WRONG_FILES(
           "(docs/journal.md); did you mean 'alarm'?\n"},
     Wrong{"UnknownUav", "uav: marvin, task: 1", "uav: [marvin, karma], task: 1",
           "34:53: expect[0].event.uav[1]: unknown name 'karma'; expected a UAV\n"},
+    Wrong{"FieldThatNoRecordOfThatKindHas", "uav: marvin, task: 1", "uav: marvin, tsak: 1",
+          "34:58: expect[0].event.tsak: no record of this kind has a field 'tsak'; expected a "
+          "field of docs/journal.md; did you mean 'task'?\n"},
+    Wrong{"FieldOfNoneOfSeveralKinds", "kind: task, uav", "kind: [task, alarm], vua: 1, uav",
+          "34:54: expect[0].event.vua: no record of this kind has a field 'vua'; expected a field "
+          "of docs/journal.md; did you mean 'uav'?\n"},
     Wrong{"EmptyPattern", kExpectation, "{name: flies, never: {}}",
           "34:26: expect[0].never: an empty pattern matches anything\n"},
     Wrong{"WithinOfNothing", "{name: flies,", "{name: flies, within: 5,",
