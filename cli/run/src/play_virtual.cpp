@@ -28,7 +28,7 @@ include "skein/assembly/assembly.hpp"
   }
 
   journal::Record mission_line(MissionTime at, const char* state) {
-    return record_of(at, "runner", journal::lines::Mission{state});
+    return journal::record_of(at, "runner", journal::lines::Mission{state});
   }
 
   }  // namespace

@@ -18,10 +18,10 @@ void append_verdicts(const std::vector<scenario::Verdict>& verdicts,
                      std::vector<journal::Record>& records) {
   const MissionTime at = records.empty() ? MissionTime() : records.back().at();
   for (const scenario::Verdict& verdict : verdicts) {
-    records.push_back(
-        record_of(at, "runner",
-                  journal::lines::Expectation{
-                      .name = verdict.name, .passed = verdict.passed, .seen = verdict.seen}));
+    records.push_back(journal::record_of(
+        at, "runner",
+        journal::lines::Expectation{
+            .name = verdict.name, .passed = verdict.passed, .seen = verdict.seen}));
   }
 }
 

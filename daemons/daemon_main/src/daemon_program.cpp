@@ -20,6 +20,7 @@
 #include "skein/foundation/nearest.hpp"
 #include "skein/journal/lines/mission.hpp"
 #include "skein/manual/pages.hpp"
+#include "skein/node/daemon.hpp"
 #include "skein/node/waker.hpp"
 #include "skein/scenario_setup/overrides.hpp"
 #include "skein/scenario_setup/setup.hpp"
@@ -71,7 +72,8 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
     spdlog::log(level_of(record), "{}", json ? journal::to_json(record) : log_line(record));
   };
   config.on_middleware_log = [json = options.log_json, name = self.name](const std::string& line) {
-    const auto notice = record_of({}, name, journal::lines::Notice{.text = "dds: " + line});
+    const auto notice =
+        journal::record_of({}, name, journal::lines::Notice{.text = "dds: " + line});
     spdlog::warn("{}", json ? journal::to_json(notice) : "dds: " + line);
   };
   return config;
@@ -165,7 +167,7 @@ int run(const DaemonProgram& program, const Options& options) {
     manager.turn(phase, node::Waker::steady_now());
   };
   for (const std::string& notice : memory.notices)
-    config.on_record(record_of({}, name, journal::lines::Notice{.text = notice}));
+    config.on_record(journal::record_of({}, name, journal::lines::Notice{.text = notice}));
   config.memory = memory.log.get();
   config.incarnation = memory.incarnation;
   auto companions = open_companions(program, options, *scenario);
@@ -174,7 +176,7 @@ int run(const DaemonProgram& program, const Options& options) {
     return kExitBadInput;
   }
   for (const std::string& notice : companions->notices)
-    config.on_record(record_of({}, name, journal::lines::Notice{.text = notice}));
+    config.on_record(journal::record_of({}, name, journal::lines::Notice{.text = notice}));
   companions->all.add(std::move(crew.companion));
   if (!companions->all.empty()) config.companion = &companions->all;
   config.forgets = options.forgets;

@@ -130,7 +130,7 @@ void DdnNode::note_reach(const node::Reachability& reach) {
   if (!reach.reachable) {
     uavs_in_reach_.erase(reach.peer);
   } else if (uavs_in_reach_.insert(reach.peer).second || reach.restarted) {
-    send(reach.peer, degree_);
+    if (!degree_.uav.empty()) send(reach.peer, degree_);  // it has begun
   }
 }
 

@@ -329,15 +329,15 @@ TEST_P(DegreeOfThePartner, CountsForTheWayOfASynchronisationMessageTo) {
               ::testing::Contains(GetParam().way + ": sync 551 marvin>heliv"));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    DdnNode, DegreeOfThePartner,
-    ::testing::Values(PartnerCase{"the_ground_runs_its_plan", 1, "ground"},
-                      PartnerCase{"the_ground_relays_for_it", 2, "ground"},
-                      PartnerCase{"both_from_3_on", 3, "heliv"},
-                      PartnerCase{"it_deliberates", 4, "heliv"},
-                      PartnerCase{"a_degree_that_is_none_says_nothing", 9, "heliv"},
-                      PartnerCase{"nor_does_none", 0, "heliv"}),
-    [](const auto& info) { return info.param.who; });
+INSTANTIATE_TEST_SUITE_P(DdnNode, DegreeOfThePartner,
+                         ::testing::Values(PartnerCase{"the_ground_runs_its_plan", 1, "ground"},
+                                           PartnerCase{"the_ground_relays_for_it", 2, "ground"},
+                                           PartnerCase{"both_from_3_on", 3, "heliv"},
+                                           PartnerCase{"it_deliberates", 4, "heliv"},
+                                           PartnerCase{"a_degree_that_is_none_says_nothing", 9,
+                                                       "heliv"},
+                                           PartnerCase{"nor_does_none", 0, "heliv"}),
+                         [](const auto& one) { return one.param.who; });
 
 TEST(DdnNode, BelievesNobodyWhoSaysTheDegreeOfAnother) {
   Bench bench(Bench::at_degree(3));

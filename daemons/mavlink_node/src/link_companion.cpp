@@ -63,7 +63,7 @@ wire::Sample LinkCompanion::sample_of(const autopilot::Effect& effect) const {
           [&](const autopilot::Notice& notice) -> wire::Sample {
             wire::JournalEntry entry;
             entry.record = journal::to_json(
-                record_of(mission_, name_, journal::lines::Notice{.text = notice.text}));
+                journal::record_of(mission_, name_, journal::lines::Notice{.text = notice.text}));
             return entry;
           },
           [](const autopilot::Transmit&) -> wire::Sample { return wire::JournalEntry{}; }},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/translation/functional_layer.hpp"
 
+#include "skein/journal/lines/execution.hpp"
+#include "skein/journal/lines/truth.hpp"
 #include "skein/translation/sensing.hpp"
 
 namespace skein::translation {
@@ -26,13 +28,13 @@ wire::Truth truth_of(const std::string& uav, const world::VehicleState& state) {
 
 journal::Record telemetry_line(MissionTime at, const std::string& node, const std::string& uav,
                                const world::VehicleState& state) {
-  return record_of(at, node,
-                   journal::lines::Telemetry{.uav = uav,
-                                             .position = for_journal(state.position),
-                                             .velocity = for_journal(state.velocity),
-                                             .heading = journal::rounded(state.heading),
-                                             .energy = journal::rounded(state.energy),
-                                             .airborne = state.airborne});
+  return journal::record_of(at, node,
+                            journal::lines::Telemetry{.uav = uav,
+                                                      .position = for_journal(state.position),
+                                                      .velocity = for_journal(state.velocity),
+                                                      .heading = journal::rounded(state.heading),
+                                                      .energy = journal::rounded(state.energy),
+                                                      .airborne = state.airborne});
 }
 
 void FunctionalLines::note(const std::string& uav, const functional::Request& asked) {
@@ -53,14 +55,14 @@ std::optional<journal::Record> FunctionalLines::line_of(MissionTime at, const st
   const std::string state(to_text(status.state));
   if (asked.told == state) return std::nullopt;
   asked.told = state;
-  return record_of(at, node,
-                   journal::lines::Functional{.uav = uav,
-                                              .task = status.id.value(),
-                                              .type = asked.type,
-                                              .state = state,
-                                              .device = asked.device,
-                                              .target = asked.target,
-                                              .reason = status.reason});
+  return journal::record_of(at, node,
+                            journal::lines::Functional{.uav = uav,
+                                                       .task = status.id.value(),
+                                                       .type = asked.type,
+                                                       .state = state,
+                                                       .device = asked.device,
+                                                       .target = asked.target,
+                                                       .reason = status.reason});
 }
 
 }  // namespace skein::translation

@@ -218,7 +218,8 @@ class Daemon {
   }
 
   void record_mission(const char* state) {
-    unsent_records_.push_back(record_of(now().mission, self_.name, journal::lines::Mission{state}));
+    unsent_records_.push_back(
+        journal::record_of(now().mission, self_.name, journal::lines::Mission{state}));
   }
 
   // Records wait for the end of a turn: publishing one is not part of what it tells of.

@@ -96,7 +96,8 @@ class VirtualRun {
   }
 
   void log_fault(const char* what, const std::string& target) {
-    journal_(record_of(now_, "runner", journal::lines::Fault{.what = what, .target = target}));
+    journal_(
+        journal::record_of(now_, "runner", journal::lines::Fault{.what = what, .target = target}));
   }
 
   // Crashes may overlap: who is dead cannot die, who lives is not started again.

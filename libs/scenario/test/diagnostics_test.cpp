@@ -294,7 +294,7 @@ SKEIN_WRONG_FILES(
           "34:58: expect[0].event.tsak: no record of this kind has a field 'tsak'; expected a "
           "field of docs/journal.md; did you mean 'task'?\n"},
     Wrong{"FieldOfNoneOfSeveralKinds", "kind: task, uav", "kind: [task, alarm], vua: 1, uav",
-          "34:54: expect[0].event.vua: no record of this kind has a field 'vua'; expected a field "
+          "34:53: expect[0].event.vua: no record of this kind has a field 'vua'; expected a field "
           "of docs/journal.md; did you mean 'uav'?\n"},
     Wrong{"EmptyPattern", kExpectation, "{name: flies, never: {}}",
           "34:26: expect[0].never: an empty pattern matches anything\n"},

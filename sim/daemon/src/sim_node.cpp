@@ -100,7 +100,7 @@ void SimNode::run_due_faults(MissionTime now, node::Effects& out) {
   while (!faults_.empty() && faults_.front().at <= now) {
     const ScheduledFault due = faults_.front();
     faults_.pop_front();
-    out.push_back(node::Log{record_of(
+    out.push_back(node::Log{journal::record_of(
         due.at, name_, lines::Fault{.what = what_of(due.fault), .target = due.fault.uav})});
     const node::Effects effects = translate(simulator_.handle(due.fault, now));
     out.insert(out.end(), effects.begin(), effects.end());
@@ -143,7 +143,7 @@ void SimNode::take(const LinkChange& link, node::Effects& out) const {
   out.push_back(node::Publish{sample});
   lines::Link line{.from = link.from, .to = link.to, .up = link.up};
   if (link.capacity > 0) line.capacity = link.capacity;
-  out.push_back(node::Log{record_of(link.at, name_, std::move(line))});
+  out.push_back(node::Log{journal::record_of(link.at, name_, std::move(line))});
 }
 
 void SimNode::take(const VehicleTruth& truth, node::Effects& out) const {
@@ -170,7 +170,7 @@ void SimNode::take(const ObjectTruth& truth, node::Effects& out) const {
     line.breadth = journal::rounded(truth.front->breadth);
     line.ignition = journal::rounded({from.x(), from.y()});
   }
-  out.push_back(node::Log{record_of(truth.at, name_, std::move(line))});
+  out.push_back(node::Log{journal::record_of(truth.at, name_, std::move(line))});
 }
 
 node::NodeNumber SimNode::number_of(const std::string& name) const {

@@ -11,7 +11,7 @@
 
 #include "skein/blackboard/wire.hpp"
 #include "skein/functional/port.hpp"
-#include "skein/journal/record.hpp"
+#include "skein/journal/line.hpp"
 #include "skein/world/vehicle_state.hpp"
 
 namespace skein::translation {
