@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "fleet.hpp"
-include "skein/assembly/assembly.hpp"
+#include "skein/assembly/assembly.hpp"
 #include "skein/blackboard/dds_transport.hpp"
 #include "skein/blackboard/domain_lease.hpp"
 #include "skein/node/mission_clock.hpp"
@@ -20,295 +20,294 @@ include "skein/assembly/assembly.hpp"
 #include "skein/journal/lines/run.hpp"
 #include "skein/journal/lines/truth.hpp"
 
-    namespace skein::run_tool {
+namespace skein::run_tool {
 
-  namespace {
+namespace {
 
-  namespace lines = journal::lines;
+namespace lines = journal::lines;
 
-  using blackboard::Now;
+using blackboard::Now;
 
-  constexpr const char* kRunner = "runner";
-  constexpr Duration kLook = Duration::milliseconds(100);  ///< between two looks at everything
-  constexpr Duration kStartLimit =
-      Duration::milliseconds(45'000);  ///< for all daemons to become ready
-  constexpr Duration kClockLimit =
-      Duration::milliseconds(15'000);  ///< of silence of the mission clock
-  constexpr Duration kEndLimit = Duration::milliseconds(15'000);  ///< for the daemons to exit
+constexpr const char* kRunner = "runner";
+constexpr Duration kLook = Duration::milliseconds(100);  ///< between two looks at everything
+constexpr Duration kStartLimit =
+    Duration::milliseconds(45'000);  ///< for all daemons to become ready
+constexpr Duration kClockLimit =
+    Duration::milliseconds(15'000);                             ///< of silence of the mission clock
+constexpr Duration kEndLimit = Duration::milliseconds(15'000);  ///< for the daemons to exit
 
-  // ", the machine's load being 9.2 on 2 processors"; why a daemon may have had no turn.
-  std::string load_of_machine() {
-    std::array<double, 1> load{};
-    if (getloadavg(load.data(), 1) != 1) return "";
-    std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(), ", the machine's load being %.1f on %u processors",
-                  load[0], std::thread::hardware_concurrency());
-    return text.data();
+// ", the machine's load being 9.2 on 2 processors"; why a daemon may have had no turn.
+std::string load_of_machine() {
+  std::array<double, 1> load{};
+  if (getloadavg(load.data(), 1) != 1) return "";
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), ", the machine's load being %.1f on %u processors",
+                load[0], std::thread::hardware_concurrency());
+  return text.data();
+}
+
+blackboard::NetworkConfig network_of(const scenario::Scenario& scenario,
+                                     const DdsOptions& options) {
+  blackboard::NetworkConfig network;
+  network.dds =
+      blackboard::dds_from_name(scenario.dds_of(kRunner)).value_or(blackboard::DdsVendor::kFastDds);
+  if (!options.keys.empty()) network.keys = options.keys + "/" + kRunner;
+  if (!options.interfaces.empty()) network.interfaces = options.interfaces;
+  return network;
+}
+
+class DdsRun {
+ public:
+  DdsRun(const scenario::Scenario& scenario, const DdsOptions& options, std::uint32_t domain,
+         Progress& progress)
+      : progress_(progress),
+        roster_(scenario_setup::roster_of(scenario)),
+        transport_(blackboard::make_dds_transport(
+            {domain, kRunner, network_of(scenario, options), {}, roster_.names()})),
+        fleet_(scenario, options, domain),
+        rate_(scenario.rate),
+        faults_(scenario.faults.kills) {
+    std::stable_sort(faults_.begin(), faults_.end(),
+                     [](const auto& a, const auto& b) { return a.at < b.at; });
   }
 
-  blackboard::NetworkConfig network_of(const scenario::Scenario& scenario,
-                                       const DdsOptions& options) {
-    blackboard::NetworkConfig network;
-    network.dds = blackboard::dds_from_name(scenario.dds_of(kRunner))
-                      .value_or(blackboard::DdsVendor::kFastDds);
-    if (!options.keys.empty()) network.keys = options.keys + "/" + kRunner;
-    if (!options.interfaces.empty()) network.interfaces = options.interfaces;
-    return network;
+  Played run() {
+    if (auto opened = open(); !opened) return fail(opened.error().why);
+    for (const std::string& name : fleet_.names()) {
+      if (auto started = start(name); !started) return fail(started.error().why);
+    }
+    follow();
+    wind_up();
+    std::stable_sort(played_.records.begin(), played_.records.end(),
+                     [](const auto& a, const auto& b) { return a.at() < b.at(); });
+    return std::move(played_);
   }
 
-  class DdsRun {
-   public:
-    DdsRun(const scenario::Scenario& scenario, const DdsOptions& options, std::uint32_t domain,
-           Progress& progress)
-        : progress_(progress),
-          roster_(scenario_setup::roster_of(scenario)),
-          transport_(blackboard::make_dds_transport(
-              {domain, kRunner, network_of(scenario, options), {}, roster_.names()})),
-          fleet_(scenario, options, domain),
-          rate_(scenario.rate),
-          faults_(scenario.faults.kills) {
-      std::stable_sort(faults_.begin(), faults_.end(),
-                       [](const auto& a, const auto& b) { return a.at < b.at; });
-    }
-
-    Played run() {
-      if (auto opened = open(); !opened) return fail(opened.error().why);
-      for (const std::string& name : fleet_.names()) {
-        if (auto started = start(name); !started) return fail(started.error().why);
-      }
-      follow();
-      wind_up();
-      std::stable_sort(played_.records.begin(), played_.records.end(),
-                       [](const auto& a, const auto& b) { return a.at() < b.at(); });
-      return std::move(played_);
-    }
-
-   private:
-    struct Restart {
-      Duration at;  ///< steady
-      std::string node;
-      bool forgets = false;
-    };
-
-    Result<void, Failure> open() {
-      transport_->on_arrival([this] { waker_.notify(); });
-      const node::Member& self = *roster_.find(kRunner);
-      blackboard::Config config;
-      config.self = self.number;
-      config.incarnation = static_cast<std::uint64_t>(node::Waker::steady_now().count());
-      config.channels = roster_.channels_of(self);
-      config.world_reads = node::Roster::world_reads_of(self.role);
-      auto board = blackboard::Blackboard::open(std::move(config), *transport_);
-      if (!board) return tl::unexpected(board.error());
-      board_.emplace(std::move(*board));
-      started_ = heard_clock_ = node::Waker::steady_now();
-      return {};
-    }
-
-    Result<void, Failure> start(const std::string& name) {
-      const auto started = fleet_.start(name);
-      if (started) log(lines::Process{.name = name, .state = "started"});
-      return started;
-    }
-
-    // Until the mission is over, something failed, or the user wants no more.
-    void follow() {
-      while (true) {
-        take_all();
-        if (waker_.stop_requested()) return end(Played::End::kInterrupted);
-        if (clock_.phase() == wire::ClockPhase::kFinished) {
-          return end(time_limit_ ? Played::End::kTimeLimit : Played::End::kFinished);
-        }
-        if (look_at_processes(false) || look_at_time()) return;
-        play_faults();
-        progress_.show(now().mission);
-        waker_.wait(kLook);
-      }
-    }
-
-    void end(Played::End end) { played_.end = end; }
-
-    Played fail(const std::string& why, bool timed_out = false) {
-      played_.end = Played::End::kFailed;
-      played_.why = why;
-      played_.timed_out = timed_out;
-      return played_;
-    }
-
-    Now now() {
-      const Duration steady = node::Waker::steady_now();
-      return {clock_.now(steady), steady};
-    }
-
-    void take_all() {
-      for (const auto& incoming : board_->step(now())) {
-        if (const auto* received = std::get_if<blackboard::Received>(&incoming)) take(*received);
-      }
-    }
-
-    void take(const blackboard::Received& received) {
-      if (const auto* clock = std::get_if<wire::Clock>(&received.sample)) {
-        if (clock_.phase() == wire::ClockPhase::kHolding &&
-            clock->phase == wire::ClockPhase::kRunning) {
-          progress_.say("all nodes are ready; the mission starts");
-        }
-        heard_clock_ = node::Waker::steady_now();
-        clock_.update(*clock, heard_clock_);
-      } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&received.sample)) {
-        if (entry->ready && ready_.insert(entry->name).second) {
-          log(lines::Process{.name = entry->name, .state = "ready"});
-          if (entry->name == "ground") say_console();
-        }
-      } else if (const auto* line = std::get_if<wire::JournalEntry>(&received.sample)) {
-        auto parsed = journal::parse_record(line->record);
-        if (!parsed) return;
-        time_limit_ =
-            time_limit_ || (parsed->kind() == "mission" && parsed->text("state") == "time-limit");
-        add(std::move(*parsed));
-      }
-    }
-
-    void say_console() {
-      if (const std::string url = fleet_.console_url(); !url.empty())
-        progress_.say("console at " + url);
-    }
-
-    void add(journal::Record record) {
-      progress_.see(record);
-      played_.records.push_back(std::move(record));
-    }
-
-    template <class Line>
-    void log(Line line) {
-      add(journal::record_of(now().mission, kRunner, std::move(line)));
-    }
-
-    // Notes the daemons that ended; true if one should not have, or not that way. During the
-    // mission none may end but by a scripted kill; after it, all should, with exit code 0, or, told
-    // to stop before they could listen to signals, by the signal.
-    bool look_at_processes(bool winding_up) {
-      for (const Fleet::Ended& ended : fleet_.take_ended()) {
-        const bool stopped = told_to_stop_ && ended.status.signal == SIGTERM;
-        log(lines::Process{.name = ended.name,
-                           .state = ended.crashed() && !stopped ? "crashed" : "exited",
-                           .why = to_text(ended.status),
-                           .cpu = journal::rounded(ended.status.cpu),
-                           .memory = journal::rounded(ended.status.peak_memory)});
-        const bool right = ended.killed || stopped || (winding_up && !ended.crashed());
-        if (right || played_.end == Played::End::kFailed) continue;
-        fail(ended.name + " (" + ended.program + ") died: " + to_text(ended.status) +
-             "; its last lines:\n" + tail_of(ended.log, 5));
-        return true;
-      }
-      return false;
-    }
-
-    bool look_at_time() {
-      const Duration steady = node::Waker::steady_now();
-      if (clock_.phase() == wire::ClockPhase::kHolding) {
-        if (steady - started_ < kStartLimit) return false;
-        std::string missing;
-        for (const std::string& name : fleet_.names()) {
-          if (ready_.count(name) == 0) missing += (missing.empty() ? "" : ", ") + name;
-        }
-        fail("not ready after " + to_text(kStartLimit) + " s: " + missing, true);
-        return true;
-      }
-      if (!restarts_.empty()) heard_clock_ = steady;  // the leader may be dead because it is to be
-      if (steady - heard_clock_ < kClockLimit) return false;
-      fail("the mission clock was not heard for " + to_text(kClockLimit) + " s" + load_of_machine(),
-           true);
-      return true;
-    }
-
-    void play_faults() {
-      if (clock_.phase() != wire::ClockPhase::kRunning) return;
-      while (!faults_.empty() && faults_.front().at <= now().mission) {
-        const scenario::KillSpec fault = faults_.front();
-        faults_.erase(faults_.begin());
-        log(lines::Fault{.what = "kill", .target = fault.node});
-        fleet_.kill(fault.node);
-        ready_.erase(fault.node);
-        if (fault.restart_after) restarts_.push_back(restart_of(fault));
-      }
-      for (auto one = restarts_.begin(); one != restarts_.end();) {
-        if (one->at > node::Waker::steady_now() || fleet_.is_running(one->node)) {
-          ++one;
-          continue;
-        }
-        log(lines::Fault{.what = one->forgets ? "restart" : "resume", .target = one->node});
-        if (one->forgets) fleet_.forget(one->node);
-        (void)start(one->node);
-        one = restarts_.erase(one);
-      }
-    }
-
-    // On the steady clock: mission time stands still while its leader is dead.
-    Restart restart_of(const scenario::KillSpec& fault) const {
-      const Duration away = Duration::seconds(fault.restart_after->to_seconds() / rate_);
-      return {node::Waker::steady_now() + away, fault.node, fault.forgets};
-    }
-
-    // Lets the daemons end by themselves if the mission is over, asks them to otherwise, and makes
-    // them.
-    void wind_up() {
-      const bool over =
-          played_.end == Played::End::kFinished || played_.end == Played::End::kTimeLimit;
-      told_to_stop_ = !over;
-      if (told_to_stop_) fleet_.signal_all(SIGTERM);
-      const Duration limit = node::Waker::steady_now() + kEndLimit;
-      while (fleet_.any_running() && node::Waker::steady_now() < limit) {
-        waker_.wait(kLook);
-        take_all();
-        (void)look_at_processes(true);
-      }
-      if (fleet_.any_running() && over) {
-        fail("still running " + to_text(kEndLimit) + " s after the end: " + fleet_.running_names(),
-             true);
-      }
-      fleet_.kill_all();
-      take_all();
-    }
-
-    Progress& progress_;
-    node::Roster roster_;
-    node::Waker waker_;  // before the transport: it blocks signals for the middleware's threads too
-    std::unique_ptr<blackboard::Transport> transport_;
-    std::optional<blackboard::Blackboard> board_;
-    node::MissionClock clock_;
-    Fleet fleet_;
-    double rate_;
-    std::vector<scenario::KillSpec> faults_;
-    std::vector<Restart> restarts_;
-    std::set<std::string> ready_;
-    Duration started_;
-    Duration heard_clock_;
-    bool time_limit_ = false;
-    bool told_to_stop_ = false;  ///< the daemons, by a signal
-    Played played_;
+ private:
+  struct Restart {
+    Duration at;  ///< steady
+    std::string node;
+    bool forgets = false;
   };
 
-  }  // namespace
-
-  Played play_dds(const scenario::Scenario& scenario, const DdsOptions& options,
-                  Progress& progress) {
-    std::optional<blackboard::DomainLease> lease;
-    std::uint32_t domain = options.domain.value_or(0);
-    if (!options.domain) {
-      auto claimed = blackboard::claim_domain();
-      if (!claimed) {
-        Played failed;
-        failed.end = Played::End::kFailed;
-        failed.why = claimed.error().why;
-        return failed;
-      }
-      lease.emplace(std::move(*claimed));
-      domain = lease->domain();
-    }
-    const std::size_t daemons = Fleet(scenario, options, domain).names().size();
-    progress.say("starting " + std::to_string(daemons) + " daemons on DDS domain " +
-                 std::to_string(domain));
-    return DdsRun(scenario, options, domain, progress).run();
+  Result<void, Failure> open() {
+    transport_->on_arrival([this] { waker_.notify(); });
+    const node::Member& self = *roster_.find(kRunner);
+    blackboard::Config config;
+    config.self = self.number;
+    config.incarnation = static_cast<std::uint64_t>(node::Waker::steady_now().count());
+    config.channels = roster_.channels_of(self);
+    config.world_reads = node::Roster::world_reads_of(self.role);
+    auto board = blackboard::Blackboard::open(std::move(config), *transport_);
+    if (!board) return tl::unexpected(board.error());
+    board_.emplace(std::move(*board));
+    started_ = heard_clock_ = node::Waker::steady_now();
+    return {};
   }
+
+  Result<void, Failure> start(const std::string& name) {
+    const auto started = fleet_.start(name);
+    if (started) log(lines::Process{.name = name, .state = "started"});
+    return started;
+  }
+
+  // Until the mission is over, something failed, or the user wants no more.
+  void follow() {
+    while (true) {
+      take_all();
+      if (waker_.stop_requested()) return end(Played::End::kInterrupted);
+      if (clock_.phase() == wire::ClockPhase::kFinished) {
+        return end(time_limit_ ? Played::End::kTimeLimit : Played::End::kFinished);
+      }
+      if (look_at_processes(false) || look_at_time()) return;
+      play_faults();
+      progress_.show(now().mission);
+      waker_.wait(kLook);
+    }
+  }
+
+  void end(Played::End end) { played_.end = end; }
+
+  Played fail(const std::string& why, bool timed_out = false) {
+    played_.end = Played::End::kFailed;
+    played_.why = why;
+    played_.timed_out = timed_out;
+    return played_;
+  }
+
+  Now now() {
+    const Duration steady = node::Waker::steady_now();
+    return {clock_.now(steady), steady};
+  }
+
+  void take_all() {
+    for (const auto& incoming : board_->step(now())) {
+      if (const auto* received = std::get_if<blackboard::Received>(&incoming)) take(*received);
+    }
+  }
+
+  void take(const blackboard::Received& received) {
+    if (const auto* clock = std::get_if<wire::Clock>(&received.sample)) {
+      if (clock_.phase() == wire::ClockPhase::kHolding &&
+          clock->phase == wire::ClockPhase::kRunning) {
+        progress_.say("all nodes are ready; the mission starts");
+      }
+      heard_clock_ = node::Waker::steady_now();
+      clock_.update(*clock, heard_clock_);
+    } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&received.sample)) {
+      if (entry->ready && ready_.insert(entry->name).second) {
+        log(lines::Process{.name = entry->name, .state = "ready"});
+        if (entry->name == "ground") say_console();
+      }
+    } else if (const auto* line = std::get_if<wire::JournalEntry>(&received.sample)) {
+      auto parsed = journal::parse_record(line->record);
+      if (!parsed) return;
+      time_limit_ =
+          time_limit_ || (parsed->kind() == "mission" && parsed->text("state") == "time-limit");
+      add(std::move(*parsed));
+    }
+  }
+
+  void say_console() {
+    if (const std::string url = fleet_.console_url(); !url.empty())
+      progress_.say("console at " + url);
+  }
+
+  void add(journal::Record record) {
+    progress_.see(record);
+    played_.records.push_back(std::move(record));
+  }
+
+  template <class Line>
+  void log(Line line) {
+    add(journal::record_of(now().mission, kRunner, std::move(line)));
+  }
+
+  // Notes the daemons that ended; true if one should not have, or not that way. During the
+  // mission none may end but by a scripted kill; after it, all should, with exit code 0, or, told
+  // to stop before they could listen to signals, by the signal.
+  bool look_at_processes(bool winding_up) {
+    for (const Fleet::Ended& ended : fleet_.take_ended()) {
+      const bool stopped = told_to_stop_ && ended.status.signal == SIGTERM;
+      log(lines::Process{.name = ended.name,
+                         .state = ended.crashed() && !stopped ? "crashed" : "exited",
+                         .why = to_text(ended.status),
+                         .cpu = journal::rounded(ended.status.cpu),
+                         .memory = journal::rounded(ended.status.peak_memory)});
+      const bool right = ended.killed || stopped || (winding_up && !ended.crashed());
+      if (right || played_.end == Played::End::kFailed) continue;
+      fail(ended.name + " (" + ended.program + ") died: " + to_text(ended.status) +
+           "; its last lines:\n" + tail_of(ended.log, 5));
+      return true;
+    }
+    return false;
+  }
+
+  bool look_at_time() {
+    const Duration steady = node::Waker::steady_now();
+    if (clock_.phase() == wire::ClockPhase::kHolding) {
+      if (steady - started_ < kStartLimit) return false;
+      std::string missing;
+      for (const std::string& name : fleet_.names()) {
+        if (ready_.count(name) == 0) missing += (missing.empty() ? "" : ", ") + name;
+      }
+      fail("not ready after " + to_text(kStartLimit) + " s: " + missing, true);
+      return true;
+    }
+    if (!restarts_.empty()) heard_clock_ = steady;  // the leader may be dead because it is to be
+    if (steady - heard_clock_ < kClockLimit) return false;
+    fail("the mission clock was not heard for " + to_text(kClockLimit) + " s" + load_of_machine(),
+         true);
+    return true;
+  }
+
+  void play_faults() {
+    if (clock_.phase() != wire::ClockPhase::kRunning) return;
+    while (!faults_.empty() && faults_.front().at <= now().mission) {
+      const scenario::KillSpec fault = faults_.front();
+      faults_.erase(faults_.begin());
+      log(lines::Fault{.what = "kill", .target = fault.node});
+      fleet_.kill(fault.node);
+      ready_.erase(fault.node);
+      if (fault.restart_after) restarts_.push_back(restart_of(fault));
+    }
+    for (auto one = restarts_.begin(); one != restarts_.end();) {
+      if (one->at > node::Waker::steady_now() || fleet_.is_running(one->node)) {
+        ++one;
+        continue;
+      }
+      log(lines::Fault{.what = one->forgets ? "restart" : "resume", .target = one->node});
+      if (one->forgets) fleet_.forget(one->node);
+      (void)start(one->node);
+      one = restarts_.erase(one);
+    }
+  }
+
+  // On the steady clock: mission time stands still while its leader is dead.
+  Restart restart_of(const scenario::KillSpec& fault) const {
+    const Duration away = Duration::seconds(fault.restart_after->to_seconds() / rate_);
+    return {node::Waker::steady_now() + away, fault.node, fault.forgets};
+  }
+
+  // Lets the daemons end by themselves if the mission is over, asks them to otherwise, and makes
+  // them.
+  void wind_up() {
+    const bool over =
+        played_.end == Played::End::kFinished || played_.end == Played::End::kTimeLimit;
+    told_to_stop_ = !over;
+    if (told_to_stop_) fleet_.signal_all(SIGTERM);
+    const Duration limit = node::Waker::steady_now() + kEndLimit;
+    while (fleet_.any_running() && node::Waker::steady_now() < limit) {
+      waker_.wait(kLook);
+      take_all();
+      (void)look_at_processes(true);
+    }
+    if (fleet_.any_running() && over) {
+      fail("still running " + to_text(kEndLimit) + " s after the end: " + fleet_.running_names(),
+           true);
+    }
+    fleet_.kill_all();
+    take_all();
+  }
+
+  Progress& progress_;
+  node::Roster roster_;
+  node::Waker waker_;  // before the transport: it blocks signals for the middleware's threads too
+  std::unique_ptr<blackboard::Transport> transport_;
+  std::optional<blackboard::Blackboard> board_;
+  node::MissionClock clock_;
+  Fleet fleet_;
+  double rate_;
+  std::vector<scenario::KillSpec> faults_;
+  std::vector<Restart> restarts_;
+  std::set<std::string> ready_;
+  Duration started_;
+  Duration heard_clock_;
+  bool time_limit_ = false;
+  bool told_to_stop_ = false;  ///< the daemons, by a signal
+  Played played_;
+};
+
+}  // namespace
+
+Played play_dds(const scenario::Scenario& scenario, const DdsOptions& options, Progress& progress) {
+  std::optional<blackboard::DomainLease> lease;
+  std::uint32_t domain = options.domain.value_or(0);
+  if (!options.domain) {
+    auto claimed = blackboard::claim_domain();
+    if (!claimed) {
+      Played failed;
+      failed.end = Played::End::kFailed;
+      failed.why = claimed.error().why;
+      return failed;
+    }
+    lease.emplace(std::move(*claimed));
+    domain = lease->domain();
+  }
+  const std::size_t daemons = Fleet(scenario, options, domain).names().size();
+  progress.say("starting " + std::to_string(daemons) + " daemons on DDS domain " +
+               std::to_string(domain));
+  return DdsRun(scenario, options, domain, progress).run();
+}
 
 }  // namespace skein::run_tool

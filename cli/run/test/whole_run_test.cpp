@@ -8,10 +8,10 @@
 #include <csignal>
 #include <sstream>
 
+#include "skein/assembly/assembly.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/run_tool/interrupt_guard.hpp"
 #include "skein/run_tool/run.hpp"
-#include "skein/scenario_setup/overrides.hpp"
 #include "testing/scenario_copy.hpp"
 
 namespace skein::run_tool {

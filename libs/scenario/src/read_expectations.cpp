@@ -56,8 +56,8 @@ void check_fields(const Reader& reader) {
   if (!kind.present()) return;
   for (const auto& [key, field] : entries_of(reader)) {
     if (std::find(fields.begin(), fields.end(), key) != fields.end()) continue;
-    field.error("no record of this kind has a field '" + key + "'",
-                "a field of docs/journal.md", nearest_name(key, fields));
+    field.error("no record of this kind has a field '" + key + "'", "a field of docs/journal.md",
+                nearest_name(key, fields));
   }
 }
 

@@ -5,99 +5,99 @@
 #include <cstdio>
 #include <cstdlib>
 
-include "skein/assembly/assembly.hpp"
+#include "skein/assembly/assembly.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/scenario_setup/setup.hpp"
 
-    namespace skein::testing {
+namespace skein::testing {
 
-  namespace {
+namespace {
 
-  [[noreturn]] void give_up(const Diagnostics& diagnostics) {
-    std::fputs(to_text(diagnostics).c_str(), stderr);
-    std::abort();
+[[noreturn]] void give_up(const Diagnostics& diagnostics) {
+  std::fputs(to_text(diagnostics).c_str(), stderr);
+  std::abort();
+}
+
+struct AsText {
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(std::int64_t value) const { return std::to_string(value); }
+  std::string operator()(double value) const { return std::to_string(value); }
+  std::string operator()(const std::string& value) const { return value; }
+  std::string operator()(const std::vector<double>&) const { return "[]"; }
+};
+
+bool has(const journal::Record& record, const std::string& key, const std::string& value) {
+  if (key == "kind") return record.kind() == value;
+  if (key == "node") return record.node() == value;
+  const journal::Value* field = record.find(key);
+  return field != nullptr && std::visit(AsText{}, *field) == value;
+}
+
+}  // namespace
+
+std::string Mission::log() const {
+  std::string text;
+  for (const journal::Record& record : records) text += journal::to_json(record) + "\n";
+  return text;
+}
+
+std::string Mission::failures() const {
+  std::string text;
+  for (const scenario::Verdict& verdict : verdicts) {
+    if (!verdict.passed) text += verdict.name + ": " + verdict.seen + "\n";
   }
+  return text;
+}
 
-  struct AsText {
-    std::string operator()(bool value) const { return value ? "true" : "false"; }
-    std::string operator()(std::int64_t value) const { return std::to_string(value); }
-    std::string operator()(double value) const { return std::to_string(value); }
-    std::string operator()(const std::string& value) const { return value; }
-    std::string operator()(const std::vector<double>&) const { return "[]"; }
-  };
-
-  bool has(const journal::Record& record, const std::string& key, const std::string& value) {
-    if (key == "kind") return record.kind() == value;
-    if (key == "node") return record.node() == value;
-    const journal::Value* field = record.find(key);
-    return field != nullptr && std::visit(AsText{}, *field) == value;
+std::vector<journal::Record> Mission::find(const Fields& fields) const {
+  std::vector<journal::Record> found;
+  for (const journal::Record& record : records) {
+    const bool all = std::all_of(fields.begin(), fields.end(), [&](const auto& field) {
+      return has(record, field.first, field.second);
+    });
+    if (all) found.push_back(record);
   }
+  return found;
+}
 
-  }  // namespace
+std::optional<double> Mission::first(const Fields& fields) const {
+  const auto found = find(fields);
+  if (found.empty()) return std::nullopt;
+  return found.front().at().to_seconds();
+}
 
-  std::string Mission::log() const {
-    std::string text;
-    for (const journal::Record& record : records) text += journal::to_json(record) + "\n";
-    return text;
-  }
+scenario::Scenario scenario_at(const std::string& name,
+                               const scenario_setup::Overrides& overrides) {
+  auto scenario = assembly::load_scenario(
+      std::string(SKEIN_SOURCE_DIR) + "/scenarios/" + name + ".yaml", overrides);
+  if (!scenario) give_up(scenario.error());
+  return std::move(*scenario);
+}
 
-  std::string Mission::failures() const {
-    std::string text;
-    for (const scenario::Verdict& verdict : verdicts) {
-      if (!verdict.passed) text += verdict.name + ": " + verdict.seen + "\n";
-    }
-    return text;
-  }
+scenario::Scenario comets(const std::string& name, const scenario_setup::Overrides& overrides) {
+  return scenario_at("comets/" + name, overrides);
+}
 
-  std::vector<journal::Record> Mission::find(const Fields& fields) const {
-    std::vector<journal::Record> found;
-    for (const journal::Record& record : records) {
-      const bool all = std::all_of(fields.begin(), fields.end(), [&](const auto& field) {
-        return has(record, field.first, field.second);
-      });
-      if (all) found.push_back(record);
-    }
-    return found;
-  }
+scenario_setup::Overrides with(std::uint64_t seed, std::vector<std::string> degrees) {
+  scenario_setup::Overrides overrides;
+  overrides.seed = seed;
+  overrides.degrees = std::move(degrees);
+  return overrides;
+}
 
-  std::optional<double> Mission::first(const Fields& fields) const {
-    const auto found = find(fields);
-    if (found.empty()) return std::nullopt;
-    return found.front().at().to_seconds();
-  }
-
-  scenario::Scenario scenario_at(const std::string& name,
-                                 const scenario_setup::Overrides& overrides) {
-    auto scenario = assembly::load_scenario(
-        std::string(SKEIN_SOURCE_DIR) + "/scenarios/" + name + ".yaml", overrides);
-    if (!scenario) give_up(scenario.error());
-    return std::move(*scenario);
-  }
-
-  scenario::Scenario comets(const std::string& name, const scenario_setup::Overrides& overrides) {
-    return scenario_at("comets/" + name, overrides);
-  }
-
-  scenario_setup::Overrides with(std::uint64_t seed, std::vector<std::string> degrees) {
-    scenario_setup::Overrides overrides;
-    overrides.seed = seed;
-    overrides.degrees = std::move(degrees);
-    return overrides;
-  }
-
-  Mission play(const scenario::Scenario& scenario) {
-    Mission mission;
-    const auto outcome = node::run_virtual(
-        scenario_setup::roster_of(scenario),
-        [&](const std::string& name) { return assembly::make_node(scenario, name); },
-        assembly::virtual_config(scenario),
-        [&](const journal::Record& record) { mission.records.push_back(record); });
-    mission.end = outcome.end;
-    std::stable_sort(mission.records.begin(), mission.records.end(),
-                     [](const auto& a, const auto& b) { return a.at() < b.at(); });
-    mission.verdicts = scenario::check(scenario.expectations, mission.records);
-    mission.untrue = laws::to_text(laws::broken_laws(scenario, mission.records));
-    return mission;
-  }
+Mission play(const scenario::Scenario& scenario) {
+  Mission mission;
+  const auto outcome = node::run_virtual(
+      scenario_setup::roster_of(scenario),
+      [&](const std::string& name) { return assembly::make_node(scenario, name); },
+      assembly::virtual_config(scenario),
+      [&](const journal::Record& record) { mission.records.push_back(record); });
+  mission.end = outcome.end;
+  std::stable_sort(mission.records.begin(), mission.records.end(),
+                   [](const auto& a, const auto& b) { return a.at() < b.at(); });
+  mission.verdicts = scenario::check(scenario.expectations, mission.records);
+  mission.untrue = laws::to_text(laws::broken_laws(scenario, mission.records));
+  return mission;
+}
 
 }  // namespace skein::testing

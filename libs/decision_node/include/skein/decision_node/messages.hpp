@@ -132,10 +132,10 @@ struct Tick {};
 
 using Input =
     std::variant<Started, Command, UnreadableCommand, PlaceTold, ElementaryRequest, GroundTaskSeen,
-                 StatusTold, SyncMessage, DegreeTold, world::Telemetry, world::Perception, Contact, LayerForgot,
-                 supervisor::JobFinished, interaction::SessionMessage, PartnerSeen, JointTaskTold,
-                 GroundNegotiates, GroundPlays, ReckoningFinished, TeamTold, MergeTold,
-                 FrontierTold, Tick>;
+                 StatusTold, SyncMessage, DegreeTold, world::Telemetry, world::Perception, Contact,
+                 LayerForgot, supervisor::JobFinished, interaction::SessionMessage, PartnerSeen,
+                 JointTaskTold, GroundNegotiates, GroundPlays, ReckoningFinished, TeamTold,
+                 MergeTold, FrontierTold, Tick>;
 
 // ---- effects, to be carried out in their order ----
 

@@ -12,7 +12,6 @@
 
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/journal/line.hpp"
-#include "skein/journal/line.hpp"
 #include "skein/node/input_log.hpp"
 #include "skein/node/node.hpp"
 #include "skein/node/roster.hpp"
