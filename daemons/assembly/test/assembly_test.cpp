@@ -4,17 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "testing/comets.hpp"
+
 namespace skein::assembly {
 namespace {
 
 using ::testing::HasSubstr;
-
-scenario::Scenario comets() {
-  auto scenario =
-      scenario::read_scenario(std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/confirmed.yaml");
-  if (!scenario) ADD_FAILURE() << to_text(scenario.error());
-  return scenario ? *scenario : scenario::Scenario();
-}
 
 MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
 

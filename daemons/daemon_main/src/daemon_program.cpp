@@ -17,6 +17,7 @@
 #include "rights.hpp"
 #include "service_manager.hpp"
 #include "skein/assembly/assembly.hpp"
+#include "skein/assembly/belief_layer.hpp"
 #include "skein/assembly/overrides.hpp"
 #include "skein/assembly/page_world.hpp"
 #include "skein/console/console.hpp"
@@ -102,6 +103,8 @@ Result<std::unique_ptr<console::Console>, Failure> open_console(
   config.world = assembly::page_world(scenario);
   const auto models = designer::models_of(options.scenario);
   if (!models.empty()) config.annex = std::make_shared<designer::Workbench>(models);
+  const auto belief = std::make_shared<assembly::BeliefLayer>(scenario);
+  config.explain = [belief](const wire::Sample& sample) { return belief->see(sample); };
   if (auto read = console::read_address(options.console, config); !read) {
     return tl::unexpected(read.error());
   }
