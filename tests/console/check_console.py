@@ -252,7 +252,26 @@ def check_gives_a_mission_from_the_form(browser, mission):
     page.until(requests_tell("acknowledged"))
     page.until(f"{card('marvin')}.textContent.includes('general-takeoff')")
     page.until(f"{card('marvin')}.querySelector('.goals')?.textContent.includes('achieved')")
+    check_picks_zones_and_places_on_the_map(page)
     page.close()
+
+
+def check_picks_zones_and_places_on_the_map(page):
+    """The form steps aside, a point is picked, and it comes back with what is there; also when nothing is picked."""
+    page.says("document.getElementById('mission-button').click()")
+    page.says("""(() => { const kind = document.querySelector('#mission fieldset select');
+        kind.value = 'perform-detection'; kind.dispatchEvent(new Event('change')); })()""")
+    given = "[...document.querySelectorAll('#mission fieldset label select')].map((one) => one.value === 'point' ? one.selectedOptions[0].textContent : one.value).join()"
+    before = page.says(given)
+    assert before.startswith("A,"), before
+    for what, keys, after in (("zone", "Escape", before), ("zone", " ", "Z," + before.split(",")[1]), ("place", " ", "Z,360, 130")):
+        page.says("(async () => Object.assign((await import('/map.js')).view, {x: 360, y: 130}))()")
+        page.says(f"document.querySelector('#mission button[title=\"a {what} on the map\"]').click()")
+        page.until("document.activeElement === document.getElementById('map') && !document.getElementById('mission').open")
+        page.press(keys)
+        page.until("document.getElementById('mission').open")
+        assert page.says(given) == after, (what, page.says(given), after)
+    page.says("document.getElementById('mission').close()")
 
 
 def check_replays_what_was_recorded(browser, build):
@@ -286,6 +305,89 @@ def check_shows_joint_tasks(browser, build):
         assert any(re.search(r"^[\w-]+: \S+ (loaded|running).* with \w+ \(", one) for one in told), told
         assert page.says("[...document.querySelectorAll('.card dd')].some((one) => /% to home/.test(one.textContent))")
         page.close()
+
+
+def check_draws_spatial_constraints(browser, build):
+    """What a role must hold is drawn where it holds: while no constraint is told to be violated, each UAV is where its constraints let it be."""
+    with Replay(build, SOURCE / "scenarios/mref/nominal.yaml", 60) as replay:
+        page = browser.page(replay.url)
+        page.until("document.querySelectorAll('.joint li').length >= 2")
+        page.until("document.getElementById('play')")
+        page.says("document.getElementById('play').textContent === 'halt' && document.getElementById('play').click()")
+        page.until("document.getElementById('play').textContent === 'play'")
+        seen = {}
+        for at in range(200, 900, 50):
+            page.says(f"(() => {{ const at = document.getElementById('at'); at.value = {at}; at.dispatchEvent(new Event('change')); }})()")
+            page.until(f"document.getElementById('clock').textContent === '{at // 60:02d}:{at % 60:02d}'")
+            told = page.says("""(async () => {
+                const {model, placeOf} = await import('/feed.js'), {constraintsOf, isIn, regionOf} = await import('/constraints.js');
+                return [...model.uavs.values()].flatMap((uav) => { const at = placeOf(uav);
+                  return constraintsOf(uav).map(({scm, violated, figures}) => ({uav: uav.name, scm, violated, known: figures !== null,
+                    holds: figures?.every((figure) => isIn(regionOf(figure, at.z), [at.x, at.y]))})); }); })()""")
+            for one in told:
+                assert one["known"], one
+                if not one["violated"]:
+                    assert one["holds"], (at, one)
+                seen.setdefault(one["scm"], set()).add(one["uav"])
+        assert set(seen) == {"mcs1", "mcs2", "mcs3"}, seen
+        assert len(seen["mcs1"]) == 2 and len(seen["mcs2"]) == 1 and len(seen["mcs3"]) == 1, seen
+        page.close()
+
+
+def check_twenty_are_readable(browser, build):
+    """Twenty UAVs have a head each at the right and a row each in the chronology; the chosen one is shown whole."""
+    with Replay(build, fleet(20, SOURCE, until=40), 20) as replay:
+        page = browser.page(replay.url)
+        page.until("document.querySelectorAll('.card').length === 20")
+        page.until("document.getElementById('cards').scrollHeight <= document.getElementById('cards').clientHeight")
+        page.until("document.getElementById('chronology').clientHeight >= 20 * 20")
+        assert page.says(f"getComputedStyle({card('heli7')}.querySelector('dl')).display") == "none"
+        page.says(f"{card('heli7')}.querySelector('header').focus()")
+        page.press("Enter")
+        page.until(f"getComputedStyle({card('heli7')}.querySelector('dl')).display !== 'none'")
+        page.close()
+
+
+def line_of_sight(ground, a, b):
+    """By many points of the segment: of the bilinear ground between the points of the grid."""
+    def level(x, y):
+        u = min(max((x - ground["west"]) / ground["step"], 0), ground["columns"] - 1)
+        v = min(max((y - ground["south"]) / ground["step"], 0), ground["rows"] - 1)
+        i, j = min(int(u), ground["columns"] - 2), min(int(v), ground["rows"] - 2)
+        z = lambda c, r: ground["heights"][r * ground["columns"] + c]
+        u, v = u - i, v - j
+        return (z(i, j) * (1 - u) + z(i + 1, j) * u) * (1 - v) + (z(i, j + 1) * (1 - u) + z(i + 1, j + 1) * u) * v
+    steps = 400
+    return all(a[2] + (b[2] - a[2]) * k / steps >= level(a[0] + (b[0] - a[0]) * k / steps, a[1] + (b[1] - a[1]) * k / steps) for k in range(1, steps))
+
+
+def check_draws_a_view_shed(browser, build):
+    """Behind the spurs of real ground nothing is seen; as a line of sight that is walked along says."""
+    with Replay(build, SOURCE / "scenarios/jacksboro/fire.yaml", 60) as replay:
+        page = browser.page(replay.url)
+        page.until("document.getElementById('viewshed')")
+        page.says("(() => { const one = document.getElementById('viewshed'); one.value = 'ground'; one.dispatchEvent(new Event('change')); })()")
+        page.until("document.getElementById('legend').textContent.includes('not heard by the ground')")
+        ground, place = page.says("(async () => { const {model} = await import('/feed.js'); return [model.world.terrain, model.world.ground]; })()")
+        height = 40
+        seen = page.says(f"(async () => [...(await import('/viewshed.js')).viewshed((await import('/feed.js')).model.world.terrain, {json.dumps(place)}, {height})])()")
+        assert 0.05 < sum(seen) / len(seen) < 0.95, "nothing is hidden, or all of it"
+        same = asked = 0
+        for k in range(0, len(seen), 23):
+            x, y = ground["west"] + k % ground["columns"] * ground["step"], ground["south"] + k // ground["columns"] * ground["step"]
+            same += line_of_sight(ground, place, (x, y, ground["heights"][k] + height)) == bool(seen[k])
+            asked += 1
+        assert same / asked > 0.95, (same, asked)
+        page.close()
+
+
+def check_shows_what_was_searched(browser, mission):
+    page = opened(browser, mission)
+    page.until("document.getElementById('legend').textContent.includes('belief of fire')")
+    page.until("""(async () => { const {model} = await import('/feed.js'), t = model.world.terrain;
+        return [...model.looks.values()].some((look) => { const cells = model.belief.get(Math.round((look.viewpoint.y - t.south) / t.step));
+          return cells && /[0-9]/.test(cells[Math.round((look.viewpoint.x - t.west) / t.step)]); }); })()""")
+    page.close()
 
 
 def check_shows_a_cut_link(browser, mission):
@@ -380,6 +482,7 @@ def check(build, pictures):
             check_takes_in_hand_late_and_by_several(browser, mission)
             check_names_are_text(browser, mission)
             check_is_used_by_keys(browser, mission)
+            check_shows_what_was_searched(browser, mission)
             if pictures:
                 page = opened(browser, mission)
                 page.picture(f"{pictures}/console.png")
@@ -391,6 +494,9 @@ def check(build, pictures):
             print(f"a cut link is shown after {seconds:.1f} s")
         check_replays_what_was_recorded(browser, build)
         check_shows_joint_tasks(browser, build)
+        check_draws_spatial_constraints(browser, build)
+        check_draws_a_view_shed(browser, build)
+        check_twenty_are_readable(browser, build)
         assert not browser.errors, browser.errors
     finally:
         browser.close()
@@ -410,6 +516,7 @@ def main():
         tell_frames(options.build, 20)
         tell_cost(options.build, 3)
         tell_cost(options.build, 8)
+        tell_cost(options.build, 20)
     else:
         check(options.build, options.pictures)
         print("the console does what it should")

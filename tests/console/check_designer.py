@@ -6,6 +6,7 @@ check_designer.py BUILD_DIR [--picture FILE]
 import argparse
 import difflib
 import json
+import math
 import pathlib
 import shutil
 import subprocess
@@ -227,6 +228,7 @@ def check(build, picture):
         with Designer(build) as designer:
             sheet = Sheet(browser, designer)
             check_shows_the_model(sheet)
+            check_draws_what_flight_checks(sheet)
             check_edits_by_mouse(sheet, designer)
             check_moves_by_keys(sheet)
             check_picks_on_the_map(sheet)
@@ -246,6 +248,45 @@ def check(build, picture):
         assert not browser.errors, browser.errors
     finally:
         browser.close()
+
+
+# SCM, heights, positions of its places, its numbers, and the same in the words of the map (constraints.js).
+SHAPES = [
+    ("perception", (10, 25, 40), {"target": [0, 0, 0], "behind": [70, 20, 0]}, {"near": 25, "far": 60, "azimuth": 0, "altitude": 0.5236},
+     [("distance", ">", "target", None, 25, 0), ("distance", "<", "target", None, 60, 0),
+      ("azimuth", "=", "target", "behind", 0, 0.2), ("altitude", "=", "target", "behind", 0.5236, 0.2)]),
+    ("between", (0, 40, 90), {"one": [-30, 10, 20], "other": [40, -20, 0]}, {"reach": 80},
+     [("distance", "<", "one", None, 80, 0), ("distance", "<", "other", None, 80, 0)]),
+    ("overview", (15, 60), {"place": [10, -15, 5], "aside": [20, 0, 5]}, {"far": 90, "altitude": 0.6},
+     [("distance", "<", "place", None, 90, 0), ("altitude", ">", "place", "aside", 0.6, 0)]),
+    ("overview", (15, -40), {"place": [10, -15, 5], "aside": [20, 0, 5]}, {"far": 90, "altitude": -0.7},
+     [("distance", "<", "place", None, 90, 0), ("altitude", ">", "place", "aside", -0.7, 0)]),
+    ("separation", (5, 30), {"from": [0, 0, 0]}, {"least": 40}, [("distance", ">", "from", None, 40, 0)]),
+]
+
+
+def check_draws_what_flight_checks(sheet):
+    """The shapes on the operators' map are where the code that watches them in flight finds them satisfied."""
+    for scm, heights, places, numbers, figures in SHAPES:
+        direction = lambda a, b: math.atan2(places[b][1] - places[a][1], places[b][0] - places[a][0])
+        shapes = [{"quantity": q, "relation": r, "origin": places[of], "zero": direction(of, to) if to else 0, "bound": bound, "tolerance": tolerance}
+                  for q, r, of, to, bound, tolerance in figures]
+        found = 0
+        for height in heights:
+            asked = {"scm": scm, "west": -150, "south": -150, "step": 5, "columns": 60, "rows": 60, "altitude": height,
+                     "places": {name: [at] for name, at in places.items()}, "numbers": numbers}
+            same, inside = sheet.page.says(f"""(async () => {{
+                const {{post, currentTexts}} = await import('/designer-state.js'), {{isIn, regionOf}} = await import('/constraints.js');
+                const rows = (await post('scm', {{...{json.dumps(asked)}, texts: currentTexts()}})).rows;
+                const regions = {json.dumps(shapes)}.map((one) => regionOf(one, {height}));
+                let same = 0, inside = 0;
+                rows.forEach((row, y) => [...row].forEach((cell, x) => {{
+                  const here = regions.every((region) => isIn(region, [-150 + 5 * (x + 0.5), -150 + 5 * (y + 0.5)]));
+                  same += here === (cell === '1'); inside += cell === '1'; }}));
+                return [same, inside]; }})()""")
+            assert same == 3600, (scm, height, same)
+            found += inside
+        assert found > 0, f"{scm} holds nowhere: nothing was compared"
 
 
 def main():

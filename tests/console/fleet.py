@@ -17,6 +17,7 @@ duration_limit: 3600
 world:
   include: {source}/scenarios/worlds/lousa.yaml
   zones:
+    A: [[-200, -200], [-100, -200], [-100, -100], [-200, -100]]
     Z: [[260, 60], [460, 60], [460, 200], [260, 200]]
   places:
     P: [300, 100, 0]

@@ -101,6 +101,8 @@ bool Retold::take_for_all(const Record& record, Samples& news) {
   const std::string& kind = record.kind();
   if (kind == "link") {
     news.push_back(link(record));
+  } else if (kind == "seen") {
+    news.push_back(seen(record));
   } else if (kind == "reach") {
     news = take_reach(record);
   } else if (kind == "phase" || kind == "alarm" || kind == "command" || kind == "owner" ||
@@ -269,6 +271,19 @@ void Retold::take_command(const Record& record) {
   found->why = text_of(record, "why");
   set_by_name(found->state, record.text("state"));
   if (wire::is_settled(found->state)) found->settled = record.at().count();
+}
+
+Sample Retold::seen(const Record& record) {
+  wire::SeenObject object;
+  object.name = text_of(record, "name");
+  object.header.origin = kGround;
+  const auto number = static_cast<std::uint32_t>(objects_.size());
+  object.header.instance = objects_.try_emplace(object.name, number).first->second;
+  object.kind = text_of(record, "type");
+  object.at = point_of(record, "position");
+  object.spread = record.number("spread");
+  object.seen = instant(record, "when", record.at().count());
+  return object;
 }
 
 Sample Retold::link(const Record& record) const {

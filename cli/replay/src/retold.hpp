@@ -48,10 +48,12 @@ class Retold {
   void take_alarm(const journal::Record& record);
   void take_command(const journal::Record& record);
   wire::Sample link(const journal::Record& record) const;
+  wire::Sample seen(const journal::Record& record);
   std::uint32_t number_of(std::string_view node) const;
 
   std::map<std::string, Uav, std::less<>> uavs_;
   wire::GroundBoard ground_;
+  std::map<std::string, std::uint32_t, std::less<>> objects_;  ///< instances, by name
 };
 
 }  // namespace skein::replay_tool

@@ -39,6 +39,26 @@ class ARetoldRun : public ::testing::Test {
   Retold retold{{"karma", "marvin"}};
 };
 
+TEST_F(ARetoldRun, TellsWhereObjectsWereSeen) {
+  const std::vector<double> at = {120, 80, 5};
+  see(line(3, "ground", "seen").with("name", "fire").with("type", "fire"));
+  const auto news = see(line(9, "ground", "seen")
+                            .with("name", "car")
+                            .with("type", "vehicle")
+                            .with("position", at)
+                            .with("spread", 4.0)
+                            .with("when", 8.5));
+
+  const auto object = last<wire::SeenObject>(news);
+  EXPECT_EQ(object.name, "car");
+  EXPECT_EQ(object.kind, "vehicle");
+  EXPECT_EQ(object.at.x, 120);
+  EXPECT_EQ(object.spread, 4);
+  EXPECT_EQ(object.seen, MissionTime::seconds(8.5).count());
+  const auto other = last<wire::SeenObject>(see(line(10, "ground", "seen").with("name", "fire")));
+  EXPECT_NE(other.header.instance, object.header.instance) << "each object is a value of its own";
+}
+
 TEST_F(ARetoldRun, TellsWhereAUavStandsInAJointTask) {
   see(line(8, "marvin", "joint").with("uav", "marvin").with("joint", "other").with("task", 2));
   const auto news = see(line(9, "marvin", "joint")

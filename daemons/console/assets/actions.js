@@ -2,7 +2,8 @@
 // What operators ask, and the forms in which they say it.
 import {$, el, fill, slide} from "./dom.js";
 import {ask, mine, model, operator} from "./feed.js";
-import {heightAt, pick, view} from "./map.js";
+import {pick, view} from "./map.js";
+import {heightAt} from "./relief.js";
 
 export const take = (uav) => ask([{take_in_hand: {uav}}], `take ${uav} in hand`);
 export const giveBack = (uav) => ask([{give_back: {uav}}], `give ${uav} back`);
@@ -49,10 +50,32 @@ export function closeAir() {
 
 // ---- a mission ----
 
+function isInside(polygon, [x, y]) {
+  let inside = false;
+  for (let i = 0, j = polygon.length - 1; i < polygon.length; j = i, i += 1) {
+    const [ax, ay] = polygon[i], [bx, by] = polygon[j];
+    if (ay > y !== by > y && x < ax + ((bx - ax) * (y - ay)) / (by - ay)) inside = !inside;
+  }
+  return inside;
+}
+
 /** An input for one argument of a high-level task; `read` gives what it says. */
 function argument(kind, uav) {
   const choose = (names) => el("select", {}, ...names.map((name) => el("option", {value: name}, name)));
-  if (kind === "zone") { const s = choose(model.world.zones.map((z) => z.name)); return {node: s, read: () => s.value}; }
+  /** A button beside a choice: a click on the map makes it. */
+  const onMap = (hint, done) => {
+    const button = el("button", {type: "button", title: hint + " on the map"}, "map");
+    button.addEventListener("click", () => {
+      $("mission").close();
+      pick({hint, one: true, left: () => $("mission").show(), done([at]) { done(at); $("mission").show(); }});
+    });
+    return button;
+  };
+  if (kind === "zone") {
+    const s = choose(model.world.zones.map((z) => z.name));
+    const take = (at) => { s.value = model.world.zones.findLast((z) => isInside(z.polygon, at))?.name ?? s.value; };
+    return {node: el("span", {}, s, onMap("a zone", take)), read: () => s.value};
+  }
   if (kind === "device") { const s = choose(model.uavs.get(uav)?.sensors ?? []); return {node: s, read: () => s.value}; }
   if (kind === "uav") { const s = choose([...model.uavs.keys()]); return {node: s, read: () => s.value}; }
   if (kind === "uavs" || kind === "places") {
@@ -64,16 +87,14 @@ function argument(kind, uav) {
     const names = [...model.world.places.map((p) => p.name), ...(model.ground?.alarms ?? []).map((a) => `alarm:${a.id}`)];
     const s = choose(names);
     let point = null;
-    const onMap = el("button", {type: "button", title: "a point on the map"}, "map");
-    onMap.addEventListener("click", () => {
-      $("mission").close();
-      pick({hint: "a place", one: true, done([p]) {
-        point = [p[0], p[1], Math.round(heightAt(p[0], p[1]))];
-        s.append(el("option", {value: "point", selected: true}, `${p[0]}, ${p[1]}`));
-        $("mission").show();
-      }});
-    });
-    return {node: el("span", {}, s, onMap), read: () => (s.value === "point" ? point : s.value)};
+    const picked = el("option", {value: "point"});
+    const take = ([x, y]) => {
+      point = [x, y, Math.round(heightAt(x, y))];
+      picked.textContent = `${x}, ${y}`;
+      s.append(picked);
+      s.value = "point";
+    };
+    return {node: el("span", {}, s, onMap("a place", take)), read: () => (s.value === "point" ? point : s.value)};
   }
   const number = ["duration", "number", "sync-id"].includes(kind);
   const input = el("input", {type: number ? "number" : "text", step: "any", value: kind === "duration" ? "60" : number ? "1" : "", size: 8});

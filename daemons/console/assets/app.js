@@ -38,6 +38,14 @@ function bar() {
   ]);
 }
 
+/** Which view-shed is shown. */
+function viewsheds() {
+  const choice = el("select", {id: "viewshed", title: "view-shed: what has no line of sight is dark", "aria-label": "view-shed"},
+    ...[["", "no view-shed"], ["ground", "heard by the ground"], ["uav", "seen by the chosen UAV"]].map(([value, label]) => el("option", {value}, label)));
+  choice.addEventListener("change", () => { map.view.viewshed = choice.value; });
+  return choice;
+}
+
 function tools() {
   const toggle = (name, label) => {
     const button = el("button", {"aria-pressed": "true"}, label);
@@ -48,7 +56,7 @@ function tools() {
   follow.addEventListener("click", () => { map.view.follow = !map.view.follow; });
   setInterval(() => follow.setAttribute("aria-pressed", map.view.follow), 300);
   $("tools").append(el("button", {onclick: map.fit, title: "all of it (0)"}, "fit"), follow,
-    ...[["plans", "plans"], ["trails", "trails"], ["looks", "looks"], ["links", "links"], ["joint", "joint tasks"]].map(([name, label]) => toggle(name, label)),
+    viewsheds(), ...[["belief", "belief"], ["plans", "plans"], ["trails", "trails"], ["looks", "looks"], ["links", "links"], ["joint", "joint tasks"]].map(([name, label]) => toggle(name, label)),
     el("button", {onclick: act.closeAir, className: "acts"}, "close air…"));
 }
 

@@ -3,16 +3,18 @@
 import {$, clockText, el, fill, isOver, seconds, slide} from "./dom.js";
 import {jointOf, model, now, operator, patience, placeOf, roleIn} from "./feed.js";
 import * as act from "./actions.js";
-import {heightAt, view} from "./map.js";
+import {view} from "./map.js";
+import {heightAt} from "./relief.js";
 
 const cards = new Map();
 
 function make(uav, choose) {
-  const parts = Object.fromEntries(["degree", "hand", "contact", "energy", "flight", "task", "plan", "joint", "goals", "decisions", "buttons"].map((name) => [name, el("span", {})]));
+  const parts = Object.fromEntries(["degree", "hand", "contact", "energy", "flight", "task", "plan", "joint", "goals", "decisions", "buttons", "gist"].map((name) => [name, el("span", {})]));
   parts.degree.className = "degree";
+  parts.gist.className = "gist";
   const row = (name, node) => [el("dt", {}, name), el("dd", {}, node)];
   const card = el("article", {className: "card", style: {"--own": uav.colour}},
-    el("header", {onclick: () => choose(uav.name), tabIndex: 0, role: "button", "aria-label": `choose ${uav.name}`, onkeydown: (event) => { if (event.key === "Enter" || event.key === " ") { choose(uav.name); event.preventDefault(); } }}, el("b", {}, uav.name), parts.degree, parts.hand, el("span", {className: "fill"}), parts.contact),
+    el("header", {onclick: () => choose(uav.name), tabIndex: 0, role: "button", "aria-label": `choose ${uav.name}`, onkeydown: (event) => { if (event.key === "Enter" || event.key === " ") { choose(uav.name); event.preventDefault(); } }}, el("b", {}, uav.name), parts.degree, parts.hand, parts.gist, el("span", {className: "fill"}), parts.contact),
     el("dl", {}, ...row("energy", parts.energy), ...row("flight", parts.flight), ...row("does", parts.task), ...row("plan", parts.plan)), parts.joint,
     parts.goals, parts.buttons, el("details", {}, el("summary", {}, "decisions, and why"), parts.decisions));
   card.dataset.uav = uav.name;
@@ -68,8 +70,8 @@ function work(uav, parts) {
   const plan = uav.tasks?.plan ?? [];
   const end = plan.length ? Math.max(...plan.map((entry) => seconds(entry.earliest_end) ?? 0)) : null;
   const bits = [];
-  if (uav.tasks?.revision) bits.push(`revision ${uav.tasks.revision}, ${plan.length} tasks${end ? `, until ${clockText(end)} at the earliest` : ""}`);
-  else if (open.length) bits.push(`${open.length} tasks open`);
+  if (uav.tasks?.revision) bits.push(`revision ${uav.tasks.revision}, ${plan.length} task${plan.length === 1 ? "" : "s"}${end ? `, until ${clockText(end)} at the earliest` : ""}`);
+  else if (open.length) bits.push(`${open.length} task${open.length === 1 ? "" : "s"} open`);
   if (uav.board?.waiting) bits.push(`${uav.board.waiting} commands not answered`);
   if (uav.board?.held) bits.push(`${uav.board.held} tasks held here`);
   parts.plan.textContent = bits.join(", ") || "–";
@@ -114,7 +116,17 @@ function buttons(uav, parts) {
   parts.degree.title = ["", "1: the ground executes", "2: it executes, the ground relays", "3: it executes and synchronises", "4: it plans", "5: its team shares out the work"][board.degree] ?? "";
 }
 
+const kWhole = 5;   // more cards than these show their heads only, but for the chosen one
+
+/** One line of a card that shows no more. */
+function gist(uav, parts) {
+  const at = placeOf(uav);
+  parts.gist.textContent = `${at ? Math.round(at.energy * 100) + " %" : ""}  ${parts.task.textContent}`;
+  parts.gist.title = parts.task.textContent;
+}
+
 export function draw(choose) {
+  $("cards").classList.toggle("compact", model.uavs.size > kWhole);
   for (const uav of model.uavs.values()) {
     if (!cards.has(uav.name)) { const one = make(uav, choose); cards.set(uav.name, one); $("cards").append(one.card); }
     const {card, parts} = cards.get(uav.name);
@@ -122,6 +134,7 @@ export function draw(choose) {
     card.classList.toggle("lost", contact(uav, parts));
     numbers(uav, parts);
     work(uav, parts);
+    gist(uav, parts);
     joint(uav, parts);
     thoughts(uav, parts);
     buttons(uav, parts);

@@ -11,6 +11,10 @@ export const model = {
   ground: null,
   links: new Map(),
   looks: new Map(),
+  objects: new Map(), // name -> where sensors saw it last
+  belief: new Map(),  // row of the ground's grid -> a character for each of its points (rasters.js)
+  beliefVersion: 0,
+  places: new Map(),  // name -> [x, y, z] that the ground station told since the start
   clock: {at: 0, rate: 1, phase: "holding", heard: 0},
   log: [],
   replies: new Map(),
@@ -57,14 +61,23 @@ const take = {
   JointTaskState(s) { uav(s.uav).joint.set(s.header.instance, s); },
   PerceptionReport(s) { model.looks.set(s.uav + " " + s.device, {...s, at: seconds(s.header.mission_time)}); },
   OperatorReply(s) { model.replies.set(s.who + " " + s.number, s); },
+  SeenObject(s) { model.objects.set(s.name, s); },
   MissionState() {},
 };
+
+/** What is told of a place counts more than what was seen of an object of that name before. */
+function place({name, removed, at}) {
+  model.objects.delete(name);
+  if (removed) model.places.delete(name); else model.places.set(name, at);
+}
 
 function message(event) {
   const said = JSON.parse(event.data);
   if (said.slot) take[said.slot]?.(said);
   else if (said.mark) mark(said.mark);
   else if (said.trail) uav(said.trail.uav).trail = said.trail.points;
+  else if (said.place) place(said.place);
+  else if (said.belief) { model.belief.set(said.belief.row, said.belief.cells); model.beliefVersion += 1; }
   else if (said.again) forget();
   else if (said.record) { model.log.push(said.record); if (model.log.length > kLog) model.log.splice(0, 200); }
   if (said.slot !== "Clock") model.version += 1;
@@ -72,7 +85,7 @@ function message(event) {
 }
 
 function forget() {
-  model.log = []; model.replies.clear(); model.looks.clear(); model.links.clear();
+  model.log = []; model.replies.clear(); model.looks.clear(); model.links.clear(); model.objects.clear(); model.places.clear(); model.belief.clear();
   model.ground = null;
   for (const one of model.uavs.values()) Object.assign(one, {marks: new Map(), joint: new Map(), trail: [], board: undefined, tasks: undefined, telemetry: undefined});
 }

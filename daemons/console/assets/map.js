@@ -1,83 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The map: relief, areas, what is believed of fires, ways and looks of UAVs, links, UAVs.
 import {$, el, seconds} from "./dom.js";
+import * as constraints from "./constraints.js";
 import {jointOf, model, nameOf, now, patience, placeOf, roleIn} from "./feed.js";
+import * as rasters from "./rasters.js";
+import {drawRelief, heightAt} from "./relief.js";
 
 const canvas = $("map");
 const g = canvas.getContext("2d");
-export const view = {x: 0, y: 0, scale: 1, fitted: false, chosen: null, follow: false, layers: {relief: true, plans: true, trails: true, looks: true, links: true, joint: true}};
+export const view = {x: 0, y: 0, scale: 1, fitted: false, chosen: null, follow: false, layers: {relief: true, belief: true, plans: true, trails: true, looks: true, links: true, joint: true}};
 let relief = null;
 let tool = null;   // {hint, points, closed, done, one}
 let mouse = null;
+let taken = [];   // [left, top, right, bottom] of what is written in this picture
 
 const screen = (x, y) => [(x - view.x) * view.scale + canvas.clientWidth / 2, canvas.clientHeight / 2 - (y - view.y) * view.scale];
 const ground = (px, py) => [(px - canvas.clientWidth / 2) / view.scale + view.x, view.y - (py - canvas.clientHeight / 2) / view.scale];
-
-// ---- relief ----
-
-const ramp = [[0, [93, 124, 96]], [0.3, [139, 155, 106]], [0.6, [190, 178, 132]], [0.85, [205, 190, 165]], [1, [232, 226, 214]]];
-
-function tint(share) {
-  let i = 1;
-  while (i < ramp.length - 1 && share > ramp[i][0]) i += 1;
-  const [a, low] = ramp[i - 1], [b, high] = ramp[i];
-  const t = Math.min(1, Math.max(0, (share - a) / (b - a)));
-  return low.map((c, k) => c + (high[k] - c) * t);
-}
-
-const cubic = (a, b, c, d, t) => b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
-
-/** Between the points of the grid: Catmull and Rom's curve each way, so that slopes have no edges. */
-function smooth(grid, x, y) {
-  const {columns, rows, heights} = grid;
-  const cx = Math.min(Math.max(x, 0), columns - 1.001), cy = Math.min(Math.max(y, 0), rows - 1.001);
-  const i = Math.floor(cx), j = Math.floor(cy), u = cx - i, v = cy - j;
-  const line = [0, 0, 0, 0];
-  for (let b = -1; b < 3; b += 1) {
-    const row = Math.min(Math.max(j + b, 0), rows - 1) * columns;
-    const at = (a) => heights[row + Math.min(Math.max(i + a, 0), columns - 1)];
-    line[b + 1] = cubic(at(-1), at(0), at(1), at(2), u);
-  }
-  return cubic(line[0], line[1], line[2], line[3], v);
-}
-
-export function heightAt(x, y) {
-  const grid = model.world?.terrain;
-  return grid ? smooth(grid, (x - grid.west) / grid.step, (y - grid.south) / grid.step) : 0;
-}
-
-/** Hill shading over tints of height, with contour lines, drawn once. Light from the north-west. */
-function drawRelief(grid) {
-  const least = Math.min(...grid.heights), most = Math.max(...grid.heights);
-  const fine = Math.max(1, Math.min(8, Math.floor(900 / Math.max(grid.columns, grid.rows))));
-  const w = (grid.columns - 1) * fine + 1, h = (grid.rows - 1) * fine + 1;
-  const picture = new ImageData(w, h);
-  const range = Math.max(most - least, 20);
-  const every = [1, 2, 5, 10, 20, 50, 100, 200].find((one) => range / one < 16) ?? 500;
-  const z = new Float32Array(w * h);
-  for (let j = 0; j < h; j += 1) for (let i = 0; i < w; i += 1) z[j * w + i] = smooth(grid, i / fine, j / fine);
-  const cell = grid.step / fine, steep = 2.2;
-  for (let j = 0; j < h; j += 1) {
-    for (let i = 0; i < w; i += 1) {
-      const here = z[j * w + i];
-      const e = z[j * w + Math.min(i + 1, w - 1)], n = z[Math.min(j + 1, h - 1) * w + i];
-      const dx = ((e - z[j * w + Math.max(i - 1, 0)]) / (2 * cell)) * steep, dy = ((n - z[Math.max(j - 1, 0) * w + i]) / (2 * cell)) * steep;
-      const light = (0.55 * dx - 0.55 * dy + 0.63) / Math.sqrt(dx * dx + dy * dy + 1);
-      const shade = 0.52 + 0.55 * Math.max(0, light);
-      const level = Math.floor(here / every);
-      const contour = level !== Math.floor(e / every) || level !== Math.floor(n / every);
-      const strong = contour && Math.max(level, Math.floor(e / every), Math.floor(n / every)) % 5 === 0;
-      const colour = tint((here - least) / range);
-      const k = ((h - 1 - j) * w + i) * 4;
-      for (let c = 0; c < 3; c += 1) picture.data[k + c] = colour[c] * shade * (strong ? 0.74 : contour ? 0.88 : 1);
-      picture.data[k + 3] = 255;
-    }
-  }
-  const out = el("canvas", {width: w, height: h});
-  out.getContext("2d").putImageData(picture, 0, 0);
-  $("legend").textContent = `ground ${least.toFixed(0)} to ${most.toFixed(0)} m, lines each ${every} m`;
-  return out;
-}
 
 // ---- marks ----
 
@@ -135,7 +73,6 @@ function areas() {
     const [px, py] = screen(place.at[0], place.at[1]);
     g.fillStyle = "rgba(255,255,255,.9)"; g.fillRect(px - 2.5, py - 2.5, 5, 5);
     g.lineWidth = 1; g.strokeStyle = "#222"; g.strokeRect(px - 2.5, py - 2.5, 5, 5);
-    if (view.scale > 0.35) text(place.name, px + 6, py + 4, {size: 10, colour: "rgba(255,255,255,.85)"});
   }
 }
 
@@ -153,7 +90,9 @@ function alarms() {
     g.fillStyle = colour; g.fill(); g.lineWidth = 2; g.strokeStyle = "#1b0f0a"; g.stroke();
     g.font = "700 13px DejaVu Sans, sans-serif"; g.textAlign = "center"; g.fillStyle = "#140a06"; g.fillText(sign, px, py + 6);
     g.beginPath(); g.arc(px, py, 18, -Math.PI / 2, -Math.PI / 2 + 2 * Math.PI * alarm.belief); g.lineWidth = 3; g.strokeStyle = colour; g.stroke();
-    text(`alarm ${alarm.id} ${alarm.state}, belief ${(alarm.belief * 100).toFixed(0)} %`, px + 23, py + 4);
+    const right = px > canvas.clientWidth - 230;
+    text(`alarm ${alarm.id} ${alarm.state}, belief ${(alarm.belief * 100).toFixed(0)} %`, px + (right ? -23 : 23), py + 4, {align: right ? "right" : "left"});
+    taken.push(right ? [px - 210, py - 14, px + 15, py + 14] : [px - 15, py - 14, px + 210, py + 14]);
   }
 }
 
@@ -206,13 +145,15 @@ function plans(one) {
   }
 }
 
+const kBands = 8;   // of a trail, each paler than the next
+
 function trail(one) {
-  const points = pairs(one.trail, 2);
-  const at = placeOf(one);
+  const points = pairs(one.trail, 2).slice(-500), at = placeOf(one);
   if (at) points.push([at.x, at.y]);
-  for (let i = Math.max(1, points.length - 500); i < points.length; i += 1) {
-    path([points[i - 1], points[i]]);
-    g.lineWidth = 1.8; g.globalAlpha = 0.15 + 0.6 * (i / points.length) ** 2; g.strokeStyle = one.colour; g.stroke();
+  const each = Math.ceil(points.length / kBands);
+  for (let from = 0; from + 1 < points.length; from += each) {
+    path(points.slice(from, from + each + 1));
+    g.lineWidth = 1.8; g.globalAlpha = 0.15 + 0.6 * (Math.min(points.length, from + each) / points.length) ** 2; g.strokeStyle = one.colour; g.lineJoin = "round"; g.stroke();
   }
   g.globalAlpha = 1;
 }
@@ -260,13 +201,52 @@ function uav(one) {
   g.fillStyle = stale ? "#6d7681" : one.colour; g.fill();
   g.lineWidth = 1.3; g.strokeStyle = stale ? one.colour : "#fff"; g.stroke();
   g.restore();
-  const speed = Math.hypot(at.v.x, at.v.y, at.v.z);
-  text(one.name, px + 18, py - 5, {bold: true, size: 12, colour: stale ? "#c4cad2" : "#fff"});
-  const height = at.z - heightAt(at.x, at.y);
-  text(stale ? `last heard ${(now() - at.at).toFixed(0)} s ago` : `${height.toFixed(0)} m  ${speed.toFixed(0)} m/s`, px + 18, py + 8, {size: 10, colour: stale ? "#ffb08a" : "#e8edf3"});
 }
 
-/** Who does something together is tied together, role beside role; a spatial constraint that does not hold is named between them. */
+// ---- what stands beside UAVs: on no other, as far as there is room ----
+
+
+const isFree = ([left, top, right, bottom]) => !taken.some((one) => left < one[2] && right > one[0] && top < one[3] && bottom > one[1]);
+
+function linesOf(one, at) {
+  const stale = now() - at.at > patience() || one.board?.reachable === false, speed = Math.hypot(at.v.x, at.v.y, at.v.z);
+  const lines = [{words: one.name, bold: true, size: 12, colour: stale ? "#c4cad2" : "#fff"}];
+  lines.push(stale ? {words: `last heard ${(now() - at.at).toFixed(0)} s ago`, size: 10, colour: "#ffb08a"}
+    : {words: `${(at.z - heightAt(at.x, at.y)).toFixed(0)} m  ${speed.toFixed(0)} m/s`, size: 10, colour: "#e8edf3"});
+  if (view.layers.joint) for (const state of jointOf(one)) if (roleIn(state)) lines.push({words: roleIn(state), size: 10, colour: "#f0e442"});
+  return lines;
+}
+
+/** At the right, the left, below or above; where there is no room only its name is there. */
+function name(one) {
+  const at = placeOf(one);
+  if (!at) return;
+  const [px, py] = screen(at.x, at.y);
+  for (let lines = linesOf(one, at); ; lines = lines.slice(0, 1)) {
+    const width = Math.max(...lines.map(({words, size}) => words.length * size * 0.62)), high = lines.length * 13, last = lines.length === 1 && one.name !== view.chosen;
+    const box = [[px + 18, py - 15], [px - 18 - width, py - 15], [px - width / 2, py + 17], [px - width / 2, py - 19 - high]]
+      .map(([x, y]) => [x, y, x + width, y + high]).find(isFree) ?? (last ? [px + 14, py - 15, px + 14 + width, py - 2] : null);
+    if (!box && lines.length > 1 && one.name !== view.chosen) continue;
+    const [left, top] = box ?? [px + 18, py - 15];
+    taken.push([left, top, left + width, top + high]);
+    lines.forEach(({words, ...looks}, i) => text(words, left, top + 10 + 13 * i, looks));
+    return;
+  }
+}
+
+function names(all) {
+  taken.push(...all.map(placeOf).filter(Boolean).map((at) => { const [px, py] = screen(at.x, at.y); return [px - 12, py - 12, px + 12, py + 12]; }));
+  const chosen = all.filter((one) => one.name === view.chosen);
+  [...chosen, ...all.filter((one) => one.name !== view.chosen)].forEach(name);
+  for (const {name: words, at} of view.scale > 0.35 ? model.world.places : []) {
+    const [px, py] = screen(at[0], at[1]), box = [px + 6, py - 6, px + 6 + words.length * 6.2, py + 6];
+    if (!isFree(box)) continue;
+    taken.push(box);
+    text(words, px + 6, py + 4, {size: 10, colour: "rgba(255,255,255,.85)"});
+  }
+}
+
+/** Who does something together is tied together; a spatial constraint that does not hold is named between them. */
 function jointTasks(all) {
   const groups = new Map();   // subject -> {members: [[x, y]], violated}
   for (const one of all) {
@@ -276,8 +256,6 @@ function jointTasks(all) {
       const group = groups.get(state.subject) ?? groups.set(state.subject, {members: [], violated: new Set()}).get(state.subject);
       group.members.push(screen(at.x, at.y));
       state.violated.forEach((name) => group.violated.add(name));
-      const [px, py] = screen(at.x, at.y), role = roleIn(state);
-      if (role) text(role, px + 18, py + 20, {size: 10, colour: "#f0e442"});
     }
   }
   for (const {members, violated} of groups.values()) {
@@ -308,6 +286,8 @@ export function fit() {
   for (const zone of model.world.zones) zone.polygon.forEach((p) => add(...p));
   for (const place of model.world.places) add(place.at[0], place.at[1]);
   for (const one of model.uavs.values()) { const at = placeOf(one); at ? add(at.x, at.y) : one.start && add(...one.start); }
+  for (const alarm of model.ground?.alarms ?? []) add(alarm.position.x, alarm.position.y);
+  add(model.world.ground[0], model.world.ground[1]);
   if (xs.length < 2) { add(t.west, t.south); add(t.east, t.north); }
   const least = [Math.min(...xs), Math.min(...ys)], most = [Math.max(...xs), Math.max(...ys)];
   view.x = (least[0] + most[0]) / 2; view.y = (least[1] + most[1]) / 2;
@@ -329,6 +309,36 @@ function drawTool() {
   }
 }
 
+/** A picture of the ground's grid, whose points are the middles of its pixels, or reach from border point to border point (`margin` 0). */
+function overGround(b, picture, margin) {
+  const t = model.world.terrain, [px, py] = screen(t.west - margin, t.south + (t.rows - 1) * t.step + margin);
+  b.drawImage(picture, px, py, ((t.columns - 1) * t.step + 2 * margin) * view.scale, ((t.rows - 1) * t.step + 2 * margin) * view.scale);
+}
+
+/** The ground as it is seen: drawn again only when it or the view has changed, since scaling pictures is most of the work. */
+const backdrop = {canvas: el("canvas"), key: ""};
+
+function paintBackdrop(over) {
+  const b = backdrop.canvas.getContext("2d"), ratio = window.devicePixelRatio || 1;
+  backdrop.canvas.width = canvas.width; backdrop.canvas.height = canvas.height;   // which clears it
+  b.setTransform(ratio, 0, 0, ratio, 0, 0);
+  b.fillStyle = "#2a3036"; b.fillRect(0, 0, canvas.clientWidth, canvas.clientHeight);
+  b.imageSmoothingQuality = "high";
+  overGround(b, relief.picture, 0);
+  for (const {picture} of over) overGround(b, picture, model.world.terrain.step / 2);
+}
+
+function terrain() {
+  relief ??= drawRelief(model.world.terrain);
+  const over = rasters.pictures(view);
+  const key = [view.x, view.y, view.scale, canvas.width, canvas.height, ...over.map((one) => one.version)].join();
+  if (key !== backdrop.key) { backdrop.key = key; paintBackdrop(over); }
+  g.setTransform(1, 0, 0, 1, 0, 0);
+  g.drawImage(backdrop.canvas, 0, 0);
+  const words = [relief.caption, ...over.map((one) => one.caption)].join("; ");
+  if ($("legend").textContent !== words) $("legend").textContent = words;
+}
+
 export function draw() {
   const ratio = window.devicePixelRatio || 1, w = canvas.clientWidth, h = canvas.clientHeight;
   if (!w || !h || !model.world) return;
@@ -336,34 +346,28 @@ export function draw() {
   if (!view.fitted) fit();
   const chosen = model.uavs.get(view.chosen), at = chosen && placeOf(chosen);
   if (view.follow && at) { view.x = at.x; view.y = at.y; }
+  taken = [];
+  terrain();
   g.setTransform(ratio, 0, 0, ratio, 0, 0);
-  g.fillStyle = "#2a3036"; g.fillRect(0, 0, w, h);
-  const t = model.world.terrain;
-  if (view.layers.relief) {
-    relief ??= drawRelief(t);
-    const [px, py] = screen(t.west, t.south + (t.rows - 1) * t.step);
-    g.imageSmoothingEnabled = true;
-    g.imageSmoothingQuality = "high";
-    g.drawImage(relief, px, py, (t.columns - 1) * t.step * view.scale, (t.rows - 1) * t.step * view.scale);
-  }
   areas();
   if (view.layers.looks) looks();
   if (view.layers.links) links();
   const all = [...model.uavs.values()];
   if (view.layers.trails) all.forEach(trail);
   if (view.layers.plans) all.forEach(plans);
-  if (view.layers.joint) jointTasks(all);
+  if (view.layers.joint) { all.forEach((one) => constraints.draw(g, screen, view.scale, one, text)); jointTasks(all); }
   alarms();
   all.forEach(uav);
+  names(all);
   drawTool();
   scale();
 }
 
 // ---- pointing ----
 
-/** Lets points be picked: `done` gets them [[x, y], …]; Escape ends it without. */
-export function pick({hint, closed = false, one = false, done}) {
-  tool = {points: [], closed, one, done, hint};
+/** Lets points be picked: `done` gets them [[x, y], …]; Escape ends it without, and `left` is called. */
+export function pick({hint, closed = false, one = false, done, left = () => {}}) {
+  tool = {points: [], closed, one, done, left, hint};
   canvas.classList.add("picking");
   $("hint").hidden = false;
   $("hint").textContent = hint + (one ? " — click, or arrow keys and space; Esc: leave" : " — click, or arrow keys and space; double click or Enter: done, Esc: leave");
@@ -424,7 +428,7 @@ export function wire(choose) {
     view.x += before[0] - after[0]; view.y += before[1] - after[1];
   }, {passive: false});
   window.addEventListener("keydown", (event) => {
-    if (event.key === "Escape" && tool) leave();
+    if (event.key === "Escape" && tool) { const {left} = tool; leave(); left(); }
     if (event.key === "Enter" && tool && !tool.one && document.activeElement === canvas) {
       event.preventDefault();   // else the same key presses what `done` opens
       return finish();

@@ -7,17 +7,19 @@ const canvas = $("chronology");
 const g = canvas.getContext("2d");
 export const window_ = {span: 240, end: null};   // [s]; end null: goes with the time
 const kName = 74, kTop = 18;
+const kLeastRow = 20, kMostRow = 64;   // [px]; what has no room is scrolled to
 const kTogether = 2;   // [s] between the ends of two tasks that synchronise with each other
 let boxes = [];
 
 const looks = {
   scheduled: {fill: "rgba(255,255,255,.06)", edge: "#77828f"},
   started: {fill: null, alpha: 0.55}, running: {fill: null, alpha: 0.95},
-  aborting: {fill: "#b3541e"}, ended: {fill: null, alpha: 0.42}, aborted: {fill: "#7c3417"},
+  aborting: {fill: "#b3541e"}, ended: {fill: null, alpha: 0.42}, aborted: {fill: null, alpha: 0.42},
 };
 
+/** What goes with the time does not show what was before the mission. */
 function frame() {
-  const to = window_.end ?? now() + window_.span * 0.35;
+  const to = window_.end ?? Math.max(window_.span, now() + window_.span * 0.35);
   return {from: to - window_.span, to};
 }
 
@@ -28,9 +30,8 @@ function stretches(uav) {
     const last = task.states[task.states.length - 1];
     task.states.forEach(({state, at}, i) => {
       if (isOver(state) || state === "scheduled") return;
-      const next = task.states[i + 1];
-      const ended = i === task.states.length - 2 && isOver(last.state) ? last.state : state;
-      const shown = state === "running" || state === "started" ? (isOver(ended) ? ended : state) : state;
+      const next = task.states[i + 1], past = isOver(last.state) && state !== "aborting";
+      const shown = past ? (next === last && last.state === "aborted" ? "aborted" : "ended") : state;
       out.push({from: at, to: next ? next.at : now(), state: shown, task, open: !next});
     });
   }
@@ -61,18 +62,24 @@ function lanes(list) {
   return Math.max(1, ends.length);
 }
 
-/** The window that the plan leaves: from the earliest start to the latest, from the earliest end to the latest. */
-function windows({planned}, colour, x, top, high, edge) {
+const keyOf = (from, to) => `${Math.round(2 * (seconds(from) ?? -1))} ${Math.round(2 * (seconds(to) ?? -1))}`;
+
+/**
+ * What the plan leaves open, inside of the box: above from the earliest start to the latest, below from the earliest end to the latest. The end is left out
+ * where something else of the same UAV starts in just that window (`starts`): it would lie over that one's box and say the same.
+ */
+function windows({planned}, starts, colour, x, top, high, edge) {
   const line = (from, to, y) => {
     const a = seconds(from), b = seconds(to);
     if (a === null || b === null || b - a < 0.5) return;
-    const left = x(a), right = Number.isFinite(b) ? x(b) : edge;
-    g.beginPath(); g.moveTo(left, y); g.lineTo(right, y); g.moveTo(left, y - 2); g.lineTo(left, y + 2);
-    if (Number.isFinite(b)) { g.moveTo(right, y - 2); g.lineTo(right, y + 2); } else { g.moveTo(right - 5, y - 3); g.lineTo(right, y); g.lineTo(right - 5, y + 3); }
-    g.globalAlpha = 0.8; g.lineWidth = 1; g.strokeStyle = colour; g.stroke(); g.globalAlpha = 1;
+    const left = x(a), right = Number.isFinite(b) ? Math.min(x(b), edge + 9) : edge, open = right >= edge;
+    g.beginPath(); g.moveTo(left, y); g.lineTo(right, y); g.moveTo(left, y - 2.5); g.lineTo(left, y + 2.5);
+    if (open) { g.moveTo(edge - 6, y - 3); g.lineTo(edge - 1, y); g.lineTo(edge - 6, y + 3); } else { g.moveTo(right, y - 2.5); g.lineTo(right, y + 2.5); }
+    g.lineWidth = 3; g.strokeStyle = "rgba(20,23,28,.9)"; g.stroke();
+    g.lineWidth = 1.5; g.strokeStyle = colour; g.stroke();
   };
-  line(planned.earliest_start, planned.latest_start, top + 1.5);
-  line(planned.earliest_end, planned.latest_end, top + high - 1.5);
+  line(planned.earliest_start, planned.latest_start, top + high * 0.2);
+  if (!starts.has(keyOf(planned.earliest_end, planned.latest_end))) line(planned.earliest_end, planned.latest_end, top + high * 0.82);
 }
 
 /** Synchronise tasks of several UAVs that ended together, as two ends of a line each. */
@@ -88,7 +95,8 @@ const roleOf = (uav, id) => [...uav.joint.values()].filter((state) => state.task
 function box(one, colour, x, y, w, h) {
   g.globalAlpha = 1;
   if (one.state === "planned") {
-    g.setLineDash([4, 3]); g.lineWidth = 1; g.strokeStyle = colour; g.strokeRect(x + 0.5, y + 0.5, w - 1, h - 1); g.setLineDash([]);
+    g.globalAlpha = 0.12; g.fillStyle = colour; g.fillRect(x, y, w, h);
+    g.globalAlpha = 0.7; g.setLineDash([4, 3]); g.lineWidth = 1; g.strokeStyle = colour; g.strokeRect(x + 0.5, y + 0.5, w - 1, h - 1); g.setLineDash([]); g.globalAlpha = 1;
   } else {
     const look = looks[one.state] ?? looks.ended;
     g.globalAlpha = look.alpha ?? 1; g.fillStyle = look.fill ?? colour; g.fillRect(x, y, w, h); g.globalAlpha = 1;
@@ -107,7 +115,9 @@ function box(one, colour, x, y, w, h) {
 }
 
 export function draw(chosen) {
-  const ratio = window.devicePixelRatio || 1, w = canvas.clientWidth, h = canvas.clientHeight;
+  const uavs = [...model.uavs.values()], room = $("chronology-room");
+  canvas.style.height = Math.max(room.clientHeight, kTop + uavs.length * kLeastRow) + "px";
+  const ratio = window.devicePixelRatio || 1, w = canvas.clientWidth, h = canvas.clientHeight, head = room.scrollTop;
   if (!w || !h) return;
   if (canvas.width !== Math.round(w * ratio) || canvas.height !== Math.round(h * ratio)) { canvas.width = Math.round(w * ratio); canvas.height = Math.round(h * ratio); }
   g.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -119,22 +129,22 @@ export function draw(chosen) {
   for (let s = Math.ceil(from / tick) * tick; s < to; s += tick) {
     if (s < 0) continue;
     g.strokeStyle = "#2c323c"; g.lineWidth = 1; g.beginPath(); g.moveTo(x(s), kTop); g.lineTo(x(s), h); g.stroke();
-    g.fillStyle = "#98a3b3"; g.fillText(clockText(s), x(s), 12);
   }
   boxes = [];
-  const uavs = [...model.uavs.values()], row = Math.min(64, (h - kTop) / Math.max(1, uavs.length));
+  const row = Math.min(kMostRow, (h - kTop) / Math.max(1, uavs.length));
   uavs.forEach((uav, i) => {
     const y = kTop + i * row;
     if (uav.name === chosen) { g.fillStyle = "rgba(255,255,255,.05)"; g.fillRect(0, y, w, row); }
     const list = stretches(uav).filter((one) => one.to >= from && one.from <= to);
-    const high = (row - 5) / Math.max(2, lanes(list));
+    const starts = new Set(list.filter((one) => one.planned).map(({planned}) => keyOf(planned.earliest_start, planned.latest_start)));
+    const high = (row - 5) / Math.max(row < 40 ? 1 : 2, lanes(list));
     g.save(); g.beginPath(); g.rect(kName, kTop, w - kName, h); g.clip();
     for (const one of list) {
       const left = x(Math.max(one.from, from - 1)), right = Math.max(left + 2, x(Math.min(one.to, to + 1)));
       const top = y + 2 + one.lane * high;
       one.role = roleOf(uav, one.task.id);
-      if (one.planned) windows(one, uav.colour, x, top, Math.max(3, high - 1.5), w);
       box(one, uav.colour, left, top, right - left, Math.max(3, high - 1.5));
+      if (one.planned) windows(one, starts, uav.colour, x, top, Math.max(3, high - 1.5), w);
       boxes.push({one, uav, left, top, right, bottom: top + high});
     }
     g.restore();
@@ -147,13 +157,22 @@ export function draw(chosen) {
     for (const py of [high.bottom - 2, low.top + 2]) { g.beginPath(); g.arc(px, py, 3, 0, 7); g.fillStyle = "#f0e442"; g.fill(); }
   }
   const at = x(now());
-  g.strokeStyle = "#fff"; g.lineWidth = 1.5; g.beginPath(); g.moveTo(at, kTop - 3); g.lineTo(at, h); g.stroke();
+  if (at > kName) { g.strokeStyle = "#fff"; g.lineWidth = 1.5; g.beginPath(); g.moveTo(at, kTop - 3); g.lineTo(at, h); g.stroke(); }
+  clocks(x, from, to, tick, head);
+}
+
+/** The hours, above the rows that are seen. */
+function clocks(x, from, to, tick, head) {
+  g.fillStyle = "#1b1f26"; g.fillRect(0, head, canvas.clientWidth, kTop - 2);
+  g.font = "10px DejaVu Sans, sans-serif"; g.textAlign = "center"; g.fillStyle = "#98a3b3";
+  for (let s = Math.ceil(from / tick) * tick; s < to; s += tick) if (s >= 0 && x(s) > kName) g.fillText(clockText(s), x(s), head + 12);
 }
 
 export function wire() {
   let from = null;
   const perPixel = () => window_.span / Math.max(1, canvas.clientWidth - kName);
   canvas.addEventListener("wheel", (event) => {
+    if (event.offsetX < kName) return;   // over the names the rows are scrolled
     event.preventDefault();
     window_.span = Math.min(7200, Math.max(20, window_.span * Math.exp(event.deltaY * 0.001)));
   }, {passive: false});
@@ -170,8 +189,8 @@ export function wire() {
     const lines = [`${uav.name} ${one.task.id} ${one.task.type}: ${one.state}`, one.waits ? "waits for its conditions" : `${clockText(one.from)} to ${one.open ? "now" : clockText(one.to)}`];
     if (one.role) lines.push(`role: ${one.role}`);
     if (one.planned) {
-      const span = (from, to) => `${clockText(seconds(from))} to ${seconds(to) === Infinity ? "any time" : clockText(seconds(to))}`;
-      lines.push(one.planned.methods, `starts ${span(one.planned.earliest_start, one.planned.latest_start)}, ends ${span(one.planned.earliest_end, one.planned.latest_end)}`);
+      const within = (from, to) => `${clockText(seconds(from))} to ${seconds(to) === Infinity ? "any time" : clockText(seconds(to))}`;
+      lines.push(one.planned.methods, `starts ${within(one.planned.earliest_start, one.planned.latest_start)}, ends ${within(one.planned.earliest_end, one.planned.latest_end)}`);
     }
     const told = uav.tasks?.tasks.find((task) => task.id === one.task.id);
     if (told?.reason) lines.push(told.reason);

@@ -136,8 +136,10 @@ class Console::Impl {
   }
 
   void sees(const wire::Sample& sample) {
+    auto more = config_.explain ? config_.explain(sample) : decltype(config_.explain(sample))();
     const std::lock_guard lock(feed_.mutex);
     history_.take(sample, feed_.feed);
+    for (auto& [key, json] : more) feed_.feed.set(key, std::move(json));
   }
   void sees(const journal::Record& record) {
     const std::lock_guard lock(feed_.mutex);

@@ -15,7 +15,20 @@ using wire::Slot;
 bool is_followed(Slot slot) {
   return slot == Slot::kTelemetry || slot == Slot::kPerceptionReport || slot == Slot::kLinkState ||
          slot == Slot::kMissionState || slot == Slot::kUavBoard || slot == Slot::kUavTasks ||
-         slot == Slot::kGroundBoard || slot == Slot::kJointTaskState;
+         slot == Slot::kGroundBoard || slot == Slot::kJointTaskState || slot == Slot::kSeenObject;
+}
+
+/// The ground station says where a place is, to each UAV: once is enough for the page.
+bool is_of_a_place(const wire::Sample& sample) {
+  const auto* change = std::get_if<wire::WorldChange>(&sample);
+  return change != nullptr && change->part == wire::WorldPart::kPlace;
+}
+
+std::string place_line(const wire::WorldChange& change) {
+  nlohmann::json place{{"name", change.name}, {"removed", change.remove}};
+  if (!change.remove) place["at"] = {change.at.x, change.at.y, change.at.z};
+  const nlohmann::json line{{"place", std::move(place)}};
+  return line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 /// Those that the page has no use for.
@@ -47,6 +60,11 @@ std::string quoted(const std::string& text) {
 void History::take(const wire::Sample& sample, Feed& feed) {
   if (std::holds_alternative<wire::OperatorReply>(sample)) {
     feed.add(wire::to_json(sample));
+    return;
+  }
+  if (is_of_a_place(sample)) {
+    const auto& change = std::get<wire::WorldChange>(sample);
+    feed.set("place " + change.name, place_line(change));
     return;
   }
   if (!is_followed(wire::slot_of(sample))) return;

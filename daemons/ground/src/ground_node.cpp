@@ -2,7 +2,6 @@
 #include "skein/ground/ground_node.hpp"
 
 #include "skein/foundation/contract.hpp"
-#include "skein/foundation/fingerprint.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/journal/lines/mission.hpp"
 #include "skein/journal/lines/radio.hpp"
@@ -20,7 +19,6 @@ namespace {
 
 namespace gs = ground_station;
 using translation::for_journal;
-using translation::from_wire;
 using translation::to_wire;
 
 wire::AlarmState wire_state(gs::AlarmState state) {
@@ -42,7 +40,7 @@ GroundNode::GroundNode(const gs::GroundConfig& config, world::Terrain terrain, n
                        std::vector<decision_node::Config> played)
     : terrain_(std::move(terrain)),
       roster_(std::move(roster)),
-      read_request_(std::move(read_request)),
+      inbox_(roster_, std::move(read_request)),
       control_(config, terrain_),
       roles_(std::move(played), roster_),
       dates_(roster_, config.dates),
@@ -62,7 +60,8 @@ node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
   for (node::Effect& effect : dates.value_or(node::Effects())) out_.push_back(std::move(effect));
   const bool of_team = of_dates || hear_team(input);
   const bool of_partner = !of_team && hear_of_roles(input);
-  const auto mine = of_team || of_partner ? std::nullopt : input_of(input);
+  auto [mine, refusal] = of_team || of_partner ? Inbox::Read() : inbox_.read(input, now);
+  log(std::move(refusal));
   tell_control(mine.value_or(Input(gs::Tick{})));
   if (!of_team && team_ && team_->next_wakeup() && *team_->next_wakeup() <= now) {
     tell_team(gs::Tick{});
@@ -84,140 +83,6 @@ std::optional<MissionTime> GroundNode::next_wakeup() const {
   return team_ ? earliest(wakeup, team_->next_wakeup()) : wakeup;
 }
 
-// ---- what comes in ----
-
-std::optional<GroundNode::Input> GroundNode::input_of(const node::Input& input) {
-  if (const auto* received = std::get_if<node::Received>(&input)) {
-    const std::string why = why_not(*received);
-    if (why.empty()) return input_from(*received);
-    drop(*received, {"header.origin", why});
-  }
-  if (const auto* delivered = std::get_if<node::Delivered>(&input)) {
-    return gs::CommandDelivered{gs::CommandNumber(delivered->receipt)};
-  }
-  if (const auto* reach = std::get_if<node::Reachability>(&input)) {
-    if (!is_uav(reach->peer)) return std::nullopt;
-    return gs::PeerReachable{roster_.name_of(reach->peer), reach->reachable, reach->restarted};
-  }
-  return std::nullopt;
-}
-
-bool GroundNode::is_uav(node::NodeNumber number) const {
-  const node::Member* member = roster_.find(number);
-  return member != nullptr && member->role == wire::Role::kDdn;
-}
-
-std::string GroundNode::why_not(const node::Received& received) const {
-  if (std::holds_alternative<wire::OperatorRequest>(received.sample)) {
-    return received.from == roster_.operators() ? "" : "not an operator";
-  }
-  if (!is_uav(received.from)) return "not a UAV of this mission";
-  if (const auto* reply = std::get_if<wire::RequestReply>(&received.sample)) {
-    if (!is_addressee(reply->command, received.from)) return "the command was another UAV's";
-  }
-  return "";
-}
-
-bool GroundNode::is_addressee(std::uint64_t command, node::NodeNumber from) const {
-  const auto addressee = addressees_.find(command);
-  return addressee == addressees_.end() || addressee->second == from;
-}
-
-void GroundNode::drop(const node::Received& received, const wire::Violation& violation) {
-  const wire::Slot slot = wire::slot_of(received.sample);
-  if (!dropped_.emplace(received.from, slot).second) return;
-  log(lines::Dropped{.slot = wire::slot_name(slot),
-                     .origin = roster_.name_of(received.from),
-                     .field = violation.field,
-                     .why = violation.why});
-}
-
-// A UAV is known by the node that sent the sample, whatever name the sample gives.
-std::optional<GroundNode::Input> GroundNode::input_from(const node::Received& received) {
-  const std::string uav = roster_.name_of(received.from);
-  const wire::Sample& sample = received.sample;
-  if (const auto* request = std::get_if<wire::OperatorRequest>(&sample)) {
-    return request_from(*request);
-  }
-  if (const auto* telemetry = std::get_if<wire::Telemetry>(&sample)) {
-    world::Telemetry told = from_wire(*telemetry);
-    told.uav = uav;
-    return told;
-  }
-  if (const auto* report = std::get_if<wire::PerceptionReport>(&sample)) {
-    world::Perception perception = from_wire(*report);
-    perception.uav = uav;
-    return gs::PerceptionReceived{std::move(perception)};
-  }
-  if (const auto* event = std::get_if<wire::TaskEvent>(&sample)) {
-    return gs::TaskEventReceived{uav, executive::TaskId(event->id), event->type,
-                                 from_wire(event->state), event->reason};
-  }
-  if (const auto* reply = std::get_if<wire::RequestReply>(&sample)) {
-    return gs::RequestReplyReceived{gs::CommandNumber(reply->command), reply->accepted, reply->why};
-  }
-  if (const auto* status = std::get_if<wire::FunctionalStatus>(&sample)) {
-    return gs::FunctionalStatusReceived{uav, from_wire(*status)};
-  }
-  if (const auto* sync = std::get_if<wire::SyncMessage>(&sample)) {
-    const executive::SyncReceived message = from_wire(*sync);
-    return gs::SyncReceived{message.id, message.from, sync->to, message.word, message.said};
-  }
-  if (const auto* board = std::get_if<wire::PlanBoard>(&sample)) {
-    gs::PlanBoardReceived result = std::get<gs::PlanBoardReceived>(input_of(*board));
-    result.uav = uav;
-    return result;
-  }
-  return input_of_mission(uav, received);
-}
-
-GroundNode::Input GroundNode::request_from(const wire::OperatorRequest& request) const {
-  gs::OperatorRequest asked{request.who, request.number,
-                            Fingerprint().put(request.request).value()};
-  if (!read_request_) {
-    asked.problems = {"this ground station takes no requests"};
-  } else if (auto deeds = read_request_(request.request)) {
-    asked.deeds = std::move(*deeds);
-  } else {
-    asked.problems = std::move(deeds.error());
-  }
-  return asked;
-}
-
-std::optional<GroundNode::Input> GroundNode::input_of_mission(const std::string& uav,
-                                                              const node::Received& received) {
-  const wire::Sample& sample = received.sample;
-  const auto at = MissionTime::nanoseconds(wire::header_of(sample).mission_time);
-  if (const auto* plan = std::get_if<wire::MissionPlan>(&sample)) {
-    const auto read = from_wire(*plan);
-    if (read) return gs::MissionPlanReceived{uav, *read, at};
-    drop(received, read.error());
-  } else if (const auto* hand_over = std::get_if<wire::HandOver>(&sample)) {
-    const auto read = from_wire(*hand_over);
-    if (read) return gs::HandOverReceived{uav, *read, at};
-    drop(received, read.error());
-  } else if (const auto* decision = std::get_if<wire::Decision>(&sample)) {
-    return gs::DecisionReceived{uav, from_wire(*decision)};
-  } else if (const auto* outcome = std::get_if<wire::MissionOutcome>(&sample)) {
-    return gs::MissionOutcomeReceived{uav, from_wire(*outcome)};
-  }
-  return std::nullopt;
-}
-
-GroundNode::Input GroundNode::input_of(const wire::PlanBoard& board) const {
-  gs::PlanBoardReceived result{board.uav,
-                               board.degree,
-                               board.airborne,
-                               {},
-                               MissionTime::nanoseconds(board.header.mission_time),
-                               {}};
-  for (const wire::TaskEntry& task : board.tasks) {
-    result.tasks.push_back({executive::TaskId(task.id), task.type, from_wire(task.state)});
-  }
-  for (const wire::ModelVersion& one : board.models) result.models[one.model] = one.version;
-  return result;
-}
-
 // ---- what goes out ----
 
 wire::Sample GroundNode::sample_of(const gs::SendRequest& effect) const {
@@ -236,7 +101,7 @@ wire::Sample GroundNode::sample_of(const gs::SendRequest& effect) const {
 }
 
 void GroundNode::carry_out(const gs::SendRequest& effect) {
-  addressees_.insert_or_assign(effect.command.value(), roster_.find(effect.uav)->number);
+  inbox_.sent(effect.command.value(), roster_.find(effect.uav)->number);
   send(effect.uav, sample_of(effect), effect.expires, effect.command.value());
   if (const auto* change = std::get_if<mission::ChangeWorld>(&effect.request)) {
     carry_out(roles_.tell(effect.uav, decision_node::PlaceTold{*change}, now_));
@@ -310,18 +175,6 @@ void GroundNode::carry_out(const gs::OperatorAnswered& effect) {
   out_.push_back(node::Publish{operator_reply(effect)});
 }
 
-void GroundNode::carry_out(const gs::OperatorAsked& effect) {
-  log(lines::Asked{.who = effect.who,
-                   .number = effect.number,
-                   .what = effect.what,
-                   .accepted = effect.accepted,
-                   .why = effect.why});
-}
-
-void GroundNode::carry_out(const gs::HandChanged& effect) {
-  log(lines::Hand{.uav = effect.uav, .holder = effect.hand.holder, .asker = effect.hand.asker});
-}
-
 void GroundNode::carry_out(const gs::CommandChanged& effect) {
   log(lines::Command{.uav = effect.uav,
                      .command = effect.command.value(),
@@ -334,10 +187,6 @@ void GroundNode::carry_out(const gs::CommandChanged& effect) {
   carry_out(roles_.tell(effect.uav, decision_node::TaskRefused{*effect.task, effect.why}, now_));
 }
 
-void GroundNode::carry_out(const gs::LocalRequestAnswered& effect) {
-  log(translation::request_line(writer(), effect.uav, effect.reply, effect.mode));
-}
-
 void GroundNode::carry_out(const gs::LocalTaskEvent& effect) {
   log(translation::task_line(writer(), effect.uav, effect.event, effect.parameters));
   // The UAV does not hear of these from its functional layer.
@@ -347,37 +196,12 @@ void GroundNode::carry_out(const gs::LocalTaskEvent& effect) {
   carry_out(roles_.tell(effect.uav, effect.event, now_));
 }
 
-void GroundNode::carry_out(const gs::LocalSync& effect) {
-  const bool sent = effect.direction == gs::SyncDirection::kSent;
-  log(translation::sync_line(writer(), {effect.id, effect.from, effect.to, sent, effect.word}));
-}
-
-void GroundNode::carry_out(const gs::HeldPlanChanged& effect) {
-  log(lines::Held{.uav = effect.uav, .tasks = effect.tasks, .state = to_text(effect.state)});
-}
-
-void GroundNode::carry_out(const gs::PerceptionLogged& effect) {
-  log(lines::Perception{
-      .uav = effect.uav, .device = effect.device, .detections = effect.detections});
-}
-
 void GroundNode::carry_out(const gs::PhaseEntered& effect) {
   wire::MissionState state;
   state.phase = effect.name;
   out_.push_back(node::Publish{state});
   log(lines::Phase{effect.name});
 }
-
-void GroundNode::carry_out(const gs::StepDone& effect) { log(lines::Step{effect.name}); }
-
-void GroundNode::carry_out(const gs::OperatorDid& effect) { log(lines::Operator{effect.does}); }
-
-void GroundNode::carry_out(const gs::UavRestarted& effect) {
-  log(lines::Notice{.uav = effect.uav,
-                    .text = "restarted; " + std::to_string(effect.lost.size()) + " tasks lost"});
-}
-
-void GroundNode::carry_out(const gs::Anomaly& effect) { log(lines::Notice{.text = effect.why}); }
 
 void GroundNode::carry_out(const gs::MissionFinished&) {
   wire::MissionState state;
@@ -396,6 +220,8 @@ void GroundNode::send(const std::string& uav, wire::Sample sample, MissionTime e
   out_.push_back(node::Send{to->number, std::move(sample), expires, receipt});
 }
 
-void GroundNode::log(journal::Record line) { out_.push_back(node::Log{std::move(line)}); }
+void GroundNode::log(std::optional<journal::Record> line) {
+  if (line) out_.push_back(node::Log{std::move(*line)});
+}
 
 }  // namespace skein::ground

@@ -24,7 +24,7 @@ void GroundNode::carry_out(PlayedRoles::Outcome outcome) {
 
 bool GroundNode::hear_of_roles(const node::Input& input) {
   const auto* received = std::get_if<node::Received>(&input);
-  if (received == nullptr || !is_uav(received->from)) return false;
+  if (received == nullptr || !inbox_.is_uav(received->from)) return false;
   PlayedRoles::Heard heard = roles_.hear(roster_.name_of(received->from), received->sample, now_);
   carry_out(std::move(heard.outcome));
   return heard.only_here;

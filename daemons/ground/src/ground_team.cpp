@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ground station as a member of the team.
+#include "ground_lines.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/ground/ground_node.hpp"
 #include "skein/journal/lines/mission.hpp"
@@ -34,29 +35,38 @@ bool GroundNode::hear_team(const node::Input& input) {
   const auto* about = std::get_if<wire::TeamMessage>(&received->sample);
   const auto* sale = std::get_if<wire::TeamSale>(&received->sample);
   if (about == nullptr && sale == nullptr) return false;
-  if (!team_ || !is_uav(received->from)) return true;
+  if (!team_ || !inbox_.is_uav(received->from)) return true;
   auto message = about != nullptr ? translation::from_wire(*about) : translation::from_wire(*sale);
   if (message) {
     tell_team(gs::TeamHeard{roster_.name_of(received->from), std::move(*message)});
   } else {
-    drop(*received, message.error());
+    log(inbox_.refuse(*received, message.error(), now_));
   }
   return true;
+}
+
+// What has a line of its own is only logged.
+template <class Effect>
+void GroundNode::tell_or_do(const Effect& effect) {
+  const auto one_way = [this](const auto& one) {
+    if constexpr (requires { line_of(writer(), one); }) {
+      log(line_of(writer(), one));
+    } else {
+      carry_out(one);
+    }
+  };
+  std::visit(one_way, effect);
 }
 
 void GroundNode::tell_control(const Input& input) {
   const auto effects = control_.handle(input, now_);
   happened_ = happened_ || !effects.empty();
-  for (const auto& effect : effects) {
-    std::visit([this](const auto& one) { carry_out(one); }, effect);
-  }
+  for (const auto& effect : effects) tell_or_do(effect);
 }
 
 void GroundNode::tell_team(const gs::TeamDesk::Input& input) {
   if (!team_) return log(lines::Notice{.text = "the ground station is in no team"});
-  for (const auto& effect : team_->handle(input, now_)) {
-    std::visit([this](const auto& one) { carry_out(one); }, effect);
-  }
+  for (const auto& effect : team_->handle(input, now_)) tell_or_do(effect);
 }
 
 void GroundNode::carry_out(const gs::DeclareLost& effect) {
@@ -85,10 +95,6 @@ void GroundNode::carry_out(const gs::TeamSaleTold& effect) {
   for (journal::Record& line : translation::sale_lines(writer(), effect.what, team_->roster())) {
     log(std::move(line));
   }
-}
-
-void GroundNode::carry_out(const gs::TeamTokenChanged& effect) {
-  log(translation::token_line(writer(), effect.held, effect.term));
 }
 
 }  // namespace skein::ground

@@ -5,6 +5,7 @@
 
 #include "skein/console/console.hpp"
 #include "skein/designer/workbench.hpp"
+#include "skein/ground_setup/belief_layer.hpp"
 #include "skein/ground_setup/page_world.hpp"
 
 namespace skein::ground_companions {
@@ -26,6 +27,8 @@ Result<daemon_main::CompanionSource::Opened, Failure> OperatorsPage::open(
   config.world = ground_setup::page_world(surroundings.scenario);
   const auto models = designer::models_of(surroundings.scenario_file);
   if (!models.empty()) config.annex = std::make_shared<designer::Workbench>(models);
+  const auto belief = std::make_shared<ground_setup::BeliefLayer>(surroundings.scenario);
+  config.explain = [belief](const wire::Sample& sample) { return belief->see(sample); };
   if (auto read = console::read_address(address_, config); !read)
     return failure("--console: " + read.error().why);
   auto page = console::Console::open(std::move(config));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/ground_setup/page_world.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "joint_constraints.hpp"
+#include "page_grid.hpp"
 #include "skein/deliberation_setup/knowledge.hpp"
 #include "skein/scenario_setup/setup.hpp"
 
@@ -15,8 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using scenario::Scenario;
 
-constexpr int kMostPoints = 160;  // along each side of the grid
-
 Json corners_of(const world::Polygon& polygon) {
   Json corners = Json::array();
   for (const world::Vector2& one : polygon) corners.push_back({one.x(), one.y()});
@@ -25,22 +24,16 @@ Json corners_of(const world::Polygon& polygon) {
 
 Json terrain_of(const world::TerrainSpec& spec) {
   const world::Terrain terrain(spec);
-  const double width = spec.east - spec.west, height = spec.north - spec.south;
-  const double step =
-      std::max({spec.cell, width / (kMostPoints - 1), height / (kMostPoints - 1), 1.0});
-  const int columns = static_cast<int>(std::floor(width / step)) + 1;
-  const int rows = static_cast<int>(std::floor(height / step)) + 1;
+  const world::Grid grid = page_grid(spec);
   Json heights = Json::array();
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const double z = terrain.elevation(spec.west + column * step, spec.south + row * step);
-      heights.push_back(std::round(z * 10) / 10);
-    }
+  for (std::size_t point = 0; point < grid.size(); ++point) {
+    const world::Vector2 at = grid.centre(point);
+    heights.push_back(std::round(terrain.elevation(at.x(), at.y()) * 10) / 10);
   }
   return {{"west", spec.west}, {"south", spec.south},
           {"east", spec.east}, {"north", spec.north},
-          {"step", step},      {"columns", columns},
-          {"rows", rows},      {"heights", std::move(heights)}};
+          {"step", grid.cell}, {"columns", grid.columns},
+          {"rows", grid.rows}, {"heights", std::move(heights)}};
 }
 
 Json volume_of(const world::Volume& volume) {
@@ -96,15 +89,18 @@ std::string page_world(const Scenario& scenario) {
   for (const world::Volume& volume : scenario.world.volumes) air.push_back(volume_of(volume));
   const world::Vector3& ground = scenario.ground.position;
   const Json team = scenario.team ? Json(scenario.team->roster.names()) : Json::array();
+  const Json joint =
+      scenario.interaction ? joint_constraints(*scenario.interaction) : Json::object();
   const Json page{{"scenario", scenario.name},
-                  {"ground", {ground.x(), ground.y()}},
+                  {"ground", {ground.x(), ground.y(), ground.z()}},
                   {"terrain", terrain_of(scenario.world.terrain)},
                   {"zones", std::move(zones)},
                   {"places", std::move(places)},
                   {"air", std::move(air)},
                   {"uavs", std::move(uavs)},
                   {"team", team},
-                  {"tasks", tasks_of(scenario)}};
+                  {"tasks", tasks_of(scenario)},
+                  {"joint", joint}};
   return page.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -4,18 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include "testing/comets.hpp"
 
 namespace skein::ground_setup {
 namespace {
 
 using Json = nlohmann::json;
-
-scenario::Scenario comets() {
-  auto scenario =
-      scenario::read_scenario(std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/confirmed.yaml");
-  if (!scenario) ADD_FAILURE() << to_text(scenario.error());
-  return scenario ? *scenario : scenario::Scenario();
-}
 
 TEST(PageWorld, SaysWhatAMetreHomeTakesOfWhatAUavHolds) {
   scenario::Scenario scenario = comets();
@@ -42,6 +36,34 @@ TEST(PageWorld, IsOfModestSizeWhateverTheGround) {
   EXPECT_LE(terrain["columns"].get<int>(), 160);
   EXPECT_EQ(terrain["heights"].size(),
             terrain["columns"].get<std::size_t>() * terrain["rows"].get<std::size_t>());
+}
+
+// What scenarios/models/interaction/monitoring-with-relay.yaml and scms.yaml say, read by hand.
+TEST(PageWorld, SaysWhichConstraintsARoleHasInWhichBlocks) {
+  const auto scenario =
+      scenario::read_scenario(std::string(SKEIN_SOURCE_DIR) + "/scenarios/mref/nominal.yaml");
+  ASSERT_TRUE(scenario) << to_text(scenario.error());
+
+  const Json pair = Json::parse(page_world(*scenario))["joint"]["monitoring-with-relay"]["pair"];
+
+  EXPECT_EQ(pair["arguments"], Json::array({"p0", "p1", "p2", "p3"}))
+      << "the list of UAVs is left out";
+  EXPECT_EQ(pair["roles"], Json::array({"perceive", "relay"}));
+  const auto of = [&](const char* scm, const char* role) {
+    for (const Json& one : pair["constraints"])
+      if (one["scm"] == scm && one["role"] == role) return one;
+    return Json();
+  };
+  EXPECT_EQ(of("mcs1", "relay")["blocks"], Json::array({"b20"}));
+  EXPECT_EQ(of("mcs1", "relay")["all"][0]["of"], Json::array({"R*"}));
+  EXPECT_EQ(of("mcs3", "perceive"), Json()) << "only the relay has it";
+  EXPECT_EQ(
+      of("mcs3", "relay")["all"],
+      Json::parse(R"([{"quantity": "distance", "of": ["perceive"], "relation": "<", "than": 100},
+                            {"quantity": "distance", "of": ["p2"], "relation": "<", "than": 100}])"));
+  EXPECT_EQ(of("mcs2", "perceive")["all"][2],
+            Json::parse(R"({"quantity": "azimuth", "of": ["p0", "p1"], "relation": "=", "than": 0,
+                            "tolerance": 0.2})"));
 }
 
 TEST(PageWorld, NamesAreTextWhateverTheyAre) {

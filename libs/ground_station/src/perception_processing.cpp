@@ -6,60 +6,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "evidence.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::ground_station {
 namespace {
 
-using world::Likelihood;
 using world::SensorEvidence;
 using world::Vector2;
 using world::Vector3;
 
-constexpr double kEyeLevel = 2;  // [m] above the ground where a fire is looked for
-
-double logit(double p) { return std::log(p / (1 - p)); }
-
-double sigmoid(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
-
 bool is_probability(double p) { return p > 0 && p < 1; }
 
 double horizontal(const Vector3& a, const Vector3& b) { return (a - b).head<2>().norm(); }
-
-const Likelihood* likelihood_of(const SensorEvidence& device, const std::string& kind) {
-  const auto found = device.kinds.find(kind);
-  return found == device.kinds.end() ? nullptr : &found->second;
-}
-
-bool speaks_for_fire(const SensorEvidence& device, const std::string& kind) {
-  const Likelihood* likelihood = likelihood_of(device, kind);
-  return likelihood != nullptr && likelihood->if_fire > likelihood->if_not_fire;
-}
-
-// ln P(outcome | fire) / P(outcome | no fire); no kind, or one that is not known: nothing reported.
-double log_ratio(const SensorEvidence& device, const world::Detection* detection) {
-  if (detection != nullptr) {
-    const Likelihood* likelihood = likelihood_of(device, detection->kind);
-    if (likelihood != nullptr) return std::log(likelihood->if_fire / likelihood->if_not_fire);
-  }
-  double nothing_if_fire = 1;
-  double nothing_if_not = 1;
-  for (const auto& [kind, likelihood] : device.kinds) {
-    nothing_if_fire -= likelihood.if_fire;
-    nothing_if_not -= likelihood.if_not_fire;
-  }
-  return std::log(nothing_if_fire / nothing_if_not);
-}
-
-bool is_sane(const world::Perception& look) {
-  return look.viewpoint.allFinite() && look.direction.allFinite() && look.direction.norm() > 0 &&
-         std::isfinite(look.range) && std::isfinite(look.aperture);
-}
-
-bool is_sane(const world::Detection& detection) {
-  return detection.position.allFinite() && std::isfinite(detection.spread) &&
-         std::isfinite(detection.confidence);
-}
 
 std::size_t sector_of(const Vector3& from, const Vector3& to) {
   const double bearing = std::atan2(to.y() - from.y(), to.x() - from.x());
@@ -180,10 +139,7 @@ std::vector<Alarm> PerceptionProcessing::alarms() const {
 }
 
 const SensorEvidence* PerceptionProcessing::reliability_of(const world::Perception& look) const {
-  const auto own = config_.models.find({look.uav, look.device});
-  if (own != config_.models.end()) return &own->second;
-  const auto found = config_.devices.find(look.device);
-  return found == config_.devices.end() ? nullptr : &found->second;
+  return evidence_of(config_, look);
 }
 
 void PerceptionProcessing::forget_stale(MissionTime now) {
@@ -236,15 +192,8 @@ PerceptionProcessing::Sightings PerceptionProcessing::associate(const world::Per
 
 bool PerceptionProcessing::surely_in_view(const Candidate& candidate,
                                           const world::Perception& look) const {
-  const Vector3 target = candidate.alarm.position + Vector3(0, 0, kEyeLevel);
-  const Vector3 way = target - look.viewpoint;
-  const double distance = way.norm();
-  const double margin = candidate.alarm.position_sigma;
-  if (distance <= margin || distance + margin > look.range) return false;
-  const double cosine = way.dot(look.direction) / (distance * look.direction.norm());
-  const double off_axis = std::acos(std::clamp(cosine, -1.0, 1.0));
-  return off_axis + std::asin(margin / distance) <= look.aperture &&
-         terrain_.line_of_sight(look.viewpoint, target);
+  return ground_station::surely_in_view(look, candidate.alarm.position,
+                                        candidate.alarm.position_sigma, terrain_);
 }
 
 void PerceptionProcessing::count(Candidate& candidate, const world::Perception& look,

@@ -34,6 +34,8 @@ std::vector<Violation> synchronisations_apart(const History& history);
 std::vector<Violation> partners_too_near(const History& history);
 std::vector<Violation> come_before_foretold(const History& history);
 std::vector<Violation> waits_in_circles(const History& history);
+/// The links between all UAVs are up, from the one instant to the other.
+bool all_hear_each_other(const History& history, double from, double until);
 std::vector<Violation> plan_words_unheard(const History& history);
 /// A partner does not come to the meeting of a goal: its own goal for it failed, or it has none.
 bool partner_never_comes(const History& history, const Uav& uav, const Goal& goal);
@@ -83,6 +85,8 @@ std::vector<Violation> energy_short(const History& history);
 std::vector<Violation> off_its_ground(const History& history);
 /// Whether no ground of the world is too steep for it; true of what flies.
 bool climbs_everything(const History& history, const world::VehicleModel& vehicle);
+// air.cpp
+std::vector<Violation> waits_for_each_other(const History& history);
 // separation.cpp
 std::vector<Violation> too_near_in_the_air(const History& history);
 

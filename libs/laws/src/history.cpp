@@ -165,6 +165,7 @@ class Teller {
       see(record);
       history_.joint.see(record);
       history_.team.see(record);
+      history_.air.see(record);
     }
     for (const std::string& node : waiting_) history_.resumed.erase(node);
     return std::move(history_);

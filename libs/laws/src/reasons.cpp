@@ -160,25 +160,39 @@ bool left_alone(const History& history, const Uav& uav, const Goal& goal) {
   return false;
 }
 
+bool has_deadline(const Uav& uav) {
+  return std::any_of(uav.goals.begin(), uav.goals.end(),
+                     [](const auto& one) { return is_bounded(one.second); });
+}
+
+// Another one of whom something is asked by a date needs this UAV before: the law `reasons` judges
+// whether that is so.
+bool would_make_another_late(const History& history, const Goal& goal) {
+  return std::any_of(history.uavs.begin(), history.uavs.end(), [&](const auto& other) {
+    const std::string needed = "which '" + other.first + "' needs";
+    return says(goal.changes.back().why, needed.c_str()) && has_deadline(other.second);
+  });
+}
+
 }  // namespace
 
-// In a run in which nothing goes wrong nothing fails, but what has a deadline or no device, waits
-// for who never comes or has failed itself, what has no energy left after those, and what one is to
-// do that keeps to ground of which some is too steep for it.
+// In a run in which nothing goes wrong nothing fails, but what has a deadline or no device or would
+// make another miss one, waits for who never comes or has failed itself, what has no energy left
+// after those, and what one is to do that keeps to ground of which some is too steep for it.
 std::vector<Violation> feasible_but_failed(const History& history) {
   std::vector<Violation> result;
   if (!is_clean(*history.scenario)) return result;
   for (const auto& [name, uav] : history.uavs) {
-    const bool bounded = std::any_of(uav.goals.begin(), uav.goals.end(),
-                                     [](const auto& one) { return is_bounded(one.second); });
     const bool able =
         std::all_of(uav.goals.begin(), uav.goals.end(),
                     [&uav = uav](const auto& one) { return equipped(uav, one.second); });
-    if (bounded || !able || !climbs_everything(history, uav.spec->model)) continue;
+    if (has_deadline(uav) || !able || !climbs_everything(history, uav.spec->model)) continue;
     for (const auto& [id, goal] : uav.goals) {
       const Change& last = goal.changes.back();
       const bool spent = last.at >= spent_from(history, uav) && says(last.why, "energy");
-      if (goal.state() != "failed" || spent || left_alone(history, uav, goal)) continue;
+      if (goal.state() != "failed" || spent || left_alone(history, uav, goal) ||
+          would_make_another_late(history, goal))
+        continue;
       result.push_back({"", goal.changes.back().at, name, id,
                         mission::to_text(goal.task) + " failed though nothing went wrong: \"" +
                             goal.changes.back().why + "\""});

@@ -241,15 +241,15 @@ bool in_a_circle(const History& history, const std::string& name, const Span& ti
   return seen.count(name) != 0;
 }
 
-bool all_hear_each_other(const History& history, const Span& time) {
+}  // namespace
+
+bool all_hear_each_other(const History& history, double from, double until) {
   for (const auto& [a, one] : history.uavs) {
     for (const auto& [b, other] : history.uavs)
-      if (a != b && !history.joint.up(a, b, time.from, time.until)) return false;
+      if (a != b && !history.joint.up(a, b, from, until)) return false;
   }
   return true;
 }
-
-}  // namespace
 
 // Who leaves first does so when he has waited for long.
 std::vector<Violation> waits_in_circles(const History& history) {
@@ -261,7 +261,7 @@ std::vector<Violation> waits_in_circles(const History& history) {
       const Span time{until - kPatience, until};
       if (one.started > time.from || !in_a_circle(history, name, time)) continue;
       const auto here = stands_in(uav, time);
-      if (!here || !all_hear_each_other(history, time)) continue;
+      if (!here || !all_hear_each_other(history, time.from, time.until)) continue;
       result.push_back(
           {"", until, name, 0,
            "it waits in synchronisation " + std::to_string(static_cast<std::int64_t>(here->id)) +

@@ -50,6 +50,20 @@ TEST(Feasible, WhereNothingGoesWrongNothingFails) {
   EXPECT_THAT(story.broken("feasible"), SizeIs(1));
 }
 
+TEST(Feasible, WhatWouldMakeAnotherMissItsDeadlineIsRefused) {
+  const auto fails = [](const std::string& helivs) {
+    Story story;
+    story.goal("heliv", 800, helivs, "received", 1);
+    story.goal("marvin", 701, "perceive P1 60", "received", 1)
+        .goal("marvin", 701, "perceive P1 60", "failed", 2,
+              "it starts no earlier than 90 s, must start before 50 s, which 'heliv' needs");
+    return story.broken("feasible");
+  };
+
+  EXPECT_THAT(fails("general-land [end-before 60]"), IsEmpty());
+  EXPECT_THAT(fails("general-land"), SizeIs(1));
+}
+
 TEST(Feasible, OrdersThatNeverComeAreNotWaitedForUntilItFalls) {
   const auto fails = [](const std::string& statement, const std::string& why) {
     Story story;

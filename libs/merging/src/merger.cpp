@@ -176,6 +176,13 @@ std::vector<std::string> Merger::awaited() const {
   return names;
 }
 
+std::vector<std::string> Merger::in_its_way() const {
+  std::vector<std::string> names;
+  for (const Waits::Why& why : told_)
+    if (why.why == kToLeave || why.why == kToGoFirst) names.push_back(why.peer);
+  return names;
+}
+
 std::vector<Merger::Waiter> Merger::waiters() const {
   std::vector<Waiter> all;
   for (const auto& [name, peer] : peers_) {
@@ -326,9 +333,7 @@ Claim Merger::claim() const {
   Claim claim{held_, request_, afterwards_, {}};
   if (!waits()) return claim;
   claim.wanted = choices_[request_ != 0 ? choice_ : 0];
-  for (const Waits::Why& why : told_) {
-    if (why.why == kToLeave || why.why == kToGoFirst) claim.waits_for.push_back(why.peer);
-  }
+  claim.waits_for = in_its_way();
   return claim;
 }
 

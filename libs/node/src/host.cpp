@@ -242,7 +242,10 @@ void Host::give(const Input& input, Now now) {
 
 void Host::carry_out(Effects effects, Now now) {
   for (Effect& effect : effects) {
-    std::visit(Overloaded{[&](Send& one) { send(one, now); },
+    std::visit(Overloaded{[&](Send& one) {
+                            if (ports_.witness) ports_.witness(one.sample);
+                            send(one, now);
+                          },
                           [&](Publish& one) {
                             if (ports_.witness) ports_.witness(one.sample);
                             publish(std::move(one.sample), now);

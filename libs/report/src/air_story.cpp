@@ -57,6 +57,10 @@ std::vector<AirUse> tell_air(const Journal& journal, const Chronology& story) {
     const auto task = line->whole("task").value_or(0);
     const double raised = line->number("raised");
     const std::string type = line->text("type"), state = line->text("state");
+    if (state == "given-up") {
+      last.erase(*uav);
+      continue;
+    }
     last[*uav] = uses.size();
     uses.push_back({*uav,
                     {line->t, std::max(line->t, end_of(story, *uav, task))},

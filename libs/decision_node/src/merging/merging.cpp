@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "skein/elementary/parameter_reader.hpp"
 #include "skein/functional/task_types.hpp"
+#include "skein/mission/degree.hpp"
 #include "skein/supervisor/way_home.hpp"
 
 namespace skein::decision_node {
@@ -18,10 +20,19 @@ constexpr Duration kSaidAgain = Duration::milliseconds(10'000);
 constexpr Duration kStale = Duration::milliseconds(3'000);     ///< beliefs of the vehicle may be
 constexpr Duration kAside = Duration::milliseconds(3'000);     ///< a place aside is had in
 constexpr Duration kUnasked = Duration::milliseconds(10'000);  ///< after the energy is short
-constexpr double kAtRest = 0.5;                                // [m/s]
+/// Who stays with nothing to do, and has been wanted away for so long, makes room.
+constexpr Duration kMakesRoom = Duration::milliseconds(1'000);
+constexpr double kAtRest = 0.5;  // [m/s]
 
 bool is_aside(functional::TaskId task) {
   return task >= kFirstAside && task < functional::kFirstBackgroundId;
+}
+
+/// It lands, or looks, where the vehicle is.
+bool is_done_in_place(const functional::Request& request) {
+  const functional::TaskType& type = functional::TaskTypes::shipped().of(request.type);
+  const bool looks = type.motion == functional::Motion::kKeeps && !type.devices.empty();
+  return looks || request.type == "land";
 }
 
 }  // namespace
@@ -36,7 +47,9 @@ Merging::Merging(Core& core) : core_(core) {
 // ---- motions ----
 
 bool Merging::takes(const functional::Request& request) {
-  if (!merger_ || !(needs_air(request) || comes_after_aside(request))) return false;
+  if (!merger_) return false;
+  if (waiting_ && waiting_->makes_room) stop_waiting();
+  if (!needs_air(request) && !comes_after_aside(request) && !is_to_come_back(request)) return false;
   if (waiting_) {
     core_.post_status({request.id, functional::TaskState::kAborted,
                        "another motion waits for its air: " + waiting_->request.type});
@@ -58,14 +71,46 @@ bool Merging::comes_after_aside(const functional::Request& request) const {
 
 bool Merging::drop(functional::TaskId task) {
   if (!waiting_ || waiting_->request.id != task) return false;
+  stop_waiting();
+  place_.reset();  // what comes next is planned from where it is
+  return true;
+}
+
+void Merging::stop_waiting() {
+  if (!waiting_->noted_for.empty()) note("given-up", nullptr);
   waiting_.reset();
   give(merging::Withdraw{});
-  return true;
+}
+
+bool Merging::is_to_come_back(const functional::Request& request) const {
+  if (!place_ || !seen_.state.airborne || !is_done_in_place(request)) return false;
+  return (*place_ - rest_.value_or(seen_.state.position)).norm() > margins_.settled;
+}
+
+/// Nothing: it cannot be flown.
+Airways Merging::way_to(const world::Vector3& place, const AirwaySituation& from) const {
+  functional::Request request{functional::Verb::kDispatch, next_aside(), "goto", {}};
+  request.parameters.add(elementary::points_parameter("waypoints", {place}));
+  return airways_of(request, true, *core_.config().merging, from).value_or(Airways());
+}
+
+functional::TaskId Merging::next_aside() const {
+  return functional::TaskId(kFirstAside.value() + aside_);
 }
 
 /// From where it is now: as often as it waits anew.
 void Merging::ask() {
   if (!waiting_ || !has_seen_ || (flown_ && !flown_->over)) return;
+  if (waiting_->makes_room) return stop_waiting();
+  waiting_->comes_back = false;
+  if (is_to_come_back(waiting_->request)) {
+    if (Airways back = way_to(*place_, situation()); !back.empty()) {
+      ++aside_;
+      waiting_->comes_back = true;
+      waiting_->aside_since.reset();
+      return want(std::move(back));
+    }
+  }
   if (!needs_air(waiting_->request)) {
     functional::Request request = std::move(waiting_->request);
     waiting_.reset();
@@ -91,22 +136,24 @@ void Merging::want(Airways airways, merging::Volumes afterwards) {
 
 void Merging::refuse(const std::string& why) {
   const functional::TaskId task = waiting_->request.id;
-  waiting_.reset();
-  give(merging::Withdraw{});
+  stop_waiting();
   core_.post_status({task, functional::TaskState::kAborted, why});
 }
 
 void Merging::begin(const Airway& airway, const std::string& state) {
   note(state, &airway);
   flown_ = Flown{airway, false, false};
+  const bool aside = waiting_->aside_since.has_value();
+  if (aside && !place_) place_ = rest_;
+  if (!aside && !waiting_->comes_back) place_.reset();
   rest_.reset();
-  if (waiting_->aside_since) {
+  if (waiting_->makes_room || (!aside && !waiting_->comes_back)) {
+    waiting_.reset();
+  } else {
     waiting_->airways.clear();
-    waiting_->was_aside = true;
+    waiting_->was_aside = waiting_->was_aside || aside;
     waiting_->waits_for.clear();
     waiting_->noted_for.clear();
-  } else {
-    waiting_.reset();
   }
   hold();
   core_.vehicle().begin(airway.request);
@@ -136,7 +183,7 @@ void Merging::vehicle_told(const world::Telemetry& telemetry) {
       flown_->airway.way->passed(telemetry.state.position))
     hold();
   come_to_rest();
-  if (!waiting_) return;
+  if (!waiting_) return look_for_room();
   if (waiting_->airways.empty()) ask();
   if (waiting_ && !waiting_->why_not.empty() && core_.bus().now() > waiting_->since + kStale)
     return refuse(waiting_->why_not);
@@ -193,12 +240,14 @@ void Merging::look_at_energy() {
   begin(Airway(waiting_->airways.front()), "unasked");
 }
 
-/// At once, and then not more often than every few seconds.
+/// At once when others stand in its way; other reasons not more often than every few seconds.
 void Merging::note_waits() {
   if (waiting_->waits_for == waiting_->noted_for) return;
-  if (!waiting_->noted_for.empty() && core_.bus().now() < waiting_->noted + kSaidAgain) return;
+  const bool soon = core_.bus().now() < waiting_->noted + kSaidAgain;
+  if (!waiting_->noted_for.empty() && waiting_->in_its_way == waiting_->noted_way && soon) return;
   waiting_->noted = core_.bus().now();
   waiting_->noted_for = waiting_->waits_for;
+  waiting_->noted_way = waiting_->in_its_way;
   note("waits", nullptr);
 }
 
@@ -264,30 +313,77 @@ void Merging::carry_out(const merging::Tell& tell) {
 
 void Merging::carry_out(const merging::Granted& granted) {
   if (!waiting_ || granted.choice >= waiting_->airways.size()) return;
-  begin(Airway(waiting_->airways[granted.choice]), waiting_->aside_since ? "aside" : "had");
+  const char* state = waiting_->aside_since ? "aside" : waiting_->comes_back ? "back" : "had";
+  begin(Airway(waiting_->airways[granted.choice]), state);
 }
 
 void Merging::carry_out(const merging::Waits& waits) {
   if (!waiting_) return;
   std::vector<std::string> now_for;
   for (const merging::Waits::Why& one : waits.whys) now_for.push_back(one.peer + " " + one.why);
-  if (!waiting_->aside_since) waiting_->waits_for = std::move(now_for);
+  if (!waiting_->aside_since) {
+    waiting_->waits_for = std::move(now_for);
+    waiting_->in_its_way = merger_->in_its_way();
+  }
   note_waits();
 }
 
 void Merging::carry_out(const merging::MoveAside& move) {
   if (!waiting_ || waiting_->airways.empty() || !rest_ || !seen_.state.airborne) return;
-  const functional::TaskId id(kFirstAside.value() + aside_);
-  Airways aside = ways_aside(id, merger_->others(), *core_.config().merging, situation());
+  Airways aside = places_aside();
   const merging::Volumes ends = merger_->ends();
   const auto others = std::stable_partition(aside.begin(), aside.end(),
                                             [&](const Airway& one) { return leads_on(one, ends); });
   if (move.for_itself) aside.erase(others, aside.end());
   if (aside.empty()) return;
-  ++aside_;
   if (!waiting_->aside_since) waiting_->own_air = waiting_->airways.front().air;
   waiting_->aside_since = core_.bus().now();
   want(std::move(aside), waiting_->own_air);
+}
+
+Airways Merging::places_aside() {
+  Airways aside = ways_aside(next_aside(), merger_->others(), *core_.config().merging, situation());
+  ++aside_;
+  return aside;
+}
+
+// ---- whoever has nothing to do ----
+
+/// Else one that waits here for another, at a meeting, is waited for by it for its air.
+void Merging::look_for_room() {
+  const MissionTime now = core_.bus().now();
+  if (!has_nothing_to_do() || !is_in_the_way()) return room_since_.reset();
+  if (!room_since_) room_since_ = now;
+  if (now < *room_since_ + kMakesRoom) return;
+  room_since_ = now;
+  Airways aside = places_aside();
+  if (aside.empty()) return;
+  waiting_.emplace();
+  waiting_->request = aside.front().request;
+  waiting_->since = waiting_->said = now;
+  waiting_->aside_since = now;
+  waiting_->makes_room = true;
+  want(std::move(aside));
+}
+
+bool Merging::is_in_the_way() const {
+  const auto waiters = merger_->waiters();
+  return std::any_of(waiters.begin(), waiters.end(),
+                     [](const auto& one) { return one.for_its_place; });
+}
+
+/// Of what it does nothing needs the vehicle where it is. Below degree 4 it is where its operator
+/// has put it.
+bool Merging::has_nothing_to_do() const {
+  if (flown_ || !rest_ || !seen_.state.airborne || !mission::deliberates(core_.degree()))
+    return false;
+  if (!core_.vehicle().under_way().empty()) return false;
+  const auto tasks = core_.execution().tasks();
+  return std::none_of(tasks.begin(), tasks.end(), [](const executive::TaskStatus& one) {
+    const bool waits = one.state == executive::TaskState::kScheduled;
+    if (waits || is_terminal(one.state) || one.id >= executive::kFirstBackgroundId) return false;
+    return !functional::TaskTypes::shipped().of(one.type).synchronises();
+  });
 }
 
 // ---- what it knows ----
@@ -298,8 +394,12 @@ bool Merging::leads_on(const Airway& aside, const merging::Volumes& ends) const 
   there.state.position = *aside.end;
   there.rest = aside.end;
   there.aside = true;
-  const auto on = airways_of(waiting_->request, false, *core_.config().merging, there);
-  return on && !overlap(on->front().air, ends);
+  const functional::Request& request = waiting_->request;
+  const Airways on =
+      is_done_in_place(request)
+          ? way_to(place_.value_or(*rest_), there)
+          : airways_of(request, false, *core_.config().merging, there).value_or(Airways());
+  return !on.empty() && !overlap(on.front().air, ends);
 }
 
 /// Nothing is looked at on the way, and no role of a joint task is played by it.

@@ -17,9 +17,9 @@ class Core;
 /// Between whoever has a motion (executive, ground station, own tasks) and the vehicle. A motion
 /// waits until it has all of its air; meanwhile it is to its executive a task that was dispatched
 /// and is not running yet, and the executive is told again and again that it will come. What the
-/// vehicle does not need any more is given back, piece by piece. Without `merging` in the
-/// configuration every motion goes at once. Source: spec 6.4;
-/// docs/decisions/0019-plan-merging.md.
+/// vehicle does not need any more is given back, piece by piece. Who got out of the way comes back
+/// before it does what it was to do there. Without `merging` in the configuration every motion goes
+/// at once. Source: spec 6.4; docs/decisions/0019-plan-merging.md.
 class Merging final : public Component {
  public:
   explicit Merging(Core& core);
@@ -47,9 +47,13 @@ class Merging final : public Component {
     std::optional<MissionTime> aside_since = {};
     merging::Volumes own_air = {};  ///< that it wants afterwards, as far as it knows
     std::vector<std::string> waits_for;
-    bool was_aside = false;  ///< it has got out of the way
-    MissionTime noted;       ///< that it waits, for these
+    bool was_aside = false;   ///< it has got out of the way
+    bool comes_back = false;  ///< it asks for the way back to where it got out of the way from
+    /// It asks for a place aside for another's sake, and wants nothing afterwards.
+    bool makes_room = false;
+    MissionTime noted;  ///< that it waits, for these
     std::vector<std::string> noted_for;
+    std::vector<std::string> in_its_way, noted_way;  ///< of these, who has to leave first
     std::string why_not;  ///< the vehicle cannot, as it seemed at the last look
   };
   /// What the vehicle flies, or has flown last and has not come to rest from.
@@ -76,6 +80,14 @@ class Merging final : public Component {
   void hold();
   void tell_orders();
   bool comes_after_aside(const functional::Request& request) const;
+  bool is_to_come_back(const functional::Request& request) const;
+  Airways way_to(const world::Vector3& place, const AirwaySituation& from) const;
+  Airways places_aside();
+  functional::TaskId next_aside() const;
+  void look_for_room();
+  bool is_in_the_way() const;
+  bool has_nothing_to_do() const;
+  void stop_waiting();
   bool leads_on(const Airway& aside, const merging::Volumes& ends) const;
   bool at_any_height(const functional::Request& request) const;
   AirwaySituation situation() const;
@@ -89,8 +101,11 @@ class Merging final : public Component {
   std::optional<world::Vector3> rest_;  ///< where it holds or circles in the air
   std::optional<Flown> flown_;
   std::optional<Waiting> waiting_;
-  supervisor::AirOrders orders_;  ///< as the supervisor was told
-  std::uint64_t aside_ = 0;       ///< of flights out of the way, so far
+  std::optional<world::Vector3>
+      place_;  ///< where it got out of the way from, and did not come back
+  std::optional<MissionTime> room_since_;  ///< another one wants to go where it stays, since then
+  supervisor::AirOrders orders_;           ///< as the supervisor was told
+  std::uint64_t aside_ = 0;                ///< of flights out of the way, so far
 };
 
 }  // namespace skein::decision_node

@@ -108,6 +108,44 @@ TEST(Merging, TwoThatAreToChangePlacesDoSo) {
   EXPECT_NEAR((team.state("heliv").position - world::Vector3(-100, 0, 40)).norm(), 0, 0.5);
 }
 
+// Heliv is to land where marvin is to rise past it: it gets out of the way, and lands where it was
+// sent to.
+TEST(Merging, WhoGotOutOfTheWayComesBackToLand) {
+  MergedTeam team({{"marvin", {0, 0, 20}}, {"heliv", {0, 0, 60}}});
+  give_sweep(team, "marvin", goto_of(7, {0, 0, 110}));
+  team.command("heliv", testing::start_of(7, "land"));
+  team.run(150);
+  EXPECT_TRUE(team.is_over("marvin", 7));
+  ASSERT_TRUE(team.is_over("heliv", 7));
+  EXPECT_THAT(states(team.notes("heliv")), ::testing::IsSupersetOf({"aside", "back", "had"}));
+  EXPECT_NEAR(team.state("heliv").position.norm(), 0, 0.5);
+}
+
+TEST(Merging, WhatWaitedAndIsGivenUpIsSaidToBe) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}});
+  give_sweep(team, "heliv", goto_of(7, {-100, 0, 40}));
+  team.run(5);
+  team.command("heliv", executive::Abort{executive::TaskId(7)});
+  EXPECT_THAT(states(team.notes("heliv")), ElementsAre("waits", "given-up"));
+}
+
+// Marvin may wait for heliv, at a meeting: it has nothing else to do, and makes room.
+TEST(Merging, WhoDeliberatesAndHasNothingToDoMakesRoom) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}}, 4);
+  give_sweep(team, "heliv", goto_of(7, {0, 0, 40}));
+  team.run(40);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+  EXPECT_THAT(states(team.notes("marvin")), ElementsAre("aside"));
+}
+
+TEST(Merging, WhereItsOperatorPutItAUavStays) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}}, 3);
+  give_sweep(team, "heliv", goto_of(7, {0, 0, 40}));
+  team.run(40);
+  EXPECT_FALSE(team.is_over("heliv", 7));
+  EXPECT_THAT(team.notes("marvin"), IsEmpty());
+}
+
 // Heliv flies aside when it is to hold instead.
 TEST(Merging, WhoIsToHoldWhileItFliesAsideHoldsOnceItIsThere) {
   MergedTeam team = opposite();

@@ -42,15 +42,30 @@ inline executive::Start takeoff_of(std::uint64_t id, double altitude) {
   return start;
 }
 
+/// What a UAV at degree 4 has to know, without anything that it could plan.
+inline std::shared_ptr<const supervisor::Knowledge> knowledge_of(const std::string& uav) {
+  auto knowledge = std::make_shared<supervisor::Knowledge>();
+  knowledge->uav = uav;
+  knowledge->vehicle = quick_helicopter();
+  knowledge->vehicle.energy.capacity = 1e6;
+  return knowledge;
+}
+
 class MergedTeam {
  public:
-  /// At degree 3, in that order in the roster, each at its place: on the ground where z is 0.
-  explicit MergedTeam(const std::vector<std::pair<std::string, Vector3>>& places) {
+  /// In that order in the roster, each at its place: on the ground where z is 0.
+  explicit MergedTeam(const std::vector<std::pair<std::string, Vector3>>& places, int degree = 3) {
     for (const auto& [name, place] : places) names_.push_back(name);
     for (const auto& [name, place] : places) {
       Config config;
       config.uav = name;
       config.merging = {names_, quick_helicopter(), {}, level_ground(), {}};
+      config.degree = degree;
+      if (degree >= 4) {
+        config.knowledge = knowledge_of(name);
+        config.world = std::make_shared<world::World>(
+            world::World{{}, *level_ground(), {}, {}, {}, {}, {}, {}, {}});
+      }
       Uav& uav = uavs_[name];
       uav.node = std::make_unique<DecisionNode>(config);
       uav.state.position = place;

@@ -226,6 +226,14 @@ Story& Story::plan_word(const std::string& from, const std::string& to, double a
   return *this;
 }
 
+Story& Story::air(const std::string& uav, double at, const std::string& state,
+                  const std::string& waits_for) {
+  journal::Record& record = add(at, uav, "air");
+  record.with("uav", uav).with("task", 7).with("type", "goto").with("state", state);
+  if (!waits_for.empty()) record.with("for", waits_for);
+  return *this;
+}
+
 Story& Story::link(double at, const std::string& from, const std::string& to, bool up) {
   add(at, "sim", "link").with("from", from).with("to", to).with("up", up);
   return *this;

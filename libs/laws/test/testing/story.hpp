@@ -77,6 +77,9 @@ class Story {
   /// One tells another of its plan; that hears it at `heard`, if at all.
   Story& plan_word(const std::string& from, const std::string& to, double at,
                    std::optional<double> heard);
+  /// What becomes of a motion that needs air; of one that waits, for whom and why.
+  Story& air(const std::string& uav, double at, const std::string& state,
+             const std::string& waits_for = "");
   Story& link(double at, const std::string& from, const std::string& to, bool up);
   Story& fault(double at, const std::string& what, const std::string& uav);
 

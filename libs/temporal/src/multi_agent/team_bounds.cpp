@@ -134,7 +134,6 @@ Frontier TeamDates::bounds_for(const std::string& receiver) const {
   const auto own = known.find(self_);
   if (own == known.end() || own->second.meetings.empty()) return {};
   TeamGraph graph(known, unheard_since_, self_);
-  graph.leave_out_orders();
   return Bounds(graph, self_, own->second, receiver).all();
 }
 

@@ -2,7 +2,8 @@
 #include "multi_agent/team_graph.hpp"
 
 #include <algorithm>
-#include <set>
+#include <iterator>
+#include <span>
 
 namespace skein::temporal {
 
@@ -15,6 +16,13 @@ const FrontierBasis* basis_in(const Frontier& frontier, std::uint32_t node) {
   for (const FrontierBasis& one : frontier.bases)
     if (one.node == node) return &one;
   return nullptr;
+}
+
+/// Those on which its earliest date rests, too.
+std::span<const EndOf> certain_ends(const FrontierBasis& basis) {
+  const auto order = std::find_if(basis.ends.begin(), basis.ends.end(),
+                                  [](const EndOf& end) { return is_order(end.meeting); });
+  return {basis.ends.begin(), order};
 }
 
 bool any(const std::vector<bool>& changed) {
@@ -106,20 +114,29 @@ void TeamGraph::join(const std::string& agent, std::size_t which) {
   }
 }
 
-// Who is awaited waits for the very same.
+// Who is awaited waits for the very same: never, or, where an order between ways is among what it
+// waits for, without a figure.
 void TeamGraph::see_circles() {
   for (const auto& [end, awaited] : awaited_) {
     const EndOf& own = end_of_.at(end);
-    if (own.agent != self_ || is_order(own.meeting)) continue;
-    for (const Awaited& one : awaited) {
-      const auto basis = basis_.find(one.arrival);
-      if (basis == basis_.end()) continue;
-      const std::vector<EndOf>& ends = basis->second->ends;
-      if (std::find(ends.begin(), ends.end(), own) == ends.end()) continue;
-      arcs_.push_back({{Frontier::kOrigin, end, kInfinite, kInfinite, kMinusInfinite}, nullptr});
-      break;
-    }
+    if (own.agent != self_ || !awaits(end, own, false)) continue;
+    const bool never = !is_order(own.meeting) && awaits(end, own, true);
+    const Ticks soonest = never ? kInfinite : kMinusInfinite;
+    arcs_.push_back({{Frontier::kOrigin, end, soonest, kInfinite, kMinusInfinite}, nullptr});
   }
+}
+
+/// An end of the own for somebody whose arrival rests on that very end; `certainly`: its earliest
+/// date does.
+bool TeamGraph::awaits(std::uint32_t end, const EndOf& own, bool certainly) const {
+  const std::vector<Awaited>& all = awaited(end);
+  return std::any_of(all.begin(), all.end(), [&](const Awaited& one) {
+    const auto basis = basis_.find(one.arrival);
+    if (basis == basis_.end()) return false;
+    const std::span<const EndOf> ends =
+        certainly ? certain_ends(*basis->second) : std::span<const EndOf>(basis->second->ends);
+    return std::find(ends.begin(), ends.end(), own) != ends.end();
+  });
 }
 
 const std::vector<TeamGraph::Awaited>& TeamGraph::awaited(std::uint32_t end) const {
@@ -178,14 +195,14 @@ bool TeamGraph::goes_on(const FrontierArc& arc) {
 }
 
 /// Itself only on a circle.
-std::vector<bool> TeamGraph::reached_from(std::uint32_t start) const {
+std::vector<bool> TeamGraph::reached_from(std::uint32_t start, Weight weight) const {
   std::vector<bool> reached(nodes_, false);
   std::vector<std::uint32_t> open = {start};
   while (!open.empty()) {
     const std::uint32_t node = open.back();
     open.pop_back();
     for (const Arc& one : arcs_) {
-      if (one.arc.from != node || one.arc.soonest == kMinusInfinite || one.arc.to < 2) continue;
+      if (one.arc.from != node || one.arc.*weight == kMinusInfinite || one.arc.to < 2) continue;
       if (!reached[one.arc.to]) open.push_back(one.arc.to);
       reached[one.arc.to] = true;
     }
@@ -219,12 +236,6 @@ bool TeamGraph::bounds(const Arc& one, const std::string& without) const {
   if (one.past == nullptr) return true;
   return std::none_of(one.past->ends.begin(), one.past->ends.end(),
                       [&](const EndOf& end) { return end.agent == without || end.agent == self_; });
-}
-
-void TeamGraph::leave_out_orders() {
-  std::erase_if(arcs_, [](const Arc& one) {
-    return one.agent == nullptr && one.arc.soonest == kMinusInfinite;
-  });
 }
 
 void TeamGraph::leave_out(const std::vector<bool>& never) {
@@ -283,17 +294,35 @@ std::vector<std::string> TeamGraph::passed(const std::vector<Limit>& limits,
 }
 
 std::vector<EndOf> TeamGraph::basis_of(std::uint32_t arrival) const {
+  const std::set<EndOf> certain = ends_before(arrival, &FrontierArc::soonest);
+  const std::set<EndOf> all = ends_before(arrival, &FrontierArc::slowest);
+  std::vector<EndOf> ends(certain.begin(), certain.end()), rest;
+  std::set_difference(all.begin(), all.end(), certain.begin(), certain.end(),
+                      std::back_inserter(rest));
+  std::stable_partition(rest.begin(), rest.end(),
+                        [](const EndOf& end) { return is_order(end.meeting); });
+  if (!rest.empty() && is_order(rest.front().meeting))
+    ends.insert(ends.end(), rest.begin(), rest.end());
+  return ends;
+}
+
+/// From which a way in this course leads to it, and those on which what is awaited there rests.
+std::set<EndOf> TeamGraph::ends_before(std::uint32_t arrival, Weight weight) const {
+  const bool certainly = weight == &FrontierArc::soonest;
   std::set<EndOf> ends;
   for (const auto& [end, own] : end_of_) {
-    if (own.agent != self_ || !reached_from(end)[arrival]) continue;
+    if (own.agent != self_ || (certainly && is_order(own.meeting))) continue;
+    if (!reached_from(end, weight)[arrival]) continue;
     ends.insert(own);
     for (const Awaited& one : awaited(end)) {
       const auto basis = basis_.find(one.arrival);
-      if (basis != basis_.end())
-        ends.insert(basis->second->ends.begin(), basis->second->ends.end());
+      if (basis == basis_.end()) continue;
+      const std::span<const EndOf> its =
+          certainly ? certain_ends(*basis->second) : std::span<const EndOf>(basis->second->ends);
+      ends.insert(its.begin(), its.end());
     }
   }
-  return {ends.begin(), ends.end()};
+  return ends;
 }
 
 }  // namespace skein::temporal

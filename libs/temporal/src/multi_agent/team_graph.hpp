@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,14 +72,13 @@ class TeamGraph {
   };
   /// Latest dates by what all but `without` bound from above, when all lasts longest.
   std::vector<Limit> latest(const std::string& without, const Since& since) const;
-  /// Nobody waits for his air from here on.
-  void leave_out_orders();
   /// Nothing bounds, and nothing is bounded by, what is marked in `never` from here on.
   void leave_out(const std::vector<bool>& never);
   /// Whose bounds a limit was found by, in their order. Precondition: of `latest`, and bounded.
   std::vector<std::string> passed(const std::vector<Limit>& limits, std::uint32_t node) const;
 
-  /// The ends of meetings on which an arrival rests. Precondition: of `self`.
+  /// The ends of meetings on which an arrival rests, as FrontierBasis has them. Precondition: of
+  /// `self`.
   std::vector<EndOf> basis_of(std::uint32_t arrival) const;
 
   /// From the end of a meeting to another one.
@@ -94,7 +94,9 @@ class TeamGraph {
   void enter(const std::string& agent, const Frontier& frontier, Ticks last_word);
   void join(const std::string& agent, std::size_t which);
   void see_circles();
-  std::vector<bool> reached_from(std::uint32_t start) const;
+  std::vector<bool> reached_from(std::uint32_t start, Weight weight = &FrontierArc::soonest) const;
+  bool awaits(std::uint32_t end, const EndOf& own, bool certainly) const;
+  std::set<EndOf> ends_before(std::uint32_t arrival, Weight weight) const;
   bool bounds(const Arc& one, const std::string& without) const;
   std::vector<bool> revise(const std::string& without, std::vector<Limit>& limit) const;
   std::vector<bool> revise(Weight weight, std::vector<Ticks>& date) const;

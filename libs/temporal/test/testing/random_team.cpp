@@ -48,7 +48,7 @@ class Distances {
 
 }  // namespace
 
-RandomTeam::RandomTeam(std::uint64_t seed) : random_(seed) {
+RandomTeam::RandomTeam(std::uint64_t seed, bool orders) : random_(seed) {
   const std::size_t agents = 2 + random_.below(3);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < agents; ++i) names.push_back(std::string("uav") + char('a' + i));
@@ -60,6 +60,12 @@ RandomTeam::RandomTeam(std::uint64_t seed) : random_(seed) {
       if (random_.below(4) != 0) meeting.receivers.push_back(name);
     }
     meetings_.push_back(meeting);
+  }
+  for (std::size_t i = 0; orders && i < names.size(); ++i) {
+    Meeting order{order_of(names[i]), {}, {names[i]}};
+    for (const std::string& name : names)
+      if (name != names[i] && random_.below(3) == 0) order.senders.push_back(name);
+    if (!order.senders.empty()) orders_.push_back(order);
   }
   for (const std::string& name : names) {
     plans_[name];
@@ -76,7 +82,7 @@ std::vector<std::string> RandomTeam::agents() const {
 void RandomTeam::change() {
   now_ = now_ + Duration::nanoseconds(static_cast<std::int64_t>(random_.below(20)));
   for (auto& [name, plan] : plans_)
-    if (plan.nodes == 0 || random_.below(2) == 0) plan = make_plan();
+    if (plan.nodes == 0 || random_.below(2) == 0) plan = make_plan(name);
 }
 
 void RandomTeam::deliver() {
@@ -87,12 +93,17 @@ void RandomTeam::deliver() {
 }
 
 // Meetings nearly in the order of their numbers, so that few wait for each other for ever.
-RandomTeam::Plan RandomTeam::make_plan() {
+RandomTeam::Plan RandomTeam::make_plan(const std::string& agent) {
   Plan plan;
   for (const Meeting& meeting : meetings_)
     if (random_.below(5) != 0) plan.meetings.push_back(meeting);
   if (plan.meetings.size() > 1 && random_.below(6) == 0)
     std::swap(plan.meetings.front(), plan.meetings.back());
+  for (const Meeting& order : orders_) {
+    if (!is_in(order.senders, agent) && !is_in(order.receivers, agent)) continue;
+    const auto place = static_cast<std::ptrdiff_t>(random_.below(plan.meetings.size() + 1));
+    if (random_.below(4) != 0) plan.meetings.insert(plan.meetings.begin() + place, order);
+  }
   plan.nodes = Frontier::arrival_of(plan.meetings.size());
   std::uint32_t before = Frontier::kPresent;
   const auto lasts = [&](std::uint32_t from, std::uint32_t to, bool may_be_endless) {
@@ -103,7 +114,7 @@ RandomTeam::Plan RandomTeam::make_plan() {
     if (!endless) plan.links.push_back({to, from, kMinusInfinite, kMinusInfinite, -most});
   };
   for (std::size_t i = 0; i < plan.meetings.size(); ++i) {
-    const auto arrival = Frontier::arrival_of(i), end = Frontier::end_of(i);
+    const auto end = Frontier::end_of(i);
     for (std::size_t tasks = random_.below(3); tasks > 0; --tasks) {
       const auto start = static_cast<std::uint32_t>(plan.nodes++);
       const auto over = static_cast<std::uint32_t>(plan.nodes++);
@@ -111,13 +122,30 @@ RandomTeam::Plan RandomTeam::make_plan() {
       lasts(start, over, true);
       before = over;
     }
-    plan.links.push_back({before, arrival, 0, 0, 0});
-    plan.links.push_back({arrival, end, 1, 1, 1});
-    if (random_.below(3) == 0)
+    take_part(plan, agent, i, before);
+    if (before == end && random_.below(3) == 0)
       bound(plan, end, now_.count() + 100 + static_cast<Ticks>(random_.below(300)));
-    before = end;
   }
   return plan;
+}
+
+// Who leaves others' air goes on; who waits for his may have another before, and goes on once the
+// others have left at the latest.
+void RandomTeam::take_part(Plan& plan, const std::string& agent, std::size_t meeting,
+                           std::uint32_t& before) {
+  const auto arrival = Frontier::arrival_of(meeting), end = Frontier::end_of(meeting);
+  const Meeting& what = plan.meetings[meeting];
+  plan.links.push_back({before, arrival, 0, 0, 0});
+  if (!is_order(what.id)) {
+    plan.links.push_back({arrival, end, 1, 1, 1});
+    before = end;
+  } else if (is_in(what.receivers, agent)) {
+    const auto after = static_cast<std::uint32_t>(plan.nodes++);
+    const auto flight = 1 + static_cast<Ticks>(random_.below(20));
+    plan.links.push_back({before, after, flight, flight, flight});
+    plan.links.push_back({end, after, kMinusInfinite, flight, kMinusInfinite});
+    before = after;
+  }
 }
 
 // Only where it can be kept by the plan alone.
@@ -172,7 +200,10 @@ class RandomTeam::Whole {
       for (const FrontierLink& link : plan.links)
         if (name != without && link.*weight != kMinusInfinite && !(past && link.from < 2))
           distances_->add(node(name, link.from), node(name, link.to), link.*weight);
-      for (std::size_t i = 0; i < plan.meetings.size(); ++i) join(name, plan.meetings[i], i);
+      for (std::size_t i = 0; i < plan.meetings.size(); ++i) {
+        const bool counts = !is_order(plan.meetings[i].id) || weight == &FrontierArc::slowest;
+        if (counts) join(name, plan.meetings[i], i);
+      }
     }
     distances_->close();
   }
@@ -222,6 +253,7 @@ std::map<MeetingId, OracleDates> RandomTeam::dates_of(const std::string& agent) 
       latest(*this, &FrontierArc::latest, agent);
   std::map<MeetingId, OracleDates> result;
   for (const Meeting& meeting : meetings_of(agent)) {
+    if (is_order(meeting.id) && !is_in(meeting.receivers, agent)) continue;
     OracleDates dates;
     bool all = true;
     for (const std::string& other : meeting.senders) {

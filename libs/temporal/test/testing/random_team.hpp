@@ -23,7 +23,8 @@ struct OracleDates {
 /// heard at `deliver`, by all, once.
 class RandomTeam {
  public:
-  explicit RandomTeam(std::uint64_t seed);
+  /// `orders`: some wait for others to leave their air, too.
+  explicit RandomTeam(std::uint64_t seed, bool orders = false);
 
   void change();
   void deliver();
@@ -46,13 +47,14 @@ class RandomTeam {
     std::vector<FrontierLink> links;
   };
   class Whole;
-  Plan make_plan();
+  Plan make_plan(const std::string& agent);
+  void take_part(Plan& plan, const std::string& agent, std::size_t meeting, std::uint32_t& before);
   std::vector<Meeting> meetings_of(const std::string& agent) const;
   void bound(Plan& plan, std::uint32_t node, Ticks date);
   Frontier frontier_of(const Plan& plan) const;
 
   Random random_;
-  std::vector<Meeting> meetings_;
+  std::vector<Meeting> meetings_, orders_;
   std::map<std::string, Plan> plans_;
   std::map<std::string, TeamDates> heard_;
   MissionTime now_;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "skein/console/annex.hpp"
@@ -21,6 +23,11 @@ struct ConsoleConfig {
   std::string world = "{}";           ///< one JSON object: what does not change in a mission
   std::shared_ptr<Annex> annex = {};  ///< what else is served; none: nothing
   std::string start = {};             ///< of the page to begin with: "designer.html"
+  /// What else a sample means for the page, as JSON objects by key, the last of which it is to
+  /// have. Called from the daemon's thread.
+  using Explain =
+      std::function<std::vector<std::pair<std::string, std::string>>(const wire::Sample&)>;
+  Explain explain = {};
 };
 
 /// "ADDR:PORT", "ADDR", ":PORT" or "PORT"; what is absent stays as in `config`.

@@ -2,14 +2,12 @@
 // The ground station as a node.
 #pragma once
 
-#include <functional>
-#include <map>
+#include <optional>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "skein/foundation/result.hpp"
+#include "skein/ground/inbox.hpp"
 #include "skein/ground/operator_boards.hpp"
 #include "skein/ground/played_roles.hpp"
 #include "skein/ground/temporal_desk.hpp"
@@ -22,16 +20,12 @@
 
 namespace skein::ground {
 
-/// Samples and records around GroundControl (the CDN: MPS, MCS, PPS). What does not come from the
-/// decision node of a UAV, answers another UAV's command, or makes no sense, is logged once per
-/// sender and slot and dropped. Operators are told on the world channel: boards, and answers to
-/// their requests. Source: spec 1.1.
+/// Samples and records around GroundControl (the CDN: MPS, MCS, PPS). What comes in goes through
+/// the Inbox. Operators are told on the world channel: boards, and answers to their requests.
+/// Source: spec 1.1.
 class GroundNode final : public node::Node {
  public:
-  /// What an operator asks in a text, or every reason why that says nothing of sense.
-  using ReadRequest =
-      std::function<Result<std::vector<ground_station::OperatorDeed>, std::vector<std::string>>(
-          const std::string& text)>;
+  using ReadRequest = Inbox::ReadRequest;
 
   /// Without a reader every request of an operator is refused; `played`: UAVs for which roles can
   /// be played here.
@@ -44,18 +38,10 @@ class GroundNode final : public node::Node {
   std::optional<MissionTime> next_wakeup() const override;
 
  private:
-  using Input = ground_station::GroundControl::Input;
+  using Input = Inbox::Input;
 
-  std::optional<Input> input_of(const node::Input& input);
-  std::optional<Input> input_from(const node::Received& received);
-  std::optional<Input> input_of_mission(const std::string& uav, const node::Received& received);
-  Input request_from(const wire::OperatorRequest& request) const;
-  bool is_uav(node::NodeNumber number) const;
-  std::string why_not(const node::Received& received) const;
-  void drop(const node::Received& received, const wire::Violation& violation);
-  bool is_addressee(std::uint64_t command, node::NodeNumber from) const;
-  Input input_of(const wire::PlanBoard& board) const;
-
+  template <class Effect>
+  void tell_or_do(const Effect& effect);
   void carry_out(const ground_station::SendRequest& effect);
   void carry_out(const ground_station::SendFunctional& effect);
   void carry_out(const ground_station::SendSync& effect);
@@ -63,20 +49,10 @@ class GroundNode final : public node::Node {
   void carry_out(const ground_station::TellAlarm& effect);
   void carry_out(const ground_station::ObjectSeen& effect);
   void carry_out(const ground_station::OperatorAnswered& effect);
-  void carry_out(const ground_station::OperatorAsked& effect);
-  void carry_out(const ground_station::HandChanged& effect);
   void carry_out(const ground_station::CommandChanged& effect);
-  void carry_out(const ground_station::LocalRequestAnswered& effect);
   void carry_out(const ground_station::LocalTaskEvent& effect);
-  void carry_out(const ground_station::LocalSync& effect);
-  void carry_out(const ground_station::PerceptionLogged& effect);
   void carry_out(const ground_station::PhaseEntered& effect);
-  void carry_out(const ground_station::StepDone& effect);
-  void carry_out(const ground_station::OperatorDid& effect);
   void carry_out(const ground_station::DegreeChanged&) {}  // the UAV logs its own
-  void carry_out(const ground_station::UavRestarted& effect);
-  void carry_out(const ground_station::HeldPlanChanged& effect);
-  void carry_out(const ground_station::Anomaly& effect);
   void carry_out(const ground_station::MissionFinished& effect);
   // the team
   void tell_team(const ground_station::TeamDesk::Input& input);
@@ -88,7 +64,6 @@ class GroundNode final : public node::Node {
   void carry_out(const ground_station::TeamTaskChanged& effect);
   void carry_out(const ground_station::GlobalMissionChanged& effect);
   void carry_out(const ground_station::TeamSaleTold& effect);
-  void carry_out(const ground_station::TeamTokenChanged& effect);
   // roles that are played here
   void carry_out(PlayedRoles::Outcome outcome);
   bool hear_of_roles(const node::Input& input);
@@ -98,7 +73,7 @@ class GroundNode final : public node::Node {
   void send(const std::string& uav, wire::Sample sample, MissionTime expires = MissionTime::max(),
             std::uint64_t receipt = 0);
   wire::Sample sample_of(const ground_station::SendRequest& effect) const;
-  void log(journal::Record record);
+  void log(std::optional<journal::Record> line);
   translation::Writer writer() const { return {now_, "ground"}; }
   template <class Line>
   requires requires { Line::kKind; }
@@ -106,7 +81,7 @@ class GroundNode final : public node::Node {
 
   world::Terrain terrain_;
   node::Roster roster_;
-  ReadRequest read_request_;
+  Inbox inbox_;
   ground_station::GroundControl control_;
   std::optional<ground_station::TeamDesk> team_;
   std::set<std::string> out_of_reach_;  ///< nothing of the team is said to them
@@ -114,8 +89,6 @@ class GroundNode final : public node::Node {
   TemporalDesk dates_;
   bool alarms_age_;
   OperatorBoards boards_;
-  std::map<std::uint64_t, node::NodeNumber> addressees_;       ///< of commands, by number
-  std::set<std::pair<node::NodeNumber, wire::Slot>> dropped_;  ///< already logged
 
   // Of the call that is running.
   MissionTime now_;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "skein/journal/record.hpp"
+#include "skein/laws/air_history.hpp"
 #include "skein/laws/joint_history.hpp"
 #include "skein/laws/team_history.hpp"
 #include "skein/mission/high_level_task.hpp"
@@ -187,6 +188,7 @@ struct History {
   bool finished = false;  ///< by the ground's script
   JointHistory joint = {};
   TeamHistory team = {};
+  AirHistory air = {};
   /// Of nodes that died: from when to when they were, kNever if they did not come back.
   std::map<std::string, std::vector<std::pair<double, double>>> away = {};
 

@@ -115,6 +115,8 @@ class Merger {
   Volumes others() const;
   /// Those whom it waits for to leave.
   std::vector<std::string> awaited() const;
+  /// These, and those who go first since they have waited long.
+  std::vector<std::string> in_its_way() const;
   /// Another one waits for this one to leave.
   struct Waiter {
     std::string peer;

@@ -18,9 +18,9 @@ struct DaemonState {
   wire::ClockPhase phase = wire::ClockPhase::kHolding;
 };
 
-/// Sees what a node is given and what it publishes, and speaks to it as one member of the roster
-/// would over the world channel. Thread rule: all calls come from the daemon's thread, which must
-/// not be held up; `wake` may be called from any.
+/// Sees what a node is given, sends (once for each addressee) and publishes, and speaks to it as
+/// one member of the roster would over the world channel. Thread rule: all calls come from the
+/// daemon's thread, which must not be held up; `wake` may be called from any.
 class Companion {
  public:
   Companion() = default;

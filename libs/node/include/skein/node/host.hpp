@@ -68,7 +68,7 @@ struct HostPorts {
   /// the runtime; of it the node gets the truth and what operators and the ground station tell each
   /// other. May be empty.
   std::function<void(const wire::Sample&)> world;
-  /// What is given to the node, and what it publishes. May be empty.
+  /// What is given to the node, and what it sends and publishes. May be empty.
   std::function<void(const wire::Sample&)> witness;
 };
 

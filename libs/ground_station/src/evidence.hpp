@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one look says about one place, for those who add such evidence up.
+#pragma once
+
+#include "skein/ground_station/perception_processing.hpp"
+
+namespace skein::ground_station {
+
+/// Of the model of its UAV, else by the name of its device; absent: its looks are no evidence.
+const world::SensorEvidence* evidence_of(const PpsConfig& config, const world::Perception& look);
+
+bool speaks_for_fire(const world::SensorEvidence& device, const std::string& kind);
+
+/// ln P(outcome | fire) / P(outcome | no fire); no detection, or one of a kind that is not known:
+/// nothing reported.
+double log_ratio(const world::SensorEvidence& device, const world::Detection* detection);
+
+/// All figures are finite, and it looks somewhere.
+bool is_sane(const world::Perception& look);
+bool is_sane(const world::Detection& detection);
+
+/// A place on the ground, with a margin [m] around it, is wholly in the cone, in range and in line
+/// of sight.
+bool surely_in_view(const world::Perception& look, const world::Vector3& place, double margin,
+                    const world::Terrain& terrain);
+
+double logit(double p);
+double sigmoid(double log_odds);
+
+}  // namespace skein::ground_station

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Who waits for each other for his air, and for how long.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "testing/story.hpp"
+
+namespace skein::laws::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+/// Marvin and Heliv want each other's air from 20 s on, until Heliv gets out of the way.
+Story blocked(double until) {
+  Story story;
+  story.stands("marvin", 0, 100).stands("heliv", 0, 100).stands("karma", 0, 100);
+  story.air("marvin", 18, "waits", "heliv to leave").air("heliv", 20, "waits", "marvin to leave");
+  return story.air("heliv", until, "aside");
+}
+
+TEST(MutualLaw, TwoWhoWaitForEachOtherForMoreThanTwoSecondsBreakIt) {
+  EXPECT_THAT(blocked(25).broken("mutual"),
+              ElementsAre(HasSubstr("wait for each other for their air, for 5.0 s")));
+}
+
+TEST(MutualLaw, WhoGetsOutOfTheWayWithinTwoSecondsKeepsIt) {
+  EXPECT_THAT(blocked(21.9).broken("mutual"), IsEmpty());
+}
+
+// However long: the other flies, and leaves.
+TEST(MutualLaw, AWaitForOneThatDoesNotWaitIsNoneOfThese) {
+  Story story;
+  story.stands("marvin", 0, 100).stands("heliv", 0, 100);
+  story.air("marvin", 10, "waits", "heliv to leave").air("heliv", 5, "had");
+
+  EXPECT_THAT(story.broken("mutual"), IsEmpty());
+}
+
+TEST(MutualLaw, ACircleOfThreeIsOne) {
+  Story story;
+  story.stands("marvin", 0, 100).stands("heliv", 0, 100).stands("karma", 0, 100);
+  story.air("marvin", 10, "waits", "heliv to leave").air("heliv", 11, "waits", "karma to leave");
+  story.air("karma", 12, "waits", "heliv to be answered itself; marvin to leave");
+
+  EXPECT_THAT(story.broken("mutual"), SizeIs(3));
+}
+
+TEST(MutualLaw, WhoIsToAnswerOrToComeIntoReachIsInNobodysWay) {
+  Story story;
+  story.stands("marvin", 0, 100).stands("heliv", 0, 100);
+  story.air("marvin", 10, "waits", "heliv to be answered itself");
+  story.air("heliv", 11, "waits", "marvin to come into reach");
+
+  EXPECT_THAT(story.broken("mutual"), IsEmpty());
+}
+
+TEST(MutualLaw, AMotionThatIsGivenUpWaitsNoMore) {
+  Story story = blocked(60);
+  story.air("marvin", 21, "given-up");
+
+  EXPECT_THAT(story.broken("mutual"), IsEmpty());
+}
+
+TEST(MutualLaw, WhileSomeLinkIsDownNobodyIsBlamed) {
+  Story story = blocked(60);
+  story.link(0, "karma", "heliv", true).link(40, "karma", "heliv", false);
+
+  EXPECT_THAT(story.broken("mutual"), IsEmpty());
+}
+
+TEST(MutualLaw, OneThatStandsUntilTheEndOfTheLogCounts) {
+  Story story = blocked(60);
+  story.air("heliv", 61, "waits", "marvin to leave");
+
+  EXPECT_THAT(story.broken("mutual"), SizeIs(2));
+}
+
+}  // namespace
+}  // namespace skein::laws::testing
