@@ -20,6 +20,7 @@ export const model = {
   replies: new Map(),
   connected: false,
   version: 0,        // of everything but the clock
+  plansVersion: 0,
 };
 
 const kLog = 2000;
@@ -54,7 +55,7 @@ function mark({uav: name, id, type, state, at}) {
 const take = {
   Clock(s) { model.clock = {at: seconds(s.time), rate: s.rate, phase: s.phase, heard: performance.now()}; },
   UavBoard(s) { uav(s.uav).board = s; },
-  UavTasks(s) { uav(s.uav).tasks = s; },
+  UavTasks(s) { uav(s.uav).tasks = s; model.plansVersion += 1; },
   Telemetry(s) { const one = uav(s.uav); one.telemetry = s; one.at = seconds(s.header.mission_time); },
   GroundBoard(s) { model.ground = s; },
   LinkState(s) { model.links.set(s.header.instance, s); },
@@ -85,6 +86,7 @@ function message(event) {
 }
 
 function forget() {
+  model.plansVersion += 1;
   model.log = []; model.replies.clear(); model.looks.clear(); model.links.clear(); model.objects.clear(); model.places.clear(); model.belief.clear();
   model.ground = null;
   for (const one of model.uavs.values()) Object.assign(one, {marks: new Map(), joint: new Map(), trail: [], board: undefined, tasks: undefined, telemetry: undefined});

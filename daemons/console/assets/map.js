@@ -7,8 +7,8 @@ import * as rasters from "./rasters.js";
 import {drawRelief, heightAt} from "./relief.js";
 
 const canvas = $("map");
-const g = canvas.getContext("2d");
-export const view = {x: 0, y: 0, scale: 1, fitted: false, chosen: null, follow: false, layers: {relief: true, belief: true, plans: true, trails: true, looks: true, links: true, joint: true}};
+let g = canvas.getContext("2d");   // what is drawn on: this, or the backdrop
+export const view = {x: 0, y: 0, scale: 1, fitted: false, chosen: null, follow: false, layers: {belief: true, plans: true, trails: true, looks: true, links: true, joint: true}};
 let relief = null;
 let tool = null;   // {hint, points, closed, done, one}
 let mouse = null;
@@ -315,23 +315,27 @@ function overGround(b, picture, margin) {
   b.drawImage(picture, px, py, ((t.columns - 1) * t.step + 2 * margin) * view.scale, ((t.rows - 1) * t.step + 2 * margin) * view.scale);
 }
 
-/** The ground as it is seen: drawn again only when it or the view has changed, since scaling pictures is most of the work. */
+/** The ground as it is seen, and planned ways: drawn again only when they or the view have changed, since they are most of the work. */
 const backdrop = {canvas: el("canvas"), key: ""};
 
 function paintBackdrop(over) {
-  const b = backdrop.canvas.getContext("2d"), ratio = window.devicePixelRatio || 1;
+  const b = backdrop.canvas.getContext("2d"), front = g, ratio = window.devicePixelRatio || 1;
   backdrop.canvas.width = canvas.width; backdrop.canvas.height = canvas.height;   // which clears it
   b.setTransform(ratio, 0, 0, ratio, 0, 0);
   b.fillStyle = "#2a3036"; b.fillRect(0, 0, canvas.clientWidth, canvas.clientHeight);
   b.imageSmoothingQuality = "high";
   overGround(b, relief.picture, 0);
   for (const {picture} of over) overGround(b, picture, model.world.terrain.step / 2);
+  if (!view.layers.plans) return;
+  g = b;
+  [...model.uavs.values()].forEach(plans);
+  g = front;
 }
 
 function terrain() {
   relief ??= drawRelief(model.world.terrain);
   const over = rasters.pictures(view);
-  const key = [view.x, view.y, view.scale, canvas.width, canvas.height, ...over.map((one) => one.version)].join();
+  const key = [view.x, view.y, view.scale, canvas.width, canvas.height, view.layers.plans, model.plansVersion, ...over.map((one) => one.version)].join();
   if (key !== backdrop.key) { backdrop.key = key; paintBackdrop(over); }
   g.setTransform(1, 0, 0, 1, 0, 0);
   g.drawImage(backdrop.canvas, 0, 0);
@@ -354,7 +358,6 @@ export function draw() {
   if (view.layers.links) links();
   const all = [...model.uavs.values()];
   if (view.layers.trails) all.forEach(trail);
-  if (view.layers.plans) all.forEach(plans);
   if (view.layers.joint) { all.forEach((one) => constraints.draw(g, screen, view.scale, one, text)); jointTasks(all); }
   alarms();
   all.forEach(uav);

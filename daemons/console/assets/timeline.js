@@ -72,6 +72,7 @@ function windows({planned}, starts, colour, x, top, high, edge) {
   const line = (from, to, y) => {
     const a = seconds(from), b = seconds(to);
     if (a === null || b === null || b - a < 0.5) return;
+    if (x(a) >= edge) return;
     const left = x(a), right = Number.isFinite(b) ? Math.min(x(b), edge + 9) : edge, open = right >= edge;
     g.beginPath(); g.moveTo(left, y); g.lineTo(right, y); g.moveTo(left, y - 2.5); g.lineTo(left, y + 2.5);
     if (open) { g.moveTo(edge - 6, y - 3); g.lineTo(edge - 1, y); g.lineTo(edge - 6, y + 3); } else { g.moveTo(right, y - 2.5); g.lineTo(right, y + 2.5); }

@@ -14,6 +14,7 @@ namespace {
 constexpr double kStep = 0.5;       ///< [s] how finely truth is looked at
 constexpr double kNearby = 3;       ///< [m] a device aimed so near a place is aimed at it
 constexpr double kAlarmMoves = 20;  ///< [m] where an alarm is becomes clearer while it is looked at
+constexpr double kHeard = 12;       ///< [s] in which a plan follows an object that moves
 constexpr double kSightAbove = 1;   ///< [m] over the ground: what lies there is seen
 constexpr double kApart = 100;      ///< [m] partners may be as far from their place in the air
 constexpr double kMoment = 3;       ///< [s] between what is done and its report
@@ -24,7 +25,21 @@ struct Look {
   double seconds = 0;
   double apart = 0;  ///< [m] beside a place in the air, so that partners do not meet there
   double moves = 0;  ///< [m] the place itself may have been thought to be so far off
+  /// Of an object that is followed: it is wherever the UAV heard last that it was.
+  const mission::Argument* followed = nullptr;
 };
+
+/// Where it may take an object to be then: as was said until some time ago, or since.
+std::vector<world::Vector3> places_heard(const History& history, const Uav& uav,
+                                         const mission::Argument& object, double at) {
+  const double heard = history.joint.last_up("ground", uav.name(), at);
+  std::vector<world::Vector3> places;
+  if (const auto before = history.place(object, heard - kHeard)) places.push_back(*before);
+  for (const ObjectTold& one : history.objects_told)
+    if (mission::Argument(one.name) == object && heard - kHeard < one.told && one.told <= heard)
+      places.push_back(one.position);
+  return places;
+}
 
 bool circles(const Uav& uav) { return !uav.spec->model.hovers; }
 
@@ -70,10 +85,16 @@ double seconds_looked(const History& history, const Uav& uav, const Goal& goal,
     for (double t = look->from; t < std::min(look->until, history.end); t += kStep) {
       const auto sample = uav.at(t);
       if (!sample || moves_at(uav, t)) continue;
-      const bool right = !wanted.place ? true
-                         : history.in_the_air(*wanted.place)
-                             ? is_there(history, uav, *sample, *wanted.place, wanted.apart)
-                             : is_seen(history, uav, *look, *sample, *wanted.place, wanted.moves);
+      const auto serves = [&](const world::Vector3& place) {
+        return history.in_the_air(place)
+                   ? is_there(history, uav, *sample, place, wanted.apart)
+                   : is_seen(history, uav, *look, *sample, place, wanted.moves);
+      };
+      bool right = !wanted.place || (wanted.followed == nullptr && serves(*wanted.place));
+      if (wanted.followed != nullptr) {
+        const auto places = places_heard(history, uav, *wanted.followed, t);
+        right = std::any_of(places.begin(), places.end(), serves);
+      }
       if (right) seconds += std::min(kStep, look->until - t);
     }
   }
@@ -87,7 +108,10 @@ std::optional<Look> look_of(const History& history, const mission::HighLevelTask
     const auto where = history.place(task.arguments[place], at);
     const auto long_for = number_of(task.arguments[seconds]);
     if (!where || !long_for) return std::nullopt;
-    return Look{*where, *long_for, 0, history.is_alarm(task.arguments[place]) ? kAlarmMoves : 0};
+    const bool followed = history.is_followed(task.arguments[place]);
+    const bool moves = followed || history.is_alarm(task.arguments[place]);
+    return Look{*where, *long_for, 0, moves ? kAlarmMoves : 0,
+                followed ? &task.arguments[place] : nullptr};
   };
   if (task.name == "perceive" || task.name == "general-combined-goto-and-takeshot" ||
       task.name == "perform-monitoring") {
@@ -99,7 +123,7 @@ std::optional<Look> look_of(const History& history, const mission::HighLevelTask
     return together;
   }
   if (task.name == "takeshot-while-waiting" && !task.arguments.empty()) {
-    return Look{std::nullopt, number_of(task.arguments[0]).value_or(0), 0, 0};
+    return Look{std::nullopt, number_of(task.arguments[0]).value_or(0), 0, 0, nullptr};
   }
   return std::nullopt;
 }

@@ -93,6 +93,10 @@ std::optional<world::Vector3> History::place(const mission::Argument& argument, 
     const auto after = alarm->second.upper_bound(at);
     return after == alarm->second.begin() ? after->second : std::prev(after)->second;
   }
+  const auto told =
+      std::find_if(objects_told.rbegin(), objects_told.rend(),
+                   [&](const ObjectTold& one) { return one.name == *name && one.told <= at; });
+  if (told != objects_told.rend()) return told->position;
   const auto found = scenario->world.places.find(*name);
   if (found == scenario->world.places.end()) return std::nullopt;
   return found->second;
@@ -101,6 +105,12 @@ std::optional<world::Vector3> History::place(const mission::Argument& argument, 
 bool History::is_alarm(const mission::Argument& argument) const {
   const auto* name = std::get_if<std::string>(&argument);
   return name != nullptr && alarms.count(*name) != 0;
+}
+
+bool History::is_followed(const mission::Argument& argument) const {
+  const auto* name = std::get_if<std::string>(&argument);
+  return name != nullptr && std::any_of(objects_told.begin(), objects_told.end(),
+                                        [&](const ObjectTold& one) { return one.name == *name; });
 }
 
 bool History::in_the_air(const world::Vector3& at) const {

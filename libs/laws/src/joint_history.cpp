@@ -38,6 +38,15 @@ bool JointHistory::cut_off(const std::string& a, const std::string& b, double fr
   return steady(a, b, from, until) == false || steady(b, a, from, until) == false;
 }
 
+double JointHistory::last_up(const std::string& from, const std::string& to, double at) const {
+  double last = at;
+  for (const LinkTold& one : links) {
+    if (one.at > at) break;
+    if (one.from == from && one.to == to) last = one.up ? at : std::min(last, one.at);
+  }
+  return last;
+}
+
 bool JointHistory::up(const std::string& from, const std::string& to, double since,
                       double until) const {
   return steady(from, to, since, until) == true;

@@ -48,6 +48,7 @@ std::map<std::string, std::string> arguments_of(const std::string& joint,
 namespace {
 
 constexpr double kTelling = 5;  // [s] by radio, of where a point is
+constexpr double kOldest = 30;  // [s] what sensors saw before counts as unknown (spec 7.6)
 
 /// Where a name of a constraint is in truth.
 std::optional<world::Vector3> where(const History& history, const std::string& name, double at) {
@@ -61,9 +62,11 @@ std::optional<world::Vector3> where(const History& history, const std::string& n
     // While it is on its way, some know and some do not.
     place = told.at + kTelling < at ? std::optional(told.position) : std::nullopt;
   }
-  // What moves all the time is where it was said to be last.
-  for (const ObjectTold& told : history.objects_told)
-    if (told.name == name && told.told <= at) place = told.position;
+  // What moves all the time is where it was said to be last, unless that is long ago.
+  for (const ObjectTold& told : history.objects_told) {
+    if (told.name != name || told.told > at) continue;
+    place = at - told.seen < kOldest - kTelling ? std::optional(told.position) : std::nullopt;
+  }
   return place;
 }
 

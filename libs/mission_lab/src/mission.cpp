@@ -128,7 +128,9 @@ std::string to_yaml(const Mission& m, const std::string& scenarios) {
       << "\n  loss: 0\n";
   if (!m.relays.empty()) out << "  relays: [" << joined(m.relays, ", ") << "]\n";
   list(out, "cuts", m.cuts, "  ", "- ");
-  out << "\nground:\n  position: [-20, -20, 8]\n  script:\n";
+  out << "\nground:\n  position: [-20, -20, 8]\n";
+  list(out, "objects", m.followed, "  ", "");
+  out << "  script:\n";
   for (const Step& one : m.steps) step(out, one);
   global_mission(out, m);
   finish(out, m);
@@ -146,6 +148,7 @@ std::vector<Mission> smaller(const Mission& whole) {
   if (whole.global.size() > 1) without_each(whole, &Mission::global, result);
   without_each(whole, &Mission::volumes, result);
   without_each(whole, &Mission::objects, result);
+  without_each(whole, &Mission::followed, result);
   for (std::size_t s = 0; s < whole.steps.size(); ++s) {
     for (std::size_t t = 0; whole.steps[s].tasks.size() > 1 && t < whole.steps[s].tasks.size();
          ++t) {

@@ -382,5 +382,46 @@ TEST(SupervisorMission, UrgentDoesNotInterruptATakeoff) {
   EXPECT_EQ(desk.insertion().standing.tasks.size(), 2U);
 }
 
+/// On its way to P1, which is seen at (50, 0).
+Desk watching() {
+  Config config = config_for_tests();
+  auto knowledge = std::make_shared<Knowledge>(*config.knowledge);
+  knowledge->vocabulary.tasks["watch"] = {"watch", {mission::ParameterKind::kPlace}, {}};
+  config.knowledge = knowledge;
+  auto world = std::make_shared<world::World>(*config.world);
+  world->places["P1"] = {50, 0, 0};
+  config.world = world;
+  Desk desk = Desk::engaged(std::move(config));
+  mission::UnitMission mission = a_mission(1, {701});
+  mission.tasks[0].name = "watch";
+  mission.tasks[0].arguments = {std::string("P1")};
+  desk.add(mission);
+  InsertionOutcome outcome = inserted({701}, {TaskOf(100, "goto", 701).takes(100, 120)});
+  outcome.order = mission.tasks;
+  desk.finish(std::move(outcome));
+  desk.runs(100);
+  return desk;
+}
+bool is_planned_again(Desk& desk, double x) {
+  mission::ChangeWorld change;
+  change.place = mission::KnownPlace{"P1", {x, 0, 0}, 0, std::nullopt};
+  desk.give(WorldChanged{change});
+  return desk.job_started();
+}
+
+// What it is about moves 10 m at a time, as a fire front does.
+TEST(SupervisorMission, UnderWayIsPlannedAgainOnceItsPlaceHasLeftTheView) {
+  Desk desk = watching();
+
+  EXPECT_FALSE(is_planned_again(desk, 60));
+  EXPECT_TRUE(is_planned_again(desk, 70));
+}
+
+TEST(SupervisorMission, UnderWayGoesOnWhileItsPlaceMovesToAndFro) {
+  Desk desk = watching();
+
+  for (const double x : {60, 50, 60, 50, 40}) EXPECT_FALSE(is_planned_again(desk, x)) << x;
+}
+
 }  // namespace
 }  // namespace skein::supervisor

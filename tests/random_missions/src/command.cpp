@@ -35,7 +35,7 @@ struct Options {
   std::string save, consistency;
   bool clean = false, deaths = false, team = false, crossing = false, unmerged = false,
        meetings = false, orders = false, gatherings = false, robots = false, relays = false,
-       json = false, minimise = false, verbose = false;
+       fires = false, json = false, minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -64,6 +64,7 @@ Kinds kinds_of(const Options& options) {
 Mission drawn(std::uint64_t seed, const Options& options) {
   if (options.meetings) return generate_meetings(seed, kinds_of(options));
   if (options.relays) return generate_relays(seed, kinds_of(options));
+  if (options.fires) return generate_fires(seed, kinds_of(options));
   if (options.robots) return generate_robots(seed, kinds_of(options));
   if (options.crossing) return generate_crossing(seed, kinds_of(options));
   return options.team ? generate_team(seed, kinds_of(options)) : generate(seed, kinds_of(options));
@@ -182,8 +183,10 @@ void declare(CLI::App& app, Options& options) {
       app.add_flag("--robots", options.robots, "some of the vehicles keep to the ground");
   auto* relays =
       app.add_flag("--relays", options.relays, "some of the UAVs are heard past relays alone");
-  for (auto* one : {team, crossing, meetings, robots})
-    for (auto* other : {crossing, meetings, robots, relays})
+  auto* fires =
+      app.add_flag("--fires", options.fires, "fires spread, and their fronts are followed");
+  for (auto* one : {team, crossing, meetings, robots, relays})
+    for (auto* other : {crossing, meetings, robots, relays, fires})
       if (one != other) one->excludes(other);
   app.add_option("--without", options.without,
                  "leave out: faults air deadlines changes degrees radio energy alarms questions")

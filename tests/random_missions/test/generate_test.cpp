@@ -53,7 +53,7 @@ TEST_P(DeathsOfDaemons, AreAddedToTheSameMission) {
 }
 INSTANTIATE_TEST_SUITE_P(Missions, DeathsOfDaemons,
                          ::testing::Values(generate, generate_crossing, generate_meetings,
-                                           generate_robots, generate_relays));
+                                           generate_robots, generate_relays, generate_fires));
 
 TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
   int shared = 0;
@@ -99,6 +99,20 @@ TEST(Generate, MeetingsMayHaveAJointTaskOfTwoAmongThem) {
     gatherings += mission.joint ? 1 : 0;
   }
   EXPECT_GT(gatherings, 10);
+}
+
+TEST(Generate, FiresAreFollowedAndSomeAreWatchedJointly) {
+  int joint = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Mission mission = generate_fires(seed, {});
+    const std::string text = to_yaml(mission, "..");
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(to_yaml(generate_fires(seed, {}), ".."), text);
+    EXPECT_THAT(text, HasSubstr("spread: {rate: "));
+    EXPECT_EQ(mission.followed.size(), mission.objects.size());
+    joint += mission.joint ? 1 : 0;
+  }
+  EXPECT_GT(joint, 5);
 }
 
 TEST(Generate, RobotsAreInEachMissionThatIsToHaveThemAndAreOfBothKinds) {

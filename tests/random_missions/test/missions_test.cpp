@@ -107,6 +107,12 @@ TEST(RandomMissions, UavsThatMeetAndActJointlyKeepTheLaws) {
   EXPECT_EQ(breaches(kinds, missions() / 10, generate_meetings), "");
 }
 
+// One to four UAVs over fires that spread: what is followed was where it was said to be.
+TEST(RandomMissions, UavsOverFiresThatSpreadKeepTheLaws) {
+  EXPECT_EQ(breaches(kClean, missions() / 5, generate_fires), "");
+  EXPECT_EQ(breaches({}, missions() / 5, generate_fires), "");
+}
+
 // Two to six vehicles, some of which keep to the ground.
 TEST(RandomMissions, RobotsOnTheGroundKeepTheLaws) {
   EXPECT_EQ(breaches(kClean, missions() / 5, generate_robots), "");

@@ -55,7 +55,8 @@ std::vector<interaction::ActiveScm> known_ones(const std::vector<interaction::Ac
     for (const auto& [formal, names] : one.binding.places) {
       for (const std::string& name : names) {
         const auto seen = outlook.observer(name);
-        all = all && seen && outlook.now - seen->at <= limits.oldest;
+        all = all && seen &&
+              outlook.now - seen->at <= (seen->by_sensors ? limits.oldest_seen : limits.oldest);
       }
     }
     if (all) known.push_back(one);

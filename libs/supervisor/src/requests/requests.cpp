@@ -204,7 +204,12 @@ bool Requests::change_world(const mission::ChangeWorld& change) {
   const std::string cause = to_text(change);
   if (change.place || change.ground) {
     if (!answer(cause, "world", mission::problems_of(change))) return false;
-    const double moved = beliefs_.learn(change);
+    world::Vector3 moved = world::Vector3::Zero();
+    if (change.place) {
+      const auto known = beliefs_.world().places.find(change.place->name);
+      if (known != beliefs_.world().places.end()) moved = change.place->at - known->second;
+    }
+    beliefs_.learn(change);
     if (hand_over_.engaged() && change.place)
       contingencies_.look_elsewhere(change.place->name, moved, cause + " elsewhere");
     return false;

@@ -169,22 +169,32 @@ bool is_with_its_roles(const std::vector<const Entry*>& tasks) {
 
 }  // namespace
 
-void Contingencies::look_elsewhere(const std::string& place, double moved,
+/// Of one that is given; the others are planned with where it is now.
+bool Contingencies::is_out_of_view(GoalId goal, const world::Vector3& moved) {
+  world::Vector3& all = moved_.try_emplace(goal, world::Vector3::Zero()).first->second;
+  all += moved;
+  return all.norm() > kStillInView;
+}
+
+void Contingencies::look_elsewhere(const std::string& place, const world::Vector3& moved,
                                    const std::string& cause) {
-  if (moved <= kSamePlace) return;
-  const bool far = moved > kStillInView;
+  std::erase_if(moved_, [&](const auto& one) {
+    return book_.goals.count(one.first) == 0 || !book_.is_given(one.first);
+  });
   std::optional<GoalId> first;
   std::set<GoalId> stopped;
   for (const GoalId id : book_.order) {
     const Goal& goal = book_.goals.at(id);
     const bool open = !is_settled(goal.state) && goal.state != GoalState::kHandedOver;
     const bool given = book_.is_given(id);
-    if (!open || goal.queued || !names(goal.task, place) || (given && !far)) continue;
+    if (!open || goal.queued || !names(goal.task, place)) continue;
+    if (given ? !is_out_of_view(id, moved) : moved.norm() <= kSamePlace) continue;
     if (is_with_its_roles(book_.of(id))) continue;
     if (!first) first = id;
     if (given) stopped.insert(id);
   }
   if (!first) return;
+  for (const GoalId id : stopped) moved_.erase(id);
   committer_.retire(book_.falling_with(stopped));
   agenda_.plan_anew(first, true, cause + ", which goal " + to_text(*first) + " is about");
 }

@@ -2,12 +2,14 @@
 // Operator 6 before its job: what is seen moves the dates of the plan, or breaks it.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 
 #include "commitment/committer.hpp"
 #include "jobs/agenda.hpp"
+#include "skein/world/geometry.hpp"
 
 namespace skein::supervisor {
 
@@ -43,14 +45,17 @@ class Contingencies {
   void cancel_goal(GoalId id, const std::string& cause);
   /// Goals that need one of these, which work no more, fail.
   void check_devices(const std::set<std::string>& newly);
-  /// A place turned out to lie so far from where it was thought [m]: plans for it are made again;
-  /// what was seen there counts.
-  void look_elsewhere(const std::string& place, double moved, const std::string& cause);
+  /// A place turned out to lie elsewhere than it was thought [m]: plans for it are made again; what
+  /// was seen there counts. What is under way goes on while it still has the place in view, however
+  /// often that has moved since.
+  void look_elsewhere(const std::string& place, const world::Vector3& moved,
+                      const std::string& cause);
 
  private:
   MissionTime now() const { return out_.now(); }
   void check_dates(const std::string& cause, Duration tolerance);
   void give_way();
+  bool is_out_of_view(GoalId goal, const world::Vector3& moved);
 
   Limits limits_;
   Dates& dates_;
@@ -59,6 +64,8 @@ class Contingencies {
   Outbox& out_;
   Book& book_;
   std::string risk_told_;
+  /// How far what a goal is about has moved since the goal was given to the executive.
+  std::map<GoalId, world::Vector3> moved_;
 };
 
 }  // namespace skein::supervisor

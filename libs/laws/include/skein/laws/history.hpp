@@ -192,8 +192,8 @@ struct History {
   /// Of nodes that died: from when to when they were, kNever if they did not come back.
   std::map<std::string, std::vector<std::pair<double, double>>> away = {};
 
-  /// A place of the scenario, an alarm's as it was known then, or the point itself; nothing for
-  /// what is none.
+  /// A place of the scenario, an alarm's or a followed object's as it was known then, or the point
+  /// itself; nothing for what is none.
   std::optional<world::Vector3> place(const mission::Argument& argument, double at = kNever) const;
   /// Whether it is flown to (else it lies on the ground and is looked at).
   bool in_the_air(const world::Vector3& place) const;
@@ -201,6 +201,8 @@ struct History {
   /// And did not come back, or with nothing it knew: a node that remembers is excused nothing.
   bool was_killed(const std::string& node) const;
   bool is_alarm(const mission::Argument& argument) const;
+  /// Its place is said by the ground station, again and again.
+  bool is_followed(const mission::Argument& argument) const;
   /// At some time between the two.
   bool was_away(const std::string& node, double from, double until) const;
 };

@@ -78,6 +78,8 @@ struct JointHistory {
   void see(const journal::Record& record);
   /// The radio was down between them, one way at least, for all of that time.
   bool cut_off(const std::string& a, const std::string& b, double from, double until) const;
+  /// The last instant until `at` at which it was up from the one to the other; 0: never.
+  double last_up(const std::string& from, const std::string& to, double at) const;
   /// It was up from the one to the other for all of it.
   bool up(const std::string& from, const std::string& to, double since, double until) const;
 

@@ -42,8 +42,10 @@ struct Mission {
   std::string hills, wind;
   std::vector<std::string> zones, places, volumes;  ///< "Z1: [[…]]"
   std::vector<std::string> objects;                 ///< "hot: {kind: fire, …}"
+  /// What moves and is followed by what sensors tell: "F1: {kind: fire, reach: 60, drift: 0.5}".
+  std::vector<std::string> followed;
   std::vector<Member> team;
-  std::vector<std::string> cuts;  ///< "{between: [...], from: 300, until: 330}"
+  std::vector<std::string> cuts;    ///< "{between: [...], from: 300, until: 330}"
   std::vector<std::string> relays;  ///< who passes on what is for others
   double latency = 0.02;            ///< of every link [s]
   std::vector<Step> steps;
