@@ -423,6 +423,11 @@ def frames(page, seconds):
 def tell_cost(build, uavs):
     with Mission(build, fleet(uavs, SOURCE), 1) as mission:
         ground = mission.pid_of("skein-ground")
+        browser = Browser()
+        try:  # not of the beginning, when all plan at once
+            opened(browser, mission).until("document.getElementById('clock').textContent >= '01:00'", 120)
+        finally:
+            browser.close()
         for pages in (0, 1, 5):
             browser = Browser()
             try:
