@@ -50,7 +50,8 @@ struct EndOf {
   auto operator<=>(const EndOf&) const = default;
 };
 
-/// What others said in the dates of a node. Of an arrival: the ends on which it rests; of an end:
+/// What others said in the dates of a node. Of an arrival: the ends on which it rests, and behind
+/// the first one of an order between ways those on which its greatest date alone rests; of an end:
 /// whose bounds it has to be kept to for, in their order.
 struct FrontierBasis {
   std::uint32_t node = 0;

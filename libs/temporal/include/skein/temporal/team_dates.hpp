@@ -66,7 +66,7 @@ class TeamDates {
   /// with what all others told, and what that rests on. So nobody finds his own date in another's
   /// after it has changed, and circles of waits are seen. Of what never comes the way on to other
   /// meetings is told too. To be told when it changes. What others bound counts, what the receiver
-  /// bounds itself does not, nor for whose leaving anybody waits, which is not passed on; of
+  /// bounds itself does not. By whose leaving somebody has his air is in the greatest dates; of
   /// several limits of a node the tightest is told, so where that comes back to one that it has
   /// passed no limit is. Cost: as `dates`, for each receiver.
   Frontier bounds_for(const std::string& receiver) const;
