@@ -34,6 +34,16 @@ FORBIDDEN["files"] = {what: FORBIDDEN["pure"][what] for what in ("clock", "threa
 EXCEPTIONS = {("libs/foundation/include/skein/foundation/random.hpp", "random source"),
               ("libs/foundation/src/random.cpp", "random source"),
               ("libs/foundation/src/contract.cpp", "file")}
+# A wall clock jumps: nobody may wait by it, expire by it or decide by it. Who reads it, and what for.
+WALL_CLOCK = re.compile(r"\b(system_clock|utc_clock|CLOCK_REALTIME\w*|gettimeofday|timespec_get|pthread_cond_timedwait)\b"
+                        r"|\bstd::time\(|\btime\((nullptr|NULL|0)\)")
+WALL_CLOCK_READERS = {
+    "libs/node/src/daemon.cpp": "the number of an incarnation, where nothing is kept on disk",
+    "daemons/daemon_main/src/memory.cpp": "the least number of an incarnation; on disk they are counted",
+    "libs/blackboard/adapters/fastdds/sightings.cpp": "when a sample was heard, beside when it says that it was sent: shown",
+    "cli/spy/src/doctor/machine.cpp": "compared with the steady clock: shown",
+    "cli/operate/src/operate.cpp": "the number of an operator's request",
+    "daemons/ros2_out/src/ros2_out.cpp": "the number of an operator's request"}
 # Namespaces of libraries that are not named after them.
 NAMESPACES = {"blackboard": "blackboard|wire", "foundation": ""}
 
@@ -146,6 +156,16 @@ def purity_problems(relative, text, kind):
             yield f"{relative}:{line}: {match.group(0)} brings a {what} into {kind} code"
 
 
+def wall_clock_problems(relative, text):
+    """Whoever reads the wall clock and is not known to."""
+    if is_test(relative) or "/bench/" in relative or relative in WALL_CLOCK_READERS:
+        return
+    code = without_comments(text)
+    for match in WALL_CLOCK.finditer(code):
+        line = code.count("\n", 0, match.start()) + 1
+        yield f"{relative}:{line}: {match.group(0)} reads a clock that jumps (check_includes.py says who may)"
+
+
 def kind_of(relative, library, layers):
     if library is None or relative.endswith("/main.cpp") or is_test(relative):
         return "shell"
@@ -171,6 +191,7 @@ def main():
         problems += include_problems(relative, text, library, architecture)
         problems += room_problems(relative, text, library, rooms)
         problems += purity_problems(relative, text, kind_of(relative, library, layers))
+        problems += wall_clock_problems(relative, text)
         if library and not is_test(relative):
             used[library.name] |= used_by(text, library)
     problems += unused_problems(architecture, used)

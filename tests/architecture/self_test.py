@@ -77,6 +77,16 @@ class Includes(unittest.TestCase):
         self.assertEqual([], list(check_includes.purity_problems("a.cpp", "#include <fstream>\n", "files")))
         self.assertTrue(list(check_includes.purity_problems("a.cpp", "std::chrono::system_clock::now()", "files")))
 
+    def test_who_reads_the_wall_clock_is_known(self):
+        for text in ("auto t = std::chrono::system_clock::now();", "clock_gettime(CLOCK_REALTIME, &t);", "time(nullptr)"):
+            self.assertTrue(list(check_includes.wall_clock_problems("libs/node/src/host.cpp", text)), text)
+            self.assertEqual([], list(check_includes.wall_clock_problems("libs/node/src/daemon.cpp", text)))
+        for text in ("std::chrono::steady_clock::now()", "clock_gettime(CLOCK_MONOTONIC, &t);", "mission_time(now)"):
+            self.assertEqual([], list(check_includes.wall_clock_problems("libs/node/src/host.cpp", text)), text)
+        for relative in check_includes.WALL_CLOCK_READERS:
+            text = (pathlib.Path(__file__).parents[2] / relative).read_text()
+            self.assertTrue(check_includes.WALL_CLOCK.search(text), f"{relative} does not read it any more")
+
     def test_a_room_includes_itself_and_what_its_line_names(self):
         rooms = check_includes.read_rooms("world pure\nworld/low\nworld/high  low\n")
 
