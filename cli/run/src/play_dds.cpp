@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "fleet.hpp"
 #include "skein/assembly/assembly.hpp"
@@ -30,10 +33,13 @@ using blackboard::Now;
 
 constexpr const char* kRunner = "runner";
 constexpr Duration kLook = Duration::milliseconds(100);  ///< between two looks at everything
-constexpr Duration kStartLimit =
-    Duration::milliseconds(45'000);  ///< for all daemons to become ready
+/// For all daemons to become ready: of hearing nothing new from any of them, and in all.
+constexpr Duration kStartLimit = Duration::milliseconds(45'000);
+constexpr Duration kStartAtMost = Duration::milliseconds(180'000);
 constexpr Duration kClockLimit =
-    Duration::milliseconds(15'000);                             ///< of silence of the mission clock
+    Duration::milliseconds(15'000);  ///< of silence of the mission clock
+/// For the clock's end to be heard, once a daemon has ended by itself.
+constexpr Duration kLeaveLimit = Duration::milliseconds(5'000);
 constexpr Duration kEndLimit = Duration::milliseconds(15'000);  ///< for the daemons to exit
 
 // ", the machine's load being 9.2 on 2 processors"; why a daemon may have had no turn.
@@ -84,10 +90,20 @@ class DdsRun {
   }
 
  private:
+  struct Left {
+    Duration at;  ///< steady
+    std::string why;
+  };
   struct Restart {
     Duration at;  ///< steady
     std::string node;
     bool forgets = false;
+  };
+
+  struct Introduction {
+    std::uint64_t incarnation = 0;
+    bool ready = false;
+    bool operator==(const Introduction&) const = default;
   };
 
   Result<void, Failure> open() {
@@ -101,7 +117,7 @@ class DdsRun {
     auto board = blackboard::Blackboard::open(std::move(config), *transport_);
     if (!board) return tl::unexpected(board.error());
     board_.emplace(std::move(*board));
-    started_ = heard_clock_ = node::Waker::steady_now();
+    started_ = heard_news_ = heard_clock_ = node::Waker::steady_now();
     return {};
   }
 
@@ -155,6 +171,9 @@ class DdsRun {
       heard_clock_ = node::Waker::steady_now();
       clock_.update(*clock, heard_clock_);
     } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&received.sample)) {
+      const Introduction said{entry->header.incarnation, entry->ready};
+      if (std::exchange(introduced_[entry->name], said) != said)
+        heard_news_ = node::Waker::steady_now();
       if (entry->ready && ready_.insert(entry->name).second) {
         log(lines::Process{.name = entry->name, .state = "ready"});
         if (entry->name == "ground") say_console();
@@ -196,8 +215,14 @@ class DdsRun {
                          .memory = journal::rounded(ended.status.peak_memory)});
       const bool right = ended.killed || stopped || (winding_up && !ended.crashed());
       if (right || played_.end == Played::End::kFailed) continue;
-      fail(ended.name + " (" + ended.program + ") died: " + to_text(ended.status) +
-           "; its last lines:\n" + tail_of(ended.log, 5));
+      const std::string why = ended.name + " (" + ended.program +
+                              ") died: " + to_text(ended.status) + "; its last lines:\n" +
+                              tail_of(ended.log, 5);
+      if (!ended.crashed()) {  // it heard that the mission is over before this runner did
+        if (!left_) left_ = Left{node::Waker::steady_now(), why};
+        continue;
+      }
+      fail(why);
       return true;
     }
     return false;
@@ -206,12 +231,20 @@ class DdsRun {
   bool look_at_time() {
     const Duration steady = node::Waker::steady_now();
     if (clock_.phase() == wire::ClockPhase::kHolding) {
-      if (steady - started_ < kStartLimit) return false;
+      const bool waits = steady - heard_news_ < kStartLimit && steady - started_ < kStartAtMost;
+      if (waits) return false;
       std::string missing;
       for (const std::string& name : fleet_.names()) {
         if (ready_.count(name) == 0) missing += (missing.empty() ? "" : ", ") + name;
       }
-      fail("not ready after " + to_text(kStartLimit) + " s: " + missing, true);
+      const Duration waited = steady - started_;
+      fail("not ready after " + std::to_string(std::lround(waited.to_seconds())) +
+               " s: " + missing + load_of_machine(),
+           true);
+      return true;
+    }
+    if (left_ && steady - left_->at > kLeaveLimit) {
+      fail(left_->why);
       return true;
     }
     if (!restarts_.empty()) heard_clock_ = steady;  // the leader may be dead because it is to be
@@ -280,8 +313,11 @@ class DdsRun {
   double rate_;
   std::vector<scenario::KillSpec> faults_;
   std::vector<Restart> restarts_;
+  std::optional<Left> left_;  ///< the first daemon that ended by itself before the clock did here
   std::set<std::string> ready_;
+  std::map<std::string, Introduction> introduced_;  ///< by name, the last
   Duration started_;
+  Duration heard_news_;  ///< of a daemon that starts
   Duration heard_clock_;
   bool time_limit_ = false;
   bool told_to_stop_ = false;  ///< the daemons, by a signal
