@@ -5,6 +5,7 @@
 #   expired      a certificate that ran out: its node is refused by itself, and, where that has a wrong
 #                clock, by the others (the latter only where faketime is installed)
 #   stalled      a UAV that stands still for 7 s while it shakes hands takes part afterwards
+#   unmet        a UAV stands still while it shakes hands, until another takes part anew; they meet afterwards
 #   other-name   a UAV with another's keys is refused
 #   other-slots  a UAV whose permissions lack a slot is refused
 set -euo pipefail
@@ -85,6 +86,22 @@ case $case in
     timeout 7 tail -f /dev/null || true
     kill -CONT "$last"
     timeout 40 grep -q "mission started" <(tail -f "$work/sim.log") || fail "they did not meet" ;;
+  unmet)
+    : >"$work/sim.log"
+    start sim skein-sim --security "$work/keys/sim"
+    start ground skein-ground --security "$work/keys/ground"
+    anew="the handshake with karma does not end: it takes part anew"
+    for attempt in 1 2 3 4 5; do
+      start karma skein-ddn --uav karma --security "$work/keys/karma"
+      until [ "$(find "/proc/$last/fd" -lname 'socket:*' 2>/dev/null | wc -l)" -ge 4 ]; do :; done  # it has joined DDS
+      kill -STOP "$last"
+      # Longer than the simulator waits. It may have stopped before anybody heard of it: then once more.
+      ! timeout 14 grep -q "$anew" <(tail -n +1 -f "$work/sim.log") || break
+      kill -KILL "$last"
+    done
+    grep -q "$anew" "$work/sim.log" || fail "the simulator goes on with a handshake that does not end ($attempt attempts)"
+    kill -CONT "$last"
+    timeout 40 grep -q "mission started" <(tail -n +1 -f "$work/sim.log") || fail "they did not meet" ;;
   other-name)
     refused "do not allow" skein-ground --security "$work/keys/karma" ;;
   other-slots)

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include "companions.hpp"
 #include "log_line.hpp"
@@ -137,7 +138,15 @@ const node::Member* find_self(const DaemonProgram& program, const Options& optio
   return roster.find(crew.name);
 }
 
-int run(const DaemonProgram& program, const Options& options) {
+/// Longer each time: where handshakes are slow and not stuck, to begin anew would make them slower.
+Duration handshake_limit(int attempt) {
+  constexpr int kMostAttempts = 5;
+  if (attempt >= kMostAttempts) return Duration::max();
+  return Duration::milliseconds(std::int64_t{8000} << attempt);
+}
+
+/// The exit code; nothing when the node is to be run anew.
+std::optional<int> run(const DaemonProgram& program, const Options& options, int attempt) {
   const auto scenario =
       scenario_setup::load_scenario(options.scenario, options.overrides, program.check);
   if (!scenario) {
@@ -180,6 +189,7 @@ int run(const DaemonProgram& program, const Options& options) {
   companions->all.add(std::move(crew.companion));
   if (!companions->all.empty()) config.companion = &companions->all;
   config.forgets = options.forgets;
+  config.handshake_limit = handshake_limit(attempt);
   auto node = crew.node ? std::move(crew.node) : make_node();
   const auto end = node::run_daemon(roster, *self, std::move(node), config);
   if (end == node::DaemonEnd::kFinished && memory.log) memory.log->conclude();
@@ -187,6 +197,7 @@ int run(const DaemonProgram& program, const Options& options) {
     spdlog::error("{}", end.error().why);
     return kExitSystem;
   }
+  if (end == node::DaemonEnd::kUnmet) return std::nullopt;
   return kExitOk;
 }
 
@@ -219,7 +230,9 @@ int run_daemon_program(const DaemonProgram& program, int argc, char** argv) try 
   spdlog::set_default_logger(spdlog::stderr_color_mt("skein"));
   spdlog::set_level(spdlog::level::from_str(options.log_level));
   if (options.parent != 0) follow(options.parent);
-  return run(program, options);
+  std::optional<int> code;
+  for (int attempt = 0; !code; ++attempt) code = run(program, options, attempt);
+  return *code;
 } catch (const std::exception& error) {
   std::cerr << program.name << ": " << error.what() << '\n';
   return kExitInternal;

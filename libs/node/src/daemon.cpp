@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <set>
 
 #include "job_runner.hpp"
 #include "skein/blackboard/dds_transport.hpp"
+#include "skein/blackboard/handshakes.hpp"
 #include "skein/journal/lines/mission.hpp"
 #include "skein/node/heartbeat.hpp"
 #include "skein/node/mission_clock.hpp"
@@ -41,8 +43,9 @@ class Daemon {
       : roster_(roster),
         self_(self),
         config_(config),
-        transport_(blackboard::make_dds_transport(
-            {config.domain, self.name, config.network, config.on_middleware_log, roster.names()})),
+        transport_(blackboard::make_dds_transport({config.domain, self.name, config.network,
+                                                   config.on_middleware_log, roster.names(), false,
+                                                   handshakes_})),
         leader_(config.rate),
         heartbeat_(steady_heartbeat(config.heartbeat, config.rate)),
         jobs_([this] { waker_.notify(); }),
@@ -79,6 +82,7 @@ class Daemon {
       turn();
       if (config_.on_turn) config_.on_turn(phase());
       if (over()) return DaemonEnd::kFinished;
+      if (is_unmet()) return DaemonEnd::kUnmet;
       waker_.wait(until_next_wakeup());
     }
     return DaemonEnd::kStopped;
@@ -122,6 +126,26 @@ class Daemon {
     const Duration steady = Waker::steady_now();
     if (config_.leads_clock) return finished_at_ && steady >= *finished_at_ + kLinger;
     return follower_.phase() == wire::ClockPhase::kFinished;
+  }
+
+  // Fast DDS 2.9 goes on with a handshake that was disturbed for ever, and in vain
+  // (docs/threats.md).
+  bool is_unmet() {
+    const bool gives_up =
+        !config_.network.keys.empty() && config_.handshake_limit != Duration::max();
+    if (!gives_up || phase() != wire::ClockPhase::kHolding) return false;
+    for (const auto& [name, lasts] : handshakes_->open(Waker::steady_now())) {
+      if (roster_.find(name) == nullptr || name == self_.name) continue;
+      const Duration limit = config_.handshake_limit;
+      if (lasts < (self_.name > name ? limit : limit + limit)) continue;
+      unsent_records_.push_back(journal::record_of(
+          now().mission, self_.name,
+          journal::lines::Notice{
+              .text = "the handshake with " + name + " does not end: it takes part anew"}));
+      flush_journal();
+      return true;
+    }
+    return false;
   }
 
   std::optional<Duration> until_next_wakeup() const {
@@ -237,6 +261,8 @@ class Daemon {
   const Member self_;
   const DaemonConfig& config_;
   Waker waker_;  // first: it blocks the signals before the middleware makes its threads
+  const std::shared_ptr<blackboard::Handshakes> handshakes_ =
+      std::make_shared<blackboard::Handshakes>();
   std::unique_ptr<blackboard::Transport> transport_;
   MissionClock follower_;
   ClockLeader leader_;

@@ -2,9 +2,14 @@
 // The transport over Fast DDS.
 #include "skein/blackboard/fastdds_transport.hpp"
 
+#include <fastdds/rtps/participant/ParticipantDiscoveryInfo.h>
 #include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
+
+#include <chrono>
+#include <sstream>
+#include <string>
 
 #include "adapters/rtps/links.hpp"
 #include "channel_endpoints.hpp"
@@ -16,21 +21,52 @@ namespace {
 
 namespace dds = eprosima::fastdds::dds;
 
-/// Tells of the writers that others have.
-class WriterDiscovery final : public dds::DomainParticipantListener {
+namespace frtps = eprosima::fastrtps::rtps;
+
+std::string text_of(const frtps::GuidPrefix_t& guid) {
+  std::ostringstream text;
+  text << guid;
+  return text.str();
+}
+
+/// Tells of the writers that others have, and of handshakes with others.
+class Discovery final : public dds::DomainParticipantListener {
  public:
-  explicit WriterDiscovery(rtps::AwaitedWriters& awaited) : awaited_(awaited) {}
+  Discovery(rtps::AwaitedWriters& awaited, Handshakes* handshakes)
+      : awaited_(awaited), handshakes_(handshakes) {}
 
   void on_publisher_discovery(dds::DomainParticipant* participant,
-                              eprosima::fastrtps::rtps::WriterDiscoveryInfo&& found) override {
-    using Info = eprosima::fastrtps::rtps::WriterDiscoveryInfo;
+                              frtps::WriterDiscoveryInfo&& found) override {
+    using Info = frtps::WriterDiscoveryInfo;
     const bool own = found.info.guid().guidPrefix == participant->guid().guidPrefix;
     if (own || found.status == Info::REMOVED_WRITER) return;
     awaited_.found(found.info.topicName().c_str(), found.info.m_qos.m_partition.names());
   }
 
+  void on_participant_discovery(dds::DomainParticipant* /*participant*/,
+                                frtps::ParticipantDiscoveryInfo&& found) override {
+    using Info = frtps::ParticipantDiscoveryInfo;
+    if (handshakes_ == nullptr) return;
+    const std::string guid = text_of(found.info.m_guid.guidPrefix);
+    if (found.status == Info::DISCOVERED_PARTICIPANT) {
+      const auto now = std::chrono::steady_clock::now().time_since_epoch();
+      handshakes_->begun(guid, found.info.m_participantName.c_str(),
+                         Duration::nanoseconds(std::chrono::nanoseconds(now).count()));
+    } else if (found.status != Info::CHANGED_QOS_PARTICIPANT) {
+      handshakes_->gone(guid);
+    }
+  }
+
+  void onParticipantAuthentication(dds::DomainParticipant* /*participant*/,
+                                   frtps::ParticipantAuthenticationInfo&& info) override {
+    using Info = frtps::ParticipantAuthenticationInfo;
+    if (handshakes_ != nullptr && info.status == Info::AUTHORIZED_PARTICIPANT)
+      handshakes_->ended(text_of(info.guid.guidPrefix));
+  }
+
  private:
   rtps::AwaitedWriters& awaited_;
+  Handshakes* handshakes_;
 };
 
 }  // namespace
@@ -49,7 +85,7 @@ class FastDdsTransport::Impl {
   DdsConfig config_;
   fastdds::MiddlewareLog log_;
   rtps::Links links_;
-  WriterDiscovery discovery_{links_.awaited()};
+  Discovery discovery_{links_.awaited(), config_.handshakes.get()};
   fastdds::Participation participation_;  // ends before what its threads use
   fastdds::Topics topics_{participation_};
 };

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "skein/blackboard/channel.hpp"
+#include "skein/blackboard/handshakes.hpp"
 #include "skein/blackboard/network.hpp"
 
 namespace skein::blackboard {
@@ -25,6 +27,9 @@ struct DdsConfig {
   /// All endpoints are made at the beginning, so that others can find them before they are used:
   /// for programs that write what they have and end. Else most are made when they are needed.
   bool endpoints_at_once = false;
+  /// With keys, Fast DDS: told of all that are found, and of those who have proved who they are.
+  /// Null: nobody wants to know.
+  std::shared_ptr<Handshakes> handshakes = {};
 };
 
 }  // namespace skein::blackboard

@@ -37,12 +37,18 @@ struct DaemonConfig {
   /// After every turn of the daemon's loop, several times a second as long as it lives; the first
   /// time it takes part in the domain. For a service manager. May be empty.
   std::function<void(wire::ClockPhase)> on_turn;
+  /// With keys, while the clock is not heard or holds: how long a handshake with another node may
+  /// last on the steady clock, which takes milliseconds when it is not disturbed. A node whose name
+  /// comes first in the alphabet waits twice as long as the other, so that one of them gives up.
+  /// max(): for ever.
+  Duration handshake_limit = Duration::max();
   Companion* companion = nullptr;  ///< outlives the daemon; null: nobody
 };
 
 enum class DaemonEnd {
   kFinished,  ///< the mission is over
-  kStopped    ///< SIGINT or SIGTERM
+  kStopped,   ///< SIGINT or SIGTERM
+  kUnmet      ///< with keys: a handshake does not end; to be run anew, as after a restart
 };
 
 /// Runs the node until the mission is over or a signal asks it to stop. Mission time follows the
