@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <csignal>
-#include <fstream>
 
 #include "testing/dds_run.hpp"
 
@@ -99,46 +98,6 @@ TEST(DdsFault, DaemonsThatComeBackWithWhatTheyKnewGoOnWithTheMission) {
   expect_nothing_left(run);
 }
 
-struct Killed {
-  const char* mission;
-  std::vector<std::string> daemons;  ///< one after the other
-};
-
-// Missions planned on board: their plans come back too.
-class DdsDeaths : public ::testing::TestWithParam<Killed> {};
-
-TEST_P(DdsDeaths, EndAsSpecifiedOrByThePoliciesOfLostContact) {
-  DdsRun run;
-  std::string faults = "\nfaults:\n";
-  double at = 40;
-  for (const std::string& daemon : GetParam().daemons) {
-    faults += "  - {at: " + std::to_string(at) + ", kill: " + daemon + ", restart_after: 5}\n";
-    at += 70;
-  }
-  run.take_scenario_of(GetParam().mission, faults);
-  run.start({"--rate", "20"});
-  const auto status = run.wait();
-
-  ASSERT_TRUE(status.has_value());
-  std::vector<std::string> resumed;
-  bool in_time = true;
-  for (const journal::Record& record : run.records()) {
-    if (record.kind() == "resumed") resumed.push_back(record.node());
-    in_time = in_time && record.kind() != "contact";
-  }
-  EXPECT_EQ(resumed, GetParam().daemons);
-  EXPECT_TRUE(!in_time || status->code == 0) << run.output();
-  expect_nothing_left(run);
-}
-INSTANTIATE_TEST_SUITE_P(
-    Missions, DdsDeaths,
-    ::testing::Values(Killed{"karma/detection", {"karma", "sim", "ground", "karma"}},
-                      Killed{"iros2005/fire", {"marvin", "karma", "sim", "ground", "heliv"}}),
-    [](const auto& one) {
-      std::string name = one.param.mission;
-      return name.substr(0, name.find('/'));
-    });
-
 // A functional layer of its own loses all it knew, in the air; its vehicles are where they are.
 TEST(DdsFault, AFunctionalLayerThatForgetsIsAskedAndTheMissionGoesOn) {
   DdsRun run;
@@ -206,23 +165,11 @@ TEST(DdsFault, DaemonsEndWhenTheRunnerIsKilled) {
   expect_nothing_left(run);
 }
 
-// A folder of programs where the decision node is this script.
-std::string programs_with_a_ddn_that(const DdsRun& run, const std::string& script) {
-  const fs::path folder = run.file("programs");
-  fs::create_directories(folder);
-  for (const char* name : {"skein-sim", "skein-ground"}) {
-    fs::create_symlink(fs::path(kPrograms) / name, folder / name);
-  }
-  std::ofstream(folder / "skein-ddn") << "#!/bin/sh\n" << script << "\n";
-  fs::permissions(folder / "skein-ddn", fs::perms::owner_all);
-  return folder.string();
-}
-
 TEST(DdsFault, ADaemonThatFailsAtItsStartIsQuoted) {
   DdsRun run;
   run.take_scenario("confirmed");
 
-  run.start({"--daemons", programs_with_a_ddn_that(run, "echo no memory >&2; exit 7")});
+  run.start({"--daemons", run.programs_with({"skein-ddn"}, "echo no memory >&2; exit 7")});
   const auto status = run.wait(30);
 
   ASSERT_TRUE(status.has_value());

@@ -9,48 +9,23 @@
 
 #include "skein/laws/healing.hpp"
 #include "skein/laws/protocol.hpp"
+#include "testing/clocks_apart.hpp"
 #include "testing/lab_run.hpp"
 
 namespace skein {
 namespace {
 
+using skein::testing::breaches_beyond_clocks;
 using skein::testing::Carried;
 using skein::testing::LabRun;
 
 constexpr double kRate = 20;
-/// What nodes' clocks, which follow the simulator's over a network, and the logs of several
-/// processes may be apart on the wall [s]: lines closer than this may come in either order
-/// (docs/journal.md).
-constexpr double kApart = 0.3;
-
-journal::Record moved(const journal::Record& record, Duration by) {
-  journal::Record later(record.at() + by, record.node(), record.kind());
-  for (const auto& [key, value] : record.fields()) later.with(key, value);
-  return later;
-}
-
-/// Breaches of the protocol that lie further apart than that: a little later counts all that is not
-/// sent, and a link that is cut later still.
-std::string breaches_of(const std::vector<journal::Record>& records) {
-  const Duration apart = Duration::seconds(kApart * kRate);
-  std::vector<journal::Record> all = records;
-  for (journal::Record& record : all) {
-    const bool sent = record.text("direction") == "sent" || record.text("state") == "issued";
-    const bool cut = record.kind() == "link" && !record.truth("up");
-    if (!sent) record = moved(record, apart);
-    if (cut) record = moved(record, apart);
-  }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const auto& a, const auto& b) { return a.at() < b.at(); });
-  return laws::to_text(laws::broken_protocol(all));
-}
-
 /// What every run must keep, whatever its radio did: three seconds of the clock on the wall after
 /// a link is back both ends know it and have what was waiting; nothing is lost or handled twice.
 void expect_nothing_lost_or_twice(const LabRun& run) {
   const std::vector<journal::Record> records = run.records();
   ASSERT_FALSE(records.empty());
-  EXPECT_EQ(breaches_of(records), "");
+  EXPECT_EQ(breaches_beyond_clocks(records, kRate), "");
   laws::HealingLimits limits;
   limits.healing = Duration::seconds(3 * kRate);
   EXPECT_EQ(laws::to_text(laws::broken_healing(records, limits)), "");

@@ -4,13 +4,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <map>
 #include <set>
 
 #include "skein/foundation/random.hpp"
 #include "skein/laws/protocol.hpp"
 #include "test_cases.hpp"
 #include "testing/mission.hpp"
+#include "testing/reasons.hpp"
 
 namespace skein::testing {
 namespace {
@@ -154,35 +154,6 @@ struct Away {
 
 class KilledInAPhase : public ::testing::TestWithParam<Away> {};
 
-/// Something said that what was to be is not to be: a policy of lost contact, a command that came
-/// too late, a task, goal or mission that failed with its reason.
-bool says_why(const Mission& mission) {
-  for (const journal::Record& record : mission.records) {
-    const std::string& kind = record.kind();
-    if (kind == "contact") return true;
-    if (kind == "command" && record.text("state") == "expired") return true;
-    if ((kind == "task" || kind == "goal") && !record.text("reason").empty()) return true;
-  }
-  return false;
-}
-
-/// Tasks that an executive has under way at the end and the vehicle has not: a line each.
-std::string left_under_way(const Mission& mission) {
-  std::map<std::pair<std::string, double>, std::string> told, carried;
-  for (const journal::Record& record : mission.records) {
-    const std::pair key{std::string(record.text("uav")), record.number("task")};
-    if (record.kind() == "task") told[key] = record.text("state");
-    if (record.kind() == "functional") carried[key] = record.text("state");
-  }
-  std::string left;
-  for (const auto& [key, state] : told) {
-    const auto there = carried.find(key);
-    if (state == "running" && there != carried.end() && there->second != "running")
-      left += key.first + " " + std::to_string(key.second) + "\n";
-  }
-  return left;
-}
-
 TEST_P(KilledInAPhase, TheMissionEndsAsSpecifiedOrSaysWhyNot) {
   const Away away = GetParam();
   const scenario::Scenario scenario = scenario_at(away.mission);
@@ -197,7 +168,7 @@ TEST_P(KilledInAPhase, TheMissionEndsAsSpecifiedOrSaysWhyNot) {
       EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "") << what;
       EXPECT_EQ(mission.untrue, "") << what;
       const bool met = mission.failures().empty();
-      EXPECT_TRUE(met || says_why(mission)) << what << "\n" << mission.failures();
+      EXPECT_TRUE(met || says_why(mission.records)) << what << "\n" << mission.failures();
       as_specified += met ? 1 : 0;
       ++all;
     }
@@ -235,9 +206,9 @@ TEST_P(LayerForgets, NothingStaysUnderWayThatNobodyCarriesOut) {
       const std::string what = std::to_string(instant);
       EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "") << what;
       EXPECT_EQ(mission.untrue, "") << what;
-      EXPECT_TRUE(mission.failures().empty() || says_why(mission)) << what << "\n"
-                                                                   << mission.failures();
-      EXPECT_EQ(left_under_way(mission), "") << what;
+      EXPECT_TRUE(mission.failures().empty() || says_why(mission.records)) << what << "\n"
+                                                                           << mission.failures();
+      EXPECT_EQ(left_under_way(mission.records), "") << what;
     }
   }
 }
@@ -264,7 +235,7 @@ TEST_P(TwoDeaths, LeaveNothingUndoneThatIsNotExplained) {
 
   EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
-  EXPECT_TRUE(mission.failures().empty() || says_why(mission)) << mission.failures();
+  EXPECT_TRUE(mission.failures().empty() || says_why(mission.records)) << mission.failures();
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, TwoDeaths,
                          ::testing::Range<std::uint64_t>(1, cases<std::uint64_t>(9, 501)));

@@ -142,6 +142,21 @@ void DdsRun::start(const std::vector<std::string>& options) {
   process_.emplace(std::move(*process));
 }
 
+std::string DdsRun::programs_with(const std::set<std::string>& scripted,
+                                  const std::string& script) const {
+  const fs::path folder = file("programs");
+  fs::create_directories(folder);
+  for (const char* name : {"skein-sim", "skein-ground", "skein-ddn"}) {
+    if (!scripted.contains(name)) {
+      fs::create_symlink(fs::path(kPrograms) / name, folder / name);
+      continue;
+    }
+    std::ofstream(folder / name) << "#!/bin/sh\nprograms='" << kPrograms << "'\n" << script << "\n";
+    fs::permissions(folder / name, fs::perms::owner_all);
+  }
+  return folder.string();
+}
+
 // A machine that stands still breaks every expectation of a run in real time: that is said first.
 void DdsRun::expect_no_stall() const {
   const std::string text = output();

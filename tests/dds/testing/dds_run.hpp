@@ -45,6 +45,9 @@ class DdsRun {
   /// Replaces text of the scenario.
   void change(const std::string& from, const std::string& to);
   void start(const std::vector<std::string>& options = {});
+  /// Before start(), once: a folder for --daemons in which these programs ("skein-ddn") are this
+  /// shell script; it finds the true programs in $programs.
+  std::string programs_with(const std::set<std::string>& scripted, const std::string& script) const;
 
   /// Its end; fails the test if it has not come after `seconds`.
   std::optional<run_tool::Process::Status> wait(double seconds = 150);

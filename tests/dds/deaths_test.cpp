@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+// Daemons that die by kill -9 over DDS, in every kind of mission, and come back with what they
+// knew: the mission ends as specified or says why not, and the laws of the event log hold.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "test_cases.hpp"
+#include "testing/clocks_apart.hpp"
+#include "testing/dds_run.hpp"
+#include "testing/reasons.hpp"
+
+namespace skein::testing {
+namespace {
+
+constexpr double kRate = 20;
+constexpr const char* kLibrary = SKEIN_BINARY_DIR "/lib/libskein_adversity.so";
+
+struct Death {
+  std::string daemon;
+  double at = 0, away = 0;  ///< [s] of the mission
+};
+
+struct Mission {
+  std::string scenario;
+  std::vector<std::string> daemons;
+  double seconds = 0;  ///< that it takes when nothing happens
+};
+
+const std::vector<Mission>& missions() {
+  static const std::vector<Mission> all{
+      {"comets/confirmed", {"marvin", "sim", "ground", "heliv", "karma"}, 770},
+      {"karma/detection", {"karma", "sim", "ground"}, 650},
+      {"heliv-marvin/monitoring", {"heliv", "ground", "sim", "marvin"}, 600},
+      {"iros2005/fire", {"marvin", "karma", "sim", "ground", "heliv"}, 900},
+      {"handover/radio", {"marvin", "ground", "karma", "sim"}, 600}};
+  return all;
+}
+
+std::string as_faults(const std::vector<Death>& deaths) {
+  std::string faults = "\nfaults:\n";
+  for (const Death& death : deaths) {
+    faults += "  - {at: " + std::to_string(death.at) + ", kill: " + death.daemon +
+              ", restart_after: " + std::to_string(death.away) + "}\n";
+  }
+  return faults;
+}
+
+std::vector<std::string> those_who_came_back(const std::vector<journal::Record>& records) {
+  std::vector<std::string> names;
+  for (const journal::Record& record : records)
+    if (record.kind() == "resumed") names.push_back(record.node());
+  return names;
+}
+
+std::vector<std::string> those_who_die(const std::vector<Death>& deaths) {
+  std::vector<std::string> names;
+  for (const Death& death : deaths) names.push_back(death.daemon);
+  return names;
+}
+
+/// Plays it and expects what is to be expected of every mission in which daemons die.
+void expect_nothing_lost(const std::string& scenario, const std::vector<Death>& deaths) {
+  DdsRun run;
+  run.take_scenario_of(scenario, as_faults(deaths));
+  run.start({"--rate", std::to_string(kRate)});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  ASSERT_THAT(status->code, ::testing::AnyOf(0, 1)) << run.output();
+  const std::vector<journal::Record> records = run.records();
+  EXPECT_EQ(those_who_came_back(records), those_who_die(deaths));
+  EXPECT_TRUE(status->code == 0 || says_why(records)) << run.output();
+  EXPECT_EQ(breaches_beyond_clocks(with_last_messages(records, kRate), kRate), "");
+  EXPECT_EQ(left_under_way(records), "");
+  EXPECT_TRUE(run.nothing_runs());
+  EXPECT_THAT(run.left_in_shared_memory(), ::testing::IsEmpty());
+}
+
+// ---- all daemons of a mission, one after the other ----
+
+class DdsDeaths : public ::testing::TestWithParam<Mission> {};
+
+TEST_P(DdsDeaths, OfAllDaemonsInTurnLoseNothing) {
+  std::vector<Death> deaths;
+  double at = 40;
+  for (const std::string& daemon : GetParam().daemons) {
+    deaths.push_back({daemon, at, 5});
+    at += 70;
+  }
+  expect_nothing_lost(GetParam().scenario, deaths);
+}
+
+std::string word_of(std::string scenario) {
+  std::replace_if(
+      scenario.begin(), scenario.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+  return scenario;
+}
+
+INSTANTIATE_TEST_SUITE_P(Missions, DdsDeaths, ::testing::ValuesIn(missions()),
+                         [](const auto& one) { return word_of(one.param.scenario); });
+
+// ---- one daemon, in one phase, for a while ----
+
+struct OneDeath {
+  std::string scenario;
+  Death death;
+};
+
+/// Of every daemon of every mission, in so many phases of it, away for 5 s and for 60 s. The short
+/// form takes the ground station of two missions, away for the longer time.
+std::vector<OneDeath> deaths_one_by_one() {
+  constexpr int kPhases = 4;
+  std::vector<OneDeath> all;
+  for (const Mission& mission : missions()) {
+    for (const std::string& daemon : mission.daemons) {
+      for (int phase = 0; phase < kPhases; ++phase) {
+        const double at = mission.seconds * (phase + 0.5) / kPhases;
+        for (const double away : {5.0, 60.0}) all.push_back({mission.scenario, {daemon, at, away}});
+      }
+    }
+  }
+  if (long_tests()) return all;
+  std::erase_if(all, [](const OneDeath& one) {
+    const bool chosen =
+        one.scenario == "heliv-marvin/monitoring" || one.scenario == "handover/radio";
+    return !chosen || one.death.daemon != "ground" || one.death.away != 60 || one.death.at < 200 ||
+           one.death.at > 300;
+  });
+  return all;
+}
+
+class DdsDeath : public ::testing::TestWithParam<OneDeath> {};
+
+TEST_P(DdsDeath, LosesNothing) { expect_nothing_lost(GetParam().scenario, {GetParam().death}); }
+
+INSTANTIATE_TEST_SUITE_P(OneByOne, DdsDeath, ::testing::ValuesIn(deaths_one_by_one()),
+                         [](const auto& one) {
+                           const Death& death = one.param.death;
+                           return word_of(one.param.scenario) + "_" + death.daemon + "_at_" +
+                                  std::to_string(static_cast<int>(death.at)) + "_for_" +
+                                  std::to_string(static_cast<int>(death.away));
+                         });
+
+// ---- between the write and the answer ----
+
+/// A decision node whose first life ends in the moment after its write of that number to its state
+/// file, before anything follows from it, as when the power goes; who started it starts it again.
+std::string dies_after_write(int number) {
+  return R"(
+case "$*" in *"--uav marvin"*) ;; *) exec "$programs/skein-ddn" "$@" ;; esac
+for word in "$@"; do
+  shift
+  [ "$before" != --exit-with-parent ] || word=$$  # the daemon's parent is this shell
+  set -- "$@" "$word"
+  before=$word
+done
+trap 'kill -TERM "$daemon"' TERM
+ADVERSITY_DEATH=)" +
+         std::to_string(number) + " LD_PRELOAD='" + kLibrary + R"(' "$programs/skein-ddn" "$@" &
+daemon=$!
+wait "$daemon"
+[ $? = 137 ] || exit 9
+"$programs/skein-ddn" "$@" &
+daemon=$!
+wait "$daemon"
+)";
+}
+
+class DdsPowerCut : public ::testing::TestWithParam<int> {};
+
+TEST_P(DdsPowerCut, BetweenTheWriteAndTheAnswerLosesNothing) {
+  if (!fs::exists(kLibrary)) GTEST_SKIP() << "not with sanitizers";
+  DdsRun run;
+  run.take_scenario_of("comets/confirmed");
+  run.start({"--rate", std::to_string(kRate), "--daemons",
+             run.programs_with({"skein-ddn"}, dies_after_write(GetParam()))});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  const std::vector<journal::Record> records = run.records();
+  EXPECT_THAT(those_who_came_back(records), ::testing::ElementsAre("marvin"));
+  EXPECT_TRUE(status->code == 0 || says_why(records)) << run.output();
+  EXPECT_EQ(breaches_beyond_clocks(with_last_messages(records, kRate), kRate), "");
+  EXPECT_EQ(left_under_way(records), "");
+  EXPECT_TRUE(run.nothing_runs());
+}
+
+std::vector<int> writes() {
+  if (!long_tests()) return {700};
+  return {40, 150, 300, 450, 600, 750, 900, 1050, 1200, 1500, 1800, 2100};
+}
+
+INSTANTIATE_TEST_SUITE_P(Writes, DdsPowerCut, ::testing::ValuesIn(writes()));
+
+}  // namespace
+}  // namespace skein::testing
