@@ -138,10 +138,10 @@ class Daemon {
       if (roster_.find(name) == nullptr || name == self_.name) continue;
       const Duration limit = config_.handshake_limit;
       if (lasts < (self_.name > name ? limit : limit + limit)) continue;
-      unsent_records_.push_back(journal::record_of(
-          now().mission, self_.name,
-          journal::lines::Notice{
-              .text = "the handshake with " + name + " does not end: it takes part anew"}));
+      unsent_records_.push_back(
+          journal::record_of(now().mission, self_.name,
+                             journal::lines::Notice{.text = "the handshake with " + name +
+                                                            " does not end: it takes part anew"}));
       flush_journal();
       return true;
     }
