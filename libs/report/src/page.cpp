@@ -36,7 +36,7 @@ void write_controls(Markup& out) {
   out.element("button", {{"id", "zoom-in"}, {"type", "button"}, {"title", "Zoom in"}}, "+");
   out.element("button", {{"id", "zoom-out"}, {"type", "button"}, {"title", "Zoom out"}}, "−");
   out.element("button", {{"id", "zoom-all"}, {"type", "button"}, {"title", "Whole run"}}, "all");
-  for (const char* layer : {"messages", "syncs", "temporal", "flags", "scheduled"}) {
+  for (const char* layer : {"messages", "syncs", "externals", "temporal", "flags", "scheduled"}) {
     out.open("label");
     out.leaf("input", {{"type", "checkbox"}, {"checked", "checked"}, {"data-layer", layer}});
     out.text(layer).close();
@@ -118,6 +118,8 @@ void write_timeline_legend(Markup& out) {
       {"<g class='temporal u0'><line x1='14' x2='14' y1='0' y2='14'/>"
        "<line class='heard' x1='14' x2='14' y1='10' y2='14'/></g>",
        "temporal message: what lies between one's meetings"},
+      {"<g class='external u0'><line x1='3' x2='25' y1='2' y2='12'/></g>",
+       "external arc: who comes, who goes on then; what lies between is its slack"},
       {"<g class='trouble' transform='translate(14 7)'><path d='M-3 -3L3 3M-3 3L3 -3'/></g>",
        "lost or expired"},
       {"<g class='link'><rect class='up' y='3' width='14' height='7'/>"

@@ -45,6 +45,8 @@ void draw_ground_row(Sheet& sheet);
 void draw_uav_rows(Sheet& sheet);
 /// Synchronisations and messages between the rails.
 void draw_arrows(Sheet& sheet);
+/// Who goes on only after another has come, or left its air, from rail to rail, with their slack.
+void draw_external_arcs(Sheet& sheet);
 /// What UAVs told each other of their plans, from rail to rail.
 void draw_temporal_messages(Sheet& sheet);
 /// Roles and blocks of joint tasks by UAV, and violations of their constraints.

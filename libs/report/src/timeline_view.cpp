@@ -225,6 +225,7 @@ void write_timeline(Markup& out, const Run& run) {
   draw_uav_rows(sheet);
   const double rows_bottom = sheet.y;
   draw_temporal_messages(sheet);
+  draw_external_arcs(sheet);
   draw_arrows(sheet);
   draw_joint_rows(sheet);
   draw_team_rows(sheet);
