@@ -56,7 +56,7 @@ std::optional<world::Vector3> where(const History& history, const std::string& n
     const auto sample = uav->second.at(at);
     return sample ? std::optional(sample->position) : std::nullopt;
   }
-  std::optional<world::Vector3> place = history.place(name);
+  std::optional<world::Vector3> place = history.place(name, at);
   for (const PointTold& told : history.joint.points) {
     if (told.name != name || told.at > at) continue;
     // While it is on its way, some know and some do not.
