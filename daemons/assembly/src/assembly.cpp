@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "skein/assembly/knowledge.hpp"
+#include "skein/blackboard/slot_table.hpp"
 #include "skein/ddn/ddn_node.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/ground/ground_node.hpp"
@@ -187,6 +188,18 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
   return std::make_unique<ddn::DdnNode>(config, roster_of(scenario));
 }
 
+Result<blackboard::SlotTable, Diagnostics> slots_of(const Scenario& scenario) {
+  return blackboard::read_slot_table(*scenario.slots, scenario.file,
+                                     blackboard::SlotTable::shipped());
+}
+
+/// Errors of the scenario's own table of slots, with their places.
+Diagnostics slot_problems(const Scenario& scenario) {
+  if (!scenario.slots) return {};
+  const auto slots = slots_of(scenario);
+  return slots ? Diagnostics() : slots.error();
+}
+
 /// Of a channel that heartbeats alone would fill there is nothing left.
 Diagnostics radio_problems(const Scenario& scenario) {
   const double heartbeats = 8.0 * static_cast<double>(blackboard::heartbeat_bytes()) /
@@ -209,8 +222,11 @@ Diagnostics radio_problems(const Scenario& scenario) {
 }  // namespace
 
 node::Roster roster_of(const Scenario& scenario) {
-  return node::Roster(scenario.uav_names(), scenario.functional_layers())
-      .relayed_by(scenario.radio.relays);
+  node::Roster roster = node::Roster(scenario.uav_names(), scenario.functional_layers())
+                            .relayed_by(scenario.radio.relays);
+  if (!scenario.slots) return roster;
+  auto slots = slots_of(scenario);
+  return slots ? roster.with_slots(std::move(*slots)) : roster;
 }
 
 std::unique_ptr<node::Node> make_node(const Scenario& scenario, const std::string& name) {
@@ -227,6 +243,7 @@ Diagnostics check_assembly(const Scenario& scenario) {
     diagnostics.add({scenario.file, 0, 0, "", problem, "", ""});
   }
   diagnostics.append(radio_problems(scenario));
+  diagnostics.append(slot_problems(scenario));
   diagnostics.append(planning_problems(scenario));
   diagnostics.append(joint_task_problems(scenario));
   return diagnostics;

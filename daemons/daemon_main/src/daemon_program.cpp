@@ -11,6 +11,7 @@
 #include <iostream>
 
 #include "companions.hpp"
+#include "log_file.hpp"
 #include "log_line.hpp"
 #include "memory.hpp"
 #include "options.hpp"
@@ -64,7 +65,8 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
   if (scenario.radio.silent) config.told = node::ToldOfLinks::kNothing;
   config.capacity = assembly::capacity_of(scenario);
   config.seed = scenario.seed;
-  config.leads_clock = self.role == wire::Role::kSim;
+  config.world = options.world;
+  config.leads_clock = self.role == (options.world ? wire::Role::kSim : wire::Role::kGround);
   config.time_limit = scenario.duration_limit;
   for (const node::Member& member : roster.members()) {
     const bool awaited = member.role == wire::Role::kGround || member.role == wire::Role::kDdn ||
@@ -79,6 +81,16 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
     spdlog::warn("{}", json ? journal::to_json(notice) : "dds: " + line);
   };
   return config;
+}
+
+/// Records go to the file too; what is wrong with that is told beside it.
+void log_to(LogFile& file, node::DaemonConfig& config) {
+  config.on_record = [&file, tell = config.on_record](const journal::Record& record) {
+    tell(record);
+    const std::string news = file.append(journal::to_json(record));
+    if (!news.empty())
+      tell(journal::Record(record.at(), record.node(), "notice").with("text", news));
+  };
 }
 
 bool can_be(const DaemonProgram& program, wire::Role role) {
@@ -179,6 +191,10 @@ int run(const DaemonProgram& program, const Options& options) {
   const node::Member* self = find_self(program, options, *scenario, roster, crew);
   if (self == nullptr) return kExitBadInput;
   const std::string& name = self->name;
+  if (!options.world && self->role == wire::Role::kSim) {
+    std::cerr << "--world off: the simulator is the world; in flight there is none\n";
+    return kExitBadInput;
+  }
   const std::string stamp = "%Y-%m-%dT%H:%M:%S.%eZ %^%-5l%$ " + name + " ";
   spdlog::set_pattern(options.log_json ? "%v" : stamp + "%v", spdlog::pattern_time_type::utc);
   ServiceManager manager;
@@ -192,6 +208,15 @@ int run(const DaemonProgram& program, const Options& options) {
   config.on_turn = [&manager](wire::ClockPhase phase) {
     manager.turn(phase, node::Waker::steady_now());
   };
+  std::optional<LogFile> log;
+  if (!options.log_to.empty()) {
+    auto file = LogFile::open(options.log_to);
+    if (!file) {
+      std::cerr << "--log-to: " << file.error().why << '\n';
+      return kExitBadInput;
+    }
+    log_to(log.emplace(std::move(*file)), config);
+  }
   for (const std::string& notice : memory.notices)
     config.on_record(journal::Record({}, name, "notice").with("text", notice));
   config.memory = memory.log.get();

@@ -24,6 +24,8 @@ struct Options {
   blackboard::NetworkConfig network;
   assembly::Overrides overrides;
   std::string state;    ///< empty: nothing outlives the process
+  std::string log_to;   ///< file of its event log; empty: none
+  bool world = true;    ///< whether it takes part in the world channel
   std::string console;  ///< ADDRESS:PORT of the operators' page; empty: none
   std::vector<std::string> console_names;
   std::optional<std::uint32_t> ros2;  ///< domain of ROS 2; none: it is not told

@@ -91,6 +91,11 @@ std::optional<GroundNode::Input> GroundNode::input_of(const node::Input& input) 
   if (const auto* delivered = std::get_if<node::Delivered>(&input)) {
     return gs::CommandDelivered{gs::CommandNumber(delivered->receipt)};
   }
+  if (const auto* lost = std::get_if<node::Undelivered>(&input)) {
+    // Of one that may have arrived the answer is waited for, as of any.
+    if (lost->receipt == 0 || lost->may_have_arrived) return std::nullopt;
+    return gs::CommandUndelivered{gs::CommandNumber(lost->receipt)};
+  }
   if (const auto* reach = std::get_if<node::Reachability>(&input)) {
     if (!is_uav(reach->peer)) return std::nullopt;
     return gs::PeerReachable{roster_.name_of(reach->peer), reach->reachable, reach->restarted};

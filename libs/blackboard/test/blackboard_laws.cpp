@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "testing/samples.hpp"
 #include "testing/system.hpp"
 
@@ -102,6 +104,36 @@ TEST_F(BlackboardLaws, StateSetDuringACutArrivesAfterItOnce) {
   const auto values = system.values<wire::AutonomyDegree>(kGround);
   ASSERT_EQ(values.size(), 2U);
   EXPECT_EQ(values[1].degree, 5);
+}
+
+// A channel of 2 Mbit/s in each direction: a megabyte takes four seconds of it and more.
+TEST_F(BlackboardLaws, ALongEventComesWholeAndOnceBesideCommandsAndTelemetry) {
+  start_pair();
+  const ChannelCondition narrow{.up = true, .latency = {}, .loss = 0, .capacity = 2e6};
+  system.set_condition(kMarvin, kGround, narrow);
+  system.set_condition(kGround, kMarvin, narrow);
+  const auto whole = [&] { return system.values<wire::HandOver>(kGround); };
+
+  const wire::HandOver sent = hand_over(7, 1'000'000);
+  send(kMarvin, kGround, sent);
+  std::uint64_t id = 0;
+  std::size_t before = 0;
+  const bool came = system.run_until([&] {
+    if (events(kGround).size() == id && whole().empty()) {
+      send(kMarvin, kGround, task_event(++id));
+      send(kMarvin, kGround, telemetry(0.5));
+      before = id;
+    }
+    return !whole().empty();
+  });
+
+  ASSERT_TRUE(came);
+  EXPECT_GT(before, 10U) << "others were handled meanwhile";
+  settle();
+  ASSERT_EQ(whole().size(), 1U);
+  EXPECT_EQ(whole()[0].goals, sent.goals);
+  EXPECT_TRUE(std::ranges::is_sorted(events(kGround)));
+  EXPECT_GT(system.values<wire::Telemetry>(kGround).size(), 3U);
 }
 
 TEST_F(BlackboardLaws, EventsKeepTheirOrderAcrossSlots) {

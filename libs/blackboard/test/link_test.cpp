@@ -103,11 +103,38 @@ class ChannelOverRtps : public ::testing::Test {
   std::vector<std::string> said_;
 };
 
-TEST_F(ChannelOverRtps, BeginsWithTheWritersOfStreamsWhoseFirstSampleNobodyWouldSayAgain) {
+TEST_F(ChannelOverRtps, BeginsWithTheHeartbeat) {
   Link out = make(radio_plan(kSelf));
   ASSERT_TRUE(out.open().has_value());
-  EXPECT_THAT(dds_.writers, UnorderedElementsAre(Slot::kHeartbeat, Slot::kTelemetry));
+  EXPECT_THAT(dds_.writers, UnorderedElementsAre(Slot::kHeartbeat));
   EXPECT_THAT(dds_.readers, IsEmpty());
+}
+
+TEST_F(ChannelOverRtps, SaysTheFirstWordOfAStreamAgainToWhoeverIsFound) {
+  Link out = make(radio_plan(kSelf));
+  ASSERT_TRUE(out.open().has_value());
+  out.write(numbered<wire::Telemetry>(1));
+  out.write(numbered<wire::Telemetry>(2));
+  out.write(numbered<wire::TaskEvent>(3));
+
+  out.meet(Slot::kTelemetry);
+  out.meet(Slot::kTelemetry);
+  out.meet(Slot::kTaskEvent);
+
+  EXPECT_THAT(numbers(dds_.written), ElementsAre(1, 2, 3, 2, 2));
+}
+
+TEST_F(ChannelOverRtps, HasTheWritersOfStreamsThatWereWrittenAgainAtTheEndOfACut) {
+  Link out = make(radio_plan(kSelf));
+  ASSERT_TRUE(out.open().has_value());
+  out.write(numbered<wire::Telemetry>(1));
+  ASSERT_TRUE(out.set_up(false).has_value());
+  out.meet(Slot::kTelemetry);
+  ASSERT_TRUE(out.set_up(true).has_value());
+
+  EXPECT_THAT(dds_.writers, UnorderedElementsAre(Slot::kHeartbeat, Slot::kTelemetry));
+  out.meet(Slot::kTelemetry);
+  EXPECT_THAT(dds_.written, IsEmpty()) << "what was said before is of the past";
 }
 
 TEST_F(ChannelOverRtps, HasAWriterFromItsFirstSampleOn) {
@@ -117,8 +144,7 @@ TEST_F(ChannelOverRtps, HasAWriterFromItsFirstSampleOn) {
   EXPECT_TRUE(out.write(numbered<wire::TaskEvent>(1)));
   EXPECT_TRUE(out.write(numbered<wire::TaskEvent>(2)));
 
-  EXPECT_THAT(dds_.writers,
-              UnorderedElementsAre(Slot::kHeartbeat, Slot::kTelemetry, Slot::kTaskEvent));
+  EXPECT_THAT(dds_.writers, UnorderedElementsAre(Slot::kHeartbeat, Slot::kTaskEvent));
   EXPECT_THAT(numbers(dds_.written), ElementsAre(1, 2));
 }
 
@@ -241,7 +267,7 @@ TEST_F(ChannelOverRtps, ReadsAtOnceWhereServersTellNothingOfTopicsThatOneHasNot)
   Link out = make(radio_plan(kSelf), config);
   ASSERT_TRUE(out.open().has_value());
   EXPECT_THAT(dds_.writers, UnorderedElementsAre(Slot::kHeartbeat, Slot::kTelemetry))
-      << "writers may wait all the same";
+      << "writers may wait all the same, but not those of streams";
 }
 
 TEST_F(ChannelOverRtps, ReadsAtOnceWhatIsInManyPartitions) {
@@ -293,7 +319,8 @@ class Story {
     }
   }
   void check() const {
-    Slots writers{Slot::kHeartbeat, Slot::kTelemetry}, readers = written_by_others_;
+    Slots writers = streamed_, readers = written_by_others_;
+    writers.insert(Slot::kHeartbeat);
     readers.insert(Slot::kHeartbeat);
     for (const auto& [slot, number] : written_) writers.insert(slot);
     RC_ASSERT(dds_.open == up_);
@@ -312,6 +339,7 @@ class Story {
     if (slot == Slot::kAutonomyDegree) state_ = last_;
     if (slot == Slot::kTaskEvent) events_.push_back(last_);
     if (up_) written_.emplace_back(slot, last_);
+    if (up_ && slot == Slot::kTelemetry) streamed_.insert(slot);
   }
   Said said_again() const {
     Said said;
@@ -327,7 +355,7 @@ class Story {
   std::optional<std::uint64_t> state_;
   std::vector<std::uint64_t> events_;
   Said written_;  ///< by the writers that there are
-  Slots written_by_others_;
+  Slots written_by_others_, streamed_;
 };
 
 RC_GTEST_PROP(ChannelOverRtpsLaw, HasWhatIsNeededAfterAnythingThatHappens, ()) {

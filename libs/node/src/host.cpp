@@ -57,9 +57,13 @@ void declare_capacities(std::vector<blackboard::ChannelConfig>& channels, const 
                         const HostConfig& config) {
   for (blackboard::ChannelConfig& channel : channels) {
     if (channel.kind != ChannelKind::kRadio) continue;
-    channel.capacity =
-        config.rate * config.capacity.of(roster.name_of(channel.from), roster.name_of(channel.to));
+    channel.capacity = config.share_of_samples * config.rate *
+                       config.capacity.of(roster.name_of(channel.from), roster.name_of(channel.to));
   }
+}
+
+bool is_world(const blackboard::ChannelConfig& channel) {
+  return channel.kind == ChannelKind::kWorld;
 }
 
 /// Of what comes over the world channel; the rest is the runtime's.
@@ -86,7 +90,13 @@ Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Me
   board.channels = roster.channels_of(self);
   declare_capacities(board.channels, roster, config);
   if (config.leads_clock) add_clock(board.channels);
-  board.world_reads = Roster::world_reads_of(self.role);
+  if (config.world) {
+    board.world_reads = roster.world_reads_of(self.role);
+  } else {
+    std::erase_if(board.channels, is_world);
+  }
+  board.shares = roster.slots().shares();
+  board.lifespans = roster.slots().lifespans();
   board.heartbeat_period = config.heartbeat_period;
   board.retransmission =
       Duration::nanoseconds(config.heartbeat_period.count() + config.heartbeat_period.count() / 2);
@@ -104,6 +114,7 @@ Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Me
     board.life = past.lives;
     board.incarnation = past.incarnation;
   }
+  board.guesses_incarnation = config.guesses_incarnation && config.memory == nullptr;
   const std::uint64_t board_incarnation = board.incarnation;
   auto opened = blackboard::Blackboard::open(std::move(board), transport);
   if (!opened) return tl::unexpected(opened.error());
@@ -201,6 +212,7 @@ void Host::lines_have_left() {
 void Host::job_done(JobDone done, Now now) { give(std::move(done), now); }
 
 void Host::publish(wire::Sample sample, Now now) {
+  if (!config_.world) return;
   const wire::Slot slot = wire::slot_of(sample);
   const auto sent = blackboard_.publish(std::move(sample), now);
   if (!sent) log_unsent(slot, "world", sent.error(), now);
@@ -234,6 +246,7 @@ void Host::give(const Input& input, Now now) {
   Effects effects = node_->handle(input, now.mission);
   node_due_ = node_->next_wakeup();
   carry_out(std::move(effects), now);
+  for (const Undelivered& one : std::exchange(refused_, {})) give(one, now);
 }
 
 void Host::carry_out(Effects effects, Now now) {
@@ -263,6 +276,7 @@ void Host::send(const Send& one, Now now) {
   if (!sent) {
     if (sent.error() == blackboard::Refusal::kFull) remember(Unsent{number}, now);
     log_unsent(slot, roster_.name_of(one.to), sent.error(), now);
+    if (one.receipt != 0) refused_.push_back({one.to, slot, 0, one.receipt, false});
     return;
   }
   note_settled(one.to, now);
@@ -289,52 +303,54 @@ void Host::take(blackboard::Incoming incoming, Now now) {
     return;
   }
   std::visit(
-      Overloaded{[&](blackboard::Received& one) { take_received(std::move(one), now); },
-                 [&](blackboard::Reachability& one) {
-                   ports_.journal(record("reach", now)
-                                      .with("peer", roster_.name_of(one.peer))
-                                      .with("reachable", one.reachable));
-                   give(Reachability{one.peer, one.reachable, one.restarted}, now);
-                 },
-                 [&](blackboard::Dropped& one) {
-                   if (!one.first) return;
-                   ports_.journal(record("dropped", now)
-                                      .with("slot", wire::slot_name(one.slot))
-                                      .with("origin", roster_.name_of(one.origin))
-                                      .with("field", one.field)
-                                      .with("why", one.why));
-                 },
-                 [&](blackboard::EventExpired& one) {
-                   ports_.journal(record("expired", now)
-                                      .with("slot", wire::slot_name(one.slot))
-                                      .with("to", roster_.name_of(one.to))
-                                      .with("sequence", one.sequence)
-                                      .with("from", roster_.name_of(one.from)));
-                   if (one.from == self_.number) {
-                     give(Undelivered{one.to, one.slot, one.sequence}, now);
-                   } else {
-                     remember(skipped(one.slot, one.from, one.incarnation, one.sequence), now);
-                   }
-                 },
-                 [&](blackboard::RouteChanged& one) { log_route(one, now); },
-                 [&](blackboard::EventDelivered& one) {
-                   give(Delivered{one.to, one.receipt}, now);
-                 },
-                 [&](blackboard::EventsLost& one) {
-                   ports_.journal(record("lost", now)
-                                      .with("slot", "*")
-                                      .with("to", roster_.name_of(one.to))
-                                      .with("sequence", one.first)
-                                      .with("last", one.last)
-                                      .with("from", roster_.name_of(one.from)));
-                   remember(skipped(wire::Slot::kTaskRequest, one.from, one.incarnation, one.last),
-                            now);
-                 },
-                 [&](blackboard::TransportRefused& one) {
-                   ports_.journal(record("transport", now)
-                                      .with("channel", one.channel.partition)
-                                      .with("why", one.why));
-                 }},
+      Overloaded{
+          [&](blackboard::Received& one) { take_received(std::move(one), now); },
+          [&](blackboard::Reachability& one) {
+            ports_.journal(record("reach", now)
+                               .with("peer", roster_.name_of(one.peer))
+                               .with("reachable", one.reachable));
+            give(Reachability{one.peer, one.reachable, one.restarted}, now);
+          },
+          [&](blackboard::Dropped& one) {
+            if (!one.first) return;
+            ports_.journal(record("dropped", now)
+                               .with("slot", wire::slot_name(one.slot))
+                               .with("origin", roster_.name_of(one.origin))
+                               .with("field", one.field)
+                               .with("why", one.why));
+          },
+          [&](blackboard::EventExpired& one) {
+            ports_.journal(record("expired", now)
+                               .with("slot", wire::slot_name(one.slot))
+                               .with("to", roster_.name_of(one.to))
+                               .with("sequence", one.sequence)
+                               .with("from", roster_.name_of(one.from)));
+            if (one.from == self_.number) {
+              give(Undelivered{one.to, one.slot, one.sequence, one.receipt, one.may_have_arrived},
+                   now);
+            } else {
+              remember(skipped(one.slot, one.from, one.incarnation, one.sequence), now);
+            }
+          },
+          [&](blackboard::RouteChanged& one) { log_route(one, now); },
+          [&](blackboard::EventDelivered& one) {
+            give(Delivered{one.to, one.receipt}, now);
+          },
+          [&](blackboard::EventsLost& one) {
+            ports_.journal(record("lost", now)
+                               .with("slot", "*")
+                               .with("to", roster_.name_of(one.to))
+                               .with("sequence", one.first)
+                               .with("last", one.last)
+                               .with("from", roster_.name_of(one.from)));
+            remember(skipped(wire::Slot::kTaskRequest, one.from, one.incarnation, one.last), now);
+          },
+          [&](blackboard::TakenForOlder& one) { log_older(one, now); },
+          [&](blackboard::TransportRefused& one) {
+            ports_.journal(record("transport", now)
+                               .with("channel", one.channel.partition)
+                               .with("why", one.why));
+          }},
       incoming);
 }
 
@@ -362,6 +378,14 @@ void Host::log_route(const blackboard::RouteChanged& route, Now now) {
   log(line);
 }
 
+void Host::log_older(const blackboard::TakenForOlder& one, Now now) {
+  const std::string peer = roster_.name_of(one.peer);
+  const std::string text =
+      one.is_next ? peer + " knows a later life of this node, which is the next one to it now"
+                  : peer + " hears another node of this name, and takes this one for older";
+  ports_.journal(record("notice", now).with("text", text));
+}
+
 void Host::apply(const wire::LinkState& link, Now now) {
   if (config_.told == ToldOfLinks::kNothing) return;
   const NodeNumber from(link.from);
@@ -378,7 +402,7 @@ void Host::apply(const wire::LinkState& link, Now now) {
   condition.up = up;
   condition.latency = Duration::seconds(static_cast<double>(link.latency) * 1e-9 / config_.rate);
   condition.loss = link.loss;
-  condition.capacity = link.capacity * config_.rate;
+  condition.capacity = link.capacity * config_.rate * config_.share_of_samples;
   blackboard_.set_condition(from, to, condition, now);
 }
 

@@ -3,6 +3,7 @@
 #include "channel_endpoints.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "qos.hpp"
@@ -27,13 +28,17 @@ const Topics::Topic& Topics::of(wire::Slot slot) {
 
 ChannelEndpoints::ChannelEndpoints(const dds_entity_t& participant, Topics& topics,
                                    const rtps::LinkPlan& link, std::size_t channel,
-                                   rtps::Mailbox& mailbox)
+                                   rtps::Mailbox& mailbox, rtps::Matches& matches)
     : participant_(participant),
       topics_(topics),
       kind_(link.config.kind),
       partition_(link.config.partition),
       writes_(!link.writes.empty()),
       reads_(!link.reads.empty()) {
+  for (const wire::Slot slot : link.writes) {
+    if (wire::slot_class(slot) == wire::SlotClass::kStream)
+      match_listeners_.emplace(slot, MatchListener{&matches, {channel, slot}});
+  }
   for (const wire::Slot slot : link.reads) listeners_.try_emplace(slot, mailbox, channel, slot);
 }
 
@@ -53,10 +58,24 @@ Result<void, Failure> ChannelEndpoints::open() {
 Result<void, Failure> ChannelEndpoints::add_writer(wire::Slot slot) {
   const dds_entity_t on = topics_.of(slot).entity;
   if (on < 0) return made(on);
+  const std::unique_ptr<dds_listener_t, decltype(&dds_delete_listener)> listener(
+      listener_of(slot), &dds_delete_listener);
   const dds_entity_t writer =
-      dds_create_writer(publisher_, on, writer_qos(slot, kind_).get(), nullptr);
+      dds_create_writer(publisher_, on, writer_qos(slot, kind_).get(), listener.get());
   if (writer > 0) writers_[static_cast<std::size_t>(slot)] = writer;
   return made(writer);
+}
+
+dds_listener_t* ChannelEndpoints::listener_of(wire::Slot slot) {
+  const auto found = match_listeners_.find(slot);
+  if (found == match_listeners_.end()) return nullptr;
+  dds_listener_t* const listener = dds_create_listener(&found->second);
+  dds_lset_publication_matched(
+      listener, [](dds_entity_t, const dds_publication_matched_status_t status, void* self) {
+        const auto& it = *static_cast<const MatchListener*>(self);
+        if (status.current_count_change > 0) it.matches->found(it.writer);
+      });
+  return listener;
 }
 
 Result<void, Failure> ChannelEndpoints::add_reader(wire::Slot slot) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "adapters/rtps/link.hpp"
+#include "adapters/rtps/matches.hpp"
 #include "reader_listener.hpp"
 
 struct ddsi_sertype;
@@ -33,10 +34,10 @@ class Topics {
 
 class ChannelEndpoints final : public rtps::Endpoints {
  public:
-  /// Of a participant that was joined. It, the topics and the mailbox outlive every call, though
-  /// the participant, which deletes what it still has, not this object.
+  /// Of a participant that was joined. It, the topics, the mailbox and the matches outlive every
+  /// call, though the participant, which deletes what it still has, not this object.
   ChannelEndpoints(const dds_entity_t& participant, Topics& topics, const rtps::LinkPlan& link,
-                   std::size_t channel, rtps::Mailbox& mailbox);
+                   std::size_t channel, rtps::Mailbox& mailbox, rtps::Matches& matches);
 
   Result<void, Failure> open() override;
   Result<void, Failure> add_writer(wire::Slot slot) override;
@@ -47,13 +48,21 @@ class ChannelEndpoints final : public rtps::Endpoints {
 
  private:
   Result<void, Failure> made(dds_return_t code) const;
+  /// Null: nobody wants to know what its writer finds.
+  dds_listener_t* listener_of(wire::Slot slot);
 
   const dds_entity_t& participant_;
   Topics& topics_;
   ChannelKind kind_;
   std::string partition_;
   bool writes_, reads_;
+  /// Of a writer of a stream.
+  struct MatchListener {
+    rtps::Matches* matches = nullptr;
+    rtps::Matches::Writer writer;
+  };
   std::map<wire::Slot, ReaderListener> listeners_;
+  std::map<wire::Slot, MatchListener> match_listeners_;
   dds_entity_t publisher_ = 0, subscriber_ = 0;
   std::array<dds_entity_t, wire::kSlotCount> writers_{};
 };

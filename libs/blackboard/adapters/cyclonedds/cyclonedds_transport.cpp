@@ -45,7 +45,7 @@ class CycloneDdsTransport::Impl {
 
  private:
   void say(const std::string& line);
-  Result<void, Failure> join();
+  Result<void, Failure> join(const rtps::Pace& pace);
   /// A participant, or negative.
   dds_entity_t make_participant() const;
 
@@ -82,11 +82,11 @@ dds_entity_t CycloneDdsTransport::Impl::make_participant() const {
   return dds_create_participant(id_, qos.get(), nullptr);
 }
 
-Result<void, Failure> CycloneDdsTransport::Impl::join() {
+Result<void, Failure> CycloneDdsTransport::Impl::join(const rtps::Pace& pace) {
   const std::string domain = std::to_string(config_.domain);
   number_ = rtps::ParticipantNumber::claim(config_.domain);
   if (!number_) return failure("too many DDS participants in domain " + domain);
-  domain_ = dds_create_domain(id_, cyclonedds::settings(config_, number_->value()).c_str());
+  domain_ = dds_create_domain(id_, cyclonedds::settings(config_, number_->value(), pace).c_str());
   const dds_entity_t participant = make_participant();
   const dds_return_t watches = participant > 0 ? discovery_.begin(participant) : participant;
   const std::lock_guard lock(said_mutex_);
@@ -100,10 +100,10 @@ Result<void, Failure> CycloneDdsTransport::Impl::open(const TransportPlan& plan)
   SKEIN_EXPECTS(domain_ == 0);
   if (auto checked = rtps::check(config_.network); !checked) return checked;
   links_.plan(plan, config_);
-  if (auto joined = join(); !joined) return joined;
+  if (auto joined = join(rtps::pace_of(plan)); !joined) return joined;
   return links_.open([this](std::size_t channel, const rtps::LinkPlan& link) {
     return std::make_unique<cyclonedds::ChannelEndpoints>(participant_, topics_, link, channel,
-                                                          links_.mailbox());
+                                                          links_.mailbox(), links_.matches());
   });
 }
 

@@ -29,20 +29,24 @@ std::string peers(const DdsConfig& config) {
 
 }  // namespace
 
-std::string settings(const DdsConfig& config, std::uint32_t number) {
+std::string settings(const DdsConfig& config, std::uint32_t number, const rtps::Pace& pace) {
+  const auto ms = [](std::chrono::milliseconds period) {
+    return std::to_string(period.count()) + "ms";
+  };
   const std::string general =
       interfaces(config.network) +
       element("AllowMulticast", config.network.multicast ? "spdp" : "false");
   // A domain within a process is created once; its number on the network is another thing.
   const std::string discovery = element("ExternalDomainId", std::to_string(config.domain)) +
                                 element("ParticipantIndex", std::to_string(number)) +
-                                element("SPDPInterval", "1s") + element("LeaseDuration", "5s") +
-                                peers(config);
+                                element("SPDPInterval", ms(pace.announcement)) +
+                                element("LeaseDuration", ms(pace.lease)) + peers(config);
   // A writer that is deleted is cut off: it must not stay to say what it had left to say. And one
   // must not wait for readers that are slow: its history is bounded, and sessions do the rest.
   const std::string internal =
       "<SocketReceiveBufferSize min=\"default\" max=\"2MB\"/>"
-      "<HeartbeatInterval max=\"100ms\">100ms</HeartbeatInterval>" +
+      "<HeartbeatInterval max=\"" +
+      ms(pace.heartbeat) + "\">" + ms(pace.heartbeat) + "</HeartbeatInterval>" +
       // Without a key hash Fast DDS does not understand which endpoint is gone.
       element("GenerateKeyhash", "true") + element("NackDelay", "10ms") +
       element("WriterLingerDuration", "0s") +

@@ -31,14 +31,17 @@ dds::Topic* Topics::of(wire::Slot slot) {
 
 ChannelEndpoints::ChannelEndpoints(const Participation& participation, Topics& topics,
                                    const rtps::LinkPlan& link,
-                                   std::unique_ptr<SampleListener> listener)
+                                   std::unique_ptr<SampleListener> listener,
+                                   std::unique_ptr<WriterListener> of_writers)
     : participation_(participation),
       topics_(topics),
       kind_(link.config.kind),
+      pace_(rtps::pace_of(link.config.capacity)),
       partition_(link.config.partition),
       writes_(!link.writes.empty()),
       reads_(!link.reads.empty()),
-      listener_(std::move(listener)) {}
+      listener_(std::move(listener)),
+      of_writers_(std::move(of_writers)) {}
 
 Result<void, Failure> ChannelEndpoints::open() {
   auto* const participant = participation_.participant();
@@ -61,8 +64,10 @@ Result<void, Failure> ChannelEndpoints::add_writer(wire::Slot slot) {
   dds::Topic* const on = topics_.of(slot);
   if (on == nullptr || publisher_ == nullptr) return refused();
   auto*& writer = writers_[static_cast<std::size_t>(slot)];
-  writer =
-      publisher_->create_datawriter(on, writer_qos(slot, kind_), nullptr, dds::StatusMask::none());
+  const bool stream = wire::slot_class(slot) == wire::SlotClass::kStream;
+  writer = publisher_->create_datawriter(
+      on, writer_qos(slot, kind_, pace_), stream ? of_writers_.get() : nullptr,
+      stream ? dds::StatusMask::publication_matched() : dds::StatusMask::none());
   if (writer == nullptr) return refused();
   return {};
 }

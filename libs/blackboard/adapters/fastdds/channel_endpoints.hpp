@@ -10,6 +10,7 @@
 #include "adapters/rtps/link.hpp"
 #include "participation.hpp"
 #include "sample_listener.hpp"
+#include "writer_listener.hpp"
 
 namespace skein::blackboard::fastdds {
 
@@ -30,7 +31,8 @@ class ChannelEndpoints final : public rtps::Endpoints {
   /// Of a participation that was joined. It and the topics outlive every call, though not this
   /// object: the participant deletes what it still has.
   ChannelEndpoints(const Participation& participation, Topics& topics, const rtps::LinkPlan& link,
-                   std::unique_ptr<SampleListener> listener);
+                   std::unique_ptr<SampleListener> listener,
+                   std::unique_ptr<WriterListener> of_writers);
 
   Result<void, Failure> open() override;
   Result<void, Failure> add_writer(wire::Slot slot) override;
@@ -45,9 +47,11 @@ class ChannelEndpoints final : public rtps::Endpoints {
   const Participation& participation_;
   Topics& topics_;
   ChannelKind kind_;
+  rtps::Pace pace_;
   std::string partition_;
   bool writes_, reads_;
   std::unique_ptr<SampleListener> listener_;
+  std::unique_ptr<WriterListener> of_writers_;
   eprosima::fastdds::dds::Publisher* publisher_ = nullptr;
   eprosima::fastdds::dds::Subscriber* subscriber_ = nullptr;
   std::array<eprosima::fastdds::dds::DataWriter*, wire::kSlotCount> writers_{};

@@ -56,15 +56,17 @@ class FastDdsTransport::Impl {
 
 Result<void, Failure> FastDdsTransport::Impl::open(const TransportPlan& plan) {
   links_.plan(plan, config_);
-  if (auto joined = participation_.join(config_, &discovery_); !joined) return joined;
+  const auto joined = participation_.join(config_, &discovery_, rtps::pace_of(plan));
+  if (!joined) return joined;
   const auto& identities = participation_.identities();
   const bool checks = identities.has_value() && !config_.names.empty();
   const fastdds::SampleListener::Writers writers{checks ? &*identities : nullptr, config_.names};
   return links_.open([&](std::size_t channel, const rtps::LinkPlan& link) {
     auto listener = std::make_unique<fastdds::SampleListener>(
         links_.mailbox(), fastdds::SampleListener::Place{channel, link.config, plan.self}, writers);
-    return std::make_unique<fastdds::ChannelEndpoints>(participation_, topics_, link,
-                                                       std::move(listener));
+    return std::make_unique<fastdds::ChannelEndpoints>(
+        participation_, topics_, link, std::move(listener),
+        std::make_unique<fastdds::WriterListener>(links_.matches(), channel));
   });
 }
 

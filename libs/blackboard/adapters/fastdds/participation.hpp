@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "adapters/rtps/pace.hpp"
 #include "adapters/rtps/participant_number.hpp"
 #include "security.hpp"
 #include "skein/blackboard/dds_config.hpp"
@@ -26,7 +27,8 @@ class Participation {
   /// Once. The listener, which may be null, outlives it. The failure says all that is wrong with
   /// the configuration.
   Result<void, Failure> join(const DdsConfig& config,
-                             eprosima::fastdds::dds::DomainParticipantListener* listener);
+                             eprosima::fastdds::dds::DomainParticipantListener* listener,
+                             const rtps::Pace& pace = {});
   eprosima::fastdds::dds::DomainParticipant* participant() const { return participant_; }
   /// The folder with this node's; empty: the domain is open to anybody.
   const std::string& keys() const { return keys_; }

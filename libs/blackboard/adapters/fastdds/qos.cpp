@@ -28,6 +28,9 @@ constexpr std::array<std::uint8_t, 12> kServer{0x44, 0x53, 0x00, 0x5f, 0x45, 0x5
 Duration_t milliseconds(std::uint32_t ms) {
   return {static_cast<std::int32_t>(ms / 1000), ms % 1000 * 1'000'000};
 }
+Duration_t duration_of(std::chrono::milliseconds ms) {
+  return milliseconds(static_cast<std::uint32_t>(ms.count()));
+}
 
 int depth(wire::Slot slot, ChannelKind kind) {
   if (wire::slot_class(slot) != wire::SlotClass::kEvent) return 1;
@@ -98,7 +101,8 @@ void set_servers(fastrtps::BuiltinAttributes& builtin, const std::vector<std::st
 
 }  // namespace
 
-dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t number) {
+dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t number,
+                                          const rtps::Pace& pace) {
   dds::DomainParticipantQos qos;
   qos.name(config.participant_name);
   const std::string description = to_text(program_description());
@@ -114,19 +118,21 @@ dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t
   // the two begin their handshake anew on one side only, and Fast DDS 2.9 never ends it: with keys
   // a loaded machine must not look like a dead one. Who is out of reach is told by heartbeats.
   const bool secured = !config.network.keys.empty();
-  builtin.discovery_config.leaseDuration = milliseconds(secured ? 60'000 : 5000);
-  builtin.discovery_config.leaseDuration_announcementperiod = milliseconds(1000);
+  const std::chrono::milliseconds lease =
+      secured ? std::max(pace.lease, std::chrono::milliseconds(60'000)) : pace.lease;
+  builtin.discovery_config.leaseDuration = duration_of(lease);
+  builtin.discovery_config.leaseDuration_announcementperiod = duration_of(pace.announcement);
   set_locators(qos.wire_protocol(), config, number);
   set_servers(builtin, config.network.discovery_servers);
   return qos;
 }
 
-dds::DataWriterQos writer_qos(wire::Slot slot, ChannelKind kind) {
+dds::DataWriterQos writer_qos(wire::Slot slot, ChannelKind kind, const rtps::Pace& pace) {
   dds::DataWriterQos qos;
   set_class(qos, slot, kind);
   qos.reliability().max_blocking_time = milliseconds(100);
   auto& times = qos.reliable_writer_qos().times;
-  times.heartbeatPeriod = milliseconds(100);
+  times.heartbeatPeriod = duration_of(pace.heartbeat);
   times.nackResponseDelay = milliseconds(1);
   // On the writer's side only: a reader would compare the clocks of two machines.
   if (wire::slot_class(slot) == wire::SlotClass::kEvent && kind != ChannelKind::kWorld) {

@@ -6,6 +6,7 @@
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 
+#include "adapters/rtps/pace.hpp"
 #include "skein/blackboard/channel.hpp"
 #include "skein/blackboard/fastdds_transport.hpp"
 
@@ -15,10 +16,12 @@ namespace skein::blackboard::fastdds {
 /// unicast, since a loopback interface need not have multicast. `number` is that of the participant
 /// among those of its domain on this machine, below kParticipants.
 eprosima::fastdds::dds::DomainParticipantQos participant_qos(const DdsConfig& config,
-                                                             std::uint32_t number);
+                                                             std::uint32_t number,
+                                                             const rtps::Pace& pace = {});
 
 /// Source: spec 1.3 (table of classes); notes on limits and periods in the README.
-eprosima::fastdds::dds::DataWriterQos writer_qos(wire::Slot slot, ChannelKind kind);
+eprosima::fastdds::dds::DataWriterQos writer_qos(wire::Slot slot, ChannelKind kind,
+                                                 const rtps::Pace& pace = {});
 eprosima::fastdds::dds::DataReaderQos reader_qos(wire::Slot slot, ChannelKind kind);
 
 }  // namespace skein::blackboard::fastdds

@@ -21,7 +21,11 @@ bool is_pattern(const std::string& partition) {
 }  // namespace
 
 bool LinkPlan::waits_to_write(wire::Slot slot) const {
-  return writers_wait && wire::slot_class(slot) != wire::SlotClass::kStream;
+  if (slot == wire::Slot::kHeartbeat) return false;
+  // A reader that was there before may still not know the writer when that knows it: what is said
+  // again then is lost.
+  const bool is_stream = wire::slot_class(slot) == wire::SlotClass::kStream;
+  return writers_wait && (!is_stream || readers_wait);
 }
 
 bool LinkPlan::waits_to_read(wire::Slot slot) const {
@@ -61,7 +65,9 @@ bool Link::write_now(const wire::Sample& sample) {
       return false;
     }
   }
-  return endpoints_->write(sample);
+  const bool taken = endpoints_->write(sample);
+  if (taken) first_words_.keep(sample, FirstWords::Clock::now());
+  return taken;
 }
 
 Result<void, Failure> Link::set_up(bool up) {
@@ -84,6 +90,12 @@ void Link::attend(wire::Slot slot) {
   if (auto added = add_reader(slot); !added) say_once(slot, added.error());
 }
 
+void Link::meet(wire::Slot slot) {
+  if (!up_ || !writers_.test(at(slot))) return;
+  first_words_.found(slot, FirstWords::Clock::now(),
+                     [this](const wire::Sample& sample) { endpoints_->write(sample); });
+}
+
 void Link::flush(Endpoints::Clock::time_point until) {
   if (plan_.config.kind == ChannelKind::kWorld) endpoints_->flush(until);
 }
@@ -91,7 +103,7 @@ void Link::flush(Endpoints::Clock::time_point until) {
 Result<void, Failure> Link::make_endpoints() {
   if (auto opened = endpoints_->open(); !opened) return opened;
   for (const wire::Slot slot : plan_.writes) {
-    if (plan_.waits_to_write(slot)) continue;
+    if (plan_.waits_to_write(slot) && !streamed_.test(at(slot))) continue;
     if (auto added = add_writer(slot); !added) return added;
   }
   for (const wire::Slot slot : plan_.reads) {
@@ -103,7 +115,12 @@ Result<void, Failure> Link::make_endpoints() {
 
 Result<void, Failure> Link::add_writer(wire::Slot slot) {
   auto added = endpoints_->add_writer(slot);
-  if (added) writers_.set(at(slot));
+  if (!added) return added;
+  writers_.set(at(slot));
+  if (wire::slot_class(slot) != wire::SlotClass::kStream) return added;
+  const bool first = plan_.waits_to_write(slot) && !streamed_.test(at(slot));
+  if (first) first_words_.begin(slot, FirstWords::Clock::now());
+  streamed_.set(at(slot));
   return added;
 }
 
@@ -125,6 +142,7 @@ Result<void, Failure> Link::repeat_kept() {
 Result<void, Failure> Link::close() {
   writers_.reset();
   readers_.reset();
+  first_words_.clear();
   return endpoints_->close();
 }
 

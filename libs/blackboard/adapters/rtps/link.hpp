@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/rtps/first_words.hpp"
 #include "adapters/rtps/kept_samples.hpp"
 #include "skein/blackboard/dds_config.hpp"
 #include "skein/blackboard/transport.hpp"
@@ -21,8 +22,7 @@ struct LinkPlan {
   std::vector<wire::Slot> writes, reads;
   /// Whether a writer is made for its first sample only, and a reader once somebody writes. A node
   /// has dozens of slots for each of its peers and uses few of them, while every endpoint is told
-  /// to every participant. Writers of streams do not wait: nobody says again what is said before a
-  /// reader is there, and it may be the one look that a task takes.
+  /// to every participant. Only the heartbeat's do not wait: it is always said.
   bool writers_wait = false, readers_wait = false;
 
   bool waits_to_write(wire::Slot slot) const;
@@ -76,6 +76,8 @@ class Link {
   Result<void, Failure> set_up(bool up);
   /// Somebody writes that slot for this channel's reader.
   void attend(wire::Slot slot);
+  /// This channel's writer of that slot has found a reader.
+  void meet(wire::Slot slot);
   /// On the world channel no session makes good what a writer takes with it: waits, within bounds,
   /// until everybody has got it.
   void flush(Endpoints::Clock::time_point until);
@@ -97,8 +99,10 @@ class Link {
   bool up_ = false;
   Slots writers_, readers_;  ///< that there are
   Slots written_by_others_;  ///< of the reads
+  Slots streamed_;           ///< streams that were written: their writers wait no more after a cut
   Slots refused_;            ///< that were told of
   KeptSamples kept_;
+  FirstWords first_words_;
 };
 
 }  // namespace skein::blackboard::rtps

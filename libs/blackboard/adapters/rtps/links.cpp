@@ -40,6 +40,7 @@ Result<void, Failure> Links::set_up(std::size_t channel, bool up) {
 
 std::vector<Arrival> Links::take() {
   for (const auto& [channel, slot] : awaited_.take()) links_.at(channel).attend(slot);
+  for (const auto& [channel, slot] : matches_.take()) links_.at(channel).meet(slot);
   return mailbox_.take();
 }
 

@@ -9,11 +9,13 @@
 #include "adapters/rtps/awaited_writers.hpp"
 #include "adapters/rtps/link.hpp"
 #include "adapters/rtps/mailbox.hpp"
+#include "adapters/rtps/matches.hpp"
 #include "skein/blackboard/dds_config.hpp"
 
 namespace skein::blackboard::rtps {
 
-/// Thread rule: that of Transport; mailbox() and awaited() are for the middleware's threads, too.
+/// Thread rule: that of Transport; mailbox(), awaited() and matches() are for the middleware's
+/// threads, too.
 class Links {
  public:
   using Make = std::function<std::unique_ptr<Endpoints>(std::size_t channel, const LinkPlan& link)>;
@@ -32,10 +34,12 @@ class Links {
 
   Mailbox& mailbox() { return mailbox_; }
   AwaitedWriters& awaited() { return awaited_; }
+  Matches& matches() { return matches_; }
 
  private:
   Mailbox mailbox_;
   AwaitedWriters awaited_{mailbox_};
+  Matches matches_{mailbox_};
   std::vector<LinkPlan> plans_;
   Link::Log log_;
   std::vector<Link> links_;

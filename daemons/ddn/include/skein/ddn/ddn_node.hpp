@@ -76,6 +76,7 @@ class DdnNode final : public node::Node {
 
   void send(node::NodeNumber to, wire::Sample sample, MissionTime expires = MissionTime::max());
   void send_to_ground(wire::Sample sample) { send(roster_.ground(), std::move(sample)); }
+  void note(const node::Undelivered& lost);
   void log(journal::Record record);
   journal::Record record(const char* kind) const;
   translation::Writer writer() const { return {now_, uav_}; }

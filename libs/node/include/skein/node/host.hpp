@@ -45,12 +45,20 @@ struct HostConfig {
   double rate = 1;  ///< mission seconds per steady second: turns the radio's latencies
   ToldOfLinks told = ToldOfLinks::kAll;
   RadioCapacity capacity = {};
+  /// Of a radio's capacity, declared or told: the rest is for what the transport itself says.
+  double share_of_samples = 1;
   std::uint64_t seed = 0;  ///< of the losses on streams
   /// Where the node's memory is; it outlives the host. If there is something in it, the host goes
   /// on where that ends, and `incarnation` is that of the first life. Null: nothing outlives the
   /// node.
   InputLog* memory = nullptr;
   bool leads_clock = false;
+  /// Whether it takes part in the world channel, which is for simulation: clock, directory, links,
+  /// truth, operators and runners elsewhere, the event log. Without it what is published reaches
+  /// nobody but who is in this process.
+  bool world = true;
+  /// `incarnation` is of a clock that may be wrong (blackboard::Config). With a memory it is not.
+  bool guesses_incarnation = false;
   /// The node comes back with nothing it knew, in a new incarnation. What is in the memory it is
   /// given all the same, before it starts: for who plays the world, that does not forget. Nothing
   /// follows from it.
@@ -133,6 +141,7 @@ class Host {
   void take(blackboard::Incoming incoming, blackboard::Now now);
   void take_received(blackboard::Received received, blackboard::Now now);
   void log_route(const blackboard::RouteChanged& route, blackboard::Now now);
+  void log_older(const blackboard::TakenForOlder& one, blackboard::Now now);
   void apply(const wire::LinkState& link, blackboard::Now now);
   void send(const Send& send, blackboard::Now now);
   void log_unsent(wire::Slot slot, const std::string& to, blackboard::Refusal why,
@@ -158,6 +167,7 @@ class Host {
   std::uint64_t said_ = 0;                       ///< by members in this process, in this life
   std::uint64_t lines_ = 0, sends_ = 0;          ///< of the node, in all its lives
   std::map<NodeNumber, std::uint64_t> settled_;  ///< as last remembered
+  std::vector<Undelivered> refused_;             ///< to be told once the effects are carried out
   bool forgetful_ = false;                       ///< the memory takes nothing at the moment
 };
 
