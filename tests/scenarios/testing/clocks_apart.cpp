@@ -48,15 +48,16 @@ std::vector<std::int64_t> missing_around(const Sent& sent, MissionTime death, Du
 
 }  // namespace
 
-std::vector<journal::Record> with_last_messages(std::vector<journal::Record> records, double rate) {
+std::vector<journal::Record> with_last_messages(std::vector<journal::Record> records, double rate,
+                                                double apart) {
+  const Duration limit = Duration::seconds(apart * rate);
   const auto sent = sent_messages(records);
   std::vector<journal::Record> added;
   for (const journal::Record& death : records) {
     if (death.kind() != "fault" || death.text("what") != "kill") continue;
     for (const auto& [channel, numbers] : sent) {
       if (channel.first != death.text("target")) continue;
-      const Duration apart = Duration::seconds(kClocksApart * rate);
-      for (const std::int64_t number : missing_around(numbers, death.at(), apart)) {
+      for (const std::int64_t number : missing_around(numbers, death.at(), limit)) {
         added.push_back(journal::Record(death.at(), channel.first, "message")
                             .with("from", channel.first)
                             .with("to", channel.second)
@@ -69,14 +70,15 @@ std::vector<journal::Record> with_last_messages(std::vector<journal::Record> rec
   return records;
 }
 
-std::string breaches_beyond_clocks(const std::vector<journal::Record>& records, double rate) {
-  const Duration apart = Duration::seconds(kClocksApart * rate);
+std::string breaches_beyond_clocks(const std::vector<journal::Record>& records, double rate,
+                                   double apart) {
+  const Duration limit = Duration::seconds(apart * rate);
   std::vector<journal::Record> all = records;
   for (journal::Record& record : all) {
     const bool sent = record.text("direction") == "sent" || record.text("state") == "issued";
     const bool cut = record.kind() == "link" && !record.truth("up");
-    if (!sent) record = moved(record, apart);
-    if (cut) record = moved(record, apart);
+    if (!sent) record = moved(record, limit);
+    if (cut) record = moved(record, limit);
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const auto& a, const auto& b) { return a.at() < b.at(); });
