@@ -168,8 +168,7 @@ TEST_P(Daemons, TheClockStartsOnceEverybodyIsReady) {
   start("a");
 
   ASSERT_TRUE(until([&] { return clocks_.back().phase == wire::ClockPhase::kRunning; }));
-  ASSERT_TRUE(until([&] { return directory_.count("a") > 0; }));
-  EXPECT_TRUE(directory_.at("a").ready);
+  ASSERT_TRUE(until([&] { return directory_.count("a") > 0 && directory_.at("a").ready; }));
   EXPECT_EQ(directory_.at("sim").role, wire::Role::kSim);
   EXPECT_EQ(clocks_.back().rate, 10);
 }
