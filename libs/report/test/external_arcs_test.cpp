@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // External arcs between the rows of UAVs, with their slack.
-#include "external_arcs.hpp"
+#include "meetings/external_arcs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // External arcs, from the rail of who comes to the rail of who goes on then: what lies between is
 // their slack. Source: M 2.2; spec 5.3.
-#include "external_arcs.hpp"
+#include "meetings/external_arcs.hpp"
 
 #include <algorithm>
 #include <map>
 #include <tuple>
 #include <utility>
 
-#include "line.hpp"
+#include "meetings/meeting_words.hpp"
 #include "text.hpp"
 #include "timeline.hpp"
 
@@ -19,48 +19,10 @@ namespace {
 constexpr std::size_t kMostArcs = 2000;
 constexpr double kArcInset = 4.0;
 
-/// What a UAV said that it knew of a meeting of its own.
-struct ArcWord {
-  double t = 0;
-  bool known = false, there = false, air = false;
-  std::string last;
-  double soonest = 0;
-  std::optional<double> needed;
-  std::string needed_by;
-};
-using ArcRow = std::pair<std::size_t, std::int64_t>;  ///< UAV and meeting
-using ArcRows = std::map<ArcRow, std::vector<ArcWord>>;
-
-ArcRows arc_rows_of(const Journal& journal, const Chronology& story) {
-  ArcRows rows;
-  for (const OtherRecord& record : journal.others) {
-    if (record.kind != "meeting") continue;
-    const auto line = line_of(record);
-    if (!line) continue;
-    const auto uav = story.uav_index(line->text("uav"));
-    const auto id = line->whole("id");
-    if (!uav || !id) continue;
-    const auto is = [&](const char* key) {
-      return line->keys.contains(key) && line->keys[key] == true;
-    };
-    ArcWord known{line->t,
-                  is("known"),
-                  is("there"),
-                  is("order"),
-                  line->text("last"),
-                  line->number("soonest"),
-                  {},
-                  line->text("needed_by")};
-    if (line->keys.contains("needed")) known.needed = line->number("needed");
-    rows[{*uav, *id}].push_back(std::move(known));
-  }
-  return rows;
-}
-
-void add_need(ExternalArc& arc, const ArcRows& rows, std::int64_t meeting) {
+void add_need(ExternalArc& arc, const MeetingRows& rows, std::int64_t meeting) {
   const auto row = rows.find({arc.from, meeting});
   if (row == rows.end()) return;
-  for (const ArcWord& word : row->second) {
+  for (const MeetingWord& word : row->second) {
     if (word.t > arc.comes) break;
     arc.needed = word.needed;
     arc.needed_by = word.needed_by;
@@ -68,7 +30,7 @@ void add_need(ExternalArc& arc, const ArcRows& rows, std::int64_t meeting) {
 }
 
 /// Who receives goes on when the last of those who send is heard, and is there itself.
-std::vector<ExternalArc> of_syncs(const Chronology& story, const ArcRows& rows) {
+std::vector<ExternalArc> of_syncs(const Chronology& story, const MeetingRows& rows) {
   using Course = std::tuple<std::string, std::size_t, std::size_t>;
   std::map<Course, const Flight*> first;
   std::map<std::pair<std::string, std::size_t>, double> goes_on;
@@ -97,18 +59,19 @@ std::vector<ExternalArc> of_syncs(const Chronology& story, const ArcRows& rows) 
 }
 
 /// All have come, and then the meeting is no longer one: it has begun, or the air is had.
-std::vector<ExternalArc> of_words(const Chronology& story, const ArcRows& rows) {
+std::vector<ExternalArc> of_words(const Chronology& story, const MeetingRows& rows) {
   std::vector<ExternalArc> arcs;
   for (const auto& [row, words] : rows) {
     const bool is_sync = std::any_of(story.syncs.begin(), story.syncs.end(), [&](const Flight& f) {
       return f.what == std::to_string(row.second);
     });
     for (std::size_t i = 0; !is_sync && i + 1 < words.size(); ++i) {
-      const ArcWord& word = words[i];
+      const MeetingWord& word = words[i];
       const auto last = story.uav_index(word.last);
       if (!word.known || !word.there || !last || words[i + 1].known) continue;
-      ExternalArc arc{word.air ? "air" : "joint task",        *last, row.first, word.soonest,
-                      std::max(words[i + 1].t, word.soonest), {},    ""};
+      const double soonest = word.soonest.value_or(0);
+      ExternalArc arc{word.air ? "air" : "joint task",   *last, row.first, soonest,
+                      std::max(words[i + 1].t, soonest), {},    ""};
       add_need(arc, rows, row.second);
       arcs.push_back(std::move(arc));
     }
@@ -150,7 +113,7 @@ void draw_arc(Sheet& sheet, const ExternalArc& arc) {
 }  // namespace
 
 std::vector<ExternalArc> external_arcs_of(const Journal& journal, const Chronology& story) {
-  const ArcRows rows = arc_rows_of(journal, story);
+  const MeetingRows rows = meeting_rows_of(journal, story);
   std::vector<ExternalArc> arcs = of_syncs(story, rows);
   std::vector<ExternalArc> others = of_words(story, rows);
   arcs.insert(arcs.end(), std::make_move_iterator(others.begin()),
