@@ -6,6 +6,7 @@
 #include "deliberation_lines.hpp"
 #include "meeting_lines.hpp"
 #include "merging_lines.hpp"
+#include "node_lines.hpp"
 #include "received.hpp"
 #include "skein/foundation/fingerprint.hpp"
 #include "skein/interaction/model_hash.hpp"
@@ -69,7 +70,8 @@ DdnNode::DdnNode(DdnConfig config, node::Roster roster)
     : uav_(config.uav),
       roster_(std::move(roster)),
       functional_(roster_.functional_of(roster_.find(uav_)->number)),
-      contact_policy_(to_text(config.contact_policy)),
+      degree_{
+          .header = {}, .uav = uav_, .contact_policy = std::string(to_text(config.contact_policy))},
       deliberation_(config.deliberation),
       team_(config.team ? config.team->roster : team::Roster()),
       models_(versions_of(config.interaction)),
@@ -125,12 +127,12 @@ void DdnNode::drop(const node::Received& received, const std::string& why) {
 }
 
 void DdnNode::note_reach(const node::Reachability& reach) {
-  const node::Member* peer = roster_.find(roster_.name_of(reach.peer));
+  const node::Member* peer = roster_.find(reach.peer);
   if (peer == nullptr || peer->role != wire::Role::kDdn) return;
   if (!reach.reachable) {
     uavs_in_reach_.erase(reach.peer);
   } else if (uavs_in_reach_.insert(reach.peer).second || reach.restarted) {
-    if (!degree_.uav.empty()) send(reach.peer, degree_);  // it has begun
+    if (degree_.degree != 0) send(reach.peer, degree_);  // it has begun
   }
 }
 
@@ -181,9 +183,7 @@ void DdnNode::carry_out(const dn::DegreeChanged& effect) {
   lines::Degree line{.uav = uav_, .degree = effect.degree, .by = effect.by};
   if (effect.held) line.held = static_cast<std::int64_t>(*effect.held);
   log(std::move(line));
-  degree_.uav = uav_;
   degree_.degree = static_cast<std::uint8_t>(effect.degree);
-  degree_.contact_policy = contact_policy_;
   send_to_ground(degree_);
   for (const node::NodeNumber uav : uavs_in_reach_) send(uav, degree_);
 }
@@ -325,32 +325,10 @@ void DdnNode::carry_out(const Noted& effect) {
   }
 }
 
-void DdnNode::carry_out(const dn::RequestHandled& effect) {
-  log(translation::request_line(writer(), uav_, effect.reply, effect.mode));
-}
-
-void DdnNode::carry_out(const dn::SyncHeard& effect) {
-  const dn::SyncMessage& message = effect.message;
-  log(translation::sync_line(writer(),
-                             {message.id, message.from, message.to, false, message.word}));
-}
-
-void DdnNode::carry_out(const dn::PolicyCarriedOut& effect) {
-  log(lines::Contact{.uav = uav_, .policy = to_text(effect.policy), .why = effect.why});
-}
-
-void DdnNode::carry_out(const dn::Notice& effect) {
-  log(lines::Notice{.uav = uav_, .text = effect.text});
-}
-
 void DdnNode::carry_out(const dn::SaleNoted& effect) {
   for (journal::Record& line : translation::sale_lines(writer(), effect.what, team_)) {
     log(std::move(line));
   }
-}
-
-void DdnNode::carry_out(const supervisor::GoalChanged& effect) {
-  log(goal_line(writer(), effect.status));
 }
 
 // ---- what goes out ----

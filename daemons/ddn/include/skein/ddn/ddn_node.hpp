@@ -69,12 +69,7 @@ class DdnNode final : public node::Node {
   // for the journal
   template <class Noted>
   void carry_out(const Noted& effect);
-  void carry_out(const decision_node::RequestHandled& effect);
-  void carry_out(const decision_node::SyncHeard& effect);
-  void carry_out(const decision_node::PolicyCarriedOut& effect);
-  void carry_out(const decision_node::Notice& effect);
   void carry_out(const decision_node::SaleNoted& effect);
-  void carry_out(const supervisor::GoalChanged& effect);
 
   void send(node::NodeNumber to, wire::Sample sample, MissionTime expires = MissionTime::max());
   void send_to_ground(wire::Sample sample) { send(roster_.ground(), std::move(sample)); }
@@ -87,7 +82,6 @@ class DdnNode final : public node::Node {
   std::string uav_;
   node::Roster roster_;
   node::NodeNumber functional_;  ///< the functional layer of its UAV
-  std::string contact_policy_;
   wire::AutonomyDegree degree_;  ///< as last told
   std::set<node::NodeNumber> uavs_in_reach_;
   Duration deliberation_;
