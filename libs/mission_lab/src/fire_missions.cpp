@@ -177,13 +177,7 @@ class FireDrawing {
 
   void draw_trouble() {
     const Member& one = mission_.team[random_.below(mission_.team.size())];
-    const auto device = [&](Random& random) -> std::string {
-      return one.model == "karma"   ? "mapping"
-             : random.chance(0.5)   ? "visible"
-             : one.model == "heliv" ? "ir"
-                                    : "fire-sensor";
-    };
-    mission_.faults.push_back(draw_fault(random_, one.name, device, kLatestTrouble));
+    mission_.faults.push_back(draw_fault(random_, one, kLatestTrouble));
   }
 
   Random random_;

@@ -438,13 +438,7 @@ class Drawing {
 
   void draw_fault() {
     const Member& one = mission_.team[random_.below(mission_.team.size())];
-    const auto device = [&](Random& random) -> std::string {
-      return one.model == "karma"   ? "mapping"
-             : random.chance(0.5)   ? "visible"
-             : one.model == "heliv" ? "ir"
-                                    : "fire-sensor";
-    };
-    mission_.faults.push_back(mission_lab::draw_fault(random_, one.name, device, 500));
+    mission_.faults.push_back(mission_lab::draw_fault(random_, one, 500));
   }
 
   void draw_degree() {

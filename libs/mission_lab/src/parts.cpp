@@ -155,6 +155,16 @@ std::string draw_fault(Random& random, const std::string& uav, const DrawDevice&
   }
 }
 
+std::string draw_fault(Random& random, const Member& uav, double latest) {
+  const auto device = [&](Random& drawn) -> std::string {
+    return uav.model == "karma"   ? "mapping"
+           : drawn.chance(0.5)    ? "visible"
+           : uav.model == "heliv" ? "ir"
+                                  : "fire-sensor";
+  };
+  return draw_fault(random, uav.name, device, latest);
+}
+
 std::string draw_cut(Random& random, const std::string& one, const std::string& other,
                      double latest) {
   const double from = random.uniform(10, latest);

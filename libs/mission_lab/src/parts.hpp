@@ -58,6 +58,9 @@ using DrawDevice = std::function<std::string(Random&)>;
 std::string draw_fault(Random& random, const std::string& uav, const DrawDevice& device,
                        double latest);
 
+/// The same of a vehicle of COMETS, by the devices of its model.
+std::string draw_fault(Random& random, const Member& uav, double latest);
+
 /// The radio between two nodes is cut, from [10, latest] s on.
 std::string draw_cut(Random& random, const std::string& one, const std::string& other,
                      double latest);
