@@ -16,12 +16,11 @@
 #include "skein/assembly/assembly.hpp"
 #include "skein/blackboard/dds_transport.hpp"
 #include "skein/blackboard/domain_lease.hpp"
+#include "skein/journal/lines/run.hpp"
+#include "skein/journal/lines/truth.hpp"
 #include "skein/node/mission_clock.hpp"
 #include "skein/node/waker.hpp"
 #include "skein/scenario_setup/setup.hpp"
-
-#include "skein/journal/lines/run.hpp"
-#include "skein/journal/lines/truth.hpp"
 
 namespace skein::run_tool {
 

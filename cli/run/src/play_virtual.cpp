@@ -4,10 +4,9 @@
 #include <algorithm>
 
 #include "skein/assembly/assembly.hpp"
+#include "skein/journal/lines/mission.hpp"
 #include "skein/run_tool/interrupt_guard.hpp"
 #include "skein/scenario_setup/setup.hpp"
-
-#include "skein/journal/lines/mission.hpp"
 
 namespace skein::run_tool {
 
