@@ -217,6 +217,24 @@ INSTANTIATE_TEST_SUITE_P(Missions, LayerForgets,
                                            "heliv-marvin/monitoring"),
                          name_of_case);
 
+// Found by a storm (comets/confirmed, seed 628): the decision node is dead when the functional
+// layer comes back, and sends again what that has not acknowledged, since it knows nothing any
+// more.
+TEST(ForgetfulLayer, WhileItsDecisionNodeIsDeadWhatWasDoneIsNotAskedForAgain) {
+  scenario::Scenario scenario = scenario_at("comets/confirmed");
+  scenario.faults.kills.push_back({at(206.7), "sim", Duration::seconds(2.3), true});
+  scenario.faults.kills.push_back({at(208.4), "marvin", Duration::seconds(12.7)});
+
+  const Mission mission = play(scenario);
+
+  for (const journal::Record& record : mission.records) {
+    EXPECT_EQ(record.text("text").find("which is ended, does not fit"), std::string_view::npos)
+        << to_json(record);
+  }
+  EXPECT_EQ(mission.untrue, "");
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
+}
+
 // ---- two deaths in one run ----
 
 class TwoDeaths : public ::testing::TestWithParam<std::uint64_t> {};

@@ -25,9 +25,6 @@ bool is_radio_peer(const Roster& roster, NodeNumber number) {
          (member->role == wire::Role::kGround || member->role == wire::Role::kDdn);
 }
 
-/// Acknowledgements are remembered by so many.
-constexpr std::uint64_t kSettledAtOnce = 64;
-
 LoggedInput logged(const Input& input) {
   return std::visit(Overloaded{[](const JobDone& done) {
                                  return LoggedInput(JobEnded{done.id, done.clock});
@@ -155,6 +152,7 @@ void Host::start(Now now) {
 bool Host::step(Now now) {
   std::vector<blackboard::Incoming> incoming = blackboard_.step(now);
   bool busy = !incoming.empty();
+  note_settled(now);
   for (auto& one : incoming) take(std::move(one), now);
   if (started_ && node_due_ && *node_due_ <= now.mission) {
     give(Wakeup{}, now);
@@ -171,6 +169,10 @@ Result<void, Failure> Host::recall(Survey past) {
   lines_ = std::min(recollection.lines(), config_.memory->lines_told());
   sends_ = recollection.sends();
   for (const auto& [peer, reachable] : recollection.reachable()) heard_.insert(peer);
+  for (const NodeNumber peer : peers_) {
+    const std::uint64_t settled = blackboard_.settled(peer);
+    unsettled_[peer] = {settled, settled + 1};
+  }
   node_due_ = node_->next_wakeup();
   return {};
 }
@@ -272,20 +274,27 @@ void Host::send(const Send& one, Now now) {
     log_unsent(slot, roster_.name_of(one.to), sent.error(), now);
     return;
   }
-  note_settled(one.to, now);
+  if (config_.memory != nullptr && wire::slot_class(slot) == wire::SlotClass::kEvent)
+    unsettled_[one.to].last = *sent;
   const bool radio = is_radio_peer(roster_, one.to) && is_radio_peer(roster_, self_.number);
   if (radio && wire::slot_class(slot) == wire::SlotClass::kEvent) {
     log_message(slot, self_.name, roster_.name_of(one.to), *sent, "sent", now);
   }
 }
 
-void Host::note_settled(NodeNumber peer, Now now) {
-  if (config_.memory == nullptr) return;
-  const std::uint64_t settled = blackboard_.settled(peer);
-  std::uint64_t& noted = settled_[peer];
-  if (settled < noted + kSettledAtOnce) return;
-  noted = settled;
-  remember(Acknowledged{peer, settled}, now);
+// What a peer has is noted once it is known: a peer that comes back with nothing it knew while this
+// node is dead would else be sent again what its former life has done.
+void Host::note_settled(Now now) {
+  if (!started_) return;
+  for (auto one = unsettled_.begin(); one != unsettled_.end();) {
+    auto& [peer, events] = *one;
+    const std::uint64_t settled = blackboard_.settled(peer);
+    if (settled > events.noted) {
+      events.noted = settled;
+      remember(Acknowledged{peer, settled}, now);
+    }
+    one = settled >= events.last ? unsettled_.erase(one) : std::next(one);
+  }
 }
 
 void Host::take(blackboard::Incoming incoming, Now now) {

@@ -128,7 +128,7 @@ class Host {
   Result<void, Failure> recall(Survey survey);
   Result<void, Failure> recall_the_world();
   void remember(LoggedInput input, blackboard::Now now);
-  void note_settled(NodeNumber peer, blackboard::Now now);
+  void note_settled(blackboard::Now now);
   void give(const Input& input, blackboard::Now now);
   void carry_out(Effects effects, blackboard::Now now);
   void take(blackboard::Incoming incoming, blackboard::Now now);
@@ -159,11 +159,15 @@ class Host {
   std::set<NodeNumber> heard_;
   std::set<NodeNumber> down_;  ///< held down by the radio
   std::optional<MissionTime> resumed_from_;
-  Effects left_;                                 ///< to be done by former lives
-  std::uint64_t said_ = 0;                       ///< by members in this process, in this life
-  std::uint64_t lines_ = 0, sends_ = 0;          ///< of the node, in all its lives
-  std::map<NodeNumber, std::uint64_t> settled_;  ///< as last remembered
-  bool forgetful_ = false;                       ///< the memory takes nothing at the moment
+  Effects left_;                         ///< to be done by former lives
+  std::uint64_t said_ = 0;               ///< by members in this process, in this life
+  std::uint64_t lines_ = 0, sends_ = 0;  ///< of the node, in all its lives
+  struct Unsettled {
+    std::uint64_t noted = 0;  ///< as last remembered
+    std::uint64_t last = 0;   ///< that was sent
+  };
+  std::map<NodeNumber, Unsettled> unsettled_;  ///< peers that have not all that they were sent
+  bool forgetful_ = false;                     ///< the memory takes nothing at the moment
 };
 
 }  // namespace skein::node
