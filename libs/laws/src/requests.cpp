@@ -25,11 +25,13 @@ std::string without_figures(const std::string& text) {
   return result;
 }
 
-// By the vehicle, at once. That it is busy is the law of one motion's.
+// By the vehicle, at once. That it is busy is the law of one motion's; what was told to stop in the
+// instant in which it would have begun is no refusal.
 bool refused(const Activity& one) {
   const bool busy = one.reason.find("is still active") != std::string::npos ||
                     one.reason.find("is in use by") != std::string::npos;
-  return one.end == "aborted" && one.until <= one.from && !busy;
+  const bool told_to_stop = one.reason == "interrupted";
+  return one.end == "aborted" && one.until <= one.from && !busy && !told_to_stop;
 }
 
 // The first instant at which more than `most` of these, in order, lie within a minute, and as many

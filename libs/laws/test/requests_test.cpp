@@ -75,6 +75,14 @@ TEST(Asked, WhatRanAndWasLeftOffIsNotRefused) {
   EXPECT_THAT(story.broken("asked"), IsEmpty());
 }
 
+TEST(Asked, WhatWasToldToStopAsItBeganIsNotRefused) {
+  Story story;
+  for (int i = 0; i < 5; ++i)
+    story.does("marvin", refused(100 + i, 701, 10 + 10 * i, "interrupted", "perceive"));
+
+  EXPECT_THAT(story.broken("asked"), IsEmpty());
+}
+
 TEST(Asked, APlanIsMadeAnewADozenTimesAMinute) {
   const auto times = [](int count, const std::string& step) {
     Story story;
