@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Synchronisations and messages, drawn from rail to rail.
 #include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
 
 #include "timeline.hpp"
 
@@ -12,14 +15,15 @@ constexpr std::size_t kMostMessageLines = 3000;
 constexpr std::size_t kMostMessagesShown = 800;
 constexpr double kInset = 3.0;  // arrows stop short of the rails' middle
 
-void draw_flight(Sheet& sheet, Markup& out, const Flight& flight, const std::string& kind) {
+void draw_flight(Sheet& sheet, Markup& out, const Flight& flight, const std::string& kind,
+                 bool again = false) {
   const auto from = sheet.rails.find(flight.from), to = sheet.rails.find(flight.to);
   if (from == sheet.rails.end() || to == sheet.rails.end() || from == to) return;
   const double down = to->second > from->second ? 1.0 : -1.0;
   const bool whole = flight.sent && flight.received;
   const double start = flight.sent.value_or(flight.received.value_or(0.0));
   const double end = flight.received.value_or(start);
-  out.open("g", {{"class", whole ? kind : kind + " cut"}});
+  out.open("g", {{"class", kind + (whole ? "" : " cut") + (again ? " again" : "")}});
   out.title(clock_text(start) + " " + flight.what + ", " + flight.from + " to " + flight.to +
             (!flight.received ? ": not received"
              : flight.sent    ? ", after " + span_text(end - start)
@@ -35,15 +39,30 @@ void draw_flight(Sheet& sheet, Markup& out, const Flight& flight, const std::str
                       {"marker-end", "url(#" + kind + "-head)"}});
   }
   out.close();
-  if (kind != "sync") return;
+  if (kind != "sync" || again) return;
   sheet.open_mark(start, from->second, "sync-dot");
   sheet.plot.leaf("circle", {{"r", 3.2}}).close();
 }
 
+// For each synchronisation message, whether its receiver had been told before: who is waited for
+// says it again until it is answered.
+std::vector<bool> said_before(const std::vector<Flight>& syncs) {
+  std::set<std::tuple<std::string, std::string, std::string>> heard;
+  std::vector<bool> before(syncs.size());
+  for (std::size_t i = 0; i < syncs.size(); ++i) {
+    const std::tuple about{syncs[i].what, syncs[i].from, syncs[i].to};
+    before[i] = heard.count(about) > 0;
+    if (syncs[i].received) heard.insert(about);
+  }
+  return before;
+}
+
 // The names of synchronisations, where they leave; those too close to the last one are left out.
-void draw_sync_names(Sheet& sheet) {
+void draw_sync_names(Sheet& sheet, const std::vector<bool>& again) {
   std::map<std::string, double> ends;
-  for (const Flight& flight : sheet.run.story.syncs) {
+  for (std::size_t i = 0; i < again.size(); ++i) {
+    const Flight& flight = sheet.run.story.syncs[i];
+    if (again[i]) continue;
     const auto rail = sheet.rails.find(flight.from);
     if (rail == sheet.rails.end()) continue;
     const double x = sheet.x(flight.sent.value_or(flight.received.value_or(0.0)));
@@ -69,8 +88,12 @@ void draw_arrows(Sheet& sheet) {
   }
   sheet.under.close();
   sheet.plot.open("g", {{"class", "syncs"}});
-  for (const Flight& flight : sheet.run.story.syncs) draw_flight(sheet, sheet.plot, flight, "sync");
-  draw_sync_names(sheet);
+  const std::vector<Flight>& syncs = sheet.run.story.syncs;
+  const std::vector<bool> again = said_before(syncs);
+  for (std::size_t i = 0; i < syncs.size(); ++i) {
+    draw_flight(sheet, sheet.plot, syncs[i], "sync", again[i]);
+  }
+  draw_sync_names(sheet, again);
   sheet.plot.close();
 }
 

@@ -2,6 +2,7 @@
 #include "joint_story.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
@@ -45,6 +46,7 @@ class Teller {
   void see_joint(const Line& line) {
     const std::string phase = line.text("phase");
     const std::pair key{line.text("uav"), line.text("joint")};
+    end_violations(key, line.text("violated"), line.t);
     auto open = open_joints_.find(key);
     if (open == open_joints_.end() && is_over(phase)) return;
     if (open == open_joints_.end()) {
@@ -70,8 +72,24 @@ class Teller {
     story.segments.push_back(std::move(next));
   }
 
+  // What a joint task no longer names is not watched any more: its block is over, or the role has
+  // changed.
+  void end_violations(const std::pair<std::string, std::string>& joint, const std::string& violated,
+                      double at) {
+    std::istringstream words(violated);
+    const std::set<std::string> named{std::istream_iterator<std::string>(words), {}};
+    std::erase_if(open_violations_, [&](const auto& open) {
+      const auto& [uav, task, scm] = open.first;
+      if (std::tie(uav, task) != std::tie(joint.first, joint.second) || named.count(scm) > 0) {
+        return false;
+      }
+      told_.violations[open.second].span.to = at;
+      return true;
+    });
+  }
+
   void see_scm(const Line& line) {
-    const std::pair key{line.text("uav"), line.text("scm")};
+    const std::tuple key{line.text("uav"), line.text("joint"), line.text("scm")};
     if (const auto open = open_violations_.find(key); open != open_violations_.end()) {
       told_.violations[open->second].span.to = line.t;
       open_violations_.erase(open);
@@ -79,9 +97,9 @@ class Teller {
     if (line.text("state") != "violated") return;
     open_violations_[key] = told_.violations.size();
     told_.violations.push_back(
-        {key.first,
+        {line.text("uav"),
          line.text("role"),
-         key.second,
+         line.text("scm"),
          "to " + line.text("place") + " " + short_number(line.number("measured"), 2) +
              ", required " + line.text("relation") + " " + short_number(line.number("required"), 2),
          {line.t, line.t}});
@@ -152,7 +170,8 @@ class Teller {
 
   const Chronology& story_;
   JointTasks& told_;
-  std::map<std::pair<std::string, std::string>, std::size_t> open_joints_, open_violations_;
+  std::map<std::pair<std::string, std::string>, std::size_t> open_joints_;
+  std::map<std::tuple<std::string, std::string, std::string>, std::size_t> open_violations_;
   std::map<std::tuple<std::string, std::string, double>, std::size_t> sessions_;
   std::set<std::tuple<std::string, std::string, double>> shared_;
 };

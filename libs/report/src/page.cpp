@@ -111,7 +111,7 @@ void write_timeline_legend(Markup& out) {
        "<rect class='certain' x='8' y='5' width='12' height='4'/></g>",
        "planned: may be, must be under way"},
       {"<g class='sync'><line x1='3' x2='25' y1='7' y2='7' marker-end='url(#sync-head)'/></g>",
-       "synchronisation"},
+       "synchronisation (pale: said again)"},
       {"<g class='message'><line x1='3' x2='25' y1='7' y2='7' "
        "marker-end='url(#message-head)'/></g>",
        "radio message"},

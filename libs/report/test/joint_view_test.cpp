@@ -72,6 +72,22 @@ TEST_F(JointView, AViolationLastsUntilTheConstraintHoldsAgain) {
   EXPECT_EQ(violations[0].what, "to P1 61.5, required < 50");
 }
 
+TEST(JointStory, AViolationEndsWithWhatWatchesIt) {
+  const auto read = salvage(
+      R"({"at":0,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,0],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
+{"at":10,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"running","role":"perceive","blocks":"b12"}
+{"at":30,"node":"uav1","kind":"scm","uav":"uav1","joint":"watch(P1) of uav1, uav2","role":"perceive","scm":"mcs2","state":"violated","place":"P1","relation":"<","measured":61.5,"required":50}
+{"at":31,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"running","role":"perceive","blocks":"b12 b13","violated":"mcs2"}
+{"at":32,"node":"uav1","kind":"joint","uav":"uav1","joint":"map(Z) of uav1, uav2","task":3,"phase":"loading"}
+{"at":33,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"running","role":"relay","blocks":"b20"}
+{"at":90,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"ended","role":"relay"}
+)");
+  const auto violations = tell_joint_tasks(read.journal, tell({}, read.journal)).violations;
+
+  ASSERT_EQ(violations.size(), 1U);
+  EXPECT_EQ(violations[0].span, (Span{30, 33})) << "the new role does not watch mcs2";
+}
+
 TEST_F(JointView, ASessionHasItsMembersStepsAndMessages) {
   const std::vector<SessionStory> sessions = told().sessions;
 

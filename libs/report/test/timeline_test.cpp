@@ -164,6 +164,22 @@ TEST(Timeline, SynchronisationsRunFromRailToRail) {
   EXPECT_EQ(count(svg, ">sync 551</text>"), 1U);
 }
 
+TEST(Timeline, ASynchronisationThatIsSaidAgainIsPaleAndHasNoName) {
+  RunInfo info;
+  info.uavs = {{"a", "", 4}, {"b", "", 4}};
+  Journal j;
+  for (const int at : {200, 400}) {
+    j.syncs.push_back({stamp(at, "a"), "551", "a", "b", Direction::kSent});
+    j.syncs.push_back({stamp(at + 1, "b"), "551", "a", "b", Direction::kReceived});
+  }
+
+  const std::string svg = timeline_of(j, info);
+
+  EXPECT_EQ(count(svg, "class=\"sync\""), 1U);
+  EXPECT_EQ(count(svg, "class=\"sync again\""), 1U);
+  EXPECT_EQ(count(svg, ">sync 551</text>"), 1U);
+}
+
 TEST(Timeline, ManyMessagesAreHiddenAtFirstAndThinned) {
   RunInfo info;
   info.uavs = {{"a", "", 4}, {"b", "", 4}};
