@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace skein::cli {
@@ -42,6 +43,14 @@ inline std::string megabytes_problem(const std::string& text) {
   double value = 0;
   const bool fits = CLI::detail::lexical_cast(text, value) && value <= 1e12;
   return fits ? "" : "'" + text + "' is more than 1e12 MB";
+}
+
+/// An option in seconds, MissionTime or Duration. `value` is alive when the line is read.
+template <class Time>
+CLI::Option* add_seconds(CLI::App& command, const std::string& name, std::optional<Time>& value,
+                         const std::string& help) {
+  return command.add_option_function<double>(
+      name, [&value](double seconds) { value = Time::seconds(seconds); }, help);
 }
 
 }  // namespace skein::cli

@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "actions.hpp"
 #include "argument_checks.hpp"
-#include "live_commands.hpp"
 #include "skein/import_tool/import.hpp"
 
 namespace skein::cli {
@@ -22,7 +22,7 @@ What becomes of what: docs/mavlink.md. Exit codes: 0, 2 wrong input, or somethin
 
 }  // namespace
 
-void add_import(CLI::App& app, std::function<int()>& action, const LiveActions& live) {
+void add_import(CLI::App& app, std::function<int()>& action, const Actions& actions) {
   auto options = std::make_shared<import_tool::ImportOptions>();
   CLI::App* command =
       app.add_subcommand("import", "A mission of QGroundControl, way-points or KML as a scenario");
@@ -59,8 +59,8 @@ void add_import(CLI::App& app, std::function<int()>& action, const LiveActions& 
   command->add_flag("--leave-out", options->leave_out,
                     "Leave out what Skein has no counterpart of, and say it");
   command->footer(kImportExamples);
-  command->callback([options, &action, &live] {
-    action = [options, &live] { return live.import_mission(*options); };
+  command->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 

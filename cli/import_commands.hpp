@@ -10,9 +10,9 @@ class App;
 
 namespace skein::cli {
 
-struct LiveActions;
+class Actions;
 
-/// Adds the command. `action` and `live` must outlive the parsing and the action.
-void add_import(CLI::App& app, std::function<int()>& action, const LiveActions& live);
+/// Adds the command. `action` and `actions` must outlive the parsing and the action.
+void add_import(CLI::App& app, std::function<int()>& action, const Actions& actions);
 
 }  // namespace skein::cli

@@ -1,20 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
-// skein: everything that is not a daemon. Commands that need DDS are passed on to skein-live beside
-// it, that which needs maps and motion planning to skein-refine: loading those libraries costs more
-// than most plans.
+// skein: everything that is not a daemon. It knows every command and plans itself; for all others
+// it becomes the program beside it that carries them out: loading their libraries costs more than
+// most plans, and who wants to fly one mission need not compile them all.
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <string_view>
 #include <system_error>
 
+#include "actions.hpp"
 #include "commands.hpp"
-#include "live_commands.hpp"
+#include "plan_process.hpp"
 #include "skein/foundation/exit_code.hpp"
+#include "skein/plan_tool/plan.hpp"
 
 namespace {
+
+struct CarriedOut {
+  std::string_view command;
+  const char* by;
+};
+constexpr std::array kElsewhere{
+    CarriedOut{"run", "skein-run"},         CarriedOut{"report", "skein-run"},
+    CarriedOut{"functional", "skein-live"}, CarriedOut{"operate", "skein-live"},
+    CarriedOut{"replay", "skein-live"},     CarriedOut{"spy", "skein-live"},
+    CarriedOut{"state", "skein-live"},      CarriedOut{"status", "skein-live"},
+    CarriedOut{"batch", "skein-lab"},       CarriedOut{"compare", "skein-lab"},
+    CarriedOut{"export", "skein-lab"},      CarriedOut{"import", "skein-lab"},
+    CarriedOut{"series", "skein-lab"},      CarriedOut{"storm", "skein-lab"},
+    CarriedOut{"allocate", "skein-tools"},  CarriedOut{"mastn", "skein-tools"},
+    CarriedOut{"mle", "skein-tools"},       CarriedOut{"model", "skein-tools"},
+    CarriedOut{"stn", "skein-tools"},       CarriedOut{"refine", "skein-refine"},
+    CarriedOut{"terrain", "skein-refine"},
+};
+
+const char* program_of(std::string_view command, std::string_view verb) {
+  if (command == "model" && verb == "edit") return "skein-lab";  // it serves a page
+  return std::find_if(kElsewhere.begin(), kElsewhere.end(),
+                      [&](const CarriedOut& one) { return one.command == command; })
+      ->by;
+}
 
 // Becomes that program, with the same arguments; returns only if that cannot be.
 int become(const char* program, char** argv) {
@@ -30,26 +60,10 @@ int become(const char* program, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  skein::cli::LiveActions live;
-  live.run = [argv](const auto&) { return become("skein-live", argv); };
-  live.report = [argv](const auto&) { return become("skein-live", argv); };
-  live.state = [argv](const auto&) { return become("skein-live", argv); };
-  live.replay = [argv](const auto&) { return become("skein-live", argv); };
-  live.batch = [argv](const auto&) { return become("skein-live", argv); };
-  live.compare = [argv](const auto&) { return become("skein-live", argv); };
-  live.series = [argv](const auto&) { return become("skein-live", argv); };
-  live.storm = [argv](const auto&) { return become("skein-live", argv); };
-  live.functional = [argv](const auto&) { return become("skein-live", argv); };
-  live.operate = [argv](const auto&) { return become("skein-live", argv); };
-  live.status = [argv](const auto&) { return become("skein-live", argv); };
-  live.spy = [argv](const auto&) { return become("skein-live", argv); };
-  live.record = [argv](const auto&) { return become("skein-live", argv); };
-  live.play = [argv](const auto&) { return become("skein-live", argv); };
-  live.export_run = [argv](const auto&) { return become("skein-live", argv); };
-  live.import_mission = [argv](const auto&) { return become("skein-live", argv); };
-  live.edit_models = [argv](const auto&) { return become("skein-live", argv); };
-  live.refine = [argv](const auto&) { return become("skein-refine", argv); };
-  live.make_terrain = [argv](const auto&) { return become("skein-refine", argv); };
-  live.show_terrain = [argv](const auto&) { return become("skein-refine", argv); };
-  return skein::cli::run_command_line(argc, argv, live);
+  using namespace skein;  // NOLINT(google-build-using-namespace): the whole program is this
+                          // function
+  cli::Actions actions(
+      [argc, argv] { return become(program_of(argv[1], argc > 2 ? argv[2] : ""), argv); });
+  actions.add<plan_tool::PlanOptions>(cli::plan_here);
+  return cli::run_command_line(argc, argv, actions);
 }

@@ -2,9 +2,9 @@
 #include "mastn_commands.hpp"
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 
+#include "actions.hpp"
 #include "choice_option.hpp"
 #include "skein/temporal_tool/mastn.hpp"
 
@@ -20,7 +20,7 @@ Examples:
   skein mastn generate --mode free --relaxations 0.4 --out network.json
 The same options give the same file on every machine. Exit codes: 0, 2 wrong options, 3 not written.)";
 
-void add_generate(CLI::App& mastn, Action& action) {
+void add_mastn_generate(CLI::App& mastn, Action& action, const Actions& actions) {
   auto options = std::make_shared<temporal_tool::MastnGenerateOptions>();
   CLI::App* generate = mastn.add_subcommand("generate", "Write a random network and scenario");
   temporal::MastnShape& shape = options->shape;
@@ -46,12 +46,12 @@ void add_generate(CLI::App& mastn, Action& action) {
   generate->add_option("--seed", options->seed, "Of everything random")->capture_default_str();
   generate->add_option("--out", options->out, "File (default: standard output)");
   generate->footer(kGenerateExamples);
-  generate->callback([options, &action] {
-    action = [options] { return temporal_tool::generate_mastn(*options, std::cout, std::cerr); };
+  generate->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 
-constexpr const char* kRunExamples = R"(
+constexpr const char* kMastnRunExamples = R"(
 Examples:
   skein mastn run network.json --algorithm dip-l
   skein mastn run network.json --algorithm dip-m --delays --cuts --seed 3
@@ -60,7 +60,7 @@ Prints one JSON object: {"consistent":…, "bounds":{"a1":[min,max],…}, "messa
 in seconds, null when infinite, none while inconsistent; counts include the agents' first exchange.
 Exit codes: 0 played, consistent or not; 2 wrong input.)";
 
-void add_run(CLI::App& mastn, Action& action) {
+void add_mastn_run(CLI::App& mastn, Action& action, const Actions& actions) {
   auto options = std::make_shared<temporal_tool::MastnRunOptions>();
   CLI::App* run = mastn.add_subcommand("run", "Play a file's steps through the agents");
   run->add_option("file", options->file, "Network and steps (JSON); -: standard input")->required();
@@ -70,11 +70,9 @@ void add_run(CLI::App& mastn, Action& action) {
   run->add_flag("--delays", options->delays, "Messages take random times");
   run->add_flag("--cuts", options->cuts, "Links are cut and heal at random; all heal at the end");
   run->add_option("--seed", options->seed, "Of delays and cuts")->capture_default_str();
-  run->footer(kRunExamples);
-  run->callback([options, &action] {
-    action = [options] {
-      return temporal_tool::run_mastn(*options, std::cin, std::cout, std::cerr);
-    };
+  run->footer(kMastnRunExamples);
+  run->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 
@@ -86,7 +84,7 @@ Examples:
 Claims about means gate only with the usual V, L and share of relaxations.
 Writes mastn.csv, results.md and the plots (SVG). Exit codes: 0, 1 a claim does not hold, 3 not written.)";
 
-void add_bench(CLI::App& mastn, Action& action) {
+void add_mastn_bench(CLI::App& mastn, Action& action, const Actions& actions) {
   auto options = std::make_shared<temporal_tool::MastnBenchOptions>();
   CLI::App* bench = mastn.add_subcommand("bench", "The experiment: figures, plots and claims");
   bench->add_option("--out", options->out, "Folder for the results")->capture_default_str();
@@ -111,19 +109,19 @@ void add_bench(CLI::App& mastn, Action& action) {
   bench->add_option("--networks", options->networks, "Of each parameter set (default 10)")
       ->check(CLI::Range(1, 1000));
   bench->footer(kBenchExamples);
-  bench->callback([options, &action] {
-    action = [options] { return temporal_tool::bench_mastn(*options, std::cout, std::cerr); };
+  bench->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 
 }  // namespace
 
-void add_mastn(CLI::App& app, Action& action) {
+void add_mastn(CLI::App& app, Action& action, const Actions& actions) {
   CLI::App* mastn = app.add_subcommand("mastn", "Temporal networks shared by several agents");
   mastn->require_subcommand(1);
-  add_generate(*mastn, action);
-  add_run(*mastn, action);
-  add_bench(*mastn, action);
+  add_mastn_generate(*mastn, action, actions);
+  add_mastn_run(*mastn, action, actions);
+  add_mastn_bench(*mastn, action, actions);
 }
 
 }  // namespace skein::cli

@@ -10,7 +10,9 @@ class App;
 
 namespace skein::cli {
 
+class Actions;
+
 /// Adds the command; when it is chosen, parsing sets `action` to what it does.
-void add_mastn(CLI::App& app, std::function<int()>& action);
+void add_mastn(CLI::App& app, std::function<int()>& action, const Actions& actions);
 
 }  // namespace skein::cli

@@ -2,14 +2,11 @@
 #include "model_commands.hpp"
 
 #include <CLI/CLI.hpp>
-#include <fstream>
-#include <iostream>
 #include <memory>
 
+#include "actions.hpp"
 #include "argument_checks.hpp"
-#include "live_commands.hpp"
 #include "skein/designer/edit_models.hpp"
-#include "skein/foundation/exit_code.hpp"
 #include "skein/model_tool/model_files.hpp"
 #include "skein/model_tool/run_model.hpp"
 
@@ -19,7 +16,7 @@ namespace {
 
 using Action = std::function<int()>;
 
-constexpr const char* kExamples = R"(
+constexpr const char* kModelExamples = R"(
 Examples:
   skein model check scenarios/models/interaction/monitoring-with-relay.yaml
   skein model draw scenarios/models/interaction/vehicle-pursuit.yaml -o pursuit.svg
@@ -29,84 +26,63 @@ Examples:
 Formats and how to write a model: docs/interaction.md. Exit codes: 0 done, 1 some line of a trace was
 refused, 2 wrong files or options, 3 the picture cannot be written.)";
 
-struct RunArguments {
-  model_tool::RunOptions options;
-  std::string trace;
-  std::optional<double> until;
-};
-
-int run(RunArguments arguments) {
-  if (arguments.until) arguments.options.until = MissionTime::seconds(*arguments.until);
-  if (arguments.trace.empty() || arguments.trace == "-") {
-    return model_tool::run_model(arguments.options, std::cin, std::cout, std::cerr);
-  }
-  std::ifstream in(arguments.trace);
-  if (!in) {
-    std::cerr << arguments.trace << ": cannot be read\n";
-    return kExitBadInput;
-  }
-  arguments.options.input_name = arguments.trace;
-  return model_tool::run_model(arguments.options, in, std::cout, std::cerr);
-}
-
-void add_run(CLI::App* model, Action& action) {
-  auto arguments = std::make_shared<RunArguments>();
+void add_run(CLI::App* model, Action& action, const Actions& actions) {
+  auto options = std::make_shared<model_tool::RunOptions>();
   CLI::App* command =
       model->add_subcommand("run", "Play a trace through the execution automaton of a role");
-  command
-      ->add_option("automaton", arguments->options.automaton,
-                   "YAML or JSON; or a library with roles")
+  command->add_option("automaton", options->automaton, "YAML or JSON; or a library with roles")
       ->required();
-  command->add_option("trace", arguments->trace, "JSON lines (default: standard input)");
-  command->add_option("--role", arguments->options.role, "Which role of a library")
-      ->type_name("NAME");
-  command->add_option("--until", arguments->until, "Play on up to this instant [s]")
+  command->add_option("trace", options->input_name, "JSON lines (default: standard input)");
+  command->add_option("--role", options->role, "Which role of a library")->type_name("NAME");
+  add_seconds(*command, "--until", options->until, "Play on up to this instant [s]")
       ->check(finite_problem);
-  command->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+  command->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
+  });
 }
 
-void add_check(CLI::App* model, Action& action) {
+void add_check(CLI::App* model, Action& action, const Actions& actions) {
   auto options = std::make_shared<model_tool::CheckOptions>();
   CLI::App* command = model->add_subcommand(
       "check", "Are roles, SCMs, models and automata right? Every error at once");
   command->add_option("files", options->files, "Read together, with all that they use")->required();
   command->add_flag("--json", options->json, "One JSON object instead of text for people");
-  command->callback([options, &action] {
-    action = [options] { return model_tool::check_models(*options, std::cout, std::cerr); };
+  command->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 
-void add_draw(CLI::App* model, Action& action) {
+void add_draw(CLI::App* model, Action& action, const Actions& actions) {
   auto options = std::make_shared<model_tool::DrawOptions>();
   CLI::App* command = model->add_subcommand("draw", "Draw the variants of models, or an automaton");
   command->add_option("file", options->file, "Models, roles or an automaton")->required();
   command->add_option("-o,--output", options->output, "SVG file (default: standard output)");
-  command->callback([options, &action] {
-    action = [options] { return model_tool::draw_models(*options, std::cout, std::cerr); };
+  command->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 
-void add_edit(CLI::App* model, Action& action, const LiveActions& live) {
+void add_edit(CLI::App* model, Action& action, const Actions& actions) {
   auto options = std::make_shared<designer::EditOptions>();
   CLI::App* command =
       model->add_subcommand("edit", "Change models on a page of this machine, checked meanwhile");
   command->add_option("files", options->files, "Models, with all that they use")->required();
   command->add_option("--port", options->port, "Of the loopback interface (default: a free one)");
-  command->callback([options, &action, &live] {
-    action = [options, &live] { return live.edit_models(*options); };
+  command->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 
 }  // namespace
 
-void add_model(CLI::App& app, std::function<int()>& action, const LiveActions& live) {
+void add_model(CLI::App& app, std::function<int()>& action, const Actions& actions) {
   CLI::App* model = app.add_subcommand("model", "Check, draw, change and play interaction models");
   model->require_subcommand(1);
-  model->footer(kExamples);
-  add_check(model, action);
-  add_draw(model, action);
-  add_edit(model, action, live);
-  add_run(model, action);
+  model->footer(kModelExamples);
+  add_check(model, action, actions);
+  add_draw(model, action, actions);
+  add_edit(model, action, actions);
+  add_run(model, action, actions);
 }
 
 }  // namespace skein::cli

@@ -10,10 +10,10 @@ class App;
 
 namespace skein::cli {
 
-struct LiveActions;
+class Actions;
 
 /// Adds the command; when one of its own is chosen, parsing sets `action` to what it does; it and
-/// `live` must outlive that.
-void add_model(CLI::App& app, std::function<int()>& action, const LiveActions& live);
+/// `actions` must outlive that.
+void add_model(CLI::App& app, std::function<int()>& action, const Actions& actions);
 
 }  // namespace skein::cli

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "actions.hpp"
 #include "argument_checks.hpp"
 #include "network_options.hpp"
 #include "skein/foundation/exit_code.hpp"
@@ -247,8 +248,7 @@ class Verbs {
 
 }  // namespace
 
-void add_operate(CLI::App& app, std::function<int()>& action,
-                 const std::function<int(const OperateOptions&)>& live) {
+void add_operate(CLI::App& app, std::function<int()>& action, const Actions& actions) {
   auto options = std::make_shared<OperateOptions>();
   CLI::App* operate = app.add_subcommand("operate", "Be an operator of a running mission");
   operate->fallthrough();
@@ -264,20 +264,21 @@ void add_operate(CLI::App& app, std::function<int()>& action,
   operate->footer(kOperateExamples);
   auto verbs = std::make_shared<Verbs>(*operate, *options);
   verbs->add_all();
-  operate->callback(
-      [options, verbs, &action, &live] { action = [options, &live] { return live(*options); }; });
+  operate->callback([options, verbs, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
+  });
 }
 
-void add_status(CLI::App& app, std::function<int()>& action,
-                const std::function<int(const StatusOptions&)>& live) {
+void add_status(CLI::App& app, std::function<int()>& action, const Actions& actions) {
   auto options = std::make_shared<StatusOptions>();
   CLI::App* status = app.add_subcommand("status", "What the ground station of a mission knows");
   add_station(status, options->station);
   status->add_flag("--watch", options->watch, "Again each second");
   status->add_flag("--json", options->json, "One JSON document; with --watch one a line");
   status->footer(kStatusExamples);
-  status->callback(
-      [options, &action, &live] { action = [options, &live] { return live(*options); }; });
+  status->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
+  });
 }
 
 }  // namespace skein::cli

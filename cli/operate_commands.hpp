@@ -7,17 +7,12 @@
 namespace CLI {
 class App;
 }
-namespace skein::operate_tool {
-struct OperateOptions;
-struct StatusOptions;
-}  // namespace skein::operate_tool
-
 namespace skein::cli {
 
-/// `action` and `live` must outlive the parsing and the action.
-void add_operate(CLI::App& app, std::function<int()>& action,
-                 const std::function<int(const operate_tool::OperateOptions&)>& live);
-void add_status(CLI::App& app, std::function<int()>& action,
-                const std::function<int(const operate_tool::StatusOptions&)>& live);
+class Actions;
+
+/// `action` and `actions` must outlive the parsing and the action.
+void add_operate(CLI::App& app, std::function<int()>& action, const Actions& actions);
+void add_status(CLI::App& app, std::function<int()>& action, const Actions& actions);
 
 }  // namespace skein::cli

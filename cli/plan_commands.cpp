@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plan_commands.hpp"
 
-#include <fcntl.h>
-#include <malloc.h>
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <csignal>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <initializer_list>
-#include <iostream>
+#include <map>
 #include <memory>
 #include <span>
 #include <string_view>
 
+#include "actions.hpp"
 #include "argument_checks.hpp"
 #include "skein/plan_tool/plan.hpp"
 
@@ -29,7 +20,7 @@ namespace {
 
 using htn::Which;
 
-constexpr const char* kExamples = R"(
+constexpr const char* kPlanExamples = R"(
 Files come before options that may take words (--trace, --optimize-cost). "-" is standard input.
 Examples:
   skein plan domain.lisp problem.lisp                  the first plan, as SHOP2 finds it
@@ -51,56 +42,6 @@ const std::map<std::string, Which> kWhich = {{"first", Which::kFirst},
                                              {"id-all", Which::kIdAll},
                                              {"best", Which::kBest}};
 
-volatile std::sig_atomic_t interrupt_seen = 0;
-
-// The second Ctrl-C ends the process at once.
-void watch_interrupts() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { interrupt_seen = 1; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-}
-
-double seconds_of(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
-}
-
-double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
-}
-
-// getrusage would count what the process was before exec too, as the copy of a large parent.
-double memory_mb() {
-  std::array<char, 4096> text{};
-  const int status = open("/proc/self/status", O_RDONLY | O_CLOEXEC);
-  const ssize_t length = status < 0 ? 0 : read(status, text.data(), text.size() - 1);
-  if (status >= 0) close(status);
-  const char* peak = length > 0 ? std::strstr(text.data(), "VmHWM:") : nullptr;
-  if (peak != nullptr) return std::strtod(peak + std::strlen("VmHWM:"), nullptr) * 1024e-6;
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) * 1024e-6;
-}
-
-bool colour_on(int stream) {
-  const char* refused = std::getenv("NO_COLOR");  // no-color.org: set and not empty
-  return isatty(stream) != 0 && (refused == nullptr || *refused == '\0');
-}
-
-plan_tool::Surroundings surroundings() {
-  plan_tool::Surroundings out;
-  out.cpu_seconds = cpu_seconds;
-  out.interrupted = [] { return interrupt_seen != 0; };
-  out.memory_mb = memory_mb;
-  out.colour_out = colour_on(STDOUT_FILENO);
-  out.colour_err = colour_on(STDERR_FILENO);
-  out.progress = isatty(STDERR_FILENO) != 0;
-  out.process_ends = true;
-  return out;
-}
-
 // What the command line gives as plain values.
 struct Arguments {
   plan_tool::PlanOptions options;
@@ -108,41 +49,18 @@ struct Arguments {
   std::optional<double> memory_mb;
 };
 
-// A search without end is to be cut before the machine swaps: three quarters of its memory, or of
-// what the process may have (ulimit -v).
-std::uint64_t default_memory_limit() {
-  const auto pages = static_cast<std::uint64_t>(std::max(sysconf(_SC_PHYS_PAGES), 1L));
-  std::uint64_t bytes = pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-  rlimit allowed{};
-  if (getrlimit(RLIMIT_AS, &allowed) == 0 && allowed.rlim_cur != RLIM_INFINITY) {
-    bytes = std::min<std::uint64_t>(bytes, allowed.rlim_cur);
-  }
-  return bytes / 4 * 3;
-}
-
-// What grows leaves memory behind that is soon wanted again: given back to the system it would have
-// to be asked for, and cleared, each time.
-void keep_freed_memory() {
-  constexpr int kLarge = 8 << 20;
-  constexpr int kStep = 512 << 10;
-  mallopt(M_MMAP_THRESHOLD, kLarge);
-  mallopt(M_TRIM_THRESHOLD, kLarge);
-  mallopt(M_TOP_PAD, kStep);
-}
-
-int run(Arguments arguments) {
-  htn::Options& search = arguments.options.search;
+plan_tool::PlanOptions options_of(const Arguments& arguments) {
+  plan_tool::PlanOptions options = arguments.options;
+  htn::Options& search = options.search;
   if (arguments.cost_limit && !arguments.cost_limit->empty()) {
     search.cost_limit = std::strtod(arguments.cost_limit->c_str(), nullptr);
   } else if (arguments.cost_limit) {
     search.optimize_cost = true;
   }
-  search.limits.memory_bytes = arguments.memory_mb
-                                   ? static_cast<std::uint64_t>(*arguments.memory_mb * 1e6)
-                                   : default_memory_limit();
-  keep_freed_memory();
-  watch_interrupts();
-  return plan_tool::run_plan(arguments.options, surroundings(), std::cin, std::cout, std::cerr);
+  if (arguments.memory_mb) {
+    search.limits.memory_bytes = static_cast<std::uint64_t>(*arguments.memory_mb * 1e6);
+  }
+  return options;
 }
 
 void add_limits(CLI::App& plan, Arguments& arguments) {
@@ -269,7 +187,8 @@ bool any_named(std::span<char* const> words, std::initializer_list<std::string_v
 
 }  // namespace
 
-void add_plan(CLI::App& app, std::function<int()>& action, std::span<char* const> words) {
+void add_plan(CLI::App& app, std::function<int()>& action, const Actions& actions,
+              std::span<char* const> words) {
   auto arguments = std::make_shared<Arguments>();
   plan_tool::PlanOptions& options = arguments->options;
   CLI::App* plan = app.add_subcommand("plan", "Plan the problems of files in SHOP2's language");
@@ -298,8 +217,10 @@ void add_plan(CLI::App& app, std::function<int()>& action, std::span<char* const
     add_limits(*plan, *arguments);
   }
   add_outputs(*plan, options);
-  plan->footer(kExamples);
-  plan->callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+  plan->footer(kPlanExamples);
+  plan->callback([arguments, &action, &actions] {
+    action = [arguments, &actions] { return actions.carry_out(options_of(*arguments)); };
+  });
 }
 
 }  // namespace skein::cli

@@ -8,8 +8,8 @@
 #include <ctime>
 #include <memory>
 
+#include "actions.hpp"
 #include "argument_checks.hpp"
-#include "live_commands.hpp"
 #include "skein/refine_tool/refine.hpp"
 #include "skein/terrain_tool/terrain.hpp"
 
@@ -37,7 +37,7 @@ Examples:
 In a scenario: world: {terrain: {grid: valley.terrain}} (docs/scenario-format.md).
 Exit codes: 0 done, 2 wrong options or files, 3 a file cannot be written.)";
 
-void add_make(CLI::App& terrain, std::function<int()>& action, const LiveActions& live) {
+void add_make(CLI::App& terrain, std::function<int()>& action, const Actions& actions) {
   auto options = std::make_shared<terrain_tool::MakeOptions>();
   CLI::App* make = terrain.add_subcommand("make", "Of a raster, the file that scenarios name");
   make->add_option("raster", options->raster, "GeoTIFF, ESRI ASCII grid or SRTM tile")->required();
@@ -55,18 +55,18 @@ void add_make(CLI::App& terrain, std::function<int()>& action, const LiveActions
   make->add_option("--crs", options->crs, "Coordinates of a raster that does not say: EPSG:4326");
   make->add_option("--nodata", options->no_data, "Elevation of cells without data [m]")
       ->check(finite_problem);
-  make->callback([options, &action, &live] {
-    action = [options, &live] { return live.make_terrain(*options); };
+  make->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 
-void add_show(CLI::App& terrain, std::function<int()>& action, const LiveActions& live) {
+void add_show(CLI::App& terrain, std::function<int()>& action, const Actions& actions) {
   auto options = std::make_shared<terrain_tool::ShowOptions>();
   CLI::App* show = terrain.add_subcommand("show", "What is in a terrain file");
   show->add_option("file", options->file, "Terrain file")->required();
   show->add_option("--svg", options->svg, "Picture to write");
-  show->callback([options, &action, &live] {
-    action = [options, &live] { return live.show_terrain(*options); };
+  show->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 
@@ -84,15 +84,15 @@ bool colour_on() {
 
 }  // namespace
 
-void add_terrain(CLI::App& app, std::function<int()>& action, const LiveActions& live) {
+void add_terrain(CLI::App& app, std::function<int()>& action, const Actions& actions) {
   CLI::App* terrain = app.add_subcommand("terrain", "Measured ground for scenarios, from a raster");
   terrain->require_subcommand(1);
   terrain->footer(kTerrainExamples);
-  add_make(*terrain, action, live);
-  add_show(*terrain, action, live);
+  add_make(*terrain, action, actions);
+  add_show(*terrain, action, actions);
 }
 
-void add_refine(CLI::App& app, std::function<int()>& action, const LiveActions& live) {
+void add_refine(CLI::App& app, std::function<int()>& action, const Actions& actions) {
   auto options = std::make_shared<refine_tool::RefineOptions>();
   CLI::App* refine = app.add_subcommand(
       "refine",
@@ -114,12 +114,12 @@ void add_refine(CLI::App& app, std::function<int()>& action, const LiveActions& 
       ->check(positive_problem);
   refine->add_option("--seed", options->seed, "Seed, before that of the query");
   refine->footer(kExamples);
-  refine->callback([options, query, example, &action, &live] {
+  refine->callback([options, query, example, &action, &actions] {
     if (query->count() + example->count() == 0)
       throw CLI::RequiredError("a query file, or --example SERVICE");
     options->now = processor_seconds;
     options->colour = colour_on();
-    action = [options, &live] { return live.refine(*options); };
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 

@@ -10,12 +10,12 @@ class App;
 
 namespace skein::cli {
 
-struct LiveActions;
+class Actions;
 
-/// Adds the command; when it is chosen, parsing sets `action` to what it does. `live` must outlive
-/// the action.
-void add_refine(CLI::App& app, std::function<int()>& action, const LiveActions& live);
+/// Adds the command; when it is chosen, parsing sets `action` to what it does. `actions` must
+/// outlive the action.
+void add_refine(CLI::App& app, std::function<int()>& action, const Actions& actions);
 /// Likewise.
-void add_terrain(CLI::App& app, std::function<int()>& action, const LiveActions& live);
+void add_terrain(CLI::App& app, std::function<int()>& action, const Actions& actions);
 
 }  // namespace skein::cli

@@ -4,13 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "actions.hpp"
 #include "argument_checks.hpp"
 #include "choice_option.hpp"
-#include "live_commands.hpp"
 #include "skein/batch_tool/batch.hpp"
 #include "skein/compare_tool/compare.hpp"
 #include "skein/export_tool/export.hpp"
 #include "skein/series_tool/series.hpp"
+#include "skein/storm_tool/storm.hpp"
 
 namespace skein::cli {
 
@@ -25,7 +26,7 @@ Examples:
   skein batch a.yaml b.yaml --seeds 1..20 --csv runs.csv --out out/ab --keep
 Exit codes: 0 all runs passed, 1 some did not or broke a law, 2 wrong input, 3 it cannot be written, 130 Ctrl-C.)";
 
-void add_batch(CLI::App& app, Action& action, const LiveActions& live) {
+void add_batch(CLI::App& app, Action& action, const Actions& actions) {
   auto options = std::make_shared<batch_tool::BatchOptions>();
   CLI::App* batch =
       app.add_subcommand("batch", "Scenarios by seeds, in virtual time: table, CSV and picture");
@@ -50,8 +51,9 @@ void add_batch(CLI::App& app, Action& action, const LiveActions& live) {
   batch->add_flag("--json", options->json, "One JSON document, no progress");
   batch->add_flag("--quiet", options->quiet, "No progress");
   batch->footer(kBatchExamples);
-  batch->callback(
-      [options, &action, &live] { action = [options, &live] { return live.batch(*options); }; });
+  batch->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
+  });
 }
 
 constexpr const char* kCompareExamples = R"(
@@ -60,7 +62,7 @@ Examples:
   skein compare out/a out/b --within 2      runs over DDS: times that differ by less than 2 s do not count
 Exit codes: 0 the same, 1 something differs, 2 a folder cannot be read.)";
 
-void add_compare(CLI::App& app, Action& action, const LiveActions& live) {
+void add_compare(CLI::App& app, Action& action, const Actions& actions) {
   auto options = std::make_shared<compare_tool::CompareOptions>();
   CLI::App* compare = app.add_subcommand("compare", "What differs between two recorded runs");
   compare->add_option("first", options->first, "Folder of a run (out/NAME)")->required();
@@ -70,8 +72,9 @@ void add_compare(CLI::App& app, Action& action, const LiveActions& live) {
   compare->add_flag("--all", options->all, "Every difference, not the first of each section");
   compare->add_flag("--json", options->json, "One JSON document");
   compare->footer(kCompareExamples);
-  compare->callback(
-      [options, &action, &live] { action = [options, &live] { return live.compare(*options); }; });
+  compare->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
+  });
 }
 
 constexpr const char* kSeriesExamples = R"(
@@ -81,7 +84,7 @@ Examples:
   skein series out/comets-confirmed --measures
 Exit codes: 0, 2 wrong options or a folder that cannot be read, 3 the file cannot be written.)";
 
-void add_time_series(CLI::App& app, Action& action, const LiveActions& live) {
+void add_time_series(CLI::App& app, Action& action, const Actions& actions) {
   auto options = std::make_shared<series_tool::SeriesOptions>();
   CLI::App* series = app.add_subcommand("series", "Quantities of a recorded run over time, as CSV");
   series->add_option("folder", options->folder, "Folder of a run (out/NAME)");
@@ -98,8 +101,9 @@ void add_time_series(CLI::App& app, Action& action, const LiveActions& live) {
   series->add_flag("--measures", options->measures, "Instead: figures of the whole run");
   series->add_flag("--list", options->list, "Say what quantities there are");
   series->footer(kSeriesExamples);
-  series->callback(
-      [options, &action, &live] { action = [options, &live] { return live.series(*options); }; });
+  series->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
+  });
 }
 
 constexpr const char* kExportExamples = R"(
@@ -109,7 +113,7 @@ Examples:
   skein export out/action-patrol --figures figures          trajectories and temporal messages, as SVG
 Exit codes: 0, 2 the folder cannot be read, 3 the file cannot be written.)";
 
-void add_export(CLI::App& app, Action& action, const LiveActions& live) {
+void add_export(CLI::App& app, Action& action, const Actions& actions) {
   auto options = std::make_shared<export_tool::ExportOptions>();
   CLI::App* command = app.add_subcommand("export", "A recorded run for other programs");
   command->add_option("folder", options->folder, "Folder of a run (out/NAME)")->required();
@@ -129,18 +133,59 @@ void add_export(CLI::App& app, Action& action, const LiveActions& live) {
               {"zstd", mcap::Compression::kZstd}},
              "Of its chunks");
   command->footer(kExportExamples);
-  command->callback([options, &action, &live] {
-    action = [options, &live] { return live.export_run(*options); };
+  command->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
+  });
+}
+
+constexpr const char* kStormExamples = R"(
+Examples:
+  skein storm scenarios/comets/confirmed.yaml --seeds 1..100 --jobs 2    troubles in a mission of yours
+  skein storm --seeds 1..300                                             missions drawn at random
+  skein storm my.yaml --seeds 17 --save out/17 --log out/17              one run, and its event log
+  skein storm my.yaml other.yaml --seeds 1..1000 --law energy --law crash --json
+  skein run out/storm/energy-my-17.yaml --virtual                        a scenario that was kept, small
+Exit codes: 0 no law was broken, 1 some, 2 wrong input.)";
+
+void add_storm(CLI::App& app, Action& action, const Actions& actions) {
+  auto options = std::make_shared<storm_tool::StormOptions>();
+  CLI::App* storm = app.add_subcommand(
+      "storm", "Missions in which things go wrong, by seed, judged by laws that know no plan");
+  storm->add_option("scenarios", options->scenarios,
+                    "Scenario files (YAML); without any, missions are drawn at random");
+  storm->add_option("--seeds", options->seeds, "A..B: so many runs of each scenario")
+      ->capture_default_str();
+  storm->add_option("--jobs", options->judge.jobs, "How many at once")->check(CLI::Range(1, 256));
+  storm->add_option("--law", options->judge.only, "Only this law; may be repeated")
+      ->allow_extra_args(false);
+  storm->add_flag("--laws", options->list_laws, "List the laws");
+  storm->add_option("--save", options->save, "Folder for scenarios that break a law; '' keeps none")
+      ->capture_default_str();
+  storm->add_flag("!--no-shrink", options->shrink, "Keep them as they are, not made small");
+  storm->add_option("--log", options->judge.log, "Folder for the event log of each run");
+  storm->add_flag("--twice", options->judge.twice,
+                  "Each run twice: the event logs must be the same");
+  storm->add_option("--patience", options->judge.patience, "Seconds of processor time for one run")
+      ->check(CLI::Range(1, 3600))
+      ->capture_default_str();
+  storm->add_option("--models", options->models,
+                    "Folder scenarios/ of Skein, for missions drawn (default: found)");
+  storm->add_flag("--json", options->json, "One JSON document, no progress");
+  storm->add_flag("--quiet", options->quiet, "No progress");
+  storm->footer(kStormExamples);
+  storm->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 
 }  // namespace
 
-void add_series(CLI::App& app, Action& action, const LiveActions& live) {
-  add_batch(app, action, live);
-  add_compare(app, action, live);
-  add_time_series(app, action, live);
-  add_export(app, action, live);
+void add_series(CLI::App& app, Action& action, const Actions& actions) {
+  add_batch(app, action, actions);
+  add_compare(app, action, actions);
+  add_time_series(app, action, actions);
+  add_export(app, action, actions);
+  add_storm(app, action, actions);
 }
 
 }  // namespace skein::cli

@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "actions.hpp"
 #include "argument_checks.hpp"
-#include "live_commands.hpp"
 #include "network_options.hpp"
 #include "skein/spy_tool/record.hpp"
 #include "skein/spy_tool/spy.hpp"
@@ -19,7 +19,7 @@ using spy_tool::SpyOptions;
 using spy_tool::Verb;
 using Shared = std::shared_ptr<SpyOptions>;
 
-constexpr const char* kExamples = R"(
+constexpr const char* kSpyExamples = R"(
 Examples:
   skein spy --domain 1                               nodes, slots and rates
   skein spy --domain 1 echo TaskEvent SyncMessage    samples of two slots as they come
@@ -37,15 +37,15 @@ struct Spy {
   CLI::App& command;
   const Shared& options;
   Action& action;
-  const LiveActions& live;
+  const Actions& actions;
 };
 
 /// A verb that shows something.
 CLI::App* add_verb(const Spy& spy, const char* name, const char* description, Verb verb) {
   CLI::App* one = spy.command.add_subcommand(name, description);
-  one->callback([options = spy.options, verb, &action = spy.action, &live = spy.live] {
+  one->callback([options = spy.options, verb, &action = spy.action, &actions = spy.actions] {
     options->verb = verb;
-    action = [options, &live] { return live.spy(*options); };
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
   return one;
 }
@@ -111,22 +111,22 @@ void add_rates(const Spy& spy) {
       ->check(positive_problem);
 }
 
-void add_record(CLI::App& spy, const Shared& common, Action& action, const LiveActions& live) {
+void add_record(CLI::App& spy, const Shared& common, Action& action, const Actions& actions) {
   auto options = std::make_shared<spy_tool::RecordOptions>();
   CLI::App* record = spy.add_subcommand("record", "Write samples to an MCAP file as they come");
   record->add_option("file", options->file, "The file")->required();
   record->add_option("slots", common->slots, "Slots to record (default: all)");
   record->add_option("-n,--count", common->count, "Stop after so many samples");
   record->add_flag("--with-json", options->with_json, "Each sample as JSON too: opens everywhere");
-  record->callback([options, common, &action, &live] {
-    action = [options, common, &live] {
+  record->callback([options, common, &action, &actions] {
+    action = [options, common, &actions] {
       options->spy = *common;
-      return live.record(*options);
+      return actions.carry_out(*options);
     };
   });
 }
 
-void add_play(CLI::App& spy, const Shared& common, Action& action, const LiveActions& live) {
+void add_play(CLI::App& spy, const Shared& common, Action& action, const Actions& actions) {
   auto options = std::make_shared<spy_tool::PlayOptions>();
   CLI::App* play = spy.add_subcommand("play", "Write the samples of a recording again");
   play->add_option("file", options->file, "Made by skein spy record")->required();
@@ -136,18 +136,18 @@ void add_play(CLI::App& spy, const Shared& common, Action& action, const LiveAct
   play->add_option("--wait", options->wait, "Seconds in which readers find the writers, at first")
       ->check(CLI::Range(0.0, 60.0))
       ->capture_default_str();
-  play->callback([options, common, &action, &live] {
-    action = [options, common, &live] {
+  play->callback([options, common, &action, &actions] {
+    action = [options, common, &actions] {
       options->domain = common->domain;
       options->network = common->network;
-      return live.play(*options);
+      return actions.carry_out(*options);
     };
   });
 }
 
 }  // namespace
 
-void add_spy(CLI::App& app, Action& action, const LiveActions& live) {
+void add_spy(CLI::App& app, Action& action, const Actions& actions) {
   auto options = std::make_shared<SpyOptions>();
   CLI::App* spy = app.add_subcommand("spy", "What is on the wire");
   spy->fallthrough();
@@ -162,18 +162,19 @@ void add_spy(CLI::App& app, Action& action, const LiveActions& live) {
   spy->add_option("--from", options->from, "Only samples made by this node");
   spy->add_option("--duration", options->duration, "Seconds to listen")->check(positive_problem);
   spy->add_flag("--json", options->json, "JSON: one object a line (without a verb: one document)");
-  spy->footer(kExamples);
-  spy->callback([options, &action, &live] {
-    if (!action) action = [options, &live] { return live.spy(*options); };  // without a verb
+  spy->footer(kSpyExamples);
+  spy->callback([options, &action, &actions] {
+    if (!action)
+      action = [options, &actions] { return actions.carry_out(*options); };  // without a verb
   });
-  const Spy whole{*spy, options, action, live};
+  const Spy whole{*spy, options, action, actions};
   add_lists(whole);
   add_echo(whole);
   add_rates(whole);
   add_verb(whole, "doctor", "Find what is wrong: interfaces, multicast, buffers, versions, types",
            Verb::kDoctor);
-  add_record(*spy, options, action, live);
-  add_play(*spy, options, action, live);
+  add_record(*spy, options, action, actions);
+  add_play(*spy, options, action, actions);
 }
 
 }  // namespace skein::cli

@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdlib>
-#include <iostream>
 #include <memory>
 
+#include "actions.hpp"
 #include "choice_option.hpp"
 #include "skein/temporal_tool/stn.hpp"
 
@@ -62,12 +62,11 @@ void add_json(CLI::App* command, temporal_tool::StnOptions& common) {
   common.colour = colour_wanted();
 }
 
-// `command` runs `function` on the options and the standard streams.
-template <class Options, class Function>
-void act(CLI::App* command, const std::shared_ptr<Options>& options, Function function,
-         Action& action) {
-  command->callback([options, function, &action] {
-    action = [options, function] { return function(*options, std::cin, std::cout, std::cerr); };
+template <class Options>
+void act(CLI::App* command, const std::shared_ptr<Options>& options, Action& action,
+         const Actions& actions) {
+  command->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 
@@ -85,30 +84,30 @@ std::shared_ptr<temporal_tool::StnBatchOptions> add_batch(CLI::App* command) {
 }
 
 int ask_batch(temporal_tool::StnBatchOptions batch, const temporal_tool::StnOptions& common,
-              temporal_tool::StnQuestion question) {
+              temporal_tool::StnQuestion question, const Actions& actions) {
   batch.common = common;
   batch.question = question;
-  return temporal_tool::check_stn_batch(batch, std::cout, std::cerr);
+  return actions.carry_out(batch);
 }
 
-void add_stn_check(CLI::App* stn, Action& action) {
+void add_stn_check(CLI::App* stn, Action& action, const Actions& actions) {
   auto check = std::make_shared<temporal_tool::StnCheckOptions>();
   CLI::App* command = add_stn_command(
       stn, "check", "Is it consistent, as if durations could be chosen?", check->common);
   add_json(command, check->common);
   command->add_flag("--dates", check->dates, "Also the earliest and latest date of each node");
   const auto batch = add_batch(command);
-  command->callback([check, batch, &action] {
-    action = [check, batch] {
+  command->callback([check, batch, &action, &actions] {
+    action = [check, batch, &actions] {
       if (!batch->folder.empty()) {
-        return ask_batch(*batch, check->common, temporal_tool::StnQuestion::kConsistent);
+        return ask_batch(*batch, check->common, temporal_tool::StnQuestion::kConsistent, actions);
       }
-      return temporal_tool::check_stn(*check, std::cin, std::cout, std::cerr);
+      return actions.carry_out(*check);
     };
   });
 }
 
-void add_stn_dc(CLI::App* stn, Action& action) {
+void add_stn_dc(CLI::App* stn, Action& action, const Actions& actions) {
   auto changes = std::make_shared<temporal_tool::StnChangesOptions>();
   temporal_tool::StnOptions& common = changes->common;
   CLI::App* command = add_stn_command(stn, "dc", "Is it dynamically controllable?", common);
@@ -124,22 +123,19 @@ void add_stn_dc(CLI::App* stn, Action& action) {
           ->excludes(command->get_option("--batch"));
   command->add_flag("--compare", changes->compare, "Also check from scratch after each change")
       ->needs(file);
-  command->callback([changes, batch, &action] {
-    action = [changes, batch] {
+  command->callback([changes, batch, &action, &actions] {
+    action = [changes, batch, &actions] {
       if (!batch->folder.empty()) {
-        return ask_batch(*batch, changes->common, temporal_tool::StnQuestion::kControllable);
+        return ask_batch(*batch, changes->common, temporal_tool::StnQuestion::kControllable,
+                         actions);
       }
-      const auto run = [&](auto function, const auto& options) {
-        return function(options, std::cin, std::cout, std::cerr);
-      };
-      return changes->changes.empty()
-                 ? run(temporal_tool::check_stn_controllability, changes->common)
-                 : run(temporal_tool::follow_stn_changes, *changes);
+      return changes->changes.empty() ? actions.carry_out(changes->common)
+                                      : actions.carry_out(*changes);
     };
   });
 }
 
-void add_stn_dispatch(CLI::App* stn, Action& action) {
+void add_stn_dispatch(CLI::App* stn, Action& action, const Actions& actions) {
   auto dispatch = std::make_shared<temporal_tool::StnDispatchOptions>();
   CLI::App* dispatch_command =
       add_stn_command(stn, "dispatch", "Play an execution with random durations", dispatch->common);
@@ -151,10 +147,10 @@ void add_stn_dispatch(CLI::App* stn, Action& action) {
               {"latest", temporal_tool::StnStarts::kLatest},
               {"random", temporal_tool::StnStarts::kRandom}},
              "When to execute what may be executed: earliest (default), latest or random");
-  act(dispatch_command, dispatch, temporal_tool::dispatch_stn, action);
+  act(dispatch_command, dispatch, action, actions);
 }
 
-void add_stn_generate(CLI::App* stn, Action& action) {
+void add_stn_generate(CLI::App* stn, Action& action, const Actions& actions) {
   auto options = std::make_shared<temporal_tool::StnGenerateOptions>();
   temporal::StnuGeneratorOptions& shape = options->shape;
   CLI::App* command = stn->add_subcommand("generate", "Write a random plan in parallel lanes");
@@ -175,19 +171,19 @@ void add_stn_generate(CLI::App* stn, Action& action) {
   command->add_option("--to", options->to, "json, heatlab, graphml or plain")
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "File (default: standard output)");
-  command->callback([options, &action] {
-    action = [options] { return temporal_tool::generate_stn(*options, std::cout, std::cerr); };
+  command->callback([options, &action, &actions] {
+    action = [options, &actions] { return actions.carry_out(*options); };
   });
 }
 
-void add_stn_writers(CLI::App* stn, Action& action) {
+void add_stn_writers(CLI::App* stn, Action& action, const Actions& actions) {
   auto form = std::make_shared<temporal_tool::StnDispatchableOptions>();
   CLI::App* form_command =
       add_stn_command(stn, "dispatchable",
                       "Write its dispatchable form: edges and waits for an executor", form->common);
   form_command->add_option("--to", form->to, "json or graphml")->capture_default_str();
   form_command->add_option("-o,--output", form->output, "File (default: standard output)");
-  act(form_command, form, temporal_tool::write_stn_dispatchable, action);
+  act(form_command, form, action, actions);
 
   auto draw = std::make_shared<temporal_tool::StnDrawOptions>();
   CLI::App* draw_command = add_stn_command(stn, "draw", "Draw it", draw->common);
@@ -195,28 +191,28 @@ void add_stn_writers(CLI::App* stn, Action& action) {
   draw_command->add_flag("--svg")->description("A picture (default)")->excludes(dot);
   draw_command->add_option("--title", draw->title, "Above the picture");
   draw_command->add_option("-o,--output", draw->output, "File (default: standard output)");
-  act(draw_command, draw, temporal_tool::draw_stn, action);
+  act(draw_command, draw, action, actions);
 
   auto convert = std::make_shared<temporal_tool::StnConvertOptions>();
   CLI::App* convert_command =
       add_stn_command(stn, "convert", "Write it in another format", convert->common);
   convert_command->add_option("--to", convert->to, "json, heatlab, graphml or plain")->required();
   convert_command->add_option("-o,--output", convert->output, "File (default: standard output)");
-  act(convert_command, convert, temporal_tool::convert_stn, action);
+  act(convert_command, convert, action, actions);
 }
 
 }  // namespace
 
-void add_stn(CLI::App& app, std::function<int()>& action) {
+void add_stn(CLI::App& app, std::function<int()>& action, const Actions& actions) {
   CLI::App* stn =
       app.add_subcommand("stn", "Check, play, draw, convert and generate temporal networks");
   stn->require_subcommand(1);
   stn->footer(kStnExamples);
-  add_stn_check(stn, action);
-  add_stn_dc(stn, action);
-  add_stn_dispatch(stn, action);
-  add_stn_generate(stn, action);
-  add_stn_writers(stn, action);
+  add_stn_check(stn, action, actions);
+  add_stn_dc(stn, action, actions);
+  add_stn_dispatch(stn, action, actions);
+  add_stn_generate(stn, action, actions);
+  add_stn_writers(stn, action, actions);
 }
 
 }  // namespace skein::cli

@@ -116,7 +116,7 @@ endfunction()
 # The programs find each other beside themselves; scenarios and wire types are data. OPTIONAL: who builds
 # one daemon for a companion computer installs what is there.
 function(skein_install_programs)
-  foreach(program skein skein-live skein-ground skein-ddn skein-sim skein-mavlink skein-refine)
+  foreach(program skein skein-run skein-live skein-lab skein-tools skein-ground skein-ddn skein-sim skein-mavlink skein-refine)
     set(component runtime)
     if(program STREQUAL "skein-refine")
       set(component maps)

@@ -1,10 +1,36 @@
 # SPDX-License-Identifier: Apache-2.0
 """The help of every command of a program, found from the help itself: it ends with 0, is UTF-8, has no
-control characters but line ends, and shows no numbers where words are meant ("value in {earliest->0")."""
+control characters but line ends, and shows no numbers where words are meant ("value in {earliest->0").
+And every command comes to the program that carries it out, as far as an error of its own."""
 import re
 import subprocess
 import sys
 import unicodedata
+
+
+# Arguments with which each command ends at once, for want of a file mostly; None: it listens to DDS for seconds
+# first (`cli/operate` and tests/dds start those).
+NO_FILE = ["/nonexistent"]
+ENDS_AT_ONCE = {
+    "allocate": NO_FILE, "batch": NO_FILE, "compare": NO_FILE * 2, "completion": ["bash"], "export": NO_FILE,
+    "functional": [*NO_FILE, "--virtual"], "import": NO_FILE, "manual": ["/dev/null/pages"],
+    "mastn": ["run", *NO_FILE, "--algorithm", "cip"], "mle": NO_FILE, "model": ["check", *NO_FILE],
+    "model edit": [*NO_FILE, "--port", "0"], "operate": None, "plan": NO_FILE, "refine": NO_FILE, "replay": NO_FILE,
+    "report": NO_FILE, "run": NO_FILE, "series": NO_FILE, "spy": ["play", *NO_FILE], "state": ["show", *NO_FILE],
+    "status": None, "stn": ["check", *NO_FILE], "storm": ["--laws"], "terrain": ["show", *NO_FILE],
+}
+
+
+def fault_of_carrying_out(program, command, arguments):
+    """A command that nobody takes, or that comes to a program that does not carry it out."""
+    try:
+        done = subprocess.run([program, *command.split(), *arguments], capture_output=True, timeout=10, text=True)
+    except subprocess.TimeoutExpired:
+        return None  # it serves a page
+    said = done.stdout + done.stderr
+    if "start `skein`" in said or "cannot be started" in said or not said.strip():
+        return f"skein {command}: comes to nobody who carries it out: {said.strip()!r}"
+    return None
 
 
 def help_of(program, words):
@@ -44,6 +70,12 @@ def main():
             continue
         faults += [f"{name}: {one}" for one in faults_in(text)]
         waiting += [[*words, one] for one in subcommands_in(text)]
+        if len(words) == 1 and words[0] not in ENDS_AT_ONCE:
+            faults.append(f"{name}: ENDS_AT_ONCE does not say how it ends at once")
+    for command, arguments in ENDS_AT_ONCE.items():
+        fault = arguments is not None and fault_of_carrying_out(program, command, arguments)
+        if fault:
+            faults.append(fault)
     if seen < 10:
         faults.append(f"only {seen} commands found: has the form of the help changed?")
     print("\n".join(faults) or f"{seen} commands: their help can be read")

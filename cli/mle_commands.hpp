@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// `skein mle` on the command line.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace skein::cli {
+
+class Actions;
+
+/// Adds the command. `action` and `actions` must outlive the parsing and the action.
+void add_mle(CLI::App& app, std::function<int()>& action, const Actions& actions);
+
+}  // namespace skein::cli
