@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(JointTasks, Teamwork,
                                            "mref/spreading-fire", "mref/front-unseen",
                                            "mref/taken-in-hand", "mref/ground-plays",
                                            "mref/ground-plays-taken", "mref/ground-plays-up",
-                                           "mref/ground-plays-cut"),
+                                           "mref/ground-plays-cut", "mref/seen-past-relay"),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(AgreedPlaces, Teamwork,
                          ::testing::Values("agreed-places/around", "agreed-places/around-cut",
