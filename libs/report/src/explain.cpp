@@ -7,6 +7,8 @@
 
 #include "chronology.hpp"
 #include "deliberation.hpp"
+#include "explain_words.hpp"
+#include "role_tasks_told.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "text.hpp"
 
@@ -14,21 +16,10 @@ namespace skein::report {
 
 namespace {
 
-std::string instant(double seconds) { return fixed_number(seconds, 1) + " s"; }
-
 std::string window(double from, const std::optional<double>& to) {
-  if (!to) return "from " + instant(from) + " on";
-  if (*to - from < 0.05) return "at " + instant(from);
-  return fixed_number(from, 1) + " to " + instant(*to);
-}
-
-std::string actual(const std::optional<double>& t) { return t ? instant(*t) : "not"; }
-
-void write_line(std::ostream& out, std::string_view label, std::string_view text) {
-  if (text.empty()) return;
-  std::string head(label);
-  head.resize(std::max<std::size_t>(head.size(), 10), ' ');
-  out << "    " << head << " " << text << "\n";
+  if (!to) return "from " + instant_text(from) + " on";
+  if (*to - from < 0.05) return "at " + instant_text(from);
+  return fixed_number(from, 1) + " to " + instant_text(*to);
 }
 
 std::string asked_text(const GoalRecord& goal) {
@@ -41,7 +32,7 @@ void write_goal(std::ostream& out, const GoalStory& goal) {
       << ")\n";
   std::string course;
   for (const auto& [t, state] : goal.states) {
-    course += (course.empty() ? "" : ", ") + state + " " + instant(t);
+    course += (course.empty() ? "" : ", ") + state + " " + instant_text(t);
   }
   write_line(out, "", course + (goal.why.empty() ? "" : ": " + goal.why));
 }
@@ -59,14 +50,14 @@ void write_task(std::ostream& out, const Deliberation& told, const Promise& prom
   write_line(out, "stopped by", task.stop);
   write_line(out, "start",
              window(task.earliest_start, task.latest_start) + " planned, " +
-                 actual(promise.started) + " actually");
+                 actual_text(promise.started) + " actually");
   write_line(out, "end",
-             window(task.earliest_end, task.latest_end) + " planned, " + actual(promise.over) +
+             window(task.earliest_end, task.latest_end) + " planned, " + actual_text(promise.over) +
                  " actually" + (promise.outcome.empty() ? "" : " (" + promise.outcome + ")"));
   write_line(out, "because", promise.reason);
   write_line(out, "dates of",
              "revision " + std::to_string(task.revision) + " of the plan, " +
-                 instant(seconds(task.stamp)));
+                 instant_text(seconds(task.stamp)));
 }
 
 // A whole number among the words of a text: "task 104 overdue" concerns 104, not 10.
@@ -89,7 +80,7 @@ bool concerns(const DecisionRecord& decision, const PlannedRecord& task) {
 }
 
 void write_decision(std::ostream& out, const DecisionRecord& r) {
-  out << "  " << instant(seconds(r.stamp)) << "  operator " << r.applied << "\n";
+  out << "  " << instant_text(seconds(r.stamp)) << "  operator " << r.applied << "\n";
   write_line(out, "cause", r.cause);
   write_line(out, "inputs", r.inputs);
   write_line(out, "outcome", r.outcome);
@@ -126,13 +117,25 @@ std::string explain_one(const Journal& journal, const Deliberation& told, const 
   return out.str();
 }
 
+// Nothing for a task that no role asked for.
+std::string explain_role_task(const Journal& journal, const std::string& uav, std::uint64_t task) {
+  std::ostringstream out;
+  for (const RoleTaskStory& story : tell_role_tasks(journal)) {
+    if (story.uav == uav && story.task == task) write_role_task(out, story);
+  }
+  return out.str();
+}
+
 std::string explain_all(const Journal& journal, const Deliberation& told, const std::string& uav) {
-  std::ostringstream goals, tasks, decisions;
+  std::ostringstream goals, tasks, roles, decisions;
   for (const GoalStory& goal : told.goals) {
     if (goal.uav == uav) write_goal(goals, goal);
   }
   for (const auto& [key, promise] : told.promises) {
     if (key.first == uav) write_task(tasks, told, promise);
+  }
+  for (const RoleTaskStory& story : tell_role_tasks(journal)) {
+    if (story.uav == uav) write_role_task(roles, story);
   }
   for (const DecisionRecord& r : journal.decisions) {
     if (r.uav == uav) write_decision(decisions, r);
@@ -141,7 +144,9 @@ std::string explain_all(const Journal& journal, const Deliberation& told, const 
     return title + (text.empty() ? std::string(": none\n") : "\n" + text);
   };
   return uav + "\n" + section("High-level tasks", goals.str()) +
-         section("Elementary tasks", tasks.str()) + section("Decisions", decisions.str());
+         section("Elementary tasks", tasks.str()) +
+         (roles.str().empty() ? "" : section("Tasks of its roles", roles.str())) +
+         section("Decisions", decisions.str());
 }
 
 }  // namespace
@@ -153,7 +158,11 @@ Result<std::string, Failure> explain(const Journal& journal, const std::string& 
   if (!task) return explain_all(journal, told, uav);
   const auto found = told.promises.find({uav, *task});
   if (found == told.promises.end()) {
-    return failure("no plan of " + uav + " ever held a task " + std::to_string(*task));
+    if (const std::string role = explain_role_task(journal, uav, *task); !role.empty()) {
+      return uav + "\n" + role;
+    }
+    return failure("no plan of " + uav + " ever held a task " + std::to_string(*task) +
+                   ", and no role asked for it");
   }
   return explain_one(journal, told, found->second);
 }

@@ -60,6 +60,32 @@ TEST(Explain, ANumberWithinAnotherConcernsNobody) {
   EXPECT_THAT(*text, Not(HasSubstr("Decisions")));
 }
 
+TEST(Explain, OfATaskOfARoleTellsWhichConditionBeganIt) {
+  const auto read = testing::salvage(
+      R"({"at":47,"node":"uav2","kind":"role-task","uav":"uav2","joint":"watch(P1) of uav1, uav2","role":"perceive","componel":"t14","block":"b15","task":500047000,"of":2,"type":"goto","because":"b13 ended"}
+{"at":47,"node":"uav2","kind":"task","uav":"uav2","task":500047000,"type":"goto","state":"scheduled"}
+{"at":48,"node":"uav2","kind":"task","uav":"uav2","task":500047000,"type":"goto","state":"started"}
+{"at":49,"node":"uav2","kind":"task","uav":"uav2","task":500047000,"type":"goto","state":"running"}
+{"at":50,"node":"sim","kind":"telemetry","uav":"uav2","position":[0,0,0],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
+{"at":61,"node":"uav2","kind":"task","uav":"uav2","task":500047000,"type":"goto","state":"aborted","reason":"no energy"}
+)");
+
+  const auto text = explain(read.journal, "uav2", 500047000);
+  const auto all = explain(read.journal, "uav2", std::nullopt);
+
+  ASSERT_TRUE(text.has_value());
+  EXPECT_EQ(*text,
+            "uav2\n"
+            "  500047000 goto\n"
+            "    for        2 watch(P1) of uav1, uav2\n"
+            "    role       perceive: t14 of block b15\n"
+            "    asked      when b13 ended, 47.0 s\n"
+            "    start      48.0 s actually\n"
+            "    end        61.0 s actually (aborted)\n"
+            "    because    no energy\n");
+  EXPECT_THAT(*all, HasSubstr("Tasks of its roles\n  500047000 goto\n"));
+}
+
 TEST(Explain, RefusesUavsAndTasksThatTheLogDoesNotKnow) {
   const Journal journal = testing::deliberated();
 
@@ -69,7 +95,8 @@ TEST(Explain, RefusesUavsAndTasksThatTheLogDoesNotKnow) {
   ASSERT_FALSE(uav.has_value());
   EXPECT_THAT(uav.error().why, HasSubstr("did you mean 'karma'?"));
   ASSERT_FALSE(task.has_value());
-  EXPECT_THAT(task.error().why, HasSubstr("no plan of karma ever held a task 999"));
+  EXPECT_THAT(task.error().why,
+              HasSubstr("no plan of karma ever held a task 999, and no role asked for it"));
 }
 
 TEST(Explain, OfAUavWithoutPlansSaysSo) {
