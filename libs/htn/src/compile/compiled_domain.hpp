@@ -63,6 +63,9 @@ inline constexpr std::size_t kMostFlatArguments = 12;
 /// Whether an atom is a name with a proper list of not too many arguments; these are appended.
 inline bool flat_arguments(const TermStore& store, Term atom, std::vector<Term>& arguments) {
   if (!atom.is(TermKind::kPair) || !store.car(atom).is(TermKind::kSymbol)) return false;
+  std::size_t count = 0;
+  for (Term at = store.cdr(atom); at.is(TermKind::kPair); at = store.cdr(at)) ++count;
+  arguments.reserve(arguments.size() + count);
   Term rest = store.cdr(atom);
   for (; rest.is(TermKind::kPair); rest = store.cdr(rest)) arguments.push_back(store.car(rest));
   return rest == kNil && arguments.size() <= kMostFlatArguments;

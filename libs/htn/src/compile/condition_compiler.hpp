@@ -2,9 +2,10 @@
 // From logical expressions as written to goals and conditions.
 #pragma once
 
+#include <tsl/robin_map.h>
+
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "compile/compiled_domain.hpp"
@@ -27,8 +28,9 @@ class ClauseScope {
  private:
   std::uint32_t fresh(Term variable);
   TermStore& store_;
-  std::unordered_map<Term, std::uint32_t> slots_;
-  std::vector<std::unordered_map<Term, std::uint32_t>> hidden_;
+  using Slots = tsl::robin_map<Term, std::uint32_t>;
+  Slots slots_;
+  std::vector<Slots> hidden_;
   std::vector<Term> names_;
 };
 

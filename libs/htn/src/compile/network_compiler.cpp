@@ -119,44 +119,50 @@ std::size_t deepest(const std::vector<BodyNode>& body) {
   return most;
 }
 
-bool immediate_already(const std::vector<BodyNode>& body,
-                       const std::vector<std::vector<std::uint32_t>>& children,
-                       std::uint32_t node) {
-  if (body[node].kind == NetworkKind::kTask) return body[node].immediate;
-  if (body[node].kind == NetworkKind::kOrdered) {
-    return !children[node].empty() && immediate_already(body, children, children[node].front());
+/// The leaves of a network that come first. A node is on the way to them if everything above it
+/// comes first too.
+class FirstLeaves {
+ public:
+  explicit FirstLeaves(const std::vector<BodyNode>& body) : body_(body), begun_(body.size()) {
+    for (std::uint32_t node = 0; node < body.size(); ++node) {
+      if (comes_first(node) && body[node].kind == NetworkKind::kTask) leaves.push_back(node);
+    }
   }
-  for (const std::uint32_t child : children[node]) {
-    if (immediate_already(body, children, child)) return true;
-  }
-  return false;
-}
 
-void force(const std::vector<BodyNode>& body,
-           const std::vector<std::vector<std::uint32_t>>& children, std::uint32_t node,
-           std::vector<std::uint32_t>& out) {
-  if (body[node].kind == NetworkKind::kTask) {
-    out.push_back(node);
-  } else if (body[node].kind == NetworkKind::kOrdered) {
-    if (!children[node].empty()) force(body, children, children[node].front(), out);
-  } else {
-    for (const std::uint32_t child : children[node]) force(body, children, child, out);
+  std::vector<std::uint32_t> leaves;
+
+ private:
+  struct Begun {
+    bool first = false;     // of all that come first
+    bool children = false;  // one of them was met
+  };
+
+  // Parents come before their children.
+  bool comes_first(std::uint32_t node) {
+    const std::uint32_t parent = body_[node].parent;
+    if (parent == kAbsent) return begun_[node].first = node == 0;
+    const bool later = body_[parent].kind == NetworkKind::kOrdered && begun_[parent].children;
+    begun_[parent].children = true;
+    return begun_[node].first = begun_[parent].first && !later;
   }
-}
+
+  const std::vector<BodyNode>& body_;
+  std::vector<Begun> begun_;
+};
 
 }  // namespace
 
 std::vector<Forcing> forcings(const std::vector<BodyNode>& body) {
-  std::vector<std::vector<std::uint32_t>> children(body.size());
   Forcing given;
   for (std::uint32_t node = 0; node < body.size(); ++node) {
-    if (body[node].parent != kAbsent) children[body[node].parent].push_back(node);
     if (body[node].immediate) given.push_back(node);
   }
-  if (immediate_already(body, children, 0)) return {given};
-  std::vector<std::uint32_t> firsts;
-  force(body, children, 0, firsts);
+  const std::vector<std::uint32_t> firsts = FirstLeaves(body).leaves;
+  const bool immediate_already = std::any_of(
+      firsts.begin(), firsts.end(), [&](std::uint32_t node) { return body[node].immediate; });
+  if (immediate_already) return {given};
   std::vector<Forcing> out;
+  out.reserve(firsts.size());
   for (const std::uint32_t node : firsts) {
     out.push_back(given);
     out.back().push_back(node);
@@ -172,7 +178,7 @@ void compile_network(Expression tasks, ConditionCompiler& compiler, CompiledDoma
   NetworkCompiler network(compiler, domain, scope);
   network.read(tasks);  // absent tasks are none
   branch.body = std::move(network.body);
-  if (deepest(branch.body) > kDeepestNetwork) {
+  if (branch.body.size() > kDeepestNetwork && deepest(branch.body) > kDeepestNetwork) {
     compiler.error(tasks, "the task network is nested too deeply", "at most 500 levels");
     return;
   }

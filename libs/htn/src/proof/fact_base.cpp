@@ -108,9 +108,9 @@ FactIndex FactBase::fact_of(Term atom) {
   facts_.push_back(fact);
   predicate.facts.push_back(index);
   predicate.links.emplace_back();
-  for (Index& made : predicate.indexes) {
-    made.links.emplace_back();
-    made.bucket_of.push_back(bucket_for(made, fact));
+  for (const auto& made : predicate.indexes) {
+    made->links.emplace_back();
+    made->bucket_of.push_back(bucket_for(*made, fact));
   }
   enter(index);
   return index;
@@ -189,8 +189,8 @@ void FactBase::spell(FactIndex fact, Term atom) {
     arguments_[at++] = store_.car(rest);
   }
   const Fact& record = facts_[fact];
-  for (Index& index : predicates_[record.predicate].indexes) {
-    index.bucket_of[record.local] = bucket_for(index, record);
+  for (const auto& index : predicates_[record.predicate].indexes) {
+    index->bucket_of[record.local] = bucket_for(*index, record);
   }
   enter(fact);
 }
@@ -200,9 +200,9 @@ void FactBase::insert(FactIndex fact) {
   Predicate& predicate = predicates_[record.predicate];
   record.in_force = true;
   link(predicate.all, predicate.links, record, fact);
-  for (Index& index : predicate.indexes) {
-    const std::uint32_t bucket = index.bucket_of[record.local];
-    if (bucket != kNone) link(index.buckets[bucket], index.links, record, fact);
+  for (const auto& index : predicate.indexes) {
+    const std::uint32_t bucket = index->bucket_of[record.local];
+    if (bucket != kNone) link(index->buckets[bucket], index->links, record, fact);
   }
 }
 
@@ -211,9 +211,9 @@ void FactBase::erase(FactIndex fact) {
   Predicate& predicate = predicates_[record.predicate];
   record.in_force = false;
   unlink(predicate.all, predicate.links, record);
-  for (Index& index : predicate.indexes) {
-    const std::uint32_t bucket = index.bucket_of[record.local];
-    if (bucket != kNone) unlink(index.buckets[bucket], index.links, record);
+  for (const auto& index : predicate.indexes) {
+    const std::uint32_t bucket = index->bucket_of[record.local];
+    if (bucket != kNone) unlink(index->buckets[bucket], index->links, record);
   }
 }
 
@@ -257,12 +257,13 @@ std::uint32_t FactBase::bucket_for(Index& index, const Fact& fact) const {
 }
 
 FactBase::Index& FactBase::index_for(Predicate& predicate, Path path) {
-  for (Index& index : predicate.indexes) {
-    if (index.path == path) return index;
+  for (const auto& index : predicate.indexes) {
+    if (index->path == path) return *index;
   }
-  Index& index = predicate.indexes.emplace_back();
+  Index& index = *predicate.indexes.emplace_back(std::make_unique<Index>());
   index.path = path;
   index.links.resize(predicate.facts.size());
+  index.bucket_of.reserve(predicate.facts.size());
   for (const FactIndex fact : predicate.facts) {
     index.bucket_of.push_back(bucket_for(index, facts_[fact]));
   }
@@ -298,9 +299,9 @@ std::size_t FactBase::memory_bytes() const {
   for (const Predicate& predicate : predicates_) {
     bytes += predicate.links.capacity() * sizeof(FactLink) +
              predicate.facts.capacity() * sizeof(FactIndex);
-    for (const Index& index : predicate.indexes) {
-      bytes += index.links.capacity() * sizeof(FactLink) + index.buckets.size() * 32 +
-               index.bucket_of.capacity() * sizeof(std::uint32_t);
+    for (const auto& index : predicate.indexes) {
+      bytes += index->links.capacity() * sizeof(FactLink) + index->buckets.size() * 32 +
+               index->bucket_of.capacity() * sizeof(std::uint32_t);
     }
   }
   return bytes;

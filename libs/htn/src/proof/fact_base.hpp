@@ -5,7 +5,7 @@
 #include <tsl/robin_map.h>
 
 #include <cstdint>
-#include <deque>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -101,8 +101,8 @@ class FactBase {
   struct Predicate {
     Bucket all;
     std::vector<struct FactLink> links;
-    std::vector<FactIndex> facts;  // by Fact::local
-    std::deque<Index> indexes;     // never moved: cursors point into them
+    std::vector<FactIndex> facts;                 // by Fact::local
+    std::vector<std::unique_ptr<Index>> indexes;  // never moved: cursors point into them
   };
   enum class Change : std::uint8_t { kAdded, kRemoved, kProducer, kDeleter, kSpelling };
   struct Undo {

@@ -121,19 +121,24 @@ TermStore::TermStore()
 
 Term TermStore::symbol(std::string_view given) {
   const NameHash asked = name_hash(given);
-  const std::string folded = asked.plain ? std::string() : lowered(given);
-  const std::string_view name = asked.plain ? given : std::string_view(folded);
-  const std::uint32_t hash = asked.plain ? asked.hash : name_hash(name).hash;
+  if (asked.plain) return symbol_of(given, asked.hash);
+  const std::string folded = lowered(given);
+  return symbol_of(folded, name_hash(folded).hash);
+}
+
+// By the hash of its name; of a name with letters beyond ASCII, which is in lower case already.
+Term TermStore::symbol_of(std::string_view name, std::uint32_t hash) {
   const std::size_t mask = symbol_table_.size() - 1;
   std::size_t at = hash & mask;
   for (; symbol_table_[at].index != 0; at = (at + 1) & mask) {
     const std::uint32_t index = symbol_table_[at].index - 1;
-    if (symbol_table_[at].hash == hash && is_lowered(name, symbols_[index])) {
+    if (symbol_table_[at].hash == hash && is_lowered(name, names_[index])) {
       return {TermKind::kSymbol, index};
     }
   }
   const std::uint32_t index = checked_index(symbols_.size());
   symbols_.push_back(lowered(name));
+  names_.emplace_back(symbols_.back());
   symbol_table_[at] = {hash, index + 1};
   if (symbols_.size() * 2 > symbol_table_.size()) grow_symbol_table();
   return {TermKind::kSymbol, index};
@@ -217,28 +222,31 @@ Term TermStore::object(std::shared_ptr<const std::any> value, std::string label)
 // Of a pair it is worked out when it is first asked for, which few ever are, and from the inside:
 // no recursion into deep terms.
 Term TermStore::loose(Term term) {
-  if ((content(term) & kHasLooseEqual) == 0) return term;
-  if (!term.is(TermKind::kPair)) return loose_leaf(*this, term);
-  const auto known = loose_pairs_.find(term);
-  if (known != loose_pairs_.end()) return known->second;
-  std::vector<Term> open{term};
-  const auto part = [&](Term inner) -> std::optional<Term> {
-    if ((content(inner) & kHasLooseEqual) == 0) return inner;
-    if (!inner.is(TermKind::kPair)) return loose_leaf(*this, inner);
-    const auto made = loose_pairs_.find(inner);
-    if (made != loose_pairs_.end()) return made->second;
-    open.push_back(inner);
-    return std::nullopt;
-  };
+  const Term known = loose_part(term);
+  if (known != kNil || term == kNil) return known;
+  loose_open_.assign(1, term);
   while (true) {
-    const Term next = open.back();
-    const std::optional<Term> head = part(car(next)), tail = part(cdr(next));
-    if (!head || !tail) continue;
-    open.pop_back();
-    const Term representative = pair(*head, *tail);
-    loose_pairs_.emplace(next, representative);
-    if (open.empty()) return representative;
+    const Term next = loose_open_.back();
+    const Term first = car(next), rest = cdr(next);
+    const Term head = loose_part(first), tail = loose_part(rest);
+    const bool head_open = head == kNil && first != kNil;
+    const bool tail_open = tail == kNil && rest != kNil;
+    if (head_open) loose_open_.push_back(first);
+    if (tail_open) loose_open_.push_back(rest);
+    if (head_open || tail_open) continue;
+    loose_open_.pop_back();
+    const Term representative = pair(head, tail);
+    if (loose_pairs_.size() < pairs_.size()) loose_pairs_.resize(pairs_.capacity(), kNil);
+    loose_pairs_[next.index()] = representative;
+    if (loose_open_.empty()) return representative;
   }
+}
+
+// What is known of it without looking inside: kNil of a pair that nobody asked for yet.
+Term TermStore::loose_part(Term part) {
+  if ((content(part) & kHasLooseEqual) == 0) return part;
+  if (!part.is(TermKind::kPair)) return loose_leaf(*this, part);
+  return part.index() < loose_pairs_.size() ? loose_pairs_[part.index()] : kNil;
 }
 
 std::vector<Term> TermStore::items(Term list) const {
@@ -315,7 +323,8 @@ void TermStore::append_text(Term term, std::string& out) const {
 }
 
 std::size_t TermStore::memory_bytes() const {
-  return pairs_.capacity() * (sizeof(Pair) + 1) + pair_table_.capacity() * sizeof(std::uint32_t) +
+  return pairs_.capacity() * (sizeof(Pair) + 1) + loose_pairs_.capacity() * sizeof(Term) +
+         pair_table_.capacity() * sizeof(std::uint32_t) +
          numbers_.capacity() * (sizeof(Number) + 48) + symbols_.size() * 96 + strings_.size() * 96;
 }
 

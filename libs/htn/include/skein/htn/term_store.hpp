@@ -53,7 +53,7 @@ class TermStore {
   Term object(std::shared_ptr<const std::any> value, std::string label);
   static Term boolean(bool value) { return value ? kTrue : kNil; }
 
-  std::string_view name(Term symbol) const { return symbols_[symbol.index()]; }
+  std::string_view name(Term symbol) const { return names_[symbol.index()]; }
   const Number& value(Term number) const { return numbers_[number.index()]; }
   const std::string& text(Term string) const { return strings_[string.index()]; }
   Term car(Term pair) const { return pairs_[pair.index()].car; }
@@ -97,6 +97,7 @@ class TermStore {
     std::shared_ptr<const std::any> value;
     std::string label;
   };
+  Term symbol_of(std::string_view name, std::uint32_t hash);
   void grow_symbol_table();
   void grow_number_table();
   void grow_pair_table();
@@ -114,10 +115,12 @@ class TermStore {
       at = (at + 1) & (pair_table_.size() - 1);
     }
   }
+  Term loose_part(Term part);
   void append_text(Term term, std::string& out) const;
   void append_atom(Term term, std::string& out) const;
 
   std::deque<std::string> symbols_;
+  std::vector<std::string_view> names_;   // the same
   std::vector<SymbolSlot> symbol_table_;  // open addressing, never more than half full
   std::vector<Number> numbers_;
   std::vector<std::uint8_t> number_content_;
@@ -129,7 +132,8 @@ class TermStore {
   std::vector<std::uint32_t> pair_table_;  // open addressing; 0: free, else index + 1
   std::uint32_t pair_table_shift_;         // of a hash of 64 bits, to as many as the table has
   std::vector<Object> objects_;
-  std::unordered_map<Term, Term> loose_pairs_;
+  std::vector<Term> loose_pairs_;  // by the index of the pair; kNil: not asked for yet
+  std::vector<Term> loose_open_;   // pairs that loose() works out
 };
 
 }  // namespace skein::htn
