@@ -77,7 +77,7 @@ class Check {
     node::run_virtual(roster_, make, config, [](const journal::Record&) {});
   }
 
-  Result<node::DaemonEnd, Failure> run_over_dds() {
+  Result<node::DaemonEnd, node::OpenFailure> run_over_dds() {
     node::DaemonConfig config;
     config.domain = options_.domain;
     config.network = options_.network;

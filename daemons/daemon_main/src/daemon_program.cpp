@@ -145,8 +145,20 @@ Duration handshake_limit(int attempt) {
   return Duration::milliseconds(std::int64_t{8000} << attempt);
 }
 
+void log(const node::DaemonConfig& config, const std::string& name,
+         const std::vector<std::string>& notices) {
+  for (const std::string& notice : notices)
+    config.on_record(journal::record_of({}, name, journal::lines::Notice{.text = notice}));
+}
+
+/// Of a daemon that is run anew, from time to time.
+struct Attempt {
+  int number = 0;
+  bool keeps = true;  ///< a memory, if it is asked for
+};
+
 /// The exit code; nothing when the node is to be run anew.
-std::optional<int> run(const DaemonProgram& program, const Options& options, int attempt) {
+std::optional<int> run(const DaemonProgram& program, const Options& options, Attempt& attempt) {
   const auto scenario =
       scenario_setup::load_scenario(options.scenario, options.overrides, program.check);
   if (!scenario) {
@@ -165,18 +177,16 @@ std::optional<int> run(const DaemonProgram& program, const Options& options, int
   const std::string stamp = "%Y-%m-%dT%H:%M:%S.%eZ %^%-5l%$ " + name + " ";
   spdlog::set_pattern(options.log_json ? "%v" : stamp + "%v", spdlog::pattern_time_type::utc);
   ServiceManager manager;
-  const auto make_node = [&] { return program.make(*scenario, name); };
   Memory memory;
-  if (!options.state.empty()) {
-    const store::Identity identity{name, identity_of_mission(options.scenario, options.overrides)};
-    memory = open_memory(options.state, identity, make_node);
+  if (!options.state.empty() && attempt.keeps) {
+    memory = open_memory(options.state,
+                         {name, identity_of_mission(options.scenario, options.overrides)});
   }
   node::DaemonConfig config = daemon_config(options, *scenario, *self, roster);
   config.on_turn = [&manager](wire::ClockPhase phase) {
     manager.turn(phase, node::Waker::steady_now());
   };
-  for (const std::string& notice : memory.notices)
-    config.on_record(journal::record_of({}, name, journal::lines::Notice{.text = notice}));
+  log(config, name, memory.notices);
   config.memory = memory.log.get();
   config.incarnation = memory.incarnation;
   auto companions = open_companions(program, options, *scenario);
@@ -184,15 +194,20 @@ std::optional<int> run(const DaemonProgram& program, const Options& options, int
     std::cerr << companions.error().why << '\n';
     return kExitBadInput;
   }
-  for (const std::string& notice : companions->notices)
-    config.on_record(journal::record_of({}, name, journal::lines::Notice{.text = notice}));
+  log(config, name, companions->notices);
   companions->all.add(std::move(crew.companion));
   if (!companions->all.empty()) config.companion = &companions->all;
   config.forgets = options.forgets;
-  config.handshake_limit = handshake_limit(attempt);
-  auto node = crew.node ? std::move(crew.node) : make_node();
+  config.handshake_limit = handshake_limit(attempt.number);
+  auto node = crew.node ? std::move(crew.node) : program.make(*scenario, name);
   const auto end = node::run_daemon(roster, *self, std::move(node), config);
   if (end == node::DaemonEnd::kFinished && memory.log) memory.log->conclude();
+  if (!end && end.error().of_memory) {
+    const Refused refused = refuse(*memory.log, name, end.error().why);
+    log(config, name, refused.notices);
+    attempt.keeps = refused.again;
+    return std::nullopt;
+  }
   if (!end) {
     spdlog::error("{}", end.error().why);
     return kExitSystem;
@@ -231,7 +246,7 @@ int run_daemon_program(const DaemonProgram& program, int argc, char** argv) try 
   spdlog::set_level(spdlog::level::from_str(options.log_level));
   if (options.parent != 0) follow(options.parent);
   std::optional<int> code;
-  for (int attempt = 0; !code; ++attempt) code = run(program, options, attempt);
+  for (Attempt attempt; !code; ++attempt.number) code = run(program, options, attempt);
   return *code;
 } catch (const std::exception& error) {
   std::cerr << program.name << ": " << error.what() << '\n';

@@ -12,8 +12,7 @@
 
 namespace skein::daemon_main {
 
-Memory open_memory(const std::string& folder, const store::Identity& identity,
-                   const std::function<std::unique_ptr<node::Node>()>& make_node) {
+Memory open_memory(const std::string& folder, const store::Identity& identity) {
   Memory memory;
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   const auto clock = std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
@@ -30,17 +29,17 @@ Memory open_memory(const std::string& folder, const store::Identity& identity,
     return memory;
   }
   if (!opened->set_aside.empty()) memory.notices.push_back(opened->set_aside);
-  if (const auto right = node::explains(*opened->log, *make_node()); !right) {
-    const auto aside = opened->log->start_anew();
-    memory.notices.push_back("what was kept of " + identity.node + " is not gone on from: " +
-                             right.error().why + (aside ? "; it is " + *aside + " now" : ""));
-    if (!aside) {
-      memory.notices.push_back("nothing outlives this process: " + aside.error().why);
-      return memory;
-    }
-  }
   memory.log = std::move(opened->log);
   return memory;
+}
+
+Refused refuse(store::SqliteInputLog& log, const std::string& node, const std::string& why) {
+  const auto aside = log.start_anew();
+  Refused refused{{"what was kept of " + node + " is not gone on from: " + why +
+                   (aside ? "; it is " + *aside + " now" : "")},
+                  aside.has_value()};
+  if (!aside) refused.notices.push_back("nothing outlives this process: " + aside.error().why);
+  return refused;
 }
 
 std::string identity_of_mission(const std::string& scenario_file,

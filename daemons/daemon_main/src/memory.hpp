@@ -3,12 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "skein/node/node.hpp"
 #include "skein/scenario_setup/overrides.hpp"
 #include "skein/store/sqlite_input_log.hpp"
 
@@ -22,10 +20,16 @@ struct Memory {
 
 /// Opens the memory of a node in a folder, or begins one. What cannot be gone on from is set aside,
 /// where nothing can be kept the daemon works without; both are said in the notices: a vehicle in
-/// the air is not to wait for somebody who mends a disk. `make_node` is asked for a node to try on
-/// what is there.
-Memory open_memory(const std::string& folder, const store::Identity& identity,
-                   const std::function<std::unique_ptr<node::Node>()>& make_node);
+/// the air is not to wait for somebody who mends a disk. Whether the node can have been given what
+/// is there shows when it is given it.
+Memory open_memory(const std::string& folder, const store::Identity& identity);
+
+struct Refused {
+  std::vector<std::string> notices;  ///< for the log
+  bool again = false;                ///< another memory is begun in its place
+};
+/// The node, given what is there, is not what wrote it: it is set aside, with the reason.
+Refused refuse(store::SqliteInputLog& log, const std::string& node, const std::string& why);
 
 /// Changes when the scenario file does, or what is laid over it.
 std::string identity_of_mission(const std::string& scenario_file,

@@ -53,7 +53,7 @@ class Daemon {
     awaited_.erase(self.name);  // it does not hear itself, and waits for itself in any case
   }
 
-  Result<DaemonEnd, Failure> run(std::unique_ptr<Node> node) {
+  Result<DaemonEnd, OpenFailure> run(std::unique_ptr<Node> node) {
     transport_->on_arrival([this] { waker_.notify(); });
     HostConfig host_config;
     host_config.incarnation = config_.incarnation > 0 ? config_.incarnation : incarnation_of_now();
@@ -281,8 +281,8 @@ class Daemon {
 
 }  // namespace
 
-Result<DaemonEnd, Failure> run_daemon(const Roster& roster, const Member& self,
-                                      std::unique_ptr<Node> node, const DaemonConfig& config) {
+Result<DaemonEnd, OpenFailure> run_daemon(const Roster& roster, const Member& self,
+                                          std::unique_ptr<Node> node, const DaemonConfig& config) {
   Daemon daemon(roster, self, config);
   return daemon.run(std::move(node));
 }

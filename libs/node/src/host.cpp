@@ -77,10 +77,10 @@ bool is_of_the_world(const blackboard::Incoming& incoming) {
 
 }  // namespace
 
-Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Member& self,
-                                                  std::unique_ptr<Node> node,
-                                                  blackboard::Transport& transport,
-                                                  const HostConfig& config, HostPorts ports) {
+Result<std::unique_ptr<Host>, OpenFailure> Host::open(const Roster& roster, const Member& self,
+                                                      std::unique_ptr<Node> node,
+                                                      blackboard::Transport& transport,
+                                                      const HostConfig& config, HostPorts ports) {
   blackboard::Config board;
   board.self = self.number;
   board.incarnation = config.incarnation;
@@ -96,7 +96,7 @@ Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Me
   Survey past;
   if (config.memory != nullptr) {
     auto found = survey(*config.memory);
-    if (!found) return tl::unexpected(found.error());
+    if (!found) return tl::unexpected(OpenFailure{found.error().why, true});
     past = std::move(*found);
   }
   if (config.forgets) {
@@ -107,13 +107,13 @@ Result<std::unique_ptr<Host>, Failure> Host::open(const Roster& roster, const Me
   }
   const std::uint64_t board_incarnation = board.incarnation;
   auto opened = blackboard::Blackboard::open(std::move(board), transport);
-  if (!opened) return tl::unexpected(opened.error());
+  if (!opened) return tl::unexpected(OpenFailure{opened.error().why});
   std::unique_ptr<Host> host(
       new Host(roster, self, std::move(node), std::move(*opened), config, std::move(ports)));
   host->config_.incarnation = board_incarnation;
   if (past.lives > 0) {
     auto recalled = config.forgets ? host->recall_the_world() : host->recall(std::move(past));
-    if (!recalled) return tl::unexpected(recalled.error());
+    if (!recalled) return tl::unexpected(OpenFailure{recalled.error().why, true});
   }
   return host;
 }

@@ -30,7 +30,7 @@ class VirtualRun {
     }
     for (const Crash& crash : config.crashes) {
       Seat& seat = seat_of(crash.node);
-      if (crash.remembers || plays_the_world(*seat.member)) {
+      if (!config.memory_of && (crash.remembers || plays_the_world(*seat.member))) {
         seat.memory = std::make_unique<MemoryInputLog>();
       }
       plan_crash(crash);
@@ -124,7 +124,7 @@ class VirtualRun {
     config.incarnation = seat.incarnation;
     config.heartbeat_period = config_.heartbeat_period;
     config.seed = config_.seed;
-    config.memory = seat.memory.get();
+    config.memory = config_.memory_of ? config_.memory_of(seat.member->name) : seat.memory.get();
     config.forgets = forgets;
     if (config_.silent_cuts) config.told = ToldOfLinks::kNotOfCuts;
     config.capacity = config_.capacity;

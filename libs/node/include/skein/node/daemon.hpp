@@ -54,7 +54,7 @@ enum class DaemonEnd {
 /// Runs the node until the mission is over or a signal asks it to stop. Mission time follows the
 /// clock slot; its records go out in the journal slot; jobs run in a second thread.
 /// Blocks SIGINT and SIGTERM in the calling thread and those made after. Source: spec 1.4, 1.5.
-Result<DaemonEnd, Failure> run_daemon(const Roster& roster, const Member& self,
-                                      std::unique_ptr<Node> node, const DaemonConfig& config);
+Result<DaemonEnd, OpenFailure> run_daemon(const Roster& roster, const Member& self,
+                                          std::unique_ptr<Node> node, const DaemonConfig& config);
 
 }  // namespace skein::node

@@ -58,6 +58,14 @@ struct HostConfig {
   bool forgets = false;
 };
 
+/// Why a host could not be opened.
+struct OpenFailure {
+  std::string why;
+  /// The memory, and nothing else, is in the way: the node, given it, does not do what it is known
+  /// to have done, or it cannot be read. The node has been given some of it: it is of no use after.
+  bool of_memory = false;
+};
+
 /// Where a host's output goes. All are called from step(), in the order of the effects.
 struct HostPorts {
   std::function<void(const journal::Record&)> journal;
@@ -85,10 +93,11 @@ class Host {
  public:
   /// The transport must outlive the host. The failure says what the transport could not open, or
   /// why the memory is not of this node.
-  static Result<std::unique_ptr<Host>, Failure> open(const Roster& roster, const Member& self,
-                                                     std::unique_ptr<Node> node,
-                                                     blackboard::Transport& transport,
-                                                     const HostConfig& config, HostPorts ports);
+  static Result<std::unique_ptr<Host>, OpenFailure> open(const Roster& roster, const Member& self,
+                                                         std::unique_ptr<Node> node,
+                                                         blackboard::Transport& transport,
+                                                         const HostConfig& config,
+                                                         HostPorts ports);
 
   /// Gives the node its Started input, then what came before. Until then the blackboard works and
   /// peers are heard, but the node gets nothing and nothing is logged: a runtime starts it once it

@@ -36,6 +36,9 @@ struct VirtualConfig {
   /// as in flight, where the radio itself cuts.
   bool silent_cuts = false;
   RadioCapacity capacity = {};
+  /// Where the memory of a node is kept, null for none; it outlives the run. Without: in memory, of
+  /// those who will come back with it.
+  std::function<InputLog*(const std::string& node)> memory_of = {};
 };
 
 struct VirtualOutcome {
