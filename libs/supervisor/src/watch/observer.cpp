@@ -211,12 +211,15 @@ bool Observer::was_stopped_in_time(const Entry& entry) const {
          });
 }
 
+// It failed for want of another, not of itself. What was begun with had not to wait any more for
+// what it was planned behind: that may well be what was lost before it.
 bool Observer::follows_lost_task(const Entry& entry) const {
   const auto is_lost = [this](const mission::Dependence& one) {
     const Entry* other = book_.find(one.task);
     return other != nullptr && other->over() && !other->done();
   };
-  return std::any_of(entry.task.dependences.begin(), entry.task.dependences.end(), is_lost) ||
+  const auto& before = entry.task.dependences;
+  return (!entry.seen.started && std::any_of(before.begin(), before.end(), is_lost)) ||
          std::any_of(entry.task.stop.begin(), entry.task.stop.end(), is_lost);
 }
 

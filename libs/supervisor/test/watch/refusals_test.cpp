@@ -65,6 +65,13 @@ class Refused {
 
   /// The goto is asked for and refused.
   void refuse() { desk.aborted(next_ - 2, "the way meets the ground at (12, 40)"); }
+  /// The executive begins with it, and the vehicle refuses it.
+  void begin_and_refuse() {
+    desk.seen(next_ - 2, TaskState::kStarted);
+    refuse();
+  }
+  /// What is planned from now on comes after the task that was refused last.
+  void plan_behind_what_was_lost() { behind_ = true; }
   void plan_again() { desk.finish(repaired(RepairStep::kRefine, {701, 702}, plan())); }
 
   Desk desk;
@@ -72,11 +79,14 @@ class Refused {
  private:
   std::vector<mission::ElementaryTask> plan() {
     next_ = std::max<std::uint64_t>(next_ + 50, 100);
-    const std::uint64_t first = next_;
+    const std::uint64_t lost = next_ - 52, first = next_;
     next_ += 2;
-    return {TaskOf(first, "goto", 701), TaskOf(first + 1, "goto", 702).after(first)};
+    const TaskOf then = TaskOf(first + 1, "goto", 702).after(first);
+    if (behind_) return {TaskOf(first, "goto", 701).over(lost), then};
+    return {TaskOf(first, "goto", 701), then};
   }
   std::uint64_t next_ = 0;
+  bool behind_ = false;
 };
 
 TEST(SupervisorRefusals, TheFirstIsPlannedAgainAtOnce) {
@@ -104,6 +114,20 @@ TEST(SupervisorRefusals, TheSecondAlikeAfterAPauseThatIsSaidByName) {
   EXPECT_FALSE(one.desk.job_started());
   one.desk.at(8).give(Tick{});
   EXPECT_TRUE(one.desk.job_started());
+}
+
+// Found by a storm (karma/detection, seed 967): a vehicle that aborts each goto at once was asked
+// six times a second.
+TEST(SupervisorRefusals, CountTooWhenItWasPlannedBehindWhatWasRefusedBefore) {
+  Refused one;
+  one.begin_and_refuse();
+  one.plan_behind_what_was_lost();
+  one.plan_again();
+
+  one.begin_and_refuse();
+
+  EXPECT_FALSE(one.desk.job_started());
+  EXPECT_THAT(one.desk.notices(), Contains(HasSubstr("was refused 2 times alike")));
 }
 
 TEST(SupervisorRefusals, ThePauseIsSpentInSafeModeAndEndsWithANewMission) {
