@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "skein/journal/record.hpp"
+#include "skein/journal/lines/radio.hpp"
 
 namespace skein::spy_tool {
 
@@ -47,11 +47,11 @@ void Links::hear_heartbeat(const wire::Heartbeat& heartbeat, Duration at) {
 
 void Links::hear_record(const wire::JournalEntry& entry) {
   const auto record = journal::parse_record(entry.record);
-  if (!record || record->kind() != "reach") return;
-  const auto peer = numbers_.find(std::string(record->text("peer")));
-  if (peer == numbers_.end()) return;
-  const auto json = nlohmann::json::parse(entry.record, nullptr, false);
-  half(peer->second, entry.header.origin).link.heard = json.value("reachable", false);
+  const auto reach = record ? journal::read_as<journal::lines::Reach>(*record) : std::nullopt;
+  const auto peer = reach ? numbers_.find(reach->peer) : numbers_.end();
+  if (peer != numbers_.end()) {
+    half(peer->second, entry.header.origin).link.heard = reach->reachable;
+  }
 }
 
 void Links::hear_neighbours(const wire::Sample& sample) {

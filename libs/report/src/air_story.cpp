@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "line.hpp"
 #include "text.hpp"
 
 namespace skein::report {
@@ -14,27 +13,18 @@ namespace {
 constexpr std::size_t kNumbers = 7;  // of a piece
 
 /// When the task is over, or the log.
-double end_of(const Chronology& story, std::size_t uav, std::int64_t task) {
+double end_of(const Chronology& story, std::size_t uav, std::uint64_t task) {
   for (const TaskBar& bar : story.tasks) {
-    if (bar.uav == uav && bar.id == static_cast<std::uint64_t>(task)) return bar.span.to;
+    if (bar.uav == uav && bar.id == task) return bar.span.to;
   }
   return story.time.to;
 }
 
-std::vector<AirPiece> pieces_of(const Line& line) {
+std::vector<AirPiece> pieces_of(const std::vector<double>& air) {
   std::vector<AirPiece> pieces;
-  const auto found = line.keys.find("air");
-  if (found == line.keys.end() || !found->is_array()) return pieces;
-  const auto number = [&](std::size_t i) {
-    const auto& one = (*found)[i];
-    return one.is_number() ? one.get<double>() : 0.0;
-  };
-  for (std::size_t i = 0; i + kNumbers <= found->size(); i += kNumbers) {
-    pieces.push_back({{number(i), number(i + 1)},
-                      {number(i + 2), number(i + 3)},
-                      number(i + 4),
-                      number(i + 5),
-                      number(i + 6)});
+  for (std::size_t i = 0; i + kNumbers <= air.size(); i += kNumbers) {
+    pieces.push_back(
+        {{air[i], air[i + 1]}, {air[i + 2], air[i + 3]}, air[i + 4], air[i + 5], air[i + 6]});
   }
   return pieces;
 }
@@ -44,31 +34,27 @@ std::vector<AirPiece> pieces_of(const Line& line) {
 std::vector<AirUse> tell_air(const Journal& journal, const Chronology& story) {
   std::vector<AirUse> uses;
   std::map<std::size_t, std::size_t> last;
-  for (const OtherRecord& record : journal.others) {
-    if (record.kind != "air") continue;
-    const auto line = line_of(record);
-    if (!line) continue;
-    const auto uav = story.uav_index(line->text("uav"));
+  for (const auto& [stamp, line] : journal.air) {
+    const double t = seconds(stamp);
+    const auto uav = story.uav_index(line.uav);
     if (!uav) continue;
     if (const auto before = last.find(*uav); before != last.end()) {
       Span& span = uses[before->second].span;
-      span.to = std::min(span.to, line->t);
+      span.to = std::min(span.to, t);
     }
-    const auto task = line->whole("task").value_or(0);
-    const double raised = line->number("raised");
-    const std::string type = line->text("type"), state = line->text("state");
-    if (state == "given-up") {
+    if (line.state == "given-up") {
       last.erase(*uav);
       continue;
     }
     last[*uav] = uses.size();
+    const double raised = line.raised.value_or(0);
     uses.push_back({*uav,
-                    {line->t, std::max(line->t, end_of(story, *uav, task))},
-                    state,
-                    std::to_string(task) + " " + type,
-                    raised > 0 ? short_number(raised, 0) + " m higher" : line->text("for"),
-                    pieces_of(*line),
-                    type != "land" || state == "aside"});
+                    {t, std::max(t, end_of(story, *uav, line.task))},
+                    line.state,
+                    std::to_string(line.task) + " " + line.type,
+                    raised > 0 ? short_number(raised, 0) + " m higher" : std::string(line.for_),
+                    pieces_of(line.air),
+                    line.type != "land" || line.state == "aside"});
   }
   return uses;
 }

@@ -24,18 +24,9 @@ void widen(std::optional<Span>& span, const std::vector<Record>& records) {
   }
 }
 
-template <class... Vectors>
-std::optional<Span> hull(const Vectors&... vectors) {
-  std::optional<Span> span;
-  (widen(span, vectors), ...);
-  return span;
-}
-
-Span whole_time(const Journal& j) {
-  const std::optional<Span> found =
-      hull(j.tasks, j.requests, j.commands, j.syncs, j.messages, j.links, j.reaches, j.telemetry,
-           j.objects, j.perceptions, j.alarms, j.phases, j.operators, j.degrees, j.faults,
-           j.processes, j.dropped, j.undelivered, j.missions, j.expectations, j.others);
+Span whole_time(const Journal& journal) {
+  std::optional<Span> found;
+  std::apply([&](const auto&... records) { (widen(found, records), ...); }, records_of(journal));
   Span span = found.value_or(Span{0.0, 1.0});
   span.from = std::min(span.from, 0.0);
   span.to = std::max(span.to, span.from + 1.0);

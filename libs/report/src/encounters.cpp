@@ -6,8 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "line.hpp"
-
 namespace skein::report {
 
 namespace {
@@ -44,14 +42,13 @@ std::vector<Encounter> encounters_of(const Chronology& story) {
 std::vector<TemporalMessage> temporal_messages_of(const Journal& journal, const Chronology& story) {
   std::vector<TemporalMessage> all;
   std::map<std::size_t, std::size_t> last;  // of each sender, in `all`
-  for (const OtherRecord& record : journal.others) {
-    if (record.kind != "frontier") continue;
-    const auto line = line_of(record);
-    if (!line || line->text("direction") != "received") continue;
-    const auto from = story.uav_index(line->text("from")), by = story.uav_index(line->text("uav"));
+  for (const auto& [stamp, line] : journal.frontiers) {
+    if (line.direction != "received") continue;
+    const double t = seconds(stamp);
+    const auto from = story.uav_index(line.from), by = story.uav_index(line.uav);
     if (!from || !by) continue;
     const auto before = last.find(*from);
-    if (before != last.end() && line->t - all[before->second].t <= kTogether) {
+    if (before != last.end() && t - all[before->second].t <= kTogether) {
       auto& heard_by = all[before->second].heard_by;
       if (std::find(heard_by.begin(), heard_by.end(), *by) == heard_by.end()) {
         heard_by.push_back(*by);
@@ -59,7 +56,7 @@ std::vector<TemporalMessage> temporal_messages_of(const Journal& journal, const 
       }
     }
     last[*from] = all.size();
-    all.push_back({line->t, *from, {*by}});
+    all.push_back({t, *from, {*by}});
   }
   return all;
 }

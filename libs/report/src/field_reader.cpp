@@ -10,7 +10,13 @@
 namespace skein::report {
 
 namespace {
+
 constexpr std::size_t kDeepest = 64;
+
+bool is_number_of_a_mission(const nlohmann::json& value) {
+  return value.is_number() && std::abs(value.get<double>()) <= kLargestNumber;
+}
+
 }  // namespace
 
 const nlohmann::json* FieldReader::find(const char* key) {
@@ -27,6 +33,8 @@ const nlohmann::json* FieldReader::require(const char* key) {
 
 void FieldReader::fault(const char* key, std::string message, std::string expected,
                         std::string nearest) {
+  if (std::find(wrong_.begin(), wrong_.end(), key) != wrong_.end()) return;
+  wrong_.push_back(key);
   Diagnostic d = where_;
   d.path = d.path.empty() ? key : d.path + "." + key;
   d.message = std::move(message);
@@ -71,22 +79,28 @@ std::int64_t FieldReader::integer(const char* key) {
   return 0;
 }
 
-std::uint64_t FieldReader::id(const char* key) {
-  return require(key) == nullptr ? 0 : optional_id(key).value_or(0);
-}
-
-std::optional<std::uint64_t> FieldReader::optional_id(const char* key) {
-  const nlohmann::json* value = find(key);
-  if (value == nullptr) return std::nullopt;
-  if (value->is_number_unsigned()) return value->get<std::uint64_t>();
+void FieldReader::take(const char* key, std::uint64_t& to) {
+  const nlohmann::json* value = require(key);
+  if (value == nullptr) return;
+  if (value->is_number_unsigned()) {
+    to = value->get<std::uint64_t>();
+    return;
+  }
   if (value->is_string()) {
     const auto& text = value->get_ref<const std::string&>();
-    std::uint64_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error == std::errc() && end == text.data() + text.size()) return number;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), to);
+    if (error == std::errc() && end == text.data() + text.size()) return;
   }
   fault(key, "not an identifier", "an unsigned 64-bit integer");
-  return std::nullopt;
+}
+
+void FieldReader::take(const char* key, std::vector<double>& to) {
+  const nlohmann::json* value = require(key);
+  if (value == nullptr) return;
+  if (!value->is_array() || !std::all_of(value->begin(), value->end(), is_number_of_a_mission)) {
+    return fault(key, "not a list of numbers", "[x, y, …]");
+  }
+  to = value->get<std::vector<double>>();
 }
 
 std::uint64_t FieldReader::unsigned_integer(const char* key) {
@@ -107,10 +121,8 @@ double FieldReader::number(const char* key, double limit) {
   return 0.0;
 }
 
-std::optional<double> FieldReader::optional_number(const char* key, double limit) {
-  const nlohmann::json* value = find(key);
-  if (value == nullptr || value->is_null()) return std::nullopt;
-  return number(key, limit);
+std::optional<double> FieldReader::optional_number(const char* key) {
+  return find(key) == nullptr ? std::nullopt : std::optional(number(key));
 }
 
 bool FieldReader::boolean(const char* key) {
@@ -122,65 +134,37 @@ bool FieldReader::boolean(const char* key) {
 }
 
 Position FieldReader::position(const char* key) {
-  const nlohmann::json* value = require(key);
-  if (value == nullptr) return {};
-  const auto fits = [](const nlohmann::json& v) {
-    return v.is_number() && std::abs(v.get<double>()) <= kLargestNumber;
-  };
-  if (value->is_array() && value->size() == 3 && std::all_of(value->begin(), value->end(), fits)) {
-    return {(*value)[0].get<double>(), (*value)[1].get<double>(), (*value)[2].get<double>()};
-  }
+  std::vector<double> numbers;
+  take(key, numbers);
+  return position(key, numbers);
+}
+
+Position FieldReader::position(const char* key, const std::vector<double>& numbers) {
+  if (numbers.size() == 3) return {numbers[0], numbers[1], numbers[2]};
   fault(key, "not a position", "[x, y, z] in metres");
   return {};
 }
 
-std::optional<Position> FieldReader::optional_point(const char* key) {
-  const nlohmann::json* value = find(key);
-  if (value == nullptr || value->is_null()) return std::nullopt;
-  const auto fits = [](const nlohmann::json& v) {
-    return v.is_number() && std::abs(v.get<double>()) <= kLargestNumber;
-  };
-  if (value->is_array() && value->size() == 2 && std::all_of(value->begin(), value->end(), fits))
-    return Position{(*value)[0].get<double>(), (*value)[1].get<double>(), 0};
+std::optional<Position> FieldReader::point(const char* key, const std::vector<double>& numbers) {
+  if (numbers.empty()) return std::nullopt;
+  if (numbers.size() == 2) return Position{numbers[0], numbers[1], 0};
   fault(key, "not a point", "[x, y] in metres");
   return std::nullopt;
 }
 
-std::vector<Position> FieldReader::optional_positions(const char* key) {
-  const nlohmann::json* value = find(key);
+std::vector<Position> FieldReader::positions(const char* key, const std::vector<double>& numbers) {
   std::vector<Position> positions;
-  if (value == nullptr || value->is_null()) return positions;
-  const auto fits = [](const nlohmann::json& v) {
-    return v.is_number() && std::abs(v.get<double>()) <= kLargestNumber;
-  };
-  const bool good = value->is_array() && value->size() % 3 == 0 &&
-                    std::all_of(value->begin(), value->end(), fits);
-  if (!good) {
-    fault(key, "not positions", "[x, y, z, …] in metres");
-    return positions;
-  }
-  for (std::size_t i = 0; i + 2 < value->size(); i += 3) {
-    positions.push_back(
-        {(*value)[i].get<double>(), (*value)[i + 1].get<double>(), (*value)[i + 2].get<double>()});
+  if (numbers.size() % 3 != 0) fault(key, "not positions", "[x, y, z, …] in metres");
+  for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
+    positions.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
   }
   return positions;
 }
 
-std::int64_t FieldReader::count(const char* key) {
-  const nlohmann::json* value = require(key);
-  if (value == nullptr) return 0;
-  if (value->is_array()) return static_cast<std::int64_t>(value->size());
-  return integer(key);
-}
-
-std::size_t FieldReader::one_of(const char* key, std::span<const std::string_view> names) {
-  const nlohmann::json* value = require(key);
-  if (value == nullptr) return 0;
-  const std::string text = value->is_string() ? value->get<std::string>() : safe_dump(*value);
+std::size_t FieldReader::one_of(const char* key, const std::string& text,
+                                std::span<const std::string_view> names) {
   const auto it = std::find(names.begin(), names.end(), text);
-  if (value->is_string() && it != names.end()) {
-    return static_cast<std::size_t>(it - names.begin());
-  }
+  if (it != names.end()) return static_cast<std::size_t>(it - names.begin());
   std::string expected;
   for (const std::string_view n : names)
     expected += (expected.empty() ? "" : ", ") + std::string(n);

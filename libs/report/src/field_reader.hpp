@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "skein/foundation/diagnostics.hpp"
+#include "skein/journal/kinds.hpp"
 #include "skein/report/records.hpp"
 
 namespace skein::report {
@@ -27,29 +28,35 @@ class FieldReader {
       : object_(object), where_(std::move(where)), faults_(faults) {}
 
   std::string text(const char* key);
-  /// Absent or null is empty. A number reads as its decimal text (an id may be either).
+  /// Absent or null is empty.
   std::string optional_text(const char* key);
   /// A string, or an integer as its decimal text.
   std::string name(const char* key);
   std::int64_t integer(const char* key);
   std::uint64_t unsigned_integer(const char* key);
-  /// An identifier or sequence number: unsigned, or its decimal text (from 2^63 on the log has
-  /// text).
-  std::uint64_t id(const char* key);
-  std::optional<std::uint64_t> optional_id(const char* key);
   double number(const char* key, double limit = kLargestNumber);
   /// Absent or null is none.
-  std::optional<double> optional_number(const char* key, double limit = kLargestNumber);
+  std::optional<double> optional_number(const char* key);
   bool boolean(const char* key);
   Position position(const char* key);
-  /// [x, y], on the ground; absent or null is none.
-  std::optional<Position> optional_point(const char* key);
-  /// A flat list: x, y, z, …; absent is empty.
-  std::vector<Position> optional_positions(const char* key);
-  /// An array counts its elements; an integer counts itself.
-  std::int64_t count(const char* key);
+
+  /// A line of the event log of the kind `Line` (skein/journal/lines).
+  template <class Line>
+  Line line() {
+    Line read;
+    Line::fields(read, [this](const char* key, auto& value) { take(key, value); });
+    return read;
+  }
+  // What the value of a key, read already, stands for.
   /// The index of the text in `names`.
-  std::size_t one_of(const char* key, std::span<const std::string_view> names);
+  std::size_t one_of(const char* key, const std::string& text,
+                     std::span<const std::string_view> names);
+  /// [x, y, z].
+  Position position(const char* key, const std::vector<double>& numbers);
+  /// [x, y], on the ground; empty is none.
+  std::optional<Position> point(const char* key, const std::vector<double>& numbers);
+  /// A flat list: x, y, z, …
+  std::vector<Position> positions(const char* key, const std::vector<double>& numbers);
 
   /// The fields that nobody asked for, as JSON text; empty if there is none.
   std::string rest() const;
@@ -57,12 +64,33 @@ class FieldReader {
  private:
   const nlohmann::json* find(const char* key);
   const nlohmann::json* require(const char* key);
+  /// A key is told wrong once.
   void fault(const char* key, std::string message, std::string expected, std::string nearest = {});
+
+  // What a key must have. An identifier of 2^63 or more is decimal text in the log.
+  void take(const char* key, bool& to) { to = boolean(key); }
+  void take(const char* key, double& to) { to = number(key); }
+  void take(const char* key, journal::Text& to) { to = text(key); }
+  void take(const char* key, std::int64_t& to) { to = integer(key); }
+  void take(const char* key, std::uint64_t& to);
+  void take(const char* key, std::vector<double>& to);
+  // What may be absent, or null.
+  void take(const char* key, journal::OptionalText& to) { to = optional_text(key); }
+  template <class T>
+  requires journal::kMayBeLeftOut<T>
+  void take(const char* key, T& to) {
+    if (find(key) == nullptr) return;
+    if constexpr (requires { to.emplace(); }) {
+      take(key, to.emplace());
+    } else {
+      take(key, static_cast<std::vector<double>&>(to));
+    }
+  }
 
   const nlohmann::json& object_;
   Diagnostic where_;
   Diagnostics& faults_;
-  std::vector<std::string_view> asked_;
+  std::vector<std::string_view> asked_, wrong_;
 };
 
 /// Text of any JSON value; bytes that are not UTF-8 become U+FFFD. Never throws.

@@ -5,11 +5,17 @@
 #include <string>
 
 #include "field_reader.hpp"
+#include "skein/journal/lines/execution.hpp"
+#include "skein/journal/lines/radio.hpp"
+#include "skein/journal/lines/run.hpp"
+#include "skein/journal/lines/truth.hpp"
 #include "skein/report/journal.hpp"
 
 namespace skein::report {
 
 namespace {
+
+namespace lines = journal::lines;
 
 constexpr std::array<std::string_view, 6> kTaskStates{"scheduled", "started", "running",
                                                       "aborting",  "ended",   "aborted"};
@@ -19,157 +25,144 @@ constexpr std::array<std::string_view, 5> kCommandStates{"issued", "delivered", 
 constexpr std::array<std::string_view, 3> kAlarmStates{"raised", "confirmed", "infirmed"};
 
 template <class Enumeration, std::size_t N>
-Enumeration state(FieldReader& f, const char* key, const std::array<std::string_view, N>& names) {
-  return static_cast<Enumeration>(f.one_of(key, names));
+Enumeration state(FieldReader& f, const char* key, const std::string& text,
+                  const std::array<std::string_view, N>& names) {
+  return static_cast<Enumeration>(f.one_of(key, text, names));
 }
 
-// Braced initialisers evaluate left to right, so the faults come in the order of the schema.
-void read_task(FieldReader& f, Journal& j) {
-  j.tasks.push_back({{},
-                     f.name("uav"),
-                     f.id("task"),
-                     f.text("type"),
-                     state<TaskState>(f, "state", kTaskStates),
-                     f.optional_text("reason")});
+// What lines of each kind are to the report.
+TaskRecord to_record(lines::Task&& l, FieldReader& f) {
+  return {{},
+          std::move(l.uav),
+          l.task,
+          std::move(l.type),
+          state<TaskState>(f, "state", l.state, kTaskStates),
+          std::move(l.reason)};
 }
-void read_request(FieldReader& f, Journal& j) {
-  j.requests.push_back({{},
-                        f.name("uav"),
-                        f.text("request"),
-                        f.optional_text("mode"),
-                        f.optional_id("task"),
-                        f.boolean("accepted"),
-                        f.optional_text("why")});
+RequestRecord to_record(lines::Request&& l, FieldReader&) {
+  return {{},     std::move(l.uav), std::move(l.request), std::move(l.mode),
+          l.task, l.accepted,       std::move(l.why)};
 }
-void read_command(FieldReader& f, Journal& j) {
-  j.commands.push_back({{},
-                        f.name("uav"),
-                        f.id("command"),
-                        f.text("what"),
-                        state<CommandState>(f, "state", kCommandStates),
-                        f.optional_text("why")});
+CommandRecord to_record(lines::Command&& l, FieldReader& f) {
+  return {{},
+          std::move(l.uav),
+          l.command,
+          std::move(l.what),
+          state<CommandState>(f, "state", l.state, kCommandStates),
+          std::move(l.why)};
 }
-void read_sync(FieldReader& f, Journal& j) {
-  j.syncs.push_back({{},
-                     f.name("id"),
-                     f.name("from"),
-                     f.name("to"),
-                     state<Direction>(f, "direction", kDirections)});
+SyncRecord to_record(lines::Sync&& l, FieldReader& f) {
+  return {{},
+          std::to_string(l.id),
+          std::move(l.from),
+          std::move(l.to),
+          state<Direction>(f, "direction", l.direction, kDirections)};
 }
-void read_message(FieldReader& f, Journal& j) {
-  j.messages.push_back({{},
-                        f.text("slot"),
-                        f.name("from"),
-                        f.name("to"),
-                        f.id("sequence"),
-                        state<Direction>(f, "direction", kDirections)});
+MessageRecord to_record(lines::Message&& l, FieldReader& f) {
+  return {{},
+          std::move(l.slot),
+          std::move(l.from),
+          std::move(l.to),
+          l.sequence,
+          state<Direction>(f, "direction", l.direction, kDirections)};
 }
-void read_link(FieldReader& f, Journal& j) {
-  j.links.push_back({{}, f.name("from"), f.name("to"), f.boolean("up")});
+LinkRecord to_record(lines::Link&& l, FieldReader&) {
+  return {{}, std::move(l.from), std::move(l.to), l.up};
 }
-void read_reach(FieldReader& f, Journal& j) {
-  j.reaches.push_back({{}, f.name("peer"), f.boolean("reachable")});
+ReachRecord to_record(lines::Reach&& l, FieldReader&) {
+  return {{}, std::move(l.peer), l.reachable};
 }
-void read_route(FieldReader& f, Journal& j) {
-  j.routes.push_back({{}, f.name("peer"), f.optional_text("via")});
+RouteRecord to_record(lines::Route&& l, FieldReader&) {
+  return {{}, std::move(l.peer), std::move(l.via)};
 }
-void read_telemetry(FieldReader& f, Journal& j) {
-  j.telemetry.push_back({{},
-                         f.name("uav"),
-                         f.position("position"),
-                         f.position("velocity"),
-                         f.number("heading"),
-                         f.number("energy"),
-                         f.boolean("airborne")});
+TelemetryRecord to_record(lines::Telemetry&& l, FieldReader& f) {
+  return {{},
+          std::move(l.uav),
+          f.position("position", l.position),
+          f.position("velocity", l.velocity),
+          l.heading,
+          l.energy,
+          l.airborne};
 }
-void read_object(FieldReader& f, Journal& j) {
-  j.objects.push_back({{},
-                       f.name("name"),
-                       f.text("type"),
-                       f.position("position"),
-                       f.number("radius"),
-                       f.boolean("active"),
-                       f.optional_number("breadth"),
-                       f.optional_point("ignition")});
+ObjectRecord to_record(lines::Object&& l, FieldReader& f) {
+  return {{},       std::move(l.name), std::move(l.type), f.position("position", l.position),
+          l.radius, l.active,          l.breadth,         f.point("ignition", l.ignition)};
 }
-void read_perception(FieldReader& f, Journal& j) {
-  j.perceptions.push_back({{}, f.name("uav"), f.text("device"), f.count("detections")});
+PerceptionRecord to_record(lines::Perception&& l, FieldReader&) {
+  return {{}, std::move(l.uav), std::move(l.device), l.detections};
 }
-void read_alarm(FieldReader& f, Journal& j) {
-  j.alarms.push_back({{},
-                      f.id("alarm"),
-                      state<AlarmState>(f, "state", kAlarmStates),
-                      f.position("position"),
-                      f.number("belief")});
+AlarmRecord to_record(lines::Alarm&& l, FieldReader& f) {
+  return {{},
+          l.alarm,
+          state<AlarmState>(f, "state", l.state, kAlarmStates),
+          f.position("position", l.position),
+          l.belief};
 }
-void read_phase(FieldReader& f, Journal& j) { j.phases.push_back({{}, f.text("name")}); }
-void read_operator(FieldReader& f, Journal& j) { j.operators.push_back({{}, f.text("does")}); }
-void read_degree(FieldReader& f, Journal& j) {
-  j.degrees.push_back({{}, f.name("uav"), f.integer("degree")});
+PhaseRecord to_record(lines::Phase&& l, FieldReader&) { return {{}, std::move(l.name)}; }
+OperatorRecord to_record(lines::Operator&& l, FieldReader&) { return {{}, std::move(l.does)}; }
+DegreeRecord to_record(lines::Degree&& l, FieldReader&) { return {{}, std::move(l.uav), l.degree}; }
+FaultRecord to_record(lines::Fault&& l, FieldReader&) {
+  return {{}, std::move(l.what), std::move(l.target)};
 }
-void read_fault(FieldReader& f, Journal& j) {
-  j.faults.push_back({{}, f.text("what"), f.optional_text("target")});
+ProcessRecord to_record(lines::Process&& l, FieldReader&) {
+  return {{}, std::move(l.name), std::move(l.state), std::move(l.why)};
 }
-void read_process(FieldReader& f, Journal& j) {
-  j.processes.push_back({{}, f.name("name"), f.text("state"), f.optional_text("why")});
+DroppedRecord to_record(lines::Dropped&& l, FieldReader&) {
+  return {{}, std::move(l.slot), std::move(l.origin), std::move(l.field), std::move(l.why)};
 }
-void read_dropped(FieldReader& f, Journal& j) {
-  j.dropped.push_back({{},
-                       f.text("slot"),
-                       f.optional_text("origin"),
-                       f.optional_text("field"),
-                       f.optional_text("why")});
+UndeliveredRecord to_record(lines::Expired&& l, FieldReader&) {
+  return {{}, true, std::move(l.slot), std::move(l.to), l.sequence};
 }
-void read_expired(FieldReader& f, Journal& j) {
-  j.undelivered.push_back({{}, true, f.text("slot"), f.name("to"), f.id("sequence")});
+UndeliveredRecord to_record(lines::Lost&& l, FieldReader&) {
+  return {{}, false, std::move(l.slot), std::move(l.to), l.sequence};
 }
-void read_lost(FieldReader& f, Journal& j) {
-  j.undelivered.push_back({{}, false, f.text("slot"), f.name("to"), f.id("sequence")});
+MissionRecord to_record(lines::Mission&& l, FieldReader&) { return {{}, std::move(l.state)}; }
+ExpectationRecord to_record(lines::Expectation&& l, FieldReader&) {
+  return {{}, std::move(l.name), l.passed, std::move(l.seen)};
 }
-void read_mission(FieldReader& f, Journal& j) { j.missions.push_back({{}, f.text("state")}); }
-void read_expectation(FieldReader& f, Journal& j) {
-  j.expectations.push_back({{}, f.text("name"), f.boolean("passed"), f.optional_text("seen")});
+GoalRecord to_record(lines::Goal&& l, FieldReader&) {
+  return {{},
+          std::move(l.uav),
+          l.goal,
+          l.mission,
+          std::move(l.statement),
+          std::move(l.state),
+          std::move(l.why),
+          std::move(l.asked_by)};
 }
-
-void read_goal(FieldReader& f, Journal& j) {
-  j.goals.push_back({{},
-                     f.name("uav"),
-                     f.id("goal"),
-                     f.id("mission"),
-                     f.text("statement"),
-                     f.text("state"),
-                     f.optional_text("why"),
-                     f.optional_text("asked_by")});
+PlanRecord to_record(lines::Plan&& l, FieldReader&) {
+  return {{}, std::move(l.uav), l.revision, l.tasks};
 }
-void read_plan(FieldReader& f, Journal& j) {
-  j.plans.push_back({{}, f.name("uav"), f.id("revision"), f.count("tasks")});
+PlannedRecord to_record(lines::Planned&& l, FieldReader& f) {
+  return {{},
+          std::move(l.uav),
+          l.revision,
+          l.task,
+          std::move(l.type),
+          l.goal,
+          l.earliest_start,
+          l.latest_start,
+          l.earliest_end,
+          l.latest_end,
+          std::move(l.after),
+          std::move(l.stop),
+          std::move(l.methods),
+          l.committed,
+          f.positions("way", l.way)};
 }
-void read_planned(FieldReader& f, Journal& j) {
-  j.planned.push_back({{},
-                       f.name("uav"),
-                       f.id("revision"),
-                       f.id("task"),
-                       f.text("type"),
-                       f.id("goal"),
-                       f.number("earliest_start", kLatestSecond),
-                       f.optional_number("latest_start", kLatestSecond),
-                       f.number("earliest_end", kLatestSecond),
-                       f.optional_number("latest_end", kLatestSecond),
-                       f.optional_text("after"),
-                       f.optional_text("stop"),
-                       f.optional_text("methods"),
-                       f.boolean("committed"),
-                       f.optional_positions("way")});
+DecisionRecord to_record(lines::Decision&& l, FieldReader&) {
+  return {{},
+          std::move(l.uav),
+          l.number,
+          std::move(l.operator_),
+          std::move(l.cause),
+          std::move(l.inputs),
+          std::move(l.outcome),
+          l.took};
 }
-void read_decision(FieldReader& f, Journal& j) {
-  j.decisions.push_back({{},
-                         f.name("uav"),
-                         f.id("number"),
-                         f.text("operator"),
-                         f.optional_text("cause"),
-                         f.optional_text("inputs"),
-                         f.optional_text("outcome"),
-                         f.number("took", kLatestSecond)});
+template <class Line>
+Told<Line> to_record(Line&& line, FieldReader&) {
+  return {{}, std::forward<Line>(line)};
 }
 
 // Gives the record just read its stamp, or takes it back when its line was wrong.
@@ -182,45 +175,57 @@ void settle(std::vector<Record>& records, Stamp stamp, bool good) {
   }
 }
 
-template <auto Member>
-void settle_in(Journal& j, Stamp stamp, bool good) {
-  settle(j.*Member, std::move(stamp), good);
-}
-
 struct Kind {
   std::string_view name;
   void (*read)(FieldReader&, Journal&);
   void (*settle)(Journal&, Stamp, bool good);
 };
 
-constexpr std::array<Kind, 26> kKinds{{
-    {"telemetry", read_telemetry, settle_in<&Journal::telemetry>},
-    {"task", read_task, settle_in<&Journal::tasks>},
-    {"message", read_message, settle_in<&Journal::messages>},
-    {"request", read_request, settle_in<&Journal::requests>},
-    {"command", read_command, settle_in<&Journal::commands>},
-    {"sync", read_sync, settle_in<&Journal::syncs>},
-    {"link", read_link, settle_in<&Journal::links>},
-    {"reach", read_reach, settle_in<&Journal::reaches>},
-    {"route", read_route, settle_in<&Journal::routes>},
-    {"object", read_object, settle_in<&Journal::objects>},
-    {"perception", read_perception, settle_in<&Journal::perceptions>},
-    {"alarm", read_alarm, settle_in<&Journal::alarms>},
-    {"phase", read_phase, settle_in<&Journal::phases>},
-    {"operator", read_operator, settle_in<&Journal::operators>},
-    {"degree", read_degree, settle_in<&Journal::degrees>},
-    {"fault", read_fault, settle_in<&Journal::faults>},
-    {"process", read_process, settle_in<&Journal::processes>},
-    {"dropped", read_dropped, settle_in<&Journal::dropped>},
-    {"expired", read_expired, settle_in<&Journal::undelivered>},
-    {"lost", read_lost, settle_in<&Journal::undelivered>},
-    {"mission", read_mission, settle_in<&Journal::missions>},
-    {"goal", read_goal, settle_in<&Journal::goals>},
-    {"plan", read_plan, settle_in<&Journal::plans>},
-    {"planned", read_planned, settle_in<&Journal::planned>},
-    {"decision", read_decision, settle_in<&Journal::decisions>},
-    {"expectation", read_expectation, settle_in<&Journal::expectations>},
-}};
+template <class Line, auto Member>
+constexpr Kind kind() {
+  return {Line::kKind,
+          [](FieldReader& f, Journal& j) { (j.*Member).push_back(to_record(f.line<Line>(), f)); },
+          [](Journal& j, Stamp stamp, bool good) { settle(j.*Member, std::move(stamp), good); }};
+}
+
+constexpr std::array kKinds{
+    kind<lines::Telemetry, &Journal::telemetry>(),
+    kind<lines::Task, &Journal::tasks>(),
+    kind<lines::Message, &Journal::messages>(),
+    kind<lines::Request, &Journal::requests>(),
+    kind<lines::Command, &Journal::commands>(),
+    kind<lines::Sync, &Journal::syncs>(),
+    kind<lines::Link, &Journal::links>(),
+    kind<lines::Reach, &Journal::reaches>(),
+    kind<lines::Route, &Journal::routes>(),
+    kind<lines::Object, &Journal::objects>(),
+    kind<lines::Perception, &Journal::perceptions>(),
+    kind<lines::Alarm, &Journal::alarms>(),
+    kind<lines::Phase, &Journal::phases>(),
+    kind<lines::Operator, &Journal::operators>(),
+    kind<lines::Degree, &Journal::degrees>(),
+    kind<lines::Fault, &Journal::faults>(),
+    kind<lines::Process, &Journal::processes>(),
+    kind<lines::Dropped, &Journal::dropped>(),
+    kind<lines::Expired, &Journal::undelivered>(),
+    kind<lines::Lost, &Journal::undelivered>(),
+    kind<lines::Mission, &Journal::missions>(),
+    kind<lines::Goal, &Journal::goals>(),
+    kind<lines::Plan, &Journal::plans>(),
+    kind<lines::Planned, &Journal::planned>(),
+    kind<lines::Decision, &Journal::decisions>(),
+    kind<lines::Expectation, &Journal::expectations>(),
+    kind<lines::Seen, &Journal::seen>(),
+    kind<lines::Air, &Journal::air>(),
+    kind<lines::Meeting, &Journal::meetings>(),
+    kind<lines::Frontier, &Journal::frontiers>(),
+    kind<lines::Owner, &Journal::owners>(),
+    kind<lines::Joint, &Journal::joints>(),
+    kind<lines::RoleTask, &Journal::role_tasks>(),
+    kind<lines::Scm, &Journal::scms>(),
+    kind<lines::Place, &Journal::places>(),
+    kind<lines::Negotiation, &Journal::negotiations>(),
+};
 
 void read_object_line(const nlohmann::json& object, const Diagnostic& where,
                       SalvagedJournal& result) {
@@ -249,11 +254,6 @@ void sort_records(std::vector<Record>& records) {
   if (!std::is_sorted(records.begin(), records.end(), earlier)) {
     std::stable_sort(records.begin(), records.end(), earlier);
   }
-}
-
-template <class... Vectors>
-void sort_each(Vectors&... vectors) {
-  (sort_records(vectors), ...);
 }
 
 }  // namespace
@@ -285,11 +285,8 @@ Result<Journal, Diagnostics> read_journal(std::istream& in, std::string_view nam
   return std::move(read.journal);
 }
 
-void sort_by_time(Journal& j) {
-  sort_each(j.tasks, j.requests, j.commands, j.syncs, j.messages, j.links, j.reaches, j.routes,
-            j.telemetry, j.objects, j.perceptions, j.alarms, j.phases, j.operators, j.degrees,
-            j.faults, j.processes, j.dropped, j.undelivered, j.missions, j.expectations, j.goals,
-            j.plans, j.planned, j.decisions, j.others);
+void sort_by_time(Journal& journal) {
+  std::apply([](auto&... records) { (sort_records(records), ...); }, records_of(journal));
 }
 
 }  // namespace skein::report

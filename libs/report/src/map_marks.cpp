@@ -6,8 +6,6 @@
 #include <map>
 #include <numbers>
 
-#include "line.hpp"
-
 namespace skein::report {
 
 namespace {
@@ -89,16 +87,9 @@ bool write_fronts(Scene& s, const ObjectStory& object) {
 /// Where the ground station said that an object was, as it was followed.
 void write_followed(Scene& s) {
   std::map<std::string, std::vector<Point>> ways;
-  for (const OtherRecord& record : s.run.journal.others) {
-    if (record.kind != "seen") continue;
-    const auto line = line_of(record);
-    if (!line) continue;
-    const auto at = line->keys.find("position");
-    const auto number = [](const auto& value) { return value.is_number(); };
-    if (at == line->keys.end() || !at->is_array() || at->size() != 3) continue;
-    if (!std::all_of(at->begin(), at->end(), number)) continue;
-    const Position place{(*at)[0].get<double>(), (*at)[1].get<double>(), 0};
-    ways[line->text("name")].push_back(s.frame(place));
+  for (const auto& [stamp, line] : s.run.journal.seen) {
+    if (line.position.size() != 3) continue;
+    ways[line.name].push_back(s.frame(Position{line.position[0], line.position[1], 0}));
   }
   for (auto& [name, way] : ways) {
     const Point last = way.back();
@@ -348,16 +339,12 @@ void write_map_legend(Markup& out, const Run& run) {
   if (std::any_of(objects.begin(), objects.end(), spreads)) {
     write_legend_entry(out, "<ellipse class='front last' rx='10' ry='6'/>", "fire front (truth)");
   }
-  const bool follows = std::any_of(run.journal.others.begin(), run.journal.others.end(),
-                                   [](const OtherRecord& record) { return record.kind == "seen"; });
-  if (follows) {
+  if (!run.journal.seen.empty()) {
     write_legend_entry(
         out, "<path class='followed' d='M-11 0H6'/><circle class='followed' cx='8' r='4'/>",
         "object as followed");
   }
-  const bool merged = std::any_of(run.journal.others.begin(), run.journal.others.end(),
-                                  [](const OtherRecord& record) { return record.kind == "air"; });
-  if (merged) {
+  if (!run.journal.air.empty()) {
     write_legend_entry(out,
                        "<g class='reserved now u0'><line x1='-4' x2='4' stroke-width='14'/></g>",
                        "air reserved (at the cursor)");

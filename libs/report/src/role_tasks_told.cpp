@@ -5,24 +5,24 @@
 
 #include "chronology.hpp"
 #include "explain_words.hpp"
-#include "line.hpp"
 
 namespace skein::report {
 
 namespace {
 
-RoleTaskStory role_task_of(const Line& line) {
+RoleTaskStory role_task_of(const Told<journal::lines::RoleTask>& told) {
+  const journal::lines::RoleTask& line = told.line;
   RoleTaskStory story;
-  story.uav = line.text("uav");
-  story.task = static_cast<std::uint64_t>(line.whole("task").value_or(0));
-  story.type = line.text("type");
-  story.of = line.whole("of");
-  story.joint = line.text("joint");
-  story.role = line.text("role");
-  story.componel = line.text("componel");
-  story.block = line.text("block");
-  story.because = line.text("because");
-  story.asked = line.t;
+  story.uav = line.uav;
+  story.task = line.task;
+  story.type = line.type;
+  story.of = line.of;
+  story.joint = line.joint;
+  story.role = line.role;
+  story.componel = line.componel;
+  story.block = line.block;
+  story.because = line.because;
+  story.asked = seconds(told.stamp);
   return story;
 }
 
@@ -42,11 +42,8 @@ void follow(RoleTaskStory& story, const TaskRecord& record) {
 std::vector<RoleTaskStory> tell_role_tasks(const Journal& journal) {
   std::vector<RoleTaskStory> stories;
   std::map<std::pair<std::string, std::uint64_t>, std::size_t> index;
-  for (const OtherRecord& record : journal.others) {
-    if (record.kind != "role-task") continue;
-    const auto line = line_of(record);
-    if (!line) continue;
-    stories.push_back(role_task_of(*line));
+  for (const auto& told : journal.role_tasks) {
+    stories.push_back(role_task_of(told));
     index[{stories.back().uav, stories.back().task}] = stories.size() - 1;
   }
   for (const TaskRecord& record : journal.tasks) {
@@ -58,7 +55,7 @@ std::vector<RoleTaskStory> tell_role_tasks(const Journal& journal) {
 
 void write_role_task(std::ostream& out, const RoleTaskStory& story) {
   out << "  " << story.task << " " << story.type << "\n";
-  write_line(out, "for", (story.of ? std::to_string(*story.of) + " " : "") + story.joint);
+  write_line(out, "for", std::to_string(story.of) + " " + story.joint);
   write_line(out, "role", story.role + ": " + story.componel + " of block " + story.block);
   write_line(out, "asked",
              "when " + (story.because.empty() ? "block " + story.block + " began" : story.because) +

@@ -16,7 +16,7 @@ struct RoleTaskStory {
   std::string uav;
   std::uint64_t task = 0;
   std::string type;
-  std::optional<std::int64_t> of;  ///< the task of the joint task in the UAV's plan
+  std::uint64_t of = 0;  ///< the task of the joint task in the UAV's plan
   std::string joint, role, componel, block;
   std::string because;                  ///< the condition under which the block began; empty: none
   double asked = 0.0;                   ///< [s]

@@ -11,48 +11,49 @@ namespace skein::report {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using InfoJson = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 2> kRuntimes{"dds", "virtual"};
 constexpr std::size_t kMostTerrainCells = 4'000'000;
 
 double finite(double value) { return std::isfinite(value) ? value : 0.0; }
 
-Json to_json_value(const TerrainGrid& t) {
-  Json values = Json::array();
+InfoJson to_json_value(const TerrainGrid& t) {
+  InfoJson values = InfoJson::array();
   // Centimetres are finer than any map shows, and keep the file small.
   for (const double v : t.values) values.push_back(std::round(finite(v) * 100.0) / 100.0);
   return {{"west", finite(t.west)}, {"south", finite(t.south)}, {"cell", finite(t.cell)},
           {"width", t.width},       {"height", t.height},       {"values", std::move(values)}};
 }
 
-Json to_json_value(const Zone& zone) {
-  Json points = Json::array();
+InfoJson to_json_value(const Zone& zone) {
+  InfoJson points = InfoJson::array();
   for (const GroundPoint& p : zone.polygon) {
-    points.push_back(Json::array({finite(p.x), finite(p.y)}));
+    points.push_back(InfoJson::array({finite(p.x), finite(p.y)}));
   }
   return {{"name", zone.name}, {"polygon", std::move(points)}};
 }
 
-Json to_json_value(const ClosedAir& air) {
-  Json json = to_json_value(Zone{air.name, air.polygon});
+InfoJson to_json_value(const ClosedAir& air) {
+  InfoJson json = to_json_value(Zone{air.name, air.polygon});
   json["from"] = finite(air.from);
   if (air.until) json["until"] = finite(*air.until);
   return json;
 }
 
-Json to_json_value(const Place& place) {
+InfoJson to_json_value(const Place& place) {
   const Position& p = place.position;
-  return {{"name", place.name}, {"position", Json::array({finite(p.x), finite(p.y), finite(p.z)})}};
+  return {{"name", place.name},
+          {"position", InfoJson::array({finite(p.x), finite(p.y), finite(p.z)})}};
 }
 
-Json to_json_value(const UavInfo& uav) {
+InfoJson to_json_value(const UavInfo& uav) {
   return {{"name", uav.name}, {"model", uav.model}, {"degree", uav.degree}};
 }
 
 template <class T>
-Json to_json_list(const std::vector<T>& items) {
-  Json list = Json::array();
+InfoJson to_json_list(const std::vector<T>& items) {
+  InfoJson list = InfoJson::array();
   for (const T& item : items) list.push_back(to_json_value(item));
   return list;
 }
@@ -175,7 +176,7 @@ std::optional<TerrainGrid> read_terrain(const nlohmann::json& document, Diagnost
 void read_head(FieldReader& f, RunInfo& info) {
   info.scenario = f.text("scenario");
   info.epoch = f.optional_text("epoch");
-  info.runtime = static_cast<RuntimeKind>(f.one_of("runtime", kRuntimes));
+  info.runtime = static_cast<RuntimeKind>(f.one_of("runtime", f.text("runtime"), kRuntimes));
   info.rate = f.number("rate");
   info.seed = f.unsigned_integer("seed");
   info.wall_seconds = f.number("wall_seconds");
@@ -202,7 +203,7 @@ void read_lists(const nlohmann::json& document, const Diagnostic& where, Diagnos
 }  // namespace
 
 std::string to_json(const RunInfo& info) {
-  Json j;
+  InfoJson j;
   j["scenario"] = info.scenario;
   j["epoch"] = info.epoch;
   j["runtime"] = kRuntimes[static_cast<std::size_t>(info.runtime)];
@@ -226,7 +227,7 @@ std::string to_json(const RunInfo& info) {
   j["places"] = to_json_list(info.places);
   j["uavs"] = to_json_list(info.uavs);
   if (info.terrain) j["terrain"] = to_json_value(*info.terrain);
-  return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return j.dump(1, ' ', false, InfoJson::error_handler_t::replace) + "\n";
 }
 
 Result<RunInfo, Diagnostics> run_info_from_json(std::string_view text, std::string_view name) {

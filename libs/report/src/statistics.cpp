@@ -66,13 +66,9 @@ void count_messages(const Chronology& c, const Journal& journal,
   for (auto& [key, f] : channels) std::sort(f.latencies.begin(), f.latencies.end());
 }
 
-std::size_t count_lines(const Journal& j) {
-  return j.tasks.size() + j.requests.size() + j.commands.size() + j.syncs.size() +
-         j.messages.size() + j.links.size() + j.reaches.size() + j.telemetry.size() +
-         j.objects.size() + j.perceptions.size() + j.alarms.size() + j.phases.size() +
-         j.operators.size() + j.degrees.size() + j.faults.size() + j.processes.size() +
-         j.dropped.size() + j.undelivered.size() + j.missions.size() + j.expectations.size() +
-         j.others.size();
+std::size_t count_lines(const Journal& journal) {
+  return std::apply([](const auto&... records) { return (records.size() + ...); },
+                    records_of(journal));
 }
 
 }  // namespace

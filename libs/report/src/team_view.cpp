@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "line.hpp"
 #include "text.hpp"
 #include "timeline.hpp"
 
@@ -25,18 +24,14 @@ struct TeamRow {
 };
 
 // By the number of the task, from what the ground station said of the team's book.
-std::map<std::int64_t, TeamRow> rows_of(const Journal& journal, double until) {
-  std::map<std::int64_t, TeamRow> rows;
-  for (const OtherRecord& record : journal.others) {
-    if (record.kind != "owner") continue;
-    const auto line = line_of(record);
-    const auto task = line ? line->whole("task") : std::nullopt;
-    if (!task) continue;
-    TeamRow& row = rows[*task];
-    row.statement = line->text("statement");
-    if (!row.holdings.empty()) row.holdings.back().span.to = line->t;
-    row.holdings.push_back(
-        {{line->t, until}, line->text("stage"), line->text("owners"), line->text("why")});
+std::map<std::uint64_t, TeamRow> rows_of(const Journal& journal, double until) {
+  std::map<std::uint64_t, TeamRow> rows;
+  for (const auto& [stamp, line] : journal.owners) {
+    const double at = seconds(stamp);
+    TeamRow& row = rows[line.task];
+    row.statement = line.statement;
+    if (!row.holdings.empty()) row.holdings.back().span.to = at;
+    row.holdings.push_back({{at, until}, line.stage, line.owners, line.why});
   }
   return rows;
 }
@@ -51,7 +46,7 @@ std::string colour_of(const Sheet& sheet, const std::string& owners) {
   return "";
 }
 
-void draw_holding(Sheet& sheet, std::int64_t task, const TeamRow& row, const Holding& one) {
+void draw_holding(Sheet& sheet, std::uint64_t task, const TeamRow& row, const Holding& one) {
   if (one.stage == "done") return;
   sheet.plot.open("g", {{"class", "joint " + colour_of(sheet, one.owners)}});
   sheet.plot.title("task " + std::to_string(task) + " " + row.statement + "\n" + one.stage +

@@ -105,7 +105,7 @@ TEST(DeliberationRecords, AreReadWithTheirOptionalFields) {
 
 TEST(DeliberationRecords, EveryFaultOfALineIsTold) {
   const auto read = testing::salvage(
-      R"({"at":2,"node":"karma","kind":"planned","uav":"karma","revision":1,"task":"x","type":"goto","goal":701,"earliest_start":1,"latest_start":"soon","earliest_end":2.5,"committed":true,"way":[0,0]})");
+      R"({"at":2,"node":"karma","kind":"planned","uav":"karma","revision":1,"task":"x","type":"goto","goal":701,"earliest_start":1,"latest_start":"soon","earliest_end":2.5,"after":"","methods":"m","committed":true,"way":[0,0]})");
 
   EXPECT_EQ(read.errors.size(), 3U);
   EXPECT_THAT(read.journal.planned, IsEmpty());

@@ -14,14 +14,14 @@ using testing::salvage;
 
 constexpr const char* kLog =
     R"({"at":0,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,0],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":false}
-{"at":5,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"loading"}
+{"at":5,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"model":"watch","variant":"v1","phase":"loading"}
 {"at":5,"node":"uav1","kind":"negotiation","uav":"uav1","joint":"watch(P1) of uav1, uav2/roles","modality":"role-allocation","opener":"uav1","opened":5,"state":"offered","rows":"perceive 3"}
 {"at":5.1,"node":"uav1","kind":"message","slot":"NegotiationMessage","from":"uav1","to":"uav2","sequence":1,"direction":"sent"}
 {"at":5.2,"node":"uav2","kind":"message","slot":"NegotiationMessage","from":"uav1","to":"uav2","sequence":1,"direction":"received"}
 {"at":5.3,"node":"uav2","kind":"message","slot":"NegotiationMessage","from":"uav2","to":"uav1","sequence":1,"direction":"sent"}
 {"at":6,"node":"uav2","kind":"negotiation","uav":"uav2","joint":"watch(P1) of uav1, uav2/roles","modality":"role-allocation","opener":"uav1","opened":5,"state":"agreed","rows":"uav1 perceive"}
-{"at":10,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"running","role":"perceive","blocks":"b10"}
-{"at":20,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"running","role":"perceive","blocks":"b10 b12"}
+{"at":10,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"model":"watch","variant":"v1","phase":"running","role":"perceive","blocks":"b10"}
+{"at":20,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"model":"watch","variant":"v1","phase":"running","role":"perceive","blocks":"b10 b12"}
 {"at":30,"node":"uav1","kind":"scm","uav":"uav1","joint":"watch(P1) of uav1, uav2","role":"perceive","scm":"mcs2","state":"violated","place":"P1","relation":"<","measured":61.5,"required":50}
 {"at":30,"node":"sim","kind":"telemetry","uav":"uav1","position":[30,0,20],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
 {"at":31,"node":"uav1","kind":"place","uav":"uav1","joint":"watch(P1) of uav1, uav2","role":"perceive","parameter":"pl15","by":"valid-position","position":[25,10,20],"scms":"mcs1 mcs2"}
@@ -29,7 +29,7 @@ constexpr const char* kLog =
 {"at":35,"node":"uav1","kind":"scm","uav":"uav1","joint":"watch(P1) of uav1, uav2","role":"perceive","scm":"mcs2","state":"satisfied"}
 {"at":36,"node":"uav1","kind":"negotiation","uav":"uav1","joint":"map(Z) of uav1, uav2/area-sharing","modality":"area-sharing","opener":"uav1","opened":35.5,"state":"agreed","rows":"uav1 0 0 10 0 10 10, uav2"}
 {"at":36.1,"node":"uav2","kind":"negotiation","uav":"uav2","joint":"map(Z) of uav1, uav2/area-sharing","modality":"area-sharing","opener":"uav1","opened":35.5,"state":"agreed","rows":"uav1 0 0 10 0 10 10, uav2"}
-{"at":40,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"aborted","role":"perceive","why":"no contact"}
+{"at":40,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"model":"watch","variant":"v1","phase":"aborted","role":"perceive","why":"no contact"}
 )";
 
 class JointView : public ::testing::Test {
@@ -75,12 +75,12 @@ TEST_F(JointView, AViolationLastsUntilTheConstraintHoldsAgain) {
 TEST(JointStory, AViolationEndsWithWhatWatchesIt) {
   const auto read = salvage(
       R"({"at":0,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,0],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
-{"at":10,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"running","role":"perceive","blocks":"b12"}
+{"at":10,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"model":"watch","variant":"v1","phase":"running","role":"perceive","blocks":"b12"}
 {"at":30,"node":"uav1","kind":"scm","uav":"uav1","joint":"watch(P1) of uav1, uav2","role":"perceive","scm":"mcs2","state":"violated","place":"P1","relation":"<","measured":61.5,"required":50}
-{"at":31,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"running","role":"perceive","blocks":"b12 b13","violated":"mcs2"}
-{"at":32,"node":"uav1","kind":"joint","uav":"uav1","joint":"map(Z) of uav1, uav2","task":3,"phase":"loading"}
-{"at":33,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"running","role":"relay","blocks":"b20"}
-{"at":90,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"phase":"ended","role":"relay"}
+{"at":31,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"model":"watch","variant":"v1","phase":"running","role":"perceive","blocks":"b12 b13","violated":"mcs2"}
+{"at":32,"node":"uav1","kind":"joint","uav":"uav1","joint":"map(Z) of uav1, uav2","task":3,"model":"watch","variant":"v1","phase":"loading"}
+{"at":33,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"model":"watch","variant":"v1","phase":"running","role":"relay","blocks":"b20"}
+{"at":90,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"model":"watch","variant":"v1","phase":"ended","role":"relay"}
 )");
   const auto violations = tell_joint_tasks(read.journal, tell({}, read.journal)).violations;
 

@@ -24,7 +24,7 @@ TEST(ReadJournal, EveryKindOfTheSchemaIsRead) {
 {"at":1,"node":"m","kind":"reach","peer":"g","reachable":false}
 {"at":1,"node":"sim","kind":"telemetry","uav":"m","position":[1,2,3],"velocity":[4,5,6],"heading":0.5,"energy":0.75,"airborne":true}
 {"at":1,"node":"sim","kind":"object","name":"fire","type":"fire","position":[1,2,3],"radius":6,"active":true}
-{"at":1,"node":"g","kind":"perception","uav":"m","device":"ir","detections":[{"a":1},{"b":2}]}
+{"at":1,"node":"g","kind":"perception","uav":"m","device":"ir","detections":2}
 {"at":1,"node":"g","kind":"alarm","alarm":7,"state":"infirmed","position":[1,2,3],"belief":0.25}
 {"at":1,"node":"g","kind":"phase","name":"Detection"}
 {"at":1,"node":"g","kind":"operator","does":"stop"}
@@ -32,8 +32,8 @@ TEST(ReadJournal, EveryKindOfTheSchemaIsRead) {
 {"at":1,"node":"r","kind":"fault","what":"kill","target":"m"}
 {"at":1,"node":"r","kind":"process","name":"ddn-m","state":"crashed","why":"signal 9"}
 {"at":1,"node":"m","kind":"dropped","slot":"Alarm","origin":"x","field":"belief","why":"w"}
-{"at":1,"node":"m","kind":"expired","slot":"Alarm","to":"g","sequence":8}
-{"at":1,"node":"m","kind":"lost","slot":"Alarm","to":"g","sequence":9}
+{"at":1,"node":"m","kind":"expired","slot":"Alarm","to":"g","sequence":8,"from":"m"}
+{"at":1,"node":"m","kind":"lost","slot":"Alarm","to":"g","sequence":9,"last":9,"from":"m"}
 {"at":1,"node":"g","kind":"mission","state":"finished"}
 {"at":1,"node":"r","kind":"expectation","name":"e","passed":true,"seen":"s"}
 )");
@@ -163,11 +163,11 @@ TEST(ReadJournal, NumbersOutOfRangeAreRefused) {
 TEST(ReadJournal, AnIdentifierMayBeDecimalText) {
   const SalvagedJournal read = salvage(
       "{\"at\":1,\"node\":\"m\",\"kind\":\"lost\",\"slot\":\"Alarm\",\"to\":\"g\","
-      "\"sequence\":\"18446744073709551615\"}\n"
+      "\"sequence\":\"18446744073709551615\",\"last\":1,\"from\":\"m\"}\n"
       "{\"at\":1,\"node\":\"m\",\"kind\":\"lost\",\"slot\":\"Alarm\",\"to\":\"g\","
-      "\"sequence\":\"12x\"}\n"
+      "\"sequence\":\"12x\",\"last\":1,\"from\":\"m\"}\n"
       "{\"at\":1,\"node\":\"m\",\"kind\":\"lost\",\"slot\":\"Alarm\",\"to\":\"g\","
-      "\"sequence\":-1}\n");
+      "\"sequence\":-1,\"last\":1,\"from\":\"m\"}\n");
 
   ASSERT_EQ(read.journal.undelivered.size(), 1U);
   EXPECT_EQ(read.journal.undelivered[0].sequence, UINT64_MAX);

@@ -130,12 +130,9 @@ TEST(Map, AFireThatSpreadsIsDrawnFrontByFrontAndWhereItWasFollowed) {
                          10.0 + t,
                          Position{100, 50, 0}});
   for (const double x : {110.0, 130.0, 150.0}) {
-    j.others.push_back({stamp(x / 2), "seen"});
-    j.others.back().stamp.extra =
-        R"({"name":"fire-front","position":[)" + std::to_string(x) + ",50,0]}";
+    j.seen.push_back({stamp(x / 2), {.name = "fire-front", .position = {x, 50, 0}}});
   }
-  j.others.push_back({stamp(70), "seen"});
-  j.others.back().stamp.extra = R"({"name":"odd","position":["x",50,0]})";
+  j.seen.push_back({stamp(70), {.name = "odd", .position = {50, 0}}});
 
   const std::string svg = map_of(j);
 

@@ -107,8 +107,9 @@ class Messages {
               {"direction", "sent"}});
     if (cut(t, from, to)) {
       const bool expired = slot != "TaskEvent";
-      log_.add(t + 12, from, expired ? "expired" : "lost",
-               {{"slot", slot}, {"to", to}, {"sequence", sequence}});
+      log_.add(
+          t + 12, from, expired ? "expired" : "lost",
+          {{"slot", slot}, {"to", to}, {"sequence", sequence}, {"last", sequence}, {"from", from}});
       return;
     }
     const double latency = 0.02 + 0.01 * random_.uniform() + (random_.chance(0.05) ? 0.4 : 0.0);

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMostArcs = 2000;
 constexpr double kArcInset = 4.0;
 
-void add_need(ExternalArc& arc, const MeetingRows& rows, std::int64_t meeting) {
+void add_need(ExternalArc& arc, const MeetingRows& rows, std::uint64_t meeting) {
   const auto row = rows.find({arc.from, meeting});
   if (row == rows.end()) return;
   for (const MeetingWord& word : row->second) {

@@ -26,7 +26,7 @@ struct MeetingWord {
 };
 
 /// By UAV (its index into Chronology::uavs) and number of the meeting, in the order of time.
-using MeetingRow = std::pair<std::size_t, std::int64_t>;
+using MeetingRow = std::pair<std::size_t, std::uint64_t>;
 using MeetingRows = std::map<MeetingRow, std::vector<MeetingWord>>;
 
 MeetingRows meeting_rows_of(const Journal& journal, const Chronology& story);

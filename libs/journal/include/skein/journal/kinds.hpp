@@ -10,6 +10,10 @@
 
 namespace skein::journal {
 
+/// Of the type of a field of a line: it is left out when there is nothing to say.
+template <class T>
+inline constexpr bool kMayBeLeftOut = detail::kIsOptional<T>;
+
 struct Kind {
   struct Field {
     std::string name;
@@ -24,7 +28,7 @@ Kind kind_of() {
   Kind kind{std::string(Line::kKind), {}};
   Line line;
   Line::fields(line, [&]<class T>(const char* name, T&) {
-    kind.fields.push_back({name, detail::kIsOptional<T>});
+    kind.fields.push_back({name, kMayBeLeftOut<T>});
   });
   return kind;
 }

@@ -4,10 +4,15 @@
 
 #include <istream>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
+#include "skein/journal/lines/deliberation.hpp"
+#include "skein/journal/lines/joint.hpp"
+#include "skein/journal/lines/mission.hpp"
+#include "skein/journal/lines/team.hpp"
 #include "skein/report/plan_records.hpp"
 #include "skein/report/records.hpp"
 
@@ -41,9 +46,29 @@ struct Journal {
   std::vector<PlanRecord> plans;
   std::vector<PlannedRecord> planned;
   std::vector<DecisionRecord> decisions;
+  std::vector<Told<journal::lines::Seen>> seen;
+  std::vector<Told<journal::lines::Air>> air;
+  std::vector<Told<journal::lines::Meeting>> meetings;
+  std::vector<Told<journal::lines::Frontier>> frontiers;
+  std::vector<Told<journal::lines::Owner>> owners;
+  std::vector<Told<journal::lines::Joint>> joints;
+  std::vector<Told<journal::lines::RoleTask>> role_tasks;
+  std::vector<Told<journal::lines::Scm>> scms;
+  std::vector<Told<journal::lines::Place>> places;
+  std::vector<Told<journal::lines::Negotiation>> negotiations;
   std::vector<OtherRecord> others;
   std::size_t unreadable = 0;  ///< lines that were left out because they are wrong
 };
+
+/// All vectors of a Journal, which is const or not.
+auto records_of(auto& j) {
+  return std::tie(j.tasks, j.requests, j.commands, j.syncs, j.messages, j.links, j.reaches,
+                  j.routes, j.telemetry, j.objects, j.perceptions, j.alarms, j.phases, j.operators,
+                  j.degrees, j.faults, j.processes, j.dropped, j.undelivered, j.missions,
+                  j.expectations, j.goals, j.plans, j.planned, j.decisions, j.seen, j.air,
+                  j.meetings, j.frontiers, j.owners, j.joints, j.role_tasks, j.scms, j.places,
+                  j.negotiations, j.others);
+}
 
 /// What could be read, and what was wrong with the other lines.
 struct SalvagedJournal {

@@ -27,7 +27,7 @@ struct PlanRecord {
   Stamp stamp;
   std::string uav;
   std::uint64_t revision = 0;
-  std::int64_t tasks = 0;
+  std::uint64_t tasks = 0;
 };
 
 /// One task of a revision, with the dates that its temporal network gives it [s].

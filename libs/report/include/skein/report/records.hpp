@@ -133,7 +133,7 @@ struct PerceptionRecord {
   Stamp stamp;
   std::string uav;
   std::string device;
-  std::int64_t detections = 0;
+  std::uint64_t detections = 0;
 };
 
 struct AlarmRecord {
@@ -203,7 +203,14 @@ struct ExpectationRecord {
   std::string seen;
 };
 
-/// A line of a kind that this version does not know.
+/// A line that is shown as it was written (skein/journal/lines).
+template <class Line>
+struct Told {
+  Stamp stamp;
+  Line line;
+};
+
+/// A line of a kind that no view shows.
 struct OtherRecord {
   Stamp stamp;  ///< `extra` holds every other key
   std::string kind;
