@@ -27,6 +27,32 @@ bool same_without_case(std::string_view text, std::string_view lower) {
   });
 }
 
+// No feature is set.
+bool feature_holds(const Document& document, NodeIndex node, int nesting) {
+  const Node& expression = document[node];
+  if (!expression.list || expression.first_child == kNoNode || nesting > kDeepestFeature) {
+    return false;
+  }
+  const Node& head = document[expression.first_child];
+  const std::string_view word =
+      std::string_view(document.text).substr(head.begin, head.end - head.begin);
+  const bool all = same_without_case(word, "and") || same_without_case(word, ":and");
+  const bool none = same_without_case(word, "not") || same_without_case(word, ":not");
+  for (NodeIndex at = head.next; at != kNoNode; at = document[at].next) {
+    const bool holds = feature_holds(document, at, nesting + 1);
+    if (none) return !holds;
+    if (holds != all) return holds;
+  }
+  return all;
+}
+
+// From 1; 0 if something else comes before it.
+std::uint32_t column_if_first_on_line(std::string_view text, std::uint32_t at) {
+  std::uint32_t begin = at;
+  while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) --begin;
+  return begin == 0 || text[begin - 1] == '\n' ? at - begin + 1 : 0;
+}
+
 }  // namespace
 
 Scanner::Scanner(Document& document, TermStore& store, Diagnostics& problems, bool guess_missing)
@@ -110,7 +136,7 @@ void Scanner::open_list() {
   frame.begin = offset();
   if (guess_missing_) {
     frame.construct = construct_at(at_);
-    frame.column = column_if_first_on_line(frame.begin);
+    frame.column = column_if_first_on_line(text_, frame.begin);
     open_definitions_ += frame.construct == Construct::kDefinition ? 1 : 0;
     open_items_ += frame.construct == Construct::kItem ? 1 : 0;
   }
@@ -264,31 +290,13 @@ void Scanner::close_prefix(NodeIndex node) {
 
 void Scanner::feature_done(NodeIndex node) {
   Frame& frame = frames_.back();
-  const bool kept = feature_holds(node, 0) == frame.plus;
+  const bool kept = feature_holds(document_, node, 0) == frame.plus;
   document_.nodes.resize(frame.node_count);
   if (kept) {
     frames_.pop_back();
   } else {
     frame.kind = Kind::kDiscard;
   }
-}
-
-// No feature is set.
-bool Scanner::feature_holds(NodeIndex node, int nesting) const {
-  const Node& expression = document_[node];
-  if (!expression.list || expression.first_child == kNoNode || nesting > kDeepestFeature) {
-    return false;
-  }
-  const Node& head = document_[expression.first_child];
-  const std::string_view word = text_.substr(head.begin, head.end - head.begin);
-  const bool all = same_without_case(word, "and") || same_without_case(word, ":and");
-  const bool none = same_without_case(word, "not") || same_without_case(word, ":not");
-  for (NodeIndex at = head.next; at != kNoNode; at = document_[at].next) {
-    const bool holds = feature_holds(at, nesting + 1);
-    if (none) return !holds;
-    if (holds != all) return holds;
-  }
-  return all;
 }
 
 // Missing parentheses
@@ -308,12 +316,6 @@ Scanner::Construct Scanner::construct_at(std::size_t at) const {
   return Construct::kOther;
 }
 
-std::uint32_t Scanner::column_if_first_on_line(std::uint32_t at) const {
-  std::uint32_t begin = at;
-  while (begin > 0 && (text_[begin - 1] == ' ' || text_[begin - 1] == '\t')) --begin;
-  return begin == 0 || text_[begin - 1] == '\n' ? at - begin + 1 : 0;
-}
-
 // A definition in a definition, or an item in an item: the outer one should have ended before.
 void Scanner::guess_missing_before(std::size_t at) {
   const Construct construct = construct_at(at);
@@ -327,7 +329,7 @@ void Scanner::guess_missing_before(std::size_t at) {
     close_unclosed(index);
     return;
   }
-  const std::uint32_t column = column_if_first_on_line(static_cast<std::uint32_t>(at));
+  const std::uint32_t column = column_if_first_on_line(text_, static_cast<std::uint32_t>(at));
   if (column > 1 && suspect_ == kNoNode && !frames_.empty() && frames_.back().column == column) {
     suspect_ = frames_.back().begin;
     suspect_before_ = static_cast<std::uint32_t>(at);

@@ -67,16 +67,13 @@ class Scanner {
   void link(Frame& frame, NodeIndex node);
   void close_prefix(NodeIndex node);
   void feature_done(NodeIndex node);
-  bool feature_holds(NodeIndex node, int nesting) const;
   Construct construct_at(std::size_t at) const;
   void guess_missing_before(std::size_t at);
   void close_unclosed(std::size_t frame);
   void report_unclosed_at_end();
-  std::uint32_t column_if_first_on_line(std::uint32_t at) const;
 
   // scanner_skip.cpp: problems that nobody wants
   bool pass_over_problem();
-  std::size_t end_of_list(std::size_t at) const;
 
   // scanner_tokens.cpp: atoms and comments
   void skip_line();

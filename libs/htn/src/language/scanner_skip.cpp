@@ -61,6 +61,44 @@ bool plain_name(std::string_view token) {
                      [](char byte) { return traits_of(byte) == kTokenByte; });
 }
 
+// Behind the parenthesis that closes the list which begins here; npos if none does.
+std::size_t end_of_list(std::string_view text, std::size_t at) {
+  std::size_t depth = 0;
+  while (at < text.size()) {
+    const char byte = text[at];
+    if (!kStops[static_cast<std::uint8_t>(byte)]) {
+      ++at;
+      continue;
+    }
+    switch (byte) {
+      case '(':
+        ++depth;
+        ++at;
+        break;
+      case ')':
+        ++at;
+        if (--depth == 0) return at;
+        break;
+      case ';':
+        at = std::min(text.find('\n', at), text.size());
+        break;
+      case '\\':
+        at += 2;
+        break;
+      case '#':
+        if (text.substr(at, 2) == "#|") {
+          at = end_of_comment(text, at);
+        } else {
+          at += text.substr(at, 2) == "#\\" ? 3 : 1;
+        }
+        break;
+      default:
+        at = end_of_quoted(text, at);
+    }
+  }
+  return std::string_view::npos;
+}
+
 }  // namespace
 
 // True if (defproblem NAME …) begins here, is not wanted and was left behind. What is not plain is
@@ -76,49 +114,11 @@ bool Scanner::pass_over_problem() {
   const std::string name = lowered(token);
   const auto is_it = [&name](const std::string& wanted) { return lowered(wanted) == name; };
   if (std::any_of(wanted_.begin(), wanted_.end(), is_it)) return false;
-  const std::size_t end = end_of_list(at_);
+  const std::size_t end = end_of_list(text_, at_);
   if (end == std::string_view::npos) return false;
   passed_over_.push_back(name);
   at_ = end;
   return true;
-}
-
-// Behind the parenthesis that closes the list which begins here; npos if none does.
-std::size_t Scanner::end_of_list(std::size_t at) const {
-  std::size_t depth = 0;
-  while (at < text_.size()) {
-    const char byte = text_[at];
-    if (!kStops[static_cast<std::uint8_t>(byte)]) {
-      ++at;
-      continue;
-    }
-    switch (byte) {
-      case '(':
-        ++depth;
-        ++at;
-        break;
-      case ')':
-        ++at;
-        if (--depth == 0) return at;
-        break;
-      case ';':
-        at = std::min(text_.find('\n', at), text_.size());
-        break;
-      case '\\':
-        at += 2;
-        break;
-      case '#':
-        if (text_.substr(at, 2) == "#|") {
-          at = end_of_comment(text_, at);
-        } else {
-          at += text_.substr(at, 2) == "#\\" ? 3 : 1;
-        }
-        break;
-      default:
-        at = end_of_quoted(text_, at);
-    }
-  }
-  return std::string_view::npos;
 }
 
 }  // namespace skein::htn
