@@ -80,7 +80,7 @@ class DipL final : public Agent {
       if (sharers[node].empty()) continue;
       frontier_.push_back({node, {sharers[node].begin(), sharers[node].end()}, {}});
     }
-    import_trails_.resize(2 * core_.node_count());
+    import_trails_.resize(2 * core_.arcs().nodes());
   }
 
   Output do_start(MissionTime now) override {
@@ -327,7 +327,7 @@ class DipL final : public Agent {
   }
 
   void drop_imports_of(AgentIndex agent) {
-    for (NodeIndex inner = 1; inner < core_.node_count(); ++inner) {
+    for (NodeIndex inner = 1; inner < core_.arcs().nodes(); ++inner) {
       if (owner_[map_.outer(inner)] != agent) continue;
       for (const Bound bound : kBounds) core_.drop_import(inner, bound);
     }

@@ -117,7 +117,7 @@ class DipM final : public Agent {
     std::uint64_t& last_id = forward ? macro.forward_id : macro.backward_id;
     if (id < last_id) return;
     last_id = id;
-    const Arc now = core_.arc(macro.arc);
+    const Arc now = core_.arcs().arc(macro.arc);
     if (forward) {
       core_.set_bounds({macro.arc, constraint.min, now.max});
     } else {

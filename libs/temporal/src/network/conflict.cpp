@@ -19,7 +19,7 @@ ConflictArc named(Constraint k) { return {k / 2, (k & 1) == 0 ? Bound::kLower : 
 void append_chain(const Propagation& network, NodeIndex node, Bound bound, Walk& walk) {
   for (Constraint k = network.cause(node, bound); k != kNone;) {
     walk.push_back(k);
-    k = network.cause(network.source(k, bound), bound);
+    k = network.cause(network.arcs().source(k, bound), bound);
   }
 }
 
@@ -28,11 +28,12 @@ void append_chain(const Propagation& network, NodeIndex node, Bound bound, Walk&
 /// the positive cycle is part of it.
 Walk walk_of(const Propagation& network, const Propagation::Pending& pending) {
   Walk walk;
-  append_chain(network, network.source(pending.constraint, pending.bound), pending.bound, walk);
+  append_chain(network, network.arcs().source(pending.constraint, pending.bound), pending.bound,
+               walk);
   std::reverse(walk.begin(), walk.end());
   walk.push_back(pending.constraint);
-  append_chain(network, network.target(pending.constraint, pending.bound), opposite(pending.bound),
-               walk);
+  append_chain(network, network.arcs().target(pending.constraint, pending.bound),
+               opposite(pending.bound), walk);
   if (pending.bound == Bound::kUpper) std::reverse(walk.begin(), walk.end());
   return walk;
 }
@@ -41,15 +42,15 @@ Walk walk_of(const Propagation& network, const Propagation::Pending& pending) {
 class CycleSearch {
  public:
   explicit CycleSearch(const Propagation& network)
-      : network_(network), place_(network.node_count(), kNone) {}
+      : network_(network), place_(network.arcs().nodes(), kNone) {}
 
   std::vector<ConflictArc> in(const Walk& walk) {
     path_.clear();
     std::fill(place_.begin(), place_.end(), kNone);
     for (const Constraint k : walk) {
-      place_[network_.source(k, Bound::kLower)] = static_cast<std::uint32_t>(path_.size());
+      place_[network_.arcs().source(k, Bound::kLower)] = static_cast<std::uint32_t>(path_.size());
       path_.push_back(k);
-      const std::uint32_t start = place_[network_.target(k, Bound::kLower)];
+      const std::uint32_t start = place_[network_.arcs().target(k, Bound::kLower)];
       if (start == kNone) continue;
       if (positive_from(start)) return taken_from(start);
       drop_from(start);
@@ -60,7 +61,7 @@ class CycleSearch {
  private:
   bool positive_from(std::size_t start) const {
     Wide sum = 0;
-    for (std::size_t i = start; i < path_.size(); ++i) sum += network_.weight(path_[i]);
+    for (std::size_t i = start; i < path_.size(); ++i) sum += network_.arcs().weight(path_[i]);
     return sum > 0;
   }
   std::vector<ConflictArc> taken_from(std::size_t start) const {
@@ -70,7 +71,7 @@ class CycleSearch {
   }
   void drop_from(std::size_t start) {
     for (std::size_t i = start; i < path_.size(); ++i) {
-      place_[network_.source(path_[i], Bound::kLower)] = kNone;
+      place_[network_.arcs().source(path_[i], Bound::kLower)] = kNone;
     }
     path_.resize(start);
   }
@@ -84,10 +85,11 @@ class CycleSearch {
 NodeIndex relax_all(const Propagation& network, std::vector<Wide>& value,
                     std::vector<Constraint>& cause) {
   NodeIndex raised = kNone;
-  for (Constraint k = 0; k < 2 * network.arc_slots(); ++k) {
-    if (!network.has_arc(k / 2) || network.weight(k) == kMinusInfinite) continue;
-    const NodeIndex target = network.target(k, Bound::kLower);
-    const Wide candidate = value[network.source(k, Bound::kLower)] + network.weight(k);
+  for (Constraint k = 0; k < 2 * network.arcs().slots(); ++k) {
+    if (!network.arcs().has(k / 2) || network.arcs().weight(k) == kMinusInfinite) continue;
+    const NodeIndex target = network.arcs().target(k, Bound::kLower);
+    const Wide candidate =
+        value[network.arcs().source(k, Bound::kLower)] + network.arcs().weight(k);
     if (candidate <= value[target]) continue;
     value[target] = candidate;
     cause[target] = k;
@@ -97,15 +99,17 @@ NodeIndex relax_all(const Propagation& network, std::vector<Wide>& value,
 }
 
 std::vector<ConflictArc> search_everywhere(const Propagation& network) {
-  std::vector<Wide> value(network.node_count(), 0);
-  std::vector<Constraint> cause(network.node_count(), kNone);
+  std::vector<Wide> value(network.arcs().nodes(), 0);
+  std::vector<Constraint> cause(network.arcs().nodes(), kNone);
   NodeIndex raised = 0;
-  for (std::size_t round = 0; round <= network.node_count() && raised != kNone; ++round) {
+  for (std::size_t round = 0; round <= network.arcs().nodes() && raised != kNone; ++round) {
     raised = relax_all(network, value, cause);
   }
   if (raised == kNone) return {};
-  const auto before = [&](NodeIndex node) { return network.source(cause[node], Bound::kLower); };
-  for (std::size_t i = 0; i < network.node_count(); ++i) raised = before(raised);
+  const auto before = [&](NodeIndex node) {
+    return network.arcs().source(cause[node], Bound::kLower);
+  };
+  for (std::size_t i = 0; i < network.arcs().nodes(); ++i) raised = before(raised);
   std::vector<ConflictArc> cycle;
   NodeIndex node = raised;
   do {

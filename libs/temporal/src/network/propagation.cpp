@@ -24,10 +24,10 @@ void Propagation::set_bounds(const ArcBounds& bounds) {
 }
 
 void Propagation::set_weight(Constraint k, Ticks weight) {
-  const Ticks old = weights_[k];
+  const Ticks old = arcs_.weight(k);
   if (weight == old) return;
   log({Write::kWeight, Bound::kLower, false, k, old, kNone, kNone});
-  weights_[k] = weight;
+  arcs_.set_weight(k, weight);
   const bool reversed = literal_upper_test_ && (k & 1) != 0;
   if ((weight < old) != reversed) {
     weakened_.push_back(k);
@@ -58,7 +58,7 @@ void Propagation::relax() {
   if (weakened_.empty() && resets_.empty()) return;
   for (const Constraint k : weakened_) {
     for (const Bound bound : kBounds) {
-      const NodeIndex node = target(k, bound);
+      const NodeIndex node = arcs_.target(k, bound);
       if (at(node, bound).cause == k) reset_tree(node, bound);
     }
   }
@@ -80,9 +80,8 @@ void Propagation::reset_tree(NodeIndex root, Bound bound) {
 /// to them matters only if it stays without a tie to the origin.
 void Propagation::revise_again(NodeIndex node, Bound bound) {
   if (!imported_[node]) {
-    for (std::uint32_t end = first_[node]; end != kNone; end = ends_[end].next) {
-      queue_constraint(end ^ side(bound) ^ 1, bound);
-    }
+    arcs_.each_end(node,
+                   [&](std::uint32_t end) { queue_constraint(end ^ side(bound) ^ 1, bound); });
   }
   queue_node(node, bound);
 }
@@ -96,7 +95,7 @@ void Propagation::queue_node(NodeIndex node, Bound bound) {
 }
 
 void Propagation::queue_constraint(Constraint k, Bound bound) {
-  const bool tied = anchored(at(source(k, bound), bound).value);
+  const bool tied = anchored(at(arcs_.source(k, bound), bound).value);
   (tied ? queue_ : deferred_).push({k, bound, false});
 }
 
@@ -129,7 +128,7 @@ void Propagation::process(Item item) {
   if (item.is_node) {
     at(item.id, item.bound).queued = false;
     if (anchored(at(item.id, item.bound).value)) revise_from(item.id, item.bound);
-  } else if (anchored(at(source(item.id, item.bound), item.bound).value)) {
+  } else if (anchored(at(arcs_.source(item.id, item.bound), item.bound).value)) {
     revise(item.id, item.bound);
   } else {
     deferred_.push(item);
@@ -138,7 +137,7 @@ void Propagation::process(Item item) {
 
 /// By now every node that can be tied to the origin is, and its constraints were revised then.
 void Propagation::process_deferred(Item item) {
-  const NodeIndex node = item.is_node ? item.id : source(item.id, item.bound);
+  const NodeIndex node = item.is_node ? item.id : arcs_.source(item.id, item.bound);
   const bool tied = anchored(at(node, item.bound).value);
   if (item.is_node) at(node, item.bound).deferred = false;
   if (tied) return;
@@ -150,18 +149,16 @@ void Propagation::process_deferred(Item item) {
 }
 
 void Propagation::revise_from(NodeIndex node, Bound bound) {
-  for (std::uint32_t end = first_[node]; end != kNone; end = ends_[end].next) {
-    revise(end ^ side(bound), bound);
-  }
+  arcs_.each_end(node, [&](std::uint32_t end) { revise(end ^ side(bound), bound); });
 }
 
 void Propagation::revise(Constraint k, Bound bound) {
-  const NodeIndex node = target(k, bound);
-  if (weights_[k] == kMinusInfinite) return remove_pending(k, bound);
-  const State& from = at(source(k, bound), bound);
+  const NodeIndex node = arcs_.target(k, bound);
+  if (arcs_.weight(k) == kMinusInfinite) return remove_pending(k, bound);
+  const State& from = at(arcs_.source(k, bound), bound);
   if (from.stale || imported_[node]) return;
   ++checks_;
-  const Ticks candidate = from.value + weights_[k];
+  const Ticks candidate = from.value + arcs_.weight(k);
   if (candidate <= at(node, bound).value) return remove_pending(k, bound);
   const Ticks offset = anchored(from.value) ? candidate : candidate - kFloating;
   overflowed_ = overflowed_ || offset > kLargest || offset < -kLargest;
@@ -172,16 +169,16 @@ void Propagation::revise(Constraint k, Bound bound) {
 }
 
 bool Propagation::impossible(Constraint k, Bound bound, Ticks candidate) {
-  const NodeIndex node = target(k, bound);
+  const NodeIndex node = arcs_.target(k, bound);
   if (node == 0) return true;
   const Ticks other = at(node, opposite(bound)).value;
   if (anchored(candidate) && anchored(other) && candidate + other > 0) return true;
-  const NodeIndex root = at(source(k, bound), bound).root;
+  const NodeIndex root = at(arcs_.source(k, bound), bound).root;
   if (root != kNone) {
     const auto& trail = trails_[2 * root + side(bound)];
     if (std::find(trail.begin(), trail.end(), node) != trail.end()) return true;
   }
-  return is_cause_of(node, source(k, bound), bound);
+  return is_cause_of(node, arcs_.source(k, bound), bound);
 }
 
 bool Propagation::is_cause_of(NodeIndex node, NodeIndex effect, Bound bound) {
@@ -212,8 +209,8 @@ void Propagation::mark_effects_stale(Bound bound) {
 /// Follows `impossible`, whose last test left the effects of the target in effects_.
 void Propagation::raise(Constraint k, Bound bound, Ticks value) {
   mark_effects_stale(bound);
-  const NodeIndex node = target(k, bound);
-  write_state(node, bound, value, k, at(source(k, bound), bound).root);
+  const NodeIndex node = arcs_.target(k, bound);
+  write_state(node, bound, value, k, at(arcs_.source(k, bound), bound).root);
   queue_node(node, bound);
 }
 
@@ -232,7 +229,7 @@ void Propagation::write_state(NodeIndex node, Bound bound, Ticks value, Constrai
 
 void Propagation::link_effect(NodeIndex node, Bound bound) {
   State& state = at(node, bound);
-  State& parent = at(source(state.cause, bound), bound);
+  State& parent = at(arcs_.source(state.cause, bound), bound);
   state.previous = kNone;
   state.next = parent.child;
   if (parent.child != kNone) at(parent.child, bound).previous = node;
@@ -244,7 +241,7 @@ void Propagation::unlink_effect(NodeIndex node, Bound bound) {
   if (state.previous != kNone) {
     at(state.previous, bound).next = state.next;
   } else {
-    at(source(state.cause, bound), bound).child = state.next;
+    at(arcs_.source(state.cause, bound), bound).child = state.next;
   }
   if (state.next != kNone) at(state.next, bound).previous = state.previous;
 }

@@ -4,24 +4,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "arc_table.hpp"
 #include "skein/temporal/network.hpp"
 #include "skein/temporal/stn_engine.hpp"
 
 namespace skein::temporal {
 
-inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-/// Constraint 2a of arc a: to - from >= min; 2a + 1: from - to >= -max. Both kinds of bounds are
-/// "value(target) >= value(source) + weight": earliest dates go with the constraint, latest dates
-/// are stored negated and go against it.
-using Constraint = std::uint32_t;
-inline constexpr Bound kBounds[] = {Bound::kLower, Bound::kUpper};
-constexpr std::uint32_t side(Bound bound) { return static_cast<std::uint32_t>(bound); }
 constexpr Bound opposite(Bound bound) {
   return bound == Bound::kLower ? Bound::kUpper : Bound::kLower;
 }
@@ -35,9 +27,6 @@ constexpr Ticks to_date(Bound bound, Ticks value) {
   if (!anchored(value)) return bound == Bound::kLower ? kMinusInfinite : kInfinite;
   return bound == Bound::kLower ? value : -value;
 }
-/// The weights of the two constraints of an arc; kMinusInfinite: no constraint.
-constexpr Ticks weight_of_min(Ticks min) { return min; }
-constexpr Ticks weight_of_max(Ticks max) { return max == kInfinite ? kMinusInfinite : -max; }
 /// kEmptyInterval, kOverflow or nothing.
 std::optional<StnError> check_interval(Ticks min, Ticks max);
 
@@ -86,16 +75,7 @@ class Propagation {
   NodeIndex root(NodeIndex node, Bound bound) const { return at(node, bound).root; }
   Constraint cause(NodeIndex node, Bound bound) const { return at(node, bound).cause; }
   const std::vector<Pending>& pending() const { return pending_; }
-  NodeIndex source(Constraint k, Bound bound) const { return ends_[k ^ side(bound)].node; }
-  NodeIndex target(Constraint k, Bound bound) const { return ends_[k ^ side(bound) ^ 1].node; }
-  Ticks weight(Constraint k) const { return weights_[k]; }
-
-  bool has_arc(ArcId arc) const { return arc < arc_slots() && ends_[2 * arc].node != kNone; }
-  Arc arc(ArcId arc) const;
-  std::optional<ArcId> find_arc(NodeIndex from, NodeIndex to) const;
-  std::size_t node_count() const { return first_.size(); }
-  std::size_t arc_slots() const { return ends_.size() / 2; }
-  std::size_t arc_count() const { return arc_slots() - free_arcs_.size(); }
+  const ArcTable& arcs() const { return arcs_; }
 
   /// What was reset since the last call.
   std::vector<BoundRef> take_resets();
@@ -127,11 +107,6 @@ class Propagation {
     bool queued = false;
     bool deferred = false;
     bool changed = false;
-  };
-  struct End {
-    NodeIndex node = kNone;
-    std::uint32_t next = kNone;
-    std::uint32_t previous = kNone;
   };
   struct Item {
     std::uint32_t id;  ///< of a constraint or of a node
@@ -183,10 +158,6 @@ class Propagation {
   const State& at(NodeIndex node, Bound bound) const { return states_[2 * node + side(bound)]; }
 
   void set_weight(Constraint k, Ticks weight);
-  void link_arc(ArcId arc, NodeIndex from, NodeIndex to);
-  void unlink_arc(ArcId arc);
-  void link_end(std::uint32_t end, NodeIndex node);
-  void unlink_end(std::uint32_t end);
 
   void process(Item item);
   void process_deferred(Item item);
@@ -221,13 +192,10 @@ class Propagation {
   void undo_state(const Undo& undo);
 
   bool literal_upper_test_;
-  std::vector<std::uint32_t> first_;  ///< of each node, its first end
+  ArcTable arcs_;
   std::vector<bool> imported_;
   std::vector<State> states_;
-  std::vector<End> ends_;  ///< 2a: arc a at its `from`; 2a + 1: at its `to`
-  std::vector<Ticks> weights_;
   std::vector<std::uint32_t> pending_at_;  ///< of (constraint, bound), its place in pending_
-  std::vector<ArcId> free_arcs_;
   std::vector<Pending> pending_;
   std::vector<std::vector<NodeIndex>> trails_;  ///< as states_, when there are imports
   Queue queue_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The structure of a propagated network, what is asked of it, and the undo log.
+// What is asked of a propagated network, and the undo log.
 #include <utility>
 
 #include "propagation.hpp"
@@ -13,8 +13,8 @@ Propagation::Propagation(bool literal_upper_test) : literal_upper_test_(literal_
 }
 
 NodeIndex Propagation::add_node(bool imported) {
-  const auto node = static_cast<NodeIndex>(node_count());
-  first_.push_back(kNone);
+  const auto node = static_cast<NodeIndex>(arcs_.nodes());
+  arcs_.add_node();
   imported_.push_back(imported);
   states_.resize(states_.size() + 2);
   if (imported) trails_.resize(states_.size());
@@ -23,68 +23,19 @@ NodeIndex Propagation::add_node(bool imported) {
 }
 
 ArcId Propagation::add_arc(const Arc& arc) {
-  auto id = static_cast<ArcId>(arc_slots());
-  if (free_arcs_.empty()) {
-    ends_.resize(ends_.size() + 2);
-    weights_.resize(weights_.size() + 2, kMinusInfinite);
-    pending_at_.resize(pending_at_.size() + 4, kNone);
-  } else {
-    id = free_arcs_.back();
-    free_arcs_.pop_back();
-  }
-  link_arc(id, arc.from, arc.to);
+  const ArcId id = arcs_.add(arc.from, arc.to);
+  pending_at_.resize(4 * arcs_.slots(), kNone);
   log({Write::kArcAdded, Bound::kLower, false, id, 0, kNone, kNone});
   for (const Constraint k : {2 * id, 2 * id + 1}) {
-    weights_[k] = k == 2 * id ? weight_of_min(arc.min) : weight_of_max(arc.max);
+    arcs_.set_weight(k, k == 2 * id ? weight_of_min(arc.min) : weight_of_max(arc.max));
     for (const Bound bound : kBounds) queue_constraint(k, bound);
   }
   return id;
 }
 
 void Propagation::remove_arc(ArcId id) {
-  log({Write::kArcRemoved, Bound::kLower, false, id, 0, ends_[2 * id].node,
-       ends_[2 * id + 1].node});
-  unlink_arc(id);
-  free_arcs_.push_back(id);
-}
-
-void Propagation::link_arc(ArcId id, NodeIndex from, NodeIndex to) {
-  link_end(2 * id, from);
-  link_end(2 * id + 1, to);
-}
-
-void Propagation::unlink_arc(ArcId id) {
-  unlink_end(2 * id);
-  unlink_end(2 * id + 1);
-}
-
-void Propagation::link_end(std::uint32_t end, NodeIndex node) {
-  ends_[end] = {node, first_[node], kNone};
-  if (first_[node] != kNone) ends_[first_[node]].previous = end;
-  first_[node] = end;
-}
-
-void Propagation::unlink_end(std::uint32_t end) {
-  const End old = ends_[end];
-  (old.previous != kNone ? ends_[old.previous].next : first_[old.node]) = old.next;
-  if (old.next != kNone) ends_[old.next].previous = old.previous;
-  ends_[end] = {};
-}
-
-Arc Propagation::arc(ArcId id) const {
-  const Ticks minus_max = weights_[2 * id + 1];
-  return {ends_[2 * id].node, ends_[2 * id + 1].node, weights_[2 * id],
-          minus_max == kMinusInfinite ? kInfinite : -minus_max};
-}
-
-std::optional<ArcId> Propagation::find_arc(NodeIndex from, NodeIndex to) const {
-  std::uint32_t out = first_[from];
-  std::uint32_t in = first_[to];
-  for (; out != kNone && in != kNone; out = ends_[out].next, in = ends_[in].next) {
-    if ((out & 1) == 0 && ends_[out ^ 1].node == to) return out / 2;
-    if ((in & 1) == 1 && ends_[in ^ 1].node == from) return in / 2;
-  }
-  return std::nullopt;
+  log({Write::kArcRemoved, Bound::kLower, false, id, 0, arcs_.from(id), arcs_.to(id)});
+  arcs_.remove(id);
 }
 
 std::vector<Propagation::BoundRef> Propagation::take_resets() { return std::exchange(resets_, {}); }
@@ -105,7 +56,8 @@ void Propagation::take_changes(std::vector<BoundChange>& changes) {
 
 void Propagation::shrink() {
   const auto fit = [](auto&... vectors) { (vectors.shrink_to_fit(), ...); };
-  fit(first_, states_, ends_, weights_, pending_at_, pending_, changed_, effects_);
+  fit(states_, pending_at_, pending_, changed_, effects_);
+  arcs_.shrink();
   queue_.shrink();
   deferred_.shrink();
 }
@@ -138,26 +90,23 @@ void Propagation::undo(const Undo& undo) {
       at(undo.id, undo.bound).stale = false;
       return;
     case Write::kWeight:
-      weights_[undo.id] = undo.value;
+      arcs_.set_weight(undo.id, undo.value);
       return;
     case Write::kPendingAdded:
       return remove_pending(undo.id, undo.bound);
     case Write::kPendingRemoved:
       return add_pending(undo.id, undo.bound);
     case Write::kNodeAdded:
-      first_.pop_back();
+      arcs_.drop_node();
       imported_.pop_back();
       states_.resize(states_.size() - 2);
       return;
     case Write::kArcAdded:
-      unlink_arc(undo.id);
-      weights_[2 * undo.id] = weights_[2 * undo.id + 1] = kMinusInfinite;
-      free_arcs_.push_back(undo.id);
+      for (const Constraint k : {2 * undo.id, 2 * undo.id + 1}) arcs_.set_weight(k, kMinusInfinite);
+      arcs_.remove(undo.id);
       return;
     case Write::kArcRemoved:
-      SKEIN_ENSURES(free_arcs_.back() == undo.id);
-      free_arcs_.pop_back();
-      link_arc(undo.id, undo.cause, undo.root);
+      arcs_.put_back(undo.id, undo.cause, undo.root);
       return;
   }
 }
@@ -171,10 +120,10 @@ std::size_t Propagation::memory_bytes() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   std::size_t trails = trails_.capacity() * sizeof(trails_[0]);
   for (const auto& trail : trails_) trails += bytes(trail);
-  return sizeof(*this) + bytes(first_) + imported_.capacity() / 8 + bytes(states_) + bytes(ends_) +
-         bytes(weights_) + bytes(pending_at_) + bytes(free_arcs_) + bytes(pending_) + trails +
-         queue_.memory_bytes() + deferred_.memory_bytes() + bytes(weakened_) + bytes(resets_) +
-         bytes(changed_) + bytes(effects_) + bytes(log_);
+  return sizeof(*this) + arcs_.memory_bytes() + imported_.capacity() / 8 + bytes(states_) +
+         bytes(pending_at_) + bytes(pending_) + trails + queue_.memory_bytes() +
+         deferred_.memory_bytes() + bytes(weakened_) + bytes(resets_) + bytes(changed_) +
+         bytes(effects_) + bytes(log_);
 }
 
 }  // namespace skein::temporal

@@ -98,7 +98,7 @@ std::optional<StnRefusal> StnEngine::set_arc(const ArcBounds& bounds) {
 
 std::optional<StnRefusal> StnEngine::set_arcs(std::span<const ArcBounds> bounds) {
   for (const ArcBounds& b : bounds) {
-    if (!core_->has_arc(b.arc)) return StnRefusal{StnError::kUnknownArc, b.arc};
+    if (!core_->arcs().has(b.arc)) return StnRefusal{StnError::kUnknownArc, b.arc};
     if (const auto error = check_interval(b.min, b.max)) return StnRefusal{*error, b.arc};
   }
   core_->mark();
@@ -107,7 +107,7 @@ std::optional<StnRefusal> StnEngine::set_arcs(std::span<const ArcBounds> bounds)
 }
 
 std::optional<StnRefusal> StnEngine::remove_arc(ArcId arc) {
-  if (!core_->has_arc(arc)) return StnRefusal{StnError::kUnknownArc, arc};
+  if (!core_->arcs().has(arc)) return StnRefusal{StnError::kUnknownArc, arc};
   core_->mark();
   core_->set_bounds({arc, kMinusInfinite, kInfinite});
   if (const auto refusal = finish(arc)) return refusal;
@@ -153,8 +153,8 @@ const std::vector<BoundChange>& StnEngine::changes() const { return changes_; }
 std::vector<ConflictArc> StnEngine::conflict() const { return find_conflict(*core_); }
 
 std::optional<Arc> StnEngine::arc(ArcId id) const {
-  if (!core_->has_arc(id)) return std::nullopt;
-  Arc arc = core_->arc(id);
+  if (!core_->arcs().has(id)) return std::nullopt;
+  Arc arc = core_->arcs().arc(id);
   arc.from = inner(arc.from);
   arc.to = inner(arc.to);
   return arc;
@@ -162,11 +162,11 @@ std::optional<Arc> StnEngine::arc(ArcId id) const {
 
 std::optional<ArcId> StnEngine::find_arc(NodeIndex from, NodeIndex to) const {
   if (from >= node_count() || to >= node_count()) return std::nullopt;
-  return core_->find_arc(inner(from), inner(to));
+  return core_->arcs().find(inner(from), inner(to));
 }
 
-std::size_t StnEngine::node_count() const { return core_->node_count(); }
-std::size_t StnEngine::arc_count() const { return core_->arc_count(); }
+std::size_t StnEngine::node_count() const { return core_->arcs().nodes(); }
+std::size_t StnEngine::arc_count() const { return core_->arcs().count(); }
 
 void StnEngine::checkpoint() { core_->mark(); }
 
