@@ -40,7 +40,7 @@ Result<void, Failure> Station::open() {
   config.self = roster.operators();
   config.incarnation = static_cast<std::uint64_t>(node::Waker::steady_now().count());
   config.channels = roster.channels_of(*roster.find(kName));
-  config.world_reads = node::Roster::world_reads_of(wire::Role::kOperator);
+  config.world_reads = roster.world_reads_of(wire::Role::kOperator);
   auto board = blackboard::Blackboard::open(std::move(config), *transport_);
   if (!board) return tl::unexpected(board.error());
   board_.emplace(std::move(*board));

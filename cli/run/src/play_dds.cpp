@@ -112,7 +112,7 @@ class DdsRun {
     config.self = self.number;
     config.incarnation = static_cast<std::uint64_t>(node::Waker::steady_now().count());
     config.channels = roster_.channels_of(self);
-    config.world_reads = node::Roster::world_reads_of(self.role);
+    config.world_reads = roster_.world_reads_of(self.role);
     auto board = blackboard::Blackboard::open(std::move(config), *transport_);
     if (!board) return tl::unexpected(board.error());
     board_.emplace(std::move(*board));

@@ -77,6 +77,8 @@ void add(Json& line, const node::LoggedInput& input) {
                           line["to"] = one.to.value();
                           line["slot"] = wire::slot_name(one.slot);
                           line["sequence"] = one.sequence;
+                          line["receipt"] = one.receipt;
+                          line["may_have_arrived"] = one.may_have_arrived;
                         },
                         [&](const node::Delivered& one) {
                           line["kind"] = "delivered";

@@ -35,8 +35,6 @@ using translation::to_wire;
 /// Of jobs: those of the supervisor come before.
 constexpr std::uint64_t kFirstReckoning = std::uint64_t{1} << 32U;
 
-constexpr Duration kSaidAgain = Duration::milliseconds(2'000);
-
 dn::Config decision_config(const DdnConfig& config, const node::Roster& roster) {
   dn::Config result = config;
   for (const node::Member& member : roster.members()) {
@@ -109,12 +107,23 @@ std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
     if (result != nullptr) return supervisor::JobFinished{done->id, *result};
     const auto* rows = std::any_cast<Result<interaction::Rows, Failure>>(&done->result);
     if (rows != nullptr) return dn::ReckoningFinished{done->id - kFirstReckoning, *rows};
+  } else if (const auto* lost = std::get_if<node::Undelivered>(&input)) {
+    note(*lost);
   } else if (std::holds_alternative<node::Started>(input)) {
     return dn::Started{};
   } else if (std::holds_alternative<node::Wakeup>(input)) {
     return dn::Tick{};
   }
   return std::nullopt;
+}
+
+// What negotiations say they say again by themselves; a word between executives is all that there
+// is.
+void DdnNode::note(const node::Undelivered& lost) {
+  if (lost.slot != wire::Slot::kSyncMessage) return;
+  log(lines::Notice{.uav = uav_,
+                    .text = "a synchronisation message to " + roster_.name_of(lost.to) +
+                            " was not delivered in its lifetime"});
 }
 
 void DdnNode::drop(const node::Received& received, const std::string& why) {
@@ -168,7 +177,7 @@ void DdnNode::carry_out(const dn::PerceptionPassedOn& effect) {
 void DdnNode::carry_out(const dn::SyncPassedOn& effect) { send_to_ground(to_wire(effect.message)); }
 
 void DdnNode::carry_out(const dn::NegotiationPassedOn& effect) {
-  send(roster_.ground(), to_wire(effect.message, uav_), now_ + kSaidAgain);
+  send(roster_.ground(), to_wire(effect.message, uav_));
 }
 
 // Two partners may have given it the same number.
@@ -245,17 +254,17 @@ void DdnNode::carry_out(const dn::SendSync& effect) {
   send(next, to_wire(message, uav_, now_), effect.expires);
 }
 
-// What is not there soon is said again.
+// What is not there within the lifespan of its slot is said again.
 void DdnNode::carry_out(const dn::SendNegotiation& effect) {
-  send(roster_.find(effect.to)->number, to_wire(effect.message, effect.to), now_ + kSaidAgain);
+  send(roster_.find(effect.to)->number, to_wire(effect.message, effect.to));
 }
 
 void DdnNode::carry_out(const dn::SendTeam& effect) {
-  send(roster_.find(effect.to)->number, to_wire(effect.message), now_ + kSaidAgain);
+  send(roster_.find(effect.to)->number, to_wire(effect.message));
 }
 
 void DdnNode::carry_out(const dn::SendMerge& effect) {
-  send(roster_.find(effect.to)->number, to_wire(effect.message), now_ + kSaidAgain);
+  send(roster_.find(effect.to)->number, to_wire(effect.message));
 }
 
 void DdnNode::carry_out(const dn::SendFrontier& effect) {

@@ -88,6 +88,20 @@ TEST_P(AtDegree, IsIndifferentToSlotsThatAreNotForIt) {
   EXPECT_THAT(bench.give(node::Undelivered{}), IsEmpty());
 }
 
+TEST_P(AtDegree, NotesAWordToAPartnerThatDidNotArrive) {
+  node::Undelivered lost;
+  lost.to = node::NodeNumber(1);
+  lost.slot = wire::Slot::kNegotiationMessage;
+  bench.give(lost);
+  EXPECT_THAT(bench.records("notice"), IsEmpty()) << "negotiations say it again";
+  lost.slot = wire::Slot::kSyncMessage;
+  bench.give(lost);
+
+  ASSERT_EQ(bench.records("notice").size(), 1U);
+  EXPECT_EQ(bench.records("notice")[0].text("text"),
+            "a synchronisation message to ground was not delivered in its lifetime");
+}
+
 TEST_P(AtDegree, GivesTheSameAnswerToACommandSeenAgainAndDoesNothingElse) {
   const wire::TaskRequest request = start(7, a_task(1, "goto"));
   const std::vector<std::string> first = bench.from_ground(request);

@@ -16,8 +16,6 @@ namespace {
 
 namespace gs = ground_station;
 
-constexpr Duration kSaidAgain = Duration::milliseconds(2'000);
-
 }  // namespace
 
 // What makes no sense is as if it had not come: it is said again.
@@ -76,7 +74,7 @@ void GroundNode::carry_out(const gs::DeclareLost& effect) {
 
 void GroundNode::carry_out(const gs::TeamTell& effect) {
   if (out_of_reach_.contains(effect.to)) return;
-  send(effect.to, translation::to_wire(effect.message), now_ + kSaidAgain);
+  send(effect.to, translation::to_wire(effect.message));
 }
 
 void GroundNode::carry_out(const gs::TeamTaskChanged& effect) {

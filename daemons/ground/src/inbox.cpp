@@ -103,6 +103,11 @@ Inbox::Read Inbox::read(const node::Input& input, MissionTime now) {
   if (const auto* delivered = std::get_if<node::Delivered>(&input)) {
     return {gs::CommandDelivered{gs::CommandNumber(delivered->receipt)}, std::nullopt};
   }
+  if (const auto* lost = std::get_if<node::Undelivered>(&input)) {
+    // Of one that may have arrived the answer is waited for, as of any.
+    if (lost->receipt == 0 || lost->may_have_arrived) return {};
+    return {gs::CommandUndelivered{gs::CommandNumber(lost->receipt)}, std::nullopt};
+  }
   const auto* reach = std::get_if<node::Reachability>(&input);
   if (reach == nullptr || !is_uav(reach->peer)) return {};
   return {gs::PeerReachable{roster_.name_of(reach->peer), reach->reachable, reach->restarted},

@@ -16,8 +16,6 @@ namespace gs = ground_station;
 using translation::from_wire;
 using translation::to_wire;
 
-constexpr Duration kSaidAgain = Duration::milliseconds(2'000);
-
 std::optional<dn::StandInInput> input_of(const std::string& uav, const wire::Sample& sample) {
   if (const auto* message = std::get_if<wire::NegotiationMessage>(&sample)) {
     return from_wire(*message);
@@ -51,7 +49,7 @@ class Said {
       : uav_(uav), number_(number), now_(now), out_(out) {}
 
   void carry_out(const dn::SendNegotiation& effect) {
-    out_.push_back(node::Send{number_, to_wire(effect.message, effect.to), now_ + kSaidAgain});
+    out_.push_back(node::Send{number_, to_wire(effect.message, effect.to)});
   }
   void carry_out(const dn::JointTaskChanged& effect) {
     log(joint_lines::line_of(writer(), uav_, effect.status));

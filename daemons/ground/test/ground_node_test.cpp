@@ -105,6 +105,21 @@ TEST(GroundNode, PublishesAndLogsThePhaseItEnters) {
   EXPECT_EQ(station.records("step").size(), 1U);
 }
 
+TEST(GroundNode, ACommandThatCouldNotBeDeliveredIsOverAtOnce) {
+  Station station(one_goto());
+  station.give(node::Wakeup{}, 1);
+  const auto marvin = station.roster().find("marvin")->number;
+
+  station.give(node::Undelivered{marvin, wire::Slot::kAlarm, 4, 0, false}, 50);
+  station.give(node::Undelivered{marvin, wire::Slot::kTaskRequest, 1, 1, true}, 61);
+  EXPECT_TRUE(station.records("command").empty()) << "no command, and one that may be answered";
+  station.give(node::Undelivered{marvin, wire::Slot::kTaskRequest, 1, 1, false}, 61);
+
+  ASSERT_EQ(station.records("command").size(), 1U);
+  EXPECT_EQ(station.records("command")[0].text("state"), "expired");
+  EXPECT_EQ(station.records("command")[0].text("why"), "not delivered: no contact in its lifetime");
+}
+
 TEST(GroundNode, LogsACommandFromItsIssueToItsAnswer) {
   Station station(one_goto());
   station.give(node::Wakeup{}, 1);

@@ -14,6 +14,8 @@ std::string_view name_of(Refusal refusal) {
       return "too many unacknowledged events";
     case Refusal::kMalformed:
       return "malformed";
+    case Refusal::kTooLong:
+      return "too long";
   }
   return "?";
 }
@@ -77,7 +79,7 @@ bool Blackboard::reachable(NodeNumber peer) const {
 
 std::size_t Blackboard::unacknowledged(NodeNumber peer) const {
   const Peer* known = impl_->peer(peer);
-  return known == nullptr ? 0 : known->outgoing().size();
+  return known == nullptr ? 0 : known->outgoing().size() + known->outgoing_parts().size();
 }
 
 std::uint64_t Blackboard::shed(NodeNumber peer) const {
@@ -90,6 +92,12 @@ MissionTime Blackboard::latest_heard() const { return impl_->latest_heard(); }
 std::uint64_t Blackboard::settled(NodeNumber peer) const {
   const Peer* known = impl_->peer(peer);
   return known == nullptr ? 0 : known->outgoing().oldest() - 1;
+}
+
+std::uint64_t Blackboard::settled_long(NodeNumber peer) const {
+  const Peer* known = impl_->peer(peer);
+  const std::uint64_t last = known == nullptr ? 0 : known->outgoing_parts().settled();
+  return last < kFirstLongEvent ? 0 : last;
 }
 
 }  // namespace skein::blackboard

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "skein/blackboard/cdr.hpp"
 #include "skein/foundation/contract.hpp"
 
 namespace skein::blackboard {
@@ -50,7 +51,8 @@ Blackboard::Impl::Impl(Config config, Transport& transport)
       transport_(transport),
       connections_(transport, config_.channels, config_.heartbeat_period),
       losses_(config_.seed, "blackboard/losses/" + to_text(config_.self)),
-      sequence_(std::uint64_t{config_.life} << kBitsOfALife) {
+      sequence_(std::uint64_t{config_.life} << kBitsOfALife),
+      incarnation_(config_.incarnation) {
   SKEIN_EXPECTS(config_.self != kEverybody);
   SKEIN_EXPECTS(config_.incarnation > 0);
   SKEIN_EXPECTS(config_.heartbeat_period > Duration{});
@@ -106,7 +108,7 @@ void Blackboard::Impl::stamp(wire::SampleHeader& header, NodeNumber to, std::uin
                              Now now) const {
   header.origin = config_.self.value();
   header.destination = to.value();
-  header.incarnation = config_.incarnation;
+  header.incarnation = incarnation_for(to);
   header.sequence_number = sequence;
   header.mission_time = now.mission.count();
   header.expires = wire::kNever;
@@ -142,41 +144,57 @@ Result<std::uint64_t, Refusal> Blackboard::Impl::send(wire::Sample sample, NodeN
   }
   if (wire::find_violation(sample)) return tl::unexpected(Refusal::kMalformed);
   Peer& peer = found->second;
-  wire::SampleHeader& header = wire::header_of(sample);
-  if (is_event(slot)) {
-    if (peer.outgoing().full()) return tl::unexpected(Refusal::kFull);
-    const std::uint64_t sequence = peer.outgoing().next_sequence();
-    stamp(header, to, sequence, now);
-    header.expires = options.expires.count();
-    peer.outgoing().hold(std::move(sample), options.receipt);
-    write_due_events(peer, now);
-    plan(peer);
-    return sequence;
-  }
-  stamp(header, to, ++sequence_, now);
+  if (is_event(slot)) return send_event(peer, std::move(sample), now, options);
+  stamp(wire::header_of(sample), to, ++sequence_, now);
   const std::uint64_t sequence_of_value = sequence_;
   send_value(peer, std::move(sample), now);
   return sequence_of_value;
+}
+
+Result<std::uint64_t, Refusal> Blackboard::Impl::send_event(Peer& peer, wire::Sample event, Now now,
+                                                            SendOptions options) {
+  const bool is_long = peer.is_long(event);
+  if (is_long ? peer.outgoing_parts().full() : peer.outgoing().full())
+    return tl::unexpected(Refusal::kFull);
+  if (is_long && encoded_size(event) > IncomingParts::kLongest)
+    return tl::unexpected(Refusal::kTooLong);
+  const std::uint64_t sequence =
+      is_long ? peer.outgoing_parts().next_number() : peer.outgoing().next_sequence();
+  wire::SampleHeader& header = wire::header_of(event);
+  stamp(header, peer.channels().number, sequence, now);
+  header.expires =
+      expiry_of(wire::slot_of(event), config_.lifespans, now.mission, options.expires).count();
+  if (is_long) {
+    peer.outgoing_parts().hold(event, options.receipt);
+  } else {
+    peer.outgoing().hold(std::move(event), options.receipt);
+  }
+  write_due_events(peer, now);
+  plan(peer);
+  return sequence;
 }
 
 void Blackboard::Impl::write_due_events(Peer& peer, Now now) {
   const NodeNumber to = peer.channels().number;
   if (router_ && router_->is_relayed(to)) {
     for (const wire::Sample* event : peer.take_due_events(now)) send_on(to, *event, now);
+    write_parts(peer, now);
   } else if (peer.limited() != nullptr) {
     write_in_turn(peer, now);
   } else {
     for (const wire::Sample* event : peer.take_due_events(now))
       write(peer.channels().outgoing, *event);
+    write_parts(peer, now);
   }
 }
 
 void Blackboard::Impl::write_in_turn(Peer& peer, Now now) {
   while (auto next = peer.take_next(now)) {
-    auto* heartbeat = std::get_if<wire::Heartbeat>(&*next);
-    if (heartbeat != nullptr && heartbeat->header.origin == 0) {
-      stamp(heartbeat->header, peer.channels().number, ++sequence_, now);
-      send_past_relays(*heartbeat, now);
+    wire::SampleHeader& header = wire::header_of(*next);
+    if (header.origin == 0) {
+      stamp(header, peer.channels().number, ++sequence_, now);
+      const auto* heartbeat = std::get_if<wire::Heartbeat>(&*next);
+      if (heartbeat != nullptr) send_past_relays(*heartbeat, now);
     }
     write(peer.channels().outgoing, *next);
   }
@@ -200,6 +218,10 @@ Result<std::uint64_t, Refusal> Blackboard::Impl::publish(wire::Sample sample, No
   }
   if (wire::find_violation(sample)) return tl::unexpected(Refusal::kMalformed);
   stamp(wire::header_of(sample), kEverybody, ++sequence_, now);
+  const wire::Slot slot = wire::slot_of(sample);
+  if (config_.guesses_incarnation && wire::slot_class(slot) == wire::SlotClass::kState)
+    own_states_.insert_or_assign(OwnStateKey{kEverybody, slot, wire::header_of(sample).instance},
+                                 sample);
   write(*world_, sample);
   return sequence_;
 }
@@ -211,18 +233,25 @@ void Blackboard::Impl::recall_sent(wire::Sample sample, NodeNumber to, MissionTi
   if (found == peers_.end() || !is_event(slot)) return;
   if (!originates(found->second.channels().outgoing, slot) || wire::find_violation(sample)) return;
   Peer& peer = found->second;
-  stamp(wire::header_of(sample), to, peer.outgoing().next_sequence(), {at, {}});
-  wire::header_of(sample).expires = options.expires.count();
+  const std::uint64_t sequence =
+      peer.is_long(sample) ? peer.outgoing_parts().next_number() : peer.outgoing().next_sequence();
+  stamp(wire::header_of(sample), to, sequence, {at, {}});
+  wire::header_of(sample).expires = expiry_of(slot, config_.lifespans, at, options.expires).count();
   peer.recall_sent(std::move(sample), options.receipt);
   plan(peer);
 }
 
 void Blackboard::Impl::recall_acknowledged(NodeNumber peer, std::uint64_t sequence) {
+  if (sequence >= kFirstLongEvent)
+    return change(peer, [&](Peer& one) { one.outgoing_parts().recall_acknowledged(sequence); });
   change(peer, [&](Peer& one) { one.outgoing().acknowledge(sequence); });
 }
 
 void Blackboard::Impl::recall_given_up(NodeNumber to, std::uint64_t sequence) {
-  change(to, [&](Peer& one) { one.outgoing().give_up(sequence); });
+  change(to, [&](Peer& one) {
+    if (sequence >= kFirstLongEvent) return one.outgoing_parts().give_up(sequence);
+    one.outgoing().give_up(sequence);
+  });
 }
 
 void Blackboard::Impl::recall_received(wire::Slot slot, const wire::SampleHeader& header) {
@@ -388,6 +417,8 @@ void Blackboard::Impl::admit_from_peer(const ChannelConfig& channel, wire::Sampl
     peer.on_event(header, std::move(sample), now, out_);
     return hear(peer);
   }
+  if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample))
+    compare_lives(peer, *heartbeat, now);
   if (!freshness_.admit(slot, header)) return;
   if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample)) {
     if (router_ && header.via.empty() && channel.kind == ChannelKind::kRadio)
@@ -395,6 +426,7 @@ void Blackboard::Impl::admit_from_peer(const ChannelConfig& channel, wire::Sampl
     peer.on_heartbeat(*heartbeat, now, out_);
     return hear(peer);
   }
+  if (const auto* part = std::get_if<wire::Part>(&sample)) return admit_part(peer, *part, now);
   if (auto* report = std::get_if<wire::Neighbours>(&sample)) return learn(std::move(*report), now);
   out_.emplace_back(Received{NodeNumber(header.origin), peer.channels().kind, std::move(sample)});
 }

@@ -60,6 +60,13 @@ class Blackboard::Impl {
   void admit(std::size_t channel, wire::Sample sample, Now now);
   void admit_from_world(wire::Sample sample);
   void admit_from_peer(const ChannelConfig& channel, wire::Sample sample, Now now);
+  void admit_part(Peer& peer, const wire::Part& part, Now now);
+  /// What is wrong with an event that came in parts, as a channel would find.
+  std::optional<wire::Violation> long_event_violation(const Peer& peer, const wire::Part& part,
+                                                      const wire::Sample& event) const;
+  Result<std::uint64_t, Refusal> send_event(Peer& peer, wire::Sample event, Now now,
+                                            SendOptions options);
+  void write_parts(Peer& peer, Now now);
   void refuse(wire::Slot slot, const wire::SampleHeader& header, const wire::Violation& violation);
   void refuse_event(std::size_t channel, wire::Slot slot, const wire::SampleHeader& header,
                     Now now);
@@ -70,6 +77,11 @@ class Blackboard::Impl {
   void let_go(Peer& peer);
   /// Something of its session came: it counts as handled from the next step on.
   void hear(const Peer& peer);
+  /// What a heartbeat says of incarnations, its sender's and of this node.
+  void compare_lives(Peer& peer, const wire::Heartbeat& heartbeat, Now now);
+  /// To the peer this node is of that incarnation: says everything again.
+  void become(Peer& peer, std::uint64_t incarnation, Now now);
+  std::uint64_t incarnation_for(NodeNumber to) const;
 
   // Relaying (blackboard_relaying.cpp).
 
@@ -127,7 +139,11 @@ class Blackboard::Impl {
   MissionTime latest_heard_;
   std::optional<routing::Router> router_;  ///< if there are relays
   routing::PassedOn passed_on_;
-  std::map<OwnStateKey, wire::Sample> own_states_;  ///< as last sent; if there are relays
+  /// As last sent; if there are relays, or the incarnation is a guess. On the world channel: to
+  /// kEverybody.
+  std::map<OwnStateKey, wire::Sample> own_states_;
+  std::uint64_t incarnation_;  ///< on the world channel, the greatest of those told
+  std::set<NodeNumber> takers_for_older_;
   std::map<NodeNumber, wire::Neighbours> reports_;  ///< by author, as passed on
   std::map<NodeNumber, routing::Way> told_;         ///< the ways that are not direct
 };

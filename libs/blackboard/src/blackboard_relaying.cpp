@@ -33,7 +33,9 @@ void Blackboard::Impl::hand_to(Peer& hop, wire::Sample sample, Now now) {
     if (up || is_state(slot)) write(hop.channels().outgoing, sample);
     return;
   }
-  if (slot == wire::Slot::kHeartbeat || wire::slot_class(slot) == wire::SlotClass::kEvent) {
+  const bool each = slot == wire::Slot::kHeartbeat || slot == wire::Slot::kPart ||
+                    wire::slot_class(slot) == wire::SlotClass::kEvent;
+  if (each) {
     limited->pass(std::move(sample));
   } else {
     limited->put(std::move(sample));
@@ -57,7 +59,7 @@ void Blackboard::Impl::send_past_relays(wire::Heartbeat heartbeat, Now now) {
 void Blackboard::Impl::send_value(Peer& peer, wire::Sample sample, Now now) {
   const wire::Slot slot = wire::slot_of(sample);
   const NodeNumber to = peer.channels().number;
-  if (router_ && is_state(slot))
+  if ((router_ || config_.guesses_incarnation) && is_state(slot))
     own_states_.insert_or_assign(OwnStateKey{to, slot, wire::header_of(sample).instance}, sample);
   const bool relayed = router_ && router_->is_relayed(to);
   if (relayed) send_on(to, sample, now);

@@ -39,6 +39,8 @@ class IncomingEvents {
   /// Lets through what is next; expired events are reported instead.
   void deliver(ChannelKind kind, MissionTime now, std::vector<Incoming>& out);
 
+  /// To the peer this node is of this incarnation from now on.
+  void become(std::uint64_t self_incarnation) { self_incarnation_ = self_incarnation; }
   /// What was let through so far counts as handled from now on.
   void commit();
   /// This one was handled in a life before this one.

@@ -9,10 +9,11 @@
 namespace skein::blackboard {
 namespace {
 
-constexpr std::size_t kHeartbeats = 0, kEvents = 1, kFirstValue = 2;
+constexpr std::size_t kHeartbeats = 0, kEvents = 1, kParts = 2, kFirstValue = 3;
 
 bool is_value(wire::Slot slot) {
-  return slot != wire::Slot::kHeartbeat && wire::slot_class(slot) != wire::SlotClass::kEvent;
+  return slot != wire::Slot::kHeartbeat && slot != wire::Slot::kPart &&
+         wire::slot_class(slot) != wire::SlotClass::kEvent;
 }
 
 std::vector<wire::Slot> values_among(const std::vector<wire::Slot>& slots) {
@@ -26,12 +27,15 @@ const SlotShare& share_of(const SlotShares& shares, wire::Slot slot) {
 }
 
 std::vector<SlotShare> flows_of(const std::vector<wire::Slot>& slots, const SlotShares& shares) {
-  std::vector<SlotShare> flows{share_of(shares, wire::Slot::kHeartbeat), {}};
+  const bool parts = std::ranges::find(slots, wire::Slot::kPart) != slots.end();
+  std::vector<SlotShare> flows{share_of(shares, wire::Slot::kHeartbeat),
+                               {},
+                               parts ? share_of(shares, wire::Slot::kPart) : SlotShare{}};
   for (const wire::Slot slot : slots) {
     const SlotShare& share = share_of(shares, slot);
     if (is_value(slot)) {
       flows.push_back(share);
-    } else if (slot != wire::Slot::kHeartbeat) {
+    } else if (wire::slot_class(slot) == wire::SlotClass::kEvent) {
       flows[kEvents].fraction += share.fraction;
       flows[kEvents].priority = std::max(flows[kEvents].priority, share.priority);
     }
@@ -46,18 +50,18 @@ LimitedChannel::LimitedChannel(const std::vector<wire::Slot>& slots, const SlotS
     : slots_(values_among(slots)),
       schedule_(flows_of(slots, shares), heartbeat_bytes(), heartbeat_period) {}
 
-std::optional<LimitedChannel::Turn> LimitedChannel::next(std::size_t heartbeat, std::size_t event,
-                                                         Duration now) {
+std::optional<LimitedChannel::Turn> LimitedChannel::next(const Waiting& first, Duration now) {
   if (now < schedule_.free_at()) return std::nullopt;
-  std::vector<std::size_t> waiting{heartbeat, event};
+  std::vector<std::size_t> waiting{first.heartbeat, first.event, first.part};
   for (const wire::Slot slot : slots_) {
-    const wire::Sample* first = values_.first(slot);
-    waiting.push_back(first == nullptr ? 0 : channel_bytes(*first));
+    const wire::Sample* value = values_.first(slot);
+    waiting.push_back(value == nullptr ? 0 : channel_bytes(*value));
   }
   const auto flow = schedule_.pick(waiting, now);
   if (!flow) return std::nullopt;
   Turn turn{Turn::Of::kHeartbeat, wire::Slot::kHeartbeat, *flow, waiting[*flow]};
   if (*flow == kEvents) turn.of = Turn::Of::kEvents;
+  if (*flow == kParts) turn.of = Turn::Of::kPart;
   if (*flow >= kFirstValue) {
     turn.of = Turn::Of::kValue;
     turn.slot = slots_[*flow - kFirstValue];

@@ -19,16 +19,16 @@ namespace skein::blackboard {
 class LimitedChannel {
  public:
   struct Turn {
-    enum class Of : std::uint8_t { kHeartbeat, kEvents, kValue };
+    enum class Of : std::uint8_t { kHeartbeat, kEvents, kPart, kValue };
     Of of = Of::kHeartbeat;
     wire::Slot slot = wire::Slot::kHeartbeat;  ///< of a value
     std::size_t flow = 0;
     std::size_t bytes = 0;
   };
 
-  /// Events of all slots are in one order and share one flow: its fraction is the sum of theirs,
-  /// its priority the greatest of them. Heartbeats get at least what one every `heartbeat_period`
-  /// takes: without them there is no contact.
+  /// Parts of long events are a flow of their own. Events of all slots are in one order and share
+  /// one flow: its fraction is the sum of theirs, its priority the greatest of them. Heartbeats get
+  /// at least what one every `heartbeat_period` takes: without them there is no contact.
   LimitedChannel(const std::vector<wire::Slot>& slots, const SlotShares& shares,
                  Duration heartbeat_period);
 
@@ -36,6 +36,7 @@ class LimitedChannel {
   void set_capacity(double bits_per_second, Duration now) {
     schedule_.set_capacity(bits_per_second, now);
   }
+  double capacity() const { return schedule_.capacity(); }
   Duration airtime(std::size_t bytes) const { return schedule_.airtime(bytes); }
   Duration free_at() const { return schedule_.free_at(); }
 
@@ -54,9 +55,14 @@ class LimitedChannel {
   /// Values that a newer one took the place of before their turn came.
   std::uint64_t shed() const { return shed_; }
 
-  /// Whose turn it is now, when the first waiting heartbeat and event have so many bytes (0: none
-  /// waits). None while something is under way or nothing waits.
-  std::optional<Turn> next(std::size_t heartbeat, std::size_t event, Duration now);
+  /// Bytes of what waits where it is made; 0: none waits.
+  struct Waiting {
+    std::size_t heartbeat = 0;
+    std::size_t event = 0;  ///< the first one
+    std::size_t part = 0;   ///< of a long event
+  };
+  /// Whose turn it is now. None while something is under way or nothing waits.
+  std::optional<Turn> next(const Waiting& first, Duration now);
   /// It is being written; gives when that ends.
   Duration write(const Turn& turn, Duration now) {
     return schedule_.write(turn.flow, turn.bytes, now);

@@ -18,12 +18,14 @@ constexpr std::int64_t kLongAgo = std::numeric_limits<std::int64_t>::min();
 void OutgoingEvents::hold(wire::Sample event, std::uint64_t receipt) {
   SKEIN_EXPECTS(!full());
   recall(std::move(event), receipt);
+  held_.back().may_have_arrived = false;
 }
 
 void OutgoingEvents::recall(wire::Sample event, std::uint64_t receipt) {
   SKEIN_EXPECTS(wire::header_of(event).sequence_number == next_);
   held_.push_back({std::move(event)});
   held_.back().receipt = receipt;
+  held_.back().may_have_arrived = true;  // as far as is known
   ++next_;
 }
 
@@ -60,6 +62,11 @@ void OutgoingEvents::resend() {
   }
 }
 
+void OutgoingEvents::become(std::uint64_t incarnation) {
+  for (Held& event : held_) wire::header_of(event.sample).incarnation = incarnation;
+  resend();
+}
+
 std::vector<EventExpired> OutgoingEvents::expire(MissionTime now) {
   std::vector<EventExpired> expired;
   for (Held& event : held_) {
@@ -68,7 +75,8 @@ std::vector<EventExpired> OutgoingEvents::expire(MissionTime now) {
     event.given_up = true;
     header.expires = kLongAgo;
     expired.push_back({wire::slot_of(event.sample), NodeNumber(header.origin),
-                       NodeNumber(header.destination), header.sequence_number, header.incarnation});
+                       NodeNumber(header.destination), header.sequence_number, header.incarnation,
+                       event.receipt, event.may_have_arrived});
   }
   drop_given_up();
   return expired;
@@ -76,6 +84,7 @@ std::vector<EventExpired> OutgoingEvents::expire(MissionTime now) {
 
 void OutgoingEvents::write(Held& event, Duration at) {
   event.written = at;
+  event.may_have_arrived = event.may_have_arrived || contact_;
   ++event.writings;
 }
 

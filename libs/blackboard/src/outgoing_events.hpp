@@ -48,8 +48,14 @@ class OutgoingEvents {
   std::vector<std::uint64_t> acknowledge(std::uint64_t sequence);
   /// The peer has come back or started anew: everything is to be written again.
   void resend();
+  /// From now on this node has this incarnation for the peer, which has taken nothing from it
+  /// before: everything that is held is of it, and to be written again.
+  void become(std::uint64_t incarnation);
   /// Gives up what has expired by now.
   std::vector<EventExpired> expire(MissionTime now);
+
+  /// Whether the peer is heard, from now on.
+  void set_contact(bool contact) { contact_ = contact; }
 
   /// What is to be written now, oldest first; counts as written. `round_trip` is what the channel
   /// itself adds before an acknowledgement can be here. Valid until the next call of anything.
@@ -70,6 +76,7 @@ class OutgoingEvents {
     wire::Sample sample;
     std::optional<Duration> written = {};  ///< steady
     int writings = 0;                      ///< since the peer was last heard from
+    bool may_have_arrived = false;         ///< written while the peer was heard
     bool given_up = false;
     std::uint64_t receipt = 0;
   };
@@ -85,6 +92,7 @@ class OutgoingEvents {
   std::deque<Held> held_;
   std::uint64_t next_ = 1;
   bool turn_of_old_ = false;
+  bool contact_ = false;
 };
 
 }  // namespace skein::blackboard

@@ -14,6 +14,14 @@ constexpr std::size_t kHeartbeatsBetween = 4;
 /// As long as most of what goes over radio [byte].
 constexpr std::size_t kLongSample = 512;
 
+/// An event of more goes in parts [byte]; less is what would keep a narrow channel from heartbeats,
+/// but not less than this.
+constexpr double kLongEvent = 16'384, kLeastLongEvent = 1024;
+/// Content of a part [byte], as long as the wire allows and no longer than others may wait for it.
+constexpr double kLongestPart = 4096, kShortestPart = 512;
+constexpr double kPartsASecond = 4;
+constexpr double kBitsPerByte = 8;
+
 std::optional<Duration> sooner(std::optional<Duration> a, std::optional<Duration> b) {
   if (!a || !b) return a ? a : b;
   return std::min(*a, *b);
@@ -27,7 +35,8 @@ Peer::Peer(PeerChannels channels, const Config& config)
       self_incarnation_(config.incarnation),
       period_(config.heartbeat_period),
       outgoing_(config.held_events, config.retransmission),
-      incoming_(config.self, config.incarnation) {
+      incoming_(config.self, config.incarnation),
+      parts_out_(config.retransmission) {
   limit(config.channels[channels.outgoing].capacity, {});
 }
 
@@ -76,6 +85,7 @@ void Peer::set_way(std::size_t relays, bool heard_of, bool anew, Now now) {
   heard_of_ = heard_of;
   if (!anew) return;
   outgoing_.resend();
+  parts_out_.resend();
   next_heartbeat_ = now.steady;
 }
 
@@ -108,9 +118,12 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
   if (!reachable_ || restarted) {
     out.emplace_back(Reachability{channels_.number, true, restarted});
     outgoing_.resend();
+    parts_out_.resend();
     next_heartbeat_ = now.steady;
   }
   reachable_ = true;
+  outgoing_.set_contact(true);
+  parts_out_.set_contact(true);
   recalled_ = false;
   incarnation_ = incarnation;
   last_heard_ = now.steady;
@@ -119,18 +132,34 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
   owe_acknowledgement(now.steady);
 }
 
+void Peer::become(std::uint64_t incarnation, Duration now) {
+  self_incarnation_ = incarnation;
+  outgoing_.become(incarnation);
+  parts_out_.become(incarnation);
+  incoming_.become(incarnation);
+  next_heartbeat_ = now;
+}
+
 void Peer::recall_sent(wire::Sample event, std::uint64_t receipt) {
-  outgoing_.recall(std::move(event), receipt);
+  if (wire::header_of(event).sequence_number >= kFirstLongEvent) {
+    parts_out_.hold(event, receipt);
+  } else {
+    outgoing_.recall(std::move(event), receipt);
+  }
   recalled_ = true;
 }
 
 void Peer::recall_received(const wire::SampleHeader& header) {
   incarnation_ = std::max(incarnation_, header.incarnation);
+  if (header.sequence_number >= kFirstLongEvent)
+    return parts_in_.recall(header.incarnation, header.sequence_number);
   incoming_.recall(header);
 }
 
 void Peer::recall_reachable(bool reachable) {
   reachable_ = reachable;
+  outgoing_.set_contact(reachable);
+  parts_out_.set_contact(reachable);
   recalled_ = true;
 }
 
@@ -139,10 +168,13 @@ void Peer::update(Now now, std::vector<Incoming>& out) {
   if (recalled_ && last_heard_ == Duration{}) last_heard_ = now.steady;
   if (reachable_ && now.steady - last_heard_ >= silence_limit()) {
     reachable_ = false;
+    outgoing_.set_contact(false);
+    parts_out_.set_contact(false);
     out.emplace_back(Reachability{channels_.number, false, false});
   }
   if (recalled_) return;  // what it has acknowledged is not known before it is heard
   for (const EventExpired& expired : outgoing_.expire(now.mission)) out.emplace_back(expired);
+  for (const EventExpired& expired : parts_out_.expire(now.mission)) out.emplace_back(expired);
 }
 
 std::vector<const wire::Sample*> Peer::take_due_events(Now now) {
@@ -162,9 +194,64 @@ wire::Heartbeat Peer::take_heartbeat(Duration steady) {
   wire::Heartbeat heartbeat;
   heartbeat.events_from = outgoing_.oldest();
   heartbeat.events_to = outgoing_.next_sequence() - 1;
-  heartbeat.ack_incarnation = reachable_ ? incarnation_ : 0;
+  heartbeat.ack_incarnation = reachable_ || heard_old_ ? incarnation_ : 0;
+  heard_old_ = false;
   heartbeat.ack_sequence = reachable_ ? incoming_.ack_sequence() : 0;
   return heartbeat;
+}
+
+bool Peer::is_long(const wire::Sample& event) const {
+  const ChannelConfig& channel = config_->channels[channels_.outgoing];
+  if (!channel.carries(wire::Slot::kPart)) return false;
+  double most = kLongEvent;
+  if (channel.capacity > 0) {
+    const double in_two_periods = channel.capacity / kBitsPerByte * 2 * period_.to_seconds();
+    most = std::clamp(in_two_periods, kLeastLongEvent, kLongEvent);
+  }
+  return static_cast<double>(channel_bytes(event)) > most;
+}
+
+std::uint32_t Peer::bytes_of_a_part() const {
+  if (!limited_) return static_cast<std::uint32_t>(kLongestPart);
+  return static_cast<std::uint32_t>(
+      std::clamp(limited_->capacity() / kBitsPerByte / kPartsASecond, kShortestPart, kLongestPart));
+}
+
+std::optional<std::variant<wire::Sample, Malformed>> Peer::on_part(const wire::Part& part, Now now,
+                                                                   std::vector<Incoming>& out) {
+  if (part.ack_incarnation == self_incarnation_) {
+    for (const std::uint64_t receipt : parts_out_.heard(part.ack_number, part.ack_bytes))
+      out.emplace_back(EventDelivered{channels_.number, receipt});
+  }
+  if (part.number == 0) return std::nullopt;
+  auto event = parts_in_.take(part);
+  if (parts_in_.owes() && !acknowledge_parts_at_)
+    acknowledge_parts_at_ = now.steady + acknowledgement_delay();
+  return event;
+}
+
+std::optional<wire::Part> Peer::due_part(Now now) const {
+  std::optional<wire::Part> part;
+  if (sends_parts()) part = parts_out_.next(now.steady, bytes_of_a_part(), round_trip());
+  const bool owes = can_send() && acknowledge_parts_at_ && now.steady >= *acknowledge_parts_at_;
+  if (!part && !owes) return std::nullopt;
+  if (!part) part.emplace();
+  part->ack_incarnation = parts_in_.ack_incarnation();
+  part->ack_number = parts_in_.ack_number();
+  part->ack_bytes = parts_in_.ack_bytes();
+  return part;
+}
+
+void Peer::part_written(const wire::Part& part, Duration until) {
+  parts_in_.told();
+  acknowledge_parts_at_.reset();
+  if (part.number != 0) parts_out_.written(part, until);
+}
+
+std::optional<wire::Part> Peer::take_part(Now now) {
+  auto part = due_part(now);
+  if (part) part_written(*part, now.steady);
+  return part;
 }
 
 std::optional<wire::Sample> Peer::take_next(Now now) {
@@ -174,11 +261,19 @@ std::optional<wire::Sample> Peer::take_next(Now now) {
   const wire::Sample* passing = limited_->first_passing();
   const bool passes = passing != nullptr && (own == nullptr || turn_of_passing_);
   const wire::Sample* event = passes ? passing : own;
-  const std::size_t heartbeat = heartbeat_due(now.steady) ? heartbeat_bytes() : 0;
-  const auto turn =
-      limited_->next(heartbeat, event == nullptr ? 0 : channel_bytes(*event), now.steady);
+  std::optional<wire::Sample> part;
+  if (relays_ == 0) part = due_part(now);
+  LimitedChannel::Waiting first;
+  if (heartbeat_due(now.steady)) first.heartbeat = heartbeat_bytes();
+  if (event != nullptr) first.event = channel_bytes(*event);
+  if (part) first.part = channel_bytes(*part);
+  const auto turn = limited_->next(first, now.steady);
   if (!turn) return std::nullopt;
   const Duration until = limited_->write(*turn, now.steady);
+  if (turn->of == LimitedChannel::Turn::Of::kPart) {
+    part_written(std::get<wire::Part>(*part), until);
+    return part;
+  }
   if (turn->of == LimitedChannel::Turn::Of::kHeartbeat) return take_heartbeat(now.steady);
   if (turn->of == LimitedChannel::Turn::Of::kValue) return limited_->take(*turn);
   turn_of_passing_ = !passes;
@@ -194,6 +289,8 @@ std::optional<Duration> Peer::next_wakeup() const {
   if (!can_send()) return silent;
   auto write = sooner(next_heartbeat_, acknowledge_at_);
   if (!recalled_) write = sooner(write, outgoing_.next_due(round_trip()));
+  write = sooner(write, acknowledge_parts_at_);
+  if (sends_parts()) write = sooner(write, parts_out_.next_due(bytes_of_a_part(), round_trip()));
   if (limited_ && out_condition_.up) {
     if (limited_->has_any()) write = limited_->free_at();
     write = std::max(*write, limited_->free_at());

@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "incoming_events.hpp"
+#include "incoming_parts.hpp"
 #include "limited_channel.hpp"
 #include "outgoing_events.hpp"
+#include "outgoing_parts.hpp"
 #include "skein/blackboard/blackboard.hpp"
 
 namespace skein::blackboard {
@@ -36,8 +39,23 @@ class Peer {
 
   const PeerChannels& channels() const { return channels_; }
   bool reachable() const { return reachable_; }
+  /// Of the peer, the greatest heard; 0: none.
+  std::uint64_t incarnation() const { return incarnation_; }
+  /// Of this node, as it tells the peer.
+  std::uint64_t self_incarnation() const { return self_incarnation_; }
+  /// By the peer, at some time of this life.
+  bool was_heard() const { return was_heard_; }
+  /// To the peer, which never heard it, this node is of this incarnation from now on.
+  void become(std::uint64_t incarnation, Duration now);
+  /// A heartbeat of an incarnation that is not the latest one: while the peer is silent otherwise
+  /// it is told so, since it may be a new life that does not know.
+  void on_old_heartbeat() { heard_old_ = true; }
   OutgoingEvents& outgoing() { return outgoing_; }
   const OutgoingEvents& outgoing() const { return outgoing_; }
+  OutgoingParts& outgoing_parts() { return parts_out_; }
+  const OutgoingParts& outgoing_parts() const { return parts_out_; }
+  /// Whether the event goes in parts; the same in every life.
+  bool is_long(const wire::Sample& event) const;
   const ChannelCondition& outgoing_condition() const { return out_condition_; }
   const ChannelCondition& incoming_condition() const { return in_condition_; }
 
@@ -53,8 +71,15 @@ class Peer {
   void on_event(const wire::SampleHeader& header, std::optional<wire::Sample> event, Now now,
                 std::vector<Incoming>& out);
   void on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<Incoming>& out);
+  /// A part of a long event of the peer, or what it has of one of this node. Gives the event that
+  /// is whole now, or what is wrong with it.
+  std::optional<std::variant<wire::Sample, Malformed>> on_part(const wire::Part& part, Now now,
+                                                               std::vector<Incoming>& out);
   /// What was let through before counts as handled.
-  void commit() { incoming_.commit(); }
+  void commit() {
+    incoming_.commit();
+    parts_in_.commit();
+  }
   /// Finds what has run out: contact with the peer, events.
   void update(Now now, std::vector<Incoming>& out);
 
@@ -68,11 +93,14 @@ class Peer {
   /// The next heartbeat, but for its header; counts as sent.
   wire::Heartbeat take_heartbeat(Duration steady);
   /// What is to be written now on a limited channel, one after the other; counts as written. A
-  /// heartbeat is without its header.
+  /// heartbeat and a part are without their headers.
   std::optional<wire::Sample> take_next(Now now);
+  /// A part, without its header, that is to be written now where there is no such channel; counts
+  /// as written.
+  std::optional<wire::Part> take_part(Now now);
   /// The last instant of the event that is held and expires first.
   std::optional<MissionTime> first_expiry() const {
-    return recalled_ ? std::nullopt : outgoing_.first_expiry();
+    return recalled_ ? std::nullopt : earliest(outgoing_.first_expiry(), parts_out_.first_expiry());
   }
   /// Steady; none if nothing will be due by itself.
   std::optional<Duration> next_wakeup() const;
@@ -82,6 +110,12 @@ class Peer {
   Duration round_trip() const;
   Duration acknowledgement_delay() const;
   void owe_acknowledgement(Duration now);
+  /// Of content, or what is there of the peer's.
+  std::optional<wire::Part> due_part(Now now) const;
+  void part_written(const wire::Part& part, Duration until);
+  std::uint32_t bytes_of_a_part() const;
+  /// Parts are for those with whom there is contact both ways.
+  bool sends_parts() const { return can_send() && reachable_ && is_heard_ && !recalled_; }
   void limit(double capacity, Duration now);
   Duration silence_limit() const;
   /// As far as is known here.
@@ -96,17 +130,21 @@ class Peer {
   ChannelCondition in_condition_;
   OutgoingEvents outgoing_;
   IncomingEvents incoming_;
+  OutgoingParts parts_out_;
+  IncomingParts parts_in_;
   std::size_t relays_ = 0;
   bool heard_of_ = false;
   bool turn_of_passing_ = false;
   bool reachable_ = false;
   bool is_heard_ = false;          ///< by the peer, as it said last
   bool was_heard_ = false;         ///< at some time of this life
+  bool heard_old_ = false;         ///< since the last heartbeat to it
   bool recalled_ = false;          ///< nothing was heard of it since this life began
   std::uint64_t incarnation_ = 0;  ///< of the peer; 0: never heard
   Duration last_heard_;
   Duration next_heartbeat_;
   std::optional<Duration> acknowledge_at_;
+  std::optional<Duration> acknowledge_parts_at_;
 };
 
 }  // namespace skein::blackboard

@@ -17,6 +17,9 @@ using config::Reader;
 /// Rounding of what people write.
 constexpr double kAllOfAChannel = 1 + 1e-9;
 
+/// Of mission time [s].
+constexpr double kLeastLifespan = 0.05, kGreatestLifespan = 86'400;
+
 bool is_radio(Party from, Party to) {
   const auto has_radio = [](Party one) { return one == Party::kGround || one == Party::kUav; };
   return has_radio(from) && has_radio(to) && (from == Party::kUav || to == Party::kUav);
@@ -72,7 +75,7 @@ class SlotTableReader {
  private:
   void read_row(wire::Slot slot, const Reader& row) {
     const auto i = static_cast<std::size_t>(slot);
-    if (!row.keys({"class", "flows", "relayed", "share", "priority"})) return;
+    if (!row.keys({"class", "flows", "relayed", "share", "priority", "lifespan"})) return;
     const Reader which = row.optional("class");
     const auto is = static_cast<std::size_t>(wire::slot_class(slot));
     if (which.present() && which.choice({"state", "event", "stream"}, is) != is)
@@ -83,11 +86,24 @@ class SlotTableReader {
     share.fraction = row.optional("share").number(share.fraction, {0, 1, "of the channel"});
     share.priority =
         static_cast<std::uint8_t>(row.optional("priority").integer(share.priority, 0, 255));
+    read_lifespan(slot, row.optional("lifespan"));
     const bool on_radio = std::ranges::any_of(
         table_.flows_[i], [](const auto& flow) { return is_radio(flow.first, flow.second); });
     if (table_.relayed_[i] && !on_radio)
       row.error("relays pass on what goes over radio, and this does not",
                 "a flow like uav>ground, or no 'relayed'");
+  }
+
+  void read_lifespan(wire::Slot slot, const Reader& lifespan) {
+    if (!lifespan.present()) return;
+    if (wire::slot_class(slot) != wire::SlotClass::kEvent) {
+      lifespan.error(
+          "only events have a lifespan, and " + std::string(wire::slot_name(slot)) + " is none",
+          "no 'lifespan': a newer value takes the place of an older one");
+      return;
+    }
+    const double seconds = lifespan.number(1, {kLeastLifespan, kGreatestLifespan, "s"});
+    table_.lifespans_[static_cast<std::size_t>(slot)] = Duration::seconds(seconds);
   }
 
   void read_flows(std::size_t slot, const Reader& flows) {
@@ -163,9 +179,14 @@ Result<SlotTable, Diagnostics> read_slot_table(std::string_view text, const std:
                                                const SlotTable& base) {
   const auto value = config::parse_yaml(text, file);
   if (!value) return tl::unexpected<Diagnostics>(value.error());
+  return read_slot_table(*value, file, base);
+}
+
+Result<SlotTable, Diagnostics> read_slot_table(const config::Value& document,
+                                               const std::string& file, const SlotTable& base) {
   Diagnostics problems;
   SlotTableReader reader(base);
-  reader.read(Reader(*value, file, problems));
+  reader.read(Reader(document, file, problems));
   if (!problems.empty()) return tl::unexpected<Diagnostics>(std::move(problems));
   return reader.take();
 }

@@ -79,6 +79,33 @@ class Receiver {
   std::vector<Incoming> out_;
 };
 
+TEST(OutgoingEvents, OfWhatExpiresItTellsWhetherItMayHaveArrived) {
+  for (const bool contact : {false, true}) {
+    OutgoingEvents events(16, Duration::milliseconds(300));
+    events.hold(event(1, 1'000'000'000), 31);
+    events.set_contact(contact);
+    ASSERT_EQ(events.take_due({}, {}).size(), 1U);
+    events.set_contact(false);
+
+    const auto expired = events.expire(MissionTime::seconds(2));
+
+    ASSERT_EQ(expired.size(), 1U);
+    EXPECT_EQ(expired[0].receipt, 31U);
+    EXPECT_EQ(expired[0].may_have_arrived, contact);
+  }
+}
+
+TEST(OutgoingEvents, WhatNeverWentOutHasNotArrived) {
+  OutgoingEvents events(16, Duration::milliseconds(300));
+  events.set_contact(true);
+  events.hold(event(1, 1'000'000'000));
+
+  const auto expired = events.expire(MissionTime::seconds(2));
+
+  ASSERT_EQ(expired.size(), 1U);
+  EXPECT_FALSE(expired[0].may_have_arrived);
+}
+
 TEST(IncomingEvents, WaitsForAHeartbeatThatHasHeardOfIt) {
   Receiver receiver;
 

@@ -72,6 +72,33 @@ TEST(SlotTable, ARowOfAScenarioTakesThePlaceOfWhatItSays) {
   EXPECT_THAT(read->between(Party::kUav, Party::kGround), Contains(Slot::kAlarm));
 }
 
+TEST(SlotTable, ARowMaySayHowLongItsEventsCount) {
+  const auto read =
+      read_slot_table("slots: {SyncMessage: {lifespan: 12.5}}", "mine.yaml", SlotTable::shipped());
+  ASSERT_TRUE(read.has_value());
+  const auto sent = MissionTime::seconds(100);
+  const auto expiry = [&](Slot slot, MissionTime wanted) {
+    return expiry_of(slot, read->lifespans(), sent, wanted);
+  };
+  EXPECT_EQ(expiry(Slot::kSyncMessage, MissionTime::max()), MissionTime::seconds(112.5));
+  EXPECT_EQ(expiry(Slot::kSyncMessage, MissionTime::seconds(101)), MissionTime::seconds(101));
+  EXPECT_EQ(expiry(Slot::kTaskRequest, MissionTime::max()), MissionTime::max());
+  EXPECT_EQ(expiry(Slot::kNegotiationMessage, MissionTime::max()), MissionTime::seconds(102))
+      << "as in the table that ships";
+}
+
+TEST(SlotTable, WhatIsNoEventHasNoLifespan) {
+  const auto all = problems(R"(slots:
+  PlanBoard: {lifespan: 3}
+  Telemetry: {lifespan: 3}
+  Alarm: {lifespan: 0}
+)");
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_THAT(all[0], HasSubstr("2: only events have a lifespan, and PlanBoard is none"));
+  EXPECT_THAT(all[1], HasSubstr("3: only events have a lifespan, and Telemetry is none"));
+  EXPECT_THAT(all[2], HasSubstr("4: "));
+}
+
 TEST(SlotTable, AllThatIsWrongIsSaidAtOnceWithItsLineAndARemedy) {
   const auto all = problems(R"(slots:
   Telemetri: {share: 0.1}

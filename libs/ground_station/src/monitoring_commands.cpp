@@ -153,8 +153,11 @@ void Monitoring::deliver(CommandNumber number, Effects& effects) {
                                       task_of(pending.request)});
 }
 
+// One that was answered is over.
 void Monitoring::on(const CommandUndelivered& input, MissionTime, Effects& effects) {
-  close(input.command, CommandState::kExpired, "not delivered in its lifetime", effects);
+  if (!pending_.contains(input.command)) return;
+  close(input.command, CommandState::kExpired, "not delivered: no contact in its lifetime",
+        effects);
 }
 
 void Monitoring::close(CommandNumber number, CommandState state, const std::string& why,

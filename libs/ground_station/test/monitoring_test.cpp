@@ -169,6 +169,15 @@ TEST(Monitoring, WhatCannotBeDeliveredExpires) {
   const Effects effects = mcs.handle(CommandUndelivered{CommandNumber(1)}, at(100));
 
   EXPECT_THAT(states(effects), ElementsAre(CommandState::kExpired));
+  EXPECT_EQ(first<CommandChanged>(effects).why, "not delivered: no contact in its lifetime");
+}
+
+TEST(Monitoring, ThatAnAnsweredCommandWasNotAcknowledgedIsNothingNew) {
+  Monitoring mcs = two_uavs();
+  mcs.handle(a_command(start_of(3)), at(1));
+  mcs.handle(RequestReplyReceived{CommandNumber(1), true}, at(2));
+
+  EXPECT_THAT(mcs.handle(CommandUndelivered{CommandNumber(1)}, at(100)), IsEmpty());
 }
 
 TEST(Monitoring, ACommandToNobodyIsRefusedAndAnExpiredOneIsNotSent) {

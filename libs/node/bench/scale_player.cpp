@@ -74,7 +74,7 @@ class Player {
     board.self = self.number;
     board.incarnation = static_cast<std::uint64_t>(Waker::steady_now().count());
     board.heartbeat_period = Duration::milliseconds(1000);
-    board.world_reads = Roster::world_reads_of(self.role);
+    board.world_reads = roster_.world_reads_of(self.role);
     for (auto& channel : roster_.channels_of(self)) {
       if (channel.kind == blackboard::ChannelKind::kOnboard) continue;  // no simulator is played
       if (channel.kind == blackboard::ChannelKind::kRadio)

@@ -29,6 +29,8 @@ constexpr Duration kLinger = Duration::milliseconds(1500);
 constexpr Duration kListens = Duration::milliseconds(500);
 /// What others may say of mission time: they stand still soon after their leader falls silent.
 constexpr Duration kMostAhead = Duration::milliseconds(3'600'000);
+/// Of a radio's capacity over DDS; its heartbeats, acknowledgements and discovery take the rest.
+constexpr double kShareOfSamples = 0.75;
 constexpr double kAfterFinish = 2.0;  ///< mission seconds between the end and the clock's end
 
 std::uint64_t incarnation_of_now() {
@@ -46,21 +48,26 @@ class Daemon {
         transport_(blackboard::make_dds_transport({config.domain, self.name, config.network,
                                                    config.on_middleware_log, roster.names(), false,
                                                    handshakes_})),
+        follower_(config.world ? MissionClock::kSilence : Duration::max()),
         leader_(config.rate),
         heartbeat_(steady_heartbeat(config.heartbeat, config.rate)),
         jobs_([this] { waker_.notify(); }),
         awaited_(config.awaited.begin(), config.awaited.end()) {
+    if (!config.world) awaited_.clear();  // nobody says that he is ready: to be heard is enough
     awaited_.erase(self.name);  // it does not hear itself, and waits for itself in any case
   }
 
   Result<DaemonEnd, OpenFailure> run(std::unique_ptr<Node> node) {
     transport_->on_arrival([this] { waker_.notify(); });
     HostConfig host_config;
+    host_config.world = config_.world;
+    host_config.guesses_incarnation = config_.incarnation == 0;
     host_config.incarnation = config_.incarnation > 0 ? config_.incarnation : incarnation_of_now();
     host_config.heartbeat_period = heartbeat_;
     host_config.told = config_.told;
     host_config.rate = config_.rate;
     host_config.capacity = config_.capacity;
+    host_config.share_of_samples = kShareOfSamples;
     host_config.seed = config_.seed;
     host_config.memory = config_.memory;
     host_config.leads_clock = config_.leads_clock;
@@ -91,6 +98,7 @@ class Daemon {
   void turn() {
     for (JobDone& done : jobs_.take_done()) host_->job_done(std::move(done), now());
     host_->step(now());
+    if (!config_.world && !config_.leads_clock) take_time_of_peers();
     if (config_.companion != nullptr) hear_companion();
     if (listens_until_ && Waker::steady_now() >= *listens_until_) lead_again();
     // A daemon that is restarted in mid-mission must not live at mission time zero.
@@ -116,6 +124,19 @@ class Daemon {
   Now now() {
     const Duration steady = Waker::steady_now();
     return {config_.leads_clock ? leader_.now(steady) : follower_.now(steady), steady};
+  }
+
+  // Before the start theirs is zero.
+  void take_time_of_peers() {
+    const MissionTime theirs = host_->latest_heard();
+    if (theirs <= time_of_peers_) return;
+    time_of_peers_ = theirs;
+    clock_heard_ = true;
+    wire::Clock clock;
+    clock.time = theirs.count();
+    clock.rate = config_.rate;
+    clock.phase = wire::ClockPhase::kRunning;
+    follower_.update(clock, Waker::steady_now());
   }
 
   wire::ClockPhase phase() const {
@@ -251,6 +272,7 @@ class Daemon {
     for (const journal::Record& record : std::exchange(unsent_records_, {})) {
       if (config_.on_record) config_.on_record(record);
       if (config_.companion != nullptr) config_.companion->sees(record);
+      if (!config_.world) continue;
       wire::JournalEntry entry;
       entry.record = journal::to_json(record);
       host_->publish(entry, now());
@@ -272,6 +294,7 @@ class Daemon {
   std::vector<journal::Record> unsent_records_;
   bool introduced_as_ready_ = false;
   bool clock_heard_ = false;
+  MissionTime time_of_peers_;  ///< the latest, if there is no world
   std::set<std::string> awaited_;
   Duration next_clock_;
   std::optional<Duration> listens_until_;  ///< leader that comes back: then it leads again

@@ -58,9 +58,13 @@ void declare_capacities(std::vector<blackboard::ChannelConfig>& channels, const 
                         const HostConfig& config) {
   for (blackboard::ChannelConfig& channel : channels) {
     if (channel.kind != ChannelKind::kRadio) continue;
-    channel.capacity =
-        config.rate * config.capacity.of(roster.name_of(channel.from), roster.name_of(channel.to));
+    channel.capacity = config.share_of_samples * config.rate *
+                       config.capacity.of(roster.name_of(channel.from), roster.name_of(channel.to));
   }
+}
+
+bool is_world(const blackboard::ChannelConfig& channel) {
+  return channel.kind == ChannelKind::kWorld;
 }
 
 /// Of what comes over the world channel; the rest is the runtime's.
@@ -87,7 +91,13 @@ Result<std::unique_ptr<Host>, OpenFailure> Host::open(const Roster& roster, cons
   board.channels = roster.channels_of(self);
   declare_capacities(board.channels, roster, config);
   if (config.leads_clock) add_clock(board.channels);
-  board.world_reads = Roster::world_reads_of(self.role);
+  if (config.world) {
+    board.world_reads = roster.world_reads_of(self.role);
+  } else {
+    std::erase_if(board.channels, is_world);
+  }
+  board.shares = roster.slots().shares();
+  board.lifespans = roster.slots().lifespans();
   board.heartbeat_period = config.heartbeat_period;
   board.retransmission =
       Duration::nanoseconds(config.heartbeat_period.count() + config.heartbeat_period.count() / 2);
@@ -105,6 +115,7 @@ Result<std::unique_ptr<Host>, OpenFailure> Host::open(const Roster& roster, cons
     board.life = past.lives;
     board.incarnation = past.incarnation;
   }
+  board.guesses_incarnation = config.guesses_incarnation && config.memory == nullptr;
   const std::uint64_t board_incarnation = board.incarnation;
   auto opened = blackboard::Blackboard::open(std::move(board), transport);
   if (!opened) return tl::unexpected(OpenFailure{opened.error().why});
@@ -171,7 +182,9 @@ Result<void, Failure> Host::recall(Survey past) {
   for (const auto& [peer, reachable] : recollection.reachable()) heard_.insert(peer);
   for (const NodeNumber peer : peers_) {
     const std::uint64_t settled = blackboard_.settled(peer);
-    unsettled_[peer] = {settled, settled + 1};
+    unsettled_[{peer, false}] = {settled, settled + 1};
+    const std::uint64_t settled_long = blackboard_.settled_long(peer);
+    unsettled_[{peer, true}] = {settled_long, settled_long + 1};
   }
   node_due_ = node_->next_wakeup();
   return {};
@@ -207,6 +220,7 @@ void Host::lines_have_left() {
 void Host::job_done(JobDone done, Now now) { give(std::move(done), now); }
 
 void Host::publish(wire::Sample sample, Now now) {
+  if (!config_.world) return;
   const wire::Slot slot = wire::slot_of(sample);
   const auto sent = blackboard_.publish(std::move(sample), now);
   if (!sent) log_unsent(slot, "world", sent.error(), now);
@@ -240,6 +254,7 @@ void Host::give(const Input& input, Now now) {
   Effects effects = node_->handle(input, now.mission);
   node_due_ = node_->next_wakeup();
   carry_out(std::move(effects), now);
+  for (const Undelivered& one : std::exchange(refused_, {})) give(one, now);
 }
 
 void Host::carry_out(Effects effects, Now now) {
@@ -270,12 +285,15 @@ void Host::send(const Send& one, Now now) {
   const auto sent = blackboard_.send(one.sample, one.to, now, {one.expires, one.receipt});
   const std::uint64_t number = sends_++;
   if (!sent) {
-    if (sent.error() == blackboard::Refusal::kFull) remember(Unsent{number}, now);
+    const auto why = sent.error();
+    if (why == blackboard::Refusal::kFull || why == blackboard::Refusal::kTooLong)
+      remember(Unsent{number}, now);
     log_unsent(slot, roster_.name_of(one.to), sent.error(), now);
+    if (one.receipt != 0) refused_.push_back({one.to, slot, 0, one.receipt, false});
     return;
   }
   if (config_.memory != nullptr && wire::slot_class(slot) == wire::SlotClass::kEvent)
-    unsettled_[one.to].last = *sent;
+    unsettled_[{one.to, *sent >= blackboard::kFirstLongEvent}].last = *sent;
   const bool radio = is_radio_peer(roster_, one.to) && is_radio_peer(roster_, self_.number);
   if (radio && wire::slot_class(slot) == wire::SlotClass::kEvent) {
     log_message(slot, self_.name, roster_.name_of(one.to), *sent, "sent", now);
@@ -287,8 +305,10 @@ void Host::send(const Send& one, Now now) {
 void Host::note_settled(Now now) {
   if (!started_) return;
   for (auto one = unsettled_.begin(); one != unsettled_.end();) {
-    auto& [peer, events] = *one;
-    const std::uint64_t settled = blackboard_.settled(peer);
+    auto& [session, events] = *one;
+    const auto& [peer, is_long] = session;
+    const std::uint64_t settled =
+        is_long ? blackboard_.settled_long(peer) : blackboard_.settled(peer);
     if (settled > events.noted) {
       events.noted = settled;
       remember(Acknowledged{peer, settled}, now);
@@ -305,48 +325,50 @@ void Host::take(blackboard::Incoming incoming, Now now) {
     return;
   }
   std::visit(
-      Overloaded{[&](blackboard::Received& one) { take_received(std::move(one), now); },
-                 [&](blackboard::Reachability& one) {
-                   log(lines::Reach{roster_.name_of(one.peer), one.reachable}, now);
-                   give(Reachability{one.peer, one.reachable, one.restarted}, now);
-                 },
-                 [&](blackboard::Dropped& one) {
-                   if (!one.first) return;
-                   log(lines::Dropped{.slot = wire::slot_name(one.slot),
-                                      .origin = roster_.name_of(one.origin),
-                                      .field = one.field,
-                                      .why = one.why},
-                       now);
-                 },
-                 [&](blackboard::EventExpired& one) {
-                   log(lines::Expired{.slot = wire::slot_name(one.slot),
-                                      .to = roster_.name_of(one.to),
-                                      .sequence = one.sequence,
-                                      .from = roster_.name_of(one.from)},
-                       now);
-                   if (one.from == self_.number) {
-                     give(Undelivered{one.to, one.slot, one.sequence}, now);
-                   } else {
-                     remember(skipped(one.slot, one.from, one.incarnation, one.sequence), now);
-                   }
-                 },
-                 [&](blackboard::RouteChanged& one) { log_route(one, now); },
-                 [&](blackboard::EventDelivered& one) {
-                   give(Delivered{one.to, one.receipt}, now);
-                 },
-                 [&](blackboard::EventsLost& one) {
-                   log(lines::Lost{.slot = "*",
-                                   .to = roster_.name_of(one.to),
-                                   .sequence = one.first,
-                                   .last = one.last,
-                                   .from = roster_.name_of(one.from)},
-                       now);
-                   remember(skipped(wire::Slot::kTaskRequest, one.from, one.incarnation, one.last),
-                            now);
-                 },
-                 [&](blackboard::TransportRefused& one) {
-                   log(lines::Transport{one.channel.partition, one.why}, now);
-                 }},
+      Overloaded{
+          [&](blackboard::Received& one) { take_received(std::move(one), now); },
+          [&](blackboard::Reachability& one) {
+            log(lines::Reach{roster_.name_of(one.peer), one.reachable}, now);
+            give(Reachability{one.peer, one.reachable, one.restarted}, now);
+          },
+          [&](blackboard::Dropped& one) {
+            if (!one.first) return;
+            log(lines::Dropped{.slot = wire::slot_name(one.slot),
+                               .origin = roster_.name_of(one.origin),
+                               .field = one.field,
+                               .why = one.why},
+                now);
+          },
+          [&](blackboard::EventExpired& one) {
+            log(lines::Expired{.slot = wire::slot_name(one.slot),
+                               .to = roster_.name_of(one.to),
+                               .sequence = one.sequence,
+                               .from = roster_.name_of(one.from)},
+                now);
+            if (one.from == self_.number) {
+              give(Undelivered{one.to, one.slot, one.sequence, one.receipt, one.may_have_arrived},
+                   now);
+            } else {
+              remember(skipped(one.slot, one.from, one.incarnation, one.sequence), now);
+            }
+          },
+          [&](blackboard::RouteChanged& one) { log_route(one, now); },
+          [&](blackboard::EventDelivered& one) {
+            give(Delivered{one.to, one.receipt}, now);
+          },
+          [&](blackboard::EventsLost& one) {
+            log(lines::Lost{.slot = "*",
+                            .to = roster_.name_of(one.to),
+                            .sequence = one.first,
+                            .last = one.last,
+                            .from = roster_.name_of(one.from)},
+                now);
+            remember(skipped(wire::Slot::kTaskRequest, one.from, one.incarnation, one.last), now);
+          },
+          [&](blackboard::TakenForOlder& one) { log_older(one, now); },
+          [&](blackboard::TransportRefused& one) {
+            log(lines::Transport{one.channel.partition, one.why}, now);
+          }},
       incoming);
 }
 
@@ -375,6 +397,15 @@ void Host::log_route(const blackboard::RouteChanged& route, Now now) {
   log(std::move(line), now);
 }
 
+void Host::log_older(const blackboard::TakenForOlder& one, Now now) {
+  const std::string peer = roster_.name_of(one.peer);
+  log(lines::Notice{.text = one.is_next ? peer + " knows a later life of this node, which is the "
+                                                 "next one to it now"
+                                        : peer + " hears another node of this name, and takes "
+                                                 "this one for older"},
+      now);
+}
+
 void Host::apply(const wire::LinkState& link, Now now) {
   if (config_.told == ToldOfLinks::kNothing) return;
   const NodeNumber from(link.from);
@@ -391,7 +422,7 @@ void Host::apply(const wire::LinkState& link, Now now) {
   condition.up = up;
   condition.latency = Duration::seconds(static_cast<double>(link.latency) * 1e-9 / config_.rate);
   condition.loss = link.loss;
-  condition.capacity = link.capacity * config_.rate;
+  condition.capacity = link.capacity * config_.rate * config_.share_of_samples;
   blackboard_.set_condition(from, to, condition, now);
 }
 

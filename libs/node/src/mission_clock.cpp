@@ -39,7 +39,7 @@ void MissionClock::update(const wire::Clock& sample, Duration steady) {
 
 MissionTime MissionClock::now(Duration steady) {
   const MissionTime at = phase_ == wire::ClockPhase::kRunning
-                             ? MissionTime::seconds(estimate(std::min(steady, heard_ + kSilence)))
+                             ? MissionTime::seconds(estimate(std::min(steady, heard_ + silence_)))
                              : held_;
   last_ = std::max(last_, at);
   return last_;

@@ -2,8 +2,7 @@
 #include "skein/node/roster.hpp"
 
 #include <algorithm>
-
-#include "skein/blackboard/slot_table.hpp"
+#include <utility>
 
 namespace skein::node {
 
@@ -44,7 +43,8 @@ Roster::Roster(const std::vector<std::string>& uavs,
     : members_{{"ground", Role::kGround, NodeNumber(1)},
                {"sim", Role::kSim, NodeNumber(2)},
                {"runner", Role::kRunner, NodeNumber(3)},
-               {"operator", Role::kOperator, NodeNumber(4)}} {
+               {"operator", Role::kOperator, NodeNumber(4)}},
+      slots_(std::shared_ptr<void>(), &blackboard::SlotTable::shipped()) {
   std::uint32_t number = kFirstUav;
   for (const std::string& uav : uavs) members_.push_back({uav, Role::kDdn, NodeNumber(number++)});
   number = kFirstFunctional;
@@ -73,6 +73,12 @@ Roster Roster::relayed_by(const std::vector<std::string>& names) const {
     if (member != nullptr) relayed.relays_.insert(member->number);
   }
   return relayed;
+}
+
+Roster Roster::with_slots(blackboard::SlotTable table) const {
+  Roster other = *this;
+  other.slots_ = std::make_shared<const blackboard::SlotTable>(std::move(table));
+  return other;
 }
 
 NodeNumber Roster::functional_of(NodeNumber uav) const {
@@ -110,8 +116,7 @@ std::map<NodeNumber, std::string> Roster::names() const {
 
 std::vector<blackboard::ChannelConfig> Roster::channels_of(const Member& member) const {
   std::vector<blackboard::ChannelConfig> channels{blackboard::world_channel()};
-  channels.front().slots =
-      blackboard::SlotTable::shipped().between(party_of(member.role), Party::kWorld);
+  channels.front().slots = slots_->between(party_of(member.role), Party::kWorld);
   const auto add = [&](const std::vector<blackboard::ChannelConfig>& link) {
     channels.insert(channels.end(), link.begin(), link.end());
   };
@@ -120,9 +125,9 @@ std::vector<blackboard::ChannelConfig> Roster::channels_of(const Member& member)
     if (has_radio(member.role) && has_radio(other.role)) {
       add(radio_between(member, other));
     } else if (serves(other, member)) {
-      add(blackboard::onboard_link(as_node(member), as_node(other)));
+      add(blackboard::onboard_link(as_node(member), as_node(other), *slots_));
     } else if (serves(member, other)) {
-      add(blackboard::onboard_link(as_node(other), as_node(member)));
+      add(blackboard::onboard_link(as_node(other), as_node(member), *slots_));
     }
   }
   return channels;
@@ -132,8 +137,8 @@ std::vector<blackboard::ChannelConfig> Roster::radio_between(const Member& a,
                                                              const Member& b) const {
   if (b.role == Role::kGround) return radio_between(b, a);
   std::vector<blackboard::ChannelConfig> link =
-      a.role == Role::kGround ? blackboard::station_link(as_node(a), as_node(b))
-                              : blackboard::radio_link(as_node(a), as_node(b));
+      a.role == Role::kGround ? blackboard::station_link(as_node(a), as_node(b), *slots_)
+                              : blackboard::radio_link(as_node(a), as_node(b), *slots_);
   if (relays_.empty()) return link;
   for (blackboard::ChannelConfig& channel : link) {
     blackboard::RelayEnds ends;
@@ -141,13 +146,13 @@ std::vector<blackboard::ChannelConfig> Roster::radio_between(const Member& a,
     ends.to = relays_.contains(channel.to);
     ends.from_station = channel.from == ground();
     ends.to_station = channel.to == ground();
-    blackboard::add_relayed(channel, ends);
+    blackboard::add_relayed(channel, ends, *slots_);
   }
   return link;
 }
 
-std::vector<wire::Slot> Roster::world_reads_of(wire::Role role) {
-  return blackboard::SlotTable::shipped().between(Party::kWorld, party_of(role));
+std::vector<wire::Slot> Roster::world_reads_of(wire::Role role) const {
+  return slots_->between(Party::kWorld, party_of(role));
 }
 
 }  // namespace skein::node

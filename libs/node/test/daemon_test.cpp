@@ -51,7 +51,7 @@ class Daemons : public ::testing::TestWithParam<const char*> {
     blackboard::Config config;
     config.self = roster_.runner();
     config.channels = roster_.channels_of(*roster_.find("runner"));
-    config.world_reads = Roster::world_reads_of(wire::Role::kRunner);
+    config.world_reads = roster_.world_reads_of(wire::Role::kRunner);
     auto opened = blackboard::Blackboard::open(std::move(config), *transport_);
     EXPECT_TRUE(opened.has_value());
     board_.emplace(std::move(*opened));

@@ -304,6 +304,52 @@ TEST_F(Hosts, AnEventThatExpiresIsLoggedAndGivenBackToItsSender) {
   EXPECT_EQ(undelivered[0].sequence, 1U);
 }
 
+TEST_F(Hosts, ItIsSaidOfWhatExpiresWhoAskedAndWhetherItMayHaveArrived) {
+  meet();
+  set_link("ground", "marvin", false);
+  advance(4);
+
+  act("ground",
+      {Send{number("marvin"), abort_request(7), now().mission + Duration::seconds(2), 31}});
+  advance(4);
+
+  const auto undelivered = (*this)["ground"].diary.all<Undelivered>();
+  ASSERT_EQ(undelivered.size(), 1U);
+  EXPECT_EQ(undelivered[0].receipt, 31U);
+  EXPECT_FALSE(undelivered[0].may_have_arrived);
+}
+
+TEST_F(Hosts, WhatIsRefusedThoughAReceiptWasAskedForIsUndeliveredAtOnce) {
+  meet();
+
+  act("ground", {Send{number("sim"), abort_request(7), at(60), 31},
+                 Send{number("sim"), abort_request(8), at(60)}});
+
+  const auto undelivered = (*this)["ground"].diary.all<Undelivered>();
+  ASSERT_EQ(undelivered.size(), 1U);
+  EXPECT_EQ(undelivered[0].receipt, 31U);
+  EXPECT_EQ(undelivered[0].sequence, 0U);
+  EXPECT_FALSE(undelivered[0].may_have_arrived);
+  EXPECT_EQ((*this)["ground"].lines("unsent").size(), 2U);
+}
+
+TEST_F(Hosts, WithoutTheWorldWhatIsPublishedReachesNobodyAndPeersAreHeardAllTheSame) {
+  world = false;
+  for (const char* name : {"ground", "marvin"}) start(name, 2);
+  meet();
+  const std::size_t heard = (*this)["sim"].world.size();
+
+  act("ground", {Publish{wire::MissionState{}}, Send{number("marvin"), abort_request(7)}});
+  wire::Clock clock;
+  (*this)["sim"].host->publish(clock, now());
+  settle();
+
+  EXPECT_EQ((*this)["sim"].world.size(), heard);
+  EXPECT_TRUE((*this)["marvin"].world.empty());
+  EXPECT_TRUE((*this)["ground"].lines("unsent").empty());
+  EXPECT_EQ((*this)["marvin"].diary.samples<wire::TaskRequest>().size(), 1U);
+}
+
 TEST_F(Hosts, ASenderThatAskedForAReceiptIsToldThatItsEventIsThere) {
   meet();
 

@@ -24,6 +24,14 @@ wire::Clock sample(double time, double rate = 1, ClockPhase phase = ClockPhase::
   return clock;
 }
 
+TEST(MissionClock, OneThatWasToldSoGoesOnHoweverLongNobodySpeaks) {
+  MissionClock clock(Duration::max());
+  clock.update(sample(10), steady(100));
+
+  EXPECT_NEAR(clock.now(steady(1'100)).to_seconds(), 1'010, 2) << "within what crystals do";
+  EXPECT_TRUE(clock.steady_at(MissionTime::seconds(2'000), steady(1'100)).has_value());
+}
+
 TEST(ClockLeader, HoldsAtZeroUntilItRuns) {
   ClockLeader leader(20);
 

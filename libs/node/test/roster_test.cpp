@@ -111,17 +111,34 @@ TEST(Roster, OfSomeMembersOnlyKeepsTheirNumbersAndTheirChannels) {
 TEST(Roster, NobodyButTheRunnerReadsTheEventLog) {
   for (const auto role :
        {wire::Role::kGround, wire::Role::kDdn, wire::Role::kSim, wire::Role::kFunctional}) {
-    const auto reads = Roster::world_reads_of(role);
+    const auto reads = Roster({"marvin"}).world_reads_of(role);
     EXPECT_EQ(std::count(reads.begin(), reads.end(), wire::Slot::kJournalEntry), 0)
         << name_of(role);
   }
-  const auto reads = Roster::world_reads_of(wire::Role::kRunner);
+  const auto reads = Roster({"marvin"}).world_reads_of(wire::Role::kRunner);
   EXPECT_EQ(std::count(reads.begin(), reads.end(), wire::Slot::kJournalEntry), 1);
+}
+
+TEST(Roster, ATableOfItsOwnDecidesWhatChannelsCarry) {
+  auto table = blackboard::read_slot_table(
+      "slots: {Alarm: {flows: [uav>ground]}, Truth: {flows: [sim>world]}}", "mine.yaml",
+      blackboard::SlotTable::shipped());
+  ASSERT_TRUE(table.has_value());
+  const Roster roster = Roster({"marvin", "heliv"}).with_slots(std::move(*table));
+
+  for (const ChannelConfig& channel : roster.channels_of(*roster.find("marvin"))) {
+    if (channel.kind != ChannelKind::kRadio) continue;
+    EXPECT_EQ(channel.carries(wire::Slot::kAlarm), channel.to == roster.ground())
+        << channel.partition;
+  }
+  const auto reads = roster.world_reads_of(wire::Role::kRunner);
+  EXPECT_EQ(std::count(reads.begin(), reads.end(), wire::Slot::kTruth), 0);
+  EXPECT_EQ(&Roster({"marvin"}).slots(), &blackboard::SlotTable::shipped());
 }
 
 TEST(Roster, WhoeverHasARadioIsToldOfTheLinks) {
   for (const auto role : {wire::Role::kGround, wire::Role::kDdn}) {
-    const auto reads = Roster::world_reads_of(role);
+    const auto reads = Roster({"marvin"}).world_reads_of(role);
     EXPECT_EQ(std::count(reads.begin(), reads.end(), wire::Slot::kLinkState), 1) << name_of(role);
   }
 }

@@ -50,6 +50,8 @@ void fill(Row& row, const node::Undelivered& one) {
   row.peer = one.to.value();
   row.slot = name_of(one.slot);
   row.value = to_signed(one.sequence);
+  row.extra = to_signed(one.receipt);
+  row.flags = flags_of(one.may_have_arrived, false);
 }
 void fill(Row& row, const node::Delivered& one) {
   row.peer = one.to.value();
@@ -106,7 +108,8 @@ Result<LoggedInput, Failure> of_a_peer(const Row& row, bool first, bool second) 
   const auto slot = slot_of(row);
   if (!slot) return tl::unexpected(slot.error());
   if (row.kind == "received") return received(row, *peer, *slot);
-  if (row.kind == "undelivered") return node::Undelivered{*peer, *slot, to_unsigned(row.value)};
+  if (row.kind == "undelivered")
+    return node::Undelivered{*peer, *slot, to_unsigned(row.value), to_unsigned(row.extra), first};
   node::Skipped skipped{*slot, {}};
   skipped.header.origin = peer->value();
   skipped.header.sequence_number = to_unsigned(row.value);

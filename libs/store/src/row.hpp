@@ -17,8 +17,9 @@ struct Row {
   std::int64_t peer = 0;   ///< number of the other node
   std::string slot;        ///< its name
   std::int64_t value = 0;  ///< incarnation, sequence, job, send
-  std::int64_t extra = 0;  ///< questions asked, the sender's incarnation
-  std::int64_t flags = 0;  ///< bit 0: reachable, clock given; bit 1: restarted, clock ran out
+  std::int64_t extra = 0;  ///< questions asked, the sender's incarnation, receipt
+  std::int64_t flags =
+      0;  ///< bit 0: reachable, clock given, may have arrived; bit 1: restarted, ran out
   std::vector<std::uint8_t> body;  ///< the sample as on the wire
 };
 

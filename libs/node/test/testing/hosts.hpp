@@ -60,6 +60,7 @@ class Hosts : public ::testing::Test {
     config.incarnation = incarnation;
     config.rate = rate;
     config.told = told;
+    config.world = world;
     HostPorts ports;
     ports.journal = [&it](const Record& record) { it.records.push_back(record); };
     ports.start_job = [&it](StartJob job) { it.jobs.push_back(std::move(job)); };
@@ -108,6 +109,7 @@ class Hosts : public ::testing::Test {
   blackboard::MemoryHub hub_;
   std::map<std::string, std::unique_ptr<Station>> stations_;
   ToldOfLinks told = ToldOfLinks::kAll;
+  bool world = true;
   double time_ = 0;
 };
 

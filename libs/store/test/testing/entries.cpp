@@ -38,7 +38,8 @@ std::string words_of(const node::LoggedInput& input) {
             return numbers(one.peer.value(), int{one.reachable}, int{one.restarted});
           },
           [&](const node::Undelivered& one) {
-            return numbers(one.to.value(), static_cast<int>(one.slot), one.sequence);
+            return numbers(one.to.value(), static_cast<int>(one.slot), one.sequence, one.receipt,
+                           int{one.may_have_arrived});
           },
           [&](const node::Delivered& one) { return numbers(one.to.value(), one.receipt); },
           [&](const node::JobEnded& one) {
@@ -74,6 +75,7 @@ std::vector<node::LogEntry> one_of_each() {
            node::Reachability{NodeNumber(1), true, false},
            node::Reachability{NodeNumber(2), false, true},
            node::Undelivered{NodeNumber(12), wire::Slot::kSyncMessage, 41},
+           node::Undelivered{NodeNumber(12), wire::Slot::kTaskRequest, 42, 1ULL << 40, false},
            node::Delivered{NodeNumber(12), 1ULL << 40}, node::Wakeup{}, node::JobEnded{8, {}},
            node::JobEnded{9, {true, false, 12}}, node::JobEnded{10, {true, true, 1ULL << 40}},
            node::Resumed{}, node::Unsent{6}, skipped, node::Acknowledged{NodeNumber(3), 640}})

@@ -73,6 +73,7 @@ class DdnNode final : public node::Node {
 
   void send(node::NodeNumber to, wire::Sample sample, MissionTime expires = MissionTime::max());
   void send_to_ground(wire::Sample sample) { send(roster_.ground(), std::move(sample)); }
+  void note(const node::Undelivered& lost);
   void log(journal::Record record);
   template <class Line>
   requires requires { Line::kKind; }

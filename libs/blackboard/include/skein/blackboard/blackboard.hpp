@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "skein/blackboard/channel.hpp"
+#include "skein/blackboard/slot_lifespan.hpp"
 #include "skein/blackboard/slot_share.hpp"
 #include "skein/blackboard/transport.hpp"
 #include "skein/blackboard/wire.hpp"
@@ -42,19 +43,33 @@ struct Config {
   std::uint32_t life = 0;
   std::uint64_t seed = 0;                ///< of the losses
   SlotShares shares = default_shares();  ///< of every channel whose capacity is limited
+  SlotLifespans lifespans = default_lifespans();
   Relaying relaying{};
+  /// Nothing told of former lives: `incarnation` is a guess (of a clock), which may be smaller than
+  /// one that peers have heard. A peer that has tells so; to it this node then is the next one
+  /// after that. Everything said to that peer is said again, to others nothing changes.
+  bool guesses_incarnation = false;
 };
+
+/// Long events are numbered from here on, apart from the others: those that would hold up
+/// everything else on their channel go in parts (slot Part), which take what the rest leaves and a
+/// share of their own. Such an event comes when it is whole: in the order of long events, and in
+/// none with others. It is one of more than 16 KiB, or of more than the declared capacity carries
+/// in two heartbeat periods (1 KiB at least), over a channel that carries parts. At most 16 MiB.
+inline constexpr std::uint64_t kFirstLongEvent = std::uint64_t{1} << 50U;
 
 /// Why a sample was not sent.
 enum class Refusal : std::uint8_t {
   kNoChannel,  ///< to the destination, or not for this slot
   kFull,       ///< too many unacknowledged events for this destination
-  kMalformed   ///< the sample breaks the rules of the wire
+  kMalformed,  ///< the sample breaks the rules of the wire
+  kTooLong     ///< more than 16 MiB
 };
 std::string_view name_of(Refusal refusal);
 
 struct SendOptions {
-  /// Events: the instant after which it must not be handled any more.
+  /// Events: the instant after which it must not be handled any more; the lifespan of its slot may
+  /// end before.
   MissionTime expires = MissionTime::max();
   /// Events: above 0, the sender is told by EventDelivered, with this number, that it arrived.
   std::uint64_t receipt = 0;
@@ -95,6 +110,10 @@ struct EventExpired {
   NodeNumber to;
   std::uint64_t sequence = 0;
   std::uint64_t incarnation = 0;  ///< of the sender
+  std::uint64_t receipt = 0;      ///< at the sender, that it asked for (SendOptions)
+  /// At the sender: it went out while the peer was heard, so that only its acknowledgement may be
+  /// missing. False: over a link that carries in both directions or not at all, nobody has it.
+  bool may_have_arrived = true;
 };
 
 /// At the sender: the peer has acknowledged an event whose sender asked to be told (SendOptions).
@@ -122,6 +141,15 @@ struct TransportRefused {
   std::string why;
 };
 
+/// A peer has heard a greater incarnation of this node, and so does not hear this one. `is_next`:
+/// to it this node is the one after that from now on (Config::guesses_incarnation); else the other
+/// one lives, or this one has the wrong number. Reported once for each peer.
+struct TakenForOlder {
+  NodeNumber peer;
+  std::uint64_t heard = 0;
+  bool is_next = false;
+};
+
 /// What is sent to the peer goes another way from now on.
 struct RouteChanged {
   NodeNumber peer;
@@ -130,18 +158,18 @@ struct RouteChanged {
 };
 
 using Incoming = std::variant<Received, Reachability, Dropped, EventExpired, EventDelivered,
-                              EventsLost, TransportRefused, RouteChanged>;
+                              EventsLost, TransportRefused, RouteChanged, TakenForOlder>;
 
 /// Sends and receives by the delivery classes of spec 1.3, over any Transport. Time is given; the
 /// same calls give the same results. Laws:
 /// - state: a node sees the last value of each (origin, slot, instance), never an older one after a
 ///   newer one; late joiners and peers that come back get it too;
 /// - event: what one incarnation of A sends to B is handled at most once, in the order sent over
-/// all
-///   event slots, whatever is cut, delivered twice or restarted; and exactly once if B lives long
-///   enough in contact and it has not expired. A restarted B handles what the one before had not
-///   acknowledged (an event handled just before a crash may therefore be handled again by the next
-///   incarnation, which knows nothing of it);
+///   all event slots (long events in an order of their own: kFirstLongEvent), whatever is cut,
+///   delivered twice or restarted; and exactly once if B lives long enough in contact and it has
+///   not expired. A restarted B handles what the one before had not acknowledged (an event handled
+///   just before a crash may therefore be handled again by the next incarnation, which knows
+///   nothing of it);
 /// - stream: at most once, newest only;
 /// - malformed content is reported and goes no further; so is what the transport refuses;
 /// - all of this holds for as long as there is a way over links that are up from one to the other
@@ -183,7 +211,7 @@ class Blackboard {
 
   /// An event was sent at `at`; it gets the sequence number that it had. Other slots: nothing.
   void recall_sent(wire::Sample sample, NodeNumber to, MissionTime at, SendOptions options = {});
-  /// The peer had handled everything up to this one.
+  /// The peer had handled everything up to this one, of long events or of the others.
   void recall_acknowledged(NodeNumber peer, std::uint64_t sequence);
   /// Reported as EventExpired at its sender.
   void recall_given_up(NodeNumber to, std::uint64_t sequence);
@@ -202,6 +230,8 @@ class Blackboard {
   MissionTime latest_heard() const;
   /// Up to this one all events sent to this peer are acknowledged or given up.
   std::uint64_t settled(NodeNumber peer) const;
+  /// Likewise of long events; 0: none is.
+  std::uint64_t settled_long(NodeNumber peer) const;
 
  private:
   class Impl;

@@ -10,8 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "skein/blackboard/slot_lifespan.hpp"
 #include "skein/blackboard/slot_share.hpp"
 #include "skein/blackboard/wire.hpp"
+#include "skein/config/value.hpp"
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
 
@@ -38,18 +40,23 @@ class SlotTable {
   /// Everything on the world channel.
   std::vector<wire::Slot> of_world() const;
   const SlotShares& shares() const { return shares_; }
+  const SlotLifespans& lifespans() const { return lifespans_; }
 
  private:
   friend class SlotTableReader;
   std::array<std::set<std::pair<Party, Party>>, wire::kSlotCount> flows_;
   std::array<bool, wire::kSlotCount> relayed_{};
   SlotShares shares_{};
+  SlotLifespans lifespans_{};
 };
 
 /// Reads the format of scenarios/slots.yaml: rows given take the place of those of `base`. `file`
 /// is for messages. Every error at once: unknown slots, nodes and keys, a class that is not that of
-/// the IDL, fractions that are too much for a channel.
+/// the IDL, fractions that are too much for a channel, lifespans of what is no event.
 Result<SlotTable, Diagnostics> read_slot_table(std::string_view text, const std::string& file,
                                                const SlotTable& base);
+/// Likewise of a document that was parsed: a map with the key `slots` and no other.
+Result<SlotTable, Diagnostics> read_slot_table(const config::Value& document,
+                                               const std::string& file, const SlotTable& base);
 
 }  // namespace skein::blackboard

@@ -26,7 +26,8 @@ using Sample = std::variant<DirectoryEntry, Clock, LinkState, PlanBoard, Autonom
     SeenObject, Neighbours, TaskRequest, RequestReply, TaskEvent, FunctionalRequest,
     FunctionalStatus, SyncMessage, Alarm, MissionRequest, DegreeCommand, WorldChange,
     MissionOutcome, HandOver, Decision, NegotiationMessage, TeamMessage, TeamSale, MergeMessage,
-    OperatorRequest, OperatorReply, JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat>;
+    OperatorRequest, OperatorReply, JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat,
+    Part>;
 
 enum class Slot : std::uint8_t {kDirectoryEntry, kClock, kLinkState, kPlanBoard, kAutonomyDegree,
     kMissionState, kMissionPlan, kJointTaskState, kPlanFrontier, kUavBoard, kUavTasks, kGroundBoard,
@@ -34,7 +35,7 @@ enum class Slot : std::uint8_t {kDirectoryEntry, kClock, kLinkState, kPlanBoard,
     kFunctionalStatus, kSyncMessage, kAlarm, kMissionRequest, kDegreeCommand, kWorldChange,
     kMissionOutcome, kHandOver, kDecision, kNegotiationMessage, kTeamMessage, kTeamSale,
     kMergeMessage, kOperatorRequest, kOperatorReply, kJournalEntry, kTelemetry, kPerceptionReport,
-    kTruth, kHeartbeat};
+    kTruth, kHeartbeat, kPart};
 
 /// By slot; also those of the IDL types and of the DDS topics.
 inline constexpr auto kSlotNames = std::to_array<std::string_view>({"DirectoryEntry", "Clock",
@@ -44,7 +45,7 @@ inline constexpr auto kSlotNames = std::to_array<std::string_view>({"DirectoryEn
     "SyncMessage", "Alarm", "MissionRequest", "DegreeCommand", "WorldChange", "MissionOutcome",
     "HandOver", "Decision", "NegotiationMessage", "TeamMessage", "TeamSale", "MergeMessage",
     "OperatorRequest", "OperatorReply", "JournalEntry", "Telemetry", "PerceptionReport", "Truth",
-    "Heartbeat"});
+    "Heartbeat", "Part"});
 
 /// Source: spec 1.3, the table of delivery classes.
 enum class SlotClass : std::uint8_t { kState, kEvent, kStream };
@@ -63,6 +64,6 @@ constexpr SlotClass slot_class(Slot slot) {
     macro(MissionRequest) macro(DegreeCommand) macro(WorldChange) macro(MissionOutcome) \
     macro(HandOver) macro(Decision) macro(NegotiationMessage) macro(TeamMessage) macro(TeamSale) \
     macro(MergeMessage) macro(OperatorRequest) macro(OperatorReply) macro(JournalEntry) \
-    macro(Telemetry) macro(PerceptionReport) macro(Truth) macro(Heartbeat)
+    macro(Telemetry) macro(PerceptionReport) macro(Truth) macro(Heartbeat) macro(Part)
 
 }  // namespace skein::wire

@@ -80,4 +80,21 @@ struct Heartbeat {
 };
 SKEIN_WIRE_FIELDS(Heartbeat, header, events_from, events_to, ack_incarnation, ack_sequence)
 
+/// A piece of an event that is too long to be said at once, and how much of the peer's there is. Made
+/// and consumed by the blackboard itself; never given to a node.
+struct Part {
+  SampleHeader header;
+  std::uint64_t number = 0;  ///< of the long event, among those of its sender to this peer; 0: none
+  std::uint8_t of_slot = 0;  ///< that of the long event, as they are numbered in wire_slots.hpp
+  std::uint32_t total = 0;  ///< [byte] of the long event, in CDR
+  std::uint32_t offset = 0;  ///< [byte] of the content in it
+  std::vector<std::uint8_t> content;
+  std::uint64_t ack_incarnation = 0;  ///< of the peer, whose long event that is
+  std::uint64_t ack_number = 0;  ///< of the peer's long event that is coming, or came last; 0: none
+  std::uint32_t ack_bytes = 0;  ///< so much of it is there; all: it was handled
+  bool operator==(const Part&) const = default;
+};
+SKEIN_WIRE_FIELDS(Part, header, number, of_slot, total, offset, content, ack_incarnation,
+    ack_number, ack_bytes)
+
 }  // namespace skein::wire

@@ -21,11 +21,15 @@ struct DaemonConfig {
   RadioCapacity capacity = {};
   ToldOfLinks told = ToldOfLinks::kAll;
   std::uint64_t seed = 0;
-  bool leads_clock = false;                     ///< exactly one daemon of a system: the simulator
+  /// Exactly one daemon of a system: the simulator; where no world is, the ground station.
+  bool leads_clock = false;
   MissionTime time_limit = MissionTime::max();  ///< leader: the clock ends here at the latest
   std::vector<std::string> awaited;  ///< leader: the clock starts when all of these are ready
   /// Greater than those of all former incarnations; 0: of the clock [ns since 1970].
   std::uint64_t incarnation = 0;
+  /// See HostConfig. Without it who does not lead takes mission time from what its peers say, and
+  /// goes on by its own clock when it hears nobody; and is there until a signal stops it.
+  bool world = true;
   /// What outlives the process, see HostConfig. A leader that comes back goes on with mission time
   /// where it is at the others.
   InputLog* memory = nullptr;
@@ -52,7 +56,7 @@ enum class DaemonEnd {
 };
 
 /// Runs the node until the mission is over or a signal asks it to stop. Mission time follows the
-/// clock slot; its records go out in the journal slot; jobs run in a second thread.
+/// clock slot, or the peers; its records go out in the journal slot; jobs run in a second thread.
 /// Blocks SIGINT and SIGTERM in the calling thread and those made after. Source: spec 1.4, 1.5.
 Result<DaemonEnd, OpenFailure> run_daemon(const Roster& roster, const Member& self,
                                           std::unique_ptr<Node> node, const DaemonConfig& config);

@@ -46,12 +46,20 @@ struct HostConfig {
   double rate = 1;  ///< mission seconds per steady second: turns the radio's latencies
   ToldOfLinks told = ToldOfLinks::kAll;
   RadioCapacity capacity = {};
+  /// Of a radio's capacity, declared or told: the rest is for what the transport itself says.
+  double share_of_samples = 1;
   std::uint64_t seed = 0;  ///< of the losses on streams
   /// Where the node's memory is; it outlives the host. If there is something in it, the host goes
   /// on where that ends, and `incarnation` is that of the first life. Null: nothing outlives the
   /// node.
   InputLog* memory = nullptr;
   bool leads_clock = false;
+  /// Whether it takes part in the world channel, which is for simulation: clock, directory, links,
+  /// truth, operators and runners elsewhere, the event log. Without it what is published reaches
+  /// nobody but who is in this process.
+  bool world = true;
+  /// `incarnation` is of a clock that may be wrong (blackboard::Config). With a memory it is not.
+  bool guesses_incarnation = false;
   /// The node comes back with nothing it knew, in a new incarnation. What is in the memory it is
   /// given all the same, before it starts: for who plays the world, that does not forget. Nothing
   /// follows from it.
@@ -96,8 +104,7 @@ class Host {
   static Result<std::unique_ptr<Host>, OpenFailure> open(const Roster& roster, const Member& self,
                                                          std::unique_ptr<Node> node,
                                                          blackboard::Transport& transport,
-                                                         const HostConfig& config,
-                                                         HostPorts ports);
+                                                         const HostConfig& config, HostPorts ports);
 
   /// Gives the node its Started input, then what came before. Until then the blackboard works and
   /// peers are heard, but the node gets nothing and nothing is logged: a runtime starts it once it
@@ -143,6 +150,7 @@ class Host {
   void take(blackboard::Incoming incoming, blackboard::Now now);
   void take_received(blackboard::Received received, blackboard::Now now);
   void log_route(const blackboard::RouteChanged& route, blackboard::Now now);
+  void log_older(const blackboard::TakenForOlder& one, blackboard::Now now);
   void apply(const wire::LinkState& link, blackboard::Now now);
   void send(const Send& send, blackboard::Now now);
   void log_unsent(wire::Slot slot, const std::string& to, blackboard::Refusal why,
@@ -175,8 +183,10 @@ class Host {
     std::uint64_t noted = 0;  ///< as last remembered
     std::uint64_t last = 0;   ///< that was sent
   };
-  std::map<NodeNumber, Unsettled> unsettled_;  ///< peers that have not all that they were sent
-  bool forgetful_ = false;                     ///< the memory takes nothing at the moment
+  using Session = std::pair<NodeNumber, bool>;  ///< with a peer; whether that of long events
+  std::map<Session, Unsettled> unsettled_;      ///< where the peer has not all that it was sent
+  std::vector<Undelivered> refused_;            ///< to be told once the effects are carried out
+  bool forgetful_ = false;                      ///< the memory takes nothing at the moment
 };
 
 }  // namespace skein::node

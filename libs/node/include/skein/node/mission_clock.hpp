@@ -10,7 +10,7 @@
 namespace skein::node {
 
 /// Follows the clock slot. Between samples mission time goes on at the last rate; if they stop
-/// coming it stands still after kSilence, and goes on with the first that comes: a leader that died
+/// coming it stands still after a while, and goes on with the first that comes: a leader that died
 /// and comes back is where the others are. It never goes back: a sample that was slow on its way is
 /// outweighed by a faster one, and the estimate gives way slowly, so that clocks that drift stay
 /// together. A sample whose rate is of no use (not within 0.001 and a million) is disregarded.
@@ -18,6 +18,9 @@ namespace skein::node {
 class MissionClock {
  public:
   static constexpr Duration kSilence = Duration::milliseconds(500);  ///< steady: five periods
+
+  /// `silence`: steady, after so much without a sample it stands still.
+  explicit MissionClock(Duration silence = kSilence) : silence_(silence) {}
 
   void update(const wire::Clock& sample, Duration steady);
   MissionTime now(Duration steady);
@@ -29,8 +32,9 @@ class MissionClock {
 
  private:
   double estimate(Duration steady) const;
-  bool silent(Duration steady) const { return steady > heard_ + kSilence; }
+  bool silent(Duration steady) const { return steady > heard_ + silence_; }
 
+  Duration silence_;
   wire::ClockPhase phase_ = wire::ClockPhase::kHolding;
   double rate_ = 1;
   double offset_ = 0;   ///< [s] mission time minus rate × steady time

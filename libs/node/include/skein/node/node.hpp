@@ -33,11 +33,16 @@ struct Reachability {
   bool reachable = false;
   bool restarted = false;
 };
-/// An event this node sent could not be delivered before it expired.
+/// An event this node sent was not acknowledged before it expired, or, if a receipt was asked for,
+/// was refused at once (then `sequence` is 0).
 struct Undelivered {
   NodeNumber to;
   wire::Slot slot = wire::Slot::kTaskRequest;
   std::uint64_t sequence = 0;
+  std::uint64_t receipt = 0;  ///< that was asked for (Send)
+  /// False: the peer was out of contact all the time. True: only its acknowledgement may be
+  /// missing.
+  bool may_have_arrived = true;
 };
 /// An event this node sent and asked a receipt for (Send) is with the peer's node.
 struct Delivered {
@@ -68,6 +73,7 @@ using Input =
 struct Send {
   NodeNumber to;
   wire::Sample sample;
+  /// Of an event; the lifespan of its slot may end before (SlotTable).
   MissionTime expires = MissionTime::max();
   std::uint64_t receipt = 0;  ///< of an event, above 0: Delivered is wanted, with this number
 };

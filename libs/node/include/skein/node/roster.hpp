@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "skein/blackboard/channel.hpp"
+#include "skein/blackboard/slot_table.hpp"
 
 namespace skein::node {
 
@@ -51,6 +53,10 @@ class Roster {
   Roster relayed_by(const std::vector<std::string>& names) const;
   const std::set<NodeNumber>& relays() const { return relays_; }
 
+  /// The same, where slots are as this table says; else they are as in the one that ships.
+  Roster with_slots(blackboard::SlotTable table) const;
+  const blackboard::SlotTable& slots() const { return *slots_; }
+
   /// Only these of its members, with the numbers that they have: they talk with nobody else.
   Roster only(const std::vector<std::string>& names) const;
 
@@ -58,7 +64,7 @@ class Roster {
   /// between any two UAVs, onboard between a UAV and its functional layer, and the world.
   std::vector<blackboard::ChannelConfig> channels_of(const Member& member) const;
   /// The slots a member reads on the world channel.
-  static std::vector<wire::Slot> world_reads_of(wire::Role role);
+  std::vector<wire::Slot> world_reads_of(wire::Role role) const;
 
  private:
   bool serves(const Member& functional, const Member& uav) const;
@@ -66,6 +72,7 @@ class Roster {
 
   std::vector<Member> members_;
   std::set<NodeNumber> relays_;
+  std::shared_ptr<const blackboard::SlotTable> slots_;
   std::map<NodeNumber, NodeNumber> functional_;  ///< by UAV; absent: the simulator
 };
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which life of this node its peers take it for, where it can only guess.
+#include <algorithm>
+#include <limits>
+
+#include "blackboard_impl.hpp"
+
+namespace skein::blackboard {
+
+std::uint64_t Blackboard::Impl::incarnation_for(NodeNumber to) const {
+  const auto found = config_.guesses_incarnation ? peers_.find(to) : peers_.end();
+  return found == peers_.end() ? incarnation_ : found->second.self_incarnation();
+}
+
+void Blackboard::Impl::compare_lives(Peer& peer, const wire::Heartbeat& heartbeat, Now now) {
+  if (heartbeat.header.incarnation < peer.incarnation()) return peer.on_old_heartbeat();
+  const std::uint64_t heard = heartbeat.ack_incarnation;
+  if (heard <= peer.self_incarnation()) return;
+  constexpr std::uint64_t kLast = std::numeric_limits<std::uint64_t>::max();
+  // Whom the peer has heard, and hears no more, has a rival: two that climb over each other would
+  // never end.
+  const bool is_next = config_.guesses_incarnation && !peer.was_heard() && heard < kLast;
+  if (!is_next && !takers_for_older_.insert(peer.channels().number).second) return;
+  out_.emplace_back(TakenForOlder{peer.channels().number, heard, is_next});
+  if (is_next) become(peer, heard + 1, now);
+}
+
+void Blackboard::Impl::become(Peer& peer, std::uint64_t incarnation, Now now) {
+  const NodeNumber number = peer.channels().number;
+  peer.become(incarnation, now.steady);
+  const bool world_too = incarnation > incarnation_;
+  incarnation_ = std::max(incarnation_, incarnation);
+  for (const auto& [key, kept] : std::map(own_states_)) {
+    const NodeNumber to = std::get<NodeNumber>(key);
+    if (to != number && !(world_too && to == kEverybody)) continue;
+    wire::Sample state = kept;
+    wire::header_of(state).incarnation = incarnation_for(to);
+    wire::header_of(state).sequence_number = ++sequence_;
+    if (to == number) {
+      send_value(peer, std::move(state), now);
+    } else {
+      write(*world_, state);
+    }
+  }
+  serve(peer, now);
+}
+
+}  // namespace skein::blackboard

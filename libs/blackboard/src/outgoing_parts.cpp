@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sending half of what is too long to be said at once.
+#include "outgoing_parts.hpp"
+
+#include <algorithm>
+
+#include "skein/blackboard/cdr.hpp"
+#include "skein/foundation/contract.hpp"
+
+namespace skein::blackboard {
+
+void OutgoingParts::hold(const wire::Sample& event, std::uint64_t receipt) {
+  const wire::SampleHeader& header = wire::header_of(event);
+  SKEIN_EXPECTS(header.sequence_number == next_);
+  ++next_;
+  Held& held = held_.emplace_back();
+  held.slot = wire::slot_of(event);
+  held.header = header;
+  held.receipt = receipt;
+  held.bytes.resize(encoded_size(event));
+  held.bytes.resize(encode(event, held.bytes));
+  bytes_ += held.bytes.size();
+}
+
+void OutgoingParts::drop(std::deque<Held>::iterator one) {
+  bytes_ -= one->bytes.size();
+  held_.erase(one);
+}
+
+void OutgoingParts::drop_front() {
+  drop(held_.begin());
+  acked_ = next_byte_ = 0;
+}
+
+void OutgoingParts::give_up(std::uint64_t number) {
+  const auto found = std::ranges::find_if(
+      held_, [&](const Held& one) { return one.header.sequence_number == number; });
+  if (found == held_.end()) return;
+  if (found == held_.begin()) return drop_front();
+  drop(found);
+}
+
+std::vector<std::uint64_t> OutgoingParts::heard(std::uint64_t number, std::uint32_t bytes) {
+  std::vector<std::uint64_t> receipts;
+  const auto has = [&](const Held& one) {
+    const std::uint64_t its = one.header.sequence_number;
+    return its < number || (its == number && bytes >= one.bytes.size());
+  };
+  while (number < next_ && !held_.empty() && has(held_.front())) {
+    if (held_.front().receipt != 0) receipts.push_back(held_.front().receipt);
+    drop_front();
+  }
+  if (held_.empty() || held_.front().header.sequence_number != number) return receipts;
+  if (bytes < acked_) next_byte_ = bytes;
+  acked_ = bytes;
+  next_byte_ = std::max(next_byte_, bytes);
+  return receipts;
+}
+
+void OutgoingParts::recall_acknowledged(std::uint64_t number) {
+  while (!held_.empty() && held_.front().header.sequence_number <= number) drop_front();
+}
+
+std::uint64_t OutgoingParts::settled() const {
+  return (held_.empty() ? next_ : held_.front().header.sequence_number) - 1;
+}
+
+void OutgoingParts::become(std::uint64_t incarnation) {
+  for (Held& one : held_) one.header.incarnation = incarnation;
+  acked_ = next_byte_ = 0;
+}
+
+std::vector<EventExpired> OutgoingParts::expire(MissionTime now) {
+  std::vector<EventExpired> expired;
+  for (std::size_t i = held_.size(); i-- > 0;) {
+    const Held& one = held_[i];
+    if (one.header.expires >= now.count()) continue;
+    expired.push_back({one.slot, NodeNumber(one.header.origin), NodeNumber(one.header.destination),
+                       one.header.sequence_number, one.header.incarnation, one.receipt,
+                       one.may_have_arrived});
+    give_up(one.header.sequence_number);
+  }
+  std::ranges::reverse(expired);
+  return expired;
+}
+
+bool OutgoingParts::window_is_open(std::uint32_t most_bytes) const {
+  return !held_.empty() && next_byte_ < held_.front().bytes.size() &&
+         next_byte_ < acked_ + std::uint64_t{kPartsUnderWay} * most_bytes;
+}
+
+std::optional<wire::Part> OutgoingParts::next(Duration now, std::uint32_t most_bytes,
+                                              Duration round_trip) const {
+  const auto due = next_due(most_bytes, round_trip);
+  if (!due || *due > now) return std::nullopt;
+  const Held& front = held_.front();
+  wire::Part part;
+  part.number = front.header.sequence_number;
+  part.of_slot = static_cast<std::uint8_t>(front.slot);
+  part.total = static_cast<std::uint32_t>(front.bytes.size());
+  part.offset = window_is_open(most_bytes) ? next_byte_ : acked_;
+  const std::size_t count = std::min<std::size_t>(most_bytes, front.bytes.size() - part.offset);
+  const auto from = front.bytes.begin() + part.offset;
+  part.content.assign(from, from + static_cast<std::ptrdiff_t>(count));
+  return part;
+}
+
+void OutgoingParts::written(const wire::Part& part, Duration until) {
+  if (held_.empty() || held_.front().header.sequence_number != part.number) return;
+  next_byte_ = part.offset + static_cast<std::uint32_t>(part.content.size());
+  last_written_ = until;
+  if (next_byte_ == part.total && contact_) held_.front().may_have_arrived = true;
+}
+
+std::optional<MissionTime> OutgoingParts::first_expiry() const {
+  std::int64_t first = wire::kNever;
+  for (const Held& one : held_) first = std::min(first, one.header.expires);
+  if (first == wire::kNever) return std::nullopt;
+  return MissionTime::nanoseconds(first);
+}
+
+std::optional<Duration> OutgoingParts::next_due(std::uint32_t most_bytes,
+                                                Duration round_trip) const {
+  if (held_.empty()) return std::nullopt;
+  if (window_is_open(most_bytes)) return Duration{};
+  return last_written_ + retransmission_ + round_trip;
+}
+
+}  // namespace skein::blackboard
