@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+
+#include "skein/blackboard/slot_table.hpp"
 #include "skein/scenario_setup/setup.hpp"
 
 namespace skein::assembly {
@@ -42,6 +46,49 @@ TEST(Assembly, EveryNameOfTheRosterThatIsNoPersonsMakesANodeThatStarts) {
     ASSERT_NE(node, nullptr);
     EXPECT_NO_FATAL_FAILURE((void)node->handle(node::Started{1}, MissionTime()));
   }
+}
+
+/// The same with a table of slots of its own.
+scenario::Scenario comets_with(const std::string& slots) {
+  const std::string path = std::string(SKEIN_SOURCE_DIR) + "/scenarios/comets/confirmed.yaml";
+  std::ifstream file(path);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  auto scenario = scenario::read_scenario_text(text + slots, path);
+  if (!scenario) ADD_FAILURE() << to_text(scenario.error());
+  return scenario ? *scenario : scenario::Scenario();
+}
+
+TEST(Assembly, AScenarioMayChangeTheTableOfSlots) {
+  const scenario::Scenario scenario = comets_with(
+      "\nslots:\n  Alarm: {flows: [uav>ground], lifespan: 30}\n  Telemetry: {share: 0.1}\n");
+
+  EXPECT_TRUE(check_assembly(scenario).empty());
+  const node::Roster roster = roster_of(scenario);
+  const auto share = roster.slots().shares()[static_cast<std::size_t>(wire::Slot::kTelemetry)];
+  EXPECT_EQ(share.fraction, 0.1);
+  for (const auto& channel : roster.channels_of(*roster.find("ground"))) {
+    if (channel.kind != blackboard::ChannelKind::kRadio) continue;
+    EXPECT_EQ(channel.carries(wire::Slot::kAlarm), channel.to == roster.ground());
+    EXPECT_TRUE(channel.carries(wire::Slot::kTelemetry));
+  }
+}
+
+TEST(Assembly, WhatIsWrongInTheTableOfSlotsIsSaidAllAtOnceWithItsPlace) {
+  const Diagnostics wrong = check_assembly(comets_with(R"(
+slots:
+  Telemetri: {share: 0.1}
+  Alarm: {flows: [uav>grund]}
+  PerceptionReport: {share: 0.9}
+)"));
+
+  const std::string text = to_text(wrong);
+  ASSERT_EQ(wrong.size(), 7U) << text << "an alarm that goes nowhere; shares of four kinds";
+  EXPECT_THAT(text, HasSubstr("confirmed.yaml:"));
+  EXPECT_THAT(text, HasSubstr("slots.Telemetri: no slot 'Telemetri'"));
+  EXPECT_THAT(text, HasSubstr("did you mean 'Telemetry'?"));
+  EXPECT_THAT(text, HasSubstr("no node 'grund'"));
+  EXPECT_THAT(text, HasSubstr("most has PerceptionReport with 90 %"));
+  for (const Diagnostic& one : wrong.all()) EXPECT_GT(one.line, 0) << one.message;
 }
 
 TEST(Assembly, ADecisionNodeHasTheDegreeAndThePolicyOfItsUav) {

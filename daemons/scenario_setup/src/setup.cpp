@@ -2,16 +2,30 @@
 #include "skein/scenario_setup/setup.hpp"
 
 #include <sstream>
+#include <utility>
 
 #include "skein/blackboard/channel.hpp"
+#include "skein/blackboard/slot_table.hpp"
 
 namespace skein::scenario_setup {
 
 using scenario::Scenario;
 
+namespace {
+
+Result<blackboard::SlotTable, Diagnostics> slots_of(const Scenario& scenario) {
+  return blackboard::read_slot_table(*scenario.slots, scenario.file,
+                                     blackboard::SlotTable::shipped());
+}
+
+}  // namespace
+
 node::Roster roster_of(const Scenario& scenario) {
-  return node::Roster(scenario.uav_names(), scenario.functional_layers())
-      .relayed_by(scenario.radio.relays);
+  node::Roster roster = node::Roster(scenario.uav_names(), scenario.functional_layers())
+                            .relayed_by(scenario.radio.relays);
+  if (!scenario.slots) return roster;
+  auto slots = slots_of(scenario);
+  return slots ? roster.with_slots(std::move(*slots)) : roster;
 }
 
 node::RadioCapacity capacity_of(const Scenario& scenario) {
@@ -25,11 +39,14 @@ node::RadioCapacity capacity_of(const Scenario& scenario) {
   return capacity;
 }
 
-/// Of a channel that heartbeats alone would fill there is nothing left.
 Diagnostics radio_problems(const Scenario& scenario) {
   const double heartbeats = 8.0 * static_cast<double>(blackboard::heartbeat_bytes()) /
                             scenario.radio.heartbeat.to_seconds();
   Diagnostics diagnostics;
+  if (scenario.slots) {
+    if (const auto slots = slots_of(scenario); !slots) diagnostics.append(slots.error());
+  }
+  // Of a channel that heartbeats alone would fill there is nothing left.
   const auto check = [&](double capacity, const std::string& of) {
     if (capacity <= 0 || capacity >= 2 * heartbeats) return;
     std::ostringstream text;

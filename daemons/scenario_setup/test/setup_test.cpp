@@ -70,6 +70,18 @@ TEST(Setup, ChannelsThatHeartbeatsFillAreNamedAllAtOnce) {
   EXPECT_THAT(to_text(problems), HasSubstr("confirmed.yaml"));
 }
 
+TEST(Setup, WhatIsWrongInTheTableOfSlotsIsAmongTheProblemsOfEveryDaemon) {
+  scenario::Scenario scenario = comets();
+  config::Value row, table, document;
+  row.kind = table.kind = document.kind = config::Value::Kind::kMap;
+  table.entries.push_back({"Telemetri", row});
+  document.entries.push_back({"slots", table});
+  scenario.slots = document;
+
+  EXPECT_THAT(to_text(radio_problems(scenario)), HasSubstr("slots.Telemetri: no slot"));
+  EXPECT_EQ(&roster_of(scenario).slots(), &roster_of(comets()).slots()) << "the one that ships";
+}
+
 TEST(Setup, ChannelsWithRoomAreNoProblem) { EXPECT_TRUE(radio_problems(comets()).empty()); }
 
 TEST(LoadedScenario, IsGivenToTheCheckAfterTheOverrides) {

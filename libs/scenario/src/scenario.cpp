@@ -90,12 +90,21 @@ std::optional<SeparationSpec> read_separation(const Reader& reader) {
   return SeparationSpec{reader.optional("merge").boolean(true)};
 }
 
+std::optional<config::Value> slots_of(const Reader& reader) {
+  if (!reader.present()) return std::nullopt;
+  config::Value document;
+  document.kind = config::Value::Kind::kMap;
+  document.line = reader.line();
+  document.entries.push_back({"slots", reader.value()});
+  return document;
+}
+
 void read_all(const Reader& reader, const std::string& folder, Diagnostics& diagnostics,
               Scenario& scenario) {
   if (!reader.present()) reader.error("nothing", "a scenario");
   if (!reader.keys({"scenario", "epoch", "duration_limit", "rate", "seed", "world", "uavs", "radio",
-                    "ground", "planning", "interaction", "team", "separation", "faults", "dds",
-                    "variations", "expect"})) {
+                    "slots", "ground", "planning", "interaction", "team", "separation", "faults",
+                    "dds", "variations", "expect"})) {
     return;
   }
   scenario.name = reader.required("scenario").text();
@@ -108,6 +117,7 @@ void read_all(const Reader& reader, const std::string& folder, Diagnostics& diag
   const Names names = names_of(scenario);
   read_dds(reader.optional("dds"), names, scenario);
   read_radio(reader.optional("radio"), names, scenario.radio);
+  scenario.slots = slots_of(reader.optional("slots"));
   scenario.planning = read_planning(reader.optional("planning"), folder, names);
   scenario.interaction = read_interaction(reader.optional("interaction"), folder, diagnostics);
   scenario.team = read_team(reader.optional("team"), names, scenario.seed);

@@ -13,12 +13,14 @@ namespace skein::scenario_setup {
 /// How long a partner is taken to wait at a rendezvous; it says so again at half of this.
 inline constexpr Duration kSyncValidity = Duration::milliseconds(30'000);
 
+/// With the scenario's own table of slots, if it has one that is right.
 node::Roster roster_of(const scenario::Scenario& scenario);
 
 /// What the scenario says of its radio for all of its time.
 node::RadioCapacity capacity_of(const scenario::Scenario& scenario);
 
-/// Every channel of which heartbeats alone would take more than half.
+/// Every channel of which heartbeats alone would take more than half, and what is wrong with the
+/// scenario's own table of slots, with its place.
 Diagnostics radio_problems(const scenario::Scenario& scenario);
 
 }  // namespace skein::scenario_setup

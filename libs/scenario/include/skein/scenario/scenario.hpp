@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "skein/config/value.hpp"
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
 #include "skein/ground_station/object_tracking.hpp"
@@ -90,9 +91,9 @@ struct RadioSpec {
   std::vector<LinkSpec> links;                ///< of several that hold at once the later one counts
   Duration heartbeat = Duration::seconds(1);  ///< of every node on each of its channels
   std::vector<std::string> relays;            ///< who passes on what is for others
-  /// Nobody is told which links are up: what carries the samples cuts, as in flight. In virtual time
-  /// the memory transport does; over DDS nothing the simulator says of links counts, and somebody
-  /// else must cut (scripts/radio-lab).
+  /// Nobody is told which links are up: what carries the samples cuts, as in flight. In virtual
+  /// time the memory transport does; over DDS nothing the simulator says of links counts, and
+  /// somebody else must cut (scripts/radio-lab).
   bool silent = false;
 };
 
@@ -212,6 +213,9 @@ struct Scenario {
   WorldSpec world;
   std::vector<UavSpec> uavs;  ///< in the order written
   RadioSpec radio;
+  /// Which slots are unlike those that ship: a map with the key `slots`, as it stands in the file;
+  /// absent: none. What it means, and whether it is right, the blackboard says (read_slot_table).
+  std::optional<config::Value> slots;
   GroundSpec ground;
   FaultSpec faults;
   std::optional<PlanningSpec> planning;
