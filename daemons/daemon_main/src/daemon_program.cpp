@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "companions.hpp"
+#include "log_file.hpp"
 #include "log_line.hpp"
 #include "memory.hpp"
 #include "options.hpp"
@@ -62,7 +63,8 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
   if (scenario.radio.silent) config.told = node::ToldOfLinks::kNothing;
   config.capacity = scenario_setup::capacity_of(scenario);
   config.seed = scenario.seed;
-  config.leads_clock = self.role == wire::Role::kSim;
+  config.world = options.world;
+  config.leads_clock = self.role == (options.world ? wire::Role::kSim : wire::Role::kGround);
   config.time_limit = scenario.duration_limit;
   for (const node::Member& member : roster.members()) {
     const bool awaited = member.role == wire::Role::kGround || member.role == wire::Role::kDdn ||
@@ -78,6 +80,25 @@ node::DaemonConfig daemon_config(const Options& options, const scenario::Scenari
     spdlog::warn("{}", json ? journal::to_json(notice) : "dds: " + line);
   };
   return config;
+}
+
+/// From now on records go to the file of --log-to too, if one is named; what is wrong with that
+/// later is told beside them. False: it cannot be opened, and it was said why.
+bool open_log(const Options& options, std::optional<LogFile>& log, node::DaemonConfig& config) {
+  if (options.log_to.empty()) return true;
+  auto opened = LogFile::open(options.log_to);
+  if (!opened) {
+    std::cerr << "--log-to: " << opened.error().why << '\n';
+    return false;
+  }
+  LogFile& file = log.emplace(std::move(*opened));
+  config.on_record = [&file, tell = config.on_record](const journal::Record& record) {
+    tell(record);
+    const std::string news = file.append(journal::to_json(record));
+    if (!news.empty())
+      tell(journal::record_of(record.at(), record.node(), journal::lines::Notice{.text = news}));
+  };
+  return true;
 }
 
 bool can_be(const DaemonProgram& program, wire::Role role) {
@@ -157,6 +178,19 @@ struct Attempt {
   bool keeps = true;  ///< a memory, if it is asked for
 };
 
+/// If it is to; false: it was said why it cannot.
+bool can_do_without_world(const Options& options, const node::Member& self) {
+  if (options.world || self.role != wire::Role::kSim) return true;
+  std::cerr << "--world off: the simulator is the world; in flight there is none\n";
+  return false;
+}
+
+/// Of lines on stderr: when, how bad, which node.
+void set_pattern(const Options& options, const std::string& node) {
+  const std::string stamp = "%Y-%m-%dT%H:%M:%S.%eZ %^%-5l%$ " + node + " ";
+  spdlog::set_pattern(options.log_json ? "%v" : stamp + "%v", spdlog::pattern_time_type::utc);
+}
+
 /// The exit code; nothing when the node is to be run anew.
 std::optional<int> run(const DaemonProgram& program, const Options& options, Attempt& attempt) {
   const auto scenario =
@@ -172,10 +206,9 @@ std::optional<int> run(const DaemonProgram& program, const Options& options, Att
   }
   Crew crew;
   const node::Member* self = find_self(program, options, *scenario, roster, crew);
-  if (self == nullptr) return kExitBadInput;
+  if (self == nullptr || !can_do_without_world(options, *self)) return kExitBadInput;
   const std::string& name = self->name;
-  const std::string stamp = "%Y-%m-%dT%H:%M:%S.%eZ %^%-5l%$ " + name + " ";
-  spdlog::set_pattern(options.log_json ? "%v" : stamp + "%v", spdlog::pattern_time_type::utc);
+  set_pattern(options, name);
   ServiceManager manager;
   Memory memory;
   if (!options.state.empty() && attempt.keeps) {
@@ -186,6 +219,8 @@ std::optional<int> run(const DaemonProgram& program, const Options& options, Att
   config.on_turn = [&manager](wire::ClockPhase phase) {
     manager.turn(phase, node::Waker::steady_now());
   };
+  std::optional<LogFile> log_file;
+  if (!open_log(options, log_file, config)) return kExitBadInput;
   log(config, name, memory.notices);
   config.memory = memory.log.get();
   config.incarnation = memory.incarnation;

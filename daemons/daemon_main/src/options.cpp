@@ -47,6 +47,14 @@ void declare_run(CLI::App& app, Options& options, bool remembers) {
                    "on where it was; none: nothing does");
   app.add_option("--log-level", options.log_level, "error, warn, info or debug")
       ->check(CLI::IsMember({"error", "warn", "info", "debug"}));
+  app.add_option(
+      "--log-to", options.log_to,
+      "File of this machine to which the records of its event log go, as JSON, one a line");
+  app.add_option(
+         "--world", options.world,
+         "Take part in the world channel, which is for simulation: on or off. In flight off: "
+         "the event log then stays on board, mission time comes from the peers")
+      ->default_str("on");
   app.add_flag("--log-json", options.log_json, "Records as JSON, one a line, instead of sentences")
       ->default_str("false");
 }

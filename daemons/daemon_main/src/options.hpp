@@ -23,7 +23,9 @@ struct Options {
   std::uint32_t domain = 0;
   blackboard::NetworkConfig network;
   scenario_setup::Overrides overrides;
-  std::string state;  ///< empty: nothing outlives the process
+  std::string state;   ///< empty: nothing outlives the process
+  std::string log_to;  ///< file of its event log; empty: none
+  bool world = true;   ///< whether it takes part in the world channel
   std::string log_level = "info";
   bool log_json = false;
   bool forgets = false;  ///< of what is there it takes only where its vehicles are

@@ -17,11 +17,11 @@ std::string lines(const std::string& node, const char* verb, const std::string& 
   return text;
 }
 
-std::string lines_of(const node::Member& member, const ChannelConfig& channel) {
+std::string lines_of(const node::Roster& roster, const node::Member& member,
+                     const ChannelConfig& channel) {
   if (channel.kind == ChannelKind::kWorld) {
     return lines(member.name, "publish", channel.partition, channel.slots) +
-           lines(member.name, "subscribe", channel.partition,
-                 node::Roster::world_reads_of(member.role));
+           lines(member.name, "subscribe", channel.partition, roster.world_reads_of(member.role));
   }
   std::vector<wire::Slot> slots = channel.slots;
   slots.push_back(wire::Slot::kHeartbeat);
@@ -45,7 +45,7 @@ std::string rights_of(const node::Roster& roster) {
   std::string text;
   for (const node::Member& member : roster.members()) {
     for (const ChannelConfig& channel : roster.channels_of(member)) {
-      text += lines_of(member, channel);
+      text += lines_of(roster, member, channel);
     }
   }
   return text + lines_of_spy();
