@@ -13,4 +13,4 @@ endfunction()
 embed(${CSS} Css css)
 embed(${JS} Js js)
 file(WRITE ${OUTPUT}
-  "// Made by embed_assets.cmake from libs/report/assets; do not edit.\n#include \"assets.hpp\"\n\nnamespace skein::report {\n\n${css}${js}}  // namespace skein::report\n")
+  "// Made by embed_assets.cmake from libs/report/assets; do not edit.\n#include \"page/assets.hpp\"\n\nnamespace skein::report {\n\n${css}${js}}  // namespace skein::report\n")

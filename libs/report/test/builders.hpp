@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "chronology.hpp"
 #include "skein/report/journal.hpp"
+#include "story/chronology.hpp"
 
 namespace skein::report::testing {
 

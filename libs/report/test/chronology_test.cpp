@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "chronology.hpp"
+#include "story/chronology.hpp"
 
 #include <gtest/gtest.h>
 

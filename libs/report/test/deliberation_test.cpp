@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deliberation.hpp"
+#include "story/deliberation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "page/views.hpp"
 #include "plan_builders.hpp"
 #include "skein/report/report.hpp"
-#include "views.hpp"
 
 namespace skein::report {
 namespace {

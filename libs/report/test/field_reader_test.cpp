@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "field_reader.hpp"
+#include "reading/field_reader.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "builders.hpp"
-#include "encounters.hpp"
+#include "story/encounters.hpp"
 #include "timeline_page.hpp"
 
 namespace skein::report {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "builders.hpp"
-#include "views.hpp"
+#include "page/views.hpp"
 
 namespace skein::report {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "builders.hpp"
-#include "joint_story.hpp"
-#include "timeline.hpp"
+#include "story/joint_story.hpp"
+#include "timeline/timeline.hpp"
 
 namespace skein::report {
 namespace {

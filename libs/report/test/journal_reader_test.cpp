@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "builders.hpp"
-#include "field_reader.hpp"
+#include "reading/field_reader.hpp"
 #include "skein/report/journal.hpp"
 #include "synthetic_mission.hpp"
 

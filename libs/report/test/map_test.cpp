@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "builders.hpp"
-#include "map_marks.hpp"
+#include "map/map_marks.hpp"
 #include "synthetic_mission.hpp"
 
 namespace skein::report {

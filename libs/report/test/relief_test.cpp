@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "relief.hpp"
+#include "map/relief.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "statistics.hpp"
+#include "story/statistics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "builders.hpp"
-#include "views.hpp"
+#include "page/views.hpp"
 
 namespace skein::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "builders.hpp"
-#include "timeline.hpp"
+#include "timeline/timeline.hpp"
 
 namespace skein::report::testing {
 

@@ -10,7 +10,7 @@
 
 #include "meetings/meeting_words.hpp"
 #include "text.hpp"
-#include "timeline.hpp"
+#include "timeline/timeline.hpp"
 
 namespace skein::report {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "chronology.hpp"
+#include "story/chronology.hpp"
 
 namespace skein::report {
 

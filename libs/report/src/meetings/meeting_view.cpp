@@ -9,7 +9,7 @@
 
 #include "meetings/meeting_words.hpp"
 #include "text.hpp"
-#include "timeline.hpp"
+#include "timeline/timeline.hpp"
 
 namespace skein::report {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "chronology.hpp"
+#include "story/chronology.hpp"
 
 namespace skein::report {
 

@@ -3,9 +3,9 @@
 // figure 7.
 #include <algorithm>
 
-#include "encounters.hpp"
+#include "story/encounters.hpp"
 #include "text.hpp"
-#include "timeline.hpp"
+#include "timeline/timeline.hpp"
 
 namespace skein::report {
 

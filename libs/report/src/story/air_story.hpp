@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the event log tells of the air of ways. Source: spec 6.4.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "skein/report/journal.hpp"
+#include "story/chronology.hpp"
+
+namespace skein::report {
+
+/// The air within a radius of a line on the ground, between two heights [m].
+struct AirPiece {
+  GroundPoint from, to;
+  double radius = 0, floor = 0, ceiling = 0;
+};
+
+/// A motion that waits for its air, or has it.
+struct AirUse {
+  std::size_t uav = 0;
+  Span span;
+  std::string state;  ///< waits, had, aside, unasked
+  std::string what;   ///< "7 goto"
+  std::string why;    ///< whom it waits for, or how much higher it flies
+  std::vector<AirPiece> pieces;
+  bool ends_in_the_air = false;
+};
+
+/// In the order of the log; who waits again in another way is told again.
+std::vector<AirUse> tell_air(const Journal& journal, const Chronology& story);
+
+}  // namespace skein::report
