@@ -66,10 +66,12 @@ class FakeEndpoints final : public Endpoints {
   FakeDds& dds_;
 };
 
-/// The radio channel between self and peer, in that direction or against it.
+/// The radio channel between self and peer, in that direction or against it. Narrow: all endpoints
+/// wait that can.
 TransportPlan radio_plan(NodeNumber from) {
   ChannelConfig radio{from, from == kSelf ? kPeer : kSelf, ChannelKind::kRadio, "radio/a>b", {}};
   radio.slots = {Slot::kAutonomyDegree, Slot::kTaskEvent, Slot::kTelemetry};
+  radio.capacity = 9'600;
   return {kSelf, {radio}, {}};
 }
 
@@ -108,6 +110,32 @@ TEST_F(ChannelOverRtps, BeginsWithTheHeartbeat) {
   ASSERT_TRUE(out.open().has_value());
   EXPECT_THAT(dds_.writers, UnorderedElementsAre(Slot::kHeartbeat));
   EXPECT_THAT(dds_.readers, IsEmpty());
+}
+
+TEST_F(ChannelOverRtps, OfASmallTeamHasTheWritersOfEventsFromTheBeginningAndAfterACut) {
+  for (const double capacity : {0.0, 250'000.0}) {
+    TransportPlan plan = radio_plan(kSelf);
+    plan.channels.front().capacity = capacity;
+    Link out = make(plan);
+    ASSERT_TRUE(out.open().has_value());
+    EXPECT_THAT(dds_.writers, UnorderedElementsAre(Slot::kHeartbeat, Slot::kTaskEvent));
+    ASSERT_TRUE(out.set_up(false).has_value());
+    ASSERT_TRUE(out.set_up(true).has_value());
+    EXPECT_THAT(dds_.writers, UnorderedElementsAre(Slot::kHeartbeat, Slot::kTaskEvent));
+    ASSERT_TRUE(out.set_up(false).has_value());
+  }
+}
+
+TEST_F(ChannelOverRtps, OfALargeTeamHasNoWritersThatNobodyNeedsYet) {
+  TransportPlan plan = radio_plan(kSelf);
+  plan.channels.front().capacity = 0;
+  for (std::uint32_t peer = 3; peer < 70; ++peer) {
+    plan.channels.push_back(plan.channels.front());
+    plan.channels.back().to = NodeNumber(peer);
+  }
+  Link out = make(plan);
+  ASSERT_TRUE(out.open().has_value());
+  EXPECT_THAT(dds_.writers, UnorderedElementsAre(Slot::kHeartbeat));
 }
 
 TEST_F(ChannelOverRtps, SaysTheFirstWordOfAStreamAgainToWhoeverIsFound) {

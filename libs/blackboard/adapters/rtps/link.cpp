@@ -18,6 +18,20 @@ bool is_pattern(const std::string& partition) {
   return partition.find_first_of("*?[") != std::string::npos;
 }
 
+/// Writers of events over radio that a node may have from the beginning: those of a team of six.
+constexpr std::ptrdiff_t kFewWriters = 64;
+/// [bit/s] To tell of an endpoint takes half a kilobyte for each of the others.
+constexpr double kRoomToTell = 100'000;
+
+std::ptrdiff_t writers_of_events(const TransportPlan& plan) {
+  std::ptrdiff_t all = 0;
+  for (const ChannelConfig& channel : plan.channels) {
+    if (channel.kind != ChannelKind::kRadio || channel.from != plan.self) continue;
+    all += std::ranges::count(channel.slots, wire::SlotClass::kEvent, wire::slot_class);
+  }
+  return all;
+}
+
 }  // namespace
 
 bool LinkPlan::waits_to_write(wire::Slot slot) const {
@@ -25,6 +39,7 @@ bool LinkPlan::waits_to_write(wire::Slot slot) const {
   // A reader that was there before may still not know the writer when that knows it: what is said
   // again then is lost.
   const bool is_stream = wire::slot_class(slot) == wire::SlotClass::kStream;
+  if (events_do_not_wait && wire::slot_class(slot) == wire::SlotClass::kEvent) return false;
   return writers_wait && (!is_stream || readers_wait);
 }
 
@@ -43,6 +58,9 @@ LinkPlan plan_link(const TransportPlan& plan, std::size_t index, const DdsConfig
   link.writers_wait = !world && config.network.keys.empty() && !config.endpoints_at_once;
   link.readers_wait = link.writers_wait && config.network.discovery_servers.empty() &&
                       !is_pattern(link.config.partition);
+  const bool has_room = link.config.capacity <= 0 || link.config.capacity >= kRoomToTell;
+  link.events_do_not_wait =
+      link.config.kind == ChannelKind::kRadio && has_room && writers_of_events(plan) <= kFewWriters;
   return link;
 }
 
