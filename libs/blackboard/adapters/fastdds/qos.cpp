@@ -10,6 +10,7 @@
 
 #include "adapters/rtps/kept_samples.hpp"
 #include "adapters/rtps/ports.hpp"
+#include "single_path.hpp"
 #include "skein/blackboard/program_description.hpp"
 
 namespace skein::blackboard::fastdds {
@@ -112,7 +113,12 @@ dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t
   transport->receiveBufferSize = kSocketBuffer;
   transport->interfaceWhiteList = config.network.interfaces;
   qos.transport().use_builtin_transports = false;
-  qos.transport().user_transports.push_back(transport);
+  if (config.network.interfaces.size() > 1) {
+    qos.transport().user_transports.push_back(
+        std::make_shared<SinglePathDescriptor>(transport, config.network.interfaces));
+  } else {
+    qos.transport().user_transports.push_back(transport);
+  }
   auto& builtin = qos.wire_protocol().builtin;
   // A participant that falls silent is taken for gone after its lease. Where it then comes back,
   // the two begin their handshake anew on one side only, and Fast DDS 2.9 never ends it: with keys

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// UDP from several addresses, over one way to each destination.
+#pragma once
+
+#include <fastdds/rtps/transport/ChainingTransport.h>
+#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "adapters/rtps/source_addresses.hpp"
+
+namespace skein::blackboard::fastdds {
+
+/// Fast DDS has a socket for each interface that it may use, and says everything from every one of
+/// them to each destination: whatever the routes, a machine with a radio and a cable says all twice
+/// over its radio. Here a datagram for one machine leaves from the address that the system's routes
+/// choose; what is for a group leaves from all. Source: Fast DDS 2.9, UDPTransportInterface.
+struct SinglePathDescriptor : eprosima::fastdds::rtps::ChainingTransportDescriptor {
+  /// `addresses`: those of the interfaces that `udp` may use.
+  SinglePathDescriptor(std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> udp,
+                       const std::vector<std::string>& addresses);
+  eprosima::fastdds::rtps::TransportInterface* create_transport() const override;
+
+  std::vector<rtps::Address> own;
+};
+
+class SinglePath final : public eprosima::fastdds::rtps::ChainingTransport {
+ public:
+  SinglePath(const SinglePathDescriptor& descriptor, rtps::SourceAddresses sources);
+
+  eprosima::fastdds::rtps::TransportDescriptorInterface* get_configuration() override;
+  bool send(eprosima::fastrtps::rtps::SenderResource* socket,
+            const eprosima::fastrtps::rtps::octet* bytes, std::uint32_t size,
+            eprosima::fastdds::rtps::LocatorsIterator* begin,
+            eprosima::fastdds::rtps::LocatorsIterator* end,
+            const std::chrono::steady_clock::time_point& until) override;
+  void receive(eprosima::fastdds::rtps::TransportReceiverInterface* next,
+               const eprosima::fastrtps::rtps::octet* bytes, std::uint32_t size,
+               const eprosima::fastrtps::rtps::Locator_t& local,
+               const eprosima::fastrtps::rtps::Locator_t& remote) override;
+
+ private:
+  std::mutex mutex_;
+  rtps::SourceAddresses sources_;
+};
+
+}  // namespace skein::blackboard::fastdds
