@@ -40,6 +40,9 @@ done
 inside bash -c 'source /usr/share/bash-completion/completions/skein; COMP_WORDS=(skein run --virt) COMP_CWORD=2; _skein; echo "$COMPREPLY"'
 grep -qx -- --virtual "$log" || fail "completion"
 said "manual pages and completion are there"
+inside skein storm --laws || fail "skein-lab is not beside skein"
+inside skein mastn generate || fail "skein-tools is not beside skein"
+[ -x "$root/usr/bin/skein-live" ] || fail "skein-live is not beside skein"
 inside skein run /usr/share/skein/scenarios/comets/confirmed.yaml --virtual --out /tmp/virtual || fail "a mission in virtual time"
 said "$(tail -n 1 "$log")"
 inside skein run /usr/share/skein/scenarios/comets/confirmed.yaml --rate 60 --out /tmp/dds || fail "a mission over DDS"
