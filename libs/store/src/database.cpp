@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "database.hpp"
 
+#include "packing.hpp"
+
 namespace skein::store {
 
 namespace {
@@ -89,6 +91,7 @@ void Database::for_each(const std::function<bool(std::uint64_t, const Row&)>& ta
   SQLite::Statement query(database_,
                           "SELECT number, at, kind, peer, slot, value, extra, flags, body "
                           "FROM inputs ORDER BY number");
+  Packing packing;
   while (query.executeStep()) {
     Row row{query.getColumn(1).getInt64(), query.getColumn(2).getString(),
             query.getColumn(3).getInt64(), query.getColumn(4).getString(),
@@ -97,7 +100,13 @@ void Database::for_each(const std::function<bool(std::uint64_t, const Row&)>& ta
     const SQLite::Column body = query.getColumn(8);
     const auto* bytes = static_cast<const std::uint8_t*>(body.getBlob());
     if (bytes != nullptr) row.body.assign(bytes, bytes + body.getBytes());
-    if (!take(static_cast<std::uint64_t>(query.getColumn(0).getInt64()), row)) return;
+    const auto number = static_cast<std::uint64_t>(query.getColumn(0).getInt64());
+    try {
+      packing.unpack(row);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error("input " + std::to_string(number) + ": " + error.what());
+    }
+    if (!take(number, row)) return;
   }
 }
 

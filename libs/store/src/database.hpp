@@ -15,8 +15,9 @@ namespace skein::store {
 
 /// Of the format below; files of a newer one are not read, of an older one brought up to it when
 /// they are opened to be written. 1: inputs. 2: the layout of the messages in them as well, in
-/// `about` under "messages"; empty in a file that was brought up.
-inline constexpr int kVersion = 2;
+/// `about` under "messages"; empty in a file that was brought up. 3: bodies may be packed, which
+/// each row says of itself.
+inline constexpr int kVersion = 3;
 
 /// The tables: `about` (what: value) and `inputs`.
 class Database {
@@ -32,8 +33,9 @@ class Database {
   std::int64_t lines_told();
   void set_lines_told(std::int64_t lines);
 
+  /// As it is: who inserts rows packs them, in their order.
   void insert(const Row& row);
-  /// In the order of insertion, until `take` says no.
+  /// In the order of insertion, unpacked, until `take` says no.
   void for_each(const std::function<bool(std::uint64_t number, const Row&)>& take);
   std::uint64_t inputs();
   /// What SQLite says of the file: "ok" if it is sound.

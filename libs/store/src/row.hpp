@@ -10,6 +10,9 @@
 
 namespace skein::store {
 
+/// Of the flags of a row in the file: its body is packed (packing.hpp).
+inline constexpr std::int64_t kPacked = 4;
+
 /// What is 0 or empty means nothing for the row's kind.
 struct Row {
   std::int64_t at = 0;     ///< mission time [ns]

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "database.hpp"
+#include "packing.hpp"
 #include "skein/blackboard/wire_layout.hpp"
 
 namespace skein::store {
@@ -127,6 +128,7 @@ class SqliteInputLog::Impl {
   std::string anew() {
     database_.reset();
     held_.clear();
+    packing_ = Packing();
     std::string now = set_aside(files_);
     begin();
     return now;
@@ -135,6 +137,7 @@ class SqliteInputLog::Impl {
   Result<void, Failure> append(const node::LogEntry& entry) {
     if (given_up_) return failure("it was given up");
     held_.push_back(row_of(entry));
+    packing_.pack(held_.back());
     try {
       write_held();
     } catch (const std::exception& error) {
@@ -194,6 +197,7 @@ class SqliteInputLog::Impl {
   Identity identity_;
   std::unique_ptr<Lock> lock_;
   std::optional<Database> database_;
+  Packing packing_;
   std::deque<Row> held_;
   std::uint64_t told_ = 0;
   bool complete_ = true, given_up_ = false;

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "skein/blackboard/cdr.hpp"
 #include "testing/entries.hpp"
 
 namespace skein::store {
@@ -75,18 +76,20 @@ TEST_F(StateOnDisk, TheNextLifeKnowsAllThatTheLastOneWasGivenInItsOrder) {
   EXPECT_EQ(next.log->lines_told(), 12U);
 }
 
-/// What a program of version 1 left, by its own tables.
-void leave_version_one(const fs::path& state) {
+/// What a program of version 1 or 2 left, by its own tables.
+void leave_version(int version, const fs::path& state) {
   SQLite::Database old(state.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  old.exec(
-      "CREATE TABLE about (what TEXT PRIMARY KEY, value) WITHOUT ROWID;"
-      "CREATE TABLE inputs (number INTEGER PRIMARY KEY, at INTEGER NOT NULL, kind TEXT NOT NULL,"
-      "  peer INTEGER NOT NULL, slot TEXT NOT NULL, value INTEGER NOT NULL, extra INTEGER NOT NULL,"
-      "  flags INTEGER NOT NULL, body BLOB NOT NULL);"
-      "INSERT INTO about VALUES ('node', 'marvin'), ('mission', 'comets 1'), ('lines', 7);"
-      "INSERT INTO inputs (at, kind, peer, slot, value, extra, flags, body) VALUES"
-      "  (0, 'started', 0, '', 5, 0, 0, x''), (1000, 'wakeup', 0, '', 0, 0, 0, x'');"
-      "PRAGMA user_version = 1;");
+  old.exec(std::string(
+               "CREATE TABLE about (what TEXT PRIMARY KEY, value) WITHOUT ROWID;"
+               "CREATE TABLE inputs (number INTEGER PRIMARY KEY, at INTEGER NOT NULL, kind TEXT "
+               "NOT NULL,"
+               "  peer INTEGER NOT NULL, slot TEXT NOT NULL, value INTEGER NOT NULL, extra INTEGER "
+               "NOT NULL,"
+               "  flags INTEGER NOT NULL, body BLOB NOT NULL);"
+               "INSERT INTO about VALUES ('node', 'marvin'), ('mission', 'comets 1'), ('lines', 7);"
+               "INSERT INTO inputs (at, kind, peer, slot, value, extra, flags, body) VALUES"
+               "  (0, 'started', 0, '', 5, 0, 0, x''), (1000, 'wakeup', 0, '', 0, 0, 0, x'');") +
+           "PRAGMA user_version = " + std::to_string(version));
   std::ofstream(fs::path(state).replace_extension("complete")).put('\n');
 }
 
@@ -95,8 +98,10 @@ int version_of(const fs::path& state) {
   return file.execAndGet("PRAGMA user_version").getInt();
 }
 
-TEST_F(StateOnDisk, WhatTheVersionBeforeLeftIsBroughtUpAndGoneOnFrom) {
-  leave_version_one(state());
+class StateOfBefore : public StateOnDisk, public ::testing::WithParamInterface<int> {};
+
+TEST_P(StateOfBefore, IsBroughtUpAndGoneOnFrom) {
+  leave_version(GetParam(), state());
   {
     const Opened next = open();
     EXPECT_EQ(next.set_aside, "");
@@ -104,8 +109,29 @@ TEST_F(StateOnDisk, WhatTheVersionBeforeLeftIsBroughtUpAndGoneOnFrom) {
     EXPECT_EQ(next.log->lines_told(), 7U);
     ASSERT_TRUE(next.log->append({MissionTime::seconds(2), node::Wakeup{}}));
   }
-  EXPECT_EQ(version_of(state()), 2);
+  EXPECT_EQ(version_of(state()), 3);
   EXPECT_EQ(texts(*open().log).size(), 3U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Versions, StateOfBefore, ::testing::Values(1, 2));
+
+TEST_F(StateOnDisk, WhatIsLikeWhatCameBeforeTakesLittleRoom) {
+  constexpr int kBoards = 200;
+  wire::PlanBoard board;
+  for (std::uint64_t id = 1; id <= 60; ++id) board.tasks.push_back({id, "goto", {}, ""});
+  std::size_t bytes = 0;
+  {
+    const Opened opened = open();
+    ASSERT_TRUE(opened.log->append({MissionTime(), node::Started{1}}));
+    for (int i = 0; i < kBoards; ++i) {
+      board.tasks[static_cast<std::size_t>(i % 60)].id += 1000;
+      bytes += blackboard::encoded_size(board);
+      ASSERT_TRUE(opened.log->append(
+          {MissionTime::seconds(i), node::Received{node::NodeNumber(2), board}}));
+    }
+    EXPECT_EQ(texts(*opened.log).size(), kBoards + 1U);
+  }
+  EXPECT_LT(fs::file_size(state()), bytes / 6);
 }
 
 TEST_F(StateOnDisk, WhatAProgramWithOtherMessagesLeftIsSetAsideAndItSaysSo) {
@@ -216,7 +242,7 @@ TEST_F(SetAside, OneThatMissesSomething) {
 TEST_F(SetAside, OneOfANewerVersion) {
   live();
   SQLite::Database(state().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 99");
-  expect_aside("of version 99, this program reads up to 2");
+  expect_aside("of version 99, this program reads up to 3");
 }
 
 TEST_F(SetAside, HalfAFile) {
