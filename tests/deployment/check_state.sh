@@ -5,6 +5,7 @@
 #   other-scenario  of another scenario
 #   newer           of a newer version
 #   half            half a file
+#   other-program   of a program that did something else: it shows only when the node is given what is in it
 #   read-only       a folder in which nothing can be written
 #   full            a disk that is full from the first minute on
 #   full-for-a-time the same, and after a minute it has room again: nothing is missing then
@@ -84,10 +85,17 @@ case $case in
     sql "$file" "PRAGMA wal_checkpoint(TRUNCATE)"
     truncate -s $(($(stat -c %s "$file") / 2)) "$file"
     why="damaged: " ;;
+  other-program)
+    sql "$file" "UPDATE about SET value = 999999 WHERE what = 'lines' RETURNING value"
+    why="" ;;
   *) echo "unknown case $case" >&2; exit 2 ;;
 esac
 karma second
-says second "karma.state is $why.*; it is .*karma.state.aside-1 now"
+if [ "$case" = other-program ]; then
+  says second "what was kept of karma is not gone on from: .* does not explain the 999999 lines.*; it is .*karma.state.aside-1 now"
+else
+  says second "karma.state is $why.*; it is .*karma.state.aside-1 now"
+fi
 says ground "restarted.*karma"
 # It goes on keeping, and lives.
 until [ "$("$build/bin/skein" state show "$file" --json 2>/dev/null | python3 -c 'import json, sys; print(json.load(sys.stdin)["inputs"] > 20)' 2>/dev/null)" = True ]; do

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a long mission leaves on disk, and what it takes to come back to it: the patrol of the long
-// runs in virtual time, each node with a state file. Arguments: hours (1), folder (out/memory).
+// runs in virtual time, each node with a state file. Arguments: hours (1), folder (out/memory),
+// "again": what is in the folder already, of that many hours, is come back to.
 #include <time.h>
 
 #include <cstdio>
@@ -77,9 +78,12 @@ void come_back(const scenario::Scenario& scenario, const fs::path& folder,
 int main(int count, char** arguments) {
   const int hours = count > 1 ? std::atoi(arguments[1]) : 1;
   const std::filesystem::path folder = count > 2 ? arguments[2] : "out/memory";
-  std::filesystem::remove_all(folder);
+  const bool again = count > 3 && arguments[3] == std::string("again");
   const auto scenario = skein::testing::patrol_of(hours);
-  skein::testing::fly(scenario, folder);
+  if (!again) {
+    std::filesystem::remove_all(folder);
+    skein::testing::fly(scenario, folder);
+  }
   const auto roster = skein::scenario_setup::roster_of(scenario);
   for (const auto& member : roster.members()) {
     if (std::filesystem::exists(folder / (member.name + ".state")))
