@@ -20,9 +20,10 @@ using world::Vector3;
 
 namespace {
 
-constexpr double kSpacing = 2;   // turn radii between points of arcs: none is circled then
-constexpr double kSamples = 24;  // across a zone, to see what is seen of it
-constexpr double kRunIn = 3;     // turn radii before the first lane
+constexpr double kSpacing = 2;  // turn radii between points of arcs: none is circled then
+constexpr double kPlastic = 0.7548776662466927;  // 1 / 1.3247…, the root of x³ = x + 1
+constexpr int kSamples = 600;                    // of a zone's box, to see what is seen of it
+constexpr double kRunIn = 3;                     // turn radii before the first lane
 // Waiting circles' radii, straight before a lane that is taken up again.
 constexpr double kRunInAgain = 2;
 constexpr double kLaneSpacing = 2.5;  // turn radii between way-points along lanes
@@ -30,23 +31,33 @@ constexpr int kJoined = 2;            // way-points that bring one that hovers b
 constexpr double kSeenEnough = 0.998;
 constexpr double kSureShare = 1.4;  // deviations by which it may see less far
 
-/// Part of the zone that is nearer to some sample of the track than `reach`.
-double seen_part(const Polygon& zone, const std::vector<Vector3>& track, std::size_t stride,
-                 double reach) {
+/// How far to the side of it a sensor sees for sure, over level ground `altitude` below it [m].
+struct Reach {
+  double width, altitude, unsure;
+
+  /// Where the ground is higher it sees less of it.
+  double over(double height) const { return width * std::min(1.0, height / altitude) - unsure; }
+};
+
+/// Part of the zone that is within reach of some sample of the track. Of places that lie in no rows
+/// (the additive sequence of the plastic number): a narrow strip between two lanes is not missed.
+double seen_part(const Polygon& zone, const world::Terrain& terrain,
+                 const std::vector<Vector3>& track, std::size_t stride, const Reach& reach) {
   const Box box = box_of(zone);
-  const Vector2 step = (box.high - box.low) / kSamples;
+  const Vector2 size = box.high - box.low;
   std::size_t all = 0, seen = 0;
-  for (double i = 0.5; i < kSamples; ++i)
-    for (double k = 0.5; k < kSamples; ++k) {
-      const Vector2 at = box.low + Vector2(i * step.x(), k * step.y());
-      if (!world::contains(zone, at)) continue;
-      ++all;
-      for (std::size_t t = 0; t < track.size(); t += stride)
-        if ((track[t].head<2>() - at).squaredNorm() <= reach * reach) {
-          ++seen;
-          break;
-        }
+  for (int i = 0; i < kSamples; ++i) {
+    const Vector2 at = box.low + Vector2(std::fmod(0.5 + kPlastic * i, 1) * size.x(),
+                                         std::fmod(0.5 + kPlastic * kPlastic * i, 1) * size.y());
+    if (!world::contains(zone, at)) continue;
+    ++all;
+    const double ground = terrain.elevation(at.x(), at.y());
+    for (std::size_t t = 0; t < track.size(); t += stride) {
+      if ((track[t].head<2>() - at).norm() > reach.over(track[t].z() - ground)) continue;
+      ++seen;
+      break;
     }
+  }
   return all == 0 ? 1 : static_cast<double>(seen) / static_cast<double>(all);
 }
 
@@ -104,11 +115,12 @@ Answer<Sweeps::Lanes> Sweeps::planned(const world::World& world, const Vector3& 
   Lanes lanes{lanes_flown(refined->task, world, care.joins), 1};
   const auto stride =
       std::max<std::size_t>(1, static_cast<std::size_t>(device.period.to_seconds() / kTrackStep));
-  const double reach = *width - kSureShare * world::tracking_spread(vehicle());
+  const Reach reach{*width, query.altitude, kSureShare * world::tracking_spread(vehicle())};
   const Way rest(lanes.way.begin() + 1, lanes.way.end());
   for (const Pose& pose : poses_at(lanes.way.front(), vehicle())) {
     const FlownWay flown = fly_way(pose, rest, vehicle(), world.wind);
-    lanes.seen = std::min(lanes.seen, seen_part(zone.polygon, flown.track, stride, reach));
+    lanes.seen =
+        std::min(lanes.seen, seen_part(zone.polygon, world.terrain, flown.track, stride, reach));
   }
   return lanes;
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "testing/planned.hpp"
@@ -275,6 +276,45 @@ TEST(PlanningMethods, MappingSweepsFromItsFirstLaneOnWithTheDeviceRunning) {
   EXPECT_EQ(plan.tasks[0].way.back(), plan.tasks[1].way.front());
   EXPECT_THAT(plan.tasks[2].dependences, ElementsAre(running(2)));
   EXPECT_THAT(plan.tasks[2].stop, ElementsAre(ended(2)));
+}
+
+/// Part of the zone that a sensor of that half angle, looking straight down, never has in view.
+double unseen_part(const std::vector<Vector3>& way, double aperture, const world::Polygon& zone,
+                   const world::Terrain& terrain) {
+  const auto sees = [&](const Vector3& from, const Vector3& place) {
+    return (from - place).head<2>().norm() <= (from.z() - place.z()) * std::tan(aperture);
+  };
+  const auto is_seen = [&](const Vector3& place) {
+    for (std::size_t i = 1; i < way.size(); ++i)
+      for (double share = 0; share <= 1; share += 0.05)
+        if (sees(way[i - 1] + share * (way[i] - way[i - 1]), place)) return true;
+    return false;
+  };
+  int all = 0, unseen = 0;
+  for (double x = zone[0].x() + 5; x < zone[2].x(); x += 10)
+    for (double y = zone[0].y() + 5; y < zone[2].y(); y += 10, ++all)
+      unseen += is_seen({x, y, terrain.elevation(x, y)}) ? 0 : 1;
+  return static_cast<double>(unseen) / all;
+}
+
+TEST(PlanningMethods, WhereTheGroundRisesBesideALaneLanesAreCloser) {
+  const world::Polygon zone{{400, 200}, {900, 200}, {900, 600}, {400, 600}};
+  const auto lane_count = [&](std::vector<world::HillSpec> hills) {
+    PlanningLab lab = flying();
+    lab.vehicle(testing::vehicle_of("scenarios/comets/models/karma.yaml"));
+    lab.flying_at({300, 200, 110});
+    lab.knowledge.altitude = 110;
+    lab.world.terrain = world::Terrain({-300, -300, 1200, 900, 20, 0, std::move(hills), {}});
+    lab.world.zones = {{"Z2", zone}};
+    lab.task(1, "perform-mapping", {"Z2"s});
+    const auto plan = planned(lab);
+    const std::vector<Vector3>& way = plan.tasks.at(1).way;
+    EXPECT_LT(unseen_part(way, 0.5, zone, lab.world.terrain), 0.002);
+    return std::count_if(way.begin() + 1, way.end(),
+                         [&](const Vector3& at) { return at.x() < zone[0].x(); });
+  };
+
+  EXPECT_LT(lane_count({}), lane_count({{{700, 650}, 60, 120}}));
 }
 
 TEST(PlanningMethods, AJointTaskTakesItsDurationAtLeastAndLeavesTheVehicleOverTheControlCentre) {
