@@ -63,6 +63,13 @@ TEST_F(Network, EndsWellWhenThreeOfTenPacketsAreLost) {
       << "nothing is lost before the mission starts";
 }
 
+TEST_F(Network, EndsWellOverSerialRadiosOfNineThousandSixHundredBitsASecond) {
+  play("comets/serial-radio", "");
+  if (IsSkipped()) return;
+  const Carried air = run_.carried();
+  EXPECT_LT(air.overflowed, 0.02 * air.carried);
+}
+
 TEST_F(Network, EndsWellWhenAUavIsNotHeardButHears) { play("comets/confirmed", "one-way"); }
 
 // A second each on the wall. Of the mission it would be half the time between two heartbeats at

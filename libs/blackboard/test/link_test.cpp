@@ -152,6 +152,38 @@ TEST_F(ChannelOverRtps, SaysTheFirstWordOfAStreamAgainToWhoeverIsFound) {
   EXPECT_THAT(numbers(dds_.written), ElementsAre(1, 2, 3, 2, 2));
 }
 
+// A session says again what is not acknowledged; a reader that is found late would be told all of
+// it.
+TEST_F(ChannelOverRtps, KeepsAnEventOnceForAReaderThatIsNotThereYet) {
+  Link out = make(radio_plan(kSelf));
+  ASSERT_TRUE(out.open().has_value());
+  for (const std::uint64_t number : {1, 2, 1, 2})
+    EXPECT_TRUE(out.write(numbered<wire::TaskEvent>(number)));
+  EXPECT_THAT(numbers(dds_.written), ElementsAre(1, 2));
+
+  auto given_up = numbered<wire::TaskEvent>(1);
+  given_up.header.expires = 7;
+  out.write(given_up);
+  EXPECT_THAT(numbers(dds_.written), ElementsAre(1, 2, 1)) << "that it is over is news";
+
+  out.meet(Slot::kTaskEvent);
+  out.write(numbered<wire::TaskEvent>(1));
+  EXPECT_THAT(numbers(dds_.written), ElementsAre(1, 2, 1, 1));
+}
+
+TEST_F(ChannelOverRtps, KeepsItAgainAfterACut) {
+  Link out = make(radio_plan(kSelf));
+  ASSERT_TRUE(out.open().has_value());
+  out.write(numbered<wire::TaskEvent>(1));
+  out.meet(Slot::kTaskEvent);
+  ASSERT_TRUE(out.set_up(false).has_value());
+  ASSERT_TRUE(out.set_up(true).has_value());
+
+  out.write(numbered<wire::TaskEvent>(1));
+
+  EXPECT_THAT(numbers(dds_.written), ElementsAre(1)) << "its own copy";
+}
+
 TEST_F(ChannelOverRtps, HasTheWritersOfStreamsThatWereWrittenAgainAtTheEndOfACut) {
   Link out = make(radio_plan(kSelf));
   ASSERT_TRUE(out.open().has_value());

@@ -36,7 +36,7 @@ ChannelEndpoints::ChannelEndpoints(const dds_entity_t& participant, Topics& topi
       writes_(!link.writes.empty()),
       reads_(!link.reads.empty()) {
   for (const wire::Slot slot : link.writes) {
-    if (wire::slot_class(slot) == wire::SlotClass::kStream)
+    if (wire::slot_class(slot) != wire::SlotClass::kState)
       match_listeners_.emplace(slot, MatchListener{&matches, {channel, slot}});
   }
   for (const wire::Slot slot : link.reads) listeners_.try_emplace(slot, mailbox, channel, slot);

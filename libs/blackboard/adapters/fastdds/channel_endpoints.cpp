@@ -64,10 +64,10 @@ Result<void, Failure> ChannelEndpoints::add_writer(wire::Slot slot) {
   dds::Topic* const on = topics_.of(slot);
   if (on == nullptr || publisher_ == nullptr) return refused();
   auto*& writer = writers_[static_cast<std::size_t>(slot)];
-  const bool stream = wire::slot_class(slot) == wire::SlotClass::kStream;
+  const bool state = wire::slot_class(slot) == wire::SlotClass::kState;
   writer = publisher_->create_datawriter(
-      on, writer_qos(slot, kind_, pace_), stream ? of_writers_.get() : nullptr,
-      stream ? dds::StatusMask::publication_matched() : dds::StatusMask::none());
+      on, writer_qos(slot, kind_, pace_), state ? nullptr : of_writers_.get(),
+      state ? dds::StatusMask::none() : dds::StatusMask::publication_matched());
   if (writer == nullptr) return refused();
   return {};
 }

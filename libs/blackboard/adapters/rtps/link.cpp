@@ -83,9 +83,23 @@ bool Link::write_now(const wire::Sample& sample) {
       return false;
     }
   }
+  const auto unmet = key_of_unmet(sample);
+  if (unmet && unmet_.contains(*unmet)) return true;
   const bool taken = endpoints_->write(sample);
+  if (taken && unmet) unmet_.insert(*unmet);
   if (taken) first_words_.keep(sample, FirstWords::Clock::now());
   return taken;
+}
+
+// Sessions say what is not acknowledged again. To a reader that is found late all of that would be
+// told at once, and fill a narrow channel.
+std::optional<Link::Event> Link::key_of_unmet(const wire::Sample& sample) const {
+  const wire::Slot slot = wire::slot_of(sample);
+  const bool is_of_a_session =
+      wire::slot_class(slot) == wire::SlotClass::kEvent && plan_.config.kind != ChannelKind::kWorld;
+  if (!is_of_a_session || met_.test(at(slot))) return std::nullopt;
+  const wire::SampleHeader& header = wire::header_of(sample);
+  return Event{slot, header.origin, header.incarnation, header.sequence_number, header.expires};
 }
 
 Result<void, Failure> Link::set_up(bool up) {
@@ -110,6 +124,8 @@ void Link::attend(wire::Slot slot) {
 
 void Link::meet(wire::Slot slot) {
   if (!up_ || !writers_.test(at(slot))) return;
+  met_.set(at(slot));
+  std::erase_if(unmet_, [slot](const Event& one) { return std::get<wire::Slot>(one) == slot; });
   first_words_.found(slot, FirstWords::Clock::now(),
                      [this](const wire::Sample& sample) { endpoints_->write(sample); });
 }
@@ -160,6 +176,8 @@ Result<void, Failure> Link::repeat_kept() {
 Result<void, Failure> Link::close() {
   writers_.reset();
   readers_.reset();
+  met_.reset();
+  unmet_.clear();
   first_words_.clear();
   return endpoints_->close();
 }

@@ -6,7 +6,10 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "adapters/rtps/first_words.hpp"
@@ -88,6 +91,8 @@ class Link {
 
  private:
   using Slots = std::bitset<wire::kSlotCount>;
+  /// Slot, origin, incarnation, number and expiry.
+  using Event = std::tuple<wire::Slot, std::uint32_t, std::uint64_t, std::uint64_t, std::int64_t>;
 
   Result<void, Failure> make_endpoints();
   Result<void, Failure> add_writer(wire::Slot slot);
@@ -96,6 +101,9 @@ class Link {
   Result<void, Failure> close();
   bool write_now(const wire::Sample& sample);
   void say_once(wire::Slot slot, const Failure& failure);
+  /// Of an event that was not said since its writer has found a reader, while there is one to say
+  /// it again; none: what is said again is written again.
+  std::optional<Event> key_of_unmet(const wire::Sample& sample) const;
 
   LinkPlan plan_;
   std::unique_ptr<Endpoints> endpoints_;
@@ -105,6 +113,8 @@ class Link {
   Slots written_by_others_;  ///< of the reads
   Slots streamed_;           ///< streams that were written: their writers wait no more after a cut
   Slots refused_;            ///< that were told of
+  Slots met_;                ///< whose writers have found a reader
+  std::set<Event> unmet_;    ///< that were written to writers that have not
   KeptSamples kept_;
   FirstWords first_words_;
 };
