@@ -2,20 +2,10 @@
 // What the holder of the token does to the ledger.
 #include <algorithm>
 
+#include "for_sale.hpp"
 #include "team_core.hpp"
 
 namespace skein::auction {
-
-std::string TeamMember::Core::name(MemberNumber member) const {
-  const auto found = setup_.names.find(member);
-  return found == setup_.names.end() ? to_text(member) : found->second;
-}
-
-std::string TeamMember::Core::names(const std::vector<MemberNumber>& members) const {
-  std::string text;
-  for (const MemberNumber member : members) text += (text.empty() ? "" : ", ") + name(member);
-  return text;
-}
 
 // The next revision; the one before stays as it was with whom has it.
 Ledger& TeamMember::Core::draft() {
@@ -24,7 +14,7 @@ Ledger& TeamMember::Core::draft() {
   next->term = disk_.term;
   disk_.ledger = next;
   changed_ = true;
-  store();
+  stored_ = true;
   return *next;
 }
 
@@ -33,6 +23,25 @@ LedgerEntry& TeamMember::Core::change(TaskNumber task) {
   LedgerEntry& entry = next.entries.at(task);
   entry.revision = next.revision;
   return entry;
+}
+
+Status TeamMember::Core::status() const {
+  Status status{disk_.term, ledger().revision, own_.wants(now_), {},
+                {},         disk_.missions,    declared_lost_,   bids_,
+                {}};
+  for (const auto& [task, sale] : disk_.done) {
+    const auto entry = ledger().entries.find(task);
+    if (entry == ledger().entries.end() || entry->second.stage == Stage::kDone) continue;
+    status.done.push_back({task, sale});
+  }
+  for (const auto& [task, sale] : disk_.stopped) {
+    const auto entry = ledger().entries.find(task);
+    if (entry == ledger().entries.end() || entry->second.sale != sale) continue;
+    status.stopped.push_back({task, sale});
+    const auto why = disk_.stopped_why.find(task);
+    status.stopped_why.push_back(why == disk_.stopped_why.end() ? "" : why->second);
+  }
+  return status;
 }
 
 void TeamMember::Core::keep_ledger() {
@@ -122,16 +131,8 @@ void TeamMember::Core::settle(LedgerEntry& entry, const std::string& why) {
     entry.stage = Stage::kDone;
     entry.why = "done";
   } else {
-    put_up(entry, "put back by " + name(*entry.stopped.begin()) + why);
+    put_up(entry, "put back by " + names_.of(*entry.stopped.begin()) + why);
   }
-}
-
-void TeamMember::Core::put_up(LedgerEntry& entry, std::string why) {
-  entry.stage = Stage::kForSale;
-  entry.owners.clear();
-  entry.finished.clear();
-  entry.stopped.clear();
-  entry.why = std::move(why);
 }
 
 // Everything before it is done, and all its owners want it.
@@ -144,7 +145,7 @@ bool TeamMember::Core::may_begin(const LedgerEntry& entry) const {
       return false;
     }
   }
-  return all_before_done(entry);
+  return all_before_done(ledger(), entry);
 }
 
 // To nobody more than it may have ahead: two that wait for each other in their routes get one after
@@ -188,8 +189,8 @@ void TeamMember::Core::resell() {
   }
   for (const auto& [task, owner] : silent) {
     put_up(change(task),
-           name(owner) + (ledger().lost.contains(owner) ? " was declared lost"
-                                                        : " was silent beyond its lease"));
+           names_.of(owner) + (ledger().lost.contains(owner) ? " was declared lost"
+                                                             : " was silent beyond its lease"));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inside of a team member: token, ledger, sales, own work.
+// The inside of a team member: token, ledger, sales. Its own work is OwnWork.
 #pragma once
 
 #include <deque>
@@ -8,6 +8,8 @@
 #include <set>
 #include <vector>
 
+#include "held_sale.hpp"
+#include "own_work.hpp"
 #include "skein/auction/bidder.hpp"
 #include "skein/auction/team_member.hpp"
 #include "skein/foundation/random.hpp"
@@ -26,7 +28,7 @@ class TeamMember::Core {
   std::optional<MissionTime> next_wakeup() const;
   bool holds_token() const { return role_ == Role::kHolder; }
   const Ledger& ledger() const { return *disk_.ledger; }
-  bool has_ended(const Claim& claim) const;
+  bool has_ended(const Claim& claim) const { return own_.has_ended(claim); }
 
  private:
   enum class Role { kFollower, kCandidate, kHolder };
@@ -36,13 +38,6 @@ class TeamMember::Core {
     std::uint64_t last = 0;      ///< as last said: less, once it forgot
     bool bids = true;
     std::optional<Status> news;  ///< not yet looked at
-  };
-  // A sale held here, and what the ledger was when it began.
-  struct Sale {
-    Auctioneer auctioneer;
-    std::uint64_t revision;
-    std::set<MemberNumber> participants;
-    std::map<TaskNumber, std::string> why;
   };
 
   // token.cpp
@@ -71,41 +66,27 @@ class TeamMember::Core {
   void settle(LedgerEntry& entry, const std::string& why);
   void grant();
   bool may_begin(const LedgerEntry& entry) const;
-  bool all_before_done(const LedgerEntry& entry) const;
   void resell();
-  void put_up(LedgerEntry& entry, std::string why);
   LedgerEntry& change(TaskNumber task);
   Ledger& draft();
 
   // selling.cpp
   void sell();
-  bool worth_selling(const std::set<MemberNumber>& present) const;
   std::set<MemberNumber> present() const;
-  bool all_know_what_is_for_sale(const std::set<MemberNumber>& present) const;
-  Lot lot_for_sale() const;
+  bool is_to_sell(const std::set<MemberNumber>& here) const;
   Lot sound_lot();
   ToAuctioneer answer(const ToMember& call);
   void answer_own_calls();
-  Holding holding(MemberNumber member) const;
   void take(SaleEffects effects);
-  void explain(const SaleEffect& effect);
   void book_sale();
 
-  // work.cpp: what it does of its own
-  void work();
   Status status() const;
-  std::vector<Claim> wants() const;
-  bool mine(const LedgerEntry& entry) const;
-  bool ended(const LedgerEntry& entry) const;
-  void give_up_claims();
-  void store() { stored_ = true; }
   void tell(MemberNumber to, TeamMessage message);
-  void put_back(const TaskPutBack& back);
-  std::string name(MemberNumber member) const;
-  std::string names(const std::vector<MemberNumber>& members) const;
 
   TeamSetup setup_;
   Disk disk_;
+  OwnWork own_;  ///< by that disk
+  MemberNames names_;
   Random random_;
   Role role_ = Role::kFollower;
   MissionTime now_;
@@ -118,7 +99,7 @@ class TeamMember::Core {
   std::uint64_t committed_ = 0;
   bool changed_ = false;
   std::set<MemberNumber> took_part_;  ///< in the last sale held here
-  std::optional<Sale> sale_;
+  std::optional<HeldSale> sale_;
   std::uint64_t sales_ = 0;
   /// With which it bids in one sale: from where it was when that began, since in flight every round
   /// would look like a gain, and the sale would not end.
@@ -127,9 +108,7 @@ class TeamMember::Core {
     std::unique_ptr<const Craft> craft;
   };
   std::optional<Bidding> bidding_;
-  std::deque<ToMember> own_calls_;  ///< of the sale held here
-  std::optional<Claim> running_;
-  std::optional<MissionTime> idle_since_;
+  std::deque<ToMember> own_calls_;                    ///< of the sale held here
   std::map<MemberNumber, std::vector<Claim>> wants_;  ///< as last said
   std::set<MemberNumber> declared_lost_;
   bool stored_ = false, started_ = false, bids_ = true;

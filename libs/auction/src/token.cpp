@@ -18,6 +18,8 @@ bool newer(std::uint64_t term, std::uint64_t revision, const Ledger& than) {
 TeamMember::Core::Core(TeamSetup setup)
     : setup_(std::move(setup)),
       disk_(std::move(setup_.disk)),
+      own_(setup_.self, setup_.limits, disk_),
+      names_{setup_.names},
       random_(setup_.seed, "auction/team/" + to_text(setup_.self)) {
   if (!disk_.ledger) disk_.ledger = std::make_shared<const Ledger>();
   bids_ = setup_.craft != nullptr;
@@ -39,15 +41,10 @@ TeamEffects TeamMember::Core::handle(const TeamInput& input, MissionTime now) {
                  },
                  [this](const MissionGiven& given) {
                    disk_.missions.push_back(given.mission);
-                   store();
+                   stored_ = true;
                  },
-                 [this](const TaskDone& done) {
-                   if (!running_ || running_->task != done.task) return;
-                   disk_.done[done.task] = running_->sale;
-                   running_.reset();
-                   store();
-                 },
-                 [this](const TaskPutBack& back) { put_back(back); },
+                 [this](const TaskDone& done) { stored_ |= own_.done(done.task); },
+                 [this](const TaskPutBack& back) { stored_ |= own_.put_back(back); },
                  [this](const Bids& bids) { bids_ = bids.bids && setup_.craft != nullptr; },
                  [this](const DeclaredLost& lost) { declared_lost_.insert(lost.member); },
                  [](const Tick&) {},
@@ -56,8 +53,11 @@ TeamEffects TeamMember::Core::handle(const TeamInput& input, MissionTime now) {
   if (role_ != Role::kHolder && now_ >= stand_at_) stand(true);
   if (role_ == Role::kHolder) keep_ledger();
   answer_own_calls();
-  give_up_claims();
-  work();
+  stored_ |= own_.give_up_claims();
+  if (const auto begun = own_.begin_next(committed_, now_)) {
+    stored_ = true;
+    effects_.emplace_back(BeginTask{*begun});
+  }
   if (stored_) effects_.insert(effects_.begin(), Store{disk_});
   stored_ = false;
   return std::move(effects_);
@@ -103,7 +103,7 @@ void TeamMember::Core::adopt_term(std::uint64_t term) {
   if (term <= disk_.term) return;
   disk_.term = term;
   disk_.voted = false;
-  store();
+  stored_ = true;
   follow();
 }
 
@@ -126,7 +126,7 @@ void TeamMember::Core::stand(bool trial) {
   if (!trial) {
     ++disk_.term;
     disk_.voted = true;
-    store();
+    stored_ = true;
   }
   const VoteRequest request{disk_.term + (trial ? 1 : 0), trial, ledger().term, ledger().revision};
   for (const MemberNumber member : others()) tell(member, request);
@@ -150,7 +150,7 @@ void TeamMember::Core::on(const VoteRequest& request, MemberNumber from) {
   adopt_term(request.term);
   if (disk_.voted || !content) return;
   disk_.voted = true;
-  store();
+  stored_ = true;
   follow();
   tell(from, Vote{request.term, false});
 }
@@ -195,10 +195,10 @@ void TeamMember::Core::on(const Beat& beat, MemberNumber from) {
     std::erase_if(disk_.missions, [this](const GivenMission& mission) {
       return ledger().missions.contains(mission.number);
     });
-    store();
+    stored_ = true;
   }
   committed_ = beat.committed;
-  give_up_claims();
+  stored_ |= own_.give_up_claims();
   tell(from, status());
 }
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "own_work.hpp"
+
+#include <algorithm>
+
+#include "for_sale.hpp"
+
+namespace skein::auction {
+
+bool OwnWork::mine(const LedgerEntry& entry) const {
+  return std::find(entry.owners.begin(), entry.owners.end(), self_) != entry.owners.end();
+}
+
+bool OwnWork::ended(const LedgerEntry& entry) const {
+  return has_ended({entry.task.number, entry.sale});
+}
+
+bool OwnWork::has_ended(const Claim& claim) const {
+  const auto is = [&](const std::map<TaskNumber, std::uint64_t>& marks) {
+    const auto mark = marks.find(claim.task);
+    return mark != marks.end() && mark->second >= claim.sale;
+  };
+  return is(disk_.done) || is(disk_.stopped);
+}
+
+// The next of its route that wait for nothing; all of them when it has been idle for long, since
+// routes that were sold in parts of the team may wait for each other.
+std::vector<Claim> OwnWork::wants(MissionTime now) const {
+  std::vector<Claim> wants;
+  const auto route = ledger().routes.find(self_);
+  if (route == ledger().routes.end()) return wants;
+  const bool stuck = idle_since_ && now - *idle_since_ > limits_.lease;
+  std::uint32_t ahead = 0;
+  for (const TaskNumber task : route->second) {
+    const auto found = ledger().entries.find(task);
+    if (found == ledger().entries.end() || !mine(found->second) || ended(found->second)) continue;
+    const LedgerEntry& entry = found->second;
+    if (entry.stage != Stage::kOwned && entry.stage != Stage::kGranted) continue;
+    if (!all_before_done(ledger(), entry)) continue;
+    if (ahead++ == limits_.ahead && !stuck) break;
+    if (entry.stage == Stage::kOwned) wants.push_back({task, entry.sale});
+  }
+  return wants;
+}
+
+bool OwnWork::done(TaskNumber task) {
+  if (!running_ || running_->task != task) return false;
+  disk_.done[task] = running_->sale;
+  running_.reset();
+  return true;
+}
+
+bool OwnWork::put_back(const TaskPutBack& back) {
+  const auto entry = ledger().entries.find(back.task);
+  if (entry == ledger().entries.end() || !mine(entry->second)) return false;
+  disk_.stopped[back.task] = entry->second.sale;
+  disk_.stopped_why[back.task] = back.why;
+  if (running_ && running_->task == back.task) running_.reset();
+  return true;
+}
+
+bool OwnWork::give_up_claims() {
+  bool gives_up = false;
+  for (const auto& [task, entry] : ledger().entries) {
+    if (entry.stopped.empty() || !mine(entry) || ended(entry)) continue;
+    if (running_ && running_->task == task) continue;  // it ends by itself
+    disk_.stopped[task] = entry.sale;
+    disk_.stopped_why[task] = "a partner gave it up";
+    gives_up = true;
+  }
+  return gives_up;
+}
+
+std::optional<Claim> OwnWork::begin_next(std::uint64_t committed, MissionTime now) {
+  if (running_) return std::nullopt;
+  const LedgerEntry* next = nullptr;
+  for (const auto& [task, entry] : ledger().entries) {
+    if (entry.stage != Stage::kGranted || !mine(entry) || ended(entry)) continue;
+    if (ledger().term != disk_.term || entry.revision > committed) continue;
+    if (next == nullptr || entry.revision < next->revision) next = &entry;
+  }
+  if (next == nullptr) {
+    if (!idle_since_) idle_since_ = now;
+    return std::nullopt;
+  }
+  idle_since_.reset();
+  running_ = Claim{next->task.number, next->sale};
+  disk_.started[running_->task] = running_->sale;
+  return running_;
+}
+
+}  // namespace skein::auction
