@@ -5,10 +5,9 @@
 // peaked maps, 1.5 lower bounds for the worst idleness on uniform ones.
 //
 //   skein_refiners_patrol_bench [--all]           generated maps
-//   skein_refiners_patrol_bench --risk FILE.asc…  maps of risk from files (ESRI ASCII, 0 to 1),
-//   with
-//                                                 footprints of 1, 2 and 3 cells, beside the least
-//                                                 means that flights along lanes can have
+//   skein_refiners_patrol_bench --risk [F] FILE.asc…
+//                     maps of risk from files (ESRI ASCII, 0 to 1), with a footprint of F cells or
+//                     of 1, 2 and 3, beside the least means that flights along lanes can have
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -225,9 +224,12 @@ void run_file(const char* file, const world::GroundState& ground, double footpri
 }
 
 int run_files(int count, char** files) {
-  for (int i = 0; i < count; ++i)
+  char* end = nullptr;
+  const double asked = std::strtod(files[0], &end);
+  const bool is_asked = *end == '\0';
+  for (int i = is_asked ? 1 : 0; i < count; ++i)
     for (const double footprint : {1.0, 2.0, 3.0})
-      run_file(files[i], read_risk(files[i]), footprint);
+      if (!is_asked || footprint == asked) run_file(files[i], read_risk(files[i]), footprint);
   return 0;
 }
 

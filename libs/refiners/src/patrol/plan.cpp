@@ -28,9 +28,20 @@ constexpr double kHopeless = 1.75;
 constexpr double kWidestRound = 0.25, kLeastRound = 0.01;
 /// How often the cycles tried have everything before some of it is left out.
 constexpr std::array<std::size_t, 2> kTimes = {2, 3};
-/// Temperatures at which walks over a lattice begin to be annealed, as parts of what the goals
-/// allow.
-constexpr std::array<double, 2> kWarmth = {6e-4, 2e-3};
+/// How walks over a lattice are annealed one after the other until one meets the goals. Peaks of a
+/// few places each need heat and patience; what is hot is to have less room, or it grows for ever.
+struct Annealing {
+  double warmth;               ///< the temperature at first, in parts of what the goals allow
+  double cooled;               ///< the last one, in parts of the first
+  std::uint64_t times;         ///< as many changes as one needs without
+  double worst_part;           ///< of what the goal of the worst allows
+  std::size_t visits_a_place;  ///< at most
+};
+constexpr std::array<Annealing, 5> kAnnealings = {{{6e-4, 1.0 / 75, 1, 1, 4},
+                                                   {2e-3, 1.0 / 75, 1, 1, 4},
+                                                   {4e-3, 1.0 / 200, 4, 0.97, 3},
+                                                   {4e-3, 1.0 / 200, 16, 0.97, 3},
+                                                   {4e-3, 1.0 / 200, 16, 0.94, 3}}};
 /// Cycles of which one part in so many is reserve: a visit counts from the middle of its piece.
 constexpr double kWorstMargin = 0.95;
 /// Laps planned one by one take long over more blocks, and are made shorter from no more visits a
@@ -275,9 +286,17 @@ class PatrolTrials {
     if (ground_.walked == nullptr) return false;
     const auto graph = make_walk_graph(ground_.field, *ground_.walked, sight_);
     if (!graph) return false;
-    for (const double warmth : kWarmth) {
-      const Cooling cooling{.from = warmth, .to = warmth / 75, .seed = task_.seed};
-      const Walk walk = annealed_walk(*graph, goal(1), ground_.speed, cooling, time());
+    const bool reachable = least_mean_of_walks(*graph) < goal(1).mean_idleness * ground_.speed;
+    std::uint64_t seed = task_.seed;
+    for (const Annealing& annealing : kAnnealings) {
+      if (annealing.times > 1 && !reachable) return true;
+      const Cooling cooling{.from = annealing.warmth,
+                            .to = annealing.warmth * annealing.cooled,
+                            .changes_a_place = annealing.times * Cooling{}.changes_a_place,
+                            .visits_a_place = annealing.visits_a_place,
+                            .seed = annealing.times > 1 ? ++seed : seed};
+      const Walk walk =
+          annealed_walk(*graph, goal(annealing.worst_part), ground_.speed, cooling, time());
       if (walk.empty()) return true;
       LapFlight flight(ground_, sight_, task_);
       if (!flight.fly_track(track_of(*graph, walk), *ground_.walked, countdown_)) return false;

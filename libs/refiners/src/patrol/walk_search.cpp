@@ -19,8 +19,8 @@ constexpr std::uint64_t kChangesAStep = 64, kParts = 128;
 /// What a gap too long by its whole length counts at the end, beside the mean; nothing before a
 /// fifth of the changes are tried, and all of it from four fifths on.
 constexpr double kTooLong = 1, kCountsFrom = 0.2, kCountsWholly = 0.8;
-/// No walk is made shorter than that many visits, nor grows beyond so many a place, or a hundred.
-constexpr std::size_t kShortest = 8, kMostVisits = 4, kMostOfFew = 100;
+/// No walk is made shorter than that many visits; one of few places may always grow to so many.
+constexpr std::size_t kShortest = 8, kMostOfFew = 100;
 /// What is so much worse, in temperatures, is never taken.
 constexpr double kNever = 14;
 
@@ -92,7 +92,8 @@ class WalkSearch {
   void try_change(const WalkChange& change) {
     const std::size_t n = now_.walk().size();
     if (n < change.taken + kShortest) return;
-    if (n + change.puts > std::max(kMostOfFew, kMostVisits * graph_.places.size())) return;
+    if (n + change.puts > std::max(kMostOfFew, cooling_.visits_a_place * graph_.places.size()))
+      return;
     if (is_taken(now_.badness_after(change))) take(now_.changed(change));
   }
 

@@ -13,6 +13,7 @@ namespace skein::refiners {
 struct Cooling {
   double from = 6e-4, to = 8e-6;          ///< temperatures, falling by a constant factor
   std::uint64_t changes_a_place = 12000;  ///< so many changes are tried for each place
+  std::size_t visits_a_place = 4;         ///< in the mean; longer walks are not tried
   std::uint64_t seed = 1;
 };
 

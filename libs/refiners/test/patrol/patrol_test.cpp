@@ -173,7 +173,7 @@ TEST(Patrol, OfScatteredRiskIsBetterThanTheLawnMowerWithAnyFootprint) {
   struct Row {
     double footprint, mean, worst;
   };
-  for (const Row& row : {Row{1, 0.94, 0.62}, Row{2, 0.94, 0.6}, Row{3, 1, 0.65}}) {
+  for (const Row& row : {Row{1, 0.94, 0.62}, Row{2, 0.94, 0.6}, Row{3, 0.92, 0.6}}) {
     if (row.footprint > 1 && !skein::testing::long_tests()) continue;
     world::World world = a_world(kSide);
     world.ground = scattered_ground(kSide, kCell, 1);

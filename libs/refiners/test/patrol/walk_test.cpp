@@ -224,14 +224,14 @@ struct Annealed {
   double badness;
 };
 
-Annealed annealed(const WalkGraph& graph, const WalkMeasure& measure, std::uint64_t seed,
+Annealed annealed(const WalkGraph& graph, const WalkMeasure& measure, const Cooling& cooling,
                   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max()) {
   Budget budget;
   budget.steps = steps;
   Countdown countdown(budget);
   Deadline deadline(budget);
   const Walk walk = annealed_walk(graph, {measure.mean_idleness, measure.worst_risk_idleness}, 1,
-                                  {.seed = seed}, {countdown, deadline});
+                                  cooling, {countdown, deadline});
   return {walk, walk.empty() ? 0 : badness_by_hand(graph, walk, measure)};
 }
 
@@ -240,12 +240,47 @@ TEST(AnnealedWalk, VisitsEveryPlaceAndIsBetterThanTheRoundItBeganWith) {
   const WalkGraph graph = graph_of(site);
   const WalkMeasure measure{.mean_idleness = 90, .worst_risk_idleness = 400, .too_long = 1};
 
-  const auto [walk, badness] = annealed(graph, measure, 1);
+  const auto [walk, badness] = annealed(graph, measure, Cooling{});
 
   ASSERT_TRUE(is_walk(graph, walk));
   EXPECT_TRUE(visits_all(graph, walk));
   EXPECT_LT(badness, 0.95 * badness_by_hand(graph, walk_in_turn(graph), measure));
-  EXPECT_EQ(annealed(graph, measure, 1).walk, walk) << "the same seed";
+  EXPECT_EQ(annealed(graph, measure, Cooling{}).walk, walk) << "the same seed";
+}
+
+/// Risk as of real fires, in whose peaks a few places lie each.
+TEST(AnnealedWalk, OfPeaksOfAFewPlacesIsBetterIfItIsHotLonger) {
+  Site site(33, 33, 3, 1);
+  const world::GroundState ground = scattered_ground(33, 1, 3);
+  site.field = make_patrol_field(site.space, site.sight, site.zone, ground.risk, 0.05);
+  const WalkGraph graph = graph_of(site);
+  const WalkMeasure round{.mean_idleness = 1, .worst_risk_idleness = 1e9, .too_long = 0};
+  const double in_turn = badness_by_hand(graph, walk_in_turn(graph), round);
+  const WalkMeasure measure{
+      .mean_idleness = 0.92 * in_turn, .worst_risk_idleness = 1e9, .too_long = 1};
+
+  const double mild = annealed(graph, measure, {.from = 6e-4, .to = 8e-6}).badness;
+  const double hot =
+      annealed(graph, measure, {.from = 4e-3, .to = 2e-5, .changes_a_place = 48000}).badness;
+
+  EXPECT_LT(hot, mild);
+  EXPECT_GE(hot, least_mean_of_walks(graph) / measure.mean_idleness);
+}
+
+TEST(AnnealedWalk, HasNoMoreVisitsAPlaceThanItMay) {
+  Site site(36, 36, 1.5, 1);
+  const world::GroundState ground = scattered_ground(36, 1, 3);
+  site.field = make_patrol_field(site.space, site.sight, site.zone, ground.risk, 0.05);
+  const WalkGraph graph = graph_of(site);
+  const WalkMeasure measure{.mean_idleness = 150, .worst_risk_idleness = 1e9, .too_long = 1};
+  const auto visits = [&](std::size_t a_place) {
+    const Cooling cooling{
+        .from = 4e-3, .to = 2e-5, .changes_a_place = 2000, .visits_a_place = a_place};
+    return annealed(graph, measure, cooling).walk.size();
+  };
+
+  EXPECT_LE(visits(1), walk_in_turn(graph).size());
+  EXPECT_GT(visits(4), walk_in_turn(graph).size());
 }
 
 TEST(LeastMeanOfWalks, IsThatOfARoundWhereEveryPlaceIsAlike) {
@@ -263,7 +298,7 @@ TEST(AnnealedWalk, EndsWhenItsStepsAreUsedUp) {
   const WalkGraph graph = graph_of(site);
 
   const auto [walk, badness] =
-      annealed(graph, {.mean_idleness = 90, .worst_risk_idleness = 150}, 1, 3);
+      annealed(graph, {.mean_idleness = 90, .worst_risk_idleness = 150}, Cooling{}, 3);
 
   EXPECT_TRUE(is_walk(graph, walk));
 }
@@ -323,7 +358,7 @@ TEST(AnnealedWalk, OfAFewPlacesIsAsGoodAsTheBestOfAllClosedWalksOfTwiceTheirNumb
     ASSERT_EQ(graph.places.size(), 6U);
     const WalkMeasure measure{.mean_idleness = 6, .worst_risk_idleness = 1000, .too_long = 1};
 
-    const auto [walk, badness] = annealed(graph, measure, 1);
+    const auto [walk, badness] = annealed(graph, measure, Cooling{});
 
     ASSERT_FALSE(walk.empty());
     EXPECT_LE(badness, 1.02 * BestOfAll(graph, measure, 12).badness()) << "seed " << seed;
