@@ -42,7 +42,8 @@ std::vector<wire::CommandEntry> entries_of(const Commands& commands) {
   return entries;
 }
 
-wire::UavBoard board_of(const gs::UavOnBoard& uav, const gs::Hand& hand, std::uint32_t number) {
+wire::UavBoard board_of(const gs::UavOnBoard& uav, std::size_t held, const gs::Hand& hand,
+                        std::uint32_t number) {
   wire::UavBoard board;
   board.header.instance = number;
   board.uav = uav.name;
@@ -60,27 +61,29 @@ wire::UavBoard board_of(const gs::UavOnBoard& uav, const gs::Hand& hand, std::ui
     board.energy = uav.telemetry->energy;
   }
   board.waiting = static_cast<std::uint32_t>(uav.commands_pending);
-  board.held = static_cast<std::uint32_t>(uav.held.size());
+  board.held = static_cast<std::uint32_t>(held);
   return board;
 }
 
-// All that are open, and of the others those that changed last.
+// All that are open, and of the others those that changed last; by id. Of a long mission there are
+// thousands: they are gone through once.
 std::vector<wire::BoardTask> tasks_of(const gs::UavOnBoard& uav) {
-  std::vector<const gs::TaskOnBoard*> over;
-  for (const auto& [id, task] : uav.tasks) {
-    if (!gs::is_open(task)) over.push_back(&task);
+  std::vector<const gs::TaskOnBoard*> told, over;
+  for (const auto& [id, task] : uav.tasks) (gs::is_open(task) ? told : over).push_back(&task);
+  const auto by_id = [](const auto* a, const auto* b) { return a->id < b->id; };
+  if (over.size() > OperatorBoards::kTasksOver) {
+    std::nth_element(over.begin(), over.begin() + OperatorBoards::kTasksOver, over.end(),
+                     [&](const auto* a, const auto* b) {
+                       return a->since != b->since ? a->since > b->since : by_id(a, b);
+                     });
+    over.resize(OperatorBoards::kTasksOver);
   }
-  const auto kept = std::min(over.size(), OperatorBoards::kTasksOver);
-  std::stable_sort(over.begin(), over.end(),
-                   [](const auto* a, const auto* b) { return a->since > b->since; });
-  over.resize(kept);
+  told.insert(told.end(), over.begin(), over.end());
+  std::sort(told.begin(), told.end(), by_id);
   std::vector<wire::BoardTask> tasks;
-  for (const auto& [id, task] : uav.tasks) {
-    const bool is_told =
-        gs::is_open(task) || std::find(over.begin(), over.end(), &task) != over.end();
-    if (!is_told) continue;
-    tasks.push_back({id.value(), task.type, to_wire(task.state), task.reason, task.since.count(),
-                     task.lost, task.at_ground});
+  for (const gs::TaskOnBoard* task : told) {
+    tasks.push_back({task->id.value(), task->type, to_wire(task->state), task->reason,
+                     task->since.count(), task->lost, task->at_ground});
   }
   return tasks;
 }
@@ -160,10 +163,11 @@ std::vector<wire::Sample> OperatorBoards::news(const gs::GroundControl& control,
                                                MissionTime now) {
   std::vector<wire::Sample> news;
   wire::GroundBoard ground = ground_board_of(control, team);
-  for (const gs::UavOnBoard& uav : control.board(now).uavs) {
-    ground.uavs.push_back(uav.name);
-    const std::uint32_t number = roster.find(uav.name)->number.value();
-    tell(board_of(uav, control.desk().hand_of(uav.name), number), news);
+  for (const std::string& name : control.uavs()) {
+    const gs::UavOnBoard& uav = control.uav(name);
+    ground.uavs.push_back(name);
+    const std::uint32_t number = roster.find(name)->number.value();
+    tell(board_of(uav, control.held_of(name), control.desk().hand_of(name), number), news);
     if (tasks_changed_) tell(tasks_board_of(uav, number), news);
   }
   tell(std::move(ground), news);

@@ -75,6 +75,7 @@ MissionPlanning::MissionPlanning(Script script, const world::Terrain& terrain)
     waiting_.push_back({&step.when, step.after, &step, nullptr, {}, true, {}});
   }
   for (Waiting& waiting : waiting_) collect_leaves(*waiting.when, waiting.leaves);
+  wakeup_ = first_instant();
 }
 
 std::vector<MissionPlanning::Effect> MissionPlanning::handle(const Input& input, MissionTime now) {
@@ -82,10 +83,11 @@ std::vector<MissionPlanning::Effect> MissionPlanning::handle(const Input& input,
   mark_instants(now);
   note(input, now, effects);
   while (Waiting* waiting = next_due(now)) fire(*waiting, now, effects);
+  wakeup_ = first_instant();
   return effects;
 }
 
-std::optional<MissionTime> MissionPlanning::next_wakeup() const {
+std::optional<MissionTime> MissionPlanning::first_instant() const {
   std::optional<MissionTime> wakeup;
   if (finished_) return wakeup;
   for (const Waiting& waiting : waiting_) {

@@ -114,6 +114,12 @@ class GroundControl {
   std::optional<MissionTime> next_wakeup() const;
 
   Board board(MissionTime now) const;
+  /// In the order configured.
+  const std::vector<std::string>& uavs() const { return monitoring_.uavs(); }
+  /// As on the board, but for what is held: without a copy, which costs all tasks of the mission.
+  /// Precondition: it is one of uavs(). Valid until the next input.
+  const UavOnBoard& uav(const std::string& name) const { return monitoring_.uav(name); }
+  std::size_t held_of(const std::string& uav) const { return held_.of(uav).size(); }
   std::vector<Alarm> alarms() const { return perception_.alarms(); }
   const OperatorDesk& desk() const { return desk_; }
   std::vector<std::string> answers() const { return planning_.answers(); }

@@ -43,7 +43,7 @@ class MissionPlanning {
   MissionPlanning(MissionPlanning&&) = default;
 
   std::vector<Effect> handle(const Input& input, MissionTime now);
-  std::optional<MissionTime> next_wakeup() const;
+  std::optional<MissionTime> next_wakeup() const { return wakeup_; }
 
   /// What operators may do that a step waits for, in the order written.
   std::vector<std::string> answers() const;
@@ -79,6 +79,7 @@ class MissionPlanning {
   void note_alarm(const Alarm& alarm, MissionTime now);
   void note_operator(const std::string& does, MissionTime now, Effects& effects);
   std::optional<MissionTime> due(const Waiting& waiting) const;
+  std::optional<MissionTime> first_instant() const;
   Waiting* next_due(MissionTime now);
   void do_now(const DoActions& deed, MissionTime now, Effects& effects);
   void fire(Waiting& waiting, MissionTime now, Effects& effects);
@@ -120,6 +121,7 @@ class MissionPlanning {
   AlarmId subject_;
   std::string phase_;
   bool finished_ = false;
+  std::optional<MissionTime> wakeup_;  ///< as after the last input: a script may be long
 };
 
 }  // namespace skein::ground_station

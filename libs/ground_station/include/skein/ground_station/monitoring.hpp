@@ -117,6 +117,11 @@ class Monitoring {
   std::vector<std::string> problems_of(const PlayRole& play, MissionTime now) const;
 
   Board board(MissionTime now) const;
+  /// In the order configured.
+  const std::vector<std::string>& uavs() const { return order_; }
+  /// What is known of it, without a copy. Precondition: it is one of uavs(). Valid until the next
+  /// input.
+  const UavOnBoard& uav(const std::string& name) const { return uavs_.at(name).board; }
   /// 3 for an unknown UAV.
   Degree degree_of(const std::string& uav) const;
   bool knows(const std::string& uav) const { return uavs_.contains(uav); }
