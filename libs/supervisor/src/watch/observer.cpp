@@ -14,6 +14,8 @@ namespace skein::supervisor {
 namespace {
 
 constexpr Duration kWaitRetry = Duration::milliseconds(5000);
+// At the most, of the last landing.
+constexpr Duration kLandRetry = Duration::milliseconds(10'000);
 // A time that was asked is kept when it is missed by no more.
 constexpr Duration kKept = Duration::milliseconds(500);
 constexpr double kReachedMargin =
@@ -98,10 +100,12 @@ void Observer::see_loose(const executive::TaskEvent& event) {
   book_.loose.erase(known);
 }
 
-// Of what keeps it safe: sooner where it did run, and something else took its place.
+// Of what keeps it safe: sooner where it did run, and something else took its place; and of the
+// last landing, since energy does not wait.
 Duration Observer::retry_after(const Loose& loose, const std::string& why) {
   if (loose.ran) return kWaitRetry;
-  return std::max(kWaitRetry, pause_after(refusals_.count(loose.type, why, now())));
+  const Duration pause = pause_after(refusals_.count(loose.type, why, now()));
+  return std::max(kWaitRetry, loose.type == "land" ? std::min(pause, kLandRetry) : pause);
 }
 
 // The second time it comes back from another executive, with the conditions that it was handed over

@@ -148,6 +148,25 @@ TEST(SupervisorEnergy, WithoutAnyPlanItLandsWhereItIsBeforeTheReserve) {
   EXPECT_EQ(start->task.type, "land");
 }
 
+// Found by a storm (karma/detection, seed 1020): the pause grew to a minute, and it came down after
+// its reserve.
+TEST(SupervisorEnergy, ALastLandingThatIsRefusedIsAskedForAgainSoonHoweverOften) {
+  Desk desk = waiting(with_figures());
+  desk.at(200).flies({1000, 0, 40}, 0.124);
+  desk.finish(RepairOutcome{});
+
+  for (double s = 400; s < 480; s += 10) {
+    desk.at(s).flies({1000, 0, 40}, 0.105);
+
+    const auto ids = desk.requests();
+    ASSERT_FALSE(ids.empty()) << s;
+    const std::uint64_t id = std::stoull(ids.back().substr(6));
+    ASSERT_EQ(desk.started(id)->task.type, "land") << s;
+    desk.seen(id, TaskState::kScheduled);
+    desk.aborted(id, "aborted by the functional layer");
+  }
+}
+
 // What is refused again and again is planned again after pauses that grow to a minute.
 TEST(SupervisorEnergy, APauseBetweenTwoTriesIsNotWaitedForAtTheReserve) {
   Desk desk = Desk::engaged(with_figures());
