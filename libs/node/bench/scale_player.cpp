@@ -81,10 +81,12 @@ class Player {
         missing_.insert(channel.from == self.number ? channel.to : channel.from);
       board.channels.push_back(std::move(channel));
     }
+    if (options.least) leave_one_writer_and_one_reader(board);
     transport_->on_arrival([this] { waker_.notify(); });
     auto opened = blackboard::Blackboard::open(std::move(board), *transport_);
     if (!opened) throw std::runtime_error(name + ": " + opened.error().why);
     board_.emplace(std::move(*opened));
+    if (options.least) introduce(name);
   }
 
   /// Whether everybody was heard by then.
@@ -97,6 +99,19 @@ class Player {
   }
 
  private:
+  static void leave_one_writer_and_one_reader(blackboard::Config& board) {
+    std::erase_if(board.channels, [](const blackboard::ChannelConfig& channel) {
+      return channel.kind != blackboard::ChannelKind::kWorld;
+    });
+    board.channels.front().slots = {wire::Slot::kDirectoryEntry};
+    board.world_reads = {wire::Slot::kDirectoryEntry};
+  }
+  void introduce(const std::string& name) {
+    wire::DirectoryEntry entry;
+    entry.name = name;
+    const auto sent = board_->publish(entry, blackboard::Now{{}, Waker::steady_now()});
+    if (!sent) throw std::runtime_error(name + " cannot say its name");
+  }
   bool goes_on(Duration until) const {
     return Waker::steady_now() < until && !waker_.stop_requested();
   }
@@ -105,8 +120,12 @@ class Player {
     for (const auto& incoming : board_->step(blackboard::Now{{}, now})) {
       const auto* reach = std::get_if<blackboard::Reachability>(&incoming);
       if (reach != nullptr && reach->reachable) missing_.erase(reach->peer);
+      const auto* received = std::get_if<blackboard::Received>(&incoming);
+      if (received != nullptr && received->channel == blackboard::ChannelKind::kWorld)
+        missing_.erase(received->origin);
     }
-    const Duration next = std::min(board_->next_wakeup().value_or(until), until);
+    // Without a channel that has heartbeats nothing is due by itself.
+    const Duration next = std::min(board_->next_wakeup().value_or(now + kTurn), until);
     waker_.wait(std::max(next - Waker::steady_now(), Duration()));
   }
 

@@ -15,6 +15,7 @@ struct ScaleOptions {
   double idle = 10, limit = 120;
   int stagger = 0;  ///< between two starts [ms]
   std::string server, dds;
+  bool least = false;    ///< one writer and one reader each, which all connect: the vendor's share
   bool at_once = false;  ///< all endpoints are made at the beginning
 };
 
