@@ -255,9 +255,13 @@ class Teller {
     task.type = text(record, "type");
     task.state = text(record, "state");
     task.reason = text(record, "reason");
+    if (task.node != record.node()) task.taken = kNever;
     task.node = record.node();
     const double at = record.at().to_seconds();
-    if (task.state == "started") task.started = std::min(task.started, at);
+    if (task.state == "started") {
+      task.started = std::min(task.started, at);
+      task.taken = std::min(task.taken, at);
+    }
     if (task.state == "ended" || task.state == "aborted") task.over = at;
   }
 

@@ -32,7 +32,8 @@ double begun(const Uav& uav, const Execution& motion) {
   const auto real = std::find_if(
       uav.activities.begin(), uav.activities.end(),
       [&](const Activity& one) { return one.task == motion.task && one.from < one.until; });
-  return real == uav.activities.end() ? kNever : std::max(motion.started, real->from);
+  const double started = motion.taken == kNever ? motion.started : motion.taken;
+  return real == uav.activities.end() ? kNever : std::max(started, real->from);
 }
 
 // In the executive on board: the ground's, at degree 1, may not know yet what a UAV out of contact
@@ -44,15 +45,15 @@ void overlapping(const Uav& uav, std::vector<Violation>& result) {
   std::vector<const Execution*> motions;
   for (const auto& [task, execution] : uav.executions) {
     // What the vehicle refused in the same instant never moved it.
-    const bool flew = execution.started != kNever && execution.over > execution.started;
+    const bool flew = execution.taken != kNever && execution.over > execution.taken;
     if (execution.is_motion() && flew) motions.push_back(&execution);
   }
   std::stable_sort(motions.begin(), motions.end(),
-                   [](const auto* a, const auto* b) { return a->started < b->started; });
+                   [](const auto* a, const auto* b) { return a->taken < b->taken; });
   for (const Execution* one : motions) {
     if (last != nullptr && on_board(one) && on_board(last) &&
         begun(uav, *one) + kMoment < last->over) {
-      result.push_back({"", one->started, uav.name(), uav.goal_of_task(one->task),
+      result.push_back({"", one->taken, uav.name(), uav.goal_of_task(one->task),
                         named(uav, one->task, one->type) + " begins while " +
                             named(uav, last->task, last->type) + " is under way"});
     }

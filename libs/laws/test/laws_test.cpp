@@ -363,6 +363,25 @@ TEST(OneMotion, WhatTheVehicleBeginsWithLaterIsFine) {
   EXPECT_THAT(story.broken("one-motion"), IsEmpty());
 }
 
+// Found by storms (handover/synchronised, seeds 60, 447 and 671).
+TEST(OneMotion, WhatTheGroundStartedOutOfReachIsUnderWayOnceItIsStartedOnBoard) {
+  Story story;
+  story.starts_unheard("heliv", 145, 203, "goto")
+      .does("heliv", {900, "wait", 0, 193, 200})
+      .does("heliv", {203, "goto", 803, 199, 245, "ended", "", {}, "", 202});
+
+  EXPECT_THAT(story.broken("one-motion"), IsEmpty());
+}
+
+TEST(OneMotion, WhatTheGroundStartedOutOfReachOverlapsAsAnyOnBoard) {
+  Story story;
+  story.starts_unheard("heliv", 145, 203, "goto")
+      .does("heliv", {900, "wait", 0, 193, 200})
+      .does("heliv", {203, "goto", 803, 196, 245});
+
+  EXPECT_THAT(story.broken("one-motion"), ElementsAre(HasSubstr("goto 203")));
+}
+
 TEST(Held, NoMotionBeginsUnderAPerceptionOfAnotherGoal) {
   Story story;
   story.does("marvin", {100, "takeshot", 701, 5, 125, "ended", "visible"})

@@ -97,6 +97,15 @@ Story& Story::does(const std::string& uav, const Doing& what) {
   return *this;
 }
 
+Story& Story::starts_unheard(const std::string& uav, double at, int task, const std::string& type) {
+  add(at, "ground", "task")
+      .with("uav", uav)
+      .with("task", task)
+      .with("type", type)
+      .with("state", "started");
+  return *this;
+}
+
 Story& Story::goal(const std::string& uav, int id, const std::string& statement,
                    const std::string& state, double at, const std::string& why) {
   auto& line = add(at, uav, "goal")

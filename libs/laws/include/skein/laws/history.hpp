@@ -55,7 +55,8 @@ struct Execution {
   std::string type;
   double started = kNever, over = kNever;
   std::string state, reason;
-  std::string node;  ///< whose executive had it last: the UAV's, or the ground's at degree 1
+  std::string node;       ///< whose executive had it last: the UAV's, or the ground's at degree 1
+  double taken = kNever;  ///< that one started it
 
   bool is_motion() const;
   bool under_way(double at) const { return started <= at && at < over; }
