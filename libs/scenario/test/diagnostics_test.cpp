@@ -44,7 +44,7 @@ SKEIN_WRONG_FILES(
     Top,
     Wrong{"UnknownKey", "duration_limit: 600", "duration_limit: 600\nsede: 4",
           "4:7: sede: unknown key 'sede'; expected one of scenario, epoch, duration_limit, rate, "
-          "seed, world, uavs, radio, ground, planning, interaction, team, …; did you mean "
+          "seed, world, uavs, radio, slots, ground, planning, interaction, …; did you mean "
           "'seed'?\n"},
     Wrong{"MissingKey", "duration_limit: 600\n", "", "1:1: duration_limit: missing\n"},
     Wrong{"WrongType", "duration_limit: 600", "duration_limit: soon",
@@ -330,7 +330,7 @@ TEST(WrongFiles, AllErrorsOfAFileAreToldAtOnce) {
   EXPECT_EQ(
       errors_of(text),
       "3:16: duration_limt: unknown key 'duration_limt'; expected one of scenario, epoch, "
-      "duration_limit, rate, seed, world, uavs, radio, ground, planning, interaction, team, "
+      "duration_limit, rate, seed, world, uavs, radio, slots, ground, planning, interaction, "
       "…; did you mean 'duration_limit'?\n"
       "1:1: duration_limit: missing\n"
       "14:61: uavs.heliv.degree: '7'; expected a whole number from 1 to 5\n"
