@@ -161,7 +161,7 @@ TEST_F(Operators, AMissionForAUavThatIsGoneIsSaidToHaveExpired) {
 
   EXPECT_EQ(given.code, 1) << given.text;
   EXPECT_THAT(given.text, HasSubstr("issued"));
-  EXPECT_THAT(given.text, HasSubstr("expired: no answer"));
+  EXPECT_THAT(given.text, HasSubstr("expired: not delivered: no contact in its lifetime"));
   EXPECT_EQ(goal(9001), "") << "nothing is believed of a mission that never came";
 }
 
