@@ -11,6 +11,7 @@ fail() { echo "FAILED ($case): $*" >&2; tail -n 5 "$work"/*.log >&2 || true; exi
 start() { # NAME PROGRAM [options]
   local name=$1 program=$2
   shift 2
+  : >"$work/$name.log"  # there to be followed
   "${prefix[@]}" "$build/bin/$program" --scenario "$scenario" --rate "$rate" "$@" >"$work/$name.log" 2>&1 &
   running+=($!)
   last=$!

@@ -492,15 +492,5 @@ TEST(Idle, WhoWaitsInTheAirWithOpenGoalsNamesOne) {
   EXPECT_THAT(idles("goal 701 cannot begin yet: no air is free"), IsEmpty());
 }
 
-// ---- statements ----
-
-TEST(Statement, IsReadBackAsItWasWritten) {
-  for (const char* text :
-       {"perceive P1 120 [start-after 20.5, end-before 300]", "general-land",
-        "perform-tour (A1 A2 P1)", "general-gotoxyz (1 -2.5 40)", "synchro 500 (a b) (a b)"}) {
-    EXPECT_EQ(mission::to_text(task_from(text)), text);
-  }
-}
-
 }  // namespace
 }  // namespace skein::laws::testing
