@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "skein/foundation/exit_code.hpp"
 #include "skein/laws/healing.hpp"
 #include "skein/laws/protocol.hpp"
 #include "testing/clocks_apart.hpp"
@@ -55,9 +56,23 @@ TEST_F(Network, EndsWellWithACutInEachPhase) {
   EXPECT_GT(run_.carried().cut, 100) << "the cuts were cuts";
 }
 
-TEST_F(Network, EndsWellWhenThreeOfTenPacketsAreLost) {
-  play("comets/confirmed", "loss");
-  if (IsSkipped()) return;
+// At this rate what has to be said again comes some ten mission seconds late, so that the
+// scenario's windows of 10 and 60 s may be missed; what they are about comes about all the same.
+TEST_F(Network, LosesNothingAndComesToItsEndWhenThreeOfTenPacketsAreLost) {
+  run_.start("comets/confirmed", "loss", {"--", "--rate", "20", "--quiet"});
+  const auto code = run_.wait(150);
+  ASSERT_TRUE(code.has_value()) << "no end";
+  if (*code == 77) GTEST_SKIP() << run_.output();
+  EXPECT_LE(*code, kExitNegative) << run_.output();
+  expect_nothing_lost_or_twice(run_);
+  const std::vector<journal::Record> records = run_.records();
+  const auto told = [&](const char* kind, const char* state) {
+    return std::any_of(records.begin(), records.end(), [&](const journal::Record& record) {
+      return record.kind() == kind && record.text("state") == state;
+    });
+  };
+  EXPECT_TRUE(told("alarm", "confirmed")) << run_.output();
+  EXPECT_TRUE(told("mission", "finished")) << run_.output();
   const Carried air = run_.carried();
   EXPECT_GT(air.lost / (air.lost + air.carried), 0.2)
       << "nothing is lost before the mission starts";
