@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "actions.hpp"
 #include "choice_option.hpp"
 #include "skein/allocate_tool/allocate.hpp"
+#include "when_chosen.hpp"
 
 namespace skein::cli {
 
@@ -31,9 +31,7 @@ void add_allocate(CLI::App& app, std::function<int()>& action, const Actions& ac
   command->add_option("--seed", options->seed, "Of delays and of what is put back on sale")
       ->capture_default_str();
   command->footer(kAllocateExamples);
-  command->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(command, options, action, actions);
 }
 
 }  // namespace skein::cli

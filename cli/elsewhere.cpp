@@ -12,6 +12,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "skein/foundation/contract.hpp"
 #include "skein/foundation/exit_code.hpp"
 
 namespace skein::cli {
@@ -38,9 +39,10 @@ constexpr std::array kElsewhere{
 
 const char* program_of(std::string_view command, std::string_view verb) {
   if (command == "model" && verb == "edit") return "skein-lab";  // it serves a page
-  return std::find_if(kElsewhere.begin(), kElsewhere.end(),
-                      [&](const CarriedOut& one) { return one.command == command; })
-      ->by;
+  const auto found = std::find_if(kElsewhere.begin(), kElsewhere.end(),
+                                  [&](const CarriedOut& one) { return one.command == command; });
+  SKEIN_ENSURES(found != kElsewhere.end());
+  return found->by;
 }
 
 // Becomes that program, with the same arguments; returns only if that cannot be.

@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "actions.hpp"
 #include "argument_checks.hpp"
 #include "skein/import_tool/import.hpp"
+#include "when_chosen.hpp"
 
 namespace skein::cli {
 
@@ -59,9 +59,7 @@ void add_import(CLI::App& app, std::function<int()>& action, const Actions& acti
   command->add_flag("--leave-out", options->leave_out,
                     "Leave out what Skein has no counterpart of, and say it");
   command->footer(kImportExamples);
-  command->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(command, options, action, actions);
 }
 
 }  // namespace skein::cli

@@ -16,12 +16,12 @@ int main(int argc, char** argv) {
   using namespace skein;  // NOLINT(google-build-using-namespace): the whole program is this
                           // function
   cli::Actions actions(cli::start_skein_instead);
-  actions.add<storm_tool::StormOptions>(cli::with_progress(storm_tool::storm));
-  actions.add<batch_tool::BatchOptions>(cli::with_progress(batch_tool::batch));
-  actions.add<compare_tool::CompareOptions>(cli::on_streams(compare_tool::compare));
-  actions.add<series_tool::SeriesOptions>(cli::on_streams(series_tool::series));
-  actions.add<export_tool::ExportOptions>(cli::on_streams(export_tool::export_run));
-  actions.add<import_tool::ImportOptions>(cli::on_streams(import_tool::import_mission));
-  actions.add<designer::EditOptions>(cli::on_streams(designer::edit_models));
+  actions.add(cli::with_progress(storm_tool::storm));
+  actions.add(cli::with_progress(batch_tool::batch));
+  actions.add(cli::on_streams(compare_tool::compare));
+  actions.add(cli::on_streams(series_tool::series));
+  actions.add(cli::on_streams(export_tool::export_run));
+  actions.add(cli::on_streams(import_tool::import_mission));
+  actions.add(cli::on_streams(designer::edit_models));
   return cli::run_command_line(argc, argv, actions);
 }

@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "actions.hpp"
 #include "argument_checks.hpp"
 #include "network_options.hpp"
 #include "operate_commands.hpp"
@@ -12,6 +11,7 @@
 #include "skein/replay_tool/replay.hpp"
 #include "skein/state_tool/state.hpp"
 #include "spy_commands.hpp"
+#include "when_chosen.hpp"
 
 namespace skein::cli {
 
@@ -50,9 +50,7 @@ void add_functional(CLI::App& app, Action& action, const Actions& actions) {
       "Over DDS: also what holds after a restart; it says when to restart the layer");
   functional->add_flag("--json", options->json, "One JSON document");
   functional->footer(kFunctionalExamples);
-  functional->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(functional, options, action, actions);
 }
 
 constexpr const char* kStateExamples = R"(
@@ -74,9 +72,7 @@ void add_state(CLI::App& app, Action& action, const Actions& actions) {
     one->add_option("file", options->file, "NODE.state in the folder of --state")->required();
     if (what == What::kShow) one->add_flag("--json", options->json, "One JSON document");
     one->footer(kStateExamples);
-    one->callback([options, &action, &actions] {
-      action = [options, &actions] { return actions.carry_out(*options); };
-    });
+    when_chosen(one, options, action, actions);
   };
   add("show", "Whose it is and what is in it", What::kShow);
   add("check", "Whether a daemon would go on from it", What::kCheck);
@@ -99,9 +95,7 @@ void add_replay(CLI::App& app, Action& action, const Actions& actions) {
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
   replay->footer(kReplayExamples);
-  replay->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(replay, options, action, actions);
 }
 
 }  // namespace

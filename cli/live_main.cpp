@@ -15,13 +15,13 @@ int main(int argc, char** argv) {
   using namespace skein;  // NOLINT(google-build-using-namespace): the whole program is this
                           // function
   cli::Actions actions(cli::start_skein_instead);
-  actions.add<functional_tool::FunctionalOptions>(cli::on_streams(functional_tool::check));
-  actions.add<state_tool::StateOptions>(cli::on_streams(state_tool::state));
-  actions.add<operate_tool::OperateOptions>(cli::on_streams(operate_tool::operate));
-  actions.add<operate_tool::StatusOptions>(cli::on_streams(operate_tool::status));
-  actions.add<replay_tool::ReplayOptions>(cli::on_streams(replay_tool::replay));
-  actions.add<spy_tool::SpyOptions>(cli::on_streams(spy_tool::spy));
-  actions.add<spy_tool::RecordOptions>(cli::on_streams(spy_tool::record));
-  actions.add<spy_tool::PlayOptions>(cli::on_streams(spy_tool::play));
+  actions.add(cli::on_streams(functional_tool::check));
+  actions.add(cli::on_streams(state_tool::state));
+  actions.add(cli::on_streams(operate_tool::operate));
+  actions.add(cli::on_streams(operate_tool::status));
+  actions.add(cli::on_streams(replay_tool::replay));
+  actions.add(cli::on_streams(spy_tool::spy));
+  actions.add(cli::on_streams(spy_tool::record));
+  actions.add(cli::on_streams(spy_tool::play));
   return cli::run_command_line(argc, argv, actions);
 }

@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "actions.hpp"
 #include "choice_option.hpp"
 #include "skein/temporal_tool/mastn.hpp"
+#include "when_chosen.hpp"
 
 namespace skein::cli {
 
@@ -46,9 +46,7 @@ void add_mastn_generate(CLI::App& mastn, Action& action, const Actions& actions)
   generate->add_option("--seed", options->seed, "Of everything random")->capture_default_str();
   generate->add_option("--out", options->out, "File (default: standard output)");
   generate->footer(kGenerateExamples);
-  generate->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(generate, options, action, actions);
 }
 
 constexpr const char* kMastnRunExamples = R"(
@@ -71,9 +69,7 @@ void add_mastn_run(CLI::App& mastn, Action& action, const Actions& actions) {
   run->add_flag("--cuts", options->cuts, "Links are cut and heal at random; all heal at the end");
   run->add_option("--seed", options->seed, "Of delays and cuts")->capture_default_str();
   run->footer(kMastnRunExamples);
-  run->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(run, options, action, actions);
 }
 
 constexpr const char* kBenchExamples = R"(
@@ -109,9 +105,7 @@ void add_mastn_bench(CLI::App& mastn, Action& action, const Actions& actions) {
   bench->add_option("--networks", options->networks, "Of each parameter set (default 10)")
       ->check(CLI::Range(1, 1000));
   bench->footer(kBenchExamples);
-  bench->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(bench, options, action, actions);
 }
 
 }  // namespace

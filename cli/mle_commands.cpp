@@ -4,9 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "actions.hpp"
 #include "argument_checks.hpp"
 #include "skein/mle_tool/mle.hpp"
+#include "when_chosen.hpp"
 
 namespace skein::cli {
 
@@ -37,9 +37,7 @@ void add_mle(CLI::App& app, std::function<int()>& action, const Actions& actions
   mle->add_option("--background", options->background,
                   "Task type of the background routine (default: off)");
   mle->footer(kMleExamples);
-  mle->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(mle, options, action, actions);
 }
 
 }  // namespace skein::cli

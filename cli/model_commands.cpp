@@ -4,11 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "actions.hpp"
 #include "argument_checks.hpp"
 #include "skein/designer/edit_models.hpp"
 #include "skein/model_tool/model_files.hpp"
 #include "skein/model_tool/run_model.hpp"
+#include "when_chosen.hpp"
 
 namespace skein::cli {
 
@@ -36,9 +36,7 @@ void add_run(CLI::App* model, Action& action, const Actions& actions) {
   command->add_option("--role", options->role, "Which role of a library")->type_name("NAME");
   add_seconds(*command, "--until", options->until, "Play on up to this instant [s]")
       ->check(finite_problem);
-  command->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(command, options, action, actions);
 }
 
 void add_check(CLI::App* model, Action& action, const Actions& actions) {
@@ -47,9 +45,7 @@ void add_check(CLI::App* model, Action& action, const Actions& actions) {
       "check", "Are roles, SCMs, models and automata right? Every error at once");
   command->add_option("files", options->files, "Read together, with all that they use")->required();
   command->add_flag("--json", options->json, "One JSON object instead of text for people");
-  command->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(command, options, action, actions);
 }
 
 void add_draw(CLI::App* model, Action& action, const Actions& actions) {
@@ -57,9 +53,7 @@ void add_draw(CLI::App* model, Action& action, const Actions& actions) {
   CLI::App* command = model->add_subcommand("draw", "Draw the variants of models, or an automaton");
   command->add_option("file", options->file, "Models, roles or an automaton")->required();
   command->add_option("-o,--output", options->output, "SVG file (default: standard output)");
-  command->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(command, options, action, actions);
 }
 
 void add_edit(CLI::App* model, Action& action, const Actions& actions) {
@@ -68,9 +62,7 @@ void add_edit(CLI::App* model, Action& action, const Actions& actions) {
       model->add_subcommand("edit", "Change models on a page of this machine, checked meanwhile");
   command->add_option("files", options->files, "Models, with all that they use")->required();
   command->add_option("--port", options->port, "Of the loopback interface (default: a free one)");
-  command->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(command, options, action, actions);
 }
 
 }  // namespace

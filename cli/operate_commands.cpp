@@ -14,6 +14,7 @@
 #include "network_options.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/operate_tool/operate.hpp"
+#include "when_chosen.hpp"
 
 namespace skein::cli {
 
@@ -276,9 +277,7 @@ void add_status(CLI::App& app, std::function<int()>& action, const Actions& acti
   status->add_flag("--watch", options->watch, "Again each second");
   status->add_flag("--json", options->json, "One JSON document; with --watch one a line");
   status->footer(kStatusExamples);
-  status->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(status, options, action, actions);
 }
 
 }  // namespace skein::cli

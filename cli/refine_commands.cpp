@@ -12,6 +12,7 @@
 #include "argument_checks.hpp"
 #include "skein/refine_tool/refine.hpp"
 #include "skein/terrain_tool/terrain.hpp"
+#include "when_chosen.hpp"
 
 namespace skein::cli {
 
@@ -55,9 +56,7 @@ void add_make(CLI::App& terrain, std::function<int()>& action, const Actions& ac
   make->add_option("--crs", options->crs, "Coordinates of a raster that does not say: EPSG:4326");
   make->add_option("--nodata", options->no_data, "Elevation of cells without data [m]")
       ->check(finite_problem);
-  make->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(make, options, action, actions);
 }
 
 void add_show(CLI::App& terrain, std::function<int()>& action, const Actions& actions) {
@@ -65,9 +64,7 @@ void add_show(CLI::App& terrain, std::function<int()>& action, const Actions& ac
   CLI::App* show = terrain.add_subcommand("show", "What is in a terrain file");
   show->add_option("file", options->file, "Terrain file")->required();
   show->add_option("--svg", options->svg, "Picture to write");
-  show->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(show, options, action, actions);
 }
 
 /// Of the whole process: what others do on the machine does not count.

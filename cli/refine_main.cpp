@@ -11,8 +11,8 @@ int main(int argc, char** argv) {
   using namespace skein;  // NOLINT(google-build-using-namespace): the whole program is this
                           // function
   cli::Actions actions(cli::start_skein_instead);
-  actions.add<refine_tool::RefineOptions>(cli::on_streams(refine_tool::run_refine));
-  actions.add<terrain_tool::MakeOptions>(cli::on_streams(terrain_tool::make_terrain));
-  actions.add<terrain_tool::ShowOptions>(cli::on_streams(terrain_tool::show_terrain));
+  actions.add(cli::on_streams(refine_tool::run_refine));
+  actions.add(cli::on_streams(terrain_tool::make_terrain));
+  actions.add(cli::on_streams(terrain_tool::show_terrain));
   return cli::run_command_line(argc, argv, actions);
 }

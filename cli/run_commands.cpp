@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "actions.hpp"
 #include "skein/run_tool/run.hpp"
+#include "when_chosen.hpp"
 
 namespace skein::cli {
 
@@ -75,9 +75,7 @@ void add_run(CLI::App& app, Action& action, const Actions& actions) {
   run->add_option("--mcap", options->mcap,
                   "Also write the run as an MCAP file, for Foxglove or PlotJuggler");
   run->footer(kRunExamples);
-  run->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(run, options, action, actions);
 }
 
 void add_report(CLI::App& app, Action& action, const Actions& actions) {
@@ -92,9 +90,7 @@ void add_report(CLI::App& app, Action& action, const Actions& actions) {
   report->footer(
       "\nExamples:\n  skein report out/comets-confirmed\n"
       "  skein report out/karma-detection --explain karma:104");
-  report->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(report, options, action, actions);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
   using namespace skein;  // NOLINT(google-build-using-namespace): the whole program is this
                           // function
   cli::Actions actions(cli::start_skein_instead);
-  actions.add<run_tool::RunOptions>(cli::on_streams(run_tool::run));
-  actions.add<run_tool::ReportOptions>(cli::on_streams(run_tool::report));
+  actions.add(cli::on_streams(run_tool::run));
+  actions.add(cli::on_streams(run_tool::report));
   return cli::run_command_line(argc, argv, actions);
 }

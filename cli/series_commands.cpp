@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "actions.hpp"
 #include "argument_checks.hpp"
 #include "choice_option.hpp"
 #include "skein/batch_tool/batch.hpp"
@@ -12,6 +11,7 @@
 #include "skein/export_tool/export.hpp"
 #include "skein/series_tool/series.hpp"
 #include "skein/storm_tool/storm.hpp"
+#include "when_chosen.hpp"
 
 namespace skein::cli {
 
@@ -51,9 +51,7 @@ void add_batch(CLI::App& app, Action& action, const Actions& actions) {
   batch->add_flag("--json", options->json, "One JSON document, no progress");
   batch->add_flag("--quiet", options->quiet, "No progress");
   batch->footer(kBatchExamples);
-  batch->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(batch, options, action, actions);
 }
 
 constexpr const char* kCompareExamples = R"(
@@ -72,9 +70,7 @@ void add_compare(CLI::App& app, Action& action, const Actions& actions) {
   compare->add_flag("--all", options->all, "Every difference, not the first of each section");
   compare->add_flag("--json", options->json, "One JSON document");
   compare->footer(kCompareExamples);
-  compare->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(compare, options, action, actions);
 }
 
 constexpr const char* kSeriesExamples = R"(
@@ -101,9 +97,7 @@ void add_time_series(CLI::App& app, Action& action, const Actions& actions) {
   series->add_flag("--measures", options->measures, "Instead: figures of the whole run");
   series->add_flag("--list", options->list, "Say what quantities there are");
   series->footer(kSeriesExamples);
-  series->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(series, options, action, actions);
 }
 
 constexpr const char* kExportExamples = R"(
@@ -133,9 +127,7 @@ void add_export(CLI::App& app, Action& action, const Actions& actions) {
               {"zstd", mcap::Compression::kZstd}},
              "Of its chunks");
   command->footer(kExportExamples);
-  command->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(command, options, action, actions);
 }
 
 constexpr const char* kStormExamples = R"(
@@ -173,9 +165,7 @@ void add_storm(CLI::App& app, Action& action, const Actions& actions) {
   storm->add_flag("--json", options->json, "One JSON document, no progress");
   storm->add_flag("--quiet", options->quiet, "No progress");
   storm->footer(kStormExamples);
-  storm->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(storm, options, action, actions);
 }
 
 }  // namespace

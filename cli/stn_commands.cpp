@@ -11,6 +11,7 @@
 #include "actions.hpp"
 #include "choice_option.hpp"
 #include "skein/temporal_tool/stn.hpp"
+#include "when_chosen.hpp"
 
 namespace skein::cli {
 
@@ -60,14 +61,6 @@ CLI::App* add_stn_command(CLI::App* stn, const std::string& name, const std::str
 void add_json(CLI::App* command, temporal_tool::StnOptions& common) {
   command->add_flag("--json", common.json, "One JSON object instead of text for people");
   common.colour = colour_wanted();
-}
-
-template <class Options>
-void act(CLI::App* command, const std::shared_ptr<Options>& options, Action& action,
-         const Actions& actions) {
-  command->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
 }
 
 // Without a file: the question about every file of a folder.
@@ -147,7 +140,7 @@ void add_stn_dispatch(CLI::App* stn, Action& action, const Actions& actions) {
               {"latest", temporal_tool::StnStarts::kLatest},
               {"random", temporal_tool::StnStarts::kRandom}},
              "When to execute what may be executed: earliest (default), latest or random");
-  act(dispatch_command, dispatch, action, actions);
+  when_chosen(dispatch_command, dispatch, action, actions);
 }
 
 void add_stn_generate(CLI::App* stn, Action& action, const Actions& actions) {
@@ -171,9 +164,7 @@ void add_stn_generate(CLI::App* stn, Action& action, const Actions& actions) {
   command->add_option("--to", options->to, "json, heatlab, graphml or plain")
       ->capture_default_str();
   command->add_option("-o,--output", options->output, "File (default: standard output)");
-  command->callback([options, &action, &actions] {
-    action = [options, &actions] { return actions.carry_out(*options); };
-  });
+  when_chosen(command, options, action, actions);
 }
 
 void add_stn_writers(CLI::App* stn, Action& action, const Actions& actions) {
@@ -183,7 +174,7 @@ void add_stn_writers(CLI::App* stn, Action& action, const Actions& actions) {
                       "Write its dispatchable form: edges and waits for an executor", form->common);
   form_command->add_option("--to", form->to, "json or graphml")->capture_default_str();
   form_command->add_option("-o,--output", form->output, "File (default: standard output)");
-  act(form_command, form, action, actions);
+  when_chosen(form_command, form, action, actions);
 
   auto draw = std::make_shared<temporal_tool::StnDrawOptions>();
   CLI::App* draw_command = add_stn_command(stn, "draw", "Draw it", draw->common);
@@ -191,14 +182,14 @@ void add_stn_writers(CLI::App* stn, Action& action, const Actions& actions) {
   draw_command->add_flag("--svg")->description("A picture (default)")->excludes(dot);
   draw_command->add_option("--title", draw->title, "Above the picture");
   draw_command->add_option("-o,--output", draw->output, "File (default: standard output)");
-  act(draw_command, draw, action, actions);
+  when_chosen(draw_command, draw, action, actions);
 
   auto convert = std::make_shared<temporal_tool::StnConvertOptions>();
   CLI::App* convert_command =
       add_stn_command(stn, "convert", "Write it in another format", convert->common);
   convert_command->add_option("--to", convert->to, "json, heatlab, graphml or plain")->required();
   convert_command->add_option("-o,--output", convert->output, "File (default: standard output)");
-  act(convert_command, convert, action, actions);
+  when_chosen(convert_command, convert, action, actions);
 }
 
 }  // namespace

@@ -15,26 +15,22 @@ int main(int argc, char** argv) {
   using namespace skein;  // NOLINT(google-build-using-namespace): the whole program is this
                           // function
   cli::Actions actions(cli::start_skein_instead);
-  actions.add<allocate_tool::AllocateOptions>(
-      cli::on_file(allocate_tool::allocate, &allocate_tool::AllocateOptions::file));
-  actions.add<mle_tool::MleOptions>(
-      cli::on_file(mle_tool::run_mle, &mle_tool::MleOptions::input_name));
-  actions.add<model_tool::RunOptions>(
-      cli::on_file(model_tool::run_model, &model_tool::RunOptions::input_name));
-  actions.add<model_tool::CheckOptions>(cli::on_streams(model_tool::check_models));
-  actions.add<model_tool::DrawOptions>(cli::on_streams(model_tool::draw_models));
-  actions.add<temporal_tool::MastnGenerateOptions>(cli::on_streams(temporal_tool::generate_mastn));
-  actions.add<temporal_tool::MastnRunOptions>(cli::on_streams(temporal_tool::run_mastn));
-  actions.add<temporal_tool::MastnBenchOptions>(cli::on_streams(temporal_tool::bench_mastn));
-  actions.add<temporal_tool::StnCheckOptions>(cli::on_streams(temporal_tool::check_stn));
-  actions.add<temporal_tool::StnBatchOptions>(cli::on_streams(temporal_tool::check_stn_batch));
-  actions.add<temporal_tool::StnOptions>(cli::on_streams(temporal_tool::check_stn_controllability));
-  actions.add<temporal_tool::StnChangesOptions>(cli::on_streams(temporal_tool::follow_stn_changes));
-  actions.add<temporal_tool::StnDispatchOptions>(cli::on_streams(temporal_tool::dispatch_stn));
-  actions.add<temporal_tool::StnGenerateOptions>(cli::on_streams(temporal_tool::generate_stn));
-  actions.add<temporal_tool::StnDispatchableOptions>(
-      cli::on_streams(temporal_tool::write_stn_dispatchable));
-  actions.add<temporal_tool::StnDrawOptions>(cli::on_streams(temporal_tool::draw_stn));
-  actions.add<temporal_tool::StnConvertOptions>(cli::on_streams(temporal_tool::convert_stn));
+  actions.add(cli::on_file(allocate_tool::allocate, &allocate_tool::AllocateOptions::file));
+  actions.add(cli::on_file(mle_tool::run_mle, &mle_tool::MleOptions::input_name));
+  actions.add(cli::on_file(model_tool::run_model, &model_tool::RunOptions::input_name));
+  actions.add(cli::on_streams(model_tool::check_models));
+  actions.add(cli::on_streams(model_tool::draw_models));
+  actions.add(cli::on_streams(temporal_tool::generate_mastn));
+  actions.add(cli::on_streams(temporal_tool::run_mastn));
+  actions.add(cli::on_streams(temporal_tool::bench_mastn));
+  actions.add(cli::on_streams(temporal_tool::check_stn));
+  actions.add(cli::on_streams(temporal_tool::check_stn_batch));
+  actions.add(cli::on_streams(temporal_tool::check_stn_controllability));
+  actions.add(cli::on_streams(temporal_tool::follow_stn_changes));
+  actions.add(cli::on_streams(temporal_tool::dispatch_stn));
+  actions.add(cli::on_streams(temporal_tool::generate_stn));
+  actions.add(cli::on_streams(temporal_tool::write_stn_dispatchable));
+  actions.add(cli::on_streams(temporal_tool::draw_stn));
+  actions.add(cli::on_streams(temporal_tool::convert_stn));
   return cli::run_command_line(argc, argv, actions);
 }
