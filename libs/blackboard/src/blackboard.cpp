@@ -57,11 +57,11 @@ void Blackboard::recall_sent(wire::Sample sample, NodeNumber to, MissionTime at,
 }
 
 void Blackboard::recall_acknowledged(NodeNumber peer, std::uint64_t sequence) {
-  impl_->recall_acknowledged(peer, sequence);
+  impl_->change(peer, [&](Peer& one) { one.recall_acknowledged(sequence); });
 }
 
 void Blackboard::recall_given_up(NodeNumber to, std::uint64_t sequence) {
-  impl_->recall_given_up(to, sequence);
+  impl_->change(to, [&](Peer& one) { one.recall_given_up(sequence); });
 }
 
 void Blackboard::recall_received(wire::Slot slot, const wire::SampleHeader& header) {
@@ -69,7 +69,7 @@ void Blackboard::recall_received(wire::Slot slot, const wire::SampleHeader& head
 }
 
 void Blackboard::recall_reachable(NodeNumber peer, bool reachable) {
-  impl_->recall_reachable(peer, reachable);
+  impl_->change(peer, [&](Peer& one) { one.recall_reachable(reachable); });
 }
 
 bool Blackboard::reachable(NodeNumber peer) const {

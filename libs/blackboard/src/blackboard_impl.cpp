@@ -34,6 +34,13 @@ constexpr int kBitsOfALife = 40;
 
 bool is_event(wire::Slot slot) { return wire::slot_class(slot) == wire::SlotClass::kEvent; }
 
+/// Whether it has come back to a relay. Reports are told once by their age; who has forgotten them
+/// gets them again, also what it passed on.
+bool is_back(wire::Slot slot, const wire::SampleHeader& header, NodeNumber self) {
+  return slot != wire::Slot::kNeighbours &&
+         std::ranges::find(header.via, self.value()) != header.via.end();
+}
+
 /// What every sample of the wire must have in its header, beyond the rules for all types.
 std::optional<wire::Violation> header_violation(const wire::SampleHeader& header) {
   if (header.origin == 0) return wire::Violation{"header.origin", "no node has number 0"};
@@ -96,14 +103,6 @@ const Peer* Blackboard::Impl::peer(NodeNumber number) const {
   return found == peers_.end() ? nullptr : &found->second;
 }
 
-bool Blackboard::Impl::carries(std::size_t channel, wire::Slot slot) const {
-  return config_.channels[channel].carries(slot);
-}
-
-bool Blackboard::Impl::originates(std::size_t channel, wire::Slot slot) const {
-  return config_.channels[channel].originates(slot);
-}
-
 void Blackboard::Impl::stamp(wire::SampleHeader& header, NodeNumber to, std::uint64_t sequence,
                              Now now) const {
   header.origin = config_.self.value();
@@ -115,31 +114,12 @@ void Blackboard::Impl::stamp(wire::SampleHeader& header, NodeNumber to, std::uin
   header.mission = config_.mission;
 }
 
-void Blackboard::Impl::write(std::size_t channel, const wire::Sample& sample) {
-  const wire::Slot slot = wire::slot_of(sample);
-  const bool written = transport_.write(channel, sample);
-  connections_.wrote(channel, slot, written, out_);
-  if (wire::slot_class(slot) != wire::SlotClass::kState) return;
-  const wire::SampleHeader& header = wire::header_of(sample);
-  const StateKey key{channel, slot, header.origin, header.destination, header.instance};
-  if (written) {
-    unwritten_.erase(key);
-  } else {
-    unwritten_.insert_or_assign(key, sample);
-  }
-}
-
-void Blackboard::Impl::retry_states() {
-  std::erase_if(unwritten_, [this](const auto& entry) {
-    return transport_.write(std::get<0>(entry.first), entry.second);
-  });
-}
-
 Result<std::uint64_t, Refusal> Blackboard::Impl::send(wire::Sample sample, NodeNumber to, Now now,
                                                       SendOptions options) {
   const auto found = peers_.find(to);
   const wire::Slot slot = wire::slot_of(sample);
-  if (found == peers_.end() || !originates(found->second.channels().outgoing, slot)) {
+  if (found == peers_.end() ||
+      !config_.channels[found->second.channels().outgoing].originates(slot)) {
     return tl::unexpected(Refusal::kNoChannel);
   }
   if (wire::find_violation(sample)) return tl::unexpected(Refusal::kMalformed);
@@ -153,25 +133,22 @@ Result<std::uint64_t, Refusal> Blackboard::Impl::send(wire::Sample sample, NodeN
 
 Result<std::uint64_t, Refusal> Blackboard::Impl::send_event(Peer& peer, wire::Sample event, Now now,
                                                             SendOptions options) {
-  const bool is_long = peer.is_long(event);
-  if (is_long ? peer.outgoing_parts().full() : peer.outgoing().full())
-    return tl::unexpected(Refusal::kFull);
-  if (is_long && encoded_size(event) > IncomingParts::kLongest)
+  if (!peer.has_room_for(event)) return tl::unexpected(Refusal::kFull);
+  if (peer.is_long(event) && encoded_size(event) > IncomingParts::kLongest)
     return tl::unexpected(Refusal::kTooLong);
-  const std::uint64_t sequence =
-      is_long ? peer.outgoing_parts().next_number() : peer.outgoing().next_sequence();
-  wire::SampleHeader& header = wire::header_of(event);
-  stamp(header, peer.channels().number, sequence, now);
-  header.expires =
-      expiry_of(wire::slot_of(event), config_.lifespans, now.mission, options.expires).count();
-  if (is_long) {
-    peer.outgoing_parts().hold(event, options.receipt);
-  } else {
-    peer.outgoing().hold(std::move(event), options.receipt);
-  }
+  address(event, peer, options.expires, now);
+  const std::uint64_t sequence = wire::header_of(event).sequence_number;
+  peer.hold(std::move(event), options.receipt);
   write_due_events(peer, now);
   plan(peer);
   return sequence;
+}
+
+void Blackboard::Impl::address(wire::Sample& event, const Peer& peer, MissionTime expires,
+                               Now now) const {
+  wire::SampleHeader& header = wire::header_of(event);
+  stamp(header, peer.channels().number, peer.next_number(event), now);
+  header.expires = expiry_of(wire::slot_of(event), config_.lifespans, now.mission, expires).count();
 }
 
 void Blackboard::Impl::write_due_events(Peer& peer, Now now) {
@@ -213,7 +190,7 @@ void Blackboard::Impl::let_go(Peer& peer) {
 }
 
 Result<std::uint64_t, Refusal> Blackboard::Impl::publish(wire::Sample sample, Now now) {
-  if (!world_ || !carries(*world_, wire::slot_of(sample))) {
+  if (!world_ || !config_.channels[*world_].carries(wire::slot_of(sample))) {
     return tl::unexpected(Refusal::kNoChannel);
   }
   if (wire::find_violation(sample)) return tl::unexpected(Refusal::kMalformed);
@@ -231,27 +208,13 @@ void Blackboard::Impl::recall_sent(wire::Sample sample, NodeNumber to, MissionTi
   const auto found = peers_.find(to);
   const wire::Slot slot = wire::slot_of(sample);
   if (found == peers_.end() || !is_event(slot)) return;
-  if (!originates(found->second.channels().outgoing, slot) || wire::find_violation(sample)) return;
+  if (!config_.channels[found->second.channels().outgoing].originates(slot) ||
+      wire::find_violation(sample))
+    return;
   Peer& peer = found->second;
-  const std::uint64_t sequence =
-      peer.is_long(sample) ? peer.outgoing_parts().next_number() : peer.outgoing().next_sequence();
-  stamp(wire::header_of(sample), to, sequence, {at, {}});
-  wire::header_of(sample).expires = expiry_of(slot, config_.lifespans, at, options.expires).count();
+  address(sample, peer, options.expires, {at, {}});
   peer.recall_sent(std::move(sample), options.receipt);
   plan(peer);
-}
-
-void Blackboard::Impl::recall_acknowledged(NodeNumber peer, std::uint64_t sequence) {
-  if (sequence >= kFirstLongEvent)
-    return change(peer, [&](Peer& one) { one.outgoing_parts().recall_acknowledged(sequence); });
-  change(peer, [&](Peer& one) { one.outgoing().acknowledge(sequence); });
-}
-
-void Blackboard::Impl::recall_given_up(NodeNumber to, std::uint64_t sequence) {
-  change(to, [&](Peer& one) {
-    if (sequence >= kFirstLongEvent) return one.outgoing_parts().give_up(sequence);
-    one.outgoing().give_up(sequence);
-  });
 }
 
 void Blackboard::Impl::recall_received(wire::Slot slot, const wire::SampleHeader& header) {
@@ -262,10 +225,6 @@ void Blackboard::Impl::recall_received(wire::Slot slot, const wire::SampleHeader
   } else {
     freshness_.admit(slot, header);
   }
-}
-
-void Blackboard::Impl::recall_reachable(NodeNumber peer, bool reachable) {
-  change(peer, [&](Peer& one) { one.recall_reachable(reachable); });
 }
 
 void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
@@ -299,17 +258,14 @@ std::vector<Incoming> Blackboard::Impl::step(Now now) {
   heard_.clear();
   connections_.update(now.steady, out_);
   for (Arrival& arrival : transport_.take()) arrive(std::move(arrival), now);
-  while (!delayed_.empty() && delayed_.begin()->first <= now.steady) {
-    auto first = delayed_.extract(delayed_.begin());
-    admit(first.mapped().channel, std::move(first.mapped().sample), now);
-  }
+  while (auto due = delayed_.take_due(now.steady)) admit(due->channel, std::move(due->sample), now);
   for (const NodeNumber number : agenda_.due(now)) {
     Peer& peer = peers_.at(number);
     peer.update(now, out_);
     serve(peer, now);
   }
   route(now);
-  retry_states();
+  connections_.write_again();
   return std::exchange(out_, {});
 }
 
@@ -338,8 +294,7 @@ void Blackboard::Impl::plan(const Peer& peer) {
 }
 
 std::optional<Duration> Blackboard::Impl::next_wakeup() const {
-  std::optional<Duration> next;
-  if (!delayed_.empty()) next = delayed_.begin()->first;
+  std::optional<Duration> next = delayed_.next_due();
   const auto sooner = [&](std::optional<Duration> due) {
     if (due && (!next || *due < *next)) next = due;
   };
@@ -373,13 +328,7 @@ void Blackboard::Impl::arrive(Arrival arrival, Now now) {
   }
   Duration due = now.steady + condition.latency;
   if (condition.capacity > 0) due = due + airtime(channel_bytes(sample), condition.capacity);
-  delay(arrival.channel, std::move(sample), due);
-}
-
-void Blackboard::Impl::delay(std::size_t channel, wire::Sample sample, Duration due) {
-  Duration& last = last_delivery_[channel];
-  last = std::max(last, due);
-  delayed_.emplace(last, Delayed{channel, std::move(sample)});
+  delayed_.add(arrival.channel, std::move(sample), due);
 }
 
 void Blackboard::Impl::admit(std::size_t channel, wire::Sample sample, Now now) {
@@ -394,19 +343,17 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample sample, Now now) 
     refuse(slot, header, *violation);
     return refuse_event(channel, slot, header, now);
   }
-  if (is_back(slot, header)) return;
+  if (is_back(slot, header, config_.self)) return;
   if (header.destination != 0 && header.destination != config_.self.value())
     return pass_on(config, std::move(sample), now);
   latest_heard_ = std::max(latest_heard_, MissionTime::nanoseconds(header.mission_time));
-  if (world) return admit_from_world(std::move(sample));
+  if (world) {
+    if (freshness_.admit(slot, header))
+      out_.emplace_back(
+          Received{NodeNumber(header.origin), ChannelKind::kWorld, std::move(sample)});
+    return;
+  }
   admit_from_peer(config, std::move(sample), now);
-}
-
-void Blackboard::Impl::admit_from_world(wire::Sample sample) {
-  const wire::SampleHeader& header = wire::header_of(sample);
-  if (!freshness_.admit(wire::slot_of(sample), header)) return;
-  const NodeNumber origin(header.origin);
-  out_.emplace_back(Received{origin, ChannelKind::kWorld, std::move(sample)});
 }
 
 void Blackboard::Impl::admit_from_peer(const ChannelConfig& channel, wire::Sample sample, Now now) {

@@ -10,6 +10,7 @@
 
 #include "agenda.hpp"
 #include "connections.hpp"
+#include "delays.hpp"
 #include "freshness.hpp"
 #include "peer.hpp"
 #include "routing/passed_on.hpp"
@@ -39,31 +40,25 @@ class Blackboard::Impl {
   std::optional<Duration> next_wakeup() const;
   std::optional<MissionTime> next_expiry() const;
   void recall_sent(wire::Sample sample, NodeNumber to, MissionTime at, SendOptions options);
-  void recall_acknowledged(NodeNumber peer, std::uint64_t sequence);
-  void recall_given_up(NodeNumber to, std::uint64_t sequence);
   void recall_received(wire::Slot slot, const wire::SampleHeader& header);
-  void recall_reachable(NodeNumber peer, bool reachable);
+  /// Of a peer, and what it is due for after; strangers are disregarded.
+  void change(NodeNumber number, const std::function<void(Peer&)>& change);
   const Peer* peer(NodeNumber number) const;
   MissionTime latest_heard() const { return latest_heard_; }
 
  private:
   Result<void, Failure> add_channel(std::size_t index);
-  bool carries(std::size_t channel, wire::Slot slot) const;
-  bool originates(std::size_t channel, wire::Slot slot) const;
   void stamp(wire::SampleHeader& header, NodeNumber to, std::uint64_t sequence, Now now) const;
-  /// Writes; a state that the transport does not take is tried again at each step.
-  void write(std::size_t channel, const wire::Sample& sample);
-  void retry_states();
+  /// Gives an event its header.
+  void address(wire::Sample& event, const Peer& peer, MissionTime expires, Now now) const;
+  void write(std::size_t channel, const wire::Sample& sample) {
+    connections_.write(channel, sample, out_);
+  }
 
   void arrive(Arrival arrival, Now now);
-  void delay(std::size_t channel, wire::Sample sample, Duration due);
   void admit(std::size_t channel, wire::Sample sample, Now now);
-  void admit_from_world(wire::Sample sample);
   void admit_from_peer(const ChannelConfig& channel, wire::Sample sample, Now now);
   void admit_part(Peer& peer, const wire::Part& part, Now now);
-  /// What is wrong with an event that came in parts, as a channel would find.
-  std::optional<wire::Violation> long_event_violation(const Peer& peer, const wire::Part& part,
-                                                      const wire::Sample& event) const;
   Result<std::uint64_t, Refusal> send_event(Peer& peer, wire::Sample event, Now now,
                                             SendOptions options);
   void write_parts(Peer& peer, Now now);
@@ -96,7 +91,6 @@ class Blackboard::Impl {
   std::optional<wire::Violation> path_violation(const ChannelConfig& channel, wire::Slot slot,
                                                 const wire::SampleHeader& header) const;
   void pass_on(const ChannelConfig& from, wire::Sample sample, Now now);
-  bool is_back(wire::Slot slot, const wire::SampleHeader& header) const;
   void learn(wire::Neighbours report, Now now);
   void remind(NodeNumber peer, Now now);
   /// To every radio peer that it has not passed and does not come from.
@@ -106,20 +100,12 @@ class Blackboard::Impl {
   void take_way(const routing::WayChange& change, Now now);
   void resend_states(const routing::WayChange& change, Now now);
 
-  /// Of a peer, and what it is due for after; strangers are disregarded.
-  void change(NodeNumber number, const std::function<void(Peer&)>& change);
   /// To be called after each change of a peer.
   void plan(const Peer& peer);
 
-  /// Channel, slot, origin, destination, instance.
-  using StateKey = std::tuple<std::size_t, wire::Slot, std::uint32_t, std::uint32_t, std::uint32_t>;
   /// Destination, slot, instance.
   using OwnStateKey = std::tuple<NodeNumber, wire::Slot, std::uint32_t>;
   using DropKey = std::tuple<wire::Slot, NodeNumber, std::string>;
-  struct Delayed {
-    std::size_t channel;
-    wire::Sample sample;
-  };
 
   Config config_;
   Transport& transport_;
@@ -131,9 +117,7 @@ class Blackboard::Impl {
   std::optional<std::size_t> world_;
   std::uint64_t sequence_;  ///< of states, streams and world events
   Freshness freshness_;
-  std::multimap<Duration, Delayed> delayed_;       ///< by steady time of delivery
-  std::map<std::size_t, Duration> last_delivery_;  ///< by channel: nothing overtakes
-  std::map<StateKey, wire::Sample> unwritten_;
+  Delays delayed_;
   std::set<DropKey> drops_seen_;
   std::vector<Incoming> out_;
   MissionTime latest_heard_;

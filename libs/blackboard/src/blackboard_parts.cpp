@@ -4,6 +4,25 @@
 
 namespace skein::blackboard {
 
+namespace {
+
+/// What is wrong with an event that came in parts over that channel, as the channel would find.
+std::optional<wire::Violation> long_event_violation(const ChannelConfig& channel,
+                                                    const wire::Part& part,
+                                                    const wire::Sample& event) {
+  if (auto violation = wire::find_violation(event)) return violation;
+  const wire::SampleHeader& header = wire::header_of(event);
+  const bool fits = header.origin == part.header.origin &&
+                    header.destination == part.header.destination &&
+                    header.incarnation == part.header.incarnation &&
+                    header.sequence_number == part.number && header.via.empty();
+  if (!fits) return wire::Violation{"header", "is another one than its parts have"};
+  if (channel.originates(wire::slot_of(event))) return std::nullopt;
+  return wire::Violation{"header.origin", "has nothing of its own to say in this slot"};
+}
+
+}  // namespace
+
 void Blackboard::Impl::write_parts(Peer& peer, Now now) {
   const NodeNumber to = peer.channels().number;
   while (auto part = peer.take_part(now)) {
@@ -25,7 +44,8 @@ void Blackboard::Impl::admit_part(Peer& peer, const wire::Part& part, Now now) {
   auto& sample = std::get<wire::Sample>(*event);
   const wire::SampleHeader header = wire::header_of(sample);
   const wire::Slot slot = wire::slot_of(sample);
-  if (const auto violation = long_event_violation(peer, part, sample))
+  if (const auto violation =
+          long_event_violation(config_.channels[peer.channels().incoming], part, sample))
     return refuse(slot, part.header, *violation);
   if (header.expires < now.mission.count()) {
     out_.emplace_back(EventExpired{slot, NodeNumber(header.origin), NodeNumber(header.destination),
@@ -33,19 +53,6 @@ void Blackboard::Impl::admit_part(Peer& peer, const wire::Part& part, Now now) {
     return;
   }
   out_.emplace_back(Received{NodeNumber(header.origin), peer.channels().kind, std::move(sample)});
-}
-
-std::optional<wire::Violation> Blackboard::Impl::long_event_violation(
-    const Peer& peer, const wire::Part& part, const wire::Sample& event) const {
-  if (auto violation = wire::find_violation(event)) return violation;
-  const wire::SampleHeader& header = wire::header_of(event);
-  const bool fits = header.origin == part.header.origin &&
-                    header.destination == part.header.destination &&
-                    header.incarnation == part.header.incarnation &&
-                    header.sequence_number == part.number && header.via.empty();
-  if (!fits) return wire::Violation{"header", "is another one than its parts have"};
-  if (originates(peer.channels().incoming, wire::slot_of(event))) return std::nullopt;
-  return wire::Violation{"header.origin", "has nothing of its own to say in this slot"};
 }
 
 }  // namespace skein::blackboard

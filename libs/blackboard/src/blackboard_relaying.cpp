@@ -18,8 +18,8 @@ bool is_state(wire::Slot slot) { return wire::slot_class(slot) == wire::SlotClas
 Peer* Blackboard::Impl::hop_to(NodeNumber to, wire::Slot slot) {
   const auto found = peers_.find(router_ ? router_->next_hop(to) : to);
   if (found == peers_.end()) return nullptr;
-  const bool carried =
-      slot == wire::Slot::kHeartbeat || carries(found->second.channels().outgoing, slot);
+  const bool carried = slot == wire::Slot::kHeartbeat ||
+                       config_.channels[found->second.channels().outgoing].carries(slot);
   return carried ? &found->second : nullptr;
 }
 
@@ -84,14 +84,9 @@ std::optional<wire::Violation> Blackboard::Impl::path_violation(
   const auto origin = peers_.find(NodeNumber(header.origin));
   if (origin == peers_.end() || has_passed(header, origin->first))
     return wire::Violation{"header.origin", "not a node whose samples are passed on"};
-  if (!mine || originates(origin->second.channels().incoming, slot)) return std::nullopt;
+  if (!mine || config_.channels[origin->second.channels().incoming].originates(slot))
+    return std::nullopt;
   return wire::Violation{"header.origin", "has nothing to say to this node in this slot"};
-}
-
-// Reports are told once by their age; who has forgotten them gets them again, also what it passed
-// on.
-bool Blackboard::Impl::is_back(wire::Slot slot, const wire::SampleHeader& header) const {
-  return slot != wire::Slot::kNeighbours && has_passed(header, config_.self);
 }
 
 // The receiver knows what it has handled, the sender what it holds: a relay decides by what is

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which channels the transport should have connected.
+// Which channels the transport should have connected, and what it is given to write.
 #include "connections.hpp"
 
 #include <algorithm>
@@ -32,6 +32,27 @@ std::optional<Duration> Connections::next_due() const {
   const auto first = std::ranges::min_element(refused_, sooner);
   if (first == refused_.end()) return std::nullopt;
   return first->second.due;
+}
+
+void Connections::write(std::size_t channel, const wire::Sample& sample,
+                        std::vector<Incoming>& out) {
+  const wire::Slot slot = wire::slot_of(sample);
+  const bool written = transport_.write(channel, sample);
+  wrote(channel, slot, written, out);
+  if (wire::slot_class(slot) != wire::SlotClass::kState) return;
+  const wire::SampleHeader& header = wire::header_of(sample);
+  const StateKey key{channel, slot, header.origin, header.destination, header.instance};
+  if (written) {
+    unwritten_.erase(key);
+  } else {
+    unwritten_.insert_or_assign(key, sample);
+  }
+}
+
+void Connections::write_again() {
+  std::erase_if(unwritten_, [this](const auto& entry) {
+    return transport_.write(std::get<0>(entry.first), entry.second);
+  });
 }
 
 void Connections::wrote(std::size_t channel, wire::Slot slot, bool taken,

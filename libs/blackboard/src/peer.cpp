@@ -149,6 +149,30 @@ void Peer::recall_sent(wire::Sample event, std::uint64_t receipt) {
   recalled_ = true;
 }
 
+void Peer::recall_acknowledged(std::uint64_t number) {
+  if (number >= kFirstLongEvent) return parts_out_.recall_acknowledged(number);
+  outgoing_.acknowledge(number);
+}
+
+void Peer::recall_given_up(std::uint64_t number) {
+  if (number >= kFirstLongEvent) return parts_out_.give_up(number);
+  outgoing_.give_up(number);
+}
+
+bool Peer::has_room_for(const wire::Sample& event) const {
+  return is_long(event) ? !parts_out_.full() : !outgoing_.full();
+}
+
+std::uint64_t Peer::next_number(const wire::Sample& event) const {
+  return is_long(event) ? parts_out_.next_number() : outgoing_.next_sequence();
+}
+
+void Peer::hold(wire::Sample event, std::uint64_t receipt) {
+  if (wire::header_of(event).sequence_number >= kFirstLongEvent)
+    return parts_out_.hold(event, receipt);
+  outgoing_.hold(std::move(event), receipt);
+}
+
 void Peer::recall_received(const wire::SampleHeader& header) {
   incarnation_ = std::max(incarnation_, header.incarnation);
   if (header.sequence_number >= kFirstLongEvent)

@@ -50,12 +50,15 @@ class Peer {
   /// A heartbeat of an incarnation that is not the latest one: while the peer is silent otherwise
   /// it is told so, since it may be a new life that does not know.
   void on_old_heartbeat() { heard_old_ = true; }
-  OutgoingEvents& outgoing() { return outgoing_; }
   const OutgoingEvents& outgoing() const { return outgoing_; }
-  OutgoingParts& outgoing_parts() { return parts_out_; }
   const OutgoingParts& outgoing_parts() const { return parts_out_; }
   /// Whether the event goes in parts; the same in every life.
   bool is_long(const wire::Sample& event) const;
+  /// To hold the event until it is acknowledged.
+  bool has_room_for(const wire::Sample& event) const;
+  /// That the header of the event must carry when it is held next.
+  std::uint64_t next_number(const wire::Sample& event) const;
+  void hold(wire::Sample event, std::uint64_t receipt);
   const ChannelCondition& outgoing_condition() const { return out_condition_; }
   const ChannelCondition& incoming_condition() const { return in_condition_; }
 
@@ -85,6 +88,8 @@ class Peer {
 
   // Of a life before this one; see Blackboard.
   void recall_sent(wire::Sample event, std::uint64_t receipt);
+  void recall_acknowledged(std::uint64_t number);
+  void recall_given_up(std::uint64_t number);
   void recall_received(const wire::SampleHeader& header);
   void recall_reachable(bool reachable);
 
