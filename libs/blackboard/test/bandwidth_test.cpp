@@ -6,14 +6,13 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <vector>
 
 #include "channel_schedule.hpp"
 #include "limited_channel.hpp"
 #include "skein/blackboard/blackboard.hpp"
-#include "skein/blackboard/memory_transport.hpp"
+#include "testing/memory_boards.hpp"
 #include "testing/samples.hpp"
 #include "waiting_values.hpp"
 
@@ -143,36 +142,24 @@ class SlowRadio {
       config.channels = radio_link(kUav, kGround);
       config.heartbeat_period = Duration::milliseconds(1000);
       config.retransmission = Duration::milliseconds(1500);
-      auto& end = ends_[node.number];
-      end.transport = std::make_unique<MemoryTransport>(hub_);
-      end.board = std::make_unique<Blackboard>(
-          std::move(*Blackboard::open(std::move(config), *end.transport)));
-      const ChannelCondition condition{true, Duration::milliseconds(20), 0, capacity};
-      end.board->set_condition(kUav.number, kGround.number, condition, now());
-      end.board->set_condition(kGround.number, kUav.number, condition, now());
+      boards_.start(config);
     }
+    boards_.set_condition(kUav.number, kGround.number,
+                          {true, Duration::milliseconds(20), 0, capacity});
     run_until(Duration::milliseconds(3'000));
   }
 
   void send(wire::Sample sample) {
-    if (auto* event = std::get_if<wire::TaskEvent>(&sample)) sent_[event->id] = now_;
-    EXPECT_TRUE(ends_.at(kUav.number).board->send(std::move(sample), kGround.number, now()));
-    settle();
+    if (auto* event = std::get_if<wire::TaskEvent>(&sample)) sent_[event->id] = time();
+    EXPECT_TRUE(boards_[kUav.number].send(std::move(sample), kGround.number, boards_.now()));
+    boards_.settle();
   }
-  void run_until(Duration until) {
-    while (now_ < until) {
-      Duration next = until;
-      for (const auto& [number, end] : ends_)
-        if (const auto due = end.board->next_wakeup()) next = std::min(next, *due);
-      now_ = std::max(now_, next);
-      settle();
-    }
-  }
-  Duration time() const { return now_; }
-  std::uint64_t shed() { return ends_.at(kUav.number).board->shed(kGround.number); }
+  void run_until(Duration until) { boards_.run_until(until); }
+  Duration time() const { return boards_.time(); }
+  std::uint64_t shed() { return boards_[kUav.number].shed(kGround.number); }
   bool both_reach() {
-    return ends_.at(kUav.number).board->reachable(kGround.number) &&
-           ends_.at(kGround.number).board->reachable(kUav.number);
+    return boards_[kUav.number].reachable(kGround.number) &&
+           boards_[kGround.number].reachable(kUav.number);
   }
 
   std::vector<double> latencies;                         ///< of events [s]
@@ -182,29 +169,13 @@ class SlowRadio {
   bool lost_contact = false;
 
  private:
-  struct End {
-    std::unique_ptr<MemoryTransport> transport;
-    std::unique_ptr<Blackboard> board;
-  };
-  Now now() const { return {MissionTime() + now_, now_}; }
-  void settle() {
-    for (bool busy = true; busy;) {
-      busy = false;
-      for (const auto& [number, end] : ends_) {
-        for (const Incoming& incoming : end.board->step(now())) {
-          busy = true;
-          see(incoming);
-        }
-      }
-    }
-  }
   void see(const Incoming& incoming) {
     if (const auto* reach = std::get_if<Reachability>(&incoming))
       lost_contact = lost_contact || !reach->reachable;
     const auto* received = std::get_if<Received>(&incoming);
     if (received == nullptr) return;
     if (const auto* event = std::get_if<wire::TaskEvent>(&received->sample)) {
-      latencies.push_back((now_ - sent_.at(event->id)).to_seconds());
+      latencies.push_back((time() - sent_.at(event->id)).to_seconds());
       events.push_back(event->id);
     } else if (const auto* one = std::get_if<wire::Telemetry>(&received->sample)) {
       streams[one->header.instance].push_back(one->energy);
@@ -213,9 +184,7 @@ class SlowRadio {
     }
   }
 
-  MemoryHub hub_;
-  Duration now_;
-  std::map<NodeNumber, End> ends_;
+  testing::MemoryBoards boards_{[this](NodeNumber, const Incoming& incoming) { see(incoming); }};
   std::map<std::uint64_t, Duration> sent_;
 };
 

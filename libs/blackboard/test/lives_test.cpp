@@ -6,12 +6,11 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "skein/blackboard/blackboard.hpp"
-#include "skein/blackboard/memory_transport.hpp"
+#include "testing/memory_boards.hpp"
 #include "testing/samples.hpp"
 
 namespace skein::blackboard {
@@ -49,36 +48,23 @@ class Lives {
     }
     config.channels.push_back(world_channel());
     config.world_reads = {wire::Slot::kDirectoryEntry};
-    End& end = ends_[node.number];
-    end = {};
-    end.transport = std::make_unique<MemoryTransport>(hub_);
-    end.board = std::make_unique<Blackboard>(std::move(*Blackboard::open(config, *end.transport)));
+    incoming_[node.number].clear();
+    boards_.start(config);
   }
-  void kill(const Node& node) { ends_.erase(node.number); }
-  Blackboard& operator[](const Node& node) { return *ends_.at(node.number).board; }
-  Now now() const { return {MissionTime() + now_, now_}; }
-
-  void run_for(Duration time) {
-    const Duration until = now_ + time;
-    while (true) {
-      Duration next = until;
-      for (const auto& [number, end] : ends_)
-        if (const auto due = end.board->next_wakeup()) next = std::min(next, *due);
-      now_ = std::max(now_, next);
-      for (int round = 0; round < 8; ++round) settle();
-      if (now_ >= until) return;
-    }
-  }
+  void kill(const Node& node) { boards_.kill(node.number); }
+  Blackboard& operator[](const Node& node) { return boards_[node.number]; }
+  Now now() const { return boards_.now(); }
+  void run_for(Duration span) { boards_.run_until(boards_.time() + span); }
   void send(const Node& from, const Node& to, wire::Sample sample) {
     ASSERT_TRUE((*this)[from].send(std::move(sample), to.number, now()).has_value());
   }
   void inject(const std::string& partition, const wire::Sample& sample) {
-    hub_.inject(partition, sample);
+    boards_.hub().inject(partition, sample);
   }
   template <class T>
   std::vector<T> all(const Node& node) const {
     std::vector<T> found;
-    for (const Incoming& one : ends_.at(node.number).incoming)
+    for (const Incoming& one : incoming_.at(node.number))
       if (const auto* it = std::get_if<T>(&one)) found.push_back(*it);
     return found;
   }
@@ -90,19 +76,10 @@ class Lives {
   }
 
  private:
-  struct End {
-    std::unique_ptr<MemoryTransport> transport;
-    std::unique_ptr<Blackboard> board;
-    std::vector<Incoming> incoming;
-  };
-  void settle() {
-    for (auto& [number, end] : ends_)
-      for (Incoming& one : end.board->step(now())) end.incoming.push_back(std::move(one));
-  }
-
-  MemoryHub hub_;
-  Duration now_;
-  std::map<NodeNumber, End> ends_;
+  std::map<NodeNumber, std::vector<Incoming>> incoming_;  ///< of its present life
+  testing::MemoryBoards boards_{[this](NodeNumber node, Incoming&& incoming) {
+    incoming_[node].push_back(std::move(incoming));
+  }};
 };
 
 constexpr Duration kLong = Duration::milliseconds(2'000);

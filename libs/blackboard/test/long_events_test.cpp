@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -15,7 +14,7 @@
 #include "outgoing_parts.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/blackboard/cdr.hpp"
-#include "skein/blackboard/memory_transport.hpp"
+#include "testing/memory_boards.hpp"
 #include "testing/samples.hpp"
 
 namespace skein::blackboard {
@@ -212,38 +211,23 @@ class Pair {
     config.heartbeat_period = Duration::milliseconds(1'000);
     config.retransmission = Duration::milliseconds(1'500);
     config.seed = incarnations_[node.number];
-    End& end = ends_[node.number];
-    end.board.reset();
-    end.transport = std::make_unique<MemoryTransport>(hub_);
-    end.board = std::make_unique<Blackboard>(std::move(*Blackboard::open(config, *end.transport)));
+    boards_.start(config);
     set_up(true);
   }
   void set_up(bool up) {
-    const ChannelCondition condition{up, Duration::milliseconds(20), loss_, capacity_};
-    for (auto& [number, end] : ends_) {
-      if (!end.board) continue;
-      end.board->set_condition(kUav.number, kGround.number, condition, now());
-      end.board->set_condition(kGround.number, kUav.number, condition, now());
-    }
+    boards_.set_condition(kUav.number, kGround.number,
+                          {up, Duration::milliseconds(20), loss_, capacity_});
   }
   void send(const Node& from, const Node& to, wire::Sample sample, SendOptions options = {}) {
-    if (auto* event = std::get_if<wire::TaskEvent>(&sample)) sent_[event->id] = now_;
-    ASSERT_TRUE(ends_.at(from.number).board->send(std::move(sample), to.number, now(), options));
-    settle();
+    if (auto* event = std::get_if<wire::TaskEvent>(&sample)) sent_[event->id] = time();
+    ASSERT_TRUE(boards_[from.number].send(std::move(sample), to.number, now(), options));
+    boards_.settle();
   }
-  void run_for(Duration time) { run_until(now_ + time); }
-  void run_until(Duration until) {
-    while (now_ < until) {
-      Duration next = until;
-      for (const auto& [number, end] : ends_)
-        if (const auto due = end.board->next_wakeup()) next = std::min(next, *due);
-      now_ = std::max(now_, next);
-      settle();
-    }
-  }
-  Duration time() const { return now_; }
-  Now now() const { return {MissionTime() + now_, now_}; }
-  std::size_t waiting() { return ends_.at(kUav.number).board->unacknowledged(kGround.number); }
+  void run_for(Duration span) { run_until(time() + span); }
+  void run_until(Duration until) { boards_.run_until(until); }
+  Duration time() const { return boards_.time(); }
+  Now now() const { return boards_.now(); }
+  std::size_t waiting() { return boards_[kUav.number].unacknowledged(kGround.number); }
 
   std::vector<std::uint64_t> whole;  ///< degrees of what was handed over, as they came
   std::vector<double> latencies;     ///< of the other events [s]
@@ -255,21 +239,6 @@ class Pair {
   Duration last_whole;
 
  private:
-  struct End {
-    std::unique_ptr<MemoryTransport> transport;
-    std::unique_ptr<Blackboard> board;
-  };
-  void settle() {
-    for (bool busy = true; busy;) {
-      busy = false;
-      for (const auto& [number, end] : ends_) {
-        for (const Incoming& incoming : end.board->step(now())) {
-          busy = true;
-          see(incoming);
-        }
-      }
-    }
-  }
   void see(const Incoming& incoming) {
     if (const auto* reach = std::get_if<Reachability>(&incoming))
       lost_contacts += reach->reachable ? 0 : 1;
@@ -278,7 +247,7 @@ class Pair {
     const auto* received = std::get_if<Received>(&incoming);
     if (received == nullptr) return;
     if (const auto* event = std::get_if<wire::TaskEvent>(&received->sample)) {
-      latencies.push_back((now_ - sent_.at(event->id)).to_seconds());
+      latencies.push_back((time() - sent_.at(event->id)).to_seconds());
       events.push_back(event->id);
     } else if (std::holds_alternative<wire::Telemetry>(received->sample)) {
       ++streams;
@@ -287,7 +256,7 @@ class Pair {
       for (const wire::GoalEntry& goal : one->goals) bytes += goal.statement.size();
       EXPECT_EQ(one->goals, hand_over(one->goals.front().id, bytes).goals);
       whole.push_back(one->goals.front().id);
-      last_whole = now_;
+      last_whole = time();
     }
   }
 
@@ -296,9 +265,7 @@ class Pair {
 
  private:
   double capacity_, loss_;
-  MemoryHub hub_;
-  Duration now_;
-  std::map<NodeNumber, End> ends_;
+  testing::MemoryBoards boards_{[this](NodeNumber, const Incoming& incoming) { see(incoming); }};
   std::map<NodeNumber, std::uint64_t> incarnations_;
   std::map<std::uint64_t, Duration> sent_;
 };
