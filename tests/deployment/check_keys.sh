@@ -87,7 +87,6 @@ case $case in
     kill -CONT "$last"
     timeout 40 grep -q "mission started" <(tail -f "$work/sim.log") || fail "they did not meet" ;;
   unmet)
-    : >"$work/sim.log"
     start sim skein-sim --security "$work/keys/sim"
     start ground skein-ground --security "$work/keys/ground"
     anew="the handshake with karma does not end: it takes part anew"
