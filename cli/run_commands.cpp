@@ -45,6 +45,11 @@ void add_run(CLI::App& app, Action& action, const Actions& actions) {
       ->allow_extra_args(false);
   run->add_flag("--json", options->json, "The result as JSON on standard output, no progress");
   run->add_flag("--quiet", options->quiet, "No progress");
+  run->add_option("--allow-late", options->allow_late,
+                  "Over DDS: seconds of the clock on the wall by which this machine may be late: "
+                  "the windows of what is expected end so much later, times the rate")
+      ->check(CLI::Range(0.0, 60.0))
+      ->excludes(in_virtual_time);
   run->add_flag("--check", options->check_only, "Only read and check the scenario");
   run->add_option("--domain", options->domain, "DDS domain id (default: a free one)")
       ->check(CLI::Range(0, 100));

@@ -42,4 +42,30 @@ grep -qx 'build/bin/skein run scenarios/comets/infirmed.yaml --out out/comets-in
 try check --unheard-of
 [ "$code" = 2 ] || fail "check --unheard-of: exit code $code"
 [ -z "$called" ] || fail "check --unheard-of called $called"
+# Tests in real time (label dds; here `late` and `radio`) are tried once more, other tests never.
+cat >"$room/ctest" <<'END'
+#!/bin/sh
+echo ctest "$@" >>called
+case "$*" in
+  *' -N '*) echo '  Test  #7: late'; echo '  Test #12: radio'; exit 0 ;;
+  *' -R '*) exit "$again" ;;
+esac
+mkdir -p build/Testing/Temporary
+for name in $failing; do echo "7:$name"; done >build/Testing/Temporary/LastTestsFailed.log
+[ -z "$failing" ]
+END
+chmod +x "$room/ctest"
+attempt() { # FAILING CODE-OF-THE-SECOND EXPECTED-CODE
+  export failing=$1 again=$2
+  PATH=$room:$PATH try check
+  [ "$code" = "$3" ] || fail "check with '$1' failing, then $2: exit code $code: $said"
+}
+attempt '' 1 0
+grep -q -- ' -R ' <<<"$called" && fail "check: a second attempt of nothing"
+attempt 'late radio' 0 0
+grep -qF -- '-R ^(late|radio)$' <<<"$called" || fail "check: the second attempt: $called"
+grep -qx 'skein: passed at the second attempt only: late radio' <<<"$said" || fail "check: not said: $said"
+attempt 'late' 1 1
+attempt 'late planner' 0 1
+attempt 'late radio late radio' 0 1
 echo "the entries say and do what they should"

@@ -27,8 +27,8 @@ void append_verdicts(const std::vector<scenario::Verdict>& verdicts,
 
 }  // namespace
 
-WholeRun judged(const scenario::Scenario& scenario, Played played) {
-  auto verdicts = scenario::check(scenario.expectations, played.records);
+WholeRun judged(const scenario::Scenario& scenario, Played played, Duration allowed_late) {
+  auto verdicts = scenario::check(scenario.expectations, played.records, allowed_late);
   append_verdicts(verdicts, played.records);
   return {std::move(played), std::move(verdicts)};
 }

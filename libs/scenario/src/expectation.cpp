@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "skein/foundation/rounded_seconds.hpp"
 #include "skein/scenario/measures.hpp"
@@ -55,14 +56,13 @@ std::string bounds_text(const ExpectEvent& expected) {
   return std::to_string(expected.at_least) + " to " + std::to_string(*expected.at_most);
 }
 
-Verdict check_event(const ExpectEvent& expected, const Records& records) {
-  const auto interval = interval_of(expected.window, records);
-  if (!interval) return {"", expected.at_least == 0, interval.error()};
+Verdict check_inside(const ExpectEvent& expected, const Interval& interval,
+                     const Records& records) {
   std::size_t inside = 0;
   std::string first_inside, first_outside;
   for (const auto& record : records) {
     if (!expected.event.matches(record)) continue;
-    const bool counts = interval->contains(record.at());
+    const bool counts = interval.contains(record.at());
     if (counts && ++inside == 1) first_inside = in_seconds(record.at());
     if (!counts && first_outside.empty()) first_outside = in_seconds(record.at());
   }
@@ -73,9 +73,22 @@ Verdict check_event(const ExpectEvent& expected, const Records& records) {
   if (inside > 0) seen += std::string(inside > 1 ? ", first" : "") + " at " + first_inside;
   if (!passed)
     seen += "; expected " + bounds_text(expected) + " of " + to_text(expected.event) + " " +
-            interval_text(*interval);
+            interval_text(interval);
   if (!passed && !first_outside.empty()) seen += "; outside of that at " + first_outside;
   return {"", passed, seen};
+}
+
+Verdict check_event(const ExpectEvent& expected, const Records& records, Duration allowed_late) {
+  auto interval = interval_of(expected.window, records);
+  if (!interval) return {"", expected.at_least == 0, interval.error()};
+  Verdict in_time = check_inside(expected, *interval, records);
+  const bool ends = interval->until != MissionTime::max();
+  if (in_time.passed || expected.at_least == 0 || !ends || allowed_late <= Duration())
+    return in_time;
+  const MissionTime asked = std::exchange(interval->until, interval->until + allowed_late);
+  Verdict late = check_inside(expected, *interval, records);
+  if (late.passed) late.seen += ", later than asked: by " + in_seconds(asked);
+  return late;
 }
 
 Verdict check_finally(const ExpectFinally& expected, const Records& records) {
@@ -99,7 +112,8 @@ Verdict check_measure(const ExpectMeasure& expected, const Records& records) {
 
 struct Checker {
   const Records& records;
-  Verdict operator()(const ExpectEvent& e) const { return check_event(e, records); }
+  Duration allowed_late;
+  Verdict operator()(const ExpectEvent& e) const { return check_event(e, records, allowed_late); }
   Verdict operator()(const ExpectFinally& e) const { return check_finally(e, records); }
   Verdict operator()(const ExpectMeasure& e) const { return check_measure(e, records); }
 };
@@ -107,10 +121,10 @@ struct Checker {
 }  // namespace
 
 std::vector<Verdict> check(const std::vector<Expectation>& expectations,
-                           const std::vector<journal::Record>& records) {
+                           const std::vector<journal::Record>& records, Duration allowed_late) {
   std::vector<Verdict> verdicts;
   for (const Expectation& expectation : expectations) {
-    Verdict verdict = std::visit(Checker{records}, expectation.what);
+    Verdict verdict = std::visit(Checker{records, allowed_late}, expectation.what);
     verdict.name = expectation.name;
     verdicts.push_back(std::move(verdict));
   }

@@ -18,6 +18,8 @@ struct RunOptions {
   bool json = false;  ///< one JSON document on standard output instead of text; no progress
   bool quiet = false;
   std::vector<std::string> explain;     ///< "karma", "karma:104": said after the run
+  /// Over DDS: [s] of the clock on the wall by which what is expected may be late.
+  double allow_late = 0;
   bool check_only = false;              ///< read and check the scenario, start nothing
   std::string daemons;                  ///< folder of skein-ground, …; empty: beside this program
   std::optional<std::uint32_t> domain;  ///< DDS domain; absent: a free one

@@ -17,8 +17,9 @@ struct WholeRun {
   std::vector<scenario::Verdict> verdicts;
 };
 
-/// Adds the verdicts to what was played.
-WholeRun judged(const scenario::Scenario& scenario, Played played);
+/// Adds the verdicts to what was played; `allowed_late` is that of scenario::check.
+WholeRun judged(const scenario::Scenario& scenario, Played played,
+                Duration allowed_late = Duration());
 
 /// Of a scenario whose overrides are applied. Ctrl-C ends it early.
 WholeRun play_whole(const scenario::Scenario& scenario);

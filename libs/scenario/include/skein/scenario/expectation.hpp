@@ -89,8 +89,11 @@ struct Verdict {
 };
 
 /// One verdict per expectation, in order. `records` are in the order of the log, times never
-/// decreasing. Cost: O(expectations × records).
+/// decreasing. What is to come in its window may come by `allowed_late` [>= 0] after its end, which
+/// the verdict then says; what must not come, and the window's begin, are as they are.
+/// Cost: O(expectations × records).
 std::vector<Verdict> check(const std::vector<Expectation>& expectations,
-                           const std::vector<journal::Record>& records);
+                           const std::vector<journal::Record>& records,
+                           Duration allowed_late = Duration());
 
 }  // namespace skein::scenario
