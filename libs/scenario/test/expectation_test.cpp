@@ -166,8 +166,8 @@ TEST(ExpectedEvent, MayBeLateByWhatIsAllowedAndThatIsTold) {
         .at(0);
   };
 
-  EXPECT_EQ(with(15).seen, "once, at 15 s");
-  EXPECT_EQ(with(19).seen, "once, at 19 s, later than asked: by 15 s");
+  EXPECT_EQ(with(15).seen, "once at 15 s");
+  EXPECT_EQ(with(19).seen, "once at 19 s, later than asked: by 15 s");
   EXPECT_TRUE(with(19).passed);
   EXPECT_FALSE(with(19.001).passed);
   EXPECT_FALSE(with(4).passed) << "not early";
