@@ -20,7 +20,7 @@ constexpr double kApart = 100;      ///< [m] partners may be as far from their p
 constexpr double kMoment = 3;       ///< [s] between what is done and its report
 
 /// What a perception was to look at, for how long.
-struct Look {
+struct WantedLook {
   std::optional<world::Vector3> place;  ///< none: whatever is there
   double seconds = 0;
   double apart = 0;  ///< [m] beside a place in the air, so that partners do not meet there
@@ -78,7 +78,7 @@ bool moves_at(const Uav& uav, double at) {
 }
 
 double seconds_looked(const History& history, const Uav& uav, const Goal& goal,
-                      const Look& wanted) {
+                      const WantedLook& wanted) {
   double seconds = 0;
   for (const Activity* look : uav.activities_of(goal.id)) {
     if (!look->looks()) continue;
@@ -102,16 +102,17 @@ double seconds_looked(const History& history, const Uav& uav, const Goal& goal,
 }
 
 // The look that a perception of this name comes down to; nothing for other tasks.
-std::optional<Look> look_of(const History& history, const mission::HighLevelTask& task, double at) {
-  const auto look = [&](std::size_t place, std::size_t seconds) -> std::optional<Look> {
+std::optional<WantedLook> look_of(const History& history, const mission::HighLevelTask& task,
+                                  double at) {
+  const auto look = [&](std::size_t place, std::size_t seconds) -> std::optional<WantedLook> {
     if (task.arguments.size() <= std::max(place, seconds)) return std::nullopt;
     const auto where = history.place(task.arguments[place], at);
     const auto long_for = number_of(task.arguments[seconds]);
     if (!where || !long_for) return std::nullopt;
     const bool followed = history.is_followed(task.arguments[place]);
     const bool moves = followed || history.is_alarm(task.arguments[place]);
-    return Look{*where, *long_for, 0, moves ? kAlarmMoves : 0,
-                followed ? &task.arguments[place] : nullptr};
+    return WantedLook{*where, *long_for, 0, moves ? kAlarmMoves : 0,
+                      followed ? &task.arguments[place] : nullptr};
   };
   if (task.name == "perceive" || task.name == "general-combined-goto-and-takeshot" ||
       task.name == "perform-monitoring") {
@@ -123,7 +124,7 @@ std::optional<Look> look_of(const History& history, const mission::HighLevelTask
     return together;
   }
   if (task.name == "takeshot-while-waiting" && !task.arguments.empty()) {
-    return Look{std::nullopt, number_of(task.arguments[0]).value_or(0), 0, 0, nullptr};
+    return WantedLook{std::nullopt, number_of(task.arguments[0]).value_or(0), 0, 0, nullptr};
   }
   return std::nullopt;
 }

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "checks.hpp"
+#include "skein/journal/hand_on.hpp"
+#include "skein/journal/lines/deliberation.hpp"
 #include "skein/laws/air_history.hpp"
 
 namespace skein::laws {
@@ -59,10 +61,13 @@ bool all_are_heard(const History& history, double since, double until) {
 
 }  // namespace
 
-void AirHistory::see(const journal::Record& record) {
-  if (record.kind() != "air") return;
-  AirWait wait{record.at().to_seconds(), std::string(record.text("uav")), {}};
-  std::string_view rest = record.text("state") == "waits" ? record.text("for") : "";
+bool AirHistory::see(const journal::Record& record) {
+  return journal::hand_on<journal::lines::Air>(record, *this);
+}
+
+void AirHistory::hear(const journal::lines::Air& line, const journal::Written& when) {
+  AirWait wait{when.at.to_seconds(), line.uav, {}};
+  std::string_view rest = line.state == "waits" ? std::string_view(line.for_) : "";
   while (!rest.empty()) {
     const std::string one(rest.substr(0, rest.find(';')));
     rest.remove_prefix(std::min(rest.size(), one.size() + 2));

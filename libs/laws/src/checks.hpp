@@ -10,6 +10,8 @@
 
 namespace skein::laws {
 
+// laws.cpp
+std::vector<Violation> lines_unread(const History& history);
 // achieved.cpp
 std::vector<Violation> perceptions_not_done(const History& history);
 std::vector<Violation> places_not_reached(const History& history);

@@ -11,7 +11,7 @@ namespace skein::laws {
 
 namespace {
 
-constexpr double kStep = 0.5;         ///< [s]
+constexpr double kConeStep = 0.5;     ///< [s]
 constexpr double kDetectPart = 0.85;  ///< of the time asked: turns beyond the zone's edge count not
 
 /// The middle points of square cells over a zone, on the ground.
@@ -66,7 +66,7 @@ std::vector<Look> looks_of(const Uav& uav, const Goal& goal) {
 template <class See>
 void along(const History& history, const std::vector<Look>& looks, const See& see) {
   for (const auto& [uav, look] : looks) {
-    for (double t = look->from; t < std::min(look->until, history.end); t += kStep) {
+    for (double t = look->from; t < std::min(look->until, history.end); t += kConeStep) {
       if (const auto view = view_at(*uav, *look, t)) see(*view);
     }
   }
@@ -79,7 +79,7 @@ double seconds_over(const History& history, const Uav& uav, const Goal& goal,
     const bool sees = std::any_of(cells.begin(), cells.end(), [&](const world::Vector3& cell) {
       return world::in_view(view, cell);
     });
-    if (sees) seconds += kStep;
+    if (sees) seconds += kConeStep;
   });
   return seconds;
 }

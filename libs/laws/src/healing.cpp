@@ -8,23 +8,24 @@
 #include <set>
 #include <utility>
 
+#include "skein/journal/hand_on.hpp"
+#include "skein/journal/lines/radio.hpp"
+#include "skein/journal/lines/truth.hpp"
 #include "ways.hpp"
 
 namespace skein::laws {
 
 namespace {
 
+namespace lines = journal::lines;
+
 using journal::Record;
+using journal::Written;
 
 /// So often may a healthy radio break a law.
 constexpr double kHardlyEver = 1e-6;
 
 using Channel = std::pair<std::string, std::string>;  ///< from, to
-
-std::string text(const Record& record, const char* key) { return std::string(record.text(key)); }
-std::int64_t whole(const Record& record, const char* key) {
-  return static_cast<std::int64_t>(record.number(key));
-}
 
 Channel reversed(const Channel& channel) { return {channel.second, channel.first}; }
 std::string to_text(const Channel& channel) { return channel.first + " > " + channel.second; }
@@ -46,7 +47,11 @@ class Judge {
   explicit Judge(const HealingLimits& limits) : limits_(limits) {}
 
   std::vector<std::string> judge(const std::vector<Record>& records) {
-    for (const Record& record : records) see(record);
+    for (const Record& record : records) {
+      const bool read = journal::hand_on<lines::Link, lines::Reach, lines::Message, lines::Route,
+                                         lines::Expired, lines::Lost, lines::Fault>(record, *this);
+      if (!read) breach(record.at(), "a line lacks something: " + to_json(record));
+    }
     if (!records.empty()) end_ = records.back().at();
     if (mortal_.contains("sim")) return {};
     for (const std::string& dead : mortal_) relays_.erase(dead);
@@ -56,36 +61,36 @@ class Judge {
     return std::move(breaches_);
   }
 
+  void hear(const lines::Link& line, const Written& when) {
+    links_[{line.from, line.to}].push_back({when.at, line.up});
+  }
+  void hear(const lines::Reach& line, const Written& when) {
+    reach_[{line.peer, when.node}].push_back({when.at, line.reachable});
+  }
+  void hear(const lines::Message& line, const Written& when) {
+    const Channel channel{line.from, line.to};
+    if (line.direction == "received") return settle(channel, line.sequence, when.at);
+    Message& message = messages_[channel][line.sequence];
+    message.sent = when.at;
+    message.slot = line.slot;
+  }
+  void hear(const lines::Route& line, const Written&) {
+    if (!line.via.empty()) relays_.insert(line.via);
+  }
+  void hear(const lines::Expired& line, const Written& when) {
+    settle({line.from, line.to}, line.sequence, when.at);
+  }
+  void hear(const lines::Lost& line, const Written& when) {
+    for (std::uint64_t one = line.sequence; one <= line.last; ++one)
+      settle({line.from, when.node}, one, when.at);
+  }
+  void hear(const lines::Fault& line, const Written&) {
+    if (line.what == "kill") mortal_.insert(line.target);
+  }
+
  private:
-  void see(const Record& record) {
-    const std::string& kind = record.kind();
-    if (kind == "link")
-      links_[{text(record, "from"), text(record, "to")}].push_back(
-          {record.at(), record.truth("up")});
-    if (kind == "reach")
-      reach_[{text(record, "peer"), record.node()}].push_back(
-          {record.at(), record.truth("reachable")});
-    if (kind == "message") see_message(record);
-    if (kind == "route" && record.find("via") != nullptr) relays_.insert(text(record, "via"));
-    if (kind == "expired")
-      settle({text(record, "from"), text(record, "to")}, whole(record, "sequence"), record.at());
-    if (kind == "lost")
-      for (std::int64_t one = whole(record, "sequence"); one <= whole(record, "last"); ++one)
-        settle({text(record, "from"), record.node()}, one, record.at());
-    if (kind == "fault" && record.text("what") == "kill") mortal_.insert(text(record, "target"));
-  }
-
-  void see_message(const Record& record) {
-    const Channel channel{text(record, "from"), text(record, "to")};
-    const std::int64_t sequence = whole(record, "sequence");
-    if (record.text("direction") == "received") return settle(channel, sequence, record.at());
-    Message& message = messages_[channel][sequence];
-    message.sent = record.at();
-    message.slot = text(record, "slot");
-  }
-
   // Over DDS what was received may be told before what was sent, by a moment.
-  void settle(const Channel& channel, std::int64_t sequence, MissionTime at) {
+  void settle(const Channel& channel, std::uint64_t sequence, MissionTime at) {
     std::optional<MissionTime>& settled = messages_[channel][sequence].settled;
     if (!settled) settled = at;
   }
@@ -145,7 +150,7 @@ class Judge {
     }
   }
 
-  void judge_end(const Channel& channel, const std::map<std::int64_t, Message>& messages) {
+  void judge_end(const Channel& channel, const std::map<std::uint64_t, Message>& messages) {
     if (mortal_.contains(channel.first) || mortal_.contains(channel.second)) return;
     MissionTime last = end_ - limits_.healing;
     if (!stays_up(channel, last)) {
@@ -185,7 +190,7 @@ class Judge {
   MissionTime end_;
   std::map<Channel, std::vector<Change>> links_;
   std::map<Channel, std::vector<Change>> reach_;  ///< from: who is reached; to: who says so
-  std::map<Channel, std::map<std::int64_t, Message>> messages_;
+  std::map<Channel, std::map<std::uint64_t, Message>> messages_;
   std::set<std::string> mortal_;  ///< who was killed
   std::set<std::string> relays_;  ///< past whom somebody has told that its samples go
   std::vector<std::string> breaches_;

@@ -13,7 +13,7 @@ namespace skein::laws {
 
 namespace {
 
-constexpr double kStep = 1;  // [s] how finely truth is looked at
+constexpr double kTruthStep = 1;  // [s] how finely truth is looked at
 
 const interaction::Variant* variant_of(const History& history, const JointTold& told) {
   const interaction::Model* model = model_of(history, told.joint);
@@ -151,11 +151,11 @@ double seconds_watched(const History& history, const std::string& joint, const W
     for (const Activity& look : uav.activities) {
       if (look.task != task.task || !look.looks()) continue;
       const double until = std::min(look.until, history.end);
-      for (double t = look.from; t < until; t += kStep) {
+      for (double t = look.from; t < until; t += kTruthStep) {
         const auto sample = uav.at(t);
         if (!sample) continue;
         const PlaceTold there{t, task.uav, joint, watch.role, watch.scms, sample->position};
-        if (allowed(history, there, variant)) seconds += std::min(kStep, until - t);
+        if (allowed(history, there, variant)) seconds += std::min(kTruthStep, until - t);
       }
     }
   }

@@ -7,8 +7,16 @@
 
 namespace skein::laws {
 
+std::vector<Violation> lines_unread(const History& history) {
+  std::vector<Violation> result;
+  for (const Word& line : history.unread)
+    result.push_back({"", line.at, "", 0, "this line lacks something: " + line.text});
+  return result;
+}
+
 const std::vector<Law>& all_laws() {
   static const std::vector<Law> kLaws{
+      {"lines", "every line that these laws read has what one of its kind must have", lines_unread},
       {"perceived", "a perception achieved looked from its place, for its time",
        perceptions_not_done},
       {"reached", "places, takeoffs and landings achieved came true then", places_not_reached},

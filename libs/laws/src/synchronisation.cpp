@@ -115,8 +115,8 @@ namespace {
 // Of a link that is up again the simulator tells them, unless it is dead.
 std::optional<double> reached(const History& history, const std::string& one,
                               const std::string& other, double from, double until, double so_long) {
-  constexpr double kStep = 0.1;  // [s]
-  for (double at = from; at + so_long < until; at += kStep) {
+  constexpr double kApproachStep = 0.1;  // [s]
+  for (double at = from; at + so_long < until; at += kApproachStep) {
     const auto up = [&](const auto& a, const auto& b) {
       return history.joint.up(a, b, at, at + so_long);
     };

@@ -4,8 +4,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/journal/lines/mission.hpp"
+#include "skein/journal/lines/radio.hpp"
+#include "skein/journal/lines/truth.hpp"
+
 namespace skein::laws {
 namespace {
+
+namespace lines = journal::lines;
 
 using journal::Record;
 using ::testing::ElementsAre;
@@ -16,52 +22,43 @@ using ::testing::IsEmpty;
 class Log {
  public:
   Log& link(double at, const std::string& from, const std::string& to, bool up) {
-    return add(record(at, "sim", "link").with("from", from).with("to", to).with("up", up));
+    return add(at, "sim", lines::Link{.from = from, .to = to, .up = up});
   }
   Log& cut(double at, bool up = false) { return link(at, "a", "b", up).link(at, "b", "a", up); }
   Log& reach(double at, const std::string& node, const std::string& peer, bool reachable) {
-    return add(record(at, node, "reach").with("peer", peer).with("reachable", reachable));
+    return add(at, node, lines::Reach{.peer = peer, .reachable = reachable});
   }
-  Log& message(double at, const std::string& direction, std::int64_t sequence) {
-    return add(record(at, direction == "sent" ? "a" : "b", "message")
-                   .with("slot", "TaskEvent")
-                   .with("from", "a")
-                   .with("to", "b")
-                   .with("sequence", sequence)
-                   .with("direction", direction));
+  Log& message(double at, const std::string& direction, std::uint64_t sequence) {
+    return add(at, direction == "sent" ? "a" : "b",
+               lines::Message{.slot = "TaskEvent",
+                              .from = "a",
+                              .to = "b",
+                              .sequence = sequence,
+                              .direction = direction});
   }
-  Log& expired(double at, std::int64_t sequence) {
-    return add(record(at, "a", "expired")
-                   .with("slot", "TaskEvent")
-                   .with("to", "b")
-                   .with("sequence", sequence)
-                   .with("from", "a"));
+  Log& expired(double at, std::uint64_t sequence) {
+    return add(at, "a",
+               lines::Expired{.slot = "TaskEvent", .to = "b", .sequence = sequence, .from = "a"});
   }
-  Log& lost(double at, std::int64_t first, std::int64_t last) {
-    return add(record(at, "b", "lost")
-                   .with("slot", "*")
-                   .with("to", "b")
-                   .with("sequence", first)
-                   .with("last", last)
-                   .with("from", "a"));
+  Log& lost(double at, std::uint64_t first, std::uint64_t last) {
+    return add(at, "b",
+               lines::Lost{.slot = "*", .to = "b", .sequence = first, .last = last, .from = "a"});
   }
   Log& route(double at, const std::string& node, const std::string& peer, const std::string& via) {
-    return add(record(at, node, "route").with("peer", peer).with("via", via).with("relays", 1));
+    return add(at, node, lines::Route{.peer = peer, .via = via, .relays = 1});
   }
   Log& fault(double at, const std::string& target) {
-    return add(record(at, "runner", "fault").with("what", "kill").with("target", target));
+    return add(at, "runner", lines::Fault{.what = "kill", .target = target});
   }
   std::vector<std::string> breaches(double end = 100) {
-    add(record(end, "sim", "telemetry"));
+    add(end, "ground", lines::Phase{.name = "end"});
     return broken_healing(records_);
   }
 
  private:
-  static Record record(double at, const std::string& node, const char* kind) {
-    return {MissionTime::seconds(at), node, kind};
-  }
-  Log& add(Record record) {
-    records_.push_back(std::move(record));
+  template <class Line>
+  Log& add(double at, const std::string& node, Line line) {
+    records_.push_back(journal::record_of(MissionTime::seconds(at), node, std::move(line)));
     return *this;
   }
   std::vector<Record> records_;

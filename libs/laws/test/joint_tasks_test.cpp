@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "checks.hpp"
+#include "skein/journal/hand_on.hpp"
+#include "skein/journal/lines/joint.hpp"
+#include "skein/journal/lines/radio.hpp"
 
 namespace skein::laws {
 namespace {
+
+namespace lines = journal::lines;
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -47,40 +52,41 @@ class Told {
   }
 
   Told& phase(double at, const std::string& uav, const std::string& phase, const std::string& role,
-              const std::string& why = "", std::int64_t task = 7) {
-    return see(line(at, uav, "joint")
-                   .with("task", task)
-                   .with("variant", std::string("pair"))
-                   .with("phase", phase)
-                   .with("role", role)
-                   .with("why", why));
+              const std::string& why = "", std::uint64_t task = 7) {
+    return see(at, uav,
+               lines::Joint{.uav = uav,
+                            .joint = kJoint,
+                            .task = task,
+                            .variant = "pair",
+                            .phase = phase,
+                            .role = role,
+                            .why = why});
   }
   Told& link(double at, bool up) {
-    journal::Record record(MissionTime::seconds(at), "sim", "link");
-    return see(
-        record.with("from", std::string("heliv")).with("to", std::string("marvin")).with("up", up));
+    return see(at, "sim", lines::Link{.from = "heliv", .to = "marvin", .up = up});
   }
   Told& componel(double at, const std::string& uav, const std::string& name,
                  const std::string& state) {
-    return see(line(at, uav, "role")
-                   .with("role", std::string("watch"))
-                   .with("componel", name)
-                   .with("state", state));
+    return see(at, uav,
+               lines::Role{
+                   .uav = uav, .joint = kJoint, .role = "watch", .componel = name, .state = state});
   }
   Told& session(double at, const std::string& uav, const std::string& state,
                 const std::string& rows = "") {
-    return see(line(at, uav, "negotiation")
-                   .with("opener", std::string("heliv"))
-                   .with("opened", 3.0)
-                   .with("state", state)
-                   .with("rows", rows));
+    return see(at, uav,
+               lines::Negotiation{.uav = uav,
+                                  .joint = kJoint,
+                                  .opener = "heliv",
+                                  .opened = 3,
+                                  .state = state,
+                                  .rows = rows});
   }
   Told& place(double at, const std::string& uav, const std::string& scm,
               const std::vector<double>& position) {
-    return see(line(at, uav, "place")
-                   .with("role", std::string("watch"))
-                   .with("position", position)
-                   .with("scms", scm));
+    return see(
+        at, uav,
+        lines::Place{
+            .uav = uav, .joint = kJoint, .role = "watch", .position = position, .scms = scm});
   }
   Told& is_at(const std::string& uav, const world::Vector3& position) {
     at_[uav] = position;
@@ -100,10 +106,12 @@ class Told {
   Told& perceives(const std::string& uav, std::int64_t task, double from, double until) {
     activities_[uav].push_back(
         {task, "perceive", "visible", std::nullopt, from, until, "ended", ""});
-    return see(line(from, uav, "role-task")
-                   .with("role", std::string("watch"))
-                   .with("componel", std::string("w1"))
-                   .with("task", task));
+    return see(from, uav,
+               lines::RoleTask{.uav = uav,
+                               .joint = kJoint,
+                               .role = "watch",
+                               .componel = "w1",
+                               .task = static_cast<std::uint64_t>(task)});
   }
   /// Who watches shares P1, an area, with the others; all look down.
   Told& shares(const world::Polygon& field) {
@@ -164,12 +172,9 @@ class Told {
   }
 
  private:
-  static journal::Record line(double at, const std::string& uav, const char* kind) {
-    journal::Record record(MissionTime::seconds(at), uav, kind);
-    return record.with("uav", uav).with("joint", std::string(kJoint));
-  }
-  Told& see(const journal::Record& record) {
-    joint_.see(record);
+  template <class Line>
+  Told& see(double at, const std::string& node, Line line) {
+    EXPECT_TRUE(joint_.see(journal::record_of(MissionTime::seconds(at), node, std::move(line))));
     return *this;
   }
 

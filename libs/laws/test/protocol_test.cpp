@@ -5,10 +5,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "skein/journal/lines/execution.hpp"
+#include "skein/journal/lines/mission.hpp"
+#include "skein/journal/lines/radio.hpp"
+#include "skein/journal/lines/truth.hpp"
+
 namespace skein::laws {
 namespace {
 
+namespace lines = journal::lines;
+
 using journal::Record;
+using journal::record_of;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -17,40 +25,34 @@ using Log = std::vector<Record>;
 MissionTime at(double seconds) { return MissionTime::seconds(seconds); }
 
 Record task(double seconds, const char* state, const char* node = "marvin") {
-  return Record(at(seconds), node, "task")
-      .with("uav", "marvin")
-      .with("task", 1)
-      .with("state", state);
+  return record_of(at(seconds), node, lines::Task{.uav = "marvin", .task = 1, .state = state});
 }
 Record command(double seconds, const char* state) {
-  return Record(at(seconds), "ground", "command").with("command", 1).with("state", state);
+  return record_of(at(seconds), "ground",
+                   lines::Command{.uav = "marvin", .command = 1, .state = state});
 }
 Record sync(double seconds, const char* direction) {
-  return Record(at(seconds), "marvin", "sync")
-      .with("id", 551)
-      .with("from", "heliv")
-      .with("to", "marvin")
-      .with("direction", direction);
+  return record_of(at(seconds), "marvin",
+                   lines::Sync{.id = 551, .from = "heliv", .to = "marvin", .direction = direction});
 }
-Record message(double seconds, int sequence, const char* direction) {
-  return Record(at(seconds), "marvin", "message")
-      .with("from", "ground")
-      .with("to", "marvin")
-      .with("sequence", sequence)
-      .with("direction", direction);
+Record message(double seconds, std::uint64_t sequence, const char* direction) {
+  return record_of(
+      at(seconds), "marvin",
+      lines::Message{
+          .from = "ground", .to = "marvin", .sequence = sequence, .direction = direction});
 }
-Record link(double seconds, bool up) {
-  return Record(at(seconds), "sim", "link")
-      .with("from", "ground")
-      .with("to", "marvin")
-      .with("up", up);
+Record link_of(double seconds, const char* from, const char* to, bool up) {
+  return record_of(at(seconds), "sim", lines::Link{.from = from, .to = to, .up = up});
 }
+Record link(double seconds, bool up) { return link_of(seconds, "ground", "marvin", up); }
 Record fault(double seconds, const char* what, const char* node) {
-  return Record(at(seconds), "runner", "fault").with("what", what).with("target", node);
+  return record_of(at(seconds), "runner", lines::Fault{.what = what, .target = node});
 }
-
 Record degree(double seconds) {
-  return Record(at(seconds), "marvin", "degree").with("uav", "marvin").with("degree", 1);
+  return record_of(at(seconds), "marvin", lines::Degree{.uav = "marvin", .degree = 1});
+}
+Record route(double seconds) {
+  return record_of(at(seconds), "ground", lines::Route{.peer = "marvin", .via = "heliv"});
 }
 
 TEST(JournalLaws, ATaskGoesOnWithWhoTakesItOver) {
@@ -77,13 +79,6 @@ TEST(JournalLaws, AnOrdinaryLifeBreaksNone) {
       sync(8, "received"),  message(9, 1, "sent"), message(9.1, 1, "received")};
 
   EXPECT_THAT(broken_protocol(log), IsEmpty());
-}
-
-Record link_of(double seconds, const char* from, const char* to, bool up) {
-  return Record(at(seconds), "sim", "link").with("from", from).with("to", to).with("up", up);
-}
-Record route(double seconds) {
-  return Record(at(seconds), "ground", "route").with("peer", "marvin").with("via", "heliv");
 }
 
 TEST(JournalLaws, AMessageMayComePastARelayThatWasToldOf) {
@@ -203,6 +198,13 @@ TEST(JournalLaws, AnMleOnBoardAndOneAtTheGroundEachHaveTheirOwnTasks) {
 
 TEST(JournalLaws, ACommandMayBeOpenWhenTheRunEndsSoonAfterItsIssue) {
   EXPECT_THAT(broken_protocol({command(50, "issued"), link(100, true)}), IsEmpty());
+}
+
+TEST(JournalLaws, ALineThatLacksSomethingIsTold) {
+  const Log log{Record(at(1), "marvin", "task").with("uav", "marvin").with("state", "started"),
+                Record(at(2), "marvin", "of-another-kind")};
+
+  EXPECT_THAT(broken_protocol(log), ElementsAre(HasSubstr("a line lacks what")));
 }
 
 }  // namespace

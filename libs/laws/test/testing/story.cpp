@@ -6,9 +6,22 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "skein/journal/lines/deliberation.hpp"
+#include "skein/journal/lines/execution.hpp"
+#include "skein/journal/lines/mission.hpp"
+#include "skein/journal/lines/radio.hpp"
+#include "skein/journal/lines/team.hpp"
+#include "skein/journal/lines/truth.hpp"
+
 namespace skein::laws::testing {
 
+namespace lines = journal::lines;
+
 namespace {
+
+std::vector<double> numbers(const world::Vector3& place) {
+  return {place.x(), place.y(), place.z()};
+}
 
 constexpr const char* kHead = R"(scenario: story
 epoch: 2005-05-19T09:00:00Z
@@ -46,23 +59,19 @@ Story::Story(const std::string& more, const std::string& script, const std::stri
   scenario_ = std::move(*scenario);
 }
 
-journal::Record& Story::add(double at, const std::string& node, const std::string& kind) {
-  return records_.emplace_back(MissionTime::seconds(at), node, kind);
-}
-
 Story& Story::flies(const std::string& uav, double from, double until, world::Vector3 a,
                     world::Vector3 b, double energy) {
   const world::Vector3 velocity = (b - a) / std::max(1.0, until - from);
   const double heading = velocity.norm() > 0 ? std::atan2(velocity.y(), velocity.x()) : 0;
   for (double t = from; t <= until; t += 1) {
     const world::Vector3 p = a + (t - from) * velocity;
-    add(t, "sim", "telemetry")
-        .with("uav", uav)
-        .with("position", std::vector<double>{p.x(), p.y(), p.z()})
-        .with("velocity", std::vector<double>{velocity.x(), velocity.y(), velocity.z()})
-        .with("heading", heading)
-        .with("energy", energy)
-        .with("airborne", p.z() > 0.5);
+    add(t, "sim",
+        lines::Telemetry{.uav = uav,
+                         .position = numbers(p),
+                         .velocity = numbers(velocity),
+                         .heading = heading,
+                         .energy = energy,
+                         .airborne = p.z() > 0.5});
   }
   return *this;
 }
@@ -72,93 +81,76 @@ Story& Story::stands(const std::string& uav, double from, double until, world::V
 }
 
 Story& Story::does(const std::string& uav, const Doing& what) {
-  if (what.goal != 0) {
-    add(what.from, uav, "planned").with("uav", uav).with("task", what.task).with("goal", what.goal);
-  }
-  const auto line = [&](double at, const std::string& node, const std::string& kind,
-                        const std::string& state) -> journal::Record& {
-    return add(at, node, kind)
-        .with("uav", uav)
-        .with("task", what.task)
-        .with("type", what.type)
-        .with("state", state);
-  };
+  const auto task = static_cast<std::uint64_t>(what.task);
+  if (what.goal != 0)
+    add(what.from, uav,
+        lines::Planned{.uav = uav, .task = task, .goal = static_cast<std::uint64_t>(what.goal)});
   const auto truth = [&](double at, const std::string& state) {
     if (what.type == "synchronise") return;
-    journal::Record& one = line(at, "sim", "functional", state);
-    if (!what.device.empty()) one.with("device", what.device);
-    if (!what.target.empty()) one.with("target", what.target);
-    if (!what.reason.empty() && state == what.end) one.with("reason", what.reason);
+    add(at, "sim",
+        lines::Functional{.uav = uav,
+                          .task = task,
+                          .type = what.type,
+                          .state = state,
+                          .device = what.device,
+                          .target = what.target,
+                          .reason = state == what.end ? what.reason : ""});
   };
-  line(what.from, uav, "task", "started");
+  add(what.from, uav, lines::Task{.uav = uav, .task = task, .type = what.type, .state = "started"});
   if (what.until > what.from) truth(std::max(what.begins, what.from), "running");
   truth(what.until, what.end);
-  line(what.until, uav, "task", what.end);
-  return *this;
+  return add(what.until, uav,
+             lines::Task{.uav = uav, .task = task, .type = what.type, .state = what.end});
 }
 
 Story& Story::starts_unheard(const std::string& uav, double at, int task, const std::string& type) {
-  add(at, "ground", "task")
-      .with("uav", uav)
-      .with("task", task)
-      .with("type", type)
-      .with("state", "started");
-  return *this;
+  return add(
+      at, "ground",
+      lines::Task{
+          .uav = uav, .task = static_cast<std::uint64_t>(task), .type = type, .state = "started"});
 }
 
 Story& Story::goal(const std::string& uav, int id, const std::string& statement,
                    const std::string& state, double at, const std::string& why) {
-  auto& line = add(at, uav, "goal")
-                   .with("uav", uav)
-                   .with("goal", id)
-                   .with("statement", statement)
-                   .with("state", state);
-  if (!why.empty()) line.with("why", why);
-  return *this;
+  return add(at, uav,
+             lines::Goal{.uav = uav,
+                         .goal = static_cast<std::uint64_t>(id),
+                         .statement = statement,
+                         .state = state,
+                         .why = why});
 }
 
 Story& Story::says(const std::string& uav, double at, const std::string& text) {
-  add(at, uav, "notice").with("uav", uav).with("text", text);
-  return *this;
+  return add(at, uav, lines::Notice{.uav = uav, .text = text});
 }
 
 Story& Story::decides(const std::string& uav, double at, const std::string& applied,
                       const std::string& cause, const std::string& outcome) {
-  add(at, uav, "decision")
-      .with("uav", uav)
-      .with("operator", applied)
-      .with("cause", cause)
-      .with("outcome", outcome);
-  return *this;
+  return add(at, uav,
+             lines::Decision{.uav = uav, .operator_ = applied, .cause = cause, .outcome = outcome});
 }
 
 Story& Story::answer(const std::string& uav, double at, const Answered& what) {
-  journal::Record& line = add(at, uav, "answer")
-                              .with("uav", uav)
-                              .with("mission", what.mission)
-                              .with("planned", what.planned);
+  lines::Answer line{
+      .uav = uav, .mission = static_cast<std::uint64_t>(what.mission), .planned = what.planned};
   if (what.evaluated) {
-    line.with("evaluated", true)
-        .with("energy", what.energy)
-        .with("earliest_end", what.earliest_end)
-        .with("latest_end", what.latest_end);
+    line.evaluated = true;
+    line.energy = what.energy;
+    line.earliest_end = what.earliest_end;
+    line.latest_end = what.latest_end;
   }
-  return *this;
+  return add(at, uav, std::move(line));
 }
 
 Story& Story::degree(const std::string& uav, double at, int degree) {
-  add(at, uav, "degree").with("uav", uav).with("degree", degree);
-  return *this;
+  return add(at, uav, lines::Degree{.uav = uav, .degree = degree});
 }
 
 Story& Story::step(double at, const std::string& name, const std::string& told) {
-  add(at, "ground", "step").with("name", name);
-  add(at + 0.02, told, "message")
-      .with("slot", "WorldChange")
-      .with("from", "ground")
-      .with("to", told)
-      .with("direction", "received");
-  return *this;
+  add(at, "ground", lines::Step{.name = name});
+  return add(
+      at + 0.02, told,
+      lines::Message{.slot = "WorldChange", .from = "ground", .to = told, .direction = "received"});
 }
 
 Story& Story::dates_by_ground() {
@@ -167,97 +159,96 @@ Story& Story::dates_by_ground() {
 }
 
 Story& Story::alarm(double at, int id, world::Vector3 where) {
-  add(at, "ground", "alarm")
-      .with("alarm", id)
-      .with("state", "raised")
-      .with("position", std::vector<double>{where.x(), where.y(), where.z()});
-  return *this;
+  return add(
+      at, "ground",
+      lines::Alarm{
+          .alarm = static_cast<std::uint64_t>(id), .state = "raised", .position = numbers(where)});
 }
 
 Story& Story::burns(double at, world::Vector2 from, double length, double breadth) {
   const double middle = from.x() + std::sqrt(length * length - breadth * breadth);
-  add(at, "sim", "object")
-      .with("name", "blaze")
-      .with("type", "fire")
-      .with("position", std::vector<double>{middle, from.y(), 0})
-      .with("radius", length)
-      .with("active", true)
-      .with("breadth", breadth)
-      .with("ignition", std::vector<double>{from.x(), from.y()});
-  return *this;
+  return add(at, "sim",
+             lines::Object{.name = "blaze",
+                           .type = "fire",
+                           .position = {middle, from.y(), 0},
+                           .radius = length,
+                           .active = true,
+                           .breadth = breadth,
+                           .ignition = std::vector<double>{from.x(), from.y()}});
 }
 
 Story& Story::object_seen(double told, double seen, world::Vector3 where, double spread) {
-  add(told, "ground", "seen")
-      .with("name", "fire-front")
-      .with("type", "fire")
-      .with("position", std::vector<double>{where.x(), where.y(), where.z()})
-      .with("spread", spread)
-      .with("when", seen);
-  return *this;
+  return add(told, "ground",
+             lines::Seen{.name = "fire-front",
+                         .type = "fire",
+                         .position = numbers(where),
+                         .spread = spread,
+                         .when = seen});
 }
 
 Story& Story::owner(double at, int task, const std::string& stage, int sale,
                     const std::string& owners, const std::string& why) {
-  add(at, "ground", "owner")
-      .with("task", task)
-      .with("stage", stage)
-      .with("sale", sale)
-      .with("owners", owners)
-      .with("why", why);
-  return *this;
+  return add(at, "ground",
+             lines::Owner{.task = static_cast<std::uint64_t>(task),
+                          .stage = stage,
+                          .sale = static_cast<std::uint64_t>(sale),
+                          .owners = owners,
+                          .why = why});
 }
 
 Story& Story::team(const std::string& uav, double at, int task, int sale, const std::string& state,
                    const std::string& why) {
-  add(at, uav, "team-task")
-      .with("uav", uav)
-      .with("task", task)
-      .with("sale", sale)
-      .with("state", state)
-      .with("why", why);
-  return *this;
+  return add(at, uav,
+             lines::TeamTask{.uav = uav,
+                             .task = static_cast<std::uint64_t>(task),
+                             .sale = static_cast<std::uint64_t>(sale),
+                             .state = state,
+                             .why = why});
 }
 
 Story& Story::foretold(const std::string& uav, double at, int meeting, const std::string& last,
                        std::optional<double> soonest) {
-  journal::Record& record = add(at, uav, "meeting");
-  record.with("uav", uav).with("id", meeting).with("known", true).with("last", last);
-  if (soonest) record.with("soonest", *soonest);
-  return *this;
+  return add(at, uav,
+             lines::Meeting{.uav = uav,
+                            .id = static_cast<std::uint64_t>(meeting),
+                            .known = true,
+                            .last = last,
+                            .soonest = soonest});
 }
 
 Story& Story::plan_word(const std::string& from, const std::string& to, double at,
                         std::optional<double> heard) {
-  add(at, from, "frontier").with("uav", from).with("direction", "sent").with("to", to);
-  if (heard)
-    add(*heard, to, "frontier").with("uav", to).with("direction", "received").with("from", from);
+  add(at, from, lines::Frontier{.uav = from, .direction = "sent", .to = to});
+  if (heard) add(*heard, to, lines::Frontier{.uav = to, .direction = "received", .from = from});
   return *this;
 }
 
 Story& Story::air(const std::string& uav, double at, const std::string& state,
                   const std::string& waits_for) {
-  journal::Record& record = add(at, uav, "air");
-  record.with("uav", uav).with("task", 7).with("type", "goto").with("state", state);
-  if (!waits_for.empty()) record.with("for", waits_for);
-  return *this;
+  return add(at, uav,
+             lines::Air{.uav = uav, .task = 7, .type = "goto", .state = state, .for_ = waits_for});
 }
 
 Story& Story::link(double at, const std::string& from, const std::string& to, bool up) {
-  add(at, "sim", "link").with("from", from).with("to", to).with("up", up);
-  return *this;
+  return add(at, "sim", lines::Link{.from = from, .to = to, .up = up});
 }
 
 Story& Story::hears(const std::string& uav, double at, int meeting, const std::string& from,
                     const std::string& word) {
-  journal::Record& record = add(at, uav, "sync");
-  record.with("id", meeting).with("from", from).with("to", uav).with("direction", "received");
-  if (!word.empty()) record.with("word", word);
-  return *this;
+  return add(at, uav,
+             lines::Sync{.id = static_cast<std::uint64_t>(meeting),
+                         .from = from,
+                         .to = uav,
+                         .direction = "received",
+                         .word = word});
 }
 
 Story& Story::fault(double at, const std::string& what, const std::string& uav) {
-  add(at, "sim", "fault").with("what", what).with("target", uav);
+  return add(at, "sim", lines::Fault{.what = what, .target = uav});
+}
+
+Story& Story::line(journal::Record record) {
+  records_.push_back(std::move(record));
   return *this;
 }
 

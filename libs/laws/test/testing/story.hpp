@@ -4,8 +4,10 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "skein/journal/line.hpp"
 #include "skein/laws/laws.hpp"
 
 namespace skein::laws::testing {
@@ -85,13 +87,19 @@ class Story {
   Story& link(double at, const std::string& from, const std::string& to, bool up);
   Story& fault(double at, const std::string& what, const std::string& uav);
 
+  /// Any line.
+  Story& line(journal::Record record);
+
   /// Sentences of what one law has to say.
   std::vector<std::string> broken(const std::string& law) const;
 
  private:
   static constexpr const char* kRobot =
       "}\n  mana: {model: ../action/models/mana.yaml, start: [0, 0], degree: 4";
-  journal::Record& add(double at, const std::string& node, const std::string& kind);
+  template <class Line>
+  Story& add(double at, const std::string& node, Line what) {
+    return line(journal::record_of(MissionTime::seconds(at), node, std::move(what)));
+  }
 
   scenario::Scenario scenario_;
   std::vector<journal::Record> records_;

@@ -8,6 +8,13 @@
 
 #include "skein/journal/record.hpp"
 
+namespace skein::journal {
+struct Written;
+namespace lines {
+struct Air;
+}
+}  // namespace skein::journal
+
 namespace skein::laws {
 
 /// From then on a UAV waits until these others leave the air that it wants; none: it waits for
@@ -22,7 +29,9 @@ struct AirWait {
 struct AirHistory {
   std::vector<AirWait> waits;
 
-  void see(const journal::Record& record);
+  /// False: a line of its kind that cannot be read.
+  bool see(const journal::Record& record);
+  void hear(const journal::lines::Air& line, const journal::Written& when);
 };
 
 }  // namespace skein::laws

@@ -190,6 +190,7 @@ struct History {
   JointHistory joint = {};
   TeamHistory team = {};
   AirHistory air = {};
+  std::vector<Word> unread = {};  ///< lines of kinds that laws read, which lack what they must have
   /// Of nodes that died: from when to when they were, kNever if they did not come back.
   std::map<std::string, std::vector<std::pair<double, double>>> away = {};
 

@@ -10,6 +10,18 @@
 #include "skein/journal/record.hpp"
 #include "skein/world/geometry.hpp"
 
+namespace skein::journal {
+struct Written;
+namespace lines {
+struct Joint;
+struct Link;
+struct Negotiation;
+struct Place;
+struct Role;
+struct RoleTask;
+}  // namespace lines
+}  // namespace skein::journal
+
 namespace skein::laws {
 
 /// What one UAV told of one joint task.
@@ -75,7 +87,14 @@ struct JointHistory {
   std::vector<PointTold> points;
   std::vector<LinkTold> links;
 
-  void see(const journal::Record& record);
+  /// False: a line of a kind of theirs that cannot be read.
+  bool see(const journal::Record& record);
+  void hear(const journal::lines::Link& line, const journal::Written& when);
+  void hear(const journal::lines::Joint& line, const journal::Written& when);
+  void hear(const journal::lines::Role& line, const journal::Written& when);
+  void hear(const journal::lines::RoleTask& line, const journal::Written& when);
+  void hear(const journal::lines::Negotiation& line, const journal::Written& when);
+  void hear(const journal::lines::Place& line, const journal::Written& when);
   /// The radio was down between them, one way at least, for all of that time.
   bool cut_off(const std::string& a, const std::string& b, double from, double until) const;
   /// The last instant until `at` at which it was up from the one to the other; 0: never.
@@ -84,7 +103,7 @@ struct JointHistory {
   bool up(const std::string& from, const std::string& to, double since, double until) const;
 
  private:
-  JointTold* of(const journal::Record& record);
+  JointTold* of(const std::string& uav, const std::string& joint);
   /// As it was then and did not change since; nothing: it changed.
   std::optional<bool> steady(const std::string& from, const std::string& to, double since,
                              double until) const;

@@ -10,6 +10,15 @@
 
 #include "skein/journal/record.hpp"
 
+namespace skein::journal {
+struct Written;
+namespace lines {
+struct GlobalMission;
+struct Owner;
+struct TeamTask;
+}  // namespace lines
+}  // namespace skein::journal
+
 namespace skein::laws {
 
 /// A UAV at a task of its team, from when it told that it began.
@@ -41,7 +50,11 @@ struct TeamHistory {
   std::vector<double> given;  ///< when a global mission was taken [s]
   std::vector<double> done;   ///< when all of one was done
 
-  void see(const journal::Record& record);
+  /// False: a line of a kind of theirs that cannot be read.
+  bool see(const journal::Record& record);
+  void hear(const journal::lines::TeamTask& line, const journal::Written& when);
+  void hear(const journal::lines::Owner& line, const journal::Written& when);
+  void hear(const journal::lines::GlobalMission& line, const journal::Written& when);
 };
 
 }  // namespace skein::laws
