@@ -156,44 +156,6 @@ TEST(ExpectedEvent, WithinEndsThatLongAfterTheReference) {
   EXPECT_FALSE(with(15.001));
 }
 
-TEST(ExpectedEvent, MayBeLateByWhatIsAllowedAndThatIsTold) {
-  Window window;
-  window.after = alarm_is("raised");
-  window.within = Duration::seconds(10);
-  const auto with = [&](double seconds) {
-    return check({{"it", event(alarm_is("confirmed"), window)}},
-                 {alarm(5, "raised"), alarm(seconds, "confirmed")}, Duration::seconds(4))
-        .at(0);
-  };
-
-  EXPECT_EQ(with(15).seen, "once at 15 s");
-  EXPECT_EQ(with(19).seen, "once at 19 s, later than asked: by 15 s");
-  EXPECT_TRUE(with(19).passed);
-  EXPECT_FALSE(with(19.001).passed);
-  EXPECT_FALSE(with(4).passed) << "not early";
-}
-
-TEST(ExpectedEvent, ThatCameTooOftenDoesNotPassByBeingLate) {
-  const std::vector<Record> records{alarm(1, "raised"), alarm(2, "raised"), alarm(11, "raised")};
-  const Window window{at(0), at(10), {}, {}, {}};
-  const auto allowed = [&](ExpectEvent what) {
-    return check({{"it", std::move(what)}}, records, Duration::seconds(5)).at(0).passed;
-  };
-
-  EXPECT_TRUE(allowed({alarm_is("raised"), window, 2, 2})) << "what is in time counts as it is";
-  EXPECT_TRUE(allowed({alarm_is("raised"), window, 3, 3}));
-  EXPECT_FALSE(allowed({alarm_is("raised"), window, 1, 1}));
-}
-
-TEST(ExpectedNever, IsNotWidenedByWhatMayBeLate) {
-  const Window window{at(0), at(10), {}, {}, {}};
-
-  EXPECT_TRUE(check({{"it", never(alarm_is("raised"), window)}}, {alarm(11, "raised")},
-                    Duration::seconds(5))
-                  .at(0)
-                  .passed);
-}
-
 TEST(ExpectedEvent, AfterWhatNeverCameFails) {
   Window window;
   window.after = alarm_is("raised");
