@@ -24,7 +24,7 @@ constexpr int kPatience = 120;
 std::uint64_t missions() {
   const char* wanted = std::getenv("SKEIN_MISSIONS");
   return wanted != nullptr ? std::strtoull(wanted, nullptr, 10)
-                           : testing::cases<std::uint64_t>(150, 5000);
+                           : testing::cases<std::uint64_t>(75, 5000);
 }
 
 // Each mission that breaks a law, with its breaches.
