@@ -99,6 +99,7 @@ void Merger::on(const Want& want) {
   wants_since_ = since;
   choices_ = want.choices;
   afterwards_ = want.afterwards;
+  leaves_ = want.leaves;
   pause_ = now_;
   changed_ = true;
 }
@@ -146,7 +147,7 @@ bool Merger::waits_longer(const Peer& peer) const {
 
 /// It would stay where one wants to go that has waited long.
 bool Merger::yields_to(const Peer& peer, const Volumes& volumes) const {
-  return !volumes.empty() && peer.reachable && waits_longer(peer) &&
+  return !leaves_ && !volumes.empty() && peer.reachable && waits_longer(peer) &&
          overlap({volumes.back()}, peer.claim.wanted);
 }
 
@@ -281,6 +282,17 @@ void Merger::say_waits() {
   out_.push_back(Waits{now});
 }
 
+/// Whoever finds no place aside still waits for what it wants afterwards: the next of the circle
+/// sees that it stands.
+std::vector<std::string> Merger::waits_for() const {
+  std::vector<std::string> names = in_its_way();
+  for (const auto& [name, peer] : peers_) {
+    const bool stands = has(peer, afterwards_) || yields_to(peer, afterwards_);
+    if (stands && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
 /// From itself along who waits for whom, back to itself; empty: there is none.
 std::vector<std::string> Merger::circle() const {
   std::vector<std::string> way;
@@ -298,7 +310,7 @@ std::vector<std::string> Merger::circle() const {
     way.pop_back();
     return false;
   };
-  walk(walk, self_, claim().waits_for);
+  walk(walk, self_, waits_for());
   return way;
 }
 
@@ -333,7 +345,7 @@ Claim Merger::claim() const {
   Claim claim{held_, request_, afterwards_, {}};
   if (!waits()) return claim;
   claim.wanted = choices_[request_ != 0 ? choice_ : 0];
-  claim.waits_for = in_its_way();
+  claim.waits_for = waits_for();
   return claim;
 }
 

@@ -8,6 +8,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "testing/net.hpp"
+#include "testing/parking_lot.hpp"
 
 namespace skein::merging {
 namespace {
@@ -170,7 +171,7 @@ void want_each_others_place(Net& net) {
 TEST(Merger, OfTwoWhoWantEachOthersPlaceTheLaterIsAskedToMove) {
   Net net({kA, kB});
   want_each_others_place(net);
-  net.run_for(1);
+  net.run_for(0.6);
   EXPECT_THAT(net.asked_aside(), ElementsAre(kB));
 
   net.wants(kB, {{{{100, 0}, {100, 30}, 5, 30, 50}}});  // aside
@@ -187,6 +188,19 @@ TEST(Merger, WhenTheLaterCannotMoveTheOneBeforeIsAsked) {
   Net net({kA, kB});
   want_each_others_place(net);
   net.run_for(2);
+  EXPECT_THAT(net.asked_aside(), ::testing::Contains(kA));
+}
+
+// C flies through all that B could move to: B waits for that, and A, that could move, must not.
+TEST(Merger, WhenWhoIsAskedToMoveFindsNoAirTheNextIsAskedWithinTwoSeconds) {
+  Net net({kA, kB, kC});
+  net.stands(kC, {{100, 30}, {100, 30}, 5, 30, 50});
+  want_each_others_place(net);
+  net.run_for(0.6);
+  ASSERT_THAT(net.asked_aside(), ElementsAre(kB));
+  net.give(kB, Want{{{{{100, 0}, {100, 30}, 5, 30, 50}}}, {stretch(0, 100)}});
+  net.run_for(1.4);
+  EXPECT_FALSE(net.has_what_it_wanted(kB));
   EXPECT_THAT(net.asked_aside(), ::testing::Contains(kA));
 }
 
@@ -252,7 +266,7 @@ TEST(Merger, InACircleWhoHasWaitedLongMovesLast) {
   net.wants(kB, {{stretch(0, 100)}});
   net.run_for(300);
   net.wants(kA, {{stretch(0, 100)}});
-  net.run_for(1);
+  net.run_for(0.6);
   EXPECT_THAT(net.asked_aside(), ElementsAre(kA));
 }
 
@@ -272,6 +286,22 @@ TEST(Merger, AFlightAsideTakesNothingFromHowLongOneHasWaited) {
   net.wants(kA, {{stretch(150, 90)}});
   net.run_for(5);
   expect_why(net, kA, kC, "to go first, it has waited long");
+}
+
+// Its landing is what makes the air free that C has waited for.
+TEST(Merger, WhoLandsNeedNotWaitForWhoHasWaitedLong) {
+  Net net({kA, kB, kC});
+  net.stands(kA, place(90));
+  net.stands(kB, place(50));
+  net.run_for(0.1);
+  net.wants(kC, {{stretch(0, 90)}});
+  net.run_for(300);
+  net.wants(kA, {{place(90)}});
+  net.run_for(0.3);
+  ASSERT_FALSE(net.has_what_it_wanted(kA));
+  net.give(kA, Want{{{place(90)}}, {}, true});
+  net.run_for(0.3);
+  EXPECT_TRUE(net.has_what_it_wanted(kA));
 }
 
 // ---- whatever happens ----
@@ -319,6 +349,20 @@ RC_GTEST_PROP(MergerProperty, NobodyHasTheAirOfAnother, ()) {
     }
   }
   RC_ASSERT(wanted == had);
+}
+
+// Vehicles at places of which few are free, each sent to the place of the next, again and again:
+// whoever is asked to moves to a free place and comes back to what it wanted. No circle of them
+// stands for 2 s, and nobody comes to stay where another has wanted to for long.
+RC_GTEST_PROP(MergerProperty, NoCircleStandsAndWhoHasWaitedLongIsNotPassed, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  const std::size_t vehicles = 2 + random.below(5);
+  testing::ParkingLot lot(vehicles, vehicles + 1 + random.below(2), random);
+  for (int hundredths = 0; hundredths < 200'000 && !lot.is_done(); ++hundredths) lot.step();
+  RC_ASSERT(lot.both() == "");
+  RC_ASSERT(lot.is_done());
+  RC_ASSERT(lot.longest_circle() <= 2);
+  RC_ASSERT(lot.passed() == 0);
 }
 
 TEST(Merger, SaysAllWithinTheBeatAndNoMore) {

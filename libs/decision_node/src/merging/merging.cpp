@@ -108,7 +108,7 @@ void Merging::ask() {
       ++aside_;
       waiting_->comes_back = true;
       waiting_->aside_since.reset();
-      return want(std::move(back));
+      return want(std::move(back), air_at(*place_));
     }
   }
   if (!needs_air(waiting_->request)) {
@@ -131,7 +131,19 @@ void Merging::want(Airways airways, merging::Volumes afterwards) {
   waiting_->airways = std::move(airways);
   std::vector<merging::Volumes> choices;
   for (const Airway& one : waiting_->airways) choices.push_back(one.air);
-  give(merging::Want{std::move(choices), std::move(afterwards)});
+  const bool leaves = waiting_->request.type == "land" && !waiting_->comes_back &&
+                      !waiting_->aside_since.has_value();
+  give(merging::Want{std::move(choices), std::move(afterwards), leaves});
+}
+
+/// That it wants for what it does there; none: it cannot, or needs none beyond that place.
+merging::Volumes Merging::air_at(const world::Vector3& place) const {
+  if (!needs_air(waiting_->request)) return {};
+  AirwaySituation there = situation();
+  there.state.position = place;
+  there.rest = place;
+  const auto airways = airways_of(waiting_->request, false, *core_.config().merging, there);
+  return airways && !airways->empty() ? airways->front().air : merging::Volumes();
 }
 
 void Merging::refuse(const std::string& why) {

@@ -69,6 +69,7 @@ class Merging final : public Component {
   void carry_out(const merging::MoveAside& aside);
   void ask();
   void want(Airways airways, merging::Volumes afterwards = {});
+  merging::Volumes air_at(const world::Vector3& place) const;
   void begin(const Airway& airway, const std::string& state);
   void look_at_energy();
   /// When it no longer asks for a place aside.

@@ -50,6 +50,8 @@ class Net {
     give(name, Want{std::move(choices)});
   }
 
+  void forget_grant(const std::string& name) { granted_.erase(name); }
+
   void cut(const std::string& one, const std::string& other, bool is_cut = true) {
     const auto link = std::minmax(one, other);
     if (is_cut)

@@ -28,10 +28,12 @@ struct InReach {
 };
 /// It wants one of these, the first that it can have; before, it wants something else or nothing.
 /// Each is taken as a whole, in addition to what it holds. Whoever gets out of the way says what it
-/// wants afterwards: it has waited for that all the while.
+/// wants afterwards: it has waited for that all the while, as has who comes back from there.
 struct Want {
   std::vector<Volumes> choices;
   Volumes afterwards = {};
+  /// It lands: soon it has no air any more, so nobody who has waited long gains by its waiting.
+  bool leaves = false;
 };
 /// It wants nothing any more.
 struct Withdraw {};
@@ -79,8 +81,8 @@ struct Limits {
   Duration again = Duration::milliseconds(250);       ///< after a refusal
   Duration beat = Duration::milliseconds(1'000);      ///< what is held or wanted is said again
   Duration circle = Duration::milliseconds(400);      ///< a circle is one when it has stood so long
-  Duration next = Duration::milliseconds(1'200);      ///< until the next of a circle has to move
-  Duration moves = Duration::milliseconds(4'000);     ///< who was asked to move is not asked again
+  Duration next = Duration::milliseconds(300);        ///< until the next of a circle has to move
+  Duration moves = Duration::milliseconds(1'000);     ///< who was asked to move is not asked again
   /// Whoever has waited so long presses: others do not come to stay where it wants to go.
   Duration pressing = Duration::milliseconds(240'000);
   Duration clearly = Duration::milliseconds(5'000);  ///< by which one has waited longer
@@ -151,6 +153,7 @@ class Merger {
   void close(Duration pause);
   void grant();
   std::vector<Waits::Why> whys() const;
+  std::vector<std::string> waits_for() const;
   void say_waits();
   void look_for_circle();
   std::vector<std::string> circle() const;
@@ -179,7 +182,8 @@ class Merger {
   MissionTime pause_;             ///< it asks for nothing before
   std::vector<Waits::Why> told_;  ///< why it waits
   std::optional<MissionTime> wants_since_;
-  Volumes afterwards_;  ///< it wants, once it has come where it gets out of the way
+  Volumes afterwards_;   ///< it wants, once it has come where it gets out of the way
+  bool leaves_ = false;  ///< what it wants is to land
   std::optional<MissionTime> circle_since_;
   MissionTime moved_aside_;  ///< it is not asked to again before
 
