@@ -67,7 +67,7 @@ void write_tasks_of(Markup& out, const Run& run, const UavStory& uav) {
 void write_goal_table(Markup& out, const Run& run) {
   if (run.plans.goals.empty()) return;
   open_table(out, "High-level tasks",
-             {"UAV", "id", "statement", "mission", "asked by", "course", "why"});
+             {"UAV", "id", "statement", "mission", "asked by", "course", "why"}, Cells::kSentences);
   for (std::size_t i = 0; i < std::min(run.plans.goals.size(), kMostRows); ++i) {
     const GoalStory& goal = run.plans.goals[i];
     out.open("tr");
@@ -83,7 +83,7 @@ void write_goal_table(Markup& out, const Run& run) {
 void write_decision_table(Markup& out, const Run& run) {
   if (run.journal.decisions.empty()) return;
   open_table(out, "Decisions: why each UAV did what it did",
-             {"time", "UAV", "operator", "cause", "inputs", "outcome", "took"});
+             {"time", "UAV", "operator", "cause", "inputs", "outcome", "took"}, Cells::kSentences);
   for (std::size_t i = 0; i < std::min(run.journal.decisions.size(), kMostRows); ++i) {
     const DecisionRecord& r = run.journal.decisions[i];
     out.open("tr", {{"data-t", seconds(r.stamp)}});

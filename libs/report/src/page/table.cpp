@@ -5,10 +5,12 @@
 
 namespace skein::report {
 
-void open_table(Markup& out, std::string_view title, std::initializer_list<const char*> columns) {
+void open_table(Markup& out, std::string_view title, std::initializer_list<const char*> columns,
+                Cells cells) {
   out.open("section", {{"class", "card"}});
   out.element("h2", {}, title);
-  out.open("div", {{"class", "scroll"}}).open("table", {{"class", "figures"}}).open("thead");
+  const char* name = cells == Cells::kSentences ? "figures sentences" : "figures";
+  out.open("div", {{"class", "scroll"}}).open("table", {{"class", name}}).open("thead");
   out.open("tr");
   for (const char* column : columns) out.element("th", {}, column);
   out.close().close().open("tbody");

@@ -10,7 +10,10 @@
 
 namespace skein::report {
 
-void open_table(Markup& out, std::string_view title, std::initializer_list<const char*> columns);
+/// Cells that are figures stay on one line; those of `kSentences` wrap from the third column on.
+enum class Cells { kFigures, kSentences };
+void open_table(Markup& out, std::string_view title, std::initializer_list<const char*> columns,
+                Cells cells = Cells::kFigures);
 void close_table(Markup& out);
 /// Cells of the open row.
 void write_cells(Markup& out, std::initializer_list<std::string> cells);
