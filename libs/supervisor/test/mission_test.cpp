@@ -84,7 +84,7 @@ TEST(SupervisorMission, PlannedIsToldAndItsFirstGoalGivenAtOnce) {
   EXPECT_TRUE(desk.of<MissionDecided>()[0].outcome.planned);
   EXPECT_THAT(desk.goals(), ElementsAre("701 planned", "702 planned"));
   EXPECT_THAT(desk.requests(), ElementsAre("START 100", "START 101"));
-  EXPECT_THAT(desk.decisions(), ElementsAre("3 refine", "5 execute", "1 insert: tour"));
+  EXPECT_THAT(desk.decisions(), ElementsAre("3 refine", "1 insert: tour", "5 execute"));
   ASSERT_EQ(desk.of<PlanChanged>().size(), 1U);
   EXPECT_EQ(desk.supervisor.report().tasks.size(), 3U);
   EXPECT_TRUE(desk.supervisor.report().tasks[1].committed);

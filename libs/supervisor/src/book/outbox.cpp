@@ -53,16 +53,23 @@ void Outbox::set_state(Goal& goal, GoalState state, const std::string& reason) {
   add(GoalChanged{status_of(goal)});
 }
 
-void Outbox::decide(Application application) {
+void Outbox::decide(Application application) { decide(reserve_decision(), std::move(application)); }
+
+std::size_t Outbox::reserve_decision() {
   mission::Decision decision;
   decision.number = ++decisions_;
+  add(Decided{std::move(decision)});
+  return effects_.size() - 1;
+}
+
+void Outbox::decide(std::size_t place, Application application) {
+  mission::Decision& decision = std::get<Decided>(effects_.at(place)).decision;
   decision.applied = std::move(application.applied);
   decision.cause = std::move(application.cause);
   decision.inputs = std::move(application.inputs);
   decision.outcome = std::move(application.outcome);
   decision.began = application.began;
   decision.took = now_ - application.began;
-  add(Decided{std::move(decision)});
 }
 
 std::string Outbox::plan_text() const {

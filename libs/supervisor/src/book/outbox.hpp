@@ -34,6 +34,10 @@ class Outbox {
   void notice(std::string text) { add(Notice{std::move(text)}); }
   void send(executive::Input input) { add(ToExecutive{std::move(input)}); }
   void decide(Application application);
+  /// For a decision that is told before its consequences and worded after them: its place in what
+  /// is told. Precondition: decide(place, …) in the same call.
+  std::size_t reserve_decision();
+  void decide(std::size_t place, Application application);
   /// A goal that is settled stays so; the same state is not told twice.
   void set_state(Goal& goal, GoalState state, const std::string& why = {});
 

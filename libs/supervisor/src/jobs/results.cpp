@@ -280,6 +280,7 @@ void Results::finish(const Job& job, const InsertionOutcome& outcome) {
       (mission.in_parts ? parts_of(job.premises) : "") + parted(outcome.order, book_);
   enter_parts(outcome.order);
   tell_refined(job, *outcome.plan);
+  const std::size_t decision = out_.reserve_decision();  // adopting has decisions of its own
   adopt(job.premises, *outcome.plan, outcome.order);
   leave_out(outcome.dropped);
   std::string without;
@@ -287,11 +288,11 @@ void Results::finish(const Job& job, const InsertionOutcome& outcome) {
     without += "; left out goal " + to_text(one.goal) + ": " + one.why;
   }
   out_.add(MissionDecided{{mission.id, true, {}}});
-  out_.decide({"1 insert: " + std::string(to_text(outcome.chosen)), mission.cause,
-               list_of("goals", job.premises.added),
-               out_.plan_text() + ", " + dates_.extent() + mended(outcome.shortened) + parts +
-                   without + weighed(outcome),
-               mission.since});
+  out_.decide(decision, {"1 insert: " + std::string(to_text(outcome.chosen)), mission.cause,
+                         list_of("goals", job.premises.added),
+                         out_.plan_text() + ", " + dates_.extent() + mended(outcome.shortened) +
+                             parts + without + weighed(outcome),
+                         mission.since});
 }
 
 // ---- operator 6 ----
@@ -325,6 +326,7 @@ void Results::finish(const Job& job, const RepairOutcome& outcome) {
   std::set<GoalId> left(job.premises.goals.begin(), job.premises.goals.end());
   for (const auto& task : outcome.order) left.erase(task.id);
   tell_refined(job, *outcome.plan);
+  const std::size_t decision = out_.reserve_decision();
   adopt(premises, *outcome.plan, outcome.order);
   for (const GoalId id : left) {
     const auto dropped = std::find_if(outcome.dropped.begin(), outcome.dropped.end(),
@@ -335,11 +337,11 @@ void Results::finish(const Job& job, const RepairOutcome& outcome) {
   }
   const std::string without = left.empty() ? "" : list_of("; dropped", left);
   const std::string before = outcome.before.empty() ? "" : "; before: " + joined(outcome.before);
-  out_.decide(
-      {"6 repair: " + std::string(to_text(outcome.served)), job.need.cause,
-       list_of("goals", job.premises.goals),
-       out_.plan_text() + ", " + dates_.extent() + mended(outcome.shortened) + without + before,
-       job.need.since});
+  out_.decide(decision, {"6 repair: " + std::string(to_text(outcome.served)), job.need.cause,
+                         list_of("goals", job.premises.goals),
+                         out_.plan_text() + ", " + dates_.extent() + mended(outcome.shortened) +
+                             without + before,
+                         job.need.since});
 }
 
 }  // namespace skein::supervisor
