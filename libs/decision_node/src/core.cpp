@@ -147,7 +147,10 @@ void Core::on(const Tick&) {
 }
 
 void Core::tell_board_if_changed() {
-  BoardChanged board{degree(), execution_.airborne(), execution_.tasks()};
+  const BoardMark mark{degree(), execution_.airborne(), execution_.changes()};
+  if (board_mark_ == mark) return;  // as after most inputs: a board is some hundred tasks
+  board_mark_ = mark;
+  BoardChanged board{mark.degree, mark.airborne, execution_.tasks()};
   if (last_board_ == board) return;
   last_board_ = board;
   bus_.emit(std::move(board));

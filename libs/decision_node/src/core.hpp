@@ -107,6 +107,14 @@ class Core {
   Meetings meetings_;
   Autonomy autonomy_;
   Safekeeping safekeeping_;
+  /// What a board is made of.
+  struct BoardMark {
+    int degree = 0;
+    bool airborne = false;
+    std::uint64_t changes = 0;  ///< Executive::changes()
+    bool operator==(const BoardMark&) const = default;
+  };
+  std::optional<BoardMark> board_mark_;  ///< of the last one that was made
   std::optional<BoardChanged> last_board_;
 };
 

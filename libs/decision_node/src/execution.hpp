@@ -36,6 +36,7 @@ class Execution final : public Component {
   /// One that is being aborted.
   bool stops(functional::TaskId id) const;
   std::vector<executive::TaskStatus> tasks() const { return executive_.tasks(); }
+  std::uint64_t changes() const { return executive_.changes(); }
   /// Tasks that are not over, without the background routine, with the goals they serve.
   std::vector<mission::HeldTask> held() const;
   bool airborne() const { return airborne_; }

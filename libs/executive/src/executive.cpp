@@ -18,12 +18,15 @@ std::optional<MissionTime> Executive::next_wakeup() const { return core_->next_w
 
 std::vector<TaskStatus> Executive::tasks() const {
   std::vector<TaskStatus> all;
-  for (const TaskId id : core_->plan().ids()) {
-    const TaskRecord& record = core_->plan()[*core_->plan().find(id)];
+  all.reserve(core_->plan().slots().size());
+  for (const auto& [id, slot] : core_->plan().slots()) {
+    const TaskRecord& record = core_->plan()[slot];
     all.push_back(TaskStatus{id, record.type, record.state, record.reason});
   }
   return all;
 }
+
+std::uint64_t Executive::changes() const { return core_->plan().changes(); }
 
 std::optional<TaskView> Executive::find(TaskId id) const {
   const std::optional<Plan::Slot> slot = core_->plan().find(id);

@@ -29,6 +29,8 @@ Plan::Slot Plan::insert(Task&& task, bool background) {
   record.place_among_open = static_cast<std::uint32_t>(open_.size());
   open_.push_back(slot);
   known_.insert_or_assign(task.id, Known{slot});
+  slots_.insert_or_assign(task.id, slot);
+  ++changes_;
   return slot;
 }
 
@@ -41,6 +43,7 @@ void Plan::set_state(Slot slot, TaskState state) {
   TaskRecord& record = records_[slot];
   SKEIN_EXPECTS(!is_terminal(record.state));
   record.state = state;
+  ++changes_;
   if (is_terminal(state)) close(slot);
 }
 
@@ -54,6 +57,8 @@ void Plan::close(Slot slot) {
 void Plan::remove(Slot slot) {
   TaskRecord& old = records_[slot];
   SKEIN_EXPECTS(is_terminal(old.state));
+  slots_.erase(old.id);
+  ++changes_;
   if (old.background) {
     known_.erase(old.id);
   } else {
@@ -87,15 +92,6 @@ std::vector<TaskId> Plan::open() const {
   ids.reserve(open_.size());
   for (const Slot slot : open_) {
     if (!records_[slot].background) ids.push_back(records_[slot].id);
-  }
-  std::sort(ids.begin(), ids.end());
-  return ids;
-}
-
-std::vector<TaskId> Plan::ids() const {
-  std::vector<TaskId> ids;
-  for (const auto& [id, known] : known_) {
-    if (known.slot != kNoSlot) ids.push_back(id);
   }
   std::sort(ids.begin(), ids.end());
   return ids;

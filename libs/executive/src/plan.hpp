@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -69,8 +70,10 @@ class Plan {
 
   /// Tasks not yet terminal, background routine left out, in the order of their ids.
   std::vector<TaskId> open() const;
-  /// All ids in the plan, in order.
-  std::vector<TaskId> ids() const;
+  /// All that are in the plan, in the order of their ids. What has left it costs nothing here.
+  const std::map<TaskId, Slot>& slots() const { return slots_; }
+  /// Grows whenever a task comes, goes or changes its state; never decreases.
+  std::uint64_t changes() const { return changes_; }
 
  private:
   static constexpr Slot kNoSlot = ~Slot{0};
@@ -85,6 +88,8 @@ class Plan {
   std::vector<Slot> free_;
   std::vector<Slot> open_;
   std::unordered_map<TaskId, Known> known_;
+  std::map<TaskId, Slot> slots_;
+  std::uint64_t changes_ = 0;
 };
 
 }  // namespace skein::executive

@@ -2,6 +2,7 @@
 // The multi-level executive (MLE) of one UAV.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -88,9 +89,11 @@ class Executive {
   /// The next instant that means something to a task; call handle(Tick{}, …) then. Absent: none.
   std::optional<MissionTime> next_wakeup() const;
 
-  /// The tasks of the plan in the order of their ids, background routine included. Cost: O(n log
-  /// n).
+  /// The tasks of the plan in the order of their ids, background routine included. Cost: O(n),
+  /// n tasks in the plan.
   std::vector<TaskStatus> tasks() const;
+  /// Grows whenever what tasks() gives may have changed, and never decreases. Cost: O(1).
+  std::uint64_t changes() const;
   /// Absent: never started, or suppressed.
   std::optional<TaskView> find(TaskId id) const;
   /// The Π and Ξ in force: what DEP and NUT made of them, empty once they no longer matter (Π once
