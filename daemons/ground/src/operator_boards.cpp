@@ -2,6 +2,7 @@
 #include "skein/ground/operator_boards.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "skein/team/ownership.hpp"
 #include "skein/translation/missions.hpp"
@@ -65,21 +66,11 @@ wire::UavBoard board_of(const gs::UavOnBoard& uav, std::size_t held, const gs::H
   return board;
 }
 
-// All that are open, and of the others those that changed last; by id. Of a long mission there are
-// thousands: they are gone through once.
-std::vector<wire::BoardTask> tasks_of(const gs::UavOnBoard& uav) {
-  std::vector<const gs::TaskOnBoard*> told, over;
-  for (const auto& [id, task] : uav.tasks) (gs::is_open(task) ? told : over).push_back(&task);
-  const auto by_id = [](const auto* a, const auto* b) { return a->id < b->id; };
-  if (over.size() > OperatorBoards::kTasksOver) {
-    std::nth_element(over.begin(), over.begin() + OperatorBoards::kTasksOver, over.end(),
-                     [&](const auto* a, const auto* b) {
-                       return a->since != b->since ? a->since > b->since : by_id(a, b);
-                     });
-    over.resize(OperatorBoards::kTasksOver);
-  }
-  told.insert(told.end(), over.begin(), over.end());
-  std::sort(told.begin(), told.end(), by_id);
+// All that are open, and of the others those that changed last; by id.
+std::vector<wire::BoardTask> tasks_of(const gs::TaskBoard& board) {
+  std::vector<const gs::TaskOnBoard*> told = board.last_over(OperatorBoards::kTasksOver);
+  for (const executive::TaskId id : board.open()) told.push_back(board.find(id));
+  std::sort(told.begin(), told.end(), [](const auto* a, const auto* b) { return a->id < b->id; });
   std::vector<wire::BoardTask> tasks;
   for (const gs::TaskOnBoard* task : told) {
     tasks.push_back({task->id.value(), task->type, to_wire(task->state), task->reason,
@@ -92,7 +83,7 @@ wire::UavTasks tasks_board_of(const gs::UavOnBoard& uav, std::uint32_t number) {
   wire::UavTasks board;
   board.header.instance = number;
   board.uav = uav.name;
-  board.tasks = tasks_of(uav);
+  board.tasks = tasks_of(uav.tasks);
   board.revision = uav.plan.revision;
   board.plan = to_wire(uav.name, uav.plan).tasks;
   for (const mission::GoalStatus& goal : uav.goals) board.goals.push_back(to_wire(goal));
@@ -161,6 +152,25 @@ void OperatorBoards::tell(wire::Sample board, std::vector<wire::Sample>& news) {
 std::vector<wire::Sample> OperatorBoards::news(const gs::GroundControl& control,
                                                const gs::TeamDesk* team, const node::Roster& roster,
                                                MissionTime now) {
+  const bool tasks = std::exchange(tasks_changed_, false);
+  changed_ = false;
+  told_at_ = now;
+  missed_ = missed_ || unread_;
+  if (unread_) return {};
+  return changed_boards(control, team, roster, tasks);
+}
+
+std::vector<wire::Sample> OperatorBoards::be_read(const gs::GroundControl& control,
+                                                  const gs::TeamDesk* team,
+                                                  const node::Roster& roster) {
+  unread_ = false;
+  if (!std::exchange(missed_, false)) return {};
+  return changed_boards(control, team, roster, true);
+}
+
+std::vector<wire::Sample> OperatorBoards::changed_boards(const gs::GroundControl& control,
+                                                         const gs::TeamDesk* team,
+                                                         const node::Roster& roster, bool tasks) {
   std::vector<wire::Sample> news;
   wire::GroundBoard ground = ground_board_of(control, team);
   for (const std::string& name : control.uavs()) {
@@ -168,11 +178,9 @@ std::vector<wire::Sample> OperatorBoards::news(const gs::GroundControl& control,
     ground.uavs.push_back(name);
     const std::uint32_t number = roster.find(name)->number.value();
     tell(board_of(uav, control.held_of(name), control.desk().hand_of(name), number), news);
-    if (tasks_changed_) tell(tasks_board_of(uav, number), news);
+    if (tasks) tell(tasks_board_of(uav, number), news);
   }
   tell(std::move(ground), news);
-  told_at_ = now;
-  changed_ = tasks_changed_ = false;
   return news;
 }
 

@@ -69,20 +69,47 @@ MissionPlanning::MissionPlanning(Script script, const world::Terrain& terrain)
     : script_(std::move(script)), terrain_(terrain) {
   SKEIN_EXPECTS(problems_of(script_).empty());
   for (const OperatorAction& action : script_.operators) {
-    waiting_.push_back({&action.when, action.after, nullptr, &action, {}, true, {}});
+    begin({&action.when, action.after, nullptr, &action, {}, true, {}});
   }
   for (const Step& step : script_.steps) {
-    waiting_.push_back({&step.when, step.after, &step, nullptr, {}, true, {}});
+    begin({&step.when, step.after, &step, nullptr, {}, true, {}});
   }
-  for (Waiting& waiting : waiting_) collect_leaves(*waiting.when, waiting.leaves);
   wakeup_ = first_instant();
+}
+
+// Nothing but time can wake who waits for instants alone.
+void MissionPlanning::begin(Waiting waiting) {
+  collect_leaves(*waiting.when, waiting.leaves);
+  std::optional<MissionTime> first;
+  bool only_instants = true;
+  for (const Leaf& leaf : waiting.leaves) {
+    const auto* time = as<AtTime>(*leaf.trigger);
+    only_instants = only_instants && time != nullptr;
+    if (time != nullptr) first = earliest(first, time->at);
+  }
+  const std::size_t rank = awake_.size() + asleep_.size();
+  if (first && only_instants) {
+    asleep_.emplace(std::pair(*first, rank), std::move(waiting));
+  } else {
+    awake_.emplace(rank, std::move(waiting));
+  }
+}
+
+void MissionPlanning::wake(MissionTime now) {
+  while (!asleep_.empty() && asleep_.begin()->first.first <= now) {
+    const auto one = asleep_.begin();
+    awake_.emplace(one->first.second, std::move(one->second));
+    asleep_.erase(one);
+  }
 }
 
 std::vector<MissionPlanning::Effect> MissionPlanning::handle(const Input& input, MissionTime now) {
   Effects effects;
+  wake(now);
   mark_instants(now);
   note(input, now, effects);
   while (Waiting* waiting = next_due(now)) fire(*waiting, now, effects);
+  std::erase_if(awake_, [](const auto& one) { return !one.second.armed; });
   wakeup_ = first_instant();
   return effects;
 }
@@ -90,7 +117,8 @@ std::vector<MissionPlanning::Effect> MissionPlanning::handle(const Input& input,
 std::optional<MissionTime> MissionPlanning::first_instant() const {
   std::optional<MissionTime> wakeup;
   if (finished_) return wakeup;
-  for (const Waiting& waiting : waiting_) {
+  if (!asleep_.empty()) wakeup = asleep_.begin()->first.first;
+  for (const auto& [rank, waiting] : awake_) {
     if (!waiting.armed) continue;
     wakeup = earliest(wakeup, due(waiting));
     for (const Leaf& leaf : waiting.leaves) {
@@ -104,7 +132,7 @@ std::optional<MissionTime> MissionPlanning::first_instant() const {
 // Remembers what happened in every armed step and operator action that waits for it.
 template <class What, class Matches>
 void MissionPlanning::mark(MissionTime at, const Matches& matches) {
-  for (Waiting& waiting : waiting_) {
+  for (auto& [rank, waiting] : awake_) {
     for (Leaf& leaf : waiting.leaves) {
       const What* what = as<What>(*leaf.trigger);
       if (waiting.armed && what != nullptr && !leaf.at && matches(*what)) leaf.at = at;
@@ -113,7 +141,7 @@ void MissionPlanning::mark(MissionTime at, const Matches& matches) {
 }
 
 void MissionPlanning::mark_instants(MissionTime now) {
-  for (Waiting& waiting : waiting_) {
+  for (auto& [rank, waiting] : awake_) {
     for (Leaf& leaf : waiting.leaves) {
       const auto* time = as<AtTime>(*leaf.trigger);
       if (time != nullptr && !leaf.at && time->at <= now) leaf.at = time->at;
@@ -169,7 +197,7 @@ void MissionPlanning::note_alarm(const Alarm& alarm, MissionTime now) {
   alarms_[alarm.id] = alarm;
   if (subject_ == AlarmId()) subject_ = alarm.id;
   const bool ours = alarm.state != AlarmState::kInfirmed || alarm.id == subject_;
-  for (Waiting& waiting : waiting_) {
+  for (auto& [rank, waiting] : awake_) {
     for (Leaf& leaf : waiting.leaves) {
       const auto* on = as<OnAlarm>(*leaf.trigger);
       if (!waiting.armed || on == nullptr || leaf.at || on->state != alarm.state) continue;
@@ -197,7 +225,7 @@ MissionPlanning::Waiting* MissionPlanning::next_due(MissionTime now) {
   Waiting* first = nullptr;
   MissionTime first_due;
   if (finished_) return first;
-  for (Waiting& waiting : waiting_) {
+  for (auto& [rank, waiting] : awake_) {
     const std::optional<MissionTime> at = waiting.armed ? due(waiting) : std::nullopt;
     if (!at || *at > now || (first != nullptr && *at >= first_due)) continue;
     first = &waiting;
@@ -216,7 +244,7 @@ void MissionPlanning::do_now(const DoActions& asked, MissionTime now, Effects& e
 
 std::vector<std::string> MissionPlanning::answers() const {
   std::vector<std::string> answers;
-  for (const Waiting& waiting : waiting_) {
+  for (const auto& [rank, waiting] : awake_) {
     for (const Leaf& leaf : waiting.leaves) {
       const auto* on = as<OnOperator>(*leaf.trigger);
       const bool waits = waiting.armed && on != nullptr && !leaf.at;

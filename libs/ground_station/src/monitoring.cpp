@@ -13,39 +13,20 @@ namespace {
 using executive::TaskId;
 using executive::TaskState;
 
-// How far along a task is; the two terminal states are equally far.
-int progress(TaskState state) {
-  switch (state) {
-    case TaskState::kScheduled:
-      return 0;
-    case TaskState::kStarted:
-      return 1;
-    case TaskState::kRunning:
-      return 2;
-    case TaskState::kAborting:
-      return 3;
-    case TaskState::kEnded:
-    case TaskState::kAborted:
-      break;
-  }
-  return 4;
-}
-
 bool holds_vehicle(const std::string& type) {
   return functional::TaskTypes::shipped().of(type).holds_vehicle();
 }
 
 }  // namespace
 
-bool is_open(const TaskOnBoard& task) { return !task.lost && !executive::is_terminal(task.state); }
-
 const TaskOnBoard* current_task(const UavOnBoard& uav) {
   const TaskOnBoard* first = nullptr;
-  for (const auto& [id, task] : uav.tasks) {
-    const bool at_work = task.state == TaskState::kStarted || task.state == TaskState::kRunning;
-    if (task.lost || !at_work) continue;
-    if (holds_vehicle(task.type)) return &task;
-    if (first == nullptr) first = &task;
+  for (const TaskId id : uav.tasks.open()) {
+    const TaskOnBoard* task = uav.tasks.find(id);
+    const bool at_work = task->state == TaskState::kStarted || task->state == TaskState::kRunning;
+    if (!at_work) continue;
+    if (holds_vehicle(task->type)) return task;
+    if (first == nullptr) first = task;
   }
   return first;
 }
@@ -91,15 +72,12 @@ Degree Monitoring::degree_of(const std::string& uav) const {
 
 const TaskOnBoard* Monitoring::find_task(const std::string& uav, TaskId task) const {
   const auto record = uavs_.find(uav);
-  if (record == uavs_.end()) return nullptr;
-  const auto found = record->second.board.tasks.find(task);
-  return found == record->second.board.tasks.end() ? nullptr : &found->second;
+  return record == uavs_.end() ? nullptr : record->second.board.tasks.find(task);
 }
 
 bool Monitoring::has_told(const std::string& uav, TaskId task, TaskState state) const {
-  const TaskOnBoard* found = find_task(uav, task);
-  if (found == nullptr || found->lost) return false;
-  return uavs_.at(uav).told.at(task).contains(state);
+  const auto record = uavs_.find(uav);
+  return record != uavs_.end() && record->second.board.tasks.has_told(task, state);
 }
 
 std::set<std::string> Monitoring::messages_of(const std::string& uav) const {
@@ -162,42 +140,13 @@ Monitoring::Record* Monitoring::find(const std::string& uav, const char* what, E
 
 void Monitoring::learn(Record& record, const TaskEventReceived& event, MissionTime now,
                        Effects& effects) {
-  const auto [entry, is_new] = record.board.tasks.try_emplace(
-      event.task,
-      TaskOnBoard{event.task, event.type, event.state, false, event.reason, now, event.at_ground});
-  TaskOnBoard& task = entry->second;
-  if (task.lost) {
-    // Only its first state shows that it was started anew, and is not late news of the former life.
-    if (event.state != TaskState::kScheduled) return;
-    record.told.erase(event.task);
-    task = {event.task, event.type, event.state, false, event.reason, now, event.at_ground};
-  }
-  if (!executive::is_terminal(task.state)) task.at_ground = event.at_ground;
-  if (!record.told[event.task].insert(event.state).second) {
-    if (task.reason.empty() && task.state == event.state) task.reason = event.reason;
-    return;
-  }
-  if (!executive::is_terminal(task.state) && progress(event.state) > progress(task.state)) {
-    task.state = event.state;
-    task.reason = event.reason;
-    task.since = now;
-  }
-  effects.emplace_back(TaskChanged{record.board.name, event.task, event.state});
+  if (record.board.tasks.learn(event, now))
+    effects.emplace_back(TaskChanged{record.board.name, event.task, event.state});
 }
 
 void Monitoring::lose_tasks(Record& record, Effects& effects) {
-  UavRestarted restarted{record.board.name, {}};
   record.messages.clear();
-  // The new life numbers its background routine from the beginning again.
-  const auto routine = record.board.tasks.lower_bound(executive::kFirstBackgroundId);
-  record.board.tasks.erase(routine, record.board.tasks.end());
-  record.told.erase(record.told.lower_bound(executive::kFirstBackgroundId), record.told.end());
-  for (auto& [id, task] : record.board.tasks) {
-    if (!is_open(task)) continue;
-    task.lost = true;
-    restarted.lost.push_back(id);
-  }
-  effects.emplace_back(std::move(restarted));
+  effects.emplace_back(UavRestarted{record.board.name, record.board.tasks.lose()});
 }
 
 }  // namespace skein::ground_station

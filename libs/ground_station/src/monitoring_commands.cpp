@@ -72,7 +72,7 @@ std::vector<std::string> Monitoring::problems_of(const PlayRole& play, MissionTi
   if (uav == uavs_.end()) return {"unknown UAV '" + play.uav + "'"};
   std::vector<std::string> problems = checks_.problems_of(play.task, addressee(uav->second), now);
   const executive::TaskId id(play.task.id.value());
-  if (uav->second.board.tasks.contains(id)) {
+  if (uav->second.board.tasks.find(id) != nullptr) {
     problems.push_back("task " + skein::to_text(id) + " of " + play.uav + " is known already");
   }
   return problems;
@@ -115,9 +115,8 @@ void Monitoring::on(const AbortEverything& input, MissionTime now, Effects& effe
   Record* record = find(input.uav, "abort of all tasks", effects);
   if (record == nullptr) return;
   std::set<TaskId, std::greater<>> ids;
-  for (const auto& [id, task] : record->board.tasks) {
-    if (is_open(task) && id < executive::kFirstBackgroundId) ids.insert(id);
-  }
+  const std::set<TaskId>& open = record->board.tasks.open();
+  ids.insert(open.begin(), open.lower_bound(executive::kFirstBackgroundId));
   for (const auto& [number, pending] : pending_) {
     const std::optional<TaskId> id = started_by(pending.request);
     if (pending.uav == input.uav && id) ids.insert(*id);
@@ -206,8 +205,8 @@ void Monitoring::send_again(const Record& record, Effects& effects) {
   }
   for (const auto& [number, pending] : open) {
     const std::optional<TaskId> about = named_by(pending.request);
-    const auto task = about ? record.board.tasks.find(*about) : record.board.tasks.end();
-    if (task != record.board.tasks.end() && task->second.lost) {
+    const TaskOnBoard* task = about ? record.board.tasks.find(*about) : nullptr;
+    if (task != nullptr && task->lost) {
       const std::string id = skein::to_text(*about);
       close(number, CommandState::kRefused, "the UAV restarted: task " + id + " is lost", effects);
     } else {

@@ -167,7 +167,7 @@ TEST(ExecutionTransfer, SynchronisationMessagesThatCameByHereGoWithThePlan) {
   meet.task.synchronisation = executive::Synchronisation{551, {"heliv"}, {"marvin"}, std::nullopt};
 
   ground.handle(HandOverReceived{"marvin", {1, {meet}, {}}, at(5)}, at(5));
-  const TaskState state = ground.board(at(5)).uavs[0].tasks.at(id(5)).state;
+  const TaskState state = ground.board(at(5)).uavs[0].tasks.find(id(5))->state;
   const Effects up = ground.handle(HandOverReceived{"marvin", {2, {}, {}}, at(6)}, at(6));
 
   EXPECT_EQ(state, TaskState::kEnded);
@@ -212,7 +212,7 @@ TEST(ExecutionTransfer, WhatANodeThatHasChangedRefusesIsNotLost) {
   ground.handle(status(6, TaskState::kAborted), at(6));
 
   EXPECT_THAT(sent(effects), ElementsAre("START 6 goto"));
-  EXPECT_EQ(ground.board(at(6)).uavs[0].tasks.at(id(6)).state, TaskState::kStarted);
+  EXPECT_EQ(ground.board(at(6)).uavs[0].tasks.find(id(6))->state, TaskState::kStarted);
 }
 
 // ---- plans that are held ----

@@ -136,7 +136,7 @@ TEST(GroundControl, OneScriptWorksAtEveryMixtureOfDegrees) {
         }
         for (const UavOnBoard& uav : team.ground().board(team.now()).uavs) {
           EXPECT_EQ(uav.commands_pending, 0U) << uav.name;
-          EXPECT_EQ(uav.tasks.at(id(6)).state, TaskState::kEnded) << uav.name;
+          EXPECT_EQ(uav.tasks.find(id(6))->state, TaskState::kEnded) << uav.name;
         }
       }
     }
@@ -200,7 +200,7 @@ TEST(GroundControl, AScriptCanSendAgainWhatARestartLost) {
   ASSERT_TRUE(team.play(600));
 
   EXPECT_THAT(team.history("marvin"), Contains("6 ended"));
-  EXPECT_FALSE(team.ground().board(team.now()).uavs[2].tasks.at(id(2)).lost);
+  EXPECT_FALSE(team.ground().board(team.now()).uavs[2].tasks.find(id(2))->lost);
 }
 
 TEST(GroundControl, TheSameRunTwiceIsTheSame) {
@@ -261,7 +261,7 @@ TEST(GroundControl, AtDegreeOneTheNextTaskFollowsTheStatusOfTheLast) {
   EXPECT_THAT(local_states(running), ElementsAre("1 running"));
   EXPECT_THAT(local_states(ended), ElementsAre("1 ended", "2 started"));
   EXPECT_EQ(first<SendFunctional>(ended).request.id, id(2));
-  EXPECT_EQ(ground.board(at(3)).uavs[0].tasks.at(id(2)).state, TaskState::kStarted);
+  EXPECT_EQ(ground.board(at(3)).uavs[0].tasks.find(id(2))->state, TaskState::kStarted);
 }
 
 TEST(GroundControl, AtDegreeOneAnAbortInterruptsTheFunctionalLayer) {

@@ -420,16 +420,21 @@ TEST(Monitoring, TheBackgroundRoutineIsNumberedAnewAfterARestart) {
 
 TEST(CurrentTask, IsWhatMovesTheVehicleElseWhateverRuns) {
   UavOnBoard uav;
+  const auto tell = [&](std::uint64_t task, const char* type, TaskState state) {
+    uav.tasks.learn({"marvin", id(task), type, state}, at(1));
+  };
   EXPECT_EQ(current_task(uav), nullptr);
 
-  uav.tasks[id(1)] = {id(1), "takeshot", TaskState::kRunning, false, "", {}};
+  tell(1, "takeshot", TaskState::kRunning);
   EXPECT_EQ(current_task(uav)->id, id(1));
 
-  uav.tasks[id(2)] = {id(2), "goto", TaskState::kRunning, false, "", {}};
+  tell(2, "goto", TaskState::kRunning);
   EXPECT_EQ(current_task(uav)->id, id(2));
 
-  uav.tasks[id(2)].state = TaskState::kEnded;
-  uav.tasks[id(1)].lost = true;
+  tell(2, "goto", TaskState::kEnded);
+  EXPECT_EQ(current_task(uav)->id, id(1));
+
+  uav.tasks.lose();
   EXPECT_EQ(current_task(uav), nullptr);
 }
 

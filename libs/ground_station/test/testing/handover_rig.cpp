@@ -234,15 +234,15 @@ std::vector<std::string> HandoverRig::faults() const {
     const std::string name = "task " + skein::to_text(task);
     const auto begun = begun_.find(task);
     const int times = begun == begun_.end() ? 0 : begun->second;
-    const auto shown = uav.tasks.find(task);
-    if (shown == uav.tasks.end()) {
+    const TaskOnBoard* shown = uav.tasks.find(task);
+    if (shown == nullptr) {
       out.push_back(name + " is not on the board");
       continue;
     }
     const TaskState wanted = about.seconds > 0 ? TaskState::kEnded : TaskState::kAborted;
-    if (shown->second.state != wanted) {
-      out.push_back(name + " is " + std::string(executive::to_text(shown->second.state)) + " " +
-                    shown->second.reason);
+    if (shown->state != wanted) {
+      out.push_back(name + " is " + std::string(executive::to_text(shown->state)) + " " +
+                    shown->reason);
     }
     if (times > 1) out.push_back(name + " was begun twice");
     if (about.seconds > 0 && times == 0) out.push_back(name + " was lost");

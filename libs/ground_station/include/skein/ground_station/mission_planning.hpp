@@ -2,9 +2,11 @@
 // MPS: plays the scripted ground side of a mission.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -26,8 +28,9 @@ namespace skein::ground_station {
 /// raised. A step's targets are resolved when it is done; a task, or a mission, whose target cannot
 /// be is not sent (anomaly).
 ///
-/// Deterministic. Not safe to share between threads. Cost of an input: O(triggers of the script).
-/// Source: T VI.1.1, VI.1.3 (the ground sent task lists with their dependencies), spec 8.1.
+/// Deterministic. Not safe to share between threads. Cost of an input: O(triggers of the script
+/// that are armed and wait for more than an instant that is to come). Source: T VI.1.1, VI.1.3 (the
+/// ground sent task lists with their dependencies), spec 8.1.
 class MissionPlanning {
  public:
   using Input = std::variant<Tick, AlarmEvent, AlarmRefined, TaskChanged, UavRestarted,
@@ -71,6 +74,8 @@ class MissionPlanning {
   };
   using Effects = std::vector<Effect>;
 
+  void begin(Waiting waiting);
+  void wake(MissionTime now);
   template <class What, class Matches>
   void mark(MissionTime at, const Matches& matches);
   void mark_instants(MissionTime now);
@@ -116,7 +121,10 @@ class MissionPlanning {
 
   Script script_;
   const world::Terrain& terrain_;
-  std::vector<Waiting> waiting_;
+  /// Those that wait, by their rank: operators' actions, then steps, each in the order written.
+  std::map<std::size_t, Waiting> awake_;
+  /// Those that nothing but an instant can wake, by that and their rank.
+  std::map<std::pair<MissionTime, std::size_t>, Waiting> asleep_;
   std::map<AlarmId, Alarm> alarms_;
   AlarmId subject_;
   std::string phase_;

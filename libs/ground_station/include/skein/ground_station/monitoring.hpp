@@ -12,21 +12,9 @@
 
 #include "skein/ground_station/messages.hpp"
 #include "skein/ground_station/mission_checks.hpp"
+#include "skein/ground_station/task_board.hpp"
 
 namespace skein::ground_station {
-
-struct TaskOnBoard {
-  executive::TaskId id;
-  std::string type;
-  executive::TaskState state = executive::TaskState::kScheduled;
-  bool lost = false;  ///< its MLE restarted before it was terminal
-  std::string reason = {};
-  MissionTime since;
-  bool at_ground = false;  ///< the MLE that runs here was the last to tell of it
-};
-
-/// Neither terminal nor lost.
-bool is_open(const TaskOnBoard& task);
 
 struct UavOnBoard {
   std::string name;
@@ -35,7 +23,7 @@ struct UavOnBoard {
   bool airborne = false;
   std::optional<world::VehicleState> telemetry;  ///< the last
   MissionTime telemetry_at;                      ///< when it was so
-  std::map<executive::TaskId, TaskOnBoard> tasks;
+  TaskBoard tasks;
   std::size_t commands_pending = 0;
   /// High-level tasks, in the order of the UAV's high-level plan.
   std::vector<mission::GoalStatus> goals;
@@ -151,8 +139,6 @@ class Monitoring {
   };
   struct Record {
     UavOnBoard board;
-    /// States already told, by task.
-    std::map<executive::TaskId, std::set<executive::TaskState>> told;
     std::set<std::pair<mission::MissionId, MissionStage>> told_missions;
     std::optional<MissionTime> degree_at;  ///< when the last degree told was so
     std::optional<MissionTime> goals_at;   ///< when the goals on the board were so
