@@ -85,18 +85,25 @@ Place ViewpointField::place(const Bearing& bearing) const {
   return place;
 }
 
-double ViewpointField::utility_bound(const BearingCell& cell) const {
+Aspect ViewpointField::aspect_of(const BearingCell& cell) const {
   const Bearing middle = cell.middle();
-  const double radius = cell.angular_radius();
-  const Vector3 direction = world::direction_of(Bearing::radians(middle.azimuth), middle.elevation);
-  const double incidence = std::acos(std::clamp(direction.dot(normal_), -1.0, 1.0));
-  const double best =
-      world::distance_quality(sensor_, cell.range) *
-      world::incidence_quality(sensor_, std::cos(std::max(0.0, incidence - radius)));
+  Aspect aspect;
+  aspect.direction = world::direction_of(Bearing::radians(middle.azimuth), middle.elevation);
+  aspect.radius = cell.angular_radius();
+  const double incidence = std::acos(std::clamp(aspect.direction.dot(normal_), -1.0, 1.0));
+  aspect.quality =
+      world::incidence_quality(sensor_, std::cos(std::max(0.0, incidence - aspect.radius)));
+  return aspect;
+}
+
+double ViewpointField::utility_bound(const BearingCell& cell, const Aspect& aspect) const {
+  const double best = world::distance_quality(sensor_, cell.range) * aspect.quality;
   double way = 0;
   if (query_.from && query_.cost_of_way > 0) {
-    const double extent = std::hypot((cell.range_end - cell.range) / 2, cell.range_end * radius);
-    way = std::max(0.0, (position(middle) - *query_.from).norm() - extent);
+    const double extent =
+        std::hypot((cell.range_end - cell.range) / 2, cell.range_end * aspect.radius);
+    const Vector3 middle = query_.target + cell.middle().range * aspect.direction;
+    way = std::max(0.0, (middle - *query_.from).norm() - extent);
   }
   return best - sensor_.cost - query_.cost_of_way * way;
 }

@@ -37,6 +37,13 @@ struct BearingCell {
   double angular_radius() const;
 };
 
+/// What boxes of the same directions have in common, whatever their ranges.
+struct Aspect {
+  world::Vector3 direction = world::Vector3::Zero();  ///< of the middle, from the target
+  double radius = 0;                                  ///< BearingCell::angular_radius() [rad]
+  double quality = 0;                                 ///< by incidence: none is better
+};
+
 struct Place {
   world::Vector3 position = world::Vector3::Zero();
   double quality = 0, utility = 0;  ///< as of a ViewPoint
@@ -72,7 +79,12 @@ class ViewpointField {
   const BearingCell& whole() const { return whole_; }
   Place place(const Bearing& bearing) const;
   /// No place of the cell has a greater utility. Cost: constant.
-  double utility_bound(const BearingCell& cell) const;
+  double utility_bound(const BearingCell& cell) const {
+    return utility_bound(cell, aspect_of(cell));
+  }
+  /// The same, where the aspect is known: some angles are saved, which are most of the cost.
+  double utility_bound(const BearingCell& cell, const Aspect& aspect) const;
+  Aspect aspect_of(const BearingCell& cell) const;
   /// Whether one may be there and sees the target from there. The first in an azimuth traces the
   /// ground along it, others there are answered from that.
   Verdict judge(const Bearing& bearing, const Place& place);

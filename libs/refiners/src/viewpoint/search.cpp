@@ -81,16 +81,25 @@ void ViewpointSearch::open_lattice(const BearingCell& whole) {
   const std::int32_t width = (whole.azimuth_end - whole.azimuth) / turns;
   for (std::int32_t turn = 0; turn < turns; ++turn)
     for (int tilt = 0; tilt < tilts; ++tilt)
-      for (int range = 0; range < kFirstRanges; ++range)
-        open({whole.azimuth + turn * width, whole.azimuth + (turn + 1) * width,
-              part(whole.elevation, whole.elevation_end, tilt, tilts),
-              part(whole.elevation, whole.elevation_end, tilt + 1, tilts),
-              part(whole.range, whole.range_end, range, kFirstRanges),
-              part(whole.range, whole.range_end, range + 1, kFirstRanges)});
+      open_directions({whole.azimuth + turn * width, whole.azimuth + (turn + 1) * width,
+                       part(whole.elevation, whole.elevation_end, tilt, tilts),
+                       part(whole.elevation, whole.elevation_end, tilt + 1, tilts), whole.range,
+                       whole.range_end});
 }
 
-void ViewpointSearch::open(const BearingCell& cell) {
-  const double bound = field_.utility_bound(cell);
+// A box for each part of the range.
+void ViewpointSearch::open_directions(const BearingCell& all) {
+  const Aspect aspect = field_.aspect_of(all);
+  BearingCell cell = all;
+  for (int range = 0; range < kFirstRanges; ++range) {
+    cell.range = part(all.range, all.range_end, range, kFirstRanges);
+    cell.range_end = part(all.range, all.range_end, range + 1, kFirstRanges);
+    open(cell, aspect);
+  }
+}
+
+void ViewpointSearch::open(const BearingCell& cell, const Aspect& aspect) {
+  const double bound = field_.utility_bound(cell, aspect);
   if (is_settled(bound)) return;
   heap_.push_back({cell, bound, opened_++});
   std::push_heap(heap_.begin(), heap_.end());
@@ -164,8 +173,8 @@ void ViewpointSearch::split(const BearingCell& cell) {
     low.elevation_end = high.elevation = middle.elevation;
   else
     low.range_end = high.range = middle.range;
-  open(low);
-  open(high);
+  open(low, field_.aspect_of(low));
+  open(high, field_.aspect_of(high));
 }
 
 /// Tries the places around; true when one of them was better.

@@ -59,7 +59,8 @@ class ViewpointSearch {
   };
 
   std::optional<Found> search(const BearingCell& whole, const IsApart& is_apart);
-  void open(const BearingCell& cell);
+  void open(const BearingCell& cell, const Aspect& aspect);
+  void open_directions(const BearingCell& all);
   void open_lattice(const BearingCell& whole);
   bool explore(const BearingCell& cell);
   void split(const BearingCell& cell);
