@@ -25,7 +25,7 @@ std::shared_ptr<const world::World> Supervisor::world() const { return core_->wo
 namespace {
 
 /// Of those that are settled, for reports and for what a long cut of the radio hid.
-constexpr std::size_t kGoalsKept = 64;
+constexpr Kept kKept = {64, 16};
 
 Config checked(Config config) {
   SKEIN_EXPECTS(config.knowledge != nullptr);
@@ -75,7 +75,7 @@ Effects Supervisor::Core::handle(const Input& input, MissionTime now) {
     committer_.commit();
     safe_mode_.keep();
   }
-  if (!agenda_.job()) let_go_of_the_past(book_, kGoalsKept);
+  if (!agenda_.job()) let_go_of_the_past(book_, kKept);
   tell_frontier();
   return out_.close();
 }

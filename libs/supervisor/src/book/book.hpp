@@ -32,7 +32,8 @@ struct Goal {
   std::string done;     ///< of it, in words: by tasks that are over
   /// Planned to need no tasks: it is true when its turn comes, if the vehicle is there.
   std::optional<Whereabouts> true_at;
-  MissionTime settled;  ///< when, of one that is
+  MissionTime settled;      ///< when, of one that is
+  bool tasks_gone = false;  ///< let go, of one that is
 };
 
 /// A task of the executive that is of no goal: a safe wait, or somebody else's.

@@ -84,16 +84,27 @@ Effects Outbox::close() {
   return std::exchange(effects_, {});
 }
 
+// What is settled is as it was told: it is not put into words again.
+bool Outbox::is_as_told(const Goal& goal, const mission::GoalStatus& told) {
+  const bool same = told.id == goal.task.id && told.mission == goal.mission &&
+                    told.state == goal.state && told.why == goal.why &&
+                    told.asked_by == goal.asked_by && told.done == goal.done;
+  return same && (is_settled(goal.state) || told.statement == mission::to_text(goal.task));
+}
+
 void Outbox::publish() {
   mission::PlanReport report;
   const auto settled = [this](GoalId id) { return is_settled(book_.goals.at(id).state); };
   book_.put_settled_first();
-  for (const GoalId id : book_.order) report.goals.push_back(status_of(book_.goals.at(id)));
   for (const auto& [id, entry] : book_.tasks) {
     if (!entry.live() || settled(entry.task.origin)) continue;
     report.tasks.push_back({entry.task, dates_of(entry), entry.given()});
   }
-  if (report.tasks == report_.tasks && report.goals == report_.goals) return;
+  const bool same_goals = std::equal(
+      book_.order.begin(), book_.order.end(), report_.goals.begin(), report_.goals.end(),
+      [this](GoalId id, const auto& told) { return is_as_told(book_.goals.at(id), told); });
+  if (same_goals && report.tasks == report_.tasks) return;
+  for (const GoalId id : book_.order) report.goals.push_back(status_of(book_.goals.at(id)));
   report.revision = report_.revision + 1;
   report.made = now_;
   report_ = report;

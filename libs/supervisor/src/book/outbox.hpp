@@ -49,6 +49,7 @@ class Outbox {
 
  private:
   void publish();
+  static bool is_as_told(const Goal& goal, const mission::GoalStatus& told);
 
   Book& book_;
   MissionTime now_;

@@ -8,12 +8,14 @@ namespace skein::supervisor {
 
 namespace {
 
-/// Goals that something open waits for, or that the executive has something of.
+/// Goals that something open waits for or has as a part, or that the executive has something of.
 std::set<GoalId> needed(const Book& book) {
   std::set<GoalId> goals;
   for (const auto& [id, goal] : book.goals) {
     if (is_settled(goal.state)) continue;
     for (const auto& bound : goal.task.after) goals.insert(bound.goal);
+    const std::vector<GoalId> parts = book.parts_of(id);
+    goals.insert(parts.begin(), parts.end());
   }
   const auto need = [&](TaskId task) {
     const Entry* entry = book.find(task);
@@ -28,25 +30,43 @@ std::set<GoalId> needed(const Book& book) {
   return goals;
 }
 
-}  // namespace
-
-void let_go_of_the_past(Book& book, std::size_t kept) {
-  const auto settled = [&](GoalId id) { return is_settled(book.goals.at(id).state); };
+/// The oldest of the settled goals that are `counted`, all but the last `kept` and what is needed.
+template <class Counted>
+std::set<GoalId> past_of(const Book& book, std::size_t kept, const Counted& counted) {
+  const auto settled = [&](GoalId id) {
+    const Goal& goal = book.goals.at(id);
+    return is_settled(goal.state) && counted(goal);
+  };
   const auto all =
       static_cast<std::size_t>(std::count_if(book.order.begin(), book.order.end(), settled));
-  if (all <= kept + kept / 4) return;
+  std::set<GoalId> past;
+  if (all <= kept + kept / 4) return past;
   std::size_t excess = all - kept;
   const std::set<GoalId> still_needed = needed(book);
-  std::set<GoalId> past;
   for (const GoalId id : book.order) {
     if (excess == 0) break;
     if (!settled(id)) continue;
     --excess;
     if (still_needed.count(id) == 0) past.insert(id);
   }
+  return past;
+}
+
+void let_tasks_go(Book& book, const std::set<GoalId>& of) {
+  if (of.empty()) return;
+  std::erase_if(book.tasks, [&](const auto& one) { return of.count(one.second.task.origin) > 0; });
+  for (const GoalId id : of) book.goals.at(id).tasks_gone = true;
+}
+
+}  // namespace
+
+void let_go_of_the_past(Book& book, Kept kept) {
+  let_tasks_go(book,
+               past_of(book, kept.tasks_of, [](const Goal& goal) { return !goal.tasks_gone; }));
+  const std::set<GoalId> past = past_of(book, kept.goals, [](const Goal&) { return true; });
+  if (past.empty()) return;
+  let_tasks_go(book, past);
   std::erase_if(book.order, [&](GoalId id) { return past.count(id) > 0; });
-  std::erase_if(book.tasks,
-                [&](const auto& one) { return past.count(one.second.task.origin) > 0; });
   for (const GoalId id : past) {
     Goal& goal = book.goals.at(id);
     Goal bare;
@@ -54,6 +74,7 @@ void let_go_of_the_past(Book& book, std::size_t kept) {
     bare.mission = goal.mission;
     bare.state = goal.state;
     bare.settled = goal.settled;
+    bare.tasks_gone = true;
     goal = std::move(bare);
   }
 }

@@ -28,7 +28,7 @@ struct TenGoals : Rooms {
 TEST(Past, TheOldestGoalsGoWithTheirTasks) {
   TenGoals rooms;
 
-  let_go_of_the_past(rooms.book, 4);
+  let_go_of_the_past(rooms.book, {4, 4});
 
   EXPECT_EQ(rooms.book.order, goal_ids({5, 6, 7, 8, 9, 10}));
   EXPECT_EQ(rooms.book.find(TaskId{400}), nullptr);
@@ -38,7 +38,7 @@ TEST(Past, TheOldestGoalsGoWithTheirTasks) {
 TEST(Past, ThatThereWasAGoalOfThatNumberStaysKnown) {
   TenGoals rooms;
 
-  let_go_of_the_past(rooms.book, 4);
+  let_go_of_the_past(rooms.book, {4, 4});
 
   EXPECT_EQ(rooms.state_of(1), GoalState::kAchieved);
 }
@@ -46,7 +46,7 @@ TEST(Past, ThatThereWasAGoalOfThatNumberStaysKnown) {
 TEST(Past, NothingGoesBeforeThereIsAQuarterTooMuch) {
   TenGoals rooms;
 
-  let_go_of_the_past(rooms.book, 7);
+  let_go_of_the_past(rooms.book, {7, 7});
 
   EXPECT_EQ(rooms.book.order.size(), 10U);
 }
@@ -57,9 +57,43 @@ TEST(Past, WhatSomethingOpenIsBoundToStays) {
       {GoalId{1}, true, Duration(), Duration::seconds(60)}};
   rooms.entry(1000).task.dependences.push_back({mission::DependenceKind::kEnded, TaskId{200}});
 
-  let_go_of_the_past(rooms.book, 4);
+  let_go_of_the_past(rooms.book, {4, 4});
 
   EXPECT_EQ(rooms.book.order, goal_ids({1, 2, 5, 6, 7, 8, 9, 10}));
+}
+
+TEST(Past, TasksGoBeforeTheirGoals) {
+  TenGoals rooms;
+
+  let_go_of_the_past(rooms.book, {8, 2});
+
+  EXPECT_EQ(rooms.book.order.size(), 10U);
+  EXPECT_EQ(rooms.book.find(TaskId{600}), nullptr);
+  EXPECT_NE(rooms.book.find(TaskId{700}), nullptr);
+  EXPECT_EQ(rooms.state_of(1), GoalState::kAchieved);
+}
+
+TEST(Past, TasksThatWentAreNotCountedAgain) {
+  TenGoals rooms;
+  let_go_of_the_past(rooms.book, {8, 4});
+  rooms.book.goals.at(GoalId{9}).state = GoalState::kAchieved;
+
+  let_go_of_the_past(rooms.book, {8, 4});
+
+  EXPECT_NE(rooms.book.find(TaskId{500}), nullptr);  // five have tasks, and a quarter may be more
+}
+
+TEST(Past, TasksOfWhatSomethingOpenIsBoundToStay) {
+  TenGoals rooms;
+  rooms.book.goals.at(GoalId{9}).task.after = {
+      {GoalId{1}, true, Duration(), Duration::seconds(60)}};
+  rooms.entry(1000).task.dependences.push_back({mission::DependenceKind::kEnded, TaskId{200}});
+
+  let_go_of_the_past(rooms.book, {8, 2});
+
+  EXPECT_NE(rooms.book.find(TaskId{100}), nullptr);
+  EXPECT_NE(rooms.book.find(TaskId{200}), nullptr);
+  EXPECT_EQ(rooms.book.find(TaskId{300}), nullptr);
 }
 
 TEST(Past, WhatTheExecutiveStillHasStays) {
@@ -68,7 +102,7 @@ TEST(Past, WhatTheExecutiveStillHasStays) {
   rooms.book.enter(plan_of(std::move(more)));
   rooms.gave({301});
 
-  let_go_of_the_past(rooms.book, 4);
+  let_go_of_the_past(rooms.book, {4, 4});
 
   EXPECT_THAT(rooms.book.order, Contains(GoalId{3}));
   EXPECT_THAT(rooms.book.order, Not(Contains(GoalId{2})));
