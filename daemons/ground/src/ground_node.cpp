@@ -77,6 +77,13 @@ node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
   return std::move(out_);
 }
 
+node::Effects GroundNode::end_recall() {
+  node::Effects boards;
+  for (wire::Sample& board : boards_.be_read(control_, team_ ? &*team_ : nullptr, roster_))
+    boards.emplace_back(node::Publish{std::move(board)});
+  return boards;
+}
+
 std::optional<MissionTime> GroundNode::next_wakeup() const {
   const auto wakeup =
       earliest(earliest(control_.next_wakeup(), boards_.next_wakeup()), roles_.next_wakeup());

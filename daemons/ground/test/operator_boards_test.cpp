@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <utility>
+
 #include "skein/translation/sensing.hpp"
 #include "testing/station.hpp"
 
@@ -112,6 +115,59 @@ TEST(OperatorBoards, TellOnlyWhatChangedAndNotMoreOftenThanTheirPeriod) {
   ASSERT_EQ(station.all<node::Publish>().size(), 1U);
   EXPECT_EQ(station.published<wire::UavBoard>()[0].position.x, 11);
   EXPECT_EQ(station.node().next_wakeup(), std::nullopt);
+}
+
+using Boards = std::map<std::pair<wire::Slot, std::uint32_t>, wire::Sample>;
+
+void note(const Station& station, Boards& last) {
+  for (const node::Publish& one : station.all<node::Publish>())
+    last[{wire::slot_of(one.sample), wire::header_of(one.sample).instance}] = one.sample;
+}
+
+/// Some seconds of Marvin, until nothing is due; gives the boards that were told last.
+Boards live(Station& station) {
+  Boards last;
+  for (int i = 0; i < 40; ++i) {
+    station.from("marvin", telemetry(i), 1 + 0.2 * i);
+    note(station, last);
+    wire::TaskEvent event;
+    event.uav = "marvin";
+    event.task = static_cast<std::uint64_t>(1 + i / 4);
+    event.type = "goto";
+    event.state = static_cast<wire::TaskState>(i % 4);
+    station.from("marvin", event, 1.1 + 0.2 * i);
+    note(station, last);
+  }
+  station.give(node::Wakeup{}, 10);
+  note(station, last);
+  return last;
+}
+
+TEST(OperatorBoards, AreNotMadeWhileALifeIsLivedAgainAndAllAreToldAtItsEnd) {
+  Station lived, again;
+  const Boards last = live(lived);
+
+  again.node().begin_recall();
+  EXPECT_TRUE(live(again).empty());
+  Boards told;
+  for (const node::Effect& effect : again.node().end_recall()) {
+    const wire::Sample& board = std::get<node::Publish>(effect).sample;
+    told[{wire::slot_of(board), wire::header_of(board).instance}] = board;
+  }
+
+  EXPECT_EQ(told.size(), 5U);  // two UAVs, their tasks, the ground station
+  EXPECT_TRUE(told == last);
+  EXPECT_EQ(again.node().next_wakeup(), lived.node().next_wakeup());
+  again.from("marvin", telemetry(40), 11);
+  EXPECT_EQ(again.published<wire::UavBoard>().size(), 1U);  // what was told is not told twice
+  EXPECT_TRUE(again.published<wire::UavTasks>().empty());
+}
+
+TEST(OperatorBoards, OfALifeInWhichNoneWasDueAreNotTold) {
+  Station again;
+  again.node().begin_recall();
+
+  EXPECT_TRUE(again.node().end_recall().empty());
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TimeIsUp again(const JobClock& clock) {
 
 Result<Survey, Failure> survey(const InputLog& memory) {
   Survey found;
-  const auto read = memory.recall([&](const LogEntry& entry) -> Result<void, Failure> {
+  const auto read = memory.recall_lives([&](const LogEntry& entry) -> Result<void, Failure> {
     if (const auto* started = std::get_if<Started>(&entry.input)) {
       if (started->incarnation <= found.incarnation)
         return failure("a later incarnation of it has the number of an earlier one");
@@ -49,7 +49,9 @@ Result<Survey, Failure> survey(const InputLog& memory) {
 
 Result<void, Failure> Recollection::run(const InputLog& memory) {
   told_ = memory.lines_told();
+  node_.begin_recall();
   auto taken = memory.recall([this](const LogEntry& entry) { return take(entry); });
+  follow(node_.end_recall(), until_);
   if (taken && told_ > lines_) {
     return failure("what it was given does not explain the " + std::to_string(told_) +
                    " lines that it wrote: another version of the program, or another scenario");

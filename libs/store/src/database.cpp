@@ -17,11 +17,30 @@ constexpr const char* kTables = R"(
 constexpr const char* kInsert =
     "INSERT INTO inputs (at, kind, peer, slot, value, extra, flags, body) "
     "VALUES (?, ?, ?, ?, ?, ?, ?, ?)";
+constexpr const char* kSelect =
+    "SELECT number, at, kind, peer, slot, value, extra, flags, body FROM inputs";
 constexpr int kPatience = 1000;  ///< for somebody who reads [ms]
 
 int flags_of(Database::Mode mode) {
-  return mode == Database::Mode::kRead ? SQLite::OPEN_READONLY
-                                       : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE;
+  // One thread has it: no lock for each value that is read.
+  return SQLite::OPEN_NOMUTEX |
+         (mode == Database::Mode::kRead ? SQLite::OPEN_READONLY
+                                        : SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+}
+
+std::uint64_t number_of(SQLite::Statement& query) {
+  return static_cast<std::uint64_t>(query.getColumn(0).getInt64());
+}
+
+Row row_of(SQLite::Statement& query) {
+  Row row{query.getColumn(1).getInt64(), query.getColumn(2).getString(),
+          query.getColumn(3).getInt64(), query.getColumn(4).getString(),
+          query.getColumn(5).getInt64(), query.getColumn(6).getInt64(),
+          query.getColumn(7).getInt64(), {}};
+  const SQLite::Column body = query.getColumn(8);
+  const auto* bytes = static_cast<const std::uint8_t*>(body.getBlob());
+  if (bytes != nullptr) row.body.assign(bytes, bytes + body.getBytes());
+  return row;
 }
 
 }  // namespace
@@ -29,9 +48,11 @@ int flags_of(Database::Mode mode) {
 Database::Database(const std::string& file, Mode mode)
     : database_(file, flags_of(mode), kPatience) {
   if (mode == Mode::kRead) return;
+  // An input is some hundred bytes, and is written with the page that it is on: small ones (of a
+  // new file; another keeps those it has). The write-ahead log is about 16 MB at most.
   database_.exec(
-      "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
-      "PRAGMA wal_autocheckpoint = 4000;");
+      "PRAGMA page_size = 1024; PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
+      "PRAGMA wal_autocheckpoint = 16000;");
   if (version() < kVersion) bring_up();
 }
 
@@ -88,25 +109,30 @@ void Database::insert(const Row& row) {
 }
 
 void Database::for_each(const std::function<bool(std::uint64_t, const Row&)>& take) {
-  SQLite::Statement query(database_,
-                          "SELECT number, at, kind, peer, slot, value, extra, flags, body "
-                          "FROM inputs ORDER BY number");
+  SQLite::Statement query(database_, std::string(kSelect) + " ORDER BY number");
   Packing packing;
   while (query.executeStep()) {
-    Row row{query.getColumn(1).getInt64(), query.getColumn(2).getString(),
-            query.getColumn(3).getInt64(), query.getColumn(4).getString(),
-            query.getColumn(5).getInt64(), query.getColumn(6).getInt64(),
-            query.getColumn(7).getInt64(), {}};
-    const SQLite::Column body = query.getColumn(8);
-    const auto* bytes = static_cast<const std::uint8_t*>(body.getBlob());
-    if (bytes != nullptr) row.body.assign(bytes, bytes + body.getBytes());
-    const auto number = static_cast<std::uint64_t>(query.getColumn(0).getInt64());
+    const std::uint64_t number = number_of(query);
+    Row row = row_of(query);
     try {
       packing.unpack(row);
     } catch (const std::runtime_error& error) {
       throw std::runtime_error("input " + std::to_string(number) + ": " + error.what());
     }
     if (!take(number, row)) return;
+  }
+}
+
+void Database::for_each_of(const std::vector<std::string>& kinds,
+                           const std::function<bool(std::uint64_t, const Row&)>& take) {
+  std::string marks;
+  for (std::size_t i = 0; i < kinds.size(); ++i) marks += i == 0 ? "?" : ", ?";
+  SQLite::Statement query(
+      database_, std::string(kSelect) +
+                     " WHERE number = (SELECT min(number) FROM inputs) OR kind IN (" + marks +
+                     ") ORDER BY number");
+  for (std::size_t i = 0; i < kinds.size(); ++i) query.bind(static_cast<int>(i) + 1, kinds[i]);
+  while (query.executeStep() && take(number_of(query), row_of(query))) {
   }
 }
 

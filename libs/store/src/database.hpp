@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "row.hpp"
 
@@ -37,6 +38,9 @@ class Database {
   void insert(const Row& row);
   /// In the order of insertion, unpacked, until `take` says no.
   void for_each(const std::function<bool(std::uint64_t number, const Row&)>& take);
+  /// The first, and those of these kinds; as they are, nothing is unpacked.
+  void for_each_of(const std::vector<std::string>& kinds,
+                   const std::function<bool(std::uint64_t number, const Row&)>& take);
   std::uint64_t inputs();
   /// What SQLite says of the file: "ok" if it is sound.
   std::string soundness();

@@ -140,6 +140,14 @@ Row row_of(const node::LogEntry& entry) {
   return row;
 }
 
+std::vector<std::string> kinds_of_lives() {
+  std::vector<std::string> kinds;
+  for (const LoggedInput& one :
+       {LoggedInput(node::Started{}), LoggedInput(node::Resumed{}), LoggedInput(node::Unsent{})})
+    kinds.emplace_back(kKinds[one.index()]);
+  return kinds;
+}
+
 Result<node::LogEntry, Failure> entry_of(const Row& row) {
   auto input = input_of(row);
   if (!input) return tl::unexpected(input.error());

@@ -27,6 +27,8 @@ struct Row {
 };
 
 Row row_of(const node::LogEntry& entry);
+/// Those of node::is_of_lives().
+std::vector<std::string> kinds_of_lives();
 /// Reads what row_of() made; whatever else it is given, the failure says what is wrong.
 Result<node::LogEntry, Failure> entry_of(const Row& row);
 

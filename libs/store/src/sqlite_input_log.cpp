@@ -231,11 +231,21 @@ Result<void, Failure> SqliteInputLog::append(const node::LogEntry& entry) {
 void SqliteInputLog::told(std::uint64_t lines) { impl_->told(lines); }
 std::uint64_t SqliteInputLog::lines_told() const { return impl_->told(); }
 
-Result<void, Failure> SqliteInputLog::recall(
-    const std::function<Result<void, Failure>(const node::LogEntry&)>& take) const {
+Result<void, Failure> SqliteInputLog::recall(const Take& take) const {
+  return read([](Database& database, const auto& row) { database.for_each(row); }, take);
+}
+
+Result<void, Failure> SqliteInputLog::recall_lives(const Take& take) const {
+  return read(
+      [](Database& database, const auto& row) { database.for_each_of(kinds_of_lives(), row); },
+      take);
+}
+
+template <class ForEach>
+Result<void, Failure> SqliteInputLog::read(const ForEach& for_each, const Take& take) const {
   Result<void, Failure> result;
   try {
-    impl_->database().for_each([&](std::uint64_t number, const Row& row) {
+    for_each(impl_->database(), [&](std::uint64_t number, const Row& row) {
       const auto entry = entry_of(row);
       result = entry ? take(*entry) : Result<void, Failure>(tl::unexpected(entry.error()));
       if (!result)

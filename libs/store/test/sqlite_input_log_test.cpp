@@ -76,6 +76,36 @@ TEST_F(StateOnDisk, TheNextLifeKnowsAllThatTheLastOneWasGivenInItsOrder) {
   EXPECT_EQ(next.log->lines_told(), 12U);
 }
 
+std::vector<std::string> texts_of_lives(const node::InputLog& log) {
+  std::vector<std::string> found;
+  const auto read = log.recall_lives([&](const node::LogEntry& entry) -> Result<void, Failure> {
+    found.push_back(testing::to_text(entry));
+    return {};
+  });
+  if (!read) found.push_back("FAILED " + read.error().why);
+  return found;
+}
+
+TEST_F(StateOnDisk, ItsLivesAreThoseThatAMemoryOfTheSameInputsHas) {
+  live();
+  live();
+  node::MemoryInputLog memory;
+  for (int life = 0; life < 2; ++life)
+    for (const node::LogEntry& entry : one_of_each()) ASSERT_TRUE(memory.append(entry));
+
+  const std::vector<std::string> lives = texts_of_lives(*open().log);
+
+  EXPECT_EQ(lives.size(), 6U);  // each life: started, resumed, one that was not sent
+  EXPECT_EQ(lives, texts_of_lives(memory));
+}
+
+TEST_F(StateOnDisk, ItsLivesBeginWithItsFirstInputWhateverThatIs) {
+  ASSERT_TRUE(open().log->append({MissionTime(), node::Wakeup{}}));
+
+  EXPECT_EQ(texts_of_lives(*open().log),
+            texts(std::vector<node::LogEntry>{{MissionTime(), node::Wakeup{}}}));
+}
+
 /// What a program of version 1 or 2 left, by its own tables.
 void leave_version(int version, const fs::path& state) {
   SQLite::Database old(state.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);

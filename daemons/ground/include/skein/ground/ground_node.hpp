@@ -36,6 +36,8 @@ class GroundNode final : public node::Node {
 
   node::Effects handle(const node::Input& input, MissionTime now) override;
   std::optional<MissionTime> next_wakeup() const override;
+  void begin_recall() override { boards_.go_unread(); }
+  node::Effects end_recall() override;
 
  private:
   using Input = Inbox::Input;

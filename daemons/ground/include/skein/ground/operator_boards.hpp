@@ -35,10 +35,22 @@ class OperatorBoards {
   std::vector<wire::Sample> news(const ground_station::GroundControl& control,
                                  const ground_station::TeamDesk* team, const node::Roster& roster,
                                  MissionTime now);
+  /// Nobody reads what is told from here on: news() gives nothing, and costs nothing, but what is
+  /// due is due as ever.
+  void go_unread() { unread_ = true; }
+  /// They are read again: all boards, as they are now, if any was due meanwhile.
+  std::vector<wire::Sample> be_read(const ground_station::GroundControl& control,
+                                    const ground_station::TeamDesk* team,
+                                    const node::Roster& roster);
 
  private:
+  std::vector<wire::Sample> changed_boards(const ground_station::GroundControl& control,
+                                           const ground_station::TeamDesk* team,
+                                           const node::Roster& roster, bool tasks);
   void tell(wire::Sample board, std::vector<wire::Sample>& news);
 
+  bool unread_ = false;
+  bool missed_ = false;  ///< some were due while nobody read
   bool changed_ = false;
   bool tasks_changed_ = true;  ///< none was told yet
   std::optional<MissionTime> told_at_;

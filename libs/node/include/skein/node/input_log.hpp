@@ -48,6 +48,10 @@ struct LogEntry {
   LoggedInput input;
 };
 
+/// Whether it tells of the node's lives and what came of its sends, and is not given to it.
+/// Started is both.
+bool is_of_lives(const LoggedInput& input);
+
 /// The memory of one node in one mission: its inputs in their order. A node is a function of them,
 /// so they are all of its state: plan, tasks and conditions, degree, commands and answers, the
 /// place in a script, sessions of events both ways.
@@ -57,6 +61,8 @@ struct LogEntry {
 /// Source: spec 1.3, 1.5. Thread rule: one thread.
 class InputLog {
  public:
+  using Take = std::function<Result<void, Failure>(const LogEntry&)>;
+
   InputLog() = default;
   InputLog(const InputLog&) = delete;
   InputLog& operator=(const InputLog&) = delete;
@@ -70,8 +76,9 @@ class InputLog {
 
   /// What the lives before this one were given; empty for the first. Stops, with the failure of
   /// `take`, where that fails.
-  virtual Result<void, Failure> recall(
-      const std::function<Result<void, Failure>(const LogEntry&)>& take) const = 0;
+  virtual Result<void, Failure> recall(const Take& take) const = 0;
+  /// Of that the first, and what is_of_lives(): to be overridden where that can be had for less.
+  virtual Result<void, Failure> recall_lives(const Take& take) const;
   virtual std::uint64_t lines_told() const = 0;
 };
 
@@ -85,8 +92,7 @@ class MemoryInputLog final : public InputLog {
  public:
   Result<void, Failure> append(const LogEntry& entry) override;
   void told(std::uint64_t lines) override { told_ = lines; }
-  Result<void, Failure> recall(
-      const std::function<Result<void, Failure>(const LogEntry&)>& take) const override;
+  Result<void, Failure> recall(const Take& take) const override;
   std::uint64_t lines_told() const override { return told_; }
   const std::vector<LogEntry>& entries() const { return entries_; }
 

@@ -119,6 +119,12 @@ class Node {
   /// When it next wants a Wakeup, if nothing comes before; after a Wakeup, later than its instant.
   /// Only handle() changes it: it is asked once after that.
   virtual std::optional<MissionTime> next_wakeup() const = 0;
+
+  /// From here on it is given what a former life was given, and does what that did. Of what it
+  /// publishes (states of the world channel) only the last is of account: it need not make any.
+  virtual void begin_recall() {}
+  /// That is over. Gives what it did not publish meanwhile, as it is now.
+  virtual Effects end_recall() { return {}; }
 };
 
 }  // namespace skein::node

@@ -46,8 +46,8 @@ class SqliteInputLog final : public node::InputLog {
 
   Result<void, Failure> append(const node::LogEntry& entry) override;
   void told(std::uint64_t lines) override;
-  Result<void, Failure> recall(
-      const std::function<Result<void, Failure>(const node::LogEntry&)>& take) const override;
+  Result<void, Failure> recall(const Take& take) const override;
+  Result<void, Failure> recall_lives(const Take& take) const override;
   std::uint64_t lines_told() const override;
 
   /// The mission is over: there is nothing to come back to.
@@ -59,6 +59,8 @@ class SqliteInputLog final : public node::InputLog {
  private:
   class Impl;
   explicit SqliteInputLog(std::unique_ptr<Impl> impl);
+  template <class ForEach>
+  Result<void, Failure> read(const ForEach& for_each, const Take& take) const;
   std::unique_ptr<Impl> impl_;
 };
 
