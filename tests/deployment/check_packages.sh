@@ -51,6 +51,7 @@ inside skein-make-keys /tmp/keys /usr/share/skein/scenarios/comets/confirmed.yam
 said "$(tail -n 1 "$log")"
 for daemon in ground sim; do
   inside "skein-$daemon" --config "/etc/skein/$daemon.yaml" --show-config || fail "/etc/skein/$daemon.yaml"
+  grep -q "^state: \. *# /etc/skein/$daemon.yaml" "$log" || fail "skein-$daemon keeps nothing for its next life"
 done
 for daemon in ddn mavlink; do
   inside "skein-$daemon" --config "/etc/skein/$daemon.yaml" --uav marvin --show-config || fail "/etc/skein/$daemon.yaml"

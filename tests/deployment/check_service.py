@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""check_service.py BUILD: plays systemd for a daemon: it says when it is ready, gives signs of life within the
-watchdog's interval while it waits for others, and says that it stops when it is told to."""
+"""check_service.py BUILD: plays systemd for a daemon that has its configuration as it is shipped: it says when it is
+ready, gives signs of life within the watchdog's interval while it waits for others, says that it stops when it is told
+to, and keeps what it knows in its folder, where it goes on from when it was killed."""
 import os
 import pathlib
 import signal
@@ -25,13 +26,44 @@ def messages_until(notified, deadline):
             return
 
 
+def configured(folder, scenario):
+    """The configuration as it is shipped, of another mission."""
+    shipped = pathlib.Path(__file__).resolve().parents[2] / "daemons/service/ground.yaml"
+    changed = {"scenario": scenario, "domain": 91}
+    lines = [line for line in shipped.read_text().splitlines() if line.split(":")[0] not in changed]
+    config = folder / "ground.yaml"
+    config.write_text("\n".join(lines + [f"{key}: {value}" for key, value in changed.items()]) + "\n")
+    return config
+
+
+def check_memory(folder, start, notified):
+    """Killed once it has kept something, it goes on from that."""
+    process = start()
+    assert any(line == "READY=1" for _, line in messages_until(notified, 30)), "not ready after 30 s"
+    process.kill()
+    process.wait()
+    assert (folder / "ground.state").exists(), "it keeps nothing: killed, it would have forgotten all"
+    process = start()
+    assert any(line == "READY=1" for _, line in messages_until(notified, 30)), "not ready on its memory after 30 s"
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(10) == 0, f"exit code {process.returncode}"
+    aside = [file.name for file in folder.glob("*.aside-*")]
+    assert not aside, f"its memory was set aside: {aside}"
+
+
 def check(folder, daemon, scenario):
     notified = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
     notified.bind(str(folder / "notify"))
     environment = dict(os.environ, NOTIFY_SOCKET=str(folder / "notify"), WATCHDOG_USEC=str(int(INTERVAL * 1e6)))
-    config = folder / "ground.yaml"
-    config.write_text(f"scenario: {scenario}\ndomain: 91\n")
-    process = subprocess.Popen([daemon, "--config", config], env=environment, stderr=subprocess.DEVNULL)
+    config = configured(folder, scenario)
+    work = folder / "work"  # as the unit's WorkingDirectory
+    work.mkdir()
+
+    def start():
+        return subprocess.Popen([daemon, "--config", config], cwd=work, env=environment, stderr=subprocess.DEVNULL)
+
+    check_memory(work, start, notified)
+    process = start()
     try:
         ready = next((at for at, line in messages_until(notified, 30) if line == "READY=1"), None)
         assert ready is not None, "not ready after 30 s"
