@@ -64,6 +64,24 @@ RC_GTEST_PROP(Executive, NextWakeupIsNeverInThePast, ()) {
   }
 }
 
+// Who goes by changes() misses no change, and is not told of one for each input.
+RC_GTEST_PROP(Executive, SaysThatItsTasksChangedWheneverTheyDid, ()) {
+  const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+  Executive executive(config_for(seed));
+  std::vector<TaskStatus> before;
+  std::uint64_t changes = executive.changes();
+
+  for (const auto& [at, input] : RandomTrace(seed).make(150)) {
+    const bool events = !executive.handle(input, at).empty();
+    const bool told = executive.changes() > changes;
+    RC_ASSERT(executive.changes() >= changes);
+    RC_ASSERT(told || executive.tasks() == before);
+    RC_ASSERT(events || !told);
+    before = executive.tasks();
+    changes = executive.changes();
+  }
+}
+
 // An oracle says nothing about what its traces never meet.
 TEST(RandomTrace, MeetsEveryKindOfHappening) {
   std::map<std::string, int> met;
