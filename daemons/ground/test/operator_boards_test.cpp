@@ -132,7 +132,7 @@ Boards live(Station& station) {
     note(station, last);
     wire::TaskEvent event;
     event.uav = "marvin";
-    event.task = static_cast<std::uint64_t>(1 + i / 4);
+    event.id = static_cast<std::uint64_t>(1 + i / 4);
     event.type = "goto";
     event.state = static_cast<wire::TaskState>(i % 4);
     station.from("marvin", event, 1.1 + 0.2 * i);
