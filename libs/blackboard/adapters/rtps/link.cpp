@@ -14,10 +14,6 @@ bool contains(const std::vector<wire::Slot>& slots, wire::Slot slot) {
   return std::ranges::find(slots, slot) != slots.end();
 }
 
-bool is_pattern(const std::string& partition) {
-  return partition.find_first_of("*?[") != std::string::npos;
-}
-
 /// Writers of events over radio that a node may have from the beginning: those of a team of six.
 constexpr std::ptrdiff_t kFewWriters = 64;
 /// [bit/s] To tell of an endpoint takes half a kilobyte for each of the others.
@@ -33,6 +29,10 @@ std::ptrdiff_t writers_of_events(const TransportPlan& plan) {
 }
 
 }  // namespace
+
+bool is_pattern(std::string_view partition) {
+  return partition.find_first_of("*?[") != partition.npos;
+}
 
 bool LinkPlan::waits_to_write(wire::Slot slot) const {
   if (slot == wire::Slot::kHeartbeat) return false;

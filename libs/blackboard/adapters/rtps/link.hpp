@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -34,6 +35,9 @@ struct LinkPlan {
   bool waits_to_write(wire::Slot slot) const;
   bool waits_to_read(wire::Slot slot) const;
 };
+
+/// Whether it names many partitions.
+bool is_pattern(std::string_view partition);
 
 /// Of the channel with that index. Endpoints of the world do not wait: everybody uses them, and
 /// some write there only when they end. With keys none do, since it must be known at once whether
@@ -81,6 +85,7 @@ class Link {
   /// As Transport::write() and set_up().
   bool write(const wire::Sample& sample);
   Result<void, Failure> set_up(bool up);
+  bool up() const { return up_; }
   /// Somebody writes that slot for this channel's reader.
   void attend(wire::Slot slot);
   /// This channel's writer of that slot has found a reader.

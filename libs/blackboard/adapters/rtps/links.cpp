@@ -15,19 +15,25 @@ constexpr std::chrono::milliseconds kLastWords{2000};
 void Links::plan(const TransportPlan& plan, const DdsConfig& config) {
   SKEIN_EXPECTS(plans_.empty());
   log_ = config.log;
+  heartbeats_ = HeartbeatReader::of(plan, config);
   for (std::size_t i = 0; i < plan.channels.size(); ++i) {
     plans_.push_back(plan_link(plan, i, config));
+    if (heartbeats_ && heartbeats_->covers(i))
+      std::erase(plans_.back().reads, wire::Slot::kHeartbeat);
     awaited_.await(i, plans_.back());
   }
 }
 
 Result<void, Failure> Links::open(const Make& make) {
   SKEIN_EXPECTS(links_.empty());
-  for (std::size_t i = 0; i < plans_.size(); ++i) {
-    links_.emplace_back(plans_[i], make(i, plans_[i]), log_);
-    if (auto opened = links_.back().open(); !opened) return opened;
-  }
-  return {};
+  for (std::size_t i = 0; i < plans_.size(); ++i)
+    if (auto opened = open_one(i, plans_[i], make); !opened) return opened;
+  return heartbeats_ ? open_one(plans_.size(), heartbeats_->link(), make) : Result<void, Failure>();
+}
+
+Result<void, Failure> Links::open_one(std::size_t channel, const LinkPlan& plan, const Make& make) {
+  links_.emplace_back(plan, make(channel, plan), log_);
+  return links_.back().open();
 }
 
 bool Links::write(std::size_t channel, const wire::Sample& sample) {
@@ -41,7 +47,16 @@ Result<void, Failure> Links::set_up(std::size_t channel, bool up) {
 std::vector<Arrival> Links::take() {
   for (const auto& [channel, slot] : awaited_.take()) links_.at(channel).attend(slot);
   for (const auto& [channel, slot] : matches_.take()) links_.at(channel).meet(slot);
-  return mailbox_.take();
+  return heartbeats_ ? sorted(mailbox_.take()) : mailbox_.take();
+}
+
+std::vector<Arrival> Links::sorted(std::vector<Arrival> arrivals) const {
+  std::erase_if(arrivals, [this](Arrival& arrival) {
+    if (arrival.channel < plans_.size()) return false;
+    arrival.channel = heartbeats_->channel_of(arrival);
+    return !links_[arrival.channel].up();
+  });
+  return arrivals;
 }
 
 void Links::flush() {

@@ -4,9 +4,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "adapters/rtps/awaited_writers.hpp"
+#include "adapters/rtps/heartbeat_reader.hpp"
 #include "adapters/rtps/link.hpp"
 #include "adapters/rtps/mailbox.hpp"
 #include "adapters/rtps/matches.hpp"
@@ -14,6 +16,7 @@
 
 namespace skein::blackboard::rtps {
 
+/// The reader of all heartbeats over radio is one more channel to the vendor, behind the others.
 /// Thread rule: that of Transport; mailbox(), awaited() and matches() are for the middleware's
 /// threads, too.
 class Links {
@@ -37,12 +40,17 @@ class Links {
   Matches& matches() { return matches_; }
 
  private:
+  Result<void, Failure> open_one(std::size_t channel, const LinkPlan& plan, const Make& make);
+  /// Those that came by the reader of heartbeats are of the channels that they were said on.
+  std::vector<Arrival> sorted(std::vector<Arrival> arrivals) const;
+
   Mailbox mailbox_;
   AwaitedWriters awaited_{mailbox_};
   Matches matches_{mailbox_};
   std::vector<LinkPlan> plans_;
+  std::optional<HeartbeatReader> heartbeats_;
   Link::Log log_;
-  std::vector<Link> links_;
+  std::vector<Link> links_;  ///< by channel; behind them that of the heartbeats, if there is one
 };
 
 }  // namespace skein::blackboard::rtps
