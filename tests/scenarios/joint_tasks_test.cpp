@@ -40,18 +40,18 @@ std::string name_of(const ::testing::TestParamInfo<std::string>& one) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(JointTasks, Teamwork,
-                         ::testing::Values("mref/nominal", "mref/small-move", "mref/larger-move",
-                                           "mref/very-large-move", "mref/relay-lost",
-                                           "mref/radio-cut", "mref/interrupted",
-                                           "mref/spreading-fire", "mref/front-unseen",
-                                           "mref/taken-in-hand", "mref/ground-plays",
-                                           "mref/ground-plays-taken", "mref/ground-plays-up",
-                                           "mref/ground-plays-cut", "mref/seen-past-relay"),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(
+    JointTasks, Teamwork,
+    ::testing::Values("mref/nominal", "mref/small-move", "mref/larger-move", "mref/very-large-move",
+                      "mref/relay-lost", "mref/radio-cut", "mref/interrupted",
+                      "mref/spreading-fire", "mref/front-unseen", "mref/taken-in-hand",
+                      "mref/ground-plays", "mref/ground-plays-taken", "mref/ground-plays-up",
+                      "mref/ground-plays-cut", "mref/seen-past-relay", "mref/planned-places"),
+    name_of);
 INSTANTIATE_TEST_SUITE_P(AgreedPlaces, Teamwork,
                          ::testing::Values("agreed-places/around", "agreed-places/around-cut",
-                                           "agreed-places/chain"),
+                                           "agreed-places/chain", "agreed-places/escort",
+                                           "agreed-places/escort-ground-plays"),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(AreaSharing, Teamwork,
                          ::testing::Values("area-sharing/negotiated", "area-sharing/one-leaves",

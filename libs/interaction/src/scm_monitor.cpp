@@ -14,6 +14,22 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
+double level_between(const Position& a, const Position& b) {
+  return std::max(1.0, std::hypot(a[0] - b[0], a[1] - b[1]));
+}
+
+/// What an angle is off when the place of what sensors follow is off by as much as it may be.
+double doubt(const PlacedConstraint& one, const Position& own, const Observer& observer,
+             const ScmLimits& limits) {
+  using Quantity = SpatialConstraint::Quantity;
+  if (limits.seen == 0 || one.quantity == Quantity::kDistance) return 0;
+  const auto sighting = observer(one.place);
+  if (!sighting || !sighting->by_sensors) return 0;
+  const double at_it = limits.seen / level_between(own, one.origin);
+  if (one.quantity == Quantity::kAltitude) return at_it;
+  return at_it + limits.seen / level_between(one.toward, one.origin);
+}
+
 }  // namespace
 
 std::optional<double> azimuth_in(const Position& origin, const Position& toward,
@@ -75,7 +91,9 @@ ScmMonitor::Round ScmMonitor::measure(const Position& own, const Observer& obser
     const double wanted =
         one->relation == Relation::kEqual ? std::min(margin, one->tolerance) : margin;
     round.clear = round.clear && slack >= wanted;
-    if (one->holds_by(slack) || (round.missed && slack >= least)) continue;
+    if (one->holds_by(slack + doubt(*one, own, observer, limits_)) ||
+        (round.missed && slack >= least))
+      continue;
     least = slack;
     round.missed = Measured{one->index, one->place, one->relation, *value, one->reference};
   }

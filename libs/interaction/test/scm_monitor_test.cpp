@@ -158,6 +158,41 @@ TEST(ScmMonitor, EqualAzimuthsAreComparedAroundTheCircle) {
   EXPECT_EQ(watched.found_at({50, -15, 0}), "violated");
 }
 
+// Seen 10 m from the point that gives the direction, by a few metres: no direction at all.
+TEST(ScmMonitor, AnAngleAtWhatSensorsFollowIsNotViolatedByWhatItsPlaceMayBeOff) {
+  SpatialConstraint ahead{
+      SpatialConstraint::Quantity::kAzimuth, {"a", "b"}, Relation::kEqual, Term(0.0), 0.2};
+  ScmLimits limits;
+  limits.seen = 3;
+  Watched watched(scm_of({ahead}), limits);
+  watched.seen()["inside"].position = {10, 0, 0};
+
+  watched.seen()["fire"].by_sensors = true;
+  EXPECT_EQ(watched.found_at({30, -15, 0}), "") << "0.46 rad off, of 0.2 and 0.4";
+  EXPECT_EQ(watched.found_at({30, -25, 0}), "violated");
+  watched.seen()["fire"].by_sensors = false;
+  EXPECT_EQ(watched.found_at({30, 0, 0}), "satisfied");
+  EXPECT_EQ(watched.found_at({30, -15, 0}), "violated") << "a point that was said is no doubt";
+}
+
+RC_GTEST_PROP(ScmMonitor, WhatIsSeenAndShakesViolatesNoAngleThatHolds, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  SpatialConstraint ahead{
+      SpatialConstraint::Quantity::kAzimuth, {"a", "b"}, Relation::kEqual, Term(0.0), 0.02};
+  ScmLimits limits;
+  limits.seen = random.uniform(1, 5);
+  Watched watched(scm_of({ahead}), limits);
+  watched.seen()["fire"].by_sensors = true;
+  watched.seen()["inside"].position = {random.uniform(3 * limits.seen, 100), 0, 0};
+  const Position own{random.uniform(4 * limits.seen, 200), 0, random.uniform(0, 50)};
+
+  for (int i = 0; i < 60; ++i) {
+    const double angle = random.uniform(0, 2 * kPi), off = random.uniform(0, limits.seen / 2);
+    watched.seen()["fire"].position = {off * std::cos(angle), off * std::sin(angle), 0};
+    RC_ASSERT(watched.found_at(own) == "");
+  }
+}
+
 Position anywhere(Random& random) {
   return {random.uniform(-80, 80), random.uniform(-80, 80), random.uniform(-80, 80)};
 }

@@ -44,6 +44,7 @@ bool partner_never_comes(const History& history, const Uav& uav, const Goal& goa
 // joint_tasks.cpp
 std::vector<Violation> roles_held_twice(const History& history);
 std::vector<Violation> agreements_apart(const History& history);
+std::vector<Violation> restless_negotiations(const History& history);
 std::vector<Violation> activations_without_end(const History& history);
 std::vector<Violation> joint_tasks_without_end(const History& history);
 std::vector<Violation> joint_tasks_apart(const History& history);

@@ -2,6 +2,7 @@
 // Who takes part in a joint task holds one role, that nobody else holds, and all end alike.
 #include <algorithm>
 #include <map>
+#include <sstream>
 
 #include "checks.hpp"
 #include "joint_places.hpp"
@@ -29,6 +30,14 @@ bool is_excused(const History& history, const std::string& uav) {
   const auto found = history.uavs.find(uav);
   if (found == history.uavs.end() || history.was_killed(uav)) return true;
   return !found->second.faults.empty() || found->second.degrees.size() > 1;
+}
+
+/// Who plays what, of "heliv perceive 374.708, marvin relay 10.09": without what it costs.
+std::string roles_of(const std::string& rows) {
+  std::string roles;
+  std::istringstream all(rows);
+  for (std::string row; std::getline(all, row, ',');) roles += row.substr(0, row.rfind(' ')) + ",";
+  return roles;
 }
 
 }  // namespace
@@ -71,6 +80,26 @@ std::vector<Violation> agreements_apart(const History& history) {
                         session + ": agreed on '" + told.rows + "' and at " + agreed->second.uav +
                             " on '" + agreed->second.rows + "'"});
     }
+  }
+  return result;
+}
+
+// Nobody need ask again at once for what all have just confirmed, unless something befell a member.
+std::vector<Violation> restless_negotiations(const History& history) {
+  constexpr double kStands = 15;  // [s]
+  std::vector<Violation> result;
+  std::map<std::string, SessionTold> confirmed;
+  for (const SessionTold& told : history.joint.sessions) {
+    if (!told.agreed || !told.joint.ends_with("/role-allocation")) continue;
+    const auto before = confirmed.find(told.joint);
+    const bool again = before != confirmed.end() && told.opened > before->second.opened;
+    if (again && told.opened < before->second.at + kStands &&
+        roles_of(told.rows) == roles_of(before->second.rows) && !is_excused(history, told.opener))
+      result.push_back({"", told.opened, told.opener, 0,
+                        told.joint + " is negotiated again " +
+                            figure(told.opened - before->second.at) +
+                            " s after all had agreed to keep their roles"});
+    if (again || before == confirmed.end()) confirmed[told.joint] = told;
   }
   return result;
 }

@@ -34,6 +34,8 @@ const std::vector<Law>& all_laws() {
       {"partners-apart", "partners of a synchronisation keep apart", partners_too_near},
       {"roles", "no two UAVs hold a role that is for one", roles_held_twice},
       {"agreements", "a negotiation comes out alike wherever it is decided", agreements_apart},
+      {"restless", "roles that all have just agreed to keep are not negotiated again at once",
+       restless_negotiations},
       {"activations", "all of a role is over when its joint task has ended",
        activations_without_end},
       {"joint", "no joint task ends at one and is aborted at another", joint_tasks_apart},

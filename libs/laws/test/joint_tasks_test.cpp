@@ -81,6 +81,18 @@ class Told {
                                   .state = state,
                                   .rows = rows});
   }
+  /// By heliv: agreed upon at both.
+  Told& asked_for_roles(double opened, double agreed, const std::string& rows) {
+    for (const std::string uav : {"heliv", "marvin"})
+      see(agreed, uav,
+          lines::Negotiation{.uav = uav,
+                             .joint = std::string(kJoint) + "/role-allocation",
+                             .opener = "heliv",
+                             .opened = opened,
+                             .state = "agreed",
+                             .rows = rows});
+    return *this;
+  }
   Told& place(double at, const std::string& uav, const std::string& scm,
               const std::vector<double>& position) {
     return see(
@@ -229,6 +241,24 @@ TEST(JointLaws, ASessionComesOutAlikeAtAll) {
               ElementsAre(HasSubstr("agreed at marvin, failed at heliv")));
   EXPECT_THAT(Told(told).session(9, "heliv", "agreed", "heliv watch").broken(agreements_apart),
               ElementsAre(HasSubstr("agreed on 'heliv watch'")));
+}
+
+TEST(JointLaws, RolesThatAllHaveJustAgreedToKeepAreNotNegotiatedAgainAtOnce) {
+  const std::string kept = "heliv perceive 374.7, marvin relay 10.1";
+  Told told;
+  told.asked_for_roles(100, 100.1, kept)
+      .asked_for_roles(120, 120.1, "heliv perceive 9, marvin relay 8");
+  EXPECT_THAT(told.broken(restless_negotiations), IsEmpty()) << "a while later";
+
+  told.asked_for_roles(125, 125.1, kept);
+  EXPECT_THAT(told.broken(restless_negotiations), ElementsAre(HasSubstr("again 4.9 s after")));
+}
+
+TEST(JointLaws, WhoseRolesChangedMayAskAgain) {
+  Told told;
+  told.asked_for_roles(100, 100.1, "heliv perceive 7, marvin relay 8")
+      .asked_for_roles(103, 103.1, "heliv relay 7, marvin perceive 8");
+  EXPECT_THAT(told.broken(restless_negotiations), IsEmpty());
 }
 
 TEST(JointLaws, WhatWasActivatedIsOverWhenTheJointTaskHasEnded) {

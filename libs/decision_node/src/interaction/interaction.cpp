@@ -50,10 +50,14 @@ void Interaction::load(const supervisor::LoadJointTask& asked) {
     return tasks_.insert(std::move(moved))
         .position->second->ask_again(asked.task.id, std::move(preferences));
   }
+  const bool again = std::any_of(tasks_.begin(), tasks_.end(), [&](const auto& one) {
+    return one.second->joint().subject == joint->subject &&
+           one.second->phase() == interaction::JointPhase::kAborted && one.second->has_run();
+  });
   auto& task = tasks_[asked.task.id];
   task = std::make_unique<JointTask>(host_, *this, std::move(*joint), std::move(preferences),
                                      sightings_);
-  task->load();
+  task->load(again);
 }
 
 void Interaction::due(executive::TaskId task, bool interrupt) {

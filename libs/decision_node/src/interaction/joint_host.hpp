@@ -37,6 +37,9 @@ class JointHost {
   virtual void serves(executive::TaskId role_task, executive::TaskId joint) = 0;
   /// It is loaded, or will not be.
   virtual void answered(const supervisor::JointTaskAnswered& answer) = 0;
+  /// What is seen now, as the plan has it when the joint task begins.
+  virtual world::VehicleState when_it_begins(executive::TaskId joint,
+                                             const world::VehicleState& seen) const = 0;
   /// Why a role may not be played by this one, whatever its vehicle can; empty: it may.
   virtual std::string why_not(const Joint& joint, const std::string& role) const = 0;
 };

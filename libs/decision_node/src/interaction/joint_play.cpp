@@ -20,7 +20,8 @@ using Word = interaction::Status::Word;
 
 constexpr const char* kMemberLost = "member lost";
 constexpr Duration kReallocation = Duration::milliseconds(10'000);
-constexpr Duration kNothing = Duration::milliseconds(500);  // of a perception: it is done
+constexpr Duration kStand = Duration::milliseconds(20'000);  // of roles that were just confirmed
+constexpr Duration kNothing = Duration::milliseconds(500);   // of a perception: it is done
 
 bool holds_vehicle(const std::string& type) {
   return functional::TaskTypes::shipped().of(type).holds_vehicle();
@@ -52,7 +53,9 @@ void JointPlay::begin(const std::string& role) {
   failed_.clear();
   actions_.clear();
   looks_.clear();
+  following_.clear();
   sharing_again_.reset();
+  roles_stand_until_.reset();
   play_.emplace(my_.joint, role, my_.holders, self());
   tell(interaction::Start{});
 }
@@ -122,6 +125,7 @@ void JointPlay::carry_out(const interaction::Compute& effect) {
 bool JointPlay::goes_on_without() const { return play_ && play_->listens_to(kMemberLost); }
 
 void JointPlay::lose(const std::string& uav) {
+  roles_stand_until_.reset();
   play_->lose(uav);
   share_.lose(uav);
   tell(interaction::Message{kMemberLost});
@@ -166,6 +170,7 @@ void JointPlay::carry_out(const interaction::Run& effect) {
   const interaction::Automaton& automaton = play_->automaton();
   const interaction::Componel& componel = automaton[*automaton.find(effect.task)];
   if (componel.task()->type == kMapArea) return map_area(effect.task);
+  if (componel.task()->type == kFollow) return follow(effect.task);
   const Duration done = done_[effect.task];
   const Duration wanted = duration_of(*componel.task(), *play_);
   if (wanted > Duration() && wanted - done < kNothing) {
@@ -214,6 +219,7 @@ void JointPlay::carry_out(const interaction::Interrupt& effect) {
     interrupted_.insert(id);
     return host_.run(executive::Abort{id});
   }
+  following_.erase(effect.task);
   tell_status(effect.task, Word::kAborted);
 }
 
@@ -221,6 +227,7 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   const auto found = tasks_.find(event.id);
   if (found == tasks_.end()) return look_changed(event);
   const std::string componel = found->second;
+  if (flew_after(event, componel)) return;
   if (event.state == executive::TaskState::kRunning) {
     running_since_[componel] = now();
     return tell_status(componel, Word::kRunning);
@@ -246,6 +253,7 @@ bool JointPlay::watch() {
   if (!play_) return false;
   const auto own = position_of(sightings_.own()->state.position);
   share_.fly(sightings_.own()->state.position, passing_distance());
+  look_after_followed();
   for (const interaction::ScmFound& found : play_->watch(own, outlook().observer, now())) {
     host_.bus().emit(ScmNoted{my_.joint.subject, play_->role(), found});
     tell(found.report);
@@ -276,20 +284,29 @@ void JointPlay::carry_out(const interaction::Negotiate& effect) {
     host_.bus().emit(Notice{my_.joint.subject + ": nobody negotiates '" + action.modality + "'"});
     return tell_status(effect.action, Word::kAborted);
   }
+  if (roles_stand_until_ && now() < *roles_stand_until_) {
+    host_.bus().emit(Notice{my_.joint.subject + ": " + effect.action +
+                            ": roles were confirmed a moment ago, and stand"});
+    return tell_status(effect.action, Word::kEnded);
+  }
+  negotiate_roles(effect.action, action.modality);
+}
+
+void JointPlay::negotiate_roles(const std::string& action, const std::string& modality) {
   interaction::BeginNegotiation begin;
-  begin.subject = my_.joint.subject + "/" + action.modality;
-  begin.modality = action.modality;
-  begin.members = parties_of(effect.action);
+  begin.subject = my_.joint.subject + "/" + modality;
+  begin.modality = modality;
+  begin.members = parties_of(action);
   std::map<std::string, int> held;
   for (const std::string& uav : begin.members) ++held[my_.holders.at(uav)];
   for (const auto& [role, count] : held) {
     begin.parameters.push_back({role, "", {double(count), double(count)}});
   }
   begin.within = kReallocation;
-  actions_[effect.action] = begin.subject;
+  actions_[action] = begin.subject;
   if (interaction_.begin(my_.joint, std::move(begin))) return;
-  actions_.erase(effect.action);
-  tell_status(effect.action, Word::kAborted);
+  actions_.erase(action);
+  tell_status(action, Word::kAborted);
 }
 
 void JointPlay::carry_out(const interaction::Withdraw& effect) {
@@ -326,6 +343,7 @@ void JointPlay::roles_agreed(const interaction::Terms& terms,
     tell(interaction::Abort{});
     return task_.announce();
   }
+  if (outcome.kind == Kind::kAgreed) roles_stand_until_ = now() + kStand;
   for (const auto& [action, subject] : std::map(actions_)) {
     if (subject != terms.subject) continue;
     actions_.erase(action);

@@ -93,11 +93,18 @@ class JointPlay {
                     const interaction::NegotiationOutcome& outcome);
   void note_done(const std::string& componel);
   void forget_failures_in(const std::string& componel);
+  void negotiate_roles(const std::string& action, const std::string& modality);
   // joint_places.cpp
   void negotiate_places(const std::string& action);
   void take_place_alone(const interaction::BeginNegotiation& begin);
   void places_agreed(const interaction::Terms& terms,
                      const interaction::NegotiationOutcome& outcome);
+  // joint_follow.cpp
+  void follow(const std::string& componel);
+  std::optional<std::string> fly_after(const std::string& componel);
+  void look_after_followed();
+  bool flew_after(const executive::TaskEvent& event, const std::string& componel);
+  void fail(const std::string& componel, const std::string& why);
   // joint_sharing.cpp
   SweepSetting sweep_setting(const std::string& role) const;
   double passing_distance() const;
@@ -120,7 +127,18 @@ class JointPlay {
   std::map<std::string, Duration> done_;            ///< of perceptions, by componel
   std::map<std::string, MissionTime> running_since_;
   std::map<std::string, std::string> actions_;  ///< subject by action, negotiated now
-  std::set<executive::TaskId> interrupted_;     ///< as the role asked
+  /// Members have just agreed that all keep their roles: nobody asks them again so soon.
+  std::optional<MissionTime> roles_stand_until_;
+  std::set<executive::TaskId> interrupted_;  ///< as the role asked
+  /// What it follows, and where it stays meanwhile.
+  struct Following {
+    std::string target;
+    interaction::Position side{};     ///< of it, on the level [m]
+    interaction::Position seen_at{};  ///< when it was last flown after
+    double height = 0;                ///< over the ground [m]
+    bool flies = false;
+  };
+  std::map<std::string, Following> following_;  ///< by componel
   AreaShare share_;
   struct SharingAgain {
     std::string action;

@@ -22,7 +22,9 @@ constexpr const char* kStart = "/start";
 constexpr Duration kSession = Duration::milliseconds(30'000);
 constexpr Duration kAgain = Duration::milliseconds(1'000);
 constexpr Duration kPatience =
-    Duration::milliseconds(600'000);                           // where the plan has no latest start
+    Duration::milliseconds(600'000);  // where the plan has no latest start
+// Where it has run and failed, it is due: whom it failed for comes back soon, or is done without.
+constexpr Duration kPatienceAgain = Duration::milliseconds(60'000);
 constexpr Duration kSilence = Duration::milliseconds(60'000);  // then a partner is lost
 // What is agreed must still be possible when it is agreed: a start that was not is offered so much
 // later, twice as much each time.
@@ -63,7 +65,8 @@ bool JointTask::is_to_begin() const {
   return my_.phase == JointPhase::kLoading || my_.phase == JointPhase::kLoaded;
 }
 
-void JointTask::load() {
+void JointTask::load(bool again) {
+  again_ = again;
   wait_for_partners();
   negotiate_roles();
   announce();
@@ -100,8 +103,9 @@ void JointTask::wait_for_partners() {
     first = std::min(first, one.least);
   }
   const bool bounded = latest < Duration::seconds(kFarthest);
-  try_until_ =
-      bounded ? MissionTime() + latest : std::max(now(), MissionTime() + first) + kPatience;
+  try_until_ = bounded
+                   ? MissionTime() + latest
+                   : std::max(now(), MissionTime() + first) + (again_ ? kPatienceAgain : kPatience);
 }
 
 void JointTask::negotiate_roles() {
@@ -124,6 +128,19 @@ void JointTask::negotiate_start() {
   begin.parameters = {{"duration", "", {kRoom / 2}}};
   begin.within = kSession;
   interaction_.begin(my_.joint, std::move(begin));
+}
+
+world::VehicleState JointTask::where_it_begins() const {
+  const world::VehicleState& seen = sightings_.own()->state;
+  return is_to_begin() ? host_.when_it_begins(my_.joint.task, seen) : seen;
+}
+
+// Whoever takes another role leaves what it has under way, and all meet anew.
+double JointTask::cost_of_change(const std::string& role) const {
+  constexpr double kChange = 4;  // [s]
+  const auto held = my_.holders.find(self());
+  const bool runs = my_.phase == JointPhase::kRunning && held != my_.holders.end();
+  return runs && held->second != role ? kChange : 0;
 }
 
 bool JointTask::is_about(const std::string& subject) const {
@@ -151,6 +168,7 @@ Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms
   if (gives_places(terms.modality)) {
     return offer_of_places(terms, sightings_.own()->state, outlook);
   }
+  const world::VehicleState from = where_it_begins();
   std::vector<std::string> reasons;
   for (const interaction::Row& role : terms.parameters) {
     if (!my_.joint.library->roles.contains(role.name))
@@ -159,9 +177,9 @@ Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms
       reasons.push_back(role.name + ": " + why);
       continue;
     }
-    const auto cost = cost_of(my_.joint, role.name, sightings_.own()->state, outlook);
+    const auto cost = cost_of(my_.joint, role.name, from, outlook);
     if (cost) {
-      rows.push_back({role.name, "", {cost->seconds}});
+      rows.push_back({role.name, "", {cost->seconds + cost_of_change(role.name)}});
     } else {
       reasons.push_back(role.name + ": " + cost.error().why);
     }
@@ -215,7 +233,7 @@ void JointTask::answer() {
       my_.joint.task, true, {*agreed_start_ - MissionTime(), Duration::max()}, "", {}};
   if (sightings_.own() != nullptr) {
     const auto cost =
-        cost_of(my_.joint, my_.holders.at(self()), sightings_.own()->state, this->outlook());
+        cost_of(my_.joint, my_.holders.at(self()), where_it_begins(), this->outlook());
     if (cost) answer.takes = {Duration::seconds(cost->seconds), cost->energy};
   }
   host_.answered(answer);

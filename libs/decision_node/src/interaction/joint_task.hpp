@@ -45,7 +45,9 @@ class JointTask {
 
   /// It is loading or loaded.
   bool is_to_begin() const;
-  void load();
+  /// `again`: it has run here, and failed.
+  void load(bool again);
+  bool has_run() const { return play_.has_begun(); }
   /// The plan has it with another number, or it can begin at other times.
   void ask_again(executive::TaskId task, std::vector<mission::Interval> preferences);
   /// The executive wants it carried out.
@@ -82,6 +84,9 @@ class JointTask {
   MissionTime now() const;
   const std::string& self() const;
 
+  /// Of this UAV: as the plan has it then, before it has begun; now, once it has.
+  world::VehicleState where_it_begins() const;
+  double cost_of_change(const std::string& role) const;
   void wait_for_partners();
   void answer();
   void negotiate_roles();
@@ -101,6 +106,7 @@ class JointTask {
   Membership my_;
   JointPlay play_;
   bool dispatched_ = false;  ///< the executive has it under way
+  bool again_ = false;       ///< it has run before
   MissionTime try_until_;
   std::optional<MissionTime> again_at_;  ///< to negotiate again
   bool answered_ = false;                ///< the supervisor was told that it is loaded

@@ -2,6 +2,7 @@
 #include "interaction/on_board.hpp"
 
 #include "core.hpp"
+#include "interaction/planned_state.hpp"
 
 namespace skein::decision_node {
 
@@ -22,6 +23,13 @@ void OnBoard::serves(executive::TaskId role_task, executive::TaskId joint) {
 
 void OnBoard::answered(const supervisor::JointTaskAnswered& answer) {
   core_.deliberation().joint_task_answered(answer);
+}
+
+world::VehicleState OnBoard::when_it_begins(executive::TaskId joint,
+                                            const world::VehicleState& seen) const {
+  if (!core_.deliberation().engaged()) return seen;
+  return planned_state(seen, core_.deliberation().report(), joint,
+                       core_.config().knowledge->vehicle, core_.bus().now());
 }
 
 }  // namespace skein::decision_node

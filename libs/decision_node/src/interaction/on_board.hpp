@@ -22,6 +22,8 @@ class OnBoard final : public JointHost {
   executive::TaskId first_role_id() const override { return functional::kFirstRoleId; }
   void serves(executive::TaskId role_task, executive::TaskId joint) override;
   void answered(const supervisor::JointTaskAnswered& answer) override;
+  world::VehicleState when_it_begins(executive::TaskId joint,
+                                     const world::VehicleState& seen) const override;
   std::string why_not(const Joint&, const std::string&) const override { return ""; }
 
  private:

@@ -10,6 +10,7 @@
 #include "skein/interaction/role_fit.hpp"
 #include "skein/interaction/role_places.hpp"
 #include "skein/refiners/flight.hpp"
+#include "skein/refiners/path.hpp"
 #include "skein/supervisor/area_sweep.hpp"
 
 namespace skein::decision_node {
@@ -64,13 +65,29 @@ std::vector<interaction::ActiveScm> known_ones(const std::vector<interaction::Ac
   return known;
 }
 
-// A place is one to stay at: what the vehicle wavers is to break no constraint.
-interaction::ScmLimits limits_of(const Outlook& outlook) {
+bool is_seen_by_sensors(const interaction::ActiveScm& scm, const Outlook& outlook) {
+  for (const auto& [formal, names] : scm.binding.places) {
+    for (const std::string& name : names) {
+      const auto seen = outlook.observer(name);
+      if (seen && seen->by_sensors) return true;
+    }
+  }
+  return false;
+}
+
+// A place is one to stay at: what the vehicle wavers, and what a place that sensors follow is
+// mistaken by and moves in a while, is to break no constraint.
+interaction::ScmLimits limits_of(const std::vector<interaction::ActiveScm>& scms,
+                                 const Outlook& outlook) {
   constexpr double kNearest = 20;  // [m] of what is looked at
+  constexpr double kSeen = 5;      // [m] of a place that is seen: three deviations of one tracked
   const world::VehicleModel& vehicle = outlook.knowledge.vehicle;
   const world::Wind& wind = outlook.world.wind;
-  const double wavers = 1.5 * (2 * world::tracking_spread(vehicle) +
-                               vehicle.wind_drift * (wind.speed + 2 * wind.gusts));
+  const bool seen = std::any_of(scms.begin(), scms.end(),
+                                [&](const auto& one) { return is_seen_by_sensors(one, outlook); });
+  const double wavers =
+      (seen ? kSeen : 0) + 1.5 * (2 * world::tracking_spread(vehicle) +
+                                  vehicle.wind_drift * (wind.speed + 2 * wind.gusts));
   interaction::ScmLimits limits;
   limits.distance = std::max(limits.distance, wavers);
   limits.angle = std::max(limits.angle, wavers / kNearest);
@@ -83,7 +100,7 @@ interaction::RolePlaceQuery role_query(const PlaceQuery& query, const Outlook& o
   result.from = query.from;
   result.clearance = kClearance;
   result.at = outlook.now;
-  result.limits = limits_of(outlook);
+  result.limits = limits_of(query.scms, outlook);
   result.scms = known_ones(query.scms, outlook, result.limits);
   return result;
 }
@@ -206,6 +223,8 @@ interaction::Capabilities capabilities_of(const world::VehicleModel& vehicle,
   return all;
 }
 
+constexpr double kThere = 1;  // [m] it is there
+
 /// Goes along the nominal path of a role.
 class Walk {
  public:
@@ -287,10 +306,19 @@ class Walk {
     if (!value) return tl::unexpected(value.error());
     const auto aim = aim_of(*value, outlook_);
     if (!aim) return tl::unexpected(aim.error());
-    const auto flight = refiners::estimate_flight({vector_of(at_), vector_of(*aim)},
-                                                  outlook_.knowledge.vehicle, outlook_.world.wind);
+    const auto flight =
+        refiners::estimate_flight(way_to(*aim), outlook_.knowledge.vehicle, outlook_.world.wind);
     at_ = *aim;
     return RoleCost{flight.duration.expected.to_seconds(), flight.energy};
+  }
+
+  /// As the role's task will be refined; where there is no way from here now, as the crow flies.
+  refiners::Way way_to(const Position& aim) const {
+    const refiners::Way straight{vector_of(at_), vector_of(aim)};
+    if ((straight[1] - straight[0]).norm() < kThere) return straight;
+    const auto path = refine(path_query(straight[0], straight[1], outlook_),
+                             refiners::Setting{outlook_.world, {}});
+    return path ? path->task.way : straight;
   }
 
   const Joint& joint_;

@@ -14,6 +14,8 @@ using interaction::Block;
 using interaction::ComponelIndex;
 using interaction::ComponelState;
 
+constexpr double kFollowed = 3;  // [m] two deviations of a place that sensors follow
+
 bool is_active(ComponelState state) {
   return state == ComponelState::kRunning || state == ComponelState::kAborting;
 }
@@ -76,12 +78,14 @@ std::vector<interaction::ActiveScm> RolePlay::active_scms() const {
 std::vector<interaction::ScmFound> RolePlay::watch(const interaction::Position& own,
                                                    const interaction::Observer& observer,
                                                    MissionTime now) {
+  interaction::ScmLimits limits;
+  limits.seen = kFollowed;
   std::vector<interaction::ScmFound> found;
   std::set<std::string> active;
   for (interaction::ActiveScm& one : active_scms()) {
     active.insert(one.id);
-    const auto monitor = monitors_.try_emplace(one.id, one.id, std::move(one.scm),
-                                               std::move(one.binding), interaction::ScmLimits{});
+    const auto monitor =
+        monitors_.try_emplace(one.id, one.id, std::move(one.scm), std::move(one.binding), limits);
     if (auto change = monitor.first->second.update(own, observer, now)) {
       found.push_back(std::move(*change));
     }

@@ -5,7 +5,6 @@
 
 #include "interaction/sightings.hpp"
 #include "skein/elementary/parameter_reader.hpp"
-#include "skein/refiners/path.hpp"
 
 namespace skein::decision_node {
 
@@ -33,12 +32,8 @@ Result<executive::Task, Failure> goto_of(const interaction::Task& role,
   if (!to) return tl::unexpected(to.error());
   const auto aim = aim_of(*to, context.outlook);
   if (!aim) return tl::unexpected(aim.error());
-  refiners::PathQuery query;
-  query.vehicle = context.outlook.knowledge.vehicle;
-  query.from = context.state.position;
-  query.to = vector_of(*aim);
-  query.clearance = kLeastClearance;
-  query.depart = context.outlook.now;
+  const refiners::PathQuery query =
+      path_query(context.state.position, vector_of(*aim), context.outlook);
   refiners::Way way{query.to};
   if ((query.to - query.from).norm() >= kNear) {
     const auto path = refine(query, refiners::Setting{context.outlook.world, {}});
@@ -121,10 +116,6 @@ Result<executive::Task, Failure> meeting_of(const interaction::Componel& compone
 
 }  // namespace
 
-bool can_make(const std::string& type) {
-  return type == "goto" || type == "takeshot-while-waiting" || meets(type);
-}
-
 std::optional<world::Polygon> zone_of(const config::Value& named, const Arguments& scope,
                                       const world::World& world) {
   const auto value = value_of(named, scope);
@@ -133,6 +124,17 @@ std::optional<world::Polygon> zone_of(const config::Value& named, const Argument
   const auto found = std::find_if(world.zones.begin(), world.zones.end(),
                                   [&](const world::Zone& zone) { return zone.name == *name; });
   return found == world.zones.end() ? std::nullopt : std::optional(found->polygon);
+}
+
+refiners::PathQuery path_query(const world::Vector3& from, const world::Vector3& to,
+                               const Outlook& outlook) {
+  refiners::PathQuery query;
+  query.vehicle = outlook.knowledge.vehicle;
+  query.from = from;
+  query.to = to;
+  query.clearance = kLeastClearance;
+  query.depart = outlook.now;
+  return query;
 }
 
 executive::Task flight_along(const refiners::Way& way) {

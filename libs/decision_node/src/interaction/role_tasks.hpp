@@ -10,12 +10,15 @@
 #include "interaction/role_play.hpp"
 #include "skein/executive/task.hpp"
 #include "skein/refiners/flight.hpp"
+#include "skein/refiners/path.hpp"
 #include "skein/world/vehicle_state.hpp"
 
 namespace skein::decision_node {
 
 /// Sweeps what is left of one's part of an area; two tasks of the executive make it.
 inline constexpr std::string_view kMapArea = "map-area";
+/// Stays beside what moves, by one flight after the other.
+inline constexpr std::string_view kFollow = "follow";
 
 /// What a role's task is made under.
 struct RoleTaskContext {
@@ -25,10 +28,6 @@ struct RoleTaskContext {
   Duration done = {};      ///< of a perception that was interrupted before
   std::string allocation;  ///< names the allocation of roles that is in force
 };
-
-/// Whether role tasks of that type can be made: goto, takeshot-while-waiting, synchro,
-/// wait-until-synchro.
-bool can_make(const std::string& type);
 
 /// Without its id and what it waits for. A goto is a way around what is in between; a perception is
 /// shorter by what was done of it; who meets whom is told by the place of a meeting among those of
@@ -40,6 +39,10 @@ Result<executive::Task, Failure> make_task(const interaction::Componel& componel
 /// The zone that an expression of a role names; nothing: there is no such zone.
 std::optional<world::Polygon> zone_of(const config::Value& named, const Arguments& scope,
                                       const world::World& world);
+
+/// The way of a role's goto, as the path refiner is asked for it.
+refiners::PathQuery path_query(const world::Vector3& from, const world::Vector3& to,
+                               const Outlook& outlook);
 
 /// A goto; without its id.
 executive::Task flight_along(const refiners::Way& way);

@@ -115,6 +115,11 @@ class StandIn::Host final : public JointHost {
     interaction_.due(answer.task, false);
   }
 
+  world::VehicleState when_it_begins(executive::TaskId,
+                                     const world::VehicleState& seen) const override {
+    return seen;
+  }
+
   std::string why_not(const Joint& joint, const std::string& role) const override {
     return joint.variant->by_ground.contains(role) ? "" : kNotAllowed;
   }

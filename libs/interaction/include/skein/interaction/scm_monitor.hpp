@@ -43,6 +43,9 @@ struct ScmLimits {
   double angle = 0.02;                     ///< the same of angles [rad]
   Duration oldest = Duration::seconds(5);  ///< an older position counts as unknown
   Duration oldest_seen = Duration::seconds(30);  ///< the same of what sensors see
+  /// What the place of an object that sensors follow may be off [m]: an angle at it is not violated
+  /// by less than what that makes of it.
+  double seen = 0;
 };
 
 /// One constraint as it was measured.
@@ -59,7 +62,8 @@ struct ScmFound {
   std::optional<Measured> why;  ///< of a violation: the constraint that is missed by most
 };
 
-/// A violation begins when some constraint does not hold, and ends when all hold by the margin of
+/// A violation begins when some constraint does not hold (an angle at what sensors follow: by more
+/// than its place may be off), and ends when all hold by the margin of
 /// the limits: positions that shake by less than half of it change the finding at most once. While
 /// no constraint is known to be violated and some place is unknown, too old, or gives no direction,
 /// it is undetermined. Before the first update it counts as satisfied. Each change is told once.
