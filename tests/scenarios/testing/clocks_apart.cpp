@@ -75,7 +75,8 @@ std::string breaches_beyond_clocks(const std::vector<journal::Record>& records, 
   const Duration limit = Duration::seconds(apart * rate);
   std::vector<journal::Record> all = records;
   for (journal::Record& record : all) {
-    const bool sent = record.text("direction") == "sent" || record.text("state") == "issued";
+    // Of a command all lines are the ground station's, and so of one clock.
+    const bool sent = record.text("direction") == "sent" || record.kind() == "command";
     const bool cut = record.kind() == "link" && !record.truth("up");
     if (!sent) record = moved(record, limit);
     if (cut) record = moved(record, limit);
