@@ -75,7 +75,10 @@ Effects Supervisor::Core::handle(const Input& input, MissionTime now) {
     committer_.commit();
     safe_mode_.keep();
   }
-  if (!agenda_.job()) let_go_of_the_past(book_, kKept);
+  if (book_.more_settled && !agenda_.job()) {
+    let_go_of_the_past(book_, kKept);
+    book_.more_settled = false;
+  }
   tell_frontier();
   return out_.close();
 }

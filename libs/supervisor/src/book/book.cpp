@@ -318,9 +318,16 @@ std::vector<TaskId> Book::withdraw(const std::set<GoalId>& from) {
   return result;
 }
 
-void Book::put_settled_first() {
-  std::stable_partition(order.begin(), order.end(),
-                        [this](GoalId id) { return is_settled(goals.at(id).state); });
+std::vector<const Goal*> Book::goals_settled_first() {
+  std::vector<const Goal*> all;
+  all.reserve(order.size());
+  for (const GoalId id : order) all.push_back(&goals.at(id));
+  const auto settled = [](const Goal* goal) { return is_settled(goal->state); };
+  if (std::is_partitioned(all.begin(), all.end(), settled)) return all;
+  std::stable_partition(all.begin(), all.end(), settled);
+  std::transform(all.begin(), all.end(), order.begin(),
+                 [](const Goal* goal) { return goal->task.id; });
+  return all;
 }
 
 void Book::reorder(const std::vector<GoalId>& wanted) {

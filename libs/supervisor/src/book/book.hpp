@@ -61,6 +61,7 @@ class Book {
   std::set<TaskId> forgotten;     ///< loose ones that are over
   Meetings meetings;              ///< what is known of those whom the UAV is to meet
   TaskId next_id{1};
+  bool more_settled = false;  ///< goals, since the past was last let go
 
   Entry* find(TaskId id);
   const Entry* find(TaskId id) const;
@@ -126,7 +127,8 @@ class Book {
   /// These goals lose their tasks. Returns those that the executive has to be told to stop, the
   /// highest id first; what was only planned is forgotten.
   std::vector<TaskId> withdraw(const std::set<GoalId>& from);
-  void put_settled_first();
+  /// Puts them first in the order, and gives all in it. Cost: a look-up each.
+  std::vector<const Goal*> goals_settled_first();
   /// Settled ones first, then `wanted`, then what `wanted` does not name, as it was.
   void reorder(const std::vector<GoalId>& wanted);
 };

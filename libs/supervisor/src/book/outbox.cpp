@@ -49,6 +49,7 @@ void Outbox::set_state(Goal& goal, GoalState state, const std::string& reason) {
   if (same || is_settled(goal.state)) return;
   goal.state = state;
   goal.settled = now_;
+  book_.more_settled = book_.more_settled || is_settled(state);
   goal.why = why;
   add(GoalChanged{status_of(goal)});
 }
@@ -95,16 +96,16 @@ bool Outbox::is_as_told(const Goal& goal, const mission::GoalStatus& told) {
 void Outbox::publish() {
   mission::PlanReport report;
   const auto settled = [this](GoalId id) { return is_settled(book_.goals.at(id).state); };
-  book_.put_settled_first();
+  const std::vector<const Goal*> goals = book_.goals_settled_first();
   for (const auto& [id, entry] : book_.tasks) {
     if (!entry.live() || settled(entry.task.origin)) continue;
     report.tasks.push_back({entry.task, dates_of(entry), entry.given()});
   }
-  const bool same_goals = std::equal(
-      book_.order.begin(), book_.order.end(), report_.goals.begin(), report_.goals.end(),
-      [this](GoalId id, const auto& told) { return is_as_told(book_.goals.at(id), told); });
+  const bool same_goals =
+      std::equal(goals.begin(), goals.end(), report_.goals.begin(), report_.goals.end(),
+                 [](const Goal* goal, const auto& told) { return is_as_told(*goal, told); });
   if (same_goals && report.tasks == report_.tasks) return;
-  for (const GoalId id : book_.order) report.goals.push_back(status_of(book_.goals.at(id)));
+  for (const Goal* goal : goals) report.goals.push_back(status_of(*goal));
   report.revision = report_.revision + 1;
   report.made = now_;
   report_ = report;

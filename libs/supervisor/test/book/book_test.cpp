@@ -101,7 +101,7 @@ TEST(Book, PutsSettledGoalsFirstAndKeepsTheOrderOtherwise) {
   rooms.goals({701, 702, 703});
   rooms.book.goals.at(GoalId{702}).state = GoalState::kAchieved;
 
-  rooms.book.put_settled_first();
+  (void)rooms.book.goals_settled_first();
 
   EXPECT_THAT(rooms.book.order, ElementsAre(GoalId{702}, GoalId{701}, GoalId{703}));
 }
