@@ -139,6 +139,22 @@ TEST(BadInput, OfAnArityThatNeverIsThereIsWarnedOf) {
   EXPECT_THAT(done.err, Not(HasSubstr("(on …)")));
 }
 
+TEST(BadInput, AFactOfAnArityThatIsNeverAskedForIsWarnedOf) {
+  const std::string domain =
+      "(defdomain d ((:operator (!a ?x) ((at ?x) (or (on ?x) (on ?x ?x))) ((at ?x)) ())))";
+
+  const Done odd =
+      plan(standard_input(), {},
+           domain + "(defproblem p d ((at k) (at k here now) (on k) (on k k)) ((!a k)))");
+  EXPECT_EQ(odd.code, 0);
+  EXPECT_THAT(odd.err, HasSubstr("(at …) with 3 arguments is never asked for; expected 1"));
+  EXPECT_THAT(odd.err, Not(HasSubstr("(on …)")));
+
+  const Done even =
+      plan(standard_input(), {}, domain + "(defproblem p d ((at k) (on k)) ((!a k)))");
+  EXPECT_THAT(even.err, Not(HasSubstr("is never asked for")));
+}
+
 TEST(BadInput, OfAStringForACostIsWarnedOf) {
   const Done done = plan(standard_input(), {},
                          "(defdomain d ((:operator (!a) () () () \"5\")))"

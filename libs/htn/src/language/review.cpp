@@ -111,9 +111,17 @@ class Review {
     const Term predicate = context_.head(atom);
     provided_.emplace(predicate.bits(), predicate);
     if ((*atom).dotted) any_arity_.insert(predicate.bits());
-    arities_.emplace(predicate.bits(), count(atom) - 1);
+    arities_.emplace(std::pair(predicate.bits(), count(atom) - 1), Expression());
+  }
+  /// Without looking for the predicate twice: facts are many.
+  void provide_fact(Expression fact) {
+    const Term predicate = context_.head(fact);
+    provided_.emplace(predicate.bits(), predicate);
+    if ((*fact).dotted) any_arity_.insert(predicate.bits());
+    arities_.emplace(std::pair(predicate.bits(), count(fact) - 1), fact);
   }
   bool check_arity(Expression atom);
+  void check_facts(const std::vector<Expression>& used);
 
   const ReadContext& context_;
   Diagnostics ignored_;
@@ -123,7 +131,8 @@ class Review {
   std::set<std::pair<std::uint32_t, std::size_t>> reported_;
   std::map<std::uint32_t, Term> provided_;  // by the bits of the predicate
   std::set<std::uint32_t> any_arity_;
-  std::set<std::pair<std::uint32_t, std::size_t>> arities_;  // of what is provided
+  // Of what is provided: the first fact of that arity, nothing where something else provides it.
+  std::map<std::pair<std::uint32_t, std::size_t>, Expression> arities_;
 };
 
 void Review::check_tasks(Expression tasks) {
@@ -223,7 +232,7 @@ void Review::collect_provided(const std::vector<const ProblemDefinition*>& probl
   }
   for (const ProblemDefinition* problem : problems) {
     for (Expression fact = first(problem->facts); fact; fact = next(fact)) {
-      provide(fact);
+      provide_fact(fact);
     }
     if (anything) provide_inside(problem->tasks);
   }
@@ -236,8 +245,9 @@ bool Review::check_arity(Expression atom) {
   if (domain_.pddl || (*atom).dotted || any_arity_.contains(bits)) return true;
   if (arities_.contains({bits, given}) || !reported_.insert({bits, given}).second) return true;
   std::string known;
-  for (auto at = arities_.lower_bound({bits, 0}); at != arities_.end() && at->first == bits; ++at) {
-    known += (known.empty() ? "" : " or ") + std::to_string(at->second);
+  for (auto at = arities_.lower_bound({bits, 0}); at != arities_.end() && at->first.first == bits;
+       ++at) {
+    known += (known.empty() ? "" : " or ") + std::to_string(at->first.second);
   }
   context_.warn(atom,
                 "(" + context_.name(context_.head(atom)) + " …) with " +
@@ -246,12 +256,45 @@ bool Review::check_arity(Expression atom) {
   return false;
 }
 
+// Facts of a predicate that is asked for with other numbers of arguments alone. Where one of those
+// is provided by nobody that is told already.
+void Review::check_facts(const std::vector<Expression>& used) {
+  if (domain_.pddl) return;
+  std::map<std::uint32_t, std::set<std::size_t>> asked;
+  std::set<std::uint32_t> open;
+  for (const Expression atom : used) {
+    const std::uint32_t bits = context_.head(atom).bits();
+    if ((*atom).dotted) open.insert(bits);
+    asked[bits].insert(count(atom) - 1);
+  }
+  for (const auto& [made, fact] : arities_) {
+    const auto& [bits, given] = made;
+    const auto known = asked.find(bits);
+    if (!fact || known == asked.end() || open.contains(bits)) continue;
+    const std::set<std::size_t>& arities = known->second;
+    if (arities.contains(given)) continue;
+    if (!std::all_of(arities.begin(), arities.end(), [&](std::size_t one) {
+          return arities_.contains({bits, one});
+        }))
+      continue;
+    std::string expected;
+    for (const std::size_t one : arities)
+      expected += (expected.empty() ? "" : " or ") + std::to_string(one);
+    context_.warn(fact,
+                  "(" + context_.name(context_.head(fact)) + " …) with " +
+                      counted(given, "argument") + " is never asked for",
+                  expected);
+  }
+}
+
 void Review::check_predicates(const std::vector<const ProblemDefinition*>& problems) {
   collect_provided(problems);
   std::vector<std::string> names;
   for (const auto& [bits, predicate] : provided_) names.push_back(context_.name(predicate));
   std::set<std::uint32_t> reported;
-  for (const Expression atom : used_atoms()) {
+  const std::vector<Expression> used = used_atoms();
+  check_facts(used);
+  for (const Expression atom : used) {
     const Term predicate = context_.head(atom);
     if (provided_.contains(predicate.bits()) && !check_arity(atom)) continue;
     if (provided_.contains(predicate.bits()) || !reported.insert(predicate.bits()).second) continue;
