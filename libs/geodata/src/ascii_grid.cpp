@@ -3,6 +3,7 @@
 
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <limits>
 
@@ -11,12 +12,14 @@ namespace {
 
 constexpr std::size_t kLongestShown = 40;
 
+/// Not NaN: GDAL reads it as 0 where the other values are whole, even where it is declared.
 bool is_number(const std::string& word) {
   double value = 0;
   const char* first = word.data() + (word.front() == '+' ? 1 : 0);
   const char* last = word.data() + word.size();
   const auto [end, error] = std::from_chars(first, last, value);
-  return end == last && (error == std::errc() || error == std::errc::result_out_of_range);
+  return end == last && std::isfinite(value) &&
+         (error == std::errc() || error == std::errc::result_out_of_range);
 }
 
 /// The words of a file, with the line that each stands in.
@@ -43,9 +46,13 @@ class Words {
   std::size_t line_ = 1;
 };
 
-/// The figure of a key that says how many, in capitals or not; 0 for another key.
-std::size_t count_of(std::string key, const std::string& figure) {
-  for (char& c : key) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+std::string lower(std::string word) {
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word;
+}
+
+/// The figure of a key that says how many; 0 for another key.
+std::size_t count_of(const std::string& key, const std::string& figure) {
   if (key != "ncols" && key != "nrows") return 0;
   std::size_t count = 0;
   std::from_chars(figure.data(), figure.data() + figure.size(), count);
@@ -60,9 +67,10 @@ std::optional<RasterProblem> problem_in_ascii_grid(const std::string& path) {
   std::size_t wanted = 1, values = 0;
   bool is_header = true;
   while (words.next(word)) {
-    if (is_header && std::isalpha(static_cast<unsigned char>(word.front())) != 0 && word != "nan") {
+    if (is_header && std::isalpha(static_cast<unsigned char>(word.front())) != 0 &&
+        lower(word) != "nan") {
       if (!words.next(figure)) break;
-      if (const std::size_t count = count_of(word, figure); count > 0) wanted *= count;
+      if (const std::size_t count = count_of(lower(word), figure); count > 0) wanted *= count;
       continue;
     }
     is_header = false;

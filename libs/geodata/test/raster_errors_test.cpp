@@ -206,6 +206,23 @@ TEST(RasterErrors, WordsAndMissingValuesInAnAsciiGrid) {
   for (const char* right : {"10", "+10.5", "1.05e1", "-3"}) EXPECT_EQ(with(right), "") << right;
 }
 
+TEST(RasterErrors, WhatIsNotANumberIsAWordInAnAsciiGridDeclaredOrNot) {
+  const TempFolder folder;
+  const auto with = [&](const std::string& value, const std::string& no_data = "") {
+    std::string grid = kAscii;
+    grid.replace(grid.find("10 11"), 2, value);
+    if (const std::size_t declared = grid.find("-9999"); !no_data.empty())
+      grid.replace(declared, 5, no_data);
+    return report(folder.write("a.asc", grid), in_degrees());
+  };
+  for (const char* word : {"nan", "NaN", "inf", "-Infinity"})
+    EXPECT_THAT(with(word), HasSubstr(std::string("'") + word + "' is no number"));
+  EXPECT_THAT(with("NaN", "nan"), HasSubstr("'NaN' is no number"));
+  TiffSpec holes;
+  holes.value = [](int column, int) { return column == 3 ? std::nan("") : 100; };
+  EXPECT_THAT(report(write_tiff(folder, "holes.tif", holes)), HasSubstr("without data"));
+}
+
 TEST(RasterErrors, GroundBeyondTheRaster) {
   const TempFolder folder;
   const std::string path = write_tiff(folder, "a.tif", {});
