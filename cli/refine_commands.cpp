@@ -105,10 +105,14 @@ void add_refine(CLI::App& app, std::function<int()>& action, const Actions& acti
       "Ways, areas and places of the answer as .geojson, .kml or .wkt; a viewshed as .tif "
       "or .asc");
   refine->add_flag("--json", options->json, "The answer as JSON");
-  refine
-      ->add_option("--seconds", options->seconds,
-                   "Time budget [s of the processor], before that of the query")
-      ->check(positive_problem);
+  CLI::Option* seconds =
+      refine
+          ->add_option("--seconds", options->seconds,
+                       "Time budget [s of the processor], before that of the query (default: "
+                       "none; of a patrol 20)")
+          ->check(positive_problem);
+  refine->add_flag("--no-budget", options->no_budget, "No budget, of a patrol either")
+      ->excludes(seconds);
   refine->add_option("--seed", options->seed, "Seed, before that of the query");
   refine->footer(kExamples);
   refine->callback([options, query, example, &action, &actions] {

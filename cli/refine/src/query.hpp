@@ -48,6 +48,8 @@ struct Query {
   std::uint64_t seed = 1;
   std::optional<double> seconds;
   std::optional<std::uint64_t> steps;
+  bool no_budget = false;   ///< it says that it wants none
+  bool by_default = false;  ///< `seconds` are those of a query that says nothing
   /// What was done to the query so that it could be asked, in sentences.
   std::vector<std::string> notes = {};
 };

@@ -36,6 +36,11 @@ std::optional<world::World> read_world(const Reader& reader, const References& r
 }
 
 void read_budget(const Reader& reader, Query& query) {
+  if (reader.is_scalar()) {
+    query.no_budget = reader.text() == "none";
+    if (!query.no_budget) reader.error("this is no budget", "{seconds, steps}, or none");
+    return;
+  }
   if (!reader.present() || !reader.keys({"seconds", "steps"})) return;
   if (const Reader seconds = reader.optional("seconds"); seconds.present())
     query.seconds = seconds.number(1, {0, 86'400, "s"});

@@ -27,6 +27,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Patrols go on searching while a goal of theirs is missed, for minutes where it cannot be met:
+/// by default that long [s of the processor].
+constexpr double kPatrolSeconds = 20;
+
 tl::unexpected<Diagnostics> about(std::string file, std::string message) {
   Diagnostics diagnostics;
   Diagnostic one;
@@ -68,6 +72,20 @@ References references_from(const fs::path& folder) {
       }};
 }
 
+/// What the command line says comes before the query, and that before the default of patrols.
+void take_budget(const RefineOptions& options, Query& query) {
+  if (options.no_budget) {
+    query.seconds.reset();
+    query.steps.reset();
+    return;
+  }
+  if (options.seconds) query.seconds = options.seconds;
+  if (query.seconds || query.steps || query.no_budget) return;
+  if (!std::holds_alternative<refiners::PatrolQuery>(query.question)) return;
+  query.seconds = kPatrolSeconds;
+  query.by_default = true;
+}
+
 Result<Query, Diagnostics> query_of(const RefineOptions& options, std::istream& in) {
   const auto text = text_of(options.query, in);
   if (!text) return tl::make_unexpected(text.error());
@@ -77,7 +95,7 @@ Result<Query, Diagnostics> query_of(const RefineOptions& options, std::istream& 
                  references_from(piped ? fs::path() : fs::path(options.query).parent_path()));
   if (!query) return query;
   if (options.seed) query->seed = *options.seed;
-  if (options.seconds) query->seconds = options.seconds;
+  take_budget(options, *query);
   return query;
 }
 

@@ -180,6 +180,8 @@ template <class Task>
 void put(Json& out, const refiners::Refined<Task>& refined, const Query& query) {
   out["duration"] = of(refined.duration);
   out["effort"] = {{"steps", refined.effort.steps}, {"cut_short", refined.effort.cut_short}};
+  if (query.seconds)
+    out["effort"]["budget"] = {{"seconds", *query.seconds}, {"default", query.by_default}};
   out[query.service] = task_of(refined.task, query);
 }
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -318,6 +319,74 @@ TEST(Refine, ATimeBudgetThatIsOverAtOnceIsToldAsSuch) {
 
   EXPECT_EQ(done.code, kExitTimeout);
   EXPECT_THAT(done.out, HasSubstr("budget-exhausted"));
+}
+
+/// How often a query asks what time it is.
+double looks_at_the_clock(const std::string& query) {
+  RefineOptions options;
+  double looks = 0;
+  options.now = [&looks] { return ++looks * 1e-9; };
+  EXPECT_EQ(refine(query, options).code, kExitOk);
+  return looks;
+}
+
+/// A clock that goes on by so much whenever it is looked at.
+std::function<double()> ticking(double seconds) {
+  return [now = std::make_shared<double>(0), seconds] { return *now += seconds; };
+}
+
+nlohmann::json with_budget(const std::string& service, const nlohmann::json& budget) {
+  nlohmann::json query = nlohmann::json::parse(example_of(service));
+  query["budget"] = budget;
+  return query;
+}
+
+TEST(Refine, APatrolWithoutABudgetHasOneAndSaysWhenThatEndedIt) {
+  const std::string query = example_of("patrol");
+  // The time is up shortly before it would have been done.
+  const double tick = 20 / (0.9 * looks_at_the_clock(query));
+  RefineOptions options;
+  options.now = ticking(tick);
+
+  const Done done = refine(query, options);
+
+  ASSERT_EQ(done.code, kExitOk) << done.out;
+  EXPECT_THAT(done.out, HasSubstr("the default budget of 20 s ended the search"));
+  options.json = true;
+  options.now = ticking(tick);
+  const auto effort = nlohmann::json::parse(refine(query, options).out)["effort"];
+  EXPECT_EQ(effort["cut_short"], true);
+  EXPECT_EQ(effort["budget"], nlohmann::json({{"seconds", 20.0}, {"default", true}}));
+}
+
+TEST(Refine, APatrolThatAsksForNoBudgetOrForStepsHasNoClock) {
+  RefineOptions options = as_json();
+  for (const nlohmann::json& budget :
+       {nlohmann::json("none"), nlohmann::json({{"steps", 1000000000}})}) {
+    options.now = ticking(1000);
+    const Done done = refine(with_budget("patrol", budget).dump(), options);
+    ASSERT_EQ(done.code, kExitOk) << done.out;
+    EXPECT_EQ(nlohmann::json::parse(done.out)["effort"]["cut_short"], false) << budget;
+  }
+  options.no_budget = true;
+  options.now = ticking(1000);
+  const Done done = refine(with_budget("patrol", {{"seconds", 1}}).dump(), options);
+  ASSERT_EQ(done.code, kExitOk) << done.out;
+  EXPECT_FALSE(nlohmann::json::parse(done.out)["effort"].contains("budget"));
+}
+
+TEST(Refine, OtherServicesHaveNoBudgetUnlessTheyAskForOne) {
+  RefineOptions options = as_json();
+  options.now = ticking(1000);
+
+  EXPECT_EQ(refine(example_of("coverage"), options).code, kExitOk);
+}
+
+TEST(Refine, ABudgetIsAMapOrTheWordNone) {
+  const Done done = refine(with_budget("path", "some").dump());
+
+  EXPECT_EQ(done.code, kExitBadInput);
+  EXPECT_THAT(done.err, AllOf(HasSubstr("budget"), HasSubstr("none")));
 }
 
 TEST(Refine, ColourOnlyWhereItIsAskedFor) {

@@ -18,6 +18,7 @@ struct RefineOptions {
   bool json = false;              ///< the answer as JSON
   bool colour = false;            ///< in the text
   std::optional<double> seconds;  ///< time budget, before that of the query
+  bool no_budget = false;         ///< none, whatever the query says; else patrols have one
   std::optional<std::uint64_t> seed;
   /// Seconds from any origin that never go back, of the processor as a rule; the time budget is
   /// kept by it.
