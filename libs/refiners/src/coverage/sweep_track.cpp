@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "common/circles.hpp"
 #include "common/ground_profile.hpp"
 #include "skein/refiners/flyable.hpp"
 
@@ -207,27 +207,6 @@ void keep_bends(std::vector<Station>& stations, double tolerance) {
   }
 }
 
-/// Circles over one point of the way that lead from one height to another; `ahead` is where the
-/// way goes on. They begin and end at `at`.
-void circle(Way& way, const Vector3& at, double to, const Vector2& ahead, double slope,
-            double radius) {
-  const double rise = to - at.z();
-  const double step =
-      std::min(std::numbers::pi / 8, 2 * std::acos(1 - std::min(1.0, kTurnTolerance / radius)));
-  const double in_turn = std::ceil(2 * std::numbers::pi / step);
-  const double run = in_turn * 2 * radius * std::sin(std::numbers::pi / in_turn);
-  const double turns = std::ceil(std::abs(rise) / (run * slope));
-  const Vector2 left(-ahead.y(), ahead.x());
-  const Vector2 centre = at.head<2>() + radius * left;
-  const double pieces = turns * in_turn;
-  for (double i = 1; i <= pieces; ++i) {
-    const double angle = 2 * std::numbers::pi * turns * i / pieces;
-    const Vector2 point = centre + radius * (std::sin(angle) * ahead - std::cos(angle) * left);
-    way.emplace_back(point.x(), point.y(), at.z() + rise * i / pieces);
-  }
-  way.back() = {at.x(), at.y(), to};
-}
-
 /// From `way.back()` to another height over the same place.
 void change_height(Way& way, double z, const Vector2& ahead, const Slopes& slopes,
                    const world::VehicleModel& vehicle) {
@@ -236,7 +215,7 @@ void change_height(Way& way, double z, const Vector2& ahead, const Slopes& slope
   if (vehicle.hovers)
     way.emplace_back(at.x(), at.y(), z);
   else
-    circle(way, at, z, ahead, z > at.z() ? slopes.up : slopes.down, vehicle.min_turn_radius);
+    add_circles(way, z, ahead, z > at.z() ? slopes.up : slopes.down, vehicle.min_turn_radius);
 }
 
 Vector2 unit(const Vector2& from, const Vector2& to) {

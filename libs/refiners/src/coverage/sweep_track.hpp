@@ -12,9 +12,6 @@
 
 namespace skein::refiners {
 
-/// Curves are made of chords that leave them by no more [m].
-inline constexpr double kTurnTolerance = 0.5;
-
 /// Over the ground.
 struct Track {
   std::vector<world::Vector2> points;

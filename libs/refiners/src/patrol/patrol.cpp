@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/circles.hpp"
 #include "common/heights_over.hpp"
 #include "patrol/plan.hpp"
 #include "patrol/ring.hpp"
@@ -27,15 +28,11 @@ constexpr std::size_t kManyBlocks = 400;
 /// Than at speed: where the way is too high over steep ground, one that hovers flies slower.
 constexpr std::array<double, 4> kSteeper = {1, 2, 4, 1e6};
 
-/// Leads from the height of the start to those of the way: on the spot where the vehicle hovers,
-/// else as steeply as it can.
-void join_start(Way& way, const PatrolQuery& query) {
-  if (query.vehicle.hovers) {
-    if (way.front() != query.start) way.insert(way.begin(), query.start);
-    return;
-  }
+/// As steeply as the vehicle can from the height of the start to those of the way. The least height
+/// over the ground until there [m].
+double lead_from_start(Way& way, const PatrolQuery& query, const world::Terrain& terrain) {
   const HeightRule rule = height_rule(query);
-  double along = 0;
+  double along = 0, least = std::numeric_limits<double>::infinity();
   Vector2 before = way.front().head<2>();
   for (Vector3& point : way) {
     along += (point.head<2>() - before).norm();
@@ -43,7 +40,44 @@ void join_start(Way& way, const PatrolQuery& query) {
     const double wanted = point.z();
     point.z() = std::clamp(wanted, query.start.z() - rule.descent * along,
                            query.start.z() + rule.climb * along);
-    if (along > 0 && point.z() == wanted) return;
+    if (&point != &way.front())
+      least = std::min(least, heights_over(terrain, *(&point - 1), point).least);
+    if (along > 0 && point.z() == wanted) break;
+  }
+  return least;
+}
+
+/// Leads from the height of the start to those of the way: on the spot where the vehicle hovers;
+/// else on the way, and in circles over the start where that would come nearer to the ground than
+/// half of the altitude, or of the start's height where that is less.
+void join_start(Way& way, const PatrolQuery& query, const world::Terrain& terrain) {
+  if (query.vehicle.hovers) {
+    if (way.front() != query.start) way.insert(way.begin(), query.start);
+    return;
+  }
+  const double ground = terrain.elevation(query.start.x(), query.start.y());
+  Way lead = way;
+  const double least = lead_from_start(lead, query, terrain);
+  if (way.size() < 2 || way.front().z() <= query.start.z() ||
+      least >= std::min(query.altitude, query.start.z() - ground) / 2) {
+    way = std::move(lead);
+    return;
+  }
+  const Vector2 ahead = (way[1] - way[0]).head<2>().normalized();
+  Way circles = {query.start};
+  add_circles(circles, way.front().z(), ahead, height_rule(query).climb,
+              query.vehicle.min_turn_radius);
+  way.insert(way.begin(), circles.begin(), circles.end() - 1);
+}
+
+/// What is after the end of the patrol; at least a leg stays.
+void cut_after(Way& way, double length) {
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    length -= (way[i] - way[i - 1]).head<2>().norm();
+    if (length < 0 && i > 1) {
+      way.resize(i);
+      return;
+    }
   }
 }
 
@@ -89,8 +123,12 @@ Way flown(const PatrolQuery& query, const world::Terrain& terrain, const PlanePa
   if (cuts_arc) part.pop_back();
   Way way = over_ground(part, terrain, rule, deadline);
   if (way.empty()) return way;
-  join_start(way, query);
-  if (query.vehicle.hovers) cut_at(way, query.duration.to_seconds(), query);
+  const std::size_t points = way.size();
+  join_start(way, query, terrain);
+  if (query.vehicle.hovers)
+    cut_at(way, query.duration.to_seconds(), query);
+  else if (way.size() > points)
+    cut_after(way, query.duration.to_seconds() * speed);
   return way;
 }
 
@@ -132,7 +170,8 @@ PatrolFigures predicted(const Way& way, const PatrolQuery& query, const PatrolGr
     log.fly(way[i - 1].head<2>(), way[i].head<2>(),
             log.now() + leg_time(way[i - 1], way[i], query));
   PatrolFigures figures = log.figures();
-  const PatrolFigures bounds = make_bounds(ground.field, ground.sight, patrol_speed(query));
+  const PatrolFigures bounds =
+      make_bounds(ground.field, ground.sight, patrol_speed(query), total, total / 2);
   figures.worst_idleness_bound = bounds.worst_idleness_bound;
   figures.worst_risk_idleness_bound = bounds.worst_risk_idleness_bound;
   figures.mean_idleness_bound = bounds.mean_idleness_bound;
