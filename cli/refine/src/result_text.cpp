@@ -111,7 +111,7 @@ void write(Sheet& sheet, const refiners::Partition& partition, const Query&) {
 void write(Sheet& sheet, const refiners::Patrol& patrol, const Query&) {
   const refiners::PatrolFigures& p = patrol.predicted;
   const auto bound = [](double value, double least) {
-    return fmt::format("{:.0f} s (no patrol can do better than {:.0f} s)", value, least);
+    return fmt::format("{:.0f} s (no patrol so long can do better than {:.0f} s)", value, least);
   };
   sheet.line("cells", fmt::format("{}; {} can never be perceived; {} not seen in the time", p.cells,
                                   p.hidden, p.unseen));
@@ -167,6 +167,13 @@ void write(Sheet& sheet, const refiners::Insertion& insertion, const Query&) {
   sheet.way("way on", insertion.from);
 }
 
+std::string ended_by(const Query& query) {
+  const std::string more = "ended the search: more time may do better";
+  if (!query.by_default) return "the time budget " + more;
+  return fmt::format("the default budget of {:.0f} s {} (--seconds S, --no-budget)", *query.seconds,
+                     more);
+}
+
 template <class Task>
 void write_solution(Sheet& sheet, const refiners::Refined<Task>& refined, const Query& query,
                     const char* unit) {
@@ -175,8 +182,7 @@ void write_solution(Sheet& sheet, const refiners::Refined<Task>& refined, const 
   const refiners::DurationInterval& duration = refined.duration;
   sheet.line("duration", fmt::format("{} ({} to {})", seconds(duration.expected),
                                      seconds(duration.least), seconds(duration.most)));
-  if (refined.effort.cut_short)
-    sheet.line("cut short", "the time budget ended the search: more time may do better");
+  if (refined.effort.cut_short) sheet.line("cut short", ended_by(query));
   write(sheet, refined.task, query);
 }
 

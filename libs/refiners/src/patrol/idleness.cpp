@@ -3,8 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace skein::refiners {
+namespace {
+
+/// Of a cell, in cells, and a little more.
+constexpr double kHalfDiagonal = 0.7072;
+
+}  // namespace
 
 using world::Vector2;
 
@@ -61,17 +68,26 @@ PatrolFigures IdlenessLog::figures() const {
   return figures;
 }
 
-PatrolFigures make_bounds(const PatrolField& field, const PatrolSight& sight, double speed) {
-  const double cell = sight.grid().cell;
-  const double rate = 2 * sight.footprint() * speed / (cell * cell);
-  double roots = 0;
-  for (const double risk : field.risk) roots += std::sqrt(risk);
+PatrolFigures make_bounds(const PatrolField& field, const PatrolSight& sight, double speed,
+                          double total, double window) {
+  const double sigma = sight.footprint() / sight.grid().cell;
+  const double rate = (2 * sigma + 1) * speed / sight.grid().cell;
+  const double in_view = std::numbers::pi * (sigma + kHalfDiagonal) * (sigma + kHalfDiagonal);
+  const auto cells = static_cast<double>(field.cells.size());
+  double roots = 0, top = 0;
+  for (const double risk : field.risk) {
+    roots += std::sqrt(risk);
+    top = std::max(top, risk);
+  }
   PatrolFigures bounds;
   bounds.cells = field.cells.size();
   bounds.hidden = field.hidden;
-  bounds.worst_idleness_bound = static_cast<double>(field.cells.size()) / rate;
-  bounds.worst_risk_idleness_bound = field.total_risk / rate;
-  bounds.mean_idleness_bound = roots * roots / (2 * rate * field.total_risk);
+  if (!(total > 0 && window > 0 && field.total_risk > 0)) return bounds;
+  const double intervals = rate + cells / window;
+  const double out = std::max(0.0, roots - in_view * std::sqrt(top));
+  bounds.worst_idleness_bound = std::clamp((cells - in_view) / rate, 0.0, total);
+  bounds.worst_risk_idleness_bound = std::max(0.0, field.total_risk - in_view * top) / intervals;
+  bounds.mean_idleness_bound = out * out / (2 * intervals * field.total_risk);
   return bounds;
 }
 

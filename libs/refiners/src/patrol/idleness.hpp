@@ -38,10 +38,13 @@ class IdlenessLog {
   double weighted_ = 0;  ///< integral of risk × idleness [s²]
 };
 
-/// The lower bounds, and how many cells there are: with c = 2 σ v / cell² cells passed over in a
-/// second, worst idleness n / c, worst risk × idleness Σr / c, mean (Σ√r)² / (2 c Σr). They are
-/// those of ground without grain: a lane over cells nearly as large as the footprint can see up to
-/// 1 + cell / 2σ times as many. Source: notes/geometry, section 4.
-PatrolFigures make_bounds(const PatrolField& field, const PatrolSight& sight, double speed);
+/// The lower bounds of a flight of `total` seconds from its start, for the figures of its last
+/// `window`; and how many cells there are. A second brings at most c = (2 σ + 1) v / cell cells
+/// into view (σ in cells), as along a straight lane; at most K are in view at once. A cell has at
+/// most one interval out of view more than it comes into view. With C = c + n / window: worst
+/// idleness (n - K) / c, or `total` where that is less; worst risk × idleness (Σr - K) / C; mean
+/// (Σ√r - K)² / (2 C Σr). Proof: docs/decisions/0008-refiners.md.
+PatrolFigures make_bounds(const PatrolField& field, const PatrolSight& sight, double speed,
+                          double total, double window);
 
 }  // namespace skein::refiners

@@ -38,8 +38,9 @@ struct PatrolQuery {
   MissionTime depart;  ///< volumes with a time window count from then on
 };
 
-/// Idleness of a cell: seconds since it was last perceived. Lower bounds come from how much ground
-/// a footprint can pass over in a second (2 σ v). Source: notes/geometry, section 4.
+/// Idleness of a cell: seconds since it was last perceived, or since the start. No patrol of the
+/// same time has less than the lower bounds, which come from how many cells a second brings into
+/// view. Source: docs/decisions/0008-refiners.md.
 struct PatrolFigures {
   double worst_idleness = 0;             ///< [s] over the second half of the patrol
   double worst_idleness_bound = 0;       ///< [s]
