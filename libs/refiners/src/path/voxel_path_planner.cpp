@@ -2,7 +2,10 @@
 #include "skein/refiners/voxel_path_planner.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "common/deadline.hpp"
 #include "common/over_ground.hpp"
@@ -24,6 +27,8 @@ constexpr std::uint32_t kLookedAround = 100;
 
 /// A way that is longer by as much than a straight one is looked for otherwise too.
 constexpr double kDetour = 1.03;
+/// How far aside ways are looked for where one that cannot hover would have to circle.
+constexpr std::array<double, 8> kAside = {0.1, -0.1, 0.2, -0.2, 0.35, -0.35, 0.5, -0.5};
 
 Refusal out_of_budget(const std::string& when) {
   return {RefusalKind::kBudgetExhausted, "", "the budget was used up " + when};
@@ -155,11 +160,28 @@ class Route {
       attempt(sloped({query_.from, query_.to}));
       attempt(sloped(joined(ways.front())));
     }
+    if (best && circles(*best, ways))
+      for (const double aside : kAside) attempt(sloped(bowed(aside)));
     if (!best && !setting_.budget.expired())
       if (const VoxelWay wide = search(roomy()); wide.found) attempt(joined(wide.way));
     if (best) return *best;
     if (setting_.budget.expired()) return tl::unexpected(out_of_budget("making the way flyable"));
     return tl::unexpected(*refusal);
+  }
+
+  /// Longer than the ways that it was made of by more than a full turn: there was no room for its
+  /// turns, or for its climbs.
+  bool circles(const Way& flown, const std::vector<Way>& ways) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Way& way : ways) least = std::min(least, length_of(joined(way)));
+    return length_of(flown) > least + 2 * std::numbers::pi * query_.vehicle.min_turn_radius;
+  }
+
+  /// By a place aside of the middle, in parts of the distance: a longer run to climb on.
+  Way bowed(double aside) const {
+    const Vector3 step = query_.to - query_.from;
+    const Vector3 left(-step.y(), step.x(), 0);
+    return {query_.from, query_.from + step / 2 + aside * left, query_.to};
   }
 
   /// Over the same places, as high as the ground asks for and no steeper than the vehicle flies.
