@@ -22,8 +22,9 @@ constexpr double kRate = 10;
 class ShortMission : public ::testing::Test {
  protected:
   /// What the air carried; skipped where this machine cannot have it.
-  void play(const std::string& faults) {
-    run_.start("../tests/network/scenarios/meeting", faults, {"--", "--rate", "10", "--quiet"});
+  void play(const std::string& faults, const std::string& dds = "fastdds") {
+    run_.start("../tests/network/scenarios/meeting", faults,
+               {"--", "--rate", "10", "--quiet", "--dds", dds});
     const auto code = run_.wait(90);
     ASSERT_TRUE(code.has_value()) << "no end";
     if (*code == 77) {
@@ -59,6 +60,14 @@ TEST_F(ShortMission, EndsWellOnLinksThatAreUpOneSecondAndDownOne) {
   play("second-by-second");
   if (IsSkipped()) return;
   EXPECT_GT(run_.carried().cut, 50) << "the cuts were cuts";
+}
+
+TEST_F(ShortMission, EndsWellOverCycloneDdsWhereThreeOfTenPacketsAreLost) {
+  play("loss", "cyclonedds");
+}
+
+TEST_F(ShortMission, EndsWellWithTheGroundStationAloneOnCycloneDdsAndFlappingLinks) {
+  play("second-by-second", "ground=cyclonedds");
 }
 
 }  // namespace

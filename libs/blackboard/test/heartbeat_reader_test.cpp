@@ -73,13 +73,13 @@ TEST(ReaderOfHeartbeats, KnowsByTheHeaderWhichChannelOneCameOver) {
   EXPECT_EQ(reader->channel_of({7, Malformed{Slot::kHeartbeat, {}, {"header", "short"}}}), 2U);
 }
 
-TEST(ReaderOfHeartbeats, IsNotThereWithKeysForSpiesAndForOnePeer) {
+TEST(ReaderOfHeartbeats, IsNotThereWithKeysAndForSpies) {
   DdsConfig secured, at_once;
   secured.network.keys = "keys/marvin";
   at_once.endpoints_at_once = true;
   EXPECT_FALSE(HeartbeatReader::of(marvins_plan(), secured).has_value());
   EXPECT_FALSE(HeartbeatReader::of(marvins_plan(), at_once).has_value());
-  EXPECT_FALSE(HeartbeatReader::of({kMarvin.number, radio_link(kMarvin, kKarma), {}}, {}));
+  EXPECT_FALSE(HeartbeatReader::of({kMarvin.number, {world_channel()}, {}}, {})) << "no radio";
   TransportPlan spy = marvins_plan();
   for (ChannelConfig& channel : spy.channels)
     if (channel.kind == ChannelKind::kRadio) channel.partition = "radio/*";

@@ -17,7 +17,10 @@ dds_entity_t ReaderListener::make_reader(dds_entity_t subscriber, dds_entity_t t
   dds_lset_data_available(listener.get(), [](dds_entity_t reader, void* self) {
     static_cast<ReaderListener*>(self)->take_all(reader);
   });
-  return dds_create_reader(subscriber, topic, &qos, listener.get());
+  const dds_entity_t reader = dds_create_reader(subscriber, topic, &qos, listener.get());
+  // What came before it was whole was announced when nothing could be taken from it yet.
+  if (reader > 0) take_all(reader);
+  return reader;
 }
 
 void ReaderListener::take_all(dds_entity_t reader) {

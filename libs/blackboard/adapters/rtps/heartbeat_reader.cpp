@@ -33,7 +33,7 @@ std::optional<HeartbeatReader> HeartbeatReader::of(const TransportPlan& plan,
     if (partition.empty()) partition = all;
     if (partition == all) reader.channels_.emplace(channel.from, i);
   }
-  if (reader.channels_.size() < 2) return std::nullopt;
+  if (reader.channels_.empty()) return std::nullopt;
   reader.link_.config.to = plan.self;
   reader.link_.config.kind = ChannelKind::kRadio;
   reader.link_.reads = {wire::Slot::kHeartbeat};

@@ -21,7 +21,7 @@ namespace skein::blackboard::rtps {
 class HeartbeatReader {
  public:
   /// None where permissions are judged by partition (keys), where one wants all endpoints of each
-  /// channel (spies), and where there is only one peer.
+  /// channel (spies).
   static std::optional<HeartbeatReader> of(const TransportPlan& plan, const DdsConfig& config);
 
   /// What it reads, as a channel of its own.
