@@ -48,11 +48,9 @@ Row row_of(SQLite::Statement& query) {
 Database::Database(const std::string& file, Mode mode)
     : database_(file, flags_of(mode), kPatience) {
   if (mode == Mode::kRead) return;
-  // An input is some hundred bytes, and is written with the page that it is on: small ones (of a
-  // new file; another keeps those it has). The write-ahead log is about 16 MB at most.
   database_.exec(
-      "PRAGMA page_size = 1024; PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
-      "PRAGMA wal_autocheckpoint = 16000;");
+      "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
+      "PRAGMA wal_autocheckpoint = 4000;");
   if (version() < kVersion) bring_up();
 }
 
