@@ -8,6 +8,8 @@
 //   skein_refiners_patrol_bench --risk [F] FILE.asc…
 //                     maps of risk from files (ESRI ASCII, 0 to 1), with a footprint of F cells or
 //                     of 1, 2 and 3, beside the least means that flights along lanes can have
+//   skein_refiners_patrol_bench --bounds [F] FILE.asc…
+//                     those alone, without a patrol
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -196,7 +198,8 @@ double least_of_walks(const world::World& world, const PatrolQuery& query) {
 /// Ratios to the lawn mower, and the least that flights can have of which a metre brings 2 σ cells
 /// into view, as that of every lane between rows, or 2 σ + 1, as that of one along the middle of a
 /// row, which just touches the outermost.
-void run_file(const char* file, const world::GroundState& ground, double footprint) {
+void run_file(const char* file, const world::GroundState& ground, double footprint,
+              bool bounds_alone) {
   const Case c{.side = ground.grid.columns,
                .cell = 1,
                .footprint = footprint,
@@ -210,33 +213,37 @@ void run_file(const char* file, const world::GroundState& ground, double footpri
   const auto extent = static_cast<double>(c.side);
   const NaiveFigures mower =
       simulate(c, world, query, lawn_mower(extent, extent, footprint, 1, c.duration));
-  const Row ours = planned(c, world, query, PatrolMode::kCommitted);
+  const Row ours = bounds_alone ? Row{} : planned(c, world, query, PatrolMode::kCommitted);
   const auto ratio = [&](double rate) {
     return least_mean(ground, query.least_risk, footprint, rate) / mower.mean;
   };
+  // From visit to visit; a cell waits less, as it is in view for two footprints of a straight pass.
+  const double walks = least_of_walks(world, query);
   std::printf(
-      "%s, footprint %g: mean %.3f (lanes between rows not below %.3f, walks %.3f, any lane %.3f)  "
-      "max r*idle %.3f  unseen %zu  %.2f s\n",
-      file, footprint, ours.figures.mean / mower.mean, ratio(2 * footprint),
-      least_of_walks(world, query) / mower.mean, ratio(2 * footprint + 1),
+      "%s, footprint %g: mean %.3f (lanes between rows not below %.3f, walks %.3f, less %.3f in "
+      "view, any lane %.3f)  max r*idle %.3f  unseen %zu  %.2f s\n",
+      file, footprint, ours.figures.mean / mower.mean, ratio(2 * footprint), walks / mower.mean,
+      2 * footprint / query.speed / mower.mean, ratio(2 * footprint + 1),
       ours.figures.worst_risk / mower.worst_risk, ours.figures.unseen, ours.seconds);
   std::fflush(stdout);
 }
 
-int run_files(int count, char** files) {
+int run_files(int count, char** files, bool bounds_alone) {
   char* end = nullptr;
   const double asked = std::strtod(files[0], &end);
   const bool is_asked = *end == '\0';
   for (int i = is_asked ? 1 : 0; i < count; ++i)
     for (const double footprint : {1.0, 2.0, 3.0})
-      if (!is_asked || footprint == asked) run_file(files[i], read_risk(files[i]), footprint);
+      if (!is_asked || footprint == asked)
+        run_file(files[i], read_risk(files[i]), footprint, bounds_alone);
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc > 2 && std::strcmp(argv[1], "--risk") == 0) return run_files(argc - 2, argv + 2);
+  if (argc > 2 && std::strcmp(argv[1], "--risk") == 0) return run_files(argc - 2, argv + 2, false);
+  if (argc > 2 && std::strcmp(argv[1], "--bounds") == 0) return run_files(argc - 2, argv + 2, true);
   const bool full = argc > 1 && std::strcmp(argv[1], "--all") == 0;
   std::vector<Case> cases = {{64, 1, 2, 1, 0, 1, 40000}};
   for (const int peaks : {1, 2, 3, 4, 6})
