@@ -45,6 +45,17 @@ inline std::string megabytes_problem(const std::string& text) {
   return fits ? "" : "'" + text + "' is more than 1e12 MB";
 }
 
+/// Of all options of whole numbers from 0, whatever command they are of: CLI11 reads "-3" as 2^64
+/// - 3.
+inline void refuse_below_zero(CLI::App& app) {
+  const auto problem = [](const std::string& text) {
+    return text.starts_with('-') ? "'" + text + "' is not a whole number" : std::string();
+  };
+  for (CLI::Option* option : app.get_options())
+    if (option->get_type_name().starts_with("UINT")) option->check(problem);
+  for (CLI::App* command : app.get_subcommands({})) refuse_below_zero(*command);
+}
+
 /// An option in seconds, MissionTime or Duration. `value` is alive when the line is read.
 template <class Time>
 CLI::Option* add_seconds(CLI::App& command, const std::string& name, std::optional<Time>& value,

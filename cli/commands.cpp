@@ -9,6 +9,7 @@
 
 #include "actions.hpp"
 #include "allocate_commands.hpp"
+#include "argument_checks.hpp"
 #include "import_commands.hpp"
 #include "live_commands.hpp"
 #include "manual_commands.hpp"
@@ -74,6 +75,7 @@ int run_command_line(int argc, char** argv, const Actions& actions) try {
   app.require_subcommand(1);
   Action action;
   add_commands(app, action, actions);
+  refuse_below_zero(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

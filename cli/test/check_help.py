@@ -57,6 +57,14 @@ def faults_in(text):
             yield f"what stands behind words is shown: {line!r}"
 
 
+def faults_below_zero(program, words, text):
+    """Whole numbers from 0 that take one below."""
+    for option in re.findall(r"^  (?:-\w,)?(--[a-z-]+) UINT", text, re.MULTILINE):
+        done = subprocess.run([program, *words, option, "-3"], capture_output=True, timeout=60, text=True)
+        if done.returncode == 0 or "-3" not in done.stdout + done.stderr:
+            yield f"{option} takes -3: {done.stderr[:200]!r}"
+
+
 def main():
     program, faults, seen = sys.argv[1], [], 0
     waiting = [[]]
@@ -68,7 +76,7 @@ def main():
         if fault:
             faults.append(f"{name}: {fault}")
             continue
-        faults += [f"{name}: {one}" for one in faults_in(text)]
+        faults += [f"{name}: {one}" for one in [*faults_in(text), *faults_below_zero(program, words, text)]]
         waiting += [[*words, one] for one in subcommands_in(text)]
         if len(words) == 1 and words[0] not in ENDS_AT_ONCE:
             faults.append(f"{name}: ENDS_AT_ONCE does not say how it ends at once")

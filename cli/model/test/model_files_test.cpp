@@ -70,12 +70,13 @@ INSTANTIATE_TEST_SUITE_P(Files, ShippedModels,
                                            "cooperative-mapping.yaml", "roles/perceive.yaml",
                                            "roles/relay.yaml", "roles/pursue.yaml",
                                            "roles/observe.yaml", "roles/map.yaml",
-                                           "roles/watch.yaml", "roles/link.yaml"));
+                                           "roles/watch.yaml", "roles/link.yaml", "escorting.yaml",
+                                           "roles/escort.yaml"));
 
 /// Files that give the monitoring of the reference model another form, under the same name: a
 /// scenario takes one of them.
 const std::set<std::string> kOtherForms = {"monitoring-around.yaml", "monitoring-by-chain.yaml",
-                                           "monitoring-with-ground.yaml"};
+                                           "monitoring-with-ground.yaml", "escorting.yaml"};
 
 TEST_F(ModelFiles, AllShippedFilesGoTogetherButForOtherFormsOfOneModelAndShareTheirRoles) {
   std::vector<std::string> files;
@@ -89,7 +90,7 @@ TEST_F(ModelFiles, AllShippedFilesGoTogetherButForOtherFormsOfOneModelAndShareTh
 
   ASSERT_EQ(ran.code, 0) << ran.out;
   const auto json = nlohmann::json::parse(ran.out);
-  EXPECT_EQ(json.at("roles").size(), 8U);
+  EXPECT_EQ(json.at("roles").size(), 9U);
   EXPECT_EQ(json.at("models").size(), 3U);
   EXPECT_EQ(json.at("models").at("cooperative-mapping").size(), 2U);
 }
