@@ -18,7 +18,7 @@ constexpr double kMoves = 10;        // [m] it moves before it is flown after
 constexpr double kAlreadyThere = 3;  // [m]
 
 double level_between(const Position& a, const Position& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]);
+  return (vector_of(a) - vector_of(b)).head<2>().norm();
 }
 
 /// On the side of it where one is.
@@ -99,13 +99,6 @@ bool JointPlay::flew_after(const executive::TaskEvent& event, const std::string&
   following_.erase(found);
   tell_status(componel, Word::kAborted);
   return true;
-}
-
-void JointPlay::fail(const std::string& componel, const std::string& why) {
-  host_.bus().emit(Notice{my_.joint.subject + ": " + componel + ": " + why});
-  following_.erase(componel);
-  failed_[componel] = why;
-  tell_status(componel, Word::kAborted);
 }
 
 }  // namespace skein::decision_node

@@ -27,7 +27,7 @@ void JointPlay::negotiate_places(const std::string& action) {
   interaction::BeginNegotiation begin;
   begin.subject = my_.joint.subject + "/" + what.modality;
   begin.modality = what.modality;
-  begin.members = parties_of(action);
+  begin.members = my_.parties_of(play_->role(), action, self_);
   auto terms = place_terms(what, play_->scope(), begin.members.size(), outlook());
   if (!terms) return fails(terms.error().why);
   begin.parameters = std::move(*terms);
@@ -48,7 +48,7 @@ void JointPlay::take_place_alone(const interaction::BeginNegotiation& begin) {
   terms.parameters = begin.parameters;
   interaction::NegotiationOutcome outcome;
   const auto offer = task_.offer_for(terms);
-  const auto result = offer ? interaction::reckon(terms, {{self(), *offer}}) : offer;
+  const auto result = offer ? interaction::reckon(terms, {{self_, *offer}}) : offer;
   outcome.kind = result ? Kind::kAgreed : Kind::kFailed;
   if (result) outcome.result = *result;
   if (!result) outcome.why = result.error().why;
@@ -68,7 +68,7 @@ void JointPlay::places_agreed(const interaction::Terms& terms,
   }
   const interaction::Automaton& automaton = play_->automaton();
   const config::Value* out = automaton[*automaton.find(action)].action()->out.find(kPlace);
-  const auto place = place_of_member(self(), terms, outcome.result, *host_.world());
+  const auto place = place_of_member(self_, terms, outcome.result, *host_.world());
   PlaceComputed note{my_.joint.subject,
                      play_->role(),
                      out == nullptr ? action : out->scalar,

@@ -31,7 +31,34 @@ bool is_mapping(const interaction::Automaton& automaton, const std::string& comp
   return automaton[*automaton.find(componel)].task()->type == kMapArea;
 }
 
+// What is begun anew has another chance.
+void forget_failures_in(const std::string& componel, const interaction::Automaton& automaton,
+                        std::map<std::string, std::string>& failed) {
+  const auto outer = *automaton.find(componel);
+  std::erase_if(failed, [&](const auto& one) {
+    const auto inner = *automaton.find(one.first);
+    return inner == outer || automaton.contains(outer, inner);
+  });
+}
+
+/// Way-points are passed within that [m].
+double passing_distance(const world::VehicleModel& vehicle, const world::Wind& wind) {
+  return 5 + 6 * world::tracking_spread(vehicle) + vehicle.wind_drift * wind.speed;
+}
+
 }  // namespace
+
+std::vector<std::string> Membership::parties_of(const std::string& role, const std::string& action,
+                                                const std::string& self) const {
+  std::set<std::string> all{self};
+  for (const interaction::Correspondence& one : joint.variant->table.correspondences) {
+    if (one.role != role || one.action != action) continue;
+    for (const auto& [uav, held] : holders) {
+      if (held == one.target_role) all.insert(uav);
+    }
+  }
+  return {all.begin(), all.end()};
+}
 
 JointPlay::JointPlay(const Surroundings& of)
     : host_(of.host),
@@ -39,10 +66,10 @@ JointPlay::JointPlay(const Surroundings& of)
       sightings_(of.sightings),
       task_(of.task),
       my_(of.my),
-      share_(of.host.config().uav) {}
+      self_(of.host.config().uav),
+      share_(self_) {}
 
 MissionTime JointPlay::now() const { return host_.bus().now(); }
-const std::string& JointPlay::self() const { return host_.config().uav; }
 Outlook JointPlay::outlook() const { return task_.outlook(); }
 
 // ---- the role ----
@@ -56,7 +83,7 @@ void JointPlay::begin(const std::string& role) {
   following_.clear();
   sharing_again_.reset();
   roles_stand_until_.reset();
-  play_.emplace(my_.joint, role, my_.holders, self());
+  play_.emplace(my_.joint, role, my_.holders, self_);
   tell(interaction::Start{});
 }
 
@@ -85,7 +112,8 @@ void JointPlay::carry_out(const interaction::StateChanged& effect) {
   const interaction::Componel& componel = automaton[*automaton.find(effect.componel)];
   const interaction::Componel& around = automaton[componel.parent];
   note.block = around.id;
-  if (effect.state == ComponelState::kScheduled) forget_failures_in(effect.componel);
+  if (effect.state == ComponelState::kScheduled)
+    forget_failures_in(effect.componel, automaton, failed_);
   if (effect.state == ComponelState::kRunning && componel.block() != nullptr) {
     note.because = joined(describe(componel.block()->precondition, automaton), " ");
   }
@@ -179,12 +207,15 @@ void JointPlay::carry_out(const interaction::Run& effect) {
   const Outlook outlook = this->outlook();
   auto task = make_task(componel, my_.joint.subject,
                         {*play_, outlook, sightings_.own()->state, done, my_.allocation});
-  if (!task) {
-    host_.bus().emit(Notice{my_.joint.subject + ": " + effect.task + ": " + task.error().why});
-    failed_[effect.task] = task.error().why;
-    return tell_status(effect.task, Word::kAborted);
-  }
+  if (!task) return fail(effect.task, task.error().why);
   give(effect.task, std::move(*task));
+}
+
+void JointPlay::fail(const std::string& componel, const std::string& why) {
+  host_.bus().emit(Notice{my_.joint.subject + ": " + componel + ": " + why});
+  following_.erase(componel);
+  failed_[componel] = why;
+  tell_status(componel, Word::kAborted);
 }
 
 // Motions wait for each other; what looks along one does not count.
@@ -252,7 +283,8 @@ void JointPlay::note_done(const std::string& componel) {
 bool JointPlay::watch() {
   if (!play_) return false;
   const auto own = position_of(sightings_.own()->state.position);
-  share_.fly(sightings_.own()->state.position, passing_distance());
+  share_.fly(sightings_.own()->state.position,
+             passing_distance(host_.config().knowledge->vehicle, host_.world()->wind));
   look_after_followed();
   for (const interaction::ScmFound& found : play_->watch(own, outlook().observer, now())) {
     host_.bus().emit(ScmNoted{my_.joint.subject, play_->role(), found});
@@ -262,18 +294,6 @@ bool JointPlay::watch() {
 }
 
 // ---- its negotiations ----
-
-// All who hold a role of which an action belongs to this one.
-std::vector<std::string> JointPlay::parties_of(const std::string& action) const {
-  std::set<std::string> all{self()};
-  for (const interaction::Correspondence& one : my_.joint.variant->table.correspondences) {
-    if (one.role != play_->role() || one.action != action) continue;
-    for (const auto& [uav, role] : my_.holders) {
-      if (role == one.target_role) all.insert(uav);
-    }
-  }
-  return {all.begin(), all.end()};
-}
 
 void JointPlay::carry_out(const interaction::Negotiate& effect) {
   const interaction::Automaton& automaton = play_->automaton();
@@ -296,7 +316,7 @@ void JointPlay::negotiate_roles(const std::string& action, const std::string& mo
   interaction::BeginNegotiation begin;
   begin.subject = my_.joint.subject + "/" + modality;
   begin.modality = modality;
-  begin.members = parties_of(action);
+  begin.members = my_.parties_of(play_->role(), action, self_);
   std::map<std::string, int> held;
   for (const std::string& uav : begin.members) ++held[my_.holders.at(uav)];
   for (const auto& [role, count] : held) {
@@ -339,7 +359,7 @@ void JointPlay::roles_agreed(const interaction::Terms& terms,
   if (agreed != my_.holders) {
     my_.holders = std::move(agreed);
     my_.allocation = to_text(terms.id());
-    next_role_ = my_.holders.at(self());
+    next_role_ = my_.holders.at(self_);
     tell(interaction::Abort{});
     return task_.announce();
   }
@@ -349,16 +369,6 @@ void JointPlay::roles_agreed(const interaction::Terms& terms,
     actions_.erase(action);
     tell_status(action, outcome.kind == Kind::kAgreed ? Word::kEnded : Word::kAborted);
   }
-}
-
-// What is begun anew has another chance.
-void JointPlay::forget_failures_in(const std::string& componel) {
-  const interaction::Automaton& automaton = play_->automaton();
-  const auto outer = *automaton.find(componel);
-  std::erase_if(failed_, [&](const auto& one) {
-    const auto inner = *automaton.find(one.first);
-    return inner == outer || automaton.contains(outer, inner);
-  });
 }
 
 // A role of which a task failed is not done, though its automaton came to its end.

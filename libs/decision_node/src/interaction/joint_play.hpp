@@ -31,6 +31,11 @@ struct Membership {
   std::string why = {};
   Holders holders = {};
   std::string allocation = {};  ///< the session in which they were agreed
+
+  /// `self`, who plays `role`, and all who hold a role of which an action belongs to that one, in
+  /// the order of their names.
+  std::vector<std::string> parties_of(const std::string& role, const std::string& action,
+                                      const std::string& self) const;
 };
 
 /// What a role asks for is carried out: tasks, places, negotiations in flight. Roles that are
@@ -74,7 +79,6 @@ class JointPlay {
 
  private:
   MissionTime now() const;
-  const std::string& self() const;
   Outlook outlook() const;
   void tell_status(const std::string& componel, interaction::Status::Word word);
   /// Its number.
@@ -88,27 +92,24 @@ class JointPlay {
   void carry_out(const interaction::Withdraw& effect);
   void carry_out(const interaction::Read&) {}
   void carry_out(const interaction::ModelOver& effect);
-  std::vector<std::string> parties_of(const std::string& action) const;
   void roles_agreed(const interaction::Terms& terms,
                     const interaction::NegotiationOutcome& outcome);
   void note_done(const std::string& componel);
-  void forget_failures_in(const std::string& componel);
   void negotiate_roles(const std::string& action, const std::string& modality);
   // joint_places.cpp
   void negotiate_places(const std::string& action);
   void take_place_alone(const interaction::BeginNegotiation& begin);
   void places_agreed(const interaction::Terms& terms,
                      const interaction::NegotiationOutcome& outcome);
+  /// Of a task that cannot be carried out.
+  void fail(const std::string& componel, const std::string& why);
   // joint_follow.cpp
   void follow(const std::string& componel);
   std::optional<std::string> fly_after(const std::string& componel);
   void look_after_followed();
   bool flew_after(const executive::TaskEvent& event, const std::string& componel);
-  void fail(const std::string& componel, const std::string& why);
   // joint_sharing.cpp
   SweepSetting sweep_setting(const std::string& role) const;
-  double passing_distance() const;
-  std::vector<world::Polygon> areas_to_share(const std::string& action) const;
   void share_area(const std::string& action);
   void area_shared(const interaction::Terms& terms, const interaction::NegotiationOutcome& outcome);
   void map_area(const std::string& componel);
@@ -119,6 +120,7 @@ class JointPlay {
   const Sightings& sightings_;
   JointTask& task_;
   Membership& my_;
+  const std::string& self_;
 
   std::optional<RolePlay> play_;
   std::uint64_t plays_ = 0;

@@ -17,10 +17,22 @@ constexpr Duration kSharing = Duration::milliseconds(120'000);
 constexpr Duration kAgain = Duration::milliseconds(1'000);
 constexpr Duration kPatience = Duration::milliseconds(240'000);  // then it is not shared
 
+// At first the area that the action names, then what is nobody's any more.
+std::vector<world::Polygon> areas_to_share(const AreaShare& share, const RolePlay& play,
+                                           const std::string& action, const world::World& world) {
+  if (share.agreed()) return share.nobodys();
+  const interaction::Automaton& automaton = play.automaton();
+  const config::Value* named = automaton[*automaton.find(action)].action()->in.find("area");
+  const auto zone = named == nullptr ? std::nullopt : zone_of(*named, play.scope(), world);
+  std::vector<world::Polygon> areas;
+  if (zone) areas.push_back(*zone);
+  return areas;
+}
+
 }  // namespace
 
 Result<interaction::Rows, Failure> JointPlay::offer_of_area() const {
-  return share_.offer(sweep_setting(my_.holders.at(self())));
+  return share_.offer(sweep_setting(my_.holders.at(self_)));
 }
 
 SweepSetting JointPlay::sweep_setting(const std::string& role) const {
@@ -29,35 +41,16 @@ SweepSetting JointPlay::sweep_setting(const std::string& role) const {
           device_of(my_.joint.library->roles.at(role), knowledge->vehicle)};
 }
 
-/// Way-points are passed within that [m].
-double JointPlay::passing_distance() const {
-  const world::VehicleModel& vehicle = host_.config().knowledge->vehicle;
-  const world::Wind& wind = host_.world()->wind;
-  return 5 + 6 * world::tracking_spread(vehicle) + vehicle.wind_drift * wind.speed;
-}
-
 // ---- who maps what ----
 
-// At first the area that the action names, then what is nobody's any more.
-std::vector<world::Polygon> JointPlay::areas_to_share(const std::string& action) const {
-  if (share_.agreed()) return share_.nobodys();
-  const interaction::Automaton& automaton = play_->automaton();
-  const config::Value* named = automaton[*automaton.find(action)].action()->in.find("area");
-  const auto world = host_.world();
-  const auto zone = named == nullptr ? std::nullopt : zone_of(*named, play_->scope(), *world);
-  std::vector<world::Polygon> areas;
-  if (zone) areas.push_back(*zone);
-  return areas;
-}
-
 void JointPlay::share_area(const std::string& action) {
-  const std::vector<world::Polygon> areas = areas_to_share(action);
+  const std::vector<world::Polygon> areas = areas_to_share(share_, *play_, action, *host_.world());
   const MissionTime until = sharing_again_ ? sharing_again_->until : now() + kPatience;
   sharing_again_.reset();
   interaction::BeginNegotiation begin;
   begin.subject = my_.joint.subject + "/" + kAreaSharing;
   begin.modality = kAreaSharing;
-  begin.members = parties_of(action);
+  begin.members = my_.parties_of(play_->role(), action, self_);
   begin.within = kSharing;
   for (const world::Polygon& area : areas)
     begin.parameters.push_back(interaction::row_of("area", area));
@@ -96,15 +89,10 @@ void JointPlay::area_shared(const interaction::Terms& terms,
 // ---- flights ----
 
 void JointPlay::map_area(const std::string& componel) {
-  const auto fails = [&](const std::string& why) {
-    host_.bus().emit(Notice{my_.joint.subject + ": " + componel + ": " + why});
-    failed_[componel] = why;
-    tell_status(componel, Word::kAborted);
-  };
-  if (!share_.agreed()) return fails("the area is not shared");
+  if (!share_.agreed()) return fail(componel, "the area is not shared");
   const SweepSetting setting = sweep_setting(play_->role());
   const auto way = share_.set_out(setting);
-  if (!way) return fails(way.error().why);
+  if (!way) return fail(componel, way.error().why);
   if (way->empty()) return tell_status(componel, Word::kEnded);
   const executive::TaskId flight = give(componel, flight_along(*way));
   give(componel, look_along(flight, setting.device), flight);
