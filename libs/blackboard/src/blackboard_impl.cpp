@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands behind Blackboard.
 #include "blackboard_impl.hpp"
+#include "routing/path_violation.hpp"
 
 #include <algorithm>
 
@@ -177,18 +178,6 @@ void Blackboard::Impl::write_in_turn(Peer& peer, Now now) {
   }
 }
 
-/// A channel that goes down takes no turns: the last states are where late comers find them, and
-/// streams are of the past.
-void Blackboard::Impl::let_go(Peer& peer) {
-  LimitedChannel* limited = peer.limited();
-  if (limited == nullptr) return;
-  for (const wire::Sample& state : limited->take_values(wire::SlotClass::kState)) {
-    write(peer.channels().outgoing, state);
-  }
-  limited->take_values(wire::SlotClass::kStream);
-  limited->drop_passing();
-}
-
 Result<std::uint64_t, Refusal> Blackboard::Impl::publish(wire::Sample sample, Now now) {
   if (!world_ || !config_.channels[*world_].carries(wire::slot_of(sample))) {
     return tl::unexpected(Refusal::kNoChannel);
@@ -239,7 +228,9 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
     if (changes && !condition.up) {
       connections_.set_up(peer.channels().outgoing, false, now.steady, out_);
     }
-    if (!condition.up || condition.capacity <= 0) let_go(peer);
+    const bool takes_turns = condition.up && condition.capacity > 0;
+    if (LimitedChannel* limited = peer.limited(); limited != nullptr && !takes_turns)
+      for (const wire::Sample& state : limited->let_go()) write(peer.channels().outgoing, state);
     peer.set_outgoing(condition, now);
     if (changes && condition.up) {
       connections_.set_up(peer.channels().outgoing, true, now.steady, out_);
@@ -338,7 +329,10 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample sample, Now now) 
   if (!violation) violation = header_violation(header);
   const ChannelConfig& config = config_.channels[channel];
   const bool world = config.kind == ChannelKind::kWorld;
-  if (!violation && !world) violation = path_violation(config, slot, header);
+  if (!violation && !world) {
+    violation =
+        routing::path_violation({config_, peers_, router_.has_value()}, config, slot, header);
+  }
   if (violation) {
     refuse(slot, header, *violation);
     return refuse_event(channel, slot, header, now);

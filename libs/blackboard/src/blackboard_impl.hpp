@@ -69,7 +69,6 @@ class Blackboard::Impl {
   void write_due_events(Peer& peer, Now now);
   /// On a limited channel, as long as it is free.
   void write_in_turn(Peer& peer, Now now);
-  void let_go(Peer& peer);
   /// Something of its session came: it counts as handled from the next step on.
   void hear(const Peer& peer);
   /// What a heartbeat says of incarnations, its sender's and of this node.
@@ -87,9 +86,6 @@ class Blackboard::Impl {
   void send_on(NodeNumber to, wire::Sample sample, Now now);
   void send_past_relays(wire::Heartbeat heartbeat, Now now);
   void send_value(Peer& peer, wire::Sample sample, Now now);
-  /// Why a sample may not have come this way.
-  std::optional<wire::Violation> path_violation(const ChannelConfig& channel, wire::Slot slot,
-                                                const wire::SampleHeader& header) const;
   void pass_on(const ChannelConfig& from, wire::Sample sample, Now now);
   void learn(wire::Neighbours report, Now now);
   void remind(NodeNumber peer, Now now);

@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "blackboard_impl.hpp"
+#include "routing/path_violation.hpp"
 
 namespace skein::blackboard {
 namespace {
 
-bool has_passed(const wire::SampleHeader& header, NodeNumber node) {
-  return std::ranges::find(header.via, node.value()) != header.via.end();
-}
+using routing::has_passed;
 
 bool is_state(wire::Slot slot) { return wire::slot_class(slot) == wire::SlotClass::kState; }
 
@@ -64,29 +63,6 @@ void Blackboard::Impl::send_value(Peer& peer, wire::Sample sample, Now now) {
   const bool relayed = router_ && router_->is_relayed(to);
   if (relayed) send_on(to, sample, now);
   if (!relayed || is_state(slot)) hand_to(peer, std::move(sample), now);
-}
-
-std::optional<wire::Violation> Blackboard::Impl::path_violation(
-    const ChannelConfig& channel, wire::Slot slot, const wire::SampleHeader& header) const {
-  const bool mine = header.destination == config_.self.value();
-  if (header.via.empty()) {
-    if (header.origin != channel.from.value())
-      return wire::Violation{"header.origin", "not a node of channel " + channel.partition};
-    if (!mine || channel.originates(slot)) return std::nullopt;
-    return wire::Violation{"header.origin", "has nothing of its own to say in this slot"};
-  }
-  const auto wrong = [](std::string why) { return wire::Violation{"header.via", std::move(why)}; };
-  if (header.via.back() != channel.from.value())
-    return wrong("does not end with the sender of channel " + channel.partition);
-  if (!router_ || !channel.relays(slot))
-    return wrong("channel " + channel.partition + " carries nothing of others in this slot");
-  if (header.via.size() > config_.relaying.most_relays) return wrong("too many relays");
-  const auto origin = peers_.find(NodeNumber(header.origin));
-  if (origin == peers_.end() || has_passed(header, origin->first))
-    return wire::Violation{"header.origin", "not a node whose samples are passed on"};
-  if (!mine || config_.channels[origin->second.channels().incoming].originates(slot))
-    return std::nullopt;
-  return wire::Violation{"header.origin", "has nothing to say to this node in this slot"};
 }
 
 // The receiver knows what it has handled, the sender what it holds: a relay decides by what is

@@ -74,6 +74,13 @@ void LimitedChannel::pass(wire::Sample sample) {
   passing_.push_back(std::move(sample));
 }
 
+std::vector<wire::Sample> LimitedChannel::let_go() {
+  std::vector<wire::Sample> states = values_.take(wire::SlotClass::kState);
+  values_.take(wire::SlotClass::kStream);
+  passing_.clear();
+  return states;
+}
+
 wire::Sample LimitedChannel::take_passing() {
   SKEIN_EXPECTS(!passing_.empty());
   wire::Sample first = std::move(passing_.front());

@@ -43,7 +43,9 @@ class LimitedChannel {
   /// A state or a stream.
   void put(wire::Sample value) { shed_ += values_.put(std::move(value)) ? 1 : 0; }
   bool has_any() const { return !values_.empty() || !passing_.empty(); }
-  std::vector<wire::Sample> take_values(wire::SlotClass which) { return values_.take(which); }
+  /// It takes no turns any more. Gives the last states, which are written at once: there late
+  /// comers find them; streams are of the past.
+  std::vector<wire::Sample> let_go();
   /// An event, or a heartbeat of another one, on its way to somebody else. Of too many the oldest
   /// goes: who made it sends it again.
   void pass(wire::Sample sample);
@@ -51,7 +53,6 @@ class LimitedChannel {
     return passing_.empty() ? nullptr : &passing_.front();
   }
   wire::Sample take_passing();
-  void drop_passing() { passing_.clear(); }
   /// Values that a newer one took the place of before their turn came.
   std::uint64_t shed() const { return shed_; }
 
