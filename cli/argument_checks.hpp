@@ -45,8 +45,7 @@ inline std::string megabytes_problem(const std::string& text) {
   return fits ? "" : "'" + text + "' is more than 1e12 MB";
 }
 
-/// Of all options of whole numbers from 0, whatever command they are of: CLI11 reads "-3" as 2^64
-/// - 3.
+/// Of all options of whole numbers from 0, of whatever command: CLI11 reads "-3" as 2^64 - 3.
 inline void refuse_below_zero(CLI::App& app) {
   const auto problem = [](const std::string& text) {
     return text.starts_with('-') ? "'" + text + "' is not a whole number" : std::string();

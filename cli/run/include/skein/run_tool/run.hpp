@@ -18,8 +18,6 @@ struct RunOptions {
   bool json = false;  ///< one JSON document on standard output instead of text; no progress
   bool quiet = false;
   std::vector<std::string> explain;     ///< "karma", "karma:104": said after the run
-  /// Over DDS: [s] of the clock on the wall by which what is expected may be late.
-  double allow_late = 0;
   bool check_only = false;              ///< read and check the scenario, start nothing
   std::string daemons;                  ///< folder of skein-ground, …; empty: beside this program
   std::optional<std::uint32_t> domain;  ///< DDS domain; absent: a free one
@@ -30,7 +28,8 @@ struct RunOptions {
   std::string mcap;                   ///< file for the run as MCAP; empty: none
   std::string console;                ///< ADDRESS:PORT of the operators' page; empty: none
   std::optional<std::uint32_t> ros2;  ///< domain of ROS 2, over DDS; none: it is not told
-  std::string mavlink_out;            ///< address of a MAVLink station, over DDS; empty: none
+  double allow_late = 0;    ///< [s] on the wall by which what is expected may be late, over DDS
+  std::string mavlink_out;  ///< address of a MAVLink station, over DDS; empty: none
 };
 
 /// Runs to the end; returns the exit code (docs/exit-codes.md). Results go to `out`, everything
