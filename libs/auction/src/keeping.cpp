@@ -70,7 +70,6 @@ void TeamMember::Core::keep_ledger() {
 
 void TeamMember::Core::take_status(MemberNumber member, const Status& status) {
   for (const GivenMission& mission : status.missions) admit(mission);
-  if (member == setup_.self) disk_.missions.clear();
   for (const MemberNumber lost : status.lost) {
     if (!ledger().lost.contains(lost)) draft().lost.insert(lost);
   }

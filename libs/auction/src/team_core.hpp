@@ -54,6 +54,7 @@ class TeamMember::Core {
   void hold();
   void beat();
   void commit();
+  void let_go_of_missions();
   bool majority(const std::set<MemberNumber>& members) const;
   std::set<MemberNumber> heard_since(MissionTime since) const;
   std::vector<MemberNumber> others() const;

@@ -192,12 +192,10 @@ void TeamMember::Core::on(const Beat& beat, MemberNumber from) {
   last_beat_ = now_;
   if (beat.ledger && newer(beat.ledger->term, beat.ledger->revision, ledger())) {
     disk_.ledger = beat.ledger;
-    std::erase_if(disk_.missions, [this](const GivenMission& mission) {
-      return ledger().missions.contains(mission.number);
-    });
     stored_ = true;
   }
   committed_ = beat.committed;
+  let_go_of_missions();
   stored_ |= own_.give_up_claims();
   tell(from, status());
 }
@@ -227,6 +225,16 @@ void TeamMember::Core::commit() {
       changed_ = true;
     }
   }
+  let_go_of_missions();
+}
+
+// Not before a majority has them: a ledger that only its holder has is lost with the token.
+void TeamMember::Core::let_go_of_missions() {
+  if (ledger().term != disk_.term || committed_ < ledger().revision) return;
+  const std::size_t gone = std::erase_if(disk_.missions, [this](const GivenMission& mission) {
+    return ledger().missions.contains(mission.number);
+  });
+  stored_ |= gone > 0;
 }
 
 void TeamMember::Core::on(const ToMember& call, MemberNumber from) { tell(from, answer(call)); }

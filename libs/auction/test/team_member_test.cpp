@@ -277,6 +277,45 @@ TEST_F(TeamMemberTest, AHolderThatHearsNoMajorityGivesTheTokenUp) {
   EXPECT_EQ(lost, 1U);
 }
 
+// Found by a random mission (--team --deaths 11988): the ground station held the token, was given a
+// mission, and another held it before anybody had heard of that.
+TEST_F(TeamMemberTest, AMissionIsSaidToNewHoldersUntilAMajorityHasIt) {
+  TeamMember one = member();
+  one.handle(Tick{}, at(0));
+  one.handle(Tick{}, *one.next_wakeup());
+  one.handle(from(1, Vote{1, true}), at(5));
+  one.handle(from(1, Vote{1, false}), at(5));
+  ASSERT_TRUE(one.holds_token());
+  one.handle(MissionGiven{{MissionNumber(7), {}}}, at(5.1));
+  ASSERT_TRUE(one.ledger().missions.contains(MissionNumber(7)));
+  const auto said_after = [&](const Beat& beat, double second) {
+    return said<Status>(one.handle(from(1, beat), at(second))).at(0).missions.size();
+  };
+  auto later = granted();
+
+  EXPECT_EQ(said_after({3, 4, later}, 6), 1U);
+  later = std::make_shared<Ledger>(*later);
+  ++later->revision;
+  later->missions.insert(MissionNumber(7));
+  EXPECT_EQ(said_after({3, 4, later}, 7), 1U);
+  EXPECT_EQ(said_after({3, 5, nullptr}, 8), 0U);
+}
+
+TEST_F(TeamMemberTest, AHolderKeepsAMissionUntilAMajorityHasIt) {
+  TeamMember one = member();
+  one.handle(Tick{}, at(0));
+  one.handle(Tick{}, *one.next_wakeup());
+  one.handle(from(1, Vote{1, true}), at(5));
+  one.handle(from(1, Vote{1, false}), at(5));
+  const auto kept = [](const TeamEffects& effects) {
+    return std::get<Store>(effects.front()).disk.missions.size();
+  };
+
+  EXPECT_EQ(kept(one.handle(MissionGiven{{MissionNumber(7), {}}}, at(5.1))), 1U);
+  const Status has{1, one.ledger().revision, {}, {}, {}, {}, {}, true, {}};
+  EXPECT_EQ(kept(one.handle(from(2, has), at(5.2))), 0U);
+}
+
 // ---- taking part, and beats ----
 
 struct Plain : Craft {

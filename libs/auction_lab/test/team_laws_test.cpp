@@ -54,6 +54,18 @@ class RandomMission {
   Place place() { return {random_.uniform(0, 100), random_.uniform(0, 100)}; }
 
   void give(std::uint64_t number) {
+    const GivenMission mission = drawn(number);
+    const std::size_t times = 1 + random_.below(2);
+    for (std::size_t i = 0; i < times; ++i) team_.give(any(), mission);
+    given_.push_back(mission);
+  }
+
+  void give_to(std::size_t member, std::uint64_t number) {
+    given_.push_back(drawn(number));
+    team_.give(member, given_.back());
+  }
+
+  GivenMission drawn(std::uint64_t number) {
     GivenMission mission{MissionNumber(number), {}};
     const std::size_t count = 1 + random_.below(6);
     for (std::size_t i = 0; i < count; ++i) {
@@ -68,9 +80,7 @@ class RandomMission {
       }
     }
     tasks_ += count;
-    const std::size_t times = 1 + random_.below(2);
-    for (std::size_t i = 0; i < times; ++i) team_.give(any(), mission);
-    given_.push_back(mission);
+    return mission;
   }
 
   std::size_t any() { return random_.below(team_.size()); }
@@ -101,6 +111,18 @@ class RandomMission {
         team_.fail_task(one);
     }
     if (random_.chance(0.1)) team_.give(one, given_[random_.below(given_.size())]);
+    if (random_.chance(0.05)) give_and_trouble(one);
+  }
+
+  // One that may hold the token is given a mission, and nobody may hear of that from it for long.
+  void give_and_trouble(std::size_t one) {
+    team_.restart(one);
+    const bool cut = random_.chance(0.5);
+    for (std::size_t m = 0; cut && m < team_.size(); ++m) {
+      if (m != one) team_.cut(m, one);
+    }
+    give_to(one, given_.size() + 1);
+    if (random_.chance(0.5)) team_.crash(one);
   }
 
   Random random_;

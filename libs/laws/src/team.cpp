@@ -32,10 +32,19 @@ double healed(const History& history) {
   return at;
 }
 
+// Whose contact-loss policy was carried out takes part no more until its degree is set again.
+bool out_of_contact(const Uav& uav) {
+  const double set = uav.degrees.empty() ? 0 : uav.degrees.back().first;
+  return std::any_of(uav.words.begin(), uav.words.end(), [&](const Word& word) {
+    return word.at >= set && word.text.rfind("contact: ", 0) == 0;
+  });
+}
+
 // Somebody is there to sell to, to the end.
 bool somebody_bids(const History& history) {
-  return std::any_of(history.uavs.begin(), history.uavs.end(),
-                     [&](const auto& each) { return each.second.degree(history.end) >= 5; });
+  return std::any_of(history.uavs.begin(), history.uavs.end(), [&](const auto& each) {
+    return each.second.degree(history.end) >= 5 && !out_of_contact(each.second);
+  });
 }
 
 bool says_to_whom_for_what(const std::string& why) {

@@ -76,6 +76,15 @@ TEST(TeamOwned, WithNobodyAtDegreeFiveThereIsNobodyToSellTo) {
   EXPECT_THAT(story.broken("team-owned"), IsEmpty());
 }
 
+TEST(TeamOwned, WhoHoldsForWantOfContactTakesPartAgainOnceItsDegreeIsSet) {
+  Story story;
+  story.degree("marvin", 0, 5).owner(20, 11, "for-sale", 0, "", "put back by marvin");
+  story.contact("marvin", 30, "hold").stands("marvin", 0, 200);
+  EXPECT_THAT(story.broken("team-owned"), IsEmpty());
+  story.degree("marvin", 120, 5);
+  EXPECT_THAT(story.broken("team-owned"), SizeIs(1));
+}
+
 TEST(TeamExplained, ASaleSaysToWhomAndForWhat) {
   EXPECT_THAT(sold().broken("team-explained"), IsEmpty());
   Story story;

@@ -22,6 +22,11 @@ constexpr std::uint64_t kNextAttempt = 10'000'000'000;
 /// In the air without anything to do before it goes home.
 constexpr Duration kRest = Duration::milliseconds(10'000);
 
+std::string why_aside(int degree) {
+  if (mission::allocates(degree)) return "it has carried out its contact-loss policy";
+  return "degree " + std::to_string(degree);
+}
+
 }  // namespace
 
 Team::Team(Core& core) : core_(core) {
@@ -131,7 +136,7 @@ void Team::put_back_what_waits() {
     if (!open || !mine || member_->has_ended({task, entry.sale})) continue;
     if (!job_ || job_->claim.task != task) waiting.push_back(task);
   }
-  const std::string why = "degree " + std::to_string(core_.degree());
+  const std::string why = why_aside(core_.degree());
   for (const auction::TaskNumber task : waiting) give(auction::TaskPutBack{task, why});
 }
 
@@ -181,9 +186,8 @@ void Team::carry_out(const auction::BeginTask& effect) {
   const team::Order* order =
       entry == member_->ledger().entries.end() ? nullptr : team::order_of(entry->second.task);
   if (order != nullptr && bids_) return begin(effect.claim, *order);
-  give(auction::TaskPutBack{effect.claim.task, order == nullptr
-                                                   ? "it was not told what that is"
-                                                   : "degree " + std::to_string(core_.degree())});
+  give(auction::TaskPutBack{effect.claim.task, order == nullptr ? "it was not told what that is"
+                                                                : why_aside(core_.degree())});
 }
 
 void Team::begin(const auction::Claim& claim, const team::Order& order) {

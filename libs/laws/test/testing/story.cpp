@@ -146,6 +146,10 @@ Story& Story::degree(const std::string& uav, double at, int degree) {
   return add(at, uav, lines::Degree{.uav = uav, .degree = degree});
 }
 
+Story& Story::contact(const std::string& uav, double at, const std::string& policy) {
+  return add(at, uav, lines::Contact{.uav = uav, .policy = policy});
+}
+
 Story& Story::step(double at, const std::string& name, const std::string& told) {
   add(at, "ground", lines::Step{.name = name});
   return add(

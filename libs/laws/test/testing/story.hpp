@@ -58,6 +58,8 @@ class Story {
                  const std::string& cause, const std::string& outcome);
   Story& answer(const std::string& uav, double at, const Answered& what);
   Story& degree(const std::string& uav, double at, int degree);
+  /// Its contact-loss policy is carried out.
+  Story& contact(const std::string& uav, double at, const std::string& policy);
   Story& step(double at, const std::string& name, const std::string& told);
   /// The ground station says when others come.
   Story& dates_by_ground();
