@@ -138,6 +138,18 @@ TEST(Merging, WhoDeliberatesAndHasNothingToDoMakesRoom) {
   EXPECT_THAT(states(team.notes("marvin")), ElementsAre("aside"));
 }
 
+// Found by random missions (--meetings --orders 20021, 20150): it waited in safe mode, for ever.
+TEST(Merging, WhoWaitsForWantOfAnythingElseMakesRoom) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}}, 4);
+  team.command("marvin", testing::start_of(9, "wait"));
+  team.run(1);
+  give_sweep(team, "heliv", goto_of(7, {0, 0, 40}));
+  team.run(40);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+  EXPECT_TRUE(team.is_over("marvin", 9));
+  EXPECT_THAT(states(team.notes("marvin")), ElementsAre("aside"));
+}
+
 TEST(Merging, WhereItsOperatorPutItAUavStays) {
   MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}}, 3);
   give_sweep(team, "heliv", goto_of(7, {0, 0, 40}));
