@@ -80,6 +80,7 @@ TEST_F(Network, LosesNothingAndComesToItsEndWhenThreeOfTenPacketsAreLost) {
   const Carried air = run_.carried();
   EXPECT_GT(air.lost / (air.lost + air.carried), 0.2)
       << "nothing is lost before the mission starts";
+  EXPECT_EQ(air.pieces, 0) << "who loses one of several pieces has lost them all";
 }
 
 TEST_F(Network, EndsWellOverSerialRadiosOfNineThousandSixHundredBitsASecond) {

@@ -47,6 +47,7 @@ TEST_F(ShortMission, EndsWellWhereThreeOfTenPacketsAreLost) {
   if (IsSkipped()) return;
   const Carried air = run_.carried();
   EXPECT_GT(air.lost / (air.lost + air.carried), 0.15) << "nothing is before the mission starts";
+  EXPECT_EQ(air.pieces, 0) << "who loses one of several pieces has lost them all";
 }
 
 TEST_F(ShortMission, EndsWellOverSerialRadiosWhichAreNotAskedForMoreThanTheyCarry) {

@@ -13,7 +13,7 @@ TEST(Pace, OnAChannelWithoutLimitIsTheUsualOne) {
   const Pace usual = pace_of(0.0);
   EXPECT_EQ(usual.announcement, milliseconds(1000));
   EXPECT_EQ(usual.lease, milliseconds(5000));
-  EXPECT_EQ(usual.heartbeat, milliseconds(100));
+  EXPECT_EQ(usual.heartbeat, milliseconds(50));
 }
 
 TEST(Pace, IsThatOfTheNarrowestChannel) {

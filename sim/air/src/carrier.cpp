@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "carrier.hpp"
 
-#include "skein/air/packet.hpp"
-
 namespace skein::air {
 
 void Carrier::take_from(std::size_t node, Duration now) {
@@ -11,15 +9,16 @@ void Carrier::take_from(std::size_t node, Duration now) {
     if (!route) continue;  // IPv6, for one
     if (route->everybody) {
       for (std::size_t to = 0; to < air_.nodes(); ++to)
-        if (to != node) send(node, to, packet, now);
+        if (to != node) send(node, to, *route, packet, now);
     } else if (const auto to = node_of(route->to); to && *to < air_.nodes() && *to != node) {
-      send(node, *to, packet, now);
+      send(node, *to, *route, packet, now);
     }
   }
 }
 
-void Carrier::send(std::size_t from, std::size_t to, const std::vector<std::uint8_t>& packet,
-                   Duration now) {
+void Carrier::send(std::size_t from, std::size_t to, const Route& route,
+                   const std::vector<std::uint8_t>& packet, Duration now) {
+  if (route.piece) air_.note_piece(from, to);
   if (const auto arrives = air_.send(from, to, packet.size(), now))
     flights_.push({*arrives, ++sent_, from, to, packet});
 }

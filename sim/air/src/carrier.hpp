@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "skein/air/air.hpp"
+#include "skein/air/packet.hpp"
 #include "tunnel.hpp"
 
 namespace skein::air {
@@ -33,8 +34,8 @@ class Carrier {
       return std::tie(other.arrives, other.number) < std::tie(arrives, number);
     }
   };
-  void send(std::size_t from, std::size_t to, const std::vector<std::uint8_t>& packet,
-            Duration now);
+  void send(std::size_t from, std::size_t to, const Route& route,
+            const std::vector<std::uint8_t>& packet, Duration now);
 
   Air& air_;
   std::vector<Tunnel> tunnels_;

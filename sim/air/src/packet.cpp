@@ -7,7 +7,8 @@ namespace {
 constexpr std::uint32_t kNetwork = 0x0a630000;  ///< 10.99.0.0/16
 constexpr std::uint32_t kMask = 0xffff0000;
 constexpr std::size_t kHeader = 20;
-constexpr std::size_t kTotalLengthAt = 2, kDestinationAt = 16;
+constexpr std::size_t kTotalLengthAt = 2, kFragmentAt = 6, kDestinationAt = 16;
+constexpr std::uint32_t kMoreFragments = 0x2000, kFragmentOffset = 0x1fff;
 
 }  // namespace
 
@@ -20,6 +21,8 @@ std::optional<Route> route_of(std::span<const std::uint8_t> packet) {
   const bool multicast = route.to >> 28U == 0xe;
   const bool broadcast = route.to == 0xffffffff || route.to == (kNetwork | ~kMask);
   route.everybody = multicast || broadcast;
+  const std::uint32_t fragment = packet[kFragmentAt] * 256U + packet[kFragmentAt + 1];
+  route.piece = (fragment & (kMoreFragments | kFragmentOffset)) != 0;
   return route;
 }
 

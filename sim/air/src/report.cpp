@@ -18,7 +18,8 @@ std::string report_of(const Air& air, const std::vector<std::string>& names, dou
                                       {"bytes", counts.bytes},
                                       {"lost", counts.lost},
                                       {"cut", counts.cut},
-                                      {"overflowed", counts.overflowed}});
+                                      {"overflowed", counts.overflowed},
+                                      {"pieces", counts.pieces}});
     }
   }
   return document.dump(1) + "\n";

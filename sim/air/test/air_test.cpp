@@ -17,7 +17,7 @@ TEST(Air, CarriesAtOnceAtFirst) {
   Air air(2, 1);
   EXPECT_EQ(air.send(0, 1, 100, ms(5)), ms(5));
   EXPECT_TRUE(air.arrives(0, 1, 100));
-  EXPECT_EQ(air.counts(0, 1), (Counts{1, 100, 0, 0, 0}));
+  EXPECT_EQ(air.counts(0, 1), (Counts{1, 100, 0, 0, 0, 0}));
 }
 
 TEST(Air, ACutIsOfOneDirection) {

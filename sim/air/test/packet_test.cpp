@@ -18,12 +18,23 @@ std::vector<std::uint8_t> packet_to(std::uint32_t address) {
 }
 
 TEST(Packet, GoesToItsDestination) {
-  EXPECT_EQ(route_of(packet_to(address_of(3))), (Route{address_of(3), false}));
+  EXPECT_EQ(route_of(packet_to(address_of(3))), (Route{address_of(3), false, false}));
 }
 
 TEST(Packet, GoesToEverybodyByMulticastAndBroadcast) {
   for (const std::uint32_t address : {0xefff0001U, 0xe0000001U, 0xffffffffU, 0x0a63ffffU})
     EXPECT_TRUE(route_of(packet_to(address))->everybody) << to_text(address);
+}
+
+TEST(Packet, IsAPieceWhereMoreFollowOrSomeCameBefore) {
+  auto packet = packet_to(address_of(3));
+  packet[6] = 0x40;
+  EXPECT_FALSE(route_of(packet)->piece) << "must not be cut up";
+  packet[6] = 0x20;
+  EXPECT_TRUE(route_of(packet)->piece) << "the first";
+  packet[6] = 0;
+  packet[7] = 185;
+  EXPECT_TRUE(route_of(packet)->piece) << "the last";
 }
 
 TEST(Packet, IsNoneWhenItIsCutOffOrOfAnotherProtocol) {

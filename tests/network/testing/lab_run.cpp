@@ -112,6 +112,7 @@ Carried LabRun::carried() const {
     sum.lost += one["lost"].get<double>();
     sum.cut += one["cut"].get<double>();
     sum.overflowed += one["overflowed"].get<double>();
+    sum.pieces += one["pieces"].get<double>();
   }
   return sum;
 }

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 /// Of one direction, from air.json.
 struct Carried {
-  double carried = 0, bytes = 0, lost = 0, cut = 0, overflowed = 0;
+  double carried = 0, bytes = 0, lost = 0, cut = 0, overflowed = 0, pieces = 0;
 };
 
 class LabRun {

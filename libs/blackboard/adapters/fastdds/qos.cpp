@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "adapters/rtps/datagram_size.hpp"
 #include "adapters/rtps/kept_samples.hpp"
 #include "adapters/rtps/ports.hpp"
 #include "single_path.hpp"
@@ -112,6 +113,9 @@ dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t
   transport->sendBufferSize = kSocketBuffer;
   transport->receiveBufferSize = kSocketBuffer;
   transport->interfaceWhiteList = config.network.interfaces;
+  // Fast DDS says all that a reader lacks in one message, which is lost as a whole: on a radio that
+  // loses three packets of ten the more there is to say again, the less of it comes.
+  transport->maxMessageSize = rtps::longest_datagram(config.network.interfaces);
   qos.transport().use_builtin_transports = false;
   if (config.network.interfaces.size() > 1) {
     qos.transport().user_transports.push_back(

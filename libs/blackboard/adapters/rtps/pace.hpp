@@ -14,7 +14,7 @@ namespace skein::blackboard::rtps {
 struct Pace {
   std::chrono::milliseconds announcement{1000};
   std::chrono::milliseconds lease{5000};  ///< of a silent participant
-  std::chrono::milliseconds heartbeat{100};
+  std::chrono::milliseconds heartbeat{50};
 };
 
 /// For a channel of so many bits a second; 0: unlimited. Announcements take at most a twentieth of

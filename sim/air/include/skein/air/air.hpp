@@ -28,6 +28,7 @@ struct Counts {
   std::uint64_t lost = 0;        ///< by chance
   std::uint64_t cut = 0;         ///< the link was down
   std::uint64_t overflowed = 0;  ///< more waited than the queue holds
+  std::uint64_t pieces = 0;      ///< of all: of datagrams that did not fit into one packet
   bool operator==(const Counts&) const = default;
 };
 
@@ -46,6 +47,8 @@ class Air {
   std::optional<Duration> send(std::size_t from, std::size_t to, std::size_t bytes, Duration now);
   /// It is its time: whether it really arrives. What is under way when a link is cut does not.
   bool arrives(std::size_t from, std::size_t to, std::size_t bytes);
+  /// What was given to send() was a piece of a datagram: it is lost with any other of its pieces.
+  void note_piece(std::size_t from, std::size_t to) { ++at(from, to).counts.pieces; }
   const Counts& counts(std::size_t from, std::size_t to) const;
 
  private:

@@ -12,6 +12,7 @@ namespace skein::air {
 struct Route {
   std::uint32_t to = 0;    ///< address, in host order
   bool everybody = false;  ///< multicast, or broadcast
+  bool piece = false;      ///< of a datagram that did not fit into one packet
   bool operator==(const Route&) const = default;
 };
 
