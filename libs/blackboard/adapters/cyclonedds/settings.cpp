@@ -2,6 +2,9 @@
 // The configuration of a Cyclone DDS domain. Source: Cyclone DDS 0.10, guide to configuration.
 #include "settings.hpp"
 
+#include <algorithm>
+
+#include "adapters/rtps/datagram_size.hpp"
 #include "adapters/rtps/ports.hpp"
 
 namespace skein::blackboard::cyclonedds {
@@ -17,6 +20,15 @@ std::string interfaces(const NetworkConfig& network) {
     all += "<NetworkInterface address=\"" + address + "\"/>";
   }
   return element("Interfaces", all);
+}
+
+/// What Cyclone DDS does by itself, but for datagrams that the network would cut up.
+std::string sizes(const NetworkConfig& network) {
+  constexpr std::uint32_t kUsual = 14'720, kUsualFragment = 1344, kAroundAFragment = 128;
+  const std::uint32_t longest = std::min(kUsual, rtps::longest_datagram(network.interfaces));
+  const std::uint32_t fragment = std::min(kUsualFragment, longest - kAroundAFragment);
+  return element("MaxMessageSize", std::to_string(longest) + "B") +
+         element("FragmentSize", std::to_string(fragment) + "B");
 }
 
 std::string peers(const DdsConfig& config) {
@@ -35,7 +47,8 @@ std::string settings(const DdsConfig& config, std::uint32_t number, const rtps::
   };
   const std::string general =
       interfaces(config.network) +
-      element("AllowMulticast", config.network.multicast ? "spdp" : "false");
+      element("AllowMulticast", config.network.multicast ? "spdp" : "false") +
+      sizes(config.network);
   // A domain within a process is created once; its number on the network is another thing.
   const std::string discovery = element("ExternalDomainId", std::to_string(config.domain)) +
                                 element("ParticipantIndex", std::to_string(number)) +

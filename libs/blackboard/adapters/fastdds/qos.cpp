@@ -115,11 +115,15 @@ dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t
   transport->interfaceWhiteList = config.network.interfaces;
   // Fast DDS says all that a reader lacks in one message, which is lost as a whole: on a radio that
   // loses three packets of ten the more there is to say again, the less of it comes.
-  transport->maxMessageSize = rtps::longest_datagram(config.network.interfaces);
+  // With keys it must not: the messages of Fast DDS 2.9's handshake, certificates, do not go in
+  // parts, and no handshake would end.
+  const bool secured = !config.network.keys.empty();
+  const std::uint32_t longest =
+      secured ? rtps::kLongestDatagram : rtps::longest_datagram(config.network.interfaces);
   qos.transport().use_builtin_transports = false;
-  if (config.network.interfaces.size() > 1) {
+  if (config.network.interfaces.size() > 1 || longest < rtps::kLongestDatagram) {
     qos.transport().user_transports.push_back(
-        std::make_shared<SinglePathDescriptor>(transport, config.network.interfaces));
+        std::make_shared<SinglePathDescriptor>(transport, config.network.interfaces, longest));
   } else {
     qos.transport().user_transports.push_back(transport);
   }
@@ -127,7 +131,6 @@ dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t
   // A participant that falls silent is taken for gone after its lease. Where it then comes back,
   // the two begin their handshake anew on one side only, and Fast DDS 2.9 never ends it: with keys
   // a loaded machine must not look like a dead one. Who is out of reach is told by heartbeats.
-  const bool secured = !config.network.keys.empty();
   const std::chrono::milliseconds lease =
       secured ? std::max(pace.lease, std::chrono::milliseconds(60'000)) : pace.lease;
   builtin.discovery_config.leaseDuration = duration_of(lease);

@@ -32,8 +32,9 @@ std::optional<rtps::Address> address_of(const fastrtps::SenderResource& socket) 
 
 SinglePathDescriptor::SinglePathDescriptor(
     std::shared_ptr<fastdds::TransportDescriptorInterface> udp,
-    const std::vector<std::string>& addresses)
+    const std::vector<std::string>& addresses, std::uint32_t longest)
     : ChainingTransportDescriptor(std::move(udp)) {
+  maxMessageSize = longest;
   for (const std::string& text : addresses)
     if (const auto address = rtps::parse_ipv4(text)) own.push_back(*address);
 }
@@ -47,6 +48,12 @@ SinglePath::SinglePath(const SinglePathDescriptor& descriptor, rtps::SourceAddre
 
 fastdds::TransportDescriptorInterface* SinglePath::get_configuration() {
   return low_level_transport_->get_configuration();
+}
+
+bool SinglePath::OpenInputChannel(const fastrtps::Locator_t& locator,
+                                  fastdds::TransportReceiverInterface* receiver,
+                                  std::uint32_t /*longest*/) {
+  return ChainingTransport::OpenInputChannel(locator, receiver, rtps::kLongestDatagram);
 }
 
 bool SinglePath::send(fastrtps::SenderResource* socket, const fastrtps::octet* bytes,

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "adapters/rtps/datagram_size.hpp"
 #include "adapters/rtps/source_addresses.hpp"
 
 namespace skein::blackboard::fastdds {
@@ -18,11 +19,16 @@ namespace skein::blackboard::fastdds {
 /// them to each destination: whatever the routes, a machine with a radio and a cable says all twice
 /// over its radio. Here a datagram for one machine leaves from the address that the system's routes
 /// choose; what is for a group leaves from all. Source: Fast DDS 2.9, UDPTransportInterface.
+///
+/// What is sent is no longer than asked for; what others send may be (Cyclone DDS: 14,720 bytes).
+/// Fast DDS has one number for both.
 struct SinglePathDescriptor : eprosima::fastdds::rtps::ChainingTransportDescriptor {
-  /// `addresses`: those of the interfaces that `udp` may use.
+  /// `addresses`: those of the interfaces that `udp` may use; `longest`: of what is sent [byte].
   SinglePathDescriptor(std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> udp,
-                       const std::vector<std::string>& addresses);
+                       const std::vector<std::string>& addresses,
+                       std::uint32_t longest = rtps::kLongestDatagram);
   eprosima::fastdds::rtps::TransportInterface* create_transport() const override;
+  std::uint32_t max_message_size() const override { return maxMessageSize; }
 
   std::vector<rtps::Address> own;
 };
@@ -32,6 +38,9 @@ class SinglePath final : public eprosima::fastdds::rtps::ChainingTransport {
   SinglePath(const SinglePathDescriptor& descriptor, rtps::SourceAddresses sources);
 
   eprosima::fastdds::rtps::TransportDescriptorInterface* get_configuration() override;
+  bool OpenInputChannel(const eprosima::fastrtps::rtps::Locator_t& locator,
+                        eprosima::fastdds::rtps::TransportReceiverInterface* receiver,
+                        std::uint32_t longest) override;
   bool send(eprosima::fastrtps::rtps::SenderResource* socket,
             const eprosima::fastrtps::rtps::octet* bytes, std::uint32_t size,
             eprosima::fastdds::rtps::LocatorsIterator* begin,
