@@ -82,6 +82,7 @@ class Prover {
   Move retry_atom();
   Move try_axioms();
   Move enter_tail(const Axiom& axiom, Base axiom_base);
+  Move stop_too_deep(const Axiom& axiom);
   Move leave_atom();
   Move next_row();
   Move next_alternative();

@@ -10,6 +10,13 @@
 #include "proof/prover.hpp"
 
 namespace skein::htn {
+namespace {
+
+/// Goals that still follow on one another, at most: axioms that lead to themselves without end are
+/// known for that after some 250 MB.
+constexpr std::size_t kDeepestProof = 2'000'000;
+
+}  // namespace
 
 Prover::Move Prover::atom(GoalIndex index, Base base, std::uint32_t after) {
   const Goal& goal = domain_.goals[index];
@@ -186,6 +193,7 @@ Prover::Move Prover::enter_tail(const Axiom& axiom, Base axiom_base) {
     after = static_cast<std::uint32_t>(stack_.continuations.size() - 1);
   }
   stack_.current = stack_.push_goals(tail.goals, 0, axiom_base, after);
+  if (stack_.continuations.size() > kDeepestProof) return stop_too_deep(axiom);
   if (tail.first != frame.once) {
     frame.once = tail.first;
     stack_.once_frames += tail.first ? 1U : static_cast<std::uint32_t>(-1);
@@ -194,6 +202,12 @@ Prover::Move Prover::enter_tail(const Axiom& axiom, Base axiom_base) {
   const bool order_kept = frame.answers_middle == frame.answers_first;
   if (last && order_kept && !tail.first) stack_.frames.pop_back();
   return Move::kForward;
+}
+
+Prover::Move Prover::stop_too_deep(const Axiom& axiom) {
+  budget_.stop("proof: the axioms of " + store_.to_text(store_.car(axiom.head)) +
+               " lead to themselves, " + std::to_string(kDeepestProof) + " goals deep");
+  return Move::kStop;
 }
 
 // Answers are reversed in the end; those from facts must then stand before those from axioms.

@@ -95,6 +95,34 @@ TEST(SearchLimits, StopWhenTheSearchTakesTooMuchMemory) {
   EXPECT_LT(outcome.statistics.memory_bytes, 40'000'000U);
 }
 
+// With the default limit of memory one such proof took 18 GB.
+TEST(SearchLimits, StopAxiomsThatLeadToThemselvesWithoutEnd) {
+  for (const std::string axiom :
+       {"(:- (deep ?x) ((deep (s ?x))))", "(:- (deep ?x) ((deep ?x) (never)))",
+        "(:- (deep ?x) ((not (deep ?x))))", "(:- (deep ?x) ((deep ?x)) ((deep (s ?x))))",
+        "(:- (deep ?x) ((wide ?x))) (:- (wide ?x) ((deep (s ?x)) (deep ?x)))"}) {
+    Case made("(:method (go) ((deep z)) ((!x)))" + adds("(!x)", "") + axiom, "", "((go))");
+
+    const Outcome outcome = made.run();
+
+    EXPECT_EQ(outcome.verdict, Verdict::kLimit) << axiom;
+    EXPECT_NE(outcome.why.find("lead to themselves"), std::string::npos) << axiom << outcome.why;
+    EXPECT_LT(outcome.statistics.memory_bytes, 1'000'000'000U) << axiom;
+  }
+}
+
+// As deep as the state goes: no proof that ends is anywhere near the bound.
+TEST(SearchLimits, LetAxiomsFollowALongChainOfFacts) {
+  std::string facts = "(end n100000)";
+  for (int at = 0; at < 100'000; ++at)
+    facts += "(next n" + std::to_string(at) + " n" + std::to_string(at + 1) + ")";
+  Case made("(:method (go) ((leads n0)) ((!x)))" + adds("(!x)", "") +
+                "(:- (leads ?x) ((end ?x)) ((next ?x ?y) (leads ?y)))",
+            facts, "((go))");
+
+  EXPECT_EQ(made.first(), "(!x)");
+}
+
 TEST(SearchLimits, LeaveTheBestPlanFoundSoFar) {
   for (const Which which : {Which::kBest, Which::kAll, Which::kShallowest}) {
     Case made(does("(go)", "((!end))") + does("(go)", "((turn))") + kTurning + adds("(!end)", ""),
