@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/foundation/diagnostics.hpp"
 
+#include "skein/foundation/printable.hpp"
+
 namespace skein {
 
 void Diagnostics::append(const Diagnostics& others) {
@@ -18,7 +20,7 @@ std::string to_text(const Diagnostic& d) {
   text += d.message;
   if (!d.expected.empty()) text += "; expected " + d.expected;
   if (!d.nearest.empty()) text += "; did you mean '" + d.nearest + "'?";
-  return text;
+  return printable(text);
 }
 
 std::string to_text(const Diagnostics& diagnostics) {

@@ -31,5 +31,16 @@ TEST(Diagnostics, AllErrorsAreKeptInTheOrderFound) {
   EXPECT_EQ(first.size(), 2U);
 }
 
+TEST(DiagnosticText, HasNoControlCharactersOfTheInput) {
+  Diagnostic one;
+  one.file = "a\rb.yaml";
+  one.message =
+      "\x1b]0;mine\x07 \xC2\x9B"
+      "31m and \x7F; é, 丁 and\ttab stay";
+
+  EXPECT_EQ(to_text(one),
+            "a\uFFFDb.yaml: \uFFFD]0;mine\uFFFD \uFFFD31m and \uFFFD; é, 丁 and\ttab stay");
+}
+
 }  // namespace
 }  // namespace skein

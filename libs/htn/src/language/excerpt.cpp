@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "language/characters.hpp"
+#include "skein/foundation/printable.hpp"
 #include "skein/htn/syntax.hpp"
 #include "skein/htn/utf8.hpp"
 
@@ -94,7 +95,7 @@ Excerpt excerpt(const Diagnostic& diagnostic, std::string_view text) {
   const std::size_t end = std::max(expression_end(line, begin), std::min(begin + 1, line.size()));
   Excerpt out;
   if (from > 0) out = {"…", " "};
-  out.line += line;
+  out.line += printable(line);
   if (cut) out.line += "…";
   for (const char byte : line.substr(0, begin)) {
     if (!continues_character(byte)) out.marks += byte == '\t' ? '\t' : ' ';

@@ -200,6 +200,15 @@ TEST(Excerpt, UnderlinesTheExpressionAtThePlace) {
   EXPECT_EQ(excerpt(error, "x\n   )").marks, "   ^");
 }
 
+TEST(Excerpt, CannotWriteToATerminalWhatTheFileHasInIt) {
+  const Diagnostic error{"f.lisp", 1, 6, "", "'\x1b[31m' is wrong", "", ""};
+
+  EXPECT_EQ(underlined(error, "(a \x1b (b \x07))"),
+            "f.lisp:1:6: '\uFFFD[31m' is wrong\n"
+            "(a \uFFFD (b \uFFFD))\n"
+            "     ^~~~~\n");
+}
+
 TEST(Excerpt, IsAbsentWhereTheTextHasNoSuchLine) {
   EXPECT_EQ(underlined({"f", 9, 1, "", "wrong", "", ""}, "x"), "f:9:1: wrong\n");
   EXPECT_EQ(underlined({"f", 0, 0, "", "wrong", "", ""}, "x"), "f: wrong\n");
