@@ -35,9 +35,9 @@ Memory open_memory(const std::string& folder, const store::Identity& identity) {
 
 Refused refuse(store::SqliteInputLog& log, const std::string& node, const std::string& why) {
   const auto aside = log.start_anew();
-  Refused refused{{"what was kept of " + node + " is not gone on from: " + why +
-                   (aside ? "; it is " + *aside + " now" : "")},
-                  aside.has_value()};
+  Refused refused{
+      {"what was kept of " + node + " is not gone on from: " + why + (aside ? "; " + *aside : "")},
+      aside.has_value()};
   if (!aside) refused.notices.push_back("nothing outlives this process: " + aside.error().why);
   return refused;
 }

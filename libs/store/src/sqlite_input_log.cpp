@@ -2,12 +2,15 @@
 #include "skein/store/sqlite_input_log.hpp"
 
 #include <fcntl.h>
+#include <sqlite3.h>
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <deque>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include "database.hpp"
@@ -50,17 +53,43 @@ class Lock {
   int descriptor_;
 };
 
-/// Gives the name under which it is now.
+constexpr const char* kAside = ".aside-";
+
+/// Numbers of the files that were set aside, in their order.
+std::set<int> numbers_aside(const Files& files) {
+  std::set<int> numbers;
+  const std::string begin = files.state.filename().string() + kAside;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(files.state.parent_path(), ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind(begin, 0) != 0) continue;
+    int number = 0;
+    const char* end = name.data() + name.size();
+    const auto read = std::from_chars(name.data() + begin.size(), end, number);
+    if (read.ec == std::errc() && read.ptr == end) numbers.insert(number);
+  }
+  return numbers;
+}
+
+/// Sets the file aside, and removes the eldest of those that are too many. Gives under which name
+/// it is now, and what was removed, in words.
 std::string set_aside(const Files& files) {
-  fs::path name;
-  for (int n = 1; name.empty() || fs::exists(name); ++n)
-    name = files.state.string() + ".aside-" + std::to_string(n);
+  std::set<int> numbers = numbers_aside(files);
+  const std::string begin = files.state.string() + kAside;
+  const fs::path name = begin + std::to_string(numbers.empty() ? 1 : *numbers.rbegin() + 1);
   std::error_code ignored;
   fs::rename(files.state, name, ignored);
   for (const char* companion : {"-wal", "-shm"})
     fs::rename(files.state.string() + companion, name.string() + companion, ignored);
   fs::remove(files.complete, ignored);
-  return name;
+  std::string told = "it is " + name.string() + " now";
+  for (; numbers.size() >= SqliteInputLog::kSetAside; numbers.erase(numbers.begin())) {
+    const std::string eldest = begin + std::to_string(*numbers.begin());
+    for (const char* part : {"", "-wal", "-shm"}) fs::remove(eldest + part, ignored);
+    told += ", and " + eldest + " is removed, since the last " +
+            std::to_string(SqliteInputLog::kSetAside) + " are kept";
+  }
+  return told;
 }
 
 /// Why what is there is not to be gone on from; empty if it is.
@@ -90,31 +119,28 @@ Failure failure_of(const fs::path& file, const std::exception& error) {
 
 class SqliteInputLog::Impl {
  public:
-  Impl(Files files, Identity identity, std::unique_ptr<Lock> lock)
-      : files_(std::move(files)), identity_(std::move(identity)), lock_(std::move(lock)) {}
+  Impl(Files files, Identity identity, std::unique_ptr<Lock> lock, std::uint64_t largest)
+      : files_(std::move(files)),
+        identity_(std::move(identity)),
+        lock_(std::move(lock)),
+        largest_(largest) {}
 
   /// Gives what it set aside, as a sentence.
   std::string open() {
     std::string told;
-    if (fs::exists(files_.state)) {
-      std::string why;
-      try {
-        Database there(files_.state.string(), Database::Mode::kRead);
-        why = objection(there, files_, identity_);
-      } catch (const std::exception& error) {
-        why = std::string("damaged: ") + error.what();
-      }
-      if (!why.empty()) {
-        const std::string now = set_aside(files_);
-        told = files_.state.string() + " is " + why + "; it is " + now + " now";
-      }
+    if (fs::exists(files_.state)) told = without_objection();
+    try {
+      begin();
+    } catch (const SQLite::Exception& error) {
+      if (!is_of_the_file(error)) throw;
+      told = aside(std::string("damaged: ") + error.what());
+      begin();
     }
-    begin();
     return told;
   }
 
   void begin() {
-    database_.emplace(files_.state.string(), Database::Mode::kWrite);
+    database_.emplace(files_.state.string(), Database::Mode::kWrite, largest_);
     const bool fresh = database_->inputs() == 0;
     SQLite::Transaction transaction(database_->raw());
     database_->set_about(kNode, identity_.node);
@@ -123,6 +149,9 @@ class SqliteInputLog::Impl {
     transaction.commit();
     told_ = static_cast<std::uint64_t>(database_->lines_told());
     mark_complete();
+    rows_ = database_->not_folded();
+    bytes_ = 0;
+    fold_if_due();
   }
 
   std::string anew() {
@@ -137,15 +166,19 @@ class SqliteInputLog::Impl {
   Result<void, Failure> append(const node::LogEntry& entry) {
     if (given_up_) return failure("it was given up");
     held_.push_back(row_of(entry));
+    ++rows_;
+    bytes_ += held_.back().body.size();
     packing_.pack(held_.back());
     try {
-      write_held();
+      database_->insert(held_);
+      held_.clear();
     } catch (const std::exception& error) {
       unmark_complete();
       if (held_.size() > kHeld) give_up();
       return tl::unexpected(failure_of(files_.state, error));
     }
     if (!complete_) mark_complete();
+    fold_if_due();
     return {};
   }
 
@@ -164,17 +197,40 @@ class SqliteInputLog::Impl {
   const Files& files() const { return files_; }
 
  private:
-  // One insertion is a transaction of its own.
-  void write_held() {
-    if (held_.size() == 1) {
-      database_->insert(held_.front());
-      held_.clear();
-      return;
+  /// Sets aside what is there unless it can be gone on from; gives what it did.
+  std::string without_objection() {
+    std::string why;
+    try {
+      Database there(files_.state.string(), Database::Mode::kRead);
+      why = objection(there, files_, identity_);
+    } catch (const std::exception& error) {
+      why = std::string("damaged: ") + error.what();
     }
-    SQLite::Transaction transaction(database_->raw());
-    for (const Row& row : held_) database_->insert(row);
-    transaction.commit();
-    held_.clear();
+    return why.empty() ? why : aside(why);
+  }
+
+  std::string aside(const std::string& why) {
+    database_.reset();
+    return files_.state.string() + " is " + why + "; " + set_aside(files_);
+  }
+
+  /// Not of the disk or its rights: bytes of the file say that it must not be written, or nonsense.
+  bool is_of_the_file(const SQLite::Exception& error) const {
+    const int code = error.getErrorCode();
+    return code == SQLITE_CORRUPT || code == SQLITE_NOTADB ||
+           (code == SQLITE_READONLY && ::access(files_.state.c_str(), W_OK) == 0);
+  }
+
+  /// What cannot be folded, for want of room, stays as it is until as much has come again.
+  void fold_if_due() {
+    if (rows_ < kFoldedRows && bytes_ < kFoldedBytes) return;
+    rows_ = bytes_ = 0;
+    try {
+      database_->fold();
+      packing_ = Packing();
+    } catch (const std::exception&) {
+      // nothing is lost: it is there unfolded, and what is damaged is said when it is read
+    }
   }
 
   void give_up() {
@@ -199,14 +255,17 @@ class SqliteInputLog::Impl {
   std::optional<Database> database_;
   Packing packing_;
   std::deque<Row> held_;
+  std::uint64_t rows_ = 0, bytes_ = 0;  ///< not folded
   std::uint64_t told_ = 0;
+  std::uint64_t largest_;
   bool complete_ = true, given_up_ = false;
 };
 
 SqliteInputLog::SqliteInputLog(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 SqliteInputLog::~SqliteInputLog() = default;
 
-Result<Opened, Failure> SqliteInputLog::open(const fs::path& folder, const Identity& identity) {
+Result<Opened, Failure> SqliteInputLog::open(const fs::path& folder, const Identity& identity,
+                                             std::uint64_t largest) {
   std::error_code error;
   fs::create_directories(folder, error);
   const Files files = files_of(folder, identity.node);
@@ -214,7 +273,7 @@ Result<Opened, Failure> SqliteInputLog::open(const fs::path& folder, const Ident
   if (!lock->opened())
     return failure(files.lock.string() + ": " + std::generic_category().message(errno));
   if (!lock->held()) return failure(files.state.string() + ": another process uses it");
-  auto impl = std::make_unique<Impl>(files, identity, std::move(lock));
+  auto impl = std::make_unique<Impl>(files, identity, std::move(lock), largest);
   try {
     std::string aside = impl->open();
     return Opened{std::unique_ptr<SqliteInputLog>(new SqliteInputLog(std::move(impl))),

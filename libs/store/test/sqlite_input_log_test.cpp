@@ -11,6 +11,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "database.hpp"
 #include "skein/blackboard/cdr.hpp"
 #include "testing/entries.hpp"
 
@@ -106,7 +107,7 @@ TEST_F(StateOnDisk, ItsLivesBeginWithItsFirstInputWhateverThatIs) {
             texts(std::vector<node::LogEntry>{{MissionTime(), node::Wakeup{}}}));
 }
 
-/// What a program of version 1 or 2 left, by its own tables.
+/// What a program of version 1 to 3 left, by its own tables.
 void leave_version(int version, const fs::path& state) {
   SQLite::Database old(state.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   old.exec(std::string(
@@ -139,11 +140,11 @@ TEST_P(StateOfBefore, IsBroughtUpAndGoneOnFrom) {
     EXPECT_EQ(next.log->lines_told(), 7U);
     ASSERT_TRUE(next.log->append({MissionTime::seconds(2), node::Wakeup{}}));
   }
-  EXPECT_EQ(version_of(state()), 3);
+  EXPECT_EQ(version_of(state()), 4);
   EXPECT_EQ(texts(*open().log).size(), 3U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Versions, StateOfBefore, ::testing::Values(1, 2));
+INSTANTIATE_TEST_SUITE_P(Versions, StateOfBefore, ::testing::Values(1, 2, 3));
 
 TEST_F(StateOnDisk, WhatIsLikeWhatCameBeforeTakesLittleRoom) {
   constexpr int kBoards = 200;
@@ -272,7 +273,7 @@ TEST_F(SetAside, OneThatMissesSomething) {
 TEST_F(SetAside, OneOfANewerVersion) {
   live();
   SQLite::Database(state().string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 99");
-  expect_aside("of version 99, this program reads up to 3");
+  expect_aside("of version 99, this program reads up to 4");
 }
 
 TEST_F(SetAside, HalfAFile) {
@@ -295,6 +296,32 @@ TEST_F(SetAside, NoneIsOverwritten) {
   }
 }
 
+TEST_F(SetAside, OnlyTheLastAreKeptAndItSaysWhichIsNot) {
+  for (std::size_t i = 1; i <= SqliteInputLog::kSetAside; ++i) {
+    std::ofstream(state()) << std::string(5000, 'x');
+    EXPECT_THAT(open().set_aside, ::testing::Not(HasSubstr("removed")));
+  }
+  std::ofstream(state()) << std::string(5000, 'x');
+
+  EXPECT_THAT(open().set_aside, HasSubstr("marvin.state.aside-6 now, and " + state().string() +
+                                          ".aside-1 is removed, since the last 5 are kept"));
+  EXPECT_FALSE(fs::exists(state().string() + ".aside-1"));
+  for (int i = 2; i <= 6; ++i)
+    EXPECT_TRUE(fs::exists(state().string() + ".aside-" + std::to_string(i))) << i;
+}
+
+TEST_F(SetAside, WhatOnlyLooksLikeOneIsLeftAlone) {
+  for (const char* name : {"marvin.state.aside-mine", "marvin.state.aside-7b", "notes"})
+    std::ofstream(folder.path() / name).put('x');
+  for (int i = 0; i < 8; ++i) {
+    std::ofstream(state()) << std::string(5000, 'x');
+    (void)open();
+  }
+
+  EXPECT_THAT(folder.names(), HasSubstr("marvin.state.aside-7b marvin.state.aside-8 "
+                                        "marvin.state.aside-mine notes"));
+}
+
 TEST_F(SetAside, OneThatTheNodeCannotHaveHad) {
   live();
   const Opened opened = open();
@@ -311,8 +338,136 @@ TEST_F(StateOnDisk, ADamagedInputIsNamed) {
   SQLite::Database(state().string(), SQLite::OPEN_READWRITE)
       .exec("UPDATE inputs SET slot = 'Gossip' WHERE number = 3");
 
-  EXPECT_THAT(texts(*open().log).back(),
-              HasSubstr("marvin.state, input 3: there is no slot 'Gossip'"));
+  EXPECT_THAT(texts(*open().log).back(), HasSubstr("marvin.state: input 3: not what was written"));
+}
+
+// ---- what is not the last is folded ----
+
+/// A long life: telemetry with a plan board now and then.
+std::vector<node::LogEntry> long_life(int inputs) {
+  std::vector<node::LogEntry> life{{MissionTime(), node::Started{1}}};
+  wire::Telemetry telemetry;
+  telemetry.uav = "marvin";
+  wire::PlanBoard board;
+  for (std::uint64_t id = 1; id <= 30; ++id) board.tasks.push_back({id, "goto", {}, ""});
+  for (int i = 1; i < inputs; ++i) {
+    const MissionTime at = MissionTime::seconds(i);
+    telemetry.position.x = 0.3 * i;
+    board.tasks[static_cast<std::size_t>(i % 30)].id += 1000;
+    if (i % 7 == 0)
+      life.push_back({at, node::Wakeup{}});
+    else if (i % 50 == 0)
+      life.push_back({at, node::Received{node::NodeNumber(2), board}});
+    else
+      life.push_back({at, node::Received{node::NodeNumber(2), telemetry}});
+  }
+  return life;
+}
+
+constexpr int kLong = 2 * static_cast<int>(kFoldedRows) + 100;
+
+TEST_F(StateOnDisk, ALongLifeIsKeptInItsOrderAndGoneOnFrom) {
+  std::vector<node::LogEntry> lives = long_life(kLong);
+  {
+    const Opened first = open();
+    for (const node::LogEntry& entry : lives) ASSERT_TRUE(first.log->append(entry));
+  }
+  lives.push_back({MissionTime::seconds(kLong), node::Resumed{}});
+  ASSERT_TRUE(open().log->append(lives.back()));
+  node::MemoryInputLog memory;
+  for (const node::LogEntry& entry : lives) ASSERT_TRUE(memory.append(entry));
+
+  const Opened next = open();
+
+  EXPECT_EQ(next.set_aside, "");
+  EXPECT_EQ(texts(*next.log), texts(lives));
+  EXPECT_EQ(texts_of_lives(*next.log), texts_of_lives(memory));
+  SQLite::Database file(state().string());
+  EXPECT_EQ(file.execAndGet("SELECT count(*) FROM folds").getInt(), 2);
+  EXPECT_EQ(file.execAndGet("SELECT count(*) FROM inputs").getInt(), 101);
+}
+
+TEST_F(StateOnDisk, ALongLifeOfVersion3IsFoldedWhenItIsOpened) {
+  leave_version(3, state());
+  SQLite::Database(state().string(), SQLite::OPEN_READWRITE)
+      .exec(
+          "WITH RECURSIVE n(i) AS (VALUES (3) UNION ALL SELECT i + 1 FROM n WHERE i < 10000) "
+          "INSERT INTO inputs SELECT i, i * 1000, 'wakeup', 0, '', 0, 0, 0, x'' FROM n");
+
+  const Opened next = open();
+
+  EXPECT_EQ(next.set_aside, "");
+  EXPECT_EQ(texts(*next.log).size(), 10'000U);
+  EXPECT_EQ(SQLite::Database(state().string()).execAndGet("SELECT count(*) FROM folds").getInt(),
+            3);
+}
+
+TEST_F(StateOnDisk, AnInputThatIsMissingIsNamed) {
+  {
+    const Opened life = open();
+    for (const node::LogEntry& entry : long_life(5000)) ASSERT_TRUE(life.log->append(entry));
+  }
+  SQLite::Database(state().string(), SQLite::OPEN_READWRITE).exec("DELETE FROM folds");
+
+  EXPECT_EQ(texts(*open().log).back(), "FAILED " + state().string() + ": input 1: missing");
+}
+
+// A disk that gives back other bytes than it took is found out, whichever they are: never another
+// input, never a crash.
+TEST_F(StateOnDisk, AByteThatIsAnotherNeverMakesAnotherInput) {
+  const std::vector<node::LogEntry> life = long_life(4200);
+  {
+    const Opened first = open();
+    for (const node::LogEntry& entry : life) ASSERT_TRUE(first.log->append(entry));
+  }
+  const std::vector<std::string> kept = texts(life);
+  const fs::path sound = folder.path() / "sound";
+  fs::copy_file(state(), sound);
+  const auto size = static_cast<std::uint64_t>(fs::file_size(sound));
+  int found = 0;
+  for (std::uint64_t n = 0; n < 160; ++n) {
+    const std::uint64_t at = n < 60 ? n : n * 7919 % size;
+    fs::copy_file(sound, state(), fs::copy_options::overwrite_existing);
+    {
+      std::fstream file(state(), std::ios::in | std::ios::out | std::ios::binary);
+      file.seekg(static_cast<std::streamoff>(at));
+      const int byte = file.get();
+      file.seekp(static_cast<std::streamoff>(at));
+      file.put(static_cast<char>(byte ^ (1 << n % 8)));
+    }
+    std::vector<std::string> read;
+    {
+      const Opened opened = open();
+      read = texts(*opened.log);
+      if (!opened.set_aside.empty()) ++found;
+      if (opened.set_aside.empty() && !read.empty() && read.back().rfind("FAILED", 0) == 0) {
+        read.pop_back();
+        ++found;
+      }
+    }
+    ASSERT_LE(read.size(), kept.size()) << "byte " << at;
+    EXPECT_TRUE(std::equal(read.begin(), read.end(), kept.begin())) << "byte " << at;
+    for (const auto& entry : fs::directory_iterator(folder.path()))
+      if (entry.path().filename() != "sound") fs::remove(entry.path());
+    std::ofstream(folder.path() / "marvin.complete").put('\n');
+  }
+  EXPECT_GT(found, 50);
+}
+
+TEST_F(StateOnDisk, AFileIsNeverLargerThanItMayBeAndItSaysSo) {
+  constexpr std::uint64_t kLargest = 100'000;
+  auto opened = SqliteInputLog::open(folder.path(), {"marvin", "comets 1"}, kLargest);
+  ASSERT_TRUE(opened.has_value());
+  std::string why;
+  for (const node::LogEntry& entry : long_life(3000)) {
+    const auto kept = opened->log->append(entry);
+    if (!kept && why.empty()) why = kept.error().why;
+  }
+
+  EXPECT_THAT(why, HasSubstr("marvin.state: database or disk is full"));
+  opened->log.reset();
+  EXPECT_LE(fs::file_size(state()), kLargest + 4096);
+  EXPECT_THAT(open().set_aside, HasSubstr("incomplete"));
 }
 
 // ---- a disk that is full for a time ----

@@ -34,7 +34,7 @@ TEST_F(AStateFile, TellsWhoseItIsAndWhatIsInIt) {
 
   ASSERT_TRUE(found.has_value()) << found.error().why;
   EXPECT_EQ(found->identity, (Identity{"marvin", "comets 1"}));
-  EXPECT_EQ(found->version, 3);
+  EXPECT_EQ(found->version, 4);
   EXPECT_TRUE(found->complete);
   EXPECT_FALSE(found->over);
   EXPECT_EQ(found->inputs, one_of_each().size());

@@ -29,19 +29,23 @@ struct Opened {
 /// that was handled is missing. An append is a transaction; it is there when the process is killed
 /// right after (after a power cut the last ones may be missing, and the file is sound).
 ///
-/// When the disk takes nothing, what comes is held in memory and tried again with the next; until
-/// then the file counts as incomplete and is not resumed from. Of more than kHeld inputs it gives
-/// up for this life. Thread rule: one thread. Cost: docs/performance.md.
+/// When the disk takes nothing, or the file would be larger than it may, what comes is held in
+/// memory and tried again with the next; until then the file counts as incomplete and is not
+/// resumed from. Of more than kHeld inputs it gives up for this life. Of all but the last inputs
+/// many are kept as one, which now and then takes some 20 ms. Thread rule: one thread. Cost:
+/// docs/performance.md.
 class SqliteInputLog final : public node::InputLog {
  public:
   static constexpr std::size_t kHeld = 200'000;
+  static constexpr std::uint64_t kLargest = 256U << 20;  ///< [bytes]
+  static constexpr std::size_t kSetAside = 5;  ///< files of a node that are kept, the last ones
 
-  /// Opens the memory of this node, or begins one. What is there but damaged, of another node or
-  /// mission, of a newer version, incomplete, or of a mission that is over, is set aside under
-  /// another name, not deleted. The failure says why nothing can be kept there: folder not
-  /// writable, in use by another process.
-  static Result<Opened, Failure> open(const std::filesystem::path& folder,
-                                      const Identity& identity);
+  /// Opens the memory of this node, or begins one of at most `largest` [bytes]. What is there but
+  /// damaged, of another node or mission, of a newer version, incomplete, or of a mission that is
+  /// over, is set aside under another name; of kSetAside before it the eldest is deleted. The
+  /// failure says why nothing can be kept there: folder not writable, in use by another process.
+  static Result<Opened, Failure> open(const std::filesystem::path& folder, const Identity& identity,
+                                      std::uint64_t largest = kLargest);
   ~SqliteInputLog() override;
 
   Result<void, Failure> append(const node::LogEntry& entry) override;
@@ -53,7 +57,7 @@ class SqliteInputLog final : public node::InputLog {
   /// The mission is over: there is nothing to come back to.
   void conclude();
   /// It cannot be the memory of this node after all: it is set aside, and another begun. Gives
-  /// where it is now.
+  /// where it is now, in words.
   Result<std::string, Failure> start_anew();
 
  private:
