@@ -6,6 +6,7 @@
 #   newer           of a newer version
 #   half            half a file
 #   other-program   of a program that did something else: it shows only when the node is given what is in it
+#   other-bytes     a number in it that the disk gave back as another
 #   read-only       a folder in which nothing can be written
 #   full            a disk that is full from the first minute on
 #   full-for-a-time the same, and after a minute it has room again: nothing is missing then
@@ -88,14 +89,17 @@ case $case in
   other-program)
     sql "$file" "UPDATE about SET value = 999999 WHERE what = 'lines' RETURNING value"
     why="" ;;
+  other-bytes)
+    sql "$file" "UPDATE inputs SET at = at + 1 WHERE number = 5 RETURNING at"
+    why="" ;;
   *) echo "unknown case $case" >&2; exit 2 ;;
 esac
 karma second
-if [ "$case" = other-program ]; then
-  says second "what was kept of karma is not gone on from: .* does not explain the 999999 lines.*; it is .*karma.state.aside-1 now"
-else
-  says second "karma.state is $why.*; it is .*karma.state.aside-1 now"
-fi
+case $case in
+  other-program) says second "what was kept of karma is not gone on from: .* does not explain the 999999 lines.*; it is .*karma.state.aside-1 now" ;;
+  other-bytes) says second "what was kept of karma is not gone on from: .*input 5: not what was written.*; it is .*karma.state.aside-1 now" ;;
+  *) says second "karma.state is $why.*; it is .*karma.state.aside-1 now" ;;
+esac
 says ground "restarted.*karma"
 # It goes on keeping, and lives.
 until [ "$("$build/bin/skein" state show "$file" --json 2>/dev/null | python3 -c 'import json, sys; print(json.load(sys.stdin)["inputs"] > 20)' 2>/dev/null)" = True ]; do
