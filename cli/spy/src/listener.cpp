@@ -87,7 +87,7 @@ Diagnostics Listener::check() const {
 }
 
 Result<void, Failure> Listener::open() {
-  observer_->on_sighting([this] { waker_.notify(); });
+  if (!in_turns_) observer_->on_sighting([this] { waker_.notify(); });
   auto opened = observer_->open();
   if (!opened) refused_.push_back(opened.error().why);
   return opened;

@@ -69,6 +69,9 @@ class Listener {
   void without_history_of(wire::Slot slot) { without_history_.insert(slot); }
   /// Reads these slots, whatever else the options say.
   void read_only(std::set<wire::Slot> slots) { only_ = std::move(slots); }
+  /// Before open(): looks when listen() begins and ends, not at each sample; for who writes down
+  /// much and has no haste. Samples know when they were heard.
+  void look_in_turns() { in_turns_ = true; }
   /// Hands over everything heard until `until` (none: for ever), Ctrl-C, or `use` says false; then
   /// gives false, and what comes after waits for the next call.
   bool listen(std::optional<Duration> until, const Use& use);
@@ -89,6 +92,7 @@ class Listener {
   bool wants_topic(const std::string& topic) const;
 
   const SpyOptions& options_;
+  bool in_turns_ = false;
   node::Waker waker_;  // before the observer's threads: it blocks signals for them too
   std::unique_ptr<blackboard::Observer> observer_;
   std::deque<blackboard::Sighting> waiting_;  ///< when `use` wanted no more

@@ -66,6 +66,7 @@ int record(const RecordOptions& options, std::ostream& out, std::ostream& err) {
     err << options.file << ": cannot be written\n";
     return kExitSystem;
   }
+  listener.look_in_turns();
   if (auto opened = listener.open(); !opened) {
     err << opened.error().why << '\n';
     return kExitSystem;

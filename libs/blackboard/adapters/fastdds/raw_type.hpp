@@ -10,8 +10,9 @@
 
 namespace skein::blackboard::fastdds {
 
-/// Its samples are bytes, with the 4 bytes of their encapsulation first. Instances are told apart by the key hash that the
-/// writer sends; of our own types, whose key is the beginning of the header, also without one.
+/// Its samples are bytes, with the 4 bytes of their encapsulation first. Instances are told apart
+/// by the key hash that the writer sends; of our own types, whose key is the beginning of the
+/// header, also without one.
 class RawType final : public eprosima::fastdds::dds::TopicDataType {
  public:
   using Sample = std::vector<std::uint8_t>;

@@ -56,8 +56,7 @@ LinkPlan plan_link(const TransportPlan& plan, std::size_t index, const DdsConfig
   if (world || link.config.from == plan.self) link.writes = slots;
   if (world || link.config.from != plan.self) link.reads = world ? plan.world_reads : slots;
   link.writers_wait = !world && config.network.keys.empty() && !config.endpoints_at_once;
-  link.readers_wait = link.writers_wait && config.network.discovery_servers.empty() &&
-                      !is_pattern(link.config.partition);
+  link.readers_wait = link.writers_wait && !is_pattern(link.config.partition);
   const bool has_room = link.config.capacity <= 0 || link.config.capacity >= kRoomToTell;
   link.events_do_not_wait =
       link.config.kind == ChannelKind::kRadio && has_room && writers_of_events(plan) <= kFewWriters;

@@ -41,9 +41,8 @@ bool is_pattern(std::string_view partition);
 
 /// Of the channel with that index. Endpoints of the world do not wait: everybody uses them, and
 /// some write there only when they end. With keys none do, since it must be known at once whether
-/// all is allowed. Readers do not where a discovery server introduces participants, which tells
-/// them nothing of topics that they have no endpoint of. Writers of events over a radio do not
-/// where those of the node are few, and the radio has room to tell of them.
+/// all is allowed. Writers of events over a radio do not where those of the node are few, and the
+/// radio has room to tell of them. Behind a discovery server readers wait, too: see scouts_of.
 LinkPlan plan_link(const TransportPlan& plan, std::size_t index, const DdsConfig& config);
 
 /// The endpoints of one channel, as a vendor makes them. Failures are sentences that name vendor

@@ -22,13 +22,17 @@ void Links::plan(const TransportPlan& plan, const DdsConfig& config) {
       std::erase(plans_.back().reads, wire::Slot::kHeartbeat);
     awaited_.await(i, plans_.back());
   }
+  scouts_ = scouts_of(plans_, config);
 }
 
 Result<void, Failure> Links::open(const Make& make) {
   SKEIN_EXPECTS(links_.empty());
   for (std::size_t i = 0; i < plans_.size(); ++i)
     if (auto opened = open_one(i, plans_[i], make); !opened) return opened;
-  return heartbeats_ ? open_one(plans_.size(), heartbeats_->link(), make) : Result<void, Failure>();
+  if (heartbeats_) {
+    if (auto opened = open_one(links_.size(), heartbeats_->link(), make); !opened) return opened;
+  }
+  return scouts_ ? open_one(links_.size(), *scouts_, make) : Result<void, Failure>();
 }
 
 Result<void, Failure> Links::open_one(std::size_t channel, const LinkPlan& plan, const Make& make) {

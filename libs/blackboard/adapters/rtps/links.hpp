@@ -12,6 +12,7 @@
 #include "adapters/rtps/link.hpp"
 #include "adapters/rtps/mailbox.hpp"
 #include "adapters/rtps/matches.hpp"
+#include "adapters/rtps/scouts.hpp"
 #include "skein/blackboard/dds_config.hpp"
 
 namespace skein::blackboard::rtps {
@@ -49,8 +50,9 @@ class Links {
   Matches matches_{mailbox_};
   std::vector<LinkPlan> plans_;
   std::optional<HeartbeatReader> heartbeats_;
+  std::optional<LinkPlan> scouts_;
   Link::Log log_;
-  std::vector<Link> links_;  ///< by channel; behind them that of the heartbeats, if there is one
+  std::vector<Link> links_;  ///< by channel; behind them those of heartbeats and scouts, if any
 };
 
 }  // namespace skein::blackboard::rtps
