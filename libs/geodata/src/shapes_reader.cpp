@@ -105,7 +105,9 @@ Result<std::vector<Shape>, Diagnostics> read_dataset(const std::string& path, co
   const std::array<const char*, 2> drivers = {driver, nullptr};
   const std::unique_ptr<GDALDataset> dataset(
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers.data()));
-  if (!dataset) return wrong_file(path, "it cannot be read" + session.complaint(), kEndings);
+  if (!dataset)
+    return wrong_file(path, "it cannot be read as " + std::string(driver) + session.complaint(),
+                      "a whole file of the format that its ending names");
   std::vector<Shape> shapes;
   for (OGRLayer* layer : dataset->GetLayers()) {
     const OGRSpatialReference degrees = longitude_latitude();

@@ -15,7 +15,9 @@
 namespace skein::geodata {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::SizeIs;
 using world::Vector3;
 
@@ -99,9 +101,9 @@ TEST_F(Shapes, WhatCannotBeReadIsSaidWithTheFile) {
   EXPECT_THAT(errors_of(read_shapes(path("none.geojson"), kOrigin)), HasSubstr("no such file"));
   EXPECT_THAT(errors_of(read_shapes(write("x.shp", ""), kOrigin)), HasSubstr(".geojson"));
   EXPECT_THAT(errors_of(read_shapes(write("bad.geojson", "{\"type\":"), kOrigin)),
-              HasSubstr("cannot be read"));
+              HasSubstr("cannot be read as GeoJSON"));
   EXPECT_THAT(errors_of(read_shapes(write("bad.kml", "<kml><Placemark>"), kOrigin)),
-              HasSubstr("bad.kml"));
+              AllOf(HasSubstr("bad.kml"), HasSubstr("as KML"), Not(HasSubstr(".geojson"))));
   EXPECT_THAT(errors_of(read_shapes(write("bad.wkt", "POLYGON ((0 0, 1"), kOrigin)),
               HasSubstr("line 1 is no WKT"));
   EXPECT_THAT(errors_of(read_shapes(write("point.wkt", "POINT (1 2)"), kOrigin)),
