@@ -42,6 +42,9 @@ constexpr std::array<Annealing, 5> kAnnealings = {{{6e-4, 1.0 / 75, 1, 1, 4},
                                                    {4e-3, 1.0 / 200, 4, 0.97, 3},
                                                    {4e-3, 1.0 / 200, 16, 0.97, 3},
                                                    {4e-3, 1.0 / 200, 16, 0.94, 3}}};
+/// What is found is looked no further for when the goals are met by so much: a lawn mower may do a
+/// little better than everything in turn, which they are measured by.
+constexpr double kSurelyMet = 0.99;
 /// Cycles of which one part in so many is reserve: a visit counts from the middle of its piece.
 constexpr double kWorstMargin = 0.95;
 /// Laps planned one by one take long over more blocks, and are made shorter from no more visits a
@@ -251,7 +254,7 @@ class PatrolTrials {
     least_ = badness(in_turn_, in_turn_);
     for (const std::size_t times : kTimes)
       if (!fly_cycle(weighted_cycle(ground_, goal(1), times, time()))) return;
-    if (least_ <= 1 || fly_walks()) return;
+    if (least_ <= kSurelyMet || fly_walks()) return;
     if (ground_.blocks.size() <= kMostForLaps && !is_over()) fly_laps();
   }
 
@@ -301,7 +304,7 @@ class PatrolTrials {
       LapFlight flight(ground_, sight_, task_);
       if (!flight.fly_track(track_of(*graph, walk), *ground_.walked, countdown_)) return false;
       take_if_better(flight);
-      if (least_ <= 1) return true;
+      if (least_ <= kSurelyMet) return true;
     }
     return true;
   }
