@@ -112,16 +112,18 @@ TEST_F(ChannelOverRtps, BeginsWithTheHeartbeat) {
   EXPECT_THAT(dds_.readers, IsEmpty());
 }
 
-TEST_F(ChannelOverRtps, OfASmallTeamHasTheWritersOfEventsFromTheBeginningAndAfterACut) {
+TEST_F(ChannelOverRtps, OfASmallTeamHasTheWritersOfEventsAndStreamsFromTheBeginningAndAfterACut) {
   for (const double capacity : {0.0, 250'000.0}) {
     TransportPlan plan = radio_plan(kSelf);
     plan.channels.front().capacity = capacity;
     Link out = make(plan);
     ASSERT_TRUE(out.open().has_value());
-    EXPECT_THAT(dds_.writers, UnorderedElementsAre(Slot::kHeartbeat, Slot::kTaskEvent));
+    EXPECT_THAT(dds_.writers,
+                UnorderedElementsAre(Slot::kHeartbeat, Slot::kTaskEvent, Slot::kTelemetry));
     ASSERT_TRUE(out.set_up(false).has_value());
     ASSERT_TRUE(out.set_up(true).has_value());
-    EXPECT_THAT(dds_.writers, UnorderedElementsAre(Slot::kHeartbeat, Slot::kTaskEvent));
+    EXPECT_THAT(dds_.writers,
+                UnorderedElementsAre(Slot::kHeartbeat, Slot::kTaskEvent, Slot::kTelemetry));
     ASSERT_TRUE(out.set_up(false).has_value());
   }
 }

@@ -39,7 +39,7 @@ bool LinkPlan::waits_to_write(wire::Slot slot) const {
   // A reader that was there before may still not know the writer when that knows it: what is said
   // again then is lost.
   const bool is_stream = wire::slot_class(slot) == wire::SlotClass::kStream;
-  if (events_do_not_wait && wire::slot_class(slot) == wire::SlotClass::kEvent) return false;
+  if (news_does_not_wait && wire::slot_class(slot) != wire::SlotClass::kState) return false;
   return writers_wait && (!is_stream || readers_wait);
 }
 
@@ -58,7 +58,7 @@ LinkPlan plan_link(const TransportPlan& plan, std::size_t index, const DdsConfig
   link.writers_wait = !world && config.network.keys.empty() && !config.endpoints_at_once;
   link.readers_wait = link.writers_wait && !is_pattern(link.config.partition);
   const bool has_room = link.config.capacity <= 0 || link.config.capacity >= kRoomToTell;
-  link.events_do_not_wait =
+  link.news_does_not_wait =
       link.config.kind == ChannelKind::kRadio && has_room && writers_of_events(plan) <= kFewWriters;
   return link;
 }
@@ -151,8 +151,9 @@ Result<void, Failure> Link::add_writer(wire::Slot slot) {
   if (!added) return added;
   writers_.set(at(slot));
   if (wire::slot_class(slot) != wire::SlotClass::kStream) return added;
-  const bool first = plan_.waits_to_write(slot) && !streamed_.test(at(slot));
-  if (first) first_words_.begin(slot, FirstWords::Clock::now());
+  const bool is_radio = plan_.config.kind == ChannelKind::kRadio;
+  if ((is_radio || plan_.waits_to_write(slot)) && !streamed_.test(at(slot)))
+    first_words_.begin(slot, FirstWords::Clock::now());
   streamed_.set(at(slot));
   return added;
 }

@@ -28,9 +28,9 @@ struct LinkPlan {
   /// has dozens of slots for each of its peers and uses few of them, while every endpoint is told
   /// to every participant. Only the heartbeat's do not wait: it is always said.
   bool writers_wait = false, readers_wait = false;
-  /// Writers of events do not wait all the same: a reader that has to be found first over a link
-  /// that loses much comes seconds after the first command.
-  bool events_do_not_wait = false;
+  /// Writers of events and streams do not wait all the same: a reader that has to be found first
+  /// over a link that loses much comes seconds after the first command, or the first look.
+  bool news_does_not_wait = false;
 
   bool waits_to_write(wire::Slot slot) const;
   bool waits_to_read(wire::Slot slot) const;
@@ -41,8 +41,9 @@ bool is_pattern(std::string_view partition);
 
 /// Of the channel with that index. Endpoints of the world do not wait: everybody uses them, and
 /// some write there only when they end. With keys none do, since it must be known at once whether
-/// all is allowed. Writers of events over a radio do not where those of the node are few, and the
-/// radio has room to tell of them. Behind a discovery server readers wait, too: see scouts_of.
+/// all is allowed. Writers of events and streams over a radio do not where those of events are
+/// few, and the radio has room to tell of them. Behind a discovery server readers wait, too: see
+/// scouts_of.
 LinkPlan plan_link(const TransportPlan& plan, std::size_t index, const DdsConfig& config);
 
 /// The endpoints of one channel, as a vendor makes them. Failures are sentences that name vendor
