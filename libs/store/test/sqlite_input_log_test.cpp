@@ -11,53 +11,19 @@
 #include <csignal>
 #include <fstream>
 
-#include "database.hpp"
 #include "skein/blackboard/cdr.hpp"
-#include "testing/entries.hpp"
+#include "testing/state_on_disk.hpp"
 
 namespace skein::store {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using testing::leave_version;
 using testing::one_of_each;
-
-std::vector<std::string> texts(const node::InputLog& log) {
-  std::vector<std::string> found;
-  const auto read = log.recall([&](const node::LogEntry& entry) -> Result<void, Failure> {
-    found.push_back(testing::to_text(entry));
-    return {};
-  });
-  if (!read) found.push_back("FAILED " + read.error().why);
-  return found;
-}
-
-std::vector<std::string> texts(const std::vector<node::LogEntry>& entries) {
-  std::vector<std::string> found;
-  for (const node::LogEntry& entry : entries) found.push_back(testing::to_text(entry));
-  return found;
-}
-
-class StateOnDisk : public ::testing::Test {
- protected:
-  Opened open(const Identity& identity = {"marvin", "comets 1"}) {
-    auto opened = SqliteInputLog::open(folder.path(), identity);
-    if (!opened) throw std::runtime_error(opened.error().why);
-    return std::move(*opened);
-  }
-  /// A life that is given one of each and dies.
-  void live() {
-    const Opened life = open();
-    for (const node::LogEntry& entry : one_of_each()) {
-      const auto kept = life.log->append(entry);
-      ASSERT_TRUE(kept.has_value()) << kept.error().why;
-    }
-    life.log->told(12);
-  }
-  fs::path state() const { return folder.path() / "marvin.state"; }
-
-  testing::Folder folder;
-};
+using testing::StateOnDisk;
+using testing::texts;
+using testing::texts_of_lives;
 
 TEST_F(StateOnDisk, ANewOneIsEmpty) {
   const Opened opened = open();
@@ -75,16 +41,6 @@ TEST_F(StateOnDisk, TheNextLifeKnowsAllThatTheLastOneWasGivenInItsOrder) {
   EXPECT_EQ(next.set_aside, "");
   EXPECT_EQ(texts(*next.log), texts(one_of_each()));
   EXPECT_EQ(next.log->lines_told(), 12U);
-}
-
-std::vector<std::string> texts_of_lives(const node::InputLog& log) {
-  std::vector<std::string> found;
-  const auto read = log.recall_lives([&](const node::LogEntry& entry) -> Result<void, Failure> {
-    found.push_back(testing::to_text(entry));
-    return {};
-  });
-  if (!read) found.push_back("FAILED " + read.error().why);
-  return found;
 }
 
 TEST_F(StateOnDisk, ItsLivesAreThoseThatAMemoryOfTheSameInputsHas) {
@@ -105,23 +61,6 @@ TEST_F(StateOnDisk, ItsLivesBeginWithItsFirstInputWhateverThatIs) {
 
   EXPECT_EQ(texts_of_lives(*open().log),
             texts(std::vector<node::LogEntry>{{MissionTime(), node::Wakeup{}}}));
-}
-
-/// What a program of version 1 to 3 left, by its own tables.
-void leave_version(int version, const fs::path& state) {
-  SQLite::Database old(state.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  old.exec(std::string(
-               "CREATE TABLE about (what TEXT PRIMARY KEY, value) WITHOUT ROWID;"
-               "CREATE TABLE inputs (number INTEGER PRIMARY KEY, at INTEGER NOT NULL, kind TEXT "
-               "NOT NULL,"
-               "  peer INTEGER NOT NULL, slot TEXT NOT NULL, value INTEGER NOT NULL, extra INTEGER "
-               "NOT NULL,"
-               "  flags INTEGER NOT NULL, body BLOB NOT NULL);"
-               "INSERT INTO about VALUES ('node', 'marvin'), ('mission', 'comets 1'), ('lines', 7);"
-               "INSERT INTO inputs (at, kind, peer, slot, value, extra, flags, body) VALUES"
-               "  (0, 'started', 0, '', 5, 0, 0, x''), (1000, 'wakeup', 0, '', 0, 0, 0, x'');") +
-           "PRAGMA user_version = " + std::to_string(version));
-  std::ofstream(fs::path(state).replace_extension("complete")).put('\n');
 }
 
 int version_of(const fs::path& state) {
@@ -339,135 +278,6 @@ TEST_F(StateOnDisk, ADamagedInputIsNamed) {
       .exec("UPDATE inputs SET slot = 'Gossip' WHERE number = 3");
 
   EXPECT_THAT(texts(*open().log).back(), HasSubstr("marvin.state: input 3: not what was written"));
-}
-
-// ---- what is not the last is folded ----
-
-/// A long life: telemetry with a plan board now and then.
-std::vector<node::LogEntry> long_life(int inputs) {
-  std::vector<node::LogEntry> life{{MissionTime(), node::Started{1}}};
-  wire::Telemetry telemetry;
-  telemetry.uav = "marvin";
-  wire::PlanBoard board;
-  for (std::uint64_t id = 1; id <= 30; ++id) board.tasks.push_back({id, "goto", {}, ""});
-  for (int i = 1; i < inputs; ++i) {
-    const MissionTime at = MissionTime::seconds(i);
-    telemetry.position.x = 0.3 * i;
-    board.tasks[static_cast<std::size_t>(i % 30)].id += 1000;
-    if (i % 7 == 0)
-      life.push_back({at, node::Wakeup{}});
-    else if (i % 50 == 0)
-      life.push_back({at, node::Received{node::NodeNumber(2), board}});
-    else
-      life.push_back({at, node::Received{node::NodeNumber(2), telemetry}});
-  }
-  return life;
-}
-
-constexpr int kLong = 2 * static_cast<int>(kFoldedRows) + 100;
-
-TEST_F(StateOnDisk, ALongLifeIsKeptInItsOrderAndGoneOnFrom) {
-  std::vector<node::LogEntry> lives = long_life(kLong);
-  {
-    const Opened first = open();
-    for (const node::LogEntry& entry : lives) ASSERT_TRUE(first.log->append(entry));
-  }
-  lives.push_back({MissionTime::seconds(kLong), node::Resumed{}});
-  ASSERT_TRUE(open().log->append(lives.back()));
-  node::MemoryInputLog memory;
-  for (const node::LogEntry& entry : lives) ASSERT_TRUE(memory.append(entry));
-
-  const Opened next = open();
-
-  EXPECT_EQ(next.set_aside, "");
-  EXPECT_EQ(texts(*next.log), texts(lives));
-  EXPECT_EQ(texts_of_lives(*next.log), texts_of_lives(memory));
-  SQLite::Database file(state().string());
-  EXPECT_EQ(file.execAndGet("SELECT count(*) FROM folds").getInt(), 2);
-  EXPECT_EQ(file.execAndGet("SELECT count(*) FROM inputs").getInt(), 101);
-}
-
-TEST_F(StateOnDisk, ALongLifeOfVersion3IsFoldedWhenItIsOpened) {
-  leave_version(3, state());
-  SQLite::Database(state().string(), SQLite::OPEN_READWRITE)
-      .exec(
-          "WITH RECURSIVE n(i) AS (VALUES (3) UNION ALL SELECT i + 1 FROM n WHERE i < 10000) "
-          "INSERT INTO inputs SELECT i, i * 1000, 'wakeup', 0, '', 0, 0, 0, x'' FROM n");
-
-  const Opened next = open();
-
-  EXPECT_EQ(next.set_aside, "");
-  EXPECT_EQ(texts(*next.log).size(), 10'000U);
-  EXPECT_EQ(SQLite::Database(state().string()).execAndGet("SELECT count(*) FROM folds").getInt(),
-            3);
-}
-
-TEST_F(StateOnDisk, AnInputThatIsMissingIsNamed) {
-  {
-    const Opened life = open();
-    for (const node::LogEntry& entry : long_life(5000)) ASSERT_TRUE(life.log->append(entry));
-  }
-  SQLite::Database(state().string(), SQLite::OPEN_READWRITE).exec("DELETE FROM folds");
-
-  EXPECT_EQ(texts(*open().log).back(), "FAILED " + state().string() + ": input 1: missing");
-}
-
-// A disk that gives back other bytes than it took is found out, whichever they are: never another
-// input, never a crash.
-TEST_F(StateOnDisk, AByteThatIsAnotherNeverMakesAnotherInput) {
-  const std::vector<node::LogEntry> life = long_life(4200);
-  {
-    const Opened first = open();
-    for (const node::LogEntry& entry : life) ASSERT_TRUE(first.log->append(entry));
-  }
-  const std::vector<std::string> kept = texts(life);
-  const fs::path sound = folder.path() / "sound";
-  fs::copy_file(state(), sound);
-  const auto size = static_cast<std::uint64_t>(fs::file_size(sound));
-  int found = 0;
-  for (std::uint64_t n = 0; n < 160; ++n) {
-    const std::uint64_t at = n < 60 ? n : n * 7919 % size;
-    fs::copy_file(sound, state(), fs::copy_options::overwrite_existing);
-    {
-      std::fstream file(state(), std::ios::in | std::ios::out | std::ios::binary);
-      file.seekg(static_cast<std::streamoff>(at));
-      const int byte = file.get();
-      file.seekp(static_cast<std::streamoff>(at));
-      file.put(static_cast<char>(byte ^ (1 << n % 8)));
-    }
-    std::vector<std::string> read;
-    {
-      const Opened opened = open();
-      read = texts(*opened.log);
-      if (!opened.set_aside.empty()) ++found;
-      if (opened.set_aside.empty() && !read.empty() && read.back().rfind("FAILED", 0) == 0) {
-        read.pop_back();
-        ++found;
-      }
-    }
-    ASSERT_LE(read.size(), kept.size()) << "byte " << at;
-    EXPECT_TRUE(std::equal(read.begin(), read.end(), kept.begin())) << "byte " << at;
-    for (const auto& entry : fs::directory_iterator(folder.path()))
-      if (entry.path().filename() != "sound") fs::remove(entry.path());
-    std::ofstream(folder.path() / "marvin.complete").put('\n');
-  }
-  EXPECT_GT(found, 20);
-}
-
-TEST_F(StateOnDisk, AFileIsNeverLargerThanItMayBeAndItSaysSo) {
-  constexpr std::uint64_t kLargest = 100'000;
-  auto opened = SqliteInputLog::open(folder.path(), {"marvin", "comets 1"}, kLargest);
-  ASSERT_TRUE(opened.has_value());
-  std::string why;
-  for (const node::LogEntry& entry : long_life(3000)) {
-    const auto kept = opened->log->append(entry);
-    if (!kept && why.empty()) why = kept.error().why;
-  }
-
-  EXPECT_THAT(why, HasSubstr("marvin.state: database or disk is full"));
-  opened->log.reset();
-  EXPECT_LE(fs::file_size(state()), kLargest + 4096);
-  EXPECT_THAT(open().set_aside, HasSubstr("incomplete"));
 }
 
 // ---- a disk that is full for a time ----
