@@ -114,6 +114,7 @@
   (:- (high-level-task wait-for-orders () ()) ())
   (:- (high-level-task monitoring-with-relay (place place place duration uavs) ()) ())
   (:- (high-level-task cooperative-mapping (zone place place duration uavs) ()) ())
+  (:- (high-level-task vehicle-pursuit (place place duration uavs) ()) ())
 
   ; ================ which device serves what, and which is better for it
 
@@ -771,5 +772,20 @@
         (list (list 'area ?area) (list 'center ?center) (list 'home ?home) (list 'duration ?seconds) (list 'uavs ?uavs)))
       (assign ?duration (interval 10 ?most)) (assign ?to (get-destination ?back)))
       ((!!lcompute-stay ?expected) (!!join "joint:cooperative-mapping" ?about ?duration ?to)
+       (!task-joint ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
+
+  ; As monitoring: there and back, and as long as it is to last.
+  (:method (vehicle-pursuit ?vehicle ?home ?seconds ?uavs ?tc ?origin)
+    take-off-first ((uavloc grounded ?_place))
+      ((take-off ?tc ?origin) (vehicle-pursuit ?vehicle ?home ?seconds ?uavs ?tc ?origin))
+    vehicle-pursuit
+    ((uavloc flying ?from) (may-begin ?tc ?when)
+      (assign ?there (compute-gotoxyz ?from ?vehicle ?when)) (call consp ?there)
+      (assign ?back (compute-gotoxyz ?from ?home ?when)) (call consp ?back)
+      (assign ?ways (+ (high (get-duration ?there)) (high (get-duration ?back))))
+      (assign ?expected (+ ?seconds ?ways)) (assign ?most (+ ?expected ?ways 600))
+      (assign ?about (list (list 'vehicle ?vehicle) (list 'home ?home) (list 'duration ?seconds) (list 'uavs ?uavs)))
+      (assign ?duration (interval ?seconds ?most)) (assign ?to (get-destination ?back)))
+      ((!!lcompute-stay ?expected) (!!join "joint:vehicle-pursuit" ?about ?duration ?to)
        (!task-joint ?_i ?_d ?_p ?_s ?_u ?tc ?origin)))
   ))

@@ -12,6 +12,7 @@
 #include "skein/refiners/partition.hpp"
 #include "skein/supervisor/area_sweep.hpp"
 #include "test_cases.hpp"
+#include "testing/drawn_area.hpp"
 #include "testing/mapping_ends.hpp"
 #include "testing/mission.hpp"
 
@@ -37,6 +38,21 @@ TEST_P(InCalmAir, AllThreeAreDoneWithinFivePerCentOfEachOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AreaSharing, InCalmAir, ::testing::Values("central", "negotiated"));
+
+TEST(AreaSharing, OverAnyAreaTheyAreDoneWithinFivePerCentOfEachOtherInTheMean) {
+  const auto areas = cases<std::uint64_t>(4, 48);
+  double sum = 0;
+  for (std::uint64_t seed = 1; seed <= areas; ++seed) {
+    const Mission mapping = play(drawn_area(seed));
+    const MappingEnds ends = mapping_ends(mapping.records);
+
+    ASSERT_EQ(ends.ends.size(), 3U) << "area " << seed;
+    EXPECT_EQ(mapping.untrue, "") << "area " << seed;
+    EXPECT_LE(ends.spread(), 3 * kTogether) << "area " << seed;
+    sum += ends.spread();
+  }
+  EXPECT_LE(sum / static_cast<double>(areas), kTogether);
+}
 
 TEST(AreaSharing, ThreeAreDoneBeforeOneAloneAndBeforeSharesInProportion) {
   const double negotiated = mapping_ends(mission("negotiated", 1).records).makespan();

@@ -51,7 +51,8 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(AgreedPlaces, Teamwork,
                          ::testing::Values("agreed-places/around", "agreed-places/around-cut",
                                            "agreed-places/chain", "agreed-places/escort",
-                                           "agreed-places/escort-ground-plays"),
+                                           "agreed-places/escort-ground-plays",
+                                           "agreed-places/pursuit"),
                          name_of);
 INSTANTIATE_TEST_SUITE_P(AreaSharing, Teamwork,
                          ::testing::Values("area-sharing/negotiated", "area-sharing/one-leaves",

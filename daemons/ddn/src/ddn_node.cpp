@@ -10,9 +10,11 @@
 #include "received.hpp"
 #include "skein/foundation/fingerprint.hpp"
 #include "skein/interaction/model_hash.hpp"
+#include "skein/interaction/negotiation/area_offer.hpp"
 #include "skein/joint_lines/joint_lines.hpp"
 #include "skein/journal/lines/mission.hpp"
 #include "skein/journal/lines/radio.hpp"
+#include "skein/supervisor/area_sweep.hpp"
 #include "skein/translation/joint_tasks.hpp"
 #include "skein/translation/meetings.hpp"
 #include "skein/translation/merging.hpp"
@@ -302,7 +304,12 @@ void DdnNode::carry_out(const dn::StartReckoning& effect) {
                      offers = effect.offers](const node::TimeIsUp& is_unwanted) -> std::any {
     using Rows = Result<interaction::Rows, Failure>;
     if (is_unwanted && is_unwanted()) return Rows(failure("nobody wants it any more"));
-    return interaction::reckon(terms, offers);
+    return interaction::reckon(
+        terms, offers, [](const auto& sweeper, const auto& part, const world::World& ground) {
+          return supervisor::seconds_of_sweep(sweeper.vehicle, sweeper.altitude, sweeper.swath,
+                                              sweeper.start, part,
+                                              std::make_shared<const world::World>(ground));
+        });
   };
   out_.push_back(node::StartJob{kFirstReckoning + effect.job, work});
 }

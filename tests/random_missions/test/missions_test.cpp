@@ -107,6 +107,13 @@ TEST(RandomMissions, UavsThatMeetAndActJointlyKeepTheLaws) {
   EXPECT_EQ(breaches(kinds, missions() / 10, generate_meetings), "");
 }
 
+// At one height, so that each is in the way of others: nobody waits for air to the end.
+TEST(RandomMissions, UavsThatMeetAtOneHeightKeepTheLaws) {
+  Kinds kinds;
+  kinds.orders = true;
+  EXPECT_EQ(breaches(kinds, missions() / 5, generate_meetings), "");
+}
+
 // One to four UAVs over fires that spread: what is followed was where it was said to be.
 TEST(RandomMissions, UavsOverFiresThatSpreadKeepTheLaws) {
   EXPECT_EQ(breaches(kClean, missions() / 5, generate_fires), "");

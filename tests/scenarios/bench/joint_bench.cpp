@@ -2,13 +2,14 @@
 // Figures of joint tasks in flight, by the simulator's word: an area mapped by three UAVs however
 // it is divided, and how soon a role goes elsewhere when a constraint is violated. Tables, in
 // virtual time: the same on every machine. Arguments: how many seeds (50), and which
-// of them: names of area-sharing, or mref (all).
+// of them: names of area-sharing, mref, or areas alone: others than the scenario's (all but those).
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <vector>
 
+#include "testing/drawn_area.hpp"
 #include "testing/mapping_ends.hpp"
 #include "testing/mission.hpp"
 
@@ -51,6 +52,28 @@ void area_sharing(std::uint64_t seeds, const std::vector<std::string>& only) {
   }
 }
 
+/// Over areas of all kinds, by negotiation.
+void other_areas(std::uint64_t seeds) {
+  std::vector<double> spreads;
+  double sum = 0;
+  std::size_t broken = 0, together = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Mission mission = play(drawn_area(seed));
+    spreads.push_back(100 * mapping_ends(mission.records).spread());
+    sum += spreads.back();
+    together += spreads.back() <= 5 ? 1 : 0;
+    const std::string wrong = mission.failures() + mission.untrue;
+    broken += wrong.empty() ? 0 : 1;
+    if (!wrong.empty())
+      std::printf("area %zu: %s\n", static_cast<std::size_t>(seed), wrong.c_str());
+  }
+  std::puts("| areas | spread of ends: mean, median (most) | within 5 % | broken |");
+  std::puts("|---|---|---|---|");
+  std::printf("| %zu | %.1f %%, %.1f %% (%.1f %%) | %zu | %zu |\n", spreads.size(),
+              sum / static_cast<double>(seeds), part(spreads, 0.5), part(spreads, 1), together,
+              broken);
+}
+
 /// Of each violation after which its UAV was given a goto by its role: seconds until then.
 void add_reactions(const Mission& mission, std::vector<double>& reactions) {
   for (const journal::Record& violated : mission.find({{"kind", "scm"}, {"state", "violated"}})) {
@@ -87,6 +110,10 @@ void reaction(std::uint64_t seeds) {
 int main(int argc, char** argv) {
   const std::uint64_t seeds = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 50;
   const std::vector<std::string> only(argv + std::min(argc, 2), argv + argc);
+  if (only == std::vector<std::string>{"areas"}) {
+    skein::testing::other_areas(seeds);
+    return 0;
+  }
   skein::testing::area_sharing(seeds, only);
   const bool reacts = std::find(only.begin(), only.end(), "mref") != only.end();
   if (only.empty() || reacts) skein::testing::reaction(seeds);

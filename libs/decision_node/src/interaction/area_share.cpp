@@ -157,7 +157,7 @@ void AreaShare::told(const std::string& uav, const Rows& left) {
 
 Result<Rows, Failure> AreaShare::offer(const SweepSetting& setting) const {
   const supervisor::Knowledge& knowledge = *setting.knowledge;
-  const auto swath = supervisor::swath_of(knowledge, setting.device);
+  const auto swath = supervisor::shared_swath_of(knowledge, setting.device);
   if (!swath) return failure(swath.error());
   const auto before = sweeps_over(own_left(), setting);
   if (!before) return tl::unexpected(before.error());
@@ -169,6 +169,7 @@ Result<Rows, Failure> AreaShare::offer(const SweepSetting& setting) const {
   sweeper.vehicle = knowledge.vehicle;
   sweeper.vehicle.energy.capacity *= spare;
   sweeper.vehicle.energy.reserve = 0;
+  sweeper.vehicle.position_precision = world::tracking_spread(knowledge.vehicle);
   sweeper.start = before->end.head<2>();
   sweeper.altitude = std::min(knowledge.altitude, knowledge.vehicle.ceiling);
   sweeper.swath = *swath;

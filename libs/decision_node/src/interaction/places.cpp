@@ -213,6 +213,8 @@ interaction::Capabilities capabilities_of(const world::VehicleModel& vehicle,
   interaction::Capabilities all;
   if (vehicle.hovers) all["hovering"] = {};
   all["relay"] = {};  // every node has the radio
+  all["radio"].values.insert("relay");
+  all["speed"].figure = vehicle.max_speed;
   for (const world::SensorModel& sensor : vehicle.sensors) {
     all["camera"].values.insert(sensor.device);
   }

@@ -13,11 +13,11 @@ namespace {
 using world::EnergyModel;
 using world::VehicleModel;
 
-constexpr std::array kFigures = {&VehicleModel::min_speed,    &VehicleModel::cruise_speed,
-                                 &VehicleModel::max_speed,    &VehicleModel::climb_rate,
-                                 &VehicleModel::descent_rate, &VehicleModel::acceleration,
-                                 &VehicleModel::yaw_rate,     &VehicleModel::min_turn_radius,
-                                 &VehicleModel::orbit_radius, &VehicleModel::ceiling};
+constexpr std::array kFigures = {
+    &VehicleModel::min_speed,  &VehicleModel::cruise_speed,       &VehicleModel::max_speed,
+    &VehicleModel::climb_rate, &VehicleModel::descent_rate,       &VehicleModel::acceleration,
+    &VehicleModel::yaw_rate,   &VehicleModel::min_turn_radius,    &VehicleModel::orbit_radius,
+    &VehicleModel::ceiling,    &VehicleModel::position_precision, &VehicleModel::wind_drift};
 constexpr std::array kEnergyFigures = {&EnergyModel::capacity,    &EnergyModel::ground_power,
                                        &EnergyModel::hover_power, &EnergyModel::cruise_power,
                                        &EnergyModel::climb_power, &EnergyModel::reserve};

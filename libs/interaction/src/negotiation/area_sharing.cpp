@@ -102,6 +102,7 @@ world::World level_world(const Polygon& area, const std::map<std::string, Sweepe
 
 class AreaSharing : public NegotiationModality {
  public:
+  explicit AreaSharing(FlownSweep flown) : flown_(std::move(flown)) {}
   std::string_view name() const override { return "area-sharing"; }
   bool is_long() const override { return true; }
 
@@ -140,8 +141,8 @@ class AreaSharing : public NegotiationModality {
 
   /// Who takes what; of whom there is nothing, it is of no help. They are at the ends of their
   /// sweeps afterwards.
-  static Result<std::map<std::string, Polygon>, Failure> shared(
-      const Polygon& area, std::map<std::string, Sweeper>& sweepers) {
+  Result<std::map<std::string, Polygon>, Failure> shared(
+      const Polygon& area, std::map<std::string, Sweeper>& sweepers) const {
     std::vector<Helper> helpers;
     for (const auto& [uav, one] : sweepers) helpers.push_back(helper(uav, one, area));
     refiners::PartitionQuery query;
@@ -160,6 +161,11 @@ class AreaSharing : public NegotiationModality {
       query.members.push_back(std::move(member));
     }
     const world::World world = level_world(area, sweepers);
+    if (flown_) {
+      query.flown = [&](const refiners::Member& member, double, const Polygon& part) {
+        return flown_(sweepers.at(member.uav), part, world);
+      };
+    }
     refiners::Setting setting{world, {}};
     setting.budget.steps = kDivisions * query.members.size();
     const auto partition = refine(query, setting);
@@ -173,10 +179,14 @@ class AreaSharing : public NegotiationModality {
     }
     return parts;
   }
+
+  FlownSweep flown_;
 };
 
 }  // namespace
 
-std::unique_ptr<NegotiationModality> area_sharing() { return std::make_unique<AreaSharing>(); }
+std::unique_ptr<NegotiationModality> area_sharing(FlownSweep flown) {
+  return std::make_unique<AreaSharing>(std::move(flown));
+}
 
 }  // namespace skein::interaction

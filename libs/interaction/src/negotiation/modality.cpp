@@ -15,8 +15,8 @@ Result<Rows, Failure> NegotiationModality::settle(const Terms& terms, const Offe
   return do_settle(terms, offers);
 }
 
-Result<Rows, Failure> reckon(const Terms& terms, const Offers& offers) {
-  const Modalities all = standard_modalities();
+Result<Rows, Failure> reckon(const Terms& terms, const Offers& offers, const FlownSweep& flown) {
+  const Modalities all = standard_modalities(flown);
   const auto modality = all.find(terms.modality);
   SKEIN_EXPECTS(modality != all.end());
   return modality->second->settle(terms, offers);

@@ -3,7 +3,7 @@
 
 namespace skein::interaction {
 
-Modalities standard_modalities() {
+Modalities standard_modalities(const FlownSweep& flown) {
   Modalities all;
   const auto add = [&all](std::unique_ptr<NegotiationModality> one) {
     const std::string name(one->name());
@@ -11,7 +11,7 @@ Modalities standard_modalities() {
   };
   add(role_allocation());
   add(time_interval());
-  add(area_sharing());
+  add(area_sharing(flown));
   add(perception_positions());
   add(relay_chain());
   return all;

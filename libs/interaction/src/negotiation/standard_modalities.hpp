@@ -23,9 +23,10 @@ std::unique_ptr<NegotiationModality> time_interval();
 /// Parameters: rows `area`, the corners of a convex polygon each, x and y [m, ENU]. Offer: what
 /// area_offer.hpp says. Result: for each area a row for each member in order, its name, numbers the
 /// corners of its part, convex, such that all are done with theirs at about the same time as the
-/// partition refiner reckons it over level ground without wind, areas one after the other; none for
-/// who is too far or too busy to be of help. Source: annex B.
-std::unique_ptr<NegotiationModality> area_sharing();
+/// partition refiner reckons it over level ground without wind, in the end by what is flown where
+/// that is given, areas one after the other; none for who is too far or too busy to be of help.
+/// Source: annex B.
+std::unique_ptr<NegotiationModality> area_sharing(FlownSweep flown);
 
 /// For up to 8 members. Parameters: `directions`, how many there are around the target,
 /// counter-clockwise from east (from as many as members to 72). Offer: rows `direction`, numbers

@@ -401,7 +401,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"area-sharing",
               kArea,
               {row("start", {1, 1}), row("sweep", {50, 40, 0}), row("vehicle", {1})},
-              "not one 'vehicle' with 17 numbers"},
+              "not one 'vehicle' with 19 numbers"},
         Wrong{"area-sharing", kArea, offer_with([](Sweeper& one) { one.busy = -1; }),
               "busy: a time is at least 0"},
         Wrong{"perception-positions",

@@ -19,7 +19,7 @@ constexpr std::size_t kFollowed = 6;
 constexpr int kRounds = 12;
 /// What the last to end gives away at once, as a fraction of its area, and the ways tried then.
 constexpr std::array<double, 5> kSteps = {0.1, 0.05, 0.03, 0.015, 0.007};
-constexpr std::size_t kPolished = 24;
+constexpr std::size_t kPolished = 24, kPolishedFlown = 4;
 /// A spread that nobody minds.
 constexpr double kFineSpread = 0.01;
 
@@ -68,7 +68,8 @@ class Balancer {
                      [](const Track& a, const Track& b) { return a.promise < b.promise; });
     if (tracks.size() > kFollowed) tracks.resize(kFollowed);
     for (Track& track : tracks) follow(track);
-    if (best_) polish();
+    if (best_) polish(kPolished);
+    if (best_ && planner_.fly()) balance_flown();
     return best_;
   }
 
@@ -97,6 +98,19 @@ class Balancer {
     return tracks;
   }
 
+  /// What was found, and what comes near it, as it is flown.
+  void balance_flown() {
+    const Trial found = *best_;
+    const auto flown = planner_.plan(found.areas, found.division);
+    if (!flown) return;
+    best_ = *flown;
+    latest_allowed_ = std::numeric_limits<double>::infinity();
+    Track track{flown->division, limits_, 0};
+    take(*flown, track.abilities);
+    follow(track);
+    polish(kPolishedFlown);
+  }
+
   void follow(Track& track) {
     for (int round = 0; round < kRounds && !planner_.finished(); ++round) {
       const auto areas = fair_areas(track.abilities, planner_.whole());
@@ -116,7 +130,7 @@ class Balancer {
 
   /// Lanes come one at a time, so what was learnt overshoots: the last to end gives some area away,
   /// less and less, as long as that helps.
-  void polish() {
+  void polish(std::size_t ways) {
     for (const double step : kSteps) {
       for (int again = 0; again < kRounds && !planner_.finished(); ++again) {
         const Trial before = *best_;
@@ -129,15 +143,15 @@ class Balancer {
         const double given = step * areas[giver], rest = planner_.whole() - areas[giver];
         for (std::size_t i = 0; i < areas.size(); ++i)
           areas[i] += i == giver ? -given : given * areas[i] / rest;
-        if (!try_all(areas)) break;
+        if (!try_all(areas, ways)) break;
       }
     }
   }
 
   /// True when one of the ways to divide is better than the best so far.
-  bool try_all(const std::vector<double>& areas) {
+  bool try_all(const std::vector<double>& areas, std::size_t ways) {
     bool better = false;
-    for (Division& division : planner_.divide(areas, kPolished)) {
+    for (Division& division : planner_.divide(areas, ways)) {
       if (planner_.finished()) break;
       const auto trial = planner_.plan(areas, std::move(division));
       if (!trial || !is_better(*trial)) continue;

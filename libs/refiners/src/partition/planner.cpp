@@ -11,6 +11,8 @@ namespace {
 constexpr double kPlenty = 1e6;
 /// A limit learnt is kept that much below where it was seen, for it is not quite linear.
 constexpr double kCaution = 0.99;
+/// Divisions that are looked at as they are flown: more brought nothing on 24 areas.
+constexpr std::uint64_t kFlown = 40;
 
 /// Latest finish, and how far before it the first one is.
 void judge(Trial& trial) {
@@ -36,7 +38,16 @@ Duration later(Duration duration, double seconds) {
 double usable(const Member& member) { return 1 - member.vehicle.energy.reserve; }
 
 Planner::Planner(const PartitionQuery& query, const Setting& setting)
-    : query_(query), setting_(setting), whole_(world::area(query.area)) {}
+    : query_(query),
+      setting_(setting),
+      whole_(world::area(query.area)),
+      steps_(setting.budget.steps) {}
+
+bool Planner::fly() {
+  if (!query_.flown || effort_.cut_short) return false;
+  steps_ = effort_.steps + kFlown * query_.members.size();
+  return flies_ = true;
+}
 
 std::vector<Ability> Planner::abilities() const {
   std::vector<Ability> abilities;
@@ -97,10 +108,12 @@ Outcome<Coverage> Planner::sweep(const Member& member, double altitude,
   auto swept = refine(query, setting);
   if (!swept) return swept;
   swept->task.energy *= kPlenty;
-  swept->cost += member.busy;
+  const auto flown = flies_ ? query_.flown(member, altitude, part) : std::nullopt;
+  const double more = member.busy + (flown ? *flown - swept->cost : 0);
+  swept->cost += more;
   DurationInterval& duration = swept->duration;
-  duration = {later(duration.least, member.busy), later(duration.expected, member.busy),
-              later(duration.most, member.busy)};
+  duration = {later(duration.least, more), later(duration.expected, more),
+              later(duration.most, more)};
   effort_.cut_short = effort_.cut_short || swept->effort.cut_short;
   return swept;
 }
@@ -137,9 +150,7 @@ void Planner::learn_rates(const Trial& trial, std::vector<Ability>& abilities) c
   }
 }
 
-bool Planner::out_of_budget() const {
-  return effort_.cut_short || effort_.steps >= setting_.budget.steps;
-}
+bool Planner::out_of_budget() const { return effort_.cut_short || effort_.steps >= steps_; }
 
 bool Planner::finished() {
   if (effort_.steps == 0) return false;

@@ -41,6 +41,9 @@ class Planner {
   /// What each really sweeps in a second, and when it begins.
   void learn_rates(const Trial& trial, std::vector<Ability>& abilities) const;
 
+  /// From now on sweeps take what the query has flown, for some more steps; false: it has not.
+  bool fly();
+
   /// True once the budget is used up, but not before anything is planned.
   bool finished();
   bool out_of_budget() const;
@@ -57,6 +60,8 @@ class Planner {
   const Setting& setting_;
   double whole_;
   Effort effort_;
+  std::uint64_t steps_;  ///< allowed
+  bool flies_ = false;
 };
 
 /// Fraction of the energy held when full that may be used.

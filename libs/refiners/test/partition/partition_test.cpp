@@ -132,6 +132,59 @@ TEST(Partition, BalancingIsNeverLaterAndMeetsItsGoals) {
   EXPECT_LE(ratios[ratios.size() / 2], 0.92);
 }
 
+/// What coverage reckons of none of them: seconds for each square metre, and for each metre that a
+/// part is wide across.
+double flown(const Member& member, const world::Polygon& part) {
+  double low = part.front().x(), high = low;
+  for (const Vector2& corner : part) {
+    low = std::min(low, corner.x());
+    high = std::max(high, corner.x());
+  }
+  return world::area(part) / (0.6 * member.speed * member.swath) + 0.4 * (high - low);
+}
+
+TEST(Partition, BalancedByWhatIsFlownAllEndTogetherByThat) {
+  PartitionQuery query = annex_b();
+  query.mode = ShareMode::kBalanced;
+  const auto reckoned = ask(query);
+  query.flown = [](const Member& member, double, const world::Polygon& part) {
+    return std::optional(flown(member, part));
+  };
+
+  const auto outcome = ask(query);
+
+  ASSERT_TRUE(reckoned && outcome);
+  const auto spread_of = [&](const Partition& partition) {
+    double first = 1e18, last = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double end = flown(query.members[i], partition.parts[i].polygon);
+      first = std::min(first, end);
+      last = std::max(last, end);
+    }
+    return (last - first) / last;
+  };
+  EXPECT_GT(spread_of(reckoned->task), 0.05) << "there is something to balance";
+  EXPECT_LE(spread_of(outcome->task), 0.03);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Part& part = outcome->task.parts[i];
+    EXPECT_NEAR(part.duration.expected.to_seconds(), flown(query.members[i], part.polygon), 1e-3);
+  }
+  EXPECT_NEAR(outcome->task.spread, spread_of(outcome->task), 1e-6);
+}
+
+TEST(Partition, WhereWhatIsFlownIsUnknownItIsBalancedByWhatIsReckoned) {
+  PartitionQuery query = annex_b();
+  query.mode = ShareMode::kBalanced;
+  const auto reckoned = ask(query);
+  query.flown = [](const Member&, double, const world::Polygon&) { return std::nullopt; };
+
+  const auto outcome = ask(query);
+
+  ASSERT_TRUE(reckoned && outcome);
+  EXPECT_LE(outcome->cost, reckoned->cost);
+  EXPECT_LE(outcome->task.spread, 0.05);
+}
+
 TEST(Partition, WhoIsBusyFirstGetsLessAndEndsWithTheOthers) {
   PartitionQuery query = annex_b();
   query.mode = ShareMode::kBalanced;

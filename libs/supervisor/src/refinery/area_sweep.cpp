@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/supervisor/area_sweep.hpp"
 
+#include <cmath>
+
 #include "refinery/refinery.hpp"
+#include "refinery/sweeps.hpp"
 #include "refinery/zone_shapes.hpp"
 
 namespace skein::supervisor {
@@ -11,6 +14,9 @@ using world::Vector3;
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
+/// Of a device that sees as far as its lanes ask for.
+constexpr double kFar = 10;
+constexpr Duration kLooks = Duration::milliseconds(500);
 
 Answer<const world::SensorModel*> device_of(const Knowledge& knowledge, const std::string& name) {
   const world::SensorModel* device = world::find_sensor(knowledge.vehicle, name);
@@ -49,12 +55,47 @@ Result<AreaSweep, std::string> sweep_of(const std::shared_ptr<const Knowledge>& 
   return sweep;
 }
 
-Result<double, std::string> swath_of(const Knowledge& knowledge, const std::string& device) {
+namespace {
+
+Result<double, std::string> swath_with(double overlap, const Knowledge& knowledge,
+                                       const std::string& device) {
   const auto sensor = device_of(knowledge, device);
   if (!sensor) return no(sensor.error());
   const auto reach = footprint(**sensor, height_of(knowledge));
   if (!reach) return no(reach.error());
-  return swath_of(*reach, knowledge.vehicle);
+  return swath_of(*reach, knowledge.vehicle, overlap);
+}
+
+}  // namespace
+
+Result<double, std::string> swath_of(const Knowledge& knowledge, const std::string& device) {
+  return swath_with(1, knowledge, device);
+}
+
+Result<double, std::string> shared_swath_of(const Knowledge& knowledge, const std::string& device) {
+  return swath_with(kSharedOverlap, knowledge, device);
+}
+
+std::optional<double> seconds_of_sweep(const world::VehicleModel& vehicle, double altitude,
+                                       double swath, const world::Vector2& start,
+                                       const world::Polygon& part,
+                                       const std::shared_ptr<const world::World>& world) {
+  auto knowledge = std::make_shared<Knowledge>();
+  knowledge->vehicle = vehicle;
+  knowledge->altitude = altitude;
+  world::SensorModel device;
+  device.device = "mapping";
+  device.aperture = std::atan(footprint_of(swath, vehicle, kSharedOverlap) / altitude);
+  device.range = kFar * std::hypot(altitude, swath);
+  device.period = kLooks;
+  Refinery refinery(Gazetteer(knowledge, world), MissionTime(), kSeed);
+  refinery.sweeps.let_swing();
+  const Vector3 from(start.x(), start.y(),
+                     world->terrain.elevation(start.x(), start.y()) + altitude);
+  const auto lanes = refinery.sweeps.over(from, {"", part}, device);
+  if (!lanes) return std::nullopt;
+  const Motion there = refinery.ways.flown({from, lanes->way.front()});
+  return there.times.expected + lanes->times.expected;
 }
 
 }  // namespace skein::supervisor

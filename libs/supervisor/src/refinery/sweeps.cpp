@@ -95,6 +95,10 @@ double swath_of(double footprint, const world::VehicleModel& vehicle, double ove
   return 2 * std::max(footprint / 2, footprint - overlap * world::tracking_spread(vehicle));
 }
 
+double footprint_of(double swath, const world::VehicleModel& vehicle, double overlap) {
+  return std::min(swath, swath / 2 + overlap * world::tracking_spread(vehicle));
+}
+
 /// Lanes as they are flown: by a vehicle that cannot hover from a place behind the first, which it
 /// comes to from anywhere; each from a little before to a little beyond the zone, since way-points
 /// count as reached a little before, and with points in between that keep it on its lane.
@@ -190,7 +194,8 @@ Answer<Sweeps::Lanes> Sweeps::best(const Counted& air, const Vector3& from, cons
   std::string why = "nothing of it would be seen";
   for (const bool joins : {false, true}) {
     if (joins && (best.seen >= kSeenEnough || swings_ || !vehicle().hovers)) break;
-    for (const double overlap : {1.0, 2.0, 3.0, 4.0}) {
+    for (const double overlap :
+         swings_ ? std::vector{kSharedOverlap, 4.0} : std::vector{1.0, 2.0, 3.0, 4.0}) {
       auto lanes = planned(local, from, zone, device, {overlap, joins});
       if (!lanes) {
         why = lanes.error();

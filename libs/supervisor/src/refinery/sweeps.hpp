@@ -10,6 +10,11 @@ namespace skein::supervisor {
 /// Between two lanes of a vehicle whose device sees so far to each side, so that what lies between
 /// is seen in spite of what it strays [m]; `overlap`: for how many deviations.
 double swath_of(double footprint, const world::VehicleModel& vehicle, double overlap = 1);
+/// The footprint for which it is that.
+double footprint_of(double swath, const world::VehicleModel& vehicle, double overlap);
+/// Of parts of a shared area: by less, gaps are left as a rule, and a lane more is flown than the
+/// division reckoned with.
+inline constexpr double kSharedOverlap = 3;
 
 class Sweeps {
  public:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,11 @@ struct Member {
   std::optional<double> share;  ///< asked for, > 0, relative to the others'; all or none have one
 };
 
+/// Seconds from when the member sets out from its start until it has swept the part, so high over
+/// the ground, as it flies that; nothing: unknown.
+using FlownSweep = std::function<std::optional<double>(const Member& member, double altitude,
+                                                       const world::Polygon& part)>;
+
 struct PartitionQuery {
   world::Polygon area;  ///< convex
   std::vector<Member> members;
@@ -36,6 +42,9 @@ struct PartitionQuery {
   /// Sweeps (from the first lane to the last) that come closer to each other than this on the level
   /// are as far apart in height: those of some members are raised [m]; 0: they need not be.
   double apart = 10;
+  /// Balanced shares are reckoned by coverage; then, where this is given, by what is flown, in some
+  /// dozens of divisions beyond the budget.
+  FlownSweep flown;
 };
 
 struct Part {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "skein/foundation/result.hpp"
@@ -29,7 +30,17 @@ Result<AreaSweep, std::string> sweep_of(const std::shared_ptr<const Knowledge>& 
                                         MissionTime now, const world::Vector3& from,
                                         const world::Polygon& area, const std::string& device);
 
-/// Between two lanes of such a sweep [m]; refused: no such device, or it sees nothing from there.
+/// Between two lanes of a mapping [m]; refused: no such device, or it sees nothing from there.
 Result<double, std::string> swath_of(const Knowledge& knowledge, const std::string& device);
+/// The same as sweep_of() flies them.
+Result<double, std::string> shared_swath_of(const Knowledge& knowledge, const std::string& device);
+
+/// Seconds that sweep_of() expects of any vehicle over a part of an area [m, ENU], from `start` so
+/// high over the ground, with that between its lanes; nothing: it finds no way. Its own pilot and
+/// sensor are not asked for: `vehicle.position_precision` is what it strays.
+std::optional<double> seconds_of_sweep(const world::VehicleModel& vehicle, double altitude,
+                                       double swath, const world::Vector2& start,
+                                       const world::Polygon& part,
+                                       const std::shared_ptr<const world::World>& world);
 
 }  // namespace skein::supervisor

@@ -2,6 +2,7 @@
 // What is negotiated: what members offer, and the result that follows from all offers.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,6 +12,11 @@
 
 #include "skein/foundation/result.hpp"
 #include "skein/interaction/negotiation/terms.hpp"
+#include "skein/world/geometry.hpp"
+
+namespace skein::world {
+struct World;
+}
 
 namespace skein::interaction {
 
@@ -43,13 +49,21 @@ class NegotiationModality {
   virtual Result<Rows, Failure> do_settle(const Terms& terms, const Offers& offers) const = 0;
 };
 
-/// The answer to ReckonResult, by the standard modality that the terms name. Any thread.
-Result<Rows, Failure> reckon(const Terms& terms, const Offers& offers);
+struct Sweeper;
+/// Seconds from when it sets out until it has swept that part of an area, over level ground, as it
+/// flies that; nothing: unknown. The same at all members for the same arguments.
+using FlownSweep = std::function<std::optional<double>(
+    const Sweeper& sweeper, const world::Polygon& part, const world::World& ground)>;
+
+/// The answer to ReckonResult, by the standard modality that the terms name; areas are shared by
+/// what is flown, if that is given. Any thread.
+Result<Rows, Failure> reckon(const Terms& terms, const Offers& offers,
+                             const FlownSweep& flown = {});
 
 /// By name.
 using Modalities = std::map<std::string, std::shared_ptr<const NegotiationModality>, std::less<>>;
 
 /// Role allocation, time interval, area sharing, perception positions, relay chain.
-Modalities standard_modalities();
+Modalities standard_modalities(const FlownSweep& flown = {});
 
 }  // namespace skein::interaction
