@@ -33,6 +33,19 @@ std::map<Channel, Sent> sent_messages(const std::vector<journal::Record>& record
   return sent;
 }
 
+/// Slots of what the addressees have, by channel and number.
+std::map<std::pair<Channel, std::int64_t>, std::string> slots_received(
+    const std::vector<journal::Record>& records) {
+  std::map<std::pair<Channel, std::int64_t>, std::string> slots;
+  for (const journal::Record& one : records) {
+    if (one.kind() != "message" || one.text("direction") != "received") continue;
+    const Channel channel{one.text("from"), one.text("to")};
+    slots.try_emplace({channel, static_cast<std::int64_t>(one.number("sequence"))},
+                      one.text("slot"));
+  }
+  return slots;
+}
+
 /// Numbers between two lines, one from about the death or before and one from about it or after.
 std::vector<std::int64_t> missing_around(const Sent& sent, MissionTime death, Duration apart) {
   constexpr std::int64_t kMost = 32;  // that a node sends in one turn
@@ -52,13 +65,17 @@ std::vector<journal::Record> with_last_messages(std::vector<journal::Record> rec
                                                 double apart) {
   const Duration limit = Duration::seconds(apart * rate);
   const auto sent = sent_messages(records);
+  const auto slots = slots_received(records);
   std::vector<journal::Record> added;
   for (const journal::Record& death : records) {
     if (death.kind() != "fault" || death.text("what") != "kill") continue;
     for (const auto& [channel, numbers] : sent) {
       if (channel.first != death.text("target")) continue;
       for (const std::int64_t number : missing_around(numbers, death.at(), limit)) {
+        const auto slot = slots.find({channel, number});
+        if (slot == slots.end()) continue;
         added.push_back(journal::Record(death.at(), channel.first, "message")
+                            .with("slot", slot->second)
                             .with("from", channel.first)
                             .with("to", channel.second)
                             .with("sequence", number)
