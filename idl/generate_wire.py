@@ -233,7 +233,7 @@ class Writer:
             *self.top("*.idl", ["All slots, in their order: states, events, streams; in each class as in its IDL."],
                       includes), "",
             "/// The value of one slot. The order of the alternatives is the order of `Slot`.",
-            *wrapped("using Sample = std::variant<", names, ">;"), "",
+            *wrapped("using SampleVariant = std::variant<", names, ">;"), "", *SAMPLE, "",
             *wrapped("enum class Slot : std::uint8_t {", [f"k{n}" for n in names], "};"), "",
             "/// By slot; also those of the IDL types and of the DDS topics.",
             *wrapped("inline constexpr auto kSlotNames = std::to_array<std::string_view>({",
@@ -247,6 +247,22 @@ class Writer:
             *wrapped("#define SKEIN_FOR_EACH_SLOT(macro) ", [f"macro({n})" for n in names], "", separator="",
                      ending=" \\"),
             "", "}  // namespace skein::wire"]
+
+
+# A variant of that many structs takes seconds to compile wherever it is copied: it is copied in one place.
+SAMPLE = """\
+/// A SampleVariant whose copies, moves and end are compiled once (wire.cpp), not wherever one is kept.
+class Sample : public SampleVariant {
+ public:
+  using SampleVariant::SampleVariant;
+  using SampleVariant::operator=;
+  Sample();
+  Sample(const Sample& other);
+  Sample(Sample&& other) noexcept;
+  Sample& operator=(const Sample& other);
+  Sample& operator=(Sample&& other) noexcept;
+  ~Sample();
+};""".splitlines()
 
 
 def wrapped(before, items, after, separator=",", ending=""):

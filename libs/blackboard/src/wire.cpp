@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of slots and access to the header of any sample.
+// Names of slots, samples of any slot and access to their headers.
 #include "skein/blackboard/wire.hpp"
 
 #include <algorithm>
@@ -7,6 +7,13 @@
 namespace skein::wire {
 
 static_assert(kSlotNames.size() == kSlotCount);
+
+Sample::Sample() = default;
+Sample::Sample(const Sample& other) = default;
+Sample::Sample(Sample&& other) noexcept = default;
+Sample& Sample::operator=(const Sample& other) = default;
+Sample& Sample::operator=(Sample&& other) noexcept = default;
+Sample::~Sample() = default;
 
 std::string_view slot_name(Slot slot) { return kSlotNames[static_cast<std::size_t>(slot)]; }
 

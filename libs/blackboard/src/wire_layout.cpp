@@ -62,7 +62,7 @@ template <std::size_t... slots>
 std::string all(std::index_sequence<slots...>) {
   std::string text;
   ((text += std::string(slot_name(static_cast<Slot>(slots))) + " " +
-            layout_of<std::variant_alternative_t<slots, Sample>>() + "\n"),
+            layout_of<std::variant_alternative_t<slots, SampleVariant>>() + "\n"),
    ...);
   return text;
 }

@@ -61,7 +61,7 @@ T random_value(Random& random) {
 template <class F>
 void for_each_slot_type(F&& f) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (f.template operator()<std::variant_alternative_t<I, wire::Sample>>(), ...);
+    (f.template operator()<std::variant_alternative_t<I, wire::SampleVariant>>(), ...);
   }
   (std::make_index_sequence<wire::kSlotCount>{});
 }

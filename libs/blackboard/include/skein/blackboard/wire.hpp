@@ -11,7 +11,7 @@
 
 namespace skein::wire {
 
-inline constexpr std::size_t kSlotCount = std::variant_size_v<Sample>;
+inline constexpr std::size_t kSlotCount = std::variant_size_v<SampleVariant>;
 
 constexpr Slot slot_of(const Sample& sample) { return static_cast<Slot>(sample.index()); }
 

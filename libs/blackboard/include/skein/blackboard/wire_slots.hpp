@@ -21,13 +21,26 @@
 namespace skein::wire {
 
 /// The value of one slot. The order of the alternatives is the order of `Slot`.
-using Sample = std::variant<DirectoryEntry, Clock, LinkState, PlanBoard, AutonomyDegree,
+using SampleVariant = std::variant<DirectoryEntry, Clock, LinkState, PlanBoard, AutonomyDegree,
     MissionState, MissionPlan, JointTaskState, PlanFrontier, UavBoard, UavTasks, GroundBoard,
     SeenObject, Neighbours, TaskRequest, RequestReply, TaskEvent, FunctionalRequest,
     FunctionalStatus, SyncMessage, Alarm, MissionRequest, DegreeCommand, WorldChange,
     MissionOutcome, HandOver, Decision, NegotiationMessage, TeamMessage, TeamSale, MergeMessage,
     OperatorRequest, OperatorReply, JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat,
     Part>;
+
+/// A SampleVariant whose copies, moves and end are compiled once (wire.cpp), not wherever one is kept.
+class Sample : public SampleVariant {
+ public:
+  using SampleVariant::SampleVariant;
+  using SampleVariant::operator=;
+  Sample();
+  Sample(const Sample& other);
+  Sample(Sample&& other) noexcept;
+  Sample& operator=(const Sample& other);
+  Sample& operator=(Sample&& other) noexcept;
+  ~Sample();
+};
 
 enum class Slot : std::uint8_t {kDirectoryEntry, kClock, kLinkState, kPlanBoard, kAutonomyDegree,
     kMissionState, kMissionPlan, kJointTaskState, kPlanFrontier, kUavBoard, kUavTasks, kGroundBoard,

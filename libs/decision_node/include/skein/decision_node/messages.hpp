@@ -348,7 +348,7 @@ struct Notice {
 };
 
 /// Those of the supervisor mean what they mean there.
-using Effect =
+using EffectVariant =
     std::variant<Answer, TaskChanged, StatusPassedOn, TelemetryPassedOn, PerceptionPassedOn,
                  SyncPassedOn, NegotiationPassedOn, PartnerPassedOn, SpokenFor, DegreeChanged,
                  HandedOver, BoardChanged, ToVehicle, SendSync, SendNegotiation, StartReckoning,
@@ -358,6 +358,18 @@ using Effect =
                  RequestHandled, SyncHeard, PolicyCarriedOut, Notice, supervisor::MissionDecided,
                  supervisor::StartDeliberation, supervisor::StopDeliberation,
                  supervisor::PlanChanged, supervisor::GoalChanged, supervisor::Decided>;
+/// An EffectVariant whose copies, moves and end are compiled once, not wherever effects are kept.
+class Effect : public EffectVariant {
+ public:
+  using EffectVariant::EffectVariant;
+  using EffectVariant::operator=;
+  Effect();
+  Effect(const Effect& other);
+  Effect(Effect&& other) noexcept;
+  Effect& operator=(const Effect& other);
+  Effect& operator=(Effect&& other) noexcept;
+  ~Effect();
+};
 using Effects = std::vector<Effect>;
 
 }  // namespace skein::decision_node
