@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "path/voxel_worlds.hpp"
 #include "skein/refiners/voxel_path_planner.hpp"
 #include "test_cases.hpp"
-#include "path/voxel_worlds.hpp"
 
 namespace skein::sampling {
 namespace {

@@ -112,8 +112,8 @@ int play(const Scenario& scenario, const RunOptions& options, const std::string&
                      progress);
   progress.finish();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  const WholeRun whole = judged(scenario, std::move(played),
-                                Duration::seconds(options.allow_late * scenario.rate));
+  const WholeRun whole =
+      judged(scenario, std::move(played), Duration::seconds(options.allow_late * scenario.rate));
   // Virtual time knows no wall clock: the same seed gives the same folder, byte for byte.
   const report::RunInfo info =
       run_info(scenario, options.virtual_time, options.virtual_time ? 0 : wall.count(),

@@ -134,10 +134,9 @@ void DdsRun::change(const std::string& from, const std::string& to) {
 
 void DdsRun::start(const std::vector<std::string>& options) {
   std::vector<std::string> command{kPrograms + "/skein", "run",
-                                   (folder_ / "scenario.yaml").string(), "--out",
-                                   folder().string(),
-                                 // The machine is shared: it may stand still for a second.
-                                 "--allow-late", "1"};
+                                   (folder_ / "scenario.yaml").string(), "--out", folder().string(),
+                                   // The machine is shared: it may stand still for a second.
+                                   "--allow-late", "1"};
   command.insert(command.end(), options.begin(), options.end());
   auto process = run_tool::Process::start(command, (folder_ / "output").string());
   ASSERT_TRUE(process.has_value()) << process.error().why;
