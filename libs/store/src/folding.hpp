@@ -11,8 +11,7 @@ namespace skein::store {
 
 /// Rows, unpacked, as one Zstandard frame with a checksum, written by columns: instants as changes
 /// of their steps, numbers as changes within a kind, bodies of one kind, peer and slot after each
-/// other. What is in it needs nothing outside it. Cost: some 15 ms for 4 MB of bodies.
-/// Source: RFC 8878.
+/// other. What is in it needs nothing outside it. Source: RFC 8878.
 std::vector<std::uint8_t> fold(const std::vector<Row>& rows);
 /// Throws std::runtime_error at what fold() did not make.
 std::vector<Row> unfold(const std::vector<std::uint8_t>& folded);

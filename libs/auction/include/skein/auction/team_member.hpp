@@ -32,7 +32,7 @@ struct Disk {
   std::map<TaskNumber, std::uint64_t> done;
   std::map<TaskNumber, std::uint64_t> stopped;
   std::map<TaskNumber, std::string> stopped_why;
-  std::vector<GivenMission> missions;  ///< given here, not yet in the ledger
+  std::vector<GivenMission> missions;  ///< given here, not yet known to be with a majority
 };
 
 /// The craft with which to bid in a sale whose times count from `origin`.

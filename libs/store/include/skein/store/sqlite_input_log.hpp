@@ -32,7 +32,7 @@ struct Opened {
 /// When the disk takes nothing, or the file would be larger than it may, what comes is held in
 /// memory and tried again with the next; until then the file counts as incomplete and is not
 /// resumed from. Of more than kHeld inputs it gives up for this life. Of all but the last inputs
-/// many are kept as one, which now and then takes some 20 ms. Thread rule: one thread. Cost:
+/// many are kept as one, made in the append that fills it. Thread rule: one thread. Cost:
 /// docs/performance.md.
 class SqliteInputLog final : public node::InputLog {
  public:
