@@ -15,17 +15,27 @@ htn::Excerpt excerpt_of(const Diagnostic& diagnostic, const htn::Definitions& de
   return {};
 }
 
+// The word stands before the message, behind the place: to_text() would show its colours as text.
+std::string to_text(const Diagnostic& diagnostic, const std::string& word) {
+  Diagnostic place = diagnostic;
+  place.message = place.expected = place.nearest = "";
+  Diagnostic message = diagnostic;
+  message.file = message.path = "";
+  message.line = 0;
+  return skein::to_text(place) + word + skein::to_text(message);
+}
+
 }  // namespace
 
 void show(const Diagnostics& diagnostics, Severity severity, const htn::Definitions& definitions,
           const htn::TextStyle& style, std::ostream& err) {
   const bool error = severity == Severity::kError;
   const std::string_view colour = error ? style.bad : style.accent;
+  const std::string word = style.mark(colour, error ? "error: " : "warning: ");
   std::string text;  // in one piece: standard error is not buffered
-  for (Diagnostic diagnostic : diagnostics.all()) {
+  for (const Diagnostic& diagnostic : diagnostics.all()) {
     const htn::Excerpt excerpt = excerpt_of(diagnostic, definitions);
-    diagnostic.message = style.mark(colour, error ? "error: " : "warning: ") + diagnostic.message;
-    text += to_text(diagnostic) + '\n';
+    text += to_text(diagnostic, word) + '\n';
     if (excerpt.line.empty()) continue;
     text += "  " + excerpt.line + "\n  " + style.mark(colour, excerpt.marks) + '\n';
   }

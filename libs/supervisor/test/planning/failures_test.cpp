@@ -197,7 +197,7 @@ TEST(PlanningDomain, TheOneThatIsShippedIsSound) {
       vocabulary_of({"comets.lisp", testing::file_text("scenarios/domains/comets.lisp")});
 
   ASSERT_TRUE(vocabulary) << to_text(vocabulary.error());
-  EXPECT_EQ(vocabulary->tasks.size(), 21U);
+  EXPECT_EQ(vocabulary->tasks.size(), 22U);
   const auto& detection = vocabulary->tasks.at("perform-detection");
   EXPECT_THAT(detection.parameters,
               ElementsAre(mission::ParameterKind::kZone, mission::ParameterKind::kPlace,
