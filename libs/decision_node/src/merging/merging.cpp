@@ -35,6 +35,24 @@ bool is_done_in_place(const functional::Request& request) {
   return looks || request.type == "land";
 }
 
+/// Of the UAV's own, for want of anything else.
+bool waits_safely(Core& core, const executive::TaskStatus& task) {
+  return task.type == "wait" && task.id < functional::kFirstRoleId && !is_terminal(task.state) &&
+         task.state != executive::TaskState::kScheduled &&
+         core.deliberation().origin_of(task.id) == mission::GoalId();
+}
+
+std::vector<executive::TaskStatus> safe_waits(Core& core) {
+  std::vector<executive::TaskStatus> waits;
+  for (const executive::TaskStatus& one : core.execution().tasks())
+    if (waits_safely(core, one)) waits.push_back(one);
+  return waits;
+}
+
+bool is_aborting(const executive::TaskStatus& task) {
+  return task.state == executive::TaskState::kAborting;
+}
+
 }  // namespace
 
 Merging::Merging(Core& core) : core_(core) {
@@ -366,9 +384,14 @@ void Merging::look_for_room() {
   const MissionTime now = core_.bus().now();
   if (!has_nothing_to_do() || !is_in_the_way()) return room_since_.reset();
   if (!room_since_) room_since_ = now;
-  if (now < *room_since_ + kMakesRoom || stops_waiting_safely()) return;
+  if (now < *room_since_ + kMakesRoom) return;
+  const std::vector<executive::TaskStatus> waits = safe_waits(core_);
+  if (std::any_of(waits.begin(), waits.end(), is_aborting)) return;
   Airways aside = places_aside();
-  if (!aside.empty() && stop_safe_waits()) return;
+  if (!aside.empty() && !waits.empty()) {  // once they have ended, there is room to be made
+    for (const executive::TaskStatus& one : waits) core_.execution().run(executive::Abort{one.id});
+    return;
+  }
   room_since_ = now;
   if (aside.empty()) return;
   waiting_.emplace();
@@ -391,39 +414,13 @@ bool Merging::has_nothing_to_do() const {
   if (flown_ || !rest_ || !seen_.state.airborne || !mission::deliberates(core_.degree()))
     return false;
   const auto tasks = core_.execution().tasks();
-  const auto safe = static_cast<std::size_t>(std::count_if(
-      tasks.begin(), tasks.end(), [&](const auto& one) { return waits_safely(one); }));
-  if (core_.vehicle().under_way().size() > safe) return false;
+  if (core_.vehicle().under_way().size() > safe_waits(core_).size()) return false;
   return std::none_of(tasks.begin(), tasks.end(), [&](const executive::TaskStatus& one) {
     const bool waits = one.state == executive::TaskState::kScheduled;
     if (waits || is_terminal(one.state) || one.id >= executive::kFirstBackgroundId) return false;
-    return !waits_safely(one) && !functional::TaskTypes::shipped().of(one.type).synchronises();
+    return !waits_safely(core_, one) &&
+           !functional::TaskTypes::shipped().of(one.type).synchronises();
   });
-}
-
-/// Of its own, for want of anything else.
-bool Merging::waits_safely(const executive::TaskStatus& task) const {
-  return task.type == "wait" && task.id < functional::kFirstRoleId && !is_terminal(task.state) &&
-         task.state != executive::TaskState::kScheduled &&
-         core_.deliberation().origin_of(task.id) == mission::GoalId();
-}
-
-bool Merging::stops_waiting_safely() const {
-  const auto tasks = core_.execution().tasks();
-  return std::any_of(tasks.begin(), tasks.end(), [&](const auto& one) {
-    return waits_safely(one) && one.state == executive::TaskState::kAborting;
-  });
-}
-
-/// Something was to be stopped: once it has, there is room to be made.
-bool Merging::stop_safe_waits() {
-  bool any = false;
-  for (const executive::TaskStatus& one : core_.execution().tasks()) {
-    if (!waits_safely(one)) continue;
-    any = true;
-    core_.execution().run(executive::Abort{one.id});
-  }
-  return any;
 }
 
 // ---- what it knows ----

@@ -88,9 +88,6 @@ class Merging final : public Component {
   void look_for_room();
   bool is_in_the_way() const;
   bool has_nothing_to_do() const;
-  bool waits_safely(const executive::TaskStatus& task) const;
-  bool stops_waiting_safely() const;
-  bool stop_safe_waits();
   void stop_waiting();
   bool leads_on(const Airway& aside, const merging::Volumes& ends) const;
   bool at_any_height(const functional::Request& request) const;
