@@ -56,6 +56,7 @@ std::vector<std::uint8_t> bytes_of(const SQLite::Column& column) {
 std::int64_t sum_of(std::uint64_t number, const Row& row) {
   uLong sum = crc32(0, nullptr, 0);
   const auto add = [&](const void* bytes, std::size_t size) {
+    if (size == 0) return;  // of an empty vector, null: zlib would begin anew
     sum = crc32_z(sum, static_cast<const Bytef*>(bytes), size);
   };
   const auto as_signed = static_cast<std::int64_t>(number);

@@ -272,12 +272,33 @@ TEST_F(SetAside, OneThatTheNodeCannotHaveHad) {
   EXPECT_TRUE(texts(*opened.log).empty());
 }
 
-TEST_F(StateOnDisk, ADamagedInputIsNamed) {
-  live();
-  SQLite::Database(state().string(), SQLite::OPEN_READWRITE)
-      .exec("UPDATE inputs SET slot = 'Gossip' WHERE number = 3");
+/// SQL that makes another value of each column.
+const std::vector<std::string>& other_values() {
+  static const std::vector<std::string> changes = {
+      "at = at + 1",       "kind = kind || 'x'",
+      "peer = peer + 1",   "slot = slot || 'x'",
+      "value = value + 1", "extra = extra + 1",
+      "flags = flags + 1", "body = zeroblob(length(body) + 1)"};
+  return changes;
+}
 
-  EXPECT_THAT(texts(*open().log).back(), HasSubstr("marvin.state: input 3: not what was written"));
+TEST_F(StateOnDisk, EveryInputOfWhichAnyValueIsAnotherIsNamed) {
+  live();
+  const std::size_t inputs = texts(*open().log).size();
+  for (std::size_t number = 1; number <= inputs; ++number)
+    for (const std::string& change : other_values()) {
+      const std::string here = " WHERE number = " + std::to_string(number);
+      SQLite::Database file(state().string(), SQLite::OPEN_READWRITE);
+      file.exec("CREATE TABLE before AS SELECT * FROM inputs" + here);
+      file.exec("UPDATE inputs SET " + change + here);
+
+      EXPECT_THAT(
+          texts(*open().log).back(),
+          HasSubstr("marvin.state: input " + std::to_string(number) + ": not what was written"))
+          << change;
+
+      file.exec("INSERT OR REPLACE INTO inputs SELECT * FROM before; DROP TABLE before");
+    }
 }
 
 // ---- a disk that is full for a time ----
