@@ -235,6 +235,54 @@ TEST(ForgetfulLayer, WhileItsDecisionNodeIsDeadWhatWasDoneIsNotAskedForAgain) {
   EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
 }
 
+// ---- a UAV that is dead while its degree is asked for ----
+
+/// The step that asks, and whom.
+struct Asks {
+  const char* step;
+  const char* uav;
+};
+
+class AskedWhileDead : public ::testing::TestWithParam<Asks> {
+ protected:
+  /// Killed just before it is asked.
+  static Mission dead_when_asked(std::optional<Duration> away) {
+    scenario::Scenario scenario = scenario_at("handover/radio");
+    const auto asked = play(scenario).first({{"kind", "step"}, {"name", GetParam().step}});
+    scenario.faults.kills.push_back({at(asked.value() - 1), GetParam().uav, away});
+    return play(scenario);
+  }
+};
+
+TEST_P(AskedWhileDead, IsAskedAgainAndTheMissionGoesOn) {
+  const Mission mission = dead_when_asked(Duration::seconds(75));
+
+  const std::string step = GetParam().step;
+  EXPECT_EQ(mission.count({{"kind", "command"}, {"state", "expired"}}), 1U);
+  EXPECT_EQ(mission.count({{"kind", "step"}, {"name", step + "-again"}}), 1U);
+  EXPECT_EQ(mission.count({{"kind", "mission"}, {"state", "finished"}}), 1U);
+  EXPECT_EQ(mission.count({{"kind", "goal"}, {"state", "failed"}}), 0U);
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
+}
+
+TEST_P(AskedWhileDead, ForGoodIsGivenUpAndTheMissionEnds) {
+  const Mission mission = dead_when_asked(std::nullopt);
+
+  const std::string given_up = std::string(GetParam().uav) + "-given-up";
+  EXPECT_EQ(mission.count({{"kind", "step"}, {"name", given_up}}), 1U);
+  EXPECT_EQ(mission.count({{"kind", "mission"}, {"state", "finished"}}), 1U);
+  EXPECT_TRUE(says_why(mission.records));
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
+}
+INSTANTIATE_TEST_SUITE_P(Steps, AskedWhileDead,
+                         ::testing::Values(Asks{"marvin-to-3", "marvin"},
+                                           Asks{"marvin-in-hand", "marvin"},
+                                           Asks{"marvin-given-back", "marvin"},
+                                           Asks{"marvin-to-4", "marvin"},
+                                           Asks{"karma-in-hand", "karma"}),
+                         [](const auto& one) { return word_of(one.param.step); });
+
 // ---- two deaths in one run ----
 
 class TwoDeaths : public ::testing::TestWithParam<std::uint64_t> {};

@@ -230,6 +230,7 @@ void GroundControl::route(const Monitoring::Effect& effect, MissionTime now, Eff
                  [&](const CommandChanged& it) {
                    desk_.note(it, now);
                    out.emplace_back(it);
+                   if (it.state == CommandState::kExpired) tell_planning(it);
                  },
                  [&](const Anomaly& it) { report(it, out); },
                  [&](const TaskChanged& it) { tell_planning(it); },

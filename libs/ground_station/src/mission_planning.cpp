@@ -160,6 +160,10 @@ void MissionPlanning::note(const Input& input, MissionTime now, Effects& effects
     });
   } else if (const auto* restarted = std::get_if<UavRestarted>(&input)) {
     mark<OnRestart>(now, [&](const OnRestart& on) { return on.uav == restarted->uav; });
+  } else if (const auto* command = std::get_if<CommandChanged>(&input)) {
+    if (command->state != CommandState::kExpired) return;
+    mark<OnExpired>(
+        now, [&](const OnExpired& on) { return command->asked_by == asked_by_step(on.step); });
   } else if (const auto* acts = std::get_if<OperatorActs>(&input)) {
     note_operator(acts->does, now, effects);
   } else if (const auto* deed = std::get_if<DoActions>(&input)) {
@@ -273,7 +277,7 @@ void MissionPlanning::fire(Waiting& waiting, MissionTime now, Effects& effects) 
     effects.emplace_back(PhaseEntered{phase_});
   }
   const std::string asked_by =
-      step != nullptr ? "step " + step->name : "operator " + waiting.operator_action->does;
+      step != nullptr ? asked_by_step(step->name) : "operator " + waiting.operator_action->does;
   const Deed deed{asked_by, now + script_.command_lifetime, effects};
   for (const Action& action : step != nullptr ? step->actions : waiting.operator_action->actions) {
     std::visit([&](const auto& it) { perform(it, deed); }, action);

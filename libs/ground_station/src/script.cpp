@@ -13,10 +13,13 @@ void check(const Trigger& trigger, const std::set<std::string>& steps, const std
   const auto check_all = [&](const std::vector<Trigger>& of) {
     for (const Trigger& inner : of) check(inner, steps, where, problems);
   };
+  const auto check_step = [&](const std::string& step) {
+    if (!steps.contains(step)) problems.push_back(where + " waits for unknown step '" + step + "'");
+  };
   if (const auto* on_step = std::get_if<OnStep>(&trigger.what)) {
-    if (!steps.contains(on_step->step)) {
-      problems.push_back(where + " waits for unknown step '" + on_step->step + "'");
-    }
+    check_step(on_step->step);
+  } else if (const auto* on_expired = std::get_if<OnExpired>(&trigger.what)) {
+    check_step(on_expired->step);
   } else if (const auto* all = std::get_if<AllOf>(&trigger.what)) {
     check_all(all->of);
   } else if (const auto* any = std::get_if<AnyOf>(&trigger.what)) {
@@ -26,6 +29,8 @@ void check(const Trigger& trigger, const std::set<std::string>& steps, const std
 }
 
 }  // namespace
+
+std::string asked_by_step(const std::string& step) { return "step " + step; }
 
 std::vector<std::string> problems_of(const Script& script) {
   std::vector<std::string> problems;

@@ -186,6 +186,25 @@ TEST(GroundControl, WhatACutOutlivesExpires) {
   EXPECT_THAT(team.history("heliv"), IsEmpty());
 }
 
+TEST(GroundControl, AScriptCanSendAgainWhatExpired) {
+  Script script;
+  Step up = a_step("up", {AtTime{at(5)}}, {SendPlan{"heliv", {{a_task(1, "takeoff"), {}, {}}}}});
+  Step again = a_step("again", {AnyOf{{{OnExpired{"up"}}, {OnExpired{"again"}}}}}, up.actions);
+  again.once = false;
+  script.steps = {up, again,
+                  a_step("end", {OnTask{"heliv", id(1), TaskState::kEnded}}, {Finish{}})};
+  Team team(members(3, 3, 3), script, 0.05);
+  team.cut("heliv", 0, 200);
+
+  EXPECT_TRUE(team.play(600));
+
+  std::vector<CommandState> ends;
+  for (const CommandChanged& command : team.commands())
+    if (is_settled(command.state)) ends.push_back(command.state);
+  EXPECT_THAT(ends, ElementsAre(CommandState::kExpired, CommandState::kExpired,
+                                CommandState::kExpired, CommandState::kAcknowledged));
+}
+
 TEST(GroundControl, AScriptCanSendAgainWhatARestartLost) {
   Script script = monitoring_script();
   Step again = a_step("again", {OnRestart{"marvin"}});

@@ -43,6 +43,10 @@ AlarmEvent alarm(std::uint32_t number, AlarmState state, double x = 0) {
   return {out};
 }
 
+CommandChanged of_step(const std::string& step, CommandState state) {
+  return {CommandNumber(1), "marvin", "DEGREE 1", state, "", asked_by_step(step)};
+}
+
 std::vector<std::string> steps_done(const Effects& effects) {
   std::vector<std::string> names;
   for (const StepDone& step : only<StepDone>(effects)) names.push_back(step.name);
@@ -82,6 +86,10 @@ TEST(MissionPlanning, EachKindOfEventFiresItsTrigger) {
        changed(2, TaskState::kRunning)},
       {when(OnOperator{"stop"}), OperatorActs{"halt"}, OperatorActs{"stop"}},
       {when(OnRestart{"marvin"}), UavRestarted{"heliv", {}}, UavRestarted{"marvin", {}}},
+      {when(OnExpired{"it"}), of_step("other", CommandState::kExpired),
+       of_step("it", CommandState::kExpired)},
+      {when(OnExpired{"it"}), of_step("it", CommandState::kRefused),
+       of_step("it", CommandState::kExpired)},
       {when(OnDegree{"marvin", 1}), DegreeChanged{"marvin", 3}, DegreeChanged{"marvin", 1}},
       {when(OnGoal{"marvin", GoalId(701), GoalState::kAchieved}),
        GoalChanged{"marvin", GoalId(701), GoalState::kFailed},
@@ -436,6 +444,18 @@ TEST(MissionPlanning, AMissionWhoseTargetIsUnknownIsNotSent) {
             "mission 2 of marvin is not sent: a target is for no argument");
 }
 
+TEST(MissionPlanning, WhatExpiresIsAskedAgainAsOftenAsItExpires) {
+  Step asks = a_step("asks", when(AnyOf{{when(AtTime{at(5)}), when(OnExpired{"asks"})}}));
+  asks.once = false;
+  MissionPlanning mps = playing({asks});
+  const CommandChanged expired = of_step("asks", CommandState::kExpired);
+
+  EXPECT_THAT(steps_done(mps.handle(Tick{}, at(5))), ElementsAre("asks"));
+  EXPECT_THAT(steps_done(mps.handle(Tick{}, at(50))), IsEmpty()) << "the instant alone is no cause";
+  EXPECT_THAT(steps_done(mps.handle(expired, at(65))), ElementsAre("asks"));
+  EXPECT_THAT(steps_done(mps.handle(expired, at(125))), ElementsAre("asks"));
+}
+
 // ---- the script itself ----
 
 TEST(Script, EveryProblemIsReportedAtOnce) {
@@ -443,16 +463,18 @@ TEST(Script, EveryProblemIsReportedAtOnce) {
   script.steps = {a_step("one", when(OnStep{"non"})), a_step("one", when(AnyOf{})),
                   a_step("", when(AllOf{}))};
   script.steps[2].after = Duration::seconds(-1);
+  script.steps.push_back(a_step("three", when(OnExpired{"tree"})));
   script.operators = {{"end", when(AllOf{{when(OnStep{"two"})}}), Duration::seconds(-1), {}}};
   script.command_lifetime = Duration();
 
-  EXPECT_THAT(problems_of(script),
-              ElementsAre("two steps are named 'one'", "a step has no name",
-                          "step 'one' waits for unknown step 'non'",
-                          "step 'one' waits for one of nothing", "step '' has a negative delay",
-                          "operator action 'end' waits for unknown step 'two'",
-                          "operator action 'end' has a negative delay",
-                          "the lifetime of commands must be positive"));
+  EXPECT_THAT(
+      problems_of(script),
+      ElementsAre("two steps are named 'one'", "a step has no name",
+                  "step 'one' waits for unknown step 'non'", "step 'one' waits for one of nothing",
+                  "step '' has a negative delay", "step 'three' waits for unknown step 'tree'",
+                  "operator action 'end' waits for unknown step 'two'",
+                  "operator action 'end' has a negative delay",
+                  "the lifetime of commands must be positive"));
 }
 
 TEST(Script, AnEmptyOneIsFine) { EXPECT_THAT(problems_of(Script()), IsEmpty()); }

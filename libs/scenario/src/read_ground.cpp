@@ -86,9 +86,22 @@ ground_station::OnAlarm read_on_alarm(const Reader& reader) {
   return on;
 }
 
+// What came of a step; absent: it is none of them.
+std::optional<Trigger> read_step_trigger(const Reader& reader, const TaskContext& context) {
+  for (const char* key : {"step", "expired"}) {
+    const Reader of = reader.optional(key);
+    if (!of.present()) continue;
+    const std::string step = of.name_among(context.names.steps, "a step");
+    if (step.empty()) return wrong_trigger();
+    return key == std::string_view("step") ? Trigger{ground_station::OnStep{step}}
+                                           : Trigger{ground_station::OnExpired{step}};
+  }
+  return std::nullopt;
+}
+
 Trigger read_trigger(const Reader& reader, TaskContext& context) {
   if (!reader.keys({"time", "alarm", "task", "mission", "goal", "degree", "operator", "step",
-                    "restart", "team_task", "global_mission", "all", "any"})) {
+                    "expired", "restart", "team_task", "global_mission", "all", "any"})) {
     return wrong_trigger();
   }
   if (entries_of(reader).size() > 1 || reader.entries().empty()) {
@@ -100,10 +113,7 @@ Trigger read_trigger(const Reader& reader, TaskContext& context) {
     return {read_on_alarm(reader.optional("alarm"))};
   }
   if (given("operator")) return {ground_station::OnOperator{reader.optional("operator").text()}};
-  if (given("step")) {
-    const std::string step = reader.optional("step").name_among(context.names.steps, "a step");
-    return step.empty() ? wrong_trigger() : Trigger{ground_station::OnStep{step}};
-  }
+  if (const auto of_step = read_step_trigger(reader, context)) return *of_step;
   if (given("all")) return {ground_station::AllOf{read_triggers(reader.optional("all"), context)}};
   if (given("any")) return {ground_station::AnyOf{read_triggers(reader.optional("any"), context)}};
   if (given("team_task")) return {read_on_team_task(reader.optional("team_task"), context)};

@@ -235,6 +235,14 @@ SKEIN_WRONG_FILES(
     Wrong{"UnknownStep", "when: {time: 5}", "when: {step: edn}",
           "20:20: ground.script[0].when.step: unknown name 'edn'; expected a step; "
           "did you mean 'end'?\n"},
+    Wrong{"ExpiredStepThatIsUnknown", "when: {time: 5}", "when: {expired: edn}",
+          "20:23: ground.script[0].when.expired: unknown name 'edn'; expected a step; "
+          "did you mean 'end'?\n"},
+    Wrong{"ExpiredBesideStep", "when: {time: 5}", "when: {step: end, expired: end}",
+          "20:13: ground.script[0].when: a trigger is one thing; expected all: [...] "
+          "or any: [...] for several\n"},
+    Wrong{"ExpiredOfNothing", "when: {time: 5}", "when: {expired: }",
+          "20:23: ground.script[0].when.expired: nothing is said of 'expired'\n"},
     Wrong{"StepTwice", "step: end", "step: start", "18:3: ground: two steps are named 'start'\n"},
     Wrong{"StepWithoutName", "    - step: end\n      when", "    - when",
           "28:7: ground.script[1].step: missing\n"},

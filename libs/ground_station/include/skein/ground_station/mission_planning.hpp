@@ -34,8 +34,8 @@ namespace skein::ground_station {
 class MissionPlanning {
  public:
   using Input = std::variant<Tick, AlarmEvent, AlarmRefined, TaskChanged, UavRestarted,
-                             OperatorActs, DoActions, DegreeChanged, GoalChanged, MissionChanged,
-                             TeamTaskChanged, GlobalMissionChanged>;
+                             CommandChanged, OperatorActs, DoActions, DegreeChanged, GoalChanged,
+                             MissionChanged, TeamTaskChanged, GlobalMissionChanged>;
   using Effect = std::variant<IssueCommand, IssueToAll, AbortEverything, ChangeHands, ResumeHeld,
                               DropHeld, PhaseEntered, OperatorDid, StepDone, MissionFinished,
                               GiveGlobalMission, DeclareLost, PlayRole, Anomaly>;

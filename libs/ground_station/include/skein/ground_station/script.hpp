@@ -48,6 +48,11 @@ struct OnOperator {
 struct OnStep {
   std::string step;
 };
+/// A command that the step asked for has expired: it was not delivered in its lifetime, or not
+/// answered. Whether it was carried out is then not known.
+struct OnExpired {
+  std::string step;
+};
 /// The decision node of the UAV restarted and lost its plan.
 struct OnRestart {
   std::string uav;
@@ -91,8 +96,8 @@ struct AnyOf {
 /// What happened once has happened: a leaf is remembered from the mission's start until its step is
 /// done. AllOf nothing has happened at once, AnyOf nothing never does.
 struct Trigger {
-  std::variant<AtTime, OnAlarm, OnTask, OnOperator, OnStep, OnRestart, OnMission, OnGoal, OnDegree,
-               OnTeamTask, OnGlobalMission, AllOf, AnyOf>
+  std::variant<AtTime, OnAlarm, OnTask, OnOperator, OnStep, OnExpired, OnRestart, OnMission, OnGoal,
+               OnDegree, OnTeamTask, OnGlobalMission, AllOf, AnyOf>
       what;
 };
 
@@ -248,6 +253,9 @@ struct Script {
   std::vector<OperatorAction> operators;
   Duration command_lifetime = Duration::milliseconds(60'000);  ///< of every request sent, > 0
 };
+
+/// Who asked for what a step does, as commands say it (`asked_by`).
+std::string asked_by_step(const std::string& step);
 
 /// What is wrong with a script in itself, in sentences, all at once; empty when it is fine: step
 /// names that are empty or twice there, triggers on unknown steps, negative delays. (Operators may
