@@ -205,6 +205,8 @@ void Host::remember(LoggedInput input, Now now) {
   if (config_.memory == nullptr) return;
   const MissionTime at = std::max(now.mission, resumed_from_.value_or(now.mission));
   const auto kept = config_.memory->append({at, std::move(input)});
+  if (std::string news = config_.memory->take_news(); !news.empty())
+    log(lines::Notice{.text = std::move(news)}, now);
   if (kept.has_value() != forgetful_) return;
   forgetful_ = !kept;
   log(lines::Notice{.text = kept ? "what happens is kept again"

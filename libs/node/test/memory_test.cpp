@@ -92,9 +92,10 @@ class Caller final : public Node {
 
 struct Played {
   std::vector<std::uint64_t> answers;
-  std::vector<std::string> lines;
+  std::vector<std::string> lines, notices;
 
   void see(const Record& record) {
+    if (record.kind() == "notice") notices.emplace_back(record.text("text"));
     if (record.kind() == "line") lines.emplace_back(record.text("text"));
     if (record.kind() == "answer")
       answers.push_back(static_cast<std::uint64_t>(record.number("number")));
@@ -306,6 +307,41 @@ TEST_F(AHost, KilledBetweenKeepingAndDoingDoesItInItsNextLife) {
     EXPECT_THAT(at_ground.answers, ElementsAre(1001, 1002, 1003, 1004)) << inputs;
     EXPECT_THAT(at_uav.lines, ElementsAre("got 1", "got 2", "got 3", "got 4")) << inputs;
   }
+}
+
+// Keeps nothing, and has something to say of it twice.
+class WithNews final : public InputLog {
+ public:
+  Result<void, Failure> append(const LogEntry&) override {
+    ++kept_;
+    return {};
+  }
+  std::string take_news() override {
+    if (kept_ == 2) return "little room";
+    return kept_ == 4 ? "room again" : "";
+  }
+  void told(std::uint64_t) override {}
+  Result<void, Failure> recall(const Take&) const override { return {}; }
+  std::uint64_t lines_told() const override { return 0; }
+
+ private:
+  int kept_ = 0;
+};
+
+TEST_F(AHost, SaysWhatItsMemoryHasToSay) {
+  blackboard::MemoryHub hub;
+  blackboard::MemoryTransport ground_side(hub), uav_side(hub);
+  Played at_ground, at_uav;
+  WithNews memory;
+  auto ground = open("ground", std::make_unique<Caller>(std::vector<double>{1, 1, 1, 1}),
+                     ground_side, nullptr, at_ground);
+  auto uav = open("uav", std::make_unique<Counter>(kGround), uav_side, &memory, at_uav);
+  ground->start(now());
+  uav->start(now());
+
+  settle(*uav, *ground);
+
+  EXPECT_THAT(at_uav.notices, ElementsAre("little room", "room again"));
 }
 
 TEST_F(AHost, SaysFromWhenItWas) {

@@ -301,6 +301,13 @@ std::uint64_t Database::inputs() {
   return static_cast<std::uint64_t>(folded) + not_folded();
 }
 
+std::uint64_t Database::bytes_used() {
+  const auto of = [&](const char* pragma) {
+    return static_cast<std::uint64_t>(database_.execAndGet(pragma).getInt64());
+  };
+  return (of("PRAGMA page_count") - of("PRAGMA freelist_count")) * of("PRAGMA page_size");
+}
+
 std::string Database::soundness() {
   return database_.execAndGet("PRAGMA quick_check(1)").getString();
 }

@@ -52,6 +52,7 @@ class Database {
                    const std::function<bool(std::uint64_t number, const Row&)>& take);
   std::uint64_t inputs();
   std::uint64_t not_folded();
+  std::uint64_t bytes_used();  ///< of the file, without what is free in it
   /// What SQLite says of the file: "ok" if it is sound.
   std::string soundness();
   SQLite::Database& raw() { return database_; }

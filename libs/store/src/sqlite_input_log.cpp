@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include "database.hpp"
 #include "packing.hpp"
@@ -192,6 +193,7 @@ class SqliteInputLog::Impl {
     }
   }
 
+  std::string take_news() { return std::exchange(news_, {}); }
   std::uint64_t told() const { return told_; }
   Database& database() { return *database_; }
   const Files& files() const { return files_; }
@@ -225,12 +227,32 @@ class SqliteInputLog::Impl {
   void fold_if_due() {
     if (rows_ < kFoldedRows && bytes_ < kFoldedBytes) return;
     rows_ = bytes_ = 0;
+    std::string why;
     try {
       database_->fold();
       packing_ = Packing();
-    } catch (const std::exception&) {
-      // nothing is lost: it is there unfolded, and what is damaged is said when it is read
+      tell_if_nearly_full();
+    } catch (const std::exception& error) {
+      why = error.what();  // nothing is lost: it is there unfolded
     }
+    if (why.empty() == folds_) return;
+    folds_ = why.empty();
+    tell(folds_ ? "older inputs are folded again"
+                : "older inputs are not folded, it grows faster: " + why);
+  }
+
+  /// While there is time to end the mission.
+  void tell_if_nearly_full() {
+    const std::uint64_t used = database_->bytes_used();
+    if (nearly_full_ || used < largest_ / 4 * 3) return;
+    nearly_full_ = true;
+    tell("it has " + std::to_string(used * 100 / largest_) + " % of the " +
+         std::to_string(largest_ >> 20) + " MB that it may have, beyond which nothing is kept");
+  }
+
+  void tell(const std::string& what) {
+    if (!news_.empty()) news_ += "; ";
+    news_ += files_.state.string() + ": " + what;
   }
 
   void give_up() {
@@ -258,7 +280,8 @@ class SqliteInputLog::Impl {
   std::uint64_t rows_ = 0, bytes_ = 0;  ///< not folded
   std::uint64_t told_ = 0;
   std::uint64_t largest_;
-  bool complete_ = true, given_up_ = false;
+  bool complete_ = true, given_up_ = false, folds_ = true, nearly_full_ = false;
+  std::string news_;
 };
 
 SqliteInputLog::SqliteInputLog(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -286,6 +309,8 @@ Result<Opened, Failure> SqliteInputLog::open(const fs::path& folder, const Ident
 Result<void, Failure> SqliteInputLog::append(const node::LogEntry& entry) {
   return impl_->append(entry);
 }
+
+std::string SqliteInputLog::take_news() { return impl_->take_news(); }
 
 void SqliteInputLog::told(std::uint64_t lines) { impl_->told(lines); }
 std::uint64_t SqliteInputLog::lines_told() const { return impl_->told(); }

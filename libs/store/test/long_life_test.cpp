@@ -9,6 +9,9 @@
 #include <fstream>
 
 #include "database.hpp"
+#include "row.hpp"
+#include "skein/foundation/random.hpp"
+#include "testing/full_disk.hpp"
 #include "testing/state_on_disk.hpp"
 
 namespace skein::store {
@@ -131,6 +134,58 @@ TEST_F(LongLife, AByteThatIsAnotherNeverMakesAnotherInput) {
     std::ofstream(folder.path() / "marvin.complete").put('\n');
   }
   EXPECT_GT(found, 20);
+}
+
+/// A plan board of some 50 kB that nothing makes much smaller.
+node::LogEntry a_board(std::uint64_t number) {
+  Random random(number, "boards");
+  wire::PlanBoard board;
+  for (int i = 0; i < 2000; ++i) board.tasks.push_back({random.below(1U << 31), "goto", {}, ""});
+  return {MissionTime::seconds(static_cast<double>(number)),
+          node::Received{node::NodeNumber(2), board}};
+}
+
+TEST_F(LongLife, WhereThereIsRoomForWhatComesButNotToFoldItIsSaidOnceAndAgainWhenThereIs) {
+  constexpr std::uintmax_t kRoom = 200'000;
+  const std::uint64_t to_fold = kFoldedBytes / row_of(a_board(1)).body.size() + 1;
+  const Opened life = open();
+  std::vector<std::string> news;
+  const auto keep = [&](std::uint64_t number) {
+    ASSERT_TRUE(life.log->append(a_board(number)).has_value()) << number;
+    if (std::string one = life.log->take_news(); !one.empty()) news.push_back(one);
+  };
+
+  for (std::uint64_t number = 0; number < 2 * to_fold; ++number) {
+    const std::uintmax_t before = number == 0 ? 0 : fs::file_size(state().string() + "-wal");
+    const testing::FullDisk full(before + kRoom);
+    keep(number);
+  }
+  EXPECT_THAT(news, ::testing::ElementsAre(
+                        HasSubstr("marvin.state: older inputs are not folded, it grows faster: ")));
+  for (std::uint64_t number = 2 * to_fold; number < 3 * to_fold; ++number) keep(number);
+
+  EXPECT_THAT(news, ::testing::ElementsAre(
+                        ::testing::_, HasSubstr("marvin.state: older inputs are folded again")));
+  EXPECT_EQ(texts(*life.log).size(), 3 * to_fold);
+  SQLite::Database file(state().string());
+  EXPECT_EQ(file.execAndGet("SELECT count(*) FROM inputs").getInt(), 0);
+}
+
+TEST_F(LongLife, ItIsSaidOnceWhenAFileHasThreeQuartersOfWhatItMayHave) {
+  auto opened = SqliteInputLog::open(folder.path(), {"marvin", "comets 1"}, 8U << 20);
+  ASSERT_TRUE(opened.has_value());
+  std::vector<std::string> news;
+  for (std::uint64_t number = 0; number < 1000; ++number) {
+    if (!opened->log->append(a_board(number))) break;
+    if (std::string one = opened->log->take_news(); !one.empty()) news.push_back(one);
+  }
+
+  ASSERT_FALSE(news.empty());
+  EXPECT_THAT(news.front(), ::testing::ContainsRegex("marvin.state: it has (7[5-9]|8.|9.) % of the "
+                                                     "8 MB that it may have"));
+  EXPECT_EQ(std::count_if(news.begin(), news.end(),
+                          [](const std::string& one) { return one.find("% of") != one.npos; }),
+            1);
 }
 
 TEST_F(LongLife, AFileIsNeverLargerThanItMayBeAndItSaysSo) {

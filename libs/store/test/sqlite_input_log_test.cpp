@@ -4,7 +4,6 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,12 +11,14 @@
 #include <fstream>
 
 #include "skein/blackboard/cdr.hpp"
+#include "testing/full_disk.hpp"
 #include "testing/state_on_disk.hpp"
 
 namespace skein::store {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::FullDisk;
 using ::testing::HasSubstr;
 using testing::leave_version;
 using testing::one_of_each;
@@ -302,24 +303,6 @@ TEST_F(StateOnDisk, EveryInputOfWhichAnyValueIsAnotherIsNamed) {
 }
 
 // ---- a disk that is full for a time ----
-
-/// Files may not grow beyond this for as long as it lives: SQLite sees a full disk.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limit = before_;
-    limit.rlim_cur = bytes;
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
-
- private:
-  rlimit before_{};
-};
 
 TEST_F(StateOnDisk, AFullDiskIsSaidAndNothingIsGoneOnFromThatMissesWhatCame) {
   {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -71,6 +72,8 @@ class InputLog {
   /// One transaction. A failure is no reason to stop: the log keeps what it could not write and
   /// tries again with the next; until it succeeds there is no next life that knows.
   virtual Result<void, Failure> append(const LogEntry& entry) = 0;
+  /// What else people should know of the keeping since it was last asked: a sentence, or empty.
+  virtual std::string take_news() { return {}; }
   /// So many lines of the event log have left the node, from its first life on.
   virtual void told(std::uint64_t lines) = 0;
 

@@ -32,8 +32,10 @@ struct Opened {
 /// When the disk takes nothing, or the file would be larger than it may, what comes is held in
 /// memory and tried again with the next; until then the file counts as incomplete and is not
 /// resumed from. Of more than kHeld inputs it gives up for this life. Of all but the last inputs
-/// many are kept as one, made in the append that fills it. Thread rule: one thread. Cost:
-/// docs/performance.md.
+/// many are kept as one, made in the append that fills it; where that fails, for want of room, they
+/// stay as they are until as many have come again, and take_news() says so, and that it worked
+/// again. So it does once three quarters of what the file may have are used. Thread rule: one
+/// thread. Cost: docs/performance.md.
 class SqliteInputLog final : public node::InputLog {
  public:
   static constexpr std::size_t kHeld = 200'000;
@@ -49,6 +51,7 @@ class SqliteInputLog final : public node::InputLog {
   ~SqliteInputLog() override;
 
   Result<void, Failure> append(const node::LogEntry& entry) override;
+  std::string take_news() override;
   void told(std::uint64_t lines) override;
   Result<void, Failure> recall(const Take& take) const override;
   Result<void, Failure> recall_lives(const Take& take) const override;
