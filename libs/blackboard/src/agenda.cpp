@@ -8,12 +8,19 @@ namespace skein::blackboard {
 namespace {
 
 template <class Key>
-void move_to(std::set<std::pair<Key, NodeNumber>>& order, NodeNumber peer, std::optional<Key>& from,
+void move_to(Agenda::Order<Key>& order, NodeNumber peer, Agenda::Place<Key>& place,
              const std::optional<Key>& to) {
-  if (from == to) return;
-  if (from) order.erase({*from, peer});
-  if (to) order.emplace(*to, peer);
-  from = to;
+  const bool is_there = place.has_value();
+  if (is_there ? to == (*place)->first : !to) return;
+  auto entry = is_there ? order.extract(*place) : typename Agenda::Order<Key>::node_type();
+  place.reset();
+  if (!to) return;
+  if (entry) {
+    entry.value().first = *to;
+    place = order.insert(std::move(entry)).position;
+  } else {
+    place = order.emplace(*to, peer).first;
+  }
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 // When which peer is to be looked at.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -15,6 +15,12 @@ namespace skein::blackboard {
 /// So that a step costs in proportion to the peers that something is due with, not to all.
 class Agenda {
  public:
+  template <class Key>
+  using Order = std::set<std::pair<Key, NodeNumber>>;
+  /// In an order, if it is in it.
+  template <class Key>
+  using Place = std::optional<typename Order<Key>::iterator>;
+
   /// From `due` (steady) on, or after `expires` (mission time), whichever is first; instead of what
   /// was said of the peer before.
   void set(NodeNumber peer, std::optional<Duration> due, std::optional<MissionTime> expires);
@@ -25,12 +31,12 @@ class Agenda {
 
  private:
   struct Entry {
-    std::optional<Duration> due;
-    std::optional<MissionTime> expires;
+    Place<Duration> due;
+    Place<MissionTime> expires;
   };
-  std::map<NodeNumber, Entry> entries_;
-  std::set<std::pair<Duration, NodeNumber>> by_due_;
-  std::set<std::pair<MissionTime, NodeNumber>> by_expiry_;
+  std::unordered_map<NodeNumber, Entry> entries_;
+  Order<Duration> by_due_;
+  Order<MissionTime> by_expiry_;
 };
 
 }  // namespace skein::blackboard

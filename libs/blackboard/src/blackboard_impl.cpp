@@ -73,6 +73,13 @@ Result<void, Failure> Blackboard::Impl::open() {
   for (std::size_t i = 0; i < config_.channels.size(); ++i) {
     if (auto added = add_channel(i); !added) return added;
   }
+  for (const ChannelConfig& channel : config_.channels) {
+    const auto found = peers_.find(channel.from);
+    senders_.push_back(found == peers_.end() ? nullptr : &found->second);
+  }
+  for (auto& [number, peer] : peers_)
+    if (peer.channels().kind == ChannelKind::kRadio) radio_peers_.push_back(&peer);
+  std::ranges::sort(radio_peers_, {}, [](const Peer* peer) { return peer->channels().number; });
   return transport_.open({config_.self, config_.channels, config_.world_reads});
 }
 
@@ -245,7 +252,7 @@ void Blackboard::Impl::set_condition(NodeNumber from, NodeNumber to,
 }
 
 std::vector<Incoming> Blackboard::Impl::step(Now now) {
-  for (const NodeNumber peer : heard_) peers_.at(peer).commit();
+  for (Peer* peer : heard_) peer->commit();
   heard_.clear();
   connections_.update(now.steady, out_);
   for (Arrival& arrival : transport_.take()) arrive(std::move(arrival), now);
@@ -301,18 +308,17 @@ std::optional<MissionTime> Blackboard::Impl::next_expiry() const {
   return *first + kTold;
 }
 
-void Blackboard::Impl::arrive(Arrival arrival, Now now) {
+void Blackboard::Impl::arrive(Arrival&& arrival, Now now) {
   if (const auto* malformed = std::get_if<Malformed>(&arrival.content)) {
     refuse(malformed->slot, malformed->header, malformed->violation);
     refuse_event(arrival.channel, malformed->slot, malformed->header, now);
     return;
   }
   auto& sample = std::get<wire::Sample>(arrival.content);
-  const ChannelConfig& channel = config_.channels[arrival.channel];
   if (wire::header_of(sample).origin == config_.self.value()) return;  // shared partition: our own
-  const auto from = peers_.find(channel.from);
-  if (from == peers_.end()) return admit(arrival.channel, std::move(sample), now);
-  const ChannelCondition& condition = from->second.incoming_condition();
+  const Peer* from = senders_[arrival.channel];
+  if (from == nullptr) return admit(arrival.channel, std::move(sample), now);
+  const ChannelCondition& condition = from->incoming_condition();
   if (wire::slot_class(wire::slot_of(sample)) == wire::SlotClass::kStream && condition.loss > 0 &&
       losses_.chance(condition.loss)) {
     return;
@@ -322,7 +328,7 @@ void Blackboard::Impl::arrive(Arrival arrival, Now now) {
   delayed_.add(arrival.channel, std::move(sample), due);
 }
 
-void Blackboard::Impl::admit(std::size_t channel, wire::Sample sample, Now now) {
+void Blackboard::Impl::admit(std::size_t channel, wire::Sample&& sample, Now now) {
   const wire::Slot slot = wire::slot_of(sample);
   const wire::SampleHeader header = wire::header_of(sample);
   auto violation = wire::find_violation(sample);
@@ -347,13 +353,16 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample sample, Now now) 
           Received{NodeNumber(header.origin), ChannelKind::kWorld, std::move(sample)});
     return;
   }
-  admit_from_peer(config, std::move(sample), now);
+  admit_from_peer(channel, std::move(sample), now);
 }
 
-void Blackboard::Impl::admit_from_peer(const ChannelConfig& channel, wire::Sample sample, Now now) {
+void Blackboard::Impl::admit_from_peer(std::size_t channel, wire::Sample&& sample, Now now) {
   const wire::Slot slot = wire::slot_of(sample);
   const wire::SampleHeader header = wire::header_of(sample);
-  Peer& peer = peers_.at(NodeNumber(header.origin));
+  const ChannelConfig& over = config_.channels[channel];
+  // Others' samples come over the channel of who passed them on.
+  const bool direct = senders_[channel] != nullptr && over.from.value() == header.origin;
+  Peer& peer = direct ? *senders_[channel] : peers_.at(NodeNumber(header.origin));
   if (is_event(slot)) {
     peer.on_event(header, std::move(sample), now, out_);
     return hear(peer);
@@ -362,8 +371,8 @@ void Blackboard::Impl::admit_from_peer(const ChannelConfig& channel, wire::Sampl
     compare_lives(peer, *heartbeat, now);
   if (!freshness_.admit(slot, header)) return;
   if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample)) {
-    if (router_ && header.via.empty() && channel.kind == ChannelKind::kRadio)
-      router_->on_heartbeat(channel.from, now.steady);
+    if (router_ && header.via.empty() && over.kind == ChannelKind::kRadio)
+      router_->on_heartbeat(over.from, now.steady);
     peer.on_heartbeat(*heartbeat, now, out_);
     return hear(peer);
   }
@@ -384,16 +393,16 @@ void Blackboard::Impl::refuse(wire::Slot slot, const wire::SampleHeader& header,
 void Blackboard::Impl::refuse_event(std::size_t channel, wire::Slot slot,
                                     const wire::SampleHeader& header, Now now) {
   if (!is_event(slot) || header_violation(header)) return;
-  const auto from = peers_.find(config_.channels[channel].from);
-  if (from == peers_.end() || header.origin != from->first.value()) return;
+  Peer* from = senders_[channel];
+  if (from == nullptr || header.origin != from->channels().number.value()) return;
   if (!header.via.empty()) return;
   if (header.destination != config_.self.value()) return;
-  from->second.on_event(header, std::nullopt, now, out_);
-  hear(from->second);
+  from->on_event(header, std::nullopt, now, out_);
+  hear(*from);
 }
 
-void Blackboard::Impl::hear(const Peer& peer) {
-  heard_.insert(peer.channels().number);
+void Blackboard::Impl::hear(Peer& peer) {
+  if (heard_.empty() || heard_.back() != &peer) heard_.push_back(&peer);
   plan(peer);
 }
 

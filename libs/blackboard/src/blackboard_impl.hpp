@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "agenda.hpp"
 #include "connections.hpp"
@@ -55,9 +56,9 @@ class Blackboard::Impl {
     connections_.write(channel, sample, out_);
   }
 
-  void arrive(Arrival arrival, Now now);
-  void admit(std::size_t channel, wire::Sample sample, Now now);
-  void admit_from_peer(const ChannelConfig& channel, wire::Sample sample, Now now);
+  void arrive(Arrival&& arrival, Now now);
+  void admit(std::size_t channel, wire::Sample&& sample, Now now);
+  void admit_from_peer(std::size_t channel, wire::Sample&& sample, Now now);
   void admit_part(Peer& peer, const wire::Part& part, Now now);
   Result<std::uint64_t, Refusal> send_event(Peer& peer, wire::Sample event, Now now,
                                             SendOptions options);
@@ -70,7 +71,7 @@ class Blackboard::Impl {
   /// On a limited channel, as long as it is free.
   void write_in_turn(Peer& peer, Now now);
   /// Something of its session came: it counts as handled from the next step on.
-  void hear(const Peer& peer);
+  void hear(Peer& peer);
   /// What a heartbeat says of incarnations, its sender's and of this node.
   void compare_lives(Peer& peer, const wire::Heartbeat& heartbeat, Now now);
   /// To the peer this node is of that incarnation: says everything again.
@@ -107,9 +108,11 @@ class Blackboard::Impl {
   Transport& transport_;
   Connections connections_;
   Random losses_;
-  std::map<NodeNumber, Peer> peers_;
-  Agenda agenda_;               ///< of the peers
-  std::set<NodeNumber> heard_;  ///< since the last step began
+  Peers peers_;
+  std::vector<Peer*> senders_;      ///< by channel; null where there is no peer
+  std::vector<Peer*> radio_peers_;  ///< in the order of their numbers
+  Agenda agenda_;                   ///< of the peers
+  std::vector<Peer*> heard_;        ///< since the last step began, some more than once
   std::optional<std::size_t> world_;
   std::uint64_t sequence_;  ///< of states, streams and world events
   Freshness freshness_;

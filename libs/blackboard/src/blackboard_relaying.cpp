@@ -101,8 +101,9 @@ void Blackboard::Impl::remind(NodeNumber peer, Now now) {
 }
 
 void Blackboard::Impl::flood(const wire::Neighbours& report, Now now) {
-  for (auto& [number, peer] : peers_) {
-    if (peer.channels().kind != ChannelKind::kRadio) continue;
+  for (Peer* radio_peer : radio_peers_) {
+    Peer& peer = *radio_peer;
+    const NodeNumber number = peer.channels().number;
     if (number.value() == report.header.origin || has_passed(report.header, number)) continue;
     hand_to(peer, report, now);
   }

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "skein/blackboard/transport.hpp"
 
@@ -19,7 +20,8 @@ class Delays {
     wire::Sample sample;
   };
 
-  void add(std::size_t channel, wire::Sample sample, Duration due) {
+  void add(std::size_t channel, wire::Sample&& sample, Duration due) {
+    if (channel >= last_.size()) last_.resize(channel + 1);
     Duration& last = last_[channel];
     last = std::max(last, due);
     delayed_.emplace(last, Delayed{channel, std::move(sample)});
@@ -35,7 +37,7 @@ class Delays {
 
  private:
   std::multimap<Duration, Delayed> delayed_;
-  std::map<std::size_t, Duration> last_;  ///< by channel
+  std::vector<Duration> last_;  ///< by channel
 };
 
 }  // namespace skein::blackboard

@@ -3,8 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "skein/blackboard/wire.hpp"
@@ -26,9 +25,21 @@ class Freshness {
   }
 
  private:
-  using Key = std::tuple<std::uint32_t, wire::Slot, std::uint32_t>;
+  struct Key {
+    std::uint32_t origin;
+    wire::Slot slot;
+    std::uint32_t instance;
+    bool operator==(const Key&) const = default;
+  };
+  struct Hash {
+    std::size_t operator()(const Key& key) const {
+      constexpr std::uint64_t kSpread = 0x9e3779b97f4a7c15;  // 2^64 by the golden ratio
+      const std::uint64_t both = std::uint64_t{key.origin} << 32 | key.instance;
+      return (both ^ static_cast<std::uint64_t>(key.slot) * kSpread) * kSpread;
+    }
+  };
   using Version = std::pair<std::uint64_t, std::uint64_t>;
-  std::map<Key, Version> newest_;
+  std::unordered_map<Key, Version, Hash> newest_;
 };
 
 }  // namespace skein::blackboard

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -151,5 +152,7 @@ class Peer {
   std::optional<Duration> acknowledge_at_;
   std::optional<Duration> acknowledge_parts_at_;
 };
+
+using Peers = std::unordered_map<NodeNumber, Peer>;
 
 }  // namespace skein::blackboard

@@ -198,7 +198,7 @@ std::optional<double> Terrain::first_hit(const Vector3& a, const Vector3& b,
                                          double clearance) const {
   const Vector3 step = b - a;
   if (!step.allFinite()) return 0.0;
-  if (std::min(a.z(), b.z()) - clearance > highest_) return std::nullopt;
+  if (std::min(a.z(), b.z()) - clearance >= highest_) return std::nullopt;
   std::pair<double, double> span = {0.0, 1.0};
   span = clipped(a.x(), step.x(), spec_.west, spec_.east, span);
   span = clipped(a.y(), step.y(), spec_.south, spec_.north, span);

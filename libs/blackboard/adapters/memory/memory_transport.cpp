@@ -5,6 +5,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <array>
 
 #include "skein/foundation/contract.hpp"
 
@@ -20,13 +21,21 @@ bool partitions_match(const std::string& writer, const std::string& reader) {
   return fnmatch(reader.c_str(), writer.c_str(), 0) == 0;
 }
 
+/// The nodes that a sample of the world is about, if it is about two only.
+std::optional<std::array<NodeNumber, 2>> pair_of(const ChannelConfig& channel,
+                                                 const wire::Sample& sample) {
+  const auto* link = std::get_if<wire::LinkState>(&sample);
+  if (link == nullptr || channel.kind != ChannelKind::kWorld) return std::nullopt;
+  return std::array{NodeNumber(link->from), NodeNumber(link->to)};
+}
+
 }  // namespace
 
 MemoryHub::Partition& MemoryHub::partition(const std::string& name) {
   const auto [found, is_new] = partitions_.try_emplace(name);
   if (is_new) {
     for (const auto& [pattern, reader] : pattern_readers_)
-      if (partitions_match(name, pattern)) found->second.readers.push_back(reader);
+      if (partitions_match(name, pattern)) found->second.listen(reader);
   }
   return found->second;
 }
@@ -35,21 +44,32 @@ void MemoryHub::join(const End& end, const std::string& name, bool writes, bool 
   if (!is_pattern(name)) {
     Partition& joined = partition(name);
     if (writes) joined.writers.push_back(end);
-    if (reads) joined.readers.push_back(end);
+    if (!reads) return;
+    joined.readers.push_back(end);
+    joined.of_nodes[end.node->self_].push_back(end);
   } else if (reads) {
     pattern_readers_.emplace_back(name, end);
     for (auto& [other, joined] : partitions_)
-      if (partitions_match(other, name)) joined.readers.push_back(end);
+      if (partitions_match(other, name)) joined.listen(end);
   }
 }
 
 void MemoryHub::leave(const MemoryTransport& node) {
   const auto is_of_node = [&](const End& end) { return end.node == &node; };
-  for (auto& [name, left] : partitions_) {
+  const auto leave_it = [&](Partition& left) {
     std::erase_if(left.writers, is_of_node);
     std::erase_if(left.readers, is_of_node);
-  }
-  std::erase_if(pattern_readers_, [&](const auto& reader) { return is_of_node(reader.second); });
+    std::erase_if(left.listeners, is_of_node);
+    const auto named = left.of_nodes.find(node.self_);
+    if (named != left.of_nodes.end() && std::erase_if(named->second, is_of_node) > 0 &&
+        named->second.empty())
+      left.of_nodes.erase(named);
+  };
+  for (const MemoryTransport::Channel& channel : node.channels_)
+    if (channel.partition != nullptr) leave_it(*channel.partition);
+  const auto listens = [&](const auto& reader) { return is_of_node(reader.second); };
+  if (std::erase_if(pattern_readers_, listens) == 0) return;
+  for (auto& [name, left] : partitions_) leave_it(left);
 }
 
 std::vector<MemoryHub::End> MemoryHub::writers_for(const End& reader) const {
@@ -137,13 +157,26 @@ bool MemoryTransport::write(std::size_t channel, const wire::Sample& sample) {
   SKEIN_EXPECTS(writer.writes);
   remember(writer, sample);
   if (!writer.up) return true;
+  const MemoryHub::Partition& partition = *writer.partition;
+  if (const auto pair = pair_of(writer.config, sample)) {
+    for (const NodeNumber node : *pair)
+      if (const auto found = partition.of_nodes.find(node); found != partition.of_nodes.end())
+        put_to(found->second, channel, sample);
+    put_to(partition.listeners, channel, sample);
+  } else {
+    put_to(partition.readers, channel, sample);
+  }
+  return true;
+}
+
+void MemoryTransport::put_to(const std::vector<MemoryHub::End>& readers, std::size_t channel,
+                             const wire::Sample& sample) {
   const auto slot = static_cast<std::size_t>(wire::slot_of(sample));
-  for (const MemoryHub::End& reader : writer.partition->readers) {
+  for (const MemoryHub::End& reader : readers) {
     const Channel& to = at(reader);
     if (reader.node != this && to.up && to.read_slots.test(slot) && reaches(channel, reader))
       reader.node->put(reader.channel, sample);
   }
-  return true;
 }
 
 void MemoryTransport::remember(Channel& channel, const wire::Sample& sample) const {
@@ -151,8 +184,12 @@ void MemoryTransport::remember(Channel& channel, const wire::Sample& sample) con
   switch (wire::slot_class(slot)) {
     case wire::SlotClass::kState: {
       const wire::SampleHeader& header = wire::header_of(sample);
-      channel.states.insert_or_assign(
-          StateKey{slot, header.origin, header.destination, header.instance}, sample);
+      const StateKey key{slot, header.origin, header.destination, header.instance};
+      const auto pair = pair_of(channel.config, sample);
+      if (!pair) return void(channel.states.insert_or_assign(key, sample));
+      const auto& link = std::get<wire::LinkState>(sample);
+      const auto kept = channel.links.insert_or_assign(key, link).first;
+      for (const NodeNumber node : *pair) channel.links_of[node].emplace(key, &kept->second);
       return;
     }
     case wire::SlotClass::kEvent: {
@@ -169,6 +206,7 @@ void MemoryTransport::remember(Channel& channel, const wire::Sample& sample) con
 }
 
 void MemoryTransport::put(std::size_t channel, std::variant<wire::Sample, Malformed> content) {
+  if (mailbox_.empty()) mailbox_.reserve(last_taken_);
   mailbox_.push_back({channel, std::move(content)});
   if (notify_) notify_();
 }
@@ -188,8 +226,24 @@ bool MemoryTransport::wants(const MemoryHub::End& reader, wire::Slot slot) {
 void MemoryTransport::replay_states(const MemoryHub::End& writer, const MemoryHub::End& reader) {
   if (!at(writer).up || !at(reader).up) return;
   if (!writer.node->reaches(writer.channel, reader)) return;
-  for (const auto& [key, state] : at(writer).states)
-    if (wants(reader, std::get<0>(key))) reader.node->put(reader.channel, state);
+  for (auto& [key, state] : states_for(at(writer), reader))
+    reader.node->put(reader.channel, std::move(state));
+}
+
+std::vector<MemoryTransport::KeptState> MemoryTransport::states_for(const Channel& writer,
+                                                                    const MemoryHub::End& reader) {
+  std::vector<KeptState> kept;
+  for (const auto& [key, state] : writer.states)
+    if (wants(reader, std::get<0>(key))) kept.emplace_back(key, state);
+  if (!wants(reader, wire::Slot::kLinkState)) return kept;
+  if (is_pattern(at(reader).config.partition)) {
+    for (const auto& [key, link] : writer.links) kept.emplace_back(key, link);
+  } else if (const auto about = writer.links_of.find(reader.node->self_);
+             about != writer.links_of.end()) {
+    for (const auto& [key, link] : about->second) kept.emplace_back(key, *link);
+  }
+  std::ranges::sort(kept, {}, &KeptState::first);
+  return kept;
 }
 
 void MemoryTransport::replay(const MemoryHub::End& writer, const MemoryHub::End& reader) {
@@ -214,6 +268,9 @@ Result<void, Failure> MemoryTransport::set_up(std::size_t channel, bool up) {
   return {};
 }
 
-std::vector<Arrival> MemoryTransport::take() { return std::exchange(mailbox_, {}); }
+std::vector<Arrival> MemoryTransport::take() {
+  last_taken_ = mailbox_.size();
+  return std::exchange(mailbox_, {});
+}
 
 }  // namespace skein::blackboard

@@ -13,7 +13,7 @@ namespace skein::blackboard::routing {
 /// What ways are judged by.
 struct PathRules {
   const Config& config;
-  const std::map<NodeNumber, Peer>& peers;
+  const Peers& peers;
   bool relays = false;  ///< there are some in the team
 };
 

@@ -4,7 +4,7 @@
 
 #include <bitset>
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <map>
 #include <set>
 #include <string>
@@ -22,6 +22,8 @@ class MemoryTransport;
 /// and in a fixed order (that of `open`). It behaves as DDS does where that matters: a reader that
 /// connects gets the last states and the recent events of the writer again.
 /// Thread rule: one thread for the hub and all its transports. Must outlive them.
+/// A link state of the world reaches the two nodes it is about, and who reads by a pattern: there
+/// are as many as pairs of nodes, and everybody else would throw them away.
 /// Cost: a sample is looked at by those who read its partition, whoever else there is.
 class MemoryHub {
  public:
@@ -44,6 +46,14 @@ class MemoryHub {
   /// Who writes under a name, and who reads that, by a pattern too; in the order of `open`.
   struct Partition {
     std::vector<End> writers, readers;
+    /// Of the readers, by their nodes: those who read by this name, not by a pattern.
+    std::map<NodeNumber, std::vector<End>> of_nodes;
+    std::vector<End> listeners;  ///< of the readers: by a pattern
+
+    void listen(const End& reader) {
+      readers.push_back(reader);
+      listeners.push_back(reader);
+    }
   };
 
   Partition& partition(const std::string& name);
@@ -77,24 +87,32 @@ class MemoryTransport final : public Transport {
   /// Slot, origin, destination, instance.
   using StateKey = std::tuple<wire::Slot, std::uint32_t, std::uint32_t, std::uint32_t>;
   struct Channel {
-    ChannelConfig config;
-    bool up = true;
+    bool up = true;  // what each sample asks for, together
     bool writes = false;
     bool reads = false;
-    MemoryHub::Partition* partition = nullptr;
     std::bitset<wire::kSlotCount> read_slots;
+    MemoryHub::Partition* partition = nullptr;
+    ChannelConfig config;
     /// What a writer keeps for readers that connect later.
     std::map<StateKey, wire::Sample> states;
-    std::deque<wire::Sample> events;
+    std::list<wire::Sample> events;  ///< most channels never have one
+    /// Of the world, what is about two nodes only; and by either of the two.
+    std::map<StateKey, wire::LinkState> links;
+    std::map<NodeNumber, std::map<StateKey, const wire::LinkState*>> links_of;
   };
+  using KeptState = std::pair<StateKey, wire::Sample>;
 
   void remember(Channel& channel, const wire::Sample& sample) const;
   void put(std::size_t channel, std::variant<wire::Sample, Malformed> content);
+  void put_to(const std::vector<MemoryHub::End>& readers, std::size_t channel,
+              const wire::Sample& sample);
   void take_what_is_kept();
   /// Of other nodes.
   std::vector<MemoryHub::End> writers_for(std::size_t channel);
   static void replay(const MemoryHub::End& writer, const MemoryHub::End& reader);
   static void replay_states(const MemoryHub::End& writer, const MemoryHub::End& reader);
+  /// For that reader, in the order of their keys.
+  static std::vector<KeptState> states_for(const Channel& writer, const MemoryHub::End& reader);
   static bool wants(const MemoryHub::End& reader, wire::Slot slot);
   bool is_radio(std::size_t channel) const;
   bool reaches(std::size_t channel, const MemoryHub::End& reader) const;
@@ -105,6 +123,7 @@ class MemoryTransport final : public Transport {
   std::uint64_t order_ = 0;  ///< in which it was opened
   std::vector<Channel> channels_;
   std::vector<Arrival> mailbox_;
+  std::size_t last_taken_ = 0;  ///< so many at once
   std::function<void()> notify_;
 };
 
