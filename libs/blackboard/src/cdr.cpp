@@ -11,6 +11,7 @@
 #include <bit>
 #include <cstring>
 
+#include "field_types.hpp"
 #include "skein/foundation/cdr_writer.hpp"
 #include "skein/foundation/contract.hpp"
 
@@ -19,17 +20,67 @@ namespace {
 
 constexpr std::size_t kEncapsulation = kCdrEncapsulation.size();
 
-/// Reads field after field until one is wrong; the path of that one is put together on the way out.
+/// Writes the value at `value`, or counts its bytes.
+void put(CdrWriter& writer, const wire::FieldType& type, const void* value);
+
+/// As its bits: a real goes like a number of its size.
+void put_number(CdrWriter& writer, std::size_t size, const void* value) {
+  switch (size) {
+    case 1:
+      return writer("", wire::loaded<std::uint8_t>(value));
+    case 2:
+      return writer("", wire::loaded<std::uint16_t>(value));
+    case 4:
+      return writer("", wire::loaded<std::uint32_t>(value));
+    default:
+      return writer("", wire::loaded<std::uint64_t>(value));
+  }
+}
+
+void put_sequence(CdrWriter& writer, const wire::FieldType& type, const void* values) {
+  const std::size_t count = type.count(values);
+  writer("", static_cast<std::uint32_t>(count));
+  const void* const elements = type.elements(values);
+  for (std::size_t i = 0; i < count; ++i)
+    put(writer, *type.element, wire::at(elements, i * type.element->size));
+}
+
+void put(CdrWriter& writer, const wire::FieldType& type, const void* value) {
+  switch (type.kind) {
+    case wire::FieldKind::kBoolean:
+      return writer("", wire::loaded<bool>(value));
+    case wire::FieldKind::kText:
+      return writer("", wire::text_at(value));
+    case wire::FieldKind::kSequence:
+      return put_sequence(writer, type, value);
+    case wire::FieldKind::kRecord:
+      for (const wire::Field& field : type.fields)
+        put(writer, *field.type, wire::at(value, field.offset));
+      return;
+    default:
+      return put_number(writer, type.size, value);
+  }
+}
+
+/// Reads value after value until one is wrong; the path of that one is put together on the way out.
 class Reader {
  public:
   Reader(std::span<const std::uint8_t> bytes, bool reverse) : bytes_(bytes), reverse_(reverse) {}
   std::optional<wire::Violation> take_violation() { return std::move(violation_); }
 
-  template <class T>
-  void operator()(const char* name, T& value) {
-    if (violation_) return;
-    get(value);
-    if (violation_) prepend(name);
+  void get(const wire::FieldType& type, void* value) {
+    switch (type.kind) {
+      case wire::FieldKind::kBoolean:
+        return get(*static_cast<bool*>(value));
+      case wire::FieldKind::kText:
+        return get(*static_cast<std::string*>(value));
+      case wire::FieldKind::kSequence:
+        return get_sequence(type, value);
+      case wire::FieldKind::kRecord:
+        return get_record(type, value);
+      default:
+        return get_number(type.size, value);
+    }
   }
 
  private:
@@ -40,31 +91,25 @@ class Reader {
   }
   std::size_t left() const { return bytes_.size() - at_; }
 
-  template <CdrScalar T>
-  void get(T& value) {
-    const std::size_t padding = (sizeof(T) - at_ % sizeof(T)) % sizeof(T);
-    if (left() < padding + sizeof(T)) return fail("cut short");
+  /// An enumerator out of range stays as it came: for find_violation.
+  void get_number(std::size_t size, void* value) {
+    const std::size_t padding = (size - at_ % size) % size;
+    if (left() < padding + size) return fail("cut short");
     at_ += padding;
-    std::memcpy(&value, bytes_.data() + at_, sizeof(T));
-    at_ += sizeof(T);
-    if (reverse_) value = byte_reversed(value);
+    auto* const to = static_cast<std::uint8_t*>(value);
+    std::memcpy(to, bytes_.data() + at_, size);
+    at_ += size;
+    if (reverse_) std::reverse(to, to + size);
   }
   void get(bool& value) {
     std::uint8_t byte = 0;
-    get(byte);
+    get_number(sizeof(byte), &byte);
     if (!violation_ && byte > 1) return fail(std::to_string(byte) + " is not a truth value");
     value = byte == 1;
   }
-  /// Out of range stays as it came: for find_violation.
-  template <wire::WireEnum E>
-  void get(E& value) {
-    std::uint32_t number = 0;
-    get(number);
-    value = static_cast<E>(number);
-  }
   void get(std::string& value) {
     std::uint32_t length = 0;
-    get(length);
+    get_number(sizeof(length), &length);
     if (violation_) return;
     if (length > wire::kMaximumString + 1) return fail("too long");
     if (length > left()) return fail("cut short");
@@ -75,22 +120,26 @@ class Reader {
     std::memcpy(value.data(), bytes_.data() + at_, length - 1);
     at_ += length;
   }
-  template <class T>
-  void get(std::vector<T>& values) {
+  void get_sequence(const wire::FieldType& type, void* values) {
     std::uint32_t count = 0;
-    get(count);
+    get_number(sizeof(count), &count);
     if (violation_) return;
     if (count > wire::kMaximumSequence) return fail("too many elements");
     if (count > left()) return fail("cut short");  // no element takes less than a byte
-    values.resize(count);
+    type.resize(values, count);
+    // As writable as the sequence is.
+    auto* const elements = const_cast<void*>(type.elements(values));
     for (std::size_t i = 0; i < count; ++i) {
-      get(values[i]);
+      get(*type.element, wire::at(elements, i * type.element->size));
       if (violation_) return prepend("[" + std::to_string(i) + "]");
     }
   }
-  template <class T>
-  requires wire::kIsRecord<T>
-  void get(T& record) { visit_fields(*this, record); }
+  void get_record(const wire::FieldType& type, void* record) {
+    for (const wire::Field& field : type.fields) {
+      get(*field.type, wire::at(record, field.offset));
+      if (violation_) return prepend(field.name);
+    }
+  }
 
   std::span<const std::uint8_t> bytes_;
   bool reverse_;
@@ -110,7 +159,7 @@ wire::Sample empty_sample(wire::Slot slot, std::index_sequence<I...>) {
 
 std::size_t encoded_size(const wire::Sample& sample) {
   CdrWriter counter;
-  std::visit([&](const auto& value) { visit_fields(counter, value); }, sample);
+  put(counter, type_of(slot_of(sample)), record_of(sample));
   return kEncapsulation + counter.used();
 }
 
@@ -118,7 +167,7 @@ std::size_t encode(const wire::Sample& sample, std::span<std::uint8_t> out) {
   SKEIN_EXPECTS(out.size() >= kEncapsulation);
   std::ranges::copy(kCdrEncapsulation, out.begin());
   CdrWriter writer(out.subspan(kEncapsulation));
-  std::visit([&](const auto& value) { visit_fields(writer, value); }, sample);
+  put(writer, type_of(slot_of(sample)), record_of(sample));
   return kEncapsulation + writer.used();
 }
 
@@ -130,7 +179,7 @@ std::variant<wire::Sample, Malformed> decode(wire::Slot slot, std::span<const st
   Reader reader(bytes.subspan(kEncapsulation),
                 little != (std::endian::native == std::endian::little));
   wire::Sample sample = empty_sample(slot, std::make_index_sequence<wire::kSlotCount>{});
-  std::visit([&](auto& value) { visit_fields(reader, value); }, sample);
+  reader.get(wire::type_of(slot), wire::record_of(sample));
   if (auto violation = reader.take_violation()) {
     return Malformed{slot, wire::header_of(sample), std::move(*violation)};
   }

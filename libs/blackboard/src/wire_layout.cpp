@@ -1,75 +1,62 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/blackboard/wire_layout.hpp"
 
-#include <utility>
-
+#include "field_types.hpp"
 #include "skein/blackboard/wire.hpp"
 #include "skein/foundation/fingerprint.hpp"
 
 namespace skein::wire {
 namespace {
 
-template <class T>
-std::string layout_of();
+std::string layout_of(const FieldType& type);
 
-template <WireEnum E>
-std::string enumerators() {
+std::string enumerators(std::span<const std::string_view> all) {
   std::string names;
-  for (const std::string_view name : names_of(E{}))
-    names += (names.empty() ? "" : "|") + std::string(name);
+  for (const std::string_view name : all) names += (names.empty() ? "" : "|") + std::string(name);
   return "enum(" + names + ")";
 }
 
-template <class Record>
-std::string fields() {
-  const Record record;
+std::string fields(std::span<const Field> all) {
   std::string text = "{";
-  visit_fields(
-      [&]<class Field>(const char* name, const Field&) {
-        text += std::string(name) + " " + layout_of<Field>() + "; ";
-      },
-      record);
+  for (const Field& field : all)
+    text += std::string(field.name) + " " + layout_of(*field.type) + "; ";
   return text + "}";
 }
 
-template <class T>
-std::string number() {
-  const char kind = std::is_floating_point_v<T> ? 'f' : std::is_signed_v<T> ? 'i' : 'u';
-  return kind + std::to_string(8 * sizeof(T));
-}
+std::string bits(char kind, std::size_t size) { return kind + std::to_string(8 * size); }
 
-template <class T>
-std::string layout_of() {
-  if constexpr (kIsRecord<T>) {
-    return fields<T>();
-  } else if constexpr (WireEnum<T>) {
-    return enumerators<T>();
-  } else if constexpr (std::same_as<T, std::string>) {
-    return "string";
-  } else if constexpr (std::same_as<T, bool>) {
-    return "bool";
-  } else if constexpr (std::is_arithmetic_v<T>) {
-    return number<T>();
-  } else {
-    std::string count;  // of an array's elements; a sequence may have any number
-    if constexpr (requires { std::tuple_size<T>::value; })
-      count = std::to_string(std::tuple_size_v<T>);
-    return layout_of<typename T::value_type>() + "[" + count + "]";
+std::string layout_of(const FieldType& type) {
+  switch (type.kind) {
+    case FieldKind::kBoolean:
+      return "bool";
+    case FieldKind::kUnsigned:
+      return bits('u', type.size);
+    case FieldKind::kSigned:
+      return bits('i', type.size);
+    case FieldKind::kReal:
+      return bits('f', type.size);
+    case FieldKind::kText:
+      return "string";
+    case FieldKind::kEnumeration:
+      return enumerators(type.names);
+    case FieldKind::kRecord:
+      return fields(type.fields);
+    case FieldKind::kSequence:
+      return layout_of(*type.element) + "[]";
   }
-}
-
-template <std::size_t... slots>
-std::string all(std::index_sequence<slots...>) {
-  std::string text;
-  ((text += std::string(slot_name(static_cast<Slot>(slots))) + " " +
-            layout_of<std::variant_alternative_t<slots, SampleVariant>>() + "\n"),
-   ...);
-  return text;
+  return "";
 }
 
 }  // namespace
 
-std::string layout() { return all(std::make_index_sequence<kSlotCount>{}); }
+std::string layout() {
+  std::string text;
+  for (std::size_t i = 0; i < kSlotCount; ++i) {
+    const auto slot = static_cast<Slot>(i);
+    text += std::string(slot_name(slot)) + " " + layout_of(type_of(slot)) + "\n";
+  }
+  return text;
+}
 
 const std::string& layout_mark() {
   static const std::string mark = fingerprint_text(Fingerprint().put(layout()).value());

@@ -2,6 +2,7 @@
 // Samples as JSON and as text for people.
 #include <nlohmann/json.hpp>
 
+#include "field_types.hpp"
 #include "skein/blackboard/wire.hpp"
 
 namespace skein::wire {
@@ -9,30 +10,65 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class T>
-Json json_of(const T& value);
+Json json_of(const FieldType& type, const void* value);
 
-template <class T>
-requires kIsRecord<T>
-void put_fields(Json& object, const T& record) {
-  visit_fields([&](const char* name, const auto& field) { object[name] = json_of(field); }, record);
+void put_fields(Json& object, const FieldType& type, const void* record) {
+  for (const Field& field : type.fields)
+    object[field.name] = json_of(*field.type, at(record, field.offset));
 }
 
-template <class T>
-Json json_of(const T& value) {
-  if constexpr (kIsRecord<T>) {
-    Json object = Json::object();
-    put_fields(object, value);
-    return object;
-  } else if constexpr (WireEnum<T>) {
-    return std::string(name_of(value));
-  } else if constexpr (requires { typename T::value_type; } && !std::same_as<T, std::string>) {
-    Json array = Json::array();
-    for (const auto& element : value) array.push_back(json_of(element));
-    return array;
-  } else {
-    return value;
+Json json_of_record(const FieldType& type, const void* record) {
+  Json object = Json::object();
+  put_fields(object, type, record);
+  return object;
+}
+
+Json json_of_sequence(const FieldType& type, const void* values) {
+  Json array = Json::array();
+  const std::size_t count = type.count(values);
+  for (std::size_t i = 0; i < count; ++i)
+    array.push_back(json_of(*type.element, at(type.elements(values), i * type.element->size)));
+  return array;
+}
+
+Json json_of_enumerator(const FieldType& type, std::uint32_t value) {
+  return std::string(value < type.names.size() ? type.names[value] : "?");
+}
+
+template <class Byte, class Half, class Word, class Long>
+Json json_of_number(const FieldType& type, const void* value) {
+  switch (type.size) {
+    case 1:
+      return loaded<Byte>(value);
+    case 2:
+      return loaded<Half>(value);
+    case 4:
+      return loaded<Word>(value);
+    default:
+      return loaded<Long>(value);
   }
+}
+
+Json json_of(const FieldType& type, const void* value) {
+  switch (type.kind) {
+    case FieldKind::kBoolean:
+      return loaded<bool>(value);
+    case FieldKind::kUnsigned:
+      return json_of_number<std::uint8_t, std::uint16_t, std::uint32_t, std::uint64_t>(type, value);
+    case FieldKind::kSigned:
+      return json_of_number<std::int8_t, std::int16_t, std::int32_t, std::int64_t>(type, value);
+    case FieldKind::kReal:
+      return loaded<double>(value);
+    case FieldKind::kText:
+      return text_at(value);
+    case FieldKind::kEnumeration:
+      return json_of_enumerator(type, loaded<std::uint32_t>(value));
+    case FieldKind::kRecord:
+      return json_of_record(type, value);
+    case FieldKind::kSequence:
+      return json_of_sequence(type, value);
+  }
+  return nullptr;
 }
 
 /// Never throws: what is not UTF-8 becomes U+FFFD.
@@ -44,7 +80,7 @@ std::string dump(const Json& json) {
 
 std::string to_json(const Sample& sample) {
   Json object = {{"slot", slot_name(slot_of(sample))}};
-  std::visit([&](const auto& value) { put_fields(object, value); }, sample);
+  put_fields(object, type_of(slot_of(sample)), record_of(sample));
   return dump(object);
 }
 
@@ -53,12 +89,11 @@ std::string to_text(const Sample& sample) {
   std::string line = std::string(slot_name(slot_of(sample))) + " " + std::to_string(header.origin) +
                      ">" + (header.destination == 0 ? "*" : std::to_string(header.destination)) +
                      " #" + std::to_string(header.sequence_number);
-  const auto put = [&]<class T>(const char* name, const T& field) {
-    if constexpr (!std::same_as<T, SampleHeader>) {
-      line += std::string(" ") + name + "=" + dump(json_of(field));
-    }
-  };
-  std::visit([&](const auto& value) { visit_fields(put, value); }, sample);
+  for (const Field& field : type_of(slot_of(sample)).fields) {
+    if (field.type == &type_of_header()) continue;
+    line += std::string(" ") + field.name + "=" +
+            dump(json_of(*field.type, at(record_of(sample), field.offset)));
+  }
   return line;
 }
 

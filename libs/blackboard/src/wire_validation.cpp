@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "field_types.hpp"
 #include "skein/blackboard/wire.hpp"
 
 namespace skein::wire {
@@ -38,14 +39,27 @@ const char* violation_of_text(std::string_view text) {
   return nullptr;
 }
 
-/// Looks at every field until one is wrong; the path is put together on the way out.
+/// Looks at every value until one is wrong; the path is put together on the way out.
 class Checker {
  public:
-  template <class T>
-  void operator()(const char* name, const T& value) {
-    if (violation_) return;
-    check(value);
-    if (violation_) prepend(name);
+  void check(const FieldType& type, const void* value) {
+    switch (type.kind) {
+      case FieldKind::kBoolean:
+      case FieldKind::kUnsigned:
+      case FieldKind::kSigned:
+        return;
+      case FieldKind::kReal:
+        return check_real(loaded<double>(value));
+      case FieldKind::kText:
+        if (const char* why = violation_of_text(text_at(value))) fail(why);
+        return;
+      case FieldKind::kEnumeration:
+        return check_enumeration(type, loaded<std::uint32_t>(value));
+      case FieldKind::kRecord:
+        return check_record(type, value);
+      case FieldKind::kSequence:
+        return check_sequence(type, value);
+    }
   }
 
   std::optional<Violation> take() { return std::move(violation_); }
@@ -57,33 +71,28 @@ class Checker {
     field = field.empty() || field.front() == '[' ? name + field : name + "." + field;
   }
 
-  template <class T>
-  requires std::is_integral_v<T>
-  void check(T) {}
-  void check(double value) {
+  void check_real(double value) {
     if (!std::isfinite(value)) fail("not a finite number");
   }
-  void check(const std::string& value) {
-    if (const char* why = violation_of_text(value)) fail(why);
+  void check_enumeration(const FieldType& type, std::uint32_t value) {
+    if (value >= type.names.size())
+      fail(std::to_string(value) + " is not a value of the enumeration");
   }
-  template <WireEnum E>
-  void check(E value) {
-    if (value >= E::kCount) {
-      fail(std::to_string(static_cast<std::uint32_t>(value)) +
-           " is not a value of the enumeration");
+  void check_record(const FieldType& type, const void* record) {
+    for (const Field& field : type.fields) {
+      check(*field.type, at(record, field.offset));
+      if (violation_) return prepend(field.name);
     }
   }
-  template <class T>
-  void check(const std::vector<T>& values) {
-    if (values.size() > kMaximumSequence) return fail("too many elements");
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      check(values[i]);
+  void check_sequence(const FieldType& type, const void* values) {
+    const std::size_t count = type.count(values);
+    if (count > kMaximumSequence) return fail("too many elements");
+    const void* const elements = type.elements(values);
+    for (std::size_t i = 0; i < count; ++i) {
+      check(*type.element, at(elements, i * type.element->size));
       if (violation_) return prepend("[" + std::to_string(i) + "]");
     }
   }
-  template <class T>
-  requires kIsRecord<T>
-  void check(const T& record) { visit_fields(*this, record); }
 
   std::optional<Violation> violation_;
 };
@@ -92,7 +101,7 @@ class Checker {
 
 std::optional<Violation> find_violation(const Sample& sample) {
   Checker checker;
-  std::visit([&](const auto& value) { visit_fields(checker, value); }, sample);
+  checker.check(type_of(slot_of(sample)), record_of(sample));
   return checker.take();
 }
 

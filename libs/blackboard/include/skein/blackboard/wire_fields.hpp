@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of a wire struct, told once and visited by everything that treats all of them alike; and
-// what enumerations of the wire have in common.
+// The fields of a wire struct, told once and visited by what treats all of them alike; and what
+// enumerations of the wire have in common.
 #pragma once
 
 #include <concepts>
