@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skein/blackboard/link_instance.hpp"
+
 namespace skein::replay_tool {
 
 namespace {
@@ -292,7 +294,8 @@ Sample Retold::link(const Record& record) const {
   state.to = number_of(record.text("to"));
   state.up = record.truth("up");
   state.header.origin = 2;
-  state.header.instance = state.from * 1000 + state.to;
+  state.header.instance = blackboard::link_instance(blackboard::NodeNumber(state.from),
+                                                    blackboard::NodeNumber(state.to));
   return state;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/blackboard/memory_transport.hpp"
+#include "skein/blackboard/link_instance.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ constexpr std::uint32_t kSimulator = 1;
 wire::Sample state_of_link(const Pair& pair) {
   wire::LinkState state;
   state.header.origin = kSimulator;
-  state.header.instance = pair.first << 16 | pair.second;
+  state.header.instance = link_instance(NodeNumber(pair.first), NodeNumber(pair.second));
   std::tie(state.from, state.to) = pair;
   return state;
 }

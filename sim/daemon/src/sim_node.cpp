@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "skein/blackboard/link_instance.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/journal/lines/radio.hpp"
 #include "skein/journal/lines/truth.hpp"
@@ -135,7 +136,7 @@ void SimNode::take(const LinkChange& link, node::Effects& out) const {
   wire::LinkState sample;
   sample.from = number_of(link.from).value();
   sample.to = number_of(link.to).value();
-  sample.header.instance = sample.from * 1000 + sample.to;
+  sample.header.instance = blackboard::link_instance(number_of(link.from), number_of(link.to));
   sample.up = link.up;
   sample.latency = link.latency.count();
   sample.loss = link.up ? link.loss : 0;

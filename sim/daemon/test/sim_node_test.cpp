@@ -133,7 +133,7 @@ TEST(SimNode, PublishesTheStateOfEveryDirectedLinkUnderAnInstanceOfItsOwn) {
     EXPECT_TRUE(link.up);
     EXPECT_EQ(link.latency, 20'000'000);
     EXPECT_EQ(link.loss, 0.01);
-    EXPECT_EQ(link.header.instance, link.from * 1000 + link.to);
+    EXPECT_EQ(link.header.instance, link.from * 65536 + link.to);
     instances.insert(link.header.instance);
   }
   EXPECT_EQ(links.size(), 6U);  // three nodes on the radio, both ways

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "skein/blackboard/link_instance.hpp"
 #include "skein/node/node.hpp"
 
 namespace skein::node::testing {
@@ -66,7 +67,7 @@ inline wire::TaskRequest abort_request(std::uint64_t id) {
 
 inline wire::LinkState link(NodeNumber from, NodeNumber to, bool up) {
   wire::LinkState state;
-  state.header.instance = from.value() * 1000 + to.value();
+  state.header.instance = blackboard::link_instance(from, to);
   state.from = from.value();
   state.to = to.value();
   state.up = up;

@@ -62,7 +62,7 @@ struct Clock {
 SKEIN_WIRE_FIELDS(Clock, header, time, rate, phase)
 
 /// State of one directed radio channel, from the simulator. World channel; the instance numbers
-/// the pair: from * 1000 + to.
+/// the pair: from * 65536 + to.
 struct LinkState {
   SampleHeader header;
   std::uint32_t from = 0;
