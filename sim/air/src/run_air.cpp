@@ -21,6 +21,7 @@
 #include "skein/node/roster.hpp"
 #include "skein/node/waker.hpp"
 #include "skein/scenario/scenario.hpp"
+#include "skein/scenario_text/fault_scripts.hpp"
 #include "skein/scenario_text/scenario_text.hpp"
 
 namespace skein::air {
@@ -46,11 +47,17 @@ std::string text_in(const std::string& file) {
 }
 
 int write_scenario(const AirOptions& options, std::ostream& err) {
-  std::string text = text_in(options.scenario);
-  for (const std::string& file : options.faults) {
-    auto changed = scenario_text::with_radio(text, text_in(file));
+  std::vector<scenario_text::NamedText> files{{options.scenario, text_in(options.scenario)}};
+  for (const std::string& file : options.faults) files.push_back({file, text_in(file)});
+  if (const auto problems = scenario_text::problems_of(files); !problems.empty()) {
+    err << to_text(problems);
+    return kExitBadInput;
+  }
+  std::string text = files[0].text;
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    auto changed = scenario_text::with_radio(text, files[i].text);
     if (!changed) {
-      err << file << ": " << changed.error().why << '\n';
+      err << files[i].file << ": " << changed.error().why << '\n';
       return kExitBadInput;
     }
     text = std::move(*changed);
@@ -58,7 +65,7 @@ int write_scenario(const AirOptions& options, std::ostream& err) {
   text = scenario_text::moved(text, fs::absolute(options.scenario).parent_path().string(),
                               fs::absolute(options.write).parent_path().string());
   if (const auto read = scenario::read_scenario_text(text, options.write); !read) {
-    err << to_text(read.error());
+    err << to_text(scenario_text::as_written(read.error(), options.write, files));
     return kExitBadInput;
   }
   std::ofstream out(options.write, std::ios::binary);
