@@ -29,8 +29,9 @@ class Socket final : public fastrtps::SenderResource {
  public:
   explicit Socket(const std::string& address)
       : SenderResource(LOCATOR_KIND_UDPv4), address_(address) {
-    send_lambda_ = [this](const fastrtps::octet*, std::uint32_t, fastdds::LocatorsIterator* it,
+    send_lambda_ = [this](const fastrtps::octet*, std::uint32_t size, fastdds::LocatorsIterator* it,
                           fastdds::LocatorsIterator* end, const auto&) {
+      sizes.push_back(size);
       for (; *it != *end; ++*it) sent.push_back(fastrtps::IPLocator::toIPv4string(**it));
       return works;
     };
@@ -39,6 +40,7 @@ class Socket final : public fastrtps::SenderResource {
     if (!address_.empty()) locators.push_back(udp(address_));
   }
   std::vector<std::string> sent;
+  std::vector<std::uint32_t> sizes;  ///< of the datagrams [byte]
   bool works = true;
 
  private:
@@ -94,6 +96,30 @@ TEST_F(Board, ASocketThatIsBoundToNoneSendsAll) {
   fastdds::Locators begin(list.begin()), end(list.end());
   EXPECT_TRUE(transport.send(&unbound, nullptr, 0, &begin, &end, {}));
   EXPECT_THAT(unbound.sent, ElementsAre("10.99.0.1"));
+}
+
+// With keys, where Fast DDS cannot be told: three packets of ten that are lost would lose it all.
+TEST(SinglePath, TakesApartWhatDoesNotFitIntoAPacketThoughFastDdsIsNotTold) {
+  const SinglePathDescriptor descriptor(std::make_shared<fastdds::UDPv4TransportDescriptor>(),
+                                        {"10.99.0.2"}, 1'472, false);
+  SinglePath transport(descriptor, rtps::SourceAddresses(descriptor.own));
+  Socket unbound("");
+  std::vector<fastrtps::octet> message{'R', 'T', 'P', 'S'};
+  message.resize(20);
+  for (int i = 0; i < 3; ++i) {  // DATA of 1,000 bytes
+    message.insert(message.end(), {0x15, 1, 0xe8, 0x03});
+    message.resize(message.size() + 1'000);
+  }
+  fastrtps::LocatorList_t list;
+  list.push_back(udp("10.99.0.1"));
+  fastdds::Locators begin(list.begin()), end(list.end());
+
+  EXPECT_TRUE(transport.send(&unbound, message.data(), static_cast<std::uint32_t>(message.size()),
+                             &begin, &end, {}));
+
+  EXPECT_GE(descriptor.max_message_size(), 65'000U);
+  EXPECT_THAT(unbound.sizes, ElementsAre(1'024, 1'024, 1'024));
+  EXPECT_THAT(unbound.sent, ElementsAre("10.99.0.1", "10.99.0.1", "10.99.0.1"));
 }
 
 TEST_F(Board, KnowsItsOwnAddresses) {

@@ -115,15 +115,14 @@ dds::DomainParticipantQos participant_qos(const DdsConfig& config, std::uint32_t
   transport->interfaceWhiteList = config.network.interfaces;
   // Fast DDS says all that a reader lacks in one message, which is lost as a whole: on a radio that
   // loses three packets of ten the more there is to say again, the less of it comes.
-  // With keys it must not: the messages of Fast DDS 2.9's handshake, certificates, do not go in
+  // With keys it is not told: the messages of Fast DDS 2.9's handshake, certificates, do not go in
   // parts, and no handshake would end.
   const bool secured = !config.network.keys.empty();
-  const std::uint32_t longest =
-      secured ? rtps::kLongestDatagram : rtps::longest_datagram(config.network.interfaces);
+  const std::uint32_t longest = rtps::longest_datagram(config.network.interfaces);
   qos.transport().use_builtin_transports = false;
   if (config.network.interfaces.size() > 1 || longest < rtps::kLongestDatagram) {
-    qos.transport().user_transports.push_back(
-        std::make_shared<SinglePathDescriptor>(transport, config.network.interfaces, longest));
+    qos.transport().user_transports.push_back(std::make_shared<SinglePathDescriptor>(
+        transport, config.network.interfaces, longest, !secured));
   } else {
     qos.transport().user_transports.push_back(transport);
   }

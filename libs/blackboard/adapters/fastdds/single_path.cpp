@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include "adapters/rtps/message_pieces.hpp"
+
 namespace skein::blackboard::fastdds {
 namespace {
 
@@ -32,9 +34,9 @@ std::optional<rtps::Address> address_of(const fastrtps::SenderResource& socket) 
 
 SinglePathDescriptor::SinglePathDescriptor(
     std::shared_ptr<fastdds::TransportDescriptorInterface> udp,
-    const std::vector<std::string>& addresses, std::uint32_t longest)
-    : ChainingTransportDescriptor(std::move(udp)) {
-  maxMessageSize = longest;
+    const std::vector<std::string>& addresses, std::uint32_t at_most, bool is_told)
+    : ChainingTransportDescriptor(std::move(udp)), longest(at_most) {
+  maxMessageSize = is_told ? at_most : rtps::kLongestDatagram;
   for (const std::string& text : addresses)
     if (const auto address = rtps::parse_ipv4(text)) own.push_back(*address);
 }
@@ -44,7 +46,7 @@ fastdds::TransportInterface* SinglePathDescriptor::create_transport() const {
 }
 
 SinglePath::SinglePath(const SinglePathDescriptor& descriptor, rtps::SourceAddresses sources)
-    : ChainingTransport(descriptor), sources_(std::move(sources)) {}
+    : ChainingTransport(descriptor), longest_(descriptor.longest), sources_(std::move(sources)) {}
 
 fastdds::TransportDescriptorInterface* SinglePath::get_configuration() {
   return low_level_transport_->get_configuration();
@@ -56,24 +58,31 @@ bool SinglePath::OpenInputChannel(const fastrtps::Locator_t& locator,
   return ChainingTransport::OpenInputChannel(locator, receiver, rtps::kLongestDatagram);
 }
 
+bool SinglePath::is_for(std::optional<rtps::Address> source,
+                        const fastrtps::Locator_t& destination) {
+  if (!source || fastrtps::IPLocator::isMulticast(destination)) return true;
+  const std::lock_guard lock(mutex_);
+  return sources_.is_for(*source, address_of(destination), rtps::SourceAddresses::Clock::now());
+}
+
 bool SinglePath::send(fastrtps::SenderResource* socket, const fastrtps::octet* bytes,
                       std::uint32_t size, fastdds::LocatorsIterator* begin,
                       fastdds::LocatorsIterator* end,
                       const std::chrono::steady_clock::time_point& until) {
   const auto source = address_of(*socket);
-  if (!source) return socket->send(bytes, size, begin, end, until);
   fastrtps::LocatorList_t chosen;
-  {
-    const std::lock_guard lock(mutex_);
-    const auto now = rtps::SourceAddresses::Clock::now();
-    for (fastdds::LocatorsIterator& it = *begin; it != *end; ++it) {
-      const bool is_group = fastrtps::IPLocator::isMulticast(*it);
-      if (is_group || sources_.is_for(*source, address_of(*it), now)) chosen.push_back(*it);
-    }
-  }
+  for (fastdds::LocatorsIterator& it = *begin; it != *end; ++it)
+    if (is_for(source, *it)) chosen.push_back(*it);
   if (chosen.empty()) return true;
-  fastdds::Locators first(chosen.begin()), last(chosen.end());
-  return socket->send(bytes, size, &first, &last, until);
+  const auto say = [&](const fastrtps::octet* what, std::size_t length) {
+    fastdds::Locators first(chosen.begin()), last(chosen.end());
+    return socket->send(what, static_cast<std::uint32_t>(length), &first, &last, until);
+  };
+  const auto pieces = rtps::pieces_of({bytes, size}, longest_);
+  if (pieces.empty()) return say(bytes, size);
+  bool sent = true;
+  for (const auto& piece : pieces) sent = say(piece.data(), piece.size()) && sent;
+  return sent;
 }
 
 void SinglePath::receive(fastdds::TransportReceiverInterface* next, const fastrtps::octet* bytes,

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,16 +22,19 @@ namespace skein::blackboard::fastdds {
 /// choose; what is for a group leaves from all. Source: Fast DDS 2.9, UDPTransportInterface.
 ///
 /// What is sent is no longer than asked for; what others send may be (Cyclone DDS: 14,720 bytes).
-/// Fast DDS has one number for both.
+/// Fast DDS has one number for both. With keys Fast DDS must not be told, since the messages of its
+/// handshakes do not go in parts; then what it puts together is taken apart here.
 struct SinglePathDescriptor : eprosima::fastdds::rtps::ChainingTransportDescriptor {
-  /// `addresses`: those of the interfaces that `udp` may use; `longest`: of what is sent [byte].
+  /// `addresses`: those of the interfaces that `udp` may use; `longest`: of what is sent [byte],
+  /// and whether Fast DDS is to know it.
   SinglePathDescriptor(std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> udp,
                        const std::vector<std::string>& addresses,
-                       std::uint32_t longest = rtps::kLongestDatagram);
+                       std::uint32_t longest = rtps::kLongestDatagram, bool is_told = true);
   eprosima::fastdds::rtps::TransportInterface* create_transport() const override;
   std::uint32_t max_message_size() const override { return maxMessageSize; }
 
   std::vector<rtps::Address> own;
+  std::uint32_t longest;  ///< [byte] of a message; a longer one is taken apart
 };
 
 class SinglePath final : public eprosima::fastdds::rtps::ChainingTransport {
@@ -52,6 +56,11 @@ class SinglePath final : public eprosima::fastdds::rtps::ChainingTransport {
                const eprosima::fastrtps::rtps::Locator_t& remote) override;
 
  private:
+  /// Whether what goes there leaves from this address; none: from any.
+  bool is_for(std::optional<rtps::Address> source,
+              const eprosima::fastrtps::rtps::Locator_t& destination);
+
+  std::uint32_t longest_;
   std::mutex mutex_;
   rtps::SourceAddresses sources_;
 };
