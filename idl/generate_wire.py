@@ -13,7 +13,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 CLASSES = ("state", "event", "stream")  # in the order of the slots
-TYPES = {"boolean": "bool", "octet": "std::uint8_t", "double": "double", "string": "std::string",
+TYPES = {"boolean": "bool", "octet": "std::uint8_t", "float": "float", "double": "double",
+         "string": "std::string",
          "unsigned long": "std::uint32_t", "unsigned long long": "std::uint64_t",
          "long": "std::int32_t", "long long": "std::int64_t"}
 WIDTH = 100

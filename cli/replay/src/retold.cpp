@@ -32,6 +32,10 @@ wire::Vector3 point_of(const Record& record, std::string_view key) {
   return numbers.size() == 3 ? wire::Vector3{numbers[0], numbers[1], numbers[2]} : wire::Vector3{};
 }
 
+wire::FloatVector3 rounded(const wire::Vector3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
 /// A name of the log that the wire does not have stays what it was.
 template <wire::WireEnum E>
 void set_by_name(E& value, std::string_view name) {
@@ -159,10 +163,14 @@ Samples Retold::take_telemetry(const Record& record, Uav& uav) {
   telemetry.header.origin = uav.board.header.instance;
   telemetry.header.mission_time = record.at().count();
   telemetry.uav = uav.board.uav;
-  telemetry.position = uav.board.position = point_of(record, "position");
-  telemetry.velocity = uav.board.velocity = point_of(record, "velocity");
-  telemetry.heading = uav.board.heading = record.number("heading");
-  telemetry.energy = uav.board.energy = record.number("energy");
+  uav.board.position = point_of(record, "position");
+  uav.board.velocity = point_of(record, "velocity");
+  uav.board.heading = record.number("heading");
+  uav.board.energy = record.number("energy");
+  telemetry.position = rounded(uav.board.position);
+  telemetry.velocity = rounded(uav.board.velocity);
+  telemetry.heading = static_cast<float>(uav.board.heading);
+  telemetry.energy = static_cast<float>(uav.board.energy);
   telemetry.airborne = uav.board.airborne = record.truth("airborne");
   uav.board.located_at = record.at().count();
   return {telemetry, uav.board};

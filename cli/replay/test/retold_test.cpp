@@ -96,7 +96,7 @@ TEST_F(ARetoldRun, TellsWhereAUavWas) {
 
   const auto telemetry = last<wire::Telemetry>(news);
   EXPECT_EQ(telemetry.uav, "marvin");
-  EXPECT_EQ(telemetry.position, (wire::Vector3{1, 2, 30}));
+  EXPECT_EQ(telemetry.position, (wire::FloatVector3{1, 2, 30}));
   EXPECT_EQ(telemetry.header.mission_time, 7'000'000'000);
   const auto board = last<wire::UavBoard>(news);
   EXPECT_EQ(board.header.instance, 11U);

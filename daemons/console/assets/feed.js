@@ -60,6 +60,7 @@ const take = {
   GroundBoard(s) { model.ground = s; },
   LinkState(s) { model.links.set(s.header.instance, s); },
   JointTaskState(s) { uav(s.uav).joint.set(s.header.instance, s); },
+  Sighting(s) { take.PerceptionReport(s); },
   PerceptionReport(s) { model.looks.set(s.uav + " " + s.device, {...s, at: seconds(s.header.mission_time)}); },
   OperatorReply(s) { model.replies.set(s.who + " " + s.number, s); },
   SeenObject(s) { model.objects.set(s.name, s); },

@@ -13,9 +13,10 @@ namespace {
 using wire::Slot;
 
 bool is_followed(Slot slot) {
-  return slot == Slot::kTelemetry || slot == Slot::kPerceptionReport || slot == Slot::kLinkState ||
-         slot == Slot::kMissionState || slot == Slot::kUavBoard || slot == Slot::kUavTasks ||
-         slot == Slot::kGroundBoard || slot == Slot::kJointTaskState || slot == Slot::kSeenObject;
+  return slot == Slot::kTelemetry || slot == Slot::kPerceptionReport || slot == Slot::kSighting ||
+         slot == Slot::kLinkState || slot == Slot::kMissionState || slot == Slot::kUavBoard ||
+         slot == Slot::kUavTasks || slot == Slot::kGroundBoard || slot == Slot::kJointTaskState ||
+         slot == Slot::kSeenObject;
 }
 
 /// The ground station says where a place is, to each UAV: once is enough for the page.
@@ -38,10 +39,13 @@ bool is_noise(const std::string& kind) {
 
 std::string key_of(const wire::Sample& sample) {
   const wire::SampleHeader& header = wire::header_of(sample);
-  std::string key(wire::slot_name(wire::slot_of(sample)));
-  key += " " + std::to_string(header.origin) + " " + std::to_string(header.instance);
-  const auto* look = std::get_if<wire::PerceptionReport>(&sample);
-  return look == nullptr ? key : key + " " + look->device;
+  const std::string of = " " + std::to_string(header.origin);
+  if (const auto* look = std::get_if<wire::PerceptionReport>(&sample))
+    return "look" + of + " " + look->device;
+  if (const auto* look = std::get_if<wire::Sighting>(&sample))
+    return "look" + of + " " + look->device;
+  return std::string(wire::slot_name(wire::slot_of(sample))) + of + " " +
+         std::to_string(header.instance);
 }
 
 std::string rounded(double value) {

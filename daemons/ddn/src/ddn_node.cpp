@@ -173,7 +173,12 @@ void DdnNode::carry_out(const dn::TelemetryPassedOn& effect) {
 }
 
 void DdnNode::carry_out(const dn::PerceptionPassedOn& effect) {
-  send_to_ground(to_wire(effect.perception));
+  const world::Perception& look = effect.perception;
+  if (!look.detections.empty() && sightings_.take(look.device, now_)) {
+    send_to_ground(translation::sighting_of(look));
+  } else {
+    send_to_ground(to_wire(look));
+  }
 }
 
 void DdnNode::carry_out(const dn::SyncPassedOn& effect) { send_to_ground(to_wire(effect.message)); }

@@ -211,7 +211,7 @@ double least_to_come_home(const DdnConfig& config) {
 
 wire::Telemetry flying_with(double energy) {
   wire::Telemetry sample = telemetry(true);
-  sample.energy = energy;
+  sample.energy = static_cast<float>(energy);
   return sample;
 }
 

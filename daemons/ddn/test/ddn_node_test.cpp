@@ -46,6 +46,18 @@ TEST_P(AtDegree, PassesTelemetryAndPerceptionsOnToTheGround) {
   EXPECT_THAT(bench.from_sim(wire::PerceptionReport{}), ElementsAre("ground: perception"));
 }
 
+// An alarm rests on it: it must not be lost. Of a device that goes on finding things not all are.
+TEST_P(AtDegree, WhatALookFoundIsAnEventForTheGroundAsLongAsThatIsNews) {
+  wire::PerceptionReport found;
+  found.device = "ir";
+  found.detections.push_back({"fire", {1, 2, 3}, 5, 0.5F});
+  for (int i = 0; i < 10; ++i)
+    EXPECT_THAT(bench.from_sim(found), ElementsAre("ground: sighting")) << i;
+  EXPECT_THAT(bench.from_sim(found), ElementsAre("ground: perception"));
+  found.device = "visible";
+  EXPECT_THAT(bench.from_sim(found), ElementsAre("ground: sighting"));
+}
+
 TEST_P(AtDegree, SendsAPlanBoardOnlyWhenItChanged) {
   bench.give(node::Started{1});
 

@@ -54,11 +54,13 @@ std::optional<Inbox::Input> senses_from(const std::string& uav, const wire::Samp
     told.uav = uav;
     return told;
   }
-  if (const auto* report = std::get_if<wire::PerceptionReport>(&sample)) {
-    world::Perception perception = from_wire(*report);
+  const auto seen = [&](world::Perception perception) {
     perception.uav = uav;
     return gs::PerceptionReceived{std::move(perception)};
-  }
+  };
+  if (const auto* look = std::get_if<wire::PerceptionReport>(&sample))
+    return seen(from_wire(*look));
+  if (const auto* look = std::get_if<wire::Sighting>(&sample)) return seen(from_wire(*look));
   return std::nullopt;
 }
 

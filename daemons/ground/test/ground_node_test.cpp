@@ -62,7 +62,7 @@ wire::PerceptionReport sight(const std::string& device) {
   look.viewpoint = {0, 0, 40};
   look.direction = {0, 0, -1};
   look.range = 200;
-  look.aperture = 0.8;
+  look.aperture = 0.8F;
   look.detections = {{"fire", {0, 0, 0}, 5, 0.9}};
   return translation::to_wire(look);
 }

@@ -35,9 +35,12 @@ TEST_F(AnInbox, KnowsAUavByItsNodeWhateverNameTheSampleGives) {
   telemetry.uav = "heliv";
   wire::PerceptionReport look;
   look.uav = "somebody";
+  wire::Sighting sighting;
+  sighting.uav = "somebody";
   wire::PlanBoard board;
   board.uav = "heliv";
 
+  EXPECT_EQ(as<gs::PerceptionReceived>(read(number("marvin"), sighting)).perception.uav, "marvin");
   EXPECT_EQ(as<world::Telemetry>(read(number("marvin"), telemetry)).uav, "marvin");
   EXPECT_EQ(as<gs::PerceptionReceived>(read(number("marvin"), look)).perception.uav, "marvin");
   EXPECT_EQ(as<gs::PlanBoardReceived>(read(number("marvin"), board)).uav, "marvin");

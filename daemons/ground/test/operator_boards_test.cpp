@@ -35,7 +35,7 @@ wire::OperatorRequest request(std::uint64_t number, const std::string& text) {
 wire::Telemetry telemetry(double x) {
   wire::Telemetry sample;
   sample.uav = "marvin";
-  sample.position = {x, 0, 50};
+  sample.position = {static_cast<float>(x), 0, 50};
   sample.airborne = true;
   return sample;
 }

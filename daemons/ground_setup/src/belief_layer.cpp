@@ -33,9 +33,13 @@ BeliefLayer::BeliefLayer(const scenario::Scenario& scenario)
 
 std::vector<std::pair<std::string, std::string>> BeliefLayer::see(const wire::Sample& sample) {
   std::vector<std::pair<std::string, std::string>> news;
-  const auto* report = std::get_if<wire::PerceptionReport>(&sample);
-  if (report == nullptr || !uavs_.contains(report->uav)) return news;
-  for (const std::size_t one : map_.handle(translation::from_wire(*report))) {
+  std::optional<world::Perception> look;
+  if (const auto* report = std::get_if<wire::PerceptionReport>(&sample))
+    look = translation::from_wire(*report);
+  if (const auto* sighting = std::get_if<wire::Sighting>(&sample))
+    look = translation::from_wire(*sighting);
+  if (!look || !uavs_.contains(look->uav)) return news;
+  for (const std::size_t one : map_.handle(*look)) {
     const std::string number = std::to_string(one);
     news.emplace_back("belief " + number,
                       R"({"belief":{"row":)" + number + R"(,"cells":")" + row(one) + "\"}}");

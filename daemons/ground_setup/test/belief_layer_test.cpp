@@ -19,11 +19,11 @@ wire::PerceptionReport look_of(const std::string& uav, const Json& ground) {
   wire::PerceptionReport look;
   look.uav = uav;
   look.device = "fire-sensor";
-  look.viewpoint = {(ground["west"].get<double>() + ground["east"].get<double>()) / 2,
-                    (ground["south"].get<double>() + ground["north"].get<double>()) / 2, 200};
+  look.viewpoint = {(ground["west"].get<float>() + ground["east"].get<float>()) / 2,
+                    (ground["south"].get<float>() + ground["north"].get<float>()) / 2, 200};
   look.view_direction = {0, 0, -1};
   look.range = 400;
-  look.aperture = 0.4;
+  look.aperture = 0.4F;
   return look;
 }
 

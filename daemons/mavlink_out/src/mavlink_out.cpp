@@ -9,7 +9,7 @@
 namespace skein::mavlink_out {
 namespace {
 
-world::Vector3 vector_of(const wire::Vector3& from) { return {from.x, from.y, from.z}; }
+world::Vector3 vector_of(const wire::FloatVector3& from) { return {from.x, from.y, from.z}; }
 
 Severity severity_of(journal::Level level) {
   switch (level) {

@@ -29,7 +29,7 @@ ros2::Quaternion about_z(double heading) {
 }
 
 /// What the vehicle sees of a velocity: x ahead, y left.
-ros2::Vector3 seen_from(double heading, const wire::Vector3& v) {
+ros2::Vector3 seen_from(double heading, const wire::FloatVector3& v) {
   const double c = std::cos(heading), s = std::sin(heading);
   return {c * v.x + s * v.y, c * v.y - s * v.x, v.z};
 }
@@ -113,7 +113,7 @@ std::vector<Told> Narrator::hear(const wire::Sample& sample) {
 std::vector<Told> Narrator::locate(const wire::Telemetry& telemetry) const {
   const std::string& uav = tokens_.at(telemetry.uav);
   const auto at = MissionTime::nanoseconds(telemetry.header.mission_time);
-  const wire::Vector3& position = telemetry.position;
+  const wire::FloatVector3& position = telemetry.position;
   const world::GeodeticPoint point = frame_.to_geodetic({position.x, position.y, position.z});
   ros2::NavSatFix fix;
   fix.header = header(at);
@@ -131,7 +131,7 @@ std::vector<Told> Narrator::locate(const wire::Telemetry& telemetry) const {
   battery.header = fix.header;
   battery.voltage = battery.temperature = battery.current = kUnknown;
   battery.charge = battery.capacity = battery.design_capacity = kUnknown;
-  battery.percentage = static_cast<float>(telemetry.energy);
+  battery.percentage = telemetry.energy;
   battery.power_supply_status =
       telemetry.airborne ? ros2::BatteryState::kDischarging : ros2::BatteryState::kStatusUnknown;
   return {{fix_topic(uav), std::move(fix)},

@@ -31,7 +31,7 @@ wire::Telemetry telemetry(const char* uav) {
   sample.uav = uav;
   sample.position = {100, 0, 50};
   sample.velocity = {0, 3, 1};
-  sample.heading = std::numbers::pi / 2;
+  sample.heading = std::numbers::pi_v<float> / 2;
   sample.energy = 0.75;
   sample.airborne = true;
   return sample;

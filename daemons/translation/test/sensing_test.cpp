@@ -33,6 +33,24 @@ RC_GTEST_PROP(Sensing, APerceptionComesBackWithTheInstantOfItsHeader, ()) {
   RC_ASSERT(from_wire(report) == perception);
 }
 
+RC_GTEST_PROP(Sensing, ASightingSaysWhatALookOfTheStreamWould, ()) {
+  const world::Perception perception = testing::any_perception();
+
+  wire::Sighting sighting = sighting_of(perception);
+  sighting.header.mission_time = perception.at.count();  // the blackboard's stamp
+
+  RC_ASSERT(from_wire(sighting) == perception);
+}
+
+TEST(Sensing, ASampleIsRoundedToSinglePrecision) {
+  const world::Vector3 place{1234.56789012345, -0.1, 1e-9};
+
+  const world::Vector3 told = from_wire(to_float_wire(place));
+
+  EXPECT_NEAR(told.x(), place.x(), 1e-4);
+  EXPECT_NEAR(told.y(), place.y(), 1e-8);
+}
+
 TEST(Sensing, ThePositionsOfTheEventLogAreRoundedToTheMillimetre) {
   const std::vector<double> position = for_journal({1.00049, -2.00051, 3});
 
@@ -46,12 +64,12 @@ TEST(Sensing, APerceptionWithoutDetectionsKeepsWhereItLooked) {
   look.viewpoint = {1, 2, 3};
   look.direction = {0, 0, -1};
   look.range = 250;
-  look.aperture = 0.35;
+  look.aperture = 0.35F;
 
   const wire::PerceptionReport report = to_wire(look);
 
-  EXPECT_EQ(report.viewpoint, (wire::Vector3{1, 2, 3}));
-  EXPECT_EQ(report.view_direction, (wire::Vector3{0, 0, -1}));
+  EXPECT_EQ(report.viewpoint, (wire::FloatVector3{1, 2, 3}));
+  EXPECT_EQ(report.view_direction, (wire::FloatVector3{0, 0, -1}));
   EXPECT_TRUE(report.detections.empty());
   EXPECT_EQ(from_wire(report), look);
 }

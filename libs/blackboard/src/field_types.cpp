@@ -79,7 +79,7 @@ FieldType described() {
   } else if constexpr (std::same_as<T, bool>) {
     return plain(FieldKind::kBoolean, sizeof(T));
   } else if constexpr (std::is_floating_point_v<T>) {
-    static_assert(std::same_as<T, double>);
+    static_assert(std::same_as<T, float> || std::same_as<T, double>);
     return plain(FieldKind::kReal, sizeof(T));
   } else if constexpr (std::is_arithmetic_v<T>) {
     return plain(std::is_signed_v<T> ? FieldKind::kSigned : FieldKind::kUnsigned, sizeof(T));

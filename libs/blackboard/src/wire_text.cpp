@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Samples as JSON and as text for people.
+#include <array>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "field_types.hpp"
@@ -49,6 +51,15 @@ Json json_of_number(const FieldType& type, const void* value) {
   }
 }
 
+/// The number that is written with the same few digits: 0.85, not 0.8500000238.
+double as_written(float value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  double number = value;
+  std::from_chars(text.data(), end, number);
+  return number;
+}
+
 Json json_of(const FieldType& type, const void* value) {
   switch (type.kind) {
     case FieldKind::kBoolean:
@@ -58,7 +69,7 @@ Json json_of(const FieldType& type, const void* value) {
     case FieldKind::kSigned:
       return json_of_number<std::int8_t, std::int16_t, std::int32_t, std::int64_t>(type, value);
     case FieldKind::kReal:
-      return loaded<double>(value);
+      return type.size == sizeof(float) ? as_written(loaded<float>(value)) : loaded<double>(value);
     case FieldKind::kText:
       return text_at(value);
     case FieldKind::kEnumeration:

@@ -49,7 +49,8 @@ class Checker {
       case FieldKind::kSigned:
         return;
       case FieldKind::kReal:
-        return check_real(loaded<double>(value));
+        return check_real(type.size == sizeof(float) ? loaded<float>(value)
+                                                     : loaded<double>(value));
       case FieldKind::kText:
         if (const char* why = violation_of_text(text_at(value))) fail(why);
         return;

@@ -107,10 +107,13 @@ TEST(SlotShares, WhatShipsFitsAChannelAndReservesMostOfIt) {
 
 // ---- what waits ----
 
+// As long as that of a UAV that flies.
 wire::Sample telemetry(std::uint32_t instance, double energy) {
   wire::Telemetry telemetry;
+  telemetry.uav = "marvin";
+  telemetry.activity = "goto";
   telemetry.header.instance = instance;
-  telemetry.energy = energy;
+  telemetry.energy = static_cast<float>(energy);
   return telemetry;
 }
 
@@ -123,8 +126,8 @@ TEST(WaitingValues, ANewerValueTakesThePlaceOfTheOlder) {
 
   const auto left = values.take(wire::SlotClass::kStream);
   ASSERT_EQ(left.size(), 2U);
-  EXPECT_EQ(std::get<wire::Telemetry>(left[0]).energy, 0.3);
-  EXPECT_EQ(std::get<wire::Telemetry>(left[1]).energy, 0.2);
+  EXPECT_EQ(std::get<wire::Telemetry>(left[0]).energy, 0.3F);
+  EXPECT_EQ(std::get<wire::Telemetry>(left[1]).energy, 0.2F);
   EXPECT_TRUE(values.empty());
 }
 
@@ -226,12 +229,12 @@ TEST(SlowRadio, EventsKeepTheirLatencyOnASaturatedChannelAndStreamsAreShed) {
   ASSERT_EQ(quiet.latencies.size(), 100U);
   ASSERT_EQ(saturated.latencies.size(), 100U);
   for (std::uint64_t i = 0; i < 100; ++i) EXPECT_EQ(saturated.events[i], i + 1);
-  EXPECT_LE(quantile(saturated.latencies, 0.5), 2 * quantile(quiet.latencies, 0.5));
-  // What is under way is not broken off: an event waits for one sample of telemetry at most, which
-  // is 30 bytes longer than itself.
+  // What is under way is not broken off: an event waits for one sample of telemetry at most, and
+  // that is short.
   const Duration longest = airtime(channel_bytes(telemetry(2, 1e-6)), 9'600);
   EXPECT_LE(quantile(saturated.latencies, 1), quantile(quiet.latencies, 1) + longest.to_seconds());
-  EXPECT_LE(quantile(saturated.latencies, 0.95), 2 * quantile(quiet.latencies, 0.95));
+  for (const double part : {0.5, 0.95, 0.99, 1.0})
+    EXPECT_LE(quantile(saturated.latencies, part), 2 * quantile(quiet.latencies, part)) << part;
   EXPECT_GT(saturated.shed(), 1000U);
   EXPECT_FALSE(saturated.lost_contact);
   RecordProperty("quiet_median", std::to_string(quantile(quiet.latencies, 0.5)));

@@ -169,7 +169,7 @@ TEST_F(FastDdsRaw, ANumberThatIsNotFiniteIsDropped) {
   auto* writer =
       raw.writer<idl::TelemetryPubSubType>(wire::Slot::kTelemetry, "radio/marvin>ground");
   idl::Telemetry telemetry;
-  telemetry.position().z(std::numeric_limits<double>::quiet_NaN());
+  telemetry.position().z(std::numeric_limits<float>::quiet_NaN());
   std::uint64_t sequence = 0;
 
   ASSERT_TRUE(run_until([&] {

@@ -139,7 +139,7 @@ TEST_P(ForeignWriters, ANumberThatIsNotFiniteIsRefused) {
 
   ASSERT_TRUE(run_until([&] {
     auto telemetry = said_by_marvin<wire::Telemetry>(++sequence);
-    telemetry.position.z = std::numeric_limits<double>::quiet_NaN();
+    telemetry.position.z = std::numeric_limits<float>::quiet_NaN();
     marvin->write(bytes_of(telemetry));
     return !reports<Dropped>().empty();
   }));

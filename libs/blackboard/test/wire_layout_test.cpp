@@ -36,7 +36,7 @@ TEST(WireLayout, HasALineForEachSlot) {
 
 TEST(WireLayout, TellsNamesKindsAndWidthsOfFields) {
   EXPECT_THAT(line_of("Clock"), HasSubstr("{header {origin u32; instance u32; "));
-  EXPECT_THAT(line_of("Telemetry"), HasSubstr("position {x f64; y f64; z f64; }; "));
+  EXPECT_THAT(line_of("Telemetry"), HasSubstr("position {x f32; y f32; z f32; }; "));
   EXPECT_THAT(line_of("TaskRequest"), HasSubstr("numbers f64[]; "));
   EXPECT_THAT(line_of("TaskEvent"), HasSubstr("enum(scheduled|started|running|"));
 }

@@ -16,6 +16,9 @@ using world::SensorEvidence;
 using world::Vector2;
 using world::Vector3;
 
+/// A look that is older than this beside the youngest of its device has nothing to add.
+constexpr Duration kLatest = Duration::milliseconds(120'000);
+
 bool is_probability(double p) { return p > 0 && p < 1; }
 
 double horizontal(const Vector3& a, const Vector3& b) { return (a - b).head<2>().norm(); }
@@ -196,14 +199,28 @@ bool PerceptionProcessing::surely_in_view(const Candidate& candidate,
                                         candidate.alarm.position_sigma, terrain_);
 }
 
+// Else it is noted as counted. What comes by an event that was said again is older than what the
+// stream brought meanwhile.
+bool PerceptionProcessing::is_too_close(Tally& tally, MissionTime at) const {
+  std::deque<MissionTime>& counted = tally.counted;
+  const Duration kept = std::max(kLatest, config_.decorrelation);
+  const MissionTime youngest = counted.empty() ? at : std::max(at, counted.back());
+  while (!counted.empty() && youngest - counted.front() > kept) counted.pop_front();
+  if (youngest - at > kept) return true;
+  const auto next = std::lower_bound(counted.begin(), counted.end(), at);
+  if (next != counted.end() && *next - at < config_.decorrelation) return true;
+  if (next != counted.begin() && at - *std::prev(next) < config_.decorrelation) return true;
+  counted.insert(next, at);
+  return false;
+}
+
 void PerceptionProcessing::count(Candidate& candidate, const world::Perception& look,
                                  const SensorEvidence& device, const world::Detection* sighting) {
   Tally& tally = candidate.tallies[look.uav + "/" + look.device];
   const bool for_fire = sighting != nullptr && speaks_for_fire(device, sighting->kind);
   if (for_fire) candidate.alarm.last_seen = std::max(candidate.alarm.last_seen, look.at);
   if (tally.muted) return;
-  if (tally.last_counted && look.at - *tally.last_counted < config_.decorrelation) return;
-  tally.last_counted = look.at;
+  if (is_too_close(tally, look.at)) return;
   tally.limit = device.limit;
   tally.confirms = device.confirms;
   tally.evidence =

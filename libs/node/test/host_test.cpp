@@ -275,7 +275,7 @@ TEST_F(Hosts, MalformedContentIsLoggedOnceAndGoesNoFurther) {
   wire::Telemetry wrong;
   wrong.header.origin = number("ground").value();
   wrong.header.incarnation = wrong.header.sequence_number = 1;
-  wrong.position.x = std::numeric_limits<double>::quiet_NaN();
+  wrong.position.x = std::numeric_limits<float>::quiet_NaN();
 
   for (int i = 0; i < 3; ++i) hub_.inject("radio/ground>marvin", wrong);
   settle();

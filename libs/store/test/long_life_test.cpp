@@ -34,7 +34,7 @@ std::vector<node::LogEntry> long_life(int inputs) {
   for (std::uint64_t id = 1; id <= 30; ++id) board.tasks.push_back({id, "goto", {}, ""});
   for (int i = 1; i < inputs; ++i) {
     const MissionTime at = MissionTime::seconds(i);
-    telemetry.position.x = 0.3 * i;
+    telemetry.position.x = 0.3F * static_cast<float>(i);
     board.tasks[static_cast<std::size_t>(i % 30)].id += 1000;
     if (i % 7 == 0)
       life.push_back({at, node::Wakeup{}});

@@ -123,6 +123,7 @@ inline std::string say(const wire::SyncMessage& it) {
 }
 inline std::string say(const wire::Telemetry&) { return "telemetry"; }
 inline std::string say(const wire::PerceptionReport&) { return "perception"; }
+inline std::string say(const wire::Sighting&) { return "sighting"; }
 inline std::string say(const wire::AutonomyDegree& it) {
   return "degree " + std::to_string(it.degree);
 }

@@ -43,9 +43,13 @@ auto some(Make make) {
 
 inline world::Vector3 any_vector() { return {any_number(), any_number(), any_number()}; }
 
+/// That single precision can say.
+inline double any_float() { return static_cast<float>(any_number()); }
+inline world::Vector3 any_float_vector() { return {any_float(), any_float(), any_float()}; }
+
 inline world::VehicleState any_vehicle_state() {
-  return {any_vector(), any_vector(), any_number(), any_number(), *rc::gen::arbitrary<bool>(),
-          any_text()};
+  return {any_float_vector(), any_float_vector(),          any_float(),
+          any_float(),        *rc::gen::arbitrary<bool>(), any_text()};
 }
 
 inline world::Telemetry any_telemetry() {
@@ -53,12 +57,12 @@ inline world::Telemetry any_telemetry() {
 }
 
 inline world::Detection any_detection() {
-  return {any_text(), any_vector(), any_number(), any_number()};
+  return {any_text(), any_float_vector(), any_float(), any_float()};
 }
 
 inline world::Perception any_perception() {
-  return {any_text(),   any_text(),   any_vector(),        any_vector(),
-          any_number(), any_number(), some(any_detection), any_instant()};
+  return {any_text(),  any_text(),  any_float_vector(),  any_float_vector(),
+          any_float(), any_float(), some(any_detection), any_instant()};
 }
 
 inline functional::Parameters any_parameters() {

@@ -138,7 +138,7 @@ void RadioNet::set_state(int from, int to, std::uint64_t value) {
 
 void RadioNet::send_stream(int from, int to, double value) {
   wire::Telemetry telemetry;
-  telemetry.energy = value;
+  telemetry.energy = static_cast<float>(value);
   const auto sent = nodes_.at(from).blackboard->send(telemetry, node_of(to).number, at());
   SKEIN_ENSURES(sent.has_value());
 }

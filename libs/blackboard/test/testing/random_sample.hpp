@@ -2,6 +2,7 @@
 // Well-formed samples of every slot, from a seed.
 #pragma once
 
+#include <concepts>
 #include <string>
 
 #include "skein/blackboard/wire.hpp"
@@ -24,7 +25,10 @@ class RandomFields {
   requires std::is_integral_v<T>
   void fill(T& value) { value = static_cast<T>(random_.bits()); }
   void fill(bool& value) { value = random_.chance(0.5); }
-  void fill(double& value) { value = random_.normal() * 1e3; }
+  template <std::floating_point T>
+  void fill(T& value) {
+    value = static_cast<T>(random_.normal() * 1e3);
+  }
   void fill(std::string& value) {
     static constexpr auto kPieces = std::to_array<std::string_view>(
         {"a", "B", " ", "\"", "\\", "\n", "é", "∀", "🚁", "goto", "{", "0"});

@@ -50,7 +50,7 @@ inline wire::AutonomyDegree degree(std::uint8_t value) {
 inline wire::Telemetry telemetry(double energy) {
   wire::Telemetry telemetry;
   telemetry.uav = "marvin";
-  telemetry.energy = energy;
+  telemetry.energy = static_cast<float>(energy);
   return telemetry;
 }
 

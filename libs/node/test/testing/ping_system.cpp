@@ -42,7 +42,7 @@ class PingNode final : public Node {
     if (peers_.empty()) return {};
     const NodeNumber to = peers_[random_.below(peers_.size())];
     wire::Telemetry telemetry;
-    telemetry.position.x = random_.uniform(0, 100);
+    telemetry.position.x = static_cast<float>(random_.uniform(0, 100));
     return {Send{to, abort_request(++sent_)}, Send{to, telemetry}, Send{to, wire::PlanBoard{}}};
   }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "skein/ddn/sighting_budget.hpp"
 #include "skein/decision_node/decision_node.hpp"
 #include "skein/node/node.hpp"
 #include "skein/node/roster.hpp"
@@ -92,6 +93,7 @@ class DdnNode final : public node::Node {
   team::Roster team_;
   std::vector<wire::ModelVersion> models_;  ///< of joint tasks, that it has
   decision_node::DecisionNode decision_;
+  SightingBudget sightings_;
   std::map<std::uint64_t, wire::PlanEntry> logged_plan_;       ///< its tasks, as last logged
   std::set<std::pair<node::NodeNumber, wire::Slot>> dropped_;  ///< already logged
 

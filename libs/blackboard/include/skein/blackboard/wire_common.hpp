@@ -38,6 +38,24 @@ struct Vector3 {
 };
 SKEIN_WIRE_FIELDS(Vector3, x, y, z)
 
+/// In single precision, for what is said often: a millimetre within 16 km of the origin.
+struct FloatVector3 {
+  float x = 0;  ///< east
+  float y = 0;  ///< north
+  float z = 0;  ///< up
+  bool operator==(const FloatVector3&) const = default;
+};
+SKEIN_WIRE_FIELDS(FloatVector3, x, y, z)
+
+struct Detection {
+  std::string kind;  ///< of object: "fire", "vehicle"
+  FloatVector3 position;
+  float spread = 0;  ///< [m] standard deviation of the position
+  float confidence = 0;  ///< in [0, 1]
+  bool operator==(const Detection&) const = default;
+};
+SKEIN_WIRE_FIELDS(Detection, kind, position, spread, confidence)
+
 /// A named value of a task: text, numbers, or both. A list of waypoints is x, y, z repeated.
 struct Parameter {
   std::string name;

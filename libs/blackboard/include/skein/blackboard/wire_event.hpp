@@ -140,6 +140,23 @@ struct SyncMessage {
 };
 SKEIN_WIRE_FIELDS(SyncMessage, header, id, from, to, word, said)
 
+/// One look that found something, to the ground station: the evidence of an alarm must not be lost
+/// as a PerceptionReport may be. Of a device that goes on finding things only so many looks are
+/// events. Source: decision 46.
+struct Sighting {
+  SampleHeader header;
+  std::string uav;
+  std::string device;
+  FloatVector3 viewpoint;
+  FloatVector3 view_direction;  ///< unit vector
+  float range = 0;  ///< [m]
+  float aperture = 0;  ///< [rad] full angle of the cone of view
+  std::vector<Detection> detections;
+  bool operator==(const Sighting&) const = default;
+};
+SKEIN_WIRE_FIELDS(Sighting, header, uav, device, viewpoint, view_direction, range, aperture,
+    detections)
+
 struct Alarm {
   SampleHeader header;
   std::uint32_t id = 0;

@@ -24,7 +24,7 @@ namespace skein::wire {
 using SampleVariant = std::variant<DirectoryEntry, Clock, LinkState, PlanBoard, AutonomyDegree,
     MissionState, MissionPlan, JointTaskState, PlanFrontier, UavBoard, UavTasks, GroundBoard,
     SeenObject, Neighbours, TaskRequest, RequestReply, TaskEvent, FunctionalRequest,
-    FunctionalStatus, SyncMessage, Alarm, MissionRequest, DegreeCommand, WorldChange,
+    FunctionalStatus, SyncMessage, Sighting, Alarm, MissionRequest, DegreeCommand, WorldChange,
     MissionOutcome, HandOver, Decision, NegotiationMessage, TeamMessage, TeamSale, MergeMessage,
     OperatorRequest, OperatorReply, JournalEntry, Telemetry, PerceptionReport, Truth, Heartbeat,
     Part>;
@@ -45,20 +45,20 @@ class Sample : public SampleVariant {
 enum class Slot : std::uint8_t {kDirectoryEntry, kClock, kLinkState, kPlanBoard, kAutonomyDegree,
     kMissionState, kMissionPlan, kJointTaskState, kPlanFrontier, kUavBoard, kUavTasks, kGroundBoard,
     kSeenObject, kNeighbours, kTaskRequest, kRequestReply, kTaskEvent, kFunctionalRequest,
-    kFunctionalStatus, kSyncMessage, kAlarm, kMissionRequest, kDegreeCommand, kWorldChange,
-    kMissionOutcome, kHandOver, kDecision, kNegotiationMessage, kTeamMessage, kTeamSale,
-    kMergeMessage, kOperatorRequest, kOperatorReply, kJournalEntry, kTelemetry, kPerceptionReport,
-    kTruth, kHeartbeat, kPart};
+    kFunctionalStatus, kSyncMessage, kSighting, kAlarm, kMissionRequest, kDegreeCommand,
+    kWorldChange, kMissionOutcome, kHandOver, kDecision, kNegotiationMessage, kTeamMessage,
+    kTeamSale, kMergeMessage, kOperatorRequest, kOperatorReply, kJournalEntry, kTelemetry,
+    kPerceptionReport, kTruth, kHeartbeat, kPart};
 
 /// By slot; also those of the IDL types and of the DDS topics.
 inline constexpr auto kSlotNames = std::to_array<std::string_view>({"DirectoryEntry", "Clock",
     "LinkState", "PlanBoard", "AutonomyDegree", "MissionState", "MissionPlan", "JointTaskState",
     "PlanFrontier", "UavBoard", "UavTasks", "GroundBoard", "SeenObject", "Neighbours",
     "TaskRequest", "RequestReply", "TaskEvent", "FunctionalRequest", "FunctionalStatus",
-    "SyncMessage", "Alarm", "MissionRequest", "DegreeCommand", "WorldChange", "MissionOutcome",
-    "HandOver", "Decision", "NegotiationMessage", "TeamMessage", "TeamSale", "MergeMessage",
-    "OperatorRequest", "OperatorReply", "JournalEntry", "Telemetry", "PerceptionReport", "Truth",
-    "Heartbeat", "Part"});
+    "SyncMessage", "Sighting", "Alarm", "MissionRequest", "DegreeCommand", "WorldChange",
+    "MissionOutcome", "HandOver", "Decision", "NegotiationMessage", "TeamMessage", "TeamSale",
+    "MergeMessage", "OperatorRequest", "OperatorReply", "JournalEntry", "Telemetry",
+    "PerceptionReport", "Truth", "Heartbeat", "Part"});
 
 /// Source: spec 1.3, the table of delivery classes.
 enum class SlotClass : std::uint8_t { kState, kEvent, kStream };
@@ -73,10 +73,11 @@ constexpr SlotClass slot_class(Slot slot) {
     macro(PlanBoard) macro(AutonomyDegree) macro(MissionState) macro(MissionPlan) \
     macro(JointTaskState) macro(PlanFrontier) macro(UavBoard) macro(UavTasks) macro(GroundBoard) \
     macro(SeenObject) macro(Neighbours) macro(TaskRequest) macro(RequestReply) macro(TaskEvent) \
-    macro(FunctionalRequest) macro(FunctionalStatus) macro(SyncMessage) macro(Alarm) \
-    macro(MissionRequest) macro(DegreeCommand) macro(WorldChange) macro(MissionOutcome) \
-    macro(HandOver) macro(Decision) macro(NegotiationMessage) macro(TeamMessage) macro(TeamSale) \
-    macro(MergeMessage) macro(OperatorRequest) macro(OperatorReply) macro(JournalEntry) \
-    macro(Telemetry) macro(PerceptionReport) macro(Truth) macro(Heartbeat) macro(Part)
+    macro(FunctionalRequest) macro(FunctionalStatus) macro(SyncMessage) macro(Sighting) \
+    macro(Alarm) macro(MissionRequest) macro(DegreeCommand) macro(WorldChange) \
+    macro(MissionOutcome) macro(HandOver) macro(Decision) macro(NegotiationMessage) \
+    macro(TeamMessage) macro(TeamSale) macro(MergeMessage) macro(OperatorRequest) \
+    macro(OperatorReply) macro(JournalEntry) macro(Telemetry) macro(PerceptionReport) macro(Truth) \
+    macro(Heartbeat) macro(Part)
 
 }  // namespace skein::wire

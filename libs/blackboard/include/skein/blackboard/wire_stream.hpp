@@ -12,14 +12,15 @@
 
 namespace skein::wire {
 
-/// What a UAV says of itself.
+/// What a UAV says of itself. Not much longer than an event: on a slow channel events wait for what
+/// is under way.
 struct Telemetry {
   SampleHeader header;
   std::string uav;
-  Vector3 position;
-  Vector3 velocity;  ///< [m/s]
-  double heading = 0;  ///< [rad]
-  double energy = 0;  ///< share left, in [0, 1]
+  FloatVector3 position;
+  FloatVector3 velocity;  ///< [m/s]
+  float heading = 0;  ///< [rad]
+  float energy = 0;  ///< share left, in [0, 1]
   bool airborne = false;
   std::string activity;
   std::vector<std::string> failed;  ///< devices that do not work; "engine" too
@@ -28,24 +29,16 @@ struct Telemetry {
 SKEIN_WIRE_FIELDS(Telemetry, header, uav, position, velocity, heading, energy, airborne, activity,
     failed)
 
-struct Detection {
-  std::string kind;  ///< of object: "fire", "vehicle"
-  Vector3 position;
-  double spread = 0;  ///< [m] standard deviation of the position
-  double confidence = 0;  ///< in [0, 1]
-  bool operator==(const Detection&) const = default;
-};
-SKEIN_WIRE_FIELDS(Detection, kind, position, spread, confidence)
-
-/// One look through one device; also sent when it sees nothing, for that is evidence too.
+/// One look through one device; also sent when it sees nothing, for that is evidence too. To the
+/// ground station one that found something is a Sighting, while that is news.
 struct PerceptionReport {
   SampleHeader header;
   std::string uav;
   std::string device;
-  Vector3 viewpoint;
-  Vector3 view_direction;  ///< unit vector
-  double range = 0;  ///< [m]
-  double aperture = 0;  ///< [rad] full angle of the cone of view
+  FloatVector3 viewpoint;
+  FloatVector3 view_direction;  ///< unit vector
+  float range = 0;  ///< [m]
+  float aperture = 0;  ///< [rad] full angle of the cone of view
   std::vector<Detection> detections;
   bool operator==(const PerceptionReport&) const = default;
 };

@@ -2,6 +2,7 @@
 // PPS: what every sensor saw and did not see, fused into alarms and a model of each fire.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -62,9 +63,9 @@ struct PerceptionLogged {
 ///   ln(P(look | fire) / P(look | no fire)),
 /// where the sum over the looks of each device is held within ±limit after every look (so that a
 /// device that changes its mind is heard at once). A look counts at most once per `decorrelation`
-/// and device, and is either the kind reported within the gate (or `least_separation`) or, when the
-/// candidate's place with its uncertainty was wholly in the cone, in range and in line of sight,
-/// "nothing".
+/// and device (also one that comes after younger ones, up to two minutes late), and is either the
+/// kind reported within the gate (or `least_separation`) or, when the candidate's place with its
+/// uncertainty was wholly in the cone, in range and in line of sight, "nothing".
 ///
 /// | from      | when                                                                | to        |
 /// | candidate | belief >= raise                                                     | raised    |
@@ -103,9 +104,9 @@ class PerceptionProcessing {
     double evidence = 0;  ///< natural log-odds, within ±limit
     double limit = 0;
     bool confirms = false;
-    std::optional<MissionTime> last_counted;
-    bool saw = false;    ///< reported a kind that speaks for fire
-    bool muted = false;  ///< had a part in raising what was infirmed
+    std::deque<MissionTime> counted;  ///< when those looks were taken that still can be too close
+    bool saw = false;                 ///< reported a kind that speaks for fire
+    bool muted = false;               ///< had a part in raising what was infirmed
   };
   struct Candidate {
     Alarm alarm;                           ///< id 0: not raised yet
@@ -122,6 +123,7 @@ class PerceptionProcessing {
   std::optional<std::size_t> nearest_in_gate(const world::Detection& detection) const;
   Sightings associate(const world::Perception& look, const world::SensorEvidence& device);
   bool surely_in_view(const Candidate& candidate, const world::Perception& look) const;
+  bool is_too_close(Tally& tally, MissionTime at) const;
   void count(Candidate& candidate, const world::Perception& look,
              const world::SensorEvidence& device, const world::Detection* sighting);
   void place(Candidate& candidate, const world::Perception& look, const world::Detection& sighting);
