@@ -4,6 +4,7 @@
 #   no-keys      a UAV without keys does not meet the others, and a spy without keys hears nothing
 #   expired      a certificate that ran out: its node is refused by itself, and, where that has a wrong
 #                clock, by the others (the latter only where faketime is installed)
+#   runs-out     a certificate that runs out while its node takes part: it goes on, and is refused when it starts again
 #   stalled      a UAV that stands still for 7 s while it shakes hands takes part afterwards
 #   unmet        a UAV stands still while it shakes hands, until another takes part anew; they meet afterwards
 #   other-name   a UAV with another's keys is refused
@@ -47,14 +48,14 @@ never_started() { # after the time in which others meet
   [ "$code" = 124 ] || fail "a daemon ended"
   ! grep -q "mission started" "$work/sim.log" || fail "they met"
 }
-expired() { # a certificate for karma that was good until yesterday
+certified() { # FROM UNTIL: a certificate for karma, good between these (as date takes them)
   mkdir "$work/ca"
   : >"$work/ca/index"
   printf '[ca]\ndefault_ca=it\n[it]\ndatabase=%s\nnew_certs_dir=%s\nrand_serial=yes\npolicy=any\n[any]\norganizationName=supplied\ncommonName=supplied\n' \
     "$work/ca/index" "$work/ca" >"$work/ca/config"
   openssl req -new -key "$work/keys/karma/key.pem" -subj "/O=Skein/CN=karma" -out "$work/ca/request.pem" 2>"$work/openssl.log"
   openssl ca -batch -notext -config "$work/ca/config" -md sha256 -cert "$work/keys/authority/ca.pem" -keyfile "$work/keys/authority/key.pem" \
-    -extfile <(echo basicConstraints=critical,CA:FALSE) -startdate "$(date -u -d "-47 hours" +%Y%m%d%H%M%SZ)" -enddate "$(date -u -d "-24 hours" +%Y%m%d%H%M%SZ)" \
+    -extfile <(echo basicConstraints=critical,CA:FALSE) -startdate "$(date -u -d "$1" +%Y%m%d%H%M%SZ)" -enddate "$(date -u -d "$2" +%Y%m%d%H%M%SZ)" \
     -in "$work/ca/request.pem" -out "$work/keys/karma/cert.pem" 2>"$work/openssl.log" || fail "openssl ca"
 }
 
@@ -68,7 +69,7 @@ case $case in
     grep -q karma "$work/spy.log" || fail "the spy does not even hear karma"
     ! grep -qE 'ground|sim' "$work/spy.log" || fail "the spy heard who has keys" ;;
   expired)
-    expired
+    certified "-47 hours" "-24 hours"
     refused "refuses the keys" skein-ddn --uav karma --security "$work/keys"
     command -v faketime >/dev/null || { echo "without faketime: a node with a wrong clock is not tried"; exit 0; }
     start sim skein-sim --security "$work/keys"
@@ -77,6 +78,20 @@ case $case in
     start karma skein-ddn --uav karma --security "$work/keys"
     never_started "$last"
     grep -q "certificate has expired" "$work/ground.log" || fail "the ground station does not say why" ;;
+  runs-out)
+    rate=2
+    runs_out=$(($(date +%s) + 30))
+    certified "-1 hour" "@$runs_out"
+    start sim skein-sim --security "$work/keys"
+    start ground skein-ground --security "$work/keys"
+    start karma skein-ddn --uav karma --security "$work/keys"
+    timeout 25 grep -q "mission started" <(tail -n +1 -f "$work/sim.log") || fail "they did not meet"
+    [ "$(date +%s)" -lt "$runs_out" ] || fail "it ran out before they met: nothing is shown"
+    until [ "$(date +%s)" -gt "$((runs_out + 5))" ]; do timeout 1 tail -f /dev/null || true; done
+    heard=$(wc -l <"$work/sim.log")
+    timeout 90 grep -q "vehicle karma: .* running" <(tail -n +$((heard + 1)) -f "$work/sim.log") || fail "nothing that karma asks for is done any more"
+    kill -KILL "$last"
+    refused "refuses the keys" skein-ddn --uav karma --security "$work/keys" ;;
   stalled)
     start sim skein-sim --security "$work/keys/sim"
     start ground skein-ground --security "$work/keys/ground"

@@ -5,27 +5,16 @@
 # shellcheck disable=SC2016  # what stands in single quotes is for other shells
 set -euo pipefail
 build=$(cd "$1" && pwd)
-skip() { echo "SKIPPED: $*"; exit 77; }
-[ "$(id -u)" -eq 0 ] || skip "not root"
-command -v mmdebstrap >/dev/null || skip "no mmdebstrap"
-work=$(mktemp -d /var/tmp/skein-packages.XXXXXX)
+source "$(dirname "${BASH_SOURCE[0]}")/clean_root.sh"
 root=$work/root
-trap 'rm -rf "$work"' EXIT
-log=$work/log
-fail() { tail -n 30 "$log" >&2; echo "FAILED: $*" >&2; exit 1; }
 said() { echo "packages: $*"; }
 
-(cd "$build" && cpack -B "$work/packages") >"$log" 2>&1 || fail "cpack"
+# shellcheck disable=SC2119  # all components
+make_packages
 cd "$work/packages"
 said "$(du -k -- *.deb | awk '{printf "%s%s %d kB", n++ ? ", " : "", $2, $1}')"
 
-sources=$(find /etc/apt/sources.list.d -name '*.sources' -o -path '*debian.list' | head -n 1)
-[ -s "${sources:-/etc/apt/sources.list}" ] || skip "no list of Debian mirrors"
-install='cd "$1/tmp" && chroot "$1" sh -c "cd /tmp && apt-get install -q -y --no-install-recommends ./skein_*.deb openssl"'
-mmdebstrap --variant=minbase --skip=cleanup/apt/lists,cleanup/tmp \
-  --customize-hook="copy-in $(echo "$work"/packages/*.deb) /tmp" --customize-hook="$install" \
-  bookworm "$root" "${sources:-/etc/apt/sources.list}" >"$log" 2>&1 ||
-  { grep -q 'E: .*\(fetch\|resolve\|connect\)' "$log" && skip "no Debian mirror reached"; fail "installing"; }
+make_root "$root"
 inside() { # COMMAND…: in the clean root, as the daemons' account, with a network of its own
   unshare -nmp --fork bash -c 'root=$1; shift
     mount -t proc proc "$root/proc"; mount -t tmpfs tmpfs "$root/dev/shm"; ip link set lo up

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """check_service.py BUILD: plays systemd for a daemon that has its configuration as it is shipped: it says when it is
-ready, gives signs of life within the watchdog's interval while it waits for others, says that it stops when it is told
-to, and keeps what it knows in its folder, where it goes on from when it was killed."""
+ready, gives signs of life within the watchdog's interval while it waits for others, and none once its loop stands
+still, dies of SIGABRT then, says that it stops when it is told to, and keeps what it knows in its folder, where it goes
+on from when it was killed. (systemd itself: check_systemd.sh.)"""
+import contextlib
+import ctypes
 import os
 import pathlib
 import signal
@@ -12,6 +15,8 @@ import tempfile
 import time
 
 INTERVAL = 2.0  # [s]
+SEIZE, INTERRUPT, DETACH = 0x4206, 0x4207, 17  # sys/ptrace.h
+ALL_CHILDREN = 0x40000000  # __WALL
 
 
 def messages_until(notified, deadline):
@@ -36,19 +41,66 @@ def configured(folder, scenario):
     return config
 
 
-def check_memory(folder, start, notified):
-    """Killed once it has kept something, it goes on from that."""
+def ready(notified):
+    """After how many seconds it said so."""
+    at = next((at for at, line in messages_until(notified, 30) if line == "READY=1"), None)
+    assert at is not None, "not ready after 30 s"
+    return at
+
+
+def goes_on(folder, start, notified):
+    """Started again, it has what its life before it knew."""
     process = start()
-    assert any(line == "READY=1" for _, line in messages_until(notified, 30)), "not ready after 30 s"
-    process.kill()
-    process.wait()
-    assert (folder / "ground.state").exists(), "it keeps nothing: killed, it would have forgotten all"
-    process = start()
-    assert any(line == "READY=1" for _, line in messages_until(notified, 30)), "not ready on its memory after 30 s"
+    ready(notified)
     process.send_signal(signal.SIGTERM)
     assert process.wait(10) == 0, f"exit code {process.returncode}"
     aside = [file.name for file in folder.glob("*.aside-*")]
     assert not aside, f"its memory was set aside: {aside}"
+
+
+def check_memory(folder, start, notified):
+    """Killed once it has kept something, it goes on from that."""
+    process = start()
+    ready(notified)
+    process.kill()
+    process.wait()
+    assert (folder / "ground.state").exists(), "it keeps nothing: killed, it would have forgotten all"
+    goes_on(folder, start, notified)
+
+
+@contextlib.contextmanager
+def standing_still(process):
+    """Its main thread, and nothing else of it."""
+    trace = ctypes.CDLL(None, use_errno=True).ptrace
+
+    def ask(what):
+        if trace(what, process.pid, None, None) != 0:
+            raise OSError(ctypes.get_errno(), f"ptrace {what:#x} of the daemon")
+
+    ask(SEIZE)
+    ask(INTERRUPT)
+    os.waitpid(process.pid, ALL_CHILDREN)
+    try:
+        yield
+    finally:
+        ask(DETACH)
+
+
+def check_watchdog(folder, start, notified):
+    """Other threads give no signs of life for a loop that stands still, and SIGABRT ends it."""
+    process = start()
+    try:
+        ready(notified)
+        with standing_still(process):
+            list(messages_until(notified, 0.2))  # what was on its way
+            alive = [line for _, line in messages_until(notified, 2 * INTERVAL) if line == "WATCHDOG=1"]
+            assert not alive, "signs of life of a loop that stands still: no watchdog would fire"
+            process.send_signal(signal.SIGABRT)
+        assert process.wait(10) == -signal.SIGABRT, f"exit code {process.returncode}"
+    finally:
+        process.kill()
+        process.wait()
+    goes_on(folder, start, notified)
 
 
 def check(folder, daemon, scenario):
@@ -63,10 +115,10 @@ def check(folder, daemon, scenario):
         return subprocess.Popen([daemon, "--config", config], cwd=work, env=environment, stderr=subprocess.DEVNULL)
 
     check_memory(work, start, notified)
+    check_watchdog(work, start, notified)
     process = start()
     try:
-        ready = next((at for at, line in messages_until(notified, 30) if line == "READY=1"), None)
-        assert ready is not None, "not ready after 30 s"
+        after = ready(notified)
         alive = [at for at, line in messages_until(notified, 4 * INTERVAL) if line == "WATCHDOG=1"]
         gaps = [b - a for a, b in zip([0.0, *alive], [*alive, 4 * INTERVAL])]
         assert max(gaps) < INTERVAL, f"no sign of life for {max(gaps):.1f} s"
@@ -76,11 +128,11 @@ def check(folder, daemon, scenario):
     finally:
         process.kill()
         process.wait()
-    print(f"ready after {ready:.2f} s, {len(alive)} signs of life in {4 * INTERVAL:.0f} s")
+    print(f"ready after {after:.2f} s, {len(alive)} signs of life in {4 * INTERVAL:.0f} s")
 
 
 def main():
-    build = pathlib.Path(sys.argv[1])
+    build = pathlib.Path(sys.argv[1]).resolve()
     scenario = pathlib.Path(__file__).resolve().parents[2] / "scenarios/karma/detection.yaml"
     with tempfile.TemporaryDirectory() as folder:
         check(pathlib.Path(folder), build / "bin/skein-ground", scenario)
