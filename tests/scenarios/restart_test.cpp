@@ -186,6 +186,25 @@ INSTANTIATE_TEST_SUITE_P(
       return word_of(one.param.mission) + "_" + std::to_string(static_cast<int>(one.param.seconds));
     });
 
+// Found by the long form: the vehicle goes on with a wait that its decision node began before it
+// died, and nobody begins the look that belongs to it.
+TEST(DeadWhileAWaitBegins, TheLookThatWasMissedIsTakenBeforeItsGoalIsAchieved) {
+  const Mission reference = play(scenario_at("heliv-marvin/monitoring"));
+  for (const char* wait : {"22", "27"}) {
+    const auto began = reference.first({{"kind", "functional"}, {"uav", "heliv"}, {"task", wait}});
+    for (const char* daemon : {"heliv", "sim"}) {
+      const Mission mission = killed(scenario_at("heliv-marvin/monitoring"), daemon,
+                                     at(began.value() - 0.1), Duration::seconds(60));
+
+      const std::string what = std::string(daemon) + " at the begin of " + wait;
+      EXPECT_EQ(mission.untrue, "") << what;
+      EXPECT_EQ(mission.count({{"kind", "goal"}, {"uav", "heliv"}, {"state", "achieved"}}), 4U)
+          << what;
+      EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "") << what;
+    }
+  }
+}
+
 // ---- a functional layer that comes back with nothing it knew ----
 
 class LayerForgets : public ::testing::TestWithParam<std::string> {};

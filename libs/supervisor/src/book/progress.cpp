@@ -27,14 +27,6 @@ std::optional<Span> ran(const Entry& entry, std::optional<MissionTime> until) {
   return Span{*from, *over};
 }
 
-/// What it runs with: the task that must be running when it starts.
-const Entry* companion_of(const Book& book, const Entry& entry) {
-  for (const mission::Dependence& on : entry.task.dependences) {
-    if (on.kind == mission::DependenceKind::kRunning) return book.find(on.task);
-  }
-  return nullptr;
-}
-
 /// The time that a detection is to look for, the least of a range; nothing of other tasks.
 std::optional<Duration> asked_of(const mission::HighLevelTask& task) {
   if (task.name != kDetection) return std::nullopt;
@@ -125,6 +117,24 @@ Progress progress_of(const Book& book, GoalId goal, std::optional<MissionTime> u
       account.add(entry);
   }
   return std::move(account.done);
+}
+
+const Entry* companion_of(const Book& book, const Entry& entry) {
+  for (const mission::Dependence& on : entry.task.dependences) {
+    if (on.kind == mission::DependenceKind::kRunning) return book.find(on.task);
+  }
+  return nullptr;
+}
+
+Duration missed_beside(const Entry& look, const Entry& companion) {
+  if (companion.seen.aborted || !companion.done() || companion.unseen || look.unseen)
+    return Duration();
+  const Duration whole = companion.task.duration.least;
+  if (!look.running || !companion.running) return whole;
+  if (companion.task.type != "wait") return Duration();
+  const MissionTime over =
+      std::min(look.seen.over.value_or(*look.running), companion.seen.over.value_or(*look.running));
+  return std::max(Duration(), whole - (over - std::max(*look.running, *companion.running)));
 }
 
 const Entry* flown_along(const Book& book, const Entry& entry) {

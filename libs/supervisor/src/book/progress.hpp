@@ -15,6 +15,15 @@ namespace skein::supervisor {
 /// it only what is over. Cost: linear in the tasks of the book.
 mission::Progress progress_of(const Book& book, GoalId goal, std::optional<MissionTime> until);
 
+/// What it runs with: the task that must be running when it starts; null if there is none.
+const Entry* companion_of(const Book& book, const Entry& entry);
+
+/// Of what a device was to perceive beside its companion, which is done in full, what it did not:
+/// of a wait what is short of its least, of a way all of it if it never perceived. (A node that was
+/// away meanwhile hears late that the companion began, and that it is over.) Nothing of a companion
+/// that was cut short itself.
+Duration missed_beside(const Entry& look, const Entry& companion);
+
 /// The motion that the task perceives along: what it waits for to be running, when that flies
 /// somewhere; null when it perceives in place, or not at all.
 const Entry* flown_along(const Book& book, const Entry& entry);

@@ -18,6 +18,8 @@ constexpr Duration kWaitRetry = Duration::milliseconds(5000);
 constexpr Duration kLandRetry = Duration::milliseconds(10'000);
 // A time that was asked is kept when it is missed by no more.
 constexpr Duration kKept = Duration::milliseconds(500);
+// As long as it may take to hear of a beginning.
+constexpr Duration kUnseenMost = Duration::milliseconds(3'000);
 constexpr double kReachedMargin =
     2;  // [m] beyond what a vehicle arrives within, between two states
 
@@ -227,6 +229,17 @@ bool Observer::follows_lost_task(const Entry& entry) const {
          std::any_of(entry.task.stop.begin(), entry.task.stop.end(), is_lost);
 }
 
+// What was stopped as it should be, since what it was begun with is over, may yet have done little
+// of it: in a sentence, or empty.
+std::string Observer::missed(const Entry& entry) const {
+  const Entry* with = companion_of(book_, entry);
+  if (with == nullptr || entry.task.parameters.find("device") == nullptr) return {};
+  const Duration missed = missed_beside(entry, *with);
+  if (missed <= kUnseenMost) return {};
+  return "task " + to_text(entry.task.id) + " missed " + in_seconds(missed) + " of " +
+         with->task.type + " " + to_text(with->task.id);
+}
+
 void Observer::see_aborted(Entry& entry) {
   const bool ordered = entry.ordered();
   entry.seen.over = now();
@@ -236,6 +249,10 @@ void Observer::see_aborted(Entry& entry) {
   if (!entry.live()) return;
   const bool asked = entry.why == "abort requested" && !ordered;
   const bool stopped = was_stopped_in_time(entry) && !asked;
+  if (stopped && engaged()) {
+    if (const std::string why = missed(entry); !why.empty())
+      return contingencies_.fail_goal(entry.task.origin, why);
+  }
   if (ordered || stopped) {
     entry.advance(Step::kExcuse);
     settle_done(entry);

@@ -51,6 +51,7 @@ class Observer {
   void tell_progress(GoalId id);
   void follow_ways(const world::Vector3& position);
   bool was_stopped_in_time(const Entry& entry) const;
+  std::string missed(const Entry& entry) const;
   bool follows_lost_task(const Entry& entry) const;
 
   const HandOver& hand_over_;

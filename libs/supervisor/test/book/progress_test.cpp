@@ -165,6 +165,67 @@ TEST(SupervisorProgress, OfAWayIsFromTheLastWayPointReached) {
   EXPECT_EQ(rest->way, std::vector<world::Vector3>(way.begin() + 2, way.end()));
 }
 
+// ---- what a wait or a way passed without ----
+
+/// Goal 701: from 10 s on a motion 100 of 30 s, and pictures 101 beside it, which are not taken
+/// yet.
+Desk about_to_shoot(TaskOf motion) {
+  Desk desk = Desk::engaged();
+  desk.add(a_mission(1, {701}));
+  desk.finish(
+      inserted({701}, {motion.takes(30, 30),
+                       TaskOf(101, "takeshot", 701).during(100).device("camera").stopped_by(100)}));
+  desk.at(10).flies({0, 0, 40});
+  desk.runs(100);
+  return desk;
+}
+
+TEST(SupervisorMissed, NothingOfAWaitThatHadItsPictures) {
+  Desk desk = about_to_shoot(TaskOf(100, "wait", 701));
+  desk.at(12).runs(101);
+
+  desk.at(40).ends(100);
+  desk.aborted(101, "interrupted");
+
+  EXPECT_EQ(desk.state_of(701), "achieved");
+}
+
+// A node that was away hears late that a wait has begun, and begins late what goes with it.
+TEST(SupervisorMissed, OfAWaitIsTakenAgain) {
+  Desk desk = about_to_shoot(TaskOf(100, "wait", 701));
+  desk.at(30).runs(101);
+
+  desk.at(40).ends(100);
+  desk.aborted(101, "interrupted");
+
+  EXPECT_NE(desk.state_of(701), "achieved");
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(10));
+}
+
+TEST(SupervisorMissed, AllOfAWaitOrAWayIsNotAchieved) {
+  for (const char* type : {"wait", "goto"}) {
+    Desk desk = about_to_shoot(TaskOf(100, type, 701).way({{0, 0, 40}, {90, 0, 40}}));
+
+    desk.at(40).ends(100);
+    desk.aborted(101, "interrupted");
+
+    EXPECT_NE(desk.state_of(701), "achieved") << type;
+    ASSERT_TRUE(desk.job_started()) << type;
+    EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), Duration()) << type;
+  }
+}
+
+TEST(SupervisorMissed, NothingOfAWaitThatWasCutShortItself) {
+  Desk desk = about_to_shoot(TaskOf(100, "wait", 701));
+  desk.at(12).runs(101);
+
+  desk.at(20).aborted(100, "engine trouble");
+  desk.aborted(101, "interrupted");
+
+  EXPECT_EQ(desk.repair().base.situation.done.at(GoalId{701}).looked(), secs(8));
+}
+
 // ---- mappings in parts ----
 
 const std::vector<world::Vector3> kLanes{{0, 0, 40},  {100, 0, 40}, {100, 30, 40},
