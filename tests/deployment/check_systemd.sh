@@ -120,6 +120,24 @@ for one in "${daemons[@]}"; do
 done
 journal_has skein-ground "mission finished"
 said "the mission was flown, and all stopped"
+
+# ---- the next one with keys, as docs/threats.md has it ----
+
+inside skein-make-keys /root/keys /usr/share/skein/scenarios/comets/confirmed.yaml >"$log" 2>&1 || fail "keys"
+inside install -d -o root -g skein -m 750 /etc/skein/keys
+for node in ground sim marvin heliv karma; do
+  inside install -d -o root -g skein -m 750 "/etc/skein/keys/$node"
+  inside bash -c 'install -o root -g skein -m 640 "/root/keys/$1"/* "/etc/skein/keys/$1"' _ "$node"
+done
+for file in ground sim ddn; do echo "security: /etc/skein/keys" >>"$root/etc/skein/$file.yaml"; done
+inside systemctl start "${daemons[@]}" >"$log" 2>&1 || fail "start with keys"
+for one in "${daemons[@]}"; do until_is 90 "mission running" of "$one" StatusText; done
+inside chmod 600 /etc/skein/keys/heliv/key.pem
+inside systemctl restart skein-ddn@heliv >"$log" 2>&1 || true
+until_is 20 failed of skein-ddn@heliv ActiveState
+journal_has skein-ddn@heliv "/etc/skein/keys/heliv"
+inside systemctl stop "${daemons[@]}"
+said "with keys they meet; one that cannot read its own stays down and says so"
 echo "domian: 8" >>"$root/etc/skein/sim.yaml"
 ! inside systemctl start skein-sim >"$log" 2>&1 || fail "a wrong file is taken"
 until_is 10 failed of skein-sim ActiveState
