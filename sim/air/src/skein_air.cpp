@@ -27,6 +27,8 @@ int main(int argc, char** argv) try {
   app.add_option("--interface", options.network.interfaces, "IPv4 address where the simulator is")
       ->delimiter(',')
       ->allow_extra_args(false);
+  app.add_option("--security", options.network.keys,
+                 "Folder of keys that may hear the world: those of spy");
   app.add_option("--loss", options.everywhere.loss, "Share of packets lost on every link")
       ->check(CLI::Range(0.0, 1.0));
   app.add_option("--delay", delay, "On every link [s]")->check(CLI::Range(0.0, 60.0));
