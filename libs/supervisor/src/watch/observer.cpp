@@ -18,8 +18,9 @@ constexpr Duration kWaitRetry = Duration::milliseconds(5000);
 constexpr Duration kLandRetry = Duration::milliseconds(10'000);
 // A time that was asked is kept when it is missed by no more.
 constexpr Duration kKept = Duration::milliseconds(500);
-// As long as it may take to hear of a beginning.
+// As long as it may take to hear of a beginning, and that part of the whole.
 constexpr Duration kUnseenMost = Duration::milliseconds(3'000);
+constexpr std::int64_t kUnseenPart = 20;  // one of so many
 constexpr double kReachedMargin =
     2;  // [m] beyond what a vehicle arrives within, between two states
 
@@ -235,7 +236,9 @@ std::string Observer::missed(const Entry& entry) const {
   const Entry* with = companion_of(book_, entry);
   if (with == nullptr || entry.task.parameters.find("device") == nullptr) return {};
   const Duration missed = missed_beside(entry, *with);
-  if (missed <= kUnseenMost) return {};
+  const std::int64_t part = with->task.duration.least.count() / kUnseenPart;
+  const Duration most = entry.running ? kUnseenMost + Duration::nanoseconds(part) : Duration();
+  if (missed <= most) return {};
   return "task " + to_text(entry.task.id) + " missed " + in_seconds(missed) + " of " +
          with->task.type + " " + to_text(with->task.id);
 }
