@@ -95,7 +95,7 @@ TEST_P(Corridor, HoldsTheVehicleOnItsWayAndWhereItEnds) {
     watch(300);
     EXPECT_LT(worst, 0) << "takeoff, seed " << seed;
     merging::Way along(points_from({0, ground_y, 60}, random), sortie.margins);
-    std::vector<Vector3> sent(along.points().begin() + 1, along.points().end());
+    std::vector<Vector3> sent(along.way_points().begin() + 1, along.way_points().end());
     const bool interrupted = random.chance(0.3);
     const int stops = 1 + static_cast<int>(random.below(44));
     flight.dispatch(sortie.name, 2, "goto", way(sent));

@@ -11,8 +11,10 @@ namespace skein::merging {
 
 namespace {
 
-constexpr double kStretch = 50;  // [m]
-constexpr double kMargin = 1.5;  // [m] for what is overshot
+constexpr double kStretch = 50;    // [m]
+constexpr double kLongest = 1e6;  // [m] between two way-points
+constexpr double kCarried = 2;     // [m] off the line, that wind may carry for fewer way-points
+constexpr double kMargin = 1.5;    // [m] for what is overshot
 
 /// How far beyond a bend a vehicle is carried [m], at the worst bend: it takes it at the speed
 /// v (1 + cos) / 2 and turns what of that is across with all of its acceleration.
@@ -21,8 +23,18 @@ double carried_at_bends(const world::VehicleModel& model, double speed) {
   return kWorst * world::braking_distance(model, speed);
 }
 
-/// Who steers at the point ahead in a side wind is carried off the line by w/v · L/e at the most.
-double carried_by_wind(double drift, double speed) { return 0.37 * kStretch * drift / speed; }
+/// Who steers at the point ahead, so far away, in a side wind is carried off the line by w/v · L/e
+/// at the most.
+double carried_by_wind(double drift, double speed, double ahead = kStretch) {
+  return 0.37 * ahead * drift / speed;
+}
+
+/// The longest way between two way-points on which wind carries no further than kCarried, or as far
+/// as over one piece.
+double steered_at(double drift, double speed) {
+  const double carried = carried_by_wind(drift, speed, 1);
+  return carried > 0 ? std::clamp(kCarried / carried, kStretch, kLongest) : kLongest;
+}
 
 }  // namespace
 
@@ -38,7 +50,7 @@ Margins margins_of(const world::VehicleModel& model, const world::Wind& wind, do
   const double reached = world::reaching_distance(model, wind);
   Margins margins;
   margins.hovers = model.hovers;
-  margins.stretch = kStretch;
+  margins.stretch = margins.steered = kStretch;
   margins.level = wavers_up + share.height;
   margins.slope = reached + wavers_up + share.height;
   if (model.hovers) {
@@ -46,8 +58,9 @@ Margins margins_of(const world::VehicleModel& model, const world::Wind& wind, do
     margins.settled = wavers + held;
     const double rising = carried_by_wind(drift, model.climb_rate);
     margins.hold = wavers + held + share.level + rising;
+    margins.steered = steered_at(drift, speed);
     margins.way = std::max(reached, carried_at_bends(model, speed)) +
-                  carried_by_wind(drift, speed) + margins.hold;
+                  carried_by_wind(drift, speed, margins.steered) + margins.hold;
   } else {
     const double circle = model.orbit_radius + 2 * drift;
     margins.settled = circle + wavers;

@@ -33,6 +33,30 @@ std::vector<Vector3> stretched(const std::vector<Vector3>& points, double longes
   return result;
 }
 
+bool slopes(const Vector3& from, const Vector3& to) { return std::abs(from.z() - to.z()) > kLevel; }
+
+/// Way-points where wind carries off; and where the way slopes and in the piece beside that, since
+/// a height that is not reached yet where a slope ends is made up for until the next way-point.
+std::vector<Vector3> steered_along(const std::vector<Vector3>& points, const Margins& margins) {
+  std::vector<Vector3> result{points.front()};
+  const auto slopes_at = [&](std::size_t i) {
+    return i >= 1 && i < points.size() && slopes(points[i - 1], points[i]);
+  };
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Vector3 from = points[i - 1], along = points[i] - from;
+    const std::size_t pieces = pieces_of(along.head<2>().norm(), margins.stretch);
+    const Vector3 piece = along / static_cast<double>(pieces);
+    std::vector<Vector3> corners{from};
+    if (slopes_at(i - 1) && pieces > 1) corners.push_back(from + piece);
+    if (slopes_at(i + 1) && pieces > corners.size()) corners.push_back(points[i] - piece);
+    corners.push_back(points[i]);
+    const double longest = slopes_at(i) ? margins.stretch : margins.steered;
+    const std::vector<Vector3> all = stretched(corners, longest);
+    result.insert(result.end(), all.begin() + 1, all.end());
+  }
+  return result;
+}
+
 /// A first part that is left along with less than a way takes, long enough that what follows does
 /// not reach back to where it begins. Returns how many pieces it will be.
 std::size_t leaves_narrowly(std::vector<Vector3>& corners, const Margins& margins) {
@@ -43,8 +67,6 @@ std::size_t leaves_narrowly(std::vector<Vector3>& corners, const Margins& margin
   corners.insert(corners.begin() + 1, corners[0] + length / along.norm() * along);
   return pieces_of(length, margins.stretch);
 }
-
-bool slopes(const Vector3& from, const Vector3& to) { return std::abs(from.z() - to.z()) > kLevel; }
 
 }  // namespace
 
@@ -62,6 +84,8 @@ Way::Way(const std::vector<Vector3>& points, const Margins& margins)
   std::vector<Vector3> corners = points;
   const std::size_t narrow = leaves_narrowly(corners, margins);
   points_ = stretched(corners, margins.stretch);
+  const bool steered = margins.steered > margins.stretch;
+  way_points_ = steered ? steered_along(points, margins) : points_;
   bool rises = true;  // from where it rests
   for (std::size_t i = 1; i < points_.size(); ++i) {
     const Vector3 &from = points_[i - 1], &to = points_[i];

@@ -12,7 +12,7 @@ namespace {
 
 using world::Vector3;
 
-const Margins kHovers{true, 5, 8, 3, 2, 6, 50};
+const Margins kHovers{true, 5, 8, 3, 2, 6, 50, 50};
 
 bool is_in(const Volumes& volumes, const Vector3& at) {
   return overlap(volumes, {{at.head<2>(), at.head<2>(), 1e-6, at.z() - 1e-6, at.z() + 1e-6}});
@@ -24,6 +24,34 @@ TEST(Way, LongPiecesGetWayPointsInBetween) {
   EXPECT_EQ(points.back(), Vector3(120, 0, 40));
   for (std::size_t i = 1; i < points.size(); ++i)
     EXPECT_LE((points[i] - points[i - 1]).norm(), kHovers.stretch);
+}
+
+TEST(Way, HasNoWayPointsInBetweenWhereNoWindCarriesItOff) {
+  Margins calm = kHovers;
+  calm.steered = 1000;
+  const std::vector<Vector3> corners{{0, 0, 40}, {120, 0, 40}, {120, 300, 40}};
+  const Way way(corners, calm);
+  EXPECT_EQ(way.way_points(), corners);
+  EXPECT_EQ(way.volumes(), Way(corners, kHovers).volumes());
+}
+
+TEST(Way, ThatSlopesHasThemInAnyWind) {
+  Margins calm = kHovers;
+  calm.steered = 1000;
+  const std::vector<Vector3> points = Way({{0, 0, 40}, {120, 0, 60}}, calm).way_points();
+  ASSERT_EQ(points.size(), 4U);
+  EXPECT_EQ(points[1], Vector3(40, 0, 40 + 20.0 / 3));
+}
+
+// A height that is not reached yet where the slope ends is made up for there.
+TEST(Way, BesideASlopeHasThemInAnyWind) {
+  Margins calm = kHovers;
+  calm.steered = 1000;
+  const Vector3 up(0, 0, 60), over(200, 0, 60), down(200, 0, 40);
+  EXPECT_EQ(Way({{0, 0, 40}, up, over, down}, calm).way_points(),
+            (std::vector<Vector3>{{0, 0, 40}, up, {50, 0, 60}, {150, 0, 60}, over, down}));
+  EXPECT_EQ(Way({{0, 0, 40}, up, {40, 0, 60}, {40, 0, 40}}, calm).way_points(),
+            (std::vector<Vector3>{{0, 0, 40}, up, {40, 0, 60}, {40, 0, 40}}));
 }
 
 TEST(Way, IsLeftByNoMoreThanItTakesToHold) {

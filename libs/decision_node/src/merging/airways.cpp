@@ -40,7 +40,7 @@ Vector3 start_of(const AirwaySituation& situation, const Margins& margins) {
 }
 
 functional::Request along(functional::Request request, const Way& way) {
-  const std::vector<Vector3>& points = way.points();
+  const std::vector<Vector3>& points = way.way_points();
   functional::Parameters parameters{
       elementary::points_parameter("waypoints", {points.begin() + 1, points.end()})};
   for (const functional::Parameter& one : request.parameters.all())

@@ -18,7 +18,10 @@ struct Margins {
   double settled = 0;  ///< it is this near [m] to where it holds: `hold` is enough
   double level = 0;    ///< in height, where it flies level or holds
   double slope = 0;    ///< in height, where its way rises or falls
-  double stretch = 0;  ///< longest piece [m] of a way without a way-point, > 0: wind carries it off
+  double stretch = 0;  ///< longest piece [m] of a way, > 0: left one by one
+  /// Longest way [m] without a way-point, at least `stretch`: wind carries it off. A helicopter
+  /// slows at each, while it holds its height.
+  double steered = 0;
 };
 
 /// At a speed through the air [m/s]. Wind: its mean and three deviations of its gusts count.

@@ -19,10 +19,14 @@ Volume column(const world::Vector2& place, double low, double high, const Margin
 class Way {
  public:
   Way() = default;
-  /// At least two points, the first where it begins. Long pieces get way-points in between.
+  /// At least two points, the first where it begins. Long pieces are cut, and get way-points in
+  /// between where wind would carry it off.
   Way(const std::vector<world::Vector3>& points, const Margins& margins);
 
+  /// Where its pieces begin, and its end.
   const std::vector<world::Vector3>& points() const { return points_; }
+  /// For the vehicle; the first where it begins.
+  const std::vector<world::Vector3>& way_points() const { return way_points_; }
   /// Of each piece, and at last where it stays. Reserved as one.
   const Volumes& volumes() const { return volumes_; }
   /// Takes note of where the vehicle is. True: it has left more of its way.
@@ -32,7 +36,7 @@ class Way {
   Volumes left() const;
 
  private:
-  std::vector<world::Vector3> points_;
+  std::vector<world::Vector3> points_, way_points_;
   Volumes volumes_;
   bool hovers_ = true;
   double near_ = 0;
