@@ -39,6 +39,7 @@ class Core {
   Execution& execution() { return execution_; }
   Deliberation& deliberation() { return deliberation_; }
   Interaction& interaction() { return interaction_; }
+  const Merging& merging() const { return merging_; }
   Voice& voice() { return voice_; }
   Team& team() { return team_; }
   Meetings& meetings() { return meetings_; }

@@ -2,6 +2,7 @@
 // What joint tasks ask of the one whose they are.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ class JointHost {
   /// What is seen now, as the plan has it when the joint task begins.
   virtual world::VehicleState when_it_begins(executive::TaskId joint,
                                              const world::VehicleState& seen) const = 0;
+  /// Where it could stay beside others that merge their ways with it; none: nobody does.
+  virtual std::function<bool(const world::Vector3&)> free_to_stay() const { return {}; }
   /// Why a role may not be played by this one, whatever its vehicle can; empty: it may.
   virtual std::string why_not(const Joint& joint, const std::string& role) const = 0;
 };

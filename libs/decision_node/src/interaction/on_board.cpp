@@ -32,4 +32,8 @@ world::VehicleState OnBoard::when_it_begins(executive::TaskId joint,
                        core_.config().knowledge->vehicle, core_.bus().now());
 }
 
+std::function<bool(const world::Vector3&)> OnBoard::free_to_stay() const {
+  return core_.merging().free_to_stay();
+}
+
 }  // namespace skein::decision_node

@@ -111,6 +111,11 @@ Result<Position, Failure> anywhere(const interaction::RolePlaceQuery& query, con
   interaction::ValidPositionQuery valid;
   valid.scms = query.scms;
   valid.air = interaction::free_air_of(outlook.world, query.vehicle, query.clearance, query.at);
+  if (outlook.free_to_stay) {
+    valid.air.holds = [inside = valid.air.holds, &outlook](const Position& at) {
+      return inside(at) && outlook.free_to_stay(vector_of(at));
+    };
+  }
   valid.from = from;
   valid.limits = query.limits;
   valid.seed = kSeed;
@@ -145,9 +150,11 @@ std::optional<Argument> text_of(const Call& call, const interaction::Library& li
   return value == scope.end() ? std::nullopt : std::optional(value->second);
 }
 
+namespace {
+
 // The place nearest to the refiner's best where the SCMs hold by their margins. Where it finds none
 // under the SCMs, any that keeps them will do.
-Result<Position, Failure> place_of(const PlaceQuery& query, const Outlook& outlook) {
+Result<Position, Failure> place_beside(const PlaceQuery& query, const Outlook& outlook) {
   const interaction::RolePlaceQuery role = role_query(query, outlook);
   if (query.call.function == "valid-position") return anywhere(role, query.from, outlook);
   if (query.call.arguments.size() != 2) return failure("nobody computes " + query.call.function);
@@ -165,9 +172,21 @@ Result<Position, Failure> place_of(const PlaceQuery& query, const Outlook& outlo
   } else {
     return found;
   }
-  if (role.scms.empty()) return found;
+  const bool free = found && (!outlook.free_to_stay || outlook.free_to_stay(vector_of(*found)));
+  if (role.scms.empty() && (free || !found)) return found;
   const auto valid = anywhere(role, found.value_or(query.from), outlook);
-  return valid ? valid : found;
+  if (valid || free) return valid ? valid : found;
+  return failure("others leave it no air there");
+}
+
+}  // namespace
+
+Result<Position, Failure> place_of(const PlaceQuery& query, const Outlook& outlook) {
+  const auto beside = place_beside(query, outlook);
+  if (beside || !outlook.free_to_stay) return beside;
+  Outlook alone = outlook;
+  alone.free_to_stay = {};
+  return place_beside(query, alone);
 }
 
 Result<Position, Failure> aim_of(const Argument& argument, const Outlook& outlook) {

@@ -2,6 +2,7 @@
 // What local parameters of roles are computed to be, and what a role costs.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,8 @@ struct Outlook {
   const world::World& world;
   interaction::Observer observer;
   MissionTime now;
+  /// Where it could stay beside others that merge their ways with it; none: anywhere.
+  std::function<bool(const world::Vector3&)> free_to_stay = {};
 };
 
 /// "best-view(front, center)" taken apart.
@@ -43,6 +46,7 @@ struct PlaceQuery {
 };
 
 /// Under the SCMs whose places are known: of a partner that nobody hears of nothing can be kept.
+/// Where others leave it no air to stay in, only if there is no other place.
 /// Refused: no such function, an unknown place, none found. Cost: docs/performance.md.
 Result<interaction::Position, Failure> place_of(const PlaceQuery& query, const Outlook& outlook);
 

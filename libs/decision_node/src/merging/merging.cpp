@@ -5,8 +5,8 @@
 
 #include "core.hpp"
 #include "skein/elementary/parameter_reader.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/functional/task_types.hpp"
-#include "skein/mission/degree.hpp"
 #include "skein/supervisor/way_home.hpp"
 
 namespace skein::decision_node {
@@ -20,12 +20,19 @@ constexpr Duration kSaidAgain = Duration::milliseconds(10'000);
 constexpr Duration kStale = Duration::milliseconds(3'000);     ///< beliefs of the vehicle may be
 constexpr Duration kAside = Duration::milliseconds(3'000);     ///< a place aside is had in
 constexpr Duration kUnasked = Duration::milliseconds(10'000);  ///< after the energy is short
-/// Who stays with nothing to do, and has been wanted away for so long, makes room.
-constexpr Duration kMakesRoom = Duration::milliseconds(1'000);
+/// A role's way is flown higher than it asked for once it has waited so long.
+constexpr Duration kRises = Duration::milliseconds(10'000);
+/// Who waits for it longer gives it up: as a rule it is its partner that stays there and waits for
+/// it to come.
+constexpr Duration kRoleWaits = Duration::milliseconds(300'000);
 constexpr double kAtRest = 0.5;  // [m/s]
 
 bool is_aside(functional::TaskId task) {
   return task >= kFirstAside && task < functional::kFirstBackgroundId;
+}
+
+bool is_of_role(const functional::Request& request) {
+  return request.id >= functional::kFirstRoleId && request.id < functional::kFirstOwnId;
 }
 
 /// It lands, or looks, where the vehicle is.
@@ -33,24 +40,6 @@ bool is_done_in_place(const functional::Request& request) {
   const functional::TaskType& type = functional::TaskTypes::shipped().of(request.type);
   const bool looks = type.motion == functional::Motion::kKeeps && !type.devices.empty();
   return looks || request.type == "land";
-}
-
-/// Of the UAV's own, for want of anything else.
-bool waits_safely(Core& core, const executive::TaskStatus& task) {
-  return task.type == "wait" && task.id < functional::kFirstRoleId && !is_terminal(task.state) &&
-         task.state != executive::TaskState::kScheduled &&
-         core.deliberation().origin_of(task.id) == mission::GoalId();
-}
-
-std::vector<executive::TaskStatus> safe_waits(Core& core) {
-  std::vector<executive::TaskStatus> waits;
-  for (const executive::TaskStatus& one : core.execution().tasks())
-    if (waits_safely(core, one)) waits.push_back(one);
-  return waits;
-}
-
-bool is_aborting(const executive::TaskStatus& task) {
-  return task.state == executive::TaskState::kAborting;
 }
 
 }  // namespace
@@ -121,6 +110,7 @@ void Merging::ask() {
   if (!waiting_ || !has_seen_ || (flown_ && !flown_->over)) return;
   if (waiting_->makes_room) return stop_waiting();
   waiting_->comes_back = false;
+  waiting_->asked_long = core_.bus().now() >= waiting_->since + kRises;
   if (is_to_come_back(waiting_->request)) {
     if (Airways back = way_to(*place_, situation()); !back.empty()) {
       ++aside_;
@@ -283,6 +273,9 @@ void Merging::note_waits() {
 
 void Merging::say_it_waits() {
   if (waiting_) note_waits();
+  const bool asks = waiting_ && is_of_role(waiting_->request) && !waiting_->airways.empty();
+  if (asks && core_.bus().now() >= waiting_->since + kRoleWaits)
+    return refuse("others leave it no air: it waits for " + joined(waiting_->waits_for, "; "));
   if (!waiting_ || core_.bus().now() < waiting_->said + kSaidAgain) return;
   waiting_->said = core_.bus().now();
   core_.post_status({waiting_->request.id, functional::TaskState::kStarted, "waits for its air"});
@@ -292,6 +285,9 @@ void Merging::time_passes() {
   if (!merger_) return;
   say_it_waits();
   if (const auto until = aside_until(); until && core_.bus().now() >= *until) ask();
+  if (const auto from = waiting_ ? waiting_->rises_from() : std::nullopt;
+      from && core_.bus().now() >= *from)
+    ask();
   give(merging::Tick{});
 }
 
@@ -299,7 +295,13 @@ std::optional<MissionTime> Merging::next_wakeup() const {
   if (!merger_) return std::nullopt;
   std::optional<MissionTime> next = merger_->next_wakeup();
   if (waiting_) next = earliest(next, waiting_->said + kSaidAgain);
+  if (waiting_) next = earliest(next, waiting_->rises_from());
   return flown_ ? next : earliest(next, aside_until());
+}
+
+std::optional<MissionTime> Merging::Waiting::rises_from() const {
+  const bool asks = !airways.empty() && !aside_since && !comes_back && !asked_long;
+  return asks && is_of_role(request) ? std::optional(since + kRises) : std::nullopt;
 }
 
 std::optional<MissionTime> Merging::aside_until() const {
@@ -377,50 +379,13 @@ Airways Merging::places_aside() {
   return aside;
 }
 
-// ---- whoever has nothing to do ----
-
-/// Else one that waits here for another, at a meeting, is waited for by it for its air.
-void Merging::look_for_room() {
-  const MissionTime now = core_.bus().now();
-  if (!has_nothing_to_do() || !is_in_the_way()) return room_since_.reset();
-  if (!room_since_) room_since_ = now;
-  if (now < *room_since_ + kMakesRoom) return;
-  const std::vector<executive::TaskStatus> waits = safe_waits(core_);
-  if (std::any_of(waits.begin(), waits.end(), is_aborting)) return;
-  Airways aside = places_aside();
-  if (!aside.empty() && !waits.empty()) {  // once they have ended, there is room to be made
-    for (const executive::TaskStatus& one : waits) core_.execution().run(executive::Abort{one.id});
-    return;
-  }
-  room_since_ = now;
-  if (aside.empty()) return;
-  waiting_.emplace();
-  waiting_->request = aside.front().request;
-  waiting_->since = waiting_->said = now;
-  waiting_->aside_since = now;
-  waiting_->makes_room = true;
-  want(std::move(aside));
-}
-
-bool Merging::is_in_the_way() const {
-  const auto waiters = merger_->waiters();
-  return std::any_of(waiters.begin(), waiters.end(),
-                     [](const auto& one) { return one.for_its_place; });
-}
-
-/// Of what it does nothing needs the vehicle where it is. Below degree 4 it is where its operator
-/// has put it.
-bool Merging::has_nothing_to_do() const {
-  if (flown_ || !rest_ || !seen_.state.airborne || !mission::deliberates(core_.degree()))
-    return false;
-  const auto tasks = core_.execution().tasks();
-  if (core_.vehicle().under_way().size() > safe_waits(core_).size()) return false;
-  return std::none_of(tasks.begin(), tasks.end(), [&](const executive::TaskStatus& one) {
-    const bool waits = one.state == executive::TaskState::kScheduled;
-    if (waits || is_terminal(one.state) || one.id >= executive::kFirstBackgroundId) return false;
-    return !waits_safely(core_, one) &&
-           !functional::TaskTypes::shipped().of(one.type).synchronises();
-  });
+std::function<bool(const world::Vector3&)> Merging::free_to_stay() const {
+  if (!merger_) return {};
+  return [ends = merger_->ends(), margins = margins_](const world::Vector3& place) {
+    merging::Volume air = stay_at(place, margins);
+    air.radius = margins.way;
+    return !overlap({air}, ends);
+  };
 }
 
 // ---- what it knows ----
@@ -439,10 +404,11 @@ bool Merging::leads_on(const Airway& aside, const merging::Volumes& ends) const 
   return !on.empty() && !overlap(on.front().air, ends);
 }
 
-/// Nothing is looked at on the way, and no role of a joint task is played by it.
+/// Nothing is looked at on the way. A role of a joint task asks for its heights; over whoever stays
+/// where its way leads it goes all the same, before it waits for ever.
 bool Merging::at_any_height(const functional::Request& request) const {
   if (request.type != "goto") return false;
-  if (request.id >= functional::kFirstRoleId && request.id < functional::kFirstOwnId) return false;
+  if (is_of_role(request) && !waiting_->asked_long) return false;
   const auto starts_with_it = [&](const executive::Literal& literal) {
     const auto* state = std::get_if<executive::TaskInState>(&literal.condition);
     return state != nullptr && state->task == request.id &&

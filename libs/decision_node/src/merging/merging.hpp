@@ -2,6 +2,7 @@
 // The UAV's part in merging ways: no motion goes to the vehicle before it has its air.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ class Merging final : public Component {
   bool drop(functional::TaskId task);
   /// Of what was asked of the vehicle. True: nobody else is to hear of it.
   bool told(const functional::Status& status);
+  /// There it could come and stay beside others, wherever they stay or will.
+  std::function<bool(const world::Vector3&)> free_to_stay() const;
   void hear(const MergeTold& told);
   void contact(const Contact& contact);
 
@@ -48,6 +51,7 @@ class Merging final : public Component {
     merging::Volumes own_air = {};  ///< that it wants afterwards, as far as it knows
     std::vector<std::string> waits_for;
     bool was_aside = false;   ///< it has got out of the way
+    bool asked_long = false;  ///< when it asked last it had waited long
     bool comes_back = false;  ///< it asks for the way back to where it got out of the way from
     /// It asks for a place aside for another's sake, and wants nothing afterwards.
     bool makes_room = false;
@@ -55,6 +59,9 @@ class Merging final : public Component {
     std::vector<std::string> noted_for;
     std::vector<std::string> in_its_way, noted_way;  ///< of these, who has to leave first
     std::string why_not;  ///< the vehicle cannot, as it seemed at the last look
+
+    /// When it asks for higher ways too, with a role's.
+    std::optional<MissionTime> rises_from() const;
   };
   /// What the vehicle flies, or has flown last and has not come to rest from.
   struct Flown {
@@ -86,7 +93,6 @@ class Merging final : public Component {
   Airways places_aside();
   functional::TaskId next_aside() const;
   void look_for_room();
-  bool is_in_the_way() const;
   bool has_nothing_to_do() const;
   void stop_waiting();
   bool leads_on(const Airway& aside, const merging::Volumes& ends) const;

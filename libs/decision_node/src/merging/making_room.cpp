@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whoever has nothing to do makes room.
+#include <algorithm>
+
+#include "core.hpp"
+#include "merging/merging.hpp"
+#include "skein/functional/task_types.hpp"
+#include "skein/mission/degree.hpp"
+
+namespace skein::decision_node {
+
+namespace {
+
+/// Who stays with nothing to do, and has been wanted away for so long, makes room.
+constexpr Duration kMakesRoom = Duration::milliseconds(1'000);
+
+/// Of the UAV's own, for want of anything else.
+bool waits_safely(Core& core, const executive::TaskStatus& task) {
+  return task.type == "wait" && task.id < functional::kFirstRoleId && !is_terminal(task.state) &&
+         task.state != executive::TaskState::kScheduled &&
+         core.deliberation().origin_of(task.id) == mission::GoalId();
+}
+
+std::vector<executive::TaskStatus> safe_waits(Core& core) {
+  std::vector<executive::TaskStatus> waits;
+  for (const executive::TaskStatus& one : core.execution().tasks())
+    if (waits_safely(core, one)) waits.push_back(one);
+  return waits;
+}
+
+/// Another one waits for it to leave where it stays.
+bool is_in_the_way(const merging::Merger& merger) {
+  const auto waiters = merger.waiters();
+  return std::any_of(waiters.begin(), waiters.end(),
+                     [](const auto& one) { return one.for_its_place; });
+}
+
+bool is_aborting(const executive::TaskStatus& task) {
+  return task.state == executive::TaskState::kAborting;
+}
+
+}  // namespace
+
+/// Else one that waits here for another, at a meeting, is waited for by it for its air.
+void Merging::look_for_room() {
+  const MissionTime now = core_.bus().now();
+  if (!has_nothing_to_do() || !is_in_the_way(*merger_)) return room_since_.reset();
+  if (!room_since_) room_since_ = now;
+  if (now < *room_since_ + kMakesRoom) return;
+  const std::vector<executive::TaskStatus> waits = safe_waits(core_);
+  if (std::any_of(waits.begin(), waits.end(), is_aborting)) return;
+  Airways aside = places_aside();
+  if (!aside.empty() && !waits.empty()) {  // once they have ended, there is room to be made
+    for (const executive::TaskStatus& one : waits) core_.execution().run(executive::Abort{one.id});
+    return;
+  }
+  room_since_ = now;
+  if (aside.empty()) return;
+  waiting_.emplace();
+  waiting_->request = aside.front().request;
+  waiting_->since = waiting_->said = now;
+  waiting_->aside_since = now;
+  waiting_->makes_room = true;
+  want(std::move(aside));
+}
+
+/// Of what it does nothing needs the vehicle where it is. Below degree 4 it is where its operator
+/// has put it.
+bool Merging::has_nothing_to_do() const {
+  if (flown_ || !rest_ || !seen_.state.airborne || !mission::deliberates(core_.degree()))
+    return false;
+  const auto tasks = core_.execution().tasks();
+  if (core_.vehicle().under_way().size() > safe_waits(core_).size()) return false;
+  return std::none_of(tasks.begin(), tasks.end(), [&](const executive::TaskStatus& one) {
+    const bool waits = one.state == executive::TaskState::kScheduled;
+    if (waits || is_terminal(one.state) || one.id >= executive::kFirstBackgroundId) return false;
+    return !waits_safely(core_, one) &&
+           !functional::TaskTypes::shipped().of(one.type).synchronises();
+  });
+}
+
+}  // namespace skein::decision_node
