@@ -94,6 +94,16 @@ std::vector<interaction::ScmFound> RolePlay::watch(const interaction::Position& 
   return found;
 }
 
+std::vector<std::string> RolePlay::given(const Argument& argument) const {
+  std::vector<std::string> uavs;
+  for (const auto& [uav, role] : holders_) {
+    const Arguments arguments = arguments_of(joint_, role);
+    const auto is_it = [&](const auto& one) { return one.second == argument; };
+    if (std::any_of(arguments.begin(), arguments.end(), is_it)) uavs.push_back(uav);
+  }
+  return uavs;
+}
+
 std::vector<std::string> RolePlay::active_blocks() const {
   std::vector<std::string> blocks;
   for (ComponelIndex i = 0; i < automaton().size(); ++i) {

@@ -33,6 +33,10 @@ class RolePlay {
   /// It plays no role any more.
   void lose(const std::string& uav) { holders_.erase(uav); }
   const Holders& holders() const { return holders_; }
+  /// Who plays.
+  const std::string& self() const { return self_; }
+  /// Those to whose roles this is given as an argument, in the order of their names.
+  std::vector<std::string> given(const Argument& argument) const;
 
   /// What changed of the SCMs of active blocks. Of one whose loop begins anew, what still is counts
   /// as a change.

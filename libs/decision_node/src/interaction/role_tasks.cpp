@@ -2,9 +2,12 @@
 #include "interaction/role_tasks.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "interaction/sightings.hpp"
 #include "skein/elementary/parameter_reader.hpp"
+#include "skein/world/landing_ground.hpp"
 
 namespace skein::decision_node {
 
@@ -14,6 +17,10 @@ using interaction::Position;
 
 constexpr double kLeastClearance = 5;  // [m] of ways over the ground
 constexpr double kNear = 1;            // [m]
+/// Between two who come to one place [m]: what they keep from each other, and how far each of them
+/// strays while it comes down.
+constexpr double kBeside = 30;
+constexpr double kTouchesWithin = 3;  // [m]
 
 bool meets(const std::string& type) { return type == "synchro" || type == "wait-until-synchro"; }
 
@@ -26,21 +33,44 @@ Result<Argument, Failure> argument(const interaction::Task& task, const char* na
 
 // ---- goto ----
 
+/// Of a place that is given to several each has a place of its own, on a circle around it in the
+/// order of their names: they come there together, and some land there. Whoever could not land on
+/// its own comes to the middle.
+Position own_place(const Argument& to, const Position& place, const RoleTaskContext& context) {
+  const std::vector<std::string> all = context.play.given(to);
+  const auto self = std::find(all.begin(), all.end(), context.play.self());
+  if (all.size() < 2 || self == all.end()) return place;
+  const double turn = 2 * std::numbers::pi / static_cast<double>(all.size());
+  const double radius = kBeside / 2 / std::sin(turn / 2);
+  const double angle = turn * static_cast<double>(self - all.begin());
+  const world::Vector2 at(place[0] + radius * std::cos(angle), place[1] + radius * std::sin(angle));
+  const world::Terrain& terrain = context.outlook.world.terrain;
+  if (world::landing_problem(terrain, at, kTouchesWithin)) return place;
+  const double rises = terrain.elevation(at.x(), at.y()) - terrain.elevation(place[0], place[1]);
+  return {at.x(), at.y(), place[2] + rises};
+}
+
+/// Around what is in between.
+Result<refiners::Way, Failure> way_to(const Position& place, const RoleTaskContext& context) {
+  const refiners::PathQuery query =
+      path_query(context.state.position, vector_of(place), context.outlook);
+  if ((query.to - query.from).norm() < kNear) return refiners::Way{query.to};
+  const auto path = refine(query, refiners::Setting{context.outlook.world, {}});
+  if (!path) return failure("no way there: " + path.error().why);
+  return refiners::Way(path->task.way.begin() + 1, path->task.way.end());
+}
+
 Result<executive::Task, Failure> goto_of(const interaction::Task& role,
                                          const RoleTaskContext& context) {
   const auto to = argument(role, "to", context.play);
   if (!to) return tl::unexpected(to.error());
   const auto aim = aim_of(*to, context.outlook);
   if (!aim) return tl::unexpected(aim.error());
-  const refiners::PathQuery query =
-      path_query(context.state.position, vector_of(*aim), context.outlook);
-  refiners::Way way{query.to};
-  if ((query.to - query.from).norm() >= kNear) {
-    const auto path = refine(query, refiners::Setting{context.outlook.world, {}});
-    if (!path) return failure("no way there: " + path.error().why);
-    way.assign(path->task.way.begin() + 1, path->task.way.end());
-  }
-  executive::Task task = flight_along(way);
+  const Position own = own_place(*to, *aim, context);
+  auto way = way_to(own, context);
+  if (!way && own != *aim) way = way_to(*aim, context);
+  if (!way) return tl::unexpected(way.error());
+  executive::Task task = flight_along(*way);
   if (const auto speed = argument(role, "speed", context.play);
       speed && std::holds_alternative<double>(*speed)) {
     task.parameters.add("speed", std::get<double>(*speed));

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "interaction/places.hpp"
 #include "interaction/role_tasks.hpp"
 #include "skein/world/world_builder.hpp"
@@ -109,6 +111,8 @@ world::World flat_world() {
   terrain.east = terrain.north = 500;
   file.terrain = terrain;
   file.radio.range = 1000;
+  file.airspace.ceiling = 120;
+  file.airspace.voxel = 10;
   return world::build_world(std::move(file)).value();
 }
 
@@ -119,6 +123,14 @@ struct Flat {
     knowledge.vehicle.sensors.push_back({});
     knowledge.vehicle.sensors.back().device = "visible";
     knowledge.altitude = 40;
+    knowledge.vehicle.ceiling = 300;
+    knowledge.vehicle.cruise_speed = 5;
+    knowledge.vehicle.max_speed = 8;
+    knowledge.vehicle.climb_rate = knowledge.vehicle.descent_rate = 2;
+    knowledge.vehicle.acceleration = 1;
+    knowledge.vehicle.yaw_rate = 0.8;
+    knowledge.vehicle.energy = {6.5e6, 100, 1700, 1500, 400, 0.1};
+    knowledge.vehicle.hovers = true;
   }
   Outlook outlook(interaction::Observer observer = {}) const {
     return {knowledge, world, std::move(observer), MissionTime()};
@@ -172,6 +184,80 @@ TEST_F(Watching, ATaskWhoseValueIsNotKnownIsRefused) {
 
   ASSERT_FALSE(task);
   EXPECT_EQ(task.error().why, "'place' has no value");
+}
+
+// ---- a place that several come to ----
+
+/// The watching library with two who relay over the same place.
+std::shared_ptr<const interaction::Library> two_relays() {
+  std::string text = testing::kLibrary;
+  const std::string one = "arity: {watch: 1, relay: 1}";
+  text.replace(text.find(one), one.size(), "arity: {watch: 1, relay: 2}");
+  const auto value = config::parse_yaml(text, "watching.yaml");
+  return std::make_shared<const interaction::Library>(
+      interaction::read_library({{"watching.yaml", value.value()}}).value());
+}
+
+/// Where its first task, a goto, ends for a relay.
+world::Vector3 comes_to(const Joint& joint, const Holders& holders, const std::string& uav,
+                        const Outlook& outlook) {
+  const RolePlay play(joint, "relay", holders, uav);
+  const auto& componel = play.automaton()[*play.automaton().find("r1")];
+  world::VehicleState state;
+  state.position = {200, 0, 40};
+  const auto task = make_task(componel, joint.subject, {play, outlook, state, Duration(), ""});
+  if (!task) ADD_FAILURE() << task.error().why;
+  if (!task) return {};
+  const std::vector<double>& way = task->parameters.find("waypoints")->numbers;
+  return {way[way.size() - 3], way[way.size() - 2], way[way.size() - 1]};
+}
+
+TEST(RoleGoto, WhoComeToOnePlaceHaveEachAPlaceOfTheirOwn) {
+  Joint joint = testing::joint();
+  joint.library = two_relays();
+  joint.variant = &joint.library->models.at("watching").variants.front();
+  joint.arguments["ground"] = Position{0, 0, 40};
+  const Holders holders{{"heliv", "relay"}, {"marvin", "watch"}, {"swift", "relay"}};
+  const Flat flat;
+
+  const world::Vector3 one = comes_to(joint, holders, "heliv", flat.outlook());
+  const world::Vector3 other = comes_to(joint, holders, "swift", flat.outlook());
+
+  EXPECT_NEAR((one - other).norm(), 30, 1e-6);
+  EXPECT_NEAR((one + other).head<2>().norm(), 0, 1e-6);
+}
+
+TEST(RoleGoto, APlaceThatOneAloneComesToIsComeTo) {
+  Joint joint = testing::joint("heliv");
+  joint.arguments["ground"] = Position{0, 0, 40};
+  const Flat flat;
+
+  const world::Vector3 at =
+      comes_to(joint, {{"heliv", "relay"}, {"marvin", "watch"}}, "heliv", flat.outlook());
+
+  EXPECT_EQ(at, world::Vector3(0, 0, 40));
+}
+
+// ---- where others stay ----
+
+TEST(PlaceOf, IsWhereOthersLeaveItAirToStayIn) {
+  const Flat flat;
+  Outlook outlook = flat.outlook();
+  outlook.free_to_stay = [](const world::Vector3& at) { return at.head<2>().norm() > 60; };
+
+  const auto place = place_of({call_of("valid-position()"), {}, {0, 0, 40}, "", {}}, outlook);
+
+  ASSERT_TRUE(place) << place.error().why;
+  EXPECT_GT(std::hypot((*place)[0], (*place)[1]), 60);
+  EXPECT_LT(std::hypot((*place)[0], (*place)[1]), 70) << "not further than it has to";
+}
+
+TEST(PlaceOf, IsWhereOthersStayBeforeThereIsNone) {
+  const Flat flat;
+  Outlook outlook = flat.outlook();
+  outlook.free_to_stay = [](const world::Vector3&) { return false; };
+
+  EXPECT_TRUE(place_of({call_of("valid-position()"), {}, {0, 0, 40}, "", {}}, outlook));
 }
 
 TEST(CallOf, TakesAnInitialiserApart) {
