@@ -50,7 +50,8 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 INSTANTIATE_TEST_SUITE_P(AgreedPlaces, Teamwork,
                          ::testing::Values("agreed-places/around", "agreed-places/around-cut",
-                                           "agreed-places/chain", "agreed-places/escort",
+                                           "agreed-places/around-lost-cut", "agreed-places/chain",
+                                           "agreed-places/escort",
                                            "agreed-places/escort-ground-plays",
                                            "agreed-places/pursuit"),
                          name_of);

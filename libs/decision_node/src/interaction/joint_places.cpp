@@ -13,6 +13,9 @@ using Kind = interaction::NegotiationOutcome::Kind;
 using Word = interaction::Status::Word;
 
 constexpr Duration kSession = Duration::milliseconds(10'000);
+constexpr Duration kAskedAgain = Duration::milliseconds(1'000);
+// Whoever does not answer, be it for a cut, is asked again; then the role goes on without a place.
+constexpr Duration kAskedFor = Duration::milliseconds(30'000);
 constexpr const char* kPlace = "place";  // of an action's `out`
 
 }  // namespace
@@ -22,8 +25,12 @@ void JointPlay::negotiate_places(const std::string& action) {
   const interaction::CoordinationAction& what = *automaton[*automaton.find(action)].action();
   const auto fails = [&](const std::string& why) {
     host_.bus().emit(Notice{my_.joint.subject + ": " + action + ": " + why});
+    actions_.erase(action);
     tell_status(action, Word::kAborted);
   };
+  const bool again = places_again_ && places_again_->action == action;
+  const MissionTime until = again ? places_again_->until : now() + kAskedFor;
+  places_again_.reset();
   interaction::BeginNegotiation begin;
   begin.subject = my_.joint.subject + "/" + what.modality;
   begin.modality = what.modality;
@@ -34,7 +41,9 @@ void JointPlay::negotiate_places(const std::string& action) {
   begin.within = kSession;
   actions_[action] = begin.subject;
   if (begin.members.size() == 1) return take_place_alone(begin);
+  places_again_ = Again{action, MissionTime::max(), until};  // it may fail at once
   if (interaction_.begin(my_.joint, std::move(begin))) return;
+  places_again_.reset();
   actions_.erase(action);
   tell_status(action, Word::kAborted);
 }
@@ -61,11 +70,16 @@ void JointPlay::places_agreed(const interaction::Terms& terms,
                                   [&](const auto& one) { return one.second == terms.subject; });
   if (asked == actions_.end()) return;
   const std::string action = asked->first;
-  actions_.erase(asked);
-  if (outcome.kind != Kind::kAgreed) {
+  if (outcome.kind != Kind::kAgreed)
     host_.bus().emit(Notice{my_.joint.subject + ": " + action + ": " + outcome.why});
-    return tell_status(action, Word::kAborted);
+  const bool asks = places_again_ && places_again_->action == action;
+  if (outcome.kind != Kind::kAgreed && asks && now() + kAskedAgain < places_again_->until) {
+    places_again_->at = now() + kAskedAgain;
+    return;
   }
+  if (asks) places_again_.reset();
+  actions_.erase(asked);
+  if (outcome.kind != Kind::kAgreed) return tell_status(action, Word::kAborted);
   const interaction::Automaton& automaton = play_->automaton();
   const config::Value* out = automaton[*automaton.find(action)].action()->out.find(kPlace);
   const auto place = place_of_member(self_, terms, outcome.result, *host_.world());

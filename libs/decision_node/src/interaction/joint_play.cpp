@@ -82,6 +82,7 @@ void JointPlay::begin(const std::string& role) {
   looks_.clear();
   following_.clear();
   sharing_again_.reset();
+  places_again_.reset();
   roles_stand_until_.reset();
   play_.emplace(my_.joint, role, my_.holders, self_);
   tell(interaction::Start{});
@@ -172,14 +173,16 @@ void JointPlay::abort_tasks() {
 void JointPlay::time_passes() {
   const bool runs = my_.phase == JointPhase::kRunning;
   if (runs && sharing_again_ && sharing_again_->at <= now()) share_area(sharing_again_->action);
+  if (runs && places_again_ && places_again_->at <= now()) negotiate_places(places_again_->action);
   const auto next = play_ ? play_->next_wakeup() : std::nullopt;
   if (next && *next <= now()) tell(interaction::Tick{});
 }
 
 std::optional<MissionTime> JointPlay::next_wakeup() const {
   std::optional<MissionTime> next = play_ ? play_->next_wakeup() : std::nullopt;
-  const bool shares = my_.phase == JointPhase::kRunning && sharing_again_;
-  return shares ? earliest(next, sharing_again_->at) : next;
+  if (my_.phase != JointPhase::kRunning) return next;
+  if (sharing_again_) next = earliest(next, sharing_again_->at);
+  return places_again_ ? earliest(next, places_again_->at) : next;
 }
 
 void JointPlay::tell_of(interaction::JointTaskStatus& status) const {
@@ -336,6 +339,7 @@ void JointPlay::carry_out(const interaction::Withdraw& effect) {
     actions_.erase(negotiated);
   }
   if (sharing_again_ && sharing_again_->action == effect.action) sharing_again_.reset();
+  if (places_again_ && places_again_->action == effect.action) places_again_.reset();
   tell_status(effect.action, Word::kAborted);
 }
 

@@ -142,11 +142,12 @@ class JointPlay {
   };
   std::map<std::string, Following> following_;  ///< by componel
   AreaShare share_;
-  struct SharingAgain {
+  /// What was not agreed is negotiated again.
+  struct Again {
     std::string action;
     MissionTime at, until;
   };
-  std::optional<SharingAgain> sharing_again_;  ///< what was not agreed is negotiated again
+  std::optional<Again> sharing_again_, places_again_;
   std::map<executive::TaskId, executive::TaskId> looks_;  ///< the flight of each that is not over
   std::map<std::string, std::string> failed_;  ///< why, by task of the role; not done since
 };

@@ -3,6 +3,7 @@
 #include "interaction/joint_task.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "interaction/agreed_places.hpp"
@@ -30,6 +31,8 @@ constexpr Duration kSilence = Duration::milliseconds(60'000);  // then a partner
 // later, twice as much each time.
 constexpr Duration kAhead = Duration::milliseconds(5'000);
 constexpr Duration kFurthestAhead = Duration::milliseconds(60'000);
+/// What keeps it from being agreed on is said once it has stood so long.
+constexpr Duration kWorthAWord = Duration::milliseconds(10'000);
 constexpr double kFarthest = 1e8;  // [s]
 constexpr double kRoom = 1;        // [s] at the end of an interval
 
@@ -56,7 +59,7 @@ std::vector<std::string> JointTask::partners() const {
 Outlook JointTask::outlook() const {
   const auto world = host_.world();  // is kept until the next input
   return {*host_.config().knowledge, *world,
-          sightings_.observer(my_.joint.arguments, *world, now()), now()};
+          sightings_.observer(my_.joint.arguments, *world, now()), now(), host_.free_to_stay()};
 }
 
 // ---- loading ----
@@ -241,8 +244,17 @@ void JointTask::answer() {
 
 void JointTask::not_agreed(const std::string& why) {
   my_.why = why;
+  if (kept_.is_worth_a_word(why, now()))
+    host_.bus().emit(Notice{my_.joint.subject + " is not agreed on, and is tried until " +
+                            std::to_string(std::lround(try_until_.to_seconds())) + " s: " + why});
   if (now() + kAgain > try_until_) return not_loaded(why);
   again_at_ = now() + kAgain;
+}
+
+bool JointTask::Kept::is_worth_a_word(const std::string& reason, MissionTime now) {
+  if (why != reason) *this = {reason, now, false};
+  if (said || now < since + kWorthAWord) return false;
+  return said = true;
 }
 
 void JointTask::not_loaded(const std::string& why) {

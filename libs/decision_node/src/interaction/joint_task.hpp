@@ -116,6 +116,17 @@ class JointTask {
   std::optional<MissionTime> agreed_start_;
   MissionTime start_agreed_at_;
   std::map<std::string, MissionTime> silent_since_;  ///< partners
+  /// Why it is not agreed on, since when that has been so.
+  struct Kept {
+    std::string why;
+    MissionTime since;
+    bool said = false;
+
+    /// To be said now, once: what passes by itself, as with a partner that adopts its mission a
+    /// little later, is not worth a word.
+    bool is_worth_a_word(const std::string& reason, MissionTime now);
+  };
+  Kept kept_;
 
   std::optional<interaction::JointTaskStatus> told_;
 };

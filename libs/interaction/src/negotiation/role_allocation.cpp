@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <set>
 
 #include "assignment.hpp"
+#include "skein/foundation/joined.hpp"
 #include "standard_modalities.hpp"
 
 namespace skein::interaction {
@@ -9,6 +11,12 @@ namespace skein::interaction {
 namespace {
 
 bool is_count(double number) { return number == static_cast<int>(number); }
+
+Arity arity_of(const Row& role) {
+  Arity arity{static_cast<int>(role.numbers[0]), std::nullopt};
+  if (role.numbers[1] >= 0) arity.most = static_cast<int>(role.numbers[1]);
+  return arity;
+}
 
 class RoleAllocation : public NegotiationModality {
  public:
@@ -47,20 +55,35 @@ class RoleAllocation : public NegotiationModality {
   Result<Rows, Failure> do_settle(const Terms& terms, const Offers& offers) const override {
     std::vector<Arity> arities;
     for (const Row& row : terms.parameters) {
-      Arity arity{static_cast<int>(row.numbers[0]), std::nullopt};
-      if (row.numbers[1] >= 0) arity.most = static_cast<int>(row.numbers[1]);
-      arities.push_back(arity);
+      arities.push_back(arity_of(row));
     }
     std::vector<std::vector<std::optional<double>>> costs;
     for (const std::string& uav : terms.members) costs.push_back(costs_of(terms, offers.at(uav)));
     const auto best = assign(costs, arities);
-    if (!best) return failure("no assignment of roles satisfies the arities");
+    if (!best) return failure(why_none(terms, offers));
     Rows result;
     for (std::size_t i = 0; i < best->size(); ++i) {
       const std::size_t role = (*best)[i];
       result.push_back({terms.members[i], terms.parameters[role].name, {*costs[i][role]}});
     }
     return result;
+  }
+
+  /// What each role asks for, and who offers to play it.
+  static std::string why_none(const Terms& terms, const Offers& offers) {
+    std::string text = "no assignment of roles to the " + std::to_string(terms.members.size()) +
+                       " members satisfies the arities:";
+    for (const Row& row : terms.parameters) {
+      std::vector<std::string> players;
+      for (const auto& [uav, offer] : offers) {
+        const auto plays = [&](const Row& one) { return one.name == row.name; };
+        if (std::any_of(offer.begin(), offer.end(), plays)) players.push_back(uav);
+      }
+      text += " '" + row.name + "' is for " + to_text(arity_of(row)) + ", offered by " +
+              (players.empty() ? "nobody" : joined(players, " and ")) + ";";
+    }
+    text.pop_back();
+    return text;
   }
 
   static std::vector<std::optional<double>> costs_of(const Terms& terms, const Rows& offer) {

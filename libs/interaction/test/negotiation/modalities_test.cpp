@@ -116,6 +116,22 @@ TEST(RoleAllocation, TakesTheFirstOfEqualAssignments) {
   EXPECT_EQ(*result, (Rows{{"a", "watch", {5}}, {"b", "relay", {5}}}));
 }
 
+TEST(RoleAllocation, WhereNoneIsPossibleItSaysWhatEachRoleAsksForAndWhoOffersIt) {
+  const Terms terms =
+      terms_of(2, {row("watch", {2, -1}), row("relay", {1, 1}), row("map", {0, 2})});
+
+  const auto result =
+      modality("role-allocation")
+          .settle(terms, {{"a", {row("watch", {5})}}, {"b", {row("watch", {5}), row("map", {3})}}});
+
+  ASSERT_FALSE(result);
+  EXPECT_EQ(
+      result.error().why,
+      "no assignment of roles to the 2 members satisfies the arities: 'watch' is for at "
+      "least 2, offered by a and b; 'relay' is for 1, offered by nobody; 'map' is for at most "
+      "2, offered by b");
+}
+
 TEST(RoleAllocation, SixteenUavsAreNoMatter) {
   const Terms terms = terms_of(16, {row("x", {4, 4}), row("y", {4, 4}), row("z", {0, -1})});
   Offers offers;
