@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "skein/foundation/contract.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
+#include "skein/interaction/role_fit.hpp"
 #include "skein/mission/degree.hpp"
 #include "skein/world/world_builder.hpp"
 
@@ -105,6 +107,18 @@ supervisor::Knowledge knowledge_of(const Scenario& scenario, const UavSpec& uav)
 
 namespace {
 
+/// "watch × 1 and relay × at least 1, or …": how many each variant is for.
+std::string teams_of(const interaction::Model& model) {
+  std::vector<std::string> variants;
+  for (const interaction::Variant& variant : model.variants) {
+    std::vector<std::string> roles;
+    for (const auto& [role, arity] : variant.table.arities)
+      roles.push_back(role + " × " + interaction::to_text(arity));
+    variants.push_back(joined(roles, " and "));
+  }
+  return joined(variants, ", or ");
+}
+
 /// What is wrong with the members of a joint task that a UAV is asked for.
 void check_members(const Scenario& scenario, const std::string& uav, const std::string& task,
                    const std::vector<std::string>& members, Diagnostics& diagnostics) {
@@ -116,12 +130,15 @@ void check_members(const Scenario& scenario, const std::string& uav, const std::
   if (std::find(members.begin(), members.end(), uav) == members.end()) {
     add("it is not among the members", "the UAV itself among them", "");
   }
+  const interaction::Model& model = scenario.interaction->models.at(task);
+  if (interaction::variant_for(model, members.size()) == nullptr) {
+    add("no variant is for " + std::to_string(members.size()) + " UAVs", teams_of(model), "");
+  }
   for (const std::string& one : members) {
     const UavSpec* member = scenario.find_uav(one);
     if (member == nullptr) {
       add("no UAV '" + one + "'", "a UAV", nearest_name(one, scenario.uav_names()));
-    } else if (!mission::deliberates(member->degree) &&
-               !has_roles_by_ground(scenario.interaction->models.at(task))) {
+    } else if (!mission::deliberates(member->degree) && !has_roles_by_ground(model)) {
       add(one + " does not deliberate",
           "degree 4 for all members, or a model that lets the ground station play roles", "");
     }

@@ -156,5 +156,16 @@ TEST(JointTasks, MembersThatCannotTakePartAreNamedAllAtOnce) {
   EXPECT_THAT(problems, HasSubstr("uav2 does not deliberate"));
 }
 
+TEST(JointTasks, AreForAsManyAsAVariantIsFor) {
+  scenario::Scenario scenario = reference_example();
+  scenario.uavs.push_back(scenario.uavs.back());
+  scenario.uavs.back().name = "uav3";
+  members_of_first_mission(scenario) = {"uav1", "uav2", "uav3"};
+
+  EXPECT_THAT(to_text(joint_task_problems(scenario)),
+              HasSubstr("monitoring-with-relay of uav1: no variant is for 3 UAVs; expected "
+                        "perceive × 1 and relay × 1"));
+}
+
 }  // namespace
 }  // namespace skein::deliberation_setup

@@ -142,8 +142,21 @@ class AutomatonChecker {
     return std::any_of(content.begin(), content.end(), [&](ComponelIndex one) {
       const Block* block = automaton_[one].block();
       return one != index && block != nullptr && block->end == EndMode::kImmediate &&
-             possible_.reaches(one, AskedState::kEnded);
+             possible_.reaches(one, AskedState::kEnded) && !waits_for_end(*block, index);
     });
+  }
+
+  // It is activated only once that one is over.
+  static bool waits_for_end(const Block& block, ComponelIndex index) {
+    const auto is_its_end = [&](const Literal& literal) {
+      const auto* is = std::get_if<ComponelIs>(&literal.condition);
+      return is != nullptr && is->componel == index && !literal.negated &&
+             (is->state == AskedState::kOver || is->state == AskedState::kAborted);
+    };
+    return std::any_of(block.precondition.begin(), block.precondition.end(),
+                       [&](const Clause& clause) {
+                         return std::all_of(clause.begin(), clause.end(), is_its_end);
+                       });
   }
 
   const Automaton& automaton_;

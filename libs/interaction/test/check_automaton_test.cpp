@@ -115,6 +115,16 @@ TEST(CheckAutomaton, ALoopWithoutAWayOutIsTold) {
   EXPECT_EQ(problems_in(loop_with("", "end: immediate,")), "");
 }
 
+TEST(CheckAutomaton, ABlockThatWaitsForTheEndOfALoopDoesNotEndIt) {
+  const char* waits = "end: immediate, pre: [[{componel: c, state: over}]],";
+  const char* may_wait = "end: immediate, pre: [[{componel: c, state: over}, {message: m}]],";
+
+  EXPECT_THAT(problems_in(loop_with("", waits)), HasSubstr("the loop 'c' has no way out"));
+  EXPECT_EQ(problems_in(loop_with("", may_wait)), "");
+  EXPECT_EQ(problems_in(loop_with("", "end: immediate, pre: [[{componel: t, state: ended}]],")),
+            "");
+}
+
 TEST(CheckAutomaton, AnExitThatOnlyContinuesIsNoWayOut) {
   EXPECT_THAT(
       problems_in("{block: b, type: loop, exit: [[{message: m, effect: continue}]], content: "
