@@ -87,7 +87,8 @@ void Contingencies::give_way() {
     const auto to = std::find(from, order.end(), *there);
     if (to == order.end() || to == from) continue;
     std::rotate(from, std::next(from), std::next(to));
-    return fail_goal(*here, "'" + dates.last + "' waits for it in turn: goal " + to_text(*here) +
+    const std::string who = dates.last.empty() ? "another" : "'" + dates.last + "'";
+    return fail_goal(*here, who + " waits for it in turn: goal " + to_text(*here) +
                                 " goes behind goal " + to_text(*there));
   }
 }

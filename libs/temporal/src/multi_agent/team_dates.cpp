@@ -55,6 +55,7 @@ std::map<MeetingId, PartnerDates> TeamDates::dates(MissionTime now) const {
   const std::vector<Ticks> soonest = whole.earliest(kSoonest, since);
   const std::vector<Ticks> slowest = whole.earliest(kSlowest, since);
   const auto limits = whole.latest(self_, since);
+  std::map<MeetingId, MeetingId> gives_way;
   for (std::size_t i = 0; i < own->second.meetings.size(); ++i) {
     const Meeting& meeting = own->second.meetings[i];
     const auto& awaited = whole.awaited(whole.node(self_, Frontier::end_of(i)));
@@ -72,8 +73,7 @@ std::map<MeetingId, PartnerDates> TeamDates::dates(MissionTime now) const {
     }
     const std::uint32_t end = whole.node(self_, Frontier::end_of(i));
     const auto yield = soonest[end] == kInfinite ? whole.yield_at(end) : std::nullopt;
-    if (yield && *yield->agent == self_ && yield->meeting == meeting.id)
-      dates.behind = yield->behind;
+    if (yield && *yield->agent == self_) gives_way.emplace(yield->meeting, yield->behind);
     const auto& limit = limits[whole.node(self_, Frontier::arrival_of(i))];
     const bool counted_on = i < planned;
     if (counted_on && limit.latest != kInfinite && limit.of != nullptr) {
@@ -82,6 +82,8 @@ std::map<MeetingId, PartnerDates> TeamDates::dates(MissionTime now) const {
     }
     result[meeting.id] = dates;
   }
+  // It may be a meeting that the others do not plan any more.
+  for (const auto& [meeting, behind] : gives_way) result[meeting].behind = behind;
   return result;
 }
 
