@@ -8,9 +8,6 @@
 #include <iomanip>
 #include <sstream>
 
-#include "skein/deliberation_setup/knowledge.hpp"
-#include "skein/refiners/partition.hpp"
-#include "skein/supervisor/area_sweep.hpp"
 #include "test_cases.hpp"
 #include "testing/drawn_area.hpp"
 #include "testing/mapping_ends.hpp"
@@ -73,29 +70,6 @@ TEST(AreaSharing, WhatOneLeavesTheOthersFinishTogether) {
 
     EXPECT_LE(ends.spread({"heron", "wren"}), 2 * kTogether) << "seed " << seed;
   }
-}
-
-/// The partition that partition.json asks `skein refine` for, from what the scenario says.
-refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareMode mode) {
-  refiners::PartitionQuery query;
-  query.mode = mode;
-  query.apart = 0;
-  for (const world::Zone& zone : scenario.world.zones) {
-    if (zone.name == "field") query.area = zone.polygon;
-  }
-  for (const scenario::UavSpec& uav : scenario.uavs) {
-    const supervisor::Knowledge knowledge = deliberation_setup::knowledge_of(scenario, uav);
-    refiners::Member member;
-    member.uav = uav.name;
-    member.vehicle = uav.model;
-    member.start = uav.start.head<2>();
-    member.altitude = knowledge.altitude;
-    member.swath = supervisor::swath_of(knowledge, "mapping").value();
-    member.busy = knowledge.altitude / uav.model.climb_rate;
-    query.members.push_back(std::move(member));
-  }
-  const world::World world = deliberation_setup::world_of(scenario).value();
-  return refine(query, refiners::Setting{world, {}}).value().task;
 }
 
 /// As a zone is written in a scenario.

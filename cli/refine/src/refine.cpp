@@ -86,6 +86,17 @@ void take_budget(const RefineOptions& options, Query& query) {
   query.by_default = true;
 }
 
+/// Shares are balanced as they are flown.
+void take_flights(const RefineOptions& options, Query& query) {
+  auto* partition = std::get_if<refiners::PartitionQuery>(&query.question);
+  if (partition == nullptr || !options.flown) return;
+  partition->flown = [flown = options.flown, world = std::make_shared<world::World>(query.world)](
+                         const refiners::Member& member, double altitude,
+                         const world::Polygon& part) {
+    return flown(member, altitude, part, world);
+  };
+}
+
 Result<Query, Diagnostics> query_of(const RefineOptions& options, std::istream& in) {
   const auto text = text_of(options.query, in);
   if (!text) return tl::make_unexpected(text.error());
@@ -96,6 +107,7 @@ Result<Query, Diagnostics> query_of(const RefineOptions& options, std::istream& 
   if (!query) return query;
   if (options.seed) query->seed = *options.seed;
   take_budget(options, *query);
+  take_flights(options, *query);
   return query;
 }
 

@@ -2,7 +2,8 @@
 // Figures of joint tasks in flight, by the simulator's word: an area mapped by three UAVs however
 // it is divided, and how soon a role goes elsewhere when a constraint is violated. Tables, in
 // virtual time: the same on every machine. Arguments: how many seeds (50), and which
-// of them: names of area-sharing, mref, or areas alone: others than the scenario's (all but those).
+// of them: names of area-sharing, mref, or areas or central-areas alone, from a seed on (1): others
+// than the scenario's (all but those).
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -52,13 +53,14 @@ void area_sharing(std::uint64_t seeds, const std::vector<std::string>& only) {
   }
 }
 
-/// Over areas of all kinds, by negotiation.
-void other_areas(std::uint64_t seeds) {
+/// Over areas of all kinds, from this seed on: by negotiation, or divided on the ground.
+void other_areas(std::uint64_t seeds, std::uint64_t first,
+                 scenario::Scenario (&area)(std::uint64_t)) {
   std::vector<double> spreads;
   double sum = 0;
   std::size_t broken = 0, together = 0;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const Mission mission = play(drawn_area(seed));
+  for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
+    const Mission mission = play(area(seed));
     spreads.push_back(100 * mapping_ends(mission.records).spread());
     sum += spreads.back();
     together += spreads.back() <= 5 ? 1 : 0;
@@ -110,8 +112,11 @@ void reaction(std::uint64_t seeds) {
 int main(int argc, char** argv) {
   const std::uint64_t seeds = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 50;
   const std::vector<std::string> only(argv + std::min(argc, 2), argv + argc);
-  if (only == std::vector<std::string>{"areas"}) {
-    skein::testing::other_areas(seeds);
+  if (!only.empty() && (only.front() == "areas" || only.front() == "central-areas")) {
+    const std::uint64_t first = only.size() > 1 ? std::strtoull(only[1].c_str(), nullptr, 10) : 1;
+    skein::testing::other_areas(
+        seeds, first,
+        only.front() == "areas" ? skein::testing::drawn_area : skein::testing::drawn_central_area);
     return 0;
   }
   skein::testing::area_sharing(seeds, only);

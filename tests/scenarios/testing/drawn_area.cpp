@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <vector>
 
+#include "skein/deliberation_setup/knowledge.hpp"
 #include "skein/foundation/random.hpp"
+#include "skein/supervisor/area_sweep.hpp"
 #include "skein/world/geometry.hpp"
 #include "testing/mission.hpp"
 
@@ -44,11 +47,9 @@ world::Vector2 drawn_start(Random& random, const std::vector<world::Vector2>& ot
   }
 }
 
-}  // namespace
-
-scenario::Scenario drawn_area(std::uint64_t seed) {
+scenario::Scenario drawn(const std::string& name, std::uint64_t seed) {
   Random random(seed, "drawn-area");
-  scenario::Scenario scenario = scenario_at("area-sharing/negotiated", with(seed));
+  scenario::Scenario scenario = scenario_at(name, with(seed));
   const world::Vector2 middle(1150, 850);
   world::Polygon polygon;
   while (polygon.size() < 4 || world::area(polygon) < kLeast || world::area(polygon) > kMost)
@@ -62,6 +63,43 @@ scenario::Scenario drawn_area(std::uint64_t seed) {
     starts.push_back(uav.start);
   }
   return scenario;
+}
+
+}  // namespace
+
+scenario::Scenario drawn_area(std::uint64_t seed) { return drawn("area-sharing/negotiated", seed); }
+
+scenario::Scenario drawn_central_area(std::uint64_t seed) {
+  scenario::Scenario scenario = drawn("area-sharing/central", seed);
+  for (const refiners::Part& part : divided(scenario, refiners::ShareMode::kBalanced).parts)
+    for (world::Zone& zone : scenario.world.zones)
+      if (zone.name == "part-" + part.uav) zone.polygon = part.polygon;
+  return scenario;
+}
+
+refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareMode mode) {
+  refiners::PartitionQuery query;
+  query.mode = mode;
+  query.apart = 0;
+  for (const world::Zone& zone : scenario.world.zones)
+    if (zone.name == "field") query.area = zone.polygon;
+  for (const scenario::UavSpec& uav : scenario.uavs) {
+    const supervisor::Knowledge knowledge = deliberation_setup::knowledge_of(scenario, uav);
+    refiners::Member member;
+    member.uav = uav.name;
+    member.vehicle = uav.model;
+    member.start = uav.start.head<2>();
+    member.altitude = knowledge.altitude;
+    member.swath = supervisor::swath_of(knowledge, "mapping").value();
+    member.busy = knowledge.altitude / uav.model.climb_rate;
+    query.members.push_back(std::move(member));
+  }
+  const auto world = std::make_shared<world::World>(deliberation_setup::world_of(scenario).value());
+  query.flown = [&](const refiners::Member& member, double altitude, const world::Polygon& part) {
+    return supervisor::seconds_of_sweep(member.vehicle, altitude, member.swath, member.start, part,
+                                        world, supervisor::Sweeping::kOwn);
+  };
+  return refine(query, refiners::Setting{*world, {}}).value().task;
 }
 
 }  // namespace skein::testing

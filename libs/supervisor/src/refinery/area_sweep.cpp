@@ -79,17 +79,19 @@ Result<double, std::string> shared_swath_of(const Knowledge& knowledge, const st
 std::optional<double> seconds_of_sweep(const world::VehicleModel& vehicle, double altitude,
                                        double swath, const world::Vector2& start,
                                        const world::Polygon& part,
-                                       const std::shared_ptr<const world::World>& world) {
+                                       const std::shared_ptr<const world::World>& world,
+                                       Sweeping sweeping) {
+  const bool shared = sweeping == Sweeping::kShared;
   auto knowledge = std::make_shared<Knowledge>();
   knowledge->vehicle = vehicle;
   knowledge->altitude = altitude;
   world::SensorModel device;
   device.device = "mapping";
-  device.aperture = std::atan(footprint_of(swath, vehicle, kSharedOverlap) / altitude);
+  device.aperture = std::atan(footprint_of(swath, vehicle, shared ? kSharedOverlap : 1) / altitude);
   device.range = kFar * std::hypot(altitude, swath);
   device.period = kLooks;
   Refinery refinery(Gazetteer(knowledge, world), MissionTime(), kSeed);
-  refinery.sweeps.let_swing();
+  if (shared) refinery.sweeps.let_swing();
   const Vector3 from(start.x(), start.y(),
                      world->terrain.elevation(start.x(), start.y()) + altitude);
   const auto lanes = refinery.sweeps.over(from, {"", part}, device);

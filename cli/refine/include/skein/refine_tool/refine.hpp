@@ -4,9 +4,13 @@
 
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "skein/refiners/partition.hpp"
+#include "skein/world/world.hpp"
 
 namespace skein::refine_tool {
 
@@ -23,6 +27,12 @@ struct RefineOptions {
   /// Seconds from any origin that never go back, of the processor as a rule; the time budget is
   /// kept by it.
   std::function<double()> now;
+  /// What a part takes as it is flown, over this world (refiners::FlownSweep): balanced partitions
+  /// are divided by it; absent: by coverage.
+  std::function<std::optional<double>(const refiners::Member&, double altitude,
+                                      const world::Polygon& part,
+                                      const std::shared_ptr<const world::World>&)>
+      flown;
 };
 
 /// Names of the services, in the order of the documentation.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,12 +36,19 @@ Result<double, std::string> swath_of(const Knowledge& knowledge, const std::stri
 /// The same as sweep_of() flies them.
 Result<double, std::string> shared_swath_of(const Knowledge& knowledge, const std::string& device);
 
+/// Whose part of an area it is.
+enum class Sweeping : std::uint8_t {
+  kShared,  ///< of a role of a joint task, as sweep_of() flies it
+  kOwn,     ///< of a mapping of its own: nothing is left out where it swings out behind a turn
+};
+
 /// Seconds that sweep_of() expects of any vehicle over a part of an area [m, ENU], from `start` so
 /// high over the ground, with that between its lanes; nothing: it finds no way. Its own pilot and
 /// sensor are not asked for: `vehicle.position_precision` is what it strays.
 std::optional<double> seconds_of_sweep(const world::VehicleModel& vehicle, double altitude,
                                        double swath, const world::Vector2& start,
                                        const world::Polygon& part,
-                                       const std::shared_ptr<const world::World>& world);
+                                       const std::shared_ptr<const world::World>& world,
+                                       Sweeping sweeping = Sweeping::kShared);
 
 }  // namespace skein::supervisor
