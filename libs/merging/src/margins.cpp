@@ -11,10 +11,10 @@ namespace skein::merging {
 
 namespace {
 
-constexpr double kStretch = 50;    // [m]
+constexpr double kStretch = 50;   // [m]
 constexpr double kLongest = 1e6;  // [m] between two way-points
-constexpr double kCarried = 2;     // [m] off the line, that wind may carry for fewer way-points
-constexpr double kMargin = 1.5;    // [m] for what is overshot
+constexpr double kCarried = 2;    // [m] off the line, that wind may carry for fewer way-points
+constexpr double kMargin = 1.5;   // [m] for what is overshot
 
 /// How far beyond a bend a vehicle is carried [m], at the worst bend: it takes it at the speed
 /// v (1 + cos) / 2 and turns what of that is across with all of its acceleration.
