@@ -397,5 +397,41 @@ TEST(Refine, ColourOnlyWhereItIsAskedFor) {
   EXPECT_THAT(refine(example_of("evaluate")).out, ::testing::Not(HasSubstr("\033")));
 }
 
+// ---- shares as flown ----
+
+/// Two alike that start beside each other share a square; parts take their area, twice as long to
+/// the second.
+json shared(const std::string& mode) {
+  RefineOptions options = as_json();
+  options.flown = [](const refiners::Member& member, double, const world::Polygon& part,
+                     const std::shared_ptr<const world::World>&) {
+    return std::optional(world::area(part) / 1000 * (member.uav == "second" ? 2 : 1));
+  };
+  const auto member = [](const std::string& name, const std::string& x) {
+    return "\"" + name + "\": {" + testing::kVehicle + ", \"start\": [" + x +
+           ", -300], \"altitude\": 80, \"swath\": 50}";
+  };
+  const std::string query = R"({"service": "partition", "area": "field", "apart": 0, "mode": ")" +
+                            mode + "\", " + testing::kWorld + ", \"members\": {" +
+                            member("first", "-200") + ", " + member("second", "200") + "}}";
+  const Done done = refine(query, options);
+  EXPECT_EQ(done.code, kExitOk) << done.err << done.out;
+  return done.code == kExitOk ? json::parse(done.out) : json::object();
+}
+
+double share_of_first(const json& answer) {
+  for (const json& part : answer.at("partition").at("parts"))
+    if (part.at("uav") == "first") return part.at("share");
+  return 0;
+}
+
+TEST(Partition, BalancedSharesAreAsTheyAreFlown) {
+  EXPECT_NEAR(share_of_first(shared("balanced")), 2.0 / 3, 0.03);
+}
+
+TEST(Partition, SharesInProportionAreByArea) {
+  EXPECT_NEAR(share_of_first(shared("proportional")), 0.5, 0.001);
+}
+
 }  // namespace
 }  // namespace skein::refine_tool
