@@ -34,6 +34,7 @@ TEST_F(BlackboardLaws, EveryInstanceOfAStateReachesALateJoiner) {
     wire::LinkState link;
     link.header.instance = instance;
     link.from = instance;
+    link.to = kGround.number.value();  // in memory a link state goes to the two that it is about
     ASSERT_TRUE(system[kSim].publish(link, system.now()));
   }
 
