@@ -2,6 +2,7 @@
 // Reads an event log: one table from the names of the kinds to their readers.
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <string>
 
 #include "reading/field_reader.hpp"
@@ -248,12 +249,24 @@ void read_object_line(const nlohmann::json& object, const Diagnostic& where,
   }
 }
 
+/// Which goes where to be in the order of time, those of one instant as they came; empty: they are.
+std::vector<std::size_t> order_of(const std::vector<MissionTime>& instants) {
+  if (std::is_sorted(instants.begin(), instants.end())) return {};
+  std::vector<std::size_t> order(instants.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return instants[a] < instants[b]; });
+  return order;
+}
+
 template <class Record>
 void sort_records(std::vector<Record>& records) {
-  const auto earlier = [](const Record& a, const Record& b) { return a.stamp.at < b.stamp.at; };
-  if (!std::is_sorted(records.begin(), records.end(), earlier)) {
-    std::stable_sort(records.begin(), records.end(), earlier);
-  }
+  std::vector<MissionTime> instants;
+  instants.reserve(records.size());
+  for (const Record& record : records) instants.push_back(record.stamp.at);
+  std::vector<Record> sorted;
+  for (const std::size_t next : order_of(instants)) sorted.push_back(std::move(records[next]));
+  if (!sorted.empty()) records = std::move(sorted);
 }
 
 }  // namespace
