@@ -92,8 +92,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 class LostLooks : public ::testing::TestWithParam<const char*> {};
 
-// Three of ten looks are lost. What an alarm rests on comes all the same, a round of retransmission
-// later at most: looks that find something are events.
+// Three of ten looks are lost. What an alarm rests on comes all the same: looks that find something
+// are events, as long as that is news.
 TEST_P(LostLooks, CostNoAlarmAndNoTime) {
   const auto first_alarm = [](const Mission& mission) {
     return mission.first({{"kind", "alarm"}, {"state", "raised"}});
@@ -106,7 +106,7 @@ TEST_P(LostLooks, CostNoAlarmAndNoTime) {
     if (!without) continue;
     ++raised;
     ASSERT_TRUE(with) << "seed " << seed << ": no alarm, raised without losses at " << *without;
-    EXPECT_LE(*with, *without + 2) << "seed " << seed;
+    EXPECT_LE(*with, *without + 5) << "seed " << seed;
   }
   EXPECT_GE(static_cast<double>(raised), 0.8 * static_cast<double>(seeds)) << "nothing to judge";
 }

@@ -51,7 +51,7 @@ TEST_P(AtDegree, WhatALookFoundIsAnEventForTheGroundAsLongAsThatIsNews) {
   wire::PerceptionReport found;
   found.device = "ir";
   found.detections.push_back({"fire", {1, 2, 3}, 5, 0.5F});
-  for (int i = 0; i < 10; ++i)
+  for (int i = 0; i < 20; ++i)
     EXPECT_THAT(bench.from_sim(found), ElementsAre("ground: sighting")) << i;
   EXPECT_THAT(bench.from_sim(found), ElementsAre("ground: perception"));
   found.device = "visible";

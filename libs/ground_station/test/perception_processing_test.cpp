@@ -189,42 +189,6 @@ TEST(PerceptionProcessing, BeliefsAreCalibrated) {
   EXPECT_NEAR(static_cast<double>(fires) / believed, expected / believed, 0.02);
 }
 
-// What came by an event that had to be said again.
-TEST(PerceptionProcessing, ALookThatComesAfterYoungerOnesCountsAsIfItHadComeInTime) {
-  PerceptionProcessing in_time({}, flat_terrain()), late({}, flat_terrain());
-  const auto sight = [](double at) { return seeing(look("marvin", "fire-sensor", at), "fire"); };
-  for (const double at : {1.0, 2.0, 3.0}) give(in_time, sight(at));
-  for (const double at : {1.0, 3.0, 2.0}) late.handle(sight(at), MissionTime::seconds(3));
-
-  ASSERT_EQ(in_time.alarms().size(), 1U);
-  ASSERT_EQ(late.alarms().size(), 1U);
-  EXPECT_DOUBLE_EQ(late.alarms()[0].belief, in_time.alarms()[0].belief);
-  EXPECT_EQ(late.alarms()[0].last_seen, in_time.alarms()[0].last_seen);
-}
-
-TEST(PerceptionProcessing, ALateLookCountsOnceAndNotBesideOneThatIsTooClose) {
-  PerceptionProcessing pps({}, flat_terrain());
-  for (const double at : {1.0, 2.0, 3.0, 5.0})
-    give(pps, seeing(look("marvin", "fire-sensor", at), "fire"));
-  const auto views = pps.alarms().at(0).views;
-
-  for (const double at : {3.0, 2.5, 4.5})
-    pps.handle(seeing(look("marvin", "fire-sensor", at), "fire"), MissionTime::seconds(5));
-  EXPECT_EQ(pps.alarms().at(0).views, views);
-  pps.handle(seeing(look("marvin", "fire-sensor", 4), "fire"), MissionTime::seconds(5));
-  EXPECT_EQ(pps.alarms().at(0).views, views + 1);
-}
-
-TEST(PerceptionProcessing, ALookOfMinutesAgoIsNotCounted) {
-  PerceptionProcessing pps({}, flat_terrain());
-  for (const double at : {200.0, 201.0, 202.0})
-    give(pps, seeing(look("marvin", "fire-sensor", at), "fire"));
-  const auto views = pps.alarms().at(0).views;
-
-  pps.handle(seeing(look("marvin", "fire-sensor", 81), "fire"), MissionTime::seconds(202));
-  EXPECT_EQ(pps.alarms().at(0).views, views);
-}
-
 TEST(PerceptionProcessing, LooksCloserThanTheDecorrelationTimeCountOnce) {
   PerceptionProcessing pps({}, flat_terrain());
 

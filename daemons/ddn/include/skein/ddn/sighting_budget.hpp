@@ -10,11 +10,11 @@
 
 namespace skein::ddn {
 
-/// Of each device ten looks at once, then one each five seconds. An alarm rests on its first looks;
+/// Of each device twenty looks at once, then one each five seconds. An alarm rests on its first looks;
 /// a fire that is watched for an hour is seen again by the next, and would fill a slow channel.
 class SightingBudget {
  public:
-  static constexpr std::int64_t kAtOnce = 10;
+  static constexpr std::int64_t kAtOnce = 20;
   static constexpr Duration kEach = Duration::milliseconds(5'000);
 
   /// Whether this look may be an event; then it is counted. `now` must not go back.
