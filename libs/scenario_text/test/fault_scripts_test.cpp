@@ -42,7 +42,7 @@ TEST(FaultScripts, CutsOfSeveralScriptsAreCountedInEach) {
   EXPECT_EQ(
       told({"radio:\n  cuts:\n" + cut + cut,
             "radio:\n  cuts:\n" + cut + "    - {between: [marvin, nobody], from: 1, until: 2}\n"}),
-      "2.yaml:4:25: radio.cuts[1].between[1]: unknown name 'nobody'; expected a UAV or ground\n");
+      "2.yaml:4:26: radio.cuts[1].between[1]: unknown name 'nobody'; expected a UAV or ground\n");
 }
 
 TEST(FaultScripts, AKeyIsOfTheLastThatGaveIt) {
