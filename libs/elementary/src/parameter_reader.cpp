@@ -71,6 +71,10 @@ functional::Parameter points_parameter(std::string name,
 
 std::string figure(double value) {
   std::array<char, 64> text{};
+  if (std::abs(value) >= 1e15) {
+    std::snprintf(text.data(), text.size(), "%g", value);
+    return text.data();
+  }
   std::snprintf(text.data(), text.size(), "%.2f", value);
   std::string figure = text.data();
   figure.erase(figure.find_last_not_of('0') + 1);

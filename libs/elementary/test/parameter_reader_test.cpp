@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+
+#include "skein/foundation/random.hpp"
 
 namespace skein::elementary {
 namespace {
@@ -58,6 +61,43 @@ TEST(ParameterReader, CollectsEveryReason) {
             "unknown parameter 'spede', did you mean 'speed'?; parameter 'device' is given twice; "
             "device must be a text; waypoints must be points of three finite numbers each; "
             "n must be one number");
+}
+
+TEST(ParameterReader, ReadsBackAnyPointsBitForBit) {
+  Random random(1);
+  for (int i = 0; i < 200; ++i) {
+    std::vector<world::Vector3> points(1 + random.below(20));
+    for (world::Vector3& point : points)
+      point = {random.normal() * 1e6, random.normal() * 1e-6, random.normal()};
+    const Parameters parameters{points_parameter("way", points)};
+
+    ParameterReader read(parameters);
+    EXPECT_EQ(read.points("way"), points);
+    EXPECT_FALSE(read.refused());
+  }
+}
+
+TEST(ParameterReader, APointLessOrMoreACoordinateIsRefused) {
+  for (const std::size_t count : {1U, 2U, 4U, 5U, 7U}) {
+    const Parameters parameters = Parameters().add("way", std::vector<double>(count, 1.5));
+
+    ParameterReader read(parameters);
+    EXPECT_TRUE(read.points("way").empty());
+    EXPECT_EQ(read.reasons(), "way must be points of three finite numbers each") << count;
+  }
+}
+
+TEST(Figure, QuotesTheValueWhateverItsSize) {
+  Random random(2);
+  for (int i = 0; i < 10'000; ++i) {
+    const double value = random.normal() * std::pow(10, random.uniform(-5, 300));
+    const std::string text = figure(value);
+
+    EXPECT_NEAR(std::strtod(text.c_str(), nullptr), value, 0.005 + 1e-5 * std::abs(value)) << text;
+    EXPECT_LE(text.size(), 20U) << text;
+    EXPECT_NE(text, "-0");
+    EXPECT_NE(text.back(), '.') << text;
+  }
 }
 
 TEST(Figure, IsShort) {
