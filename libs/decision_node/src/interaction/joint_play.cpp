@@ -6,6 +6,7 @@
 #include "interaction/interaction.hpp"
 #include "interaction/places.hpp"
 #include "interaction/role_tasks.hpp"
+#include "no_air.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/functional/task_types.hpp"
 #include "skein/interaction/describe.hpp"
@@ -274,6 +275,8 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   if (!ended && !asked) failed_.try_emplace(componel, event.reason);
   if (ended && is_mapping(play_->automaton(), componel)) share_.flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);
+  // Else it would wait for its partner in a later meeting of the role, and that for it in this one.
+  if (event.reason.starts_with(kNoAir)) task_.leave(event.reason);
 }
 
 void JointPlay::note_done(const std::string& componel) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "no_air.hpp"
 #include "skein/elementary/parameter_reader.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/functional/task_types.hpp"
@@ -24,7 +25,7 @@ constexpr Duration kUnasked = Duration::milliseconds(10'000);  ///< after the en
 constexpr Duration kRises = Duration::milliseconds(10'000);
 /// Who waits for it longer gives it up: as a rule it is its partner that stays there and waits for
 /// it to come.
-constexpr Duration kRoleWaits = Duration::milliseconds(300'000);
+constexpr Duration kRoleWaits = Duration::milliseconds(240'000);
 constexpr double kAtRest = 0.5;  // [m/s]
 
 bool is_aside(functional::TaskId task) {
@@ -275,7 +276,7 @@ void Merging::say_it_waits() {
   if (waiting_) note_waits();
   const bool asks = waiting_ && is_of_role(waiting_->request) && !waiting_->airways.empty();
   if (asks && core_.bus().now() >= waiting_->since + kRoleWaits)
-    return refuse("others leave it no air: it waits for " + joined(waiting_->waits_for, "; "));
+    return refuse(std::string(kNoAir) + joined(waiting_->waits_for, "; "));
   if (!waiting_ || core_.bus().now() < waiting_->said + kSaidAgain) return;
   waiting_->said = core_.bus().now();
   core_.post_status({waiting_->request.id, functional::TaskState::kStarted, "waits for its air"});
