@@ -18,8 +18,8 @@ int run_refine(const skein::refine_tool::RefineOptions& options, std::istream& i
   with_flights.flown = [](const refiners::Member& member, double altitude,
                           const world::Polygon& part,
                           const std::shared_ptr<const world::World>& world) {
-    return supervisor::seconds_of_sweep(member.vehicle, altitude, member.swath, member.start, part,
-                                        world, supervisor::Sweeping::kOwn);
+    return supervisor::seconds_of_sweep({member.vehicle, altitude, member.swath, member.start},
+                                        part, world, supervisor::Sweeping::kOwn);
   };
   return refine_tool::run_refine(with_flights, in, out, err);
 }

@@ -311,9 +311,9 @@ void DdnNode::carry_out(const dn::StartReckoning& effect) {
     if (is_unwanted && is_unwanted()) return Rows(failure("nobody wants it any more"));
     return interaction::reckon(
         terms, offers, [](const auto& sweeper, const auto& part, const world::World& ground) {
-          return supervisor::seconds_of_sweep(sweeper.vehicle, sweeper.altitude, sweeper.swath,
-                                              sweeper.start, part,
-                                              std::make_shared<const world::World>(ground));
+          return supervisor::seconds_of_sweep(
+              {sweeper.vehicle, sweeper.altitude, sweeper.swath, sweeper.start}, part,
+              std::make_shared<const world::World>(ground));
         });
   };
   out_.push_back(node::StartJob{kFirstReckoning + effect.job, work});

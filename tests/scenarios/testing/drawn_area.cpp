@@ -96,8 +96,8 @@ refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareM
   }
   const auto world = std::make_shared<world::World>(deliberation_setup::world_of(scenario).value());
   query.flown = [&](const refiners::Member& member, double altitude, const world::Polygon& part) {
-    return supervisor::seconds_of_sweep(member.vehicle, altitude, member.swath, member.start, part,
-                                        world, supervisor::Sweeping::kOwn);
+    return supervisor::seconds_of_sweep({member.vehicle, altitude, member.swath, member.start},
+                                        part, world, supervisor::Sweeping::kOwn);
   };
   return refine(query, refiners::Setting{*world, {}}).value().task;
 }

@@ -76,12 +76,11 @@ Result<double, std::string> shared_swath_of(const Knowledge& knowledge, const st
   return swath_with(kSharedOverlap, knowledge, device);
 }
 
-std::optional<double> seconds_of_sweep(const world::VehicleModel& vehicle, double altitude,
-                                       double swath, const world::Vector2& start,
-                                       const world::Polygon& part,
+std::optional<double> seconds_of_sweep(const PartSweeper& sweeper, const world::Polygon& part,
                                        const std::shared_ptr<const world::World>& world,
                                        Sweeping sweeping) {
   const bool shared = sweeping == Sweeping::kShared;
+  const auto& [vehicle, altitude, swath, start] = sweeper;
   auto knowledge = std::make_shared<Knowledge>();
   knowledge->vehicle = vehicle;
   knowledge->altitude = altitude;

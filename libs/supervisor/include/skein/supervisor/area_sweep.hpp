@@ -42,12 +42,18 @@ enum class Sweeping : std::uint8_t {
   kOwn,     ///< of a mapping of its own: nothing is left out where it swings out behind a turn
 };
 
-/// Seconds that sweep_of() expects of any vehicle over a part of an area [m, ENU], from `start` so
-/// high over the ground, with that between its lanes; nothing: it finds no way. Its own pilot and
-/// sensor are not asked for: `vehicle.position_precision` is what it strays.
-std::optional<double> seconds_of_sweep(const world::VehicleModel& vehicle, double altitude,
-                                       double swath, const world::Vector2& start,
-                                       const world::Polygon& part,
+/// Who sweeps a part of an area, as far as the seconds it takes depend on that.
+struct PartSweeper {
+  world::VehicleModel vehicle;
+  double altitude = 0;                            ///< over the ground [m], > 0
+  double swath = 0;                               ///< between its lanes [m], > 0
+  world::Vector2 start = world::Vector2::Zero();  ///< [m, ENU], at that altitude
+};
+
+/// Seconds that sweep_of() expects of any vehicle over a part of an area [m, ENU]; nothing: it
+/// finds no way. Its own pilot and sensor are not asked for: `vehicle.position_precision` is what
+/// it strays.
+std::optional<double> seconds_of_sweep(const PartSweeper& sweeper, const world::Polygon& part,
                                        const std::shared_ptr<const world::World>& world,
                                        Sweeping sweeping = Sweeping::kShared);
 
