@@ -102,11 +102,12 @@ TEST(Narrator, OdometryHasTheTwistInTheFrameOfTheVehicle) {
   EXPECT_EQ(odometry.header.frame_id, "map");
   EXPECT_EQ(odometry.child_frame_id, "marvin");
   EXPECT_EQ(odometry.pose.pose.position, (ros2::Vector3{100, 0, 50}));
-  EXPECT_NEAR(odometry.pose.pose.orientation.z, std::sqrt(0.5), 1e-12);
-  EXPECT_NEAR(odometry.pose.pose.orientation.w, std::sqrt(0.5), 1e-12);
-  EXPECT_NEAR(odometry.twist.twist.linear.x, 3, 1e-12);
-  EXPECT_NEAR(odometry.twist.twist.linear.y, 0, 1e-12);
-  EXPECT_NEAR(odometry.twist.twist.linear.z, 1, 1e-12);
+  constexpr double kSingle = 1e-6;  // telemetry's figures are in single precision
+  EXPECT_NEAR(odometry.pose.pose.orientation.z, std::sqrt(0.5), kSingle);
+  EXPECT_NEAR(odometry.pose.pose.orientation.w, std::sqrt(0.5), kSingle);
+  EXPECT_NEAR(odometry.twist.twist.linear.x, 3, kSingle);
+  EXPECT_NEAR(odometry.twist.twist.linear.y, 0, kSingle);
+  EXPECT_NEAR(odometry.twist.twist.linear.z, 1, kSingle);
 }
 
 TEST(Narrator, TellsTasksAndGoalsWithTheirStates) {
