@@ -10,8 +10,9 @@
 
 namespace skein::ddn {
 
-/// Of each device twenty looks at once, then one each five seconds. An alarm rests on its first looks;
-/// a fire that is watched for an hour is seen again by the next, and would fill a slow channel.
+/// Of each device twenty looks at once, then one each five seconds. An alarm rests on its first
+/// looks; a fire that is watched for an hour is seen again by the next, and would fill a slow
+/// channel.
 class SightingBudget {
  public:
   static constexpr std::int64_t kAtOnce = 20;
