@@ -104,6 +104,24 @@ TEST(ContactPolicy, ReturnFliesHomeAndLands) {
               Contains("sim: dispatch " + own(40, 1) + " land"));
 }
 
+// The landing that was to follow does not begin in the instant between its way and theirs.
+TEST(ContactPolicy, WhoTakesItsWayHomeAwayTakesTheLandingAfterItToo) {
+  Bench bench(Bench::with_policy(3, ContactPolicy::kReturn));
+  in_the_air(bench);
+  lose_ground_at(bench, 10);
+  bench.wake_at(40);
+  bench.from_sim(status(own_id(40), TaskState::kRunning));
+  bench.hear_ground(true);
+
+  auto words = bench.from_ground(start(1, a_task(7, "goto"), executive::InsertionMode::kVut));
+  const auto more = bench.from_sim(status(own_id(40), TaskState::kAborted));
+  words.insert(words.end(), more.begin(), more.end());
+
+  EXPECT_THAT(words, Contains("sim: interrupt " + own(40)));
+  EXPECT_THAT(words, Contains("sim: dispatch 7 goto"));
+  EXPECT_THAT(words, Not(Contains("sim: dispatch " + own(40, 1) + " land")));
+}
+
 // The way home is barred, but it must still come down.
 TEST(ContactPolicy, ReturnLandsWhereItIsWhenTheWayHomeFails) {
   Bench bench(Bench::with_policy(3, ContactPolicy::kReturn));

@@ -32,6 +32,14 @@ executive::Input input_of(const mission::Request& request) {
       request);
 }
 
+/// An own task gives way to one of others that starts.
+bool is_displaced(const executive::TaskEvent& event, const executive::Input& cause) {
+  const bool own = is_own(event.id) && event.id < functional::kFirstBackgroundId;
+  const auto* start = std::get_if<executive::Start>(&cause);
+  return own && event.state == executive::TaskState::kAborting && start != nullptr &&
+         !is_own(start->task.id);
+}
+
 }  // namespace
 
 Execution::Execution(Core& core) : core_(core), executive_(executive_config(core.config())) {}
@@ -78,10 +86,11 @@ void Execution::handle(const Asked& asked) {
 
 // ---- what the executive asks for ----
 
-void Execution::carry_out(const executive::TaskEvent& event, const Asked&) {
+void Execution::carry_out(const executive::TaskEvent& event, const Asked& asked) {
   const auto task = executive_.find(event.id);
   core_.bus().emit(TaskChanged{event, task ? task->parameters : functional::Parameters()});
   if (core_.own_tasks().see(event)) core_.safekeeping().own_task_over(event);
+  if (is_displaced(event, asked.input)) core_.safekeeping().displaced();
   core_.tell_task(event);
   if (is_terminal(event.state)) note_over(event.id);
 }

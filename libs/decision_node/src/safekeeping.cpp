@@ -72,12 +72,16 @@ void Safekeeping::start_pending() {
   if (!pending_ || !core_.vehicle().of_ground().empty()) return;
   const ContactPolicy how = *pending_;
   pending_.reset();
+  withdraw_what_waits();
+  holds_ = how == ContactPolicy::kHold;
+  holds_ ? hold() : come_home();
+}
+
+void Safekeeping::withdraw_what_waits() {
   for (const executive::TaskStatus& task : core_.execution().tasks()) {
     const bool waits = task.state == executive::TaskState::kScheduled;
     if (waits && is_own(task.id)) core_.execution().run(executive::Abort{task.id});
   }
-  holds_ = how == ContactPolicy::kHold;
-  holds_ ? hold() : come_home();
 }
 
 bool Safekeeping::is_idle() const {
