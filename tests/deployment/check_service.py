@@ -83,7 +83,8 @@ def standing_still(process):
     try:
         yield
     finally:
-        ask(DETACH)
+        with contextlib.suppress(ProcessLookupError):  # SIGABRT may have ended it by now
+            ask(DETACH)
 
 
 def check_watchdog(folder, start, notified):
