@@ -90,7 +90,7 @@ void Execution::carry_out(const executive::TaskEvent& event, const Asked& asked)
   const auto task = executive_.find(event.id);
   core_.bus().emit(TaskChanged{event, task ? task->parameters : functional::Parameters()});
   if (core_.own_tasks().see(event)) core_.safekeeping().own_task_over(event);
-  if (is_displaced(event, asked.input)) core_.safekeeping().displaced();
+  if (is_displaced(event, asked.input)) core_.safekeeping().withdraw_what_waits();
   core_.tell_task(event);
   if (is_terminal(event.state)) note_over(event.id);
 }

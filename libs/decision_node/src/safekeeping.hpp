@@ -29,16 +29,15 @@ class Safekeeping {
   /// Something of the ground's may be over.
   void start_pending();
   void own_task_over(const executive::TaskEvent& event);
-  /// A task of others takes the place of an own one that was under way: what was to follow that one
-  /// (a landing) would begin in its stead, and be aborted at once.
-  void displaced() { withdraw_what_waits(); }
+  /// Of its own tasks. When one of others takes the place of an own one that was under way, what
+  /// was to follow that (a landing) would begin in its stead, and be aborted at once.
+  void withdraw_what_waits();
   /// A hold ends before the vehicle cannot come home any more, and air that closes around it is
   /// left: the ground may be silent, or have forgotten it.
   void look_after(const world::Telemetry& telemetry);
 
  private:
   void carry_out_policy();
-  void withdraw_what_waits();
   void hold();
   void come_home();
   void come_home_again();
