@@ -32,8 +32,7 @@ wire::Sample state_of_link(const Pair& pair) {
 class NodesOfAWorld {
  public:
   MemoryTransport& join(std::uint32_t number, const char* partition = "world") {
-    ChannelConfig world;
-    world.kind = ChannelKind::kWorld;
+    ChannelConfig world = world_channel();
     world.partition = partition;
     auto node = std::make_unique<MemoryTransport>(hub_);
     EXPECT_TRUE(

@@ -3,39 +3,22 @@
 #include <gtest/gtest.h>
 
 #include "skein/ground_station/perception_processing.hpp"
+#include "testing/builders.hpp"
+#include "testing/looks.hpp"
 
 namespace skein::ground_station {
 namespace {
 
-const world::Terrain& level_ground() {
-  static const world::Terrain terrain(world::TerrainSpec{.west = -1000,
-                                                         .south = -1000,
-                                                         .east = 1000,
-                                                         .north = 1000,
-                                                         .cell = 100,
-                                                         .base = 0,
-                                                         .hills = {},
-                                                         .elevations = {}});
-  return terrain;
-}
+using testing::flat_terrain;
+using testing::look;
+using testing::seeing;
 
-/// Marvin's fire sensor sees fire straight below.
-world::Perception sight(double at) {
-  world::Perception look;
-  look.uav = "marvin";
-  look.device = "fire-sensor";
-  look.viewpoint = {5, 0, 60};
-  look.direction = {0, 0, -1};
-  look.range = 150;
-  look.aperture = 0.8;
-  look.at = MissionTime::seconds(at);
-  look.detections.push_back({"fire", {0, 0, 0}, 5, 0.9});
-  return look;
-}
+/// Marvin's fire sensor sees fire below.
+world::Perception sight(double at) { return seeing(look("marvin", "fire-sensor", at), "fire"); }
 
 // What came by an event that had to be said again.
 TEST(LateLooks, ALookThatComesAfterYoungerOnesCountsAsIfItHadComeInTime) {
-  PerceptionProcessing in_time({}, level_ground()), late({}, level_ground());
+  PerceptionProcessing in_time({}, flat_terrain()), late({}, flat_terrain());
   for (const double at : {1.0, 2.0, 3.0}) in_time.handle(sight(at), MissionTime::seconds(at));
   for (const double at : {1.0, 3.0, 2.0}) late.handle(sight(at), MissionTime::seconds(3));
 
@@ -46,7 +29,7 @@ TEST(LateLooks, ALookThatComesAfterYoungerOnesCountsAsIfItHadComeInTime) {
 }
 
 TEST(LateLooks, ALateLookCountsOnceAndNotBesideOneThatIsTooClose) {
-  PerceptionProcessing pps({}, level_ground());
+  PerceptionProcessing pps({}, flat_terrain());
   for (const double at : {1.0, 2.0, 3.0, 5.0}) pps.handle(sight(at), MissionTime::seconds(at));
   const auto views = pps.alarms().at(0).views;
 
@@ -57,7 +40,7 @@ TEST(LateLooks, ALateLookCountsOnceAndNotBesideOneThatIsTooClose) {
 }
 
 TEST(LateLooks, ALookOfMinutesAgoIsNotCounted) {
-  PerceptionProcessing pps({}, level_ground());
+  PerceptionProcessing pps({}, flat_terrain());
   for (const double at : {200.0, 201.0, 202.0}) pps.handle(sight(at), MissionTime::seconds(at));
   const auto views = pps.alarms().at(0).views;
 

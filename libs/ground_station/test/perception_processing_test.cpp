@@ -8,49 +8,21 @@
 #include <numbers>
 
 #include "skein/foundation/random.hpp"
+#include "testing/builders.hpp"
+#include "testing/looks.hpp"
 
 namespace skein::ground_station {
 namespace {
 
+using testing::flat_terrain;
+using testing::kFire;
+using testing::look;
+using testing::seeing;
 using world::Detection;
 using world::Perception;
 using world::Terrain;
 using world::TerrainSpec;
 using world::Vector3;
-
-const Vector3 kFire(100, 50, 0);
-
-const Terrain& flat_terrain() {
-  static const Terrain terrain(TerrainSpec{.west = -1000,
-                                           .south = -1000,
-                                           .east = 1000,
-                                           .north = 1000,
-                                           .cell = 100,
-                                           .base = 0,
-                                           .hills = {},
-                                           .elevations = {}});
-  return terrain;
-}
-
-// A look straight down at a place from 60 m, which sees 60 m around.
-Perception look(const std::string& uav, const std::string& device, double at,
-                const Vector3& above = kFire) {
-  Perception perception;
-  perception.uav = uav;
-  perception.device = device;
-  perception.viewpoint = above + Vector3(5, 0, 60);
-  perception.direction = -Vector3::UnitZ();
-  perception.range = 150;
-  perception.aperture = 0.8;
-  perception.at = MissionTime::seconds(at);
-  return perception;
-}
-
-Perception seeing(Perception perception, const std::string& kind, const Vector3& at = kFire,
-                  double spread = 5) {
-  perception.detections.push_back({kind, at, spread, 0.9});
-  return perception;
-}
 
 std::vector<PerceptionProcessing::Effect> give(PerceptionProcessing& pps, const Perception& p) {
   return pps.handle(p, p.at);
