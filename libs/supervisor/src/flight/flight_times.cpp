@@ -99,15 +99,11 @@ bool is_tight(const Way& way, const VehicleModel& vehicle) {
 }
 
 /// What a point that is missed takes, of a flight of so many seconds: one circle where the next leg
-/// leaves room for it, else straight on first and then around, held against the wind. Every flight
-/// in thought of a long way misses some already.
+/// leaves room for it. Every flight in thought of a long way misses some already.
 double missed_seconds(const Way& way, double flight, const VehicleModel& vehicle,
                       const Wind& wind) {
   if (flight >= kLongFlight || !is_tight(way, vehicle)) return circle_seconds(vehicle);
-  const double slowest = vehicle.cruise_speed - vehicle.wind_drift * (wind.speed + wind.gusts);
-  const double round = 2 * std::numbers::pi * kRoomMargin * vehicle.min_turn_radius +
-                       2 * world::reaching_distance(vehicle, wind);
-  return round / std::max(slowest, vehicle.cruise_speed / 2);
+  return turning_back_seconds(vehicle, wind);
 }
 
 /// Flown in thought from each pose, with errors and gusts.
@@ -160,6 +156,13 @@ double longest_reaction(const VehicleModel& vehicle) {
 double stray_distance(const VehicleModel& vehicle, const Wind& wind) {
   return 2 * std::numbers::sqrt2 * world::tracking_spread(vehicle) +
          2 * greatest_drift(vehicle, wind);
+}
+
+double turning_back_seconds(const VehicleModel& vehicle, const Wind& wind) {
+  const double slowest = vehicle.cruise_speed - vehicle.wind_drift * (wind.speed + wind.gusts);
+  const double round = 2 * std::numbers::pi * kRoomMargin * vehicle.min_turn_radius +
+                       2 * world::reaching_distance(vehicle, wind);
+  return round / std::max(slowest, vehicle.cruise_speed / 2);
 }
 
 Times flight_times(const Way& way, const VehicleModel& vehicle, const Wind& wind) {

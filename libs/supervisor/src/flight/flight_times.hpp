@@ -41,6 +41,10 @@ Times flight_times(const refiners::Way& way, const world::VehicleModel& vehicle,
 /// does; it brakes for corners, and gathers its speed again behind them.
 Times driving_times(const refiners::Way& way, const world::VehicleModel& vehicle);
 
+/// What a point costs one that cannot hover when it is missed between legs too short to turn in:
+/// straight on first and then around, held against the wind [s].
+double turning_back_seconds(const world::VehicleModel& vehicle, const world::Wind& wind);
+
 /// Straight up, or straight down to the ground, over `height` metres.
 Times takeoff_times(double height, const world::VehicleModel& vehicle, const world::Wind& wind);
 Times landing_times(double height, const world::VehicleModel& vehicle);

@@ -24,6 +24,7 @@ constexpr double kUnforeseen = 1.12;
 constexpr double kUnforeseenOnGround = 1.5;  // ways over the ground are longer than straight ones
 constexpr double kGathering = 60;            // [s]
 constexpr double kCircles = 3;
+constexpr double kMissed = 0.5;  // points of a way in circles, of which the first is at any angle
 constexpr double kLeastClearance = 5;  // [m] over hills on the way
 constexpr double kRounding = 1e-9;     // of sums of energies
 constexpr double kClimbShare = 0.8;    // of its rates, as ways are made with
@@ -107,7 +108,7 @@ double Retreat::climb(const Vector3& from, const Vector3& to) const {
 }
 
 /// Of one that cannot hover: until it is up or down there, in full circles where the way is too
-/// short for that [s].
+/// short for that; from some headings it misses a point of them [s].
 double Retreat::circling(const Vector3& from, const Vector3& to) const {
   const world::VehicleModel& vehicle = knowledge_.vehicle;
   if (vehicle.hovers) return 0;
@@ -116,7 +117,9 @@ double Retreat::circling(const Vector3& from, const Vector3& to) const {
   const double needed = std::abs(rise) / std::max(rate, 1e-3) * vehicle.cruise_speed;
   const double circle = 2 * std::numbers::pi * vehicle.orbit_radius;
   const double circles = circle > 0 ? std::ceil(std::max(0.0, needed - length) / circle) : 0;
-  return circles > 0 ? (length + circles * circle) / vehicle.cruise_speed : 0;
+  if (circles <= 0) return 0;
+  return (length + circles * circle) / vehicle.cruise_speed +
+         kMissed * turning_back_seconds(vehicle, world_.wind);
 }
 
 double Retreat::energy(const Vector3& from, const Vector3& to) const {

@@ -136,6 +136,16 @@ TEST(Retreat, CountsTheCirclesInWhichABlimpComesDownOnAShortWay) {
   is_no_less_than_the_landing_planned(lab, {-200, -49, 69});
 }
 
+// The planned circles have legs shorter than its turns: of six headings that it may begin in, two
+// take twice and three times as long.
+TEST(Retreat, CountsThePointsOfThoseCirclesThatABlimpMisses) {
+  PlanningLab lab = lab_of("karma");
+  lab.world.wind = {0.3, 2.3, 0.5};
+  is_no_less_than_the_landing_planned(lab, {-31, -117, 60});
+  lab.world.wind = {1.0, 3.5, 0.5};
+  is_no_less_than_the_landing_planned(lab, {80, -129, 64});
+}
+
 RC_GTEST_PROP(Retreat, AtMostIsNoLess, ()) {
   PlanningLab lab = lab_of(*rc::gen::element<std::string>("marvin", "karma", "heliv"));
   lab.world.wind.toward = 0.1 * *rc::gen::inRange(0, 63);
