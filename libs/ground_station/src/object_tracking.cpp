@@ -28,6 +28,20 @@ double distance(const world::Vector3& a, const world::Vector3& b) {
   return (a - b).head<2>().norm();
 }
 
+/// The detection of its kind that is nearest to `place`, of those within `reach` of it.
+template <class Reach>
+const world::Detection* nearest_of(const std::string& kind, const world::Vector3& place,
+                                   const world::Perception& look, const Reach& reach) {
+  const world::Detection* nearest = nullptr;
+  for (const world::Detection& one : look.detections) {
+    if (one.kind != kind || !is_sane(one)) continue;
+    const double off = distance(one.position, place);
+    if (off <= reach(one) && (nearest == nullptr || off < distance(nearest->position, place)))
+      nearest = &one;
+  }
+  return nearest;
+}
+
 }  // namespace
 
 std::vector<std::string> problems_of(const std::vector<ObjectSpec>& objects) {
@@ -51,7 +65,6 @@ ObjectTracking::ObjectTracking(std::vector<ObjectSpec> objects) {
   SKEIN_EXPECTS(problems_of(objects).empty());
   for (ObjectSpec& one : objects) {
     Track track;
-    track.position = one.thought;
     track.spec = std::move(one);
     tracks_.push_back(std::move(track));
   }
@@ -60,9 +73,13 @@ ObjectTracking::ObjectTracking(std::vector<ObjectSpec> objects) {
 std::vector<ObjectSeen> ObjectTracking::handle(const world::Perception& look) {
   std::vector<ObjectSeen> news;
   for (Track& track : tracks_) {
-    const world::Detection* sighting = sighting_of(track, look);
-    if (sighting == nullptr) continue;
-    follow(track, *sighting, look.at);
+    if (const world::Detection* sighting = sighting_of(track, look)) {
+      follow(track, *sighting, look.at);
+    } else {
+      const world::Detection* first = track.sure ? nullptr : first_of(track, look);
+      if (first != nullptr) begin(track, *first, look.at);
+      continue;
+    }
     if (track.told && *track.seen - *track.told < kToldEvery) continue;
     track.told = track.seen;
     news.push_back(
@@ -73,30 +90,31 @@ std::vector<ObjectSeen> ObjectTracking::handle(const world::Perception& look) {
 
 const world::Detection* ObjectTracking::sighting_of(const Track& track,
                                                     const world::Perception& look) {
-  const double age = track.seen ? std::max(0.0, (look.at - *track.seen).to_seconds()) : 0;
+  if (!track.seen) return nullptr;
+  const double age = std::max(0.0, (look.at - *track.seen).to_seconds());
   const double variance = track.variance + track.spec.drift * track.spec.drift * age;
-  const world::Detection* nearest = nullptr;
-  for (const world::Detection& one : look.detections) {
-    if (one.kind != track.spec.kind || !is_sane(one)) continue;
-    const double gate =
-        track.seen ? kGate * std::sqrt(variance + variance_of(one)) : track.spec.reach;
-    const double off = distance(one.position, track.position);
-    if (off <= gate && (nearest == nullptr || off < distance(nearest->position, track.position)))
-      nearest = &one;
-  }
-  return nearest;
+  return nearest_of(track.spec.kind, track.position, look, [&](const world::Detection& one) {
+    return kGate * std::sqrt(variance + variance_of(one));
+  });
+}
+
+const world::Detection* ObjectTracking::first_of(const Track& track,
+                                                 const world::Perception& look) {
+  return nearest_of(track.spec.kind, track.spec.thought, look,
+                    [&](const world::Detection&) { return track.spec.reach; });
+}
+
+void ObjectTracking::begin(Track& track, const world::Detection& sighting, MissionTime at) {
+  track.position = sighting.position;
+  track.variance = variance_of(sighting);
+  track.seen = at;
 }
 
 // One that is older than what is known has grown as uncertain meanwhile as the object has moved.
 void ObjectTracking::follow(Track& track, const world::Detection& sighting, MissionTime at) {
   const double drift = track.spec.drift * track.spec.drift;
   double noise = variance_of(sighting);
-  if (!track.seen) {
-    track.position = sighting.position;
-    track.variance = noise;
-    track.seen = at;
-    return;
-  }
+  track.sure = true;
   const double age = (at - *track.seen).to_seconds();
   if (age >= 0) {
     track.variance += drift * age;

@@ -40,9 +40,12 @@ std::vector<Violation> objects_elsewhere(const History& history) {
       nearest = std::min(nearest, state->distance_to(told.position.head<2>()));
     }
     if (nearest <= kDragged * told.spread + kMeanwhile) continue;
+    const std::string what =
+        "'" + told.name + "' is said to have been seen at " + figure(told.seen) + " s ";
     result.push_back({"", told.told, "", 0,
-                      "'" + told.name + "' is said to have been seen at " + figure(told.seen) +
-                          " s where nothing was within " + figure(nearest) + " m"});
+                      nearest == kNever
+                          ? what + "when there was nothing anywhere"
+                          : what + "where nothing was within " + figure(nearest) + " m"});
   }
   return result;
 }

@@ -35,6 +35,14 @@ TEST(SeenLaw, AnObjectThatWasNotThereBreaksIt) {
                                     "nothing was within 76.0 m")));
 }
 
+TEST(SeenLaw, SaysSoWhenThereWasNothingAnywhere) {
+  Story story;
+  story.object_seen(61, 60, {200, 50, 0}, 2);
+
+  EXPECT_THAT(story.broken("seen"),
+              ElementsAre(HasSubstr("at 60.0 s when there was nothing anywhere")));
+}
+
 // Where the front was when it was seen, not where it is when that is told.
 TEST(SeenLaw, CountsWhenItWasSeen) {
   Story story;
