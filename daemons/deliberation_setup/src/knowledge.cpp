@@ -119,18 +119,34 @@ std::string teams_of(const interaction::Model& model) {
   return joined(variants, ", or ");
 }
 
+/// Of a high-level task, at the place where it is written; "ground.script" where that is not known.
+struct TaskPlace {
+  std::string file;
+  world::Mark mark;
+
+  TaskPlace(const Scenario& scenario, const scenario::TaskMarks& marks, const std::string& uav,
+            mission::GoalId task)
+      : file(scenario.file), mark{0, "ground.script"} {
+    if (const auto known = marks.find({uav, task}); known != marks.end()) mark = known->second;
+  }
+  Diagnostic at(const std::string& problem, const std::string& wanted,
+                const std::string& nearest) const {
+    return {file, mark.line, 0, mark.path, problem, wanted, nearest};
+  }
+};
+
 /// What is wrong with the members of a joint task that a UAV is asked for.
-void check_members(const Scenario& scenario, const std::string& uav, const std::string& task,
+void check_members(const Scenario& scenario, const std::string& uav,
+                   const mission::HighLevelTask& task, const TaskPlace& place,
                    const std::vector<std::string>& members, Diagnostics& diagnostics) {
   const auto add = [&](const std::string& problem, const std::string& wanted,
                        const std::string& nearest) {
-    diagnostics.add({scenario.file, 0, 0, "ground.script", task + " of " + uav + ": " + problem,
-                     wanted, nearest});
+    diagnostics.add(place.at(task.name + " of " + uav + ": " + problem, wanted, nearest));
   };
   if (std::find(members.begin(), members.end(), uav) == members.end()) {
     add("it is not among the members", "the UAV itself among them", "");
   }
-  const interaction::Model& model = scenario.interaction->models.at(task);
+  const interaction::Model& model = scenario.interaction->models.at(task.name);
   if (interaction::variant_for(model, members.size()) == nullptr) {
     add("no variant is for " + std::to_string(members.size()) + " UAVs", teams_of(model), "");
   }
@@ -147,10 +163,9 @@ void check_members(const Scenario& scenario, const std::string& uav, const std::
 
 /// What the ground is asked to play for a UAV.
 void check_played(const Scenario& scenario, const ground_station::PlayRole& play,
-                  Diagnostics& diagnostics) {
+                  const TaskPlace& place, Diagnostics& diagnostics) {
   const auto add = [&](const std::string& problem, const std::string& wanted) {
-    diagnostics.add({scenario.file, 0, 0, "ground.script", "play for " + play.uav + ": " + problem,
-                     wanted, ""});
+    diagnostics.add(place.at("play for " + play.uav + ": " + problem, wanted, ""));
   };
   const auto model = scenario.interaction->models.find(play.task.name);
   if (model == scenario.interaction->models.end()) {
@@ -161,28 +176,40 @@ void check_played(const Scenario& scenario, const ground_station::PlayRole& play
   }
 }
 
+void check_task(const Scenario& scenario, const std::string& uav,
+                const mission::HighLevelTask& task, const TaskPlace& place,
+                Diagnostics& diagnostics) {
+  if (!scenario.interaction->models.contains(task.name)) return;
+  for (const mission::Argument& argument : task.arguments) {
+    const auto* members = std::get_if<std::vector<std::string>>(&argument);
+    if (members != nullptr) check_members(scenario, uav, task, place, *members, diagnostics);
+  }
+}
+
+void check_actions(const Scenario& scenario, const std::vector<ground_station::Action>& actions,
+                   Diagnostics& diagnostics) {
+  for (const ground_station::Action& action : actions) {
+    if (const auto* sent = std::get_if<ground_station::SendMission>(&action)) {
+      for (const mission::HighLevelTask& task : sent->mission.tasks) {
+        const TaskPlace place(scenario, scenario.ground.asked, sent->uav, task.id);
+        check_task(scenario, sent->uav, task, place, diagnostics);
+      }
+    } else if (const auto* played = std::get_if<ground_station::PlayRole>(&action)) {
+      const TaskPlace place(scenario, scenario.ground.played, played->uav, played->task.id);
+      check_task(scenario, played->uav, played->task, place, diagnostics);
+      check_played(scenario, *played, place, diagnostics);
+    }
+  }
+}
+
 }  // namespace
 
 Diagnostics joint_task_problems(const Scenario& scenario) {
   Diagnostics diagnostics;
   if (scenario.interaction == nullptr) return diagnostics;
-  const auto check = [&](const std::string& uav, const mission::HighLevelTask& task) {
-    if (!scenario.interaction->models.contains(task.name)) return;
-    for (const mission::Argument& argument : task.arguments) {
-      const auto* members = std::get_if<std::vector<std::string>>(&argument);
-      if (members != nullptr) check_members(scenario, uav, task.name, *members, diagnostics);
-    }
-  };
-  for (const ground_station::Step& step : scenario.ground.script.steps) {
-    for (const ground_station::Action& action : step.actions) {
-      if (const auto* sent = std::get_if<ground_station::SendMission>(&action)) {
-        for (const mission::HighLevelTask& task : sent->mission.tasks) check(sent->uav, task);
-      } else if (const auto* played = std::get_if<ground_station::PlayRole>(&action)) {
-        check(played->uav, played->task);
-        check_played(scenario, *played, diagnostics);
-      }
-    }
-  }
+  const ground_station::Script& script = scenario.ground.script;
+  for (const auto& step : script.steps) check_actions(scenario, step.actions, diagnostics);
+  for (const auto& one : script.operators) check_actions(scenario, one.actions, diagnostics);
   return diagnostics;
 }
 

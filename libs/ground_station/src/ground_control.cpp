@@ -174,6 +174,7 @@ void GroundControl::accept_status(const FunctionalStatusReceived& input, Effects
 
 void GroundControl::accept_reachability(const PeerReachable& input, Effects& out) {
   errands_.emplace_back(Monitoring::Input(input));
+  errands_.emplace_back(MissionPlanning::Input(input));
   if (!input.reachable) return;
   if (input.restarted) {
     for (const Alarm& alarm : perception_.alarms()) out.emplace_back(TellAlarm{alarm, input.uav});

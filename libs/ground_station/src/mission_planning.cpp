@@ -10,6 +10,8 @@ namespace skein::ground_station {
 namespace {
 
 constexpr Duration kRest = Duration::milliseconds(1'000);  // of a step that is armed again
+// Later than by this a ground station that runs does not wake: then it was away itself.
+constexpr Duration kWakesWithin = Duration::milliseconds(2'000);
 
 template <class Leaf>
 void collect_leaves(const Trigger& trigger, std::vector<Leaf>& leaves) {
@@ -121,10 +123,8 @@ std::optional<MissionTime> MissionPlanning::first_instant() const {
   for (const auto& [rank, waiting] : awake_) {
     if (!waiting.armed) continue;
     wakeup = earliest(wakeup, due(waiting));
-    for (const Leaf& leaf : waiting.leaves) {
-      const auto* time = as<AtTime>(*leaf.trigger);
-      if (time != nullptr && !leaf.at) wakeup = earliest(wakeup, time->at);
-    }
+    for (const Leaf& leaf : waiting.leaves)
+      if (!leaf.at) wakeup = earliest(wakeup, instant_of(leaf));
   }
   return wakeup;
 }
@@ -143,8 +143,41 @@ void MissionPlanning::mark(MissionTime at, const Matches& matches) {
 void MissionPlanning::mark_instants(MissionTime now) {
   for (auto& [rank, waiting] : awake_) {
     for (Leaf& leaf : waiting.leaves) {
-      const auto* time = as<AtTime>(*leaf.trigger);
-      if (time != nullptr && !leaf.at && time->at <= now) leaf.at = time->at;
+      const std::optional<MissionTime> instant = leaf.at ? std::nullopt : instant_of(leaf);
+      if (!instant || *instant > now) continue;
+      const auto* silence = as<OnSilence>(*leaf.trigger);
+      if (silence != nullptr && now > *instant + kWakesWithin) {
+        silent_since_[silence->uav] = now;
+      } else {
+        leaf.at = instant;
+      }
+    }
+  }
+}
+
+std::optional<MissionTime> MissionPlanning::instant_of(const Leaf& leaf) const {
+  if (const auto* time = as<AtTime>(*leaf.trigger)) return time->at;
+  const auto* silence = as<OnSilence>(*leaf.trigger);
+  const auto since = silence != nullptr ? silent_since(silence->uav) : std::nullopt;
+  return since ? std::optional(*since + silence->lasts) : std::nullopt;
+}
+
+std::optional<MissionTime> MissionPlanning::silent_since(const std::string& uav) const {
+  const auto known = silent_since_.find(uav);
+  return known == silent_since_.end() ? MissionTime() : known->second;
+}
+
+void MissionPlanning::note_contact(const PeerReachable& contact, MissionTime now) {
+  if (!contact.reachable) {
+    silent_since_[contact.uav] = silent_since(contact.uav).value_or(now);
+    return;
+  }
+  silent_since_[contact.uav] = std::nullopt;
+  for (auto& [rank, waiting] : awake_) {
+    for (Leaf& leaf : waiting.leaves) {
+      const auto* silence = as<OnSilence>(*leaf.trigger);
+      if (silence == nullptr || silence->uav != contact.uav || !leaf.used) continue;
+      leaf = {leaf.trigger, std::nullopt, AlarmId(), false};
     }
   }
 }
@@ -160,6 +193,8 @@ void MissionPlanning::note(const Input& input, MissionTime now, Effects& effects
     });
   } else if (const auto* restarted = std::get_if<UavRestarted>(&input)) {
     mark<OnRestart>(now, [&](const OnRestart& on) { return on.uav == restarted->uav; });
+  } else if (const auto* contact = std::get_if<PeerReachable>(&input)) {
+    note_contact(*contact, now);
   } else if (const auto* command = std::get_if<CommandChanged>(&input)) {
     if (command->state != CommandState::kExpired) return;
     mark<OnExpired>(
@@ -264,9 +299,10 @@ void MissionPlanning::fire(Waiting& waiting, MissionTime now, Effects& effects) 
   const Step* step = waiting.step;
   for (Leaf& leaf : waiting.leaves) {
     if (leaf.alarm != AlarmId()) subject_ = leaf.alarm;
-    // An instant that has passed stays so, but is not by itself a reason to do the step again.
-    const bool is_instant = as<AtTime>(*leaf.trigger) != nullptr;
-    leaf = {leaf.trigger, is_instant ? leaf.at : std::nullopt, AlarmId(), is_instant && leaf.at};
+    // What has passed stays so, but is not by itself a reason to do the step again.
+    const bool lasts = as<AtTime>(*leaf.trigger) != nullptr ||
+                       (as<OnSilence>(*leaf.trigger) != nullptr && instant_of(leaf));
+    leaf = {leaf.trigger, lasts ? leaf.at : std::nullopt, AlarmId(), lasts && leaf.at};
   }
   waiting.armed = step != nullptr && !step->once;
   waiting.not_before = now + kRest;

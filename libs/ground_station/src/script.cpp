@@ -20,6 +20,9 @@ void check(const Trigger& trigger, const std::set<std::string>& steps, const std
     check_step(on_step->step);
   } else if (const auto* on_expired = std::get_if<OnExpired>(&trigger.what)) {
     check_step(on_expired->step);
+  } else if (const auto* silence = std::get_if<OnSilence>(&trigger.what)) {
+    if (silence->lasts <= Duration())
+      problems.push_back(where + " waits for '" + silence->uav + "' to be silent for no time");
   } else if (const auto* all = std::get_if<AllOf>(&trigger.what)) {
     check_all(all->of);
   } else if (const auto* any = std::get_if<AnyOf>(&trigger.what)) {

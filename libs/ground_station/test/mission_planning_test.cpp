@@ -456,6 +456,73 @@ TEST(MissionPlanning, WhatExpiresIsAskedAgainAsOftenAsItExpires) {
   EXPECT_THAT(steps_done(mps.handle(expired, at(125))), ElementsAre("asks"));
 }
 
+// ---- UAVs that are silent ----
+
+Trigger silent_for(double seconds) { return when(OnSilence{"marvin", Duration::seconds(seconds)}); }
+PeerReachable contact(const std::string& uav, bool reachable) { return {uav, reachable, false}; }
+
+TEST(MissionPlanning, ASilenceCountsFromWhenContactWasLost) {
+  MissionPlanning mps = playing({a_step("gone", silent_for(60))});
+  mps.handle(contact("marvin", true), at(2));
+  mps.handle(contact("marvin", false), at(100));
+  mps.handle(contact("heliv", true), at(101));
+  mps.handle(contact("marvin", false), at(130));  // it is still not heard
+
+  EXPECT_EQ(mps.next_wakeup(), at(160));
+  EXPECT_THAT(steps_done(mps.handle(Tick{}, at(159.9))), IsEmpty());
+  EXPECT_THAT(steps_done(mps.handle(Tick{}, at(160))), ElementsAre("gone"));
+  EXPECT_EQ(mps.next_wakeup(), std::nullopt);
+}
+
+TEST(MissionPlanning, OneThatWasNeverHeardIsSilentFromTheStart) {
+  MissionPlanning mps = playing({a_step("gone", silent_for(60))});
+
+  EXPECT_THAT(steps_done(mps.handle(Tick{}, at(60))), ElementsAre("gone"));
+}
+
+TEST(MissionPlanning, WhoIsHeardAgainInTimeWasNotSilent) {
+  MissionPlanning mps = playing({a_step("gone", silent_for(60))});
+  mps.handle(contact("marvin", false), at(10));
+  mps.handle(contact("marvin", true), at(50));
+
+  EXPECT_EQ(mps.next_wakeup(), std::nullopt);
+  EXPECT_THAT(steps_done(mps.handle(Tick{}, at(500))), IsEmpty());
+}
+
+// What happened once has happened, for a step that waits for more.
+TEST(MissionPlanning, ASilenceThatCameAboutIsRemembered) {
+  MissionPlanning mps =
+      playing({a_step("gone", when(AllOf{{silent_for(60), task_is(1, TaskState::kEnded)}}))});
+  mps.handle(Tick{}, at(60));
+  mps.handle(contact("marvin", true), at(70));
+
+  EXPECT_THAT(steps_done(mps.handle(changed(1, TaskState::kEnded), at(80))), ElementsAre("gone"));
+}
+
+TEST(MissionPlanning, AStepThatRepeatsIsDoneOnceInEachSilence) {
+  Step gone = a_step("gone", silent_for(60));
+  gone.once = false;
+  MissionPlanning mps = playing({gone});
+
+  EXPECT_THAT(steps_done(mps.handle(Tick{}, at(60))), ElementsAre("gone"));
+  EXPECT_EQ(mps.next_wakeup(), std::nullopt);
+  EXPECT_THAT(steps_done(mps.handle(Tick{}, at(200))), IsEmpty()) << "it is the same silence";
+  mps.handle(contact("marvin", true), at(210));
+  mps.handle(contact("marvin", false), at(300));
+  EXPECT_THAT(steps_done(mps.handle(Tick{}, at(360))), ElementsAre("gone"));
+}
+
+// Whoever comes back has heard nobody meanwhile, and hears first who is there.
+TEST(MissionPlanning, WhileTheGroundStationWasAwayNobodyWasSilent) {
+  MissionPlanning mps = playing({a_step("gone", silent_for(60))});
+  mps.handle(contact("marvin", true), at(2));
+  mps.handle(contact("marvin", false), at(100));
+
+  EXPECT_THAT(steps_done(mps.handle(Tick{}, at(200))), IsEmpty());
+  EXPECT_EQ(mps.next_wakeup(), at(260));
+  EXPECT_THAT(steps_done(mps.handle(Tick{}, at(260))), ElementsAre("gone"));
+}
+
 // ---- the script itself ----
 
 TEST(Script, EveryProblemIsReportedAtOnce) {
@@ -464,6 +531,7 @@ TEST(Script, EveryProblemIsReportedAtOnce) {
                   a_step("", when(AllOf{}))};
   script.steps[2].after = Duration::seconds(-1);
   script.steps.push_back(a_step("three", when(OnExpired{"tree"})));
+  script.steps.push_back(a_step("four", silent_for(0)));
   script.operators = {{"end", when(AllOf{{when(OnStep{"two"})}}), Duration::seconds(-1), {}}};
   script.command_lifetime = Duration();
 
@@ -472,6 +540,7 @@ TEST(Script, EveryProblemIsReportedAtOnce) {
       ElementsAre("two steps are named 'one'", "a step has no name",
                   "step 'one' waits for unknown step 'non'", "step 'one' waits for one of nothing",
                   "step '' has a negative delay", "step 'three' waits for unknown step 'tree'",
+                  "step 'four' waits for 'marvin' to be silent for no time",
                   "operator action 'end' waits for unknown step 'two'",
                   "operator action 'end' has a negative delay",
                   "the lifetime of commands must be positive"));

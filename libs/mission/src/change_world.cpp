@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "skein/mission/autonomy.hpp"
+#include "skein/mission/home.hpp"
 
 namespace skein::mission {
 
@@ -34,6 +35,7 @@ Problems problems(const world::Volume& volume) {
 Problems problems(const KnownPlace& place) {
   Problems out;
   if (place.name.empty()) out.emplace_back("the place has no name");
+  if (means_home(place.name)) out.push_back("'" + place.name + "' is each UAV's own home");
   if (!place.at.allFinite()) out.emplace_back("where the place is is not finite");
   if (!std::isfinite(place.radius) || place.radius < 0) {
     out.emplace_back("the radius of the place must be finite and not negative");

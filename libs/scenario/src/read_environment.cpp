@@ -6,6 +6,7 @@
 
 #include "reading.hpp"
 #include "skein/config/parse.hpp"
+#include "skein/mission/home.hpp"
 #include "skein/world/terrain_file.hpp"
 
 namespace skein::scenario {
@@ -119,7 +120,11 @@ void read_places(const Sources& sources, WorldSpec& world) {
   const auto places = sources.named("places");
   std::optional<world::Terrain> terrain;
   if (!places.empty() && world::problems_of(world.terrain).empty()) terrain.emplace(world.terrain);
-  for (const auto& [name, place] : places) world.places.emplace(name, read_place(place, terrain));
+  for (const auto& [name, place] : places) {
+    if (mission::means_home(name))
+      place.error("'" + name + "' is each UAV's own home", "another name for the place");
+    world.places.emplace(name, read_place(place, terrain));
+  }
 }
 
 void read_parts(const Sources& sources, Diagnostics& diagnostics, WorldSpec& world) {

@@ -56,6 +56,12 @@ ground_station::OnDegree read_on_degree(const Reader& reader, const TaskContext&
   return {read_uav(reader, context), read_degree_number(reader.required("is"))};
 }
 
+ground_station::OnSilence read_on_silence(const Reader& reader, const TaskContext& context) {
+  reader.keys({"uav", "for"});
+  const std::string uav = read_uav(reader, context);
+  return {uav, Duration::seconds(reader.required("for").number(1, {0.001, 1e7, "s"}))};
+}
+
 // Those about one UAV; absent: it is none of them.
 std::optional<Trigger> read_uav_trigger(const Reader& reader, TaskContext& context) {
   const auto given = [&](const char* key) { return reader.optional(key).present(); };
@@ -63,6 +69,7 @@ std::optional<Trigger> read_uav_trigger(const Reader& reader, TaskContext& conte
   if (given("mission")) return Trigger{read_on_mission(reader.optional("mission"), context)};
   if (given("goal")) return Trigger{read_on_goal(reader.optional("goal"), context)};
   if (given("degree")) return Trigger{read_on_degree(reader.optional("degree"), context)};
+  if (given("silent")) return Trigger{read_on_silence(reader.optional("silent"), context)};
   if (given("restart")) {
     return Trigger{ground_station::OnRestart{
         reader.optional("restart").name_among(context.names.uavs, "a UAV")}};
@@ -101,7 +108,7 @@ std::optional<Trigger> read_step_trigger(const Reader& reader, const TaskContext
 
 Trigger read_trigger(const Reader& reader, TaskContext& context) {
   if (!reader.keys({"time", "alarm", "task", "mission", "goal", "degree", "operator", "step",
-                    "expired", "restart", "team_task", "global_mission", "all", "any"})) {
+                    "expired", "restart", "silent", "team_task", "global_mission", "all", "any"})) {
     return wrong_trigger();
   }
   if (entries_of(reader).size() > 1 || reader.entries().empty()) {
@@ -287,7 +294,8 @@ std::vector<ground_station::ObjectSpec> read_objects(const Reader& reader, const
   return objects;
 }
 
-void read_script(const Reader& ground, const Scenario& scenario, ground_station::Script& script) {
+void read_script(const Reader& ground, const Scenario& scenario, GroundSpec& spec) {
+  ground_station::Script& script = spec.script;
   // A terrain that cannot be made was already reported; tasks are then read over level ground.
   world::TerrainSpec level;
   level.west = level.south = -1000;
@@ -305,6 +313,8 @@ void read_script(const Reader& ground, const Scenario& scenario, ground_station:
     script.operators.push_back(read_operator(action, context));
   }
   check_references(context);
+  spec.asked = std::move(context.goals);
+  spec.played = std::move(context.played);
   script.command_lifetime =
       read_seconds(ground.optional("command_lifetime"), script.command_lifetime);
   for (const std::string& problem : ground_station::problems_of(script)) ground.error(problem);

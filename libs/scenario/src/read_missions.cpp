@@ -21,6 +21,8 @@ AnId read_id(const Reader& reader) {
   return AnId(id);
 }
 
+world::Mark mark_of(const Reader& reader) { return {reader.line(), reader.path()}; }
+
 // A word, or the number that is written there.
 mission::Argument read_word(const Reader& reader) {
   if (const auto number = number_in(reader)) return *number;
@@ -81,7 +83,8 @@ mission::HighLevelTask read_goal(const Reader& reader, const std::string& uav, s
   }
   const Reader id = reader.required("id");
   task.id = read_id<GoalId>(id);
-  if (!uav.empty() && id.present() && !context.goals.emplace(uav, task.id).second) {
+  if (!uav.empty() && id.present() &&
+      !context.goals.emplace(std::pair(uav, task.id), mark_of(reader)).second) {
     id.error("high-level task " + to_text(task.id) + " is asked of " + uav + " twice",
              "ids that are unique for the whole mission");
   }
@@ -134,6 +137,7 @@ Action read_play(const Reader& reader, TaskContext& context) {
   const Reader id = reader.required("id");
   const executive::TaskId task = read_task_id(id);
   play.task.id = GoalId(task.value());
+  context.played.emplace(std::pair(play.uav, play.task.id), mark_of(reader));
   if (!play.uav.empty() && id.present() && !context.planned.emplace(play.uav, task).second) {
     id.error("task " + to_text(task) + " of " + play.uav + " is planned twice",
              "ids that are unique for the whole mission");

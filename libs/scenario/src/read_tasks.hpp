@@ -28,7 +28,8 @@ struct TaskContext {
   std::set<std::pair<std::string, executive::TaskId>> planned = {};
   /// Missions and high-level tasks sent so far, likewise.
   std::set<std::pair<std::string, mission::MissionId>> missions = {};
-  std::set<std::pair<std::string, mission::GoalId>> goals = {};
+  TaskMarks goals = {};
+  TaskMarks played = {};
   /// Global missions and their tasks, likewise.
   std::set<mission::MissionId> global_missions = {};
   std::set<mission::GoalId> team_tasks = {};

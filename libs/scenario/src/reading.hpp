@@ -58,8 +58,8 @@ void read_pps(const config::Reader& reader, ground_station::PpsConfig& pps);
 /// What the ground station follows; each is thought to be at the place of its name.
 std::vector<ground_station::ObjectSpec> read_objects(const config::Reader& reader,
                                                      const WorldSpec& world);
-void read_script(const config::Reader& ground, const Scenario& scenario,
-                 ground_station::Script& script);
+/// The script, and where its high-level tasks are written.
+void read_script(const config::Reader& ground, const Scenario& scenario, GroundSpec& spec);
 void read_expectations(const config::Reader& reader, const Names& names,
                        const std::vector<ClosedAir>& air, std::vector<Expectation>& expectations);
 /// What is closed from the start and by the script, and when.

@@ -38,7 +38,7 @@ void read_ground(const Reader& reader, Scenario& scenario) {
   scenario.ground.position = read_antenna(reader.optional("position"), scenario.world.terrain);
   read_pps(reader.optional("pps"), scenario.ground.pps);
   scenario.ground.objects = read_objects(reader.optional("objects"), scenario.world);
-  read_script(reader, scenario, scenario.ground.script);
+  read_script(reader, scenario, scenario.ground);
 }
 
 /// What the looks of each device are worth; a device of which nobody says it is an error, since its

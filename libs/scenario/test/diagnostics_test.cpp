@@ -82,6 +82,9 @@ SKEIN_WRONG_FILES(
     Wrong{"PlaceOfOneNumber", "base: [0, 0, 0]", "base: [0]",
           "9:18: world.places.base: this is not a point; expected [x, y, z] in metres\n"},
     Wrong{"PlaceWithoutName", "aside: [50", "'': [50", "9:33: world.places.: an empty name\n"},
+    Wrong{"PlaceThatIsEverybodysHome", "aside: [50", "Home: [50",
+          "9:36: world.places.Home: 'Home' is each UAV's own home; expected another name for the "
+          "place\n"},
     Wrong{"PlaceOfNothing", "base: [0, 0, 0]", "base:",
           "9:17: world.places.base: nothing is said of 'base'\n"
           "26:61: ground.script[0].do[0].plan.tasks[1].params.to: unknown name 'base'; expected a "
@@ -243,6 +246,13 @@ SKEIN_WRONG_FILES(
           "or any: [...] for several\n"},
     Wrong{"ExpiredOfNothing", "when: {time: 5}", "when: {expired: }",
           "20:23: ground.script[0].when.expired: nothing is said of 'expired'\n"},
+    Wrong{"SilentUnknownUav", "when: {time: 5}", "when: {silent: {uav: nobody, for: 60}}",
+          "20:28: ground.script[0].when.silent.uav: unknown name 'nobody'; expected a UAV\n"},
+    Wrong{
+        "SilentForNoTime", "when: {time: 5}", "when: {silent: {uav: marvin, for: 0}}",
+        "20:41: ground.script[0].when.silent.for: '0'; expected a number from 0.001 to 1e+07 s\n"},
+    Wrong{"SilentHowLong", "when: {time: 5}", "when: {silent: {uav: marvin}}",
+          "20:22: ground.script[0].when.silent.for: missing\n"},
     Wrong{"StepTwice", "step: end", "step: start", "18:3: ground: two steps are named 'start'\n"},
     Wrong{"StepWithoutName", "    - step: end\n      when", "    - when",
           "28:7: ground.script[1].step: missing\n"},

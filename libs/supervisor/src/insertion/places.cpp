@@ -8,6 +8,7 @@
 
 #include "planning/gazetteer.hpp"
 #include "planning/terms.hpp"
+#include "skein/mission/home.hpp"
 #include "skein/refiners/area_gates.hpp"
 #include "skein/supervisor/visit.hpp"
 
@@ -58,8 +59,7 @@ class Reader {
   void add_place(const std::string& name) {
     for (const auto& [known, place] : base_.world->places)
       if (same_name(known, name)) return named_.places.push_back(over(place, base_));
-    if (same_name(name, "home") || same_name(name, "zero"))
-      named_.places.push_back(over_home(base_));
+    if (mission::means_home(name)) named_.places.push_back(over_home(base_));
   }
   void add_zone(const std::string& name) {
     if (const world::Zone* zone = gazetteer_.zone(name)) named_.zones.push_back(zone);

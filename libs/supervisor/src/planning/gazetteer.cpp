@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "planning/terms.hpp"
+#include "skein/mission/home.hpp"
 
 namespace skein::supervisor {
 
@@ -59,7 +60,7 @@ std::optional<Vector3> Gazetteer::place(const TermStore& store, Term term) const
 std::optional<Vector3> Gazetteer::named_place(const std::string& name) const {
   const auto found = found_by_name(world_->places, name, [](const auto& one) { return one.first; });
   if (found != world_->places.end()) return found->second;
-  if (same_name(name, "home") || same_name(name, "zero")) return knowledge_->home;
+  if (mission::means_home(name)) return knowledge_->home;
   return std::nullopt;
 }
 

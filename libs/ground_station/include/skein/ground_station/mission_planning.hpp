@@ -34,8 +34,8 @@ namespace skein::ground_station {
 class MissionPlanning {
  public:
   using Input = std::variant<Tick, AlarmEvent, AlarmRefined, TaskChanged, UavRestarted,
-                             CommandChanged, OperatorActs, DoActions, DegreeChanged, GoalChanged,
-                             MissionChanged, TeamTaskChanged, GlobalMissionChanged>;
+                             PeerReachable, CommandChanged, OperatorActs, DoActions, DegreeChanged,
+                             GoalChanged, MissionChanged, TeamTaskChanged, GlobalMissionChanged>;
   using Effect = std::variant<IssueCommand, IssueToAll, AbortEverything, ChangeHands, ResumeHeld,
                               DropHeld, PhaseEntered, OperatorDid, StepDone, MissionFinished,
                               GiveGlobalMission, DeclareLost, PlayRole, Anomaly>;
@@ -59,8 +59,9 @@ class MissionPlanning {
   struct Leaf {
     const Trigger* trigger;
     std::optional<MissionTime> at;
-    AlarmId alarm;      ///< of an OnAlarm that has happened
-    bool used = false;  ///< an instant that was passed when the step was last done
+    AlarmId alarm;  ///< of an OnAlarm that has happened
+    /// It lasts: an instant that was passed, or a silence, when the step was last done.
+    bool used = false;
   };
   /// A step or an operator action.
   struct Waiting {
@@ -79,6 +80,11 @@ class MissionPlanning {
   template <class What, class Matches>
   void mark(MissionTime at, const Matches& matches);
   void mark_instants(MissionTime now);
+  /// When it comes about by itself.
+  std::optional<MissionTime> instant_of(const Leaf& leaf) const;
+  /// Since when; nothing while it is heard.
+  std::optional<MissionTime> silent_since(const std::string& uav) const;
+  void note_contact(const PeerReachable& contact, MissionTime now);
   void note(const Input& input, MissionTime now, Effects& effects);
   void note_autonomy(const Input& input, MissionTime now);
   void note_alarm(const Alarm& alarm, MissionTime now);
@@ -125,6 +131,8 @@ class MissionPlanning {
   std::map<std::size_t, Waiting> awake_;
   /// Those that nothing but an instant can wake, by that and their rank.
   std::map<std::pair<MissionTime, std::size_t>, Waiting> asleep_;
+  /// Of UAVs that were heard: since when not any more.
+  std::map<std::string, std::optional<MissionTime>> silent_since_;
   std::map<AlarmId, Alarm> alarms_;
   AlarmId subject_;
   std::string phase_;

@@ -57,6 +57,13 @@ struct OnExpired {
 struct OnRestart {
   std::string uav;
 };
+/// The ground station has had no radio contact with the UAV for so long, since the mission's start
+/// or since contact was lost. One silence comes about once; instants at which the ground station
+/// itself was away do not count.
+struct OnSilence {
+  std::string uav;
+  Duration lasts;  ///< > 0
+};
 /// The unit mission came to this.
 struct OnMission {
   std::string uav;
@@ -96,8 +103,8 @@ struct AnyOf {
 /// What happened once has happened: a leaf is remembered from the mission's start until its step is
 /// done. AllOf nothing has happened at once, AnyOf nothing never does.
 struct Trigger {
-  std::variant<AtTime, OnAlarm, OnTask, OnOperator, OnStep, OnExpired, OnRestart, OnMission, OnGoal,
-               OnDegree, OnTeamTask, OnGlobalMission, AllOf, AnyOf>
+  std::variant<AtTime, OnAlarm, OnTask, OnOperator, OnStep, OnExpired, OnRestart, OnSilence,
+               OnMission, OnGoal, OnDegree, OnTeamTask, OnGlobalMission, AllOf, AnyOf>
       what;
 };
 
@@ -258,8 +265,8 @@ struct Script {
 std::string asked_by_step(const std::string& step);
 
 /// What is wrong with a script in itself, in sentences, all at once; empty when it is fine: step
-/// names that are empty or twice there, triggers on unknown steps, negative delays. (Operators may
-/// also act live, so any operator action may be waited for.)
+/// names that are empty or twice there, triggers on unknown steps, silences of no length, negative
+/// delays. (Operators may also act live, so any operator action may be waited for.)
 std::vector<std::string> problems_of(const Script& script);
 
 }  // namespace skein::ground_station

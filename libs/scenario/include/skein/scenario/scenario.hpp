@@ -97,11 +97,16 @@ struct RadioSpec {
   bool silent = false;
 };
 
+/// Where high-level tasks are written, by UAV and number: for errors found only later.
+using TaskMarks = std::map<std::pair<std::string, mission::GoalId>, world::Mark>;
+
 struct GroundSpec {
   world::Vector3 position = world::Vector3::Zero();  ///< of its antenna [m] ENU
   ground_station::PpsConfig pps;
   std::vector<ground_station::ObjectSpec> objects;  ///< that it follows by what sensors tell
   ground_station::Script script;
+  TaskMarks asked;   ///< of missions for UAVs
+  TaskMarks played;  ///< of joint tasks in which the ground station plays for UAVs
 };
 
 /// The daemon of a node dies and, if told so, is started again.
