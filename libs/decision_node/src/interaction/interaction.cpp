@@ -78,6 +78,11 @@ bool Interaction::is_over(executive::TaskId task) const {
   return found == tasks_.end() || found->second->over();
 }
 
+bool Interaction::needs_no_place(executive::TaskId task) const {
+  const auto found = tasks_.find(task);
+  return found != tasks_.end() && found->second->needs_no_place();
+}
+
 void Interaction::leave_all(const std::string& why) {
   for (const auto& [id, task] : tasks_) task->leave_at_once(why);
 }

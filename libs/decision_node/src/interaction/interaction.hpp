@@ -29,6 +29,9 @@ class Interaction final : public Component {
   /// It is to end here; partners are told.
   void leave(executive::TaskId task, const std::string& why);
   bool is_over(executive::TaskId task) const;
+  /// It is not agreed on yet, or not due; or where its role has the vehicle now, no constraint
+  /// keeps it. What the role does there is not asked.
+  bool needs_no_place(executive::TaskId task) const;
   /// Nobody decides here any more: all joint tasks are left, and their partners told.
   void leave_all(const std::string& why);
 

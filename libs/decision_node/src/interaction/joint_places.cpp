@@ -41,7 +41,7 @@ void JointPlay::negotiate_places(const std::string& action) {
   begin.within = kSession;
   actions_[action] = begin.subject;
   if (begin.members.size() == 1) return take_place_alone(begin);
-  places_again_ = Again{action, MissionTime::max(), until};  // it may fail at once
+  places_again_ = Again{action, std::nullopt, until};  // it may fail at once
   if (interaction_.begin(my_.joint, std::move(begin))) return;
   places_again_.reset();
   actions_.erase(action);

@@ -173,8 +173,9 @@ void JointPlay::abort_tasks() {
 
 void JointPlay::time_passes() {
   const bool runs = my_.phase == JointPhase::kRunning;
-  if (runs && sharing_again_ && sharing_again_->at <= now()) share_area(sharing_again_->action);
-  if (runs && places_again_ && places_again_->at <= now()) negotiate_places(places_again_->action);
+  if (runs && sharing_again_ && sharing_again_->is_due(now())) share_area(sharing_again_->action);
+  if (runs && places_again_ && places_again_->is_due(now()))
+    negotiate_places(places_again_->action);
   const auto next = play_ ? play_->next_wakeup() : std::nullopt;
   if (next && *next <= now()) tell(interaction::Tick{});
 }

@@ -54,6 +54,7 @@ class JointPlay {
 
   void begin(const std::string& role);
   bool has_begun() const { return play_.has_value(); }
+  bool needs_no_place() const { return play_ && !play_->is_bound(); }
   /// Its role hears it after all that was asked before.
   void tell(const interaction::Input& input);
   void leave();
@@ -145,7 +146,9 @@ class JointPlay {
   /// What was not agreed is negotiated again.
   struct Again {
     std::string action;
-    MissionTime at, until;
+    std::optional<MissionTime> at;  ///< absent: it is being negotiated
+    MissionTime until;
+    bool is_due(MissionTime now) const { return at && *at <= now; }
   };
   std::optional<Again> sharing_again_, places_again_;
   std::map<executive::TaskId, executive::TaskId> looks_;  ///< the flight of each that is not over

@@ -60,7 +60,7 @@ void JointPlay::share_area(const std::string& action) {
   }
   if (now() >= until) return task_.leave("the area could not be shared: " + my_.why);
   actions_[action] = begin.subject;
-  sharing_again_ = Again{action, MissionTime::max(), until};  // it may fail at once
+  sharing_again_ = Again{action, std::nullopt, until};  // it may fail at once
   if (interaction_.begin(my_.joint, std::move(begin))) return;
   sharing_again_.reset();
   actions_.erase(action);

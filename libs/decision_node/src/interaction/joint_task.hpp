@@ -45,6 +45,8 @@ class JointTask {
 
   /// It is loading or loaded.
   bool is_to_begin() const;
+  /// Nor does its role keep a place now.
+  bool needs_no_place() const { return is_to_begin() || play_.needs_no_place(); }
   /// `again`: it has run here, and failed.
   void load(bool again);
   bool has_run() const { return play_.has_begun(); }

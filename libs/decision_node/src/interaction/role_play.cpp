@@ -75,6 +75,20 @@ std::vector<interaction::ActiveScm> RolePlay::active_scms() const {
                  [&](const auto& instance, const auto&) { return active.contains(instance.id); });
 }
 
+bool RolePlay::is_bound() const {
+  using interaction::Relation;
+  using interaction::SpatialConstraint;
+  const auto keeps_apart = [](const SpatialConstraint& one) {
+    const bool is_least = one.relation == Relation::kAtLeast || one.relation == Relation::kGreater;
+    return one.quantity == SpatialConstraint::Quantity::kDistance && is_least;
+  };
+  const auto active = active_scms();
+  return std::any_of(active.begin(), active.end(), [&](const interaction::ActiveScm& one) {
+    const auto& constraints = one.scm.constraints;
+    return !std::all_of(constraints.begin(), constraints.end(), keeps_apart);
+  });
+}
+
 std::vector<interaction::ScmFound> RolePlay::watch(const interaction::Position& own,
                                                    const interaction::Observer& observer,
                                                    MissionTime now) {

@@ -43,6 +43,9 @@ class RolePlay {
   std::vector<interaction::ScmFound> watch(const interaction::Position& own,
                                            const interaction::Observer& observer, MissionTime now);
 
+  /// Some SCM of an active block does more than to keep it apart from others.
+  bool is_bound() const;
+
   const interaction::Automaton& automaton() const { return engine_.automaton(); }
   std::vector<std::string> active_blocks() const;
   std::vector<std::string> violated() const;

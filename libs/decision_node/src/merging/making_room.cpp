@@ -21,6 +21,13 @@ bool waits_safely(Core& core, const executive::TaskStatus& task) {
          core.deliberation().origin_of(task.id) == mission::GoalId();
 }
 
+/// A synchronisation, or a joint task that is not agreed on, or whose role keeps no place: it waits
+/// for others, wherever it is.
+bool waits_for_partners(Core& core, const executive::TaskStatus& task) {
+  return functional::TaskTypes::shipped().of(task.type).synchronises() ||
+         core.interaction().needs_no_place(task.id);
+}
+
 std::vector<executive::TaskStatus> safe_waits(Core& core) {
   std::vector<executive::TaskStatus> waits;
   for (const executive::TaskStatus& one : core.execution().tasks())
@@ -41,7 +48,8 @@ bool is_aborting(const executive::TaskStatus& task) {
 
 }  // namespace
 
-/// Else one that waits here for another, at a meeting, is waited for by it for its air.
+/// Else one that waits here for another, at a meeting, is waited for by it for its air; and one
+/// whose joint task nobody else is free for lets others wait all that time.
 void Merging::look_for_room() {
   const MissionTime now = core_.bus().now();
   if (!has_nothing_to_do() || !is_in_the_way(*merger_)) return room_since_.reset();
@@ -74,8 +82,7 @@ bool Merging::has_nothing_to_do() const {
   return std::none_of(tasks.begin(), tasks.end(), [&](const executive::TaskStatus& one) {
     const bool waits = one.state == executive::TaskState::kScheduled;
     if (waits || is_terminal(one.state) || one.id >= executive::kFirstBackgroundId) return false;
-    return !waits_safely(core_, one) &&
-           !functional::TaskTypes::shipped().of(one.type).synchronises();
+    return !waits_safely(core_, one) && !waits_for_partners(core_, one);
   });
 }
 

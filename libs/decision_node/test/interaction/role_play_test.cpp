@@ -54,6 +54,14 @@ class Watching : public ::testing::Test {
   RolePlay play_;
 };
 
+// Whoever waits for its partner may make room; whoever looks at the fire from near may not.
+TEST_F(Watching, KeepsItsPlaceWhereMoreHoldsThanToKeepApart) {
+  ends("w1");
+  EXPECT_FALSE(play_.is_bound());
+  ends("w2");
+  EXPECT_TRUE(play_.is_bound());
+}
+
 TEST_F(Watching, OnlyConstraintsOfActiveBlocksAreWatched) {
   EXPECT_THAT(play_.active_blocks(), ElementsAre("w10"));
   EXPECT_THAT(found_at({300, 0, 30}, {0, 0, 30}), IsEmpty());
