@@ -4,11 +4,16 @@
 
 #include <sys/wait.h>
 
+#include <fstream>
+#include <iterator>
+
 #include "testing/dds_run.hpp"
 
 namespace skein::testing {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -83,6 +88,51 @@ TEST(DdsRefusal, AMissingDecisionNodeStopsWhatWasStarted) {
   EXPECT_EQ(status->code, 3);
   EXPECT_THAT(run.output(), HasSubstr("skein-ddn"));
   EXPECT_TRUE(run.nothing_runs());
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// A copy of the scenario for one UAV, where the members of its joint tasks keep farther apart.
+void write_other_version(const DdsRun& run) {
+  const fs::path models = fs::path(SKEIN_SOURCE_DIR) / "scenarios/models/interaction";
+  fs::copy(models, run.file("models"), fs::copy_options::recursive);
+  const auto changed = [](std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+  };
+  const fs::path model = run.file("models/monitoring-with-relay.yaml");
+  std::ofstream(model) << changed(text_of(models / model.filename()), "least: 20", "least: 25");
+  std::ofstream(run.file("other.yaml"))
+      << changed(text_of(run.file("scenario.yaml")), models.string(), run.file("models").string());
+}
+
+TEST(DdsRefusal, UavsWithOtherVersionsOfAModelAreGivenNoJointTaskAndBothAreNamed) {
+  DdsRun run;
+  run.take_scenario_of("mref/nominal");
+  run.change("duration_limit: 2400", "duration_limit: 40");
+  write_other_version(run);
+  const std::string programs = run.programs_with(
+      {"skein-ddn"},
+      "all=\"$*\"\nfor one; do shift; case \"$all $one\" in *' uav2 '*/scenario.yaml) one='" +
+          run.file("other.yaml").string() +
+          "';; esac; set -- \"$@\" \"$one\"; done\n"
+          "exec \"$programs/skein-ddn\" \"$@\"");
+
+  run.start({"--rate", "10", "--daemons", programs});
+  (void)run.wait(60);
+
+  std::vector<std::string> refused;
+  for (const journal::Record& record : run.records())
+    if (record.kind() == "command" && record.text("state") == "refused")
+      refused.emplace_back(record.text("why"));
+  EXPECT_THAT(refused, ::testing::SizeIs(2));
+  EXPECT_THAT(refused, Each(AllOf(HasSubstr("uav2 has version "),
+                                  HasSubstr("of its model, the ground station "))));
+  EXPECT_EQ(run.count("joint", "kind", "joint"), 0U);
 }
 
 struct Daemon {
