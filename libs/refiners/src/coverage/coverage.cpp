@@ -151,6 +151,9 @@ class CoverageRefiner {
 
   Outcome<Coverage> flown(const SweepTask& task, Countdown& countdown, const Volumes& above) const {
     auto sweep = plan_sweep(task, model_, countdown);
+    if (!sweep && setting_.budget.expired())
+      return refuse(RefusalKind::kBudgetExhausted, "area",
+                    "the time was up before lanes that enter no volume were found");
     if (!sweep)
       return refuse(RefusalKind::kBlocked, "area",
                     "every set of lanes found enters a volume" +
@@ -184,7 +187,7 @@ class CoverageRefiner {
     for (std::size_t i = 0; i < kOtherDirections; ++i)
       directions.push_back(std::numbers::pi * static_cast<double>(i) / kOtherDirections);
     for (const double direction : directions) {
-      if (countdown.over()) break;
+      if (countdown.over() || setting_.budget.expired()) break;
       task.direction = direction;
       Outcome<Coverage> other = flown(task, countdown, {});
       if (other && (!best || other->cost < best->cost)) best = std::move(other);

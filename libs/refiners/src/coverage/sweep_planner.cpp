@@ -18,6 +18,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostEdges = 90;  ///< edges whose direction is tried, the longest
 constexpr std::size_t kMostTried = 80;  ///< candidates looked at closely, if not convex
 constexpr std::size_t kManyCorners = 300;
+/// Candidates of an area of one corner that are still looked at once the time is up while none has
+/// served; the more corners, the fewer.
+constexpr std::size_t kTriedLate = 1200;
 constexpr double kLanesInAll = 400'000;  ///< of all directions of the grid together
 
 /// How the lanes of a direction are made.
@@ -133,8 +136,9 @@ class SweepPlanner {
 
   void try_direction(double direction) {
     countdown_.step();
-    for (const Cut cut : cuts_) consider({half_turn(direction), cut, 0});
-    if (!convex_) consider({half_turn(direction), Cut::kHull, 0});
+    for (const Cut cut : cuts_)
+      if (!gives_up()) consider({half_turn(direction), cut, 0});
+    if (!convex_ && !gives_up()) consider({half_turn(direction), Cut::kHull, 0});
   }
 
   /// One edge of the hull lies along one side of its narrowest strip.
@@ -188,6 +192,12 @@ class SweepPlanner {
 
   bool is_late() const { return countdown_.over() || (task_.time_is_up && task_.time_is_up()); }
 
+  /// Late, and what may still be looked at for a first answer has been, or there is one.
+  bool gives_up() const {
+    const std::size_t most = std::max<std::size_t>(1, kTriedLate / task_.region.outer.size());
+    return (best_.seconds < kInfinity || tried_.size() >= most) && is_late();
+  }
+
   std::vector<double> directions() const;
   void search();
   void search_near(double direction, double step);
@@ -235,11 +245,12 @@ void SweepPlanner::search() {
   // Even the estimates may take all of the time: an answer first.
   if (task_.time_is_up && task_.region.outer.size() > kManyCorners)
     for (const Cut cut : cuts_)
-      if (best_.seconds == kInfinity || !is_late()) consider({directions().front(), cut, 0});
+      if (!gives_up()) consider({directions().front(), cut, 0});
   std::vector<Candidate> candidates;
   for (const double direction : directions())
     for (const Cut cut : cuts_) {
       if (!candidates.empty() && is_late()) break;
+      if (candidates.empty() && gives_up()) return;
       Candidate candidate{direction, cut, 0};
       candidate.seconds = estimate(candidate);
       candidates.push_back(candidate);
@@ -249,7 +260,8 @@ void SweepPlanner::search() {
   if (!convex_ && candidates.size() > kMostTried) candidates.resize(kMostTried);
   for (const Candidate& candidate : candidates) {
     if (kNearly * candidate.seconds >= best_.seconds) break;
-    if (!countdown_.step() && best_.seconds < kInfinity) return;
+    countdown_.step();
+    if (gives_up()) return;
     consider(candidate);
   }
   std::stable_sort(tried_.begin(), tried_.end(),

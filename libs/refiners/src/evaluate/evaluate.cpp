@@ -34,11 +34,9 @@ class WayEvaluator {
     evaluation_.energy = flight.energy;
     evaluation_.least_height = std::numeric_limits<double>::infinity();
     for (std::size_t leg = 0; leg + 1 < query_.way.size(); ++leg) {
-      if (deadline_.passed_after(kLeg))
-        return refuse(RefusalKind::kBudgetExhausted, "way",
-                      "the time was up at leg " + std::to_string(leg + 1) + " of " +
-                          std::to_string(query_.way.size() - 1));
-      evaluate_leg(leg);
+      if (!deadline_.passed_after(kLeg)) evaluate_leg(leg);
+      // What stands beside the leg may not have been looked at.
+      if (deadline_.is_over()) return late_at(leg);
     }
     check_limits(flight);
     Refined<Evaluation> refined;
@@ -52,6 +50,11 @@ class WayEvaluator {
   }
 
  private:
+  tl::unexpected<Refusal> late_at(std::size_t leg) const {
+    return refuse(RefusalKind::kBudgetExhausted, "way",
+                  "the time was up at leg " + std::to_string(leg + 1) + " of " +
+                      std::to_string(query_.way.size() - 1));
+  }
   Flight fly(const Way& way) const {
     return estimate_flight(way, query_.vehicle, world_.wind, query_.speed);
   }

@@ -78,7 +78,7 @@ class Balancer {
     std::vector<Track> tracks;
     const auto areas = fair_areas(limits_, planner_.whole());
     if (!areas) return tracks;
-    const auto plain = planner_.plan(*areas, planner_.divide(*areas, 1).front());
+    const auto plain = planner_.plan(*areas);
     if (plain && planner_.has_energy(*plain)) {
       best_ = *plain;
       latest_allowed_ = plain->latest;
@@ -116,6 +116,7 @@ class Balancer {
       const auto areas = fair_areas(track.abilities, planner_.whole());
       if (!areas) return;
       auto ways = planner_.divide(*areas, kWays);
+      if (ways.empty()) return;
       const auto same =
           std::min_element(ways.begin(), ways.end(), [&](const Division& a, const Division& b) {
             return unlikeness(a, track.last) < unlikeness(b, track.last);

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "common/deadline.hpp"
 #include "partition/fans.hpp"
 #include "skein/foundation/contract.hpp"
 #include "skein/refiners/partition.hpp"
@@ -22,6 +23,24 @@ constexpr int kMoreCuts = 30;
 /// Of the ways to cut a piece, how many are followed to the end for the most compact parts.
 constexpr std::size_t kWaysTried = 4;
 constexpr std::size_t kFewAnchors = 4;
+/// Corners of pieces, times the anchors in each, that are still cut once the time is up.
+constexpr std::size_t kCutLate = 2500;
+
+/// Until when pieces are cut.
+class Patience {
+ public:
+  explicit Patience(const Budget& budget) : deadline_(budget) {}
+
+  bool lasts_for(const Piece& piece) {
+    if (deadline_.passed()) late_ += piece.polygon.size() * piece.who.size();
+    return !is_over();
+  }
+  bool is_over() const { return late_ > kCutLate; }
+
+ private:
+  Deadline deadline_;
+  std::size_t late_ = 0;
+};
 
 /// A way to divide a piece: the parts in the order of who is in it.
 struct Cutting {
@@ -31,15 +50,18 @@ struct Cutting {
 
 class Search {
  public:
-  Search(const Claims& claims, std::size_t most)
-      : claims_(claims), most_(most), cuts_left_(kMostCuts + kMoreCuts * static_cast<int>(most)) {}
+  Search(const Claims& claims, std::size_t most, Patience& patience)
+      : claims_(claims),
+        most_(most),
+        patience_(patience),
+        cuts_left_(kMostCuts + kMoreCuts * static_cast<int>(most)) {}
 
-  /// The most compact first; empty: none found.
+  /// The most compact first; empty: none found, or not in time.
   std::vector<Cutting> divide(const Piece& piece) {
     if (piece.who.size() == 1)
       return {{slenderness(piece.polygon), {{piece.who[0], piece.polygon}}}};
     std::vector<Cutting> found;
-    if (--cuts_left_ < 0) return found;
+    if (--cuts_left_ < 0 || !patience_.lasts_for(piece)) return found;
     ++cuts_;
     const bool few = piece.who.size() <= kFewAnchors;
     std::size_t left = few ? std::max(kWaysTried, most_) : 1;
@@ -77,6 +99,7 @@ class Search {
 
   const Claims& claims_;
   std::size_t most_;
+  Patience& patience_;
   int cuts_left_, cuts_ = 0;
 };
 
@@ -92,8 +115,8 @@ constexpr std::array<double, 4> kRoundings = {1e-11, 1e-9, 1e-7, 1e-5};
 /// moved to the border, as few as can be found.
 class Divider {
  public:
-  Divider(Polygon area, Claims claims, std::size_t most)
-      : area_(std::move(area)), claims_(std::move(claims)), most_(most) {
+  Divider(Polygon area, Claims claims, std::size_t most, const Budget& budget)
+      : area_(std::move(area)), claims_(std::move(claims)), most_(most), patience_(budget) {
     for (std::size_t i = 0; i < claims_.anchors.size(); ++i) {
       Vector2& anchor = claims_.anchors[i];
       on_border_.push_back(nearest_on_border(area_, anchor));
@@ -117,15 +140,17 @@ class Divider {
     std::vector<Division> divisions;
     for (const double rounding : kRoundings) {
       claims_.rounding = rounding;
-      divisions = attempt(std::vector<bool>(inside_.size(), true));
-      if (!divisions.empty()) break;
+      if (divisions.empty() && !patience_.is_over())
+        divisions = attempt(std::vector<bool>(inside_.size(), true));
     }
-    SKEIN_ENSURES(!divisions.empty());
+    SKEIN_ENSURES(!divisions.empty() || patience_.is_over());
     return divisions;
   }
 
  private:
-  bool may_go_on(int choices) const { return choices > 0 && cuts_ < kMostCutsInAll; }
+  bool may_go_on(int choices) const {
+    return choices > 0 && cuts_ < kMostCutsInAll && !patience_.is_over();
+  }
 
   std::vector<Division> attempt(const std::vector<bool>& moved) {
     Claims claims = claims_;
@@ -134,7 +159,7 @@ class Divider {
     Piece whole{area_, std::vector<std::size_t>(claims.anchors.size())};
     std::iota(whole.who.begin(), whole.who.end(), std::size_t{0});
     std::vector<Division> divisions;
-    Search search(claims, most_);
+    Search search(claims, most_, patience_);
     std::vector<Cutting> cuttings = search.divide(whole);
     cuts_ += search.cuts();
     for (Cutting& cutting : cuttings) {
@@ -147,6 +172,7 @@ class Divider {
   Polygon area_;
   Claims claims_;
   std::size_t most_;
+  Patience patience_;
   std::vector<Vector2> on_border_;
   std::vector<std::size_t> inside_;
   int cuts_ = 0;
@@ -155,7 +181,8 @@ class Divider {
 }  // namespace
 
 std::vector<Division> divisions(const Polygon& area, const std::vector<Vector2>& anchors,
-                                const std::vector<double>& shares, std::size_t most) {
+                                const std::vector<double>& shares, std::size_t most,
+                                const Budget& budget) {
   SKEIN_EXPECTS(area.size() >= 3 && !anchors.empty() && anchors.size() == shares.size());
   SKEIN_EXPECTS(most > 0);
   Vector2 low = area[0], high = area[0];
@@ -169,7 +196,7 @@ std::vector<Division> divisions(const Polygon& area, const std::vector<Vector2>&
   if (signed_area(around_origin) < 0) std::reverse(around_origin.begin(), around_origin.end());
   Claims claims{{}, shares, (high - low).norm(), kRoundings.front()};
   for (const Vector2& anchor : anchors) claims.anchors.emplace_back(anchor - centre);
-  auto result = Divider(std::move(around_origin), std::move(claims), most).run();
+  auto result = Divider(std::move(around_origin), std::move(claims), most, budget).run();
   for (Division& division : result) {
     for (Polygon& part : division.parts)
       for (Vector2& corner : part) corner += centre;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "skein/refiners/budget.hpp"
 #include "skein/world/geometry.hpp"
 
 namespace skein::refiners::partition {
@@ -13,10 +14,12 @@ struct Division {
   std::vector<world::Vector2> anchors;  ///< what each part was anchored at
 };
 
-/// As divide(), but up to `most` ways to do it, the most compact parts first; at least one. More
-/// than four anchors are divided in one way only.
+/// As divide(), but up to `most` ways to do it, the most compact parts first; at least one, or none
+/// when the time of the budget was up before one of many pieces was found. More than four anchors
+/// are divided in one way only.
 std::vector<Division> divisions(const world::Polygon& area,
                                 const std::vector<world::Vector2>& anchors,
-                                const std::vector<double>& shares, std::size_t most);
+                                const std::vector<double>& shares, std::size_t most,
+                                const Budget& budget = {});
 
 }  // namespace skein::refiners::partition

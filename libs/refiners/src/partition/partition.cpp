@@ -48,7 +48,7 @@ std::vector<double> areas_asked_for(const Planner& planner) {
 
 Result<Trial, Refusal> as_asked(Planner& planner) {
   const auto areas = areas_asked_for(planner);
-  auto trial = planner.plan(areas, planner.divide(areas, 1).front());
+  auto trial = planner.plan(areas);
   if (trial && !planner.has_energy(*trial))
     return tl::unexpected<Refusal>(too_much_asked(planner.query(), *trial));
   return trial;
@@ -59,7 +59,7 @@ Result<Trial, Refusal> in_proportion(Planner& planner) {
   for (int round = 0; round < kEnergyRounds && !planner.finished(); ++round) {
     const auto areas = fair_areas(abilities, planner.whole());
     if (!areas) break;
-    auto trial = planner.plan(*areas, planner.divide(*areas, 1).front());
+    auto trial = planner.plan(*areas);
     if (!trial || planner.has_energy(*trial)) return trial;
     planner.learn_limits(*trial, abilities);
   }

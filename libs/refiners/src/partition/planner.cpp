@@ -11,6 +11,8 @@ namespace {
 constexpr double kPlenty = 1e6;
 /// A limit learnt is kept that much below where it was seen, for it is not quite linear.
 constexpr double kCaution = 0.99;
+/// Sweeps for a first answer, once the time is up.
+constexpr std::uint64_t kLateSweeps = 5;
 /// Divisions that are looked at as they are flown: more brought nothing on 24 areas.
 constexpr std::uint64_t kFlown = 40;
 
@@ -63,13 +65,25 @@ std::vector<Ability> Planner::abilities() const {
 std::vector<Division> Planner::divide(const std::vector<double>& areas, std::size_t most) const {
   std::vector<world::Vector2> starts;
   for (const Member& member : query_.members) starts.push_back(member.start);
-  return divisions(query_.area, starts, areas, most);
+  const Budget clock{setting_.budget.time_is_up};
+  return divisions(query_.area, starts, areas, most, clock);
+}
+
+Result<Trial, Refusal> Planner::plan(const std::vector<double>& areas) {
+  std::vector<Division> found = divide(areas, 1);
+  if (!found.empty()) return plan(areas, std::move(found.front()));
+  effort_.cut_short = true;
+  return refuse(RefusalKind::kBudgetExhausted, "members",
+                "the time was up before the area was divided");
 }
 
 Result<Trial, Refusal> Planner::plan(const std::vector<double>& areas, Division division) {
   Trial trial{areas, std::move(division), {}, 0, 0, {}};
   for (std::size_t i = 0; i < query_.members.size(); ++i) {
     const Member& member = query_.members[i];
+    if (setting_.budget.expired() && ++late_ > kLateSweeps)
+      return refuse(RefusalKind::kBudgetExhausted, "members",
+                    "the time was up before anybody's part was swept");
     ++effort_.steps;
     auto swept = sweep(member, member.altitude, trial.division.parts[i]);
     if (!swept)

@@ -27,9 +27,10 @@ class Planner {
 
   /// What the members could do at best: sweeping at full speed from the first second, no turns.
   std::vector<Ability> abilities() const;
-  /// As divisions(), anchored at the starts.
+  /// As divisions(), anchored at the starts: none where the time is up.
   std::vector<Division> divide(const std::vector<double>& areas, std::size_t most) const;
-  /// One step for each member.
+  /// One step for each member; of the first way to divide, if none is given.
+  Result<Trial, Refusal> plan(const std::vector<double>& areas);
   Result<Trial, Refusal> plan(const std::vector<double>& areas, Division division);
 
   /// That of one member at another altitude; nothing has changed when it is refused.
@@ -60,7 +61,8 @@ class Planner {
   const Setting& setting_;
   double whole_;
   Effort effort_;
-  std::uint64_t steps_;  ///< allowed
+  std::uint64_t late_ = 0;  ///< sweeps since the time is up
+  std::uint64_t steps_;     ///< allowed
   bool flies_ = false;
 };
 

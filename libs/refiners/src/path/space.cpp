@@ -22,6 +22,10 @@ using world::Volume;
 /// About what it takes to close a volume [ns]: a hundred of them are closed before a clock is
 /// asked.
 constexpr std::uint32_t kVolume = 1000;
+/// The part of all voxels that a volume closes about one of in a nanosecond.
+constexpr std::size_t kVoxelShare = 128;
+/// So many take some 10 ms to make, which no clock interrupts.
+constexpr std::size_t kManyVoxels = 8'000'000;
 
 /// On the level; 0 inside [m].
 double distance(const world::Polygon& polygon, const Vector2& point) {
@@ -92,6 +96,7 @@ bool PathSpace::can_be_met(const Volume& volume, Duration flight) const {
 std::optional<world::Airspace> PathSpace::airspace(const world::AirspaceGrid& grid,
                                                    const Budget& budget) const {
   Deadline deadline(budget);
+  if (grid.count() > kManyVoxels && deadline.passed()) return std::nullopt;
   world::AirspaceSpec spec;
   spec.grid = grid;
   spec.clearance = query_.clearance;
@@ -99,7 +104,8 @@ std::optional<world::Airspace> PathSpace::airspace(const world::AirspaceGrid& gr
   spec.ceiling = query_.vehicle.ceiling;
   world::Airspace airspace(spec, world_.terrain, {});
   for (const Volume& volume : volumes_) {
-    if (deadline.passed_after(kVolume)) return std::nullopt;
+    if (deadline.passed_after(kVolume + static_cast<std::uint32_t>(grid.count() / kVoxelShare)))
+      return std::nullopt;
     airspace.block(volume, margin());
   }
   const Vector3 low = world_.airspace.origin;

@@ -46,6 +46,28 @@ TEST(Evaluate, MeasuresAWay) {
   EXPECT_TRUE(found->task.limits.empty());
 }
 
+// Whenever the clock runs out: all that stands in the way is told, or that the time was up.
+TEST(Evaluate, NeverLeavesOutAVolumeForWantOfTime) {
+  world::World world = level_world();
+  for (int i = 0; i < 2000; ++i) world.volumes.push_back(box("far", 1000, 1010));
+  world.volumes.push_back(box("last", 100, 150));
+  const EvaluateQuery query = query_along({{0, 0, 50}, {300, 0, 50}});
+  bool late = false, in_time = false;
+  for (int asked = 0; asked < 12; ++asked) {
+    Setting setting{.world = world, .budget = {}};
+    setting.budget.time_is_up = [left = asked]() mutable { return left-- <= 0; };
+
+    const auto found = refine(query, setting);
+
+    (found ? in_time : late) = true;
+    if (found)
+      EXPECT_EQ(found->task.obstructions.size(), 1U) << asked;
+    else
+      EXPECT_EQ(found.error().kind, RefusalKind::kBudgetExhausted);
+  }
+  EXPECT_TRUE(late && in_time);
+}
+
 TEST(Evaluate, TellsWhereAWayMeetsTheGround) {
   const world::World world = level_world();
   EvaluateQuery query = query_along({{0, 0, 50}, {100, 0, 50}, {200, 0, -50}});

@@ -153,6 +153,51 @@ TEST(BudgetLaw, SweepsOfOddAreasEndInTime) {
   }
 }
 
+TEST(BudgetLaw, SweepsBetweenVolumesEndInTimeAndBlameThemOnlyAfterASearch) {
+  auto world = testing::level_world(1000);
+  world.volumes = many_volumes(5, 700, 0.3);
+  for (const std::size_t corners : {40UL, 2000UL})
+    for (const auto mode : {SweepMode::kLeastTime, SweepMode::kGiven}) {
+      Random random(corners, "between volumes");
+      CoverageQuery query;
+      query.vehicle = tireless(testing::helicopter());
+      query.area = testing::random_star(random, corners, 800, 950);
+      query.swath = 20;
+      query.altitude = 60;
+      query.mode = mode;
+      expect_in_time(query, world, std::to_string(corners) + " corners, 25 volumes");
+
+      Setting setting{world, {}, 1, nullptr};
+      setting.budget.time_is_up = [] { return true; };
+      const auto refined = refine(query, setting);
+      EXPECT_TRUE(refined || refined.error().kind == RefusalKind::kBudgetExhausted);
+    }
+}
+
+TEST(BudgetLaw, PartsOfManyMembersEndInTime) {
+  auto world = testing::level_world(1000);
+  world.volumes = many_volumes(4, 500, 0.2);
+  for (const bool closed : {true, false})
+    for (const ShareMode mode : {ShareMode::kProportional, ShareMode::kBalanced}) {
+      if (!closed) world.volumes.clear();
+      PartitionQuery query;
+      query.mode = mode;
+      for (int k = 0; k < 200; ++k)
+        query.area.emplace_back(900 * std::cos(k * 0.0314159), 900 * std::sin(k * 0.0314159));
+      Random random(30, "starts");
+      for (int i = 0; i < 30; ++i) {
+        Member member;
+        member.uav = "uav" + std::to_string(i);
+        member.vehicle = both()[static_cast<std::size_t>(i % 2)];
+        member.start = {random.uniform(-600, 600), random.uniform(-600, 600)};
+        member.swath = 4 + i % 7;
+        member.altitude = 60;
+        query.members.push_back(member);
+      }
+      expect_in_time(query, world, "thirty members");
+    }
+}
+
 TEST(BudgetLaw, PartsOfOddAreasEndInTime) {
   for (const bool rough : {false, true})
     for (const ShareMode mode : {ShareMode::kProportional, ShareMode::kBalanced}) {
