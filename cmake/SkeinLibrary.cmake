@@ -3,6 +3,7 @@
 #   skein_add_library(executive
 #     SOURCES src/a.cpp src/b.cpp          # listed, never globbed
 #     DEPENDS foundation                    # skein libraries its public headers may include
+#     TYPES auction                         # likewise, but for types alone: nothing of them is linked
 #     PRIVATE_DEPENDS nlohmann_json::nlohmann_json   # other targets, used in its .cpp files only
 #     PUBLIC_DEPENDS tl::expected           # other targets its public headers include
 #     TESTS test/a_test.cpp                 # one GoogleTest program, skein_<name>_test
@@ -15,7 +16,7 @@ set_property(GLOBAL PROPERTY SKEIN_LIBRARIES "")
 set(SKEIN_CMAKE_DIR ${CMAKE_CURRENT_LIST_DIR})
 
 function(skein_add_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PUBLIC_DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_ARGS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;TYPES;PUBLIC_DEPENDS;PRIVATE_DEPENDS;TESTS;TEST_DEPENDS;TEST_ARGS" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "skein_add_library(${name}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
   endif()
@@ -28,11 +29,13 @@ function(skein_add_library name)
   set(own_deps ${ARG_DEPENDS})
   list(TRANSFORM own_deps PREPEND skein::)
   target_link_libraries(${target} PUBLIC ${own_deps} PRIVATE $<BUILD_INTERFACE:skein::options>)
+  skein_use_types(${target} ${ARG_TYPES})
   skein_link_system(${target} PUBLIC ${ARG_PUBLIC_DEPENDS})
   skein_link_system(${target} PRIVATE ${ARG_PRIVATE_DEPENDS})
 
   set_property(GLOBAL APPEND PROPERTY SKEIN_LIBRARIES ${name})
   set_property(GLOBAL PROPERTY SKEIN_DEPENDS_${name} "${ARG_DEPENDS}")
+  set_property(GLOBAL PROPERTY SKEIN_TYPES_${name} "${ARG_TYPES}")
   set(test_deps ${ARG_TEST_DEPENDS})
   list(FILTER test_deps INCLUDE REGEX "^skein::")
   list(REMOVE_ITEM test_deps skein::test_cases)
@@ -85,6 +88,16 @@ function(skein_link_alone target)
   add_executable(${target}_alone ${SKEIN_CMAKE_DIR}/alone.cpp)
   target_link_libraries(${target}_alone PRIVATE "$<LINK_LIBRARY:WHOLE_ARCHIVE,${target}>")
   set_target_properties(${target}_alone PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/alone)
+endfunction()
+
+# Makes the headers of libraries known and links nothing of them: a scenario has the team's configuration
+# as a value, and a daemon that reads scenarios need not compile the market. `skein_NAME_alone` does not
+# link where more than types and inline functions was used.
+function(skein_use_types target)
+  foreach(name IN LISTS ARGN)
+    target_include_directories(${target} PUBLIC
+      $<BUILD_INTERFACE:$<TARGET_PROPERTY:skein_${name},INTERFACE_INCLUDE_DIRECTORIES>>)
+  endforeach()
 endfunction()
 
 # Links targets that are not ours; their headers count as system headers (no warnings from them).

@@ -45,7 +45,8 @@ WALL_CLOCK_READERS = {
     "cli/operate/src/operate.cpp": "the number of an operator's request",
     "daemons/ros2_out/src/ros2_out.cpp": "the number of an operator's request"}
 # Namespaces of libraries that are not named after them.
-NAMESPACES = {"blackboard": "blackboard|wire", "foundation": ""}
+NAMESPACES = {"blackboard": "blackboard|wire", "foundation": "", "negotiation": "interaction", "ground_orders": "ground_station",
+              "team_translation": "translation"}
 
 
 def read_layers(text):

@@ -15,7 +15,9 @@ class Library:
     def __init__(self, entry):
         self.name = entry["name"]
         self.directory = entry["directory"]
-        self.depends = list(entry["depends"])
+        self.links = list(entry["depends"])
+        self.types = list(entry.get("types", []))  # whose headers it includes and which it does not link
+        self.depends = self.links + self.types
         self.test_depends = list(entry.get("test_depends", []))  # what only its tests use beside them
 
 

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "skein/ground_station/script.hpp"
+#include "skein/ground_orders/script.hpp"
 #include "skein/import_tool/import.hpp"
 #include "skein/mission_files/read.hpp"
 #include "skein/scenario/scenario.hpp"

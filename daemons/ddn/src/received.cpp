@@ -2,13 +2,13 @@
 #include "received.hpp"
 
 #include "skein/foundation/overloaded.hpp"
+#include "skein/team_translation/meetings.hpp"
+#include "skein/team_translation/team.hpp"
 #include "skein/translation/joint_tasks.hpp"
-#include "skein/translation/meetings.hpp"
 #include "skein/translation/merging.hpp"
 #include "skein/translation/missions.hpp"
 #include "skein/translation/sensing.hpp"
 #include "skein/translation/tasks.hpp"
-#include "skein/translation/team.hpp"
 
 namespace skein::ddn {
 

@@ -3,7 +3,7 @@
 
 #include "skein/journal/lines/team.hpp"
 
-#include "skein/translation/team_lines.hpp"
+#include "skein/team_translation/team_lines.hpp"
 
 namespace skein::ddn {
 

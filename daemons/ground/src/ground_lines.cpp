@@ -2,7 +2,7 @@
 #include "ground_lines.hpp"
 
 #include "skein/journal/lines/mission.hpp"
-#include "skein/translation/team_lines.hpp"
+#include "skein/team_translation/team_lines.hpp"
 
 namespace skein::ground {
 

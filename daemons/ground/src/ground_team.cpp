@@ -5,8 +5,8 @@
 #include "skein/ground/ground_node.hpp"
 #include "skein/journal/lines/mission.hpp"
 #include "skein/journal/lines/team.hpp"
-#include "skein/translation/team.hpp"
-#include "skein/translation/team_lines.hpp"
+#include "skein/team_translation/team.hpp"
+#include "skein/team_translation/team_lines.hpp"
 
 namespace skein::ground {
 

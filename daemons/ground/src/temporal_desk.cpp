@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/ground/temporal_desk.hpp"
 
-#include "skein/translation/meetings.hpp"
+#include "skein/team_translation/meetings.hpp"
 
 namespace skein::ground {
 

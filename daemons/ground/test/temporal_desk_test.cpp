@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "skein/translation/meetings.hpp"
+#include "skein/team_translation/meetings.hpp"
 
 namespace skein::ground {
 namespace {

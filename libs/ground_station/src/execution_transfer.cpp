@@ -10,18 +10,6 @@ namespace skein::ground_station {
 using mission::GoalId;
 using mission::HeldTask;
 
-std::string_view to_text(HeldState state) {
-  switch (state) {
-    case HeldState::kHeld:
-      return "held";
-    case HeldState::kResumed:
-      return "resumed";
-    case HeldState::kDropped:
-      break;
-  }
-  return "dropped";
-}
-
 std::vector<Request> GroundControl::requests_for(const std::string& uav,
                                                  std::vector<HeldTask> tasks) const {
   TransferFacts facts;

@@ -20,22 +20,6 @@ std::optional<TaskId> task_of(const Request& request) {
 
 }  // namespace
 
-std::string_view to_text(CommandState state) {
-  switch (state) {
-    case CommandState::kIssued:
-      return "issued";
-    case CommandState::kDelivered:
-      return "delivered";
-    case CommandState::kAcknowledged:
-      return "acknowledged";
-    case CommandState::kRefused:
-      return "refused";
-    case CommandState::kExpired:
-      break;
-  }
-  return "expired";
-}
-
 void Monitoring::on(const IssueCommand& input, MissionTime now, Effects& effects) {
   const CommandNumber number(++last_number_);
   pending_[number] = {input.uav, input.request, input.expires, input.asked_by, false};

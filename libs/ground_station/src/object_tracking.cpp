@@ -44,23 +44,6 @@ const world::Detection* nearest_of(const std::string& kind, const world::Vector3
 
 }  // namespace
 
-std::vector<std::string> problems_of(const std::vector<ObjectSpec>& objects) {
-  std::vector<std::string> problems;
-  std::set<std::string> names;
-  for (const ObjectSpec& one : objects) {
-    const std::string which = "object '" + one.name + "': ";
-    if (one.name.empty()) problems.emplace_back("an object has a name");
-    if (!names.insert(one.name).second) problems.push_back(which + "the name is taken");
-    if (one.kind.empty()) problems.push_back(which + "no kind");
-    if (!one.thought.allFinite()) problems.push_back(which + "its place is not finite");
-    if (!(one.reach > 0) || !std::isfinite(one.reach))
-      problems.push_back(which + "reach must be positive");
-    if (!(one.drift > 0) || !std::isfinite(one.drift))
-      problems.push_back(which + "drift must be positive");
-  }
-  return problems;
-}
-
 ObjectTracking::ObjectTracking(std::vector<ObjectSpec> objects) {
   SKEIN_EXPECTS(problems_of(objects).empty());
   for (ObjectSpec& one : objects) {

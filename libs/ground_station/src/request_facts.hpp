@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "skein/ground_station/messages.hpp"
+#include "skein/ground_orders/messages.hpp"
 
 namespace skein::ground_station {
 

@@ -8,18 +8,6 @@
 
 namespace skein::ground_station {
 
-std::string_view to_text(GlobalStage stage) {
-  switch (stage) {
-    case GlobalStage::kRefused:
-      return "refused";
-    case GlobalStage::kGiven:
-      return "given";
-    case GlobalStage::kDone:
-      break;
-  }
-  return "done";
-}
-
 TeamDesk::TeamDesk(const team::Config& config, const std::string& self, MissionKnowledge knowledge,
                    std::vector<std::string> uavs)
     : roster_(config.roster),

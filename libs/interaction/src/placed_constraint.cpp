@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "placed_constraint.hpp"
+#include "skein/interaction/placed_constraint.hpp"
 
 #include <cmath>
 #include <numbers>

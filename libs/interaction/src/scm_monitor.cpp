@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "placed_constraint.hpp"
 #include "skein/foundation/contract.hpp"
+#include "skein/interaction/placed_constraint.hpp"
 
 namespace skein::interaction {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "placed_constraint.hpp"
 #include "skein/foundation/random.hpp"
+#include "skein/interaction/placed_constraint.hpp"
 #include "skein/world/geometry.hpp"
 
 namespace skein::interaction {

@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/team/roster.hpp"
 
-#include <algorithm>
-
 #include "skein/foundation/contract.hpp"
 
 namespace skein::team {
-
-std::optional<auction::MemberNumber> Roster::number_of(const std::string& name) const {
-  const auto found = std::find(members_.begin(), members_.end(), name);
-  if (found == members_.end()) return std::nullopt;
-  return auction::MemberNumber(static_cast<std::uint32_t>(found - members_.begin()));
-}
 
 std::string Roster::name_of(auction::MemberNumber number) const {
   return number.value() < members_.size() ? members_[number.value()] : "?";

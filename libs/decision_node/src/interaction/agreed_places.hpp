@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "interaction/places.hpp"
-#include "skein/interaction/negotiation/modality.hpp"
+#include "skein/negotiation/modality.hpp"
 
 namespace skein::decision_node {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "skein/foundation/result.hpp"
-#include "skein/interaction/negotiation/area_offer.hpp"
+#include "skein/negotiation/area_offer.hpp"
 #include "skein/refiners/flight.hpp"
 #include "skein/supervisor/planning.hpp"
 #include "skein/world/vehicle_state.hpp"

@@ -14,8 +14,8 @@
 #include "interaction/places.hpp"
 #include "interaction/role_play.hpp"
 #include "interaction/sightings.hpp"
-#include "skein/interaction/joint_task_status.hpp"
-#include "skein/interaction/negotiation/negotiation_manager.hpp"
+#include "skein/negotiation/joint_task_status.hpp"
+#include "skein/negotiation/negotiation_manager.hpp"
 
 namespace skein::decision_node {
 

@@ -8,7 +8,7 @@
 #include "skein/foundation/joined.hpp"
 #include "skein/interaction/describe.hpp"
 #include "skein/interaction/role_fit.hpp"
-#include "skein/interaction/role_places.hpp"
+#include "skein/negotiation/role_places.hpp"
 #include "skein/refiners/flight.hpp"
 #include "skein/refiners/path.hpp"
 #include "skein/supervisor/area_sweep.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "component.hpp"
-#include "skein/interaction/joint_task_status.hpp"
+#include "skein/negotiation/joint_task_status.hpp"
 
 namespace skein::decision_node {
 

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "skein/ground_station/messages.hpp"
-#include "skein/ground_station/script.hpp"
+#include "skein/ground_orders/messages.hpp"
+#include "skein/ground_orders/script.hpp"
 #include "skein/world/terrain.hpp"
 
 namespace skein::ground_station::testing {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "skein/blackboard/wire.hpp"
-#include "skein/interaction/joint_task_status.hpp"
-#include "skein/interaction/negotiation/terms.hpp"
+#include "skein/negotiation/joint_task_status.hpp"
+#include "skein/negotiation/terms.hpp"
 
 namespace skein::translation {
 

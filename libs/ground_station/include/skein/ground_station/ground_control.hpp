@@ -12,14 +12,14 @@
 #include <vector>
 
 #include "skein/executive/executive.hpp"
+#include "skein/ground_orders/messages.hpp"
+#include "skein/ground_orders/script.hpp"
 #include "skein/ground_station/held_plans.hpp"
-#include "skein/ground_station/messages.hpp"
 #include "skein/ground_station/mission_planning.hpp"
 #include "skein/ground_station/monitoring.hpp"
 #include "skein/ground_station/object_tracking.hpp"
 #include "skein/ground_station/operator_desk.hpp"
 #include "skein/ground_station/perception_processing.hpp"
-#include "skein/ground_station/script.hpp"
 
 namespace skein::ground_station {
 

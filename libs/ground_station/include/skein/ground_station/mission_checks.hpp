@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/ground_station/messages.hpp"
+#include "skein/ground_orders/messages.hpp"
 #include "skein/mission/vocabulary.hpp"
 #include "skein/world/vehicle_model.hpp"
 

@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "skein/ground_orders/operator_request.hpp"
 #include "skein/ground_station/monitoring.hpp"
-#include "skein/ground_station/operator_request.hpp"
 
 namespace skein::ground_station {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "skein/foundation/result.hpp"
-#include "skein/ground_station/script.hpp"
+#include "skein/ground_orders/script.hpp"
 #include "skein/world/terrain.hpp"
 
 namespace skein::ground_station {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "skein/ground_station/messages.hpp"
+#include "skein/ground_orders/messages.hpp"
 
 namespace skein::ground_station {
 

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "skein/ground_station/messages.hpp"
+#include "skein/ground_orders/messages.hpp"
 #include "skein/ground_station/mission_checks.hpp"
 
 namespace skein::ground_station {

@@ -9,7 +9,7 @@
 
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/result.hpp"
-#include "skein/ground_station/operator_request.hpp"
+#include "skein/ground_orders/operator_request.hpp"
 #include "skein/scenario/scenario.hpp"
 
 namespace skein::scenario {

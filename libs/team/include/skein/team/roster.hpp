@@ -2,6 +2,7 @@
 // Who is in a team, by name and by number.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,7 +19,11 @@ class Roster {
   explicit Roster(std::vector<std::string> members) : members_(std::move(members)) {}
 
   const std::vector<std::string>& names() const { return members_; }
-  std::optional<auction::MemberNumber> number_of(const std::string& name) const;
+  std::optional<auction::MemberNumber> number_of(const std::string& name) const {
+    const auto found = std::find(members_.begin(), members_.end(), name);
+    if (found == members_.end()) return std::nullopt;
+    return auction::MemberNumber(static_cast<std::uint32_t>(found - members_.begin()));
+  }
   /// "?" of a number that nobody has.
   std::string name_of(auction::MemberNumber number) const;
 

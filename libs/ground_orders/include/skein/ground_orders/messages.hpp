@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: Apache-2.0
+// What goes in and out of the ground station's components.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "skein/executive/effect.hpp"
+#include "skein/executive/input.hpp"
+#include "skein/executive/task.hpp"
+#include "skein/foundation/id.hpp"
+#include "skein/foundation/time.hpp"
+#include "skein/functional/port.hpp"
+#include "skein/ground_orders/alarm.hpp"
+#include "skein/mission/autonomy.hpp"
+#include "skein/mission/elementary_plan.hpp"
+#include "skein/mission/high_level_task.hpp"
+#include "skein/mission/request.hpp"
+#include "skein/team/global_mission.hpp"
+#include "skein/team/ownership.hpp"
+#include "skein/world/telemetry.hpp"
+
+namespace skein::ground_station {
+
+using mission::Degree;
+using mission::Request;
+using mission::runs_at_ground;
+using mission::synchronises_directly;
+
+/// What a unit mission comes to.
+enum class MissionStage {
+  kPlanned,   ///< the UAV has a plan for it
+  kRefused,   ///< it was refused: by the ground, by the UAV, or because no plan has room for it
+  kAchieved,  ///< none of its high-level tasks is open, none failed, one was achieved
+  kFailed,    ///< none of them is open, and one failed
+  kEvaluated  ///< asked for evaluation only: it could be planned (else refused)
+};
+
+/// Numbered from 1 in the order issued.
+using CommandNumber = Id<struct CommandNumberTag, std::uint64_t>;
+
+// ---- from the outside ----
+
+/// Time passes.
+struct Tick {};
+/// A vehicle told of itself.
+using TelemetryReceived = world::Telemetry;
+/// A task of a UAV entered a state: from its MLE.
+struct TaskEventReceived {
+  std::string uav;
+  executive::TaskId task;
+  std::string type;
+  executive::TaskState state = executive::TaskState::kScheduled;
+  std::string reason = {};
+  bool at_ground = false;  ///< from the MLE that runs here for the UAV
+};
+/// The answer of a UAV's MLE to a command.
+struct RequestReplyReceived {
+  CommandNumber command;
+  bool accepted = false;
+  std::string why = {};
+};
+/// The command is with the UAV's decision node, which has not answered yet.
+struct CommandDelivered {
+  CommandNumber command;
+};
+/// The command could not be delivered in its lifetime.
+struct CommandUndelivered {
+  CommandNumber command;
+};
+/// What the ground believes of its own radio contact with a UAV's decision node.
+struct PeerReachable {
+  std::string uav;
+  bool reachable = false;
+  bool restarted = false;  ///< it is a new incarnation, which has no plan
+};
+struct PlannedTaskStatus {
+  executive::TaskId task;
+  std::string type;
+  executive::TaskState state = executive::TaskState::kScheduled;
+};
+/// Versions of interaction models, by type of joint task. Source: spec 7.3.
+using ModelVersions = std::map<std::string, std::uint64_t>;
+
+/// The plan a UAV's decision node holds. Repairs what events have not told; degree 1 nodes hold
+/// none.
+struct PlanBoardReceived {
+  std::string uav;
+  Degree degree = 3;
+  bool airborne = false;
+  std::vector<PlannedTaskStatus> tasks;
+  /// When it was so. Absent: taken as now.
+  std::optional<MissionTime> at = std::nullopt;
+  ModelVersions models = {};  ///< that it has
+};
+/// The plan of a UAV at degree 4, and where its high-level tasks stand.
+struct MissionPlanReceived {
+  std::string uav;
+  mission::PlanReport plan;
+  std::optional<MissionTime> at = std::nullopt;  ///< as in PlanBoardReceived
+};
+/// A UAV changed its degree and tells what it had in hand.
+struct HandOverReceived {
+  std::string uav;
+  mission::HandOver hand_over;
+  std::optional<MissionTime> at = std::nullopt;  ///< as in PlanBoardReceived
+};
+/// A UAV's supervisor applied an operator.
+struct DecisionReceived {
+  std::string uav;
+  mission::Decision decision;
+};
+/// What became of a mission that a UAV had accepted for planning.
+struct MissionOutcomeReceived {
+  std::string uav;
+  mission::MissionOutcome outcome;
+};
+/// The functional layer's answer to what the ground itself dispatched (degree 1).
+struct FunctionalStatusReceived {
+  std::string uav;
+  executive::FunctionalStatus status;
+};
+/// A synchronisation message that is not for direct delivery: to be relayed or used here.
+struct SyncReceived {
+  std::uint64_t id = 0;
+  std::string from;
+  std::string to;
+  executive::SyncWord word = executive::SyncWord::kThere;
+  std::optional<MissionTime> said = std::nullopt;  ///< when it was sent; absent: now
+};
+/// An operator acts by name: what the script's OnOperator waits for.
+struct OperatorActs {
+  std::string does;
+};
+/// An operator's own request, outside of the script.
+struct OperatorCommand {
+  std::string uav;
+  Request request;
+  Duration lifetime = Duration::milliseconds(60'000);
+};
+
+// ---- between components, and to the outside ----
+
+/// Ask MCS to send a request and see it through.
+struct IssueCommand {
+  std::string uav;
+  Request request;
+  MissionTime expires;
+  std::string asked_by = {};  ///< for people: "step detection", "operator end"
+  /// It belongs to a change of degree, and goes before the commands that wait for that.
+  bool ahead = false;
+};
+/// Ask MCS to send a request to each UAV.
+struct IssueToAll {
+  Request request;
+  MissionTime expires;
+  std::string asked_by = {};
+};
+/// Ask MCS to take a UAV in hand (degree 1) or to give it back (the degree before).
+struct ChangeHands {
+  enum class Way { kTake, kGiveBack };
+  std::string uav;
+  Way way = Way::kTake;
+  bool interrupt = false;  ///< when taken: what runs is interrupted
+  MissionTime expires;
+  std::string asked_by = {};
+};
+/// Start, or discard, the plan that a UAV handed over.
+struct ResumeHeld {
+  std::string uav;
+  std::vector<executive::TaskId> without;
+  MissionTime expires;
+  std::string asked_by = {};
+};
+struct DropHeld {
+  std::string uav;
+};
+/// What belongs to a change of degree has been issued: the commands that waited for it may go.
+struct ReleaseCommands {
+  std::string uav;
+};
+/// Ask MCS to abort all that is not terminal, or still on its way, highest id first.
+struct AbortEverything {
+  std::string uav;
+  MissionTime expires;
+  std::string asked_by = {};
+};
+enum class CommandState { kIssued, kDelivered, kAcknowledged, kRefused, kExpired };
+/// "issued", "delivered", "acknowledged", "refused", "expired".
+std::string_view to_text(CommandState state);
+/// Whether nothing follows any more.
+constexpr bool is_settled(CommandState state) {
+  return state != CommandState::kIssued && state != CommandState::kDelivered;
+}
+
+/// A request is to go to a UAV's MLE. Idempotent by number: an MLE that already handled the number
+/// in this life answers as before and does nothing. It must not be executed after `expires`.
+struct SendRequest {
+  CommandNumber command;
+  std::string uav;
+  Request request;
+  MissionTime expires;
+  std::string asked_by = {};
+};
+/// A command was issued, reached its UAV's node, or came to its end; for the journal.
+struct CommandChanged {
+  CommandNumber command;
+  std::string uav;
+  std::string what;  ///< "START 3 goto", "ABORT 3", "MISSION 2 (3 tasks)", "DEGREE 1", …
+  CommandState state = CommandState::kIssued;
+  std::string why = {};
+  std::string asked_by = {};
+  std::optional<executive::TaskId> task = {};  ///< of a START or an ABORT
+};
+/// A task's state is news to the ground. Each state of a task is told once.
+struct TaskChanged {
+  std::string uav;
+  executive::TaskId task;
+  executive::TaskState state = executive::TaskState::kScheduled;
+};
+/// The UAV's decision node restarted; what it had in hand is lost.
+struct UavRestarted {
+  std::string uav;
+  std::vector<executive::TaskId> lost;
+};
+struct DegreeChanged {
+  std::string uav;
+  Degree degree = 3;
+};
+/// A UAV handed its plan over, after DegreeChanged if it changed the degree. It does so by itself
+/// when its contact-loss policy takes the plan from its supervisor.
+struct HandedOver {
+  std::string uav;
+  mission::HandOver hand_over;
+  bool resumes = false;  ///< the UAV goes on with what it had handed over before
+};
+/// The change of degree that commands waited for is over, with or without effect.
+struct ChangeSettled {
+  std::string uav;
+};
+/// A high-level task of a UAV entered another state.
+struct GoalChanged {
+  std::string uav;
+  mission::GoalId goal;
+  mission::GoalState state = mission::GoalState::kReceived;
+};
+/// A unit mission came to a stage. Each stage is told once in a life of the UAV's node.
+struct MissionChanged {
+  std::string uav;
+  mission::MissionId mission;
+  MissionStage stage = MissionStage::kPlanned;
+};
+/// A task of a global mission stands elsewhere in the team's book.
+struct TeamTaskChanged {
+  team::TaskStanding standing;
+};
+enum class GlobalStage { kRefused, kGiven, kDone };
+/// "refused", "given", "done".
+std::string_view to_text(GlobalStage stage);
+/// A global mission was given to the team, or makes no sense (`why`), or all of it is done.
+struct GlobalMissionChanged {
+  mission::MissionId mission;
+  GlobalStage stage = GlobalStage::kGiven;
+  std::string why;
+};
+/// To be given to the team.
+struct GiveGlobalMission {
+  team::GlobalMission mission;
+};
+/// A role of a joint task is to be played here for a UAV that does not deliberate; the joint task
+/// has the number of a task of that UAV. `asked_by`, when empty, becomes the step's or the
+/// operator's name. Source: spec 1.2, 7.3.
+struct PlayRole {
+  std::string uav;
+  mission::HighLevelTask task;
+  std::string asked_by = {};
+};
+/// What is played here for the UAV ends: one joint task, or all.
+struct StopRole {
+  std::string uav;
+  std::optional<executive::TaskId> task;
+  std::string why;
+};
+/// A role that is played here wants this of the UAV.
+struct RoleAsks {
+  std::string uav;
+  Request request;
+};
+/// A joint task that is played here is running, ended or aborted.
+struct PlayedTaskChanged {
+  std::string uav;
+  executive::TaskEvent event;
+};
+/// The operator says that a UAV will never be heard again: what it was granted is sold again.
+struct DeclareLost {
+  std::string uav;
+};
+enum class HeldState { kHeld, kResumed, kDropped };
+/// "held", "resumed", "dropped".
+std::string_view to_text(HeldState state);
+/// What happened to the plan that a UAV handed over; for the journal.
+struct HeldPlanChanged {
+  std::string uav;
+  std::size_t tasks = 0;  ///< of which it happened
+  HeldState state = HeldState::kHeld;
+};
+/// What is known of an alarm is to be told to one UAV again, or to all.
+struct TellAlarm {
+  Alarm alarm;
+  std::string uav;  ///< empty: all
+};
+/// Something that should not come, and was disregarded; for the log.
+struct Anomaly {
+  std::string why;
+  std::string asked_by = {};  ///< who had asked for what is not done; empty: nobody
+};
+
+// ---- the mission ----
+
+struct PhaseEntered {
+  std::string name;
+};
+struct StepDone {
+  std::string name;
+};
+struct OperatorDid {
+  std::string does;
+};
+struct MissionFinished {};
+
+// ---- degree 1: what the ground does in place of a UAV's MLE ----
+
+/// An elementary request to the functional layer, through the transparent decision node.
+struct SendFunctional {
+  std::string uav;
+  functional::Request request;
+};
+/// A synchronisation message is to go to the MLE of `to`.
+struct SendSync {
+  std::uint64_t id = 0;
+  std::string from;
+  std::string to;
+  executive::SyncWord word = executive::SyncWord::kThere;
+  MissionTime said;  ///< when `from` said so
+};
+enum class SyncDirection { kSent, kReceived };
+/// An MLE at the ground sent or received a synchronisation message; for the journal.
+struct LocalSync {
+  std::uint64_t id = 0;
+  std::string from;
+  std::string to;
+  SyncDirection direction = SyncDirection::kSent;
+  executive::SyncWord word = executive::SyncWord::kThere;
+};
+/// A task of an MLE at the ground entered a state; for the journal.
+struct LocalTaskEvent {
+  std::string uav;
+  executive::TaskEvent event;
+  executive::Parameters parameters;  ///< of the task
+  bool functional = true;  ///< its functional layer carries it out, so that the UAV sees it
+};
+/// An MLE at the ground answered a request; for the journal.
+struct LocalRequestAnswered {
+  std::string uav;
+  executive::Reply reply;
+  executive::InsertionMode mode = executive::InsertionMode::kSeq;  ///< of a START
+};
+
+}  // namespace skein::ground_station

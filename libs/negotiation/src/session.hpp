@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// One session as one member sees it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "facts.hpp"
+#include "skein/negotiation/negotiation_manager.hpp"
+
+namespace skein::interaction {
+
+/// What a member wants of the session that it takes part in.
+struct Wanted {
+  std::string modality;
+  std::vector<std::string> members;
+  ModelHash model;
+};
+
+/// A member is
+///   from            on                                               to
+///   (new)           a message                                        invited
+///   (new)           a message with more about it than it said        lost
+///   (new), invited  join                                             taking part
+///   taking part     offers of all, and what follows from them        promised
+///   taking part     half the time, a bad offer, somebody lost, …     refused
+///   taking part     another session of the subject                   refused (moved)
+/// and what it knows ends it: a refusal (failed), all promises (agreed), else the deadline.
+class Session {
+ public:
+  Session(Terms terms, std::string self, const NegotiationLimits& limits);
+
+  /// The opener, who knows nobody yet, tells everybody.
+  void join(const Wanted& wanted, std::shared_ptr<const NegotiationModality> modality,
+            MissionTime now, NegotiationEffects& out);
+  void offer(const Result<Rows, Failure>& offer, MissionTime now, NegotiationEffects& out);
+  void reckoned(Result<Rows, Failure> result, MissionTime now, NegotiationEffects& out);
+  /// Precondition: may_refuse().
+  void refuse(const std::string& why, MissionTime now, NegotiationEffects& out);
+  /// Goes on with another session: refuses without telling anybody who does not ask, and gives no
+  /// end. Precondition: may_refuse().
+  void leave(const std::string& why);
+  /// Why the message has no effect; absent: it has.
+  std::optional<std::string> receive(const SessionMessage& message, MissionTime now,
+                                     NegotiationEffects& out);
+  /// Tells one member what is known here.
+  void tell(const std::string& uav, NegotiationEffects& out);
+  /// It was restarted since and may have vowed anything.
+  void lose() { facts_[self_].lost = true; }
+  void pass(MissionTime now, NegotiationEffects& out);
+  std::optional<MissionTime> next_wakeup() const;
+
+  const Terms& terms() const { return terms_; }
+  std::string state_text() const;
+  bool moved() const { return moved_; }
+  /// Whether that member is known to have promised.
+  bool is_bound(const std::string& uav) const;
+  bool takes_part() const { return joined_; }
+  bool may_refuse() const;
+  bool wants_offer() const { return joined_ && may_refuse() && !facts_[self_].offered; }
+  /// It asked for what follows from all offers.
+  bool wants_result() const;
+  bool ended() const { return outcome_.has_value(); }
+  bool decided() const { return facts_.refusal() != nullptr || facts_.all_promised(); }
+  bool says_more_of_self(const std::vector<Entry>& entries) const;
+
+ private:
+  using Kind = NegotiationOutcome::Kind;
+  bool decides() const { return self_ == 0; }
+  std::size_t member(const std::string& uav) const;
+  bool lags(std::size_t member) const { return lacks(told_[member], facts_.bits()); }
+  int stage_of(FactBits bits) const;
+
+  void advance(MissionTime now, NegotiationEffects& out);
+  void vow(MissionTime now, NegotiationEffects& out);
+  std::optional<std::string> objection(MissionTime now) const;
+  std::optional<std::string> bad_offer() const;
+  Offers offers() const;
+  void reckon(NegotiationEffects& out);
+  void know(Result<Rows, Failure> result);
+  void promise();
+  void set_refused(const std::string& why);
+  void conclude(MissionTime now, NegotiationEffects& out);
+  std::optional<NegotiationOutcome> outcome_at(MissionTime now) const;
+  void end(NegotiationOutcome outcome, NegotiationEffects& out);
+  std::vector<std::string> who_lags() const;
+  std::string missing() const;
+
+  void plan_to_tell(FactBits before);
+  bool asks(MissionTime now) const;
+  bool is_active() const;
+  MissionTime again_at() const;
+  std::set<std::size_t> who_is_told_again(MissionTime now) const;
+  void send(MissionTime now, NegotiationEffects& out);
+  void send_to(std::size_t member, bool wants_echo, NegotiationEffects& out) const;
+
+  Terms terms_;
+  std::size_t self_;
+  NegotiationLimits limits_;
+  std::shared_ptr<const NegotiationModality> modality_;
+  Facts facts_;
+  std::vector<FactBits> told_;  ///< what each member is known to know
+  std::set<std::size_t> to_tell_;
+  std::optional<Rows> result_;
+  bool reckons_ = false;  ///< somebody else works on it
+  bool joined_ = false, moved_ = false;
+  std::optional<NegotiationOutcome> outcome_;
+  MissionTime last_sent_;
+  int unheard_ = 0;  ///< sendings again since the decider was heard
+};
+
+}  // namespace skein::interaction
