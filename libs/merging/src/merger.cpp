@@ -160,6 +160,16 @@ Volumes Merger::others() const {
   return all;
 }
 
+Volumes Merger::taken() const {
+  Volumes all;
+  for (const auto& [name, peer] : peers_) {
+    all.insert(all.end(), peer.claim.held.begin(), peer.claim.held.end());
+    if (peer.claim.request != 0)
+      all.insert(all.end(), peer.claim.wanted.begin(), peer.claim.wanted.end());
+  }
+  return all;
+}
+
 Volumes Merger::ends() const {
   Volumes all;
   for (const auto& [name, peer] : peers_) {

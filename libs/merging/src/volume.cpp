@@ -2,6 +2,8 @@
 #include "skein/merging/volume.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "skein/world/segment.hpp"
 
@@ -18,6 +20,27 @@ bool overlap(const Volumes& some, const Volumes& others) {
     return std::any_of(others.begin(), others.end(),
                        [&](const Volume& other) { return overlap(one, other); });
   });
+}
+
+world::Volume closed_around(const Volume& volume, double wider, double higher) {
+  constexpr int kSides = 6;  // of each end
+  constexpr double kHalf = std::numbers::pi / 2 / kSides;
+  const double radius = (volume.radius + wider) / std::cos(kHalf);
+  const world::Vector2 along = volume.to - volume.from;
+  const double heading = along.isZero() ? 0 : std::atan2(along.y(), along.x());
+  world::Volume closed;
+  closed.floor = volume.floor - higher;
+  closed.ceiling = volume.ceiling + higher;
+  // Sides touch the circle: from the left of each end to its right.
+  for (const bool at_end : {true, false}) {
+    const double first = heading + (at_end ? -std::numbers::pi / 2 : std::numbers::pi / 2);
+    for (int i = 0; i < kSides; ++i) {
+      const double angle = first + (2 * i + 1) * kHalf;
+      closed.polygon.push_back((at_end ? volume.to : volume.from) +
+                               radius * world::Vector2(std::cos(angle), std::sin(angle)));
+    }
+  }
+  return closed;
 }
 
 }  // namespace skein::merging

@@ -71,6 +71,20 @@ RC_GTEST_PROP(VolumeProperty, OverlapIsWhatSamplesSay, ()) {
   RC_ASSERT(overlap(one, other) == overlap(other, one));
 }
 
+// Whatever is no nearer than it is made wider, with a little for the corners, is not in it.
+RC_GTEST_PROP(VolumeProperty, WhatIsClosedAroundItHasAllThatIsNearAndHardlyMore, ()) {
+  const Volume volume = any_volume();
+  const double wider = *rc::gen::inRange(0, 60) / 4.0;
+  const world::Volume closed = closed_around(volume, wider, 2.5);
+  RC_ASSERT(closed.floor == volume.floor - 2.5);
+  RC_ASSERT(closed.ceiling == volume.ceiling + 2.5);
+  const Vector2 at(*rc::gen::inRange(-300, 300) / 4.0, *rc::gen::inRange(-300, 300) / 4.0);
+  const double off = sampled_distance(volume, {at, at, 1, 0, 1});
+  const double spare = (volume.to - volume.from).norm() / 150, reach = volume.radius + wider;
+  if (off < reach - 1e-6) RC_ASSERT(world::contains(closed.polygon, at));
+  if (off - spare > 1.04 * reach) RC_ASSERT(!world::contains(closed.polygon, at));
+}
+
 RC_GTEST_PROP(VolumeProperty, ManyOverlapWhenTwoDo, ()) {
   const Volumes some{any_volume(), any_volume()}, others{any_volume(), any_volume()};
   bool any = false;

@@ -10,7 +10,9 @@
 #include "skein/elementary/task_checks.hpp"
 #include "skein/foundation/overloaded.hpp"
 #include "skein/functional/task_types.hpp"
+#include "skein/refiners/path.hpp"
 #include "skein/world/crossing.hpp"
+#include "skein/world/segment.hpp"
 
 namespace skein::decision_node {
 
@@ -18,6 +20,7 @@ namespace {
 
 using merging::Margins;
 using merging::Way;
+using world::Vector2;
 using world::Vector3;
 
 constexpr double kStep = 12;            // [m] between heights
@@ -25,6 +28,9 @@ constexpr int kSteps = 5;               // heights above the one that was asked 
 constexpr double kUnderground = -1000;  // [m] below all ground: landings end anywhere above
 constexpr int kDirections = 8;
 constexpr std::array kRings{2, 4, 6, 8, 12, 18, 26, 36, 48};  // of what it takes to hold
+constexpr std::uint64_t kStepsAround = 200'000;
+constexpr double kLeastClearance = 5;  // [m] of a way around, over the ground
+constexpr double kNearEnd = 1.05;      // an end is in what is reserved with what it has too much
 constexpr double kAhead = 600;  // [s] in which air must not close on a way that nobody asked for
 
 elementary::Situation seen_by_vehicle(const MergingConfig& config,
@@ -105,6 +111,36 @@ Airways flights(const functional::Request& request, const elementary::GotoTask& 
   return all;
 }
 
+/// What others have, as wide and high as keeps a way out of it; where it begins and ends, only as
+/// much as where it stays.
+refiners::PathQuery query_around(const Vector3& from, const elementary::GotoTask& task,
+                                 const merging::Volumes& taken, const Margins& margins,
+                                 const MergingConfig& config) {
+  refiners::PathQuery query;
+  query.vehicle = config.model;
+  query.from = from;
+  query.to = task.waypoints.back();
+  query.speed = task.speed;
+  query.clearance = kLeastClearance;
+  const auto nears_end = [&](const merging::Volume& volume) {
+    for (const Vector3& end : {query.from, query.to}) {
+      const Vector2 at = end.head<2>();
+      const double off = world::between_segments(volume.from, volume.to, at, at);
+      const bool beside = off < kNearEnd * (volume.radius + margins.way);
+      if (beside && end.z() < volume.ceiling + kNearEnd * margins.slope &&
+          end.z() > volume.floor - kNearEnd * margins.slope)
+        return true;
+    }
+    return false;
+  };
+  for (const merging::Volume& volume : taken) {
+    const bool near = nears_end(volume);
+    query.reserved.push_back(closed_around(volume, near ? margins.hold : margins.way,
+                                           near ? margins.level : margins.slope));
+  }
+  return query;
+}
+
 Airway column_of(const functional::Request& request, double low, double high,
                  std::optional<Vector3> end, const MergingConfig& config,
                  const AirwaySituation& situation) {
@@ -141,6 +177,29 @@ Result<Airways, Failure> airways_of(const functional::Request& request, bool at_
                    return {{request, {}, {}, {}, 0}};
                  }},
       *task);
+}
+
+std::optional<Airway> way_around(const functional::Request& request, const merging::Volumes& taken,
+                                 const MergingConfig& config, const AirwaySituation& situation,
+                                 const world::World& world) {
+  const auto task = elementary::checked_task(request.type, request.parameters,
+                                             seen_by_vehicle(config, situation));
+  const auto* flown = task ? std::get_if<elementary::GotoTask>(&*task) : nullptr;
+  if (flown == nullptr || flown->waypoints.empty()) return std::nullopt;
+  const Margins margins = merging::margins_of(config.model, config.wind, flown->speed);
+  const Vector3 from = start_of(situation, margins);
+  refiners::PathQuery query = query_around(from, *flown, taken, margins, config);
+  query.depart = situation.now;
+  refiners::Setting setting{world, {}};
+  setting.budget.steps = kStepsAround;
+  const auto path = refine(query, setting);
+  if (!path || path->task.way.size() < 2) return std::nullopt;
+  Airway way = flight(request, path->task.way, margins, 0);
+  way.energy = path->task.energy;
+  const bool clear = !overlap(way.air, taken) &&
+                     is_clear(way.way->points(), margins.way, situation) &&
+                     can_fly(way, config, situation);
+  return clear ? std::optional(way) : std::nullopt;
 }
 
 Airways ways_aside(functional::TaskId id, const merging::Volumes& others,

@@ -12,6 +12,7 @@
 #include "skein/merging/way.hpp"
 #include "skein/world/vehicle_state.hpp"
 #include "skein/world/volume.hpp"
+#include "skein/world/world.hpp"
 
 namespace skein::decision_node {
 
@@ -22,6 +23,7 @@ struct Airway {
   merging::Volumes air;               ///< that it takes, at last where it stays
   std::optional<world::Vector3> end;  ///< where it comes to rest in the air
   double raised = 0;                  ///< above what was asked for [m]
+  double energy = 0;                  ///< of a way around: of what is held when full
 };
 using Airways = std::vector<Airway>;
 
@@ -41,6 +43,12 @@ bool needs_air(const functional::Request& request);
 /// meet no closed air. An error: why the vehicle cannot do it, in all its reasons.
 Result<Airways, Failure> airways_of(const functional::Request& request, bool at_any_height,
                                     const MergingConfig& config, const AirwaySituation& situation);
+
+/// A flight to where the motion leads along a way that keeps out of `taken`, the air of others.
+/// Nothing: it is no flight, or none such is known. Cost: that of refiners::refine(PathQuery).
+std::optional<Airway> way_around(const functional::Request& request, const merging::Volumes& taken,
+                                 const MergingConfig& config, const AirwaySituation& situation,
+                                 const world::World& world);
 
 /// Short flights from where it rests to places that are free of `others`, the nearest first: up,
 /// then beside. Not the way there: where it is now is what others want. Precondition: it rests in

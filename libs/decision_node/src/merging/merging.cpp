@@ -26,6 +26,8 @@ constexpr Duration kRises = Duration::milliseconds(10'000);
 /// Who waits for it longer gives it up: as a rule it is its partner that stays there and waits for
 /// it to come.
 constexpr Duration kRoleWaits = Duration::milliseconds(240'000);
+/// Who has waited so long for others to leave looks for a way around them, and so often again.
+constexpr Duration kLooksAround = Duration::milliseconds(15'000);
 constexpr double kAtRest = 0.5;  // [m/s]
 
 bool is_aside(functional::TaskId task) {
@@ -66,6 +68,7 @@ bool Merging::takes(const functional::Request& request) {
   waiting_.emplace();
   waiting_->request = request;
   waiting_->since = waiting_->said = core_.bus().now();
+  waiting_->looks_around = waiting_->since + kLooksAround;
   ask();
   return true;
 }
@@ -246,6 +249,33 @@ void Merging::hold() {
 
 // ---- waiting ----
 
+std::optional<MissionTime> Merging::looks_around_from() const {
+  const bool asks = waiting_ && !waiting_->airways.empty() && !waiting_->aside_since &&
+                    !waiting_->comes_back && seen_.state.airborne;
+  const bool possible = asks && core_.deliberation().possible() && at_any_height(waiting_->request);
+  return possible ? std::optional(waiting_->looks_around) : std::nullopt;
+}
+
+/// Not where others stay where it is to go: it would wait there.
+void Merging::look_for_way_around() {
+  const auto from = looks_around_from();
+  if (!from || core_.bus().now() < *from) return;
+  waiting_->looks_around = core_.bus().now() + kLooksAround;
+  if (merger_->awaited().empty()) return;
+  auto airways = airways_of(waiting_->request, true, *core_.config().merging, situation());
+  if (!airways || airways->empty()) return;
+  const merging::Volumes taken = merger_->taken();
+  if (overlap({airways->front().air.back()}, taken)) return;
+  const auto world = core_.deliberation().world();
+  auto around = way_around(waiting_->request, taken, *core_.config().merging, situation(), *world);
+  if (!around) return;
+  const double home = supervisor::least_to_come_home(*core_.config().knowledge, *world,
+                                                     core_.bus().now(), *around->end);
+  if (around->energy + home > seen_.state.energy) return;
+  airways->push_back(std::move(*around));
+  want(std::move(*airways));
+}
+
 /// Whoever can wait no longer goes, and says so: that it falls is no better.
 void Merging::look_at_energy() {
   const Deliberation& deliberation = core_.deliberation();
@@ -289,6 +319,7 @@ void Merging::time_passes() {
   if (const auto from = waiting_ ? waiting_->rises_from() : std::nullopt;
       from && core_.bus().now() >= *from)
     ask();
+  look_for_way_around();
   give(merging::Tick{});
 }
 
@@ -297,6 +328,7 @@ std::optional<MissionTime> Merging::next_wakeup() const {
   std::optional<MissionTime> next = merger_->next_wakeup();
   if (waiting_) next = earliest(next, waiting_->said + kSaidAgain);
   if (waiting_) next = earliest(next, waiting_->rises_from());
+  next = earliest(next, looks_around_from());
   return flown_ ? next : earliest(next, aside_until());
 }
 

@@ -50,9 +50,10 @@ class Merging final : public Component {
     std::optional<MissionTime> aside_since = {};
     merging::Volumes own_air = {};  ///< that it wants afterwards, as far as it knows
     std::vector<std::string> waits_for;
-    bool was_aside = false;   ///< it has got out of the way
-    bool asked_long = false;  ///< when it asked last it had waited long
-    bool comes_back = false;  ///< it asks for the way back to where it got out of the way from
+    bool was_aside = false;    ///< it has got out of the way
+    bool asked_long = false;   ///< when it asked last it had waited long
+    MissionTime looks_around;  ///< for a way around those who have its air, not before
+    bool comes_back = false;   ///< it asks for the way back to where it got out of the way from
     /// It asks for a place aside for another's sake, and wants nothing afterwards.
     bool makes_room = false;
     MissionTime noted;  ///< that it waits, for these
@@ -79,6 +80,9 @@ class Merging final : public Component {
   merging::Volumes air_at(const world::Vector3& place) const;
   void begin(const Airway& airway, const std::string& state);
   void look_at_energy();
+  void look_for_way_around();
+  /// When it looks for one; none: it asks for nothing that it could fly another way to.
+  std::optional<MissionTime> looks_around_from() const;
   /// When it no longer asks for a place aside.
   std::optional<MissionTime> aside_until() const;
   void note_waits();

@@ -74,6 +74,41 @@ TEST(Merging, AWayThatSomethingIsLookedAtAlongIsNotRaised) {
   EXPECT_NEAR(team.highest("heliv"), 40, 0.5);
 }
 
+/// At every height that heliv could fly past, and out of its reach, so that nobody makes room.
+MergedTeam before_a_wall() {
+  std::vector<std::pair<std::string, world::Vector3>> places{{"heliv", {100, 0, 40}}};
+  for (int i = 0; i <= 5; ++i)
+    places.push_back({"wall" + std::to_string(i), {0, 0, 40.0 + 12 * i}});
+  MergedTeam team(places, 4);
+  for (int i = 0; i <= 5; ++i) team.cut("heliv", "wall" + std::to_string(i));
+  return team;
+}
+
+TEST(Merging, WhoStaysInTheWayForLongIsFlownAround) {
+  MergedTeam team = before_a_wall();
+  team.command("heliv", goto_of(7, {-100, 0, 40}));
+  team.run(10);
+  EXPECT_THAT(team.begun("heliv"), IsEmpty());
+  team.run(60);
+  EXPECT_TRUE(team.is_over("heliv", 7));
+  EXPECT_GE(last_had(team.notes("heliv")).waited, Duration::seconds(15));
+  EXPECT_NEAR((team.state("heliv").position - world::Vector3(-100, 0, 40)).norm(), 0, 0.5);
+}
+
+TEST(Merging, AWayThatSomethingIsLookedAtAlongLeadsAroundNobody) {
+  MergedTeam team = before_a_wall();
+  give_sweep(team, "heliv", goto_of(7, {-100, 0, 40}));
+  team.run(100);
+  EXPECT_THAT(team.begun("heliv"), IsEmpty());
+}
+
+TEST(Merging, WhoStaysWhereOneIsToGoIsWaitedFor) {
+  MergedTeam team = before_a_wall();
+  team.command("heliv", goto_of(7, {0, 0, 40}));
+  team.run(100);
+  EXPECT_THAT(team.begun("heliv"), IsEmpty());
+}
+
 // The time-out of the executive is 120 s.
 TEST(Merging, AMotionThatWaitsIsNotRunningAndItsExecutiveIsPatient) {
   MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {100, 0, 40}}});

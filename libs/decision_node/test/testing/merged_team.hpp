@@ -25,6 +25,8 @@ inline world::VehicleModel quick_helicopter() {
   model.climb_rate = model.descent_rate = 5;
   model.acceleration = 5;
   model.ceiling = 200;
+  model.yaw_rate = 1;
+  model.energy.capacity = 1e6;
   model.body_radius = 1;
   model.position_precision = 0.3;
   return model;
@@ -47,7 +49,6 @@ inline std::shared_ptr<const supervisor::Knowledge> knowledge_of(const std::stri
   auto knowledge = std::make_shared<supervisor::Knowledge>();
   knowledge->uav = uav;
   knowledge->vehicle = quick_helicopter();
-  knowledge->vehicle.energy.capacity = 1e6;
   return knowledge;
 }
 
@@ -63,8 +64,9 @@ class MergedTeam {
       config.degree = degree;
       if (degree >= 4) {
         config.knowledge = knowledge_of(name);
+        const world::AirspaceGrid air{{-400, -400, 0}, 20, {40, 40, 12}};
         config.world = std::make_shared<world::World>(
-            world::World{{}, *level_ground(), {}, {}, {}, {}, {}, {}, {}});
+            world::World{{}, *level_ground(), {}, air, {}, {}, {}, {}, {}});
       }
       Uav& uav = uavs_[name];
       uav.node = std::make_unique<DecisionNode>(config);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "skein/world/geometry.hpp"
+#include "skein/world/volume.hpp"
 
 namespace skein::merging {
 
@@ -25,5 +26,10 @@ using Volumes = std::vector<Volume>;
 bool overlap(const Volume& one, const Volume& other);
 /// Any of the one and any of the other. Cost: O(product).
 bool overlap(const Volumes& some, const Volumes& others);
+
+/// As air that is closed to others: the prism around all that is nearer to `volume` than `wider`
+/// [m] level and `higher` [m] in height, with corners at the ends. At most 4 % of its radius too
+/// wide.
+world::Volume closed_around(const Volume& volume, double wider, double higher);
 
 }  // namespace skein::merging
