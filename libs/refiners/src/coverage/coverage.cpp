@@ -59,6 +59,24 @@ Duration later(Duration duration, double seconds) {
   return duration == Duration::max() ? duration : duration + Duration::seconds(seconds);
 }
 
+bool is_over(const Vector3& point, const Vector2& place) {
+  return (point.head<2>() - place).norm() < kRounding;
+}
+
+/// Of the first point over a place.
+std::size_t index_of(const Way& way, const Vector2& place) {
+  const auto found = std::find_if(way.begin(), way.end(),
+                                  [&](const Vector3& point) { return is_over(point, place); });
+  return static_cast<std::size_t>(found - way.begin());
+}
+
+/// Of the last one.
+std::size_t last_index_of(const Way& way, const Vector2& place) {
+  const auto found = std::find_if(way.rbegin(), way.rend(),
+                                  [&](const Vector3& point) { return is_over(point, place); });
+  return static_cast<std::size_t>(way.rend() - found) - 1;
+}
+
 class CoverageRefiner {
  public:
   CoverageRefiner(const CoverageQuery& query, const Setting& setting)
@@ -280,7 +298,7 @@ class CoverageRefiner {
         return Refusal{RefusalKind::kBlocked, "area",
                        "the way enters the volume " + volume->name + " near (" +
                            rounded(way[i].x()) + ", " + rounded(way[i].y()) + ")"};
-    if (auto problem = check_ground(way)) return problem;
+    if (auto problem = check_ground(refined.task)) return problem;
     const double most = 1 - query_.vehicle.energy.reserve;
     if (!(refined.task.energy <= most))
       return Refusal{RefusalKind::kBeyondVehicle, "area",
@@ -290,20 +308,28 @@ class CoverageRefiner {
     return std::nullopt;
   }
 
-  /// Lanes are above it; the way up to them, or down to the end, may not be.
-  std::optional<Refusal> check_ground(const Way& way) const {
+  /// Lanes are above it; the way up to them, or down to the end, may come too near.
+  std::optional<Refusal> check_ground(const Coverage& task) const {
     const world::Terrain& terrain = setting_.world.terrain;
+    const Way& way = task.way;
     const auto over = [&](const Vector3& at) { return at.z() - terrain.elevation(at.x(), at.y()); };
-    const double clearance = std::min({0.0, over(way.front()), over(way.back())}) - kRounding;
-    for (std::size_t i = 1; i < way.size(); ++i)
-      if (const auto hit = terrain.first_hit(way[i - 1], way[i], clearance)) {
-        const Vector3 at = way[i - 1] + *hit * (way[i] - way[i - 1]);
-        const bool first = 2 * i < way.size();
-        return Refusal{RefusalKind::kBlocked, first ? "start" : "end",
-                       std::string(first ? "the way up from it" : "the way to it") +
-                           " runs into the ground near (" + rounded(at.x()) + ", " +
-                           rounded(at.y()) + ")"};
-      }
+    const double begin = over(way.front()), end = over(way.back());
+    const double least = std::min({0.0, begin, end});
+    const std::size_t first = query_.start ? index_of(way, task.lanes.front().from) : 0;
+    const std::size_t last = query_.end ? last_index_of(way, task.lanes.back().to) : way.size();
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      const bool starts = i <= first, leads = starts || i > last;
+      const double kept = leads ? least_lead(query_.altitude, starts ? begin : end) : 0;
+      const auto hit = terrain.first_hit(way[i - 1], way[i], std::max(kept, least) - kRounding);
+      if (!hit) continue;
+      const Vector3 at = way[i - 1] + *hit * (way[i] - way[i - 1]);
+      const bool is_first = leads ? starts : 2 * i < way.size();
+      return Refusal{RefusalKind::kBlocked, is_first ? "start" : "end",
+                     std::string(is_first ? "the way up from it" : "the way to it") +
+                         (kept > 0 ? " comes within " + rounded(kept) + " m of the ground near ("
+                                   : " runs into the ground near (") +
+                         rounded(at.x()) + ", " + rounded(at.y()) + ")"};
+    }
     return std::nullopt;
   }
 

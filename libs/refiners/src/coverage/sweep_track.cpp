@@ -208,14 +208,14 @@ void keep_bends(std::vector<Station>& stations, double tolerance) {
 }
 
 /// From `way.back()` to another height over the same place.
-void change_height(Way& way, double z, const Vector2& ahead, const Slopes& slopes,
-                   const world::VehicleModel& vehicle) {
+void change_height(Way& way, double z, const Vector2& ahead, const CircleRule& rule,
+                   const world::Terrain& terrain, const world::VehicleModel& vehicle) {
   const Vector3 at = way.back();
   if (std::abs(z - at.z()) < 1e-6) return;
   if (vehicle.hovers)
     way.emplace_back(at.x(), at.y(), z);
   else
-    add_circles(way, z, ahead, z > at.z() ? slopes.up : slopes.down, vehicle.min_turn_radius);
+    add_circles(way, z, ahead, rule, terrain);
 }
 
 Vector2 unit(const Vector2& from, const Vector2& to) {
@@ -267,6 +267,10 @@ Track track_of(const Sweep& sweep, const SweepEnds& ends, const TurnModel& model
   return track;
 }
 
+double least_lead(double altitude, double height) {
+  return std::max(0.0, std::min(altitude, height) / 4);
+}
+
 Way raised(const Track& track, const Profile& profile, const world::VehicleModel& vehicle,
            const world::Terrain& terrain) {
   const Slopes slopes{profile.steeper * vehicle.climb_rate / profile.speed,
@@ -283,11 +287,16 @@ Way raised(const Track& track, const Profile& profile, const world::VehicleModel
   keep_bends(all, profile.tolerance);
 
   Way way;
+  const auto circles = [&](double z, const Station& end) {
+    const double low = std::min(z, way.back().z());
+    return CircleRule{z > way.back().z() ? slopes.up : slopes.down, vehicle.min_turn_radius,
+                      least_lead(profile.altitude, low - end.ground)};
+  };
   const auto at = [&](std::size_t i) { return all[i].at; };
   if (profile.start) {
     way.emplace_back(at(0).x(), at(0).y(), *profile.start);
-    change_height(way, all[0].z, all.size() > 1 ? unit(at(0), at(1)) : Vector2::UnitX(), slopes,
-                  vehicle);
+    change_height(way, all[0].z, all.size() > 1 ? unit(at(0), at(1)) : Vector2::UnitX(),
+                  circles(all[0].z, all[0]), terrain, vehicle);
   } else {
     way.emplace_back(at(0).x(), at(0).y(), all[0].z);
   }
@@ -295,8 +304,8 @@ Way raised(const Track& track, const Profile& profile, const world::VehicleModel
     if (all[i].corner) way.emplace_back(at(i).x(), at(i).y(), all[i].z);
   if (profile.end) {
     const std::size_t n = all.size();
-    change_height(way, *profile.end, n > 1 ? unit(at(n - 2), at(n - 1)) : Vector2::UnitX(), slopes,
-                  vehicle);
+    change_height(way, *profile.end, n > 1 ? unit(at(n - 2), at(n - 1)) : Vector2::UnitX(),
+                  circles(*profile.end, all[n - 1]), terrain, vehicle);
     way.back().z() = *profile.end;
   }
   return way;

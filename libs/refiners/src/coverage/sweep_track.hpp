@@ -34,6 +34,10 @@ struct Profile {
   double steeper = 1;  ///< than it climbs and descends at that speed: one that hovers flies slower
 };
 
+/// Height over the ground that the way from a start so high over it has everywhere until the lanes,
+/// and the way to such an end [m].
+double least_lead(double altitude, double height);
+
 /// The track at the altitude over the ground, within the tolerance between the points (and never
 /// less than half as high as it should be); higher only where the vehicle could not climb or
 /// descend as steeply as the ground does. A start or an end that is too high or low to be reached

@@ -8,6 +8,7 @@
 
 #include "common/circles.hpp"
 #include "common/heights_over.hpp"
+#include "common/shared_checks.hpp"
 #include "patrol/plan.hpp"
 #include "patrol/ring.hpp"
 #include "patrol/setup.hpp"
@@ -47,6 +48,12 @@ double lead_from_start(Way& way, const PatrolQuery& query, const world::Terrain&
   return least;
 }
 
+/// Half of the altitude, or of the start's height where that is less [m].
+double least_lead(const PatrolQuery& query, const world::Terrain& terrain) {
+  const double ground = terrain.elevation(query.start.x(), query.start.y());
+  return std::min(query.altitude, query.start.z() - ground) / 2;
+}
+
 /// Leads from the height of the start to those of the way: on the spot where the vehicle hovers;
 /// else on the way, and in circles over the start where that would come nearer to the ground than
 /// half of the altitude, or of the start's height where that is less.
@@ -55,18 +62,17 @@ void join_start(Way& way, const PatrolQuery& query, const world::Terrain& terrai
     if (way.front() != query.start) way.insert(way.begin(), query.start);
     return;
   }
-  const double ground = terrain.elevation(query.start.x(), query.start.y());
   Way lead = way;
   const double least = lead_from_start(lead, query, terrain);
-  if (way.size() < 2 || way.front().z() <= query.start.z() ||
-      least >= std::min(query.altitude, query.start.z() - ground) / 2) {
+  if (way.size() < 2 || way.front().z() <= query.start.z() || least >= least_lead(query, terrain)) {
     way = std::move(lead);
     return;
   }
   const Vector2 ahead = (way[1] - way[0]).head<2>().normalized();
   Way circles = {query.start};
-  add_circles(circles, way.front().z(), ahead, height_rule(query).climb,
-              query.vehicle.min_turn_radius);
+  const CircleRule rule{height_rule(query).climb, query.vehicle.min_turn_radius,
+                        least_lead(query, terrain)};
+  add_circles(circles, way.front().z(), ahead, rule, terrain);
   way.insert(way.begin(), circles.begin(), circles.end() - 1);
 }
 
@@ -134,8 +140,10 @@ Way flown(const PatrolQuery& query, const world::Terrain& terrain, const PlanePa
 
 std::optional<Refusal> check_heights(const Way& way, const PatrolQuery& query,
                                      const world::Terrain& terrain, Deadline& deadline) {
+  const double kept = least_lead(query, terrain);
   for (std::size_t i = 1; i < way.size() && !deadline.passed_after(kLeg); ++i) {
-    const double over = heights_over(terrain, way[i - 1], way[i]).greatest;
+    const HeightRange heights = heights_over(terrain, way[i - 1], way[i]);
+    const double over = heights.greatest;
     const bool leads = i == 1 && query.start.z() > way[i].z();
     if (!leads && over > query.vehicle.ceiling + 1e-6 &&
         over > query.altitude * (1 + kHeightTolerance))
@@ -145,6 +153,10 @@ std::optional<Refusal> check_heights(const Way& way, const PatrolQuery& query,
                          std::to_string(static_cast<int>(query.vehicle.ceiling)) + " m"};
     if (!terrain.line_of_sight(way[i - 1], way[i]))
       return Refusal{RefusalKind::kBlocked, "start", "the way up from it runs into the ground"};
+    if (!query.vehicle.hovers && heights.least < kept - 1e-6)
+      return Refusal{RefusalKind::kBlocked, "start",
+                     "the circles up from it come within " + rounded(std::max(0.0, kept)) +
+                         " m of the ground: let it begin higher, or elsewhere"};
   }
   return std::nullopt;
 }

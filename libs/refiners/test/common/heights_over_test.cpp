@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+// Heights over the ground along ways, and circles that keep some.
 #include "common/heights_over.hpp"
 
 #include <gtest/gtest.h>
@@ -6,11 +7,13 @@
 #include <rapidcheck/gtest.h>
 #include <algorithm>
 
+#include "common/circles.hpp"
 #include "skein/foundation/random.hpp"
 
 namespace skein::refiners {
 namespace {
 
+using world::Vector2;
 using world::Vector3;
 
 world::Terrain rough(Random& random) {
@@ -59,6 +62,43 @@ RC_GTEST_PROP(EvaluateHeights, AgreeWithTheFirstHitOfTheTerrain, ()) {
 
   RC_ASSERT(terrain.line_of_sight(from, to, least - 1e-6));
   RC_ASSERT(!terrain.line_of_sight(from, to, least + 1e-6));
+}
+
+// ---- circles -----------------------------------------------------------------------------------
+
+world::Terrain with_hill_at(const Vector2& middle) {
+  world::TerrainSpec spec;
+  spec.west = spec.south = -500;
+  spec.east = spec.north = 500;
+  spec.cell = 10;
+  spec.hills = {{middle, 60, 100}};
+  return world::Terrain(spec);
+}
+
+TEST(Circles, AreFlownOnTheLeftOrWhereThatIsTooLowOnTheHigherSide) {
+  const CircleRule rule{0.2, 40, 20};
+  for (const double hill : {80.0, -80.0}) {
+    const world::Terrain terrain = with_hill_at({0, hill});
+    Way way = {{0, 0, terrain.elevation(0, 0) + 40}};
+    add_circles(way, 120, Vector2::UnitX(), rule, terrain);
+
+    EXPECT_EQ(way.back(), Vector3(0, 0, 120));
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      EXPECT_GE(heights_over(terrain, way[i - 1], way[i]).least, 20);
+      EXPECT_LE(way[i].y() * hill, 1e-6) << "away from the hill";
+      EXPECT_LE(way[i].z() - way[i - 1].z(),
+                0.2001 * (way[i] - way[i - 1]).head<2>().norm() + 1e-9);
+    }
+  }
+}
+
+TEST(Circles, StayOnTheLeftWhereBothSidesAreHighEnoughOrNoneIs) {
+  for (const double least : {1.0, 500.0}) {
+    const world::Terrain terrain = with_hill_at({0, 0});
+    Way way = {{0, 0, 160}};
+    add_circles(way, 130, Vector2::UnitX(), {0.2, 40, least}, terrain);
+    for (const Vector3& point : way) EXPECT_GE(point.y(), -1e-9);
+  }
 }
 
 }  // namespace

@@ -102,8 +102,12 @@ TEST(GroundLaw, SweepsKeepThreeQuartersOfTheirAltitudeOverAnyGround) {
     if (one.random.chance(0.5)) query.end = one.over(one.place(), one.random.uniform(40, 150));
     const auto refined = refine(query, one.setting());
     if (!answers.has(refined)) continue;
-    const bool leads = query.start || query.end;
-    judge(one, refined->task.way, leads ? 0 : 60, "coverage");
+    double least = 60;
+    const auto& terrain = one.rough.world.terrain;
+    for (const auto& end : {query.start, query.end})
+      if (end) least = std::min(least, (end->z() - terrain.elevation(end->x(), end->y())) / 4);
+    judge(one, refined->task.way, query.start || query.end ? std::clamp(least, 0.0, 20.0) : 60,
+          "coverage");
   }
 }
 
