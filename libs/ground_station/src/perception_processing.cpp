@@ -52,12 +52,10 @@ std::vector<PerceptionProcessing::Effect> PerceptionProcessing::handle(
       count(candidates_[i], look, *device, sighting->second);
     } else if (surely_in_view(candidates_[i], look)) {
       count(candidates_[i], look, *device, nullptr);
-    } else {
-      continue;
     }
-    settle(candidates_[i], effects);
   }
-  drop_unlikely();
+  drop_unlikely();  // before they are raised
+  for (Candidate& candidate : candidates_) settle(candidate, effects);
   return effects;
 }
 
@@ -81,6 +79,11 @@ void PerceptionProcessing::forget_stale(MissionTime now) {
   });
 }
 
+double PerceptionProcessing::reach_of(const Alarm& alarm, double spread) const {
+  const double gate = config_.gate * std::hypot(spread, alarm.position_sigma) + alarm.radius;
+  return std::max(gate, config_.least_separation);
+}
+
 std::optional<std::size_t> PerceptionProcessing::nearest_in_gate(
     const world::Detection& detection) const {
   std::optional<std::size_t> nearest;
@@ -89,9 +92,7 @@ std::optional<std::size_t> PerceptionProcessing::nearest_in_gate(
   for (std::size_t i = 0; i < candidates_.size(); ++i) {
     const Alarm& alarm = candidates_[i].alarm;
     const double distance = horizontal(alarm.position, detection.position);
-    const double gate = config_.gate * std::hypot(spread, alarm.position_sigma) + alarm.radius;
-    const double reach = std::max(gate, config_.least_separation);
-    if (distance > reach || (nearest && distance >= least)) continue;
+    if (distance > reach_of(alarm, spread) || (nearest && distance >= least)) continue;
     nearest = i;
     least = distance;
   }
@@ -257,8 +258,7 @@ void PerceptionProcessing::drop_unlikely() {
     bool drop = alarm.belief <= config_.infirm;
     for (std::size_t j = 0; j < i && !drop; ++j) {
       const Alarm& older = candidates_[j].alarm;
-      drop = horizontal(alarm.position, older.position) <=
-             config_.gate * std::hypot(alarm.position_sigma, older.position_sigma);
+      drop = horizontal(alarm.position, older.position) <= reach_of(older, alarm.position_sigma);
     }
     if (drop) candidates_.erase(candidates_.begin() + static_cast<std::ptrdiff_t>(i));
   }

@@ -332,6 +332,18 @@ TEST(PerceptionProcessing, DistantDetectionsAreSeparateAlarms) {
   EXPECT_NEAR((pps.alarms()[1].position - other).norm(), 0, 1e-9);
 }
 
+// An outlier makes a place of its own, which nearer looks are taken for, and with each of these it
+// comes nearer to the fire (IROS 2005, seed 64: two alarms for one fire).
+TEST(PerceptionProcessing, AnOutlierThatComesNearRaisesNoSecondAlarm) {
+  PerceptionProcessing pps({}, flat_terrain());
+  double at = raise(pps);
+
+  for (const double off : {28, 17, 16, 17, 16, 17})
+    give(pps, seeing(look("marvin", "fire-sensor", at += 2), "fire", kFire + Vector3(off, 0, 0)));
+
+  EXPECT_EQ(pps.alarms().size(), 1U);
+}
+
 TEST(PerceptionProcessing, ThePositionIsTheInverseVarianceMean) {
   PerceptionProcessing pps({}, flat_terrain());
 

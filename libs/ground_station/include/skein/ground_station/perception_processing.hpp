@@ -87,6 +87,8 @@ class PerceptionProcessing {
 
   const world::SensorEvidence* reliability_of(const world::Perception& look) const;
   void forget_stale(MissionTime now);
+  /// How far from its place what is seen there with an error of that spread may be said to be [m].
+  double reach_of(const Alarm& alarm, double spread) const;
   std::optional<std::size_t> nearest_in_gate(const world::Detection& detection) const;
   Sightings associate(const world::Perception& look, const world::SensorEvidence& device);
   bool surely_in_view(const Candidate& candidate, const world::Perception& look) const;
