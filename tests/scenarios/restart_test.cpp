@@ -186,6 +186,38 @@ INSTANTIATE_TEST_SUITE_P(
       return word_of(one.param.mission) + "_" + std::to_string(static_cast<int>(one.param.seconds));
     });
 
+// ---- a UAV that is dead for good ----
+
+class DeadForGood : public ::testing::TestWithParam<std::string> {};
+
+// Nobody asks it for anything, so nothing expires: scripts see that it is silent, bring the others
+// home and end.
+TEST_P(DeadForGood, IsGivenUpAndTheMissionEnds) {
+  const scenario::Scenario scenario = scenario_at(GetParam());
+  const std::vector<double> instants = instants_of(play(scenario));
+  std::uint64_t seed = 150;
+  for (const std::string& uav : scenario.uav_names()) {
+    for (const double instant : some(instants, cases<std::size_t>(1, 20), ++seed)) {
+      scenario::Scenario killed = scenario;
+      killed.faults.kills.push_back({at(instant), uav, std::nullopt});
+
+      const Mission mission = play(killed);
+
+      const std::string what = uav + " at " + std::to_string(instant);
+      EXPECT_EQ(mission.count({{"kind", "mission"}, {"state", "finished"}}), 1U) << what;
+      EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "") << what;
+      EXPECT_EQ(mission.untrue, "") << what;
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Missions, DeadForGood,
+                         ::testing::Values("comets/confirmed", "comets/mixed", "karma/detection",
+                                           "heliv-marvin/monitoring", "iros2005/fire",
+                                           "handover/radio", "handover/synchronised",
+                                           "handover/held-tasks", "handover/cut",
+                                           "handover/cancelled-at-ground"),
+                         name_of_case);
+
 // Found by the long form: the vehicle goes on with a wait that its decision node began before it
 // died, and nobody begins the look that belongs to it.
 TEST(DeadWhileAWaitBegins, TheLookThatWasMissedIsTakenBeforeItsGoalIsAchieved) {

@@ -11,6 +11,16 @@ namespace {
 
 constexpr double kOn = 0.5;  // [m] of a sample from the ground, which is told a step later
 
+/// Where it is and all around, as far as it may be from where it means to be: its way may lead
+/// along the edge of what it can climb.
+bool too_steep(const world::Terrain& terrain, const world::Vector3& at, double steepest,
+               double off) {
+  for (const double x : {0.0, -off, off})
+    for (const double y : {0.0, -off, off})
+      if (terrain.slope(at.x() + x, at.y() + y) <= steepest) return false;
+  return true;
+}
+
 }  // namespace
 
 std::vector<Violation> off_its_ground(const History& history) {
@@ -18,11 +28,12 @@ std::vector<Violation> off_its_ground(const History& history) {
   for (const auto& [name, uav] : history.uavs) {
     const auto& ground = uav.spec->model.ground;
     if (!ground) continue;
+    const double off = 3 * world::tracking_spread(uav.spec->model);
     bool was_on_good = false;  // it may be put on ground that is too steep, and drives off
     for (const Sample& sample : uav.samples) {
       const world::Vector3& at = sample.position;
       const double height = at.z() - history.terrain.elevation(at.x(), at.y());
-      const bool steep = history.terrain.slope(at.x(), at.y()) > ground->steepest;
+      const bool steep = too_steep(history.terrain, at, ground->steepest, off);
       const char* what = sample.airborne          ? "is in the air"
                          : std::abs(height) > kOn ? "is not on the ground"
                          : steep && was_on_good   ? "drives over ground too steep for it"

@@ -29,6 +29,27 @@ TEST(OnTheGround, WhatFliesIsNotAsked) {
   EXPECT_THAT(story.broken("on-the-ground"), IsEmpty());
 }
 
+/// Stands at the foot of a hill, then so far up from where that gets too steep for it [m].
+Story beyond_the_steepest(double further) {
+  Story story = Story::with_a_robot();
+  story.hill({{600, 300}, 60, 200});
+  const world::Terrain terrain = story.terrain();
+  double x = 400;
+  while (terrain.slope(x, 300) <= 0.2) x += 0.01;
+  x += further;
+  story.stands("mana", 0, 5, {300, 300, 0});
+  story.stands("mana", 6, 10, {x, 300, terrain.elevation(x, 300)});
+  return story;
+}
+
+// Found by random missions (--robots --deaths 30210): its way led along the edge of what it can
+// climb, and it was a hand's breadth beside it.
+TEST(OnTheGround, WhoDrivesALittleBesideWhatItCanClimbKeepsTheLaw) {
+  EXPECT_THAT(beyond_the_steepest(0.3).broken("on-the-ground"), IsEmpty());
+  EXPECT_THAT(beyond_the_steepest(20).broken("on-the-ground"),
+              ElementsAre(HasSubstr("drives over ground too steep for it")));
+}
+
 // It may stand with little of it.
 TEST(OnTheGround, NobodyDrivesBelowTheReserve) {
   Story stood = Story::with_a_robot(), drove = Story::with_a_robot();

@@ -114,6 +114,13 @@ TEST(RandomMissions, UavsThatMeetAtOneHeightKeepTheLaws) {
   EXPECT_EQ(breaches(kinds, missions() / 5, generate_meetings), "");
 }
 
+// Both: who has nothing to do but to wait for partners is in nobody's way for ever.
+TEST(RandomMissions, UavsThatActJointlyAtOneHeightKeepTheLaws) {
+  Kinds kinds;
+  kinds.gatherings = kinds.orders = true;
+  EXPECT_EQ(breaches(kinds, missions() / 5, generate_meetings), "");
+}
+
 // One to four UAVs over fires that spread: what is followed was where it was said to be.
 TEST(RandomMissions, UavsOverFiresThatSpreadKeepTheLaws) {
   EXPECT_EQ(breaches(kClean, missions() / 5, generate_fires), "");

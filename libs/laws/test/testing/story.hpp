@@ -42,6 +42,12 @@ class Story {
                  const std::string& uav_more = "");
   /// With Mana too, a robot that keeps to the ground.
   static Story with_a_robot() { return Story("", "", kRobot); }
+  /// The ground rises there.
+  Story& hill(const world::HillSpec& hill) {
+    scenario_.world.terrain.hills.push_back(hill);
+    return *this;
+  }
+  world::Terrain terrain() const { return world::Terrain(scenario_.world.terrain); }
 
   /// Telemetry once a second: from a to b in a straight line, level with a heading along it.
   Story& flies(const std::string& uav, double from, double until, world::Vector3 a,
