@@ -24,20 +24,25 @@ add_subdirectory(lower)
 add_subdirectory(upper)
 """
 LOWER = "skein_add_library(lower SOURCES src/lower.cpp)\n"
-FILES = {"lower/include/skein/lower/lower.hpp": "#pragma once\nnamespace skein::lower { int value(); }\n",
+FILES = {"lower/include/skein/lower/lower.hpp": "#pragma once\nnamespace skein::lower { int value(); struct Pair { int one = 1; }; }\n",
          "lower/src/lower.cpp": '#include "skein/lower/lower.hpp"\nint skein::lower::value() { return 1; }\n',
          "upper/include/skein/upper/upper.hpp": "#pragma once\nnamespace skein::upper { int twice(); }\n"}
 INCLUDES = '#include "skein/upper/upper.hpp"\n\n#include "skein/lower/lower.hpp"\n'
 NAMES = '#include "skein/upper/upper.hpp"\n\nnamespace skein::lower { int value(); }\n'
 TWICE = "int skein::upper::twice() { return 2 * lower::value(); }\n"
+ONE = "int skein::upper::twice() { return 2 * lower::Pair().one; }\n"
 DECLARED = "skein_add_library(upper SOURCES src/upper.cpp DEPENDS lower)\n"
+TYPES = "skein_add_library(upper SOURCES src/upper.cpp TYPES lower)\n"
 ALONE = "skein_add_library(upper SOURCES src/upper.cpp)\n"
 
 # name, what declares the upper library, its source, target, whether it builds, what the compiler says
-CASES = [("what is declared may be used", DECLARED, INCLUDES, "skein_upper_alone", True, ""),
-         ("an include without a declaration", ALONE, INCLUDES, "skein_upper", False, "skein/lower/lower.hpp"),
-         ("a name without a declaration, in the library", ALONE, NAMES, "skein_upper", True, ""),
-         ("a name without a declaration, linked alone", ALONE, NAMES, "skein_upper_alone", False,
+CASES = [("what is declared may be used", DECLARED, INCLUDES + TWICE, "skein_upper_alone", True, ""),
+         ("a type of a library that is declared for its types", TYPES, INCLUDES + ONE, "skein_upper_alone", True, ""),
+         ("a function of a library that is declared for its types", TYPES, INCLUDES + TWICE, "skein_upper_alone", False,
+          "skein::lower::value()"),
+         ("an include without a declaration", ALONE, INCLUDES + TWICE, "skein_upper", False, "skein/lower/lower.hpp"),
+         ("a name without a declaration, in the library", ALONE, NAMES + TWICE, "skein_upper", True, ""),
+         ("a name without a declaration, linked alone", ALONE, NAMES + TWICE, "skein_upper_alone", False,
           "skein::lower::value()")]
 
 
@@ -59,9 +64,9 @@ def main():
     for name, text in FILES.items():
         write(scratch / name, text)
     problems = []
-    for name, declaration, head, target, builds, said in CASES:
+    for name, declaration, source, target, builds, said in CASES:
         write(scratch / "upper/CMakeLists.txt", declaration)
-        write(scratch / "upper/src/upper.cpp", head + TWICE)
+        write(scratch / "upper/src/upper.cpp", source)
         code, output = run("cmake", "-S", str(scratch), "-B", str(scratch / "build"), "-G", "Ninja",
                            f"-DCMAKE_CXX_COMPILER={architecture.compiler}")
         if code == 0:

@@ -523,30 +523,5 @@ TEST(MissionPlanning, WhileTheGroundStationWasAwayNobodyWasSilent) {
   EXPECT_THAT(steps_done(mps.handle(Tick{}, at(260))), ElementsAre("gone"));
 }
 
-// ---- the script itself ----
-
-TEST(Script, EveryProblemIsReportedAtOnce) {
-  Script script;
-  script.steps = {a_step("one", when(OnStep{"non"})), a_step("one", when(AnyOf{})),
-                  a_step("", when(AllOf{}))};
-  script.steps[2].after = Duration::seconds(-1);
-  script.steps.push_back(a_step("three", when(OnExpired{"tree"})));
-  script.steps.push_back(a_step("four", silent_for(0)));
-  script.operators = {{"end", when(AllOf{{when(OnStep{"two"})}}), Duration::seconds(-1), {}}};
-  script.command_lifetime = Duration();
-
-  EXPECT_THAT(
-      problems_of(script),
-      ElementsAre("two steps are named 'one'", "a step has no name",
-                  "step 'one' waits for unknown step 'non'", "step 'one' waits for one of nothing",
-                  "step '' has a negative delay", "step 'three' waits for unknown step 'tree'",
-                  "step 'four' waits for 'marvin' to be silent for no time",
-                  "operator action 'end' waits for unknown step 'two'",
-                  "operator action 'end' has a negative delay",
-                  "the lifetime of commands must be positive"));
-}
-
-TEST(Script, AnEmptyOneIsFine) { EXPECT_THAT(problems_of(Script()), IsEmpty()); }
-
 }  // namespace
 }  // namespace skein::ground_station

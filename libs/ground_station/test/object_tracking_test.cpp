@@ -13,7 +13,6 @@
 namespace skein::ground_station {
 namespace {
 
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using world::Perception;
@@ -131,18 +130,6 @@ TEST(ObjectTracking, FiguresThatAreNotFiniteAreDisregarded) {
 
   EXPECT_THAT(tracking.handle(look(1, {{nan, 40, 0}})), IsEmpty());
   EXPECT_THAT(tracking.handle(look(1, {{90, 40, 0}}, nan)), IsEmpty());
-}
-
-TEST(ObjectTracking, SaysAllThatIsWrongAtOnce) {
-  ObjectSpec other = front();
-  other.kind = "";
-  other.drift = 0;
-  other.reach = -1;
-
-  EXPECT_THAT(problems_of({front(), other}),
-              ::testing::ElementsAre(HasSubstr("the name is taken"), HasSubstr("no kind"),
-                                     HasSubstr("reach must be positive"),
-                                     HasSubstr("drift must be positive")));
 }
 
 // Against what it was drawn from: a walk seen with errors. The estimate is off by as much as it

@@ -467,18 +467,5 @@ TEST(PerceptionProcessing, UnknownDevicesGiveNoEvidence) {
   EXPECT_TRUE(pps.alarms().empty());
 }
 
-TEST(PpsConfig, TheDefaultsAreUsable) { EXPECT_TRUE(problems_of(PpsConfig()).empty()); }
-
-TEST(PpsConfig, ReportsEveryProblemAtOnce) {
-  PpsConfig config;
-  config.devices["visible"].kinds["fire"] = {1.5, 0.1};
-  config.devices["ir"].limit = 0;
-  config.raise = 0.01;
-  config.gate = 0;
-  config.forget = Duration();
-
-  EXPECT_EQ(problems_of(config).size(), 6U);
-}
-
 }  // namespace
 }  // namespace skein::ground_station
