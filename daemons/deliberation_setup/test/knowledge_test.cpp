@@ -151,10 +151,9 @@ TEST(JointTasks, MembersThatCannotTakePartAreNamedAllAtOnce) {
 
   const std::string problems = to_text(joint_task_problems(scenario));
 
-  EXPECT_THAT(
-      problems,
-      HasSubstr("scenarios/mref/nominal.yaml:LINE: ground.script[0].do[0].mission.tasks[1]: "
-                "monitoring-with-relay of uav1: it is not among the members"));
+  EXPECT_THAT(problems,
+              HasSubstr("scenarios/mref/nominal.yaml:55: ground.script[0].do[0].mission.tasks[1]: "
+                        "monitoring-with-relay of uav1: it is not among the members"));
   EXPECT_THAT(problems, HasSubstr("no UAV 'uav3'"));
   EXPECT_THAT(problems, HasSubstr("uav2 does not deliberate"));
 }
