@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which answers a condition has and in which order: facts, axioms, connectives.
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <array>
+#include <functional>
 
 #include "testing/planner_questions.hpp"
 
@@ -363,6 +367,106 @@ TEST(ProverSortBy, IsAnErrorWithItsPlaceForWhatIsNoNumber) {
 
   EXPECT_EQ(found.substr(0, 18), "error: case.lisp:3") << found;
   EXPECT_NE(found.find(":sort-by compares numbers, not x and 3"), std::string::npos) << found;
+}
+
+// ---- against trying every binding -------------------------------------------------------------
+
+/// A state of p/1 and q/2 over three constants, as bits; q leads upwards, so that `reach` ends.
+struct SmallState {
+  unsigned p = 0, q = 0;
+
+  static constexpr int kConstants = 3;
+  bool has_p(int a) const { return (p >> a & 1U) != 0; }
+  bool has_q(int a, int b) const { return a < b && (q >> (a * kConstants + b) & 1U) != 0; }
+  bool reaches(int a, int b) const {
+    bool found = has_q(a, b);
+    for (int m = a + 1; m < b; ++m) found = found || (has_q(a, m) && reaches(m, b));
+    return found;
+  }
+  std::string text() const {
+    std::string facts;
+    for (int a = 0; a < kConstants; ++a) {
+      facts += "(c " + std::to_string(a) + ") ";
+      if (has_p(a)) facts += "(p " + std::to_string(a) + ") ";
+      for (int b = 0; b < kConstants; ++b)
+        if (has_q(a, b)) facts += "(q " + std::to_string(a) + " " + std::to_string(b) + ") ";
+    }
+    return facts;
+  }
+};
+
+/// A condition as text, and what it means when ?x, ?y and ?z are the constants of a row.
+struct Meant {
+  std::string text;
+  std::function<bool(const SmallState&, const std::array<int, 3>&)> is_true;
+};
+
+Meant drawn_atom(bool inside_forall) {
+  const auto variable = [&] { return *rc::gen::inRange(0, inside_forall ? 3 : 2); };
+  const int a = variable(), b = variable();
+  const std::string one = std::string(" ?") + "xyz"[a], two = std::string(" ?") + "xyz"[b];
+  switch (*rc::gen::inRange(0, 4)) {
+    case 0:
+      return {"(p" + one + ")", [a](const auto& state, const auto& row) {
+                return state.has_p(row[static_cast<std::size_t>(a)]);
+              }};
+    case 1:
+      return {"(q" + one + two + ")", [a, b](const auto& state, const auto& row) {
+                return state.has_q(row[static_cast<std::size_t>(a)],
+                                   row[static_cast<std::size_t>(b)]);
+              }};
+    case 2:
+      return {"(eval (< " + one + two + "))", [a, b](const auto&, const auto& row) {
+                return row[static_cast<std::size_t>(a)] < row[static_cast<std::size_t>(b)];
+              }};
+    default:
+      return {"(reach" + one + two + ")", [a, b](const auto& state, const auto& row) {
+                return state.reaches(row[static_cast<std::size_t>(a)],
+                                     row[static_cast<std::size_t>(b)]);
+              }};
+  }
+}
+
+Meant drawn_condition(int depth, bool inside_forall = false) {
+  if (depth == 0) return drawn_atom(inside_forall);
+  const int kind = *rc::gen::inRange(0, inside_forall ? 4 : 5);
+  const Meant one = drawn_condition(depth - 1, inside_forall || kind == 4);
+  if (kind == 0)
+    return {"(not " + one.text + ")",
+            [one](const auto& state, const auto& row) { return !one.is_true(state, row); }};
+  if (kind == 4)
+    return {"(forall (?z) ((c ?z)) (" + one.text + "))", [one](const auto& state, auto row) {
+              bool all = true;
+              for (row[2] = 0; row[2] < SmallState::kConstants; ++row[2])
+                all = all && one.is_true(state, row);
+              return all;
+            }};
+  const Meant two = drawn_condition(depth - 1, inside_forall);
+  const std::string word = kind == 1 ? "and" : kind == 2 ? "or" : "imply";
+  return {"(" + word + " " + one.text + " " + two.text + ")",
+          [one, two, kind](const auto& state, const auto& row) {
+            const bool a = one.is_true(state, row), b = two.is_true(state, row);
+            return kind == 1 ? a && b : kind == 2 ? a || b : !a || b;
+          }};
+}
+
+RC_GTEST_PROP(ProverProperty, FindsTheBindingsThatTryingThemAllFinds, ()) {
+  const SmallState state{*rc::gen::inRange(0U, 8U), *rc::gen::inRange(0U, 512U)};
+  const Meant drawn = drawn_condition(*rc::gen::inRange(0, 4));
+  std::string expected;
+  for (int x = 0; x < SmallState::kConstants; ++x)
+    for (int y = 0; y < SmallState::kConstants; ++y)
+      if (drawn.is_true(state, {x, y, 0}))
+        expected +=
+            (expected.empty() ? "(" : " (") + std::to_string(x) + " " + std::to_string(y) + ")";
+  Questions questions(state.text(),
+                      "(:- (reach ?a ?b) ((q ?a ?b)) ((q ?a ?m) (reach ?m ?b)))"
+                      "(:- (reach ?a ?b) ((q ?a ?m) (reach ?m ?b)))");
+
+  const std::string found = questions.ask("((c ?x) (c ?y) " + drawn.text + ")", "?x ?y");
+
+  RC_LOG() << state.text() << drawn.text;
+  RC_ASSERT(found == (expected.empty() ? "none" : expected));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "testing/naive_planner.hpp"
 #include "testing/planner_case.hpp"
 
 namespace skein::htn {
@@ -155,6 +156,23 @@ RC_GTEST_PROP(SearchProperty, BestHasTheLeastCostOfAll,
   RC_ASSERT(one.plans.size() == 1U);
   RC_ASSERT(to_double(one.plans.front().cost) == least);
   RC_ASSERT(one.statistics.expansions <= every.statistics.expansions * (negative ? 2U : 1U));
+}
+
+RC_GTEST_PROP(SearchProperty, FindsThePlansThatTryingEverythingFinds, ()) {
+  const auto domain = test::NaiveDomain::drawn();
+  const unsigned facts = *rc::gen::inRange(0U, 16U);
+  const auto expected = test::NaivePlanner(domain).plans(facts);
+  RC_PRE(expected.has_value());
+  RC_LOG() << domain.items() << test::NaiveDomain::facts_text(facts);
+  Case made(domain.items(), test::NaiveDomain::facts_text(facts), "((t0))");
+  made.options.which = Which::kAll;
+
+  const std::vector<std::string> found = made.all();
+
+  const std::set<std::string> different(found.begin(), found.end());
+  RC_ASSERT(different == (expected->empty() ? std::set<std::string>{"no plan"} : *expected));
+  made.options.which = Which::kFirst;
+  RC_ASSERT(made.first() == found.front());
 }
 
 // ---- methods and branches --------------------------------------------------------------------
