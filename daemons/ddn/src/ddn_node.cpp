@@ -111,8 +111,8 @@ std::optional<dn::Input> DdnNode::input_of(const node::Input& input) {
     if (rows != nullptr) return dn::ReckoningFinished{done->id - kFirstReckoning, *rows};
   } else if (const auto* lost = std::get_if<node::Undelivered>(&input)) {
     note(*lost);
-  } else if (std::holds_alternative<node::Started>(input)) {
-    return dn::Started{};
+  } else if (const auto* started = std::get_if<node::Started>(&input)) {
+    return dn::Started{started->incarnation == 1};
   } else if (std::holds_alternative<node::Wakeup>(input)) {
     return dn::Tick{};
   }

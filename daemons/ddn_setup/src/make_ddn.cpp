@@ -46,11 +46,18 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
     config.consistency = scenario.planning->consistency;
     if (first != first_ids.end()) config.first_task = first->second;
   }
-  if (scenario.separation && scenario.separation->merge && !config.drives) {
-    config.merging = {names_of_flying(scenario), uav.model, scenario.world.wind,
-                      std::make_shared<world::Terrain>(terrain), scenario.world.volumes};
+  const node::Roster roster = scenario_setup::roster_of(scenario);
+  const std::vector<std::string> flying = names_of_flying(scenario);
+  const bool merges = scenario.separation && scenario.separation->merge;
+  if (merges && !config.drives && flying.size() > 1) {
+    config.merging = {flying,
+                      uav.model,
+                      scenario.world.wind,
+                      std::make_shared<world::Terrain>(terrain),
+                      scenario.world.volumes,
+                      roster.name_of(roster.ground())};
   }
-  return std::make_unique<ddn::DdnNode>(config, scenario_setup::roster_of(scenario));
+  return std::make_unique<ddn::DdnNode>(config, roster);
 }
 
 }  // namespace skein::ddn_setup

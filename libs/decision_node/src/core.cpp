@@ -38,7 +38,8 @@ std::optional<MissionTime> Core::next_wakeup() const {
   return next;
 }
 
-void Core::on(const Started&) {
+void Core::on(const Started& started) {
+  merging_.begin(started);
   interaction_.start();
   autonomy_.start();
   team_.start();

@@ -54,7 +54,7 @@ class Core {
   void post_status(functional::Status status);
 
  private:
-  void on(const Started&);
+  void on(const Started& started);
   void on(const Command& command);
   void on(const UnreadableCommand& command);
   void on(const PlaceTold& told);

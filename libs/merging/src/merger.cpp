@@ -13,14 +13,21 @@ constexpr const char* kToLeave = "to leave";
 constexpr const char* kToGoFirst = "to go first, it has waited long";
 constexpr const char* kToBeAnswered = "to be answered itself";
 
+constexpr Duration kClocksApart = Duration::milliseconds(1'000);  ///< of two members, at the most
+
 /// Numbers go on rising in the life after one that is forgotten.
 std::uint64_t milliseconds(MissionTime now) {
   return static_cast<std::uint64_t>(std::max<std::int64_t>(now.count(), 0)) / 1'000'000;
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 }  // namespace
 
-Merger::Merger(std::vector<std::string> members, const std::string& self, Limits limits)
+Merger::Merger(std::vector<std::string> members, const std::string& self, Limits limits,
+               const std::string& witness)
     : members_(std::move(members)), self_(self), limits_(limits) {
   const auto at = std::find(members_.begin(), members_.end(), self_);
   SKEIN_EXPECTS(at != members_.end());
@@ -28,10 +35,13 @@ Merger::Merger(std::vector<std::string> members, const std::string& self, Limits
   for (std::size_t i = 0; i < members_.size(); ++i) {
     if (i != place_) peers_[members_[i]].earlier = i < place_;
   }
+  SKEIN_EXPECTS(std::find(members_.begin(), members_.end(), witness) == members_.end());
+  if (!witness.empty()) third_ = Third{witness, true, 0, false, {}};
 }
 
 Effects Merger::handle(const Input& input, MissionTime now) {
   now_ = now;
+  if (!begun_) begun_ = now;
   out_.clear();
   std::visit([this](const auto& one) { on(one); }, input);
   advance();
@@ -53,7 +63,26 @@ std::optional<MissionTime> Merger::next_wakeup() const {
 
 // ---- what comes in ----
 
+void Merger::on(const FirstLife&) {
+  first_life_ = true;
+  for (auto& [name, peer] : peers_) peer.known = true;
+}
+
+void Merger::hear_witness(const Message& message) {
+  if (message.number <= third_->number) return;
+  third_->number = message.number;
+  if (request_ == 0 || message.answered != request_) return;
+  third_->agreed = message.granted;
+  third_->refusers = message.claim.waits_for;
+  // Who is in reach knows better what it has.
+  const bool nobody_else = std::any_of(peers_.begin(), peers_.end(), [](const auto& one) {
+    return !one.second.agreed && !one.second.reachable;
+  });
+  if (!message.granted && nobody_else) close(limits_.beat);
+}
+
 void Merger::on(const Heard& heard) {
+  if (third_ && heard.from == third_->name) return hear_witness(heard.message);
   const auto found = peers_.find(heard.from);
   if (found == peers_.end()) return;
   Peer& peer = found->second;
@@ -67,25 +96,35 @@ void Merger::on(const Heard& heard) {
     peer.wants_since.reset();
   else if (!peer.wants_since)
     peer.wants_since = now_;
-  const bool answers = peer.earlier && request_ != 0 && message.answered == request_;
+  const bool answers = needs(peer) && request_ != 0 && message.answered == request_;
+  peer.known = peer.known || answers;
   if (answers && message.granted) peer.agreed = true;
   if (answers && !message.granted) close(limits_.again);
   answer(peer);
   if (is_new || message.asks) tell(heard.from, false);
 }
 
-/// Between this and a later one: yes to what this one neither has nor asks for. Said once for each
-/// request, since who is refused gives the request up.
+/// Between this and a later one: yes to what this one neither has nor asks for; to an earlier one,
+/// where there is a witness, to what it does not have, and what this one asks for it gives up. Said
+/// once for each request, since who is refused gives the request up.
 void Merger::answer(Peer& peer) {
   const std::uint64_t request = peer.claim.request;
-  if (peer.earlier || request == 0 || request == peer.answered) return;
-  const bool mine = overlap(held_, peer.claim.wanted) ||
-                    (request_ != 0 && overlap(choices_[choice_], peer.claim.wanted));
+  if ((peer.earlier && !third_) || request == 0 || request == peer.answered) return;
+  if (may_have_been_promised(request)) return;
+  const bool has = overlap(held_, peer.claim.wanted);
+  const bool asks = request_ != 0 && overlap(choices_[choice_], peer.claim.wanted);
   peer.answered = request;
-  peer.granted = !mine;
+  peer.granted = !has && (!asks || peer.earlier);
+  if (peer.granted && asks) close(limits_.again);
 }
 
 void Merger::on(const InReach& reach) {
+  if (third_ && reach.peer == third_->name) {
+    const bool back = reach.reachable && !third_->reachable;
+    third_->reachable = reach.reachable;
+    if (back) changed_ = true;
+    return;
+  }
   const auto found = peers_.find(reach.peer);
   if (found == peers_.end()) return;
   const bool back = reach.reachable && !found->second.reachable;
@@ -124,13 +163,32 @@ void Merger::on(const Hold& hold) {
 
 bool Merger::has(const Peer& peer, const Volumes& volumes) const {
   if (overlap(volumes, peer.claim.held)) return true;
-  const bool granted = !peer.earlier && peer.granted && peer.claim.request != 0 &&
-                       peer.answered == peer.claim.request;
-  return granted && overlap(volumes, peer.claim.wanted);
+  if (peer.claim.request == 0) return false;
+  const bool granted =
+      (!peer.earlier || third_) && peer.granted && peer.answered == peer.claim.request;
+  const bool may_have = granted || may_have_been_promised(peer.claim.request);
+  return may_have && overlap(volumes, peer.claim.wanted);
 }
 
+/// With a witness, what one out of reach asked for is had if it was granted, and else refused.
 bool Merger::asks_for(const Peer& peer, const Volumes& volumes) const {
+  if (third_ && !peer.reachable) return false;
   return peer.earlier && peer.claim.request != 0 && overlap(volumes, peer.claim.wanted);
+}
+
+/// One of the two others can be asked whether this one may have air between it and the peer.
+bool Merger::may_agree(const Peer& peer) const {
+  if (!third_) return peer.heard && (!peer.earlier || peer.reachable);
+  return peer.reachable || (third_->reachable && peer.known);
+}
+
+/// In a life before this: requests have the time at which they were opened.
+bool Merger::may_have_been_promised(std::uint64_t request) const {
+  return third_ && !first_life_ && request < milliseconds(*begun_ + kClocksApart);
+}
+
+bool Merger::has_agreed(const Peer& peer) const {
+  return !needs(peer) || peer.agreed || (third_ && third_->agreed && peer.known);
 }
 
 bool Merger::presses(const std::optional<MissionTime>& since) const {
@@ -145,9 +203,11 @@ bool Merger::waits_longer(const Peer& peer) const {
   return peer.earlier && *peer.wants_since <= *wants_since_ + limits_.clearly;
 }
 
-/// It would stay where one wants to go that has waited long.
+/// It would stay where one wants to go that has waited long, and for somebody to leave: who waits
+/// for one out of reach gains nothing by it.
 bool Merger::yields_to(const Peer& peer, const Volumes& volumes) const {
-  return !leaves_ && !volumes.empty() && peer.reachable && waits_longer(peer) &&
+  const bool gains = !peer.claim.waits_for.empty() || peer.claim.request != 0;
+  return !leaves_ && !volumes.empty() && peer.reachable && gains && waits_longer(peer) &&
          overlap({volumes.back()}, peer.claim.wanted);
 }
 
@@ -208,9 +268,8 @@ std::vector<Merger::Waiter> Merger::waiters() const {
 void Merger::advance() {
   if (!waits()) return;
   if (request_ != 0) {
-    const bool all = std::all_of(peers_.begin(), peers_.end(), [](const auto& one) {
-      return !one.second.earlier || one.second.agreed;
-    });
+    const bool all = std::all_of(peers_.begin(), peers_.end(),
+                                 [&](const auto& one) { return has_agreed(one.second); });
     if (all) return grant();
     if (now_ < deadline_) return;
     close(limits_.patience);
@@ -222,9 +281,8 @@ void Merger::advance() {
 
 /// Asks for the first choice that nobody it knows of has; at once granted where nobody is earlier.
 bool Merger::ask() {
-  const bool possible = std::all_of(peers_.begin(), peers_.end(), [](const auto& one) {
-    return one.second.heard && (!one.second.earlier || one.second.reachable);
-  });
+  const bool possible = std::all_of(peers_.begin(), peers_.end(),
+                                    [&](const auto& one) { return may_agree(one.second); });
   if (!possible) return false;
   for (choice_ = 0; choice_ < choices_.size(); ++choice_) {
     const Volumes& volumes = choices_[choice_];
@@ -235,13 +293,15 @@ bool Merger::ask() {
     if (free) break;
   }
   if (choice_ == choices_.size()) return false;
-  if (place_ == 0) {
+  if (std::none_of(peers_.begin(), peers_.end(),
+                   [&](const auto& one) { return needs(one.second); })) {
     grant();
     return true;
   }
   request_ = last_request_ = std::max(last_request_ + 1, milliseconds(now_));
   deadline_ = now_ + limits_.patience;
   for (auto& [name, peer] : peers_) peer.agreed = false;
+  if (third_) third_->agreed = false;
   changed_ = true;
   return true;
 }
@@ -273,8 +333,10 @@ std::vector<Waits::Why> Merger::whys() const {
   for (const auto& [name, peer] : peers_) {
     if (has(peer, first)) {
       result.push_back({name, kToLeave});
-    } else if (!peer.heard || (peer.earlier && !peer.reachable)) {
+    } else if (!may_agree(peer) || (third_ && !peer.heard && peer.reachable)) {
       result.push_back({name, peer.reachable ? "to tell what it has" : "to come into reach"});
+    } else if (third_ && contains(third_->refusers, name)) {
+      result.push_back({name, kToLeave});
     } else if (asks_for(peer, first)) {
       result.push_back({name, kToBeAnswered});
     } else if (yields_to(peer, first)) {
@@ -366,7 +428,15 @@ void Merger::tell(const std::string& name, bool asks) {
   out_.push_back(Tell{name, Message{number_, claim(), peer.answered, peer.granted, asks}});
 }
 
+void Merger::tell_witness(bool asks) {
+  if (!third_ || !third_->reachable) return;
+  number_ = std::max(number_ + 1, milliseconds(now_));
+  out_.push_back(Tell{third_->name, Message{number_, claim(), 0, false, asks}});
+}
+
+/// The witness is told what changes, and asked; it needs no beat.
 void Merger::tell_all() {
+  if (changed_ || request_ != 0) tell_witness(request_ != 0);
   changed_ = false;
   said_ = asked_ = now_;
   // Whoever has left may have said so when it was not heard, and says no more.
@@ -376,8 +446,9 @@ void Merger::tell_all() {
 void Merger::ask_again() {
   asked_ = now_;
   for (const auto& [name, peer] : peers_) {
-    if (peer.earlier && !peer.agreed) tell(name, true);
+    if (needs(peer) && !peer.agreed) tell(name, true);
   }
+  if (third_ && !third_->agreed) tell_witness(true);
 }
 
 }  // namespace skein::merging

@@ -50,7 +50,7 @@ bool is_done_in_place(const functional::Request& request) {
 Merging::Merging(Core& core) : core_(core) {
   const auto& config = core.config().merging;
   if (!config) return;
-  merger_.emplace(config->members, core.config().uav);
+  merger_.emplace(config->members, core.config().uav, merging::Limits{}, config->witness);
   margins_ = merging::margins_of(config->model, config->wind, config->model.cruise_speed);
 }
 
@@ -344,12 +344,18 @@ std::optional<MissionTime> Merging::aside_until() const {
 
 // ---- others ----
 
+void Merging::begin(const Started& started) {
+  if (merger_ && started.first_life) give(merging::FirstLife{});
+}
+
 void Merging::hear(const MergeTold& told) {
   if (merger_) give(merging::Heard{told.from, told.message});
 }
 
 void Merging::contact(const Contact& contact) {
-  if (merger_ && !contact.ground) give(merging::InReach{contact.peer, contact.reachable});
+  if (!merger_) return;
+  const std::string& peer = contact.ground ? core_.config().merging->witness : contact.peer;
+  if (!peer.empty()) give(merging::InReach{peer, contact.reachable});
 }
 
 void Merging::give(const merging::Input& input) {

@@ -33,6 +33,7 @@ class Merging final : public Component {
   bool told(const functional::Status& status);
   /// There it could come and stay beside others, wherever they stay or will.
   std::function<bool(const world::Vector3&)> free_to_stay() const;
+  void begin(const Started& started);
   void hear(const MergeTold& told);
   void contact(const Contact& contact);
 

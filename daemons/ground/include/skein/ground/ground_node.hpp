@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "skein/ground/air_desk.hpp"
 #include "skein/ground/inbox.hpp"
 #include "skein/ground/operator_boards.hpp"
 #include "skein/ground/played_roles.hpp"
@@ -28,11 +29,12 @@ class GroundNode final : public node::Node {
   using ReadRequest = Inbox::ReadRequest;
 
   /// Without a reader every request of an operator is refused; `played`: UAVs for which roles can
-  /// be played here.
+  /// be played here; `merging`: UAVs that merge their ways.
   GroundNode(const ground_station::GroundConfig& config, world::Terrain terrain,
              node::Roster roster, ReadRequest read_request = {},
              std::optional<team::Config> team = std::nullopt,
-             std::vector<decision_node::Config> played = {});
+             std::vector<decision_node::Config> played = {},
+             const std::vector<std::string>& merging = {});
 
   node::Effects handle(const node::Input& input, MissionTime now) override;
   std::optional<MissionTime> next_wakeup() const override;
@@ -89,6 +91,7 @@ class GroundNode final : public node::Node {
   std::set<std::string> out_of_reach_;  ///< nothing of the team is said to them
   PlayedRoles roles_;
   TemporalDesk dates_;
+  AirDesk air_;
   bool alarms_age_;
   OperatorBoards boards_;
 

@@ -27,6 +27,7 @@ struct MergingConfig {
   world::Wind wind;  ///< as at the start
   std::shared_ptr<const world::Terrain> terrain;
   std::vector<world::Volume> volumes;  ///< no-fly, as at the start; with `knowledge` as believed
+  std::string witness = {};  ///< the ground station's name, if it is the third of each pair
 };
 
 struct Config {

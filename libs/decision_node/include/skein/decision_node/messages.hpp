@@ -29,7 +29,9 @@ namespace skein::decision_node {
 // ---- inputs ----
 
 /// First input of its life.
-struct Started {};
+struct Started {
+  bool first_life = false;  ///< there was none before; else it may have forgotten one
+};
 
 /// A command of the ground station's, in one life of it.
 struct CommandKey {

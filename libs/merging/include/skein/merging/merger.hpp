@@ -41,9 +41,12 @@ struct Withdraw {};
 struct Hold {
   Volumes volumes;
 };
+/// It never lived before, so it has promised nothing that it does not know of. Who is not told so
+/// may have forgotten, and takes no witness's word for a member that has not answered it yet.
+struct FirstLife {};
 /// Time passes.
 struct Tick {};
-using Input = std::variant<Heard, InReach, Want, Withdraw, Hold, Tick>;
+using Input = std::variant<Heard, InReach, Want, Withdraw, Hold, FirstLife, Tick>;
 
 // ---- effects, in their order ----
 
@@ -100,13 +103,20 @@ struct Limits {
 /// what it knew takes nothing until all have told what they have. One that never comes at all is
 /// waited for.
 ///
+/// With a witness (witness.hpp) two of three must agree, the two of a pair and the witness: each
+/// asks the other and the witness, and the word of one of them is enough. So nobody waits for one
+/// that is dead, late or cut off while the witness is in reach, except for air which that one may
+/// have; who reaches neither takes nothing new. docs/decisions/0052-two-of-three.md.
+///
 /// `now` never decreases. Deterministic. Cost of an input: O(volumes held × volumes wanted).
 /// Source: I III.B.3 (Alami et al. 1995, 1997: plan merging); the mutual exclusion is by pairs, not
 /// by a token, so that it outlives cuts. docs/decisions/0019-plan-merging.md.
 class Merger {
  public:
   /// Precondition: `self` is in `members`, nobody is twice; the same roster for all.
-  Merger(std::vector<std::string> members, const std::string& self, Limits limits = {});
+  /// `witness`: its name, no member's; empty: there is none.
+  Merger(std::vector<std::string> members, const std::string& self, Limits limits = {},
+         const std::string& witness = "");
 
   Effects handle(const Input& input, MissionTime now);
   std::optional<MissionTime> next_wakeup() const;
@@ -140,7 +150,17 @@ class Merger {
     std::uint64_t answered = 0;  ///< the last of its requests that was answered
     bool granted = false;
     bool agreed = false;  ///< to the request that is open
+    /// It has answered a request of this life, or this is the first: nothing that was promised to
+    /// it is forgotten.
+    bool known = false;
     std::optional<MissionTime> wants_since;
+  };
+  struct Third {
+    std::string name;
+    bool reachable = true;
+    std::uint64_t number = 0;
+    bool agreed = false;                ///< to the request that is open
+    std::vector<std::string> refusers;  ///< who has what was asked for last, as it has it
   };
 
   void on(const Heard& heard);
@@ -148,8 +168,14 @@ class Merger {
   void on(const Want& want);
   void on(const Withdraw&);
   void on(const Hold& hold);
+  void on(const FirstLife&);
   void on(const Tick&) {}
+  void hear_witness(const Message& message);
   void answer(Peer& peer);
+  bool needs(const Peer& peer) const { return peer.earlier || third_; }
+  bool may_agree(const Peer& peer) const;
+  bool has_agreed(const Peer& peer) const;
+  bool may_have_been_promised(std::uint64_t request) const;
   void advance();
   bool ask();
   void close(Duration pause);
@@ -166,6 +192,7 @@ class Merger {
   bool waits_longer(const Peer& peer) const;
   bool moves_before_this(const Peer& peer) const;
   void tell(const std::string& name, bool asks);
+  void tell_witness(bool asks);
   void tell_all();
   void ask_again();
   Claim claim() const;
@@ -175,6 +202,9 @@ class Merger {
   std::size_t place_ = 0;
   Limits limits_;
   std::map<std::string, Peer> peers_;
+  std::optional<Third> third_;  ///< the witness
+  bool first_life_ = false;
+  std::optional<MissionTime> begun_;
 
   Volumes held_;
   std::vector<Volumes> choices_;

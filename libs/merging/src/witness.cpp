@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "skein/merging/witness.hpp"
+
+#include <algorithm>
+
+namespace skein::merging {
+
+namespace {
+
+/// Longer than any message is under way: one that comes later was said in this life.
+constexpr Duration kUnderWay = Duration::milliseconds(2'500);
+
+}  // namespace
+
+Witness::Witness(const std::vector<std::string>& members) {
+  for (const std::string& name : members) records_[name];
+}
+
+void Witness::begin(bool first, MissionTime now) {
+  first_life_ = first;
+  begun_ = now;
+}
+
+std::optional<Message> Witness::hear(const std::string& from, const Message& message,
+                                     MissionTime now) {
+  const auto found = records_.find(from);
+  if (found == records_.end()) return std::nullopt;
+  if (!first_life_ && now < begun_ + kUnderWay) return std::nullopt;
+  Record& record = found->second;
+  if (message.number <= record.number) return std::nullopt;
+  take(record, message);
+  answer(from, record);
+  const std::uint64_t request = record.claim.request;
+  if (!message.asks || request == 0 || record.answered != request) return std::nullopt;
+  const auto milliseconds = std::max<std::int64_t>(now.count(), 0) / 1'000'000;
+  number_ = std::max(number_ + 1, static_cast<std::uint64_t>(milliseconds));
+  Message reply{number_, {}, request, record.granted, false};
+  if (!record.granted) reply.claim.waits_for = refusers_;
+  return reply;
+}
+
+void Witness::take(Record& record, const Message& message) {
+  if (!record.heard && !first_life_) record.unsure = message.claim.request;
+  record.heard = true;
+  record.number = message.number;
+  record.claim = message.claim;
+}
+
+/// Once for each request that was granted; one that was refused is given up by who asked, and may
+/// be looked at again until then.
+void Witness::answer(const std::string& from, Record& record) {
+  const std::uint64_t request = record.claim.request;
+  const bool promised = record.answered == request && record.granted;
+  if (request == 0 || promised || request == record.unsure || !remembers()) return;
+  refusers_.clear();
+  for (const auto& [name, other] : records_)
+    if (name != from && may_have(other, record.claim.wanted)) refusers_.push_back(name);
+  record.answered = request;
+  record.granted = refusers_.empty();
+}
+
+bool Witness::may_have(const Record& record, const Volumes& volumes) const {
+  if (overlap(volumes, record.claim.held)) return true;
+  const std::uint64_t request = record.claim.request;
+  const bool promised = record.answered == request && record.granted;
+  return request != 0 && (promised || request == record.unsure) &&
+         overlap(volumes, record.claim.wanted);
+}
+
+/// All have told it what they have in this life, or there was none before.
+bool Witness::remembers() const {
+  return first_life_ || std::all_of(records_.begin(), records_.end(),
+                                    [](const auto& one) { return one.second.heard; });
+}
+
+}  // namespace skein::merging

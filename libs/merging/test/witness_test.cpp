@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+// Of three two must agree, the two of a pair and the witness: no two ever have the same air, in
+// whatever order what they say is heard, and nobody waits for one that is dead.
+#include "skein/merging/witness.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "skein/foundation/random.hpp"
+#include "testing/trio.hpp"
+
+namespace skein::merging {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::Trio;
+
+const std::string kAnna = "a", kBert = "b", kCarl = "c", kGround = "ground";
+
+Volume street(double from, double to) { return {{from, 0}, {to, 0}, 5, 30, 50}; }
+
+Trio two() { return Trio({{kAnna, kGround}, {kBert, kGround}}); }
+Trio three() { return Trio({{kAnna, kGround}, {kBert, kGround}, {kCarl, kGround}}); }
+
+// ---- nobody waits for one that is dead, late or cut off ----
+
+TEST(Witness, NobodyWaitsForOneThatNeverCame) {
+  for (const auto& [alive, never] : {std::pair(kAnna, kBert), std::pair(kBert, kAnna)}) {
+    Trio trio = two();
+    trio.give(alive, Want{{{street(0, 100)}}});
+    trio.run_for(1, {never});
+    EXPECT_EQ(trio.granted(alive), 1) << alive;
+  }
+}
+
+TEST(Witness, WhoDiedOnTheGroundIsNotWaitedFor) {
+  Trio trio = three();
+  trio.run_for(2);
+  trio.give(kBert, InReach{kAnna, false});
+  trio.give(kCarl, InReach{kAnna, false});
+  trio.give(kBert, Want{{{street(0, 100)}}});
+  trio.give(kCarl, Want{{{street(200, 300)}}});
+  trio.run_for(1, {kAnna});
+  EXPECT_EQ(trio.granted(kBert), 1);
+  EXPECT_EQ(trio.granted(kCarl), 1);
+}
+
+TEST(Witness, WhatOneHadThatDiedInTheAirStaysItsOwnAndIsNamed) {
+  Trio trio = two();
+  trio.give(kAnna, Want{{{street(0, 100)}}});
+  trio.run_for(1, {kBert});  // B never hears of it
+  ASSERT_EQ(trio.granted(kAnna), 1);
+
+  trio.give(kBert, InReach{kAnna, false});
+  trio.give(kBert, Want{{{street(50, 60)}, {street(50, 60)}}});
+  trio.run_for(20, {kAnna});
+  EXPECT_EQ(trio.granted(kBert), 0);
+  EXPECT_THAT(trio.whys(kBert), ElementsAre(Waits::Why{kAnna, "to leave"}));
+
+  trio.give(kBert, Want{{{street(50, 60)}, {street(200, 300)}}});
+  trio.run_for(20, {kAnna});
+  EXPECT_EQ(trio.granted(kBert), 0) << "it asks for the first that is free as far as it knows";
+}
+
+TEST(Witness, ACutBetweenTwoKeepsNeitherFromNewAirWhileBothReachTheWitness) {
+  Trio trio = two();
+  trio.run_for(1);
+  for (const auto& [one, other] : {std::pair(kAnna, kBert), std::pair(kBert, kAnna)})
+    trio.give(one, InReach{other, false});
+  trio.give(kAnna, Want{{{street(0, 100)}}});
+  trio.give(kBert, Want{{{street(200, 300)}}});
+  trio.run_for(1);
+  EXPECT_EQ(trio.granted(kAnna), 1);
+  EXPECT_EQ(trio.granted(kBert), 1);
+}
+
+TEST(Witness, WhoReachesNeitherTakesNothingNewAndSaysForWhomItWaits) {
+  for (const auto& [alone, other] : {std::pair(kAnna, kBert), std::pair(kBert, kAnna)}) {
+    Trio trio = two();
+    trio.run_for(1);
+    trio.give(alone, InReach{other, false});
+    trio.give(alone, InReach{kGround, false});
+    trio.give(alone, Want{{{street(0, 100)}}});
+    trio.run_for(30);
+    EXPECT_EQ(trio.granted(alone), 0);
+    EXPECT_THAT(trio.whys(alone), ElementsAre(Waits::Why{other, "to come into reach"}));
+    trio.give(alone, InReach{kGround, true});
+    trio.run_for(1, {other});
+    EXPECT_EQ(trio.granted(alone), 1);
+  }
+}
+
+TEST(Witness, WithoutItTwoThatHearEachOtherGoOn) {
+  Trio trio = two();
+  trio.give(kBert, Want{{{street(0, 100)}}});
+  trio.run_for(1, {kGround});
+  trio.give(kAnna, Want{{{street(200, 300)}}});
+  trio.run_for(1, {kGround});
+  EXPECT_EQ(trio.granted(kAnna), 1);
+  EXPECT_EQ(trio.granted(kBert), 1);
+}
+
+TEST(Witness, WhoMayHaveForgottenTakesNoWitnessesWordForOneThatHasNotAnswered) {
+  Trio trio = two();
+  trio.give(kBert, Want{{{street(0, 100)}}});
+  trio.run_for(1, {kGround});  // by A's word
+  ASSERT_EQ(trio.granted(kBert), 1);
+  trio.forget(kAnna);
+  trio.give(kAnna, InReach{kBert, false});
+  trio.give(kAnna, Want{{{street(50, 60)}}});
+  trio.run_for(10, {kBert});
+  EXPECT_EQ(trio.granted(kAnna), 0);
+}
+
+TEST(Witness, OneThatForgotAnswersNobodyUntilItHasHeardAll) {
+  Trio trio = two();
+  trio.run_for(1);
+  trio.witness_forgets(kGround);
+  trio.give(kAnna, InReach{kBert, false});
+  trio.give(kAnna, Want{{{street(0, 100)}}});
+  trio.run_for(5, {kBert});
+  EXPECT_EQ(trio.granted(kAnna), 0);
+}
+
+TEST(Witness, OfStrangersNothingIsHeard) {
+  Witness witness({kAnna, kBert});
+  witness.begin(true, {});
+  EXPECT_FALSE(witness.hear(kCarl, Message{1, {{}, 7, {street(0, 1)}, {}}, 0, false, true}, {}));
+}
+
+// ---- never two in one air ----
+
+/// All that may happen from here within so many steps: any message that is under way is heard, or
+/// time passes in which members ask again, or one that has air leaves it and wants other air.
+/// Deliveries to different nodes one after the other are looked at in one order only.
+class Exploration {
+ public:
+  explicit Exploration(double other) : other_(other) {}
+
+  /// True: somewhere two had the same.
+  bool finds_two(const Trio& trio, int steps, std::size_t before = 0,
+                 const std::string& last = "") {
+    ++states_;
+    if (trio.two_have_the_same()) return true;
+    if (steps == 0) return false;
+    const auto& packets = trio.under_way();
+    for (std::size_t i = 0; i < packets.size(); ++i) {
+      if (i < before && packets[i].to < last) continue;
+      Trio next = trio;
+      const std::string to = packets[i].to;
+      const std::size_t known = packets.size() - 1;
+      next.deliver(i);
+      if (finds_two(next, steps - 1, known, to)) return true;
+    }
+    for (const std::string& name : trio.names()) {
+      if (trio.member(name).held().empty() || trio.granted(name) > 1) continue;
+      Trio next = trio;
+      next.give(name, Hold{{}});
+      next.give(name, Want{{{street(other_, other_ + 10)}}});
+      if (finds_two(next, steps - 1)) return true;
+    }
+    Trio later = trio;
+    later.pass(2.5);
+    return finds_two(later, steps - 1);
+  }
+  long states() const { return states_; }
+
+ private:
+  double other_;
+  long states_ = 0;
+};
+
+TEST(Witness, TwoThatWantTheSameNeverBothHaveItInWhateverOrderAllIsHeard) {
+  Trio trio = two();
+  trio.give(kAnna, Want{{{street(0, 100)}}});
+  trio.give(kBert, Want{{{street(50, 150)}}});
+  Exploration all(50);
+  EXPECT_FALSE(all.finds_two(trio, 7));
+  EXPECT_GT(all.states(), 10'000);
+}
+
+TEST(Witness, OneAsksWhenTheOtherHasItBySomebodysWord) {
+  for (const auto& [first, second] : {std::pair(kAnna, kBert), std::pair(kBert, kAnna)}) {
+    for (const auto& silent : {kGround, second}) {
+      Trio trio = two();
+      trio.give(first, Want{{{street(0, 100)}}});
+      trio.deliver_all_but({silent});
+      ASSERT_EQ(trio.granted(first), 1);
+      trio.give(second, Want{{{street(50, 150)}}});
+      Exploration all(50);
+      EXPECT_FALSE(all.finds_two(trio, 6)) << first << " had it without " << silent;
+    }
+  }
+}
+
+TEST(Witness, NorDoAnyTwoOfThree) {
+  Trio trio = three();
+  trio.give(kAnna, Want{{{street(0, 100)}}});
+  trio.give(kBert, Want{{{street(90, 150)}}});
+  trio.give(kCarl, Want{{{street(140, 200)}}});
+  Exploration all(95);
+  EXPECT_FALSE(all.finds_two(trio, 5));
+}
+
+// That the search finds what there is to find: two witnesses are none.
+TEST(Witness, WhereEachHasItsOwnWitnessTheSameSearchFindsTwoInOneAir) {
+  Trio trio({{kAnna, "one"}, {kBert, "another"}});
+  trio.give(kAnna, Want{{{street(0, 100)}}});
+  trio.give(kBert, Want{{{street(50, 150)}}});
+  Exploration all(50);
+  EXPECT_TRUE(all.finds_two(trio, 7));
+}
+
+// Deeper, drawn: messages are heard in any order or never, members are cut off, forget, leave and
+// want again; the witness forgets. Once all is heard again everybody has what it wants.
+RC_GTEST_PROP(MergerProperty, WithAWitnessNobodyHasTheAirOfAnother, ()) {
+  Random random(*rc::gen::arbitrary<std::uint64_t>());
+  Trio trio = random.chance(0.5) ? two() : three();
+  const auto& names = trio.names();
+  const auto wants_some = [&](const std::string& name) {
+    const double from = random.uniform(0, 100);
+    trio.give(name, Want{{{street(from, from + random.uniform(5, 60))}}});
+  };
+  for (int step = 0; step < 600; ++step) {
+    const std::string& name = names[random.below(names.size())];
+    const std::string& other = names[random.below(names.size())];
+    const auto packets = trio.under_way().size();
+    const double drawn = random.uniform();
+    if (drawn < 0.75 && packets > 0) {
+      trio.deliver(random.below(packets));
+    } else if (drawn < 0.85) {
+      trio.pass(random.uniform(0, 0.8));
+    } else if (drawn < 0.90) {
+      if (!trio.member(name).held().empty()) trio.give(name, Hold{{}});
+      if (!trio.member(name).waits()) wants_some(name);
+    } else if (drawn < 0.98) {
+      const std::string& peer = name == other ? kGround : other;
+      trio.give(name, InReach{peer, random.chance(0.5)});
+    } else if (drawn < 0.985) {
+      trio.forget(name);
+    } else if (drawn < 0.99) {
+      trio.witness_forgets(kGround);
+    }
+    RC_ASSERT(!trio.two_have_the_same());
+  }
+  for (const std::string& name : names) {
+    for (const std::string& peer : names)
+      if (peer != name) trio.give(name, InReach{peer, true});
+    trio.give(name, InReach{kGround, true});
+    trio.give(name, Hold{{}});
+  }
+  // Who has what it wanted leaves it, and the next has it.
+  const auto waits = [&](const std::string& name) { return trio.member(name).waits(); };
+  for (std::size_t n = 0; n <= names.size(); ++n) {
+    trio.run_for(10);
+    for (const std::string& name : names) trio.give(name, Hold{{}});
+  }
+  RC_ASSERT(std::none_of(names.begin(), names.end(), waits));
+}
+
+}  // namespace
+}  // namespace skein::merging
