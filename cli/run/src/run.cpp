@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <ostream>
 
 #include "play_dds.hpp"
@@ -14,6 +15,7 @@
 #include "skein/export_tool/export.hpp"
 #include "skein/foundation/exit_code.hpp"
 #include "skein/foundation/joined.hpp"
+#include "skein/laws/laws.hpp"
 #include "skein/report/explain.hpp"
 #include "skein/run_tool/whole_run.hpp"
 #include "skein/scenario_setup/setup.hpp"
@@ -41,6 +43,18 @@ std::string early_end(const Played& played) {
       break;
   }
   return "";
+}
+
+// Where ways are merged that is a law, and no run is known that breaks it.
+void warn_of_encounters(const Scenario& scenario, const WholeRun& run, std::ostream& out) {
+  if (scenario.uavs.size() < 2) return;
+  const auto encounters = laws::too_near(scenario, run.played.records);
+  if (encounters.empty()) return;
+  const laws::Violation& first = encounters.front();
+  out << "warning: " << encounters.size() << " times two UAVs in the air came too near; at "
+      << std::lround(first.at) << " s " << first.uav << " was " << first.sentence << '\n';
+  if (!scenario.separation || !scenario.separation->merge)
+    out << "         nothing keeps ways apart here: separation: {merge: true} does\n";
 }
 
 void print_summary(const WholeRun& run, const std::string& folder, std::ostream& out) {
@@ -126,6 +140,7 @@ int play(const Scenario& scenario, const RunOptions& options, const std::string&
   if (options.json) {
     out << *summary;
   } else {
+    warn_of_encounters(scenario, whole, out);
     print_summary(whole, folder, out);
   }
   if (!options.mcap.empty()) {

@@ -91,6 +91,7 @@ bool climbs_everything(const History& history, const world::VehicleModel& vehicl
 // air.cpp
 std::vector<Violation> waits_for_each_other(const History& history);
 // separation.cpp
+std::vector<Violation> encounters(const History& history);
 std::vector<Violation> too_near_in_the_air(const History& history);
 
 /// Calls `check` with each UAV and each of its goals that was achieved, and when.

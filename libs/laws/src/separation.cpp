@@ -37,6 +37,14 @@ class Watch {
     if (share < nearest_.share) nearest_ = {share, at, one->position - other->position};
   }
 
+  /// Too far to come too near within the second.
+  bool far_at(double at) const {
+    const auto one = first_.at(at), other = second_.at(at);
+    if (!one || !other) return false;
+    const double closing = 1.5 * (first_.spec->model.max_speed + second_.spec->model.max_speed);
+    return (one->position - other->position).head<2>().norm() > both_.level + closing;
+  }
+
   void end() {
     if (nearest_.share == kNever) return;
     result_.push_back({"", nearest_.at, first_.name(), 0,
@@ -57,19 +65,32 @@ class Watch {
 
 }  // namespace
 
-std::vector<Violation> too_near_in_the_air(const History& history) {
+std::vector<Violation> encounters(const History& history) {
   std::vector<Violation> result;
-  if (!history.scenario->separation) return result;
   for (auto a = history.uavs.begin(); a != history.uavs.end(); ++a) {
     for (auto b = std::next(a); b != history.uavs.end(); ++b) {
       Watch watch(a->second, b->second, result);
       for (const Sample& sample : a->second.samples) {
-        for (int i = 0; i < kParts; ++i) watch.see(sample.at + static_cast<double>(i) / kParts);
+        watch.see(sample.at);
+        if (watch.far_at(sample.at)) continue;
+        for (int i = 1; i < kParts; ++i) watch.see(sample.at + static_cast<double>(i) / kParts);
       }
       watch.end();
     }
   }
   return result;
+}
+
+std::vector<Violation> too_near_in_the_air(const History& history) {
+  return history.scenario->separation ? encounters(history) : std::vector<Violation>();
+}
+
+std::vector<Violation> too_near(const scenario::Scenario& scenario,
+                                const std::vector<journal::Record>& records) {
+  std::vector<Violation> all = encounters(history_of(scenario, records));
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.at < b.at; });
+  return all;
 }
 
 }  // namespace skein::laws

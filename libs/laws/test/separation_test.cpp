@@ -76,6 +76,16 @@ TEST(SeparationLaw, WhereNobodyAsksNothingIsJudged) {
   story.stands("marvin", 0, 20, {50, 50, 40}).stands("heliv", 0, 20, {50, 50, 40});
 
   EXPECT_THAT(story.broken("separation"), IsEmpty());
+  EXPECT_THAT(story.too_near(), ElementsAre(HasSubstr("0.0 m level and 0.0 m in height")))
+      << "it is seen all the same";
+}
+
+TEST(SeparationLaw, WhoComesFromFarWithinASecondIsSeen) {
+  Story story = asked();
+  story.stands("marvin", 0, 9, {50, 50, 40});
+  story.flies("heliv", 0, 9, {50 - 4.5 * 20, 50, 40}, {50 + 4.5 * 20, 50, 40});
+
+  EXPECT_THAT(story.broken("separation"), ElementsAre(HasSubstr("0.0 m level")));
 }
 
 }  // namespace

@@ -256,13 +256,24 @@ Story& Story::line(journal::Record record) {
   return *this;
 }
 
-std::vector<std::string> Story::broken(const std::string& law) const {
+std::vector<journal::Record> Story::ordered() const {
   std::vector<journal::Record> ordered = records_;
   std::stable_sort(ordered.begin(), ordered.end(),
                    [](const auto& a, const auto& b) { return a.at() < b.at(); });
+  return ordered;
+}
+
+std::vector<std::string> Story::broken(const std::string& law) const {
   std::vector<std::string> sentences;
-  for (const Violation& one : broken_laws(scenario_, ordered, {law}))
+  for (const Violation& one : broken_laws(scenario_, ordered(), {law}))
     sentences.push_back(to_text(one));
+  return sentences;
+}
+
+std::vector<std::string> Story::too_near() const {
+  std::vector<std::string> sentences;
+  for (const Violation& one : laws::too_near(scenario_, ordered()))
+    sentences.push_back(one.sentence);
   return sentences;
 }
 

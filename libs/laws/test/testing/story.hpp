@@ -100,6 +100,8 @@ class Story {
 
   /// Sentences of what one law has to say.
   std::vector<std::string> broken(const std::string& law) const;
+  /// And of UAVs that were too near to each other, whether anybody asks or not.
+  std::vector<std::string> too_near() const;
 
  private:
   static constexpr const char* kRobot =
@@ -108,6 +110,8 @@ class Story {
   Story& add(double at, const std::string& node, Line what) {
     return line(journal::record_of(MissionTime::seconds(at), node, std::move(what)));
   }
+
+  std::vector<journal::Record> ordered() const;
 
   scenario::Scenario scenario_;
   std::vector<journal::Record> records_;

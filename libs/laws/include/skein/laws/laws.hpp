@@ -25,6 +25,11 @@ std::vector<Violation> broken_laws(const scenario::Scenario& scenario,
                                    const std::vector<journal::Record>& records,
                                    const std::vector<std::string>& only = {});
 
+/// When UAVs in the air were nearer to each other than their models ask for, in the order of time,
+/// whether the scenario asks for it or not: what law `separation` says where it does.
+std::vector<Violation> too_near(const scenario::Scenario& scenario,
+                                const std::vector<journal::Record>& records);
+
 /// The least distance [m] between two UAVs while both fly; nothing when they never do.
 struct Nearest {
   double distance = kNever;
