@@ -33,9 +33,9 @@ struct Options {
   std::string seeds = "1..100";
   std::vector<std::string> files, without;
   std::string save, consistency;
-  bool clean = false, deaths = false, team = false, crossing = false, unmerged = false,
-       meetings = false, orders = false, gatherings = false, robots = false, relays = false,
-       fires = false, json = false, minimise = false, verbose = false;
+  bool clean = false, deaths = false, team = false, crossing = false, merged = false,
+       unmerged = false, meetings = false, orders = false, gatherings = false, robots = false,
+       relays = false, fires = false, json = false, minimise = false, verbose = false;
   std::size_t examples = 3;
   JudgeOptions judge;
 };
@@ -61,13 +61,20 @@ Kinds kinds_of(const Options& options) {
   return kinds;
 }
 
-Mission drawn(std::uint64_t seed, const Options& options) {
+Mission drawn_as_kind(std::uint64_t seed, const Options& options) {
   if (options.meetings) return generate_meetings(seed, kinds_of(options));
   if (options.relays) return generate_relays(seed, kinds_of(options));
   if (options.fires) return generate_fires(seed, kinds_of(options));
   if (options.robots) return generate_robots(seed, kinds_of(options));
   if (options.crossing) return generate_crossing(seed, kinds_of(options));
   return options.team ? generate_team(seed, kinds_of(options)) : generate(seed, kinds_of(options));
+}
+
+Mission drawn(std::uint64_t seed, const Options& options) {
+  Mission mission = drawn_as_kind(seed, options);
+  if (options.merged) mission.separation = "{merge: true}";
+  if (options.unmerged) mission.separation = "{merge: false}";
+  return mission;
 }
 
 // The models as seen from where the scenario stands.
@@ -168,8 +175,9 @@ void declare(CLI::App& app, Options& options) {
   auto* team = app.add_flag("--team", options.team, "teams at degree 5 with a global mission");
   auto* crossing =
       app.add_flag("--crossing", options.crossing, "teams at degree 4 whose ways cross");
-  app.add_flag("--unmerged", options.unmerged, "with --crossing: nobody asks for his air")
-      ->needs("--crossing");
+  auto* merged = app.add_flag("--merged", options.merged, "UAVs of any kind merge their ways");
+  app.add_flag("--unmerged", options.unmerged, "nobody asks for his air, and it is judged")
+      ->excludes(merged);
   auto* meetings =
       app.add_flag("--meetings", options.meetings, "UAVs at degree 4 that meet each other");
   app.add_option("--consistency", options.consistency,
