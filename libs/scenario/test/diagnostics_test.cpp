@@ -83,7 +83,7 @@ SKEIN_WRONG_FILES(
           "9:18: world.places.base: this is not a point; expected [x, y, z] in metres\n"},
     Wrong{"PlaceWithoutName", "aside: [50", "'': [50", "9:33: world.places.: an empty name\n"},
     Wrong{"PlaceThatIsEverybodysHome", "aside: [50", "Home: [50",
-          "9:36: world.places.Home: 'Home' is each UAV's own home; expected another name for the "
+          "9:35: world.places.Home: 'Home' is each UAV's own home; expected another name for the "
           "place\n"},
     Wrong{"PlaceOfNothing", "base: [0, 0, 0]", "base:",
           "9:17: world.places.base: nothing is said of 'base'\n"

@@ -63,6 +63,7 @@ Story& Story::flies(const std::string& uav, double from, double until, world::Ve
                     world::Vector3 b, double energy) {
   const world::Vector3 velocity = (b - a) / std::max(1.0, until - from);
   const double heading = velocity.norm() > 0 ? std::atan2(velocity.y(), velocity.x()) : 0;
+  const world::Terrain ground = terrain();
   for (double t = from; t <= until; t += 1) {
     const world::Vector3 p = a + (t - from) * velocity;
     add(t, "sim",
@@ -71,7 +72,7 @@ Story& Story::flies(const std::string& uav, double from, double until, world::Ve
                          .velocity = numbers(velocity),
                          .heading = heading,
                          .energy = energy,
-                         .airborne = p.z() > 0.5});
+                         .airborne = p.z() > ground.elevation(p.x(), p.y()) + 0.5});
   }
   return *this;
 }
