@@ -97,6 +97,22 @@ TEST(Reachability, ACutThatNobodyTellsOfIsKnownWithinThreeHeartbeatsAndAReturnWi
   EXPECT_TRUE(team.hears(1, 0));
 }
 
+// The third is there before three periods are over, whenever the two were lost.
+TEST(Reachability, TwoHeartbeatsThatAreLostInARowAreNoCut) {
+  for (int phase = 0; phase < 20; ++phase) {
+    Team team;
+    team.run_until(periods(3) + Duration::milliseconds(10 * phase));
+    team.hub.carry(number(0), number(1), false);
+    const Duration until = team.now() + Duration::milliseconds(360);
+    const Duration judged = until + periods(2);
+    while (team.now() < judged) {
+      if (team.now() >= until) team.hub.carry(number(0), number(1), true);
+      team.run_until(team.now() + Duration::milliseconds(10));
+      ASSERT_TRUE(team.hears(1, 0)) << "cut at a phase of " << 10 * phase << " ms";
+    }
+  }
+}
+
 RC_GTEST_PROP(Reachability, FollowsEveryScheduleOfSilentCuts, ()) {
   using Change = std::tuple<std::uint8_t, std::uint8_t, std::uint16_t>;
   const auto changes = *rc::gen::container<std::vector<Change>>(rc::gen::tuple(

@@ -109,6 +109,15 @@ class Judge {
     return so;
   }
 
+  /// At some instant; heartbeats that are lost by chance may end it again.
+  bool reached_within(const Channel& channel, MissionTime from, MissionTime until) const {
+    if (state(reach_, channel, from, true)) return true;
+    const std::vector<Change>& changes = reach_.at(channel);
+    return std::any_of(changes.begin(), changes.end(), [&](const Change& change) {
+      return change.so && change.at >= from && change.at <= until;
+    });
+  }
+
   /// Every instant at which the pair is whole again, having been broken for so long, and stays so.
   void judge_pair(const Channel& channel) {
     std::set<MissionTime> instants;
@@ -136,7 +145,7 @@ class Judge {
     const MissionTime until = healed + limits_.healing;
     for (const Channel& one : {channel, reversed(channel)}) {
       if (mortal_.contains(one.first) || mortal_.contains(one.second)) continue;
-      if (!state(reach_, one, until, true))
+      if (!reached_within(one, healed, until))
         breach(until, to_text(one) + ": the link is whole since " + skein::to_text(healed) +
                           " s, and " + one.second + " does not reach " + one.first);
       for (const auto& [sequence, message] : messages_[one]) {
@@ -206,6 +215,9 @@ HealingLimits healing_limits(const scenario::Scenario& scenario) {
     loss = std::max(loss, link.loss.value_or(0));
     latency = std::max(latency, link.latency.value_or(Duration()));
   }
+  if (scenario.variations.loss) loss = std::max(loss, scenario.variations.loss->high);
+  if (scenario.variations.latency)
+    latency = std::max(latency, Duration::seconds(scenario.variations.latency->high));
   double heartbeats = 3;
   if (loss > 0) heartbeats = std::max(heartbeats, 2 + std::log(kHardlyEver) / std::log(loss));
   HealingLimits limits;

@@ -88,6 +88,20 @@ TEST(Healing, IsBrokenByANodeThatDoesNotReachTheOtherAgain) {
               ElementsAre(HasSubstr("b does not reach a")));
 }
 
+// Found by mref/front-unseen, seeds 92 and 159 of 500: heartbeats lost by chance.
+TEST(Healing, IsKeptByANodeThatReachedTheOtherAndLostItAgain) {
+  EXPECT_THAT(Log()
+                  .cut(0, true)
+                  .cut(10)
+                  .reach(13, "b", "a", false)
+                  .cut(20, true)
+                  .reach(20.5, "b", "a", true)
+                  .reach(22.5, "b", "a", false)
+                  .reach(24, "b", "a", true)
+                  .breaches(),
+              IsEmpty());
+}
+
 TEST(Healing, IsBrokenByAnEventThatComesTooLate) {
   EXPECT_THAT(Log()
                   .cut(0, true)
@@ -165,6 +179,11 @@ TEST(HealingLimits, FollowFromTheRadio) {
   scenario.radio.model.loss = 0.01;
   EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(5.2))
       << "two heartbeats, and three that are lost one time in a million";
+
+  scenario.variations.loss = {0, 0.1};
+  scenario.variations.latency = {0.01, 0.2};
+  EXPECT_EQ(healing_limits(scenario).healing, Duration::seconds(8.4))
+      << "as bad as it may be drawn";
 }
 
 // a and b hear each other past c alone.
