@@ -37,15 +37,13 @@ wire::AlarmState wire_state(gs::AlarmState state) {
 
 GroundNode::GroundNode(const gs::GroundConfig& config, world::Terrain terrain, node::Roster roster,
                        ReadRequest read_request, std::optional<team::Config> team,
-                       std::vector<decision_node::Config> played,
-                       const std::vector<std::string>& merging)
+                       std::vector<decision_node::Config> played)
     : terrain_(std::move(terrain)),
       roster_(std::move(roster)),
       inbox_(roster_, std::move(read_request)),
       control_(config, terrain_),
       roles_(std::move(played), roster_),
       dates_(roster_, config.dates),
-      air_(roster_, merging),
       alarms_age_(config.pps.tell_again > Duration()) {
   if (!team || !team->roster.number_of("ground")) return;
   std::vector<std::string> uavs;
@@ -60,7 +58,7 @@ node::Effects GroundNode::handle(const node::Input& input, MissionTime now) {
   auto dates = dates_.hear(input, now);
   const bool of_dates = dates && std::holds_alternative<node::Received>(input);
   for (node::Effect& effect : dates.value_or(node::Effects())) out_.push_back(std::move(effect));
-  auto air = air_.hear(input, now);
+  auto air = air_ ? air_->hear(input, now) : std::nullopt;
   for (node::Effect& effect : air.value_or(node::Effects())) out_.push_back(std::move(effect));
   const bool of_team = of_dates || air || hear_team(input);
   const bool of_partner = !of_team && hear_of_roles(input);

@@ -91,9 +91,11 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
   config.objects = scenario.ground.objects;
   config.dates = dates_by_ground(scenario);
   config.missions = mission_knowledge(scenario);
-  return std::make_unique<ground::GroundNode>(
+  auto ground = std::make_unique<ground::GroundNode>(
       config, world::Terrain(scenario.world.terrain), scenario_setup::roster_of(scenario),
-      request_reader(scenario), scenario.team, played_by_ground(scenario), merging_uavs(scenario));
+      request_reader(scenario), scenario.team, played_by_ground(scenario));
+  if (const auto merging = merging_uavs(scenario); !merging.empty()) ground->witness(merging);
+  return ground;
 }
 
 }  // namespace skein::ground_setup

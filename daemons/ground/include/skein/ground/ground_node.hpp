@@ -29,12 +29,14 @@ class GroundNode final : public node::Node {
   using ReadRequest = Inbox::ReadRequest;
 
   /// Without a reader every request of an operator is refused; `played`: UAVs for which roles can
-  /// be played here; `merging`: UAVs that merge their ways.
+  /// be played here.
   GroundNode(const ground_station::GroundConfig& config, world::Terrain terrain,
              node::Roster roster, ReadRequest read_request = {},
              std::optional<team::Config> team = std::nullopt,
-             std::vector<decision_node::Config> played = {},
-             const std::vector<std::string>& merging = {});
+             std::vector<decision_node::Config> played = {});
+
+  /// It is the third of any two of these UAVs, which merge their ways. Before its first input.
+  void witness(const std::vector<std::string>& merging) { air_.emplace(roster_, merging); }
 
   node::Effects handle(const node::Input& input, MissionTime now) override;
   std::optional<MissionTime> next_wakeup() const override;
@@ -91,7 +93,7 @@ class GroundNode final : public node::Node {
   std::set<std::string> out_of_reach_;  ///< nothing of the team is said to them
   PlayedRoles roles_;
   TemporalDesk dates_;
-  AirDesk air_;
+  std::optional<AirDesk> air_;  ///< absent: nobody merges his way
   bool alarms_age_;
   OperatorBoards boards_;
 
