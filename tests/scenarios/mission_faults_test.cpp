@@ -229,7 +229,7 @@ TEST_P(AtDegree, ADecisionNodeThatNeverComesBackDoesNotHangTheRun) {
 
   const Mission mission = play(scenario);
 
-  EXPECT_EQ(mission.end, End::kTimeLimit);
+  EXPECT_NE(mission.end, End::kTimeLimit) << "the script gives it up";
   EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
   EXPECT_EQ(mission.untrue, "");
 }
