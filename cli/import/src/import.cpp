@@ -165,7 +165,6 @@ class Import {
   }
 
   void reserve_names(const scenario::WorldSpec& world) {
-    for (const char* name : {"home", "zero"}) names_.reserve(name);  // no place may have these
     for (const auto& zone : world.zones) names_.reserve(zone.name);
     for (const auto& volume : world.volumes) names_.reserve(volume.name);
     for (const auto& [name, at] : world.places) names_.reserve(name);

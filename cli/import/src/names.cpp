@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "skein/mission/home.hpp"
+
 namespace skein::import_tool {
 
 std::string plain_name(std::string_view text) {
@@ -27,7 +29,7 @@ std::string plain_name(std::string_view text) {
 std::string Names::make(std::string_view text, const std::string& otherwise) {
   std::string name = plain_name(text);
   if (name.empty()) name = otherwise;
-  if (taken_.insert(name).second) return name;
+  if (!mission::means_home(name) && taken_.insert(name).second) return name;
   for (int number = 2;; ++number) {
     const std::string numbered = name + "-" + std::to_string(number);
     if (taken_.insert(numbered).second) return numbered;

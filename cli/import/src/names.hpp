@@ -15,7 +15,8 @@ std::string plain_name(std::string_view text);
 class Names {
  public:
   void reserve(const std::string& name) { taken_.insert(name); }
-  /// plain_name(text), or else `otherwise`, with a number behind it when it is taken.
+  /// plain_name(text), or else `otherwise`, with a number behind it when it is taken or is no name
+  /// of a place (mission::means_home).
   std::string make(std::string_view text, const std::string& otherwise);
 
  private:

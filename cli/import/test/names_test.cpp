@@ -32,5 +32,14 @@ TEST(Names, ATakenOneGetsANumber) {
   EXPECT_EQ(names.make("?", "place"), "place-2");
 }
 
+// Found by a map with a place "Home": the scenario that was made of it was refused.
+TEST(Names, WhatEachUavCallsItsHomeGetsANumberInWhateverCase) {
+  Names names;
+  EXPECT_EQ(names.make("home", "place"), "home-2");
+  EXPECT_EQ(names.make("Home", "place"), "Home-2");
+  EXPECT_EQ(names.make("ZERO", "place"), "ZERO-2");
+  EXPECT_EQ(names.make("homestead", "place"), "homestead");
+}
+
 }  // namespace
 }  // namespace skein::import_tool

@@ -45,7 +45,7 @@ std::string early_end(const Played& played) {
   return "";
 }
 
-// Where ways are merged that is a law, and no run is known that breaks it.
+/// That UAVs in the air came nearer to each other than their models ask for, and what prevents it.
 void warn_of_encounters(const Scenario& scenario, const WholeRun& run, std::ostream& out) {
   if (scenario.uavs.size() < 2) return;
   const auto encounters = laws::too_near(scenario, run.played.records);

@@ -14,13 +14,6 @@ using scenario::UavSpec;
 
 constexpr double kHomeAltitude = 40;  ///< [m] above the ground at the start, on the way home
 
-std::vector<std::string> names_of_flying(const Scenario& scenario) {
-  std::vector<std::string> names;
-  for (const UavSpec& uav : scenario.uavs)
-    if (!uav.model.ground) names.push_back(uav.name);
-  return names;
-}
-
 }  // namespace
 
 std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& uav) {
@@ -47,10 +40,9 @@ std::unique_ptr<node::Node> make_ddn(const Scenario& scenario, const UavSpec& ua
     if (first != first_ids.end()) config.first_task = first->second;
   }
   const node::Roster roster = scenario_setup::roster_of(scenario);
-  const std::vector<std::string> flying = names_of_flying(scenario);
-  const bool merges = scenario.separation && scenario.separation->merge;
-  if (merges && !config.drives && flying.size() > 1) {
-    config.merging = {flying,
+  const std::vector<std::string> merging = scenario_setup::merging_uavs(scenario);
+  if (!merging.empty() && !config.drives) {
+    config.merging = {merging,
                       uav.model,
                       scenario.world.wind,
                       std::make_shared<world::Terrain>(terrain),

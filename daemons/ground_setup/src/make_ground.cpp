@@ -65,15 +65,6 @@ std::vector<decision_node::Config> played_by_ground(const Scenario& scenario) {
   return played;
 }
 
-/// Nobody, where ways are not merged.
-std::vector<std::string> merging_uavs(const Scenario& scenario) {
-  std::vector<std::string> names;
-  if (!scenario.separation || !scenario.separation->merge) return names;
-  for (const UavSpec& uav : scenario.uavs)
-    if (!uav.model.ground) names.push_back(uav.name);
-  return names;
-}
-
 }  // namespace
 
 std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
@@ -94,7 +85,8 @@ std::unique_ptr<node::Node> make_ground(const Scenario& scenario) {
   auto ground = std::make_unique<ground::GroundNode>(
       config, world::Terrain(scenario.world.terrain), scenario_setup::roster_of(scenario),
       request_reader(scenario), scenario.team, played_by_ground(scenario));
-  if (const auto merging = merging_uavs(scenario); !merging.empty()) ground->witness(merging);
+  if (const auto merging = scenario_setup::merging_uavs(scenario); !merging.empty())
+    ground->witness(merging);
   return ground;
 }
 

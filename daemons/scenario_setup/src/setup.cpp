@@ -39,6 +39,14 @@ node::RadioCapacity capacity_of(const Scenario& scenario) {
   return capacity;
 }
 
+std::vector<std::string> merging_uavs(const Scenario& scenario) {
+  if (!scenario.separation || !scenario.separation->merge) return {};
+  std::vector<std::string> flying;
+  for (const scenario::UavSpec& uav : scenario.uavs)
+    if (!uav.model.ground) flying.push_back(uav.name);
+  return flying.size() > 1 ? flying : std::vector<std::string>();
+}
+
 Diagnostics radio_problems(const Scenario& scenario) {
   const double heartbeats = 8.0 * static_cast<double>(blackboard::heartbeat_bytes()) /
                             scenario.radio.heartbeat.to_seconds();

@@ -5,6 +5,7 @@
 
 #include "interaction/interaction.hpp"
 #include "interaction/role_tasks.hpp"
+#include "path_query.hpp"
 
 namespace skein::decision_node {
 
@@ -67,8 +68,8 @@ std::optional<std::string> JointPlay::fly_after(const std::string& componel) {
   aim[2] = outlook.world.terrain.elevation(aim[0], aim[1]) + following.height;
   const world::Vector3& own = sightings_.own()->state.position;
   if ((own - vector_of(aim)).norm() < kAlreadyThere) return std::nullopt;
-  const auto path =
-      refine(path_query(own, vector_of(aim), outlook), refiners::Setting{outlook.world, {}});
+  const auto path = refine(path_query(outlook.knowledge.vehicle, own, vector_of(aim), outlook.now),
+                           refiners::Setting{outlook.world, {}});
   if (!path) return "no way to '" + following.target + "': " + path.error().why;
   following.flies = true;
   give(componel, flight_along({path->task.way.begin() + 1, path->task.way.end()}));

@@ -5,6 +5,7 @@
 
 #include "interaction/role_tasks.hpp"
 #include "interaction/sightings.hpp"
+#include "path_query.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/interaction/describe.hpp"
 #include "skein/interaction/role_fit.hpp"
@@ -337,8 +338,9 @@ class Walk {
   refiners::Way way_to(const Position& aim) const {
     const refiners::Way straight{vector_of(at_), vector_of(aim)};
     if ((straight[1] - straight[0]).norm() < kThere) return straight;
-    const auto path = refine(path_query(straight[0], straight[1], outlook_),
-                             refiners::Setting{outlook_.world, {}});
+    const auto path =
+        refine(path_query(outlook_.knowledge.vehicle, straight[0], straight[1], outlook_.now),
+               refiners::Setting{outlook_.world, {}});
     return path ? path->task.way : straight;
   }
 

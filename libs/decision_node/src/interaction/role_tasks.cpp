@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "interaction/sightings.hpp"
+#include "path_query.hpp"
 #include "skein/elementary/parameter_reader.hpp"
 #include "skein/world/landing_ground.hpp"
 
@@ -15,8 +16,7 @@ namespace {
 
 using interaction::Position;
 
-constexpr double kLeastClearance = 5;  // [m] of ways over the ground
-constexpr double kNear = 1;            // [m]
+constexpr double kNear = 1;  // [m]
 /// Between two who come to one place [m]: what they keep from each other, and how far each of them
 /// strays while it comes down.
 constexpr double kBeside = 30;
@@ -53,7 +53,8 @@ Position own_place(const Argument& to, const Position& place, const RoleTaskCont
 /// Around what is in between.
 Result<refiners::Way, Failure> way_to(const Position& place, const RoleTaskContext& context) {
   const refiners::PathQuery query =
-      path_query(context.state.position, vector_of(place), context.outlook);
+      path_query(context.outlook.knowledge.vehicle, context.state.position, vector_of(place),
+                 context.outlook.now);
   if ((query.to - query.from).norm() < kNear) return refiners::Way{query.to};
   const auto path = refine(query, refiners::Setting{context.outlook.world, {}});
   if (!path) return failure("no way there: " + path.error().why);
@@ -154,17 +155,6 @@ std::optional<world::Polygon> zone_of(const config::Value& named, const Argument
   const auto found = std::find_if(world.zones.begin(), world.zones.end(),
                                   [&](const world::Zone& zone) { return zone.name == *name; });
   return found == world.zones.end() ? std::nullopt : std::optional(found->polygon);
-}
-
-refiners::PathQuery path_query(const world::Vector3& from, const world::Vector3& to,
-                               const Outlook& outlook) {
-  refiners::PathQuery query;
-  query.vehicle = outlook.knowledge.vehicle;
-  query.from = from;
-  query.to = to;
-  query.clearance = kLeastClearance;
-  query.depart = outlook.now;
-  return query;
 }
 
 executive::Task flight_along(const refiners::Way& way) {

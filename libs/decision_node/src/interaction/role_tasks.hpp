@@ -40,10 +40,6 @@ Result<executive::Task, Failure> make_task(const interaction::Componel& componel
 std::optional<world::Polygon> zone_of(const config::Value& named, const Arguments& scope,
                                       const world::World& world);
 
-/// The way of a role's goto, as the path refiner is asked for it.
-refiners::PathQuery path_query(const world::Vector3& from, const world::Vector3& to,
-                               const Outlook& outlook);
-
 /// A goto; without its id.
 executive::Task flight_along(const refiners::Way& way);
 /// Looks with a device while that flight runs; without its id.

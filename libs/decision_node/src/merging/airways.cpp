@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "path_query.hpp"
 #include "skein/elementary/parameter_reader.hpp"
 #include "skein/elementary/task_checks.hpp"
 #include "skein/foundation/overloaded.hpp"
@@ -29,9 +30,8 @@ constexpr double kUnderground = -1000;  // [m] below all ground: landings end an
 constexpr int kDirections = 8;
 constexpr std::array kRings{2, 4, 6, 8, 12, 18, 26, 36, 48};  // of what it takes to hold
 constexpr std::uint64_t kStepsAround = 200'000;
-constexpr double kLeastClearance = 5;  // [m] of a way around, over the ground
-constexpr double kNearEnd = 1.05;      // an end is in what is reserved with what it has too much
-constexpr double kAhead = 600;  // [s] in which air must not close on a way that nobody asked for
+constexpr double kNearEnd = 1.05;  // an end is in what is reserved with what it has too much
+constexpr double kAhead = 600;     // [s] in which air must not close on a way that nobody asked for
 
 elementary::Situation seen_by_vehicle(const MergingConfig& config,
                                       const AirwaySituation& situation) {
@@ -113,15 +113,7 @@ Airways flights(const functional::Request& request, const elementary::GotoTask& 
 
 /// What others have, as wide and high as keeps a way out of it; where it begins and ends, only as
 /// much as where it stays.
-refiners::PathQuery query_around(const Vector3& from, const elementary::GotoTask& task,
-                                 const merging::Volumes& taken, const Margins& margins,
-                                 const MergingConfig& config) {
-  refiners::PathQuery query;
-  query.vehicle = config.model;
-  query.from = from;
-  query.to = task.waypoints.back();
-  query.speed = task.speed;
-  query.clearance = kLeastClearance;
+void reserve(refiners::PathQuery& query, const merging::Volumes& taken, const Margins& margins) {
   const auto nears_end = [&](const merging::Volume& volume) {
     for (const Vector3& end : {query.from, query.to}) {
       const Vector2 at = end.head<2>();
@@ -138,7 +130,6 @@ refiners::PathQuery query_around(const Vector3& from, const elementary::GotoTask
     query.reserved.push_back(closed_around(volume, near ? margins.hold : margins.way,
                                            near ? margins.level : margins.slope));
   }
-  return query;
 }
 
 Airway column_of(const functional::Request& request, double low, double high,
@@ -188,8 +179,10 @@ std::optional<Airway> way_around(const functional::Request& request, const mergi
   if (flown == nullptr || flown->waypoints.empty()) return std::nullopt;
   const Margins margins = merging::margins_of(config.model, config.wind, flown->speed);
   const Vector3 from = start_of(situation, margins);
-  refiners::PathQuery query = query_around(from, *flown, taken, margins, config);
-  query.depart = situation.now;
+  refiners::PathQuery query =
+      path_query(config.model, from, flown->waypoints.back(), situation.now);
+  query.speed = flown->speed;
+  reserve(query, taken, margins);
   refiners::Setting setting{world, {}};
   setting.budget.steps = kStepsAround;
   const auto path = refine(query, setting);

@@ -249,19 +249,13 @@ void Merging::hold() {
 
 // ---- waiting ----
 
-std::optional<MissionTime> Merging::looks_around_from() const {
-  const bool asks = waiting_ && !waiting_->airways.empty() && !waiting_->aside_since &&
-                    !waiting_->comes_back && seen_.state.airborne;
-  const bool possible = asks && core_.deliberation().possible() && at_any_height(waiting_->request);
-  return possible ? std::optional(waiting_->looks_around) : std::nullopt;
-}
-
 /// Not where others stay where it is to go: it would wait there.
 void Merging::look_for_way_around() {
-  const auto from = looks_around_from();
+  const auto from = waiting_ ? waiting_->looks_around_from() : std::nullopt;
   if (!from || core_.bus().now() < *from) return;
   waiting_->looks_around = core_.bus().now() + kLooksAround;
-  if (merger_->awaited().empty()) return;
+  const bool could = seen_.state.airborne && core_.deliberation().possible();
+  if (!could || merger_->awaited().empty() || !at_any_height(waiting_->request)) return;
   auto airways = airways_of(waiting_->request, true, *core_.config().merging, situation());
   if (!airways || airways->empty()) return;
   const merging::Volumes taken = merger_->taken();
@@ -315,7 +309,9 @@ void Merging::say_it_waits() {
 void Merging::time_passes() {
   if (!merger_) return;
   say_it_waits();
-  if (const auto until = aside_until(); until && core_.bus().now() >= *until) ask();
+  if (const auto until = waiting_ ? waiting_->aside_until() : std::nullopt;
+      until && core_.bus().now() >= *until)
+    ask();
   if (const auto from = waiting_ ? waiting_->rises_from() : std::nullopt;
       from && core_.bus().now() >= *from)
     ask();
@@ -326,10 +322,11 @@ void Merging::time_passes() {
 std::optional<MissionTime> Merging::next_wakeup() const {
   if (!merger_) return std::nullopt;
   std::optional<MissionTime> next = merger_->next_wakeup();
-  if (waiting_) next = earliest(next, waiting_->said + kSaidAgain);
-  if (waiting_) next = earliest(next, waiting_->rises_from());
-  next = earliest(next, looks_around_from());
-  return flown_ ? next : earliest(next, aside_until());
+  if (!waiting_) return next;
+  next = earliest(next, waiting_->said + kSaidAgain);
+  next = earliest(next, waiting_->rises_from());
+  next = earliest(next, waiting_->looks_around_from());
+  return flown_ ? next : earliest(next, waiting_->aside_until());
 }
 
 std::optional<MissionTime> Merging::Waiting::rises_from() const {
@@ -337,9 +334,13 @@ std::optional<MissionTime> Merging::Waiting::rises_from() const {
   return asks && is_of_role(request) ? std::optional(since + kRises) : std::nullopt;
 }
 
-std::optional<MissionTime> Merging::aside_until() const {
-  if (!waiting_ || !waiting_->aside_since) return std::nullopt;
-  return *waiting_->aside_since + kAside;
+std::optional<MissionTime> Merging::Waiting::looks_around_from() const {
+  const bool asks = !airways.empty() && !aside_since && !comes_back;
+  return asks ? std::optional(looks_around) : std::nullopt;
+}
+
+std::optional<MissionTime> Merging::Waiting::aside_until() const {
+  return aside_since ? std::optional(*aside_since + kAside) : std::nullopt;
 }
 
 // ---- others ----

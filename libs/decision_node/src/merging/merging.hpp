@@ -64,6 +64,10 @@ class Merging final : public Component {
 
     /// When it asks for higher ways too, with a role's.
     std::optional<MissionTime> rises_from() const;
+    /// When it looks for a way around; none: it does not ask for what it is to fly.
+    std::optional<MissionTime> looks_around_from() const;
+    /// When it no longer asks for a place aside.
+    std::optional<MissionTime> aside_until() const;
   };
   /// What the vehicle flies, or has flown last and has not come to rest from.
   struct Flown {
@@ -82,10 +86,6 @@ class Merging final : public Component {
   void begin(const Airway& airway, const std::string& state);
   void look_at_energy();
   void look_for_way_around();
-  /// When it looks for one; none: it asks for nothing that it could fly another way to.
-  std::optional<MissionTime> looks_around_from() const;
-  /// When it no longer asks for a place aside.
-  std::optional<MissionTime> aside_until() const;
   void note_waits();
   void say_it_waits();
   void refuse(const std::string& why);

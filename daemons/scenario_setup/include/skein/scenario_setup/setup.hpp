@@ -2,6 +2,9 @@
 // What every daemon takes from a scenario, whichever node it runs.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "skein/foundation/diagnostics.hpp"
 #include "skein/foundation/time.hpp"
 #include "skein/node/host.hpp"
@@ -15,6 +18,10 @@ inline constexpr Duration kSyncValidity = Duration::milliseconds(30'000);
 
 /// With the scenario's own table of slots, if it has one that is right.
 node::Roster roster_of(const scenario::Scenario& scenario);
+
+/// Those that merge their ways, in the order of the roster: all that fly, if the scenario asks for
+/// it and they are several; else nobody.
+std::vector<std::string> merging_uavs(const scenario::Scenario& scenario);
 
 /// What the scenario says of its radio for all of its time.
 node::RadioCapacity capacity_of(const scenario::Scenario& scenario);

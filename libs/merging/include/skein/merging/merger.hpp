@@ -125,7 +125,7 @@ class Merger {
   bool waits() const { return !choices_.empty(); }
   /// What others hold, were granted, or want (with a request or not), as far as it knows.
   Volumes others() const;
-  /// What others hold or were granted, and those before it in the roster ask for.
+  /// What others hold, and what they have asked for, granted or not.
   Volumes taken() const;
   /// Those whom it waits for to leave.
   std::vector<std::string> awaited() const;
