@@ -89,14 +89,15 @@ bool somebody_holds(const History& history) {
 
 std::vector<Violation> motions_never_begun(const History& history) {
   constexpr const char* kNotBegun = " is given to the vehicle and does not begin for ";
-  constexpr double kLongest = 900;  // [s] of waiting for the air of a way, beside blimps
+  constexpr double kLongest = 900;  // [s] of waiting for the air of a way, beside blimps, while
+                                    // the ground station is in reach
   std::vector<Violation> result;
   if (!history.dead.empty() || somebody_holds(history)) return result;
   for (const auto& [name, uav] : history.uavs) {
     for (const auto& [task, motion] : uav.executions) {
       if (motion.started == kNever || !motion.is_motion() || motion.type == "wait") continue;
       const double until = std::min({begun(uav, motion), motion.over, history.end});
-      if (until - motion.started <= kLongest) continue;
+      if (history.joint.up_for(name, "ground", motion.started, until) <= kLongest) continue;
       result.push_back(
           {"", motion.started, name, uav.goal_of_task(task),
            named(uav, task, motion.type) + kNotBegun + figure(until - motion.started) + " s"});

@@ -71,6 +71,18 @@ TEST(BeginsLaw, OneThatWaitsForAWhileDoesNot) {
   EXPECT_THAT(story.broken("begins"), IsEmpty());
 }
 
+// Who reaches neither its partner nor the ground takes no air.
+TEST(BeginsLaw, OneThatIsOutOfReachOfTheGroundDoesNotUntilItIsBack) {
+  const auto broken = [](double back) {
+    Story story = asked();
+    story.does("marvin", {7, "goto", 0, 10, 2000, "ended", "", {}, "", 1900});
+    story.link(50, "marvin", "ground", false).link(back, "marvin", "ground", true);
+    return story.broken("begins");
+  };
+  EXPECT_THAT(broken(1500), IsEmpty());
+  EXPECT_THAT(broken(500), ElementsAre(HasSubstr("does not begin for 1890.0 s")));
+}
+
 TEST(SeparationLaw, WhereNobodyAsksNothingIsJudged) {
   Story story;
   story.stands("marvin", 0, 20, {50, 50, 40}).stands("heliv", 0, 20, {50, 50, 40});

@@ -29,13 +29,17 @@ void world(std::ostream& out, const Mission& m) {
   list(out, "objects", m.objects, "  ", "");
 }
 
+int degree_of(const Member& one, const Mission& m) {
+  if (one.degree > 0) return one.degree;
+  return m.global.empty() ? 4 : 5;
+}
+
 void team(std::ostream& out, const Mission& m, const std::string& scenarios) {
   out << "\nuavs:\n";
   std::string altitudes, ids;
   for (const Member& one : m.team) {
     out << "  " << one.name << ": {model: " << scenarios << '/' << one.folder << "/models/"
-        << one.model << ".yaml, " << one.more << ", degree: " << (m.global.empty() ? 4 : 5)
-        << "}\n";
+        << one.model << ".yaml, " << one.more << ", degree: " << degree_of(one, m) << "}\n";
     const std::string comma = altitudes.empty() ? "" : ", ";
     std::ostringstream altitude;
     altitude << one.altitude;
@@ -51,15 +55,27 @@ void team(std::ostream& out, const Mission& m, const std::string& scenarios) {
   }
 }
 
-// What happens at once, and then the end: once the team has done all of it.
+const char* const kTeamHasDone = "{global_mission: {id: 1, state: done}}";
+
 void global_mission(std::ostream& out, const Mission& m) {
   if (m.global.empty()) return;
   out << "    - step: give\n      when: {time: 10}\n      do:\n        - global_mission:\n"
          "            id: 1\n";
   list(out, "tasks", m.global, "            ", "- ");
-  if (m.finish_after < 0) return;
-  out << "    - step: end\n      when: {global_mission: {id: 1, state: done}}\n      after: "
-      << m.finish_after << "\n      do: [{finish: true}]\n";
+}
+
+void sharing(std::ostream& out, const Mission& m) {
+  if (m.global.empty()) return;
+  out << "\nteam: {lease: 10";
+  if (!m.bidders.empty()) out << ", members: [" << joined(m.bidders, ", ") << ']';
+  out << "}\n";
+}
+
+void radio(std::ostream& out, const Mission& m) {
+  out << "\nradio:\n  range: " << m.range << "\n  line_of_sight: true\n  latency: " << m.latency
+      << "\n  loss: " << m.loss << '\n';
+  if (!m.relays.empty()) out << "  relays: [" << joined(m.relays, ", ") << "]\n";
+  list(out, "cuts", m.cuts, "  ", "- ");
 }
 
 void step(std::ostream& out, const Step& s) {
@@ -84,7 +100,7 @@ void step(std::ostream& out, const Step& s) {
   }
 }
 
-// Once every goal has come to an end, one way or another.
+// Once every goal has come to an end, one way or another, and the team has done all of it.
 void finish(std::ostream& out, const Mission& m) {
   std::string all;
   for (const Step& one : m.steps) {
@@ -98,9 +114,16 @@ void finish(std::ostream& out, const Mission& m) {
       all += "          - {any: [" + any + "]}\n";
     }
   }
-  if (all.empty() || m.finish_after < 0) return;
-  out << "    - step: end\n      when:\n        all:\n"
-      << all << "      after: " << m.finish_after << "\n      do: [{finish: true}]\n";
+  const bool shared = !m.global.empty();
+  if ((all.empty() && !shared) || m.finish_after < 0) return;
+  out << "    - step: end\n      when:";
+  if (all.empty()) {
+    out << ' ' << kTeamHasDone << '\n';
+  } else {
+    out << "\n        all:\n" << all;
+    if (shared) out << "          - " << kTeamHasDone << '\n';
+  }
+  out << "      after: " << m.finish_after << "\n      do: [{finish: true}]\n";
 }
 
 template <class Part>
@@ -122,12 +145,9 @@ std::string to_yaml(const Mission& m, const std::string& scenarios) {
       << "\n\n";
   world(out, m);
   team(out, m, scenarios);
-  if (!m.global.empty()) out << "\nteam: {lease: 10}\n";
+  sharing(out, m);
   if (!m.separation.empty()) out << "\nseparation: " << m.separation << '\n';
-  out << "\nradio:\n  range: 3000\n  line_of_sight: true\n  latency: " << m.latency
-      << "\n  loss: 0\n";
-  if (!m.relays.empty()) out << "  relays: [" << joined(m.relays, ", ") << "]\n";
-  list(out, "cuts", m.cuts, "  ", "- ");
+  radio(out, m);
   out << "\nground:\n  position: [-20, -20, 8]\n";
   list(out, "objects", m.followed, "  ", "");
   out << "  script:\n";

@@ -53,7 +53,8 @@ TEST_P(DeathsOfDaemons, AreAddedToTheSameMission) {
 }
 INSTANTIATE_TEST_SUITE_P(Missions, DeathsOfDaemons,
                          ::testing::Values(generate, generate_crossing, generate_meetings,
-                                           generate_robots, generate_relays, generate_fires));
+                                           generate_robots, generate_relays, generate_fires,
+                                           generate_mixed));
 
 TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
   int shared = 0;
@@ -67,6 +68,32 @@ TEST(Generate, CrossingMissionsAreScenariosInWhichSomeUavsShareAPad) {
     shared += mission.shared_pads;
   }
   EXPECT_GT(shared, 10);
+}
+
+TEST(Generate, MixedMissionsAreScenariosThatHaveAllOfIt) {
+  std::string all;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const std::string text = to_yaml(generate_mixed(seed, {}), "..");
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    EXPECT_EQ(to_yaml(generate_mixed(seed, {}), ".."), text);
+    all += text;
+  }
+  for (const char* part :
+       {"degree: 5", "degree: 4", "global_mission: {id: 1, state: done}", "[synchro, ",
+        "[monitoring-with-relay, ", "action/models/mana", "comets/models/karma", "kind: fire",
+        "separation: {merge: true}", "relays: [", "take_in_hand", "give_back", "cancel: ",
+        "close_air: ", "contact_loss", "interrupt: true", "consistency: cip", "abort: "})
+    EXPECT_THAT(all, HasSubstr(part));
+}
+
+TEST(Generate, InCleanMixedMissionsNothingGoesWrong) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const std::string text = to_yaml(generate_mixed(seed, kClean), "..");
+    EXPECT_THAT(problems_of(text), IsEmpty()) << "seed " << seed;
+    for (const char* part :
+         {"faults:", "cuts:", "close_air", "take_in_hand", "end_before", "hills"})
+      EXPECT_THAT(text, Not(HasSubstr(part))) << "seed " << seed;
+  }
 }
 
 TEST(Generate, MeetingsAreScenariosInWhichSomeAreToBeDoneByADate) {

@@ -57,8 +57,12 @@ Merging::Merging(Core& core) : core_(core) {
 // ---- motions ----
 
 bool Merging::takes(const functional::Request& request) {
-  if (!merger_) return false;
+  if (!merger_ || is_flown(request.id)) return false;
   if (waiting_ && waiting_->makes_room) stop_waiting();
+  if (waiting_ && waiting_->request.id == request.id) {
+    say_it_has_begun();
+    return true;
+  }
   if (!needs_air(request) && !comes_after_aside(request) && !is_to_come_back(request)) return false;
   if (waiting_) {
     core_.post_status({request.id, functional::TaskState::kAborted,
@@ -71,6 +75,12 @@ bool Merging::takes(const functional::Request& request) {
   waiting_->looks_around = waiting_->since + kLooksAround;
   ask();
   return true;
+}
+
+/// Whoever asks for it once more, as another executive that takes it over does, is told by the
+/// vehicle how far it is.
+bool Merging::is_flown(functional::TaskId task) const {
+  return flown_ && !flown_->over && flown_->airway.request.id == task;
 }
 
 /// What it flew aside for is given up, and what comes now needs it to stand still: once it is
@@ -302,6 +312,10 @@ void Merging::say_it_waits() {
   if (asks && core_.bus().now() >= waiting_->since + kRoleWaits)
     return refuse(std::string(kNoAir) + joined(waiting_->waits_for, "; "));
   if (!waiting_ || core_.bus().now() < waiting_->said + kSaidAgain) return;
+  say_it_has_begun();
+}
+
+void Merging::say_it_has_begun() {
   waiting_->said = core_.bus().now();
   core_.post_status({waiting_->request.id, functional::TaskState::kStarted, "waits for its air"});
 }

@@ -88,10 +88,12 @@ class Merging final : public Component {
   void look_for_way_around();
   void note_waits();
   void say_it_waits();
+  void say_it_has_begun();
   void refuse(const std::string& why);
   void come_to_rest();
   void hold();
   void tell_orders();
+  bool is_flown(functional::TaskId task) const;
   bool comes_after_aside(const functional::Request& request) const;
   bool is_to_come_back(const functional::Request& request) const;
   Airways way_to(const world::Vector3& place, const AirwaySituation& from) const;

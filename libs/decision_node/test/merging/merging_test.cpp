@@ -132,6 +132,34 @@ TEST(Merging, WhatWaitsIsInterruptedBeforeItBegins) {
 }
 
 // The later in the roster moves aside; both come to where they were sent.
+// The ground station takes over what waits: it asks for it under the same id.
+TEST(Merging, WhatIsAskedForOnceMoreWhileItWaitsGoesOnWaiting) {
+  MergedTeam team({{"marvin", {0, 0, 40}}, {"heliv", {0, 0, 0}}}, 1);
+  const functional::Parameters climb = takeoff_of(7, 40).task.parameters;
+  team.dispatch("heliv", 7, "takeoff", climb);
+  team.run(5);
+  team.dispatch("heliv", 7, "takeoff", climb);
+  team.run(5);
+  for (const functional::Status& status : team.passed_on("heliv"))
+    EXPECT_EQ(status.state, functional::TaskState::kStarted) << status.reason;
+  EXPECT_THAT(team.passed_on("heliv"), SizeIs(1));
+
+  team.dispatch("marvin", 3, "goto", goto_of(3, {0, 200, 40}).task.parameters);
+  team.run(60);
+  EXPECT_THAT(team.begun("heliv"), ElementsAre(7U));
+}
+
+TEST(Merging, WhatIsAskedForOnceMoreWhileItIsFlownIsTheVehiclesToAnswer) {
+  MergedTeam team({{"marvin", {0, 300, 40}}, {"heliv", {0, 0, 40}}}, 1);
+  const functional::Parameters way = goto_of(7, {100, 0, 40}).task.parameters;
+  team.dispatch("heliv", 7, "goto", way);
+  team.run(3);
+  team.dispatch("heliv", 7, "goto", way);
+  team.run(60);
+  EXPECT_THAT(team.begun("heliv"), ElementsAre(7U, 7U));
+  EXPECT_EQ(team.passed_on("heliv").back().state, functional::TaskState::kEnded);
+}
+
 TEST(Merging, TwoThatAreToChangePlacesDoSo) {
   MergedTeam team = opposite();
   give_sweep(team, "marvin", goto_of(7, {100, 0, 40}));

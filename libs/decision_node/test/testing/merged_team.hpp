@@ -84,6 +84,13 @@ class MergedTeam {
     give(uav, Command{{1, ++commands_}, std::move(request)});
   }
 
+  /// Of the ground station, in the place of the UAV's executive: at degree 1.
+  void dispatch(const std::string& uav, std::uint64_t id, const std::string& type,
+                functional::Parameters parameters) {
+    const functional::TaskId task{id};
+    give(uav, ElementaryRequest{{functional::Verb::kDispatch, task, type, std::move(parameters)}});
+  }
+
   /// In tenths of seconds.
   void run(double seconds) {
     for (int i = 0; i < static_cast<int>(seconds * 10 + 0.5); ++i) {
@@ -111,6 +118,8 @@ class MergedTeam {
     return uavs_[uav].over.contains(task);
   }
   std::vector<AirNoted> notes(const std::string& uav) { return uavs_[uav].notes; }
+  /// What the ground station was told of its tasks.
+  std::vector<functional::Status> passed_on(const std::string& uav) { return uavs_[uav].passed; }
   std::vector<executive::TaskEvent> events(const std::string& uav) { return uavs_[uav].events; }
   const world::VehicleState& state(const std::string& uav) { return uavs_[uav].state; }
   double highest(const std::string& uav) { return uavs_[uav].highest; }
@@ -126,6 +135,7 @@ class MergedTeam {
     std::set<std::uint64_t> over;
     std::vector<AirNoted> notes;
     std::vector<executive::TaskEvent> events;
+    std::vector<functional::Status> passed;
     double highest = 0;
   };
 
@@ -143,6 +153,8 @@ class MergedTeam {
         radio_.emplace_back(send->to, MergeTold{name, send->message});
       if (const auto* to = std::get_if<ToVehicle>(&effect)) take(uav, to->request);
       if (const auto* note = std::get_if<AirNoted>(&effect)) uav.notes.push_back(*note);
+      if (const auto* status = std::get_if<StatusPassedOn>(&effect))
+        uav.passed.push_back(status->status);
       if (const auto* task = std::get_if<TaskChanged>(&effect)) {
         uav.events.push_back(task->event);
         if (is_terminal(task->event.state)) uav.over.insert(task->event.id.value());

@@ -49,6 +49,24 @@ bool JointHistory::up(const std::string& from, const std::string& to, double sin
   return steady(from, to, since, until) == true;
 }
 
+double JointHistory::up_for(const std::string& from, const std::string& to, double since,
+                            double until) const {
+  double total = 0, last = since;
+  bool up = true;
+  const auto go_on = [&](double at) {
+    if (up) total += std::max(0.0, at - last);
+    last = std::max(last, at);
+  };
+  for (const LinkTold& one : links) {
+    if (one.at > until) break;
+    if (one.from != from || one.to != to) continue;
+    go_on(one.at);
+    up = one.up;
+  }
+  go_on(until);
+  return total;
+}
+
 bool JointHistory::see(const journal::Record& record) {
   namespace lines = journal::lines;
   return journal::hand_on<lines::Link, lines::Joint, lines::Role, lines::RoleTask,

@@ -101,6 +101,8 @@ struct JointHistory {
   double last_up(const std::string& from, const std::string& to, double at) const;
   /// It was up from the one to the other for all of it.
   bool up(const std::string& from, const std::string& to, double since, double until) const;
+  /// For how much of that time it was up from the one to the other [s].
+  double up_for(const std::string& from, const std::string& to, double since, double until) const;
 
  private:
   JointTold* of(const std::string& uav, const std::string& joint);

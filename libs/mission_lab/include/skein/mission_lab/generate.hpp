@@ -55,5 +55,10 @@ Mission generate_relays(std::uint64_t seed, const Kinds& kinds);
 /// fronts, which the ground station follows, map and search the ground around, and two of them may
 /// watch a front jointly. Of the kinds, joint, alarms, radio, faults and deaths count.
 Mission generate_fires(std::uint64_t seed, const Kinds& kinds);
+/// All of it at once: three to seven vehicles in the air and on the ground, some at degree 5 with a
+/// global mission, the others at 4 with missions of their own, meetings and joint tasks, over fires
+/// that spread, past relays, with ways that are merged or not, while operators take vehicles in
+/// hand. All kinds but questions count.
+Mission generate_mixed(std::uint64_t seed, const Kinds& kinds);
 
 }  // namespace skein::mission_lab

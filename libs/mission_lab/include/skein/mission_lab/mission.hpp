@@ -34,6 +34,7 @@ struct Member {
   double altitude = 40;
   int first_id = 100;
   std::string folder = "comets";  ///< of scenarios/, in which its model is
+  int degree = 0;                 ///< 0: 5 in a mission with a global one, 4 in others
 };
 
 struct Mission {
@@ -48,10 +49,13 @@ struct Mission {
   std::vector<std::string> cuts;    ///< "{between: [...], from: 300, until: 330}"
   std::vector<std::string> relays;  ///< who passes on what is for others
   double latency = 0.02;            ///< of every link [s]
+  double loss = 0;                  ///< of samples of streams, [0, 1)
+  double range = 3000;              ///< of the radio [m]
   std::vector<Step> steps;
   std::vector<std::string> faults;
   /// Tasks of one global mission, at degree 5: "{id: 11, task: [perceive, P1, 20]}".
   std::vector<std::string> global;
+  std::vector<std::string> bidders;   ///< who shares it out; empty: everybody
   std::string separation;             ///< "{merge: true}"; empty: nobody asks for it
   std::string consistency = "dip-m";  ///< by which UAVs know when others come to meet them
   int shared_pads = 0;                ///< UAVs that start a few metres beside another
