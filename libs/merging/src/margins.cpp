@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kStretch = 50;   // [m]
 constexpr double kLongest = 1e6;  // [m] between two way-points
+constexpr double kTurns = 4;      // turn radii: half of it is room for a turn to a point
 constexpr double kCarried = 2;    // [m] off the line, that wind may carry for fewer way-points
 constexpr double kMargin = 1.5;   // [m] for what is overshot
 
@@ -62,13 +63,14 @@ Margins margins_of(const world::VehicleModel& model, const world::Wind& wind, do
     margins.way = std::max(reached, carried_at_bends(model, speed)) +
                   carried_by_wind(drift, speed, margins.steered) + margins.hold;
   } else {
+    margins.steered = std::max(kStretch, kTurns * model.min_turn_radius);
     const double circle = model.orbit_radius + 2 * drift;
     margins.settled = circle + wavers;
     // It comes off its circle when it rises, and circles elsewhere when it is stopped.
     const double rising = reached + model.min_turn_radius;
     margins.hold = 1.6 * circle + wavers + share.level + rising;
-    margins.way = 1.1 * circle + 3 * model.min_turn_radius + carried_by_wind(drift, speed) +
-                  wavers + reached + share.level;
+    margins.way = 1.1 * circle + 3 * model.min_turn_radius +
+                  carried_by_wind(drift, speed, margins.steered) + wavers + reached + share.level;
   }
   return margins;
 }

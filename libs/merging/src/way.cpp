@@ -85,7 +85,9 @@ Way::Way(const std::vector<Vector3>& points, const Margins& margins)
   const std::size_t narrow = leaves_narrowly(corners, margins);
   points_ = stretched(corners, margins.stretch);
   const bool steered = margins.steered > margins.stretch;
-  way_points_ = steered ? steered_along(points, margins) : points_;
+  way_points_ = !hovers_  ? stretched(points, margins.steered)
+                : steered ? steered_along(points, margins)
+                          : points_;
   bool rises = true;  // from where it rests
   for (std::size_t i = 1; i < points_.size(); ++i) {
     const Vector3 &from = points_[i - 1], &to = points_[i];

@@ -54,6 +54,20 @@ TEST(Way, BesideASlopeHasThemInAnyWind) {
             (std::vector<Vector3>{{0, 0, 40}, up, {40, 0, 60}, {40, 0, 40}}));
 }
 
+// A point in between that lies inside the circle in which it turns is come back to.
+TEST(Way, OfOneThatCannotHoverHasNoWayPointsTooNearForItsTurns) {
+  world::VehicleModel blimp;
+  blimp.hovers = false;
+  blimp.min_turn_radius = 25;
+  blimp.orbit_radius = 40;
+  const Margins margins = margins_of(blimp, {}, 8);
+  const std::vector<Vector3> pattern{{0, 0, 40}, {55, 0, 40}, {55, 60, 40}, {0, 99, 60}};
+  EXPECT_EQ(Way(pattern, margins).way_points(), pattern);
+
+  const std::vector<Vector3> points = Way({{0, 0, 40}, {0, 110, 60}}, margins).way_points();
+  EXPECT_EQ(points, (std::vector<Vector3>{{0, 0, 40}, {0, 55, 50}, {0, 110, 60}}));
+}
+
 TEST(Way, IsLeftByNoMoreThanItTakesToHold) {
   const Way way({{0, 0, 40}, {120, 0, 40}}, kHovers);
   EXPECT_EQ(way.volumes()[0].radius, kHovers.hold);

@@ -20,7 +20,9 @@ struct Margins {
   double slope = 0;    ///< in height, where its way rises or falls
   double stretch = 0;  ///< longest piece [m] of a way, > 0: left one by one
   /// Longest way [m] without a way-point, at least `stretch`: wind carries it off. A helicopter
-  /// slows at each, while it holds its height.
+  /// slows at each, while it holds its height; one that cannot hover circles a point that is too
+  /// near to the last for its turns, so a way gets none in between where less than half of this is
+  /// left.
   double steered = 0;
 };
 
