@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "skein/assembly/assembly.hpp"
+#include "skein/foundation/nearest.hpp"
 #include "skein/laws/healing.hpp"
 #include "skein/laws/laws.hpp"
 #include "skein/laws/protocol.hpp"
@@ -162,6 +163,26 @@ void judge(const std::function<bool(Case&)>& next, const JudgeOptions& options,
                       const Case one = std::move(cases.extract(number).mapped());
                       tell(one, verdict_of(outcome, options));
                     });
+}
+
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const auto& law : laws::all_laws()) names.push_back(law.name);
+  names.insert(names.end(), {"protocol", "healing", "crash", "hang", "same-bytes"});
+  return names;
+}
+
+std::string problem_of_laws(const std::vector<std::string>& names) {
+  const std::vector<std::string> known = law_names();
+  std::string problem;
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string nearest = nearest_name(name, known);
+    problem += "--law: there is no law '" + name + "'" +
+               (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") +
+               " (--laws lists them)\n";
+  }
+  return problem;
 }
 
 Verdict judge_one(const Case& one, const JudgeOptions& options) {

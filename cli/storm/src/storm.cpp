@@ -265,6 +265,10 @@ int storm(const StormOptions& options, std::ostream& out, std::ostream& err) {
     err << "--seeds: '" << options.seeds << "', expected A..B, as in 1..300\n";
     return kExitBadInput;
   }
+  if (const std::string problem = problem_of_laws(options.judge.only); !problem.empty()) {
+    err << problem;
+    return kExitBadInput;
+  }
   return Storm(options, out, err).run();
 }
 

@@ -111,6 +111,16 @@ TEST(Storm, SaysWhatIsWrongWithItsInput) {
   EXPECT_THAT(run(options).err, HasSubstr("--models"));
 }
 
+// A law that nobody knows would never be broken.
+TEST(Storm, KnowsTheLawsThatItIsAskedToJudgeBy) {
+  StormOptions options = karma("1..1");
+  options.judge.only = {"enrgy", "reached"};
+  EXPECT_EQ(run(options).code, kExitBadInput);
+  EXPECT_THAT(run(options).err, HasSubstr("no law 'enrgy'; did you mean 'energy'?"));
+  options.judge.only = {"reached", "same-bytes"};
+  EXPECT_EQ(run(options).code, kExitOk);
+}
+
 TEST(Storm, ListsTheLaws) {
   StormOptions options;
   options.list_laws = true;

@@ -170,7 +170,8 @@ int run_files(const Options& options) {
 
 void declare(CLI::App& app, Options& options) {
   app.add_option("--seeds", options.seeds, "A..B: one mission each");
-  app.add_option("--law", options.judge.only, "only these laws (crash is one)");
+  app.add_option("--law", options.judge.only, "only this law (crash is one); may be repeated")
+      ->allow_extra_args(false);
   app.add_flag("--clean", options.clean, "missions in which nothing goes wrong");
   app.add_flag("--deaths", options.deaths,
                "daemons die in them, up to three times, and come back with what they knew");
@@ -231,6 +232,10 @@ int command(int argc, char** argv) {
   if (options.laws) {
     for (const auto& law : laws::all_laws()) std::cout << law.name << ": " << law.says << '\n';
     return kExitOk;
+  }
+  if (const auto problem = storm_tool::problem_of_laws(options.judge.only); !problem.empty()) {
+    std::cerr << problem;
+    return kExitBadInput;
   }
   if (!options.files.empty()) return run_files(options);
   const auto seeds = workers::seeds_of(options.seeds);

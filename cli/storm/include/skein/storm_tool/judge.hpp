@@ -36,6 +36,11 @@ struct JudgeOptions {
   std::string log = {};  ///< folder in which each event log is kept as NAME.jsonl; none if empty
 };
 
+/// The names of all laws that a mission is judged by.
+std::vector<std::string> law_names();
+/// What is wrong with names of laws, with the nearest there is; empty: nothing.
+std::string problem_of_laws(const std::vector<std::string>& names);
+
 /// The laws of truth (laws/laws.hpp), and "protocol" (laws/protocol.hpp), "crash", "hang" and
 /// "same-bytes". A verdict by `tell` for each case, in the order in which they are done. A process
 /// that dies or takes too long breaks the law "crash" or "hang". `next` gives the next case, false
