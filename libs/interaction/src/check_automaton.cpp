@@ -101,13 +101,16 @@ class AutomatonChecker {
   // --- ways out of loops
   // ---------------------------------------------------------------------------
 
+  // What comes only after it is over does not end it.
   void check_way_out(ComponelIndex index) {
     if (automaton_[index].block()->type != BlockType::kLoop) return;
-    if (has_exit(index)) return;
+    const Possibilities before(automaton_, index);
+    if (has_exit(index, before)) return;
     ComponelIndex inner = index;
     while (inner != 0) {
       const ComponelIndex outer = automaton_[inner].parent;
-      if (is_ended_beside(inner) || (has_exit(outer) && !is_interruption(outer))) return;
+      if (is_ended_beside(inner, before)) return;
+      if (has_exit(outer, before) && !is_interruption(outer)) return;
       inner = outer;
     }
     report(index, "exit", "the loop '" + automaton_[index].id + "' has no way out",
@@ -115,12 +118,12 @@ class AutomatonChecker {
   }
 
   // Of effect exit, and possible.
-  bool has_exit(ComponelIndex index) const {
+  static bool has_exit(ComponelIndex index, const Possibilities& possible) {
     const Watch where{index, Side::kExit};
-    if (!possible_.may_hold(where)) return false;
-    for (const Clause& clause : possible_.formula(where)) {
+    if (!possible.may_hold(where)) return false;
+    for (const Clause& clause : possible.formula(where)) {
       for (const Literal& literal : clause) {
-        if (literal.effect == ExitEffect::kExit && possible_.may_hold(literal, where)) return true;
+        if (literal.effect == ExitEffect::kExit && possible.may_hold(literal, where)) return true;
       }
     }
     return false;
@@ -137,26 +140,13 @@ class AutomatonChecker {
   }
 
   // The end of another block of the same content interrupts it.
-  bool is_ended_beside(ComponelIndex index) const {
+  bool is_ended_beside(ComponelIndex index, const Possibilities& possible) const {
     const auto& content = automaton_[automaton_[index].parent].block()->content;
     return std::any_of(content.begin(), content.end(), [&](ComponelIndex one) {
       const Block* block = automaton_[one].block();
       return one != index && block != nullptr && block->end == EndMode::kImmediate &&
-             possible_.reaches(one, AskedState::kEnded) && !waits_for_end(*block, index);
+             possible.reaches(one, AskedState::kEnded);
     });
-  }
-
-  // It is activated only once that one is over.
-  static bool waits_for_end(const Block& block, ComponelIndex index) {
-    const auto is_its_end = [&](const Literal& literal) {
-      const auto* is = std::get_if<ComponelIs>(&literal.condition);
-      return is != nullptr && is->componel == index && !literal.negated &&
-             (is->state == AskedState::kOver || is->state == AskedState::kAborted);
-    };
-    return std::any_of(block.precondition.begin(), block.precondition.end(),
-                       [&](const Clause& clause) {
-                         return std::all_of(clause.begin(), clause.end(), is_its_end);
-                       });
   }
 
   const Automaton& automaton_;

@@ -5,8 +5,9 @@
 
 namespace skein::interaction {
 
-Possibilities::Possibilities(const Automaton& automaton)
-    : automaton_(automaton), reached_(automaton.size()) {
+Possibilities::Possibilities(const Automaton& automaton, std::optional<ComponelIndex> staying)
+    : automaton_(automaton), reached_(automaton.size()), stays_(automaton.size(), false) {
+  if (staying) note_staying(*staying);
   while (grow()) {
   }
 }
@@ -99,7 +100,19 @@ bool Possibilities::contradicts_itself(const Formula& formula) const {
   return false;
 }
 
+// What is inside a loop is left, too, where that begins anew.
+void Possibilities::note_staying(ComponelIndex block) {
+  std::vector<ComponelIndex> around{block};
+  while (around.back() != 0) around.push_back(automaton_[around.back()].parent);
+  for (auto one = around.rbegin(); one != around.rend(); ++one) {
+    stays_[*one] = true;
+    if (automaton_[*one].block()->type == BlockType::kLoop) break;
+  }
+}
+
 bool Possibilities::reach(ComponelIndex componel, AskedState state) {
+  const bool is_there = state == AskedState::kScheduled || state == AskedState::kRunning;
+  if (stays_[componel] && !is_there) return false;
   bool& reached = reached_[componel][static_cast<std::size_t>(state)];
   if (reached) return false;
   reached = true;

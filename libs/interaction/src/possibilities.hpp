@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,9 @@ namespace skein::interaction {
 /// Over-approximates: what is impossible here is impossible.
 class Possibilities {
  public:
-  explicit Possibilities(const Automaton& automaton);
+  /// With `staying`, a block: before it, or one around it, is left.
+  explicit Possibilities(const Automaton& automaton,
+                         std::optional<ComponelIndex> staying = std::nullopt);
 
   bool reaches(ComponelIndex componel, AskedState state) const {
     return reached_[componel][static_cast<std::size_t>(state)];
@@ -32,10 +35,12 @@ class Possibilities {
   bool grow_block(ComponelIndex index);
   bool may_end(ComponelIndex plan) const;
   bool may_be_over(ComponelIndex block) const;
+  void note_staying(ComponelIndex block);
   bool reach(ComponelIndex componel, AskedState state);
 
   const Automaton& automaton_;
   std::vector<std::array<bool, 6>> reached_;
+  std::vector<bool> stays_;  ///< of each componel: it is not left
 };
 
 }  // namespace skein::interaction

@@ -125,6 +125,38 @@ TEST(CheckAutomaton, ABlockThatWaitsForTheEndOfALoopDoesNotEndIt) {
             "");
 }
 
+TEST(CheckAutomaton, AnExitThatWaitsForWhatComesAfterTheLoopIsNoWayOut) {
+  const auto with_exit = [](const std::string& exit, const std::string& waits_for) {
+    return "block: b\ncontent:\n  - {block: c, type: loop, exit: [[" + exit +
+           "]], content: [{task: t, type: goto}]}\n"
+           "  - {block: d, pre: [[{componel: c, state: over}" +
+           waits_for +
+           "]], content: [{task: u, type: goto}, {block: f, content: [{task: v, type: goto}]}]}\n"
+           "  - {block: e, pre: [[{componel: u, state: ended}]], content: [{task: w, type: goto}]}";
+  };
+  const std::string problem = "content[0].exit: the loop 'c' has no way out";
+
+  EXPECT_THAT(problems_in(with_exit("{componel: d, state: ended}", "")), HasSubstr(problem));
+  EXPECT_THAT(problems_in(with_exit("{componel: v, state: running}", "")), HasSubstr(problem));
+  EXPECT_THAT(problems_in(with_exit("{componel: e, state: running}", "")), HasSubstr(problem))
+      << "in a roundabout way";
+  EXPECT_THAT(problems_in(with_exit("{time: 5, since: \"u:running\", is: passed}", "")),
+              HasSubstr(problem));
+  EXPECT_EQ(problems_in(with_exit("{componel: d, state: ended}", ", {message: m}")), "");
+}
+
+TEST(CheckAutomaton, ALoopInALoopThatBeginsAnewIsLeftByThat) {
+  EXPECT_EQ(
+      problems_in(
+          "block: b\ncontent:\n"
+          "  - block: c\n    type: loop\n    exit: [[{componel: d, state: ended}]]\n"
+          "    content:\n"
+          "      - {block: f, type: loop, content: [{task: t, type: goto}]}\n"
+          "      - {block: g, end: immediate, content: [{task: u, type: goto}]}\n"
+          "  - {block: d, pre: [[{componel: f, state: over}]], content: [{task: v, type: goto}]}"),
+      "");
+}
+
 TEST(CheckAutomaton, AnExitThatOnlyContinuesIsNoWayOut) {
   EXPECT_THAT(
       problems_in("{block: b, type: loop, exit: [[{message: m, effect: continue}]], content: "
