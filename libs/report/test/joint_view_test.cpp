@@ -88,6 +88,20 @@ TEST(JointStory, AViolationEndsWithWhatWatchesIt) {
   EXPECT_EQ(violations[0].span, (Span{30, 33})) << "the new role does not watch mcs2";
 }
 
+TEST(JointStory, AViolationEndsWithTheJointTaskEvenIfThatStillNamesIt) {
+  const auto read = salvage(
+      R"({"at":0,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,0],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
+{"at":10,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"model":"watch","variant":"v1","phase":"running","role":"perceive","blocks":"b12"}
+{"at":30,"node":"uav1","kind":"scm","uav":"uav1","joint":"watch(P1) of uav1, uav2","role":"perceive","scm":"mcs1","state":"violated","place":"uav2","relation":">","measured":18,"required":20}
+{"at":33,"node":"uav1","kind":"joint","uav":"uav1","joint":"watch(P1) of uav1, uav2","task":2,"model":"watch","variant":"v1","phase":"ended","role":"perceive","violated":"mcs1"}
+{"at":90,"node":"sim","kind":"telemetry","uav":"uav1","position":[0,0,0],"velocity":[0,0,0],"heading":0,"energy":1,"airborne":true}
+)");
+  const auto violations = tell_joint_tasks(read.journal, tell({}, read.journal)).violations;
+
+  ASSERT_EQ(violations.size(), 1U);
+  EXPECT_EQ(violations[0].span, (Span{30, 33}));
+}
+
 TEST_F(JointView, ASessionHasItsMembersStepsAndMessages) {
   const std::vector<SessionStory> sessions = told().sessions;
 
@@ -146,6 +160,14 @@ TEST_F(JointView, TheMapShowsPartsPlacesAndWhereAConstraintWasViolated) {
   EXPECT_EQ(count(map, "under mcs1 mcs2"), 1U);
   // From (30, 0) to (34, 0) at two pixels a metre.
   EXPECT_EQ(count(map, "class=\"violated-stretch\" d=\"M260 200L268 200"), 1U) << map;
+}
+
+TEST_F(JointView, TheLegendOfTheMapSaysWhatIsDrawnOfJointTasks) {
+  const std::string legend = written(write_map_legend);
+
+  EXPECT_EQ(count(legend, "constraint violated"), 1U);
+  EXPECT_EQ(count(legend, "place of a role"), 1U);
+  EXPECT_EQ(count(legend, "part of a shared area"), 1U);
 }
 
 TEST_F(JointView, WithoutJointTasksThereIsNothing) {

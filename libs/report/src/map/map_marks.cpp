@@ -272,6 +272,20 @@ void write_legend_entry(Markup& out, std::string_view icon, std::string_view tex
   out.text(text).close();
 }
 
+/// Of joint tasks: what there is of them.
+void write_joint_legend(Markup& out, const Run& run) {
+  const auto& journal = run.journal;
+  if (!journal.scms.empty())
+    write_legend_entry(out, "<path class='violated-stretch' d='M-9 0H9'/>", "constraint violated");
+  if (!journal.places.empty())
+    write_legend_entry(out, "<path class='role-place u0' d='M0 -6L6 0L0 6L-6 0Z'/>",
+                       "place of a role");
+  const auto shares = [](const auto& one) { return one.line.modality == "area-sharing"; };
+  if (std::any_of(journal.negotiations.begin(), journal.negotiations.end(), shares))
+    write_legend_entry(out, "<path class='part u0' d='M-10 5L-6 -6L9 -4L10 6Z'/>",
+                       "part of a shared area");
+}
+
 }  // namespace
 
 std::optional<NearestObject> nearest_object(const Chronology& story, const AlarmStory& alarm) {
@@ -344,6 +358,7 @@ void write_map_legend(Markup& out, const Run& run) {
         out, "<path class='followed' d='M-11 0H6'/><circle class='followed' cx='8' r='4'/>",
         "object as followed");
   }
+  write_joint_legend(out, run);
   if (!run.journal.air.empty()) {
     write_legend_entry(out,
                        "<g class='reserved now u0'><line x1='-4' x2='4' stroke-width='14'/></g>",

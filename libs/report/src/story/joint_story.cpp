@@ -27,7 +27,7 @@ class Teller {
   void see_joint(double t, const lines::Joint& line) {
     const std::string phase = line.phase;
     const std::pair<std::string, std::string> key{line.uav, line.joint};
-    end_violations(key, line.violated, t);
+    end_violations(key, is_over(phase) ? std::string() : std::string(line.violated), t);
     auto open = open_joints_.find(key);
     if (open == open_joints_.end() && is_over(phase)) return;
     if (open == open_joints_.end()) {
@@ -108,7 +108,7 @@ class Teller {
 
  private:
   // What a joint task no longer names is not watched any more: its block is over, or the role has
-  // changed.
+  // changed. When it is over nothing is.
   void end_violations(const std::pair<std::string, std::string>& joint, const std::string& violated,
                       double at) {
     std::istringstream words(violated);

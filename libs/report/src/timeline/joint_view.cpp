@@ -200,7 +200,7 @@ void write_diagram(Markup& out, const SessionStory& session) {
   const double width = kFirst + kColumn * static_cast<double>(session.members.size());
   out.open("svg", {{"class", "sequence"},
                    {"viewBox", "0 0 " + short_number(width) + " " + short_number(height)},
-                   {"width", width},
+                   {"style", "width:" + short_number(width) + "px"},
                    {"role", "img"},
                    {"aria-label", "Messages of a negotiation from above downwards"}});
   for (const std::string& uav : session.members) {
