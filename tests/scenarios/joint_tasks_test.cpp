@@ -64,6 +64,20 @@ INSTANTIATE_TEST_SUITE_P(Degree5, Teamwork,
                          ::testing::Values("team/two", "team/five", "team/comets", "team/mixed"),
                          name_of);
 
+// Nobody has the energy for its mission, so nobody goes.
+TEST(MissionsOfTheReferenceExample, ThatAreRefusedAtOnceAreNotWaitedFor) {
+  for (const char* name : {"mref/nominal", "mref/very-large-move", "mref/relay-lost"}) {
+    scenario::Scenario scenario = scenario_at(name, with(1));
+    for (scenario::UavSpec& uav : scenario.uavs) uav.model.energy.capacity = 100;
+
+    const Mission mission = play(scenario);
+
+    EXPECT_EQ(mission.count({{"kind", "answer"}, {"planned", "false"}}), 2U) << name;
+    EXPECT_EQ(mission.end, End::kFinished) << name;
+    EXPECT_LT(mission.records.back().at(), MissionTime::seconds(60)) << name;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(WaysThatCross, Teamwork, ::testing::Values("team/crossing"), name_of);
 
 }  // namespace
