@@ -27,6 +27,12 @@ std::string without_indices(const std::string& field) {
   return kind;
 }
 
+/// 1, 10, 100, …
+bool is_power_of_ten(std::uint64_t number) {
+  while (number > 0 && number % 10 == 0) number /= 10;
+  return number == 1;
+}
+
 /// After its last instant that an event has expired.
 constexpr Duration kTold = Duration::milliseconds(1);
 
@@ -65,8 +71,7 @@ Blackboard::Impl::Impl(Config config, Transport& transport)
   SKEIN_EXPECTS(config_.incarnation > 0);
   SKEIN_EXPECTS(config_.heartbeat_period > Duration{});
   SKEIN_EXPECTS(config_.retransmission > Duration{});
-  if (!config_.relaying.relays.empty())
-    router_.emplace(config_.self, config_.relaying.relays, config_.heartbeat_period);
+  if (!config_.relaying.relays.empty()) forwarding_.emplace(config_);
 }
 
 Result<void, Failure> Blackboard::Impl::open() {
@@ -77,9 +82,6 @@ Result<void, Failure> Blackboard::Impl::open() {
     const auto found = peers_.find(channel.from);
     senders_.push_back(found == peers_.end() ? nullptr : &found->second);
   }
-  for (auto& [number, peer] : peers_)
-    if (peer.channels().kind == ChannelKind::kRadio) radio_peers_.push_back(&peer);
-  std::ranges::sort(radio_peers_, {}, [](const Peer* peer) { return peer->channels().number; });
   return transport_.open({config_.self, config_.channels, config_.world_reads});
 }
 
@@ -161,7 +163,7 @@ void Blackboard::Impl::address(wire::Sample& event, const Peer& peer, MissionTim
 
 void Blackboard::Impl::write_due_events(Peer& peer, Now now) {
   const NodeNumber to = peer.channels().number;
-  if (router_ && router_->is_relayed(to)) {
+  if (is_relayed(to)) {
     for (const wire::Sample* event : peer.take_due_events(now)) send_on(to, *event, now);
     write_parts(peer, now);
   } else if (peer.limited() != nullptr) {
@@ -298,7 +300,7 @@ std::optional<Duration> Blackboard::Impl::next_wakeup() const {
   };
   sooner(agenda_.next_due());
   sooner(connections_.next_due());
-  if (router_) sooner(router_->next_wakeup());
+  if (forwarding_) sooner(forwarding_->next_wakeup());
   return next;
 }
 
@@ -337,15 +339,19 @@ void Blackboard::Impl::admit(std::size_t channel, wire::Sample&& sample, Now now
   const bool world = config.kind == ChannelKind::kWorld;
   if (!violation && !world) {
     violation =
-        routing::path_violation({config_, peers_, router_.has_value()}, config, slot, header);
+        routing::path_violation({config_, peers_, forwarding_.has_value()}, config, slot, header);
   }
   if (violation) {
     refuse(slot, header, *violation);
     return refuse_event(channel, slot, header, now);
   }
   if (is_back(slot, header, config_.self)) return;
-  if (header.destination != 0 && header.destination != config_.self.value())
-    return pass_on(config, std::move(sample), now);
+  if (header.destination != 0 && header.destination != config_.self.value()) {
+    if (!forwarding_) return;
+    if (auto next = forwarding_->pass_on(config, std::move(sample)))
+      hand_to(peers_.at(next->hop), std::move(next->sample), now);
+    return;
+  }
   latest_heard_ = std::max(latest_heard_, MissionTime::nanoseconds(header.mission_time));
   if (world) {
     if (freshness_.admit(slot, header))
@@ -371,22 +377,28 @@ void Blackboard::Impl::admit_from_peer(std::size_t channel, wire::Sample&& sampl
     compare_lives(peer, *heartbeat, now);
   if (!freshness_.admit(slot, header)) return;
   if (const auto* heartbeat = std::get_if<wire::Heartbeat>(&sample)) {
-    if (router_ && header.via.empty() && over.kind == ChannelKind::kRadio)
-      router_->on_heartbeat(over.from, now.steady);
+    if (forwarding_ && header.via.empty() && over.kind == ChannelKind::kRadio)
+      forwarding_->on_heartbeat(over.from, now.steady);
     peer.on_heartbeat(*heartbeat, now, out_);
     return hear(peer);
   }
   if (const auto* part = std::get_if<wire::Part>(&sample)) return admit_part(peer, *part, now);
-  if (auto* report = std::get_if<wire::Neighbours>(&sample)) return learn(std::move(*report), now);
+  if (auto* report = std::get_if<wire::Neighbours>(&sample)) {
+    if (forwarding_) hand_all(forwarding_->learn(std::move(*report)), now);
+    return;
+  }
   out_.emplace_back(Received{NodeNumber(header.origin), peer.channels().kind, std::move(sample)});
 }
 
 void Blackboard::Impl::refuse(wire::Slot slot, const wire::SampleHeader& header,
                               const wire::Violation& violation) {
   const NodeNumber origin(header.origin);
-  const bool first = drops_seen_.size() < kDropKinds &&
-                     drops_seen_.emplace(slot, origin, without_indices(violation.field)).second;
-  out_.emplace_back(Dropped{slot, origin, violation.field, violation.why, first});
+  const DropKey kind{slot, origin, without_indices(violation.field)};
+  const bool known = drops_.size() < kDropKinds || drops_.contains(kind);
+  const std::uint64_t times = known ? ++drops_[kind] : 0;
+  const bool told = is_power_of_ten(times);
+  const std::string count = told && times > 1 ? " (" + std::to_string(times) + " times)" : "";
+  out_.emplace_back(Dropped{slot, origin, violation.field, violation.why + count, told});
 }
 
 /// A malformed event still has its place in the sequence: what follows it must not wait.

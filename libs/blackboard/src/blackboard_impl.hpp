@@ -14,8 +14,7 @@
 #include "delays.hpp"
 #include "freshness.hpp"
 #include "peer.hpp"
-#include "routing/passed_on.hpp"
-#include "routing/router.hpp"
+#include "routing/forwarding.hpp"
 #include "skein/blackboard/blackboard.hpp"
 #include "skein/foundation/random.hpp"
 
@@ -78,24 +77,19 @@ class Blackboard::Impl {
   void become(Peer& peer, std::uint64_t incarnation, Now now);
   std::uint64_t incarnation_for(NodeNumber to) const;
 
-  // Relaying (blackboard_relaying.cpp).
+  // What goes past relays, where there are some (blackboard_relaying.cpp).
 
-  /// To whom what is for a peer goes next; null: nobody has a channel for it.
-  Peer* hop_to(NodeNumber to, wire::Slot slot);
+  bool is_relayed(NodeNumber to) const { return forwarding_ && forwarding_->is_relayed(to); }
   /// Writes it on the channel to that peer, or lets it wait there for its turn.
   void hand_to(Peer& hop, wire::Sample sample, Now now);
+  void hand_all(std::vector<routing::Handed> handed, Now now);
+  /// Precondition: there are relays.
   void send_on(NodeNumber to, wire::Sample sample, Now now);
   void send_past_relays(wire::Heartbeat heartbeat, Now now);
   void send_value(Peer& peer, wire::Sample sample, Now now);
-  void pass_on(const ChannelConfig& from, wire::Sample sample, Now now);
-  void learn(wire::Neighbours report, Now now);
-  void remind(NodeNumber peer, Now now);
-  /// To every radio peer that it has not passed and does not come from.
-  void flood(const wire::Neighbours& report, Now now);
   /// Looks for better ways, and tells others what is new.
   void route(Now now);
   void take_way(const routing::WayChange& change, Now now);
-  void resend_states(const routing::WayChange& change, Now now);
 
   /// To be called after each change of a peer.
   void plan(const Peer& peer);
@@ -109,26 +103,22 @@ class Blackboard::Impl {
   Connections connections_;
   Random losses_;
   Peers peers_;
-  std::vector<Peer*> senders_;      ///< by channel; null where there is no peer
-  std::vector<Peer*> radio_peers_;  ///< in the order of their numbers
-  Agenda agenda_;                   ///< of the peers
-  std::vector<Peer*> heard_;        ///< since the last step began, some more than once
+  std::vector<Peer*> senders_;  ///< by channel; null where there is no peer
+  Agenda agenda_;               ///< of the peers
+  std::vector<Peer*> heard_;    ///< since the last step began, some more than once
   std::optional<std::size_t> world_;
   std::uint64_t sequence_;  ///< of states, streams and world events
   Freshness freshness_;
   Delays delayed_;
-  std::set<DropKey> drops_seen_;
+  std::map<DropKey, std::uint64_t> drops_;  ///< how often
   std::vector<Incoming> out_;
   MissionTime latest_heard_;
-  std::optional<routing::Router> router_;  ///< if there are relays
-  routing::PassedOn passed_on_;
+  std::optional<routing::Forwarding> forwarding_;  ///< if there are relays
   /// As last sent; if there are relays, or the incarnation is a guess. On the world channel: to
   /// kEverybody.
   std::map<OwnStateKey, wire::Sample> own_states_;
   std::uint64_t incarnation_;  ///< on the world channel, the greatest of those told
   std::set<NodeNumber> takers_for_older_;
-  std::map<NodeNumber, wire::Neighbours> reports_;  ///< by author, as passed on
-  std::map<NodeNumber, routing::Way> told_;         ///< the ways that are not direct
 };
 
 }  // namespace skein::blackboard

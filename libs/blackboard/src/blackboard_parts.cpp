@@ -27,7 +27,7 @@ void Blackboard::Impl::write_parts(Peer& peer, Now now) {
   const NodeNumber to = peer.channels().number;
   while (auto part = peer.take_part(now)) {
     stamp(part->header, to, ++sequence_, now);
-    if (router_ && router_->is_relayed(to)) {
+    if (is_relayed(to)) {
       send_on(to, std::move(*part), now);
     } else {
       write(peer.channels().outgoing, *part);
