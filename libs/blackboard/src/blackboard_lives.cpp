@@ -13,7 +13,12 @@ std::uint64_t Blackboard::Impl::incarnation_for(NodeNumber to) const {
 }
 
 void Blackboard::Impl::compare_lives(Peer& peer, const wire::Heartbeat& heartbeat, Now now) {
-  if (heartbeat.header.incarnation < peer.incarnation()) return peer.on_old_heartbeat();
+  if (heartbeat.header.incarnation < peer.incarnation()) {
+    if (peer.on_old_heartbeat())
+      refuse(wire::Slot::kHeartbeat, heartbeat.header,
+             {"header.incarnation", "is an older one while a later is heard: two have this name"});
+    return;
+  }
   const std::uint64_t heard = heartbeat.ack_incarnation;
   if (heard <= peer.self_incarnation()) return;
   constexpr std::uint64_t kLast = std::numeric_limits<std::uint64_t>::max();

@@ -3,6 +3,7 @@
 #include "peer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace skein::blackboard {
 namespace {
@@ -11,6 +12,9 @@ namespace {
 constexpr Duration kAcknowledgementDelay = Duration::milliseconds(10);
 /// On a limited channel, acknowledgements leave room for so many others between them.
 constexpr std::size_t kHeartbeatsBetween = 4;
+
+/// After one, an old heartbeat may only be late.
+constexpr int kRivalTurns = 3;
 
 /// A little less than the period: after three of them a peer counts as lost, and the third
 /// heartbeat, on its way a little longer than those before it, has to be there by then. Else two
@@ -114,6 +118,8 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
   const std::uint64_t incarnation = heartbeat.header.incarnation;
   if (incarnation < incarnation_) return;
   const bool restarted = incarnation_ != 0 && incarnation > incarnation_;
+  if (restarted) rival_turns_ = 0;
+  heard_latest_ = true;
   const bool is_heard = heartbeat.ack_incarnation == self_incarnation_;
   if (is_heard) {
     for (const std::uint64_t receipt : outgoing_.acknowledge(heartbeat.ack_sequence)) {
@@ -138,6 +144,12 @@ void Peer::on_heartbeat(const wire::Heartbeat& heartbeat, Now now, std::vector<I
   incoming_.on_heartbeat(heartbeat, out);
   incoming_.deliver(channels_.kind, now.mission, out);
   owe_acknowledgement(now.steady);
+}
+
+bool Peer::on_old_heartbeat() {
+  heard_old_ = true;
+  if (std::exchange(heard_latest_, false)) ++rival_turns_;
+  return rival_turns_ >= kRivalTurns;
 }
 
 void Peer::become(std::uint64_t incarnation, Duration now) {

@@ -49,8 +49,9 @@ class Peer {
   /// To the peer, which never heard it, this node is of this incarnation from now on.
   void become(std::uint64_t incarnation, Duration now);
   /// A heartbeat of an incarnation that is not the latest one: while the peer is silent otherwise
-  /// it is told so, since it may be a new life that does not know.
-  void on_old_heartbeat() { heard_old_ = true; }
+  /// it is told so, since it may be a new life that does not know. True: the two were heard by
+  /// turns, time and again, so both live.
+  bool on_old_heartbeat();
   const OutgoingEvents& outgoing() const { return outgoing_; }
   const OutgoingParts& outgoing_parts() const { return parts_out_; }
   /// Whether the event goes in parts; the same in every life.
@@ -145,6 +146,8 @@ class Peer {
   bool is_heard_ = false;          ///< by the peer, as it said last
   bool was_heard_ = false;         ///< at some time of this life
   bool heard_old_ = false;         ///< since the last heartbeat to it
+  bool heard_latest_ = false;      ///< of its latest life since one of an older
+  int rival_turns_ = 0;            ///< from the latest to an older one
   bool recalled_ = false;          ///< nothing was heard of it since this life began
   std::uint64_t incarnation_ = 0;  ///< of the peer; 0: never heard
   Duration last_heard_;

@@ -216,6 +216,77 @@ TEST_P(ForeignWriters, AnotherTypeUnderAKnownTopicIsNotHeardAndHarmsNobody) {
   EXPECT_THAT(degrees(), ElementsAre(3));
 }
 
+TEST_P(ForeignWriters, AnotherTypeUnderAKnownTopicIsNamedOnceForEachWriter) {
+  const auto wrong = writer(wire::Slot::kAutonomyDegree, wire::Slot::kTelemetry);
+  ASSERT_TRUE(run_until([&] { return reports<Dropped>().size() == 1; }));
+  const auto another = writer(wire::Slot::kAutonomyDegree, wire::Slot::kTelemetry);
+  ASSERT_TRUE(run_until([&] { return reports<Dropped>().size() == 2; }));
+
+  const auto dropped = reports<Dropped>();
+  EXPECT_EQ(dropped[0].slot, wire::Slot::kAutonomyDegree);
+  EXPECT_EQ(dropped[0].field, "type");
+  EXPECT_EQ(dropped[0].why, "is skein::idl::Telemetry, not skein::idl::AutonomyDegree");
+  EXPECT_TRUE(dropped[0].first);
+  EXPECT_FALSE(dropped[1].first);
+}
+
+TEST_P(ForeignWriters, WhatIsRefusedAgainAndAgainIsNamedTheTenthTimeWithTheCount) {
+  const auto marvin = writer(wire::Slot::kAutonomyDegree);
+  for (std::uint64_t i = 1; i <= 12; ++i) {
+    Bytes bytes = bytes_of(degree(i, 2));
+    bytes[1] = 7;  // XCDR2
+    ASSERT_TRUE(marvin->write(bytes));
+    ASSERT_TRUE(run_until([&] { return reports<Dropped>().size() == i; }));
+  }
+  std::vector<std::string> named;
+  for (const Dropped& one : reports<Dropped>())
+    if (one.first) named.push_back(one.why);
+  EXPECT_THAT(named, ElementsAre("not CDR version 1", "not CDR version 1 (10 times)"));
+}
+
+TEST_P(ForeignWriters, TwoWhoSpeakByTurnsInOneNameAreNamedOnce) {
+  const auto marvin = writer(wire::Slot::kHeartbeat);
+  const auto other = writer(wire::Slot::kHeartbeat);
+  std::uint64_t sequence = 0;
+  const auto beat = [&](ForeignWriter& by, std::uint64_t incarnation) {
+    auto heartbeat = said_by_marvin<wire::Heartbeat>(++sequence, incarnation);
+    heartbeat.header.destination = kGround.number.value();
+    by.write(bytes_of(heartbeat));
+  };
+  ASSERT_TRUE(run_until([&] {
+    beat(*marvin, 20);
+    beat(*other, 19);
+    return reports<Dropped>().size() > 3;
+  }));
+
+  const auto dropped = reports<Dropped>();
+  EXPECT_EQ(dropped[0].field, "header.incarnation");
+  EXPECT_EQ(dropped[0].origin, kMarvin.number);
+  EXPECT_TRUE(dropped[0].first);
+  EXPECT_FALSE(dropped[1].first);
+}
+
+// A node that starts again with a clock that was set back, say.
+TEST_P(ForeignWriters, AnOlderLifeAloneIsNotTakenForTwo) {
+  const auto marvin = writer(wire::Slot::kHeartbeat);
+  std::uint64_t sequence = 0;
+  const auto beat = [&](std::uint64_t incarnation) {
+    auto heartbeat = said_by_marvin<wire::Heartbeat>(++sequence, incarnation);
+    heartbeat.header.destination = kGround.number.value();
+    marvin->write(bytes_of(heartbeat));
+  };
+  ASSERT_TRUE(run_until([&] {
+    beat(20);
+    return !reports<Reachability>().empty();
+  }));
+  EXPECT_FALSE(run_until(
+      [&] {
+        beat(19);
+        return !reports<Dropped>().empty();
+      },
+      2));
+}
+
 TEST_P(ForeignWriters, OldStatesThatAreReplayedDoNotComeAfterNewOnes) {
   const auto marvin = writer(wire::Slot::kAutonomyDegree);
   const auto say = [&](const wire::AutonomyDegree& sample) {

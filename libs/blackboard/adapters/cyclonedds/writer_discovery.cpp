@@ -44,8 +44,9 @@ void WriterDiscovery::take_all(dds_entity_t reader) {
       const auto& writer = *static_cast<const dds_builtintopic_endpoint_t*>(samples[i]);
       const bool there = infos[i].valid_data && infos[i].instance_state == DDS_IST_ALIVE;
       const bool own = std::memcmp(writer.participant_key.v, own_.v, sizeof own_.v) == 0;
-      if (there && !own && writer.topic_name != nullptr)
-        awaited_.found(writer.topic_name, partitions_of(writer));
+      const bool named = writer.topic_name != nullptr && writer.type_name != nullptr;
+      if (there && !own && named)
+        awaited_.found(writer.topic_name, writer.type_name, partitions_of(writer));
     }
     dds_return_loan(reader, samples.data(), count);
   }

@@ -40,7 +40,8 @@ class Discovery final : public dds::DomainParticipantListener {
     using Info = frtps::WriterDiscoveryInfo;
     const bool own = found.info.guid().guidPrefix == participant->guid().guidPrefix;
     if (own || found.status == Info::REMOVED_WRITER) return;
-    awaited_.found(found.info.topicName().c_str(), found.info.m_qos.m_partition.names());
+    awaited_.found(found.info.topicName().c_str(), found.info.typeName().c_str(),
+                   found.info.m_qos.m_partition.names());
   }
 
   void on_participant_discovery(dds::DomainParticipant* /*participant*/,

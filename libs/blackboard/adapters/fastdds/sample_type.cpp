@@ -10,6 +10,7 @@
 #include <array>
 #include <string>
 
+#include "adapters/rtps/dds_type.hpp"
 #include "skein/blackboard/cdr.hpp"
 
 namespace skein::blackboard::fastdds {
@@ -32,7 +33,7 @@ const wire::SampleHeader& header_of(const Cargo& cargo) {
 }  // namespace
 
 SampleType::SampleType(wire::Slot slot) : slot_(slot) {
-  setName(("skein::idl::" + std::string(wire::slot_name(slot))).c_str());
+  setName(blackboard::rtps::dds_type_of(slot).c_str());
   m_typeSize = kTypicalSize;
   m_isGetKeyDefined = true;
   auto_fill_type_object(false);

@@ -2,21 +2,41 @@
 // Who begins to write what is read only then.
 #include "awaited_writers.hpp"
 
+#include <optional>
 #include <utility>
 
+#include "adapters/rtps/dds_type.hpp"
 #include "skein/blackboard/observer.hpp"
 
 namespace skein::blackboard::rtps {
 
 void AwaitedWriters::await(std::size_t channel, const LinkPlan& link) {
   const std::lock_guard lock(mutex_);
-  for (const wire::Slot slot : link.reads)
+  for (const wire::Slot slot : link.reads) {
+    readers_[slot].push_back({link.config.partition, channel});
     if (link.waits_to_read(slot)) waiting_[slot].push_back({link.config.partition, channel});
+  }
 }
 
-void AwaitedWriters::found(std::string_view topic, const std::vector<std::string>& partitions) {
+void AwaitedWriters::refuse(wire::Slot slot, std::string_view type,
+                            const std::vector<std::string>& partitions) {
+  std::optional<std::size_t> channel;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const Waiting& reader : readers_[slot])
+      if (!channel && partitions_meet(partitions, {reader.partition})) channel = reader.channel;
+  }
+  if (!channel) return;
+  std::string why = "is " + std::string(type) + ", not " + dds_type_of(slot);
+  mailbox_.put({*channel, Malformed{slot, {}, {"type", std::move(why)}}});
+  mailbox_.notify();
+}
+
+void AwaitedWriters::found(std::string_view topic, std::string_view type,
+                           const std::vector<std::string>& partitions) {
   const auto slot = wire::slot_from_name(topic);
   if (!slot) return;
+  if (type != dds_type_of(*slot)) return refuse(*slot, type, partitions);
   bool any = false;
   {
     const std::lock_guard lock(mutex_);

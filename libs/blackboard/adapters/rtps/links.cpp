@@ -18,9 +18,9 @@ void Links::plan(const TransportPlan& plan, const DdsConfig& config) {
   heartbeats_ = HeartbeatReader::of(plan, config);
   for (std::size_t i = 0; i < plan.channels.size(); ++i) {
     plans_.push_back(plan_link(plan, i, config));
+    awaited_.await(i, plans_.back());
     if (heartbeats_ && heartbeats_->covers(i))
       std::erase(plans_.back().reads, wire::Slot::kHeartbeat);
-    awaited_.await(i, plans_.back());
   }
   scouts_ = scouts_of(plans_, config);
 }

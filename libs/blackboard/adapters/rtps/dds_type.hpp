@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The DDS types of slots.
+#pragma once
+
+#include <string>
+
+#include "skein/blackboard/wire.hpp"
+
+namespace skein::blackboard::rtps {
+
+/// As idl/ names it: "skein::idl::Telemetry".
+inline std::string dds_type_of(wire::Slot slot) {
+  return "skein::idl::" + std::string(wire::slot_name(slot));
+}
+
+}  // namespace skein::blackboard::rtps
