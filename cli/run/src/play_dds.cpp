@@ -12,10 +12,12 @@
 #include <thread>
 #include <utility>
 
+#include "ears.hpp"
 #include "fleet.hpp"
+#include "roll_call.hpp"
 #include "skein/assembly/assembly.hpp"
-#include "skein/blackboard/dds_transport.hpp"
 #include "skein/blackboard/domain_lease.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/journal/lines/run.hpp"
 #include "skein/journal/lines/truth.hpp"
 #include "skein/node/mission_clock.hpp"
@@ -67,8 +69,8 @@ class DdsRun {
          Progress& progress)
       : progress_(progress),
         roster_(scenario_setup::roster_of(scenario)),
-        transport_(blackboard::make_dds_transport(
-            {domain, kRunner, network_of(scenario, options), {}, roster_.names()})),
+        ears_({domain, kRunner, network_of(scenario, options), {}, roster_.names()}, roster_,
+              [this] { waker_.notify(); }),
         fleet_(scenario, options, domain),
         rate_(scenario.rate),
         faults_(scenario.faults.kills) {
@@ -106,23 +108,16 @@ class DdsRun {
   };
 
   Result<void, Failure> open() {
-    transport_->on_arrival([this] { waker_.notify(); });
-    const node::Member& self = *roster_.find(kRunner);
-    blackboard::Config config;
-    config.self = self.number;
-    config.incarnation = static_cast<std::uint64_t>(node::Waker::steady_now().count());
-    config.channels = roster_.channels_of(self);
-    config.world_reads = roster_.world_reads_of(self.role);
-    auto board = blackboard::Blackboard::open(std::move(config), *transport_);
-    if (!board) return tl::unexpected(board.error());
-    board_.emplace(std::move(*board));
     started_ = heard_news_ = heard_clock_ = node::Waker::steady_now();
-    return {};
+    return ears_.open(now());
   }
 
   Result<void, Failure> start(const std::string& name) {
     const auto started = fleet_.start(name);
-    if (started) log(lines::Process{.name = name, .state = "started"});
+    if (started) {
+      log(lines::Process{.name = name, .state = "started"});
+      roll_call_.started(name, node::Waker::steady_now());
+    }
     return started;
   }
 
@@ -134,7 +129,7 @@ class DdsRun {
       if (clock_.phase() == wire::ClockPhase::kFinished) {
         return end(time_limit_ ? Played::End::kTimeLimit : Played::End::kFinished);
       }
-      if (look_at_processes(false) || look_at_time()) return;
+      if (look_at_processes(false) || look_at_time() || look_at_silent()) return;
       play_faults();
       progress_.show(now().mission);
       waker_.wait(kLook);
@@ -156,7 +151,7 @@ class DdsRun {
   }
 
   void take_all() {
-    for (const auto& incoming : board_->step(now())) {
+    for (const auto& incoming : ears_.listen(now())) {
       if (const auto* received = std::get_if<blackboard::Received>(&incoming)) take(*received);
     }
   }
@@ -169,8 +164,10 @@ class DdsRun {
       }
       heard_clock_ = node::Waker::steady_now();
       clock_.update(*clock, heard_clock_);
+      if (clock->phase != wire::ClockPhase::kHolding) roll_call_.runs(heard_clock_);
     } else if (const auto* entry = std::get_if<wire::DirectoryEntry>(&received.sample)) {
       const Introduction said{entry->header.incarnation, entry->ready};
+      roll_call_.heard(entry->name);
       if (std::exchange(introduced_[entry->name], said) != said)
         heard_news_ = node::Waker::steady_now();
       if (entry->ready && ready_.insert(entry->name).second) {
@@ -253,6 +250,25 @@ class DdsRun {
     return true;
   }
 
+  // Of whom nothing is heard though the mission goes on: true if it is given up for that.
+  bool look_at_silent() {
+    const Duration steady = node::Waker::steady_now();
+    const RollCall::Verdict verdict = roll_call_.verdict(steady);
+    if (verdict == RollCall::Verdict::kGoOn) return false;
+    const std::string names = joined(roll_call_.missing(steady), ", ");
+    if (verdict == RollCall::Verdict::kGiveUp) {
+      fail("nothing is heard of " + names +
+               ", who take part in the mission: records of theirs would be missing" +
+               load_of_machine(),
+           true);
+      return true;
+    }
+    progress_.say("nothing is heard of " + names + "; listening anew");
+    roll_call_.listens_anew(steady);
+    if (auto opened = ears_.open(now()); !opened) progress_.say(opened.error().why);
+    return false;
+  }
+
   void play_faults() {
     if (clock_.phase() != wire::ClockPhase::kRunning) return;
     while (!faults_.empty() && faults_.front().at <= now().mission) {
@@ -261,6 +277,7 @@ class DdsRun {
       log(lines::Fault{.what = "kill", .target = fault.node});
       fleet_.kill(fault.node);
       ready_.erase(fault.node);
+      roll_call_.killed(fault.node);
       if (fault.restart_after) restarts_.push_back(restart_of(fault));
     }
     for (auto one = restarts_.begin(); one != restarts_.end();) {
@@ -300,13 +317,17 @@ class DdsRun {
     }
     fleet_.kill_all();
     take_all();
+    const auto missing = roll_call_.missing(node::Waker::steady_now());
+    if (over && played_.end != Played::End::kFailed && !missing.empty())
+      fail("nothing was heard of " + joined(missing, ", ") + ": records of theirs are missing",
+           true);
   }
 
   Progress& progress_;
   node::Roster roster_;
   node::Waker waker_;  // before the transport: it blocks signals for the middleware's threads too
-  std::unique_ptr<blackboard::Transport> transport_;
-  std::optional<blackboard::Blackboard> board_;
+  Ears ears_;
+  RollCall roll_call_;
   node::MissionClock clock_;
   Fleet fleet_;
   double rate_;

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+// Daemons that the runner does not hear: it says so, and no records are missing in silence.
+#include <gmock/gmock.h>
+
+#include "testing/dds_run.hpp"
+
+namespace skein::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* kLibrary = SKEIN_BINARY_DIR "/lib/libskein_adversity.so";
+constexpr const char* kAnew = "nothing is heard of karma; listening anew";
+
+/// For karma the command with `changed`, for the others as it is.
+std::string of_karma(const std::string& changed) {
+  return "case \"$*\" in *'--uav karma'*) " + changed +
+         " ;; esac\nexec \"$programs/skein-ddn\" \"$@\"";
+}
+
+// The runner comes first, so it is participant 0; five daemons later the next one is number 6.
+std::string mute_to(const std::string& participants) {
+  return of_karma("export ADVERSITY_MUTE=" + participants + " LD_PRELOAD='" + kLibrary + "'");
+}
+
+std::size_t records_of_karma(const DdsRun& run) {
+  std::size_t count = 0;
+  for (const journal::Record& record : run.records()) count += record.node() == "karma" ? 1 : 0;
+  return count;
+}
+
+class DdsUnheard : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::exists(kLibrary)) GTEST_SKIP() << "not with sanitizers";
+    run.take_scenario("confirmed");
+  }
+
+  DdsRun run;
+};
+
+TEST_F(DdsUnheard, ADaemonThatOnlyAnotherParticipantHearsIsHeardAnewWithItsRecordsFromTheStart) {
+  run.start({"--rate", "20", "--daemons", run.programs_with({"skein-ddn"}, mute_to("0"))});
+  run.wait_for_output(kAnew);
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 0) << run.output();
+  std::set<std::string> said;
+  std::size_t twice = 0;
+  bool from_the_start = false;
+  for (const journal::Record& record : run.records()) {
+    if (record.kind() == "process" || record.kind() == "telemetry") continue;
+    twice += said.insert(journal::to_json(record)).second ? 0 : 1;
+    from_the_start =
+        from_the_start || (record.node() == "karma" && record.at() < MissionTime::seconds(5));
+  }
+  EXPECT_TRUE(from_the_start);
+  EXPECT_EQ(twice, 0U);
+  EXPECT_TRUE(run.nothing_runs());
+}
+
+TEST_F(DdsUnheard, ADaemonThatIsNotHeardAnewEitherEndsTheRunWithFourAndItsName) {
+  run.start({"--rate", "20", "--daemons", run.programs_with({"skein-ddn"}, mute_to("0,6"))});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 4);
+  EXPECT_THAT(run.output(), AllOf(HasSubstr(kAnew), HasSubstr("nothing is heard of karma, who")));
+  EXPECT_EQ(records_of_karma(run), 0U);
+  EXPECT_TRUE(run.nothing_runs());
+}
+
+TEST_F(DdsUnheard, AMissionThatIsOverBeforeThatEndsWithFourToo) {
+  run.change("duration_limit: ", "duration_limit: 60  # ");
+  run.start({"--rate", "20", "--daemons", run.programs_with({"skein-ddn"}, mute_to("0"))});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 4);
+  EXPECT_THAT(run.output(), AllOf(HasSubstr("nothing was heard of karma"), Not(HasSubstr(kAnew))));
+}
+
+TEST_F(DdsUnheard, ADaemonOnAnotherDomainEndsTheRunWithFourAndItsName) {
+  const std::string other =
+      "for one; do shift; [ \"$before\" != --domain ] || one=$((one + 1)); set -- \"$@\" \"$one\"; "
+      "before=$one; done";
+  run.start({"--daemons", run.programs_with({"skein-ddn"}, of_karma(other))});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 4);
+  EXPECT_THAT(run.output(), HasSubstr(" s: karma"));
+  EXPECT_TRUE(run.nothing_runs());
+}
+
+// Its keys are of another authority, so no handshake with it ends.
+TEST_F(DdsUnheard, ADaemonWhoseHandshakesFailEndsTheRunWithFourAndItsName) {
+  const std::string make = std::string(SKEIN_SOURCE_DIR) + "/scripts/make-keys";
+  const std::string scenario = run.file("scenario.yaml").string();
+  for (const char* folder : {"keys", "others"}) {
+    const std::string command = make + " '" + run.file(folder).string() + "' '" + scenario +
+                                "' --programs '" + kPrograms + "' > /dev/null";
+    ASSERT_EQ(std::system(command.c_str()), 0);  // NOLINT: of this test's own words
+  }
+  const std::string other = "for one; do shift; [ \"$before\" != --security ] || one='" +
+                            run.file("others").string() +
+                            "'; set -- \"$@\" \"$one\"; before=$one; done";
+  run.start({"--security", run.file("keys").string(), "--daemons",
+             run.programs_with({"skein-ddn"}, of_karma(other))});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  EXPECT_EQ(status->code, 4);
+  EXPECT_THAT(run.output(), HasSubstr(" s: karma"));
+  EXPECT_TRUE(run.nothing_runs());
+}
+
+}  // namespace
+}  // namespace skein::testing
