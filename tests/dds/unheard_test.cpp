@@ -92,7 +92,7 @@ TEST_F(DdsUnheard, ADaemonOnAnotherDomainEndsTheRunWithFourAndItsName) {
 
   ASSERT_TRUE(status.has_value());
   EXPECT_EQ(status->code, 4);
-  EXPECT_THAT(run.output(), HasSubstr(" s: karma"));
+  EXPECT_THAT(run.output(), HasSubstr(" s: karma, of whom nothing is heard; waiting: sim, ground"));
   EXPECT_TRUE(run.nothing_runs());
 }
 
@@ -114,7 +114,7 @@ TEST_F(DdsUnheard, ADaemonWhoseHandshakesFailEndsTheRunWithFourAndItsName) {
 
   ASSERT_TRUE(status.has_value());
   EXPECT_EQ(status->code, 4);
-  EXPECT_THAT(run.output(), HasSubstr(" s: karma"));
+  EXPECT_THAT(run.output(), HasSubstr(" s: karma, of whom nothing is heard; waiting: sim, ground"));
   EXPECT_TRUE(run.nothing_runs());
 }
 

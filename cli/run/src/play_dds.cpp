@@ -224,18 +224,26 @@ class DdsRun {
     return false;
   }
 
+  // Each waits for all, so those of whom nothing is heard are to blame.
+  std::string not_ready() const {
+    const std::vector<std::string> silent = roll_call_.unheard();
+    std::vector<std::string> waiting;
+    for (const std::string& name : fleet_.names())
+      if (ready_.count(name) == 0 && std::count(silent.begin(), silent.end(), name) == 0)
+        waiting.push_back(name);
+    if (silent.empty()) return joined(waiting, ", ");
+    const std::string others = waiting.empty() ? "" : "; waiting: " + joined(waiting, ", ");
+    return joined(silent, ", ") + ", of whom nothing is heard" + others;
+  }
+
   bool look_at_time() {
     const Duration steady = node::Waker::steady_now();
     if (clock_.phase() == wire::ClockPhase::kHolding) {
       const bool waits = steady - heard_news_ < kStartLimit && steady - started_ < kStartAtMost;
       if (waits) return false;
-      std::string missing;
-      for (const std::string& name : fleet_.names()) {
-        if (ready_.count(name) == 0) missing += (missing.empty() ? "" : ", ") + name;
-      }
       const Duration waited = steady - started_;
       fail("not ready after " + std::to_string(std::lround(waited.to_seconds())) +
-               " s: " + missing + load_of_machine(),
+               " s: " + not_ready() + load_of_machine(),
            true);
       return true;
     }

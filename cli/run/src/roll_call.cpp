@@ -30,6 +30,13 @@ RollCall::Verdict RollCall::verdict(Duration steady) const {
   return had_both ? Verdict::kGiveUp : Verdict::kGoOn;
 }
 
+std::vector<std::string> RollCall::unheard() const {
+  std::vector<std::string> names;
+  for (const auto& [name, life] : lives_)
+    if (!life.heard) names.push_back(name);
+  return names;
+}
+
 std::vector<std::string> RollCall::missing(Duration steady) const {
   std::vector<std::string> names;
   if (!runs_since_) return names;

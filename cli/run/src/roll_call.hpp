@@ -32,6 +32,8 @@ class RollCall {
   void listens_anew(Duration steady) { anew_ = steady; }
 
   Verdict verdict(Duration steady) const;
+  /// Who was not heard, whether or not it has had the time. By name.
+  std::vector<std::string> unheard() const;
   /// Who was not heard though it has had the time, or takes part since the start. By name; nobody
   /// as long as the clock does not run.
   std::vector<std::string> missing(Duration steady) const;

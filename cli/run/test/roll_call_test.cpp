@@ -99,6 +99,12 @@ TEST_F(RollCalls, MissAtTheEndWhoTookPartFromTheStartButNotWhoHasJustComeBack) {
   EXPECT_THAT(roll_call.missing(second(101 + kSilence)), ElementsAre("karma", "marvin"));
 }
 
+TEST_F(RollCalls, KnowWhoWasNotHeardYet) {
+  EXPECT_THAT(roll_call.unheard(), ElementsAre("karma", "marvin"));
+  roll_call.heard("marvin");
+  EXPECT_THAT(roll_call.unheard(), ElementsAre("karma"));
+}
+
 TEST_F(RollCalls, DisregardStrangers) {
   roll_call.heard("marvin");
   roll_call.heard("karma");
