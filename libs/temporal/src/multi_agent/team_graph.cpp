@@ -319,10 +319,18 @@ std::set<EndOf> TeamGraph::ends_before(std::uint32_t arrival, Weight weight) con
       if (basis == basis_.end()) continue;
       const std::span<const EndOf> its =
           certainly ? certain_ends(*basis->second) : std::span<const EndOf>(basis->second->ends);
-      ends.insert(its.begin(), its.end());
+      // An end of its own that is no more comes back in words of before: two who wait for each
+      // other would hand it to and fro.
+      std::copy_if(its.begin(), its.end(), std::inserter(ends, ends.end()),
+                   [&](const EndOf& it) { return it.agent != self_ || has_end(it); });
     }
   }
   return ends;
+}
+
+bool TeamGraph::has_end(const EndOf& one) const {
+  return std::any_of(end_of_.begin(), end_of_.end(),
+                     [&](const auto& known) { return known.second == one; });
 }
 
 }  // namespace skein::temporal

@@ -97,6 +97,7 @@ class TeamGraph {
   std::vector<bool> reached_from(std::uint32_t start, Weight weight = &FrontierArc::soonest) const;
   bool awaits(std::uint32_t end, const EndOf& own, bool certainly) const;
   std::set<EndOf> ends_before(std::uint32_t arrival, Weight weight) const;
+  bool has_end(const EndOf& one) const;
   bool bounds(const Arc& one, const std::string& without) const;
   std::vector<bool> revise(const std::string& without, std::vector<Limit>& limit) const;
   std::vector<bool> revise(Weight weight, std::vector<Ticks>& date) const;

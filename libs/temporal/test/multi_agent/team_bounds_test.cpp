@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "skein/temporal/team_dates.hpp"
 #include "skein/temporal/team_supervisor.hpp"
@@ -108,6 +109,35 @@ TEST(TeamBounds, TwoThatWaitForEachOtherSeeIt) {
   talk.plans("heliv", round_of({first, second}));
   ASSERT_TRUE(talk.settle(random));
   EXPECT_NE(talk.of("marvin").dates(MissionTime()).at(1).soonest, MissionTime::max());
+}
+
+// What the dates of a circle rested on is handed around in it: an end that is no more would be for
+// ever.
+TEST(TeamBounds, TwoThatWaitForEachOtherForgetWhatIsOver) {
+  const Meeting gone{3, {"heliv", "karma"}, {"heliv", "karma"}}, first{1, kBoth, kBoth},
+      second{2, kBoth, kBoth};
+  Talk talk;
+  Random random(1);
+  talk.plans("karma", round_of({gone}));
+  talk.plans("heliv", round_of({gone, second, first}));
+  talk.plans("marvin", round_of({first, second}));
+  ASSERT_TRUE(talk.settle(random));
+  const auto rests_on = [&](const std::string& name, const std::string& other) {
+    std::set<MeetingId> meetings;
+    for (const FrontierBasis& basis : talk.of(name).bounds_for(other).bases)
+      for (const EndOf& end : basis.ends)
+        if (end.agent == "heliv") meetings.insert(end.meeting);
+    return meetings;
+  };
+  ASSERT_TRUE(rests_on("marvin", "heliv").contains(gone.id));
+
+  talk.plans("karma", {});
+  talk.plans("heliv", round_of({second, first}));
+  ASSERT_TRUE(talk.settle(random));
+
+  EXPECT_FALSE(rests_on("heliv", "marvin").contains(gone.id));
+  EXPECT_FALSE(rests_on("marvin", "heliv").contains(gone.id));
+  EXPECT_EQ(talk.of("marvin").dates(MissionTime()).at(1).soonest, MissionTime::max());
 }
 
 TEST(TeamBounds, WhoHasNoMeetingsTellsNothing) {
