@@ -3,10 +3,11 @@
 // it is divided, and how soon a role goes elsewhere when a constraint is violated. Tables, in
 // virtual time: the same on every machine. Arguments: how many seeds (50), and which
 // of them: names of area-sharing, mref, or areas or central-areas alone, from a seed on (1): others
-// than the scenario's (all but those).
+// than the scenario's (all but those); divisions: how those would be divided.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <optional>
 #include <vector>
 
@@ -61,7 +62,12 @@ void other_areas(std::uint64_t seeds, std::uint64_t first,
   std::size_t broken = 0, together = 0;
   for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
     const Mission mission = play(area(seed));
-    spreads.push_back(100 * mapping_ends(mission.records).spread());
+    const MappingEnds ends = mapping_ends(mission.records);
+    spreads.push_back(100 * ends.spread());
+    std::printf("area %zu: %.1f %%", static_cast<std::size_t>(seed), spreads.back());
+    for (const auto& [uav, end] : ends.ends)
+      std::printf(", %s %.0f s", uav.c_str(), end - ends.begin);
+    std::puts("");
     sum += spreads.back();
     together += spreads.back() <= 5 ? 1 : 0;
     const std::string wrong = mission.failures() + mission.untrue;
@@ -74,6 +80,34 @@ void other_areas(std::uint64_t seeds, std::uint64_t first,
   std::printf("| %zu | %.1f %%, %.1f %% (%.1f %%) | %zu | %zu |\n", spreads.size(),
               sum / static_cast<double>(seeds), part(spreads, 0.5), part(spreads, 1), together,
               broken);
+}
+
+double latest_end(const refiners::Partition& partition) {
+  double latest = 0;
+  for (const refiners::Part& part : partition.parts)
+    latest = std::max(latest, part.duration.expected.to_seconds());
+  return latest;
+}
+
+/// As they are divided, by what is flown in thought: nothing is flown.
+void divisions(std::uint64_t seeds, std::uint64_t first) {
+  std::puts("| parts | spread: median, 90 % (most) | last end, mean | processor time each |");
+  std::puts("|---|---|---|---|");
+  for (const auto sweeping : {supervisor::Sweeping::kShared, supervisor::Sweeping::kOwn}) {
+    std::vector<double> spreads;
+    double ends = 0;
+    const std::clock_t began = std::clock();
+    for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
+      const auto partition = divided(drawn_area(seed), refiners::ShareMode::kBalanced, sweeping);
+      spreads.push_back(100 * partition.spread);
+      ends += latest_end(partition);
+    }
+    const double seconds = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
+    std::printf("| %s | %.1f %%, %.1f %% (%.1f %%) | %.0f s | %.2f s |\n",
+                sweeping == supervisor::Sweeping::kShared ? "shared in flight" : "on the ground",
+                part(spreads, 0.5), part(spreads, 0.9), part(spreads, 1),
+                ends / static_cast<double>(seeds), seconds / static_cast<double>(seeds));
+  }
 }
 
 /// Of each violation after which its UAV was given a goto by its role: seconds until then.
@@ -112,6 +146,11 @@ void reaction(std::uint64_t seeds) {
 int main(int argc, char** argv) {
   const std::uint64_t seeds = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 50;
   const std::vector<std::string> only(argv + std::min(argc, 2), argv + argc);
+  if (!only.empty() && only.front() == "divisions") {
+    skein::testing::divisions(seeds,
+                              only.size() > 1 ? std::strtoull(only[1].c_str(), nullptr, 10) : 1);
+    return 0;
+  }
   if (!only.empty() && (only.front() == "areas" || only.front() == "central-areas")) {
     const std::uint64_t first = only.size() > 1 ? std::strtoull(only[1].c_str(), nullptr, 10) : 1;
     skein::testing::other_areas(

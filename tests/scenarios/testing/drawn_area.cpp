@@ -77,7 +77,9 @@ scenario::Scenario drawn_central_area(std::uint64_t seed) {
   return scenario;
 }
 
-refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareMode mode) {
+refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareMode mode,
+                            supervisor::Sweeping sweeping) {
+  const bool shared = sweeping == supervisor::Sweeping::kShared;
   refiners::PartitionQuery query;
   query.mode = mode;
   query.apart = 0;
@@ -90,14 +92,16 @@ refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareM
     member.vehicle = uav.model;
     member.start = uav.start.head<2>();
     member.altitude = knowledge.altitude;
-    member.swath = supervisor::swath_of(knowledge, "mapping").value();
-    member.busy = knowledge.altitude / uav.model.climb_rate;
+    member.swath = (shared ? supervisor::shared_swath_of(knowledge, "mapping")
+                           : supervisor::swath_of(knowledge, "mapping"))
+                       .value();
+    member.busy = shared ? 0 : knowledge.altitude / uav.model.climb_rate;
     query.members.push_back(std::move(member));
   }
   const auto world = std::make_shared<world::World>(deliberation_setup::world_of(scenario).value());
   query.flown = [&](const refiners::Member& member, double altitude, const world::Polygon& part) {
     return supervisor::seconds_of_sweep({member.vehicle, altitude, member.swath, member.start},
-                                        part, world, supervisor::Sweeping::kOwn);
+                                        part, world, sweeping);
   };
   return refine(query, refiners::Setting{*world, {}}).value().task;
 }

@@ -6,6 +6,7 @@
 
 #include "skein/refiners/partition.hpp"
 #include "skein/scenario/scenario.hpp"
+#include "skein/supervisor/area_sweep.hpp"
 
 namespace skein::testing {
 
@@ -16,7 +17,9 @@ scenario::Scenario drawn_area(std::uint64_t seed);
 /// does it.
 scenario::Scenario drawn_central_area(std::uint64_t seed);
 
-/// The partition that partition.json asks `skein refine` for, from what the scenario says.
-refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareMode mode);
+/// The partition that partition.json asks `skein refine` for, from what the scenario says; or, for
+/// parts that are shared, as the UAVs reckon it where they stand.
+refiners::Partition divided(const scenario::Scenario& scenario, refiners::ShareMode mode,
+                            supervisor::Sweeping sweeping = supervisor::Sweeping::kOwn);
 
 }  // namespace skein::testing

@@ -5,40 +5,29 @@
 #include <limits>
 #include <optional>
 
-#include "partition/cut.hpp"
-#include "partition/planner.hpp"
+#include "partition/balance_flown.hpp"
+#include "partition/track.hpp"
 
 namespace skein::refiners::partition {
 namespace {
 
-/// Ways to divide that are looked at.
-constexpr std::size_t kWays = 24;
 /// The most promising of them, which are balanced.
 constexpr std::size_t kFollowed = 6;
 /// Divisions tried for each: more do not help, lanes come one at a time.
-constexpr int kRounds = 12;
+constexpr std::size_t kRounds = 12;
 /// What the last to end gives away at once, as a fraction of its area, and the ways tried then.
 constexpr std::array<double, 5> kSteps = {0.1, 0.05, 0.03, 0.015, 0.007};
-constexpr std::size_t kPolished = 24, kPolishedFlown = 4;
-/// A spread that nobody minds.
-constexpr double kFineSpread = 0.01;
-
+constexpr std::size_t kPolished = 24;
 /// Less is better: the end first, but no great spread for a small gain.
 double cost_of(const Trial& trial) {
   return trial.latest * (1 + 0.3 * std::max(0.0, trial.spread - 0.04));
 }
 
-Vector2 middle_of(const Polygon& polygon) {
-  Vector2 sum = Vector2::Zero();
-  for (const Vector2& corner : polygon) sum += corner;
-  return sum / static_cast<double>(polygon.size());
-}
-
-double unlikeness(const Division& a, const Division& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.parts.size(); ++i)
-    sum += (middle_of(a.parts[i]) - middle_of(b.parts[i])).squaredNorm();
-  return sum;
+/// Precondition: there are some.
+Division& nearest(std::vector<Division>& ways, const Division& to) {
+  return *std::min_element(ways.begin(), ways.end(), [&](const Division& a, const Division& b) {
+    return unlikeness(a, to) < unlikeness(b, to);
+  });
 }
 
 /// When all would end if they went on as they did, with the shares that suit that.
@@ -51,13 +40,6 @@ double promise(const std::vector<Ability>& abilities, double whole) {
   return latest;
 }
 
-/// A way to divide, followed while the shares change.
-struct Track {
-  Division last;
-  std::vector<Ability> abilities;
-  double promise = 0;
-};
-
 class Balancer {
  public:
   explicit Balancer(Planner& planner) : planner_(planner), limits_(planner.abilities()) {}
@@ -68,9 +50,9 @@ class Balancer {
                      [](const Track& a, const Track& b) { return a.promise < b.promise; });
     if (tracks.size() > kFollowed) tracks.resize(kFollowed);
     for (Track& track : tracks) follow(track);
-    if (best_) polish(kPolished);
-    if (best_ && planner_.fly()) balance_flown();
-    return best_;
+    if (best_) polish();
+    if (!best_ || !planner_.flies()) return best_;
+    return balance_flown(planner_, std::move(*best_), std::move(tracks), std::move(planned_));
   }
 
  private:
@@ -87,7 +69,7 @@ class Balancer {
       if (planner_.finished()) break;
       auto trial = planner_.plan(*areas, std::move(division));
       if (trial) {
-        Track track{trial->division, limits_, 0};
+        Track track{trial->division, limits_};
         take(*trial, track.abilities);
         track.promise = promise(track.abilities, planner_.whole());
         tracks.push_back(std::move(track));
@@ -98,30 +80,13 @@ class Balancer {
     return tracks;
   }
 
-  /// What was found, and what comes near it, as it is flown.
-  void balance_flown() {
-    const Trial found = *best_;
-    const auto flown = planner_.plan(found.areas, found.division);
-    if (!flown) return;
-    best_ = *flown;
-    latest_allowed_ = std::numeric_limits<double>::infinity();
-    Track track{flown->division, limits_, 0};
-    take(*flown, track.abilities);
-    follow(track);
-    polish(kPolishedFlown);
-  }
-
   void follow(Track& track) {
-    for (int round = 0; round < kRounds && !planner_.finished(); ++round) {
+    for (std::size_t round = 0; round < kRounds && !planner_.finished(); ++round) {
       const auto areas = fair_areas(track.abilities, planner_.whole());
       if (!areas) return;
       auto ways = planner_.divide(*areas, kWays);
       if (ways.empty()) return;
-      const auto same =
-          std::min_element(ways.begin(), ways.end(), [&](const Division& a, const Division& b) {
-            return unlikeness(a, track.last) < unlikeness(b, track.last);
-          });
-      const auto trial = planner_.plan(*areas, std::move(*same));
+      const auto trial = planner_.plan(*areas, std::move(nearest(ways, track.last)));
       if (!trial) return;
       track.last = trial->division;
       take(*trial, track.abilities);
@@ -131,9 +96,9 @@ class Balancer {
 
   /// Lanes come one at a time, so what was learnt overshoots: the last to end gives some area away,
   /// less and less, as long as that helps.
-  void polish(std::size_t ways) {
+  void polish() {
     for (const double step : kSteps) {
-      for (int again = 0; again < kRounds && !planner_.finished(); ++again) {
+      for (std::size_t again = 0; again < kRounds && !planner_.finished(); ++again) {
         const Trial before = *best_;
         if (before.spread <= kFineSpread) return;
         std::vector<double> areas = before.areas;
@@ -144,17 +109,18 @@ class Balancer {
         const double given = step * areas[giver], rest = planner_.whole() - areas[giver];
         for (std::size_t i = 0; i < areas.size(); ++i)
           areas[i] += i == giver ? -given : given * areas[i] / rest;
-        if (!try_all(areas, ways)) break;
+        if (!try_all(areas)) break;
       }
     }
   }
 
   /// True when one of the ways to divide is better than the best so far.
-  bool try_all(const std::vector<double>& areas, std::size_t ways) {
+  bool try_all(const std::vector<double>& areas) {
     bool better = false;
-    for (Division& division : planner_.divide(areas, ways)) {
+    for (Division& division : planner_.divide(areas, kPolished)) {
       if (planner_.finished()) break;
       const auto trial = planner_.plan(areas, std::move(division));
+      if (trial) keep(*trial);
       if (!trial || !is_better(*trial)) continue;
       best_ = *trial;
       better = true;
@@ -166,6 +132,11 @@ class Balancer {
     planner_.learn_rates(trial, abilities);
     planner_.learn_limits(trial, abilities);
     if (is_better(trial)) best_ = trial;
+    keep(trial);
+  }
+
+  void keep(const Trial& trial) {
+    if (planner_.flies() && planner_.has_energy(trial)) planned_.push_back(trial);
   }
 
   /// Balance must not make the end later than proportion does.
@@ -177,7 +148,10 @@ class Balancer {
   Planner& planner_;
   std::vector<Ability> limits_;
   double latest_allowed_ = std::numeric_limits<double>::infinity();
+  std::size_t flights_ = 0;  ///< that may still be flown
+  double best_cost_ = 0;     ///< of the best that was flown
   std::optional<Trial> best_;
+  std::vector<Trial> planned_;  ///< all that has energy, where it will be flown in thought
 };
 
 }  // namespace

@@ -182,7 +182,8 @@ class Divider {
 
 std::vector<Division> divisions(const Polygon& area, const std::vector<Vector2>& anchors,
                                 const std::vector<double>& shares, std::size_t most,
-                                const Budget& budget) {
+                                const Budget& budget, double between) {
+  SKEIN_EXPECTS(between > 0 && between < 1);
   SKEIN_EXPECTS(area.size() >= 3 && !anchors.empty() && anchors.size() == shares.size());
   SKEIN_EXPECTS(most > 0);
   Vector2 low = area[0], high = area[0];
@@ -194,7 +195,7 @@ std::vector<Division> divisions(const Polygon& area, const std::vector<Vector2>&
   Polygon around_origin;
   for (const Vector2& corner : area) around_origin.emplace_back(corner - centre);
   if (signed_area(around_origin) < 0) std::reverse(around_origin.begin(), around_origin.end());
-  Claims claims{{}, shares, (high - low).norm(), kRoundings.front()};
+  Claims claims{{}, shares, (high - low).norm(), kRoundings.front(), between};
   for (const Vector2& anchor : anchors) claims.anchors.emplace_back(anchor - centre);
   auto result = Divider(std::move(around_origin), std::move(claims), most, budget).run();
   for (Division& division : result) {

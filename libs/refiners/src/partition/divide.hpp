@@ -16,10 +16,10 @@ struct Division {
 
 /// As divide(), but up to `most` ways to do it, the most compact parts first; at least one, or none
 /// when the time of the budget was up before one of many pieces was found. More than four anchors
-/// are divided in one way only.
+/// are divided in one way only. `between` (0, 1): which of the cuts that could be turned are taken.
 std::vector<Division> divisions(const world::Polygon& area,
                                 const std::vector<world::Vector2>& anchors,
                                 const std::vector<double>& shares, std::size_t most,
-                                const Budget& budget = {});
+                                const Budget& budget = {}, double between = 0.5);
 
 }  // namespace skein::refiners::partition

@@ -13,10 +13,24 @@ constexpr double kPlenty = 1e6;
 constexpr double kCaution = 0.99;
 /// Sweeps for a first answer, once the time is up.
 constexpr std::uint64_t kLateSweeps = 5;
-/// Divisions that are looked at as they are flown: more brought nothing on 24 areas.
-constexpr std::uint64_t kFlown = 40;
 
-/// Latest finish, and how far before it the first one is.
+double speed_of(const Member& member) {
+  return member.speed > 0 ? member.speed : member.vehicle.cruise_speed;
+}
+
+Duration later(Duration duration, double seconds) {
+  return duration == Duration::max() ? duration : duration + Duration::seconds(seconds);
+}
+
+void delay(Refined<Coverage>& sweep, double seconds) {
+  sweep.cost += seconds;
+  DurationInterval& duration = sweep.duration;
+  duration = {later(duration.least, seconds), later(duration.expected, seconds),
+              later(duration.most, seconds)};
+}
+
+}  // namespace
+
 void judge(Trial& trial) {
   double earliest = std::numeric_limits<double>::infinity();
   trial.latest = 0;
@@ -27,16 +41,6 @@ void judge(Trial& trial) {
   trial.spread = (trial.latest - earliest) / trial.latest;
 }
 
-double speed_of(const Member& member) {
-  return member.speed > 0 ? member.speed : member.vehicle.cruise_speed;
-}
-
-Duration later(Duration duration, double seconds) {
-  return duration == Duration::max() ? duration : duration + Duration::seconds(seconds);
-}
-
-}  // namespace
-
 double usable(const Member& member) { return 1 - member.vehicle.energy.reserve; }
 
 Planner::Planner(const PartitionQuery& query, const Setting& setting)
@@ -45,10 +49,12 @@ Planner::Planner(const PartitionQuery& query, const Setting& setting)
       whole_(world::area(query.area)),
       steps_(setting.budget.steps) {}
 
-bool Planner::fly() {
-  if (!query_.flown || effort_.cut_short) return false;
-  steps_ = effort_.steps + kFlown * query_.members.size();
-  return flies_ = true;
+bool Planner::fly(Trial& trial, std::size_t member) const {
+  const Member& who = query_.members[member];
+  const auto seconds = query_.flown(who, trial.altitudes[member], trial.division.parts[member]);
+  if (!seconds) return false;
+  delay(trial.sweeps[member], who.busy + *seconds - trial.sweeps[member].cost);
+  return true;
 }
 
 std::vector<Ability> Planner::abilities() const {
@@ -62,11 +68,12 @@ std::vector<Ability> Planner::abilities() const {
   return abilities;
 }
 
-std::vector<Division> Planner::divide(const std::vector<double>& areas, std::size_t most) const {
+std::vector<Division> Planner::divide(const std::vector<double>& areas, std::size_t most,
+                                      double between) const {
   std::vector<world::Vector2> starts;
   for (const Member& member : query_.members) starts.push_back(member.start);
   const Budget clock{setting_.budget.time_is_up};
-  return divisions(query_.area, starts, areas, most, clock);
+  return divisions(query_.area, starts, areas, most, clock, between);
 }
 
 Result<Trial, Refusal> Planner::plan(const std::vector<double>& areas) {
@@ -101,6 +108,7 @@ Result<void, Refusal> Planner::fly_at(Trial& trial, std::size_t member, double a
   if (!swept) return tl::unexpected<Refusal>(swept.error());
   trial.sweeps[member] = std::move(*swept);
   trial.altitudes[member] = altitude;
+  if (trial.flown) fly(trial, member);
   judge(trial);
   return {};
 }
@@ -122,12 +130,7 @@ Outcome<Coverage> Planner::sweep(const Member& member, double altitude,
   auto swept = refine(query, setting);
   if (!swept) return swept;
   swept->task.energy *= kPlenty;
-  const auto flown = flies_ ? query_.flown(member, altitude, part) : std::nullopt;
-  const double more = member.busy + (flown ? *flown - swept->cost : 0);
-  swept->cost += more;
-  DurationInterval& duration = swept->duration;
-  duration = {later(duration.least, more), later(duration.expected, more),
-              later(duration.most, more)};
+  delay(*swept, member.busy);
   effort_.cut_short = effort_.cut_short || swept->effort.cut_short;
   return swept;
 }
@@ -158,10 +161,13 @@ void Planner::learn_limits(const Trial& trial, std::vector<Ability>& abilities) 
 }
 
 void Planner::learn_rates(const Trial& trial, std::vector<Ability>& abilities) const {
-  for (std::size_t i = 0; i < abilities.size(); ++i) {
-    abilities[i].ready = seconds_to(query_.members[i], trial.sweeps[i]);
-    abilities[i].rate = trial.areas[i] / std::max(trial.sweeps[i].cost - abilities[i].ready, 1e-9);
-  }
+  for (std::size_t i = 0; i < abilities.size(); ++i) learn_rate(trial, i, abilities[i]);
+}
+
+void Planner::learn_rate(const Trial& trial, std::size_t member, Ability& ability) const {
+  const Refined<Coverage>& sweep = trial.sweeps[member];
+  ability.ready = seconds_to(query_.members[member], sweep);
+  ability.rate = trial.areas[member] / std::max(sweep.cost - ability.ready, 1e-9);
 }
 
 bool Planner::out_of_budget() const { return effort_.cut_short || effort_.steps >= steps_; }

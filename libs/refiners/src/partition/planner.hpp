@@ -2,6 +2,8 @@
 // Plans the sweeps of one division, and learns from them what the members can do.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "partition/divide.hpp"
@@ -18,7 +20,11 @@ struct Trial {
   double latest = 0;              ///< expected finish [s]
   double spread = 0;              ///< as in Partition
   std::vector<double> altitudes;  ///< of the sweeps over the ground [m]
+  bool flown = false;             ///< sweeps take what is flown, else what coverage has
 };
+
+/// Latest finish of a trial, and how far before it the first one is.
+void judge(Trial& trial);
 
 class Planner {
  public:
@@ -28,7 +34,8 @@ class Planner {
   /// What the members could do at best: sweeping at full speed from the first second, no turns.
   std::vector<Ability> abilities() const;
   /// As divisions(), anchored at the starts: none where the time is up.
-  std::vector<Division> divide(const std::vector<double>& areas, std::size_t most) const;
+  std::vector<Division> divide(const std::vector<double>& areas, std::size_t most,
+                               double between = 0.5) const;
   /// One step for each member; of the first way to divide, if none is given.
   Result<Trial, Refusal> plan(const std::vector<double>& areas);
   Result<Trial, Refusal> plan(const std::vector<double>& areas, Division division);
@@ -41,9 +48,13 @@ class Planner {
   void learn_limits(const Trial& trial, std::vector<Ability>& abilities) const;
   /// What each really sweeps in a second, and when it begins.
   void learn_rates(const Trial& trial, std::vector<Ability>& abilities) const;
+  /// The same of one member.
+  void learn_rate(const Trial& trial, std::size_t member, Ability& ability) const;
 
-  /// From now on sweeps take what the query has flown, for some more steps; false: it has not.
-  bool fly();
+  /// Sweeps can be reckoned as they are flown.
+  bool flies() const { return query_.flown && !effort_.cut_short; }
+  /// The sweep of one member takes what the query has flown; false: that is not known.
+  bool fly(Trial& trial, std::size_t member) const;
 
   /// True once the budget is used up, but not before anything is planned.
   bool finished();
@@ -63,7 +74,6 @@ class Planner {
   Effort effort_;
   std::uint64_t late_ = 0;  ///< sweeps since the time is up
   std::uint64_t steps_;     ///< allowed
-  bool flies_ = false;
 };
 
 /// Fraction of the energy held when full that may be used.

@@ -220,7 +220,8 @@ std::vector<Split> splits_of(const Piece& piece, const Claims& claims) {
   for (auto& [below, angles] : found) {
     std::sort(angles.begin(), angles.end());
     const std::size_t count = angles.size();
-    for (std::size_t i = 0; i + 1 < count; ++i) angles.push_back((angles[i] + angles[i + 1]) / 2);
+    for (std::size_t i = 0; i + 1 < count; ++i)
+      angles.push_back(angles[i] + claims.between * (angles[i + 1] - angles[i]));
     for (const double angle : angles)
       if (auto split = split_at(piece, claims, below, angle)) splits.push_back(std::move(*split));
   }

@@ -15,6 +15,7 @@ struct Claims {
   std::vector<double> shares;
   double scale = 1;         ///< size of the whole area [m]
   double rounding = 1e-11;  ///< of the size
+  double between = 0.5;     ///< which lines between two are taken, (0, 1)
 
   /// How far from its part an anchor may be by rounding [m].
   double tolerance() const { return rounding * scale; }

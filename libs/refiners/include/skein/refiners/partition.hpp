@@ -43,7 +43,7 @@ struct PartitionQuery {
   /// are as far apart in height: those of some members are raised [m]; 0: they need not be.
   double apart = 10;
   /// Balanced shares are reckoned by coverage; then, where this is given, by what is flown, in some
-  /// dozens of divisions beyond the budget.
+  /// dozens of divisions beyond the steps of the budget (its time holds).
   FlownSweep flown;
 };
 
