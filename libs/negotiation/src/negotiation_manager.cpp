@@ -98,6 +98,7 @@ class NegotiationManager::Core {
       return failure(listed(problems));
     }
     wanted_[begin.subject] = {begin.modality, terms.members, begin.model};
+    over_by_[begin.subject] = terms.deadline + begin.within;
     Session* invited = invitation_to(begin.subject);
     join(invited != nullptr ? *invited : open(std::move(terms)), out);
     return {};
@@ -149,6 +150,7 @@ class NegotiationManager::Core {
     for (auto& [id, session] : sessions_) {
       if (id.subject != subject || session.takes_part() || !session.may_refuse()) continue;
       if (session.decided() || session.terms().deadline <= now_) continue;
+      if (session.terms().deadline > over_by_.at(subject)) continue;
       if (first == nullptr || earlier(session.terms(), first->terms())) first = &session;
     }
     return first;
@@ -220,6 +222,10 @@ class NegotiationManager::Core {
       current->tell(message.from, out);  // who sent it will come after us
       return std::nullopt;
     }
+    if (!forgotten && current != nullptr &&
+        message.terms.deadline > over_by_.at(message.terms.subject)) {
+      return "of a session that is over too late";
+    }
     const bool moves = !forgotten && current != nullptr && moves_to(message.terms, *current);
     const bool invites = !forgotten && current == nullptr;
     if (moves) current->leave("it moved to an earlier session");
@@ -244,7 +250,10 @@ class NegotiationManager::Core {
   std::map<SessionId, Session> sessions_;
   std::map<std::string, SessionId> current_;  ///< by subject, the last taken part in
   std::map<std::string, Wanted> wanted_;      ///< by subject
-  NegotiationEffects kept_;                   ///< of time that passed before a refused input
+  /// By subject: who begins takes part in no session with a later deadline. Twice as long as it is
+  /// begun for, since clocks differ.
+  std::map<std::string, MissionTime> over_by_;
+  NegotiationEffects kept_;  ///< of time that passed before a refused input
 };
 
 NegotiationManager::NegotiationManager(std::string self, std::uint32_t mission,

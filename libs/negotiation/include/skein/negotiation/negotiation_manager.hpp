@@ -27,8 +27,9 @@ struct BeginNegotiation {
   std::string subject, modality;
   std::vector<std::string> members;  ///< in any order; oneself among them
   ModelHash model;
-  Rows parameters;                          ///< of a new session
-  Duration within = Duration::seconds(10);  ///< deadline of a new session, > 0
+  Rows parameters;  ///< of a new session
+  /// Deadline of a new session, > 0; one with a deadline after twice that is not joined.
+  Duration within = Duration::seconds(10);
 };
 /// Answer to PrepareOffer.
 struct OfferPrepared {
@@ -97,7 +98,8 @@ using NegotiationEffects = std::vector<NegotiationEffect>;
 /// Laws, under loss, delay, doubles, reordering, cuts, crashes and restarts:
 ///   - results of one session are equal, whoever ends agreed or undecided;
 ///   - nobody ends or is settled failed where somebody is agreed;
-///   - what is begun ends once, by its deadline;
+///   - what is begun ends once, by the deadline of its session: twice as long as it was begun for
+///     at most, whatever comes over the wire;
 ///   - nobody is undecided who hears, directly or through others, from who knows, between the
 ///     decision and the deadline, which are half of the session apart at least.
 /// Why not more: docs/decisions/0011-negotiation.md. Cost of a message: O(members × rows).
