@@ -37,8 +37,8 @@ TEST_P(InCalmAir, AllThreeAreDoneWithinFivePerCentOfEachOther) {
 INSTANTIATE_TEST_SUITE_P(AreaSharing, InCalmAir, ::testing::Values("central", "negotiated"));
 
 TEST(AreaSharing, OverAnyAreaTheyAreDoneWithinFivePerCentOfEachOther) {
-  const auto areas = cases<std::uint64_t>(3, 24);
-  for (std::uint64_t seed = 1; seed <= areas; ++seed) {
+  const auto areas = cases<std::uint64_t>(2, 12);
+  for (std::uint64_t seed = 301; seed < 301 + areas; ++seed) {
     for (const auto& area : {drawn_area(seed), drawn_central_area(seed)}) {
       const Mission mapping = play(area);
       const MappingEnds ends = mapping_ends(mapping.records);
