@@ -29,6 +29,7 @@ Examples:
   skein spy --domain 1 links --every 1               who hears whom, live
   skein spy --domain 1 doctor                        what is wrong here
   skein spy --domain 1 record flight.mcap            everything, byte for byte, until Ctrl-C
+  skein spy --domain 1 record flight.mcap --passive  likewise, as root: nodes do nothing for it
   skein spy --domain 5 play flight.mcap --rate 10
 Exit codes: 0, 1 the doctor found something, 2 wrong options, 3 DDS refused, 4 nothing heard.)";
 
@@ -118,6 +119,9 @@ void add_record(CLI::App& spy, const Shared& common, Action& action, const Actio
   record->add_option("slots", common->slots, "Slots to record (default: all)");
   record->add_option("-n,--count", common->count, "Stop after so many samples");
   record->add_flag("--with-json", options->with_json, "Each sample as JSON too: opens everywhere");
+  record->add_flag("--passive", options->passive,
+                   "Look at what passes the interface instead of reading: nodes do nothing for it. "
+                   "Needs CAP_NET_RAW; nothing of what was said before, nothing with keys");
   record->callback([options, common, &action, &actions] {
     action = [options, common, &actions] {
       options->spy = *common;

@@ -5,9 +5,11 @@
 
 #include "listener.hpp"
 #include "recorder.hpp"
-#include "skein/blackboard/fastdds_observer.hpp"
+#include "skein/blackboard/passive_observer.hpp"
 #include "skein/foundation/exit_code.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/spy_tool/record.hpp"
+#include "unread.hpp"
 #include "verbs/verbs.hpp"
 
 namespace skein::spy_tool {
@@ -51,12 +53,34 @@ std::uint64_t record_all(const RecordOptions& options, Listener& listener, std::
   return recorder.samples();
 }
 
+/// What a passive recording lacks.
+void tell_unseen(const Listener& listener, const Unread& unread, std::uint64_t lost,
+                 std::ostream& err) {
+  std::vector<std::string> topics = unread.topics();
+  std::erase_if(topics, [&](const std::string& topic) {
+    const auto slot = wire::slot_from_name(topic);
+    return !slot || !listener.wanted(*slot);
+  });
+  if (!topics.empty())
+    err << "not seen, since nobody reads it and so it is not sent: " << joined(topics, ", ")
+        << '\n';
+  if (lost > 0) err << lost << " datagrams passed too fast to be seen\n";
+}
+
 }  // namespace
 
 int record(const RecordOptions& options, std::ostream& out, std::ostream& err) {
-  Listener listener(
-      options.spy, std::make_unique<blackboard::FastDdsObserver>(
-                       blackboard::ObserverConfig{options.spy.domain, "spy", options.spy.network}));
+  const blackboard::ObserverConfig config{options.spy.domain, "spy", options.spy.network};
+  std::unique_ptr<blackboard::Observer> observer;
+  const blackboard::PassiveObserver* passive = nullptr;
+  if (options.passive) {
+    auto one = std::make_unique<blackboard::PassiveObserver>(config);
+    passive = one.get();
+    observer = std::move(one);
+  } else {
+    observer = std::make_unique<blackboard::FastDdsObserver>(config);
+  }
+  Listener listener(options.spy, std::move(observer));
   if (const Diagnostics wrong = listener.check(); !wrong.empty()) {
     err << to_text(wrong);
     return kExitBadInput;
@@ -66,6 +90,12 @@ int record(const RecordOptions& options, std::ostream& out, std::ostream& err) {
     err << options.file << ": cannot be written\n";
     return kExitSystem;
   }
+  Unread unread;
+  if (passive != nullptr)
+    listener.on_sighting([&](const blackboard::Sighting& one) {
+      unread.see(one);
+      return true;
+    });
   listener.look_in_turns();
   if (auto opened = listener.open(); !opened) {
     err << opened.error().why << '\n';
@@ -78,6 +108,7 @@ int record(const RecordOptions& options, std::ostream& out, std::ostream& err) {
     return kExitSystem;
   }
   out << options.file << ": " << samples << " samples\n";
+  if (passive != nullptr) tell_unseen(listener, unread, passive->lost(), err);
   if (samples > 0 || listener.interrupted()) return kExitOk;
   return nothing_heard(options.spy, listener, 0, err);
 }

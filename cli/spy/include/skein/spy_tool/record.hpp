@@ -13,11 +13,12 @@ struct RecordOptions {
   SpyOptions spy;  ///< slots, partitions, duration (0: until Ctrl-C) and count as for echo
   std::string file;
   bool with_json = false;  ///< each sample as JSON too
+  bool passive = false;    ///< see blackboard::PassiveObserver
 };
 
 /// Writes every sample's bytes as they came, with the partition they came in, to an MCAP file,
 /// which is flushed every second: a crash leaves all but the last second. Exit codes: 0, 2 wrong
-/// options, 3 no DDS or the file cannot be written, 4 nothing heard.
+/// options, 3 no DDS, no right to look, or the file cannot be written, 4 nothing heard.
 int record(const RecordOptions& options, std::ostream& out, std::ostream& err);
 
 struct PlayOptions {
