@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core.hpp"
+#include "skein/decision_node/stand_in.hpp"
 
 namespace skein::decision_node {
 
@@ -46,6 +47,11 @@ void Voice::say(const GroundPlays& said) {
     played_.erase(status.subject);
     std::erase_if(negotiated_, [&](const auto& one) { return is_about(one, status.subject); });
   } else {
+    const auto before = played_.find(status.subject);
+    const bool forgot = status.phase == interaction::JointPhase::kLoading &&
+                        before != played_.end() &&
+                        before->second.phase != interaction::JointPhase::kLoading;
+    if (forgot) abort_begun();
     played_[status.subject] = status;
   }
   core_.bus().emit(SpokenFor{status, false, true});
@@ -89,6 +95,20 @@ bool Voice::passes_on(const PartnerSeen& seen) {
 
 // ---- what happens ----
 
+// At degree 1 they are the ground's own.
+void Voice::task_changed(const executive::TaskEvent& event) {
+  const bool is_of_role = event.id >= StandIn::kFirstPlayedId && event.id < functional::kFirstOwnId;
+  if (executive::is_terminal(event.state))
+    begun_.erase(event.id);
+  else if (is_of_role && (core_.degree() == 2 || core_.degree() == 3))
+    begun_.insert(event.id);
+}
+
+void Voice::abort_begun() {
+  for (const executive::TaskId task : std::exchange(begun_, {}))
+    core_.execution().run(executive::Abort{task});
+}
+
 void Voice::vehicle_told(const world::Telemetry& telemetry) {
   std::vector<std::string> told;
   for (const auto& [subject, status] : played_) {
@@ -102,7 +122,10 @@ void Voice::vehicle_told(const world::Telemetry& telemetry) {
 }
 
 void Voice::time_passes() {
-  if (const auto at = next_wakeup(); at && *at <= core_.bus().now()) give_up(kNoGround);
+  const auto at = next_wakeup();
+  if (!at || *at > core_.bus().now()) return;
+  give_up(kNoGround);
+  abort_begun();
 }
 
 std::optional<MissionTime> Voice::next_wakeup() const {

@@ -137,5 +137,40 @@ TEST_F(Voiced, WhatItHasLeftStaysLeftUntilTheGroundSaysSoToo) {
   EXPECT_THAT(all<SpokenFor>(node_.give(GroundPlays{stands(JointPhase::kLoading)})), SizeIs(1));
 }
 
+// ---- tasks of the role ----
+
+class WithATaskOfTheRole : public ::testing::Test {
+ protected:
+  WithATaskOfTheRole() {
+    node_.give(testing::flying(true));
+    EXPECT_TRUE(node_.answer_to(testing::start_of(400'000'001, "wait")).accepted);
+    node_.give(GroundPlays{stands(JointPhase::kRunning)});
+  }
+  static std::vector<executive::TaskState> states(const Effects& effects) {
+    std::vector<executive::TaskState> states;
+    for (const TaskChanged& one : all<TaskChanged>(effects)) states.push_back(one.event.state);
+    return states;
+  }
+
+  FlownNode node_{2};
+};
+
+TEST_F(WithATaskOfTheRole, ItGoesOnWhileTheGroundPlays) {
+  EXPECT_THAT(states(node_.give(GroundPlays{stands(JointPhase::kRunning)})), IsEmpty());
+  EXPECT_THAT(states(node_.wake_at(100)), IsEmpty());
+}
+
+TEST_F(WithATaskOfTheRole, ItIsAbortedWhenTheNodeLeavesInTheGroundsPlace) {
+  node_.give(Contact{"ground", true, false});
+
+  EXPECT_THAT(states(node_.wake_at(60)), ElementsAre(executive::TaskState::kAborting));
+}
+
+// Restarted, it knows of no role, and begins to negotiate anew.
+TEST_F(WithATaskOfTheRole, ItIsAbortedWhenTheGroundStationForgotIt) {
+  EXPECT_THAT(states(node_.give(GroundPlays{stands(JointPhase::kLoading)})),
+              ElementsAre(executive::TaskState::kAborting));
+}
+
 }  // namespace
 }  // namespace skein::decision_node
