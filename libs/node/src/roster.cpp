@@ -130,6 +130,7 @@ std::vector<blackboard::ChannelConfig> Roster::channels_of(const Member& member)
       add(blackboard::onboard_link(as_node(other), as_node(member), *slots_));
     }
   }
+  channels.shrink_to_fit();  // kept by every node of a large team
   return channels;
 }
 

@@ -108,6 +108,7 @@ MemoryTransport::~MemoryTransport() { hub_.leave(*this); }
 Result<void, Failure> MemoryTransport::open(const TransportPlan& plan) {
   SKEIN_EXPECTS(channels_.empty());
   self_ = plan.self;
+  channels_.reserve(plan.channels.size());
   for (const ChannelConfig& config : plan.channels) {
     Channel channel;
     channel.config = config;
