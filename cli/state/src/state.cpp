@@ -18,10 +18,15 @@ using store::StateFile;
 
 constexpr int kNotSound = 1;
 
-/// Why a daemon would not go on from it; empty if it would.
+constexpr const char* kAnew = "; a daemon sets it aside and begins anew";
+
+/// Why a daemon would not go on from it, and what it does; empty if it would.
 std::string objection(const StateFile& file) {
-  if (file.over) return "its mission is over";
-  if (!file.complete) return "incomplete: not all that was handled could be kept";
+  if (file.over) return "its mission is over; the next one sets it aside and begins its own";
+  if (!file.of_this_wire)
+    return std::string("of a program with other messages: only that goes on from it") + kAnew;
+  if (!file.complete)
+    return std::string("incomplete: not all that was handled could be kept") + kAnew;
   return {};
 }
 
@@ -129,8 +134,11 @@ int export_all(const StateOptions& options, std::ostream& out, std::ostream& err
 int state(const StateOptions& options, std::ostream& out, std::ostream& err) {
   if (options.what == StateOptions::What::kExport) return export_all(options, out, err);
   const bool checks = options.what == StateOptions::What::kCheck;
+  if (const std::string why = store::unreadable(options.file); !why.empty())
+    return refuse({options.file + ": " + why}, kExitBadInput, err);
   const auto file = store::examine(options.file);
-  if (!file) return refuse(file.error(), checks ? kNotSound : kExitBadInput, err);
+  if (!file && checks) return refuse({file.error().why + kAnew}, kNotSound, err);
+  if (!file) return refuse(file.error(), kExitBadInput, err);
   if (checks) {
     const std::string why_not = objection(*file);
     if (!why_not.empty()) return refuse({options.file + ": " + why_not}, kNotSound, err);

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -93,7 +94,23 @@ TEST_F(State, FindsWhatIsDamaged) {
 
   EXPECT_EQ(run(StateOptions::What::kCheck), 1);
   EXPECT_THAT(err.str(), HasSubstr("karma.state: damaged"));
+  EXPECT_THAT(err.str(), HasSubstr("; a daemon sets it aside and begins anew"));
   EXPECT_EQ(run(StateOptions::What::kShow), 2);
+}
+
+TEST_F(State, SaysWhyThereIsNothingToRead) {
+  const auto said_of = [&](const fs::path& file) {
+    err.str("");
+    EXPECT_EQ(state({StateOptions::What::kCheck, file.string(), false}, out, err), 2);
+    return err.str();
+  };
+  EXPECT_THAT(said_of(folder_ / "heliv.state"), HasSubstr("heliv.state: no such file\n"));
+  EXPECT_THAT(said_of(folder_),
+              HasSubstr(": a folder; the state of a node is its file NODE.state"));
+  EXPECT_THAT(said_of("/dev/null"), HasSubstr("/dev/null: no regular file\n"));
+  ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  EXPECT_THAT(said_of(folder_ / "pipe"), HasSubstr("pipe: no regular file\n"))
+      << "nobody waits for somebody who writes into it";
 }
 
 }  // namespace

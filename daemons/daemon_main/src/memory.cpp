@@ -25,7 +25,8 @@ Memory open_memory(const std::string& folder, const store::Identity& identity) {
   }
   auto opened = store::SqliteInputLog::open(folder, identity);
   if (!opened) {
-    memory.notices.push_back("nothing outlives this process: " + opened.error().why);
+    memory.notices.push_back("nothing outlives this process: " + opened.error().why +
+                             "; give --state a folder that it alone writes");
     return memory;
   }
   if (!opened->set_aside.empty()) memory.notices.push_back(opened->set_aside);

@@ -210,7 +210,8 @@ void Host::remember(LoggedInput input, Now now) {
   if (kept.has_value() != forgetful_) return;
   forgetful_ = !kept;
   log(lines::Notice{.text = kept ? "what happens is kept again"
-                                 : "what happens is not kept: " + kept.error().why},
+                                 : "what happens is not kept: " + kept.error().why +
+                                       "; it is held, and written once that is mended"},
       now);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "skein/store/state_file.hpp"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -68,6 +69,15 @@ TEST_F(AStateFile, GivesItsInputsInTheirOrder) {
 
   EXPECT_TRUE(read.has_value());
   EXPECT_EQ(found, wanted);
+}
+
+TEST_F(AStateFile, OfAProgramWithOtherMessagesIsKnown) {
+  live();
+  EXPECT_TRUE(examine(file())->of_this_wire);
+  SQLite::Database(file().string(), SQLite::OPEN_READWRITE)
+      .exec("UPDATE about SET value = '0123456789abcdef' WHERE what = 'messages'");
+
+  EXPECT_FALSE(examine(file())->of_this_wire);
 }
 
 TEST_F(AStateFile, ThatIsNoneIsNamed) {

@@ -16,13 +16,17 @@ namespace skein::store {
 /// What is in a state file.
 struct StateFile {
   Identity identity;
-  int version = 0;       ///< of the format
-  bool over = false;     ///< its mission is
-  bool complete = true;  ///< nothing that was handled is missing
+  int version = 0;           ///< of the format
+  bool over = false;         ///< its mission is
+  bool complete = true;      ///< nothing that was handled is missing
+  bool of_this_wire = true;  ///< its messages are those of this program
   std::uint64_t inputs = 0, bytes = 0, lives = 0, lines = 0;
   MissionTime from, until;                       ///< of the inputs
   std::map<std::string, std::uint64_t> by_kind;  ///< inputs by kind: "received Telemetry", "wakeup"
 };
+
+/// Why there is no file there that could be read: none, a folder, no right to; empty if there is.
+std::string unreadable(const std::filesystem::path& file);
 
 /// Reads all of it, without changing anything, while a daemon uses it too or not. The failure says
 /// what is damaged, and at which input.
