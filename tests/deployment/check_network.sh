@@ -6,6 +6,8 @@
 #   strangers  nobody names anybody: they do not meet (so it is the peers that make them)
 #   server     a Fast DDS discovery server on the ground's machine (skipped without that program)
 #   secured    as peers, with keys
+#   multicast  the cable carries multicast, and nobody names anybody: the commands of docs/deploy.md, "Several machines"
+#   no-carrier the cable is not plugged in: the daemon says so and ends, and does not wait for ever on an interface DDS left out
 # Ends with 77 where namespaces cannot be made.
 set -euo pipefail
 build=$1 case=$2
@@ -41,11 +43,25 @@ until ip link show cable | grep -q LOWER_UP && on_uavs ip link show end | grep -
 multicast_sent() { awk '/^IpExt:/ {if (!n++) {for (i = 1; i <= NF; i++) if ($i == "OutMcastPkts") at = i} else print $at}' /proc/net/netstat; }
 export -f multicast_sent
 
+if [ "$case" = no-carrier ]; then
+  on_uavs ip link set end down
+  until ip link show cable | grep -q NO-CARRIER; do sleep 0.05; done
+  code=0; timeout 30 "$build/bin/skein-ground" --scenario "$scenario" --interface 10.77.0.1 >"$work/ground.log" 2>&1 || code=$?
+  [ "$code" = 3 ] || fail "exit code $code"
+  grep -q "no interface that is up has address 10.77.0.1" "$work/ground.log" || fail "it does not say why"
+  exit
+fi
+if [ "$case" = multicast ]; then
+  ip link set cable multicast on
+  on_uavs ip link set end multicast on
+fi
+
 ground=(--multicast off) uavs=(--multicast off)
 case $case in
   peers) ground+=(--peer 10.77.0.2) uavs+=(--peer 10.77.0.1) ;;
   one-sided) uavs+=(--peer 10.77.0.1) ;;
   strangers) ;;
+  multicast) ground=() uavs=() ;;
   server)
     command -v fast-discovery-server >/dev/null || { echo "SKIPPED: no fast-discovery-server (fastdds-tools)"; exit 77; }
     fast-discovery-server -i 0 -l 10.77.0.1 -p 11811 >"$work/server.log" 2>&1 &
@@ -77,5 +93,6 @@ for one in "$sim" "$station" "$karma"; do
   wait "$one" || fail "exit code $?"
 done
 grep -q "mission started" "$work/sim.log" || fail "no mission"
+[ "$case" != multicast ] || exit 0
 [ "$(multicast_sent)" = 0 ] || fail "$(multicast_sent) multicast packets on the ground's machine"
 [ "$(on_uavs bash -c multicast_sent)" = 0 ] || fail "multicast packets on the UAV's machine"

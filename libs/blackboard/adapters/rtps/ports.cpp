@@ -40,7 +40,8 @@ std::set<std::string> own_addresses() {
   ifaddrs* all = nullptr;
   if (getifaddrs(&all) != 0) return addresses;
   for (const ifaddrs* one = all; one != nullptr; one = one->ifa_next) {
-    const bool up = (one->ifa_flags & IFF_UP) != 0;
+    // DDS leaves out an interface without a carrier, and does not look again.
+    const bool up = (one->ifa_flags & IFF_UP) != 0 && (one->ifa_flags & IFF_RUNNING) != 0;
     if (!up || one->ifa_addr == nullptr || one->ifa_addr->sa_family != AF_INET) continue;
     sockaddr_in address{};
     std::memcpy(&address, one->ifa_addr, sizeof address);
