@@ -10,6 +10,7 @@
 #include "skein/ground_setup/page_world.hpp"
 #include "skein/report/report.hpp"
 #include "skein/scenario/measures.hpp"
+#include "skein/scenario_text/scenario_text.hpp"
 
 namespace skein::run_tool {
 
@@ -126,7 +127,10 @@ Result<std::string, Failure> write_folder(const std::string& folder,
   }
   const std::string world = ground_setup::page_world(scenario);
   if (auto done = write_file(to / "world.json", world); !done) return tl::unexpected(done.error());
-  if (auto done = write_file(to / "scenario.yaml", text.value_or(read_text(scenario.file)));
+  if (auto done =
+          write_file(to / "scenario.yaml",
+                     scenario_text::moved(text.value_or(read_text(scenario.file)),
+                                          fs::path(scenario.file).parent_path().string(), folder));
       !done) {
     return tl::unexpected(done.error());
   }

@@ -21,9 +21,9 @@ report::RunInfo run_info(const scenario::Scenario& scenario, bool virtual_time, 
 /// Creates the folder (and its parents) if needed and empties it of the results of an earlier run.
 Result<void, Failure> prepare_folder(const std::string& folder);
 
-/// Writes events.jsonl, run.json, scenario.yaml (a copy), and from them report.html, junit.xml and
-/// result.json. Gives the text of result.json. `text` is that of the scenario, if it is not the
-/// one in its file.
+/// Writes events.jsonl, run.json, scenario.yaml (a copy that can be run from there: names of files
+/// lead to where they are), and from them report.html, junit.xml and result.json. Gives the text of
+/// result.json. `text` is that of the scenario, if it is not the one in its file.
 Result<std::string, Failure> write_folder(const std::string& folder,
                                           const scenario::Scenario& scenario,
                                           const report::RunInfo& info,

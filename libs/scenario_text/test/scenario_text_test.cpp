@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -54,6 +55,52 @@ TEST(Moved, MeansTheSameInAnotherFolder) {
   ASSERT_TRUE(after.has_value()) << to_text(after.error());
   ASSERT_EQ(after->uavs.size(), before->uavs.size());
   EXPECT_EQ(after->uavs[0].name, before->uavs[0].name);
+}
+
+/// A folder in which there is a file, and another to move to.
+struct TwoFolders {
+  std::filesystem::path from = std::filesystem::path(::testing::TempDir()) / "moved-from",
+                        to = std::filesystem::path(::testing::TempDir()) / "moved-to";
+  explicit TwoFolders(const std::string& file) {
+    std::filesystem::create_directories(from);
+    std::filesystem::create_directories(to);
+    std::ofstream(from / file) << "x";
+  }
+  ~TwoFolders() {
+    std::filesystem::remove_all(from);
+    std::filesystem::remove_all(to);
+  }
+  std::string moved(const std::string& yaml) const {
+    return scenario_text::moved(yaml, from.string(), to.string());
+  }
+};
+
+TEST(Moved, LeavesAllElseAsItIsWritten) {
+  const TwoFolders folders("bee.yaml");
+  EXPECT_EQ(folders.moved("# A bee.\nb:   {model: bee.yaml, x: 007}  # model: bee.yaml\n"
+                          "c: ['bee.yaml',\n    \"bee.yaml\", no.yaml, ä, bee.yaml]\n"),
+            "# A bee.\nb:   {model: ../moved-from/bee.yaml, x: 007}  # model: bee.yaml\n"
+            "c: [../moved-from/bee.yaml,\n    ../moved-from/bee.yaml, no.yaml, ä, "
+            "../moved-from/bee.yaml]\n");
+}
+
+TEST(Moved, ChangesWhatAnAnchorNamesWhereverItIsMeant) {
+  const TwoFolders folders("bee.yaml");
+  const YAML::Node moved = YAML::Load(folders.moved("a: &it bee.yaml\nb: *it\nc: *it\n"));
+  for (const char* key : {"a", "b", "c"})
+    EXPECT_EQ(moved[key].as<std::string>(), "../moved-from/bee.yaml") << key;
+}
+
+TEST(Moved, QuotesWhatNeedsIt) {
+  const TwoFolders folders("a: #b.yaml");
+  EXPECT_EQ(YAML::Load(folders.moved("x: 'a: #b.yaml'\n"))["x"].as<std::string>(),
+            "../moved-from/a: #b.yaml");
+}
+
+TEST(Moved, LeadsToAFileWrittenWithEscapesToo) {
+  const TwoFolders folders("bee.yaml");
+  EXPECT_EQ(YAML::Load(folders.moved("# lost\nx: \"b\\x65e.yaml\"\n"))["x"].as<std::string>(),
+            "../moved-from/bee.yaml");
 }
 
 }  // namespace
