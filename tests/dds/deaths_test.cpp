@@ -151,6 +151,86 @@ INSTANTIATE_TEST_SUITE_P(OneByOne, DdsDeath, ::testing::ValuesIn(deaths_one_by_o
                                   std::to_string(static_cast<int>(death.away));
                          });
 
+// ---- a UAV that is dead for good ----
+
+struct ForGood {
+  std::string uav;
+  double at = 0;
+  std::vector<std::string> in_the_air;  ///< the others, that have to come home
+};
+
+void PrintTo(const ForGood& one, std::ostream* out) { *out << one.uav << " at " << one.at << " s"; }
+
+std::optional<double> first_of(const std::vector<journal::Record>& records,
+                               const std::function<bool(const journal::Record&)>& wanted) {
+  const auto found = std::find_if(records.begin(), records.end(), wanted);
+  if (found == records.end()) return std::nullopt;
+  return found->at().to_seconds();
+}
+
+std::optional<double> reached(const std::vector<journal::Record>& records,
+                              const std::string& step) {
+  return first_of(records, [&](const journal::Record& record) {
+    return record.kind() == "step" && record.text("name") == step;
+  });
+}
+
+std::optional<double> ended(const std::vector<journal::Record>& records) {
+  return first_of(records, [](const journal::Record& record) {
+    return record.kind() == "mission" && record.text("state") == "finished";
+  });
+}
+
+std::vector<std::string> those_who_landed(const std::vector<journal::Record>& records) {
+  std::vector<std::string> names;
+  for (const journal::Record& record : records) {
+    if (record.kind() == "task" && record.text("type") == "land" && record.text("state") == "ended")
+      names.emplace_back(record.text("uav"));
+  }
+  return names;
+}
+
+class DdsDeadForGood : public ::testing::TestWithParam<ForGood> {};
+
+// Nobody asks it for anything, so nothing expires: the script of COMETS sees that it is silent.
+TEST_P(DdsDeadForGood, IsGivenUpWhenItWasSilentSoLongAndTheOthersLand) {
+  const ForGood& dead = GetParam();
+  DdsRun run;
+  run.take_scenario_of("comets/confirmed", "\nfaults: [{at: " + std::to_string(dead.at) +
+                                               ", kill: " + dead.uav + "}]\n");
+  run.start({"--rate", std::to_string(kRate)});
+  const auto status = run.wait();
+
+  ASSERT_TRUE(status.has_value());
+  ASSERT_EQ(status->code, 1) << "not all that the scenario expects can be\n" << run.output();
+  const std::vector<journal::Record> records = run.records();
+  const bool others_go_on = dead.uav == "karma";
+  const auto given_up = others_go_on ? ended(records) : reached(records, "return");
+  ASSERT_TRUE(given_up.has_value()) << run.output();
+  // The last heartbeat was heard before the death, and the silence is known three of them later.
+  const double silence = others_go_on ? 600 : 180;
+  EXPECT_GE(*given_up, dead.at + silence - 1);
+  EXPECT_LE(*given_up, dead.at + silence + 5 + kRate) << "with a second of the wall to spare";
+  EXPECT_TRUE(ended(records).has_value());
+  EXPECT_THAT(those_who_landed(records), ::testing::UnorderedElementsAreArray(dead.in_the_air));
+  EXPECT_EQ(breaches_of(records), "");
+  EXPECT_TRUE(run.nothing_runs());
+}
+
+std::vector<ForGood> deaths_for_good() {
+  if (!long_tests()) return {{"heliv", 330, {"marvin"}}};
+  return {{"marvin", 250, {}},
+          {"heliv", 330, {"marvin"}},
+          {"marvin", 450, {"heliv", "karma"}},
+          {"karma", 480, {"marvin", "heliv"}}};
+}
+
+INSTANTIATE_TEST_SUITE_P(Uavs, DdsDeadForGood, ::testing::ValuesIn(deaths_for_good()),
+                         [](const auto& one) {
+                           return one.param.uav + "_at_" +
+                                  std::to_string(static_cast<int>(one.param.at));
+                         });
+
 // ---- between the write and the answer ----
 
 /// A decision node whose first life ends in the moment after its write of that number to its state
