@@ -10,8 +10,9 @@
 namespace skein::refiners::partition {
 namespace {
 
-/// Sweeps flown in thought, for each member.
-constexpr std::size_t kFlights = 40;
+/// Sweeps flown in thought, for each member; and as long as all are that far apart.
+constexpr std::size_t kFlights = 40, kFlightsIfWide = 160;
+constexpr double kWideSpread = 0.03;
 /// How often divisions are planned anew for them.
 constexpr std::size_t kPlannings = 12;
 /// Of the ways that are most like one that was found.
@@ -37,8 +38,7 @@ class FlownBalancer {
         best_(std::move(best)),
         tracks_(std::move(tracks)),
         planned_(std::move(planned)),
-        more_(best_.sweeps.size()),
-        flights_(kFlights * best_.sweeps.size()) {}
+        more_(best_.sweeps.size()) {}
 
   Trial run() {
     Track found{best_.division, planner_.abilities()};
@@ -50,13 +50,16 @@ class FlownBalancer {
       fly_promising();
       for (Track& track : as_planned) plan_nearby(track, round);
     }
-    for (std::size_t round = 1; round <= kFlights && wants_more(); ++round)
+    for (std::size_t round = 1; round <= kFlightsIfWide && wants_more(); ++round)
       for (Track& track : tracks_) fly_nearby(track, round);
     return best_;
   }
 
  private:
-  bool wants_more() const { return flights_ > 0 && best_.spread > kFineSpread && planner_.flies(); }
+  bool wants_more() const {
+    const std::size_t most = best_.spread > kWideSpread ? kFlightsIfWide : kFlights;
+    return flights_ < most * more_.size() && best_.spread > kFineSpread && planner_.flies();
+  }
 
   /// Of all that was planned, as long as it may be better than the best if no gaps are left.
   void fly_promising() {
@@ -85,20 +88,20 @@ class FlownBalancer {
 
   /// Ways like one that was found, the cuts turned a little otherwise each round.
   std::vector<Division> nearby(const Track& track, const std::vector<double>& areas,
-                               std::size_t round) const {
+                               std::size_t round, std::size_t most) const {
     const double between = std::fmod(0.5 + kGolden * static_cast<double>(round), 1);
     auto ways = planner_.divide(areas, kWays, between);
     std::stable_sort(ways.begin(), ways.end(), [&](const Division& a, const Division& b) {
       return unlikeness(a, track.last) < unlikeness(b, track.last);
     });
-    if (ways.size() > kNearby) ways.resize(kNearby);
+    if (ways.size() > most) ways.resize(most);
     return ways;
   }
 
   void plan_nearby(Track& track, std::size_t round) {
     const auto areas = fair_areas(track.abilities, planner_.whole());
     if (!areas) return;
-    for (Division& division : nearby(track, *areas, round)) {
+    for (Division& division : nearby(track, *areas, round, kNearby)) {
       auto trial = planner_.plan(*areas, std::move(division));
       if (!trial || !planner_.has_energy(*trial)) continue;
       planner_.learn_rates(*trial, track.abilities);
@@ -110,7 +113,9 @@ class FlownBalancer {
   void fly_nearby(Track& track, std::size_t round) {
     const auto areas = wants_more() ? fair_areas(track.abilities, planner_.whole()) : std::nullopt;
     if (!areas) return;
-    auto ways = nearby(track, *areas, round);
+    // Where those were in vain, others.
+    const bool in_vain = flights_ >= kFlights * more_.size();
+    auto ways = nearby(track, *areas, round, in_vain ? kWays : kNearby);
     if (ways.empty()) return;
     auto trial = planner_.plan(*areas, std::move(ways[round % ways.size()]));
     if (trial && planner_.has_energy(*trial)) fly(std::move(*trial), track);
@@ -121,7 +126,7 @@ class FlownBalancer {
   bool fly(Trial trial, Track& track) {
     double latest = 0, earliest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < trial.sweeps.size(); ++i) {
-      if (flights_ > 0) --flights_;
+      ++flights_;
       const double planned = trial.sweeps[i].cost;
       if (!planner_.fly(trial, i)) return false;
       const double more = (trial.sweeps[i].cost - planned) / lanes_of(trial, i);
@@ -153,7 +158,7 @@ class FlownBalancer {
   std::vector<Track> tracks_;
   std::vector<Trial> planned_;               ///< not flown yet
   std::vector<std::optional<double>> more_;  ///< of each member, that a lane took at least [s]
-  std::size_t flights_;                      ///< sweeps that may still be flown
+  std::size_t flights_ = 0;                  ///< sweeps flown so far
 };
 
 }  // namespace
