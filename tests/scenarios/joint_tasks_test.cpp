@@ -80,5 +80,25 @@ TEST(MissionsOfTheReferenceExample, ThatAreRefusedAtOnceAreNotWaitedFor) {
 
 INSTANTIATE_TEST_SUITE_P(WaysThatCross, Teamwork, ::testing::Values("team/crossing"), name_of);
 
+// Found by a storm (agreed-places/pursuit, seed 70003): its loop began the look anew in the same
+// instant, for ever, and mission time stood still.
+TEST(ARoleWhoseDeviceHasFailed, IsLeftWithTheReason) {
+  scenario::Scenario scenario = scenario_at("agreed-places/pursuit");
+  scenario.faults.breaks.push_back({MissionTime::seconds(79), "uav1", "visible"});
+
+  const Mission mission = play(scenario);
+
+  const auto looks = mission.find({{"kind", "task"},
+                                   {"uav", "uav1"},
+                                   {"type", "perceive"},
+                                   {"state", "aborted"},
+                                   {"reason", "device 'visible' has failed"}});
+  EXPECT_GE(looks.size(), 2U);
+  EXPECT_LE(looks.size(), 8U) << "until its telemetry says so, it offers a role that needs it";
+  EXPECT_EQ(mission.end, End::kFinished);
+  EXPECT_EQ(laws::to_text(laws::broken_protocol(mission.records)), "");
+  EXPECT_EQ(mission.untrue, "");
+}
+
 }  // namespace
 }  // namespace skein::testing

@@ -12,7 +12,7 @@ namespace {
 
 bool is_bounded(const Goal& goal) { return goal.task.time.any() || !goal.task.after.empty(); }
 
-bool says(const std::string& text, const char* words) {
+bool says(const std::string& text, const std::string& words) {
   return text.find(words) != std::string::npos;
 }
 
@@ -41,6 +41,14 @@ std::optional<std::string> untimely(const History& history, const Uav& uav, cons
   return "nothing asked of " + other->first + " has a time";
 }
 
+// A joint task may fail by what a partner has not any more.
+const Uav& whose_device(const History& history, const Uav& uav, const std::string& why) {
+  for (const auto& [name, partner] : history.uavs)
+    if (says(why, "'" + name + "' left: ") || says(why, name + ": it can play no role"))
+      return partner;
+  return uav;
+}
+
 // Why a reason cannot be true; nothing when truth does not contradict it.
 std::optional<std::string> contradiction(const History& history, const Uav& uav,
                                          const std::string& why, double at) {
@@ -52,9 +60,9 @@ std::optional<std::string> contradiction(const History& history, const Uav& uav,
   const bool any_closed = std::any_of(uav.closings.begin(), uav.closings.end(),
                                       [&](const Closing& one) { return one.known <= at + 1; });
   if (says(why, "closed air") && !any_closed) return "no air is closed";
-  if (says(why, "has failed") && !uav.had_fault("sensor", at) && says(why, "device")) {
+  if (says(why, "has failed") && says(why, "device") &&
+      !whose_device(history, uav, why).had_fault("sensor", at))
     return "no device failed";
-  }
   return std::nullopt;
 }
 

@@ -42,6 +42,23 @@ TEST(Reasons, ATimeIsOfSomethingAskedOfItOrOfWhoNeedsIt) {
   EXPECT_THAT(fails("general-land"), ElementsAre(HasSubstr("nothing asked of heliv has a time")));
 }
 
+TEST(Reasons, ADeviceThatFailedIsOfWhoeverLacksIt) {
+  for (const std::string why :
+       {"'heliv' left: t42: device 'visible' has failed",
+        "heliv: it can play no role: observe: device 'visible' has failed"}) {
+    const auto fails = [&](const std::string& whose) {
+      Story story;
+      story.goal("heliv", 800, "general-land", "received", 1).fault(1, "sensor", whose);
+      story.goal("marvin", 701, "perceive P1 60", "received", 1)
+          .goal("marvin", 701, "perceive P1 60", "failed", 2, why);
+      return story.broken("reasons");
+    };
+
+    EXPECT_THAT(fails("heliv"), IsEmpty()) << why;
+    EXPECT_THAT(fails("marvin"), ElementsAre(HasSubstr("no device failed"))) << why;
+  }
+}
+
 TEST(Feasible, WhereNothingGoesWrongNothingFails) {
   Story story;
   story.goal("marvin", 701, "perceive P1 60", "received", 1)

@@ -23,6 +23,7 @@ constexpr const char* kMemberLost = "member lost";
 constexpr Duration kReallocation = Duration::milliseconds(10'000);
 constexpr Duration kStand = Duration::milliseconds(20'000);  // of roles that were just confirmed
 constexpr Duration kNothing = Duration::milliseconds(500);   // of a perception: it is done
+constexpr Duration kAtOnce = Duration::milliseconds(1'000);  // what ran for less failed as it began
 
 bool holds_vehicle(const std::string& type) {
   return functional::TaskTypes::shipped().of(type).holds_vehicle();
@@ -82,6 +83,7 @@ void JointPlay::begin(const std::string& role) {
   actions_.clear();
   looks_.clear();
   following_.clear();
+  fails_at_once_.clear();
   sharing_again_.reset();
   places_again_.reset();
   roles_stand_until_.reset();
@@ -221,6 +223,12 @@ void JointPlay::fail(const std::string& componel, const std::string& why) {
   following_.erase(componel);
   failed_[componel] = why;
   tell_status(componel, Word::kAborted);
+  leave_if_in_vain(componel, why);
+}
+
+// A loop begins anew in the same instant what failed as it began, and would for ever.
+void JointPlay::leave_if_in_vain(const std::string& componel, const std::string& why) {
+  if (!fails_at_once_.insert(componel).second) task_.leave(componel + ": " + why);
 }
 
 // Motions wait for each other; what looks along one does not count.
@@ -269,7 +277,7 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
     return tell_status(componel, Word::kRunning);
   }
   if (!is_terminal(event.state)) return;
-  note_done(componel);
+  const Duration ran = note_done(componel);
   tasks_.erase(found);
   const bool ended = event.state == executive::TaskState::kEnded;
   const bool asked = interrupted_.erase(event.id) > 0;
@@ -277,14 +285,21 @@ void JointPlay::task_changed(const executive::TaskEvent& event) {
   if (ended && is_mapping(play_->automaton(), componel)) share_.flown();
   tell_status(componel, ended ? Word::kEnded : Word::kAborted);
   // Else it would wait for its partner in a later meeting of the role, and that for it in this one.
-  if (event.reason.starts_with(kNoAir)) task_.leave(event.reason);
+  if (event.reason.starts_with(kNoAir)) return task_.leave(event.reason);
+  if (ended || ran >= kAtOnce) {
+    fails_at_once_.erase(componel);
+  } else if (!asked) {
+    leave_if_in_vain(componel, event.reason);
+  }
 }
 
-void JointPlay::note_done(const std::string& componel) {
+Duration JointPlay::note_done(const std::string& componel) {
   const auto since = running_since_.find(componel);
-  if (since == running_since_.end()) return;
-  done_[componel] = done_[componel] + (now() - since->second);
+  if (since == running_since_.end()) return {};
+  const Duration ran = now() - since->second;
+  done_[componel] = done_[componel] + ran;
   running_since_.erase(since);
+  return ran;
 }
 
 bool JointPlay::watch() {

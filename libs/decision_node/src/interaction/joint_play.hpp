@@ -95,7 +95,10 @@ class JointPlay {
   void carry_out(const interaction::ModelOver& effect);
   void roles_agreed(const interaction::Terms& terms,
                     const interaction::NegotiationOutcome& outcome);
-  void note_done(const std::string& componel);
+  /// For how long it ran.
+  Duration note_done(const std::string& componel);
+  /// Of a task that failed as it began.
+  void leave_if_in_vain(const std::string& componel, const std::string& why);
   void negotiate_roles(const std::string& action, const std::string& modality);
   // joint_places.cpp
   void negotiate_places(const std::string& action);
@@ -151,6 +154,7 @@ class JointPlay {
     bool is_due(MissionTime now) const { return at && *at <= now; }
   };
   std::optional<Again> sharing_again_, places_again_;
+  std::set<std::string> fails_at_once_;  ///< tasks of the role, when they last began
   std::map<executive::TaskId, executive::TaskId> looks_;  ///< the flight of each that is not over
   std::map<std::string, std::string> failed_;  ///< why, by task of the role; not done since
 };

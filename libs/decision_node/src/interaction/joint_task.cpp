@@ -36,6 +36,16 @@ constexpr Duration kWorthAWord = Duration::milliseconds(10'000);
 constexpr double kFarthest = 1e8;  // [s]
 constexpr double kRoom = 1;        // [s] at the end of an interval
 
+/// Why a role cannot be played by who has these devices no more; empty: it needs none of them.
+std::string lacking(const interaction::Role& role, const std::vector<std::string>& failed) {
+  for (const interaction::Requirement& one : role.requirements) {
+    const auto* device = std::get_if<std::string>(&one.value);
+    if (device != nullptr && std::find(failed.begin(), failed.end(), *device) != failed.end())
+      return "device '" + *device + "' has failed";
+  }
+  return {};
+}
+
 }  // namespace
 
 JointTask::JointTask(JointHost& host, Interaction& interaction, Joint joint,
@@ -176,7 +186,10 @@ Result<interaction::Rows, Failure> JointTask::offer_for(const interaction::Terms
   for (const interaction::Row& role : terms.parameters) {
     if (!my_.joint.library->roles.contains(role.name))
       return failure("no role '" + role.name + "'");
-    if (const std::string why = host_.why_not(my_.joint, role.name); !why.empty()) {
+    std::string why = host_.why_not(my_.joint, role.name);
+    if (why.empty())
+      why = lacking(my_.joint.library->roles.at(role.name), sightings_.own()->failed);
+    if (!why.empty()) {
       reasons.push_back(role.name + ": " + why);
       continue;
     }
