@@ -220,11 +220,11 @@ Volumes Merger::others() const {
   return all;
 }
 
-Volumes Merger::taken() const {
+Volumes Merger::taken(const std::vector<std::string>& wanting) const {
   Volumes all;
   for (const auto& [name, peer] : peers_) {
     all.insert(all.end(), peer.claim.held.begin(), peer.claim.held.end());
-    if (peer.claim.request != 0)
+    if (peer.claim.request != 0 || contains(wanting, name))
       all.insert(all.end(), peer.claim.wanted.begin(), peer.claim.wanted.end());
   }
   return all;

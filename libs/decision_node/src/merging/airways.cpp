@@ -140,10 +140,36 @@ Airway column_of(const functional::Request& request, double low, double high,
   return {request, std::nullopt, {column(at.head<2>(), low, high, margins)}, end, 0};
 }
 
+/// Up, and then to places around, at each of these heights above.
+std::vector<std::vector<Vector3>> lines_aside(const Vector3& from, double hold,
+                                              const std::vector<double>& heights) {
+  std::vector<std::vector<Vector3>> lines;
+  for (int step = 1; step <= kSteps; ++step)
+    lines.push_back({from, from + Vector3(0, 0, step * kStep)});
+  for (const double height : heights) {
+    const Vector3 above = from + Vector3(0, 0, height);
+    for (const int ring : kRings) {
+      for (int i = 0; i < kDirections; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kDirections;
+        const Vector3 place = above + ring * hold * Vector3(std::cos(angle), std::sin(angle), 0);
+        lines.push_back(height > 0 ? std::vector<Vector3>{from, above, place}
+                                   : std::vector<Vector3>{from, place});
+      }
+    }
+  }
+  return lines;
+}
+
 }  // namespace
 
 bool needs_air(const functional::Request& request) {
   return functional::TaskTypes::shipped().of(request.type).motion == functional::Motion::kMoves;
+}
+
+bool is_done_in_place(const functional::Request& request) {
+  const functional::TaskType& type = functional::TaskTypes::shipped().of(request.type);
+  const bool looks = type.motion == functional::Motion::kKeeps && !type.devices.empty();
+  return looks || request.type == "land";
 }
 
 Result<Airways, Failure> airways_of(const functional::Request& request, bool at_any_height,
@@ -196,24 +222,15 @@ std::optional<Airway> way_around(const functional::Request& request, const mergi
 }
 
 Airways ways_aside(functional::TaskId id, const merging::Volumes& others,
-                   const MergingConfig& config, const AirwaySituation& situation) {
+                   const MergingConfig& config, const AirwaySituation& situation,
+                   const std::vector<double>& heights) {
   const Margins margins = merging::margins_of(config.model, config.wind, config.model.cruise_speed);
   const Vector3 from = start_of(situation, margins);
-  std::vector<Vector3> places;
-  for (int step = 1; step <= kSteps; ++step) places.push_back(from + Vector3(0, 0, step * kStep));
-  for (const int ring : kRings) {
-    for (int i = 0; i < kDirections; ++i) {
-      const double angle = 2 * std::numbers::pi * i / kDirections;
-      const double radius = ring * margins.hold;
-      places.push_back(from + radius * Vector3(std::cos(angle), std::sin(angle), 0));
-    }
-  }
   Airways all;
-  for (const Vector3& place : places) {
-    Airway one = flight({functional::Verb::kDispatch, id, "goto", {}}, {from, place}, margins, 0);
-    const bool free = !overlap({one.air.back()}, others);
-    if (free && is_clear(one.way->points(), margins.way, situation) &&
-        can_fly(one, config, situation))
+  for (const std::vector<Vector3>& points : lines_aside(from, margins.hold, heights)) {
+    if (overlap({stay_at(points.back(), margins)}, others)) continue;
+    Airway one = flight({functional::Verb::kDispatch, id, "goto", {}}, points, margins, 0);
+    if (is_clear(one.way->points(), margins.way, situation) && can_fly(one, config, situation))
       all.push_back(std::move(one));
   }
   return all;

@@ -39,6 +39,9 @@ struct AirwaySituation {
 /// Does the motion move the vehicle, so that it needs air?
 bool needs_air(const functional::Request& request);
 
+/// It lands, or looks, where the vehicle is.
+bool is_done_in_place(const functional::Request& request);
+
 /// The motion as it was asked for, and then, when it may be flown at any height, higher ones that
 /// meet no closed air. An error: why the vehicle cannot do it, in all its reasons.
 Result<Airways, Failure> airways_of(const functional::Request& request, bool at_any_height,
@@ -51,9 +54,10 @@ std::optional<Airway> way_around(const functional::Request& request, const mergi
                                  const world::World& world);
 
 /// Short flights from where it rests to places that are free of `others`, the nearest first: up,
-/// then beside. Not the way there: where it is now is what others want. Precondition: it rests in
-/// the air.
+/// then beside, at each of these heights above it [m]. Not the way there: where it is now is what
+/// others want. Precondition: it rests in the air.
 Airways ways_aside(functional::TaskId id, const merging::Volumes& others,
-                   const MergingConfig& config, const AirwaySituation& situation);
+                   const MergingConfig& config, const AirwaySituation& situation,
+                   const std::vector<double>& heights = {0});
 
 }  // namespace skein::decision_node

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whoever has nothing to do makes room.
 #include <algorithm>
+#include <iterator>
 
 #include "core.hpp"
 #include "merging/merging.hpp"
@@ -57,7 +58,7 @@ void Merging::look_for_room() {
   if (now < *room_since_ + kMakesRoom) return;
   const std::vector<executive::TaskStatus> waits = safe_waits(core_);
   if (std::any_of(waits.begin(), waits.end(), is_aborting)) return;
-  Airways aside = places_aside();
+  Airways aside = places_aside(merger_->others());
   if (!aside.empty() && !waits.empty()) {  // once they have ended, there is room to be made
     for (const executive::TaskStatus& one : waits) core_.execution().run(executive::Abort{one.id});
     return;
@@ -84,6 +85,53 @@ bool Merging::has_nothing_to_do() const {
     if (waits || is_terminal(one.state) || one.id >= executive::kFirstBackgroundId) return false;
     return !waits_safely(core_, one) && !waits_for_partners(core_, one);
   });
+}
+
+/// Those that lead on come first.
+Airways Merging::ordered(Airways aside, bool only_leading) const {
+  const merging::Volumes ends = merger_->ends();
+  const auto others = std::stable_partition(aside.begin(), aside.end(),
+                                            [&](const Airway& one) { return leads_on(one, ends); });
+  if (only_leading) aside.erase(others, aside.end());
+  return aside;
+}
+
+/// To where nobody wants to go; when that gave it no air, also higher up, and to where neither the
+/// circle nor whoever waits for it wants to go: others wait for it a little longer.
+void Merging::carry_out(const merging::MoveAside& move) {
+  if (!waiting_ || waiting_->airways.empty() || !rest_ || !seen_.state.airborne) return;
+  const bool again = waiting_->aside_since.has_value();
+  Airways aside = ordered(places_aside(merger_->others()), move.for_itself);
+  if (again || aside.empty()) {
+    std::vector<std::string> in_need = move.circle;
+    for (const merging::Merger::Waiter& one : merger_->waiters()) in_need.push_back(one.peer);
+    Airways more = ordered(places_aside(merger_->taken(in_need), {0, 24, 48}), move.for_itself);
+    std::move(more.begin(), more.end(), std::back_inserter(aside));
+  }
+  if (aside.empty()) return;
+  if (!again) waiting_->own_air = waiting_->airways.front().air;
+  waiting_->aside_since = core_.bus().now();
+  want(std::move(aside), waiting_->own_air);
+}
+
+Airways Merging::places_aside(const merging::Volumes& taken, const std::vector<double>& heights) {
+  Airways aside = ways_aside(next_aside(), taken, *core_.config().merging, situation(), heights);
+  ++aside_;
+  return aside;
+}
+
+/// From there what it waits for could be flown past where the others will be.
+bool Merging::leads_on(const Airway& aside, const merging::Volumes& ends) const {
+  AirwaySituation there = situation();
+  there.state.position = *aside.end;
+  there.rest = aside.end;
+  there.aside = true;
+  const functional::Request& request = waiting_->request;
+  const Airways on =
+      is_done_in_place(request)
+          ? way_to(place_.value_or(*rest_), there)
+          : airways_of(request, false, *core_.config().merging, there).value_or(Airways());
+  return !on.empty() && !overlap(on.front().air, ends);
 }
 
 }  // namespace skein::decision_node

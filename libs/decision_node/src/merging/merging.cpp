@@ -4,10 +4,11 @@
 #include <algorithm>
 
 #include "core.hpp"
-#include "no_air.hpp"
 #include "skein/elementary/parameter_reader.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/functional/task_types.hpp"
+#include "skein/mission/degree.hpp"
+#include "skein/supervisor/no_air.hpp"
 #include "skein/supervisor/way_home.hpp"
 
 namespace skein::decision_node {
@@ -26,6 +27,9 @@ constexpr Duration kRises = Duration::milliseconds(10'000);
 /// Who waits for it longer gives it up: as a rule it is its partner that stays there and waits for
 /// it to come.
 constexpr Duration kRoleWaits = Duration::milliseconds(240'000);
+/// A way of the plan that is waited for longer is given up: the plan has something else to do, or
+/// somebody else can. Who waits has pressed for two minutes then.
+constexpr Duration kPlanWaits = Duration::milliseconds(360'000);
 /// Who has waited so long for others to leave looks for a way around them, and so often again.
 constexpr Duration kLooksAround = Duration::milliseconds(15'000);
 constexpr double kAtRest = 0.5;  // [m/s]
@@ -38,11 +42,21 @@ bool is_of_role(const functional::Request& request) {
   return request.id >= functional::kFirstRoleId && request.id < functional::kFirstOwnId;
 }
 
-/// It lands, or looks, where the vehicle is.
-bool is_done_in_place(const functional::Request& request) {
-  const functional::TaskType& type = functional::TaskTypes::shipped().of(request.type);
-  const bool looks = type.motion == functional::Motion::kKeeps && !type.devices.empty();
-  return looks || request.type == "land";
+/// A way of the plan's that something else could come before; not that of a goal which lands.
+bool is_of_plan(Core& core, const functional::Request& request) {
+  if (request.type != "goto" || !mission::deliberates(core.degree())) return false;
+  const mission::GoalId goal = core.deliberation().origin_of(request.id);
+  if (goal == mission::GoalId() || !core.deliberation().possible()) return false;
+  const auto& tasks = core.deliberation().report().tasks;
+  return std::none_of(tasks.begin(), tasks.end(), [&](const mission::PlannedTask& one) {
+    return one.task.origin == goal && one.task.type == "land";
+  });
+}
+
+/// How long it waits before it is given up; nothing: for good.
+std::optional<Duration> longest_wait(Core& core, const functional::Request& request) {
+  if (is_of_role(request)) return kRoleWaits;
+  return is_of_plan(core, request) ? std::optional(kPlanWaits) : std::nullopt;
 }
 
 }  // namespace
@@ -308,9 +322,10 @@ void Merging::note_waits() {
 
 void Merging::say_it_waits() {
   if (waiting_) note_waits();
-  const bool asks = waiting_ && is_of_role(waiting_->request) && !waiting_->airways.empty();
-  if (asks && core_.bus().now() >= waiting_->since + kRoleWaits)
-    return refuse(std::string(kNoAir) + joined(waiting_->waits_for, "; "));
+  const bool asks = waiting_ && !waiting_->airways.empty();
+  const auto longest = asks ? longest_wait(core_, waiting_->request) : std::nullopt;
+  if (longest && core_.bus().now() >= waiting_->since + *longest)
+    return refuse(std::string(supervisor::kNoAir) + joined(waiting_->waits_for, "; "));
   if (!waiting_ || core_.bus().now() < waiting_->said + kSaidAgain) return;
   say_it_has_begun();
 }
@@ -414,25 +429,6 @@ void Merging::carry_out(const merging::Waits& waits) {
   note_waits();
 }
 
-void Merging::carry_out(const merging::MoveAside& move) {
-  if (!waiting_ || waiting_->airways.empty() || !rest_ || !seen_.state.airborne) return;
-  Airways aside = places_aside();
-  const merging::Volumes ends = merger_->ends();
-  const auto others = std::stable_partition(aside.begin(), aside.end(),
-                                            [&](const Airway& one) { return leads_on(one, ends); });
-  if (move.for_itself) aside.erase(others, aside.end());
-  if (aside.empty()) return;
-  if (!waiting_->aside_since) waiting_->own_air = waiting_->airways.front().air;
-  waiting_->aside_since = core_.bus().now();
-  want(std::move(aside), waiting_->own_air);
-}
-
-Airways Merging::places_aside() {
-  Airways aside = ways_aside(next_aside(), merger_->others(), *core_.config().merging, situation());
-  ++aside_;
-  return aside;
-}
-
 std::function<bool(const world::Vector3&)> Merging::free_to_stay() const {
   if (!merger_) return {};
   return [ends = merger_->ends(), margins = margins_](const world::Vector3& place) {
@@ -443,20 +439,6 @@ std::function<bool(const world::Vector3&)> Merging::free_to_stay() const {
 }
 
 // ---- what it knows ----
-
-/// From there what it waits for could be flown past where the others will be.
-bool Merging::leads_on(const Airway& aside, const merging::Volumes& ends) const {
-  AirwaySituation there = situation();
-  there.state.position = *aside.end;
-  there.rest = aside.end;
-  there.aside = true;
-  const functional::Request& request = waiting_->request;
-  const Airways on =
-      is_done_in_place(request)
-          ? way_to(place_.value_or(*rest_), there)
-          : airways_of(request, false, *core_.config().merging, there).value_or(Airways());
-  return !on.empty() && !overlap(on.front().air, ends);
-}
 
 /// Nothing is looked at on the way. A role of a joint task asks for its heights; over whoever stays
 /// where its way leads it goes all the same, before it waits for ever.

@@ -97,7 +97,8 @@ class Merging final : public Component {
   bool comes_after_aside(const functional::Request& request) const;
   bool is_to_come_back(const functional::Request& request) const;
   Airways way_to(const world::Vector3& place, const AirwaySituation& from) const;
-  Airways places_aside();
+  Airways places_aside(const merging::Volumes& taken, const std::vector<double>& heights = {0});
+  Airways ordered(Airways aside, bool only_leading) const;
   functional::TaskId next_aside() const;
   void look_for_room();
   bool has_nothing_to_do() const;

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "testing/merged_team.hpp"
 
 namespace skein::decision_node {
@@ -169,6 +172,39 @@ TEST(Merging, TwoThatAreToChangePlacesDoSo) {
   EXPECT_TRUE(team.is_over("heliv", 7));
   EXPECT_THAT(states(team.notes("heliv")), Contains("aside"));
   EXPECT_NEAR((team.state("heliv").position - world::Vector3(-100, 0, 40)).norm(), 0, 0.5);
+}
+
+/// All places up, and beside at the height of the first, that one there could get out of the way
+/// to.
+void look_all_round(std::vector<double>& waypoints, double x, double y, double z) {
+  const auto to = [&](double east, double north, double up) {
+    waypoints.insert(waypoints.end(), {x + east, y + north, z + up});
+  };
+  to(0, 0, 0);
+  to(0, 0, 70);
+  to(0, 0, 0);
+  for (int i = 0; i < 8; ++i) {
+    const double angle = 0.25 * i * std::numbers::pi;
+    to(300 * std::cos(angle), 300 * std::sin(angle), 0);
+    to(0, 0, 0);
+  }
+}
+
+// Found by random missions (--crossing 41821, 31365): 27 s.
+TEST(Merging, WhoFindsNoPlaceThatNobodyWantsMovesWhereTheCircleDoesNotWantToGo) {
+  MergedTeam team({{"karma", {0, 500, 40}}, {"marvin", {-100, 0, 40}}, {"heliv", {100, 0, 40}}});
+  std::vector<double> everywhere;
+  look_all_round(everywhere, -100, 0, 40);
+  look_all_round(everywhere, 100, 0, 40);
+  give_sweep(team, "karma", goto_of(7, everywhere));
+  team.run(1);
+  give_sweep(team, "marvin", goto_of(7, {100, 0, 40}));
+  give_sweep(team, "heliv", goto_of(7, {-100, 0, 40}));
+  team.run(3);
+  EXPECT_THAT(states(team.notes("heliv")), Contains("aside"));
+  team.run(60);
+  EXPECT_GT(team.highest("heliv"), 60) << "beside it there was no place at its height, or over it";
+  EXPECT_TRUE(team.is_over("marvin", 7));
 }
 
 // Heliv is to land where marvin is to rise past it: it gets out of the way, and lands where it was

@@ -25,7 +25,7 @@ auto found_in(Missions& pending, mission::MissionId id) {
 
 void Agenda::plan_anew(std::optional<GoalId> failed, bool refine, const std::string& cause) {
   if (!need_) {
-    need_ = Need{failed, refine, cause, now(), 0, false, now()};
+    need_ = Need{failed, refine, false, cause, now(), 0, false, now()};
     return;
   }
   hurry();
@@ -33,6 +33,10 @@ void Agenda::plan_anew(std::optional<GoalId> failed, bool refine, const std::str
   if (need_->failed || !failed) return;
   need_->failed = failed;
   need_->refine = refine;
+}
+
+void Agenda::put_behind() {
+  if (need_) need_->behind = true;
 }
 
 void Agenda::bring_down(bool flies) {
@@ -109,6 +113,7 @@ bool Agenda::again(const Job& job, const std::string& why) {
     if (need_) {
       merged.cause += "; " + need_->cause;
       if (!merged.failed) merged.refine = need_->refine;
+      if (!merged.failed) merged.behind = need_->behind;
       if (!merged.failed) merged.failed = need_->failed;
       merged.home = merged.home || need_->home;
       merged.not_before = need_->not_before;

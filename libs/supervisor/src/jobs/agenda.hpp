@@ -38,6 +38,7 @@ struct Evaluation {
 struct Need {
   std::optional<GoalId> failed;
   bool refine = true;
+  bool behind = false;  ///< refined behind the others, where it can be
   std::string cause;
   MissionTime since;
   int attempts = 0;
@@ -75,6 +76,8 @@ class Agenda {
   /// A repair: of this goal, refined from here or left out, and of all that is free. What is needed
   /// already is needed for this cause too.
   void plan_anew(std::optional<GoalId> failed, bool refine, const std::string& cause);
+  /// What failed is refined behind the others, where it can be.
+  void put_behind();
   /// The repair must bring it down, if it flies, even with nothing to plan.
   void bring_down(bool flies);
   /// It need not be tried before.

@@ -97,6 +97,7 @@ void Jobs::start_repair() {
   request.standing = book_.standing();
   request.base = base(request.standing, {});
   request.refine_failed = need.refine;
+  request.failed_goes_behind = need.behind;
   std::vector<GoalId> remaining = goals;
   const auto failed =
       need.failed ? std::find(remaining.begin(), remaining.end(), *need.failed) : remaining.end();

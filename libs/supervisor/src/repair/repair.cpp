@@ -50,7 +50,20 @@ class Repair {
       outcome_.before.emplace_back("re-refine: it was refined often enough");
       return false;
     }
+    if (request_.failed_goes_behind) {
+      const std::size_t behind = position_behind_the_free();
+      if (behind > position_of_failed() && try_order(RepairStep::kRefine, with_failed(behind)))
+        return true;
+    }
     return try_order(RepairStep::kRefine, with_failed());
+  }
+
+  /// Of what follows the one that failed: it waits for its turn, and another is done meanwhile.
+  std::size_t position_behind_the_free() {
+    std::size_t at = position_of_failed();
+    if (roles_.of(*request_.failed) != Role::kFree) return at;
+    while (at < request_.remaining.size() && roles_.of(request_.remaining[at]) == Role::kFree) ++at;
+    return at;
   }
 
   bool drop() {
@@ -152,10 +165,11 @@ class Repair {
     return std::min(request_.failed_at, request_.remaining.size());
   }
 
-  Goals with_failed() const {
+  Goals with_failed() const { return with_failed(position_of_failed()); }
+
+  Goals with_failed(std::size_t at) const {
     Goals goals = request_.remaining;
-    goals.insert(goals.begin() + static_cast<std::ptrdiff_t>(position_of_failed()),
-                 *request_.failed);
+    goals.insert(goals.begin() + static_cast<std::ptrdiff_t>(at), *request_.failed);
     return goals;
   }
 

@@ -8,6 +8,7 @@
 #include "book/progress.hpp"
 #include "flight/flight_times.hpp"
 #include "skein/foundation/rounded_seconds.hpp"
+#include "skein/supervisor/no_air.hpp"
 
 namespace skein::supervisor {
 
@@ -292,6 +293,8 @@ void Observer::refused(const Entry& entry, const std::string& what) {
   contingencies_.fail_goal(
       entry.task.origin, times > 1 ? what + " (" + std::to_string(times) + " times alike)" : what);
   if (!agenda_.needed()) return;
+  if (entry.why.starts_with(kNoAir) && agenda_.needed()->failed == entry.task.origin)
+    agenda_.put_behind();
   if (before)
     agenda_.pause_until(std::max(*before, now()));
   else if (agenda_.needed()->refine)

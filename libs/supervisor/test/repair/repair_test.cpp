@@ -68,6 +68,32 @@ TEST(Repair, AFailedTaskIsRefinedAgainInItsPlace) {
   EXPECT_THAT(lab.straight.requested, SizeIs(1));
 }
 
+// Others leave it no air: by the time the rest is done they may have left.
+TEST(Repair, ATaskThatIsToGoBehindIsRefinedBehindAllThatIsFree) {
+  Lab lab = eastern();
+  RepairRequest request = request_of(
+      lab, {Lab::visit(1, "A"), Lab::visit(3, "C"), Lab::visit(4, "D"), Lab::simple(5, "land")},
+      Lab::visit(2, "B"), 1);
+  request.failed_goes_behind = true;
+
+  const auto outcome = repair(lab, request);
+
+  EXPECT_EQ(outcome.served, RepairStep::kRefine);
+  EXPECT_THAT(ids(outcome.order), ElementsAre(1, 3, 4, 2, 5));
+}
+
+TEST(Repair, ATaskThatCannotGoBehindStaysWhereItIs) {
+  Lab lab = eastern();
+  RepairRequest request = request_of(lab, {Lab::visit(3, "C"), Lab::visit(4, "D")},
+                                     Lab::visit(2, "B", ends_before(45)), 0);
+  request.failed_goes_behind = true;
+
+  const auto outcome = repair(lab, request);
+
+  EXPECT_EQ(outcome.served, RepairStep::kRefine);
+  EXPECT_THAT(ids(outcome.order), ElementsAre(2, 3, 4));
+}
+
 TEST(Repair, ATaskWhosePlaceIsClosedIsDroppedAndTheOthersStay) {
   Lab lab = eastern();
   lab.straight.blocked = {"B"};

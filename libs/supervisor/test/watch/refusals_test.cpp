@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A vehicle that refuses again and again is asked more and more seldom, and its goals end.
 #include "watch/refusals.hpp"
+#include "skein/supervisor/no_air.hpp"
 #include "testing/core_harness.hpp"
 
 namespace skein::supervisor {
@@ -95,6 +96,22 @@ TEST(SupervisorRefusals, TheFirstIsPlannedAgainAtOnce) {
   one.refuse();
 
   EXPECT_TRUE(one.desk.job_started());
+}
+
+TEST(SupervisorRefusals, ForWantOfAirItGoesBehindTheOthers) {
+  Refused one;
+  one.desk.aborted(100, std::string(kNoAir) + "uav2 to leave");
+
+  ASSERT_TRUE(one.desk.job_started());
+  EXPECT_EQ(one.desk.repair().failed->id, GoalId{701});
+  EXPECT_TRUE(one.desk.repair().failed_goes_behind);
+}
+
+TEST(SupervisorRefusals, ForOtherReasonsItKeepsItsTurn) {
+  Refused one;
+  one.refuse();
+
+  EXPECT_FALSE(one.desk.repair().failed_goes_behind);
 }
 
 TEST(SupervisorRefusals, TheSecondAlikeAfterAPauseThatIsSaidByName) {

@@ -125,8 +125,9 @@ class Merger {
   bool waits() const { return !choices_.empty(); }
   /// What others hold, were granted, or want (with a request or not), as far as it knows.
   Volumes others() const;
-  /// What others hold, and what they have asked for, granted or not.
-  Volumes taken() const;
+  /// What others hold, and what they have asked for, granted or not; of `wanting` what they want,
+  /// asked for or not.
+  Volumes taken(const std::vector<std::string>& wanting = {}) const;
   /// Those whom it waits for to leave.
   std::vector<std::string> awaited() const;
   /// These, and those who go first since they have waited long.

@@ -31,6 +31,8 @@ struct RepairRequest {
   Standing standing;     ///< what the executive keeps
   std::optional<mission::HighLevelTask> failed;   ///< what is left to do of it is all of it
   bool refine_failed = true;                      ///< false: it was refined often enough
+  /// Refined behind all that is free, if it can be: what it failed for may be over by then.
+  bool failed_goes_behind = false;
   std::vector<mission::HighLevelTask> remaining;  ///< in the order of the plan, without `failed`
   std::size_t failed_at = 0;                      ///< position of `failed` among them
   /// A landing, for when nothing else serves. Absent: there is no such task, or it is on the
