@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One motion at a time, and none under a task of another goal that holds the vehicle.
 #include <algorithm>
+#include <map>
 
 #include "checks.hpp"
 
@@ -85,6 +86,25 @@ bool somebody_holds(const History& history) {
   });
 }
 
+// Given up one after the other: who does not wait for ever with one motion may do so with many.
+void given_up_in_vain(const History& history, const Uav& uav, std::vector<Violation>& result) {
+  constexpr double kLongest = 1500;  // [s] of a goal, in all: three tries, and flights aside
+  std::map<std::int64_t, double> waited;
+  for (const auto& [task, motion] : uav.executions) {
+    if (motion.started == kNever || motion.type != "goto" || begun(uav, motion) != kNever) continue;
+    if (const std::int64_t goal = uav.goal_of_task(task); goal != 0)
+      waited[goal] += history.joint.up_for(uav.name(), "ground", motion.started,
+                                           std::min(motion.over, history.end));
+  }
+  for (const auto& [goal, seconds] : waited) {
+    if (seconds <= kLongest) continue;
+    result.push_back({"", history.end, uav.name(), goal,
+                      "its motions are given to the vehicle one after another, and none begins, "
+                      "for " +
+                          figure(seconds) + " s"});
+  }
+}
+
 }  // namespace
 
 std::vector<Violation> motions_never_begun(const History& history) {
@@ -94,6 +114,7 @@ std::vector<Violation> motions_never_begun(const History& history) {
   std::vector<Violation> result;
   if (!history.dead.empty() || somebody_holds(history)) return result;
   for (const auto& [name, uav] : history.uavs) {
+    given_up_in_vain(history, uav, result);
     for (const auto& [task, motion] : uav.executions) {
       if (motion.started == kNever || !motion.is_motion() || motion.type == "wait") continue;
       const double until = std::min({begun(uav, motion), motion.over, history.end});

@@ -83,6 +83,24 @@ TEST(BeginsLaw, OneThatIsOutOfReachOfTheGroundDoesNotUntilItIsBack) {
   EXPECT_THAT(broken(500), ElementsAre(HasSubstr("does not begin for 1890.0 s")));
 }
 
+// Six minutes each, and none is flown.
+Story gives_up(int times) {
+  Story story = asked();
+  for (int i = 0; i < times; ++i) {
+    const double from = 10 + 365 * i, until = from + 360;
+    story.does("marvin", {7 + i, "goto", 701, from, until, "aborted", "", {}, "no air", until});
+  }
+  return story;
+}
+
+TEST(BeginsLaw, AGoalWhoseMotionsAreGivenUpAgainAndAgainBreaksIt) {
+  EXPECT_THAT(gives_up(5).broken("begins"), ElementsAre(HasSubstr("none begins, for 1800.0 s")));
+}
+
+TEST(BeginsLaw, OneThatIsGivenUpThriceDoesNot) {
+  EXPECT_THAT(gives_up(3).broken("begins"), IsEmpty());
+}
+
 TEST(SeparationLaw, WhereNobodyAsksNothingIsJudged) {
   Story story;
   story.stands("marvin", 0, 20, {50, 50, 40}).stands("heliv", 0, 20, {50, 50, 40});
