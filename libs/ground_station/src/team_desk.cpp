@@ -8,6 +8,14 @@
 
 namespace skein::ground_station {
 
+namespace {
+
+/// So often nobody could, one call after another, before it is said that the mission is over: who
+/// was out of reach, or busy with what it was pinned to, may bid at the next.
+constexpr int kCalls = 2;
+
+}  // namespace
+
 TeamDesk::TeamDesk(const team::Config& config, const std::string& self, MissionKnowledge knowledge,
                    std::vector<std::string> uavs)
     : roster_(config.roster),
@@ -53,6 +61,7 @@ void TeamDesk::accept(const GiveGlobalMission& given, MissionTime now, Effects& 
   if (again) return;
   for (const team::GlobalTask& task : mission.tasks) {
     open_[mission.id].insert(task.task.id);
+    after_[task.task.id] = task.after;
     tasks_.insert(task.task.id);
   }
   waiting_[mission.id] = mission;
@@ -141,6 +150,10 @@ void TeamDesk::tell_member(const auction::TeamInput& input, MissionTime now, Eff
 
 void TeamDesk::tell_news(Effects& out) {
   for (team::TaskStanding& standing : ownership_.news(member_.ledger())) {
+    if (standing.stage == auction::Stage::kUnsold)
+      ++refused_[standing.task];
+    else if (standing.stage != auction::Stage::kForSale)
+      refused_.erase(standing.task);
     if (standing.stage == auction::Stage::kDone) {
       for (auto& [mission, open] : open_) {
         if (open.erase(standing.task) == 0 || !open.empty()) continue;
@@ -148,6 +161,44 @@ void TeamDesk::tell_news(Effects& out) {
       }
     }
     out.emplace_back(TeamTaskChanged{std::move(standing)});
+  }
+  tell_hopeless(out);
+}
+
+/// Nobody could when it was called, nor when it was called again; or it comes after such a one.
+bool TeamDesk::is_hopeless(mission::MissionId id, mission::GoalId task) const {
+  if (!open_.at(id).contains(task)) return false;
+  const auto refused = refused_.find(task);
+  if (refused != refused_.end() && refused->second >= kCalls) return true;
+  const auto standing = standings().find(task);
+  const bool may_begin =
+      standing != standings().end() && standing->second.stage == auction::Stage::kGranted;
+  const std::vector<mission::GoalId>& after = after_.at(task);
+  return !may_begin && std::any_of(after.begin(), after.end(),
+                                   [&](mission::GoalId before) { return is_hopeless(id, before); });
+}
+
+/// The end of a mission of which nobody can do what is left. It may be sold all the same, once
+/// somebody comes who can; then it has another end.
+void TeamDesk::tell_hopeless(Effects& out) {
+  for (const auto& [id, open] : open_) {
+    const auto hopeless = [&, id = id](mission::GoalId task) { return is_hopeless(id, task); };
+    const bool over =
+        !open.empty() && !waiting_.contains(id) && std::all_of(open.begin(), open.end(), hopeless);
+    if (!over) {
+      hopeless_.erase(id);
+      continue;
+    }
+    if (!hopeless_.insert(id).second) continue;
+    std::vector<std::string> whys;
+    for (const mission::GoalId task : open) {
+      const auto standing = standings().find(task);
+      if (standing == standings().end() || refused_.count(task) == 0) continue;
+      whys.push_back("task " + skein::to_text(task) + " (" + standing->second.statement +
+                     "): " + standing->second.why);
+    }
+    out.emplace_back(GlobalMissionChanged{id, GlobalStage::kRefused,
+                                          "nobody can do what is left: " + joined(whys, "; ")});
   }
 }
 

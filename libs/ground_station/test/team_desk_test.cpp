@@ -139,6 +139,51 @@ TEST(TeamDesk, EveryChangeOfOwnerIsToldOnceWithItsReasonAndTheEndOfAMissionToo) 
   EXPECT_EQ(ground.standings().at(mission::GoalId(11)).stage, auction::Stage::kDone);
 }
 
+// 11 nobody can do, 12 is done in the end, 13 comes after 11.
+TEST(TeamDesk, WhatNobodyCanDoWhenItIsCalledAgainEndsTheMissionWithEachReason) {
+  TeamDesk ground = desk();
+  GiveGlobalMission give = mission_of(1, 11);
+  for (const std::uint64_t task : {12, 13}) {
+    give.mission.tasks.push_back(give.mission.tasks[0]);
+    give.mission.tasks.back().task.id = mission::GoalId(task);
+  }
+  give.mission.tasks[2].after = {mission::GoalId(11)};
+  ground.handle(give, at(1));
+  std::uint64_t revision = 0;
+  const auto stands = [&](auction::Stage first, auction::Stage second) {
+    auto ledger = std::make_shared<auction::Ledger>();
+    ledger->term = 1;
+    ledger->revision = ++revision;
+    for (const auto& [task, stage] :
+         {std::pair(11, first), std::pair(12, second), std::pair(13, auction::Stage::kOwned)}) {
+      auction::LedgerEntry& entry = ledger->entries[auction::TaskNumber(task)];
+      entry.task.number = auction::TaskNumber(task);
+      entry.stage = stage;
+      entry.why = stage == auction::Stage::kUnsold ? "marvin: no camera; heliv: too far" : "";
+    }
+    return all<GlobalMissionChanged>(
+        ground.handle(TeamHeard{"marvin", auction::Beat{1, revision, ledger}},
+                      at(2.0 + static_cast<double>(revision))));
+  };
+  using auction::Stage;
+
+  EXPECT_THAT(stands(Stage::kUnsold, Stage::kGranted), IsEmpty());
+  EXPECT_THAT(stands(Stage::kForSale, Stage::kGranted), IsEmpty());
+  EXPECT_THAT(stands(Stage::kUnsold, Stage::kGranted), IsEmpty()) << "12 goes on";
+  const auto over = stands(Stage::kUnsold, Stage::kDone);
+  ASSERT_THAT(over, SizeIs(1));
+  EXPECT_EQ(over[0].stage, GlobalStage::kRefused);
+  EXPECT_THAT(over[0].why, HasSubstr("nobody can do what is left: task 11"));
+  EXPECT_THAT(over[0].why, HasSubstr("marvin: no camera; heliv: too far"));
+  EXPECT_THAT(stands(Stage::kForSale, Stage::kDone), IsEmpty());
+  EXPECT_THAT(stands(Stage::kUnsold, Stage::kDone), IsEmpty()) << "said once";
+
+  EXPECT_THAT(stands(Stage::kOwned, Stage::kDone), IsEmpty());
+  EXPECT_THAT(stands(Stage::kUnsold, Stage::kDone), IsEmpty()) << "it is called again first";
+  EXPECT_THAT(stands(Stage::kForSale, Stage::kDone), IsEmpty());
+  EXPECT_THAT(stands(Stage::kUnsold, Stage::kDone), SizeIs(1));
+}
+
 // What this member still has to say to the holder, by numbers of tasks.
 std::vector<std::vector<std::uint64_t>> lots_of(const auction::Status& status) {
   std::vector<std::vector<std::uint64_t>> lots;

@@ -68,13 +68,18 @@ class TeamDesk {
   void give_what_may(mission::MissionId id, MissionTime now, Effects& out);
   void tell_member(const auction::TeamInput& input, MissionTime now, Effects& out);
   void tell_news(Effects& out);
+  void tell_hopeless(Effects& out);
+  bool is_hopeless(mission::MissionId id, mission::GoalId task) const;
 
   team::Roster roster_;
   MissionKnowledge knowledge_;
   std::vector<std::string> uavs_;
   auction::TeamMember member_;
   team::Ownership ownership_;
-  std::map<mission::MissionId, std::set<mission::GoalId>> open_;  ///< of missions given here
+  std::map<mission::MissionId, std::set<mission::GoalId>> open_;   ///< of missions given here
+  std::map<mission::GoalId, std::vector<mission::GoalId>> after_;  ///< what a task comes after
+  std::map<mission::GoalId, int> refused_;  ///< how often nobody could, one after another
+  std::set<mission::MissionId> hopeless_;   ///< of which it is said that nobody can
   std::set<mission::MissionId> given_;
   /// What of them names alarms that are not known yet, and what comes after that.
   std::map<mission::MissionId, team::GlobalMission> waiting_;
