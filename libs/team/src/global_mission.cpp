@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "skein/foundation/joined.hpp"
 #include "skein/mission/alarm_name.hpp"
 
 namespace skein::team {
@@ -12,6 +13,13 @@ namespace {
 
 auction::TaskNumber number_of(mission::GoalId id) {
   return auction::TaskNumber(static_cast<std::uint32_t>(id.value()));
+}
+
+/// "tasks 21, 22, 21: each is to end before the next begins".
+std::string sentence_of(const auction::Contradiction& wrong) {
+  std::vector<std::string> tasks;
+  for (const auction::TaskNumber task : wrong.chain) tasks.push_back(to_text(task));
+  return (tasks.size() == 1 ? "task " : "tasks ") + joined(tasks, ", ") + ": " + wrong.why;
 }
 
 double duration_of(const mission::HighLevelTask& task, const mission::Vocabulary& vocabulary) {
@@ -144,7 +152,7 @@ std::vector<std::string> problems_of(const GlobalMission& mission, const Roster&
   if (!problems.empty()) return problems;
   for (const auction::Contradiction& one :
        auction::contradictions(given(mission, roster, vocabulary).lot)) {
-    problems.push_back(one.why);
+    problems.push_back(sentence_of(one));
   }
   return problems;
 }

@@ -8,10 +8,13 @@
 namespace skein::team {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
+using ::testing::StartsWith;
 
 mission::Vocabulary vocabulary() {
   mission::Vocabulary words;
@@ -99,7 +102,19 @@ TEST(GlobalMission, TasksThatWaitForEachOtherContradictThemselves) {
   one.after = {mission::GoalId(12)};
   other.after = {mission::GoalId(11)};
 
-  EXPECT_THAT(problems(mission_of({one, other})), SizeIs(1));
+  EXPECT_THAT(problems(mission_of({one, other})),
+              ElementsAre(AnyOf("tasks 11, 12, 11: each is to end before the next begins",
+                                "tasks 12, 11, 12: each is to end before the next begins")));
+}
+
+TEST(GlobalMission, AChainThatIsTooLongForADeadlineIsNamed) {
+  GlobalTask one = look(11), other = look(12);
+  other.after = {mission::GoalId(11)};
+  other.task.time.end_before = MissionTime::seconds(20);
+
+  EXPECT_THAT(problems(mission_of({one, other})),
+              ElementsAre(AllOf(StartsWith("tasks 11, 12: the last cannot end before"),
+                                HasSubstr("its deadline is 20"))));
 }
 
 TEST(GlobalMission, OneWhoIsPinnedAndForbiddenContradictsItself) {
