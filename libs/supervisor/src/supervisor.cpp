@@ -66,6 +66,7 @@ Effects Supervisor::Core::handle(const Input& input, MissionTime now) {
   out_.begin(now);
   std::visit([this](const auto& one) { on(one); }, input);
   if (engaged()) {
+    hand_over_.time_passes();
     contingencies_.check_slips();
     true_goals_.settle();
     air_.watch();
@@ -146,6 +147,7 @@ std::optional<MissionTime> Supervisor::Core::next_wakeup() const {
   const auto count = [&](std::optional<MissionTime> at) {
     if (at && *at > now() && *at != MissionTime::max()) next = earliest(next, at);
   };
+  count(hand_over_.next_wakeup());
   count(safe_mode_.paused_until());
   count(committer_.end_of_safe_wait());
   if (agenda_.needed()) count(agenda_.needed()->not_before);

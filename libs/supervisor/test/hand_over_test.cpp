@@ -139,11 +139,55 @@ TEST(SupervisorHandOver, PlansAnewAGoalOfWhichATaskWasLostMeanwhile) {
   desk.seen(101, TaskState::kScheduled);
   desk.seen(102, TaskState::kAborted, "abort requested");
 
-  desk.at(50).give(Engage{true, "given back"});
+  desk.at(50).give(Engage{true, "given back", std::vector{TaskId{100}, TaskId{101}}});
 
   EXPECT_THAT(desk.requests(), ElementsAre("ABORT 101"));
   ASSERT_TRUE(desk.job_started());
   EXPECT_EQ(desk.repair().remaining[0].id, GoalId{702});
+}
+
+/// The ground station has its tasks, and sees one of them abort; then the right to decide comes
+/// back, before the tasks do.
+Desk given_back_after_a_loss() {
+  Desk desk = under_way();
+  desk.at(10).give(Disengage{"degree 1"});
+  desk.seen(101, TaskState::kScheduled);
+  desk.seen(102, TaskState::kAborted, "aborted by the functional layer");
+  desk.at(50).give(Engage{true, "given back"});
+  return desk;
+}
+
+TEST(SupervisorHandOver, WhatAnotherExecutiveHadIsPlannedAnewOnceItIsBack) {
+  Desk desk = given_back_after_a_loss();
+  EXPECT_THAT(desk.requests(), IsEmpty()) << "nothing is here that could be aborted";
+  EXPECT_FALSE(desk.job_started());
+
+  desk.at(50.1).seen(101, TaskState::kScheduled);
+
+  EXPECT_THAT(desk.requests(), ElementsAre("ABORT 101"));
+  ASSERT_TRUE(desk.job_started());
+  EXPECT_EQ(desk.repair().remaining[0].id, GoalId{702});
+}
+
+TEST(SupervisorHandOver, WhatDoesNotComeBackFromAnotherExecutiveIsLost) {
+  Desk desk = given_back_after_a_loss();
+  ASSERT_EQ(desk.supervisor.next_wakeup(), at(55));
+
+  desk.at(55).give(Tick{});
+
+  EXPECT_THAT(desk.requests(), IsEmpty());
+  ASSERT_TRUE(desk.job_started());
+  desk.at(56).seen(101, TaskState::kScheduled);
+  EXPECT_THAT(desk.requests(), ElementsAre("ABORT 101")) << "it comes all the same";
+}
+
+TEST(SupervisorHandOver, TheRightToDecideMayGoAgainBeforeWhatWasThereIsBack) {
+  Desk desk = given_back_after_a_loss();
+  desk.at(51).give(Disengage{"degree 1"});
+  desk.seen(101, TaskState::kScheduled);
+
+  EXPECT_THAT(desk.requests(), IsEmpty());
+  EXPECT_FALSE(desk.supervisor.next_wakeup().has_value());
 }
 
 TEST(SupervisorHandOver, NewTasksWaitForWhatTheGroundHasStarted) {

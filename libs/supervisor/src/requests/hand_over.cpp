@@ -9,6 +9,13 @@
 
 namespace skein::supervisor {
 
+namespace {
+
+/// What another executive had is back by then, or never.
+constexpr Duration kComesBack = Duration::milliseconds(5'000);
+
+}  // namespace
+
 void HandOver::hand_over_goal(GoalId id) {
   Goal& goal = book_.goals.at(id);
   if (is_settled(goal.state)) return;
@@ -19,6 +26,7 @@ void HandOver::hand_over_goal(GoalId id) {
 
 void HandOver::give_up(const Disengage& input) {
   engaged_ = false;
+  returning_.reset();
   for (const Evaluation& one : agenda_.clear()) {
     out_.add(MissionDecided{{one.mission.id, false, {input.cause}, true}});
   }
@@ -52,6 +60,7 @@ std::vector<GoalId> HandOver::take_back() {
     Goal& goal = book_.goals.at(id);
     const bool partly = book_.is_given(id) && (!book_.is_wholly_given(id) || book_.has_lost(id));
     if (is_settled(goal.state) || (goal.state != GoalState::kHandedOver && !partly)) continue;
+    if (returning_ && returning_->goals.count(id) != 0) continue;
     if (book_.has_in_hand(id) && !book_.has_lost(id)) {
       for (const Entry* entry : book_.of(id)) {
         if (!entry->given()) book_.tasks.at(entry->task.id).advance(Step::kWithdraw);
@@ -71,20 +80,61 @@ std::vector<GoalId> HandOver::take_back() {
   return result;
 }
 
+void HandOver::lose(Entry& entry) {
+  entry.seen.over = now();
+  entry.seen.aborted = true;
+  entry.unseen = true;
+  entry.advance(Step::kAbort);
+}
+
 // What the executive has lost to somebody else.
 void HandOver::forget_but(const std::set<TaskId>& kept) {
   for (auto& [id, entry] : book_.tasks) {
-    if (!entry.given() || entry.over() || kept.count(id) != 0) continue;
-    entry.seen.over = now();
-    entry.seen.aborted = true;
-    entry.unseen = true;
-    entry.advance(Step::kAbort);
+    if (entry.given() && !entry.over() && kept.count(id) == 0) lose(entry);
   }
   for (auto it = book_.loose.begin(); it != book_.loose.end();) {
     const bool there = kept.count(it->first) != 0;
     if (!there) book_.forgotten.insert(it->first);
     it = there ? std::next(it) : book_.loose.erase(it);
   }
+}
+
+void HandOver::await_return(const std::string& cause) {
+  Return all{{}, {}, cause, now() + kComesBack};
+  for (const GoalId id : book_.order) {
+    if (is_settled(book_.goals.at(id).state) || !book_.has_in_hand(id) || !book_.has_lost(id))
+      continue;
+    all.goals.insert(id);
+    for (const Entry* entry : book_.of(id))
+      if (entry->in_hand()) all.missing.insert(entry->task.id);
+  }
+  if (!all.goals.empty()) returning_ = std::move(all);
+}
+
+void HandOver::came_back(TaskId task) {
+  if (!returning_ || returning_->missing.erase(task) == 0) return;
+  if (returning_->missing.empty()) plan_returned();
+}
+
+void HandOver::time_passes() {
+  if (!returning_ || now() < returning_->until) return;
+  for (const TaskId id : returning_->missing) {
+    Entry& entry = book_.tasks.at(id);
+    if (!entry.over()) lose(entry);
+  }
+  plan_returned();
+}
+
+std::optional<MissionTime> HandOver::next_wakeup() const {
+  return returning_ ? std::optional(returning_->until) : std::nullopt;
+}
+
+void HandOver::plan_returned() {
+  const std::string cause = returning_->cause;
+  returning_.reset();
+  const std::vector<GoalId> goals = take_back();
+  committer_.reschedule();
+  if (!goals.empty()) agenda_.plan_anew(std::nullopt, false, cause);
 }
 
 void HandOver::take(const Engage& input) {
@@ -94,6 +144,7 @@ void HandOver::take(const Engage& input) {
   if (!input.resume && !was_engaged) {
     for (const GoalId id : book_.order) hand_over_goal(id);
   }
+  if (input.resume && !input.in_executive) await_return(input.cause);
   const std::vector<GoalId> goals = input.resume ? take_back() : std::vector<GoalId>();
   out_.decide({"0 user request", input.cause, list_of("goals", goals), "engaged", now()});
   committer_.reschedule();

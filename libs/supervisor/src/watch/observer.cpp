@@ -77,8 +77,11 @@ Observer::Observer(const Rooms& rooms, Duration grace)
 void Observer::see(const executive::TaskEvent& event) {
   if (event.id >= executive::kFirstBackgroundId) return;
   if (event.state == TaskState::kEnded) beliefs_.see_end(event, now());
-  if (Entry* entry = book_.find(event.id); entry != nullptr) return see(*entry, event);
-  see_loose(event);
+  Entry* entry = book_.find(event.id);
+  if (entry == nullptr) return see_loose(event);
+  see(*entry, event);
+  if (event.state == TaskState::kScheduled || is_terminal(event.state))
+    hand_over_.came_back(event.id);
 }
 
 // Safe waits, and tasks of others. New tasks are numbered beyond theirs, unless theirs are in a
@@ -122,6 +125,9 @@ void Observer::see_scheduled(Entry& entry) {
 }
 
 void Observer::see(Entry& entry, const executive::TaskEvent& event) {
+  // It was given up for lost, and comes back from another executive all the same.
+  const bool late = entry.over() && entry.unseen && event.state == TaskState::kScheduled;
+  if (late && engaged()) out_.send(executive::Abort{entry.task.id});
   if (entry.over()) return;
   if (!entry.given()) {
     entry.by_others = true;

@@ -15,7 +15,7 @@ namespace skein::supervisor {
 class Observer {
  public:
   struct Rooms {
-    const HandOver& hand_over;
+    HandOver& hand_over;
     SafeMode& safe_mode;
     Contingencies& contingencies;
     Committer& committer;
@@ -54,7 +54,7 @@ class Observer {
   std::string missed(const Entry& entry) const;
   bool follows_lost_task(const Entry& entry) const;
 
-  const HandOver& hand_over_;
+  HandOver& hand_over_;
   SafeMode& safe_mode_;
   Contingencies& contingencies_;
   Committer& committer_;

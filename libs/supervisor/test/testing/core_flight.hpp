@@ -304,7 +304,10 @@ class Flight {
         execute(executive::Start{held.task, executive::InsertionMode::kNut});
       }
     }
-    give(Engage{random_.chance(0.8), "degree 4"});
+    Engage engage{random_.chance(0.8), "degree 4", std::vector<TaskId>()};
+    for (const auto& one : executive_.tasks())
+      if (!executive::is_terminal(one.state)) engage.in_executive->push_back(one.id);
+    give(engage);
   }
   void close_air() {
     mission::ChangeWorld change;
