@@ -40,13 +40,19 @@ class MessageText {
   }
   MessageText& fragments(std::uint64_t sequence, std::uint32_t first, std::uint16_t count,
                          std::uint16_t part, const Bytes& whole) {
-    begin(0x16, 0);
-    number(0, 2).number(28, 2).ends(kUserWriter, sequence).number(first, 4).number(count, 2);
-    number(part, 2).number(static_cast<std::uint32_t>(whole.size()), 4);
     const std::size_t from = std::size_t{first - 1} * part;
     const std::size_t to = std::min(whole.size(), from + std::size_t{count} * part);
-    return append({whole.begin() + static_cast<long>(from), whole.begin() + static_cast<long>(to)})
-        .end();
+    return foul_fragments(
+        sequence, first, count, part, whole.size(),
+        {whole.begin() + static_cast<long>(from), whole.begin() + static_cast<long>(to)});
+  }
+  /// With figures that need not go with what is in them.
+  MessageText& foul_fragments(std::uint64_t sequence, std::uint32_t first, std::uint16_t count,
+                              std::uint16_t part, std::size_t size, const Bytes& content) {
+    begin(0x16, 0);
+    number(0, 2).number(28, 2).ends(kUserWriter, sequence).number(first, 4).number(count, 2);
+    number(part, 2).number(static_cast<std::uint32_t>(size), 4);
+    return append(content).end();
   }
   MessageText& unknown() {
     begin(0x06, 0);  // ACKNACK
@@ -149,6 +155,17 @@ TEST_P(MessagesOfBothOrders, PutFragmentsTogetherInAnyOrder) {
   ASSERT_THAT(seen, SizeIs(1));
   EXPECT_EQ(seen[0].bytes, whole);
   EXPECT_THAT(reader_.take(message().fragments(4, 1, 3, 1000, whole).bytes()), IsEmpty());
+}
+
+// Its 50th fragment of a byte would be written far behind the sample if fragments were of 1,000.
+TEST_P(MessagesOfBothOrders, TakeNoFragmentsOfAnotherSizeForASample) {
+  const Bytes whole = counting(100);
+  EXPECT_THAT(reader_.take(message().fragments(4, 1, 49, 1, whole).bytes()), IsEmpty());
+  EXPECT_THAT(reader_.take(message().foul_fragments(4, 50, 1, 1000, 100, counting(1000)).bytes()),
+              IsEmpty());
+  const auto seen = reader_.take(message().fragments(4, 50, 51, 1, whole).bytes());
+  ASSERT_THAT(seen, SizeIs(1));
+  EXPECT_EQ(seen[0].bytes, whole);
 }
 
 TEST_P(MessagesOfBothOrders, ThatAreCutShortAnywhereHarmNobody) {

@@ -104,14 +104,15 @@ void MessageData::take_whole(const Context& context, const Body& body) {
 MessageData::Open* MessageData::opened(const Context& context, const Body& body, std::uint32_t size,
                                        std::uint32_t part) {
   Key key{body.writer(context), body.sequence()};
-  const auto found = open_.find(key);
-  if (found != open_.end())
-    return found->second.sample.bytes.size() == size ? &found->second : nullptr;
+  if (const auto found = open_.find(key); found != open_.end()) {
+    Open& known = found->second;
+    return known.sample.bytes.size() == size && known.part == part ? &known : nullptr;
+  }
   if (order_.size() == kMostOpen) {
     open_.erase(order_.front());
     order_.pop_front();
   }
-  Open open{{key.first, key.second, context.sent, std::vector<std::uint8_t>(size)}, {}, 0};
+  Open open{{key.first, key.second, context.sent, std::vector<std::uint8_t>(size)}, part, {}, 0};
   open.missing = (size + part - 1) / part;
   open.there.resize(open.missing);
   order_.push_back(key);

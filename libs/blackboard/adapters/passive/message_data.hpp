@@ -45,6 +45,7 @@ class MessageData {
   using Key = std::pair<std::string, std::uint64_t>;  ///< writer, sequence
   struct Open {
     SampleData sample;
+    std::uint32_t part = 0;   ///< [byte] of a fragment, the last aside
     std::vector<bool> there;  ///< by fragment
     std::size_t missing = 0;
   };
