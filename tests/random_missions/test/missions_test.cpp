@@ -29,15 +29,16 @@ std::uint64_t missions() {
 
 // Each mission that breaks a law, with its breaches.
 std::string breaches(const Kinds& kinds, std::uint64_t missions,
-                     Mission (*draw)(std::uint64_t, const Kinds&) = generate) {
-  std::uint64_t seed = 1;
+                     Mission (*draw)(std::uint64_t, const Kinds&) = generate,
+                     std::uint64_t first = 1) {
+  std::uint64_t seed = first;
   std::string text;
   JudgeOptions options;
   options.patience = kPatience;
   options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   judge(
       [&](Case& next) {
-        if (seed > missions) return false;
+        if (seed >= first + missions) return false;
         next = {std::to_string(seed), to_yaml(draw(seed, kinds), ".."),
                 SKEIN_SOURCE_DIR "/scenarios/comets/drawn.yaml"};
         ++seed;
@@ -125,6 +126,20 @@ TEST(RandomMissions, UavsThatActJointlyAtOneHeightKeepTheLaws) {
 TEST(RandomMissions, UavsOverFiresThatSpreadKeepTheLaws) {
   EXPECT_EQ(breaches(kClean, missions() / 5, generate_fires), "");
   EXPECT_EQ(breaches({}, missions() / 5, generate_fires), "");
+}
+
+// A team, others with missions of their own, robots, fires, relays and operators.
+TEST(RandomMissions, OfAllOfItAtOnceKeepTheLaws) {
+  EXPECT_EQ(breaches(kClean, missions() / 10, generate_mixed), "");
+}
+
+// Taken over by the ground station while it waits for its air; dates handed around a circle (2).
+TEST(RandomMissions, OfAllOfItAtOnceKeepTheLawsTheyBrokeOnce) {
+  EXPECT_EQ(breaches({}, 1, generate_mixed, 7), "");
+  Kinds deaths;
+  deaths.deaths = true;
+  EXPECT_EQ(breaches(deaths, 1, generate_mixed, 1028), "");
+  EXPECT_EQ(breaches(kClean, 1, generate_mixed, 2057), "");
 }
 
 // Two to six vehicles, some of which keep to the ground.

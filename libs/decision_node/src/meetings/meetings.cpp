@@ -23,6 +23,10 @@ constexpr Duration kStands = Duration::milliseconds(5'000);
 /// When it still stands then nobody can, and the others never come.
 constexpr Duration kNever = Duration::milliseconds(30'000);
 
+/// Between two words to one other (DIP-L). What changed meanwhile comes as one: two words that
+/// answer each other around a circle become one, and it ends.
+constexpr Duration kPause = Duration::milliseconds(500);
+
 bool is_in_circle(const PartnerDates& dates) {
   return dates.behind || dates.soonest == MissionTime::max();
 }
@@ -85,10 +89,14 @@ void Meetings::hear(const FrontierTold& told) {
 
 // To each what changed for it.
 void Meetings::tell_dates() {
+  const MissionTime now = core_.bus().now();
   for (const std::string& other : core_.config().others) {
+    Told& last = words_[other];
     temporal::Frontier word = team_.bounds_for(other);
-    if (word == words_[other]) continue;
-    words_[other] = word;
+    last.more = word != last.word && last.at && now < *last.at + kPause;
+    if (last.more || word == last.word) continue;
+    last.word = word;
+    last.at = now;
     core_.bus().emit(SendFrontier{other, std::move(word)});
   }
 }
@@ -106,6 +114,8 @@ std::optional<MissionTime> Meetings::next_wakeup() const {
     next = earliest(next, std::max(*looked_ + kAgain, dates.soonest));
   }
   for (const auto& [peer, since] : back_) next = earliest(next, since + kSettles);
+  for (const auto& [peer, last] : words_)
+    if (last.more) next = earliest(next, *last.at + kPause);
   for (const auto& [meeting, since] : circles_) {
     for (const Duration patience : {kStands, kNever})
       if (*looked_ < since + patience) next = earliest(next, since + patience);

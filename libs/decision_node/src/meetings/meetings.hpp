@@ -44,8 +44,14 @@ class Meetings final : public Component {
 
   Core& core_;
   temporal::TeamDates team_;
-  Dates told_;                                       ///< to the supervisor
-  std::map<std::string, temporal::Frontier> words_;  ///< the last ones, of DIP-L
+  Dates told_;  ///< to the supervisor
+  /// What another was told last (DIP-L), when, and whether there is more to tell since.
+  struct Told {
+    temporal::Frontier word = {};
+    std::optional<MissionTime> at = {};
+    bool more = false;
+  };
+  std::map<std::string, Told> words_;
   /// Since when each waits for the other there: words may be on their way.
   std::map<temporal::MeetingId, MissionTime> circles_;
   /// In reach again since then: what it did meanwhile it may not have told yet.
