@@ -29,8 +29,8 @@ std::string_view to_text(RepairStep step);
 struct RepairRequest {
   PlanningRequest base;  ///< its tasks do not count; the situation is that after `standing`
   Standing standing;     ///< what the executive keeps
-  std::optional<mission::HighLevelTask> failed;   ///< what is left to do of it is all of it
-  bool refine_failed = true;                      ///< false: it was refined often enough
+  std::optional<mission::HighLevelTask> failed;  ///< what is left to do of it is all of it
+  bool refine_failed = true;                     ///< false: it was refined often enough
   /// Refined behind all that is free, if it can be: what it failed for may be over by then.
   bool failed_goes_behind = false;
   std::vector<mission::HighLevelTask> remaining;  ///< in the order of the plan, without `failed`
