@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "skein/assembly/assembly.hpp"
+#include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
 #include "skein/laws/healing.hpp"
 #include "skein/laws/laws.hpp"
@@ -165,11 +166,40 @@ void judge(const std::function<bool(Case&)>& next, const JudgeOptions& options,
                     });
 }
 
+namespace {
+
+struct Judged {
+  std::vector<std::string> names;
+  std::string says;
+};
+
+/// The laws of truth, and what else is judged.
+std::vector<Judged> all_judged() {
+  std::vector<Judged> all;
+  for (const auto& law : laws::all_laws()) all.push_back({{law.name}, law.says});
+  all.push_back({{"protocol"},
+                 "tasks go through their states, commands are settled once, messages come once and "
+                 "in order"});
+  all.push_back(
+      {{"healing"}, "what was waiting comes soon after a link is back, no event is lost unsaid"});
+  all.push_back({{"crash", "hang"}, "a run ends"});
+  all.push_back({{"same-bytes"}, "played again, the event log is the same (with --twice)"});
+  return all;
+}
+
 std::vector<std::string> law_names() {
   std::vector<std::string> names;
-  for (const auto& law : laws::all_laws()) names.push_back(law.name);
-  names.insert(names.end(), {"protocol", "healing", "crash", "hang", "same-bytes"});
+  for (const Judged& one : all_judged())
+    names.insert(names.end(), one.names.begin(), one.names.end());
   return names;
+}
+
+}  // namespace
+
+std::vector<std::string> law_lines() {
+  std::vector<std::string> lines;
+  for (const Judged& one : all_judged()) lines.push_back(joined(one.names, ", ") + ": " + one.says);
+  return lines;
 }
 
 std::string problem_of_laws(const std::vector<std::string>& names) {

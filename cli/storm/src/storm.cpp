@@ -248,12 +248,7 @@ class Storm {
 };
 
 int list_laws(std::ostream& out) {
-  for (const auto& law : laws::all_laws()) out << law.name << ": " << law.says << '\n';
-  out << "protocol: tasks go through their states, commands are settled once, messages come once "
-         "and in order\n"
-         "healing: what was waiting comes soon after a link is back, no event is lost unsaid\n"
-         "crash, hang: a run ends\n"
-         "same-bytes: played again, the event log is the same (with --twice)\n";
+  for (const std::string& line : law_lines()) out << line << '\n';
   return kExitOk;
 }
 

@@ -230,7 +230,7 @@ int command(int argc, char** argv) {
   declare(app, options);
   CLI11_PARSE(app, argc, argv);
   if (options.laws) {
-    for (const auto& law : laws::all_laws()) std::cout << law.name << ": " << law.says << '\n';
+    for (const std::string& line : storm_tool::law_lines()) std::cout << line << '\n';
     return kExitOk;
   }
   if (const auto problem = storm_tool::problem_of_laws(options.judge.only); !problem.empty()) {

@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <span>
 
+#include "adapters/rtps/guid_text.hpp"
 #include "raw_type.hpp"
 
 namespace skein::blackboard::fastdds {
@@ -24,20 +24,12 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 using eprosima::fastrtps::types::ReturnCode_t;
 
-std::string hexadecimal(std::span<const rtps::octet> bytes) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string text;
-  for (const rtps::octet byte : bytes) {
-    text += kDigits[byte >> 4U];
-    text += kDigits[byte & 15U];
-  }
-  return text;
-}
+using blackboard::rtps::hexadecimal;
 
 std::string text_of(const rtps::GuidPrefix_t& prefix) { return hexadecimal(prefix.value); }
 
 std::string text_of(const rtps::GUID_t& guid) {
-  return text_of(guid.guidPrefix) + "." + hexadecimal(guid.entityId.value);
+  return blackboard::rtps::guid_text(text_of(guid.guidPrefix), guid.entityId.value);
 }
 
 /// Source: OMG, list of vendor ids of RTPS.

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "adapters/rtps/guid_text.hpp"
+
 namespace skein::blackboard::passive {
 namespace {
 
@@ -20,16 +22,6 @@ constexpr std::uint8_t kLittle = 0x01, kHasQos = 0x02, kHasData = 0x04, kInvalid
 constexpr std::uint8_t kOfPartKey = 0x04;
 constexpr std::uint8_t kBuiltin = 0xc0;  ///< in the last octet of an entity's number
 constexpr std::uint16_t kSentinel = 1;   ///< the last of a list of parameters
-
-std::string hexadecimal(Bytes bytes) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : bytes) {
-    text += kDigits[byte >> 4U];
-    text += kDigits[byte & 0xfU];
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -53,7 +45,7 @@ struct MessageData::Body {
   std::uint64_t sequence() const { return std::uint64_t{number(12, 4)} << 32U | number(16, 4); }
   bool is_builtin() const { return (bytes[11] & kBuiltin) == kBuiltin; }
   std::string writer(const Context& context) const {
-    return context.prefix + "." + hexadecimal(bytes.subspan(8, 4));
+    return rtps::guid_text(context.prefix, bytes.subspan(8, 4));
   }
   /// What stands behind the QoS, which has its place where the header says.
   std::optional<Bytes> payload(std::size_t least) const {
@@ -150,7 +142,7 @@ void MessageData::take_fragments(const Context& context, const Body& body) {
 std::vector<SampleData> MessageData::take(std::span<const std::uint8_t> message) {
   out_.clear();
   if (message.size() < kMessageHeader || !std::ranges::equal(message.first(4), kMagic)) return {};
-  Context context{hexadecimal(message.subspan(kPrefixAt, kPrefix)), 0};
+  Context context{rtps::hexadecimal(message.subspan(kPrefixAt, kPrefix)), 0};
   for (Bytes rest = message.subspan(kMessageHeader); rest.size() >= kSubmessageHeader;) {
     const std::uint8_t kind = rest[0];
     const Body head{rest[1], rest};
@@ -160,7 +152,7 @@ std::vector<SampleData> MessageData::take(std::span<const std::uint8_t> message)
     const Body body{head.flags, rest.subspan(kSubmessageHeader, length)};
     if (kind == kInfoTs) context.sent = body.instant();
     if (kind == kInfoSrc && length >= kMessageHeader)
-      context.prefix = hexadecimal(body.bytes.subspan(kPrefixAt, kPrefix));
+      context.prefix = rtps::hexadecimal(body.bytes.subspan(kPrefixAt, kPrefix));
     if (kind == kData) take_whole(context, body);
     if (kind == kDataFrag) take_fragments(context, body);
     rest = rest.subspan(kSubmessageHeader + length);

@@ -87,11 +87,22 @@ bool Merging::has_nothing_to_do() const {
   });
 }
 
-/// Those that lead on come first.
+/// Those come first from where what it waits for could be flown past where the others will be.
 Airways Merging::ordered(Airways aside, bool only_leading) const {
+  const functional::Request& request = waiting_->request;
   const merging::Volumes ends = merger_->ends();
-  const auto others = std::stable_partition(aside.begin(), aside.end(),
-                                            [&](const Airway& one) { return leads_on(one, ends); });
+  const auto leads_on = [&](const Airway& one) {
+    AirwaySituation there = situation();
+    there.state.position = *one.end;
+    there.rest = one.end;
+    there.aside = true;
+    const Airways on =
+        is_done_in_place(request)
+            ? way_to(place_.value_or(*rest_), there)
+            : airways_of(request, false, *core_.config().merging, there).value_or(Airways());
+    return !on.empty() && !overlap(on.front().air, ends);
+  };
+  const auto others = std::stable_partition(aside.begin(), aside.end(), leads_on);
   if (only_leading) aside.erase(others, aside.end());
   return aside;
 }
@@ -118,20 +129,6 @@ Airways Merging::places_aside(const merging::Volumes& taken, const std::vector<d
   Airways aside = ways_aside(next_aside(), taken, *core_.config().merging, situation(), heights);
   ++aside_;
   return aside;
-}
-
-/// From there what it waits for could be flown past where the others will be.
-bool Merging::leads_on(const Airway& aside, const merging::Volumes& ends) const {
-  AirwaySituation there = situation();
-  there.state.position = *aside.end;
-  there.rest = aside.end;
-  there.aside = true;
-  const functional::Request& request = waiting_->request;
-  const Airways on =
-      is_done_in_place(request)
-          ? way_to(place_.value_or(*rest_), there)
-          : airways_of(request, false, *core_.config().merging, there).value_or(Airways());
-  return !on.empty() && !overlap(on.front().air, ends);
 }
 
 }  // namespace skein::decision_node

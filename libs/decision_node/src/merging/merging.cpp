@@ -59,6 +59,29 @@ std::optional<Duration> longest_wait(Core& core, const functional::Request& requ
   return is_of_plan(core, request) ? std::optional(kPlanWaits) : std::nullopt;
 }
 
+/// Nothing is looked at on the way. A role of a joint task asks for its heights; over whoever stays
+/// where its way leads it goes all the same, before it waits for ever.
+bool at_any_height(Core& core, const functional::Request& request, bool asked_long) {
+  if (request.type != "goto") return false;
+  if (is_of_role(request) && !asked_long) return false;
+  const auto starts_with_it = [&](const executive::Literal& literal) {
+    const auto* state = std::get_if<executive::TaskInState>(&literal.condition);
+    return state != nullptr && state->task == request.id &&
+           state->state == executive::TaskState::kRunning;
+  };
+  for (const mission::HeldTask& held : core.execution().held())
+    for (const executive::Clause& clause : held.task.preconditions)
+      if (std::any_of(clause.begin(), clause.end(), starts_with_it)) return false;
+  if (!core.deliberation().possible()) return true;
+  const mission::PlanReport& report = core.deliberation().report();
+  return std::none_of(report.tasks.begin(), report.tasks.end(), [&](const auto& one) {
+    const auto& all = one.task.dependences;
+    return std::any_of(all.begin(), all.end(), [&](const mission::Dependence& on) {
+      return on.kind == mission::DependenceKind::kRunning && on.task == request.id;
+    });
+  });
+}
+
 }  // namespace
 
 Merging::Merging(Core& core) : core_(core) {
@@ -71,7 +94,9 @@ Merging::Merging(Core& core) : core_(core) {
 // ---- motions ----
 
 bool Merging::takes(const functional::Request& request) {
-  if (!merger_ || is_flown(request.id)) return false;
+  // Whoever asks for it once more, as another executive that takes it over does, is told by the
+  // vehicle how far it is.
+  if (!merger_ || (flown_ && flown_->flies(request.id))) return false;
   if (waiting_ && waiting_->makes_room) stop_waiting();
   if (waiting_ && waiting_->request.id == request.id) {
     say_it_has_begun();
@@ -89,12 +114,6 @@ bool Merging::takes(const functional::Request& request) {
   waiting_->looks_around = waiting_->since + kLooksAround;
   ask();
   return true;
-}
-
-/// Whoever asks for it once more, as another executive that takes it over does, is told by the
-/// vehicle how far it is.
-bool Merging::is_flown(functional::TaskId task) const {
-  return flown_ && !flown_->over && flown_->airway.request.id == task;
 }
 
 /// What it flew aside for is given up, and what comes now needs it to stand still: once it is
@@ -152,8 +171,9 @@ void Merging::ask() {
     waiting_.reset();
     return core_.vehicle().begin(std::move(request));
   }
-  auto airways = airways_of(waiting_->request, at_any_height(waiting_->request),
-                            *core_.config().merging, situation());
+  auto airways =
+      airways_of(waiting_->request, at_any_height(core_, waiting_->request, waiting_->asked_long),
+                 *core_.config().merging, situation());
   if (!airways) {
     waiting_->why_not = airways.error().why;
     return;
@@ -279,7 +299,9 @@ void Merging::look_for_way_around() {
   if (!from || core_.bus().now() < *from) return;
   waiting_->looks_around = core_.bus().now() + kLooksAround;
   const bool could = seen_.state.airborne && core_.deliberation().possible();
-  if (!could || merger_->awaited().empty() || !at_any_height(waiting_->request)) return;
+  if (!could || merger_->awaited().empty() ||
+      !at_any_height(core_, waiting_->request, waiting_->asked_long))
+    return;
   auto airways = airways_of(waiting_->request, true, *core_.config().merging, situation());
   if (!airways || airways->empty()) return;
   const merging::Volumes taken = merger_->taken();
@@ -439,29 +461,6 @@ std::function<bool(const world::Vector3&)> Merging::free_to_stay() const {
 }
 
 // ---- what it knows ----
-
-/// Nothing is looked at on the way. A role of a joint task asks for its heights; over whoever stays
-/// where its way leads it goes all the same, before it waits for ever.
-bool Merging::at_any_height(const functional::Request& request) const {
-  if (request.type != "goto") return false;
-  if (is_of_role(request) && !waiting_->asked_long) return false;
-  const auto starts_with_it = [&](const executive::Literal& literal) {
-    const auto* state = std::get_if<executive::TaskInState>(&literal.condition);
-    return state != nullptr && state->task == request.id &&
-           state->state == executive::TaskState::kRunning;
-  };
-  for (const mission::HeldTask& held : core_.execution().held())
-    for (const executive::Clause& clause : held.task.preconditions)
-      if (std::any_of(clause.begin(), clause.end(), starts_with_it)) return false;
-  if (!core_.deliberation().possible()) return true;
-  const mission::PlanReport& report = core_.deliberation().report();
-  return std::none_of(report.tasks.begin(), report.tasks.end(), [&](const auto& one) {
-    const auto& all = one.task.dependences;
-    return std::any_of(all.begin(), all.end(), [&](const mission::Dependence& on) {
-      return on.kind == mission::DependenceKind::kRunning && on.task == request.id;
-    });
-  });
-}
 
 AirwaySituation Merging::situation() const {
   const bool believes = core_.deliberation().possible();

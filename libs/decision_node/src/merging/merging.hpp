@@ -73,6 +73,8 @@ class Merging final : public Component {
   struct Flown {
     Airway airway;
     bool over = false, ended = false;
+
+    bool flies(functional::TaskId task) const { return !over && airway.request.id == task; }
   };
 
   void give(const merging::Input& input);
@@ -93,7 +95,6 @@ class Merging final : public Component {
   void come_to_rest();
   void hold();
   void tell_orders();
-  bool is_flown(functional::TaskId task) const;
   bool comes_after_aside(const functional::Request& request) const;
   bool is_to_come_back(const functional::Request& request) const;
   Airways way_to(const world::Vector3& place, const AirwaySituation& from) const;
@@ -103,8 +104,6 @@ class Merging final : public Component {
   void look_for_room();
   bool has_nothing_to_do() const;
   void stop_waiting();
-  bool leads_on(const Airway& aside, const merging::Volumes& ends) const;
-  bool at_any_height(const functional::Request& request) const;
   AirwaySituation situation() const;
   void note(const std::string& state, const Airway* airway);
 

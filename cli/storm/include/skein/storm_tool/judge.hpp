@@ -36,8 +36,8 @@ struct JudgeOptions {
   std::string log = {};  ///< folder in which each event log is kept as NAME.jsonl; none if empty
 };
 
-/// The names of all laws that a mission is judged by.
-std::vector<std::string> law_names();
+/// All laws that a mission is judged by, a line each: "NAME: what it says", names with commas.
+std::vector<std::string> law_lines();
 /// What is wrong with names of laws, with the nearest there is; empty: nothing.
 std::string problem_of_laws(const std::vector<std::string>& names);
 
