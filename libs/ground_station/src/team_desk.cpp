@@ -166,25 +166,31 @@ void TeamDesk::tell_news(Effects& out) {
 }
 
 /// Nobody could when it was called, nor when it was called again; or it comes after such a one.
-bool TeamDesk::is_hopeless(mission::MissionId id, mission::GoalId task) const {
-  if (!open_.at(id).contains(task)) return false;
-  const auto refused = refused_.find(task);
-  if (refused != refused_.end() && refused->second >= kCalls) return true;
-  const auto standing = standings().find(task);
-  const bool may_begin =
-      standing != standings().end() && standing->second.stage == auction::Stage::kGranted;
-  const std::vector<mission::GoalId>& after = after_.at(task);
-  return !may_begin && std::any_of(after.begin(), after.end(),
-                                   [&](mission::GoalId before) { return is_hopeless(id, before); });
+/// Each is looked at once a round, however many ways lead to it.
+std::set<mission::GoalId> TeamDesk::hopeless_of(const std::set<mission::GoalId>& open) const {
+  std::set<mission::GoalId> hopeless;
+  const auto is_hopeless = [&](mission::GoalId task) {
+    const auto refused = refused_.find(task);
+    if (refused != refused_.end() && refused->second >= kCalls) return true;
+    const auto standing = standings().find(task);
+    const bool may_begin =
+        standing != standings().end() && standing->second.stage == auction::Stage::kGranted;
+    const std::vector<mission::GoalId>& after = after_.at(task);
+    return !may_begin && std::any_of(after.begin(), after.end(), [&](mission::GoalId before) {
+      return hopeless.contains(before);
+    });
+  };
+  for (bool more = true; std::exchange(more, false);)
+    for (const mission::GoalId task : open)
+      if (!hopeless.contains(task) && is_hopeless(task)) more = hopeless.insert(task).second;
+  return hopeless;
 }
 
 /// The end of a mission of which nobody can do what is left. It may be sold all the same, once
 /// somebody comes who can; then it has another end.
 void TeamDesk::tell_hopeless(Effects& out) {
   for (const auto& [id, open] : open_) {
-    const auto hopeless = [&, id = id](mission::GoalId task) { return is_hopeless(id, task); };
-    const bool over =
-        !open.empty() && !waiting_.contains(id) && std::all_of(open.begin(), open.end(), hopeless);
+    const bool over = !open.empty() && !waiting_.contains(id) && hopeless_of(open) == open;
     if (!over) {
       hopeless_.erase(id);
       continue;

@@ -69,7 +69,7 @@ class TeamDesk {
   void tell_member(const auction::TeamInput& input, MissionTime now, Effects& out);
   void tell_news(Effects& out);
   void tell_hopeless(Effects& out);
-  bool is_hopeless(mission::MissionId id, mission::GoalId task) const;
+  std::set<mission::GoalId> hopeless_of(const std::set<mission::GoalId>& open) const;
 
   team::Roster roster_;
   MissionKnowledge knowledge_;
