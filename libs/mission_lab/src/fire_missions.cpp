@@ -94,14 +94,8 @@ class FireDrawing {
       next_goal_[i] = 700 + 1000 * static_cast<int>(i);
   }
 
-  std::size_t place_of(const Step& step) const {
-    const auto one = std::find_if(mission_.team.begin(), mission_.team.end(),
-                                  [&](const Member& member) { return member.name == step.uav; });
-    return static_cast<std::size_t>(one - mission_.team.begin());
-  }
-
   void add(Step& step, const std::string& words) {
-    step.tasks.push_back({next_goal_[place_of(step)]++, words, ""});
+    step.tasks.push_back({next_goal_[member_of(mission_, step)]++, words, ""});
   }
 
   const Fire& any_fire() { return fires_[random_.below(fires_.size())]; }
@@ -140,7 +134,8 @@ class FireDrawing {
   void draw_joint() {
     std::vector<Step*> able;
     for (Step& step : mission_.steps)
-      if (mission_.team[place_of(step)].model != "karma" && able.size() < 2) able.push_back(&step);
+      if (mission_.team[member_of(mission_, step)].model != "karma" && able.size() < 2)
+        able.push_back(&step);
     if (able.size() < 2) return;
     const Fire& fire = any_fire();
     mission_.joint = true;

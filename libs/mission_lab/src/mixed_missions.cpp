@@ -137,12 +137,7 @@ class MixedDrawing {
 
   // ---- what is to be done ----
 
-  std::string new_place() {
-    const std::string name = "P" + std::to_string(mission_.places.size() + 1);
-    mission_.places.push_back(name + ": [" + whole(random_.uniform(-50, 450)) + ", " +
-                              whole(random_.uniform(-50, 450)) + ", 0]");
-    return name;
-  }
+  std::string new_place() { return add_place(random_, mission_); }
 
   std::string new_zone() {
     const std::string name = "Z" + std::to_string(mission_.zones.size() + 1);
@@ -190,14 +185,9 @@ class MixedDrawing {
     }
   }
 
-  std::size_t place_of(const Step& step) const {
-    const auto one = std::find_if(mission_.team.begin(), mission_.team.end(),
-                                  [&](const Member& member) { return member.name == step.uav; });
-    return static_cast<std::size_t>(one - mission_.team.begin());
-  }
-
   void add(Step& step, std::string words) {
-    Task task{700 + 1000 * static_cast<int>(place_of(step)) + given_++, std::move(words), ""};
+    Task task{700 + 1000 * static_cast<int>(member_of(mission_, step)) + given_++, std::move(words),
+              ""};
     if (kinds_.deadlines && random_.chance(0.1)) task.times = draw_times(random_);
     step.tasks.push_back(std::move(task));
   }
@@ -238,7 +228,7 @@ class MixedDrawing {
       if (std::find(names.begin(), names.end(), step.uav) == names.end()) continue;
       add(step,
           "[synchro, " + std::to_string(kFirstMeeting + number) + ", " + all + ", " + all + "]");
-      if (random_.chance(0.4)) add(step, a_task(place_of(step)));
+      if (random_.chance(0.4)) add(step, a_task(member_of(mission_, step)));
     }
   }
 
@@ -247,7 +237,7 @@ class MixedDrawing {
     std::vector<Step*> able;
     std::vector<std::string> names;
     for (Step& step : mission_.steps) {
-      const std::size_t who = place_of(step);
+      const std::size_t who = member_of(mission_, step);
       const Model& model = models_[who];
       if (bids(who) || !model.hovers || !model.flies || model.folder != "comets" ||
           able.size() == 2)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "parts.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -10,6 +11,19 @@ namespace skein::mission_lab {
 std::string whole(double number) { return std::to_string(std::lround(number)); }
 
 std::string point(double x, double y) { return "[" + whole(x) + ", " + whole(y) + "]"; }
+
+std::string add_place(Random& random, Mission& mission) {
+  const std::string name = "P" + std::to_string(mission.places.size() + 1);
+  mission.places.push_back(name + ": [" + whole(random.uniform(-50, 450)) + ", " +
+                           whole(random.uniform(-50, 450)) + ", 0]");
+  return name;
+}
+
+std::size_t member_of(const Mission& mission, const Step& step) {
+  const auto one = std::find_if(mission.team.begin(), mission.team.end(),
+                                [&](const Member& member) { return member.name == step.uav; });
+  return static_cast<std::size_t>(one - mission.team.begin());
+}
 
 std::string draw_zone(Random& random) {
   const double x = random.uniform(60, 400), y = random.uniform(-50, 300);

@@ -20,6 +20,10 @@ std::string point(double x, double y);
 std::string tenths(double number);
 /// Rounded to two.
 std::string hundredths(double number);
+/// A new place on the ground, "P1", "P2", … in their order: its name.
+std::string add_place(Random& random, Mission& mission);
+/// Which of the team a step is for.
+std::size_t member_of(const Mission& mission, const Step& step);
 /// Times of a high-level task.
 std::string draw_times(Random& random);
 /// A high-level task of which it is asked what it would take.

@@ -88,12 +88,7 @@ class RobotDrawing {
     }
   }
 
-  std::string new_place() {
-    const std::string name = "P" + std::to_string(mission_.places.size() + 1);
-    mission_.places.push_back(name + ": [" + whole(random_.uniform(-50, 450)) + ", " +
-                              whole(random_.uniform(-50, 450)) + ", 0]");
-    return name;
-  }
+  std::string new_place() { return add_place(random_, mission_); }
 
   std::string a_task() {
     const std::string place = new_place();
