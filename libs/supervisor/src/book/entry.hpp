@@ -81,6 +81,12 @@ struct Entry {
   Stage stage() const { return stage_; }
   /// Precondition: the table has this step.
   void advance(Step step);
+  /// It is over, and did not end. Precondition: as of Step::kAbort.
+  void abort(MissionTime at) {
+    seen.over = at;
+    seen.aborted = true;
+    advance(Step::kAbort);
+  }
 
   bool given() const { return stage_ != Stage::kPlanned && stage_ != Stage::kDropped; }
   bool live() const { return stage_ < Stage::kDropped; }  ///< counts for its goal

@@ -81,10 +81,8 @@ std::vector<GoalId> HandOver::take_back() {
 }
 
 void HandOver::lose(Entry& entry) {
-  entry.seen.over = now();
-  entry.seen.aborted = true;
   entry.unseen = true;
-  entry.advance(Step::kAbort);
+  entry.abort(now());
 }
 
 // What the executive has lost to somebody else.

@@ -125,10 +125,12 @@ void Observer::see_scheduled(Entry& entry) {
 }
 
 void Observer::see(Entry& entry, const executive::TaskEvent& event) {
-  // It was given up for lost, and comes back from another executive all the same.
-  const bool late = entry.over() && entry.unseen && event.state == TaskState::kScheduled;
-  if (late && engaged()) out_.send(executive::Abort{entry.task.id});
-  if (entry.over()) return;
+  if (entry.over()) {
+    // Given up for lost, it comes back from another executive all the same.
+    const bool late = entry.unseen && event.state == TaskState::kScheduled;
+    if (late && engaged()) out_.send(executive::Abort{entry.task.id});
+    return;
+  }
   if (!entry.given()) {
     entry.by_others = true;
     entry.advance(Step::kGive);
@@ -252,9 +254,7 @@ std::string Observer::missed(const Entry& entry) const {
 
 void Observer::see_aborted(Entry& entry) {
   const bool ordered = entry.ordered();
-  entry.seen.over = now();
-  entry.seen.aborted = true;
-  entry.advance(Step::kAbort);
+  entry.abort(now());
   tell_progress(entry.task.origin);
   if (!entry.live()) return;
   const bool asked = entry.why == "abort requested" && !ordered;
@@ -321,11 +321,7 @@ void Observer::see(const executive::Reply& reply) {
   }
   Entry* entry = book_.find(*reply.id);
   if (entry == nullptr || entry->over()) return;
-  if (reply.request == executive::RequestKind::kStart) {
-    entry->seen.over = now();
-    entry->seen.aborted = true;
-    entry->advance(Step::kAbort);
-  }
+  if (reply.request == executive::RequestKind::kStart) entry->abort(now());
   entry->why = reply.why;
   if (entry->live() && engaged()) refused(*entry, what);
 }
