@@ -47,6 +47,8 @@ constexpr std::array<Annealing, 5> kAnnealings = {{{6e-4, 1.0 / 75, 1, 1, 4},
 constexpr double kSurelyMet = 0.99;
 /// Cycles of which one part in so many is reserve: a visit counts from the middle of its piece.
 constexpr double kWorstMargin = 0.95;
+/// Rounds over no more blocks are searched for whatever the risk.
+constexpr std::size_t kFewBlocks = 64;
 /// Laps planned one by one take long over more blocks, and are made shorter from no more visits a
 /// block than that.
 constexpr std::size_t kMostForLaps = 400, kMostTimes = 5;
@@ -237,6 +239,14 @@ std::vector<LapRule> promising_rules(const LapGround& ground, const PatrolSight&
   return best;
 }
 
+/// Nowhere more risk than elsewhere, so that nothing is gained by seeing some cells more often than
+/// others; of few blocks everything in turn may still be a clumsy round.
+bool is_best_in_turn(const LapGround& ground) {
+  const auto [least, most] =
+      std::minmax_element(ground.field.risk.begin(), ground.field.risk.end());
+  return *least == *most && ground.blocks.size() > kFewBlocks;
+}
+
 /// Flies one after the other and takes what is better than all before.
 class PatrolTrials {
  public:
@@ -251,6 +261,7 @@ class PatrolTrials {
     in_turn_ = in_turn.figures();
     take_({in_turn.take_way(), complete});
     if (!complete || ground_.blocks.size() < 4) return;
+    if (is_best_in_turn(ground_)) return;
     least_ = badness(in_turn_, in_turn_);
     for (const std::size_t times : kTimes)
       if (!fly_cycle(weighted_cycle(ground_, goal(1), times, time()))) return;

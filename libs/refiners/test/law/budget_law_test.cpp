@@ -272,18 +272,22 @@ TEST(BudgetLaw, PatrolsOverManyCellsEndInTime) {
   expect_in_time(query, world, "a million cells");
 }
 
+void put_three_peaks(world::GroundState& ground) {
+  ground.risk.clear();
+  for (std::size_t i = 0; i < ground.grid.size(); ++i) {
+    const Vector2 at = ground.grid.centre(i);
+    double risk = 0.05;
+    for (const Vector2& peak : {Vector2(-300, 200), Vector2(250, -350), Vector2(400, 420)})
+      risk = std::max(risk, std::exp(-(at - peak).squaredNorm() / (2 * 120.0 * 120)));
+    ground.risk.push_back(risk);
+  }
+}
+
 /// Where few places are at risk a patrol is searched for longest: without a budget for seconds.
 TEST(BudgetLaw, PatrolsWhereRiskHasPeaksAreAnsweredInTimeAndNeverWorseForMoreTime) {
   auto world = testing::level_world(1000);
   world.ground.grid = {-640, -640, 20, 64, 64};
-  world.ground.risk.clear();
-  for (std::size_t i = 0; i < world.ground.grid.size(); ++i) {
-    const Vector2 at = world.ground.grid.centre(i);
-    double risk = 0.05;
-    for (const Vector2& peak : {Vector2(-300, 200), Vector2(250, -350), Vector2(400, 420)})
-      risk = std::max(risk, std::exp(-(at - peak).squaredNorm() / (2 * 120.0 * 120)));
-    world.ground.risk.push_back(risk);
-  }
+  put_three_peaks(world.ground);
   auto query = patrol_over(world, 639);
   for (const double footprint : {20.0, 40.0, 60.0}) {
     query.footprint = footprint;
@@ -309,6 +313,7 @@ TEST(BudgetLaw, PatrolsWhereRiskHasPeaksAreAnsweredInTimeAndNeverWorseForMoreTim
 TEST(BudgetLaw, APatrolThatIsShortOfTimeIsAnsweredWithThePartThatIsPlanned) {
   auto world = testing::level_world(1000);
   world.ground.grid = {-900, -900, 20, 90, 90};
+  put_three_peaks(world.ground);
   const auto query = patrol_over(world, 850);
   Setting setting{world, {}, 1, nullptr};
   setting.budget.time_is_up = [began = processor_seconds()] {

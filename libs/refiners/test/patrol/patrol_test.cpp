@@ -154,6 +154,16 @@ TEST(Patrol, OfEvenRiskIsNearTheLowerBoundOfTheWorstIdleness) {
   EXPECT_GE(figures.worst_idleness_bound, 0.75 * without_grain);
 }
 
+// A step is a visit of a piece of a lane, or 64 changes tried: one search takes tens of thousands.
+TEST(Patrol, OfEvenRiskIsPlannedWithoutASearch) {
+  const world::World world = a_world(64);
+
+  const auto refined = ask(a_query(640, 12000), world);
+
+  ASSERT_TRUE(refined.has_value());
+  EXPECT_LT(refined->effort.steps, 5000U);
+}
+
 TEST(Patrol, OfAnyLengthAndFootprintHasNoFigureBelowItsBound) {
   Random random(5, "lengths");
   const std::uint64_t patrols = skein::testing::long_tests() ? 200 : 10;

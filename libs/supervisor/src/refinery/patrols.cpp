@@ -35,6 +35,9 @@ constexpr double kSpacing = 2;         // turn radii between points of arcs: non
 constexpr int kSides = 8;              // of a circle
 constexpr int kWays = 4;               // to and fro
 constexpr std::size_t kMostPoints = 4000;
+// Of the search for walks [64 changes tried], about half a second: a patrol of a mission lasts a
+// few rounds, and is planned again and again.
+constexpr std::uint64_t kSearched = 30'000;
 
 /// Without the points nearer to the last one kept than `spacing`.
 Way spaced(const Way& way, double spacing) {
@@ -118,7 +121,9 @@ Answer<Way> Patrols::planned(const world::World& world, const Vector3& from,
   query.footprint = footprint;
   query.duration = Duration::seconds(seconds);
   query.depart = air_.origin();
-  auto refined = refine(query, air_.setting(world));
+  refiners::Setting setting = air_.setting(world);
+  setting.budget.steps = std::min(setting.budget.steps, kSearched);
+  auto refined = refine(query, setting);
   if (!refined) return no(refined.error().why);
   if (vehicle().hovers) return std::move(refined->task.way);
   return spaced(refined->task.way, kSpacing * vehicle().min_turn_radius);
