@@ -5,8 +5,10 @@
 #include <cmath>
 #include <utility>
 
+#include "ground_below.hpp"
 #include "skein/foundation/contract.hpp"
 #include "voxel_walk.hpp"
+#include "work_clock.hpp"
 
 namespace skein::world {
 namespace {
@@ -14,97 +16,13 @@ namespace {
 /// What Terrain takes for grazing, and no hit, is above the ground here too [m].
 constexpr double kGrazing = 5e-10;
 
-/// The two ends of [from, until], held within [low, high], and the lines of a grid in between: the
-/// places where a surface that is linear between those lines can be highest.
-std::vector<double> corners_along(double from, double until, double low, double high, double cell) {
-  const double a = std::clamp(from, low, high), b = std::clamp(until, low, high);
-  std::vector<double> corners = {a};
-  const auto first = static_cast<std::int64_t>(std::floor((a - low) / cell));
-  const auto last = static_cast<std::int64_t>(std::ceil((b - low) / cell));
-  for (std::int64_t i = first; i <= last; ++i) {
-    const double line = low + static_cast<double>(i) * cell;
-    if (line > a && line < b) corners.push_back(line);
-  }
-  if (b > a) corners.push_back(b);
-  return corners;
-}
-
-/// Which corners of the terrain's cells lie in each of the rows (or columns) of voxels.
-std::vector<std::vector<double>> corners_of_voxels(double origin, double voxel, std::int32_t count,
-                                                   double margin,
-                                                   const std::array<double, 3>& ground) {
-  std::vector<std::vector<double>> corners;
-  corners.reserve(static_cast<std::size_t>(count));
-  for (std::int32_t i = 0; i < count; ++i) {
-    const double from = origin + i * voxel;
-    corners.push_back(
-        corners_along(from - margin, from + voxel + margin, ground[0], ground[1], ground[2]));
-  }
-  return corners;
-}
-
-/// What is under a column of voxels.
-struct Ground {
-  double lowest, highest;  // [m]
-};
-
-/// The same places along one axis for all rows (or columns) of voxels, each once; and which of them
-/// are of which row: [first, end).
-struct Corners {
-  std::vector<double> places;
-  std::vector<std::pair<std::size_t, std::size_t>> of_voxels;
-};
-
-Corners each_once(const std::vector<std::vector<double>>& of_voxels) {
-  Corners corners;
-  for (const std::vector<double>& places : of_voxels)
-    corners.places.insert(corners.places.end(), places.begin(), places.end());
-  std::sort(corners.places.begin(), corners.places.end());
-  corners.places.erase(std::unique(corners.places.begin(), corners.places.end()),
-                       corners.places.end());
-  const auto index_of = [&](double place) {
-    const auto found = std::lower_bound(corners.places.begin(), corners.places.end(), place);
-    return static_cast<std::size_t>(found - corners.places.begin());
-  };
-  // What else lies between the first and the last of a voxel is below the surface of these.
-  for (const std::vector<double>& places : of_voxels)
-    corners.of_voxels.emplace_back(index_of(places.front()), index_of(places.back()) + 1);
-  return corners;
-}
-
-/// The ground under each column of voxels, whose footprint is grown by `margin` [m].
-std::vector<Ground> ground_below(const AirspaceGrid& grid, const Terrain& terrain, double margin) {
-  const TerrainSpec& spec = terrain.spec();
-  const Corners xs = each_once(corners_of_voxels(grid.origin.x(), grid.voxel, grid.size[0], margin,
-                                                 {spec.west, spec.east, spec.cell}));
-  const Corners ys = each_once(corners_of_voxels(grid.origin.y(), grid.voxel, grid.size[1], margin,
-                                                 {spec.south, spec.north, spec.cell}));
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  const std::size_t columns = xs.of_voxels.size();
-  std::vector<Ground> grounds(columns * ys.of_voxels.size(), Ground{kFar, -kFar});
-  std::vector<double> heights(xs.places.size());
-  std::vector<Ground> line(columns);  // along one line from west to east
-  std::size_t first_row = 0;
-  for (std::size_t k = 0; k < ys.places.size(); ++k) {
-    for (std::size_t i = 0; i < heights.size(); ++i)
-      heights[i] = terrain.elevation(xs.places[i], ys.places[k]);
-    for (std::size_t i = 0; i < columns; ++i) {
-      const auto [first, end] = xs.of_voxels[i];
-      line[i] = {kFar, -kFar};
-      for (std::size_t at = first; at < end; ++at)
-        line[i] = {std::min(line[i].lowest, heights[at]), std::max(line[i].highest, heights[at])};
-    }
-    while (first_row < ys.of_voxels.size() && ys.of_voxels[first_row].second <= k) ++first_row;
-    for (std::size_t row = first_row; row < ys.of_voxels.size() && ys.of_voxels[row].first <= k;
-         ++row)
-      for (std::size_t i = 0; i < columns; ++i) {
-        Ground& ground = grounds[row * columns + i];
-        ground = {std::min(ground.lowest, line[i].lowest),
-                  std::max(ground.highest, line[i].highest)};
-      }
-  }
-  return grounds;
-}
+/// So many columns of voxels are closed at a time, at most so many side by side.
+constexpr std::size_t kTile = 1U << 16U;
+constexpr std::int32_t kTileWidth = 4096;
+/// So many voxels are made, or closed, in about a nanosecond.
+constexpr std::size_t kMade = 2, kClosed = 8;
+/// About what it takes to find which layers of a column are open [ns].
+constexpr std::size_t kColumn = 10;
 
 /// The first layer of which something is true that is so of all above it too; about at a height.
 template <class IsTrue>
@@ -116,23 +34,55 @@ std::int32_t first_layer(const AirspaceGrid& grid, double height, const IsTrue& 
   return layer;
 }
 
-/// Closes the voxels of which `is_blocked(layer, figure of the column)`, which compares the two:
-/// below all figures and above them a layer is alike; elsewhere without branches, so that many are
-/// done at a time.
-template <class IsBlocked>
-void block_where(const AirspaceGrid& grid, const std::vector<std::int32_t>& columns,
-                 std::vector<std::uint8_t>& voxels, const IsBlocked& is_blocked) {
+/// Which layers of each column of a tile stay open: [from, until).
+struct OpenLayers {
+  std::vector<std::int32_t> from, until;
+};
+
+void close_where(std::uint8_t* voxels, const std::int32_t* from, const std::int32_t* until,
+                 std::size_t count, std::int32_t z) {
   static_assert(Airspace::kBlocked == 0);
-  const auto [least, most] = std::minmax_element(columns.begin(), columns.end());
+  // Without branches, so that many are done at a time.
+  for (std::size_t i = 0; i < count; ++i)
+    voxels[i] = static_cast<std::uint8_t>(voxels[i] & (z >= from[i] && z < until[i] ? 0xff : 0));
+}
+
+/// Closes the voxels of a tile that are not open: below all figures and above them a layer is
+/// alike. False once the clock is up.
+bool close_all_but(const OpenLayers& open, const AirspaceGrid& grid, const ColumnTile& tile,
+                   std::vector<std::uint8_t>& voxels, WorkClock& clock) {
+  const auto [from, last_from] = std::minmax_element(open.from.begin(), open.from.end());
+  const auto [until, last_until] = std::minmax_element(open.until.begin(), open.until.end());
+  // Rows that follow on one another are closed as one.
+  const bool whole = tile.columns == grid.size[0];
+  const std::size_t length = whole ? tile.count() : static_cast<std::size_t>(tile.columns);
+  const std::int32_t runs = whole ? 1 : tile.rows;
   for (std::int32_t z = 0; z < grid.size[2]; ++z) {
-    std::uint8_t* layer = &voxels[grid.index(0, 0, z)];
-    if (z < *least || z >= *most) {
-      if (is_blocked(z, *least)) std::fill_n(layer, columns.size(), Airspace::kBlocked);
-      continue;
+    if (z >= *last_from && z < *until) continue;
+    const bool alike = z < *from || z >= *last_until;
+    for (std::int32_t run = 0; run < runs; ++run) {
+      std::uint8_t* row = &voxels[grid.index(tile.x, tile.y + run, z)];
+      const std::size_t first = static_cast<std::size_t>(run) * length;
+      if (alike)
+        std::fill_n(row, length, Airspace::kBlocked);
+      else
+        close_where(row, &open.from[first], &open.until[first], length, z);
     }
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      layer[i] = static_cast<std::uint8_t>(layer[i] & (is_blocked(z, columns[i]) ? 0 : 0xff));
+    if (clock.is_up_after(tile.count() / kClosed)) return false;
   }
+  return true;
+}
+
+/// Calls `close(tile)` for all columns of a grid until it says false; true when it never did.
+template <class Close>
+bool for_each_tile(const AirspaceGrid& grid, const Close& close) {
+  const std::int32_t width = std::min(grid.size[0], kTileWidth);
+  const auto depth = static_cast<std::int32_t>(kTile / static_cast<std::size_t>(width));
+  for (std::int32_t x = 0; x < grid.size[0]; x += width)
+    for (std::int32_t y = 0; y < grid.size[1]; y += depth)
+      if (!close({x, y, std::min(width, grid.size[0] - x), std::min(depth, grid.size[1] - y)}))
+        return false;
+  return true;
 }
 
 }  // namespace
@@ -175,37 +125,87 @@ Airspace::Airspace(const AirspaceGrid& grid, std::vector<std::uint8_t> voxels)
 
 Airspace::Airspace(const AirspaceSpec& spec, const Terrain& terrain,
                    const std::vector<Volume>& volumes)
-    : Airspace(spec.grid) {
+    : Airspace(std::move(*in_time(spec, terrain, volumes, {}))) {}
+
+std::optional<Airspace> Airspace::in_time(const AirspaceSpec& spec, const Terrain& terrain,
+                                          const std::vector<Volume>& volumes,
+                                          const std::function<bool()>& time_is_up) {
+  SKEIN_EXPECTS(problems_of(spec.grid).empty());
   SKEIN_EXPECTS(spec.clearance >= 0 && spec.body_radius >= 0);
-  stand_on(terrain, spec.clearance, 0);
-  if (spec.body_radius > 0) stand_on(terrain, spec.body_radius, spec.body_radius);
-  if (std::isfinite(spec.ceiling)) stay_below(terrain, spec.ceiling);
+  WorkClock clock(time_is_up);
+  std::optional<Airspace> air = Airspace(spec.grid, nullptr, clock);
+  const double none = std::numeric_limits<double>::infinity();
+  if (!air->stand_on(terrain, {spec.clearance, spec.ceiling, 0}, clock)) return std::nullopt;
+  if (spec.body_radius > 0 &&
+      !air->stand_on(terrain, {spec.body_radius, none, spec.body_radius}, clock))
+    return std::nullopt;
   for (const Volume& volume : volumes)
-    if (volume.when.overlaps(spec.when)) block(volume, spec.body_radius);
+    if (volume.when.overlaps(spec.when) && !air->block(volume, spec.body_radius, time_is_up))
+      return std::nullopt;
+  return air;
 }
 
-/// Blocks what is less than `clearance` over the ground within `margin` of its footprint.
-void Airspace::stand_on(const Terrain& terrain, double clearance, double margin) {
+Airspace::Airspace(const AirspaceGrid& grid, const std::uint8_t* voxels, WorkClock& clock)
+    : grid_(grid) {
+  constexpr std::size_t kPiece = 1U << 20U;
+  voxels_.reserve(grid.count());  // which does not touch the memory
+  while (voxels_.size() < grid.count() && !clock.is_up_after(kPiece / kMade)) {
+    const std::size_t begin = voxels_.size(), piece = std::min(kPiece, grid.count() - begin);
+    if (voxels != nullptr)
+      voxels_.insert(voxels_.end(), voxels + begin, voxels + begin + piece);
+    else
+      voxels_.insert(voxels_.end(), piece, kPlain);
+  }
+}
+
+std::optional<Airspace> Airspace::copied(const std::function<bool()>& time_is_up) const {
+  WorkClock clock(time_is_up);
+  std::optional<Airspace> copy = Airspace(grid_, voxels_.data(), clock);
+  if (copy->voxels_.size() < voxels_.size()) return std::nullopt;
+  copy->least_cost_ = least_cost_;
+  copy->greatest_cost_ = greatest_cost_;
+  return copy;
+}
+
+/// Blocks what is less than the clearance over the ground within the margin of its footprint, or
+/// above the ceiling. False once the clock is up.
+bool Airspace::stand_on(const Terrain& terrain, const Heights& heights, WorkClock& clock) {
   const auto is_low = [&](std::int32_t z, const Ground& ground) {
-    return grid_.origin.z() + z * grid_.voxel - clearance + kGrazing < ground.highest;
+    return grid_.origin.z() + z * grid_.voxel - heights.clearance + kGrazing < ground.highest;
   };
-  std::vector<std::int32_t> layers;  // that are too low, of each column
-  for (const Ground& ground : ground_below(grid_, terrain, margin))
-    layers.push_back(first_layer(grid_, ground.highest + clearance,
-                                 [&](std::int32_t z) { return !is_low(z, ground); }));
-  block_where(grid_, layers, voxels_, [](std::int32_t z, std::int32_t first) { return z < first; });
+  const auto is_high = [&](std::int32_t z, const Ground& ground) {
+    return grid_.origin.z() + (z + 1) * grid_.voxel - heights.ceiling - kGrazing > ground.lowest;
+  };
+  const bool has_ceiling = std::isfinite(heights.ceiling);
+  GroundBelow below(grid_, terrain, heights.margin);
+  OpenLayers open;
+  return voxels_.size() == grid_.count() && for_each_tile(grid_, [&](const ColumnTile& tile) {
+           open.from.clear();
+           open.until.assign(tile.count(), grid_.size[2]);
+           for (const Ground& ground : below.of(tile, clock)) {
+             open.from.push_back(first_layer(grid_, ground.highest + heights.clearance,
+                                             [&](std::int32_t z) { return !is_low(z, ground); }));
+             if (has_ceiling)
+               open.until[open.from.size() - 1] =
+                   first_layer(grid_, ground.lowest + heights.ceiling,
+                               [&](std::int32_t z) { return is_high(z, ground); });
+           }
+           return !clock.is_up_after(tile.count() * kColumn) &&
+                  close_all_but(open, grid_, tile, voxels_, clock);
+         });
 }
 
-void Airspace::stay_below(const Terrain& terrain, double ceiling) {
-  const auto is_high = [&](std::int32_t z, const Ground& ground) {
-    return grid_.origin.z() + (z + 1) * grid_.voxel - ceiling - kGrazing > ground.lowest;
-  };
-  std::vector<std::int32_t> layers;  // the first that is too high
-  for (const Ground& ground : ground_below(grid_, terrain, 0))
-    layers.push_back(first_layer(grid_, ground.lowest + ceiling,
-                                 [&](std::int32_t z) { return is_high(z, ground); }));
-  block_where(grid_, layers, voxels_,
-              [](std::int32_t z, std::int32_t first) { return z >= first; });
+std::optional<Voxel> voxel_at(const AirspaceGrid& grid, const Vector3& point) {
+  Voxel voxel{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const double along = (point[k] - grid.origin[k]) / grid.voxel;
+    if (!(along >= -Airspace::kSnap && along <= grid.size[i] + Airspace::kSnap))
+      return std::nullopt;
+    const auto index = static_cast<std::int32_t>(std::floor(along + Airspace::kSnap));
+    voxel[i] = std::clamp(index, 0, grid.size[i] - 1);
+  }
+  return voxel;
 }
 
 bool Airspace::is_free(std::int32_t x, std::int32_t y, std::int32_t z) const {
@@ -216,18 +216,6 @@ bool Airspace::is_free(std::int32_t x, std::int32_t y, std::int32_t z) const {
 
 Vector3 Airspace::centre(const Voxel& voxel) const {
   return grid_.origin + grid_.voxel * Vector3(voxel[0] + 0.5, voxel[1] + 0.5, voxel[2] + 0.5);
-}
-
-std::optional<Voxel> Airspace::voxel_at(const Vector3& point) const {
-  Voxel voxel{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    const double along = (point[k] - grid_.origin[k]) / grid_.voxel;
-    if (!(along >= -kSnap && along <= grid_.size[i] + kSnap)) return std::nullopt;
-    const auto index = static_cast<std::int32_t>(std::floor(along + kSnap));
-    voxel[i] = std::clamp(index, 0, grid_.size[i] - 1);
-  }
-  return voxel;
 }
 
 std::optional<Voxel> Airspace::free_voxel_at(const Vector3& point) const {

@@ -5,6 +5,7 @@
 
 #include "skein/foundation/contract.hpp"
 #include "skein/world/airspace.hpp"
+#include "work_clock.hpp"
 
 namespace skein::world {
 namespace {
@@ -65,24 +66,27 @@ Range touched(double from, double until, double origin, double voxel, std::int32
           static_cast<std::int32_t>(std::min(high, size - 1.0))};
 }
 
-/// Calls `touch(x, y)` for every column of voxels that a polygon grown by a margin touches, some
-/// more than once.
+/// Calls `touch(first, last, y)` for every row of columns of voxels that a polygon grown by a
+/// margin touches, some more than once, until it says false.
 template <class Touch>
 class Footprint {
  public:
   Footprint(const AirspaceGrid& grid, const Polygon& polygon, double margin, const Touch& touch)
       : grid_(grid), polygon_(polygon), margin_(margin + kTouch), touch_(touch) {}
 
-  void trace() const {
+  /// True when it never said false.
+  bool trace() const {
     for (std::size_t i = 0; i < polygon_.size(); ++i)
-      trace_edge(polygon_[i], polygon_[(i + 1) % polygon_.size()]);
+      if (!trace_edge(polygon_[i], polygon_[(i + 1) % polygon_.size()])) return false;
     double low = polygon_[0].y(), high = low;
     for (const Vector2& corner : polygon_) {
       low = std::min(low, corner.y());
       high = std::max(high, corner.y());
     }
     const Range rows = touched(low, high, grid_.origin.y(), grid_.voxel, grid_.size[1]);
-    for (std::int32_t y = rows.first; y <= rows.last; ++y) fill_row(y);
+    for (std::int32_t y = rows.first; y <= rows.last; ++y)
+      if (!fill_row(y)) return false;
+    return true;
   }
 
  private:
@@ -92,14 +96,15 @@ class Footprint {
   }
 
   /// Every column that the edge, grown, touches.
-  void trace_edge(const Vector2& a, const Vector2& b) const {
+  bool trace_edge(const Vector2& a, const Vector2& b) const {
     const Range rows = touched(std::min(a.y(), b.y()) - margin_, std::max(a.y(), b.y()) + margin_,
                                grid_.origin.y(), grid_.voxel, grid_.size[1]);
     for (std::int32_t y = rows.first; y <= rows.last; ++y) {
       const Range columns = columns_of(a, b, y);
       for (std::int32_t x = columns.first; x <= columns.last; ++x)
-        if (within(footprint(x, y), a, b, margin_)) touch_(x, y);
+        if (within(footprint(x, y), a, b, margin_) && !touch_(x, x, y)) return false;
     }
+    return true;
   }
 
   /// The columns of a row that the edge can come near.
@@ -118,7 +123,7 @@ class Footprint {
   }
 
   /// The columns whose centre is inside; those that only the border touches are traced.
-  void fill_row(std::int32_t y) const {
+  bool fill_row(std::int32_t y) const {
     const double level = grid_.origin.y() + (y + 0.5) * grid_.voxel;
     std::vector<double> crossings;
     for (std::size_t i = 0; i < polygon_.size(); ++i) {
@@ -133,8 +138,11 @@ class Footprint {
       const double low = std::ceil((crossings[i] - grid_.origin.x() - half) / grid_.voxel);
       const double high = std::floor((crossings[i + 1] - grid_.origin.x() - half) / grid_.voxel);
       const double first = std::max(low, 0.0), last = std::min(high, grid_.size[0] - 1.0);
-      for (double x = first; x <= last; ++x) touch_(static_cast<std::int32_t>(x), y);
+      if (first <= last &&
+          !touch_(static_cast<std::int32_t>(first), static_cast<std::int32_t>(last), y))
+        return false;
     }
+    return true;
   }
 
   const AirspaceGrid& grid_;
@@ -143,34 +151,52 @@ class Footprint {
   const Touch& touch_;
 };
 
-/// Calls `touch(index)` for every voxel that a volume grown by a margin touches.
+/// Calls `touch(index, count)` for all voxels that a volume grown by a margin touches, as many as
+/// lie in a row at once. False once the clock is up.
 template <class Touch>
-void for_each_touched(const AirspaceGrid& grid, const Volume& volume, double margin,
-                      const Touch& touch) {
+bool for_each_touched(const AirspaceGrid& grid, const Volume& volume, double margin,
+                      WorkClock& clock, const Touch& touch) {
+  constexpr std::size_t kRow = 50, kAlong = 8;  // what a row takes [ns], and of it in one more
   SKEIN_EXPECTS(margin >= 0);
   for (const Vector2& corner : volume.polygon) SKEIN_EXPECTS(corner.allFinite());
   const Range levels = touched(volume.floor - margin, volume.ceiling + margin, grid.origin.z(),
                                grid.voxel, grid.size[2]);
-  if (volume.polygon.empty() || levels.last < levels.first) return;
-  const auto column = [&](std::int32_t x, std::int32_t y) {
-    for (std::int32_t z = levels.first; z <= levels.last; ++z) touch(grid.index(x, y, z));
+  if (volume.polygon.empty() || levels.last < levels.first) return true;
+  const auto rows = [&](std::int32_t first, std::int32_t last, std::int32_t y) {
+    const auto count = static_cast<std::size_t>(last - first + 1);
+    if (clock.is_up_after(10 * volume.polygon.size())) return false;
+    for (std::int32_t z = levels.first; z <= levels.last; ++z) {
+      touch(grid.index(first, y, z), count);
+      if (clock.is_up_after(kRow + count / kAlong)) return false;
+    }
+    return true;
   };
-  Footprint(grid, volume.polygon, margin, column).trace();
+  return Footprint(grid, volume.polygon, margin, rows).trace();
 }
 
 }  // namespace
 
-void Airspace::block(const Volume& volume, double margin) {
-  for_each_touched(grid_, volume, margin, [&](std::size_t index) { voxels_[index] = kBlocked; });
+bool Airspace::block(const Volume& volume, double margin, const std::function<bool()>& time_is_up) {
+  WorkClock clock(time_is_up);
+  return for_each_touched(grid_, volume, margin, clock, [&](std::size_t first, std::size_t count) {
+    std::fill_n(&voxels_[first], count, kBlocked);
+  });
 }
 
-void Airspace::keep_where(const std::function<bool(const Voxel&)>& keep) {
+bool Airspace::keep_where(const std::function<bool(const Voxel&)>& keep,
+                          const std::function<bool()>& time_is_up) {
+  constexpr std::size_t kAsked = 40, kPassed = 1;  // what a call takes, and what is blocked [ns]
+  WorkClock clock(time_is_up);
   std::size_t index = 0;
   Voxel at{};
   for (at[2] = 0; at[2] < grid_.size[2]; ++at[2])
     for (at[1] = 0; at[1] < grid_.size[1]; ++at[1])
-      for (at[0] = 0; at[0] < grid_.size[0]; ++at[0], ++index)
-        if (voxels_[index] != kBlocked && !keep(at)) voxels_[index] = kBlocked;
+      for (at[0] = 0; at[0] < grid_.size[0]; ++at[0], ++index) {
+        const bool is_asked = voxels_[index] != kBlocked;
+        if (is_asked && !keep(at)) voxels_[index] = kBlocked;
+        if (clock.is_up_after(is_asked ? kAsked : kPassed)) return false;
+      }
+  return true;
 }
 
 void Airspace::set_cost(const Volume& volume, double crossing_cost) {
@@ -179,8 +205,11 @@ void Airspace::set_cost(const Volume& volume, double crossing_cost) {
   const auto cost = static_cast<std::uint8_t>(steps);
   least_cost_ = std::min(least_cost_, cost);
   greatest_cost_ = std::max(greatest_cost_, cost);
-  for_each_touched(grid_, volume, 0, [&](std::size_t index) {
-    if (voxels_[index] != kBlocked) voxels_[index] = cost;
+  const std::function<bool()> never;
+  WorkClock clock(never);
+  for_each_touched(grid_, volume, 0, clock, [&](std::size_t first, std::size_t count) {
+    for (std::size_t index = first; index < first + count; ++index)
+      if (voxels_[index] != kBlocked) voxels_[index] = cost;
   });
 }
 

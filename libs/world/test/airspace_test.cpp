@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "skein/foundation/random.hpp"
 
@@ -244,6 +245,83 @@ TEST(Airspace, EndsAtTheCeilingOverTheLowestGround) {
   EXPECT_TRUE(airspace.is_free(0, 0, 3));
   EXPECT_FALSE(airspace.is_free(0, 0, 4));
   EXPECT_FALSE(airspace.is_free(4, 4, 4)) << "the hill does not lift it: ground beside is lower";
+}
+
+/// Wide grids are made in parts.
+TEST(Airspace, IsTheSameInAWideGridAsInAGridOfItsOwn) {
+  Random random(5);
+  TerrainSpec ground = level_at(5);
+  ground.east = 150;
+  ground.cell = 0.7;
+  for (int i = 0; i < 20; ++i)
+    ground.hills.push_back({{random.uniform(0, 150), random.uniform(40, 42)}, 0.15, 3});
+  const Terrain terrain(ground);
+  AirspaceSpec spec;
+  spec.grid = grid_of(5000, 70, 16, 0.03);
+  spec.grid.origin = {0, 40, 4.9};
+  spec.clearance = 0.11;
+  spec.body_radius = 0.02;
+  spec.ceiling = 0.3;
+  const Volume zone{"zone", {{0, 40.5}, {120, 40.2}, {135, 41.9}, {1, 41.8}}, -1e3, 1e3, {}};
+  const Airspace wide(spec, terrain, {zone});
+
+  std::size_t different = 0, free = 0;
+  for (std::int32_t first = 0; first < 5000; first += 100) {
+    AirspaceSpec part = spec;
+    part.grid.origin.x() += first * spec.grid.voxel;
+    part.grid.size[0] = 100;
+    const Airspace narrow(part, terrain, {zone});
+    for (std::int32_t z = 0; z < 16; ++z)
+      for (std::int32_t y = 0; y < 70; ++y)
+        for (std::int32_t x = 0; x < 100; ++x) {
+          different += wide.is_free(first + x, y, z) != narrow.is_free(x, y, z) ? 1 : 0;
+          free += narrow.is_free(x, y, z) ? 1 : 0;
+        }
+  }
+
+  EXPECT_EQ(different, 0U);
+  EXPECT_GT(free, 100'000U);
+  EXPECT_LT(free, 2'700'000U);
+}
+
+TEST(Airspace, IsMadeBlockedKeptAndCopiedOnlyUntilTheTimeIsUp) {
+  AirspaceSpec spec;
+  spec.grid = grid_of(400, 400, 400);
+  const Terrain level(level_at(20));
+  const Volume all{"all", {{-1, -1}, {4001, -1}, {4001, 4001}, {-1, 4001}}, 0, 4000, {}};
+  const auto never = [] { return false; };
+  int asked = 0;
+  const auto soon = [&] { return ++asked > 1; };
+
+  auto made = Airspace::in_time(spec, level, {}, never);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->voxels(), Airspace(spec, level, {}).voxels());
+  ASSERT_TRUE(made->copied(never));
+  EXPECT_EQ(made->copied(never)->voxels(), made->voxels());
+
+  EXPECT_FALSE(Airspace::in_time(spec, level, {}, soon));
+  EXPECT_EQ(std::exchange(asked, 0), 2);
+  EXPECT_TRUE(Airspace::in_time(spec, level, {all}, [&] { return ++asked < 0; }));
+  const int last = std::exchange(asked, 0);
+  EXPECT_GT(last, 3);
+  EXPECT_FALSE(Airspace::in_time(spec, level, {all}, [&] { return ++asked >= last; }));
+  EXPECT_EQ(std::exchange(asked, 0), last);
+  EXPECT_FALSE(made->copied(soon));
+  EXPECT_EQ(std::exchange(asked, 0), 2);
+  EXPECT_FALSE(made->keep_where([](const Voxel&) { return true; }, soon));
+  EXPECT_EQ(std::exchange(asked, 0), 2);
+  EXPECT_FALSE(made->block(all, 0, soon));
+  EXPECT_EQ(std::exchange(asked, 0), 2);
+  EXPECT_TRUE(made->is_free(399, 399, 399)) << "the rest was not blocked any more";
+  EXPECT_TRUE(made->block(all, 0, never));
+  EXPECT_FALSE(made->is_free(399, 399, 399));
+}
+
+/// What takes some milliseconds is made whatever the clock says.
+TEST(Airspace, OfFewVoxelsIsMadeEvenWhenTheTimeIsUp) {
+  AirspaceSpec spec;
+  spec.grid = grid_of(60, 60, 20);
+  EXPECT_TRUE(Airspace::in_time(spec, Terrain(level_at(20)), {}, [] { return true; }));
 }
 
 RC_GTEST_PROP(AirspaceProperty, KeepsABodyOffTheGround, ()) {

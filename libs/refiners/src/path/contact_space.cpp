@@ -17,8 +17,9 @@ using world::Vector2;
 using world::Vector3;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
-/// About what a horizon takes, and a corner of the ground that is looked at [ns].
-constexpr std::uint32_t kHorizon = 10'000, kCorner = 100;
+/// About what a horizon takes, a corner of the ground that is looked at, and a column of voxels
+/// that is beyond reach [ns].
+constexpr std::uint32_t kHorizon = 10'000, kCorner = 100, kFar = 20;
 
 double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -71,15 +72,18 @@ class SightLevels {
     corners_.reserve((static_cast<std::size_t>(grid_.size[0]) + 1) *
                      (static_cast<std::size_t>(grid_.size[1]) + 1));
     for (std::int32_t y = 0; y <= grid_.size[1]; ++y)
-      for (std::int32_t x = 0; x <= grid_.size[0]; ++x)
-        corners_.push_back(deadline_->passed_after(kHorizon) ? 0 : level_over(corner(x, y)));
+      for (std::int32_t x = 0; x <= grid_.size[0]; ++x) {
+        const Vector2 at = corner(x, y);
+        const bool is_far = (at - anchor_.head<2>()).norm() > reach_;
+        if (deadline_->passed_after(is_far ? kFar : kHorizon)) return;
+        corners_.push_back(is_far ? kNowhere : level_over(at));
+      }
   }
 
-  /// From which height on one place sees the anchor.
+  /// From which height on one place within reach sees the anchor.
   double level_over(const Vector2& place) const {
     const Vector2 offset = place - anchor_.head<2>();
     const double distance = offset.norm();
-    if (distance > reach_) return kNowhere;
     if (distance == 0) return -kNowhere;
     const world::HorizonProfile profile(terrain_, anchor_, std::atan2(offset.y(), offset.x()),
                                         distance);
@@ -90,8 +94,10 @@ class SightLevels {
     levels_.reserve(static_cast<std::size_t>(grid_.size[0]) *
                     static_cast<std::size_t>(grid_.size[1]));
     for (std::int32_t y = 0; y < grid_.size[1]; ++y)
-      for (std::int32_t x = 0; x < grid_.size[0]; ++x)
-        levels_.push_back(deadline_->is_over() ? 0 : level_of_column(x, y));
+      for (std::int32_t x = 0; x < grid_.size[0]; ++x) {
+        if (deadline_->passed_after(kFar)) return;
+        levels_.push_back(level_of_column(x, y));
+      }
   }
 
   double level_of_column(std::int32_t x, std::int32_t y) const {
@@ -183,15 +189,15 @@ bool keep_contact(Airspace& airspace, const std::vector<Vector3>& anchors,
     for (const Vector3& anchor : anchors)
       levels.emplace_back(airspace.grid(), world, anchor, deadline);
   if (deadline.is_over()) return false;
-  airspace.keep_where([&](const world::Voxel& voxel) {
+  const auto is_heard = [&](const world::Voxel& voxel) {
     const double bottom = airspace.grid().origin.z() + voxel[2] * airspace.grid().voxel;
     for (std::size_t i = 0; i < anchors.size(); ++i)
       if (farthest(airspace, voxel, anchors[i]) <= reach &&
           (levels.empty() || bottom >= levels[i].of(voxel)))
         return true;
     return false;
-  });
-  return true;
+  };
+  return airspace.keep_where(is_heard, budget.time_is_up);
 }
 
 }  // namespace skein::refiners

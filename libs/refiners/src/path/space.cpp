@@ -22,10 +22,6 @@ using world::Volume;
 /// About what it takes to close a volume [ns]: a hundred of them are closed before a clock is
 /// asked.
 constexpr std::uint32_t kVolume = 1000;
-/// The part of all voxels that a volume closes about one of in a nanosecond.
-constexpr std::size_t kVoxelShare = 128;
-/// So many take some 10 ms to make, which no clock interrupts.
-constexpr std::size_t kManyVoxels = 8'000'000;
 
 /// On the level; 0 inside [m].
 double distance(const world::Polygon& polygon, const Vector2& point) {
@@ -95,30 +91,29 @@ bool PathSpace::can_be_met(const Volume& volume, Duration flight) const {
 
 std::optional<world::Airspace> PathSpace::airspace(const world::AirspaceGrid& grid,
                                                    const Budget& budget) const {
-  Deadline deadline(budget);
-  if (grid.count() > kManyVoxels && deadline.passed()) return std::nullopt;
   world::AirspaceSpec spec;
   spec.grid = grid;
   spec.clearance = query_.clearance;
   spec.body_radius = margin();
   spec.ceiling = query_.vehicle.ceiling;
-  world::Airspace airspace(spec, world_.terrain, {});
-  for (const Volume& volume : volumes_) {
-    if (deadline.passed_after(kVolume + static_cast<std::uint32_t>(grid.count() / kVoxelShare)))
+  auto airspace = world::Airspace::in_time(spec, world_.terrain, {}, budget.time_is_up);
+  if (!airspace) return std::nullopt;
+  Deadline deadline(budget);
+  for (const Volume& volume : volumes_)
+    if (deadline.passed_after(kVolume) || !airspace->block(volume, margin(), budget.time_is_up))
       return std::nullopt;
-    airspace.block(volume, margin());
-  }
   const Vector3 low = world_.airspace.origin;
   const Vector3 high =
       low + world_.airspace.voxel *
                 Vector3(world_.airspace.size[0], world_.airspace.size[1], world_.airspace.size[2]);
-  if (grid != world_.airspace)
-    airspace.keep_where([&](const world::Voxel& voxel) {
-      const Vector3 centre = airspace.centre(voxel), half = Vector3::Constant(grid.voxel / 2);
-      return ((centre - half).array() >= low.array()).all() &&
-             ((centre + half).array() <= high.array()).all();
-    });
-  if (!anchors_.empty() && !keep_contact(airspace, anchors_, world_, budget)) return std::nullopt;
+  const auto is_within = [&](const world::Voxel& voxel) {
+    const Vector3 centre = airspace->centre(voxel), half = Vector3::Constant(grid.voxel / 2);
+    return ((centre - half).array() >= low.array()).all() &&
+           ((centre + half).array() <= high.array()).all();
+  };
+  if (grid != world_.airspace && !airspace->keep_where(is_within, budget.time_is_up))
+    return std::nullopt;
+  if (!anchors_.empty() && !keep_contact(*airspace, anchors_, world_, budget)) return std::nullopt;
   return airspace;
 }
 
@@ -159,7 +154,7 @@ std::optional<std::string> PathSpace::blame(const Vector3& place) const {
 }
 
 Refusal PathSpace::closed(const Vector3& place, const std::string& field) const {
-  if (!world::Airspace(world_.airspace).voxel_at(place))
+  if (!world::voxel_at(world_.airspace, place))
     return {RefusalKind::kBlocked, field, "the place is outside the airspace"};
   if (const auto why = blame(place)) return {RefusalKind::kBlocked, field, "the place is " + *why};
   const double height = place.z() - world_.terrain.elevation(place.x(), place.y());

@@ -19,7 +19,7 @@ class PathSpace {
   /// that the vehicle can meet, however fast it comes and however late it leaves.
   PathSpace(const PathQuery& query, const world::World& world, Duration flight);
 
-  /// Nothing when the time is up before; the ground alone is always made.
+  /// Nothing when the time is up before; what takes less than some milliseconds is always made.
   std::optional<world::Airspace> airspace(const world::AirspaceGrid& grid,
                                           const Budget& budget) const;
   /// Which of the world's volumes and the reserved ones count, in this order.

@@ -22,9 +22,6 @@ namespace {
 using world::Airspace;
 using world::Vector3;
 
-/// About what it takes to look at the voxels around one [ns].
-constexpr std::uint32_t kLookedAround = 100;
-
 /// A way that is longer by as much than a straight one is looked for otherwise too.
 constexpr double kDetour = 1.03;
 /// How far aside ways are looked for where one that cannot hover would have to circle.
@@ -162,8 +159,8 @@ class Route {
     }
     if (best && circles(*best, ways))
       for (const double aside : kAside) attempt(sloped(bowed(aside)));
-    if (!best && !setting_.budget.expired())
-      if (const VoxelWay wide = search(roomy()); wide.found) attempt(joined(wide.way));
+    if (const auto wide = best ? std::nullopt : roomy(); wide)
+      if (const VoxelWay found = search(*wide); found.found) attempt(joined(found.way));
     if (best) return *best;
     if (setting_.budget.expired()) return tl::unexpected(out_of_budget("making the way flyable"));
     return tl::unexpected(*refusal);
@@ -200,15 +197,14 @@ class Route {
     return sloped;
   }
 
-  /// The airspace without what is close to blocked voxels on the level, but around the ends.
-  Airspace roomy() const {
+  /// The airspace without what is close to blocked voxels on the level, but around the ends;
+  /// nothing when the time is up before.
+  std::optional<Airspace> roomy() const {
     const double radius = query_.vehicle.min_turn_radius, voxel = airspace_.grid().voxel;
     const auto range =
         static_cast<std::int32_t>(std::clamp(std::ceil(radius / 2 / voxel), 1.0, 4.0));
-    Airspace roomy = airspace_;
-    Deadline deadline(setting_.budget);
-    roomy.keep_where([&](const world::Voxel& at) {
-      if (deadline.passed_after(kLookedAround)) return true;
+    auto roomy = airspace_.copied(setting_.budget.time_is_up);
+    const auto has_room = [&](const world::Voxel& at) {
       const Vector3 centre = airspace_.centre(at);
       if (std::min((centre - query_.from).norm(), (centre - query_.to).norm()) <
           2 * radius + 2 * voxel)
@@ -217,7 +213,8 @@ class Route {
         for (std::int32_t x = -range; x <= range; ++x)
           if (!airspace_.is_free(at[0] + x, at[1] + y, at[2])) return false;
       return true;
-    });
+    };
+    if (roomy && !roomy->keep_where(has_room, setting_.budget.time_is_up)) roomy.reset();
     return roomy;
   }
 

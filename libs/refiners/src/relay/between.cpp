@@ -2,6 +2,9 @@
 // The best place for one relay.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <new>
 #include <queue>
 #include <tuple>
 
@@ -11,34 +14,47 @@ namespace skein::refiners::relay {
 namespace {
 
 /// What is known of the sight from one place to the voxels of each column: the ground hides
-/// everything below a level and nothing above it.
+/// everything below a level and nothing above it. All that is never asked about takes no memory:
+/// the system gives the pages of a large allocation only when they are first written.
 class Sight {
  public:
   Sight(const Space& space, const Vector3& from)
-      : space_(space),
-        from_(from),
-        columns_(static_cast<std::size_t>(space.grid().size[0]) *
-                     static_cast<std::size_t>(space.grid().size[1]),
-                 Column{-1, space.grid().size[2]}) {}
+      : space_(space), from_(from), columns_(zeroed(space.grid())) {}
 
   /// Nothing when there is no budget to look.
   std::optional<bool> sees(const Voxel& voxel, Meter& meter) {
-    Column& column = columns_[space_.grid().index(voxel[0], voxel[1], 0)];
-    if (voxel[2] <= column.hidden) return false;
-    if (voxel[2] >= column.seen) return true;
+    Column& column = columns_.get()[space_.grid().index(voxel[0], voxel[1], 0)];
+    if (voxel[2] < column.hidden) return false;
+    if (space_.grid().size[2] - voxel[2] <= column.seen) return true;
     if (!meter.link()) return std::nullopt;
     const bool seen = space_.is_in_sight(from_, space_.centre(voxel));
-    (seen ? column.seen : column.hidden) = voxel[2];
+    if (seen)
+      column.seen = space_.grid().size[2] - voxel[2];
+    else
+      column.hidden = voxel[2] + 1;
     return seen;
   }
 
  private:
+  /// So many voxels from the bottom, and from the top.
   struct Column {
-    std::int32_t hidden, seen;  ///< up to, from
+    std::int32_t hidden = 0, seen = 0;
   };
+  struct Free {
+    void operator()(Column* columns) const { std::free(columns); }
+  };
+
+  static Column* zeroed(const world::AirspaceGrid& grid) {
+    const auto count =
+        static_cast<std::size_t>(grid.size[0]) * static_cast<std::size_t>(grid.size[1]);
+    void* memory = std::calloc(count, sizeof(Column));
+    if (memory == nullptr) throw std::bad_alloc();
+    return static_cast<Column*>(memory);
+  }
+
   const Space& space_;
   Vector3 from_;
-  std::vector<Column> columns_;
+  std::unique_ptr<Column, Free> columns_;
 };
 
 /// Voxels low … high, and how near to both ends the nearest of their centres is at best.

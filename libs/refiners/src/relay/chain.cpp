@@ -9,6 +9,7 @@
 namespace skein::refiners::relay {
 namespace {
 
+constexpr std::int32_t kVoxels = 8;  // that are looked at in a unit of work
 constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
 
 struct Station {
@@ -17,18 +18,22 @@ struct Station {
   std::size_t before = kNobody;  ///< the station it hears a through; kNobody: a itself
 };
 
-/// The open voxels of a lattice, every `stride`-th along each axis.
-std::vector<Station> lattice(const Space& space, std::int32_t stride, std::size_t most) {
+/// The open voxels of a lattice, every `stride`-th along each axis; not all of them when there are
+/// more than `most`, or the time is up.
+std::vector<Station> lattice(const Space& space, std::int32_t stride, std::size_t most,
+                             Meter& meter) {
   std::vector<Station> stations;
   const auto& size = space.grid().size;
   const auto first = [&](std::size_t axis) { return std::min(stride, size[axis]) / 2; };
   for (std::int32_t z = first(2); z < size[2]; z += stride)
-    for (std::int32_t y = first(1); y < size[1]; y += stride)
+    for (std::int32_t y = first(1); y < size[1]; y += stride) {
+      if (!meter.work(static_cast<std::uint32_t>(size[0] / stride / kVoxels + 1))) return stations;
       for (std::int32_t x = first(0); x < size[0]; x += stride) {
         if (!space.is_open({x, y, z})) continue;
         stations.push_back({space.centre({x, y, z}), 0, kNobody});
         if (stations.size() > most) return stations;
       }
+    }
   return stations;
 }
 
@@ -39,8 +44,10 @@ class ChainSearch {
 
   std::optional<Chain> run() {
     std::int32_t stride = 1;
-    while ((stations_ = lattice(space_, stride, kMostRelayPlaces)).size() > kMostRelayPlaces)
+    while ((stations_ = lattice(space_, stride, kMostRelayPlaces, meter_)).size() >
+           kMostRelayPlaces)
       if (++stride, !meter_.work(64)) return std::nullopt;
+    if (meter_.over()) return std::nullopt;
     for (std::size_t i = 0; i < stations_.size(); ++i) unreached_.push_back(i);
     if (!first_hop()) return std::nullopt;
     for (std::size_t relays = 2; relays <= query_.most; ++relays) {

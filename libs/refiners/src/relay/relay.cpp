@@ -76,16 +76,19 @@ Outcome<Relay> refine(const RelayQuery& query, const Setting& setting) {
   const double direct = setting.world.radio.margin(query.a, query.b, setting.world.terrain);
   if (direct >= query.least_margin) return answer({{}, direct, voxel}, meter);
 
-  const Space space(query, setting.world);
-  if (const auto place = relay::best_between(space, query.a, query.b, meter))
+  const auto space = Space::in_time(query, setting.world, setting.budget);
+  if (!space)
+    return refuse(RefusalKind::kBudgetExhausted, "",
+                  "the time was up before it was known which air is open");
+  if (const auto place = relay::best_between(*space, query.a, query.b, meter))
     return answer({{place->position}, place->margin, voxel}, meter);
   if (!meter.over())
-    if (auto chain = relay::best_chain(space, query, meter))
+    if (auto chain = relay::best_chain(*space, query, meter))
       return answer({std::move(chain->positions), chain->margin, chain->spacing}, meter);
   if (meter.over())
     return refuse(RefusalKind::kBudgetExhausted, "",
                   "no relay was found in " + std::to_string(meter.effort().steps) + " links");
-  return tl::unexpected<Refusal>(no_contact(query, space));
+  return tl::unexpected<Refusal>(no_contact(query, *space));
 }
 
 }  // namespace skein::refiners

@@ -2,6 +2,7 @@
 #include "relay/space.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace skein::refiners::relay {
 namespace {
@@ -17,10 +18,18 @@ world::AirspaceSpec spec_of(const RelayQuery& query, const world::World& world) 
 
 }  // namespace
 
-Space::Space(const RelayQuery& query, const world::World& world)
+std::optional<Space> Space::in_time(const RelayQuery& query, const world::World& world,
+                                    const Budget& budget) {
+  auto airspace = world::Airspace::in_time(spec_of(query, world), world.terrain, world.volumes,
+                                           budget.time_is_up);
+  if (!airspace) return std::nullopt;
+  return Space(query, world, std::move(*airspace));
+}
+
+Space::Space(const RelayQuery& query, const world::World& world, world::Airspace airspace)
     : terrain_(world.terrain),
       radio_(world.radio),
-      airspace_(spec_of(query, world), world.terrain, world.volumes),
+      airspace_(std::move(airspace)),
       ceiling_(query.vehicle.ceiling),
       least_margin_(query.least_margin) {}
 

@@ -16,7 +16,9 @@ using world::Voxel;
 /// The air of a query. The world must outlive it.
 class Space {
  public:
-  Space(const RelayQuery& query, const world::World& world);
+  /// Nothing when the time is up before it is made.
+  static std::optional<Space> in_time(const RelayQuery& query, const world::World& world,
+                                      const Budget& budget);
 
   const world::AirspaceGrid& grid() const { return airspace_.grid(); }
   Vector3 centre(const Voxel& voxel) const { return airspace_.centre(voxel); }
@@ -33,6 +35,8 @@ class Space {
   double longest_link() const;
 
  private:
+  Space(const RelayQuery& query, const world::World& world, world::Airspace airspace);
+
   const world::Terrain& terrain_;
   const world::RadioModel& radio_;
   world::Airspace airspace_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <optional>
@@ -375,6 +376,52 @@ TEST(BudgetLaw, WaysThroughManyVoxelsEndInTime) {
       radio.radio.range = 700;
       expect_in_time(query, radio, vehicle.name + where + ", in contact through ten relays");
     }
+}
+
+/// As many voxels as memory has room for, as a cube, as a carpet, and as a tower.
+TEST(BudgetLaw, AirOfSoManyVoxelsIsNotMadeForLongerThanTheTime) {
+  auto rough = rough_world(Relief::kBoth, 4, 300, 900, 10).world;
+  rough.volumes = many_volumes(3, 900, 0.9);
+  struct Shape {
+    double voxel;
+    std::array<std::int32_t, 3> size;
+  };
+  for (const Shape& shape : {Shape{2, {900, 900, 370}}, Shape{0.1, {17'000, 17'000, 1}},
+                             Shape{1800, {1, 1, 1 << 20}}, Shape{0.01, {20, 20, 700'000}}}) {
+    rough.airspace = {Vector3(-900, -900, -100), shape.voxel, shape.size};
+    const std::string what = " in " + std::to_string(rough.airspace.count()) + " voxels, " +
+                             std::to_string(shape.size[2]) + " of them high";
+    const auto from = above(rough, -895, -895, 40), to = above(rough, 895, 895, 40);
+    for (const auto& vehicle : both()) {
+      PathQuery query;
+      query.vehicle = vehicle;
+      query.clearance = 10;
+      query.from = from;
+      query.to = to;
+      expect_in_time(query, rough, vehicle.name + what);
+    }
+    PathQuery heard;
+    heard.vehicle = both().front();
+    heard.from = from;
+    heard.to = to;
+    heard.contact = Contact{from, {above(rough, 0, 0, 90)}};
+    auto radio = rough;
+    radio.radio.range = 1500;
+    expect_in_time(heard, radio, "in contact" + what);
+    RelayQuery relay;
+    relay.vehicle = both().front();
+    relay.a = from;
+    relay.b = to;
+    relay.most = 6;
+    relay.clearance = 10;
+    radio.radio.range = 700;
+    expect_in_time(relay, radio, "relays" + what);
+    TourQuery tour;
+    tour.vehicle = both().front();
+    tour.start = from;
+    tour.stops.push_back({"there", {{to, to, {}}}});
+    expect_in_time(tour, rough, "a tour" + what);
+  }
 }
 
 TEST(BudgetLaw, ViewpointsAndRelaysEndInTime) {

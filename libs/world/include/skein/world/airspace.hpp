@@ -55,6 +55,12 @@ struct AirspaceSpec {
 /// Where a voxel stands in the grid: along east, north, up.
 using Voxel = std::array<std::int32_t, 3>;
 
+/// The voxel of a point, the upper one for a point on a face, but the last one on the border of the
+/// grid; nothing outside the grid.
+std::optional<Voxel> voxel_at(const AirspaceGrid& grid, const Vector3& point);
+
+class WorkClock;
+
 /// A voxel is free when the whole of it is: at least `clearance` over the highest ground below it
 /// (exact for the bilinear surface of Terrain), and not touched by any volume. So no point in or on
 /// a free voxel is in the ground or in a volume. Outside the grid nothing is free. One byte a
@@ -77,15 +83,23 @@ class Airspace {
   /// Over a terrain, without the volumes that do not hold in `spec.when`.
   /// Cost: O(columns + nodes of the terrain below + voxels).
   Airspace(const AirspaceSpec& spec, const Terrain& terrain, const std::vector<Volume>& volumes);
+  /// The same, unless a clock says before that the time is up: it is asked about every 4 ms of
+  /// work, so that what takes less is made whatever it says. Empty: it is never up.
+  static std::optional<Airspace> in_time(const AirspaceSpec& spec, const Terrain& terrain,
+                                         const std::vector<Volume>& volumes,
+                                         const std::function<bool()>& time_is_up);
+  /// A copy, or nothing when the time is up before, as above.
+  std::optional<Airspace> copied(const std::function<bool()>& time_is_up) const;
 
   const AirspaceGrid& grid() const { return grid_; }
   const std::vector<std::uint8_t>& voxels() const { return voxels_; }
   bool is_free(std::int32_t x, std::int32_t y, std::int32_t z) const;
   bool is_free(const Voxel& voxel) const { return is_free(voxel[0], voxel[1], voxel[2]); }
   Vector3 centre(const Voxel& voxel) const;
-  /// The voxel of a point, the upper one for a point on a face, but the last one on the border of
-  /// the grid; nothing outside the grid.
-  std::optional<Voxel> voxel_at(const Vector3& point) const;
+  /// As that of the grid.
+  std::optional<Voxel> voxel_at(const Vector3& point) const {
+    return world::voxel_at(grid_, point);
+  }
   /// The first free voxel that a point is in or on the face, edge or corner of.
   std::optional<Voxel> free_voxel_at(const Vector3& point) const;
   /// True in free voxels and on their faces.
@@ -106,16 +120,25 @@ class Airspace {
   std::uint8_t greatest_cost() const { return greatest_cost_; }
 
   /// Blocks the voxels that a volume, grown by `margin` [m] all around, touches. Its time window is
-  /// the caller's business. Precondition: finite corners.
-  void block(const Volume& volume, double margin = 0);
-  /// Blocks the free voxels of which `keep` says false. Cost: one call per free voxel.
-  void keep_where(const std::function<bool(const Voxel&)>& keep);
+  /// the caller's business. False when the time was up before all were, as in_time.
+  /// Precondition: finite corners.
+  bool block(const Volume& volume, double margin = 0, const std::function<bool()>& time_is_up = {});
+  /// Blocks the free voxels of which `keep` says false. False when the time was up before all were
+  /// asked about, as in_time. Cost: one call per free voxel.
+  bool keep_where(const std::function<bool(const Voxel&)>& keep,
+                  const std::function<bool()>& time_is_up = {});
   /// Sets the crossing cost, held within [1, 15.9375], of the free voxels that a volume touches.
   void set_cost(const Volume& volume, double crossing_cost);
 
  private:
-  void stand_on(const Terrain& terrain, double clearance, double body_radius);
-  void stay_below(const Terrain& terrain, double ceiling);
+  /// Over the ground within `margin` of a footprint; all in [m].
+  struct Heights {
+    double clearance, ceiling, margin;
+  };
+
+  /// With those voxels, or all free; fewer than the grid has when the clock is up before.
+  Airspace(const AirspaceGrid& grid, const std::uint8_t* voxels, WorkClock& clock);
+  bool stand_on(const Terrain& terrain, const Heights& heights, WorkClock& clock);
 
   AirspaceGrid grid_;
   std::vector<std::uint8_t> voxels_;
