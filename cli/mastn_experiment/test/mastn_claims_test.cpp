@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
                  [](auto& row) { of(row, Algorithm::kDipM).excess = 1; }},
         Spoiling{"CIP computes exactly", [](auto& row) { of(row, Algorithm::kCip).checks = 4999; }},
         Spoiling{"exactly N times", [](auto& row) { of(row, Algorithm::kDipG).checks += 1; }},
-        Spoiling{"DIP-L computes what", [](auto& row) { of(row, Algorithm::kDipL).checks = 6100; }},
+        Spoiling{"DIP-L computes what", [](auto& row) { of(row, Algorithm::kDipL).checks = 8600; }},
         Spoiling{"CIP computes no more", [](auto& row) { of(row, Algorithm::kCip).checks = 5500; }},
         Spoiling{"with every step of ρ",
                  [](auto& row) { of(row, Algorithm::kDipL).traffic.updates = 200; }},
@@ -149,6 +149,26 @@ TEST(MastnClaims, FewNetworksMayVaryMoreThanMany) {
   }
   EXPECT_TRUE(gates(3, 0.8));
   EXPECT_FALSE(gates(10, 0.8));
+}
+
+TEST(MastnClaims, OneNetworkOfAFewMayMakeDipLComputeFarMoreAllOfThemNot) {
+  const auto holds_where = [](std::size_t networks, std::size_t of_them, double times) {
+    std::vector<ExperimentRow> rows;
+    for (std::size_t i = 0; i < networks; ++i)
+      for (ExperimentRow row : good_rows()) {
+        row.seed = i;
+        if (row.shape.external == 8 && row.shape.agents == 2 && i < of_them)
+          of(row, Algorithm::kDipL).checks = static_cast<std::uint64_t>(5000 * times);
+        rows.push_back(row);
+      }
+    return holds(rows, "DIP-L computes what");
+  };
+
+  EXPECT_TRUE(holds_where(3, 1, 1.68));
+  EXPECT_TRUE(holds_where(10, 1, 1.68));
+  EXPECT_FALSE(holds_where(3, 3, 1.68));
+  EXPECT_FALSE(holds_where(10, 10, 1.4));
+  EXPECT_FALSE(holds_where(10, 10, 0.65));
 }
 
 TEST(MastnClaims, ReportedClaimsNeverGate) {
