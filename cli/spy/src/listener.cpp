@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "skein/blackboard/cdr.hpp"
+#include "skein/blackboard/dds_type.hpp"
 #include "skein/foundation/joined.hpp"
 #include "skein/foundation/nearest.hpp"
 
@@ -28,13 +29,11 @@ bool fits(const std::vector<std::string>& patterns, const std::string& name) {
   });
 }
 
-std::string type_of(wire::Slot slot) { return "skein::idl::" + std::string(wire::slot_name(slot)); }
-
 }  // namespace
 
 std::optional<wire::Slot> slot_of(const Endpoint& endpoint) {
   const auto slot = wire::slot_from_name(endpoint.topic);
-  return slot && endpoint.type == type_of(*slot) ? slot : std::nullopt;
+  return slot && endpoint.type == blackboard::dds_type_of(*slot) ? slot : std::nullopt;
 }
 
 blackboard::EndpointQos qos_of(wire::Slot slot) {
@@ -50,7 +49,7 @@ Endpoint reader_of(wire::Slot slot, std::vector<std::string> partitions) {
   Endpoint reader;
   reader.keyed = true;
   reader.topic = wire::slot_name(slot);
-  reader.type = type_of(slot);
+  reader.type = blackboard::dds_type_of(slot);
   reader.partitions = std::move(partitions);
   reader.qos = qos_of(slot);
   return reader;

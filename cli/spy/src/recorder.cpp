@@ -6,6 +6,7 @@
 
 #include "idl_text.hpp"
 #include "skein/blackboard/cdr.hpp"
+#include "skein/blackboard/dds_type.hpp"
 
 namespace skein::spy_tool {
 
@@ -28,7 +29,7 @@ const Recorder::Pair& Recorder::channels_of(const Taken& taken) {
   const std::map<std::string, std::string> metadata{{kSlot, slot}, {kPartition, taken.partition}};
   auto& schema = schemas_[taken.slot];
   if (schema == 0)
-    schema = writer_.add(mcap::Schema{"skein::idl::" + slot, "omgidl", idl_of(slot)});
+    schema = writer_.add(mcap::Schema{blackboard::dds_type_of(taken.slot), "omgidl", idl_of(slot)});
   place->second.cdr = writer_.add(mcap::Channel{schema, topic, kEncoding, metadata});
   if (!with_json_) return place->second;
   if (any_json_ == 0)

@@ -12,8 +12,8 @@
 #include <cstring>
 #include <memory>
 
-#include "adapters/rtps/dds_type.hpp"
 #include "skein/blackboard/cdr.hpp"
+#include "skein/blackboard/dds_type.hpp"
 
 namespace skein::blackboard::cyclonedds {
 namespace {
@@ -222,7 +222,7 @@ const ddsi_sertype_ops& type_operations() {
 
 ddsi_sertype* make_sample_type(wire::Slot slot) {
   auto* const type = new SampleType;
-  const std::string name = blackboard::rtps::dds_type_of(slot);
+  const std::string name = blackboard::dds_type_of(slot);
   ddsi_sertype_init(type, name.c_str(), &type_operations(), &data_operations(), false);
   type->allowed_data_representation = DDS_DATA_REPRESENTATION_FLAG_XCDR1;
   type->slot = slot;

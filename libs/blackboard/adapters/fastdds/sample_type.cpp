@@ -10,8 +10,8 @@
 #include <array>
 #include <string>
 
-#include "adapters/rtps/dds_type.hpp"
 #include "skein/blackboard/cdr.hpp"
+#include "skein/blackboard/dds_type.hpp"
 
 namespace skein::blackboard::fastdds {
 namespace {
@@ -33,7 +33,7 @@ const wire::SampleHeader& header_of(const Cargo& cargo) {
 }  // namespace
 
 SampleType::SampleType(wire::Slot slot) : slot_(slot) {
-  setName(blackboard::rtps::dds_type_of(slot).c_str());
+  setName(blackboard::dds_type_of(slot).c_str());
   m_typeSize = kTypicalSize;
   m_isGetKeyDefined = true;
   auto_fill_type_object(false);

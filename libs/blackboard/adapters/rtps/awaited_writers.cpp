@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "adapters/rtps/dds_type.hpp"
+#include "skein/blackboard/dds_type.hpp"
 #include "skein/blackboard/observer.hpp"
 
 namespace skein::blackboard::rtps {

@@ -6,11 +6,11 @@
 
 #include "skein/blackboard/wire.hpp"
 
-namespace skein::blackboard::rtps {
+namespace skein::blackboard {
 
 /// As idl/ names it: "skein::idl::Telemetry".
 inline std::string dds_type_of(wire::Slot slot) {
   return "skein::idl::" + std::string(wire::slot_name(slot));
 }
 
-}  // namespace skein::blackboard::rtps
+}  // namespace skein::blackboard
