@@ -9,6 +9,7 @@ import unittest
 import check_budgets
 import check_daemons
 import check_documents
+import check_headers_alone
 import check_includes
 import sources
 
@@ -31,6 +32,32 @@ class Comments(unittest.TestCase):
         for gone in ("thread", "{", "}"):
             self.assertNotIn(gone, code)
         self.assertIn("1000", code)
+
+
+class HeadersAlone(unittest.TestCase):
+    def problems(self, **texts):
+        """Of the header `one`."""
+        headers = {f"skein/{name}.hpp": text for name, text in texts.items()}
+        reached = check_headers_alone.Includes(headers).all_of("skein/one.hpp")
+        return list(check_headers_alone.standard_problems("skein/one.hpp", texts["one"], reached))
+
+    def test_a_name_comes_with_its_header(self):
+        self.assertEqual([], self.problems(one="#include <vector>\nstd::vector<int> a;\n"))
+        self.assertEqual(["skein/one.hpp: vector without <vector>"], self.problems(one="#include <map>\nstd::vector<int> a;\n"))
+
+    def test_or_with_one_of_ours_that_has_it(self):
+        self.assertEqual([], self.problems(one='#include "skein/two.hpp"\nstd::set<int> a;\n', two='#include "skein/three.hpp"\n',
+                                           three="#include <set>\n"))
+
+    def test_eigen_and_expected_likewise(self):
+        self.assertEqual(["skein/one.hpp: Eigen without <Eigen/Core>", "skein/one.hpp: tl without <tl/expected.hpp>"],
+                         self.problems(one="Eigen::Vector2d a;\ntl::expected<int, int> b;\n"))
+
+    def test_what_no_table_has_is_said(self):
+        self.assertIn("Add it", self.problems(one="std::frobnicator a;\n")[0])
+
+    def test_comments_use_nothing(self):
+        self.assertEqual([], self.problems(one="// std::vector\n"))
 
 
 class Includes(unittest.TestCase):

@@ -2,6 +2,7 @@
 // The link to an autopilot: UDP or a serial line.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
